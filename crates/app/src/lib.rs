@@ -1,0 +1,3 @@
+//! The window of saute: renderer, panels, input.
+
+pub mod scene;

@@ -1,0 +1,45 @@
+//! Layers along the path of a swept body, thin at both ends.
+
+/// Heights of the layer boundaries from 0 to `thickness` [m], symmetric, with a node at mid-height.
+///
+/// Spacing starts at about `first` at both faces, grows by `growth` (≥ 1) a layer and stays below about `largest`;
+/// all spacings are scaled by one factor (≤ 1) so that they fill the thickness.
+pub fn graded_levels(thickness: f64, first: f64, growth: f64, largest: f64) -> Vec<f64> {
+    let half = 0.5 * thickness;
+    let mut spacings = vec![first.min(half)];
+    while spacings.iter().sum::<f64>() < half * (1.0 - 1e-9) {
+        let last = spacings[spacings.len() - 1];
+        spacings.push((last * growth).min(largest));
+    }
+    let scale = half / spacings.iter().sum::<f64>();
+    let mut levels = vec![0.0];
+    for spacing in spacings.iter().chain(spacings.iter().rev()) {
+        levels.push(levels[levels.len() - 1] + spacing * scale);
+    }
+    let middle = spacings.len();
+    levels[middle] = half;
+    levels[2 * middle] = thickness;
+    levels
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levels_fill_the_thickness_symmetrically() {
+        let levels = graded_levels(0.025, 0.35e-3, 1.4, 2.5e-3);
+        assert_eq!((levels[0], levels[levels.len() - 1]), (0.0, 0.025));
+        for (low, high) in levels.iter().zip(levels.iter().rev()) {
+            assert!((low + high - 0.025).abs() < 1e-15);
+        }
+        assert!(levels.windows(2).all(|w| w[1] > w[0] && w[1] - w[0] <= 2.5e-3 + 1e-12));
+        assert!(levels[1] <= 0.35e-3 + 1e-12);
+    }
+
+    #[test]
+    fn a_thin_body_still_has_a_middle() {
+        assert_eq!(graded_levels(1.0e-3, 0.35e-3, 1.4, 2.5e-3).len(), 5);
+        assert_eq!(graded_levels(0.5e-3, 1e-3, 1.4, 2.5e-3), vec![0.0, 0.25e-3, 0.5e-3]);
+    }
+}

@@ -1,0 +1,21 @@
+//! Meshes and heat conduction on them; knows no food.
+//!
+//! A body is a cross-section carried along a path in layers ([`SweptMesh`]). Linear shape functions give every
+//! edge a conductance and every node a lumped volume, so a time step is a sum over edges ([`Conduction`]), exact
+//! about energy and, within [`Conduction::stable_step`], free of undershoot.
+
+pub mod conduction;
+pub mod cut;
+pub mod levels;
+pub mod locate;
+pub mod outline;
+pub mod section;
+pub mod swept;
+
+pub use conduction::{Conduction, Graph};
+pub use cut::{Cut, CutPoint};
+pub use levels::graded_levels;
+pub use locate::{Located, Locator};
+pub use outline::Outline;
+pub use section::{MeshError, Section};
+pub use swept::SweptMesh;
