@@ -1,1 +1,30 @@
-//! .
+//! What heat does to food: properties, water, proteins, browning and colour.
+//!
+//! A [`FoodModel`] is what never changes after it is built (rest mesh, composition, tables of rates); a
+//! [`FoodState`] is what does. [`FoodSolver::advance`] moves a state through one tick between given surroundings.
+
+pub mod advance;
+pub mod browning;
+pub mod changes;
+pub mod colour;
+pub mod components;
+pub mod description;
+pub mod juice;
+pub mod marbling;
+pub mod model;
+pub mod noise;
+pub mod readings;
+pub mod sorption;
+pub mod state;
+pub mod table;
+pub mod water;
+
+pub use advance::{Down, Exchange, FoodSolver, FreeAir, Surroundings};
+pub use colour::Lab;
+pub use description::{FoodDescription, Kinetics};
+pub use model::{BuildError, FoodModel, PieceSpec};
+pub use readings::{Class, Shares};
+pub use state::{FoodState, Side};
+
+/// Absolute temperature of 0 °C [K].
+pub const ZERO_C: f64 = 273.15;

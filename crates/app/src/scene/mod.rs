@@ -1,4 +1,22 @@
 //! The 3-D picture: pan, hob, board and food, drawn with wgpu.
 
+pub mod callback;
 pub mod camera;
+mod environment;
+mod food_gpu;
 pub mod input;
+mod mesh;
+mod noise;
+mod pan_mesh;
+mod passes;
+mod pipelines;
+pub mod props;
+mod readback;
+pub mod renderer;
+pub mod sample;
+mod shadow;
+mod solid_gpu;
+mod steam;
+mod targets;
+mod textures;
+mod uniforms;

@@ -1,0 +1,160 @@
+//! The scene inside an egui window.
+
+use std::sync::Arc;
+
+use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
+
+use super::input::SceneInput;
+use super::renderer::SceneRenderer;
+
+const PRESENT: &str = include_str!("shaders/present.wgsl");
+
+/// Paints the scene over the callback's rectangle.
+///
+/// `SceneCallback::install` must have been called with the resources of the same egui renderer.
+pub struct SceneCallback {
+    /// What to draw.
+    pub input: Arc<SceneInput>,
+    /// Size drawn at [pixels]; scaled to the rectangle.
+    pub size: [u32; 2],
+}
+
+/// The renderer and what copies its picture to the window; lives in egui's callback resources.
+pub struct ScenePresenter {
+    /// The renderer; its quality may be set between frames.
+    pub renderer: SceneRenderer,
+    pipeline: wgpu::RenderPipeline,
+    layout: wgpu::BindGroupLayout,
+    sampler: wgpu::Sampler,
+    group: Option<wgpu::BindGroup>,
+    size: [u32; 2],
+}
+
+impl ScenePresenter {
+    /// `target` is the format egui draws into (`egui_wgpu::RenderState::target_format`).
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, target: wgpu::TextureFormat) -> Self {
+        let layout = layout(device);
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("present"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            ..Default::default()
+        });
+        let pipeline = pipeline(device, &layout, target);
+        Self { renderer: SceneRenderer::new(device, queue), pipeline, layout, sampler, group: None, size: [0; 2] }
+    }
+
+    /// Draws the scene and points the copy at the picture.
+    fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, callback: &SceneCallback) {
+        self.renderer.render(device, queue, encoder, &callback.input, callback.size);
+        if self.group.is_some() && self.size == self.renderer.size() {
+            return;
+        }
+        self.size = self.renderer.size();
+        self.group = Some(device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("present"),
+            layout: &self.layout,
+            entries: &[
+                wgpu::BindGroupEntry {
+                    binding: 0,
+                    resource: wgpu::BindingResource::TextureView(self.renderer.color_view()),
+                },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&self.sampler) },
+            ],
+        }));
+    }
+}
+
+impl SceneCallback {
+    /// Makes the renderer, for the device and the format egui draws with. Called once, when the app starts.
+    pub fn install(state: &egui_wgpu::RenderState) {
+        let presenter = ScenePresenter::new(&state.device, &state.queue, state.target_format);
+        state.renderer.write().callback_resources.insert(presenter);
+    }
+}
+
+impl CallbackTrait for SceneCallback {
+    fn prepare(
+        &self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        _screen: &ScreenDescriptor,
+        encoder: &mut wgpu::CommandEncoder,
+        resources: &mut CallbackResources,
+    ) -> Vec<wgpu::CommandBuffer> {
+        if let Some(presenter) = resources.get_mut::<ScenePresenter>() {
+            presenter.prepare(device, queue, encoder, self);
+        }
+        Vec::new()
+    }
+
+    fn paint(
+        &self,
+        _info: egui::PaintCallbackInfo,
+        pass: &mut wgpu::RenderPass<'static>,
+        resources: &CallbackResources,
+    ) {
+        let Some(presenter) = resources.get::<ScenePresenter>() else { return };
+        let Some(group) = &presenter.group else { return };
+        pass.set_pipeline(&presenter.pipeline);
+        pass.set_bind_group(0, group, &[]);
+        pass.draw(0..3, 0..1);
+    }
+}
+
+fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
+    let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::FRAGMENT,
+        ty,
+        count: None,
+    };
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some("present"),
+        entries: &[
+            entry(
+                0,
+                wgpu::BindingType::Texture {
+                    sample_type: wgpu::TextureSampleType::Float { filterable: true },
+                    view_dimension: wgpu::TextureViewDimension::D2,
+                    multisampled: false,
+                },
+            ),
+            entry(1, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
+        ],
+    })
+}
+
+fn pipeline(device: &wgpu::Device, layout: &wgpu::BindGroupLayout, target: wgpu::TextureFormat) -> wgpu::RenderPipeline {
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some("present"),
+        source: wgpu::ShaderSource::Wgsl(PRESENT.into()),
+    });
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some("present"),
+        bind_group_layouts: &[Some(layout)],
+        immediate_size: 0,
+    });
+    let entry = if target.is_srgb() { "fs_present_linear" } else { "fs_present_encoded" };
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("present"),
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module: &module,
+            entry_point: Some("vs_present"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: None,
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module: &module,
+            entry_point: Some(entry),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(target.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}

@@ -1,0 +1,199 @@
+//! Buffers of the foods: topology and marbling by key, states uploaded every frame.
+
+use std::collections::HashMap;
+
+use glam::Vec3;
+use wgpu::util::DeviceExt;
+
+use super::input::{FatVolume, FoodLook, FoodMesh, FoodVertex};
+use super::pipelines::Layouts;
+use super::textures::sampled_texture_of;
+use super::uniforms::{FoodUniform, NO_CUT, reciprocal};
+
+/// A shape that has moved by less than this still casts the same shadow [m].
+const SHADOW_TOLERANCE: f32 = 3e-4;
+
+/// What foods with the same mesh share.
+struct MeshBuffers {
+    indices: wgpu::Buffer,
+    count: u32,
+    fat: wgpu::TextureView,
+    used: bool,
+}
+
+/// One food on the device.
+pub(super) struct FoodBuffers {
+    key: u64,
+    vertices: wgpu::Buffer,
+    uniform: wgpu::Buffer,
+    bind_group: wgpu::BindGroup,
+    pose_group: wgpu::BindGroup,
+    indices: wgpu::Buffer,
+    count: u32,
+    cut: Option<CutBuffers>,
+    /// World positions when the shadow map was drawn.
+    shadowed: Vec<Vec3>,
+}
+
+/// The cut face of a food.
+struct CutBuffers {
+    vertices: wgpu::Buffer,
+    indices: wgpu::Buffer,
+    count: u32,
+}
+
+/// All foods on the device, in the order of the input.
+#[derive(Default)]
+pub(super) struct Foods {
+    meshes: HashMap<u64, MeshBuffers>,
+    pub slots: Vec<FoodBuffers>,
+}
+
+impl Foods {
+    /// Uploads the states; returns true when something moved enough for another shadow.
+    pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, layouts: &Layouts, foods: &[FoodLook]) -> bool {
+        let mut moved = self.slots.len() != foods.len();
+        self.slots.truncate(foods.len());
+        self.meshes.values_mut().for_each(|mesh| mesh.used = false);
+        for (index, food) in foods.iter().enumerate() {
+            let mesh = self.meshes.entry(food.mesh.key).or_insert_with(|| MeshBuffers::new(device, queue, &food.mesh));
+            mesh.used = true;
+            let fits = self.slots.get(index).is_some_and(|slot| slot.fits(food));
+            if !fits {
+                let slot = FoodBuffers::new(device, layouts, mesh, food);
+                self.slots.splice(index..(index + 1).min(self.slots.len()), [slot]);
+                moved = true;
+            }
+            moved |= self.slots[index].update(device, queue, food);
+        }
+        self.meshes.retain(|_, mesh| mesh.used);
+        if moved {
+            self.remember(foods);
+        }
+        moved
+    }
+
+    fn remember(&mut self, foods: &[FoodLook]) {
+        for (slot, food) in self.slots.iter_mut().zip(foods) {
+            slot.shadowed.clear();
+            slot.shadowed.extend(world_positions(food));
+        }
+    }
+}
+
+impl MeshBuffers {
+    fn new(device: &wgpu::Device, queue: &wgpu::Queue, mesh: &FoodMesh) -> Self {
+        Self {
+            indices: buffer(device, bytemuck::cast_slice(&mesh.triangles), wgpu::BufferUsages::INDEX),
+            count: mesh.triangles.len() as u32 * 3,
+            fat: fat_texture(device, queue, &mesh.fat),
+            used: true,
+        }
+    }
+}
+
+impl FoodBuffers {
+    fn new(device: &wgpu::Device, layouts: &Layouts, mesh: &MeshBuffers, food: &FoodLook) -> Self {
+        let uniform = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("food"),
+            size: size_of::<FoodUniform>() as u64,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let whole = wgpu::BindGroupEntry { binding: 0, resource: uniform.as_entire_binding() };
+        let fat = wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&mesh.fat) };
+        let group = |layout, entries: &[wgpu::BindGroupEntry<'_>]| {
+            device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("food"), layout, entries })
+        };
+        let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
+        Self {
+            key: food.mesh.key,
+            vertices: buffer(device, bytemuck::cast_slice(&food.vertices), usage),
+            bind_group: group(&layouts.food, &[whole.clone(), fat]),
+            pose_group: group(&layouts.pose, &[whole]),
+            uniform,
+            indices: mesh.indices.clone(),
+            count: mesh.count,
+            cut: None,
+            shadowed: Vec::new(),
+        }
+    }
+
+    fn fits(&self, food: &FoodLook) -> bool {
+        let bytes = std::mem::size_of_val(food.vertices.as_slice()) as u64;
+        self.key == food.mesh.key && self.vertices.size() == bytes
+    }
+
+    fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, food: &FoodLook) -> bool {
+        queue.write_buffer(&self.vertices, 0, bytemuck::cast_slice(&food.vertices));
+        queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform(food)));
+        self.cut = food.slice.as_ref().filter(|slice| !slice.triangles.is_empty()).map(|slice| CutBuffers {
+            vertices: buffer(device, bytemuck::cast_slice(&slice.vertices), wgpu::BufferUsages::VERTEX),
+            indices: buffer(device, bytemuck::cast_slice(&slice.triangles), wgpu::BufferUsages::INDEX),
+            count: slice.triangles.len() as u32 * 3,
+        });
+        let same = self.shadowed.len() == food.vertices.len()
+            && world_positions(food).zip(&self.shadowed).all(|(a, b)| a.abs_diff_eq(*b, SHADOW_TOLERANCE));
+        !same
+    }
+
+    pub fn has_cut(&self) -> bool {
+        self.cut.is_some()
+    }
+
+    /// Draws the outside; the pass has the frame and texture groups set.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_bind_group(2, &self.bind_group, &[]);
+        self.draw_shape(pass);
+    }
+
+    /// Draws the cut face, if there is one.
+    pub fn draw_cut(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let Some(cut) = &self.cut else { return };
+        pass.set_bind_group(2, &self.bind_group, &[]);
+        pass.set_vertex_buffer(0, cut.vertices.slice(..));
+        pass.set_index_buffer(cut.indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..cut.count, 0, 0..1);
+    }
+
+    /// Draws the shape into a depth map.
+    pub fn draw_depth(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_bind_group(1, &self.pose_group, &[]);
+        self.draw_shape(pass);
+    }
+
+    fn draw_shape(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_vertex_buffer(0, self.vertices.slice(..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..self.count, 0, 0..1);
+    }
+}
+
+/// World positions of a food's vertices.
+pub(super) fn world_positions(food: &FoodLook) -> impl Iterator<Item = Vec3> {
+    food.vertices.iter().map(|vertex: &FoodVertex| food.world_from_rest.transform_point3(Vec3::from(vertex.rest)))
+}
+
+fn uniform(food: &FoodLook) -> FoodUniform {
+    let fat = &food.mesh.fat;
+    FoodUniform {
+        world_from_rest: food.world_from_rest,
+        cut: food.slice.as_ref().map_or(NO_CUT, |slice| slice.normal.extend(slice.normal.dot(slice.point))),
+        fat_origin: fat.origin.extend(0.0),
+        fat_scale: reciprocal(fat.extent).extend(0.0),
+    }
+}
+
+fn buffer(device: &wgpu::Device, contents: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
+    device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some("food"), contents, usage })
+}
+
+/// The marbling; a volume that does not hold what it says is taken as lean.
+fn fat_texture(device: &wgpu::Device, queue: &wgpu::Queue, fat: &FatVolume) -> wgpu::TextureView {
+    let limit = device.limits().max_texture_dimension_3d;
+    let full = fat.size.iter().map(|&n| n as usize).product::<usize>() == fat.cells.len();
+    let sound = full && fat.size.iter().all(|&n| n > 0 && n <= limit);
+    let (size, cells) = if sound { (fat.size, fat.cells.as_slice()) } else { ([1; 3], [0].as_slice()) };
+    let format = wgpu::TextureFormat::R8Unorm;
+    sampled_texture_of(device, queue, size, 1, format, wgpu::TextureDimension::D3, cells)
+}

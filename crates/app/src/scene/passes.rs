@@ -1,0 +1,142 @@
+//! What is drawn in which pass, in which order.
+
+use super::food_gpu::Foods;
+use super::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines};
+use super::solid_gpu::Solids;
+use super::targets::Attachments;
+
+/// Colour around the subject in flat pictures, sRGB.
+pub const FLAT_BACKGROUND: [u8; 3] = [24, 24, 24];
+
+/// Bind groups every colour pass needs.
+pub(super) struct Groups<'a> {
+    pub frame: &'a wgpu::BindGroup,
+    pub textures: &'a wgpu::BindGroup,
+}
+
+impl Groups<'_> {
+    fn set(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_bind_group(0, self.frame, &[]);
+        pass.set_bind_group(1, self.textures, &[]);
+    }
+}
+
+/// Begins a pass that clears both attachments.
+pub(super) fn begin<'e>(encoder: &'e mut wgpu::CommandEncoder, to: &Attachments<'_>, clear: bool) -> wgpu::RenderPass<'e> {
+    let background = f64::from(FLAT_BACKGROUND[0]) / 255.0;
+    let colour = wgpu::Color { r: background, g: background, b: background, a: 1.0 };
+    let store = if to.resolve.is_some() { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("scene"),
+        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+            view: to.colour,
+            depth_slice: None,
+            resolve_target: to.resolve,
+            ops: wgpu::Operations { load: if clear { wgpu::LoadOp::Clear(colour) } else { wgpu::LoadOp::Load }, store },
+        })],
+        depth_stencil_attachment: Some(depth_attachment(to.depth, clear, store)),
+        ..Default::default()
+    })
+}
+
+/// Begins a pass that only writes depth.
+pub(super) fn begin_depth<'e>(encoder: &'e mut wgpu::CommandEncoder, to: &wgpu::TextureView) -> wgpu::RenderPass<'e> {
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("depth"),
+        depth_stencil_attachment: Some(depth_attachment(to, true, wgpu::StoreOp::Store)),
+        ..Default::default()
+    })
+}
+
+fn depth_attachment(
+    view: &wgpu::TextureView,
+    clear: bool,
+    store: wgpu::StoreOp,
+) -> wgpu::RenderPassDepthStencilAttachment<'_> {
+    let load = if clear { wgpu::LoadOp::Clear(1.0) } else { wgpu::LoadOp::Load };
+    wgpu::RenderPassDepthStencilAttachment { view, depth_ops: Some(wgpu::Operations { load, store }), stencil_ops: None }
+}
+
+/// Everything that casts a shadow from the window.
+pub(super) fn draw_shadow(pass: &mut wgpu::RenderPass<'_>, pipelines: &DepthPipelines, view: &wgpu::BindGroup, solids: &Solids, foods: &Foods) {
+    pass.set_bind_group(0, view, &[]);
+    pass.set_pipeline(&pipelines.solid);
+    for solid in [&solids.surroundings, &solids.hob, &solids.cloth, &solids.pan_body, &solids.pan_floor] {
+        solid.draw(pass);
+    }
+    draw_food_depth(pass, pipelines, view, foods);
+}
+
+/// The foods alone.
+pub(super) fn draw_food_depth(pass: &mut wgpu::RenderPass<'_>, pipelines: &DepthPipelines, view: &wgpu::BindGroup, foods: &Foods) {
+    pass.set_bind_group(0, view, &[]);
+    pass.set_pipeline(&pipelines.food);
+    for food in &foods.slots {
+        food.draw_depth(pass);
+    }
+}
+
+/// Depth of what does not move, at one sample a pixel.
+pub(super) fn draw_still_depth(pass: &mut wgpu::RenderPass<'_>, pipelines: &DepthPipelines, view: &wgpu::BindGroup, solids: &Solids) {
+    pass.set_bind_group(0, view, &[]);
+    pass.set_pipeline(&pipelines.still);
+    for solid in [&solids.pan_body, &solids.cloth, &solids.hob, &solids.surroundings, &solids.room] {
+        solid.draw(pass);
+    }
+}
+
+/// What does not move, nearest first; the pan's floor is drawn with the foods.
+pub(super) fn draw_still(pass: &mut wgpu::RenderPass<'_>, pipelines: &ColourPipelines, groups: &Groups<'_>, solids: &Solids) {
+    groups.set(pass);
+    pass.set_pipeline(&pipelines.metal);
+    solids.pan_body.draw(pass);
+    pass.set_pipeline(&pipelines.solid);
+    solids.cloth.draw(pass);
+    pass.set_pipeline(&pipelines.glass);
+    solids.hob.draw(pass);
+    pass.set_pipeline(&pipelines.solid);
+    solids.surroundings.draw(pass);
+    solids.room.draw(pass);
+}
+
+/// Foods, cut faces and the floor of the pan.
+pub(super) fn draw_lively(pass: &mut wgpu::RenderPass<'_>, pipelines: &ColourPipelines, groups: &Groups<'_>, solids: &Solids, foods: &Foods) {
+    groups.set(pass);
+    for food in &foods.slots {
+        pass.set_pipeline(if food.has_cut() { &pipelines.food_cut } else { &pipelines.food });
+        food.draw(pass);
+    }
+    pass.set_pipeline(&pipelines.food);
+    for food in foods.slots.iter().filter(|food| food.has_cut()) {
+        food.draw_cut(pass);
+    }
+    pass.set_pipeline(&pipelines.metal);
+    solids.pan_floor.draw(pass);
+}
+
+/// The veils of cut foods, then steam.
+pub(super) fn draw_veils(pass: &mut wgpu::RenderPass<'_>, pipelines: &ColourPipelines, groups: &Groups<'_>, foods: &Foods, steam: &wgpu::Buffer, puff_vertices: u32) {
+    groups.set(pass);
+    pass.set_pipeline(&pipelines.ghost);
+    for food in foods.slots.iter().filter(|food| food.has_cut()) {
+        food.draw(pass);
+    }
+    if puff_vertices > 0 {
+        pass.set_pipeline(&pipelines.steam);
+        pass.set_vertex_buffer(0, steam.slice(..));
+        pass.draw(0..puff_vertices, 0..1);
+    }
+}
+
+/// The exact picture: foods and pan, nothing else.
+pub(super) fn draw_flat(pass: &mut wgpu::RenderPass<'_>, pipelines: &FlatPipelines, groups: &Groups<'_>, solids: &Solids, foods: &Foods) {
+    groups.set(pass);
+    pass.set_pipeline(&pipelines.food);
+    for food in &foods.slots {
+        food.draw(pass);
+        food.draw_cut(pass);
+    }
+    pass.set_pipeline(&pipelines.solid);
+    solids.pan_floor.draw(pass);
+    solids.pan_body.draw(pass);
+}

@@ -1,0 +1,281 @@
+//! Shader modules, bind group layouts and render pipelines.
+
+use super::mesh::SolidVertex;
+use super::steam::PuffVertex;
+use super::targets::COLOUR_FORMAT;
+use super::textures::{DEPTH_FORMAT, fragment_entry};
+use crate::scene::input::FoodVertex;
+
+const FRAME: &str = include_str!("shaders/frame.wgsl");
+const LIGHT: &str = include_str!("shaders/light.wgsl");
+const SOLID: &str = include_str!("shaders/solid.wgsl");
+const FOOD: &str = include_str!("shaders/food.wgsl");
+const STEAM: &str = include_str!("shaders/steam.wgsl");
+const DEPTH: &str = include_str!("shaders/depth.wgsl");
+const RESTORE: &str = include_str!("shaders/restore.wgsl");
+
+const SOLID_ATTRIBUTES: [wgpu::VertexAttribute; 4] =
+    wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x4];
+const FOOD_ATTRIBUTES: [wgpu::VertexAttribute; 6] = wgpu::vertex_attr_array![
+    0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3, 4 => Float32x3, 5 => Float32x3];
+const STEAM_ATTRIBUTES: [wgpu::VertexAttribute; 3] =
+    wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x2, 2 => Float32x3];
+
+/// Layouts of the bind groups that belong to no texture set.
+pub(super) struct Layouts {
+    pub frame: wgpu::BindGroupLayout,
+    pub food: wgpu::BindGroupLayout,
+    pub pose: wgpu::BindGroupLayout,
+    pub restore: wgpu::BindGroupLayout,
+}
+
+/// Pipelines that draw colours at one sample count.
+pub(super) struct ColourPipelines {
+    pub solid: wgpu::RenderPipeline,
+    pub glass: wgpu::RenderPipeline,
+    pub metal: wgpu::RenderPipeline,
+    pub food: wgpu::RenderPipeline,
+    pub food_cut: wgpu::RenderPipeline,
+    pub ghost: wgpu::RenderPipeline,
+    pub steam: wgpu::RenderPipeline,
+}
+
+/// Pipelines of the exact pictures.
+pub(super) struct FlatPipelines {
+    pub solid: wgpu::RenderPipeline,
+    pub food: wgpu::RenderPipeline,
+}
+
+/// Pipelines that write depth only.
+pub(super) struct DepthPipelines {
+    pub solid: wgpu::RenderPipeline,
+    pub food: wgpu::RenderPipeline,
+    /// Without the bias that shadow maps need.
+    pub still: wgpu::RenderPipeline,
+}
+
+/// Compiles pipelines on demand from modules that are parsed once.
+pub(super) struct PipelineFactory {
+    pub layouts: Layouts,
+    solid: wgpu::ShaderModule,
+    food: wgpu::ShaderModule,
+    steam: wgpu::ShaderModule,
+    depth: wgpu::ShaderModule,
+    restore: wgpu::ShaderModule,
+    solid_layout: wgpu::PipelineLayout,
+    food_layout: wgpu::PipelineLayout,
+}
+
+impl PipelineFactory {
+    pub fn new(device: &wgpu::Device, textures: &wgpu::BindGroupLayout) -> Self {
+        let layouts = Layouts::new(device);
+        let module = |label, parts: &[&str]| {
+            device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(label),
+                source: wgpu::ShaderSource::Wgsl(parts.concat().into()),
+            })
+        };
+        let solid_layout = pipeline_layout(device, &[&layouts.frame, textures]);
+        let food_layout = pipeline_layout(device, &[&layouts.frame, textures, &layouts.food]);
+        Self {
+            solid: module("solid", &[FRAME, LIGHT, SOLID]),
+            food: module("food", &[FRAME, LIGHT, FOOD]),
+            steam: module("steam", &[FRAME, LIGHT, STEAM]),
+            depth: module("depth", &[DEPTH]),
+            restore: module("restore", &[RESTORE]),
+            layouts,
+            solid_layout,
+            food_layout,
+        }
+    }
+
+    pub fn colour(&self, device: &wgpu::Device, samples: u32) -> ColourPipelines {
+        let solid = |entry| self.solid_pipeline(device, entry, samples);
+        let food = |entry, blend| self.food_pipeline(device, entry, blend, samples);
+        ColourPipelines {
+            solid: solid("fs_solid"),
+            glass: solid("fs_glass"),
+            metal: solid("fs_metal"),
+            food: food("fs_food", false),
+            food_cut: food("fs_food_cut", false),
+            ghost: food("fs_ghost", true),
+            steam: self.steam_pipeline(device, samples),
+        }
+    }
+
+    pub fn flat(&self, device: &wgpu::Device) -> FlatPipelines {
+        FlatPipelines {
+            solid: self.solid_pipeline(device, "fs_flat_solid", 1),
+            food: self.food_pipeline(device, "fs_flat_food", false, 1),
+        }
+    }
+
+    pub fn depth(&self, device: &wgpu::Device) -> DepthPipelines {
+        let view_only = pipeline_layout(device, &[&self.layouts.frame]);
+        let with_pose = pipeline_layout(device, &[&self.layouts.frame, &self.layouts.pose]);
+        let bias = wgpu::DepthBiasState { constant: 2, slope_scale: 1.5, clamp: 0.0 };
+        let make = |layout, entry, buffer, bias| {
+            let depth = wgpu::DepthStencilState { bias, ..depth_state(true) };
+            build(device, layout, (&self.depth, entry, Some(buffer)), None, depth, None, 1)
+        };
+        DepthPipelines {
+            solid: make(&view_only, "vs_solid_depth", solid_buffer(), bias),
+            food: make(&with_pose, "vs_food_depth", food_buffer(), bias),
+            still: make(&view_only, "vs_solid_depth", solid_buffer(), wgpu::DepthBiasState::default()),
+        }
+    }
+
+    pub fn restore(&self, device: &wgpu::Device) -> wgpu::RenderPipeline {
+        let layout = pipeline_layout(device, &[&self.layouts.restore]);
+        let depth = wgpu::DepthStencilState {
+            depth_compare: Some(wgpu::CompareFunction::Always),
+            ..depth_state(true)
+        };
+        let fragment = Some((&self.restore, "fs_restore", None));
+        build(device, &layout, (&self.restore, "vs_restore", None), fragment, depth, None, 1)
+    }
+
+    fn solid_pipeline(&self, device: &wgpu::Device, entry: &'static str, samples: u32) -> wgpu::RenderPipeline {
+        let vertex = (&self.solid, "vs_solid", Some(solid_buffer()));
+        build(device, &self.solid_layout, vertex, Some((&self.solid, entry, None)), depth_state(true), None, samples)
+    }
+
+    fn food_pipeline(
+        &self,
+        device: &wgpu::Device,
+        entry: &'static str,
+        veil: bool,
+        samples: u32,
+    ) -> wgpu::RenderPipeline {
+        let vertex = (&self.food, "vs_food", Some(food_buffer()));
+        let blend = veil.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
+        // The ghost has no thickness: only the side that faces the eye is drawn. A cut food shows its inside.
+        let cull = veil.then_some(wgpu::Face::Back);
+        build(device, &self.food_layout, vertex, Some((&self.food, entry, blend)), depth_state(!veil), cull, samples)
+    }
+
+    fn steam_pipeline(&self, device: &wgpu::Device, samples: u32) -> wgpu::RenderPipeline {
+        let buffer = wgpu::VertexBufferLayout {
+            array_stride: size_of::<PuffVertex>() as u64,
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes: &STEAM_ATTRIBUTES,
+        };
+        let blend = Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
+        let vertex = (&self.steam, "vs_steam", Some(buffer));
+        build(device, &self.solid_layout, vertex, Some((&self.steam, "fs_steam", blend)), depth_state(false), None, samples)
+    }
+}
+
+impl Layouts {
+    fn new(device: &wgpu::Device) -> Self {
+        let group = |label, entries: &[wgpu::BindGroupLayoutEntry]| {
+            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
+        };
+        let texture = |sample_type, view_dimension| wgpu::BindingType::Texture {
+            sample_type,
+            view_dimension,
+            multisampled: false,
+        };
+        use wgpu::{TextureSampleType, TextureViewDimension};
+        let float = |filterable| TextureSampleType::Float { filterable };
+        Self {
+            frame: group("frame", &[uniform_entry(0)]),
+            pose: group("pose", &[uniform_entry(0)]),
+            food: group("food", &[uniform_entry(0), fragment_entry(1, texture(float(true), TextureViewDimension::D3))]),
+            restore: group(
+                "restore",
+                &[
+                    fragment_entry(0, texture(float(false), TextureViewDimension::D2)),
+                    fragment_entry(1, texture(TextureSampleType::Depth, TextureViewDimension::D2)),
+                ],
+            ),
+        }
+    }
+}
+
+fn uniform_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        },
+        count: None,
+    }
+}
+
+fn solid_buffer() -> wgpu::VertexBufferLayout<'static> {
+    wgpu::VertexBufferLayout {
+        array_stride: size_of::<SolidVertex>() as u64,
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes: &SOLID_ATTRIBUTES,
+    }
+}
+
+fn food_buffer() -> wgpu::VertexBufferLayout<'static> {
+    wgpu::VertexBufferLayout {
+        array_stride: size_of::<FoodVertex>() as u64,
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes: &FOOD_ATTRIBUTES,
+    }
+}
+
+fn depth_state(write: bool) -> wgpu::DepthStencilState {
+    wgpu::DepthStencilState {
+        format: DEPTH_FORMAT,
+        depth_write_enabled: Some(write),
+        depth_compare: Some(wgpu::CompareFunction::LessEqual),
+        stencil: wgpu::StencilState::default(),
+        bias: wgpu::DepthBiasState::default(),
+    }
+}
+
+fn pipeline_layout(device: &wgpu::Device, groups: &[&wgpu::BindGroupLayout]) -> wgpu::PipelineLayout {
+    let groups: Vec<_> = groups.iter().map(|group| Some(*group)).collect();
+    device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some("scene"),
+        bind_group_layouts: &groups,
+        immediate_size: 0,
+    })
+}
+
+type VertexStage<'a> = (&'a wgpu::ShaderModule, &'static str, Option<wgpu::VertexBufferLayout<'static>>);
+type FragmentStage<'a> = (&'a wgpu::ShaderModule, &'static str, Option<wgpu::BlendState>);
+
+fn build(
+    device: &wgpu::Device,
+    layout: &wgpu::PipelineLayout,
+    (vertex, vertex_entry, buffer): VertexStage<'_>,
+    fragment: Option<FragmentStage<'_>>,
+    depth: wgpu::DepthStencilState,
+    cull_mode: Option<wgpu::Face>,
+    samples: u32,
+) -> wgpu::RenderPipeline {
+    let buffers = buffer.map(Some);
+    let target = fragment.as_ref().map(|(_, _, blend)| {
+        [Some(wgpu::ColorTargetState { format: COLOUR_FORMAT, blend: *blend, write_mask: wgpu::ColorWrites::ALL })]
+    });
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(fragment.as_ref().map_or(vertex_entry, |(_, entry, _)| entry)),
+        layout: Some(layout),
+        vertex: wgpu::VertexState {
+            module: vertex,
+            entry_point: Some(vertex_entry),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: buffers.as_slice(),
+        },
+        primitive: wgpu::PrimitiveState { cull_mode, ..Default::default() },
+        depth_stencil: Some(depth),
+        multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
+        fragment: fragment.as_ref().zip(target.as_ref()).map(|((module, entry, _), target)| wgpu::FragmentState {
+            module,
+            entry_point: Some(entry),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: target,
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}

@@ -1,0 +1,305 @@
+//! Draws the scene into a texture of its own.
+
+use wgpu::util::DeviceExt;
+
+use super::food_gpu::Foods;
+use super::input::{Colouring, SceneInput};
+use super::passes::{self, Groups};
+use super::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines, PipelineFactory};
+use super::shadow::{ContactMap, light_from_world};
+use super::solid_gpu::{PanKey, Solids};
+use super::steam::{PUFFS_MAX, PuffVertex, puffs};
+use super::targets::{MSAA_SAMPLES, Targets};
+use super::textures::SceneTextures;
+use super::uniforms::FrameUniform;
+use crate::scene::camera::Camera;
+
+pub use super::passes::FLAT_BACKGROUND;
+
+/// How much work a picture is worth.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Quality {
+    /// Keeps what does not move between frames; one sample a pixel while things move.
+    #[default]
+    Fast,
+    /// Draws everything at four samples a pixel with a finer shadow map.
+    Fine,
+}
+
+impl Quality {
+    fn shadow_size(self) -> u32 {
+        match self {
+            Self::Fast => 1024,
+            Self::Fine => 2048,
+        }
+    }
+}
+
+/// What the kept picture of the still things depends on.
+#[derive(Clone, Debug, PartialEq)]
+struct StillKey {
+    camera: Camera,
+    size: [u32; 2],
+    /// Hob power in steps that no eye tells apart.
+    power: u32,
+    pan: PanKey,
+    shadow: u64,
+}
+
+/// The kept picture and how well it was drawn.
+struct Still {
+    key: StillKey,
+    samples: u32,
+}
+
+/// Draws scenes. Pictures of one renderer must be submitted one after another: they share its buffers.
+pub struct SceneRenderer {
+    /// How much work a picture is worth.
+    pub quality: Quality,
+    factory: PipelineFactory,
+    textures: SceneTextures,
+    depth: DepthPipelines,
+    restore: wgpu::RenderPipeline,
+    fast: Option<ColourPipelines>,
+    fine: Option<ColourPipelines>,
+    flat: Option<FlatPipelines>,
+    frame: Uniform,
+    camera_view: Uniform,
+    light_view: Uniform,
+    contact_view: Uniform,
+    contact: ContactMap,
+    solids: Option<Solids>,
+    foods: Foods,
+    steam: wgpu::Buffer,
+    puff_vertices: u32,
+    targets: Targets,
+    still: Option<Still>,
+    /// Counts the shadow maps drawn; a new one makes the kept picture stale.
+    shadow: u64,
+    shadow_pan: Option<PanKey>,
+    table: Option<std::sync::Arc<[[u8; 3]; 256]>>,
+}
+
+/// A uniform buffer with its bind group.
+struct Uniform {
+    buffer: wgpu::Buffer,
+    group: wgpu::BindGroup,
+}
+
+impl Uniform {
+    fn new(device: &wgpu::Device, layout: &wgpu::BindGroupLayout, contents: &[u8]) -> Self {
+        let buffer = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some("uniform"),
+            contents,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+        });
+        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("uniform"),
+            layout,
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }],
+        });
+        Self { buffer, group }
+    }
+}
+
+impl SceneRenderer {
+    /// Compiles the shaders and generates the textures.
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Self {
+        let quality = Quality::default();
+        let textures = SceneTextures::new(device, queue, quality.shadow_size());
+        let factory = PipelineFactory::new(device, &textures.layout);
+        let contact = ContactMap::default();
+        let uniform = |contents: &[u8]| Uniform::new(device, &factory.layouts.frame, contents);
+        let frame = uniform(&[0; size_of::<FrameUniform>()]);
+        let camera_view = uniform(&[0; 64]);
+        let light_view = uniform(bytemuck::bytes_of(&light_from_world()));
+        let contact_view = uniform(bytemuck::bytes_of(&contact.clip_from_world()));
+        let steam = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("steam"),
+            size: (PUFFS_MAX * 6 * size_of::<PuffVertex>()) as u64,
+            usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        Self {
+            quality,
+            depth: factory.depth(device),
+            restore: factory.restore(device),
+            fast: None,
+            fine: None,
+            flat: None,
+            targets: Targets::new(device, [16, 16], &factory.layouts.restore),
+            textures,
+            factory,
+            frame,
+            camera_view,
+            light_view,
+            contact_view,
+            contact,
+            solids: None,
+            foods: Foods::default(),
+            steam,
+            puff_vertices: 0,
+            still: None,
+            shadow: 0,
+            shadow_pan: None,
+            table: None,
+        }
+    }
+
+    /// The finished picture: sRGB-encoded values in a format without sRGB.
+    pub fn color_view(&self) -> &wgpu::TextureView {
+        &self.targets.picture.colour
+    }
+
+    /// Size of the finished picture in pixels.
+    pub fn size(&self) -> [u32; 2] {
+        self.targets.size
+    }
+
+    pub(super) fn picture(&self) -> &wgpu::Texture {
+        &self.targets.texture
+    }
+
+    /// Draws a scene; `color_view` shows it once the encoder's commands are submitted.
+    pub fn render(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        input: &SceneInput,
+        size: [u32; 2],
+    ) {
+        let limit = device.limits().max_texture_dimension_2d;
+        let size = size.map(|side| side.clamp(1, limit));
+        self.prepare(device, queue, input, size);
+        if input.flat {
+            self.draw_flat(device, encoder);
+            return;
+        }
+        self.update_shadow(device, queue, encoder, input);
+        match self.quality {
+            Quality::Fast => self.draw_fast(device, encoder, input, size),
+            Quality::Fine => self.draw_fine(device, encoder),
+        }
+    }
+
+    /// Brings buffers and targets up to date.
+    fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, input: &SceneInput, size: [u32; 2]) {
+        if self.targets.size != size {
+            self.targets = Targets::new(device, size, &self.factory.layouts.restore);
+            self.still = None;
+        }
+        if self.textures.shadow_size != self.quality.shadow_size() {
+            self.textures.resize_shadow(device, self.quality.shadow_size());
+            self.shadow_pan = None;
+        }
+        match &mut self.solids {
+            Some(solids) => solids.update(device, &input.pan),
+            None => self.solids = Some(Solids::new(device, &input.pan)),
+        }
+        self.update_table(device, queue, &input.colouring);
+        let aspect = size[0] as f32 / size[1] as f32;
+        let frame = FrameUniform::new(input, aspect, self.textures.shadow_size, &self.contact);
+        queue.write_buffer(&self.frame.buffer, 0, bytemuck::bytes_of(&frame));
+        let view = input.camera.view_projection(aspect);
+        queue.write_buffer(&self.camera_view.buffer, 0, bytemuck::bytes_of(&view));
+        if self.foods.update(device, queue, &self.factory.layouts, &input.foods) {
+            self.shadow_pan = None;
+        }
+        let sprites = puffs(&input.steam, input.time_s);
+        self.puff_vertices = sprites.len() as u32;
+        queue.write_buffer(&self.steam, 0, bytemuck::cast_slice(&sprites));
+    }
+
+    fn update_table(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, colouring: &Colouring) {
+        let Colouring::Field { table, stepped } = colouring else { return };
+        let same = self.table.as_ref().is_some_and(|old| std::sync::Arc::ptr_eq(old, table));
+        if !same || *stepped != self.textures.stepped() {
+            self.textures.set_table(device, queue, table, *stepped);
+            self.table = Some(table.clone());
+        }
+    }
+
+    /// Redraws shadow and contact map when something moved.
+    fn update_shadow(&mut self, _device: &wgpu::Device, _queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, input: &SceneInput) {
+        let Some(solids) = &self.solids else { return };
+        let pan = PanKey::of(&input.pan);
+        if self.shadow_pan == Some(pan) {
+            return;
+        }
+        let mut pass = passes::begin_depth(encoder, &self.textures.shadow_map);
+        passes::draw_shadow(&mut pass, &self.depth, &self.light_view.group, solids, &self.foods);
+        drop(pass);
+        let mut pass = passes::begin_depth(encoder, &self.textures.contact_map);
+        passes::draw_food_depth(&mut pass, &self.depth, &self.contact_view.group, &self.foods);
+        drop(pass);
+        self.shadow += 1;
+        self.shadow_pan = Some(pan);
+    }
+
+    fn draw_flat(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
+        let pipelines = self.flat.get_or_insert_with(|| self.factory.flat(device));
+        let Some(solids) = &self.solids else { return };
+        let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
+        let mut pass = passes::begin(encoder, &self.targets.picture.attachments(), true);
+        passes::draw_flat(&mut pass, pipelines, &groups, solids, &self.foods);
+        self.still = None;
+    }
+
+    fn draw_fine(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
+        let pipelines = self.fine.get_or_insert_with(|| self.factory.colour(device, MSAA_SAMPLES));
+        let Some(solids) = &self.solids else { return };
+        self.targets.msaa(device);
+        let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
+        let mut pass = passes::begin(encoder, &self.targets.multisampled(&self.targets.picture), true);
+        passes::draw_lively(&mut pass, pipelines, &groups, solids, &self.foods);
+        passes::draw_still(&mut pass, pipelines, &groups, solids);
+        passes::draw_veils(&mut pass, pipelines, &groups, &self.foods, &self.steam, self.puff_vertices);
+        self.still = None;
+    }
+
+    fn draw_fast(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, input: &SceneInput, size: [u32; 2]) {
+        let key = StillKey {
+            camera: input.camera.clone(),
+            size,
+            power: (input.hob.power * 128.0).round() as u32,
+            pan: PanKey::of(&input.pan),
+            shadow: self.shadow,
+        };
+        self.update_still(device, encoder, key);
+        let pipelines = self.fast.get_or_insert_with(|| self.factory.colour(device, 1));
+        let Some(solids) = &self.solids else { return };
+        let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
+        let mut pass = passes::begin(encoder, &self.targets.picture.attachments(), false);
+        pass.set_pipeline(&self.restore);
+        pass.set_bind_group(0, &self.targets.restore, &[]);
+        pass.draw(0..3, 0..1);
+        passes::draw_lively(&mut pass, pipelines, &groups, solids, &self.foods);
+        passes::draw_veils(&mut pass, pipelines, &groups, &self.foods, &self.steam, self.puff_vertices);
+    }
+
+    /// Draws the still things when they changed: at once with one sample a pixel, and smoothly as soon as they rest.
+    fn update_still(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey) {
+        let samples = match &self.still {
+            Some(still) if still.key == key && still.samples == MSAA_SAMPLES => return,
+            Some(still) if still.key == key => MSAA_SAMPLES,
+            _ => 1,
+        };
+        let Some(solids) = &self.solids else { return };
+        let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
+        if samples == 1 {
+            let pipelines = self.fast.get_or_insert_with(|| self.factory.colour(device, 1));
+            let mut pass = passes::begin(encoder, &self.targets.still.attachments(), true);
+            passes::draw_still(&mut pass, pipelines, &groups, solids);
+        } else {
+            let pipelines = self.fine.get_or_insert_with(|| self.factory.colour(device, MSAA_SAMPLES));
+            self.targets.msaa(device);
+            let mut pass = passes::begin(encoder, &self.targets.multisampled(&self.targets.still), true);
+            passes::draw_still(&mut pass, pipelines, &groups, solids);
+            drop(pass);
+            let mut pass = passes::begin_depth(encoder, &self.targets.still.depth);
+            passes::draw_still_depth(&mut pass, &self.depth, &self.camera_view.group, solids);
+        }
+        self.still = Some(Still { key, samples });
+    }
+}

@@ -1,0 +1,49 @@
+// What every pass knows about the frame, and how a radiance becomes a pixel.
+
+struct Frame {
+    clip_from_world: mat4x4<f32>,
+    // Shadow map of the window: clip space.
+    light_from_world: mat4x4<f32>,
+    // Position of the eye; w = simulated time [s], wrapped.
+    eye: vec4<f32>,
+    // Unit vector towards the window; w = 1 / shadow map size.
+    key: vec4<f32>,
+    // Unit vector towards the lamp; w = levels of the environment - 1.
+    lamp: vec4<f32>,
+    // Contact map: lowest corner x, y, then 1 / extent.
+    contact_rect: vec4<f32>,
+    // Contact map: lowest height, 1 / range; 1 / map size.
+    contact_height: vec4<f32>,
+    // Centre of the pan's underside; w = thickness of the floor.
+    pan_place: vec4<f32>,
+    // Floor radius, rim radius, rim height, oil.
+    pan_shape: vec4<f32>,
+    // x = hob power, y = 1 for field colours, z = 1 for flat, w = top of the board.
+    mode: vec4<f32>,
+    // Left, front, right, back edge of the board.
+    board: vec4<f32>,
+    // Rings of the pan floor's field.
+    floor_field: array<vec4<f32>, 4>,
+};
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+fn srgb_from_linear(linear: vec3<f32>) -> vec3<f32> {
+    let c = max(linear, vec3<f32>(0.0));
+    return select(1.055 * pow(c, vec3<f32>(1.0 / 2.4)) - 0.055, 12.92 * c, c < vec3<f32>(0.0031308));
+}
+
+// Filmic curve with a gentle shoulder (rational fit of the ACES reference rendering); the exposure is chosen.
+fn filmic(radiance: vec3<f32>) -> vec3<f32> {
+    let x = radiance * 0.43;
+    return clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), vec3<f32>(0.0), vec3<f32>(1.0));
+}
+
+// Interleaved gradient noise breaks the bands of 8-bit gradients.
+fn dither(pixel: vec2<f32>) -> f32 {
+    return fract(52.9829189 * fract(dot(pixel, vec2<f32>(0.06711056, 0.00583715)))) - 0.5;
+}
+
+fn pixel_from_radiance(radiance: vec3<f32>, pixel: vec2<f32>) -> vec4<f32> {
+    return vec4<f32>(srgb_from_linear(filmic(radiance)) + dither(pixel) / 255.0, 1.0);
+}

@@ -1,0 +1,21 @@
+// Puts the still picture and its depth back before what moves is drawn.
+
+@group(0) @binding(0) var still_colour: texture_2d<f32>;
+@group(0) @binding(1) var still_depth: texture_depth_2d;
+
+struct Restored {
+    @location(0) colour: vec4<f32>,
+    @builtin(frag_depth) depth: f32,
+};
+
+@vertex
+fn vs_restore(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
+    let corner = vec2<f32>(f32(index & 1u) * 4.0 - 1.0, f32(index >> 1u) * 4.0 - 1.0);
+    return vec4<f32>(corner, 0.0, 1.0);
+}
+
+@fragment
+fn fs_restore(@builtin(position) at: vec4<f32>) -> Restored {
+    let texel = vec2<i32>(at.xy);
+    return Restored(textureLoad(still_colour, texel, 0), textureLoad(still_depth, texel, 0));
+}

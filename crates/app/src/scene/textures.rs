@@ -1,0 +1,266 @@
+//! Textures every surface reads, generated once, and the bind group that holds them.
+
+use wgpu::util::{DeviceExt, TextureDataOrder};
+
+use super::environment::{self, ENVIRONMENT_LEVELS, ENVIRONMENT_SIZE};
+use super::noise::{BUNDLE_SIZE, NOISE_SIZE, bundles, halve_picture, halve_volume, solid_noise};
+use super::shadow::CONTACT_SIZE;
+
+const NOISE_LEVELS: u32 = 4;
+const BUNDLE_LEVELS: u32 = 6;
+
+/// Depth format of every pass.
+pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// Shared textures and samplers.
+pub(super) struct SceneTextures {
+    pub layout: wgpu::BindGroupLayout,
+    pub bind_group: wgpu::BindGroup,
+    pub shadow_map: wgpu::TextureView,
+    pub contact_map: wgpu::TextureView,
+    pub shadow_size: u32,
+    environment: wgpu::TextureView,
+    noise: wgpu::TextureView,
+    bundles: wgpu::TextureView,
+    table: wgpu::Texture,
+    stepped: bool,
+    samplers: Samplers,
+}
+
+struct Samplers {
+    depth: wgpu::Sampler,
+    clamp: wgpu::Sampler,
+    tile: wgpu::Sampler,
+    nearest: wgpu::Sampler,
+}
+
+impl SceneTextures {
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, shadow_size: u32) -> Self {
+        let layout = layout(device);
+        let samplers = Samplers::new(device);
+        let shadow_map = depth_map(device, shadow_size);
+        let contact_map = depth_map(device, CONTACT_SIZE);
+        let environment = environment_texture(device, queue);
+        let noise = noise_texture(device, queue);
+        let bundles = bundle_texture(device, queue);
+        let table = table_texture(device);
+        let views = [&shadow_map, &contact_map, &environment, &noise, &bundles];
+        let bind_group = bind(device, &layout, views, &table, &samplers, false);
+        Self {
+            layout,
+            bind_group,
+            shadow_map,
+            contact_map,
+            shadow_size,
+            environment,
+            noise,
+            bundles,
+            table,
+            stepped: false,
+            samplers,
+        }
+    }
+
+    /// Takes a shadow map of another size.
+    pub fn resize_shadow(&mut self, device: &wgpu::Device, size: u32) {
+        self.shadow_map = depth_map(device, size);
+        self.shadow_size = size;
+        self.rebind(device);
+    }
+
+    /// True when the table is read by nearest entry.
+    pub fn stepped(&self) -> bool {
+        self.stepped
+    }
+
+    /// Takes another colour table.
+    pub fn set_table(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, table: &[[u8; 3]; 256], stepped: bool) {
+        let texels: Vec<u8> = table.iter().flat_map(|c| [c[0], c[1], c[2], 255]).collect();
+        let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(1024), rows_per_image: None };
+        queue.write_texture(self.table.as_image_copy(), &texels, layout, self.table.size());
+        if stepped != self.stepped {
+            self.stepped = stepped;
+            self.rebind(device);
+        }
+    }
+
+    fn rebind(&mut self, device: &wgpu::Device) {
+        let views = [&self.shadow_map, &self.contact_map, &self.environment, &self.noise, &self.bundles];
+        self.bind_group = bind(device, &self.layout, views, &self.table, &self.samplers, self.stepped);
+    }
+}
+
+impl Samplers {
+    fn new(device: &wgpu::Device) -> Self {
+        let make = |address: wgpu::AddressMode, filter: wgpu::FilterMode, compare| {
+            let mipmap_filter = match filter {
+                wgpu::FilterMode::Linear if compare == None => wgpu::MipmapFilterMode::Linear,
+                _ => wgpu::MipmapFilterMode::Nearest,
+            };
+            device.create_sampler(&wgpu::SamplerDescriptor {
+                label: Some("scene"),
+                address_mode_u: address,
+                address_mode_v: address,
+                address_mode_w: address,
+                mag_filter: filter,
+                min_filter: filter,
+                mipmap_filter,
+                compare,
+                ..Default::default()
+            })
+        };
+        use wgpu::{AddressMode::*, FilterMode::*};
+        Self {
+            depth: make(ClampToEdge, Linear, Some(wgpu::CompareFunction::LessEqual)),
+            clamp: make(ClampToEdge, Linear, None),
+            tile: make(Repeat, Linear, None),
+            nearest: make(ClampToEdge, Nearest, None),
+        }
+    }
+}
+
+fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
+    use wgpu::{BindingType, SamplerBindingType, TextureSampleType, TextureViewDimension};
+    let texture = |sample_type, view_dimension| BindingType::Texture { sample_type, view_dimension, multisampled: false };
+    let float = TextureSampleType::Float { filterable: true };
+    let filtering = BindingType::Sampler(SamplerBindingType::Filtering);
+    let types = [
+        texture(TextureSampleType::Depth, TextureViewDimension::D2),
+        texture(TextureSampleType::Depth, TextureViewDimension::D2),
+        BindingType::Sampler(SamplerBindingType::Comparison),
+        texture(float, TextureViewDimension::D2),
+        filtering,
+        texture(float, TextureViewDimension::D3),
+        texture(float, TextureViewDimension::D2),
+        filtering,
+        texture(float, TextureViewDimension::D2),
+        filtering,
+    ];
+    let entries: Vec<_> = (0..).zip(types).map(|(binding, ty)| fragment_entry(binding, ty)).collect();
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("scene textures"), entries: &entries })
+}
+
+/// A layout entry that only fragments see.
+pub(super) fn fragment_entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None }
+}
+
+fn bind(
+    device: &wgpu::Device,
+    layout: &wgpu::BindGroupLayout,
+    [shadow, contact, environment, noise, bundles]: [&wgpu::TextureView; 5],
+    table: &wgpu::Texture,
+    samplers: &Samplers,
+    stepped: bool,
+) -> wgpu::BindGroup {
+    use wgpu::BindingResource::{Sampler, TextureView};
+    let table = table.create_view(&wgpu::TextureViewDescriptor::default());
+    let table_sampler = if stepped { &samplers.nearest } else { &samplers.clamp };
+    let resources = [
+        TextureView(shadow),
+        TextureView(contact),
+        Sampler(&samplers.depth),
+        TextureView(environment),
+        Sampler(&samplers.clamp),
+        TextureView(noise),
+        TextureView(bundles),
+        Sampler(&samplers.tile),
+        TextureView(&table),
+        Sampler(table_sampler),
+    ];
+    let entries: Vec<_> =
+        (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
+    device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("scene textures"), layout, entries: &entries })
+}
+
+fn depth_map(device: &wgpu::Device, size: u32) -> wgpu::TextureView {
+    let texture = device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("depth map"),
+        size: wgpu::Extent3d { width: size, height: size, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: DEPTH_FORMAT,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    });
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+/// Creates a texture that is only sampled; `texels` holds all levels one after another.
+pub(super) fn sampled_texture(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    size: [u32; 3],
+    levels: u32,
+    format: wgpu::TextureFormat,
+    texels: &[u8],
+) -> wgpu::TextureView {
+    let dimension = if size[2] > 1 { wgpu::TextureDimension::D3 } else { wgpu::TextureDimension::D2 };
+    sampled_texture_of(device, queue, size, levels, format, dimension, texels)
+}
+
+/// As `sampled_texture`, with the dimension said.
+pub(super) fn sampled_texture_of(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    [width, height, depth_or_array_layers]: [u32; 3],
+    levels: u32,
+    format: wgpu::TextureFormat,
+    dimension: wgpu::TextureDimension,
+    texels: &[u8],
+) -> wgpu::TextureView {
+    let descriptor = wgpu::TextureDescriptor {
+        label: Some("generated"),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers },
+        mip_level_count: levels,
+        sample_count: 1,
+        dimension,
+        format,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    };
+    let texture = device.create_texture_with_data(queue, &descriptor, TextureDataOrder::MipMajor, texels);
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+fn environment_texture(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureView {
+    let texels: Vec<u16> = (0..ENVIRONMENT_LEVELS).flat_map(environment::level).collect();
+    let size = [ENVIRONMENT_SIZE, ENVIRONMENT_SIZE, 1];
+    let format = wgpu::TextureFormat::Rgba16Float;
+    sampled_texture(device, queue, size, ENVIRONMENT_LEVELS, format, bytemuck::cast_slice(&texels))
+}
+
+fn noise_texture(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureView {
+    let mut texels = solid_noise();
+    let mut level = texels.clone();
+    for step in 0..NOISE_LEVELS - 1 {
+        level = halve_volume(&level, NOISE_SIZE >> step);
+        texels.extend_from_slice(&level);
+    }
+    sampled_texture(device, queue, [NOISE_SIZE; 3], NOISE_LEVELS, wgpu::TextureFormat::Rgba8Unorm, &texels)
+}
+
+fn bundle_texture(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureView {
+    let mut texels = bundles();
+    let mut level = texels.clone();
+    for step in 0..BUNDLE_LEVELS - 1 {
+        level = halve_picture(&level, BUNDLE_SIZE >> step);
+        texels.extend_from_slice(&level);
+    }
+    let size = [BUNDLE_SIZE, BUNDLE_SIZE, 1];
+    sampled_texture(device, queue, size, BUNDLE_LEVELS, wgpu::TextureFormat::Rg8Unorm, &texels)
+}
+
+fn table_texture(device: &wgpu::Device) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("colour table"),
+        size: wgpu::Extent3d { width: 256, height: 1, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::Rgba8Unorm,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+        view_formats: &[],
+    })
+}

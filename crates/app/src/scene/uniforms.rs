@@ -1,0 +1,69 @@
+//! The uniform blocks, laid out as the shaders read them.
+
+use glam::{Mat4, Vec3, Vec4};
+
+use super::environment::{ENVIRONMENT_LEVELS, LAMP_DIRECTION, WINDOW_DIRECTION};
+use super::input::{Colouring, FLOOR_FIELD_RINGS, SceneInput};
+use super::props::{BOARD_CENTRE, BOARD_SIZE};
+use super::shadow::{ContactMap, light_from_world};
+
+/// After this the time in the shaders starts again, so that single precision stays fine [s].
+const TIME_WRAP: f32 = 1000.0;
+
+/// Mirrors `Frame` in `frame.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
+pub(super) struct FrameUniform {
+    clip_from_world: Mat4,
+    light_from_world: Mat4,
+    eye: Vec4,
+    key: Vec4,
+    lamp: Vec4,
+    contact_rect: Vec4,
+    contact_height: Vec4,
+    pan_place: Vec4,
+    pan_shape: Vec4,
+    mode: Vec4,
+    board: Vec4,
+    floor_field: [f32; FLOOR_FIELD_RINGS],
+}
+
+impl FrameUniform {
+    pub fn new(input: &SceneInput, aspect: f32, shadow_size: u32, contact: &ContactMap) -> Self {
+        let pan = &input.pan;
+        let field = matches!(input.colouring, Colouring::Field { .. });
+        let [low, high] = [BOARD_CENTRE - BOARD_SIZE * 0.5, BOARD_CENTRE + BOARD_SIZE * 0.5];
+        Self {
+            clip_from_world: input.camera.view_projection(aspect),
+            light_from_world: light_from_world(),
+            eye: input.camera.eye().extend(input.time_s.rem_euclid(TIME_WRAP)),
+            key: WINDOW_DIRECTION.normalize().extend(1.0 / shadow_size as f32),
+            lamp: LAMP_DIRECTION.normalize().extend((ENVIRONMENT_LEVELS - 1) as f32),
+            contact_rect: contact.rect(),
+            contact_height: contact.height(),
+            pan_place: pan.position.extend(pan.thickness),
+            pan_shape: Vec4::new(pan.floor_radius, pan.rim_radius, pan.rim_height, pan.oil),
+            mode: Vec4::new(input.hob.power, f32::from(field), f32::from(input.flat), BOARD_CENTRE.z),
+            board: Vec4::new(low.x, low.y, high.x, high.y),
+            floor_field: pan.floor_field,
+        }
+    }
+}
+
+/// Mirrors `Food` in `food.wgsl`; its head is `Pose` in `depth.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
+pub(super) struct FoodUniform {
+    pub world_from_rest: Mat4,
+    pub cut: Vec4,
+    pub fat_origin: Vec4,
+    pub fat_scale: Vec4,
+}
+
+/// A cut so far away that nothing is hidden.
+pub(super) const NO_CUT: Vec4 = Vec4::new(0.0, 0.0, 1.0, 1e6);
+
+/// One over every component, 0 where there is no extent.
+pub(super) fn reciprocal(extent: Vec3) -> Vec3 {
+    Vec3::select(extent.cmpgt(Vec3::splat(1e-9)), extent.recip(), Vec3::ZERO)
+}

@@ -1,0 +1,96 @@
+//! Colour from state, in L*a*b* under D65 and in linear sRGB.
+
+use crate::description::Colours;
+
+/// A colour in CIE L*a*b* (D65, 2°).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Lab(pub [f64; 3]);
+
+/// What colours a point of flesh: shares between 0 and 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Appearance {
+    /// Denatured myosin: opacity.
+    pub myosin: f64,
+    /// Denatured myoglobin: from red to grey-brown.
+    pub myoglobin: f64,
+    /// Browning.
+    pub browning: f64,
+    /// Charring.
+    pub charring: f64,
+}
+
+impl Lab {
+    /// Straight line to another colour.
+    pub fn lerp(self, other: Lab, t: f64) -> Lab {
+        let t = t.clamp(0.0, 1.0);
+        Lab([0, 1, 2].map(|i| self.0[i] + t * (other.0[i] - self.0[i])))
+    }
+
+    /// ΔE*ab (CIE 1976).
+    pub fn difference(self, other: Lab) -> f64 {
+        libm::sqrt((0..3).map(|i| (self.0[i] - other.0[i]) * (self.0[i] - other.0[i])).sum())
+    }
+
+    /// Linear sRGB, clipped to the gamut [-].
+    ///
+    /// CIE 15:2004 for L*a*b*, IEC 61966-2-1 for the matrix; white D65 (0.95047, 1, 1.08883).
+    pub fn linear_srgb(self) -> [f64; 3] {
+        let fy = (self.0[0] + 16.0) / 116.0;
+        let inverse = |f: f64| if f > 6.0 / 29.0 { f * f * f } else { (f - 4.0 / 29.0) * 3.0 * (6.0 / 29.0) * (6.0 / 29.0) };
+        let x = 0.95047 * inverse(fy + self.0[1] / 500.0);
+        let y = inverse(fy);
+        let z = 1.08883 * inverse(fy - self.0[2] / 200.0);
+        [
+            3.240_454 * x - 1.537_139 * y - 0.498_531 * z,
+            -0.969_266 * x + 1.876_011 * y + 0.041_556 * z,
+            0.055_643 * x - 0.204_026 * y + 1.057_225 * z,
+        ]
+        .map(|v| v.clamp(0.0, 1.0))
+    }
+
+    /// sRGB as 8-bit values.
+    pub fn srgb8(self) -> [u8; 3] {
+        self.linear_srgb().map(|v| {
+            let encoded = if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * libm::pow(v, 1.0 / 2.4) - 0.055 };
+            libm::round(encoded * 255.0) as u8
+        })
+    }
+}
+
+impl Colours {
+    /// Lean flesh: raw colour shifted by denaturation, then along golden to crust and char.
+    pub fn lean(&self, a: Appearance) -> Lab {
+        let base = Lab([0, 1, 2].map(|i| self.raw[i] + a.myosin * self.myosin[i] + a.myoglobin * self.myoglobin[i]));
+        self.browned(base, Lab(self.golden), Lab(self.crust), a)
+    }
+
+    /// Fat: waxy when raw, translucent when molten, crisp and brown, charred.
+    pub fn fat(&self, a: Appearance) -> Lab {
+        let base = Lab(self.fat_raw).lerp(Lab(self.fat_cooked), a.myosin);
+        let brown = Lab(self.fat_brown);
+        self.browned(base, base.lerp(brown, 0.6), brown, a)
+    }
+
+    fn browned(&self, base: Lab, golden: Lab, crust: Lab, a: Appearance) -> Lab {
+        let brown = if a.browning < self.golden_at {
+            base.lerp(golden, a.browning / self.golden_at)
+        } else {
+            golden.lerp(crust, (a.browning - self.golden_at) / (1.0 - self.golden_at))
+        };
+        brown.lerp(Lab(self.char), a.charring)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn known_colours_convert() {
+        assert_eq!(Lab([100.0, 0.0, 0.0]).srgb8(), [255, 255, 255]);
+        assert_eq!(Lab([0.0, 0.0, 0.0]).srgb8(), [0, 0, 0]);
+        // sRGB red is L*a*b* 53.24, 80.09, 67.20.
+        let red = Lab([53.24, 80.09, 67.20]).srgb8();
+        assert!(red[0] >= 254 && red[1] <= 2 && red[2] <= 2, "{red:?}");
+    }
+}

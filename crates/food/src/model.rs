@@ -1,0 +1,263 @@
+//! What never changes in a piece of food: rest mesh, composition, tables.
+
+use saute_heat::{Located, Locator, MeshError, Outline, Section, SweptMesh, graded_levels};
+
+use crate::browning::Browning;
+use crate::changes::ProteinRates;
+use crate::colour::Appearance;
+use crate::components::{Components, Masses, Properties};
+use crate::description::{FoodDescription, Kinetics, WaterHolding};
+use crate::marbling::MarblingField;
+use crate::noise::uniform;
+use crate::sorption::Isotherm;
+use crate::table::Table;
+use crate::water::saturation_density;
+use crate::{Lab, ZERO_C};
+
+/// Why a piece could not be built.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BuildError {
+    /// A size out of range.
+    #[error("{which} {got} mm is out of range: use {low} to {high} mm")]
+    Size {
+        /// Which dimension.
+        which: &'static str,
+        /// What was asked for [mm].
+        got: f64,
+        /// Smallest allowed [mm].
+        low: f64,
+        /// Largest allowed [mm].
+        high: f64,
+    },
+    /// Mass fractions that do not add up.
+    #[error("the mass fractions of the {which} tissue add up to {total:.4}; they must add up to 1 (± 0.005)")]
+    Composition {
+        /// Which tissue.
+        which: &'static str,
+        /// Their sum [-].
+        total: f64,
+    },
+    /// The mesh failed.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+}
+
+/// One piece to be cut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PieceSpec {
+    /// Length, width, thickness [m].
+    pub size: [f64; 3],
+    /// Seed of its natural variation.
+    pub seed: u64,
+    /// Mesh spacing over the default [-]; 1 by default, 2 has about an eighth of the nodes.
+    pub coarseness: f64,
+}
+
+/// In-plane spacing of the default mesh [m] (chosen: the gradient length √(αt) is 9 mm after 10 minutes).
+const SPACING: f64 = 5.0e-3;
+/// First layer below a big face [m] (chosen: a crust is 0.5–1.5 mm thick).
+const FIRST_LAYER: f64 = 0.35e-3;
+/// Growth of the layers inwards [-] and the thickest layer [m] (chosen; convergence is tested).
+const LAYER_GROWTH: f64 = 1.38;
+const THICKEST_LAYER: f64 = 2.2e-3;
+
+/// A piece of food, immutable after it is built.
+#[derive(Clone, Debug)]
+pub struct FoodModel {
+    /// Rest mesh; z from 0 to the thickness, origin at the outline's centroid.
+    pub mesh: SweptMesh,
+    /// Finds points in the section.
+    pub locator: Locator,
+    /// Length, width, thickness [m].
+    pub size: [f64; 3],
+    /// Outline of the section.
+    pub outline: Outline,
+    /// Thermal properties of water, lean solids and fat.
+    pub properties: Properties,
+    /// Raw water of each node [kg].
+    pub initial_water: Vec<f64>,
+    /// Lean solids of each node [kg].
+    pub lean_solids: Vec<f64>,
+    /// Fat of each node [kg].
+    pub fat: Vec<f64>,
+    /// Share of adipose tissue of each node [-].
+    pub adipose: Vec<f64>,
+    /// Everything but water [kg].
+    pub dry_mass: f64,
+    /// Side area of each node [m²].
+    pub side_areas: Vec<f64>,
+    /// Nodes with a side area.
+    pub side_nodes: Vec<u32>,
+    /// Where the fat seams run.
+    pub marbling: MarblingField,
+    /// Sorption isotherm.
+    pub isotherm: Isotherm,
+    /// Density of saturated vapour against temperature [kg/m³].
+    pub vapour: Table,
+    /// Rates of denaturation.
+    pub proteins: ProteinRates,
+    /// Rates of browning.
+    pub browning: Browning,
+    /// Share of the raw water that is still held against temperature [-].
+    pub held: Table,
+    /// Water holding parameters.
+    pub water_holding: WaterHolding,
+    /// What the food's file says.
+    pub description: FoodDescription,
+    core: Located,
+}
+
+impl FoodModel {
+    /// Cuts and meshes a piece.
+    pub fn build(
+        description: &FoodDescription,
+        kinetics: &Kinetics,
+        components: &Components,
+        piece: &PieceSpec,
+    ) -> Result<Self, BuildError> {
+        check_size(description, piece)?;
+        check_composition("lean", description.lean.total())?;
+        check_composition("adipose", description.adipose.total())?;
+        let outline = outline(description, piece);
+        let mesh = mesh(&outline, piece)?;
+        let locator = Locator::new(&mesh.section);
+        let core = locator.locate_or_nearest(&mesh.section, [0.0, 0.0]);
+        let marbling = MarblingField::new(&description.marbling, piece.seed);
+        let holding = kinetics.water_holding.clone();
+        let mut model = Self {
+            properties: Properties::new(components, &description.lean, &description.fat_melting),
+            isotherm: Isotherm::new(&description.sorption),
+            vapour: Table::new(250.0, 380.0, 0.5, saturation_density),
+            proteins: ProteinRates::new(kinetics),
+            browning: Browning::new(&kinetics.browning, &kinetics.charring),
+            held: Table::new(ZERO_C, ZERO_C + 120.0, 0.5, |t| held_share(&holding, t - ZERO_C)),
+            water_holding: kinetics.water_holding.clone(),
+            description: description.clone(),
+            side_areas: mesh.side_areas(),
+            side_nodes: Vec::new(),
+            size: piece.size,
+            initial_water: Vec::new(),
+            lean_solids: Vec::new(),
+            fat: Vec::new(),
+            adipose: Vec::new(),
+            dry_mass: 0.0,
+            outline,
+            mesh,
+            locator,
+            marbling,
+            core,
+        };
+        model.side_nodes = (0..model.side_areas.len() as u32).filter(|&i| model.side_areas[i as usize] > 0.0).collect();
+        model.fill();
+        Ok(model)
+    }
+
+    /// Gives every node the masses that its volume of lean and adipose tissue holds at 20 °C.
+    fn fill(&mut self) {
+        let seams = node_shares(&self.mesh, &self.marbling);
+        let (lean, adipose) = (&self.description.lean, &self.description.adipose);
+        for (node, &s) in seams.iter().enumerate() {
+            let mix = |l: f64, a: f64| (1.0 - s) * l + s * a;
+            let fractions = [mix(lean.water, adipose.water), mix(lean.lean_solids(), adipose.lean_solids()), mix(lean.fat, adipose.fat)];
+            let mass = self.mesh.graph.volume[node] / self.properties.volume(&fractions, ZERO_C + 20.0);
+            self.initial_water.push(mass * fractions[0]);
+            self.lean_solids.push(mass * fractions[1]);
+            self.fat.push(mass * fractions[2]);
+        }
+        self.adipose = seams;
+        self.dry_mass = self.lean_solids.iter().sum::<f64>() + self.fat.iter().sum::<f64>();
+    }
+
+    /// Water, lean solids and fat of a node with the given water [kg].
+    #[inline]
+    pub fn masses(&self, node: usize, water: f64) -> Masses {
+        [water, self.lean_solids[node], self.fat[node]]
+    }
+
+    /// Value of a node field at the rest shape's centroid.
+    pub fn at_core(&self, field: &[f64]) -> f64 {
+        self.interpolate(field, &self.core, 0.5 * self.mesh.thickness())
+    }
+
+    /// Value of a node field at a point of the rest frame (origin: centroid of the bottom face), or none outside.
+    pub fn at(&self, field: &[f64], p: [f64; 3]) -> Option<f64> {
+        let found = self.locator.locate(&self.mesh.section, [p[0], p[1]])?;
+        (0.0..=self.mesh.thickness()).contains(&p[2]).then(|| self.interpolate(field, &found, p[2]))
+    }
+
+    fn interpolate(&self, field: &[f64], found: &Located, z: f64) -> f64 {
+        let (level, share) = self.mesh.bracket(z);
+        let on = |l: usize| -> f64 { (0..3).map(|k| found.weights[k] * field[self.mesh.node(l, found.nodes[k] as usize)]).sum() };
+        on(level) * (1.0 - share) + on(level + 1) * share
+    }
+
+    /// Colour of lean flesh and of fat in a given appearance.
+    pub fn colours(&self, appearance: Appearance) -> (Lab, Lab) {
+        (self.description.colour.lean(appearance), self.description.colour.fat(appearance))
+    }
+}
+
+fn check_size(description: &FoodDescription, piece: &PieceSpec) -> Result<(), BuildError> {
+    for (axis, which) in ["length", "width", "thickness"].into_iter().enumerate() {
+        let got = piece.size[axis] * 1e3;
+        let (low, high) = (description.size.min_mm[axis], description.size.max_mm[axis]);
+        if !(got >= low - 1e-9 && got <= high + 1e-9) {
+            return Err(BuildError::Size { which, got, low, high });
+        }
+    }
+    Ok(())
+}
+
+fn check_composition(which: &'static str, total: f64) -> Result<(), BuildError> {
+    if (total - 1.0).abs() > 0.005 { Err(BuildError::Composition { which, total }) } else { Ok(()) }
+}
+
+/// The outline with its seeded natural waviness in harmonics 2 to 5.
+fn outline(description: &FoodDescription, piece: &PieceSpec) -> Outline {
+    let harmonics: Vec<_> = (2..=5u32)
+        .map(|m| {
+            let amplitude = description.outline.ripple * (0.4 + 0.6 * uniform(piece.seed, u64::from(m))) / f64::from(m - 1);
+            (m, amplitude, core::f64::consts::TAU * uniform(piece.seed, 100 + u64::from(m)))
+        })
+        .collect();
+    Outline::superellipse(piece.size[0], piece.size[1], description.outline.exponent, &harmonics)
+}
+
+fn mesh(outline: &Outline, piece: &PieceSpec) -> Result<SweptMesh, MeshError> {
+    let smallest = piece.size[0].min(piece.size[1]);
+    let spacing = (SPACING * piece.coarseness).min(smallest / 8.0);
+    let section = Section::mesh(outline, spacing, 0.38 * spacing)?;
+    let levels = graded_levels(
+        piece.size[2],
+        FIRST_LAYER * piece.coarseness,
+        LAYER_GROWTH,
+        THICKEST_LAYER * piece.coarseness,
+    );
+    Ok(SweptMesh::new(section, levels))
+}
+
+fn held_share(holding: &WaterHolding, celsius: f64) -> f64 {
+    1.0 - holding.drop / (1.0 + holding.spread * libm::exp(-holding.slope_per_k * (celsius - holding.middle_c)))
+}
+
+/// Mean of the marbling field over each node's volume, from 3 × 3 × 3 samples of its box [-].
+fn node_shares(mesh: &SweptMesh, marbling: &MarblingField) -> Vec<f64> {
+    if marbling.mean_share() <= 0.0 {
+        return vec![0.0; mesh.node_count()];
+    }
+    let heights = mesh.layer_heights();
+    let mut shares = Vec::with_capacity(mesh.node_count());
+    for (level, height) in heights.iter().enumerate() {
+        for (i, &[x, y]) in mesh.section.points.iter().enumerate() {
+            let half = 0.5 * libm::sqrt(mesh.section.areas[i]);
+            let mut sum = 0.0;
+            for k in 0..27 {
+                let offset = |v: i32| f64::from(v - 1) * 2.0 / 3.0;
+                let p = [x + half * offset(k % 3), y + half * offset(k / 3 % 3), mesh.levels[level] + 0.5 * height * offset(k / 9)];
+                sum += marbling.at(p);
+            }
+            shares.push(sum / 27.0);
+        }
+    }
+    shares
+}

@@ -1,0 +1,158 @@
+//! What is read off a piece: core, faces, shares of doneness, colour.
+
+use saute_heat::Cut;
+
+use crate::colour::{Appearance, Lab};
+use crate::model::FoodModel;
+use crate::state::{FoodState, Side};
+
+/// Doneness by the highest temperature a point has reached (the classes of the 2013 paper).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Class {
+    /// Below 50 °C.
+    Raw,
+    /// 50–60 °C.
+    Rare,
+    /// 60–70 °C.
+    Medium,
+    /// Above 70 °C.
+    WellDone,
+}
+
+impl Class {
+    /// All classes, in order.
+    pub const ALL: [Self; 4] = [Self::Raw, Self::Rare, Self::Medium, Self::WellDone];
+
+    /// Class of a peak temperature [K].
+    pub fn of(peak: f64) -> Self {
+        match peak - crate::ZERO_C {
+            c if c < 50.0 => Self::Raw,
+            c if c < 60.0 => Self::Rare,
+            c if c <= 70.0 => Self::Medium,
+            _ => Self::WellDone,
+        }
+    }
+}
+
+/// Shares of raw, rare, medium, well-done; they sum to 100 [%].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Shares(pub [f64; 4]);
+
+impl Shares {
+    fn from_weights(mut sums: [f64; 4]) -> Self {
+        let total: f64 = sums.iter().sum();
+        if total > 0.0 {
+            sums.iter_mut().for_each(|s| *s *= 100.0 / total);
+        }
+        Self(sums)
+    }
+}
+
+/// Area means and area shares of one face.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FaceReading {
+    /// Mean temperature [K].
+    pub temperature: f64,
+    /// Mean colour.
+    pub lab: Lab,
+    /// Area with browning above 0.5 [%].
+    pub browned_pct: f64,
+    /// Area with charring above 0.2 [%].
+    pub charred_pct: f64,
+    /// Mean browning [-].
+    pub browning: f64,
+    /// Mean water over the raw water [-].
+    pub moisture: f64,
+}
+
+impl FoodModel {
+    /// Core temperature: at the rest shape's centroid [K].
+    pub fn core_temperature(&self, state: &FoodState) -> f64 {
+        self.at_core(&state.temperature)
+    }
+
+    /// Nodes of a face, in the order of the section's nodes.
+    pub fn face(&self, side: Side) -> std::ops::Range<usize> {
+        let n = self.mesh.nodes_per_level();
+        match side {
+            Side::Bottom => 0..n,
+            Side::Top => self.mesh.node_count() - n..self.mesh.node_count(),
+        }
+    }
+
+    /// Area-mean temperature of a face [K].
+    pub fn face_temperature(&self, state: &FoodState, side: Side) -> f64 {
+        let areas = &self.mesh.section.areas;
+        let sum: f64 = areas.iter().zip(&state.temperature[self.face(side)]).map(|(a, t)| a * t).sum();
+        sum / self.mesh.section.area()
+    }
+
+    /// Everything that is read off a face.
+    pub fn face_reading(&self, state: &FoodState, side: Side) -> FaceReading {
+        let mut reading = FaceReading::default();
+        let whole = self.mesh.section.area();
+        for (node, area) in self.face(side).zip(&self.mesh.section.areas) {
+            let share = area / whole;
+            let colour = self.node_colour(state, node).0;
+            (0..3).for_each(|k| reading.lab.0[k] += share * colour[k]);
+            reading.temperature += share * state.temperature[node];
+            reading.browning += share * state.browning[node];
+            reading.moisture += share * state.water[node] / self.initial_water[node];
+            reading.browned_pct += 100.0 * share * f64::from(u8::from(state.browning[node] > 0.5));
+            reading.charred_pct += 100.0 * share * f64::from(u8::from(state.charring[node] > 0.2));
+        }
+        reading
+    }
+
+    /// What colours a node.
+    pub fn appearance(&self, state: &FoodState, node: usize) -> Appearance {
+        Appearance {
+            myosin: state.denatured[0][node],
+            myoglobin: state.denatured[3][node],
+            browning: state.browning[node],
+            charring: state.charring[node],
+        }
+    }
+
+    /// Mean colour of a node's lean and fat.
+    pub fn node_colour(&self, state: &FoodState, node: usize) -> Lab {
+        let (lean, fat) = self.colours(self.appearance(state, node));
+        lean.lerp(fat, self.adipose[node])
+    }
+
+    /// Volume mean of a node field.
+    pub fn volume_mean(&self, field: &[f64]) -> f64 {
+        let volume = &self.mesh.graph.volume;
+        field.iter().zip(volume).map(|(f, v)| f * v).sum::<f64>() / volume.iter().sum::<f64>()
+    }
+
+    /// Doneness by volume.
+    pub fn volume_shares(&self, state: &FoodState) -> Shares {
+        let mut sums = [0.0; 4];
+        for (peak, volume) in state.peak.iter().zip(&self.mesh.graph.volume) {
+            sums[Class::of(*peak) as usize] += volume;
+        }
+        Shares::from_weights(sums)
+    }
+
+    /// The cut across the longest axis at distance `x` from the centroid along it [m].
+    pub fn cut_across(&self, x: f64) -> Cut {
+        let direction = if self.size[0] >= self.size[1] { [0.0, 1.0] } else { [-1.0, 0.0] };
+        let point = if self.size[0] >= self.size[1] { [x, 0.0] } else { [0.0, x] };
+        Cut::new(&self.mesh.section, point, direction)
+    }
+
+    /// Doneness of a cut by area.
+    pub fn cut_shares(&self, state: &FoodState, cut: &Cut) -> Shares {
+        let mut sums = [0.0; 4];
+        let n = self.mesh.nodes_per_level();
+        let lengths = cut.lengths();
+        for (level, height) in self.mesh.layer_heights().iter().enumerate() {
+            let peaks = &state.peak[level * n..(level + 1) * n];
+            for (i, length) in lengths.iter().enumerate() {
+                sums[Class::of(cut.sample(i, peaks)) as usize] += length * height;
+            }
+        }
+        Shares::from_weights(sums)
+    }
+}

@@ -1,0 +1,85 @@
+//! What hands, keys, devices and recipes may ask of a kitchen.
+
+use serde::{Deserialize, Serialize};
+
+/// Where food rests.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RestOn {
+    /// On the wooden board.
+    #[default]
+    Board,
+    /// On a wire rack: air below.
+    Rack,
+    /// On the board under loose foil.
+    Foil,
+}
+
+/// A command; takes effect at the start of the next tick.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Sets the hob's electrical power [W].
+    Hob(f64),
+    /// Puts a piece into the pan at a place relative to the pan's centre [m].
+    Put {
+        /// Which piece.
+        food: String,
+        /// Where its centroid goes [m].
+        at: [f64; 2],
+    },
+    /// Turns a piece over about its long axis.
+    Flip {
+        /// Which piece.
+        food: String,
+    },
+    /// Takes a piece out of the pan.
+    Rest {
+        /// Which piece.
+        food: String,
+        /// Onto what.
+        on: RestOn,
+    },
+    /// Sets the pan on the wet cloth for a while [s]; a fresh cloth unless one lies there already.
+    Cool {
+        /// How long [s].
+        for_s: f64,
+    },
+}
+
+/// Why a command was not carried out; the kitchen is unchanged.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Refused {
+    /// No such piece.
+    #[error("there is no food \"{0}\" here")]
+    NoSuchFood(String),
+    /// Not in the pan.
+    #[error("\"{0}\" is not in the pan: put it in first")]
+    NotInPan(String),
+    /// In the pan already.
+    #[error("\"{0}\" is in the pan already")]
+    AlreadyInPan(String),
+    /// Does not fit.
+    #[error("\"{food}\" does not fit there: it reaches {reach_mm} mm from the pan's centre, the flat floor {floor_mm} mm; put it nearer to the centre or choose a smaller piece")]
+    DoesNotFit {
+        /// Which piece.
+        food: String,
+        /// How far it would reach [mm].
+        reach_mm: i64,
+        /// Radius of the floor [mm].
+        floor_mm: i64,
+    },
+    /// Another piece is in the way.
+    #[error("\"{food}\" would lie on \"{other}\": take that out first")]
+    Occupied {
+        /// Which piece.
+        food: String,
+        /// What is in the way.
+        other: String,
+    },
+    /// Power out of range.
+    #[error("the hob gives 0 to {largest_w} W")]
+    Power {
+        /// Largest power [W].
+        largest_w: i64,
+    },
+}

@@ -1,0 +1,72 @@
+//! A recipe being cooked: kitchen, runner and recorder together.
+
+use std::sync::Arc;
+
+use crate::kitchen::{Kitchen, SetupError};
+use crate::library::Library;
+use crate::recipe::Recipe;
+use crate::recorder::Recorder;
+use crate::runner::{RunError, Runner, StepRecord, StoppedBy};
+use crate::summary::Summary;
+
+/// A step that has just been carried out.
+pub type Fired = StepRecord;
+
+/// One cook from first to last step.
+#[derive(Clone, Debug)]
+pub struct Cook {
+    /// The world.
+    pub kitchen: Kitchen,
+    /// The recipe's steps.
+    pub runner: Runner,
+    /// Series and extremes.
+    pub recorder: Recorder,
+    /// Steps so far.
+    pub steps: Vec<StepRecord>,
+    masses_at_start: Vec<f64>,
+}
+
+impl Cook {
+    /// Sets everything out; nothing has happened yet.
+    pub fn new(recipe: Recipe, library: &Library) -> Result<Self, SetupError> {
+        let kitchen = recipe.kitchen(library)?;
+        let mut recorder = Recorder::default();
+        recorder.observe(&kitchen);
+        Ok(Self {
+            masses_at_start: kitchen.pieces().iter().map(crate::Piece::mass).collect(),
+            runner: Runner::new(Arc::new(recipe)),
+            steps: Vec::new(),
+            kitchen,
+            recorder,
+        })
+    }
+
+    /// Fires the steps that are due, then moves the world by one tick unless that ended the cook.
+    pub fn advance(&mut self) -> Result<Vec<Fired>, RunError> {
+        let fired = self.runner.poll(&mut self.kitchen)?;
+        for step in &fired {
+            if step.action == "put" {
+                self.recorder.on_put(&self.kitchen);
+            }
+        }
+        if !fired.is_empty() {
+            self.recorder.write_row(&self.kitchen);
+            self.steps.extend(fired.iter().cloned());
+        }
+        if self.stopped().is_none() {
+            self.kitchen.step();
+            self.recorder.observe(&self.kitchen);
+        }
+        Ok(fired)
+    }
+
+    /// Why it stopped, once it has.
+    pub fn stopped(&self) -> Option<StoppedBy> {
+        self.runner.stopped()
+    }
+
+    /// The numbers of the cook so far.
+    pub fn summary(&self, wall_s: f64) -> Summary {
+        Summary::new(&self.kitchen, &self.recorder, &self.runner, &self.steps, &self.masses_at_start, wall_s)
+    }
+}

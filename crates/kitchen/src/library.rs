@@ -1,0 +1,153 @@
+//! Foods, pans and recipes: those in the program, and those from a folder of the user's.
+
+use std::collections::BTreeMap;
+
+use include_dir::{Dir, include_dir};
+use saute_food::components::Components;
+use saute_food::{FoodDescription, Kinetics};
+use serde::de::DeserializeOwned;
+
+use crate::hob::HobDescription;
+use crate::pan::{CoatingDescription, PanDescription};
+use crate::room::Room;
+
+static DATA: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../data");
+static RECIPES: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../recipes");
+
+/// A data file that cannot be used.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{file}:{line}: {message}")]
+pub struct LibraryError {
+    /// Which file.
+    pub file: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// What is wrong and what to write instead.
+    pub message: String,
+}
+
+/// Everything a kitchen can be built from.
+#[derive(Clone, Debug)]
+pub struct Library {
+    /// Foods by id.
+    pub foods: BTreeMap<String, FoodDescription>,
+    /// Kinetics by id.
+    pub kinetics: BTreeMap<String, Kinetics>,
+    /// Pans by id, coated ones included.
+    pub pans: BTreeMap<String, PanDescription>,
+    /// Recipes by id: their text.
+    pub recipes: BTreeMap<String, String>,
+    /// Thermal properties of food components.
+    pub components: Components,
+    /// The room.
+    pub room: Room,
+    /// The hob.
+    pub hob: HobDescription,
+}
+
+impl Library {
+    /// What the program carries.
+    pub fn embedded() -> Result<Self, LibraryError> {
+        Self::with(&[])
+    }
+
+    /// What the program carries, with files of the user's added or put in place of its own.
+    ///
+    /// Each entry is a path like `foods/my-steak.toml`, `pans/…`, `recipes/…`, `kinetics/…` and its text.
+    pub fn with(own: &[(String, String)]) -> Result<Self, LibraryError> {
+        let mut files: BTreeMap<String, String> = BTreeMap::new();
+        collect(&DATA, "", &mut files);
+        collect(&RECIPES, "recipes/", &mut files);
+        files.extend(own.iter().cloned());
+        let bare = parse_folder::<PanDescription>(&files, "pans/")?;
+        let coatings = parse_folder::<CoatingDescription>(&files, "coatings/")?;
+        let library = Self {
+            foods: parse_folder(&files, "foods/")?,
+            kinetics: parse_folder(&files, "kinetics/")?,
+            pans: with_coatings(bare, &coatings),
+            recipes: in_folder(&files, "recipes/").map(|(id, text)| (id.to_owned(), text.clone())).collect(),
+            components: parse(&files, "components.toml")?,
+            room: parse(&files, "kitchen.toml")?,
+            hob: parse(&files, "hobs/induction.toml")?,
+        };
+        library.check_references()?;
+        Ok(library)
+    }
+
+    fn check_references(&self) -> Result<(), LibraryError> {
+        for (id, food) in &self.foods {
+            if !self.kinetics.contains_key(&food.kinetics) {
+                return Err(LibraryError {
+                    file: format!("foods/{id}.toml"),
+                    line: 1,
+                    message: format!("kinetics = \"{}\" is unknown; there are: {}", food.kinetics, Self::names(&self.kinetics)),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// The ids of a table, for messages.
+    pub fn names<T>(table: &BTreeMap<String, T>) -> String {
+        table.keys().map(String::as_str).collect::<Vec<_>>().join(", ")
+    }
+
+    /// Every data file that the program carries, for tests of the data itself.
+    pub fn embedded_files() -> BTreeMap<String, String> {
+        let mut files = BTreeMap::new();
+        collect(&DATA, "", &mut files);
+        files
+    }
+}
+
+fn collect(dir: &Dir, prefix: &str, files: &mut BTreeMap<String, String>) {
+    for file in dir.files() {
+        if let Some(text) = file.contents_utf8() {
+            files.insert(format!("{prefix}{}", file.path().display()).replace('\\', "/"), text.to_owned());
+        }
+    }
+    dir.dirs().for_each(|sub| collect(sub, prefix, files));
+}
+
+fn in_folder<'a>(files: &'a BTreeMap<String, String>, folder: &'a str) -> impl Iterator<Item = (&'a str, &'a String)> {
+    files.iter().filter_map(move |(path, text)| Some((path.strip_prefix(folder)?.strip_suffix(".toml")?, text)))
+}
+
+fn parse_folder<T: DeserializeOwned>(files: &BTreeMap<String, String>, folder: &str) -> Result<BTreeMap<String, T>, LibraryError> {
+    in_folder(files, folder).map(|(id, text)| Ok((id.to_owned(), parse_text(text, &format!("{folder}{id}.toml"))?))).collect()
+}
+
+fn parse<T: DeserializeOwned>(files: &BTreeMap<String, String>, path: &str) -> Result<T, LibraryError> {
+    parse_text(files.get(path).map_or("", String::as_str), path)
+}
+
+fn parse_text<T: DeserializeOwned>(text: &str, file: &str) -> Result<T, LibraryError> {
+    toml::from_str(text).map_err(|e| LibraryError {
+        file: file.to_owned(),
+        line: line_of(text, e.span().map_or(0, |s| s.start)),
+        message: e.message().to_owned(),
+    })
+}
+
+/// Line number, from 1, of a byte offset.
+pub(crate) fn line_of(text: &str, offset: usize) -> usize {
+    1 + text.as_bytes()[..offset.min(text.len())].iter().filter(|&&b| b == b'\n').count()
+}
+
+fn with_coatings(
+    bare: BTreeMap<String, PanDescription>,
+    coatings: &BTreeMap<String, CoatingDescription>,
+) -> BTreeMap<String, PanDescription> {
+    let mut pans = bare.clone();
+    for (id, pan) in &bare {
+        for (coating_id, coating) in coatings {
+            let mut coated = pan.clone();
+            coated.name = format!("{}, {}", pan.name, coating.name);
+            coated.coating_w_m2k = Some(coating.conductance_w_m2k);
+            coated.surface.emissivity = coating.emissivity;
+            coated.look = coating.look.clone();
+            pans.entry(format!("{id}-{coating_id}")).or_insert(coated);
+        }
+    }
+    pans
+}

@@ -1,0 +1,315 @@
+//! The pan: a heated plate with a wall, conducting along its metal.
+
+use saute_food::advance::radiation_coefficient;
+use saute_food::sourced_table;
+use saute_heat::{Conduction, Graph, Locator, MeshError, Section};
+use serde::Deserialize;
+
+use crate::cloth::Cloth;
+use crate::hob::HobDescription;
+use crate::room::Room;
+
+sourced_table! {
+    /// The flat floor.
+    Floor {
+        /// Radius [mm].
+        radius_mm: f64,
+        /// Thickness [mm].
+        thickness_mm: f64,
+    }
+}
+
+sourced_table! {
+    /// The flared wall.
+    Wall {
+        /// Radius at the rim [mm].
+        rim_radius_mm: f64,
+        /// Height of the rim above the floor [mm].
+        height_mm: f64,
+        /// Thickness [mm].
+        thickness_mm: f64,
+    }
+}
+
+sourced_table! {
+    /// The metal.
+    Metal {
+        /// Thermal conductivity along the floor [W/(m·K)].
+        conductivity_w_mk: f64,
+        /// Density [kg/m³].
+        density_kg_m3: f64,
+        /// Specific heat [J/(kg·K)].
+        specific_heat_j_kgk: f64,
+    }
+}
+
+sourced_table! {
+    /// The cooking surface.
+    PanSurface {
+        /// Thermal emissivity [-].
+        emissivity: f64,
+    }
+}
+
+sourced_table! {
+    /// What it looks like.
+    Look {
+        /// sRGB, 0–255.
+        colour_srgb: [u8; 3],
+        /// 0 dielectric – 1 metal.
+        metalness: f64,
+        /// Roughness [-].
+        roughness: f64,
+    }
+}
+
+/// A pan as its file describes it.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PanDescription {
+    /// Name for people.
+    pub name: String,
+    /// Floor.
+    pub floor: Floor,
+    /// Wall.
+    pub wall: Wall,
+    /// Metal.
+    pub metal: Metal,
+    /// Surface.
+    pub surface: PanSurface,
+    /// Look.
+    pub look: Look,
+    /// Conductance of a coating [W/(m²·K)]; absent on bare metal.
+    #[serde(skip)]
+    pub coating_w_m2k: Option<f64>,
+}
+
+/// A coating that any pan can have.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CoatingDescription {
+    /// Name for people.
+    pub name: String,
+    /// Conductance [W/(m²·K)].
+    pub conductance_w_m2k: f64,
+    /// Emissivity [-].
+    pub emissivity: f64,
+    /// Where the numbers come from.
+    pub source: String,
+    /// How well they are known.
+    pub confidence: saute_food::description::Confidence,
+    /// Look.
+    pub look: Look,
+}
+
+/// Rings of nodes on the floor (chosen: 8 mm; the ring of heat is 50 mm wide).
+const FLOOR_RINGS: usize = 12;
+
+/// What never changes in a pan on its hob.
+#[derive(Clone, Debug)]
+pub struct PanModel {
+    /// What its file says.
+    pub description: PanDescription,
+    /// Mesh of floor and unrolled wall.
+    pub section: Section,
+    /// Finds points on it.
+    pub locator: Locator,
+    /// Nodes of the floor come first; this many.
+    pub floor_nodes: usize,
+    /// Area of the floor [m²].
+    pub floor_area: f64,
+    capacity: Vec<f64>,
+    graph: Graph,
+    conduction: Conduction,
+    ring_shares: Vec<f64>,
+}
+
+/// What changes in a pan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PanState {
+    /// Metal [K].
+    pub temperature: Vec<f64>,
+    /// Hob glass under the floor [K].
+    pub glass: Vec<f64>,
+    /// Juice in the pan [kg].
+    pub puddle: f64,
+    /// Its enthalpy above 0 °C [J].
+    pub puddle_enthalpy: f64,
+}
+
+/// What acts on the pan during one tick.
+#[derive(Clone, Copy, Debug)]
+pub struct PanLoad<'a> {
+    /// The hob under it.
+    pub hob: &'a HobDescription,
+    /// The room around it.
+    pub room: &'a Room,
+    /// Electrical power [W].
+    pub hob_w: f64,
+    /// Heat flow from each node into food [W].
+    pub food: &'a [f64],
+    /// Share of each node's area under food [-].
+    pub covered: &'a [f64],
+}
+
+/// Convection and radiation of both faces of a very hot wall [W/(m²·K)]; bounds the stable step.
+const STEEPEST_AIR_LOSS: f64 = 100.0;
+
+/// What the pan exchanged in one tick [J].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PanExchange {
+    /// Electrical energy.
+    pub hob: f64,
+    /// To air and walls.
+    pub air: f64,
+    /// Into the glass, the coil and the cloth.
+    pub other: f64,
+    /// Into the puddle.
+    pub puddle: f64,
+    /// Vapour from the cloth [kg].
+    pub cloth_vapour: f64,
+}
+
+impl PanModel {
+    /// Meshes a pan: rings on the floor, then up the wall, which is unrolled into the plane.
+    pub fn build(description: &PanDescription, hob: &HobDescription) -> Result<Self, MeshError> {
+        let floor = description.floor.radius_mm * 1e-3;
+        let step = floor / (FLOOR_RINGS as f64 - 0.5);
+        let rise = libm::hypot(description.wall.height_mm, description.wall.rim_radius_mm - description.floor.radius_mm) * 1e-3;
+        let wall_rings = libm::round(rise / step).max(1.0) as usize;
+        let radii: Vec<f64> = (0..FLOOR_RINGS + wall_rings).map(|i| i as f64 * step).collect();
+        let section = Section::rings(&radii, step)?;
+        let floor_nodes = section.points.iter().filter(|p| libm::hypot(p[0], p[1]) < floor).count();
+        let thickness = |i: usize| {
+            1e-3 * if i < floor_nodes { description.floor.thickness_mm } else { description.wall.thickness_mm }
+        };
+        let metal = &description.metal;
+        let areas = &section.areas;
+        let capacity = (0..areas.len()).map(|i| areas[i] * thickness(i) * metal.density_kg_m3 * metal.specific_heat_j_kgk).collect();
+        let mut graph = Graph { volume: (0..areas.len()).map(|i| areas[i] * thickness(i)).collect(), ..Graph::default() };
+        for &(a, b, weight) in &section.edges {
+            graph.push(a, b, weight * 0.5 * (thickness(a as usize) + thickness(b as usize)));
+        }
+        let mut conduction = Conduction::default();
+        conduction.refresh(&graph, &vec![metal.conductivity_w_mk; areas.len()]);
+        let radii: Vec<f64> = section.points[..floor_nodes].iter().map(|p| libm::hypot(p[0], p[1])).collect();
+        Ok(Self {
+            ring_shares: hob.ring_shares(&radii, &areas[..floor_nodes]),
+            floor_area: areas[..floor_nodes].iter().sum(),
+            locator: Locator::new(&section),
+            description: description.clone(),
+            floor_nodes,
+            capacity,
+            graph,
+            conduction,
+            section,
+        })
+    }
+
+    /// The pan and the glass at given temperatures [K].
+    pub fn at(&self, pan: f64, glass: f64) -> PanState {
+        PanState {
+            temperature: vec![pan; self.capacity.len()],
+            glass: vec![glass; self.floor_nodes],
+            puddle: 0.0,
+            puddle_enthalpy: 0.0,
+        }
+    }
+
+    /// Area mean of the flat floor [K].
+    pub fn floor_temperature(&self, state: &PanState) -> f64 {
+        let sum: f64 = state.temperature[..self.floor_nodes].iter().zip(&self.section.areas).map(|(t, a)| t * a).sum();
+        sum / self.floor_area
+    }
+
+    /// Heat stored above 0 °C [J].
+    pub fn stored(&self, state: &PanState) -> f64 {
+        state.temperature.iter().zip(&self.capacity).map(|(t, c)| (t - saute_food::ZERO_C) * c).sum()
+    }
+
+    /// Moves the pan through `dt` [s]; with a cloth it stands off the hob, which then gives no power.
+    pub fn advance(&self, state: &mut PanState, load: &PanLoad, cloth: &mut Option<Cloth>, dt: f64) -> PanExchange {
+        let underside = load.hob.glass.gap_conductance_w_m2k;
+        let exchange: Vec<f64> = self.section.areas.iter().map(|a| a * (STEEPEST_AIR_LOSS + underside)).collect();
+        let limit = 0.8 * self.conduction.stable_step(&self.capacity, &exchange);
+        let steps = libm::ceil(dt / limit).clamp(1.0, 1000.0);
+        let mut total = PanExchange::default();
+        for _ in 0..steps as usize {
+            self.step(state, load, cloth, dt / steps, &mut total);
+        }
+        total
+    }
+
+    fn step(&self, state: &mut PanState, load: &PanLoad, cloth: &mut Option<Cloth>, dt: f64, total: &mut PanExchange) {
+        let mut power: Vec<f64> = load.food.iter().map(|p| -p).collect();
+        self.conduction.add_power(&self.graph, &state.temperature, &mut power);
+        let mut heat: Vec<f64> = power.iter().map(|p| p * dt).collect();
+        self.add_air_losses(state, load, dt, &mut heat, total);
+        self.add_puddle(state, load.room, dt, &mut heat, total);
+        match cloth {
+            None => self.add_hob(state, load, dt, &mut heat, total),
+            Some(cloth) => self.add_cloth(state, load.room, cloth, dt, &mut heat, total),
+        }
+        for ((t, q), c) in state.temperature.iter_mut().zip(&heat).zip(&self.capacity) {
+            *t += q / c;
+        }
+        self.cool_glass(state, load, dt);
+    }
+
+    fn add_air_losses(&self, state: &PanState, load: &PanLoad, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
+        let air = load.room.temperature();
+        let emissivity = self.description.surface.emissivity;
+        for (i, &t) in state.temperature.iter().enumerate() {
+            let excess = t - air;
+            let convection = load.room.pan_air.convection_coefficient * libm::sqrt(libm::sqrt(libm::fabs(excess)));
+            let faces = if i < self.floor_nodes { 1.0 - load.covered[i] } else { 2.0 };
+            let lost = faces * (convection + radiation_coefficient(emissivity, t, air)) * self.section.areas[i] * excess * dt;
+            heat[i] -= lost;
+            total.air += lost;
+        }
+    }
+
+    /// Juice lies where the floor is bare or under the food alike: it takes heat evenly from the floor it covers.
+    fn add_puddle(&self, state: &PanState, room: &Room, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
+        if state.puddle <= 0.0 {
+            return;
+        }
+        let share = (state.puddle / 1000.0 / (room.puddle.depth_mm * 1e-3) / self.floor_area).min(1.0);
+        let water = saute_food::ZERO_C + state.puddle_enthalpy / (state.puddle * crate::kitchen::PUDDLE_SPECIFIC_HEAT);
+        for (i, &t) in state.temperature[..self.floor_nodes].iter().enumerate() {
+            let taken = room.puddle.conductance_w_m2k * share * self.section.areas[i] * (t - water) * dt;
+            heat[i] -= taken;
+            total.puddle += taken;
+        }
+    }
+
+    fn add_hob(&self, state: &mut PanState, load: &PanLoad, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
+        let PanLoad { hob, hob_w, .. } = *load;
+        total.hob += hob_w * dt;
+        total.other += (1.0 - hob.coil.efficiency) * hob_w * dt;
+        for (i, share) in self.ring_shares.iter().enumerate() {
+            heat[i] += hob.coil.efficiency * hob_w * share * dt;
+            let lost = hob.glass.gap_conductance_w_m2k * self.section.areas[i] * (state.temperature[i] - state.glass[i]) * dt;
+            heat[i] -= lost;
+            total.other += lost;
+            state.glass[i] += lost / (hob.glass.areal_capacity_j_m2k * self.section.areas[i]);
+        }
+    }
+
+    fn add_cloth(&self, state: &PanState, room: &Room, cloth: &mut Cloth, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
+        for i in 0..self.floor_nodes {
+            let base = state.temperature[i];
+            let taken = cloth.flux(&room.cloth, base) * self.section.areas[i] * dt;
+            heat[i] -= taken;
+            total.other += taken;
+            total.cloth_vapour += cloth.absorb(taken, base > crate::kelvin(100.0));
+        }
+    }
+
+    fn cool_glass(&self, state: &mut PanState, load: &PanLoad, dt: f64) {
+        let hob = load.hob;
+        let share = hob.glass.loss_w_m2k * dt / hob.glass.areal_capacity_j_m2k;
+        let air = load.room.temperature();
+        state.glass.iter_mut().for_each(|t| *t -= share * (*t - air));
+    }
+}

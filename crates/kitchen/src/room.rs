@@ -1,0 +1,176 @@
+//! The room's air and everything `data/kitchen.toml` says.
+
+use saute_food::water::saturation_density;
+use saute_food::{FreeAir, sourced_table};
+use serde::Deserialize;
+
+use crate::kelvin;
+
+sourced_table! {
+    /// Air of the room.
+    Air {
+        /// Temperature [°C].
+        temperature_c: f64,
+        /// Relative humidity [-].
+        relative_humidity: f64,
+    }
+}
+
+sourced_table! {
+    /// Heat and vapour transfer at a free face of food.
+    FreeFace {
+        /// Convection [W/(m²·K)].
+        convection_w_m2k: f64,
+        /// Lewis number of vapour in air [-].
+        lewis_number: f64,
+        /// Density of the air [kg/m³].
+        air_density_kg_m3: f64,
+        /// Specific heat of the air [J/(kg·K)].
+        air_specific_heat_j_kgk: f64,
+        /// Evaporation above a hot pan over that in still air [-].
+        plume_factor: f64,
+    }
+}
+
+sourced_table! {
+    /// Convection at the pan.
+    PanAir {
+        /// h over (T − T_air)^¼ [W/(m²·K^1.25)].
+        convection_coefficient: f64,
+    }
+}
+
+sourced_table! {
+    /// The gap between food and pan.
+    ContactGap {
+        /// Thickness of the oil film [mm].
+        oil_film_mm: f64,
+        /// Thermal conductivity of oil [W/(m·K)].
+        oil_conductivity_w_mk: f64,
+        /// Thermal conductivity of steam and air in the gap [W/(m·K)].
+        vapour_conductivity_w_mk: f64,
+        /// Mean gap when the food is laid down [mm].
+        initial_gap_mm: f64,
+        /// Mean gap after steam has lifted it [mm].
+        final_gap_mm: f64,
+        /// Time constant of that [s].
+        time_constant_s: f64,
+        /// Standard deviation of the gap along the face [mm].
+        unevenness_mm: f64,
+        /// Wavelength of the unevenness [mm].
+        unevenness_scale_mm: f64,
+        /// Smallest gap [mm].
+        least_gap_mm: f64,
+    }
+}
+
+sourced_table! {
+    /// Juice that has run into the pan.
+    PuddleData {
+        /// Conductance to the pan [W/(m²·K)].
+        conductance_w_m2k: f64,
+        /// Depth [mm].
+        depth_mm: f64,
+    }
+}
+
+sourced_table! {
+    /// A wet cloth to set the pan on.
+    ClothData {
+        /// Water in the cloth [g].
+        water_g: f64,
+        /// How long the pan stands on it unless told otherwise [s].
+        default_s: f64,
+        /// Share of the floor that touches [-].
+        contact_share: f64,
+        /// Base temperatures of the boiling curve [°C].
+        base_c: Vec<f64>,
+        /// Heat flux at those [kW/m²].
+        flux_kw_m2: Vec<f64>,
+    }
+}
+
+sourced_table! {
+    /// The wooden board.
+    BoardData {
+        /// Contact conductance [W/(m²·K)].
+        conductance_w_m2k: f64,
+        /// Thermal conductivity [W/(m·K)].
+        conductivity_w_mk: f64,
+        /// Heat capacity of one layer [J/(m²·K)].
+        areal_capacity_j_m2k: f64,
+        /// Thickness of one layer [mm].
+        layer_mm: f64,
+    }
+}
+
+sourced_table! {
+    /// Loose foil over resting food.
+    FoilData {
+        /// Convection through the air gap [W/(m²·K)].
+        convection_w_m2k: f64,
+        /// Radiation that passes [-].
+        radiation_share: f64,
+        /// Evaporation that goes on [-].
+        evaporation_share: f64,
+    }
+}
+
+/// `data/kitchen.toml`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Room {
+    /// Air.
+    pub air: Air,
+    /// Free faces of food.
+    pub free_face: FreeFace,
+    /// Pan in air.
+    pub pan_air: PanAir,
+    /// Food on pan.
+    pub contact: ContactGap,
+    /// Juice in the pan.
+    pub puddle: PuddleData,
+    /// Wet cloth.
+    pub cloth: ClothData,
+    /// Board.
+    pub board: BoardData,
+    /// Foil.
+    pub foil: FoilData,
+}
+
+impl Room {
+    /// Air temperature [K].
+    pub fn temperature(&self) -> f64 {
+        kelvin(self.air.temperature_c)
+    }
+
+    /// Still air around resting food.
+    pub fn still_air(&self) -> FreeAir {
+        let face = &self.free_face;
+        let lewis = libm::pow(face.lewis_number, 2.0 / 3.0);
+        FreeAir {
+            temperature: self.temperature(),
+            convection: face.convection_w_m2k,
+            radiation: 1.0,
+            vapour_density: self.air.relative_humidity * saturation_density(self.temperature()),
+            mass_transfer: face.convection_w_m2k / (face.air_density_kg_m3 * face.air_specific_heat_j_kgk * lewis),
+        }
+    }
+
+    /// Air above a hot pan.
+    pub fn plume(&self) -> FreeAir {
+        let still = self.still_air();
+        FreeAir { mass_transfer: still.mass_transfer * self.free_face.plume_factor, ..still }
+    }
+
+    /// Air under loose foil.
+    pub fn under_foil(&self) -> FreeAir {
+        let still = self.still_air();
+        FreeAir {
+            convection: self.foil.convection_w_m2k,
+            radiation: self.foil.radiation_share,
+            mass_transfer: still.mass_transfer * self.foil.evaporation_share,
+            ..still
+        }
+    }
+}

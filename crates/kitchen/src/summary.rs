@@ -1,0 +1,211 @@
+//! The numbers of a whole cook, as `saute cook --json` prints them.
+
+use serde::Serialize;
+
+use crate::celsius;
+use crate::energy::Energy;
+use crate::kitchen::Kitchen;
+use crate::piece::Piece;
+use crate::recorder::Recorder;
+use crate::runner::{Runner, StepRecord, StoppedBy, rounded};
+
+/// Everything about one cook.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// Title of the recipe.
+    pub title: String,
+    /// Simulated time [s].
+    pub simulated_s: f64,
+    /// Wall time of the simulation [s].
+    pub wall_s: f64,
+    /// Why it stopped.
+    pub stopped_by: StoppedBy,
+    /// Step that was still waited for, from 1, if `max_s` stopped it.
+    pub waiting_step: Option<usize>,
+    /// Foods.
+    pub foods: Vec<FoodSummary>,
+    /// Pan temperatures [°C].
+    pub pan_c: PanSummary,
+    /// Energy [J].
+    pub energy_j: Energy,
+    /// Steps in the order they fired.
+    pub steps: Vec<StepRecord>,
+    /// Warnings; empty if all went well.
+    pub warnings: Vec<String>,
+}
+
+/// Pan temperatures [°C].
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct PanSummary {
+    /// Highest.
+    pub peak: f64,
+    /// When the first food went in.
+    pub at_first_put: Option<f64>,
+    /// Lowest after that.
+    pub lowest_after_first_put: Option<f64>,
+    /// At the end.
+    pub end: f64,
+}
+
+/// One food.
+#[derive(Clone, Debug, Serialize)]
+pub struct FoodSummary {
+    /// Name in the recipe.
+    pub id: String,
+    /// Kind of food.
+    pub kind: String,
+    /// Nodes of its mesh.
+    pub nodes: usize,
+    /// Mass [g].
+    pub mass_g: StartEnd,
+    /// Water that left [g].
+    pub water_g: WaterSummary,
+    /// Core temperature [°C].
+    pub core_c: CoreSummary,
+    /// Doneness of the section by area [%].
+    pub section_pct: Doneness,
+    /// Doneness by volume [%].
+    pub volume_pct: Doneness,
+    /// Denatured shares, volume means [-].
+    pub denatured: Denatured,
+    /// Both faces, as they lie.
+    pub surfaces: Surfaces,
+}
+
+/// First and last value.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct StartEnd {
+    /// At the start.
+    pub start: f64,
+    /// At the end.
+    pub end: f64,
+}
+
+/// Water that left a food [g].
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct WaterSummary {
+    /// As vapour.
+    pub evaporated: f64,
+    /// As juice.
+    pub dripped: f64,
+}
+
+/// Core temperature [°C].
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct CoreSummary {
+    /// At the end.
+    pub end: f64,
+    /// Highest.
+    pub peak: f64,
+    /// When it was highest [s].
+    pub peak_at_s: f64,
+}
+
+/// Shares by highest temperature so far [%].
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Doneness {
+    /// Below 50 °C.
+    pub raw: f64,
+    /// 50–60 °C.
+    pub rare: f64,
+    /// 60–70 °C.
+    pub medium: f64,
+    /// Above 70 °C.
+    pub well_done: f64,
+}
+
+impl From<saute_food::Shares> for Doneness {
+    fn from(s: saute_food::Shares) -> Self {
+        let [raw, rare, medium, well_done] = s.0;
+        Self { raw, rare, medium, well_done }
+    }
+}
+
+/// Denatured shares [-].
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Denatured {
+    /// Myosin.
+    pub myosin: f64,
+    /// Collagen with sarcoplasmic proteins.
+    pub collagen: f64,
+    /// Actin.
+    pub actin: f64,
+    /// Myoglobin.
+    pub myoglobin: f64,
+}
+
+/// Both faces of a food.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Surfaces {
+    /// The face that lies above.
+    pub top: Surface,
+    /// The face that lies below.
+    pub bottom: Surface,
+}
+
+/// Area means and shares of a face.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Surface {
+    /// Temperature [°C].
+    pub temperature_c: f64,
+    /// L*, a*, b*.
+    pub lab: [f64; 3],
+    /// Area with browning above 0.5 [%].
+    pub browned_pct: f64,
+    /// Area with charring above 0.2 [%].
+    pub charred_pct: f64,
+}
+
+impl Summary {
+    /// Reads everything off a kitchen after a cook.
+    pub fn new(kitchen: &Kitchen, recorder: &Recorder, runner: &Runner, steps: &[StepRecord], masses_at_start: &[f64], wall_s: f64) -> Self {
+        let stopped_by = runner.stopped().unwrap_or(StoppedBy::MaxS);
+        let foods = kitchen.pieces().iter().zip(masses_at_start).map(|(p, m)| FoodSummary::new(p, *m)).collect();
+        let unhealthy = kitchen.pieces().iter().filter(|p| !p.state.healthy);
+        Self {
+            title: runner.recipe().title.clone(),
+            simulated_s: rounded(kitchen.time_s()),
+            wall_s,
+            stopped_by,
+            waiting_step: (stopped_by == StoppedBy::MaxS).then(|| runner.waiting_step() + 1),
+            foods,
+            pan_c: PanSummary {
+                peak: recorder.pan_peak_c,
+                at_first_put: recorder.pan_at_first_put_c,
+                lowest_after_first_put: recorder.pan_lowest_after_c,
+                end: celsius(kitchen.pan_temperature()),
+            },
+            energy_j: kitchen.energy(),
+            steps: steps.to_vec(),
+            warnings: unhealthy.map(|p| format!("{} became non-finite and was frozen", p.id)).collect(),
+        }
+    }
+}
+
+impl FoodSummary {
+    fn new(piece: &Piece, mass_at_start: f64) -> Self {
+        let (model, state) = (&piece.model, &piece.state);
+        let surface = |side| {
+            let face = model.face_reading(state, side);
+            Surface {
+                temperature_c: celsius(face.temperature),
+                lab: face.lab.0,
+                browned_pct: face.browned_pct,
+                charred_pct: face.charred_pct,
+            }
+        };
+        let mean = |k: usize| model.volume_mean(&state.denatured[k]);
+        Self {
+            id: piece.id.clone(),
+            kind: piece.kind.clone(),
+            nodes: model.mesh.node_count(),
+            mass_g: StartEnd { start: 1e3 * mass_at_start, end: 1e3 * piece.mass() },
+            water_g: WaterSummary { evaporated: 1e3 * state.evaporated, dripped: 1e3 * state.dripped },
+            core_c: CoreSummary { end: celsius(piece.core()), peak: celsius(piece.core_peak.0), peak_at_s: rounded(piece.core_peak.1) },
+            section_pct: model.cut_shares(state, &model.cut_across(0.0)).into(),
+            volume_pct: model.volume_shares(state).into(),
+            denatured: Denatured { myosin: mean(0), collagen: mean(1), actin: mean(2), myoglobin: mean(3) },
+            surfaces: Surfaces { top: surface(state.down.opposite()), bottom: surface(state.down) },
+        }
+    }
+}
