@@ -1,3 +1,27 @@
 //! The window of saute: renderer, panels, input.
 
+pub mod act;
+pub mod app;
+pub mod colour_map;
+pub mod food_look;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod headless;
+pub mod layout;
+pub mod motion;
+pub mod notice;
+pub mod panels;
+pub mod png_file;
+mod save_picture;
 pub mod scene;
+pub mod scene_view;
+pub mod section_picture;
+pub mod session;
+pub mod settings;
+pub mod stage;
+pub mod theme;
+pub mod view;
+
+pub use app::{SauteApp, Start, StartError};
+pub use colour_map::TemperatureMap;
+pub use section_picture::{Picture, section_picture};
+pub use view::View;

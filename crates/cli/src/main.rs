@@ -1,1 +1,64 @@
-fn main(){}
+//! The command `saute`: a frying pan with a steak in it, in a window or from a recipe file.
+
+mod args;
+mod cook_command;
+mod error;
+mod list;
+mod out_dir;
+mod picture;
+mod progress;
+mod recipe_source;
+mod report;
+mod schema;
+mod section_files;
+mod shelf;
+mod stdout;
+mod text_file;
+mod text_summary;
+mod window;
+mod wording;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::args::{Args, Bench, Command, Schema};
+use crate::error::CliError;
+use crate::shelf::Shelf;
+
+/// Exit code for wrong usage, wrong input and failed runs.
+const FAILED: u8 = 2;
+
+fn main() -> ExitCode {
+    let args = match Args::try_parse() {
+        Ok(args) => args,
+        Err(usage) => {
+            // Help and version come this way too and go to stdout; a closed pipe there is not an error.
+            let _ = usage.print();
+            return if usage.use_stderr() { ExitCode::from(FAILED) } else { ExitCode::SUCCESS };
+        }
+    };
+    run(args).unwrap_or_else(|error| {
+        eprintln!("error: {error}");
+        ExitCode::from(FAILED)
+    })
+}
+
+fn run(args: Args) -> Result<ExitCode, CliError> {
+    if let Some(Command::Schema(Schema::Recipe)) = args.command {
+        return schema::recipe();
+    }
+    let shelf = Shelf::open(args.data.as_deref())?;
+    match args.command {
+        None => window::open(&shelf, None),
+        Some(Command::Open { recipe }) => {
+            let recipe = recipe_source::load(&recipe, &shelf)?;
+            window::open(&shelf, Some(recipe))
+        }
+        Some(Command::Cook(args)) => cook_command::run(&args, &shelf),
+        Some(Command::Shot(args)) => picture::shot(&args, &shelf),
+        Some(Command::Bench(Bench::Frame(args))) => picture::bench_frame(&args, &shelf),
+        Some(Command::List(args)) => list::run(&args, &shelf),
+        Some(Command::Schema(Schema::Recipe)) => schema::recipe(),
+    }
+}

@@ -41,12 +41,26 @@ impl ScenePresenter {
             ..Default::default()
         });
         let pipeline = pipeline(device, &layout, target);
-        Self { renderer: SceneRenderer::new(device, queue), pipeline, layout, sampler, group: None, size: [0; 2] }
+        Self {
+            renderer: SceneRenderer::new(device, queue),
+            pipeline,
+            layout,
+            sampler,
+            group: None,
+            size: [0; 2],
+        }
     }
 
     /// Draws the scene and points the copy at the picture.
-    fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, callback: &SceneCallback) {
-        self.renderer.render(device, queue, encoder, &callback.input, callback.size);
+    pub(super) fn prepare(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        callback: &SceneCallback,
+    ) {
+        self.renderer
+            .render(device, queue, encoder, &callback.input, callback.size);
         if self.group.is_some() && self.size == self.renderer.size() {
             return;
         }
@@ -59,9 +73,22 @@ impl ScenePresenter {
                     binding: 0,
                     resource: wgpu::BindingResource::TextureView(self.renderer.color_view()),
                 },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&self.sampler) },
+                wgpu::BindGroupEntry {
+                    binding: 1,
+                    resource: wgpu::BindingResource::Sampler(&self.sampler),
+                },
             ],
         }));
+    }
+}
+
+impl ScenePresenter {
+    /// Copies the picture over the pass's viewport.
+    pub(super) fn paint(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let Some(group) = &self.group else { return };
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, group, &[]);
+        pass.draw(0..3, 0..1);
     }
 }
 
@@ -94,11 +121,9 @@ impl CallbackTrait for SceneCallback {
         pass: &mut wgpu::RenderPass<'static>,
         resources: &CallbackResources,
     ) {
-        let Some(presenter) = resources.get::<ScenePresenter>() else { return };
-        let Some(group) = &presenter.group else { return };
-        pass.set_pipeline(&presenter.pipeline);
-        pass.set_bind_group(0, group, &[]);
-        pass.draw(0..3, 0..1);
+        if let Some(presenter) = resources.get::<ScenePresenter>() {
+            presenter.paint(pass);
+        }
     }
 }
 
@@ -120,12 +145,19 @@ fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
                     multisampled: false,
                 },
             ),
-            entry(1, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
+            entry(
+                1,
+                wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+            ),
         ],
     })
 }
 
-fn pipeline(device: &wgpu::Device, layout: &wgpu::BindGroupLayout, target: wgpu::TextureFormat) -> wgpu::RenderPipeline {
+fn pipeline(
+    device: &wgpu::Device,
+    layout: &wgpu::BindGroupLayout,
+    target: wgpu::TextureFormat,
+) -> wgpu::RenderPipeline {
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("present"),
         source: wgpu::ShaderSource::Wgsl(PRESENT.into()),
@@ -135,7 +167,11 @@ fn pipeline(device: &wgpu::Device, layout: &wgpu::BindGroupLayout, target: wgpu:
         bind_group_layouts: &[Some(layout)],
         immediate_size: 0,
     });
-    let entry = if target.is_srgb() { "fs_present_linear" } else { "fs_present_encoded" };
+    let entry = if target.is_srgb() {
+        "fs_present_linear"
+    } else {
+        "fs_present_encoded"
+    };
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some("present"),
         layout: Some(&layout),

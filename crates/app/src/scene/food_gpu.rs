@@ -5,13 +5,15 @@ use std::collections::HashMap;
 use glam::Vec3;
 use wgpu::util::DeviceExt;
 
-use super::input::{FatVolume, FoodLook, FoodMesh, FoodVertex};
+use super::input::{FatVolume, FoodLook, FoodMesh, FoodVertex, SliceLook};
 use super::pipelines::Layouts;
 use super::textures::sampled_texture_of;
 use super::uniforms::{FoodUniform, NO_CUT, reciprocal};
 
 /// A shape that has moved by less than this still casts the same shadow [m].
 const SHADOW_TOLERANCE: f32 = 3e-4;
+/// A shape that has moved by less than this leaves the look of pan wall and board as it was [m].
+const STILL_TOLERANCE: f32 = 2e-3;
 
 /// What foods with the same mesh share.
 struct MeshBuffers {
@@ -33,13 +35,85 @@ pub(super) struct FoodBuffers {
     cut: Option<CutBuffers>,
     /// World positions when the shadow map was drawn.
     shadowed: Vec<Vec3>,
+    /// World positions when the still picture was drawn.
+    stilled: Vec<Vec3>,
 }
 
-/// The cut face of a food.
+/// The cut face of a food, and its outside sorted by the side of the cut.
 struct CutBuffers {
     vertices: wgpu::Buffer,
-    indices: wgpu::Buffer,
+    face: Indices,
+    /// Triangles of the outside that are not wholly hidden.
+    kept: Indices,
+    /// Triangles of the outside that are not wholly kept.
+    hidden: Indices,
+}
+
+/// Triangles in a buffer.
+struct Indices {
+    buffer: wgpu::Buffer,
     count: u32,
+}
+
+impl Indices {
+    fn new(device: &wgpu::Device, triangles: &[[u32; 3]]) -> Self {
+        let buffer = buffer(
+            device,
+            bytemuck::cast_slice(triangles),
+            wgpu::BufferUsages::INDEX,
+        );
+        Self {
+            buffer,
+            count: triangles.len() as u32 * 3,
+        }
+    }
+
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        if self.count > 0 {
+            pass.set_index_buffer(self.buffer.slice(..), wgpu::IndexFormat::Uint32);
+            pass.draw_indexed(0..self.count, 0, 0..1);
+        }
+    }
+}
+
+impl CutBuffers {
+    fn new(device: &wgpu::Device, food: &FoodLook, slice: &SliceLook) -> Self {
+        let hides = |&index: &u32| {
+            let rest = food
+                .vertices
+                .get(index as usize)
+                .map_or(Vec3::ZERO, |vertex| Vec3::from(vertex.rest));
+            (rest - slice.point).dot(slice.normal) > 0.0
+        };
+        let triangles = &food.mesh.triangles;
+        let kept: Vec<_> = triangles
+            .iter()
+            .copied()
+            .filter(|t| !t.iter().all(hides))
+            .collect();
+        let hidden: Vec<_> = triangles
+            .iter()
+            .copied()
+            .filter(|t| t.iter().any(hides))
+            .collect();
+        Self {
+            vertices: buffer(
+                device,
+                bytemuck::cast_slice(&slice.vertices),
+                wgpu::BufferUsages::VERTEX,
+            ),
+            face: Indices::new(device, &slice.triangles),
+            kept: Indices::new(device, &kept),
+            hidden: Indices::new(device, &hidden),
+        }
+    }
+}
+
+/// What a change of the foods makes stale.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Moved {
+    pub shadow: bool,
+    pub still: bool,
 }
 
 /// All foods on the device, in the order of the input.
@@ -50,41 +124,59 @@ pub(super) struct Foods {
 }
 
 impl Foods {
-    /// Uploads the states; returns true when something moved enough for another shadow.
-    pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, layouts: &Layouts, foods: &[FoodLook]) -> bool {
-        let mut moved = self.slots.len() != foods.len();
+    /// Uploads the states; tells what moved far enough to show.
+    pub fn update(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        layouts: &Layouts,
+        foods: &[FoodLook],
+    ) -> Moved {
+        let changed = self.slots.len() != foods.len();
+        let mut moved = Moved {
+            shadow: changed,
+            still: changed,
+        };
         self.slots.truncate(foods.len());
         self.meshes.values_mut().for_each(|mesh| mesh.used = false);
         for (index, food) in foods.iter().enumerate() {
-            let mesh = self.meshes.entry(food.mesh.key).or_insert_with(|| MeshBuffers::new(device, queue, &food.mesh));
+            let mesh = self
+                .meshes
+                .entry(food.mesh.key)
+                .or_insert_with(|| MeshBuffers::new(device, queue, &food.mesh));
             mesh.used = true;
             let fits = self.slots.get(index).is_some_and(|slot| slot.fits(food));
             if !fits {
                 let slot = FoodBuffers::new(device, layouts, mesh, food);
-                self.slots.splice(index..(index + 1).min(self.slots.len()), [slot]);
-                moved = true;
+                self.slots
+                    .splice(index..(index + 1).min(self.slots.len()), [slot]);
             }
-            moved |= self.slots[index].update(device, queue, food);
+            let slot = &mut self.slots[index];
+            slot.update(device, queue, food);
+            moved.shadow |= differs(food, &slot.shadowed, SHADOW_TOLERANCE);
+            moved.still |= differs(food, &slot.stilled, STILL_TOLERANCE);
         }
         self.meshes.retain(|_, mesh| mesh.used);
-        if moved {
-            self.remember(foods);
+        for (slot, food) in self.slots.iter_mut().zip(foods) {
+            if moved.shadow {
+                slot.shadowed = world_positions(food).collect();
+            }
+            if moved.still {
+                slot.stilled = world_positions(food).collect();
+            }
         }
         moved
-    }
-
-    fn remember(&mut self, foods: &[FoodLook]) {
-        for (slot, food) in self.slots.iter_mut().zip(foods) {
-            slot.shadowed.clear();
-            slot.shadowed.extend(world_positions(food));
-        }
     }
 }
 
 impl MeshBuffers {
     fn new(device: &wgpu::Device, queue: &wgpu::Queue, mesh: &FoodMesh) -> Self {
         Self {
-            indices: buffer(device, bytemuck::cast_slice(&mesh.triangles), wgpu::BufferUsages::INDEX),
+            indices: buffer(
+                device,
+                bytemuck::cast_slice(&mesh.triangles),
+                wgpu::BufferUsages::INDEX,
+            ),
             count: mesh.triangles.len() as u32 * 3,
             fat: fat_texture(device, queue, &mesh.fat),
             used: true,
@@ -100,10 +192,20 @@ impl FoodBuffers {
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let whole = wgpu::BindGroupEntry { binding: 0, resource: uniform.as_entire_binding() };
-        let fat = wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&mesh.fat) };
+        let whole = wgpu::BindGroupEntry {
+            binding: 0,
+            resource: uniform.as_entire_binding(),
+        };
+        let fat = wgpu::BindGroupEntry {
+            binding: 1,
+            resource: wgpu::BindingResource::TextureView(&mesh.fat),
+        };
         let group = |layout, entries: &[wgpu::BindGroupEntry<'_>]| {
-            device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("food"), layout, entries })
+            device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some("food"),
+                layout,
+                entries,
+            })
         };
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
@@ -116,6 +218,7 @@ impl FoodBuffers {
             count: mesh.count,
             cut: None,
             shadowed: Vec::new(),
+            stilled: Vec::new(),
         }
     }
 
@@ -124,36 +227,47 @@ impl FoodBuffers {
         self.key == food.mesh.key && self.vertices.size() == bytes
     }
 
-    fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, food: &FoodLook) -> bool {
+    fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, food: &FoodLook) {
         queue.write_buffer(&self.vertices, 0, bytemuck::cast_slice(&food.vertices));
         queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform(food)));
-        self.cut = food.slice.as_ref().filter(|slice| !slice.triangles.is_empty()).map(|slice| CutBuffers {
-            vertices: buffer(device, bytemuck::cast_slice(&slice.vertices), wgpu::BufferUsages::VERTEX),
-            indices: buffer(device, bytemuck::cast_slice(&slice.triangles), wgpu::BufferUsages::INDEX),
-            count: slice.triangles.len() as u32 * 3,
-        });
-        let same = self.shadowed.len() == food.vertices.len()
-            && world_positions(food).zip(&self.shadowed).all(|(a, b)| a.abs_diff_eq(*b, SHADOW_TOLERANCE));
-        !same
+        self.cut = food
+            .slice
+            .as_ref()
+            .map(|slice| CutBuffers::new(device, food, slice));
     }
 
     pub fn has_cut(&self) -> bool {
         self.cut.is_some()
     }
 
-    /// Draws the outside; the pass has the frame and texture groups set.
+    /// Draws the outside, without what a cut hides; the pass has the frame and texture groups set.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_bind_group(2, &self.bind_group, &[]);
-        self.draw_shape(pass);
+        match &self.cut {
+            Some(cut) => {
+                pass.set_vertex_buffer(0, self.vertices.slice(..));
+                cut.kept.draw(pass);
+            }
+            None => self.draw_shape(pass),
+        }
+    }
+
+    /// Draws what a cut hides.
+    pub fn draw_hidden(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let Some(cut) = &self.cut else { return };
+        pass.set_bind_group(2, &self.bind_group, &[]);
+        pass.set_vertex_buffer(0, self.vertices.slice(..));
+        cut.hidden.draw(pass);
     }
 
     /// Draws the cut face, if there is one.
     pub fn draw_cut(&self, pass: &mut wgpu::RenderPass<'_>) {
-        let Some(cut) = &self.cut else { return };
+        let Some(cut) = self.cut.as_ref().filter(|cut| cut.face.count > 0) else {
+            return;
+        };
         pass.set_bind_group(2, &self.bind_group, &[]);
         pass.set_vertex_buffer(0, cut.vertices.slice(..));
-        pass.set_index_buffer(cut.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..cut.count, 0, 0..1);
+        cut.face.draw(pass);
     }
 
     /// Draws the shape into a depth map.
@@ -169,23 +283,40 @@ impl FoodBuffers {
     }
 }
 
+/// True when some vertex is further than the tolerance from where it was.
+fn differs(food: &FoodLook, before: &[Vec3], tolerance: f32) -> bool {
+    before.len() != food.vertices.len()
+        || !world_positions(food)
+            .zip(before)
+            .all(|(a, b)| a.abs_diff_eq(*b, tolerance))
+}
+
 /// World positions of a food's vertices.
 pub(super) fn world_positions(food: &FoodLook) -> impl Iterator<Item = Vec3> {
-    food.vertices.iter().map(|vertex: &FoodVertex| food.world_from_rest.transform_point3(Vec3::from(vertex.rest)))
+    food.vertices.iter().map(|vertex: &FoodVertex| {
+        food.world_from_rest
+            .transform_point3(Vec3::from(vertex.rest))
+    })
 }
 
 fn uniform(food: &FoodLook) -> FoodUniform {
     let fat = &food.mesh.fat;
     FoodUniform {
         world_from_rest: food.world_from_rest,
-        cut: food.slice.as_ref().map_or(NO_CUT, |slice| slice.normal.extend(slice.normal.dot(slice.point))),
+        cut: food.slice.as_ref().map_or(NO_CUT, |slice| {
+            slice.normal.extend(slice.normal.dot(slice.point))
+        }),
         fat_origin: fat.origin.extend(0.0),
         fat_scale: reciprocal(fat.extent).extend(0.0),
     }
 }
 
 fn buffer(device: &wgpu::Device, contents: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
-    device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some("food"), contents, usage })
+    device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+        label: Some("food"),
+        contents,
+        usage,
+    })
 }
 
 /// The marbling; a volume that does not hold what it says is taken as lean.
@@ -193,7 +324,19 @@ fn fat_texture(device: &wgpu::Device, queue: &wgpu::Queue, fat: &FatVolume) -> w
     let limit = device.limits().max_texture_dimension_3d;
     let full = fat.size.iter().map(|&n| n as usize).product::<usize>() == fat.cells.len();
     let sound = full && fat.size.iter().all(|&n| n > 0 && n <= limit);
-    let (size, cells) = if sound { (fat.size, fat.cells.as_slice()) } else { ([1; 3], [0].as_slice()) };
+    let (size, cells) = if sound {
+        (fat.size, fat.cells.as_slice())
+    } else {
+        ([1; 3], [0].as_slice())
+    };
     let format = wgpu::TextureFormat::R8Unorm;
-    sampled_texture_of(device, queue, size, 1, format, wgpu::TextureDimension::D3, cells)
+    sampled_texture_of(
+        device,
+        queue,
+        size,
+        1,
+        format,
+        wgpu::TextureDimension::D3,
+        cells,
+    )
 }

@@ -70,7 +70,7 @@ pub struct PanLook {
     pub roughness: f32,
     /// Oil film over the floor (0 none – 1 glossy pool).
     pub oil: f32,
-    /// Where the pan stands, relative to the hob centre [m].
+    /// Centre of the pan's underside, relative to the hob centre [m]; the cooking surface is `thickness` above it.
     pub position: Vec3,
     /// True: a folded wet cloth lies under the pan (else it lies folded at the left of the hob).
     pub on_cloth: bool,

@@ -2,6 +2,7 @@
 
 pub mod callback;
 pub mod camera;
+mod dirty;
 mod environment;
 mod food_gpu;
 pub mod input;
@@ -17,6 +18,9 @@ pub mod sample;
 mod shadow;
 mod solid_gpu;
 mod steam;
+mod still;
 mod targets;
+#[cfg(test)]
+mod tests;
 mod textures;
 mod uniforms;

@@ -16,7 +16,8 @@ pub(super) fn solid_noise() -> Vec<u8> {
     let step = NOISE_CELLS as f32 / NOISE_SIZE as f32;
     let mut texels = Vec::with_capacity((NOISE_SIZE.pow(3) * 4) as usize);
     for index in 0..NOISE_SIZE.pow(3) {
-        let cell = [index, index / NOISE_SIZE, index / NOISE_SIZE.pow(2)].map(|i| (i % NOISE_SIZE) as f32 * step);
+        let cell = [index, index / NOISE_SIZE, index / NOISE_SIZE.pow(2)]
+            .map(|i| (i % NOISE_SIZE) as f32 * step);
         let (value, slope) = gradient_noise(Vec3::from(cell));
         texels.extend([slope.x * 0.5, slope.y * 0.5, slope.z * 0.5, value].map(signed_byte));
     }
@@ -32,7 +33,11 @@ pub(super) fn halve_volume(texels: &[u8], size: u32) -> Vec<u8> {
         for channel in 0..4 {
             let sum: u32 = (0..8)
                 .map(|k| {
-                    let [x, y, z] = [corner[0] + (k & 1), corner[1] + (k >> 1 & 1), corner[2] + (k >> 2)];
+                    let [x, y, z] = [
+                        corner[0] + (k & 1),
+                        corner[1] + (k >> 1 & 1),
+                        corner[2] + (k >> 2),
+                    ];
                     u32::from(texels[(((z * size + y) * size + x) * 4 + channel) as usize])
                 })
                 .sum();
@@ -57,12 +62,16 @@ pub(super) fn bundles() -> Vec<u8> {
 /// Halves a tiling RG8 picture.
 pub(super) fn halve_picture(texels: &[u8], size: u32) -> Vec<u8> {
     let half = size / 2;
-    let at = |x: u32, y: u32, channel: u32| u32::from(texels[((y * size + x) * 2 + channel) as usize]);
+    let at =
+        |x: u32, y: u32, channel: u32| u32::from(texels[((y * size + x) * 2 + channel) as usize]);
     let mut out = Vec::with_capacity(texels.len() / 4);
     for index in 0..half.pow(2) {
         let (x, y) = (index % half * 2, index / half * 2);
         for channel in 0..2 {
-            let sum = at(x, y, channel) + at(x + 1, y, channel) + at(x, y + 1, channel) + at(x + 1, y + 1, channel);
+            let sum = at(x, y, channel)
+                + at(x + 1, y, channel)
+                + at(x, y + 1, channel)
+                + at(x + 1, y + 1, channel);
             out.push((sum / 4) as u8);
         }
     }
@@ -74,14 +83,16 @@ fn signed_byte(value: f32) -> u8 {
 }
 
 fn hash(x: i32, y: i32, z: i32) -> u32 {
-    let mut h = (x as u32).wrapping_mul(0x8da6_b343) ^ (y as u32).wrapping_mul(0xd816_3841) ^ (z as u32).wrapping_mul(0xcb1a_b31f);
+    let mut h = (x as u32).wrapping_mul(0x8da6_b343)
+        ^ (y as u32).wrapping_mul(0xd816_3841)
+        ^ (z as u32).wrapping_mul(0xcb1a_b31f);
     h = (h ^ (h >> 15)).wrapping_mul(0x2c1b_3c6d);
     h = (h ^ (h >> 12)).wrapping_mul(0x297a_2d39);
     h ^ (h >> 15)
 }
 
 /// Value and analytic slope (per lattice cell) of gradient noise, stretched to fill about ±1.
-fn gradient_noise(at: Vec3) -> (f32, Vec3) {
+pub(super) fn gradient_noise(at: Vec3) -> (f32, Vec3) {
     let floor = at.floor();
     let (base, f) = (floor.as_ivec3(), at - floor);
     let fade = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
@@ -92,11 +103,24 @@ fn gradient_noise(at: Vec3) -> (f32, Vec3) {
         let cell = (base + offset).rem_euclid(IVec3::splat(NOISE_CELLS));
         let gradient = lattice_gradient(hash(cell.x, cell.y, cell.z));
         let height = gradient.dot(f - offset.as_vec3());
-        let pick = |axis: usize| if offset[axis] == 1 { fade[axis] } else { 1.0 - fade[axis] };
-        let sign = |axis: usize| if offset[axis] == 1 { fade_slope[axis] } else { -fade_slope[axis] };
+        let pick = |axis: usize| {
+            if offset[axis] == 1 {
+                fade[axis]
+            } else {
+                1.0 - fade[axis]
+            }
+        };
+        let sign = |axis: usize| {
+            if offset[axis] == 1 {
+                fade_slope[axis]
+            } else {
+                -fade_slope[axis]
+            }
+        };
         let (wx, wy, wz) = (pick(0), pick(1), pick(2));
         value += wx * wy * wz * height;
-        slope += wx * wy * wz * gradient + height * Vec3::new(sign(0) * wy * wz, wx * sign(1) * wz, wx * wy * sign(2));
+        slope += wx * wy * wz * gradient
+            + height * Vec3::new(sign(0) * wy * wz, wx * sign(1) * wz, wx * wy * sign(2));
     }
     (value * 1.5, slope)
 }

@@ -22,17 +22,37 @@ impl Groups<'_> {
 }
 
 /// Begins a pass that clears both attachments.
-pub(super) fn begin<'e>(encoder: &'e mut wgpu::CommandEncoder, to: &Attachments<'_>, clear: bool) -> wgpu::RenderPass<'e> {
+pub(super) fn begin<'e>(
+    encoder: &'e mut wgpu::CommandEncoder,
+    to: &Attachments<'_>,
+    clear: bool,
+) -> wgpu::RenderPass<'e> {
     let background = f64::from(FLAT_BACKGROUND[0]) / 255.0;
-    let colour = wgpu::Color { r: background, g: background, b: background, a: 1.0 };
-    let store = if to.resolve.is_some() { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
+    let colour = wgpu::Color {
+        r: background,
+        g: background,
+        b: background,
+        a: 1.0,
+    };
+    let store = if to.resolve.is_some() {
+        wgpu::StoreOp::Discard
+    } else {
+        wgpu::StoreOp::Store
+    };
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: Some("scene"),
         color_attachments: &[Some(wgpu::RenderPassColorAttachment {
             view: to.colour,
             depth_slice: None,
             resolve_target: to.resolve,
-            ops: wgpu::Operations { load: if clear { wgpu::LoadOp::Clear(colour) } else { wgpu::LoadOp::Load }, store },
+            ops: wgpu::Operations {
+                load: if clear {
+                    wgpu::LoadOp::Clear(colour)
+                } else {
+                    wgpu::LoadOp::Load
+                },
+                store,
+            },
         })],
         depth_stencil_attachment: Some(depth_attachment(to.depth, clear, store)),
         ..Default::default()
@@ -40,7 +60,10 @@ pub(super) fn begin<'e>(encoder: &'e mut wgpu::CommandEncoder, to: &Attachments<
 }
 
 /// Begins a pass that only writes depth.
-pub(super) fn begin_depth<'e>(encoder: &'e mut wgpu::CommandEncoder, to: &wgpu::TextureView) -> wgpu::RenderPass<'e> {
+pub(super) fn begin_depth<'e>(
+    encoder: &'e mut wgpu::CommandEncoder,
+    to: &wgpu::TextureView,
+) -> wgpu::RenderPass<'e> {
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: Some("depth"),
         depth_stencil_attachment: Some(depth_attachment(to, true, wgpu::StoreOp::Store)),
@@ -53,22 +76,48 @@ fn depth_attachment(
     clear: bool,
     store: wgpu::StoreOp,
 ) -> wgpu::RenderPassDepthStencilAttachment<'_> {
-    let load = if clear { wgpu::LoadOp::Clear(1.0) } else { wgpu::LoadOp::Load };
-    wgpu::RenderPassDepthStencilAttachment { view, depth_ops: Some(wgpu::Operations { load, store }), stencil_ops: None }
+    let load = if clear {
+        wgpu::LoadOp::Clear(1.0)
+    } else {
+        wgpu::LoadOp::Load
+    };
+    wgpu::RenderPassDepthStencilAttachment {
+        view,
+        depth_ops: Some(wgpu::Operations { load, store }),
+        stencil_ops: None,
+    }
 }
 
 /// Everything that casts a shadow from the window.
-pub(super) fn draw_shadow(pass: &mut wgpu::RenderPass<'_>, pipelines: &DepthPipelines, view: &wgpu::BindGroup, solids: &Solids, foods: &Foods) {
+pub(super) fn draw_shadow(
+    pass: &mut wgpu::RenderPass<'_>,
+    pipelines: &DepthPipelines,
+    view: &wgpu::BindGroup,
+    solids: &Solids,
+    foods: &Foods,
+) {
     pass.set_bind_group(0, view, &[]);
     pass.set_pipeline(&pipelines.solid);
-    for solid in [&solids.surroundings, &solids.hob, &solids.cloth, &solids.pan_body, &solids.pan_floor] {
+    for solid in [
+        &solids.surroundings,
+        &solids.board,
+        &solids.hob,
+        &solids.cloth,
+        &solids.pan_body,
+        &solids.pan_floor,
+    ] {
         solid.draw(pass);
     }
     draw_food_depth(pass, pipelines, view, foods);
 }
 
 /// The foods alone.
-pub(super) fn draw_food_depth(pass: &mut wgpu::RenderPass<'_>, pipelines: &DepthPipelines, view: &wgpu::BindGroup, foods: &Foods) {
+pub(super) fn draw_food_depth(
+    pass: &mut wgpu::RenderPass<'_>,
+    pipelines: &DepthPipelines,
+    view: &wgpu::BindGroup,
+    foods: &Foods,
+) {
     pass.set_bind_group(0, view, &[]);
     pass.set_pipeline(&pipelines.food);
     for food in &foods.slots {
@@ -77,16 +126,33 @@ pub(super) fn draw_food_depth(pass: &mut wgpu::RenderPass<'_>, pipelines: &Depth
 }
 
 /// Depth of what does not move, at one sample a pixel.
-pub(super) fn draw_still_depth(pass: &mut wgpu::RenderPass<'_>, pipelines: &DepthPipelines, view: &wgpu::BindGroup, solids: &Solids) {
+pub(super) fn draw_still_depth(
+    pass: &mut wgpu::RenderPass<'_>,
+    pipelines: &DepthPipelines,
+    view: &wgpu::BindGroup,
+    solids: &Solids,
+) {
     pass.set_bind_group(0, view, &[]);
     pass.set_pipeline(&pipelines.still);
-    for solid in [&solids.pan_body, &solids.cloth, &solids.hob, &solids.surroundings, &solids.room] {
+    for solid in [
+        &solids.pan_body,
+        &solids.cloth,
+        &solids.hob,
+        &solids.board,
+        &solids.surroundings,
+        &solids.room,
+    ] {
         solid.draw(pass);
     }
 }
 
 /// What does not move, nearest first; the pan's floor is drawn with the foods.
-pub(super) fn draw_still(pass: &mut wgpu::RenderPass<'_>, pipelines: &ColourPipelines, groups: &Groups<'_>, solids: &Solids) {
+pub(super) fn draw_still(
+    pass: &mut wgpu::RenderPass<'_>,
+    pipelines: &ColourPipelines,
+    groups: &Groups<'_>,
+    solids: &Solids,
+) {
     groups.set(pass);
     pass.set_pipeline(&pipelines.metal);
     solids.pan_body.draw(pass);
@@ -94,32 +160,51 @@ pub(super) fn draw_still(pass: &mut wgpu::RenderPass<'_>, pipelines: &ColourPipe
     solids.cloth.draw(pass);
     pass.set_pipeline(&pipelines.glass);
     solids.hob.draw(pass);
+    pass.set_pipeline(&pipelines.wood);
+    solids.board.draw(pass);
     pass.set_pipeline(&pipelines.solid);
     solids.surroundings.draw(pass);
     solids.room.draw(pass);
 }
 
 /// Foods, cut faces and the floor of the pan.
-pub(super) fn draw_lively(pass: &mut wgpu::RenderPass<'_>, pipelines: &ColourPipelines, groups: &Groups<'_>, solids: &Solids, foods: &Foods) {
+pub(super) fn draw_lively(
+    pass: &mut wgpu::RenderPass<'_>,
+    pipelines: &ColourPipelines,
+    groups: &Groups<'_>,
+    solids: &Solids,
+    foods: &Foods,
+) {
     groups.set(pass);
     for food in &foods.slots {
-        pass.set_pipeline(if food.has_cut() { &pipelines.food_cut } else { &pipelines.food });
+        if food.has_cut() {
+            pass.set_pipeline(&pipelines.cut_face);
+            food.draw_cut(pass);
+        }
+        pass.set_pipeline(if food.has_cut() {
+            &pipelines.food_cut
+        } else {
+            &pipelines.food
+        });
         food.draw(pass);
-    }
-    pass.set_pipeline(&pipelines.food);
-    for food in foods.slots.iter().filter(|food| food.has_cut()) {
-        food.draw_cut(pass);
     }
     pass.set_pipeline(&pipelines.metal);
     solids.pan_floor.draw(pass);
 }
 
 /// The veils of cut foods, then steam.
-pub(super) fn draw_veils(pass: &mut wgpu::RenderPass<'_>, pipelines: &ColourPipelines, groups: &Groups<'_>, foods: &Foods, steam: &wgpu::Buffer, puff_vertices: u32) {
+pub(super) fn draw_veils(
+    pass: &mut wgpu::RenderPass<'_>,
+    pipelines: &ColourPipelines,
+    groups: &Groups<'_>,
+    foods: &Foods,
+    steam: &wgpu::Buffer,
+    puff_vertices: u32,
+) {
     groups.set(pass);
     pass.set_pipeline(&pipelines.ghost);
-    for food in foods.slots.iter().filter(|food| food.has_cut()) {
-        food.draw(pass);
+    for food in &foods.slots {
+        food.draw_hidden(pass);
     }
     if puff_vertices > 0 {
         pass.set_pipeline(&pipelines.steam);
@@ -129,7 +214,13 @@ pub(super) fn draw_veils(pass: &mut wgpu::RenderPass<'_>, pipelines: &ColourPipe
 }
 
 /// The exact picture: foods and pan, nothing else.
-pub(super) fn draw_flat(pass: &mut wgpu::RenderPass<'_>, pipelines: &FlatPipelines, groups: &Groups<'_>, solids: &Solids, foods: &Foods) {
+pub(super) fn draw_flat(
+    pass: &mut wgpu::RenderPass<'_>,
+    pipelines: &FlatPipelines,
+    groups: &Groups<'_>,
+    solids: &Solids,
+    foods: &Foods,
+) {
     groups.set(pass);
     pass.set_pipeline(&pipelines.food);
     for food in &foods.slots {

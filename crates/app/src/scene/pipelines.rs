@@ -32,10 +32,13 @@ pub(super) struct Layouts {
 /// Pipelines that draw colours at one sample count.
 pub(super) struct ColourPipelines {
     pub solid: wgpu::RenderPipeline,
+    pub wood: wgpu::RenderPipeline,
     pub glass: wgpu::RenderPipeline,
     pub metal: wgpu::RenderPipeline,
     pub food: wgpu::RenderPipeline,
+    /// A cut food's outside: its inside faces show too.
     pub food_cut: wgpu::RenderPipeline,
+    pub cut_face: wgpu::RenderPipeline,
     pub ghost: wgpu::RenderPipeline,
     pub steam: wgpu::RenderPipeline,
 }
@@ -91,14 +94,18 @@ impl PipelineFactory {
 
     pub fn colour(&self, device: &wgpu::Device, samples: u32) -> ColourPipelines {
         let solid = |entry| self.solid_pipeline(device, entry, samples);
-        let food = |entry, blend| self.food_pipeline(device, entry, blend, samples);
+        let food = |entry, cull, veil| self.food_pipeline(device, entry, cull, veil, samples);
+        let back = Some(wgpu::Face::Back);
         ColourPipelines {
             solid: solid("fs_solid"),
+            wood: solid("fs_wood"),
             glass: solid("fs_glass"),
             metal: solid("fs_metal"),
-            food: food("fs_food", false),
-            food_cut: food("fs_food_cut", false),
-            ghost: food("fs_ghost", true),
+            food: food("fs_food", back, false),
+            food_cut: food("fs_food_cut", None, false),
+            cut_face: food("fs_food", None, false),
+            // The ghost has no thickness: only the side that faces the eye is drawn.
+            ghost: food("fs_ghost", back, true),
             steam: self.steam_pipeline(device, samples),
         }
     }
@@ -106,22 +113,42 @@ impl PipelineFactory {
     pub fn flat(&self, device: &wgpu::Device) -> FlatPipelines {
         FlatPipelines {
             solid: self.solid_pipeline(device, "fs_flat_solid", 1),
-            food: self.food_pipeline(device, "fs_flat_food", false, 1),
+            food: self.food_pipeline(device, "fs_flat_food", None, false, 1),
         }
     }
 
     pub fn depth(&self, device: &wgpu::Device) -> DepthPipelines {
         let view_only = pipeline_layout(device, &[&self.layouts.frame]);
         let with_pose = pipeline_layout(device, &[&self.layouts.frame, &self.layouts.pose]);
-        let bias = wgpu::DepthBiasState { constant: 2, slope_scale: 1.5, clamp: 0.0 };
+        let bias = wgpu::DepthBiasState {
+            constant: 2,
+            slope_scale: 1.5,
+            clamp: 0.0,
+        };
         let make = |layout, entry, buffer, bias| {
-            let depth = wgpu::DepthStencilState { bias, ..depth_state(true) };
-            build(device, layout, (&self.depth, entry, Some(buffer)), None, depth, None, 1)
+            let depth = wgpu::DepthStencilState {
+                bias,
+                ..depth_state(true)
+            };
+            build(
+                device,
+                layout,
+                (&self.depth, entry, Some(buffer)),
+                None,
+                depth,
+                None,
+                1,
+            )
         };
         DepthPipelines {
             solid: make(&view_only, "vs_solid_depth", solid_buffer(), bias),
             food: make(&with_pose, "vs_food_depth", food_buffer(), bias),
-            still: make(&view_only, "vs_solid_depth", solid_buffer(), wgpu::DepthBiasState::default()),
+            still: make(
+                &view_only,
+                "vs_solid_depth",
+                solid_buffer(),
+                wgpu::DepthBiasState::default(),
+            ),
         }
     }
 
@@ -132,26 +159,54 @@ impl PipelineFactory {
             ..depth_state(true)
         };
         let fragment = Some((&self.restore, "fs_restore", None));
-        build(device, &layout, (&self.restore, "vs_restore", None), fragment, depth, None, 1)
+        build(
+            device,
+            &layout,
+            (&self.restore, "vs_restore", None),
+            fragment,
+            depth,
+            None,
+            1,
+        )
     }
 
-    fn solid_pipeline(&self, device: &wgpu::Device, entry: &'static str, samples: u32) -> wgpu::RenderPipeline {
+    fn solid_pipeline(
+        &self,
+        device: &wgpu::Device,
+        entry: &'static str,
+        samples: u32,
+    ) -> wgpu::RenderPipeline {
         let vertex = (&self.solid, "vs_solid", Some(solid_buffer()));
-        build(device, &self.solid_layout, vertex, Some((&self.solid, entry, None)), depth_state(true), None, samples)
+        build(
+            device,
+            &self.solid_layout,
+            vertex,
+            Some((&self.solid, entry, None)),
+            depth_state(true),
+            None,
+            samples,
+        )
     }
 
     fn food_pipeline(
         &self,
         device: &wgpu::Device,
         entry: &'static str,
+        cull: Option<wgpu::Face>,
         veil: bool,
         samples: u32,
     ) -> wgpu::RenderPipeline {
         let vertex = (&self.food, "vs_food", Some(food_buffer()));
         let blend = veil.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
-        // The ghost has no thickness: only the side that faces the eye is drawn. A cut food shows its inside.
-        let cull = veil.then_some(wgpu::Face::Back);
-        build(device, &self.food_layout, vertex, Some((&self.food, entry, blend)), depth_state(!veil), cull, samples)
+        build(
+            device,
+            &self.food_layout,
+            vertex,
+            Some((&self.food, entry, blend)),
+            depth_state(!veil),
+            cull,
+            samples,
+        )
     }
 
     fn steam_pipeline(&self, device: &wgpu::Device, samples: u32) -> wgpu::RenderPipeline {
@@ -162,14 +217,25 @@ impl PipelineFactory {
         };
         let blend = Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
         let vertex = (&self.steam, "vs_steam", Some(buffer));
-        build(device, &self.solid_layout, vertex, Some((&self.steam, "fs_steam", blend)), depth_state(false), None, samples)
+        build(
+            device,
+            &self.solid_layout,
+            vertex,
+            Some((&self.steam, "fs_steam", blend)),
+            depth_state(false),
+            None,
+            samples,
+        )
     }
 }
 
 impl Layouts {
     fn new(device: &wgpu::Device) -> Self {
         let group = |label, entries: &[wgpu::BindGroupLayoutEntry]| {
-            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
+            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: Some(label),
+                entries,
+            })
         };
         let texture = |sample_type, view_dimension| wgpu::BindingType::Texture {
             sample_type,
@@ -181,12 +247,19 @@ impl Layouts {
         Self {
             frame: group("frame", &[uniform_entry(0)]),
             pose: group("pose", &[uniform_entry(0)]),
-            food: group("food", &[uniform_entry(0), fragment_entry(1, texture(float(true), TextureViewDimension::D3))]),
+            food: group(
+                "food",
+                &[
+                    uniform_entry(0),
+                    fragment_entry(1, texture(float(true), TextureViewDimension::D3)),
+                ],
+            ),
             restore: group(
                 "restore",
                 &[
                     fragment_entry(0, texture(float(false), TextureViewDimension::D2)),
-                    fragment_entry(1, texture(TextureSampleType::Depth, TextureViewDimension::D2)),
+                    // Depth, read as a plain number: WebGL2 cannot load texels of what it knows to be depth.
+                    fragment_entry(1, texture(float(false), TextureViewDimension::D2)),
                 ],
             ),
         }
@@ -232,7 +305,10 @@ fn depth_state(write: bool) -> wgpu::DepthStencilState {
     }
 }
 
-fn pipeline_layout(device: &wgpu::Device, groups: &[&wgpu::BindGroupLayout]) -> wgpu::PipelineLayout {
+fn pipeline_layout(
+    device: &wgpu::Device,
+    groups: &[&wgpu::BindGroupLayout],
+) -> wgpu::PipelineLayout {
     let groups: Vec<_> = groups.iter().map(|group| Some(*group)).collect();
     device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some("scene"),
@@ -241,8 +317,30 @@ fn pipeline_layout(device: &wgpu::Device, groups: &[&wgpu::BindGroupLayout]) -> 
     })
 }
 
-type VertexStage<'a> = (&'a wgpu::ShaderModule, &'static str, Option<wgpu::VertexBufferLayout<'static>>);
-type FragmentStage<'a> = (&'a wgpu::ShaderModule, &'static str, Option<wgpu::BlendState>);
+/// Anti-aliased pictures also take more samples of the depth maps.
+fn options(samples: u32, entry: &str) -> wgpu::PipelineCompilationOptions<'static> {
+    const FINE: [(&str, f64); 1] = [("fine", 1.0)];
+    let constants: &[(&str, f64)] = if samples > 1 && entry != "fs_restore" {
+        &FINE
+    } else {
+        &[]
+    };
+    wgpu::PipelineCompilationOptions {
+        constants,
+        ..Default::default()
+    }
+}
+
+type VertexStage<'a> = (
+    &'a wgpu::ShaderModule,
+    &'static str,
+    Option<wgpu::VertexBufferLayout<'static>>,
+);
+type FragmentStage<'a> = (
+    &'a wgpu::ShaderModule,
+    &'static str,
+    Option<wgpu::BlendState>,
+);
 
 fn build(
     device: &wgpu::Device,
@@ -255,10 +353,18 @@ fn build(
 ) -> wgpu::RenderPipeline {
     let buffers = buffer.map(Some);
     let target = fragment.as_ref().map(|(_, _, blend)| {
-        [Some(wgpu::ColorTargetState { format: COLOUR_FORMAT, blend: *blend, write_mask: wgpu::ColorWrites::ALL })]
+        [Some(wgpu::ColorTargetState {
+            format: COLOUR_FORMAT,
+            blend: *blend,
+            write_mask: wgpu::ColorWrites::ALL,
+        })]
     });
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(fragment.as_ref().map_or(vertex_entry, |(_, entry, _)| entry)),
+        label: Some(
+            fragment
+                .as_ref()
+                .map_or(vertex_entry, |(_, entry, _)| entry),
+        ),
         layout: Some(layout),
         vertex: wgpu::VertexState {
             module: vertex,
@@ -266,15 +372,24 @@ fn build(
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             buffers: buffers.as_slice(),
         },
-        primitive: wgpu::PrimitiveState { cull_mode, ..Default::default() },
+        primitive: wgpu::PrimitiveState {
+            cull_mode,
+            ..Default::default()
+        },
         depth_stencil: Some(depth),
-        multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
-        fragment: fragment.as_ref().zip(target.as_ref()).map(|((module, entry, _), target)| wgpu::FragmentState {
-            module,
-            entry_point: Some(entry),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: target,
-        }),
+        multisample: wgpu::MultisampleState {
+            count: samples,
+            ..Default::default()
+        },
+        fragment: fragment
+            .as_ref()
+            .zip(target.as_ref())
+            .map(|((module, entry, _), target)| wgpu::FragmentState {
+                module,
+                entry_point: Some(entry),
+                compilation_options: options(samples, entry),
+                targets: target,
+            }),
         multiview_mask: None,
         cache: None,
     })

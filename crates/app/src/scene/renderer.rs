@@ -2,17 +2,18 @@
 
 use wgpu::util::DeviceExt;
 
-use super::food_gpu::Foods;
+use super::dirty::DirtyRect;
+use super::food_gpu::{Foods, Moved};
 use super::input::{Colouring, SceneInput};
 use super::passes::{self, Groups};
 use super::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines, PipelineFactory};
 use super::shadow::{ContactMap, light_from_world};
 use super::solid_gpu::{PanKey, Solids};
 use super::steam::{PUFFS_MAX, PuffVertex, puffs};
+use super::still::{Still, StillKey};
 use super::targets::{MSAA_SAMPLES, Targets};
 use super::textures::SceneTextures;
 use super::uniforms::FrameUniform;
-use crate::scene::camera::Camera;
 
 pub use super::passes::FLAT_BACKGROUND;
 
@@ -29,27 +30,10 @@ pub enum Quality {
 impl Quality {
     fn shadow_size(self) -> u32 {
         match self {
-            Self::Fast => 1024,
-            Self::Fine => 2048,
+            Self::Fast => 640,
+            Self::Fine => 1024,
         }
     }
-}
-
-/// What the kept picture of the still things depends on.
-#[derive(Clone, Debug, PartialEq)]
-struct StillKey {
-    camera: Camera,
-    size: [u32; 2],
-    /// Hob power in steps that no eye tells apart.
-    power: u32,
-    pan: PanKey,
-    shadow: u64,
-}
-
-/// The kept picture and how well it was drawn.
-struct Still {
-    key: StillKey,
-    samples: u32,
 }
 
 /// Draws scenes. Pictures of one renderer must be submitted one after another: they share its buffers.
@@ -74,8 +58,12 @@ pub struct SceneRenderer {
     puff_vertices: u32,
     targets: Targets,
     still: Option<Still>,
-    /// Counts the shadow maps drawn; a new one makes the kept picture stale.
-    shadow: u64,
+    /// What moves covers this in the new frame, and covered that in the picture as it stands.
+    dirty: DirtyRect,
+    drawn: DirtyRect,
+    moved: Moved,
+    /// Counts the moves of foods that pan wall and board show.
+    disturbances: u64,
     shadow_pan: Option<PanKey>,
     table: Option<std::sync::Arc<[[u8; 3]; 256]>>,
 }
@@ -96,7 +84,10 @@ impl Uniform {
         let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("uniform"),
             layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }],
+            entries: &[wgpu::BindGroupEntry {
+                binding: 0,
+                resource: buffer.as_entire_binding(),
+            }],
         });
         Self { buffer, group }
     }
@@ -140,7 +131,10 @@ impl SceneRenderer {
             steam,
             puff_vertices: 0,
             still: None,
-            shadow: 0,
+            dirty: DirtyRect::WHOLE,
+            drawn: DirtyRect::WHOLE,
+            moved: Moved::default(),
+            disturbances: 0,
             shadow_pan: None,
             table: None,
         }
@@ -176,7 +170,7 @@ impl SceneRenderer {
             self.draw_flat(device, encoder);
             return;
         }
-        self.update_shadow(device, queue, encoder, input);
+        self.update_shadow(encoder, input);
         match self.quality {
             Quality::Fast => self.draw_fast(device, encoder, input, size),
             Quality::Fine => self.draw_fine(device, encoder),
@@ -184,13 +178,20 @@ impl SceneRenderer {
     }
 
     /// Brings buffers and targets up to date.
-    fn prepare(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, input: &SceneInput, size: [u32; 2]) {
+    fn prepare(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        input: &SceneInput,
+        size: [u32; 2],
+    ) {
         if self.targets.size != size {
             self.targets = Targets::new(device, size, &self.factory.layouts.restore);
             self.still = None;
         }
         if self.textures.shadow_size != self.quality.shadow_size() {
-            self.textures.resize_shadow(device, self.quality.shadow_size());
+            self.textures
+                .resize_shadow(device, self.quality.shadow_size());
             self.shadow_pan = None;
         }
         match &mut self.solids {
@@ -203,17 +204,33 @@ impl SceneRenderer {
         queue.write_buffer(&self.frame.buffer, 0, bytemuck::bytes_of(&frame));
         let view = input.camera.view_projection(aspect);
         queue.write_buffer(&self.camera_view.buffer, 0, bytemuck::bytes_of(&view));
-        if self.foods.update(device, queue, &self.factory.layouts, &input.foods) {
+        self.moved = self
+            .foods
+            .update(device, queue, &self.factory.layouts, &input.foods);
+        if self.moved.shadow {
             self.shadow_pan = None;
         }
-        let sprites = puffs(&input.steam, input.time_s);
+        self.disturbances += u64::from(self.moved.still);
+        // Steam would falsify the colours of a field.
+        let steam = if matches!(input.colouring, Colouring::Look) {
+            input.steam.as_slice()
+        } else {
+            &[]
+        };
+        let sprites = puffs(steam, input.time_s);
+        self.dirty = DirtyRect::of(input, &sprites, size);
         self.puff_vertices = sprites.len() as u32;
         queue.write_buffer(&self.steam, 0, bytemuck::cast_slice(&sprites));
     }
 
     fn update_table(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, colouring: &Colouring) {
-        let Colouring::Field { table, stepped } = colouring else { return };
-        let same = self.table.as_ref().is_some_and(|old| std::sync::Arc::ptr_eq(old, table));
+        let Colouring::Field { table, stepped } = colouring else {
+            return;
+        };
+        let same = self
+            .table
+            .as_ref()
+            .is_some_and(|old| std::sync::Arc::ptr_eq(old, table));
         if !same || *stepped != self.textures.stepped() {
             self.textures.set_table(device, queue, table, *stepped);
             self.table = Some(table.clone());
@@ -221,85 +238,153 @@ impl SceneRenderer {
     }
 
     /// Redraws shadow and contact map when something moved.
-    fn update_shadow(&mut self, _device: &wgpu::Device, _queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, input: &SceneInput) {
+    fn update_shadow(&mut self, encoder: &mut wgpu::CommandEncoder, input: &SceneInput) {
         let Some(solids) = &self.solids else { return };
         let pan = PanKey::of(&input.pan);
         if self.shadow_pan == Some(pan) {
             return;
         }
         let mut pass = passes::begin_depth(encoder, &self.textures.shadow_map);
-        passes::draw_shadow(&mut pass, &self.depth, &self.light_view.group, solids, &self.foods);
+        passes::draw_shadow(
+            &mut pass,
+            &self.depth,
+            &self.light_view.group,
+            solids,
+            &self.foods,
+        );
         drop(pass);
         let mut pass = passes::begin_depth(encoder, &self.textures.contact_map);
-        passes::draw_food_depth(&mut pass, &self.depth, &self.contact_view.group, &self.foods);
+        passes::draw_food_depth(
+            &mut pass,
+            &self.depth,
+            &self.contact_view.group,
+            &self.foods,
+        );
         drop(pass);
-        self.shadow += 1;
         self.shadow_pan = Some(pan);
     }
 
     fn draw_flat(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
         let pipelines = self.flat.get_or_insert_with(|| self.factory.flat(device));
         let Some(solids) = &self.solids else { return };
-        let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
+        let groups = Groups {
+            frame: &self.frame.group,
+            textures: &self.textures.bind_group,
+        };
         let mut pass = passes::begin(encoder, &self.targets.picture.attachments(), true);
         passes::draw_flat(&mut pass, pipelines, &groups, solids, &self.foods);
         self.still = None;
     }
 
     fn draw_fine(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
-        let pipelines = self.fine.get_or_insert_with(|| self.factory.colour(device, MSAA_SAMPLES));
+        let pipelines = self
+            .fine
+            .get_or_insert_with(|| self.factory.colour(device, MSAA_SAMPLES));
         let Some(solids) = &self.solids else { return };
         self.targets.msaa(device);
-        let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
-        let mut pass = passes::begin(encoder, &self.targets.multisampled(&self.targets.picture), true);
+        let groups = Groups {
+            frame: &self.frame.group,
+            textures: &self.textures.bind_group,
+        };
+        let mut pass = passes::begin(
+            encoder,
+            &self.targets.multisampled(&self.targets.picture),
+            true,
+        );
         passes::draw_lively(&mut pass, pipelines, &groups, solids, &self.foods);
         passes::draw_still(&mut pass, pipelines, &groups, solids);
-        passes::draw_veils(&mut pass, pipelines, &groups, &self.foods, &self.steam, self.puff_vertices);
+        passes::draw_veils(
+            &mut pass,
+            pipelines,
+            &groups,
+            &self.foods,
+            &self.steam,
+            self.puff_vertices,
+        );
         self.still = None;
     }
 
-    fn draw_fast(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, input: &SceneInput, size: [u32; 2]) {
-        let key = StillKey {
-            camera: input.camera.clone(),
-            size,
-            power: (input.hob.power * 128.0).round() as u32,
-            pan: PanKey::of(&input.pan),
-            shadow: self.shadow,
-        };
-        self.update_still(device, encoder, key);
-        let pipelines = self.fast.get_or_insert_with(|| self.factory.colour(device, 1));
+    fn draw_fast(
+        &mut self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        input: &SceneInput,
+        size: [u32; 2],
+    ) {
+        self.update_still(
+            device,
+            encoder,
+            StillKey::new(input, size, self.disturbances),
+        );
+        let pipelines = self
+            .fast
+            .get_or_insert_with(|| self.factory.colour(device, 1));
         let Some(solids) = &self.solids else { return };
-        let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
+        let groups = Groups {
+            frame: &self.frame.group,
+            textures: &self.textures.bind_group,
+        };
         let mut pass = passes::begin(encoder, &self.targets.picture.attachments(), false);
         pass.set_pipeline(&self.restore);
         pass.set_bind_group(0, &self.targets.restore, &[]);
+        let [left, top, width, height] = self.dirty.union(self.drawn).scissor(size);
+        pass.set_scissor_rect(left, top, width, height);
         pass.draw(0..3, 0..1);
         passes::draw_lively(&mut pass, pipelines, &groups, solids, &self.foods);
-        passes::draw_veils(&mut pass, pipelines, &groups, &self.foods, &self.steam, self.puff_vertices);
+        passes::draw_veils(
+            &mut pass,
+            pipelines,
+            &groups,
+            &self.foods,
+            &self.steam,
+            self.puff_vertices,
+        );
+        drop(pass);
+        self.drawn = self.dirty;
     }
 
     /// Draws the still things when they changed: at once with one sample a pixel, and smoothly as soon as they rest.
-    fn update_still(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey) {
+    fn update_still(
+        &mut self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        key: StillKey,
+    ) {
         let samples = match &self.still {
             Some(still) if still.key == key && still.samples == MSAA_SAMPLES => return,
             Some(still) if still.key == key => MSAA_SAMPLES,
+            // A food in motion: its shadow on wall and board may lag until it rests.
+            Some(still) if still.key.same_view(&key) && self.moved.shadow => return,
+            Some(still) if still.key.same_view(&key) => MSAA_SAMPLES,
             _ => 1,
         };
         let Some(solids) = &self.solids else { return };
-        let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
+        let groups = Groups {
+            frame: &self.frame.group,
+            textures: &self.textures.bind_group,
+        };
         if samples == 1 {
-            let pipelines = self.fast.get_or_insert_with(|| self.factory.colour(device, 1));
+            let pipelines = self
+                .fast
+                .get_or_insert_with(|| self.factory.colour(device, 1));
             let mut pass = passes::begin(encoder, &self.targets.still.attachments(), true);
             passes::draw_still(&mut pass, pipelines, &groups, solids);
         } else {
-            let pipelines = self.fine.get_or_insert_with(|| self.factory.colour(device, MSAA_SAMPLES));
+            let pipelines = self
+                .fine
+                .get_or_insert_with(|| self.factory.colour(device, MSAA_SAMPLES));
             self.targets.msaa(device);
-            let mut pass = passes::begin(encoder, &self.targets.multisampled(&self.targets.still), true);
+            let mut pass = passes::begin(
+                encoder,
+                &self.targets.multisampled(&self.targets.still),
+                true,
+            );
             passes::draw_still(&mut pass, pipelines, &groups, solids);
             drop(pass);
             let mut pass = passes::begin_depth(encoder, &self.targets.still.depth);
             passes::draw_still_depth(&mut pass, &self.depth, &self.camera_view.group, solids);
         }
         self.still = Some(Still { key, samples });
+        self.drawn = DirtyRect::WHOLE;
     }
 }

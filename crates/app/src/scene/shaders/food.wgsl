@@ -73,8 +73,9 @@ fn flesh(rest: vec3<f32>, lean: vec3<f32>, browner: vec3<f32>, fat_colour: vec3<
     let brown = smoothstep(0.36, 0.64, mottle);
     var meat = mix(lean, browner, brown);
     meat *= 1.0 + mix(0.12, 0.30, uncooked) * (bundle.g - 0.5) + 0.30 * (grain.a - 0.5) + 0.25 * uncooked * (region.a - 0.5);
-    meat = mix(meat, mix(meat, fat_colour, 0.30), seam * uncooked * 0.6);
-    let fatty = fat_colour * (0.90 + 0.2 * grain.a);
+    meat = mix(meat, mix(meat, fat_colour, 0.30), seam * uncooked * 0.42);
+    // Fat in a crust fries with the meat round it.
+    let fatty = mix(fat_colour * (0.90 + 0.2 * grain.a), meat, 0.62 * crust);
     let pits = 1.0 - crust * (0.40 * smoothstep(0.50, 0.30, grain.a) + 0.35 * smoothstep(0.45, 0.25, broad.a));
     let slope = (region.brg - 0.5) * 0.35 + (broad.rgb - 0.5) * (0.22 + 0.45 * crust) + (grain.gbr - 0.5) * (0.20 + 0.75 * crust);
     return Flesh(mix(meat, fatty, fat) * pits, slope, fat, broad.a);
@@ -105,14 +106,14 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
     let lit = shadow(in.position, smooth_normal);
     let raw = (1.0 - crust) * wetness;
     let bumpy = world_normal(rest_normal - slope * (0.9 - 0.35 * wetness));
-    let wrap = vec3<f32>(0.42, 0.22, 0.16) * (1.0 - 0.85 * crust);
+    let wrap = vec3<f32>(0.36, 0.17, 0.12) * (1.0 - 0.85 * crust);
     let roughness = mix(mix(0.60, 0.82, crust), 0.42, wetness) - 0.12 * look.fat;
     let body = Surface(look.colour, vec3<f32>(0.035), roughness, bumpy, visibility, wrap);
     var radiance = diffuse(body, lit) + specular(body, in.position, view, lit) * (1.0 - 0.7 * raw);
     // Water or oil lies smoother than the flesh and gathers in its hollows.
-    let film = wetness * smoothstep(0.15, 0.75, wetness * 0.9 + (0.5 - look.patchy) * 0.9);
-    let film_normal = world_normal(rest_normal - slope * mix(0.55, 0.30, raw));
-    let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.030), mix(0.30, 0.16, wetness), film_normal, visibility, vec3<f32>(0.0));
+    let film = wetness * smoothstep(0.10, 0.85, wetness * 0.75 + (0.5 - look.patchy) * 1.5);
+    let film_normal = world_normal(rest_normal - slope * mix(0.75, 0.95, raw));
+    let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), mix(0.36, 0.20, wetness), film_normal, visibility, vec3<f32>(0.0));
     radiance += specular(coat, in.position, view, lit) * film;
     return pixel_from_radiance(radiance, in.clip.xy);
 }

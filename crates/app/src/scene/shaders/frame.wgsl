@@ -6,13 +6,13 @@ struct Frame {
     light_from_world: mat4x4<f32>,
     // Position of the eye; w = simulated time [s], wrapped.
     eye: vec4<f32>,
-    // Unit vector towards the window; w = 1 / shadow map size.
+    // Unit vector towards the window; w = sample step in the shadow map.
     key: vec4<f32>,
     // Unit vector towards the lamp; w = levels of the environment - 1.
     lamp: vec4<f32>,
     // Contact map: lowest corner x, y, then 1 / extent.
     contact_rect: vec4<f32>,
-    // Contact map: lowest height, 1 / range; 1 / map size.
+    // Contact map: lowest height, 1 / range; sample step.
     contact_height: vec4<f32>,
     // Centre of the pan's underside; w = thickness of the floor.
     pan_place: vec4<f32>,
@@ -35,7 +35,7 @@ fn srgb_from_linear(linear: vec3<f32>) -> vec3<f32> {
 
 // Filmic curve with a gentle shoulder (rational fit of the ACES reference rendering); the exposure is chosen.
 fn filmic(radiance: vec3<f32>) -> vec3<f32> {
-    let x = radiance * 0.43;
+    let x = radiance * 0.34;
     return clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), vec3<f32>(0.0), vec3<f32>(1.0));
 }
 

@@ -17,7 +17,7 @@ const LAMP = vec3<f32>(0.60, 0.43, 0.25);
 const FILL_SKY = vec3<f32>(0.44, 0.43, 0.42);
 const FILL_GROUND = vec3<f32>(0.13, 0.12, 0.11);
 // Light that comes back from the room behind the cook.
-const FILL_FRONT = vec3<f32>(0.46, 0.44, 0.41);
+const FILL_FRONT = vec3<f32>(0.72, 0.69, 0.65);
 const FRONT = vec3<f32>(0.12, -0.84, 0.53);
 
 struct Surface {
@@ -32,34 +32,36 @@ struct Surface {
     wrap: vec3<f32>,
 };
 
-fn shadow(position: vec3<f32>, normal: vec3<f32>) -> f32 {
-    let at = frame.light_from_world * vec4<f32>(position + normal * 0.0012, 1.0);
-    let uv = at.xy * vec2<f32>(0.5, -0.5) + 0.5;
-    let step = frame.key.w * 2.6;
-    let depth = at.z - 0.0006;
-    var lit = 0.0;
-    for (var j = -1; j <= 1; j++) {
-        for (var i = -1; i <= 1; i++) {
-            let offset = vec2<f32>(f32(i), f32(j)) * step;
-            lit += textureSampleCompareLevel(shadow_map, depth_sampler, uv + offset, depth);
+// True takes more samples of the depth maps.
+override fine: bool = false;
+
+fn depth_test(map: texture_depth_2d, uv: vec2<f32>, step: f32, depth: f32) -> f32 {
+    if (fine) {
+        var sum = 0.0;
+        for (var j = -1; j <= 1; j++) {
+            for (var i = -1; i <= 1; i++) {
+                sum += textureSampleCompareLevel(map, depth_sampler, uv + vec2<f32>(f32(i), f32(j)) * step * 1.25, depth);
+            }
         }
+        return sum / 9.0;
     }
-    return lit / 9.0;
+    return 0.25 * (textureSampleCompareLevel(map, depth_sampler, uv + vec2<f32>(0.4, 1.0) * step, depth)
+        + textureSampleCompareLevel(map, depth_sampler, uv + vec2<f32>(-1.0, 0.4) * step, depth)
+        + textureSampleCompareLevel(map, depth_sampler, uv + vec2<f32>(-0.4, -1.0) * step, depth)
+        + textureSampleCompareLevel(map, depth_sampler, uv + vec2<f32>(1.0, -0.4) * step, depth));
+}
+
+// Share of the window's light that arrives; the softness is the window's size seen from a few centimetres (chosen).
+fn shadow(position: vec3<f32>, normal: vec3<f32>) -> f32 {
+    let at = frame.light_from_world * vec4<f32>(position + normal * 0.0014, 1.0);
+    return depth_test(shadow_map, at.xy * vec2<f32>(0.5, -0.5) + 0.5, frame.key.w, at.z - 0.0009);
 }
 
 // 1 in the open, lower where food hangs just above.
 fn openness(position: vec3<f32>) -> f32 {
     let uv = (position.xy - frame.contact_rect.xy) * frame.contact_rect.zw;
-    let step = frame.contact_height.z * 1.7;
     let low = (position.z + 0.006 - frame.contact_height.x) * frame.contact_height.y;
-    var open = 0.0;
-    for (var j = -1; j <= 1; j++) {
-        for (var i = -1; i <= 1; i++) {
-            let offset = vec2<f32>(f32(i), f32(j)) * step;
-            open += textureSampleCompareLevel(contact_map, depth_sampler, uv + offset, low);
-        }
-    }
-    return open / 9.0;
+    return depth_test(contact_map, uv, frame.contact_height.z, low);
 }
 
 // Radiance from a direction, blurred for the roughness. The room is near: a step aside shifts the reflection.
@@ -68,7 +70,7 @@ fn reflected(position: vec3<f32>, direction: vec3<f32>, roughness: f32) -> vec3<
     let uv = d.xy / (1.0 + max(d.z, -0.2)) * 0.5 + 0.5;
     let level = sqrt(roughness) * roughness * frame.lamp.w;
     let above = smoothstep(-0.25, 0.0, d.z);
-    return textureSampleLevel(environment, clamp_sampler, uv, level).rgb * mix(0.35, 1.0, above);
+    return textureSampleLevel(environment, clamp_sampler, uv, level).rgb * mix(0.10, 1.0, above);
 }
 
 // Integral of the GGX lobe over a uniform environment (polynomial fit for split-sum image-based lighting).

@@ -1,7 +1,7 @@
 // Puts the still picture and its depth back before what moves is drawn.
 
 @group(0) @binding(0) var still_colour: texture_2d<f32>;
-@group(0) @binding(1) var still_depth: texture_depth_2d;
+@group(0) @binding(1) var still_depth: texture_2d<f32>;
 
 struct Restored {
     @location(0) colour: vec4<f32>,
@@ -17,5 +17,5 @@ fn vs_restore(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32>
 @fragment
 fn fs_restore(@builtin(position) at: vec4<f32>) -> Restored {
     let texel = vec2<i32>(at.xy);
-    return Restored(textureLoad(still_colour, texel, 0), textureLoad(still_depth, texel, 0));
+    return Restored(textureLoad(still_colour, texel, 0), textureLoad(still_depth, texel, 0).r);
 }

@@ -45,23 +45,32 @@ fn fs_solid(in: SolidOut) -> @location(0) vec4<f32> {
     let n = facing(in.normal, view);
     var s = plain_surface(in, n);
     let kind = in.surface.z;
-    let stretched = select(in.position * vec3<f32>(14.0, 14.0, 14.0), in.position * vec3<f32>(28.0, 2.2, 22.0), kind > 3.5 && kind < 4.5);
-    let coarse = textureSampleLevel(solid_noise, tile_sampler, stretched, 0.0);
-    let fine_scale = select(vec3<f32>(170.0), vec3<f32>(120.0, 7.0, 90.0), kind > 3.5 && kind < 4.5);
-    let fine = textureSampleLevel(solid_noise, tile_sampler, in.position * fine_scale, 0.0);
-    if (kind > 5.5) {
-        // Stone: faint flecks.
-        s.albedo *= 0.86 + 0.18 * coarse.a + 0.10 * fine.a;
-    } else if (kind > 4.5) {
-        let weave = sin(in.position.x * 2600.0) * sin(in.position.y * 2600.0);
-                s.albedo *= (0.92 + 0.05 * weave + 0.12 * (coarse.a - 0.5));
-    } else if (kind > 3.5) {
-        let rings = sin((coarse.a * 5.0 + in.position.x * 55.0) * 3.0) * 0.5 + 0.5;
-        let worn = smoothstep(0.35, 0.75, coarse.a);
-        s.albedo *= (0.72 + 0.22 * rings + 0.30 * (fine.a - 0.5)) * mix(vec3<f32>(1.0), vec3<f32>(1.12, 1.10, 1.06), worn);
-    }
+    let coarse = textureSampleLevel(solid_noise, tile_sampler, in.position * select(15.0, 5.3, kind > 5.5), 0.0).a;
+    // Stone has faint flecks, cloth a weave.
+    let stone = 0.93 + 0.14 * coarse;
+    let weave = 0.92 + 0.05 * sin(in.position.x * 2600.0) * sin(in.position.y * 2600.0) + 0.12 * (coarse - 0.5);
+    s.albedo *= select(1.0, select(weave, stone, kind > 5.5), kind > 4.5);
+    s.visibility *= pan_foot(in.position);
     let lit = shadow(in.position, n);
-    s.visibility *= openness(in.position) * pan_foot(in.position);
+    let radiance = diffuse(s, lit) + specular(s, in.position, view, lit);
+    return pixel_from_radiance(radiance, in.clip.xy);
+}
+
+// Planed wood: long grain along the board, worn paler in places.
+@fragment
+fn fs_wood(in: SolidOut) -> @location(0) vec4<f32> {
+    let view = normalize(frame.eye.xyz - in.position);
+    let n = facing(in.normal, view);
+    var s = plain_surface(in, n);
+    let along = textureSampleLevel(solid_noise, tile_sampler, in.position * vec3<f32>(26.0, 1.9, 22.0), 0.0).a;
+    let pores = textureSampleLevel(solid_noise, tile_sampler, in.position * vec3<f32>(120.0, 6.0, 90.0), 0.0).a;
+    let worn = textureSampleLevel(solid_noise, tile_sampler, in.position * vec3<f32>(4.0, 3.0, 4.0), 0.0).a;
+    let rings = sin((along * 5.0 + in.position.x * 55.0) * 3.0) * 0.5 + 0.5;
+    let tone = 0.74 + 0.20 * rings + 0.32 * (pores - 0.5);
+    s.albedo *= tone * mix(vec3<f32>(0.94, 0.93, 0.92), vec3<f32>(1.18, 1.20, 1.24), smoothstep(0.4, 0.7, worn));
+    s.roughness += 0.2 * (pores - 0.5);
+    let lit = shadow(in.position, n);
+    s.visibility *= openness(in.position);
     let radiance = diffuse(s, lit) + specular(s, in.position, view, lit);
     return pixel_from_radiance(radiance, in.clip.xy);
 }
@@ -137,9 +146,10 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     s.visibility *= open * (1.0 - inside * (0.22 * depth + 0.25 * corner));
     let towards = reflect(-view, n);
     let leaves = mix(1.0, mix(0.30, 1.0, escapes_pan(local, towards)), inside);
-    var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves;
+    // Under oil the metal's own highlight fades: the film takes its place.
+    let cover = select(0.0, oil_cover(local, coarse.a), is_floor);
+    var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * (1.0 - 0.55 * cover);
     if (is_floor) {
-        let cover = oil_cover(local, coarse.a);
         radiance = under_oil(radiance, in, n, view, lit, open, cover, coarse.rgb);
     }
     return pixel_from_radiance(radiance, in.clip.xy);

@@ -1,0 +1,128 @@
+//! Everything a person can do, by button, key or mouse: one list for the keyboard and for the help.
+
+use egui::Key;
+
+use crate::view::View;
+
+/// One thing to do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Act {
+    /// Stop time or let it go on.
+    Pause,
+    /// One tick.
+    Step,
+    /// Next slower or faster speed.
+    Speed(i8),
+    /// Next lower or higher hob setting.
+    Hob(i8),
+    /// Sets the hob [W].
+    HobSet(f64),
+    /// Wet cloth under the pan.
+    Cloth,
+    /// The steak into the pan.
+    Put,
+    /// Turn it over.
+    Flip,
+    /// Onto the board.
+    Out,
+    /// Start over.
+    Restart,
+    /// What the colours mean.
+    View(View),
+    /// The other colour map.
+    Map,
+    /// Cut on or off.
+    Slice,
+    /// Moves the cut.
+    SliceBy(f64),
+    /// °C or °F.
+    Units,
+    /// Next camera.
+    Camera,
+    /// Nearer (below 1) or farther.
+    Zoom(f32),
+    /// Turns the eye [rad].
+    Orbit(f32, f32),
+    /// Steak and pan choices.
+    Pantry,
+    /// Curves on or off.
+    Curves,
+    /// All panels on or off.
+    Panels,
+    /// Saves a picture.
+    Picture,
+    /// This list.
+    Help,
+    /// Closes this list.
+    Close,
+}
+
+/// A key, what it does, and how the help calls it.
+pub struct Binding {
+    /// The key.
+    pub key: Key,
+    /// How the key is written.
+    pub written: &'static str,
+    /// What it does.
+    pub act: Act,
+    /// In words.
+    pub words: &'static str,
+}
+
+const fn bind(key: Key, written: &'static str, act: Act, words: &'static str) -> Binding {
+    Binding { key, written, act, words }
+}
+
+/// All keys, in the order in which the help lists them.
+pub const BINDINGS: [Binding; 33] = [
+    bind(Key::P, "P", Act::Put, "steak into the pan"),
+    bind(Key::F, "F", Act::Flip, "flip the steak"),
+    bind(Key::O, "O", Act::Out, "steak onto the board"),
+    bind(Key::E, "E", Act::Hob(1), "hob one step up"),
+    bind(Key::Q, "Q", Act::Hob(-1), "hob one step down"),
+    bind(Key::W, "W", Act::Cloth, "pan onto the wet cloth"),
+    bind(Key::Space, "Space", Act::Pause, "pause, go on"),
+    bind(Key::Period, ".", Act::Step, "single step (0.1 s)"),
+    bind(Key::CloseBracket, "]", Act::Speed(1), "faster: 1×, 5×, 20×"),
+    bind(Key::OpenBracket, "[", Act::Speed(-1), "slower"),
+    bind(Key::R, "R", Act::Restart, "start over"),
+    bind(Key::N, "N", Act::Pantry, "choose steak and pan"),
+    bind(Key::Num1, "1", Act::View(View::Look), "natural look"),
+    bind(Key::Num2, "2", Act::View(View::Temperature), "temperature"),
+    bind(Key::Num3, "3", Act::View(View::Doneness), "doneness"),
+    bind(Key::M, "M", Act::Map, "other temperature colours"),
+    bind(Key::X, "X", Act::Slice, "cut on, off"),
+    bind(Key::J, "J", Act::SliceBy(-0.05), "cut to the left"),
+    bind(Key::L, "L", Act::SliceBy(0.05), "cut to the right"),
+    bind(Key::C, "C", Act::Units, "°C, °F"),
+    bind(Key::G, "G", Act::Curves, "curves on, off"),
+    bind(Key::H, "H", Act::Panels, "panels on, off"),
+    bind(Key::V, "V", Act::Camera, "next camera: cook, above, close"),
+    bind(Key::ArrowLeft, "←", Act::Orbit(-0.08, 0.0), "turn the view"),
+    bind(Key::ArrowRight, "→", Act::Orbit(0.08, 0.0), "turn the view"),
+    bind(Key::ArrowUp, "↑", Act::Orbit(0.0, 0.06), "look from higher"),
+    bind(Key::ArrowDown, "↓", Act::Orbit(0.0, -0.06), "look from lower"),
+    bind(Key::PageUp, "Page up", Act::Zoom(0.9), "nearer"),
+    bind(Key::PageDown, "Page down", Act::Zoom(1.1), "farther"),
+    bind(Key::S, "S", Act::Picture, "save a picture"),
+    bind(Key::F12, "F12", Act::Picture, "save a picture"),
+    bind(Key::F1, "F1", Act::Help, "this list"),
+    bind(Key::Escape, "Esc", Act::Close, "close this list"),
+];
+
+/// The key of an act, for tooltips.
+pub fn key_of(act: Act) -> &'static str {
+    BINDINGS.iter().find(|b| b.act == act).map_or("", |b| b.written)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_key_does_two_things() {
+        for (i, a) in BINDINGS.iter().enumerate() {
+            assert!(BINDINGS[i + 1..].iter().all(|b| b.key != a.key), "{}", a.written);
+        }
+    }
+}

@@ -1,0 +1,334 @@
+//! The program's window.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use egui::{Rect, Ui};
+use saute_kitchen::{Command, Library, Place, Recipe, RestOn};
+use web_time::Duration;
+
+use crate::act::{Act, BINDINGS};
+use crate::colour_map::TemperatureMap;
+use crate::layout::Layout;
+use crate::motion::Motions;
+use crate::notice::Notice;
+use crate::panels;
+use crate::scene::callback::SceneCallback;
+use crate::scene::camera::Camera;
+use crate::scene_view::SceneView;
+use crate::session::{SPEEDS, STEAK, Session};
+use crate::settings::Settings;
+use crate::stage::Stage;
+use crate::theme;
+
+/// Where settings are remembered.
+const SETTINGS_KEY: &str = "saute.settings";
+/// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
+const STEP_BUDGET_MS: u64 = 20;
+
+/// What the window starts with.
+#[derive(Clone, Debug, Default)]
+pub struct Start {
+    /// What can be built; the embedded data unless given.
+    pub library: Option<Arc<Library>>,
+    /// A recipe to play at once.
+    pub recipe: Option<Recipe>,
+}
+
+/// The window's state.
+pub struct SauteApp {
+    pub(crate) session: Session,
+    pub(crate) settings: Settings,
+    pub(crate) stage: Stage,
+    pub(crate) camera: Camera,
+    pub(crate) camera_preset: usize,
+    /// Place of the cut (−1…1), or none.
+    pub(crate) slice: Option<f64>,
+    pub(crate) help: bool,
+    pub(crate) notice: Notice,
+    pub(crate) motions: Motions,
+    pub(crate) scene: SceneView,
+    pub(crate) inside: panels::inside::Inside,
+    pub(crate) drawer: panels::Drawer,
+    last_time: Option<f64>,
+    /// Whether the scene can be drawn (a graphics device is there).
+    drawable: bool,
+    software: bool,
+}
+
+/// Why the window cannot start.
+#[derive(Debug, thiserror::Error)]
+pub enum StartError {
+    /// Embedded or user data is broken.
+    #[error(transparent)]
+    Library(#[from] saute_kitchen::LibraryError),
+    /// The first kitchen cannot be set up.
+    #[error(transparent)]
+    Setup(#[from] saute_kitchen::kitchen::SetupError),
+}
+
+impl SauteApp {
+    /// Sets out the remembered steak, or plays the given recipe.
+    pub fn new(cc: &eframe::CreationContext<'_>, start: Start) -> Result<Self, StartError> {
+        theme::apply(&cc.egui_ctx);
+        let stored = cc.storage.and_then(|s| s.get_string(SETTINGS_KEY));
+        let settings: Settings = stored.and_then(|s| serde_json::from_str(&s).ok()).unwrap_or_default();
+        let library = start.library.map_or_else(|| Library::embedded().map(Arc::new), Ok)?;
+        let mut session = Session::new(Arc::clone(&library), &settings.choice)
+            .or_else(|_| Session::new(library, &Default::default()))?;
+        session.set_speed(settings.speed);
+        if let Some(recipe) = start.recipe {
+            session.play(recipe)?;
+        }
+        let mut software = false;
+        if let Some(state) = &cc.wgpu_render_state {
+            SceneCallback::install(state);
+            software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
+        }
+        Ok(Self {
+            session,
+            settings,
+            stage: Stage::default(),
+            camera: Camera::three_quarter(),
+            camera_preset: 0,
+            slice: None,
+            help: false,
+            notice: Notice::default(),
+            motions: Motions::default(),
+            scene: SceneView::default(),
+            inside: Default::default(),
+            drawer: Default::default(),
+            last_time: None,
+            drawable: cc.wgpu_render_state.is_some(),
+            software,
+        })
+    }
+
+    /// The world behind the window.
+    pub fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// The world behind the window, to drive it from outside.
+    pub fn session_mut(&mut self) -> &mut Session {
+        &mut self.session
+    }
+
+    /// The settings that are remembered.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Place of the cut (−1…1), or none.
+    pub fn slice(&self) -> Option<f64> {
+        self.slice
+    }
+
+    /// Whether the list of keys is open.
+    pub fn help_is_open(&self) -> bool {
+        self.help
+    }
+
+    /// Size at which the scene was drawn last [pixels].
+    pub fn scene_size(&self) -> [u32; 2] {
+        self.scene.drawn_size
+    }
+
+    /// Does one thing, as a button or key asks.
+    pub fn act(&mut self, act: Act, ctx: &egui::Context) {
+        match act {
+            Act::Pause => self.session.set_paused(!self.session.paused),
+            Act::Step => self.single_step(),
+            Act::Speed(by) => self.change_speed(by),
+            Act::Hob(by) => self.change_hob(by),
+            Act::HobSet(w) => self.command(&Command::Hob(w)),
+            Act::Cloth => {
+                let for_s = self.session.kitchen.room().cloth.default_s;
+                self.command(&Command::Cool { for_s });
+            }
+            Act::Put => self.command(&Command::Put { food: self.steak_id(), at: [0.0, 0.0] }),
+            Act::Flip => self.command(&Command::Flip { food: self.steak_id() }),
+            Act::Out => self.command(&Command::Rest { food: self.steak_id(), on: RestOn::Board }),
+            Act::Restart => self.restart(),
+            Act::View(view) => self.settings.view = view,
+            Act::Map => self.next_map(),
+            Act::Slice => self.slice = if self.slice.is_some() { None } else { Some(0.0) },
+            Act::SliceBy(by) => self.slice = Some((self.slice.unwrap_or(0.0) + by).clamp(-0.95, 0.95)),
+            Act::Units => self.settings.fahrenheit = !self.settings.fahrenheit,
+            Act::Camera => self.next_camera(),
+            Act::Zoom(factor) => self.camera.zoom(factor),
+            Act::Orbit(dx, dy) => self.camera.orbit(dx, dy),
+            Act::Pantry => self.settings.pantry_open = !self.settings.pantry_open,
+            Act::Curves => self.settings.curves_open = !self.settings.curves_open,
+            Act::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
+            Act::Picture => crate::save_picture::save_picture(ctx, &self.notice),
+            Act::Help => self.help = !self.help,
+            Act::Close => self.help = false,
+        }
+    }
+
+    pub(crate) fn steak_id(&self) -> String {
+        self.session.steak().map_or_else(|| STEAK.to_owned(), |p| p.id.clone())
+    }
+
+    /// Gives the kitchen a command and says so if it refuses.
+    pub(crate) fn command(&mut self, command: &Command) {
+        let played = self.session.runner.is_some();
+        match self.session.command(command) {
+            Ok(()) if played => self.notice.say("You have taken over; the recipe no longer plays."),
+            Ok(()) => {}
+            Err(refused) => self.notice.say(refused),
+        }
+    }
+
+    fn single_step(&mut self) {
+        self.session.set_paused(true);
+        if let Err(error) = self.session.tick() {
+            self.notice.say(error);
+        }
+    }
+
+    fn change_speed(&mut self, by: i8) {
+        let now = SPEEDS.iter().position(|&s| s == self.session.speed).unwrap_or(0) as i8;
+        self.set_speed(SPEEDS[(now + by).clamp(0, SPEEDS.len() as i8 - 1) as usize]);
+    }
+
+    pub(crate) fn set_speed(&mut self, speed: f64) {
+        self.session.set_speed(speed);
+        self.settings.speed = speed;
+    }
+
+    fn change_hob(&mut self, by: i8) {
+        let settings = self.session.kitchen.hob().coil.settings_w.clone();
+        let now = self.session.kitchen.hob_w();
+        let next = if by > 0 {
+            settings.iter().copied().find(|&w| w > now + 0.5)
+        } else {
+            settings.iter().rev().copied().find(|&w| w < now - 0.5)
+        };
+        if let Some(w) = next {
+            self.command(&Command::Hob(w));
+        }
+    }
+
+    fn restart(&mut self) {
+        if let Err(error) = self.session.restart() {
+            self.notice.say(error.to_string());
+        }
+        self.motions.clear();
+    }
+
+    fn next_map(&mut self) {
+        self.settings.map = match self.settings.map {
+            TemperatureMap::Uniform => TemperatureMap::Paper2013,
+            TemperatureMap::Paper2013 => TemperatureMap::Uniform,
+        };
+    }
+
+    fn next_camera(&mut self) {
+        self.camera_preset = (self.camera_preset + 1) % 3;
+        self.camera = [Camera::three_quarter, Camera::above, Camera::close_up][self.camera_preset]();
+        if self.camera_preset == 2 {
+            if let Some(Place::Rest(_) | Place::Waiting) = self.session.steak().map(|p| p.place) {
+                self.camera.target = crate::scene::props::BOARD_CENTRE;
+            }
+        }
+    }
+
+    /// Opens a recipe's text, as from a dropped file.
+    pub fn open_recipe(&mut self, text: &str, file: &str) {
+        let recipe = Recipe::parse(text, file, &self.session.library);
+        let played = recipe.map_err(|e| e.to_string()).and_then(|r| self.session.play(r).map_err(|e| e.to_string()));
+        match played {
+            Ok(()) => self.notice.say(format!("Playing {}.", self.session.recipe_title().unwrap_or(file))),
+            Err(error) => self.notice.say(error),
+        }
+    }
+
+    fn take_keys(&mut self, ctx: &egui::Context) {
+        if ctx.egui_wants_keyboard_input() {
+            return;
+        }
+        let pressed: Vec<Act> = ctx.input(|i| {
+            let plain = !i.modifiers.command && !i.modifiers.alt;
+            BINDINGS.iter().filter(|b| plain && i.key_pressed(b.key)).map(|b| b.act).collect()
+        });
+        pressed.into_iter().for_each(|act| self.act(act, ctx));
+    }
+
+    fn take_dropped_files(&mut self, ctx: &egui::Context) {
+        for file in ctx.input(|i| i.raw.dropped_files.clone()) {
+            let name = file.path().display().to_string();
+            match file.bytes().map(String::from_utf8) {
+                Ok(Ok(text)) => self.open_recipe(&text, &name),
+                Ok(Err(_)) => self.notice.say(format!("{name} is not a text file; drop a recipe (.toml).")),
+                Err(error) => self.notice.say(format!("{name} could not be read: {error}")),
+            }
+        }
+    }
+
+    fn let_time_pass(&mut self, ctx: &egui::Context) {
+        let now = ctx.input(|i| i.time);
+        let wall = now - self.last_time.unwrap_or(now);
+        self.last_time = Some(now);
+        let passed = self.session.advance(Duration::from_secs_f64(wall.max(0.0)), Duration::from_millis(STEP_BUDGET_MS));
+        if let Err(error) = passed {
+            self.notice.say(error);
+        }
+        self.motions.advance(&self.session.kitchen, self.session.generation, wall as f32);
+        if !self.session.paused || self.motions.moving() {
+            ctx.request_repaint();
+        } else {
+            ctx.request_repaint_after(std::time::Duration::from_millis(250));
+        }
+    }
+
+    /// Size at which to draw the scene [pixels]: in full, or on a software rasteriser scaled down to 960 × 540 at least.
+    pub(crate) fn scene_pixels(&self, rect: Rect, pixels_per_point: f32) -> [u32; 2] {
+        let (w, h) = (rect.width() * pixels_per_point, rect.height() * pixels_per_point);
+        let least = if self.software { (960.0 / w).max(540.0 / h).clamp(0.1, 1.0) } else { 1.0 };
+        let most = 2048.0 / w.max(h);
+        let scale = least.min(most);
+        [(w * scale).round().max(1.0) as u32, (h * scale).round().max(1.0) as u32]
+    }
+
+    pub(crate) fn drawable(&self) -> bool {
+        self.drawable
+    }
+
+    pub(crate) fn poses(&self) -> BTreeMap<String, crate::stage::Pose> {
+        let mut poses = self.motions.poses();
+        poses.extend(self.scene.carried.clone());
+        poses
+    }
+
+    fn show(&mut self, ui: &mut Ui) {
+        let whole = ui.max_rect();
+        let layout = Layout::new(whole, &self.settings);
+        self.show_scene(ui, &layout);
+        if !self.settings.panels_hidden {
+            panels::show(self, ui, &layout);
+        }
+        panels::badge::show(self, ui, &layout);
+        if self.help {
+            panels::help::show(self, ui, whole);
+        }
+    }
+}
+
+impl eframe::App for SauteApp {
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        let ctx = ui.ctx().clone();
+        self.take_keys(&ctx);
+        self.take_dropped_files(&ctx);
+        self.let_time_pass(&ctx);
+        self.show(ui);
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        self.settings.choice = if self.session.recipe_title().is_some() { self.settings.choice.clone() } else { self.session.choice().clone() };
+        if let Ok(text) = serde_json::to_string(&self.settings) {
+            storage.set_string(SETTINGS_KEY, text);
+        }
+    }
+}

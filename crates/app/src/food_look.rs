@@ -1,0 +1,214 @@
+//! A piece of food as the renderer wants it: a surface with a state at every vertex, and the cut.
+
+use std::sync::Arc;
+
+use glam::Vec3;
+use saute_kitchen::Piece;
+use saute_kitchen::food::colour::Appearance;
+use saute_kitchen::food::noise::mix;
+use saute_kitchen::food::{FoodModel, FoodState};
+
+use crate::colour_map::ColourMap;
+use crate::scene::input::{FatVolume, FoodMesh, FoodVertex, SliceLook};
+use crate::view::View;
+
+/// Radius of the rounded rim between a big face and the side [m] (chosen: a cut steak; only the picture is rounded).
+const RIM_RADIUS: f32 = 1.6e-3;
+/// Largest number of cells of the marbling volume (chosen: 1.3 mm cells in a default steak).
+const FAT_CELLS: f64 = 1.0e5;
+
+/// The drawn surface of one piece: which node feeds each vertex, and where it lies.
+#[derive(Clone, Debug)]
+pub struct Skin {
+    /// What the renderer caches.
+    pub mesh: Arc<FoodMesh>,
+    nodes: Vec<u32>,
+    positions: Vec<[f32; 3]>,
+    normals: Vec<[f32; 3]>,
+}
+
+impl Skin {
+    /// Builds the skin of a piece: both faces from the section's triangles, the side from its boundary.
+    pub fn new(piece: &Piece) -> Self {
+        let model = &piece.model;
+        let mut skin = Self {
+            mesh: Arc::new(FoodMesh { key: key(piece), triangles: Vec::new(), fat: fat_volume(model) }),
+            nodes: Vec::new(),
+            positions: Vec::new(),
+            normals: Vec::new(),
+        };
+        let mut triangles = Vec::new();
+        let outward = outward_normals(model);
+        let last = model.mesh.levels.len() - 1;
+        skin.add_face(model, 0, &outward, &mut triangles);
+        skin.add_face(model, last, &outward, &mut triangles);
+        skin.add_side(model, &outward, &mut triangles);
+        skin.mesh = Arc::new(FoodMesh { triangles, ..(*skin.mesh).clone() });
+        skin
+    }
+
+    fn add_face(&mut self, model: &FoodModel, level: usize, outward: &[Option<Vec3>], triangles: &mut Vec<[u32; 3]>) {
+        let first = self.nodes.len() as u32;
+        let up = if level == 0 { -1.0 } else { 1.0 };
+        for (i, out) in outward.iter().enumerate() {
+            let normal = match out {
+                Some(out) => (*out * 0.7 + Vec3::Z * up).normalize(),
+                None => Vec3::Z * up,
+            };
+            self.push(model, level, i, out.unwrap_or(Vec3::ZERO) * -RIM_RADIUS, normal);
+        }
+        for t in &model.mesh.section.triangles {
+            let [a, b, c] = t.map(|i| first + i);
+            triangles.push(if level == 0 { [a, c, b] } else { [a, b, c] });
+        }
+    }
+
+    fn add_side(&mut self, model: &FoodModel, outward: &[Option<Vec3>], triangles: &mut Vec<[u32; 3]>) {
+        let thickness = model.mesh.thickness() as f32;
+        let mut first_of = vec![0u32; outward.len()];
+        for (i, out) in outward.iter().enumerate() {
+            let Some(out) = out else { continue };
+            first_of[i] = self.nodes.len() as u32;
+            for (level, &z) in model.mesh.levels.iter().enumerate() {
+                let depth = (z as f32).min(thickness - z as f32).min(RIM_RADIUS) / RIM_RADIUS;
+                let (sine, cosine) = (1.0 - depth, (1.0 - (1.0 - depth) * (1.0 - depth)).sqrt());
+                let up = if 2.0 * z as f32 > thickness { 1.0 } else { -1.0 };
+                let inset = *out * (-RIM_RADIUS * (1.0 - cosine));
+                self.push(model, level, i, inset, (*out * (cosine + 0.3) + Vec3::Z * (up * sine)).normalize());
+            }
+        }
+        for &[a, b] in &model.mesh.section.boundary {
+            let (a, b) = (first_of[a as usize], first_of[b as usize]);
+            for level in 0..model.mesh.levels.len() as u32 - 1 {
+                triangles.push([a + level, b + level, b + level + 1]);
+                triangles.push([a + level, b + level + 1, a + level + 1]);
+            }
+        }
+    }
+
+    fn push(&mut self, model: &FoodModel, level: usize, i: usize, shift: Vec3, normal: Vec3) {
+        let p = rest_position(model, level, model.mesh.section.points[i]) + shift;
+        self.nodes.push(model.mesh.node(level, i) as u32);
+        self.positions.push(p.to_array());
+        self.normals.push(normal.to_array());
+    }
+
+    /// State of every vertex.
+    pub fn vertices(&self, model: &FoodModel, state: &FoodState, view: View, map: Option<&ColourMap>) -> Vec<FoodVertex> {
+        let vertex = |k: usize| {
+            let node = self.nodes[k] as usize;
+            let field = map.map_or(0.0, |m| m.coordinate(view.celsius(state, node)));
+            vertex(model, model.appearance(state, node), state.water[node] / model.initial_water[node], field, self.positions[k], self.normals[k])
+        };
+        (0..self.nodes.len()).map(vertex).collect()
+    }
+}
+
+/// The cut at `x` [m] along the longest axis, its hidden side away from the origin of that axis or towards +x.
+pub fn slice(model: &FoodModel, state: &FoodState, x: f64, view: View, map: Option<&ColourMap>) -> Option<SliceLook> {
+    let cut = model.cut_across(x);
+    if cut.points.len() < 2 {
+        return None;
+    }
+    let along_x = model.size[0] >= model.size[1];
+    let normal = if along_x { Vec3::X } else { Vec3::Y };
+    let point = normal * x as f32;
+    let n = model.mesh.nodes_per_level();
+    let mut vertices = Vec::new();
+    for (level, _) in model.mesh.levels.iter().enumerate() {
+        for p in &cut.points {
+            let [a, b] = p.nodes.map(|i| level * n + i as usize);
+            let mix = |f: &dyn Fn(usize) -> f64| f(a) * (1.0 - p.share) + f(b) * p.share;
+            let appearance = Appearance {
+                myosin: mix(&|i| state.denatured[0][i]),
+                myoglobin: mix(&|i| state.denatured[3][i]),
+                browning: mix(&|i| state.browning[i]),
+                charring: mix(&|i| state.charring[i]),
+            };
+            let field = map.map_or(0.0, |m| m.coordinate(mix(&|i| view.celsius(state, i))));
+            let moisture = mix(&|i| state.water[i] / model.initial_water[i]);
+            let place = if along_x { [x, p.along] } else { [-p.along, x] };
+            let position = rest_position(model, level, place).to_array();
+            vertices.push(vertex(model, appearance, 0.75 * moisture, field, position, normal.to_array()));
+        }
+    }
+    let triangles = strip_triangles(cut.points.len() as u32, model.mesh.levels.len() as u32);
+    Some(SliceLook { point, normal, vertices, triangles })
+}
+
+fn strip_triangles(across: u32, levels: u32) -> Vec<[u32; 3]> {
+    let mut triangles = Vec::new();
+    for level in 0..levels - 1 {
+        for i in 0..across - 1 {
+            let a = level * across + i;
+            triangles.push([a, a + 1, a + across + 1]);
+            triangles.push([a, a + across + 1, a + across]);
+        }
+    }
+    triangles
+}
+
+/// Rest frame of the renderer: origin at the centroid of the rest shape.
+fn rest_position(model: &FoodModel, level: usize, [x, y]: [f64; 2]) -> Vec3 {
+    Vec3::new(x as f32, y as f32, (model.mesh.levels[level] - 0.5 * model.mesh.thickness()) as f32)
+}
+
+fn vertex(model: &FoodModel, a: Appearance, moisture: f64, field: f32, rest: [f32; 3], normal: [f32; 3]) -> FoodVertex {
+    // The mottled pattern shows flesh that is ahead by most of what half-way browning can gain.
+    let ahead = Appearance { browning: a.browning + 1.1 * a.browning * (1.0 - a.browning), ..a };
+    let linear = |lab: saute_kitchen::food::Lab| lab.linear_srgb().map(|v| v as f32);
+    let (lean, fat) = model.colours(a);
+    let wet = ((moisture - 0.25) / 0.75).clamp(0.0, 1.0) * (1.0 - 0.6 * a.browning);
+    FoodVertex {
+        rest,
+        normal,
+        lean: linear(lean),
+        browner: linear(model.colours(ahead).0),
+        fat: linear(fat),
+        wetness: wet as f32,
+        crust: (a.browning * (1.2 - moisture)).clamp(0.0, 1.0) as f32,
+        field,
+    }
+}
+
+/// Mean outward direction at each boundary node of the section.
+fn outward_normals(model: &FoodModel) -> Vec<Option<Vec3>> {
+    let section = &model.mesh.section;
+    let mut sums = vec![Vec3::ZERO; section.points.len()];
+    for &[a, b] in &section.boundary {
+        let (p, q) = (section.points[a as usize], section.points[b as usize]);
+        let out = Vec3::new((q[1] - p[1]) as f32, (p[0] - q[0]) as f32, 0.0);
+        sums[a as usize] += out;
+        sums[b as usize] += out;
+    }
+    sums.into_iter().map(|s| s.try_normalize()).collect()
+}
+
+fn key(piece: &Piece) -> u64 {
+    let bits = piece.model.size.iter().map(|v| v.to_bits()).chain([piece.seed, piece.model.mesh.node_count() as u64]);
+    let text = piece.kind.bytes().map(u64::from);
+    bits.chain(text).fold(0x5a07e, |hash, v| mix(hash ^ mix(v)))
+}
+
+fn fat_volume(model: &FoodModel) -> FatVolume {
+    let reach = model.outline.points.iter().fold([0.0f64; 2], |r, p| [r[0].max(p[0].abs()), r[1].max(p[1].abs())]);
+    let extent = [2.0 * reach[0], 2.0 * reach[1], model.mesh.thickness()];
+    let origin = Vec3::new(-reach[0] as f32, -reach[1] as f32, -0.5 * extent[2] as f32);
+    let shape = |size: [u32; 3], cells| FatVolume { size, origin, extent: Vec3::from_array(extent.map(|v| v as f32)), cells };
+    if model.marbling.mean_share() <= 0.0 {
+        return shape([1, 1, 1], vec![0]);
+    }
+    let cell = (extent.iter().product::<f64>() / FAT_CELLS).cbrt();
+    let size = extent.map(|v| ((v / cell).ceil() as u32).clamp(1, 256));
+    let mut cells = Vec::with_capacity(size.iter().product::<u32>() as usize);
+    let centre = |i: u32, axis: usize| (f64::from(i) + 0.5) / f64::from(size[axis]) * extent[axis];
+    for k in 0..size[2] {
+        for j in 0..size[1] {
+            for i in 0..size[0] {
+                let p = [centre(i, 0) - reach[0], centre(j, 1) - reach[1], centre(k, 2)];
+                cells.push((255.0 * model.marbling.at(p)).round() as u8);
+            }
+        }
+    }
+    shape(size, cells)
+}

@@ -1,0 +1,95 @@
+//! Where scene and panels lie.
+
+use egui::{Pos2, Rect, pos2, vec2};
+
+use crate::settings::Settings;
+
+/// Below this width the panels gather in one drawer at the bottom [points].
+const NARROW: f32 = 720.0;
+/// Space around panels [points].
+pub const GAP: f32 = 10.0;
+const RIGHT_WIDTH: f32 = 318.0;
+const LEFT_WIDTH: f32 = 276.0;
+const BOTTOM_HEIGHT: f32 = 121.0;
+const TOP_HEIGHT: f32 = 62.0;
+
+/// Rectangles of the window's parts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layout {
+    /// Everything.
+    pub whole: Rect,
+    /// View chips and legend.
+    pub top: Rect,
+    /// Steak and pan, where open.
+    pub left: Option<Rect>,
+    /// What is inside now.
+    pub right: Rect,
+    /// Hob, hands and time.
+    pub bottom: Rect,
+    /// What no panel covers.
+    pub free: Rect,
+    /// One drawer instead of side panels.
+    pub narrow: bool,
+}
+
+impl Layout {
+    /// Lays out a window.
+    pub fn new(whole: Rect, settings: &Settings) -> Self {
+        let narrow = whole.width() < NARROW;
+        let inner = whole.shrink(GAP);
+        let mut layout = if narrow { Self::narrow(whole, inner) } else { Self::wide(whole, inner, settings.pantry_open) };
+        if settings.panels_hidden {
+            layout.free = whole;
+        }
+        layout
+    }
+
+    fn wide(whole: Rect, inner: Rect, pantry: bool) -> Self {
+        let right = Rect::from_min_max(pos2(inner.right() - RIGHT_WIDTH, inner.top()), inner.max);
+        let rest = right.left() - GAP;
+        let top = Rect::from_min_max(inner.min, pos2(rest, inner.top() + TOP_HEIGHT));
+        let bottom = Rect::from_min_max(pos2(inner.left(), inner.bottom() - BOTTOM_HEIGHT), pos2(rest, inner.bottom()));
+        let middle = Rect::from_min_max(pos2(inner.left(), top.bottom() + GAP), pos2(rest, bottom.top() - GAP));
+        let left = pantry.then(|| Rect::from_min_size(middle.min, vec2(LEFT_WIDTH, middle.height())));
+        let free_left = left.map_or(whole.left(), |l| l.right());
+        let free = Rect::from_min_max(pos2(free_left, top.bottom() - 0.4 * TOP_HEIGHT), pos2(rest, bottom.top()));
+        Self { whole, top, left, right, bottom, free, narrow: false }
+    }
+
+    fn narrow(whole: Rect, inner: Rect) -> Self {
+        let split = whole.top() + (0.44 * whole.height()).max(200.0);
+        let top = Rect::from_min_max(inner.min, pos2(inner.right(), inner.top() + TOP_HEIGHT));
+        let bottom = Rect::from_min_max(pos2(inner.left(), split), inner.max);
+        let free = Rect::from_min_max(pos2(whole.left(), top.bottom()), pos2(whole.right(), split));
+        Self { whole, top, left: None, right: bottom, bottom, free, narrow: true }
+    }
+
+    /// The lens shift that centres the pan in the free part [normalised device coordinates].
+    pub fn lens_shift(&self) -> [f32; 2] {
+        let centre: Pos2 = self.free.center();
+        [
+            2.0 * (centre.x - self.whole.center().x) / self.whole.width(),
+            -2.0 * (centre.y - self.whole.center().y) / self.whole.height(),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn panels_do_not_overlap_at_any_size() {
+        for size in [vec2(1280.0, 720.0), vec2(1920.0, 1080.0), vec2(900.0, 640.0)] {
+            for pantry_open in [false, true] {
+                let settings = Settings { pantry_open, ..Settings::default() };
+                let l = Layout::new(Rect::from_min_size(Pos2::ZERO, size), &settings);
+                let mut parts = vec![l.top, l.right, l.bottom];
+                parts.extend(l.left);
+                for (i, a) in parts.iter().enumerate() {
+                    assert!(parts[i + 1..].iter().all(|b| !a.intersects(*b)), "{size:?} {l:?}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! Eases pieces from one place to another in the picture; the kitchen moves them at once.
+
+use std::collections::BTreeMap;
+
+use glam::Vec3;
+use saute_kitchen::Kitchen;
+
+use crate::stage::Pose;
+
+/// Time of a move or a flip in the picture [s] (chosen).
+const MOVE_S: f32 = 0.45;
+/// How high a piece is lifted on its way [m] (chosen: over the rim).
+const LIFT: f32 = 0.075;
+
+#[derive(Clone, Copy, Debug)]
+struct Motion {
+    from: Pose,
+    to: Pose,
+    progress: f32,
+}
+
+/// Pieces on their way.
+#[derive(Clone, Debug, Default)]
+pub struct Motions {
+    moving: BTreeMap<String, Motion>,
+    generation: u64,
+}
+
+impl Motions {
+    /// Forgets everything.
+    pub fn clear(&mut self) {
+        self.moving.clear();
+    }
+
+    /// Follows the kitchen through `wall` seconds; a new `generation` starts at rest.
+    pub fn advance(&mut self, kitchen: &Kitchen, generation: u64, wall: f32) {
+        if generation != self.generation {
+            self.moving.clear();
+            self.generation = generation;
+        }
+        for piece in kitchen.pieces() {
+            let target = Pose::of(kitchen, piece);
+            let motion = self.moving.entry(piece.id.clone()).or_insert(Motion { from: target, to: target, progress: 1.0 });
+            if motion.to != target {
+                *motion = Motion { from: at(motion), to: target, progress: 0.0 };
+            }
+            motion.progress = (motion.progress + wall / MOVE_S).min(1.0);
+        }
+    }
+
+    /// Starts a piece's next move from where a hand let it go.
+    pub fn release(&mut self, id: &str, from: Pose) {
+        if let Some(motion) = self.moving.get_mut(id) {
+            *motion = Motion { from, to: from, progress: 1.0 };
+        }
+    }
+
+    /// Whether anything is on its way.
+    pub fn moving(&self) -> bool {
+        self.moving.values().any(|m| m.progress < 1.0)
+    }
+
+    /// Poses of the pieces that are on their way.
+    pub fn poses(&self) -> BTreeMap<String, Pose> {
+        self.moving.iter().filter(|(_, m)| m.progress < 1.0).map(|(id, m)| (id.clone(), at(m))).collect()
+    }
+}
+
+fn at(motion: &Motion) -> Pose {
+    let t = motion.progress;
+    let s = t * t * (3.0 - 2.0 * t);
+    let lift = if t < 1.0 { LIFT * 4.0 * t * (1.0 - t) } else { 0.0 };
+    Pose {
+        position: motion.from.position.lerp(motion.to.position, s) + Vec3::Z * lift,
+        turn: motion.from.turn + (motion.to.turn - motion.from.turn) * s,
+    }
+}

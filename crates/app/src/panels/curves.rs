@@ -1,0 +1,53 @@
+//! Pan, surface and core against time.
+
+use egui::Ui;
+use egui_plot::{Legend, Line, LineStyle, Plot, PlotPoints, VLine};
+
+use crate::app::SauteApp;
+use crate::theme;
+
+/// Points drawn at most per curve (chosen: about one a pixel).
+const MOST_POINTS: usize = 400;
+
+/// Shows the curves with what happened.
+pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
+    let settings = &app.settings;
+    let rows = &app.session.recorder.rows;
+    let step = rows.len().div_ceil(MOST_POINTS).max(1);
+    let series = |pick: &dyn Fn(&saute_kitchen::recorder::Row) -> Option<f64>| -> Vec<[f64; 2]> {
+        let shown = rows.iter().step_by(step).chain(rows.last());
+        shown.filter_map(|r| Some([r.time_s / 60.0, settings.degrees(pick(r)?)])).collect()
+    };
+    let lines = [
+        ("pan", series(&|r| Some(r.pan_c))),
+        ("core", series(&|r| r.foods.first().map(|f| f[0]))),
+        ("underside", series(&|r| r.foods.first().map(|f| f[2]))),
+    ];
+    let unit = settings.unit();
+    Plot::new("curves")
+        .height(height)
+        .allow_drag(false)
+        .allow_zoom(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .include_y(settings.degrees(0.0))
+        .include_y(settings.degrees(200.0))
+        .include_x(0.0)
+        .include_x(2.0)
+        .y_axis_min_width(28.0)
+        .x_axis_label(format!("minutes · {unit}"))
+        .legend(Legend::default().position(egui_plot::Corner::LeftTop).background_alpha(0.4))
+        .show(ui, |plot| {
+            for (i, (name, points)) in lines.into_iter().enumerate() {
+                let style = [LineStyle::Solid, LineStyle::Solid, LineStyle::dashed_loose()][i];
+                let width = [1.6, 2.4, 1.6][i];
+                plot.line(Line::new(name, PlotPoints::from(points)).color(theme::CURVES[i]).style(style).width(width));
+            }
+            let goal = settings.degrees(settings.goal_c);
+            plot.hline(egui_plot::HLine::new("goal", goal).color(theme::QUIET).style(LineStyle::dotted_dense()).width(1.0));
+            for mark in &app.session.marks {
+                let line = VLine::new(mark.label.clone(), mark.time_s / 60.0).color(egui::Color32::from_white_alpha(46)).width(1.0);
+                plot.vline(line.allow_hover(true).name(""));
+            }
+        });
+}

@@ -1,0 +1,93 @@
+//! Hob, cloth, hands and time.
+
+use egui::{RichText, Ui};
+use saute_kitchen::Place;
+
+use crate::act::{Act, key_of};
+use crate::app::SauteApp;
+use crate::panels::inside::clock;
+use crate::session::SPEEDS;
+use crate::theme;
+
+/// Shows the controls: in two rows, or wrapped where it is narrow.
+pub fn show(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
+    if narrow {
+        ui.horizontal_wrapped(|ui| hands(app, ui));
+        ui.horizontal_wrapped(|ui| hob(app, ui));
+        ui.horizontal_wrapped(|ui| time(app, ui));
+        return;
+    }
+    ui.horizontal(|ui| {
+        hob(app, ui);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| time_right_to_left(app, ui));
+    });
+    ui.horizontal(|ui| hands(app, ui));
+}
+
+fn hob(app: &mut SauteApp, ui: &mut Ui) {
+    ui.label(RichText::new("Hob").color(theme::QUIET));
+    let settings = app.session.kitchen.hob().coil.settings_w.clone();
+    let now = app.session.kitchen.hob_w();
+    for w in settings {
+        let text = if w == 0.0 { "off".to_owned() } else { format!("{w:.0} W") };
+        let on = (w - now).abs() < 0.5;
+        if press(ui, &text, on, true, "hob power (Q lower, E higher)") {
+            app.act(Act::HobSet(w), &ui.ctx().clone());
+        }
+    }
+    let custom = !app.session.kitchen.hob().coil.settings_w.iter().any(|w| (w - now).abs() < 0.5);
+    if custom {
+        ui.label(RichText::new(format!("{now:.0} W")).color(theme::ACCENT));
+    }
+}
+
+fn hands(app: &mut SauteApp, ui: &mut Ui) {
+    let place = app.session.steak().map(|p| p.place);
+    let in_pan = matches!(place, Some(Place::Pan(_)));
+    let next_is_put = matches!(place, Some(Place::Waiting));
+    button(app, ui, "Steak in", next_is_put, place.is_some() && !in_pan, Act::Put);
+    button(app, ui, "Flip", false, in_pan, Act::Flip);
+    button(app, ui, "Take out", false, in_pan, Act::Out);
+    let on_cloth = app.session.kitchen.cloth().is_some();
+    button(app, ui, "Wet cloth", on_cloth, true, Act::Cloth);
+    button(app, ui, "Start over", false, true, Act::Restart);
+    if let Some(runner) = &app.session.runner {
+        let text = format!("{} – next: {}", runner.recipe().title, runner.waiting_for());
+        ui.add(egui::Label::new(RichText::new(text).size(13.0).color(theme::QUIET)).truncate());
+    } else if app.session.recipe_title().is_none() {
+        ui.label(RichText::new("A thin oil film covers the pan.").size(13.0).color(theme::QUIET));
+    }
+}
+
+fn time(app: &mut SauteApp, ui: &mut Ui) {
+    let pause = if app.session.paused { "Go on" } else { "Pause" };
+    ui.label(RichText::new(clock(app.session.kitchen.time_s())).size(20.0).strong());
+    button(app, ui, pause, app.session.paused, true, Act::Pause);
+    button(app, ui, "Step", false, true, Act::Step);
+    SPEEDS.into_iter().for_each(|speed| speed_button(app, ui, speed));
+}
+
+fn time_right_to_left(app: &mut SauteApp, ui: &mut Ui) {
+    SPEEDS.into_iter().rev().for_each(|speed| speed_button(app, ui, speed));
+    button(app, ui, "Step", false, true, Act::Step);
+    let pause = if app.session.paused { "Go on" } else { "Pause" };
+    button(app, ui, pause, app.session.paused, true, Act::Pause);
+    ui.label(RichText::new(clock(app.session.kitchen.time_s())).size(20.0).strong());
+}
+
+fn speed_button(app: &mut SauteApp, ui: &mut Ui, speed: f64) {
+    if press(ui, &format!("{speed:.0}×"), app.session.speed == speed, true, "simulated seconds a second ([ slower, ] faster)") {
+        app.set_speed(speed);
+    }
+}
+
+fn button(app: &mut SauteApp, ui: &mut Ui, text: &str, on: bool, enabled: bool, act: Act) {
+    if press(ui, text, on, enabled, key_of(act)) {
+        app.act(act, &ui.ctx().clone());
+    }
+}
+
+fn press(ui: &mut Ui, text: &str, on: bool, enabled: bool, hint: &str) -> bool {
+    let response = ui.add_enabled(enabled, theme::button(text, on));
+    response.on_hover_text(hint).clicked()
+}

@@ -1,0 +1,80 @@
+//! The panels around the scene.
+
+pub mod badge;
+pub mod curves;
+pub mod doneness_bar;
+pub mod help;
+pub mod hob_bar;
+pub mod inside;
+pub mod legend;
+pub mod pantry;
+pub mod top;
+
+use egui::{Rect, ScrollArea, Ui, UiBuilder};
+
+use crate::app::SauteApp;
+use crate::layout::Layout;
+use crate::theme;
+
+/// Which part of the drawer is open on a narrow window.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Drawer {
+    /// Hob, hands, time.
+    #[default]
+    Cook,
+    /// What is inside.
+    Inside,
+    /// Steak and pan.
+    Steak,
+}
+
+impl Drawer {
+    const ALL: [(Self, &'static str); 3] = [(Self::Cook, "Cook"), (Self::Inside, "Inside"), (Self::Steak, "Steak")];
+}
+
+/// Shows all panels.
+pub fn show(app: &mut SauteApp, ui: &mut Ui, layout: &Layout) {
+    floating(ui, layout.top, "views", |ui| top::show(app, ui, layout.narrow));
+    if layout.narrow {
+        floating(ui, layout.bottom, "drawer", |ui| drawer(app, ui));
+        return;
+    }
+    floating(ui, layout.right, "inside", |ui| scrolled(ui, |ui| inside::show(app, ui)));
+    floating(ui, layout.bottom, "cook", |ui| hob_bar::show(app, ui, false));
+    if let Some(left) = layout.left {
+        floating(ui, left, "steak", |ui| scrolled(ui, |ui| pantry::show(app, ui)));
+    }
+}
+
+fn drawer(app: &mut SauteApp, ui: &mut Ui) {
+    ui.horizontal(|ui| {
+        for (part, name) in Drawer::ALL {
+            if ui.add(theme::button(name, app.drawer == part)).clicked() {
+                app.drawer = part;
+            }
+        }
+    });
+    ui.separator();
+    scrolled(ui, |ui| match app.drawer {
+        Drawer::Cook => hob_bar::show(app, ui, true),
+        Drawer::Inside => inside::show(app, ui),
+        Drawer::Steak => pantry::show(app, ui),
+    });
+}
+
+/// A panel at a fixed place; it takes the mouse so that the scene below does not.
+fn floating(ui: &mut Ui, rect: Rect, name: &str, content: impl FnOnce(&mut Ui)) {
+    ui.interact(rect, ui.scope_id().with(("ground", name)), egui::Sense::click_and_drag());
+    let mut child = ui.new_child(UiBuilder::new().id_salt(name).max_rect(rect));
+    theme::panel().show(&mut child, |ui| {
+        let inner = ui.available_size();
+        ui.set_min_size(inner);
+        ui.set_max_size(inner);
+        ui.set_clip_rect(rect);
+        content(ui);
+    });
+}
+
+fn scrolled(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
+    ScrollArea::vertical().auto_shrink([false, false]).show(ui, content);
+}

@@ -1,0 +1,81 @@
+//! Choosing the steak and the pan.
+
+use egui::{RichText, Ui};
+
+use crate::app::SauteApp;
+use crate::theme;
+
+/// Shows the choices; they take effect with "Set out".
+pub fn show(app: &mut SauteApp, ui: &mut Ui) {
+    ui.heading("My steak");
+    let library = std::sync::Arc::clone(&app.session.library);
+    let choice = &mut app.settings.choice;
+    for (id, food) in &library.foods {
+        if ui.radio(choice.kind == *id, &food.name).clicked() {
+            choice.kind.clone_from(id);
+        }
+    }
+    if let Some(food) = library.foods.get(&choice.kind) {
+        for (axis, name) in [(2, "thickness"), (0, "length"), (1, "width")] {
+            // The window keeps pieces on the 200 mm floor: length and width end where their corner still fits.
+            let most = food.size.max_mm[axis].min(if axis == 2 { 60.0 } else { 150.0 });
+            slider(ui, name, &mut choice.size_mm[axis], food.size.min_mm[axis], most, " mm");
+        }
+    }
+    let fahrenheit = app.settings.fahrenheit;
+    temperature(ui, "start temperature", &mut app.settings.choice.initial_c, 0.0, 30.0, fahrenheit);
+    ui.separator();
+    ui.heading("Pan");
+    let choice = &mut app.settings.choice;
+    let name = library.pans.get(&choice.pan).map_or_else(|| choice.pan.clone(), |p| p.name.clone());
+    let combo = egui::ComboBox::from_id_salt("pan").selected_text(&name).width(ui.available_width() - 8.0);
+    let response = combo.show_ui(ui, |ui| {
+        for (id, pan) in &library.pans {
+            ui.selectable_value(&mut choice.pan, id.clone(), &pan.name);
+        }
+    });
+    response.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, format!("Pan: {name}")));
+    temperature(ui, "preheated to", &mut app.settings.choice.preheat_c, 20.0, 260.0, fahrenheit);
+    ui.add_space(8.0);
+    set_out(app, ui);
+    ui.label(RichText::new("Sets out a raw steak and this pan, and starts the clock anew.").size(12.5).color(theme::QUIET));
+    ui.separator();
+    recipes(app, ui);
+}
+
+fn set_out(app: &mut SauteApp, ui: &mut Ui) {
+    let button = theme::button("Set out", true).min_size(egui::vec2(ui.available_width(), theme::TOUCH));
+    if ui.add(button).clicked() {
+        let choice = app.settings.choice.clone();
+        match app.session.set_out(&choice) {
+            Ok(()) => app.motions.clear(),
+            Err(error) => app.notice.say(error.to_string()),
+        }
+    }
+}
+
+fn recipes(app: &mut SauteApp, ui: &mut Ui) {
+    ui.heading("Play a recipe");
+    ui.label(RichText::new("or drop a recipe file on the window").size(12.5).color(theme::QUIET));
+    let library = std::sync::Arc::clone(&app.session.library);
+    for (id, text) in &library.recipes {
+        let clicked = ui.add(egui::Button::new(id.replace('-', " ")).min_size(egui::vec2(ui.available_width(), 34.0))).clicked();
+        if clicked {
+            app.open_recipe(text, &format!("{id}.toml"));
+        }
+    }
+}
+
+fn slider(ui: &mut Ui, name: &str, value: &mut f64, low: f64, high: f64, suffix: &str) {
+    ui.label(RichText::new(name).size(13.0).color(theme::QUIET));
+    let response = ui.add(egui::Slider::new(value, low..=high).fixed_decimals(0).suffix(suffix));
+    let shown = *value;
+    response.widget_info(|| egui::WidgetInfo::slider(true, shown, name));
+}
+
+fn temperature(ui: &mut Ui, name: &str, celsius: &mut f64, low: f64, high: f64, fahrenheit: bool) {
+    let show = move |c: f64| if fahrenheit { c * 1.8 + 32.0 } else { c };
+    let mut degrees = show(*celsius);
+    slider(ui, name, &mut degrees, show(low), show(high), if fahrenheit { " °F" } else { " °C" });
+    *celsius = if fahrenheit { (degrees - 32.0) / 1.8 } else { degrees };
+}

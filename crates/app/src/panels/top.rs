@@ -1,0 +1,41 @@
+//! View chips and what the colours mean.
+
+use egui::Ui;
+
+use crate::act::{Act, key_of};
+use crate::app::SauteApp;
+use crate::panels::legend;
+use crate::theme;
+use crate::view::View;
+
+/// Shows the chips, the cut's switch and the legend.
+pub fn show(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
+    ui.horizontal_centered(|ui| {
+        for view in View::ALL {
+            chip(app, ui, view.name(), app.settings.view == view, Act::View(view));
+        }
+        chip(app, ui, "Cut", app.slice.is_some(), Act::Slice);
+        if narrow {
+            return;
+        }
+        ui.add_space(6.0);
+        legend::show(app, ui);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            chip(app, ui, "?", app.help, Act::Help);
+            chip(app, ui, app.settings.unit(), false, Act::Units);
+            chip(app, ui, "Steak…", app.settings.pantry_open, Act::Pantry);
+        });
+    });
+}
+
+fn chip(app: &mut SauteApp, ui: &mut Ui, text: &str, on: bool, act: Act) {
+    let response = ui.add(theme::button(text, on).min_size(egui::vec2(theme::TOUCH, 38.0)));
+    let response = response.on_hover_text(format!("{} ({})", describe(act), key_of(act)));
+    if response.clicked() {
+        app.act(act, &ui.ctx().clone());
+    }
+}
+
+fn describe(act: Act) -> &'static str {
+    crate::act::BINDINGS.iter().find(|b| b.act == act).map_or("", |b| b.words)
+}

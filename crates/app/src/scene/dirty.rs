@@ -1,0 +1,121 @@
+//! Which part of the picture what moves can touch: only that part is restored and drawn again.
+
+use glam::{Mat4, Vec2, Vec3, Vec4Swizzles};
+
+use super::food_gpu::world_positions;
+use super::input::SceneInput;
+use super::steam::PuffVertex;
+
+/// Nearer than this to the eye a point may cover any pixel [m].
+const NEAR: f32 = 0.05;
+/// Room for a pixel's edge and for the outline of round shapes between their points [pixels].
+const MARGIN: f32 = 4.0;
+
+/// A rectangle of pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct DirtyRect {
+    low: Vec2,
+    high: Vec2,
+}
+
+impl DirtyRect {
+    /// Everything.
+    pub const WHOLE: Self = Self {
+        low: Vec2::NEG_INFINITY,
+        high: Vec2::INFINITY,
+    };
+    const NOTHING: Self = Self {
+        low: Vec2::INFINITY,
+        high: Vec2::NEG_INFINITY,
+    };
+
+    /// What the pan, the foods and the steam of a scene cover.
+    pub fn of(input: &SceneInput, puffs: &[PuffVertex], size: [u32; 2]) -> Self {
+        let size = Vec2::new(size[0] as f32, size[1] as f32);
+        let clip_from_world = input.camera.view_projection(size.x / size.y);
+        // Pixels a metre covers at a distance of one metre.
+        let scale = 0.5 * size.y * clip_from_world.row(1).truncate().length();
+        let mut rect = Self::NOTHING;
+        let mut cover = |point: Vec3, radius: f32| {
+            rect = rect.union(covered(&clip_from_world, size, scale, point, radius));
+        };
+        let pan = &input.pan;
+        for step in 0..24 {
+            let around = Vec2::from_angle(std::f32::consts::TAU * step as f32 / 24.0);
+            let floor = (around * pan.floor_radius * 1.01).extend(pan.thickness);
+            cover(pan.position + floor, 0.0);
+        }
+        input
+            .foods
+            .iter()
+            .flat_map(world_positions)
+            .for_each(|point| cover(point, 0.0));
+        puffs
+            .iter()
+            .for_each(|puff| cover(Vec3::from(puff.position), 1.7 * puff.half_size));
+        rect
+    }
+
+    pub fn union(self, other: Self) -> Self {
+        Self {
+            low: self.low.min(other.low),
+            high: self.high.max(other.high),
+        }
+    }
+
+    /// Left, top, width, height within a picture.
+    pub fn scissor(self, size: [u32; 2]) -> [u32; 4] {
+        let limit = Vec2::new(size[0] as f32, size[1] as f32);
+        let low = (self.low - MARGIN).floor().clamp(Vec2::ZERO, limit);
+        let high = (self.high + MARGIN).ceil().clamp(low, limit);
+        [low.x, low.y, high.x - low.x, high.y - low.y].map(|v| v as u32)
+    }
+}
+
+/// Pixels that a sphere covers, y downwards.
+fn covered(clip_from_world: &Mat4, size: Vec2, scale: f32, point: Vec3, radius: f32) -> DirtyRect {
+    let clip = *clip_from_world * point.extend(1.0);
+    if clip.w - radius < NEAR {
+        return DirtyRect::WHOLE;
+    }
+    let centre = (clip.xy() / clip.w * Vec2::new(0.5, -0.5) + 0.5) * size;
+    let reach = Vec2::splat(radius * scale / (clip.w - radius));
+    DirtyRect {
+        low: centre - reach,
+        high: centre + reach,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::sample::{Doneness, empty_pan, steak_in_pan};
+
+    #[test]
+    fn the_rectangle_holds_every_food_vertex() {
+        let scene = steak_in_pan(Doneness::Raw);
+        let size = [960, 540];
+        let [left, top, width, height] = DirtyRect::of(&scene, &[], size).scissor(size);
+        for point in scene.foods.iter().flat_map(world_positions) {
+            let ndc = scene
+                .camera
+                .project(point, 960.0 / 540.0)
+                .expect("in front of the eye");
+            let x = (ndc[0] * 0.5 + 0.5) * 960.0;
+            let y = (0.5 - ndc[1] * 0.5) * 540.0;
+            assert!(x >= left as f32 && x <= (left + width) as f32, "{x}");
+            assert!(y >= top as f32 && y <= (top + height) as f32, "{y}");
+        }
+    }
+
+    #[test]
+    fn an_empty_pan_leaves_most_of_the_picture_alone() {
+        let [.., width, height] = DirtyRect::of(&empty_pan(), &[], [960, 540]).scissor([960, 540]);
+        assert!(width * height < 960 * 540 / 2 && width * height > 10_000);
+    }
+
+    #[test]
+    fn the_whole_is_the_whole() {
+        assert_eq!(DirtyRect::WHOLE.scissor([7, 5]), [0, 0, 7, 5]);
+    }
+}

@@ -1,0 +1,42 @@
+//! When the kept picture of what does not move is still good.
+
+use super::camera::Camera;
+use super::input::SceneInput;
+use super::solid_gpu::PanKey;
+
+/// What the kept picture of the still things depends on.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct StillKey {
+    camera: Camera,
+    size: [u32; 2],
+    /// Hob power in steps that no eye tells apart.
+    power: u32,
+    pan: PanKey,
+    disturbances: u64,
+}
+
+impl StillKey {
+    pub fn new(input: &SceneInput, size: [u32; 2], disturbances: u64) -> Self {
+        Self {
+            camera: input.camera.clone(),
+            size,
+            power: (input.hob.power * 128.0).round() as u32,
+            pan: PanKey::of(&input.pan),
+            disturbances,
+        }
+    }
+
+    /// True when only the foods differ.
+    pub fn same_view(&self, other: &Self) -> bool {
+        Self {
+            disturbances: other.disturbances,
+            ..self.clone()
+        } == *other
+    }
+}
+
+/// The kept picture and how well it was drawn.
+pub(super) struct Still {
+    pub key: StillKey,
+    pub samples: u32,
+}

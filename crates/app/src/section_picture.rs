@@ -1,0 +1,127 @@
+//! A picture of a cut through a piece, painted pixel by pixel from the fields.
+
+use saute_kitchen::food::colour::Appearance;
+use saute_kitchen::food::noise::fractal;
+use saute_kitchen::food::{FoodModel, FoodState, Lab, Side};
+use saute_kitchen::heat::Cut;
+
+use crate::colour_map::TemperatureMap;
+use crate::view::View;
+
+/// An RGBA picture, 8 bits a channel, sRGB, rows from the top.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Pixels across.
+    pub width: usize,
+    /// Pixels down.
+    pub height: usize,
+    /// Bytes, four a pixel.
+    pub rgba: Vec<u8>,
+}
+
+/// What is sampled at each crossing of the cut and each level.
+#[derive(Clone, Copy, Default)]
+struct Sample {
+    celsius: f64,
+    appearance: Appearance,
+}
+
+/// Paints the cut at distance `x` [m] from the centroid along the longest axis, as the piece lies, at `per_mm` pixels
+/// a millimetre; transparent outside the piece.
+pub fn section_picture(model: &FoodModel, state: &FoodState, x: f64, view: View, map: TemperatureMap, per_mm: f64) -> Picture {
+    let cut = model.cut_across(x);
+    let thickness = model.mesh.thickness();
+    let (Some(first), Some(last)) = (cut.points.first(), cut.points.last()) else {
+        return Picture { width: 1, height: 1, rgba: vec![0; 4] };
+    };
+    let samples = sample(model, state, &cut, view);
+    let width = (((last.along - first.along) * 1e3 * per_mm).round() as usize).max(1);
+    let height = ((thickness * 1e3 * per_mm).round() as usize).max(1);
+    let painter = Painter { model, cut: &cut, samples, x, colours: view.colour_map(map), flipped: state.down == Side::Top };
+    let mut rgba = Vec::with_capacity(4 * width * height);
+    for row in 0..height {
+        let up = 1.0 - (row as f64 + 0.5) / height as f64;
+        for column in 0..width {
+            let across = (column as f64 + 0.5) / width as f64;
+            let [r, g, b] = painter.pixel(first.along + across * (last.along - first.along), up * thickness);
+            rgba.extend([r, g, b, 255]);
+        }
+    }
+    Picture { width, height, rgba }
+}
+
+fn sample(model: &FoodModel, state: &FoodState, cut: &Cut, view: View) -> Vec<Sample> {
+    let n = model.mesh.nodes_per_level();
+    let mut samples = Vec::with_capacity(cut.points.len() * model.mesh.levels.len());
+    for level in 0..model.mesh.levels.len() {
+        for p in &cut.points {
+            let [a, b] = p.nodes.map(|i| level * n + i as usize);
+            let mix = |f: &[f64]| f[a] * (1.0 - p.share) + f[b] * p.share;
+            samples.push(Sample {
+                celsius: view.celsius(state, a) * (1.0 - p.share) + view.celsius(state, b) * p.share,
+                appearance: Appearance {
+                    myosin: mix(&state.denatured[0]),
+                    myoglobin: mix(&state.denatured[3]),
+                    browning: mix(&state.browning),
+                    charring: mix(&state.charring),
+                },
+            });
+        }
+    }
+    samples
+}
+
+struct Painter<'a> {
+    model: &'a FoodModel,
+    cut: &'a Cut,
+    samples: Vec<Sample>,
+    x: f64,
+    colours: Option<crate::colour_map::ColourMap>,
+    flipped: bool,
+}
+
+impl Painter<'_> {
+    fn pixel(&self, along: f64, up: f64) -> [u8; 3] {
+        let z = if self.flipped { self.model.mesh.thickness() - up } else { up };
+        // Flipping turns the piece about its long axis, so the cut is mirrored as well.
+        let along = if self.flipped { self.mirrored(along) } else { along };
+        let s = self.interpolate(along, z);
+        match &self.colours {
+            Some(map) => map.colour(s.celsius),
+            None => self.flesh(s.appearance, along, z).srgb8(),
+        }
+    }
+
+    fn mirrored(&self, along: f64) -> f64 {
+        let (first, last) = (self.cut.points[0].along, self.cut.points[self.cut.points.len() - 1].along);
+        first + last - along
+    }
+
+    fn interpolate(&self, along: f64, z: f64) -> Sample {
+        let points = &self.cut.points;
+        let (level, up) = self.model.mesh.bracket(z);
+        let right = points.partition_point(|p| p.along < along).clamp(1, points.len() - 1);
+        let run = points[right].along - points[right - 1].along;
+        let across = if run > 0.0 { ((along - points[right - 1].along) / run).clamp(0.0, 1.0) } else { 0.0 };
+        let n = points.len();
+        let corner = |l: usize, i: usize| (&self.samples[l * n + i], (if l == level { 1.0 - up } else { up }) * if i == right { across } else { 1.0 - across });
+        let mut sum = Sample::default();
+        for (s, w) in [corner(level, right - 1), corner(level, right), corner(level + 1, right - 1), corner(level + 1, right)] {
+            sum.celsius += w * s.celsius;
+            sum.appearance.myosin += w * s.appearance.myosin;
+            sum.appearance.myoglobin += w * s.appearance.myoglobin;
+            sum.appearance.browning += w * s.appearance.browning;
+            sum.appearance.charring += w * s.appearance.charring;
+        }
+        sum
+    }
+
+    /// Flesh with its seams and a fine grain of fibre bundles, which run through the thickness.
+    fn flesh(&self, appearance: Appearance, along: f64, z: f64) -> Lab {
+        let p = if self.model.size[0] >= self.model.size[1] { [self.x, along, z] } else { [-along, self.x, z] };
+        let (lean, fat) = self.model.colours(appearance);
+        let mixed = lean.lerp(fat, self.model.marbling.at(p));
+        let grain = fractal(11, [p[0] / 1.1e-3, p[1] / 1.1e-3, p[2] / 9.0e-3]);
+        Lab([mixed.0[0] + 2.2 * grain, mixed.0[1] + 0.8 * grain, mixed.0[2]])
+    }
+}

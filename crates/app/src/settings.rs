@@ -1,0 +1,67 @@
+//! What the program remembers from one start to the next.
+
+use crate::colour_map::TemperatureMap;
+use crate::session::SteakChoice;
+use crate::view::View;
+
+/// Remembered settings.
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
+#[serde(default)]
+pub struct Settings {
+    /// Show °F instead of °C.
+    pub fahrenheit: bool,
+    /// Colour map of temperatures.
+    pub map: TemperatureMap,
+    /// What the colours mean.
+    pub view: View,
+    /// Simulated seconds a wall second.
+    pub speed: f64,
+    /// The steak and the pan.
+    pub choice: SteakChoice,
+    /// Goal for the core's peak [°C].
+    pub goal_c: f64,
+    /// Whether the panel with the steak's choices is open.
+    pub pantry_open: bool,
+    /// Whether the curves are shown.
+    pub curves_open: bool,
+    /// Whether all panels are hidden.
+    pub panels_hidden: bool,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            fahrenheit: false,
+            map: TemperatureMap::default(),
+            view: View::default(),
+            speed: 1.0,
+            choice: SteakChoice::default(),
+            goal_c: 60.0,
+            pantry_open: false,
+            curves_open: true,
+            panels_hidden: false,
+        }
+    }
+}
+
+impl Settings {
+    /// A temperature in the chosen unit, with its unit.
+    pub fn temperature(&self, celsius: f64) -> String {
+        if self.fahrenheit { format!("{:.0} °F", celsius * 1.8 + 32.0) } else { format!("{celsius:.0} °C") }
+    }
+
+    /// A temperature in the chosen unit.
+    pub fn degrees(&self, celsius: f64) -> f64 {
+        if self.fahrenheit { celsius * 1.8 + 32.0 } else { celsius }
+    }
+
+    /// °C from the chosen unit.
+    pub fn celsius(&self, degrees: f64) -> f64 {
+        if self.fahrenheit { (degrees - 32.0) / 1.8 } else { degrees }
+    }
+
+    /// The chosen unit.
+    pub fn unit(&self) -> &'static str {
+        if self.fahrenheit { "°F" } else { "°C" }
+    }
+}

@@ -1,0 +1,78 @@
+//! Colours, type and spacing of the panels.
+
+use egui::{Color32, CornerRadius, FontFamily, FontId, Frame, Margin, Stroke, TextStyle, Visuals};
+
+/// The one accent: a gas-flame orange (chosen).
+pub const ACCENT: Color32 = Color32::from_rgb(236, 138, 60);
+/// Text on the accent.
+pub const ON_ACCENT: Color32 = Color32::from_rgb(28, 18, 10);
+/// Panel ground, let through a little.
+pub const GROUND: Color32 = Color32::from_rgba_premultiplied(20, 19, 18, 236);
+/// Raised controls.
+pub const RAISED: Color32 = Color32::from_rgb(46, 44, 42);
+/// Text.
+pub const TEXT: Color32 = Color32::from_rgb(236, 231, 224);
+/// Quiet text.
+pub const QUIET: Color32 = Color32::from_rgb(173, 166, 157);
+/// Curves: pan, core, surface.
+pub const CURVES: [Color32; 3] = [Color32::from_rgb(236, 138, 60), Color32::from_rgb(226, 86, 104), Color32::from_rgb(224, 200, 120)];
+/// Height of a control that a finger can hit [points].
+pub const TOUCH: f32 = 44.0;
+
+/// Applies the theme.
+pub fn apply(ctx: &egui::Context) {
+    ctx.set_theme(egui::Theme::Dark);
+    ctx.all_styles_mut(|style| {
+        style.visuals = visuals();
+        style.spacing.item_spacing = egui::vec2(8.0, 7.0);
+        style.spacing.button_padding = egui::vec2(12.0, 6.0);
+        style.spacing.interact_size.y = 30.0;
+        style.spacing.slider_width = 150.0;
+        let size = |text_style: &TextStyle| match text_style {
+            TextStyle::Small => 12.5,
+            TextStyle::Heading => 19.0,
+            _ => 15.0,
+        };
+        let family = |text_style: &TextStyle| {
+            if *text_style == TextStyle::Monospace { FontFamily::Monospace } else { FontFamily::Proportional }
+        };
+        let styles: Vec<TextStyle> = style.text_styles.keys().cloned().collect();
+        for text_style in styles {
+            let font = FontId::new(size(&text_style), family(&text_style));
+            style.text_styles.insert(text_style, font);
+        }
+    });
+}
+
+fn visuals() -> Visuals {
+    let mut v = Visuals::dark();
+    v.override_text_color = Some(TEXT);
+    v.panel_fill = GROUND;
+    v.window_fill = GROUND;
+    v.selection.bg_fill = ACCENT;
+    v.selection.stroke = Stroke::new(1.0, ON_ACCENT);
+    v.slider_trailing_fill = true;
+    for widget in [&mut v.widgets.inactive, &mut v.widgets.hovered, &mut v.widgets.active, &mut v.widgets.open, &mut v.widgets.noninteractive] {
+        widget.corner_radius = CornerRadius::same(8);
+    }
+    v.widgets.inactive.weak_bg_fill = RAISED;
+    v.widgets.inactive.bg_fill = RAISED;
+    v.widgets.hovered.weak_bg_fill = Color32::from_rgb(62, 59, 56);
+    v.widgets.hovered.bg_stroke = Stroke::new(1.0, QUIET);
+    v.widgets.active.weak_bg_fill = Color32::from_rgb(80, 74, 68);
+    v.widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_rgb(58, 55, 52));
+    v
+}
+
+/// The frame of a floating panel.
+pub fn panel() -> Frame {
+    Frame::new().fill(GROUND).corner_radius(CornerRadius::same(12)).inner_margin(Margin::same(12))
+}
+
+/// A large button; filled with the accent where `on`.
+pub fn button(text: &str, on: bool) -> egui::Button<'static> {
+    let rich = egui::RichText::new(text.to_owned()).size(15.0);
+    let rich = if on { rich.color(ON_ACCENT) } else { rich };
+    let button = egui::Button::new(rich).min_size(egui::vec2(TOUCH, TOUCH));
+    if on { button.fill(ACCENT) } else { button }
+}

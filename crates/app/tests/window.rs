@@ -1,0 +1,194 @@
+//! Promise: the window is usable: everything can be done by its controls and keys, and it looks as it should.
+
+use egui::{Key, vec2};
+use egui_kittest::{Harness, kittest::{NodeT, Queryable}};
+use saute_app::{SauteApp, Start, View};
+use saute_kitchen::{Command, Place};
+
+fn window(size: egui::Vec2) -> Harness<'static, SauteApp> {
+    let mut harness = Harness::builder()
+        .with_size(size)
+        .with_step_dt(0.05)
+        .wgpu()
+        .build_eframe(|cc| SauteApp::new(cc, Start::default()).expect("starts"));
+    harness.step();
+    harness
+}
+
+fn steps(harness: &mut Harness<'static, SauteApp>, count: usize) {
+    (0..count).for_each(|_| harness.step());
+}
+
+/// Lets simulated time pass without frames.
+fn cook(harness: &mut Harness<'static, SauteApp>, seconds: f64) {
+    for _ in 0..(seconds / saute_kitchen::TICK_S) as usize {
+        harness.state_mut().session_mut().tick().expect("ticks");
+    }
+    steps(harness, 12);
+}
+
+fn save(harness: &mut Harness<'static, SauteApp>, name: &str) {
+    let image = harness.render().expect("renders");
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("window");
+    std::fs::create_dir_all(&folder).expect("folder");
+    image.save(folder.join(format!("{name}.png"))).expect("saves");
+}
+
+#[test]
+fn a_first_cook_by_buttons_alone() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    save(&mut harness, "start");
+    harness.get_by_label("1100 W").click();
+    steps(&mut harness, 2);
+    assert_eq!(harness.state().session().kitchen.hob_w(), 1100.0);
+    cook(&mut harness, 100.0);
+    harness.get_by_label("Steak in").click();
+    steps(&mut harness, 14);
+    assert!(matches!(harness.state().session().steak().expect("steak").place, Place::Pan(_)));
+    cook(&mut harness, 60.0);
+    save(&mut harness, "one-minute");
+    cook(&mut harness, 180.0);
+    harness.get_by_label("Flip").click();
+    steps(&mut harness, 14);
+    save(&mut harness, "flipped");
+    harness.get_by_label("Cut").click();
+    cook(&mut harness, 120.0);
+    save(&mut harness, "cut");
+    harness.get_by_label("Temperature").click();
+    steps(&mut harness, 12);
+    assert_eq!(harness.state().settings().view, View::Temperature);
+    save(&mut harness, "temperature");
+    harness.get_by_label("Doneness").click();
+    steps(&mut harness, 12);
+    save(&mut harness, "doneness");
+    harness.get_by_label("Look").click();
+    harness.get_by_label("Take out").click();
+    steps(&mut harness, 14);
+    assert!(matches!(harness.state().session().steak().expect("steak").place, Place::Rest(_)));
+    save(&mut harness, "resting");
+}
+
+#[test]
+fn every_operation_has_a_key() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    let press = |h: &mut Harness<'static, SauteApp>, key| {
+        h.key_press(key);
+        steps(h, 2);
+    };
+    press(&mut harness, Key::E);
+    assert_eq!(harness.state().session().kitchen.hob_w(), 400.0);
+    press(&mut harness, Key::Q);
+    assert_eq!(harness.state().session().kitchen.hob_w(), 0.0);
+    press(&mut harness, Key::P);
+    assert!(harness.state().session().steak().expect("steak").in_pan());
+    let before = harness.state().session().steak().expect("steak").state.down;
+    press(&mut harness, Key::F);
+    assert_ne!(harness.state().session().steak().expect("steak").state.down, before);
+    press(&mut harness, Key::O);
+    assert!(!harness.state().session().steak().expect("steak").in_pan());
+    press(&mut harness, Key::W);
+    assert!(harness.state().session().kitchen.cloth().is_some());
+    press(&mut harness, Key::Space);
+    assert!(harness.state().session().paused);
+    let tick = harness.state().session().kitchen.tick();
+    press(&mut harness, Key::Period);
+    assert_eq!(harness.state().session().kitchen.tick(), tick + 1);
+    press(&mut harness, Key::CloseBracket);
+    assert_eq!(harness.state().session().speed, 5.0);
+    press(&mut harness, Key::OpenBracket);
+    assert_eq!(harness.state().session().speed, 1.0);
+    press(&mut harness, Key::Num2);
+    assert_eq!(harness.state().settings().view, View::Temperature);
+    press(&mut harness, Key::Num3);
+    assert_eq!(harness.state().settings().view, View::Doneness);
+    press(&mut harness, Key::Num1);
+    assert_eq!(harness.state().settings().view, View::Look);
+    press(&mut harness, Key::X);
+    assert_eq!(harness.state().slice(), Some(0.0));
+    press(&mut harness, Key::L);
+    assert!(harness.state().slice().expect("cut") > 0.0);
+    press(&mut harness, Key::C);
+    assert!(harness.state().settings().fahrenheit);
+    press(&mut harness, Key::R);
+    assert_eq!(harness.state().session().steak().expect("steak").place, Place::Waiting);
+    press(&mut harness, Key::F1);
+    assert!(harness.state().help_is_open());
+    save(&mut harness, "help");
+    press(&mut harness, Key::Escape);
+    assert!(!harness.state().help_is_open());
+}
+
+#[test]
+fn the_steak_is_chosen_before_it_goes_in() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    harness.key_press(Key::N);
+    steps(&mut harness, 3);
+    save(&mut harness, "pantry");
+    harness.get_by_label("Marbled beef steak").click();
+    steps(&mut harness, 2);
+    harness.get_by_label("Set out").click();
+    steps(&mut harness, 3);
+    save(&mut harness, "marbled");
+    assert_eq!(harness.state().session().steak().expect("steak").kind, "beef-marbled");
+}
+
+#[test]
+fn a_recipe_plays_and_a_command_takes_over() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    let text = "[[step]]\nhob_w = 1100\n[[step]]\nafter_s = 60\nend = true\n";
+    harness.state_mut().open_recipe(text, "own.toml");
+    steps(&mut harness, 4);
+    assert_eq!(harness.state().session().kitchen.hob_w(), 1100.0);
+    assert!(harness.state().session().runner.is_some());
+    save(&mut harness, "recipe");
+    harness.get_by_label("off").click();
+    steps(&mut harness, 2);
+    assert!(harness.state().session().runner.is_none());
+}
+
+#[test]
+fn a_refused_command_says_why() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    harness.key_press(Key::F);
+    steps(&mut harness, 2);
+    harness.get_by_label_contains("is not in the pan");
+}
+
+#[test]
+fn a_phone_shows_the_scene_and_one_drawer() {
+    let mut harness = window(vec2(390.0, 844.0));
+    save(&mut harness, "phone-cook");
+    harness.get_by_label("Inside").click();
+    steps(&mut harness, 12);
+    save(&mut harness, "phone-inside");
+    harness.get_by_label("Steak").click();
+    steps(&mut harness, 3);
+    save(&mut harness, "phone-steak");
+}
+
+#[test]
+fn every_control_has_a_name_for_assistive_technology() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    harness.key_press(Key::N);
+    harness.key_press(Key::X);
+    steps(&mut harness, 4);
+    let roles = [egui::accesskit::Role::Button, egui::accesskit::Role::Slider, egui::accesskit::Role::RadioButton, egui::accesskit::Role::ComboBox];
+    let mut seen = 0;
+    for role in roles {
+        for node in harness.get_all_by_role(role) {
+            let named = node.accesskit_node().label().is_some_and(|l| !l.trim().is_empty());
+            assert!(named, "a {role:?} without a name");
+            seen += 1;
+        }
+    }
+    assert!(seen > 25, "only {seen} controls found");
+}
+
+#[test]
+fn the_scene_is_never_drawn_small_on_a_usual_window() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    harness.state_mut().session_mut().command(&Command::Hob(400.0)).expect("hob");
+    steps(&mut harness, 3);
+    let [w, h] = harness.state().scene_size();
+    assert!(w >= 960 && h >= 540, "{w} × {h}");
+}

@@ -1,0 +1,95 @@
+//! What may stand on the command line.
+
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand, ValueEnum};
+
+use crate::picture::{BenchFrameArgs, ShotArgs};
+
+/// A frying pan, what lies in it, and your hands on it. Without a command the window opens.
+#[derive(Debug, Parser)]
+#[command(name = "saute", version, after_help = EXIT_CODES)]
+pub struct Args {
+    /// Folder with foods/, pans/, recipes/, kinetics/ or coatings/ of your own; adds to the shipped ones or replaces
+    /// those of the same name.
+    #[arg(long, global = true, value_name = "DIR")]
+    pub data: Option<PathBuf>,
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+const EXIT_CODES: &str = "Exit codes: 0 done, 1 the recipe was stopped by its max_s, 2 something was wrong.";
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Opens the window and plays a recipe in it.
+    Open {
+        /// A recipe file, or the id of a shipped recipe.
+        #[arg(value_name = "RECIPE")]
+        recipe: String,
+    },
+    /// Cooks a recipe without a window.
+    Cook(CookArgs),
+    /// Draws one picture of a recipe at one moment.
+    Shot(ShotArgs),
+    /// Measures the program.
+    #[command(subcommand)]
+    Bench(Bench),
+    /// Lists what there is to cook with.
+    List(ListArgs),
+    /// Prints the schema of a file format.
+    #[command(subcommand)]
+    Schema(Schema),
+}
+
+/// `saute cook`.
+#[derive(Debug, clap::Args)]
+pub struct CookArgs {
+    /// A recipe file, or the id of a shipped recipe.
+    #[arg(value_name = "RECIPE")]
+    pub recipe: String,
+    /// Folder for summary.json, series.csv, report.html and pictures of the cross-section at each step; made if it is
+    /// missing. Those of an earlier cook in it are replaced.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Prints the numbers as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `saute bench`.
+#[derive(Debug, Subcommand)]
+pub enum Bench {
+    /// Draws whole frames off-screen as the window would and counts them.
+    Frame(BenchFrameArgs),
+}
+
+/// `saute list`.
+#[derive(Debug, clap::Args)]
+pub struct ListArgs {
+    /// Which list.
+    pub what: Listed,
+    /// Prints the list as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What can be listed.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Listed {
+    /// Foods, for `kind` of a [[food]].
+    Foods,
+    /// Pans, for `kind` of [pan].
+    Pans,
+    /// Recipes that `saute cook` knows by id.
+    Recipes,
+}
+
+/// `saute schema`.
+#[derive(Clone, Copy, Debug, Subcommand)]
+pub enum Schema {
+    /// JSON Schema of recipe files.
+    Recipe,
+}

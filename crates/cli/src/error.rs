@@ -1,0 +1,61 @@
+//! Everything that can go wrong, each with what to do about it.
+
+use saute_app::png_file::PngError;
+use saute_kitchen::kitchen::SetupError;
+use saute_kitchen::runner::RunError;
+use saute_kitchen::RecipeError;
+
+/// Why the command failed.
+#[derive(Debug, thiserror::Error)]
+pub enum CliError {
+    /// A recipe that cannot be used.
+    #[error(transparent)]
+    Recipe(#[from] RecipeError),
+    /// A step that went wrong while cooking.
+    #[error(transparent)]
+    Run(#[from] RunError),
+    /// A recipe whose pan or food cannot be built.
+    #[error("{file}: {source}\n  remedy: choose another size or kind of food or pan: saute list foods, saute list pans")]
+    Setup {
+        /// Which recipe.
+        file: String,
+        /// What could not be built.
+        source: SetupError,
+    },
+    /// A data file that cannot be used.
+    #[error("{file}:{line}: {message}\n  remedy: mend this line, or take the file out of the --data folder to use the shipped one")]
+    Data {
+        /// Which file.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// What is wrong.
+        message: String,
+    },
+    /// A file, folder or stream that cannot be used.
+    #[error("{place}: {message}\n  remedy: {remedy}")]
+    Place {
+        /// Which one, with the line where there is one.
+        place: String,
+        /// What is wrong.
+        message: String,
+        /// What to do instead.
+        remedy: String,
+    },
+    /// There is no screen to open a window on.
+    #[error("{0}")]
+    NoDisplay(String),
+    /// A picture that could not be encoded.
+    #[error("{0}\n  remedy: leave --out away and report this as a bug")]
+    Png(#[from] PngError),
+    /// Numbers that could not be written as JSON.
+    #[error("the numbers could not be written as JSON: {0}\n  remedy: leave --json and --out away and report this as a bug")]
+    Json(#[from] serde_json::Error),
+}
+
+impl CliError {
+    /// A file, folder or stream that cannot be used.
+    pub fn place(place: impl std::fmt::Display, message: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self::Place { place: place.to_string(), message: message.into(), remedy: remedy.into() }
+    }
+}

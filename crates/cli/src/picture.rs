@@ -1,0 +1,101 @@
+//! `saute shot` and `saute bench frame`: pictures from the app's own renderer.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::ValueEnum;
+use saute_app::View;
+
+use crate::error::CliError;
+use crate::shelf::Shelf;
+
+/// `saute shot`.
+#[derive(Debug, clap::Args)]
+pub struct ShotArgs {
+    /// A recipe file, or the id of a shipped recipe.
+    #[arg(value_name = "RECIPE")]
+    pub recipe: String,
+    /// Simulated time of the picture.
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub at: f64,
+    /// What the colours mean.
+    #[arg(long, value_enum, default_value_t = ViewName::Look)]
+    pub view: ViewName,
+    /// Cuts the food open.
+    #[arg(long)]
+    pub slice: bool,
+    /// Writes unlit colours without tone mapping, for measuring.
+    #[arg(long)]
+    pub flat: bool,
+    /// Size of the picture in pixels.
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
+    pub size: [u32; 2],
+    /// The PNG file to write.
+    #[arg(long, value_name = "FILE.png")]
+    pub out: PathBuf,
+}
+
+/// `saute bench frame`.
+#[derive(Debug, clap::Args)]
+pub struct BenchFrameArgs {
+    /// A recipe file, or the id of a shipped recipe.
+    #[arg(value_name = "RECIPE", default_value = "medium")]
+    pub recipe: String,
+    /// Size of the frame in pixels.
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
+    pub size: [u32; 2],
+    /// Prints the numbers as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// The views by their names on the command line.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum ViewName {
+    /// As the eye sees it.
+    Look,
+    /// Temperature now.
+    Temperature,
+    /// Doneness by the highest temperature so far.
+    Doneness,
+}
+
+impl From<ViewName> for View {
+    fn from(name: ViewName) -> Self {
+        match name {
+            ViewName::Look => Self::Look,
+            ViewName::Temperature => Self::Temperature,
+            ViewName::Doneness => Self::Doneness,
+        }
+    }
+}
+
+/// Sides that a picture may have [pixels] (chosen: every graphics adapter can draw 8192).
+const SIDES: std::ops::RangeInclusive<u32> = 64..=8192;
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let sides = text.split_once('x').and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+    match sides {
+        Some(sides) if sides.iter().all(|s| SIDES.contains(s)) => Ok(sides),
+        _ => Err(format!("write WIDTHxHEIGHT in pixels, each {} to {}, as in 1280x720", SIDES.start(), SIDES.end())),
+    }
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(s) if s.is_finite() && s >= 0.0 => Ok(s),
+        _ => Err("write seconds from the start of the recipe, as in 300".to_owned()),
+    }
+}
+
+/// Draws one picture.
+pub fn shot(args: &ShotArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+    crate::recipe_source::load(&args.recipe, shelf)?;
+    Err(CliError::place("saute shot", format!("{:?} cannot be drawn yet", View::from(args.view)), "use saute cook --out DIR"))
+}
+
+/// Measures frames.
+pub fn bench_frame(args: &BenchFrameArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+    crate::recipe_source::load(&args.recipe, shelf)?;
+    Err(CliError::place("saute bench frame", "frames cannot be drawn yet", "use saute cook"))
+}

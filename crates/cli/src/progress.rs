@@ -1,0 +1,43 @@
+//! How far a cook is, on a terminal.
+
+use std::io::IsTerminal;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use saute_kitchen::Cook;
+
+use crate::wording::duration;
+
+/// Ticks between two looks: often enough to move, seldom enough to cost nothing.
+const EVERY: u64 = 50;
+
+/// A bar over the simulated time; nothing where stderr is no terminal.
+#[derive(Debug)]
+pub struct Progress(Option<ProgressBar>);
+
+impl Progress {
+    /// Starts the bar.
+    pub fn start(max_s: f64) -> Self {
+        let style = ProgressStyle::with_template("{bar:24} {msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
+        let bar = || ProgressBar::new(max_s.ceil() as u64).with_style(style);
+        Self(std::io::stderr().is_terminal().then(bar))
+    }
+
+    /// Shows where the cook is and what it waits for.
+    pub fn show(&self, cook: &Cook) {
+        let Some(bar) = &self.0 else { return };
+        if cook.kitchen.tick().is_multiple_of(EVERY) {
+            let (time, most) = (cook.kitchen.time_s(), cook.runner.recipe().max_s);
+            bar.set_position(time as u64);
+            bar.set_message(format!("{} of at most {}; next: {}", duration(time), duration(most), cook.runner.waiting_for()));
+        }
+    }
+}
+
+impl Drop for Progress {
+    /// The bar makes room for the result, or for the error.
+    fn drop(&mut self) {
+        if let Some(bar) = &self.0 {
+            bar.finish_and_clear();
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! Pictures of the cross-sections at each step.
+
+use saute_app::png_file::{PngError, png_bytes};
+use saute_app::{TemperatureMap, View, section_picture};
+use saute_kitchen::cook::Fired;
+use saute_kitchen::{Cook, Piece, Place, celsius};
+
+/// Fineness of the picture files [pixels per mm].
+const FILE_PER_MM: f64 = 12.0;
+
+/// Fineness of the report's pictures [pixels per mm]: enough for a phone, small enough to mail.
+const REPORT_PER_MM: f64 = 5.0;
+
+/// Room for everything but the pictures [bytes] (chosen: a cook of a day has 9 MB of series).
+const OTHER_FILES: u64 = 12 << 20;
+
+/// A food's cross-section just after a step was carried out (at most one tick later).
+#[derive(Debug)]
+pub struct Snapshot {
+    /// Number of the step, from 1.
+    pub step: usize,
+    /// When [s].
+    pub time_s: f64,
+    /// Name of the step's action.
+    pub action: &'static str,
+    /// Which food.
+    pub food: String,
+    /// Its core, upper and lower face then [°C].
+    pub celsius: [f64; 3],
+    /// Whether the recipe has other foods, too.
+    pub of_several: bool,
+    /// Pictures for files: look, temperature.
+    pub full: [Vec<u8>; 2],
+    /// Pictures for the report: look, temperature.
+    pub small: [Vec<u8>; 2],
+}
+
+impl Snapshot {
+    /// Pictures of all foods that are in the pan or out of it again, for each of the steps that were just carried out.
+    pub fn take(cook: &Cook, fired: &[Fired]) -> Result<Vec<Self>, PngError> {
+        let first = cook.steps.len() + 1 - fired.len();
+        let mut snapshots = Vec::new();
+        for piece in cook.kitchen.pieces().iter().filter(|p| p.place != Place::Waiting) {
+            let (full, small) = (paint(piece, FILE_PER_MM)?, paint(piece, REPORT_PER_MM)?);
+            snapshots.extend(fired.iter().enumerate().map(|(i, step)| Self {
+                step: first + i,
+                time_s: step.time_s,
+                action: step.action,
+                food: piece.id.clone(),
+                celsius: [piece.core(), piece.face(false), piece.face(true)].map(celsius),
+                of_several: cook.kitchen.pieces().len() > 1,
+                full: full.clone(),
+                small: small.clone(),
+            }));
+        }
+        Ok(snapshots)
+    }
+
+    /// Names and bytes of its files. Ids hold no dot, so that no two names can meet.
+    pub fn into_files(self) -> [(String, Vec<u8>); 2] {
+        let food = if self.of_several { format!(".{}", self.food) } else { String::new() };
+        let name = |view: &str| format!("section_{:02}_{}{view}{food}.png", self.step, self.action);
+        let names = [name(""), name("_temperature")];
+        let [look, temperature] = self.full;
+        let [look_name, temperature_name] = names;
+        [(look_name, look), (temperature_name, temperature)]
+    }
+}
+
+fn paint(piece: &Piece, per_mm: f64) -> Result<[Vec<u8>; 2], PngError> {
+    let picture = |view| png_bytes(&section_picture(&piece.model, &piece.state, 0.0, view, TemperatureMap::Uniform, per_mm));
+    Ok([picture(View::Look)?, picture(View::Temperature)?])
+}
+
+/// What a cook may need on the disk [bytes]: no picture is larger than its pixels.
+pub fn disk_space(cook: &Cook) -> u64 {
+    let pixels = |p: &Piece| p.model.size[1] * p.model.size[2] * 1e6 * FILE_PER_MM * FILE_PER_MM;
+    let bytes: f64 = cook.kitchen.pieces().iter().map(|p| 2.0 * 4.0 * pixels(p)).sum();
+    OTHER_FILES + (bytes * cook.runner.recipe().steps.len() as f64) as u64
+}

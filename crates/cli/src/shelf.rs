@@ -1,0 +1,90 @@
+//! The shipped foods, pans and recipes with those of the user's folder.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use saute_kitchen::{Library, LibraryError};
+
+use crate::error::CliError;
+use crate::text_file;
+
+/// Folders that are read from `--data`.
+const FOLDERS: [&str; 5] = ["foods", "pans", "recipes", "kinetics", "coatings"];
+
+/// A library that remembers which of its files are the user's.
+#[derive(Debug)]
+pub struct Shelf {
+    /// What there is to cook with.
+    pub library: Library,
+    own: Own,
+}
+
+/// The user's files: their folder and their names in it, as `foods/mine.toml`.
+#[derive(Debug, Default)]
+struct Own {
+    dir: PathBuf,
+    names: BTreeSet<String>,
+}
+
+impl Own {
+    /// Name of a library file in messages: one can open it as it stands if it is the user's.
+    fn place(&self, name: &str) -> String {
+        if self.names.contains(name) { self.dir.join(name).display().to_string() } else { name.to_owned() }
+    }
+
+    fn error(&self, error: LibraryError) -> CliError {
+        CliError::Data { file: self.place(&error.file), line: error.line, message: error.message.trim().to_owned() }
+    }
+}
+
+impl Shelf {
+    /// Takes what is shipped, and what lies in `dir` on top of it.
+    pub fn open(dir: Option<&Path>) -> Result<Self, CliError> {
+        let files = dir.map_or(Ok(Vec::new()), read_folders)?;
+        let names = files.iter().map(|(name, _)| name.clone()).collect();
+        let own = Own { dir: dir.map_or_else(PathBuf::new, Path::to_owned), names };
+        let library = Library::with(&files).map_err(|e| own.error(e))?;
+        Ok(Self { library, own })
+    }
+
+    /// Name of a recipe's file in messages.
+    pub fn recipe_place(&self, id: &str) -> String {
+        self.own.place(&format!("recipes/{id}.toml"))
+    }
+}
+
+fn read_folders(dir: &Path) -> Result<Vec<(String, String)>, CliError> {
+    let remedy = "name a folder that holds foods/, pans/, recipes/, kinetics/ or coatings/ with .toml files";
+    if !dir.is_dir() {
+        let message = if dir.exists() { "--data is not a folder" } else { "--data does not exist" };
+        return Err(CliError::place(dir.display(), message, remedy));
+    }
+    let present: Vec<&str> = FOLDERS.into_iter().filter(|f| dir.join(f).is_dir()).collect();
+    if present.is_empty() {
+        return Err(CliError::place(dir.display(), "--data holds none of the folders that are read", remedy));
+    }
+    let mut files = Vec::new();
+    for folder in present {
+        for name in toml_names(&dir.join(folder))? {
+            files.push((format!("{folder}/{name}"), text_file::read(&dir.join(folder).join(&name))?));
+        }
+    }
+    Ok(files)
+}
+
+/// Names of the .toml files in a folder, in order.
+fn toml_names(folder: &Path) -> Result<Vec<String>, CliError> {
+    let unreadable = |e: std::io::Error| {
+        CliError::place(folder.display(), format!("cannot be read: {e}"), "check the folder's permissions")
+    };
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        let name = entry.map_err(unreadable)?.file_name();
+        let Some(name) = name.to_str() else { continue };
+        if name.ends_with(".toml") && !name.starts_with('.') {
+            names.push(name.to_owned());
+        }
+    }
+    names.sort();
+    Ok(names)
+}

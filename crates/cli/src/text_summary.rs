@@ -1,0 +1,102 @@
+//! The numbers of a cook for people, as plain text.
+
+use std::fmt::Write;
+
+use saute_kitchen::energy::Energy;
+use saute_kitchen::summary::{Doneness, FoodSummary, Surface};
+use saute_kitchen::{StoppedBy, Summary};
+
+use crate::wording::{self, duration};
+
+/// Width of a doneness bar [characters].
+const BAR: usize = 30;
+
+/// Everything about a cook on one screen.
+pub fn text(summary: &Summary) -> String {
+    let mut blocks = vec![head(summary)];
+    blocks.extend(summary.foods.iter().map(food));
+    blocks.push(pan(summary));
+    blocks.push(steps(summary));
+    blocks.join("\n")
+}
+
+fn head(s: &Summary) -> String {
+    let how = match s.stopped_by {
+        StoppedBy::End => "ended by its last step",
+        StoppedBy::MaxS => "stopped by max_s",
+    };
+    let speed = s.simulated_s / s.wall_s.max(1e-9);
+    format!("{}\n{how} after {}; simulated in {:.1} s, {speed:.0} times real time\n", s.title, duration(s.simulated_s), s.wall_s)
+}
+
+fn food(f: &FoodSummary) -> String {
+    let mut lines = format!("{} ({}, {} nodes)\n", f.id, f.kind, f.nodes);
+    row(&mut lines, "core", &format!("{:.1} °C at its highest, after {}; {:.1} °C at the end", f.core_c.peak, duration(f.core_c.peak_at_s), f.core_c.end));
+    row(&mut lines, "cross-section", &doneness(&f.section_pct));
+    row(&mut lines, "volume", &doneness(&f.volume_pct));
+    let lost = 100.0 * (1.0 - f.mass_g.end / f.mass_g.start);
+    let water = format!("{:.1} g evaporated, {:.1} g dripped", f.water_g.evaporated, f.water_g.dripped);
+    row(&mut lines, "mass", &format!("{:.1} g → {:.1} g, −{lost:.1} %: {water}", f.mass_g.start, f.mass_g.end));
+    row(&mut lines, "top", &surface(&f.surfaces.top));
+    row(&mut lines, "bottom", &surface(&f.surfaces.bottom));
+    let d = &f.denatured;
+    row(&mut lines, "denatured", &format!("myosin {:.2}, collagen {:.2}, actin {:.2}, myoglobin {:.2}", d.myosin, d.collagen, d.actin, d.myoglobin));
+    lines
+}
+
+fn row(lines: &mut String, name: &str, value: &str) {
+    // Writing to a string cannot fail.
+    let _ = writeln!(lines, "  {name:<14}{value}");
+}
+
+/// Shares as a bar and as numbers.
+fn doneness(d: &Doneness) -> String {
+    let classes = [(d.raw, "raw", '·'), (d.rare, "rare", '░'), (d.medium, "medium", '▒'), (d.well_done, "well-done", '█')];
+    let (mut bar, mut sum, mut drawn) = (String::new(), 0.0, 0);
+    for (share, _, sign) in classes {
+        sum += share;
+        let until = ((sum / 100.0 * BAR as f64).round() as usize).min(BAR);
+        bar.extend(std::iter::repeat_n(sign, until.saturating_sub(drawn)));
+        drawn = until.max(drawn);
+    }
+    let numbers = classes.map(|(share, name, sign)| format!("{sign} {name} {share:.0} %")).join("  ");
+    format!("{bar}  {numbers}")
+}
+
+fn surface(s: &Surface) -> String {
+    let [l, a, b] = s.lab;
+    let shares = format!("browned {:.0} %, charred {:.0} %", s.browned_pct, s.charred_pct);
+    format!("{:5.1} °C, {shares}, L*a*b* {l:.0} {a:.0} {b:.0}", s.temperature_c)
+}
+
+fn pan(s: &Summary) -> String {
+    let p = &s.pan_c;
+    let mut lines = "pan\n".to_owned();
+    let at_put = match (p.at_first_put, p.lowest_after_first_put) {
+        (Some(put), Some(low)) => format!("{put:.1} °C at the first put, then down to {low:.1} °C; "),
+        _ => String::new(),
+    };
+    row(&mut lines, "temperature", &format!("{at_put}highest {:.1} °C, {:.1} °C at the end", p.peak, p.end));
+    row(&mut lines, "energy", &energy(&s.energy_j));
+    row(&mut lines, "imbalance", &format!("{:.1e} % of the hob's energy", imbalance_pct(&s.energy_j)));
+    lines
+}
+
+fn energy(e: &Energy) -> String {
+    let kj = |j: f64| format!("{:.1}", j / 1e3);
+    let [hob, pan, food, air, vapour, other] = [e.hob, e.pan_stored, e.food_stored, e.air, e.evaporation, e.other].map(kj);
+    format!("hob {hob} kJ = pan {pan} + food {food} + air {air} + evaporation {vapour} + other {other}")
+}
+
+/// What is missing from the balance, in percent of what the hob gave.
+pub fn imbalance_pct(e: &Energy) -> f64 {
+    if e.hob > 0.0 { 100.0 * e.imbalance.abs() / e.hob } else { 0.0 }
+}
+
+fn steps(s: &Summary) -> String {
+    let mut lines = "steps\n".to_owned();
+    for step in &s.steps {
+        let _ = writeln!(lines, "  {:>8.1} s    {}", step.time_s, wording::step(step));
+    }
+    lines
+}
