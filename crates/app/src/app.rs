@@ -26,6 +26,9 @@ const SETTINGS_KEY: &str = "saute.settings";
 /// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
 const STEP_BUDGET_MS: u64 = 20;
 
+/// Where the eye goes when the cut is opened [rad] (chosen: the face is seen at a slant, the pan stays in view).
+pub const CUT_YAW: f32 = 0.62;
+
 /// What the window starts with.
 #[derive(Clone, Debug, Default)]
 pub struct Start {
@@ -70,8 +73,18 @@ pub enum StartError {
 impl SauteApp {
     /// Sets out the remembered steak, or plays the given recipe.
     pub fn new(cc: &eframe::CreationContext<'_>, start: Start) -> Result<Self, StartError> {
-        theme::apply(&cc.egui_ctx);
         let stored = cc.storage.and_then(|s| s.get_string(SETTINGS_KEY));
+        Self::start(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), stored, start)
+    }
+
+    /// As [`Self::new`], with any egui context and graphics state, and remembered settings as JSON.
+    pub fn start(
+        context: &egui::Context,
+        graphics: Option<&egui_wgpu::RenderState>,
+        stored: Option<String>,
+        start: Start,
+    ) -> Result<Self, StartError> {
+        theme::apply(context);
         let settings: Settings = stored.and_then(|s| serde_json::from_str(&s).ok()).unwrap_or_default();
         let library = start.library.map_or_else(|| Library::embedded().map(Arc::new), Ok)?;
         let mut session = Session::new(Arc::clone(&library), &settings.choice)
@@ -81,7 +94,7 @@ impl SauteApp {
             session.play(recipe)?;
         }
         let mut software = false;
-        if let Some(state) = &cc.wgpu_render_state {
+        if let Some(state) = graphics {
             SceneCallback::install(state);
             software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
         }
@@ -99,7 +112,7 @@ impl SauteApp {
             inside: Default::default(),
             drawer: Default::default(),
             last_time: None,
-            drawable: cc.wgpu_render_state.is_some(),
+            drawable: graphics.is_some(),
             software,
         })
     }
@@ -152,7 +165,7 @@ impl SauteApp {
             Act::Restart => self.restart(),
             Act::View(view) => self.settings.view = view,
             Act::Map => self.next_map(),
-            Act::Slice => self.slice = if self.slice.is_some() { None } else { Some(0.0) },
+            Act::Slice => self.toggle_slice(),
             Act::SliceBy(by) => self.slice = Some((self.slice.unwrap_or(0.0) + by).clamp(-0.95, 0.95)),
             Act::Units => self.settings.fahrenheit = !self.settings.fahrenheit,
             Act::Camera => self.next_camera(),
@@ -216,6 +229,14 @@ impl SauteApp {
             self.notice.say(error.to_string());
         }
         self.motions.clear();
+    }
+
+    /// The cut's face looks towards +x: the eye steps to that side so that it is seen.
+    fn toggle_slice(&mut self) {
+        self.slice = if self.slice.is_some() { None } else { Some(0.0) };
+        if self.slice.is_some() && !(0.35..2.6).contains(&self.camera.yaw) {
+            self.camera.yaw = CUT_YAW;
+        }
     }
 
     fn next_map(&mut self) {
@@ -302,6 +323,15 @@ impl SauteApp {
         poses
     }
 
+    /// One frame: takes input, lets time pass, shows everything.
+    pub fn frame(&mut self, ui: &mut Ui) {
+        let ctx = ui.ctx().clone();
+        self.take_keys(&ctx);
+        self.take_dropped_files(&ctx);
+        self.let_time_pass(&ctx);
+        self.show(ui);
+    }
+
     fn show(&mut self, ui: &mut Ui) {
         let whole = ui.max_rect();
         let layout = Layout::new(whole, &self.settings);
@@ -318,11 +348,7 @@ impl SauteApp {
 
 impl eframe::App for SauteApp {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
-        let ctx = ui.ctx().clone();
-        self.take_keys(&ctx);
-        self.take_dropped_files(&ctx);
-        self.let_time_pass(&ctx);
-        self.show(ui);
+        self.frame(ui);
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {

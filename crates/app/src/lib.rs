@@ -2,6 +2,8 @@
 
 pub mod act;
 pub mod app;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod bench_frame;
 pub mod colour_map;
 pub mod food_look;
 #[cfg(not(target_arch = "wasm32"))]
@@ -9,6 +11,8 @@ pub mod headless;
 pub mod layout;
 pub mod motion;
 pub mod notice;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod offscreen;
 pub mod panels;
 pub mod png_file;
 mod save_picture;
@@ -17,9 +21,13 @@ pub mod scene_view;
 pub mod section_picture;
 pub mod session;
 pub mod settings;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod shot;
 pub mod stage;
 pub mod theme;
 pub mod view;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod window;
 
 pub use app::{SauteApp, Start, StartError};
 pub use colour_map::TemperatureMap;

@@ -73,5 +73,6 @@ fn at(motion: &Motion) -> Pose {
     Pose {
         position: motion.from.position.lerp(motion.to.position, s) + Vec3::Z * lift,
         turn: motion.from.turn + (motion.to.turn - motion.from.turn) * s,
+        yaw: motion.from.yaw + (motion.to.yaw - motion.from.yaw) * s,
     }
 }

@@ -118,18 +118,18 @@ impl SauteApp {
         let outline = &piece.model.outline;
         [-1.0, 0.0, 1.0].iter().any(|level| {
             let Some(hit) = meet_height(origin, direction, pose.position.z + level * half) else { return false };
-            let local = hit - pose.position;
+            let local = pose.matrix().inverse().transform_point3(hit);
             outline.contains([f64::from(local.x), f64::from(local.y)])
         })
     }
 
     fn carry(&mut self, at: Pos2, rect: Rect, aspect: f32) {
         let Some((pose, piece)) = self.steak_pose() else { return };
-        let (id, turn) = (piece.id.clone(), pose.turn);
+        let (id, turn, yaw) = (piece.id.clone(), pose.turn, pose.yaw);
         let (origin, direction) = self.camera.ray(ndc(at, rect), aspect);
         if let Some(hit) = meet_height(origin, direction, CARRY_HEIGHT) {
             let position = Vec3::new(hit.x.clamp(-0.5, 0.6), hit.y.clamp(-0.4, 0.4), CARRY_HEIGHT);
-            self.scene.carried.insert(id, Pose { position, turn });
+            self.scene.carried.insert(id, Pose { position, turn, yaw });
         }
     }
 

@@ -33,35 +33,37 @@ pub struct StageOptions {
 pub struct Pose {
     /// Centroid [m].
     pub position: Vec3,
-    /// Turn [rad]: 0 or π at rest.
+    /// Turn about the long axis [rad]: 0 or π at rest.
     pub turn: f32,
+    /// Turn about the vertical [rad]: across the board, along the pan.
+    pub yaw: f32,
 }
 
 impl Pose {
     /// The pose that the kitchen says.
     pub fn of(kitchen: &Kitchen, piece: &Piece) -> Self {
         let half = 0.5 * piece.model.mesh.thickness() as f32;
-        let position = match piece.place {
+        let (position, yaw) = match piece.place {
             Place::Pan(at) => {
                 let floor = kitchen.pan_model().description.floor.thickness_mm as f32 * 1e-3;
-                pan_position(kitchen) + Vec3::new(at[0] as f32, at[1] as f32, floor + half)
+                (pan_position(kitchen) + Vec3::new(at[0] as f32, at[1] as f32, floor + half), 0.0)
             }
-            Place::Waiting | Place::Rest(_) => BOARD_CENTRE + Vec3::Z * half + board_place(kitchen, piece),
+            Place::Waiting | Place::Rest(_) => (BOARD_CENTRE + Vec3::Z * half + board_place(kitchen, piece), std::f32::consts::FRAC_PI_2),
         };
-        Self { position, turn: if piece.state.down == Side::Top { std::f32::consts::PI } else { 0.0 } }
+        Self { position, turn: if piece.state.down == Side::Top { std::f32::consts::PI } else { 0.0 }, yaw }
     }
 
     /// Maps the rest frame to the world.
     pub fn matrix(&self) -> Mat4 {
-        Mat4::from_rotation_translation(Quat::from_rotation_x(self.turn), self.position)
+        Mat4::from_rotation_translation(Quat::from_rotation_z(self.yaw) * Quat::from_rotation_x(self.turn), self.position)
     }
 }
 
-/// Several pieces on the board lie behind one another.
+/// Pieces lie across the board, the first one nearest to the pan.
 fn board_place(kitchen: &Kitchen, piece: &Piece) -> Vec3 {
     let waiting: Vec<&Piece> = kitchen.pieces().iter().filter(|p| !p.in_pan()).collect();
     let index = waiting.iter().position(|p| p.id == piece.id).unwrap_or(0) as f32;
-    Vec3::Y * (0.09 * (index - 0.5 * (waiting.len().max(1) as f32 - 1.0)))
+    Vec3::X * -0.07 + Vec3::new(0.09, 0.0, 0.0) * index
 }
 
 /// Where the pan stands [m].

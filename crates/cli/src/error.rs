@@ -1,6 +1,8 @@
 //! Everything that can go wrong, each with what to do about it.
 
+use saute_app::offscreen::OffscreenError;
 use saute_app::png_file::PngError;
+use saute_app::shot::ShotError;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::runner::RunError;
 use saute_kitchen::RecipeError;
@@ -45,6 +47,12 @@ pub enum CliError {
     /// There is no screen to open a window on.
     #[error("{0}")]
     NoDisplay(String),
+    /// A picture that could not be made.
+    #[error(transparent)]
+    Shot(#[from] ShotError),
+    /// Frames that could not be drawn.
+    #[error(transparent)]
+    Offscreen(#[from] OffscreenError),
     /// A picture that could not be encoded.
     #[error("{0}\n  remedy: leave --out away and report this as a bug")]
     Png(#[from] PngError),

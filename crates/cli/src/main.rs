@@ -5,6 +5,7 @@ mod cook_command;
 mod error;
 mod list;
 mod out_dir;
+mod out_file;
 mod picture;
 mod progress;
 mod recipe_source;
@@ -19,6 +20,7 @@ mod window;
 mod wording;
 
 use std::process::ExitCode;
+use std::time::Instant;
 
 use clap::Parser;
 
@@ -30,6 +32,7 @@ use crate::shelf::Shelf;
 const FAILED: u8 = 2;
 
 fn main() -> ExitCode {
+    let process_start = Instant::now();
     let args = match Args::try_parse() {
         Ok(args) => args,
         Err(usage) => {
@@ -38,13 +41,13 @@ fn main() -> ExitCode {
             return if usage.use_stderr() { ExitCode::from(FAILED) } else { ExitCode::SUCCESS };
         }
     };
-    run(args).unwrap_or_else(|error| {
+    run(args, process_start).unwrap_or_else(|error| {
         eprintln!("error: {error}");
         ExitCode::from(FAILED)
     })
 }
 
-fn run(args: Args) -> Result<ExitCode, CliError> {
+fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
     if let Some(Command::Schema(Schema::Recipe)) = args.command {
         return schema::recipe();
     }
@@ -57,7 +60,7 @@ fn run(args: Args) -> Result<ExitCode, CliError> {
         }
         Some(Command::Cook(args)) => cook_command::run(&args, &shelf),
         Some(Command::Shot(args)) => picture::shot(&args, &shelf),
-        Some(Command::Bench(Bench::Frame(args))) => picture::bench_frame(&args, &shelf),
+        Some(Command::Bench(Bench::Frame(args))) => picture::bench_frame(&args, &shelf, process_start),
         Some(Command::List(args)) => list::run(&args, &shelf),
         Some(Command::Schema(Schema::Recipe)) => schema::recipe(),
     }

@@ -2,12 +2,20 @@
 
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::Arc;
+use std::time::Instant;
 
 use clap::ValueEnum;
-use saute_app::View;
+use saute_app::app::CUT_YAW;
+use saute_app::png_file::png_bytes;
+use saute_app::scene::camera::Camera;
+use saute_app::stage::StageOptions;
+use saute_app::{Start, TemperatureMap, View};
 
 use crate::error::CliError;
+use crate::out_file::OutFile;
 use crate::shelf::Shelf;
+use crate::{recipe_source, stdout};
 
 /// `saute shot`.
 #[derive(Debug, clap::Args)]
@@ -90,12 +98,42 @@ fn seconds(text: &str) -> Result<f64, String> {
 
 /// Draws one picture.
 pub fn shot(args: &ShotArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
-    crate::recipe_source::load(&args.recipe, shelf)?;
-    Err(CliError::place("saute shot", format!("{:?} cannot be drawn yet", View::from(args.view)), "use saute cook --out DIR"))
+    let recipe = recipe_source::load(&args.recipe, shelf)?;
+    let out = OutFile::prepare(&args.out)?;
+    let picture = saute_app::shot::shot(recipe, &shelf.library, args.at, &args.options(), args.size)?;
+    out.fill(&png_bytes(&picture)?)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+impl ShotArgs {
+    fn options(&self) -> StageOptions {
+        let mut camera = Camera::three_quarter();
+        if self.slice {
+            camera.yaw = CUT_YAW;
+        }
+        StageOptions {
+            camera,
+            view: self.view.into(),
+            map: TemperatureMap::default(),
+            slice: self.slice.then_some(0.0),
+            flat: self.flat,
+        }
+    }
 }
 
 /// Measures frames.
-pub fn bench_frame(args: &BenchFrameArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
-    crate::recipe_source::load(&args.recipe, shelf)?;
-    Err(CliError::place("saute bench frame", "frames cannot be drawn yet", "use saute cook"))
+pub fn bench_frame(args: &BenchFrameArgs, shelf: &Shelf, process_start: Instant) -> Result<ExitCode, CliError> {
+    let recipe = recipe_source::load(&args.recipe, shelf)?;
+    let start = Start { library: Some(Arc::new(shelf.library.clone())), recipe: Some(recipe) };
+    let bench = saute_app::bench_frame::bench_frame(start, args.size, process_start)?;
+    if args.json {
+        stdout::print(&format!("{}\n", serde_json::to_string_pretty(&bench)?))?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let [w, h] = bench.scene_size;
+    stdout::print(&format!(
+        "{}, {}\nwindow {} × {}, scene {w} × {h}, {} frames\nmedian {:.1} frames/s, 5th percentile {:.1} frames/s, first frame after {:.2} s\n",
+        bench.recipe, bench.adapter, bench.size[0], bench.size[1], bench.frames, bench.frames_per_s.median, bench.frames_per_s.p5, bench.first_frame_s
+    ))?;
+    Ok(ExitCode::SUCCESS)
 }

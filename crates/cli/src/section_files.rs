@@ -3,13 +3,13 @@
 use saute_app::png_file::{PngError, png_bytes};
 use saute_app::{TemperatureMap, View, section_picture};
 use saute_kitchen::cook::Fired;
-use saute_kitchen::{Cook, Piece, Place, celsius};
+use saute_kitchen::{Cook, Piece, Place};
 
 /// Fineness of the picture files [pixels per mm].
 const FILE_PER_MM: f64 = 12.0;
 
 /// Fineness of the report's pictures [pixels per mm]: enough for a phone, small enough to mail.
-const REPORT_PER_MM: f64 = 5.0;
+const REPORT_PER_MM: f64 = 8.0;
 
 /// Room for everything but the pictures [bytes] (chosen: a cook of a day has 9 MB of series).
 const OTHER_FILES: u64 = 12 << 20;
@@ -25,8 +25,6 @@ pub struct Snapshot {
     pub action: &'static str,
     /// Which food.
     pub food: String,
-    /// Its core, upper and lower face then [°C].
-    pub celsius: [f64; 3],
     /// Whether the recipe has other foods, too.
     pub of_several: bool,
     /// Pictures for files: look, temperature.
@@ -47,7 +45,6 @@ impl Snapshot {
                 time_s: step.time_s,
                 action: step.action,
                 food: piece.id.clone(),
-                celsius: [piece.core(), piece.face(false), piece.face(true)].map(celsius),
                 of_several: cook.kitchen.pieces().len() > 1,
                 full: full.clone(),
                 small: small.clone(),

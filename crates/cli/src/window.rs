@@ -1,18 +1,22 @@
 //! `saute` and `saute open`: the window.
 
 use std::process::ExitCode;
+use std::sync::Arc;
 
+use saute_app::Start;
 use saute_kitchen::Recipe;
 
 use crate::error::CliError;
 use crate::shelf::Shelf;
 
 /// Opens the window, playing a recipe if one is given.
-pub fn open(_shelf: &Shelf, _recipe: Option<Recipe>) -> Result<ExitCode, CliError> {
+pub fn open(shelf: &Shelf, recipe: Option<Recipe>) -> Result<ExitCode, CliError> {
     if !has_display() {
         return Err(CliError::NoDisplay(NO_DISPLAY.to_owned()));
     }
-    Err(CliError::NoDisplay("the window is not built yet".to_owned()))
+    let start = Start { library: Some(Arc::new(shelf.library.clone())), recipe };
+    saute_app::window::run(start).map_err(|e| CliError::NoDisplay(format!("the window could not be opened: {e}\n{NO_DISPLAY}")))?;
+    Ok(ExitCode::SUCCESS)
 }
 
 const NO_DISPLAY: &str = "there is no display; without one you can use\n  \

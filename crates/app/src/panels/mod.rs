@@ -53,6 +53,7 @@ fn drawer(app: &mut SauteApp, ui: &mut Ui) {
                 app.drawer = part;
             }
         }
+        top::units_and_help(app, ui);
     });
     ui.separator();
     scrolled(ui, |ui| match app.drawer {

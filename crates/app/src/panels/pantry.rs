@@ -8,6 +8,8 @@ use crate::theme;
 /// Shows the choices; they take effect with "Set out".
 pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     ui.heading("My steak");
+    set_out(app, ui);
+    ui.label(RichText::new("a raw steak and this pan; the clock starts anew").size(12.5).color(theme::QUIET));
     let library = std::sync::Arc::clone(&app.session.library);
     let choice = &mut app.settings.choice;
     for (id, food) in &library.foods {
@@ -36,9 +38,6 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     });
     response.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, format!("Pan: {name}")));
     temperature(ui, "preheated to", &mut app.settings.choice.preheat_c, 20.0, 260.0, fahrenheit);
-    ui.add_space(8.0);
-    set_out(app, ui);
-    ui.label(RichText::new("Sets out a raw steak and this pan, and starts the clock anew.").size(12.5).color(theme::QUIET));
     ui.separator();
     recipes(app, ui);
 }

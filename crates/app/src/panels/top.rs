@@ -20,11 +20,18 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
         }
         ui.add_space(6.0);
         legend::show(app, ui);
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            chip(app, ui, "?", app.help, Act::Help);
-            chip(app, ui, app.settings.unit(), false, Act::Units);
+        units_and_help(app, ui);
+    });
+}
+
+/// Shows the unit, the help and, where there is room, the switch of the steak's panel, from the right.
+pub fn units_and_help(app: &mut SauteApp, ui: &mut Ui) {
+    ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        chip(app, ui, "?", app.help, Act::Help);
+        chip(app, ui, app.settings.unit(), false, Act::Units);
+        if ui.available_width() > 90.0 {
             chip(app, ui, "Steak…", app.settings.pantry_open, Act::Pantry);
-        });
+        }
     });
 }
 

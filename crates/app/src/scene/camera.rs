@@ -40,7 +40,7 @@ impl Default for Camera {
 impl Camera {
     /// From the cook's side, half above: the working view.
     pub fn three_quarter() -> Self {
-        Self::looking(0.10, 49.0, 0.50, Vec3::new(0.010, -0.006, 0.018))
+        Self::looking(0.10, 49.0, 0.60, Vec3::new(0.062, -0.006, 0.018))
     }
 
     /// From straight above, as in a mirror over the hob.

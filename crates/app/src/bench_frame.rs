@@ -1,0 +1,78 @@
+//! Measures whole frames of the window, off-screen, with the simulation running.
+
+use std::time::Instant;
+
+use saute_kitchen::Recipe;
+use serde::Serialize;
+
+use crate::app::Start;
+use crate::offscreen::{Offscreen, OffscreenError};
+
+/// Simulated time from which frames are measured [s].
+const FROM_S: f64 = 60.0;
+/// How long they are measured [s].
+const FOR_S: f64 = 30.0;
+
+/// What was measured.
+#[derive(Clone, Debug, Serialize)]
+pub struct FrameBench {
+    /// Frames per second.
+    pub frames_per_s: FrameRates,
+    /// From the start of the process to the first frame [s].
+    pub first_frame_s: f64,
+    /// Graphics adapter.
+    pub adapter: String,
+    /// Size of the window [pixels].
+    pub size: [u32; 2],
+    /// Size at which the scene was drawn [pixels].
+    pub scene_size: [u32; 2],
+    /// Title of the recipe.
+    pub recipe: String,
+    /// Frames that were measured.
+    pub frames: usize,
+    /// Simulated time at the start and at the end [s].
+    pub simulated_s: [f64; 2],
+}
+
+/// Frames per second: the middle, and what 95 % of the frames reach.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct FrameRates {
+    /// Median.
+    pub median: f64,
+    /// 5th percentile.
+    pub p5: f64,
+}
+
+/// Plays seconds 60–90 of a recipe at 1× and draws frames as fast as they come.
+pub fn bench_frame(start: Start, size: [u32; 2], process_start: Instant) -> Result<FrameBench, OffscreenError> {
+    let recipe = start.recipe.as_ref().map(|r: &Recipe| r.title.clone()).unwrap_or_default();
+    let mut window = Offscreen::open(start, size)?;
+    window.frame(0.0);
+    let first_frame_s = process_start.elapsed().as_secs_f64();
+    while window.app.session().kitchen.time_s() < FROM_S && !window.app.session().paused {
+        // A recipe that goes wrong shows as frames of a standing kitchen; its title and times are reported.
+        if window.app.session_mut().tick().is_err() {
+            break;
+        }
+    }
+    let simulated_from = window.app.session().kitchen.time_s();
+    let begin = Instant::now();
+    let mut durations = Vec::new();
+    while begin.elapsed().as_secs_f64() < FOR_S {
+        let frame = Instant::now();
+        window.frame(begin.elapsed().as_secs_f64());
+        durations.push(frame.elapsed().as_secs_f64());
+    }
+    durations.sort_by(f64::total_cmp);
+    let at = |share: f64| durations[((durations.len() - 1) as f64 * share).round() as usize];
+    Ok(FrameBench {
+        frames_per_s: FrameRates { median: 1.0 / at(0.5), p5: 1.0 / at(0.95) },
+        first_frame_s,
+        adapter: window.adapter(),
+        size,
+        scene_size: window.app.scene_size(),
+        recipe,
+        frames: durations.len(),
+        simulated_s: [simulated_from, window.app.session().kitchen.time_s()],
+    })
+}

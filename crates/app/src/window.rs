@@ -1,0 +1,17 @@
+//! The native window.
+
+use crate::app::{SauteApp, Start};
+
+/// Opens the window and stays until it is closed.
+pub fn run(start: Start) -> eframe::Result {
+    let options = eframe::NativeOptions {
+        viewport: egui::ViewportBuilder::default()
+            .with_title("saute")
+            .with_app_id("saute")
+            .with_inner_size([1280.0, 720.0])
+            .with_min_inner_size([360.0, 560.0]),
+        renderer: eframe::Renderer::Wgpu,
+        ..Default::default()
+    };
+    eframe::run_native("saute", options, Box::new(|cc| Ok(Box::new(SauteApp::new(cc, start)?))))
+}
