@@ -3,9 +3,9 @@
 use saute_app::offscreen::OffscreenError;
 use saute_app::png_file::PngError;
 use saute_app::shot::ShotError;
+use saute_kitchen::RecipeError;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::runner::RunError;
-use saute_kitchen::RecipeError;
 
 /// Why the command failed.
 #[derive(Debug, thiserror::Error)]
@@ -17,7 +17,9 @@ pub enum CliError {
     #[error(transparent)]
     Run(#[from] RunError),
     /// A recipe whose pan or food cannot be built.
-    #[error("{file}: {source}\n  remedy: choose another size or kind of food or pan: saute list foods, saute list pans")]
+    #[error(
+        "{file}: {source}\n  remedy: choose another size or kind of food or pan: saute list foods, saute list pans"
+    )]
     Setup {
         /// Which recipe.
         file: String,
@@ -25,7 +27,9 @@ pub enum CliError {
         source: SetupError,
     },
     /// A data file that cannot be used.
-    #[error("{file}:{line}: {message}\n  remedy: mend this line, or take the file out of the --data folder to use the shipped one")]
+    #[error(
+        "{file}:{line}: {message}\n  remedy: mend this line, or take the file out of the --data folder to use the shipped one"
+    )]
     Data {
         /// Which file.
         file: String,
@@ -57,13 +61,23 @@ pub enum CliError {
     #[error("{0}\n  remedy: leave --out away and report this as a bug")]
     Png(#[from] PngError),
     /// Numbers that could not be written as JSON.
-    #[error("the numbers could not be written as JSON: {0}\n  remedy: leave --json and --out away and report this as a bug")]
+    #[error(
+        "the numbers could not be written as JSON: {0}\n  remedy: leave --json and --out away and report this as a bug"
+    )]
     Json(#[from] serde_json::Error),
 }
 
 impl CliError {
     /// A file, folder or stream that cannot be used.
-    pub fn place(place: impl std::fmt::Display, message: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self::Place { place: place.to_string(), message: message.into(), remedy: remedy.into() }
+    pub fn place(
+        place: impl std::fmt::Display,
+        message: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Self {
+        Self::Place {
+            place: place.to_string(),
+            message: message.into(),
+            remedy: remedy.into(),
+        }
     }
 }

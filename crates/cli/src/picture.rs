@@ -82,10 +82,16 @@ impl From<ViewName> for View {
 const SIDES: std::ops::RangeInclusive<u32> = 64..=8192;
 
 fn size(text: &str) -> Result<[u32; 2], String> {
-    let sides = text.split_once('x').and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+    let sides = text
+        .split_once('x')
+        .and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
     match sides {
         Some(sides) if sides.iter().all(|s| SIDES.contains(s)) => Ok(sides),
-        _ => Err(format!("write WIDTHxHEIGHT in pixels, each {} to {}, as in 1280x720", SIDES.start(), SIDES.end())),
+        _ => Err(format!(
+            "write WIDTHxHEIGHT in pixels, each {} to {}, as in 1280x720",
+            SIDES.start(),
+            SIDES.end()
+        )),
     }
 }
 
@@ -100,7 +106,8 @@ fn seconds(text: &str) -> Result<f64, String> {
 pub fn shot(args: &ShotArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
     let recipe = recipe_source::load(&args.recipe, shelf)?;
     let out = OutFile::prepare(&args.out)?;
-    let picture = saute_app::shot::shot(recipe, &shelf.library, args.at, &args.options(), args.size)?;
+    let picture =
+        saute_app::shot::shot(recipe, &shelf.library, args.at, &args.options(), args.size)?;
     out.fill(&png_bytes(&picture)?)?;
     Ok(ExitCode::SUCCESS)
 }
@@ -122,9 +129,16 @@ impl ShotArgs {
 }
 
 /// Measures frames.
-pub fn bench_frame(args: &BenchFrameArgs, shelf: &Shelf, process_start: Instant) -> Result<ExitCode, CliError> {
+pub fn bench_frame(
+    args: &BenchFrameArgs,
+    shelf: &Shelf,
+    process_start: Instant,
+) -> Result<ExitCode, CliError> {
     let recipe = recipe_source::load(&args.recipe, shelf)?;
-    let start = Start { library: Some(Arc::new(shelf.library.clone())), recipe: Some(recipe) };
+    let start = Start {
+        library: Some(Arc::new(shelf.library.clone())),
+        recipe: Some(recipe),
+    };
     let bench = saute_app::bench_frame::bench_frame(start, args.size, process_start)?;
     if args.json {
         stdout::print(&format!("{}\n", serde_json::to_string_pretty(&bench)?))?;
@@ -133,7 +147,14 @@ pub fn bench_frame(args: &BenchFrameArgs, shelf: &Shelf, process_start: Instant)
     let [w, h] = bench.scene_size;
     stdout::print(&format!(
         "{}, {}\nwindow {} × {}, scene {w} × {h}, {} frames\nmedian {:.1} frames/s, 5th percentile {:.1} frames/s, first frame after {:.2} s\n",
-        bench.recipe, bench.adapter, bench.size[0], bench.size[1], bench.frames, bench.frames_per_s.median, bench.frames_per_s.p5, bench.first_frame_s
+        bench.recipe,
+        bench.adapter,
+        bench.size[0],
+        bench.size[1],
+        bench.frames,
+        bench.frames_per_s.median,
+        bench.frames_per_s.p5,
+        bench.first_frame_s
     ))?;
     Ok(ExitCode::SUCCESS)
 }

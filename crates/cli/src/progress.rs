@@ -17,7 +17,8 @@ pub struct Progress(Option<ProgressBar>);
 impl Progress {
     /// Starts the bar.
     pub fn start(max_s: f64) -> Self {
-        let style = ProgressStyle::with_template("{bar:24} {msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
+        let style = ProgressStyle::with_template("{bar:24} {msg}")
+            .unwrap_or_else(|_| ProgressStyle::default_bar());
         let bar = || ProgressBar::new(max_s.ceil() as u64).with_style(style);
         Self(std::io::stderr().is_terminal().then(bar))
     }
@@ -28,7 +29,12 @@ impl Progress {
         if cook.kitchen.tick().is_multiple_of(EVERY) {
             let (time, most) = (cook.kitchen.time_s(), cook.runner.recipe().max_s);
             bar.set_position(time as u64);
-            bar.set_message(format!("{} of at most {}; next: {}", duration(time), duration(most), cook.runner.waiting_for()));
+            bar.set_message(format!(
+                "{} of at most {}; next: {}",
+                duration(time),
+                duration(most),
+                cook.runner.waiting_for()
+            ));
         }
     }
 }

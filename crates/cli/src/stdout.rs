@@ -8,9 +8,11 @@ use crate::error::CliError;
 pub fn print(text: &str) -> Result<(), CliError> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(e) if e.kind() != ErrorKind::BrokenPipe => {
-            Err(CliError::place("stdout", format!("cannot be written: {e}"), "write to another place or free some space"))
-        }
+        Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(CliError::place(
+            "stdout",
+            format!("cannot be written: {e}"),
+            "write to another place or free some space",
+        )),
         _ => Ok(()),
     }
 }

@@ -26,21 +26,52 @@ fn head(s: &Summary) -> String {
         StoppedBy::MaxS => "stopped by max_s",
     };
     let speed = s.simulated_s / s.wall_s.max(1e-9);
-    format!("{}\n{how} after {}; simulated in {:.1} s, {speed:.0} times real time\n", s.title, duration(s.simulated_s), s.wall_s)
+    format!(
+        "{}\n{how} after {}; simulated in {:.1} s, {speed:.0} times real time\n",
+        s.title,
+        duration(s.simulated_s),
+        s.wall_s
+    )
 }
 
 fn food(f: &FoodSummary) -> String {
     let mut lines = format!("{} ({}, {} nodes)\n", f.id, f.kind, f.nodes);
-    row(&mut lines, "core", &format!("{:.1} °C at its highest, after {}; {:.1} °C at the end", f.core_c.peak, duration(f.core_c.peak_at_s), f.core_c.end));
+    row(
+        &mut lines,
+        "core",
+        &format!(
+            "{:.1} °C at its highest, after {}; {:.1} °C at the end",
+            f.core_c.peak,
+            duration(f.core_c.peak_at_s),
+            f.core_c.end
+        ),
+    );
     row(&mut lines, "cross-section", &doneness(&f.section_pct));
     row(&mut lines, "volume", &doneness(&f.volume_pct));
     let lost = 100.0 * (1.0 - f.mass_g.end / f.mass_g.start);
-    let water = format!("{:.1} g evaporated, {:.1} g dripped", f.water_g.evaporated, f.water_g.dripped);
-    row(&mut lines, "mass", &format!("{:.1} g → {:.1} g, −{lost:.1} %: {water}", f.mass_g.start, f.mass_g.end));
+    let water = format!(
+        "{:.1} g evaporated, {:.1} g dripped",
+        f.water_g.evaporated, f.water_g.dripped
+    );
+    row(
+        &mut lines,
+        "mass",
+        &format!(
+            "{:.1} g → {:.1} g, −{lost:.1} %: {water}",
+            f.mass_g.start, f.mass_g.end
+        ),
+    );
     row(&mut lines, "top", &surface(&f.surfaces.top));
     row(&mut lines, "bottom", &surface(&f.surfaces.bottom));
     let d = &f.denatured;
-    row(&mut lines, "denatured", &format!("myosin {:.2}, collagen {:.2}, actin {:.2}, myoglobin {:.2}", d.myosin, d.collagen, d.actin, d.myoglobin));
+    row(
+        &mut lines,
+        "denatured",
+        &format!(
+            "myosin {:.2}, collagen {:.2}, actin {:.2}, myoglobin {:.2}",
+            d.myosin, d.collagen, d.actin, d.myoglobin
+        ),
+    );
     lines
 }
 
@@ -51,7 +82,12 @@ fn row(lines: &mut String, name: &str, value: &str) {
 
 /// Shares as a bar and as numbers.
 fn doneness(d: &Doneness) -> String {
-    let classes = [(d.raw, "raw", '·'), (d.rare, "rare", '░'), (d.medium, "medium", '▒'), (d.well_done, "well-done", '█')];
+    let classes = [
+        (d.raw, "raw", '·'),
+        (d.rare, "rare", '░'),
+        (d.medium, "medium", '▒'),
+        (d.well_done, "well-done", '█'),
+    ];
     let (mut bar, mut sum, mut drawn) = (String::new(), 0.0, 0);
     for (share, _, sign) in classes {
         sum += share;
@@ -59,38 +95,73 @@ fn doneness(d: &Doneness) -> String {
         bar.extend(std::iter::repeat_n(sign, until.saturating_sub(drawn)));
         drawn = until.max(drawn);
     }
-    let numbers = classes.map(|(share, name, sign)| format!("{sign} {name} {share:.0} %")).join("  ");
+    let numbers = classes
+        .map(|(share, name, sign)| format!("{sign} {name} {share:.0} %"))
+        .join("  ");
     format!("{bar}  {numbers}")
 }
 
 fn surface(s: &Surface) -> String {
     let [l, a, b] = s.lab;
-    let shares = format!("browned {:.0} %, charred {:.0} %", s.browned_pct, s.charred_pct);
-    format!("{:5.1} °C, {shares}, L*a*b* {l:.0} {a:.0} {b:.0}", s.temperature_c)
+    let shares = format!(
+        "browned {:.0} %, charred {:.0} %",
+        s.browned_pct, s.charred_pct
+    );
+    format!(
+        "{:5.1} °C, {shares}, L*a*b* {l:.0} {a:.0} {b:.0}",
+        s.temperature_c
+    )
 }
 
 fn pan(s: &Summary) -> String {
     let p = &s.pan_c;
     let mut lines = "pan\n".to_owned();
     let at_put = match (p.at_first_put, p.lowest_after_first_put) {
-        (Some(put), Some(low)) => format!("{put:.1} °C at the first put, then down to {low:.1} °C; "),
+        (Some(put), Some(low)) => {
+            format!("{put:.1} °C at the first put, then down to {low:.1} °C; ")
+        }
         _ => String::new(),
     };
-    row(&mut lines, "temperature", &format!("{at_put}highest {:.1} °C, {:.1} °C at the end", p.peak, p.end));
+    row(
+        &mut lines,
+        "temperature",
+        &format!(
+            "{at_put}highest {:.1} °C, {:.1} °C at the end",
+            p.peak, p.end
+        ),
+    );
     row(&mut lines, "energy", &energy(&s.energy_j));
-    row(&mut lines, "imbalance", &format!("{:.1e} % of the hob's energy", imbalance_pct(&s.energy_j)));
+    row(
+        &mut lines,
+        "imbalance",
+        &format!("{:.1e} % of the hob's energy", imbalance_pct(&s.energy_j)),
+    );
     lines
 }
 
 fn energy(e: &Energy) -> String {
     let kj = |j: f64| format!("{:.1}", j / 1e3);
-    let [hob, pan, food, air, vapour, other] = [e.hob, e.pan_stored, e.food_stored, e.air, e.evaporation, e.other].map(kj);
-    format!("hob {hob} kJ = pan {pan} + food {food} + air {air} + evaporation {vapour} + other {other}")
+    let [hob, pan, food, air, vapour, other] = [
+        e.hob,
+        e.pan_stored,
+        e.food_stored,
+        e.air,
+        e.evaporation,
+        e.other,
+    ]
+    .map(kj);
+    format!(
+        "hob {hob} kJ = pan {pan} + food {food} + air {air} + evaporation {vapour} + other {other}"
+    )
 }
 
 /// What is missing from the balance, in percent of what the hob gave.
 pub fn imbalance_pct(e: &Energy) -> f64 {
-    if e.hob > 0.0 { 100.0 * e.imbalance.abs() / e.hob } else { 0.0 }
+    if e.hob > 0.0 {
+        100.0 * e.imbalance.abs() / e.hob
+    } else {
+        0.0
+    }
 }
 
 fn steps(s: &Summary) -> String {

@@ -14,8 +14,13 @@ pub fn open(shelf: &Shelf, recipe: Option<Recipe>) -> Result<ExitCode, CliError>
     if !has_display() {
         return Err(CliError::NoDisplay(NO_DISPLAY.to_owned()));
     }
-    let start = Start { library: Some(Arc::new(shelf.library.clone())), recipe };
-    saute_app::window::run(start).map_err(|e| CliError::NoDisplay(format!("the window could not be opened: {e}\n{NO_DISPLAY}")))?;
+    let start = Start {
+        library: Some(Arc::new(shelf.library.clone())),
+        recipe,
+    };
+    saute_app::window::run(start).map_err(|e| {
+        CliError::NoDisplay(format!("the window could not be opened: {e}\n{NO_DISPLAY}"))
+    })?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -28,5 +33,7 @@ fn has_display() -> bool {
     if !cfg!(all(unix, not(target_os = "macos"))) {
         return true;
     }
-    ["WAYLAND_DISPLAY", "WAYLAND_SOCKET", "DISPLAY"].iter().any(|key| std::env::var_os(key).is_some_and(|v| !v.is_empty()))
+    ["WAYLAND_DISPLAY", "WAYLAND_SOCKET", "DISPLAY"]
+        .iter()
+        .any(|key| std::env::var_os(key).is_some_and(|v| !v.is_empty()))
 }

@@ -83,6 +83,8 @@ pub struct FoodSolver {
     power: Vec<f64>,
     exchange: Vec<f64>,
     hot: Vec<u32>,
+    /// The last state in which everything was finite.
+    sound: Option<FoodState>,
     /// Heat taken from the contact under each node of the section in the last tick [J].
     pub contact_heat: Vec<f64>,
     /// Steps into which the last tick was divided.
@@ -92,7 +94,8 @@ pub struct FoodSolver {
 impl FoodSolver {
     /// Moves a piece through one tick of `dt` [s].
     ///
-    /// A piece that would become non-finite stops changing and says so by [`FoodState::healthy`].
+    /// A piece that becomes non-finite goes back to its last sound state (at most [`REFRESH_TICKS`] old), stops
+    /// changing and says so by [`FoodState::healthy`].
     pub fn advance(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64) -> Exchange {
         let mut total = Exchange::default();
         self.contact_heat.clear();
@@ -105,10 +108,17 @@ impl FoodSolver {
                 total.drip = change(model, state, dt * REFRESH_TICKS as f64);
             }
             self.refresh(model, state, around, dt);
+            if !self.keep_or_restore(state) {
+                return Exchange::default();
+            }
         }
         let step = dt / f64::from(self.substeps);
         for _ in 0..self.substeps {
             self.step(model, state, around, step, &mut total);
+        }
+        if !(total.air.is_finite() && total.evaporation.is_finite()) {
+            self.restore(state);
+            return Exchange::default();
         }
         state.evaporated += total.evaporated;
         state.ticks += 1;
@@ -131,11 +141,29 @@ impl FoodSolver {
             let moist = (state.water[i] / (driest * model.initial_water[i])).min(1.0);
             self.conductivity[i] = crust + moist * (model.properties.conductivity(&masses, t) - crust);
         }
-        state.healthy = state.temperature.iter().all(|t| t.is_finite());
         self.conduction.refresh(&model.mesh.graph, &self.conductivity);
         self.set_exchange(model, state, around);
         let limit = STABILITY_MARGIN * self.conduction.stable_step(&self.capacity, &self.exchange);
         self.substeps = libm::ceil(dt / limit).clamp(1.0, 1000.0) as u32;
+    }
+
+    /// Remembers a sound state; puts the remembered one in place of an unsound one. Returns whether all is well.
+    fn keep_or_restore(&mut self, state: &mut FoodState) -> bool {
+        let sound = state.temperature.iter().chain(&state.water).all(|v| v.is_finite());
+        match &mut self.sound {
+            Some(kept) if sound => kept.clone_from(state),
+            None if sound => self.sound = Some(state.clone()),
+            _ => self.restore(state),
+        }
+        sound
+    }
+
+    fn restore(&mut self, state: &mut FoodState) {
+        if let Some(kept) = &self.sound {
+            state.clone_from(kept);
+        }
+        state.healthy = false;
+        self.contact_heat.fill(0.0);
     }
 
     fn set_exchange(&mut self, model: &FoodModel, state: &FoodState, around: &Surroundings) {

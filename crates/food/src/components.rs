@@ -88,8 +88,9 @@ impl Properties {
 
     #[inline]
     fn cell(&self, temperature: f64) -> (&Row, &Row, f64) {
-        let position = (temperature - ZERO_C - f64::from(COLDEST)).clamp(0.0, (self.rows.len() - 1) as f64);
-        let index = (position as usize).min(self.rows.len() - 2);
+        // Beyond both ends the last cell's line goes on, so that enthalpy stays invertible.
+        let position = temperature - ZERO_C - f64::from(COLDEST);
+        let index = (position.max(0.0) as usize).min(self.rows.len() - 2);
         (&self.rows[index], &self.rows[index + 1], position - index as f64)
     }
 

@@ -103,7 +103,7 @@ impl PipelineFactory {
             metal: solid("fs_metal"),
             food: food("fs_food", back, false),
             food_cut: food("fs_food_cut", None, false),
-            cut_face: food("fs_food", None, false),
+            cut_face: food("fs_cut_face", None, false),
             // The ghost has no thickness: only the side that faces the eye is drawn.
             ghost: food("fs_ghost", back, true),
             steam: self.steam_pipeline(device, samples),

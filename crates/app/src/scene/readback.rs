@@ -1,12 +1,26 @@
 //! Pictures as bytes, for stills and tests.
 
 use super::input::SceneInput;
-use super::renderer::SceneRenderer;
+use super::renderer::{Quality, SceneRenderer};
 
 impl SceneRenderer {
-    /// Draws a scene and reads it back: tight RGBA8 rows from the top, sRGB-encoded, opaque. Waits for the device, so
-    /// it is of no use in a browser.
+    /// Draws a scene as well as it can and reads it back: tight RGBA8 rows from the top, sRGB-encoded, opaque. Waits
+    /// for the device, so it is of no use in a browser.
     pub fn render_to_image(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        input: &SceneInput,
+        size: [u32; 2],
+    ) -> Vec<u8> {
+        let quality = std::mem::replace(&mut self.quality, Quality::Fine);
+        let pixels = self.read_as_is(device, queue, input, size);
+        self.quality = quality;
+        pixels
+    }
+
+    /// As `render_to_image`, at the quality that is set.
+    pub(super) fn read_as_is(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,

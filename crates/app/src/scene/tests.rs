@@ -50,7 +50,7 @@ fn flat_pictures_hold_exact_table_colours() {
     let table = heat_table();
     for index in [0usize, 77, 128, 255] {
         let scene = flat_field(index as f32 / 255.0, false);
-        let pixels = renderer.render_to_image(&device, &queue, &scene, SIZE);
+        let pixels = renderer.read_as_is(&device, &queue, &scene, SIZE);
         let mut coloured = 0;
         for pixel in pixels
             .chunks(4)
@@ -81,7 +81,7 @@ fn every_way_of_drawing_fills_the_picture() {
                 flat,
                 ..flat_field(0.5, true)
             };
-            let pixels = renderer.render_to_image(&device, &queue, &scene, SIZE);
+            let pixels = renderer.read_as_is(&device, &queue, &scene, SIZE);
             assert_eq!(pixels.len(), 4 * 320 * 180);
             assert!(
                 pixels.chunks(4).all(|pixel| pixel[3] == 255),
@@ -99,11 +99,11 @@ fn a_resting_scene_is_drawn_alike_fast_and_fine() {
     let mut renderer = SceneRenderer::new(&device, &queue);
     let scene = steak_in_pan(Doneness::Browned);
     let fast = (0..3)
-        .map(|_| renderer.render_to_image(&device, &queue, &scene, SIZE))
+        .map(|_| renderer.read_as_is(&device, &queue, &scene, SIZE))
         .last()
         .unwrap_or_default();
     renderer.quality = Quality::Fine;
-    let fine = renderer.render_to_image(&device, &queue, &scene, SIZE);
+    let fine = renderer.read_as_is(&device, &queue, &scene, SIZE);
     let off: u64 = fast
         .iter()
         .zip(&fine)
@@ -157,7 +157,7 @@ fn windows_of_both_encodings_store_the_same_picture() {
         return;
     };
     let mut renderer = SceneRenderer::new(&device, &queue);
-    let direct = renderer.render_to_image(&device, &queue, &steak_in_pan(Doneness::Raw), SIZE);
+    let direct = renderer.read_as_is(&device, &queue, &steak_in_pan(Doneness::Raw), SIZE);
     for format in [
         wgpu::TextureFormat::Rgba8Unorm,
         wgpu::TextureFormat::Rgba8UnormSrgb,
@@ -175,7 +175,7 @@ fn a_moved_food_leaves_no_trace() {
     };
     let draw = |renderer: &mut SceneRenderer, scene: &SceneInput| {
         (0..5)
-            .map(|_| renderer.render_to_image(&device, &queue, scene, SIZE))
+            .map(|_| renderer.read_as_is(&device, &queue, scene, SIZE))
             .last()
             .unwrap_or_default()
     };

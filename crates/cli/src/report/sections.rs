@@ -1,6 +1,7 @@
 //! The cross-sections step by step.
 
 use saute_app::TemperatureMap;
+use saute_kitchen::runner::StepRecord;
 use saute_kitchen::{Cook, Summary};
 
 use super::markup::{data_uri, escaped};
@@ -12,8 +13,17 @@ pub fn section(cook: &Cook, summary: &Summary, snapshots: &[Snapshot]) -> String
     if snapshots.is_empty() {
         return String::new();
     }
-    let first_of_moment = |(i, s): &(usize, &Snapshot)| !snapshots[..*i].iter().any(|e| e.time_s == s.time_s && e.food == s.food);
-    let figures: String = snapshots.iter().enumerate().filter(first_of_moment).map(|(_, s)| figure(cook, summary, s)).collect();
+    let first_of_moment = |(i, s): &(usize, &Snapshot)| {
+        !snapshots[..*i]
+            .iter()
+            .any(|e| e.time_s == s.time_s && e.food == s.food)
+    };
+    let figures: String = snapshots
+        .iter()
+        .enumerate()
+        .filter(first_of_moment)
+        .filter_map(|(_, s)| figure(cook, summary, s))
+        .collect();
     let sizes: Vec<String> = cook.kitchen.pieces().iter().map(size).collect();
     format!(
         "<section><h2>Cross-sections</h2><p>Through the centre, across the longest side, as the food lies ({}). Above: as the eye sees it; \
@@ -25,35 +35,63 @@ pub fn section(cook: &Cook, summary: &Summary, snapshots: &[Snapshot]) -> String
 
 fn size(piece: &saute_kitchen::Piece) -> String {
     let across = piece.model.size[0].min(piece.model.size[1]);
-    format!("{} {:.0} × {:.0} mm", escaped(&piece.id), across * 1e3, piece.model.size[2] * 1e3)
+    format!(
+        "{} {:.0} × {:.0} mm",
+        escaped(&piece.id),
+        across * 1e3,
+        piece.model.size[2] * 1e3
+    )
 }
 
-fn figure(cook: &Cook, summary: &Summary, snapshot: &Snapshot) -> String {
+/// A moment; none if nothing was done to this food then.
+fn figure(cook: &Cook, summary: &Summary, snapshot: &Snapshot) -> Option<String> {
+    let concerns = |s: &&StepRecord| {
+        s.time_s == snapshot.time_s && s.target.as_ref().is_none_or(|t| *t == snapshot.food)
+    };
+    let done: Vec<String> = summary
+        .steps
+        .iter()
+        .filter(concerns)
+        .map(wording::step)
+        .collect();
+    if done.is_empty() {
+        return None;
+    }
     let [look, temperature] = snapshot.small.each_ref().map(|png| data_uri(png));
-    let concerns = |s: &&saute_kitchen::runner::StepRecord| s.target.as_ref().is_none_or(|t| *t == snapshot.food);
-    let done: Vec<String> = summary.steps.iter().filter(|s| s.time_s == snapshot.time_s).filter(concerns).map(wording::step).collect();
     let (time, done) = (duration(snapshot.time_s), escaped(&done.join(", ")));
     let readings = readings(cook, snapshot).map_or(String::new(), |[core, top, bottom, _]| {
         format!("<br>core {core:.0}\u{a0}°C, top {top:.0}\u{a0}°C, bottom {bottom:.0}\u{a0}°C")
     });
     let alt = format!("Cross-section of {} after {time}", escaped(&snapshot.food));
-    format!(
+    Some(format!(
         "<figure><img src=\"{look}\" alt=\"{alt}\"><img src=\"{temperature}\" alt=\"{alt}, temperature\">\
          <figcaption><b>{time}</b> {done}{readings}</figcaption></figure>"
-    )
+    ))
 }
 
 /// Core, top, bottom [°C] and mass [g] of the food at that moment, as the series has them.
 fn readings(cook: &Cook, snapshot: &Snapshot) -> Option<[f64; 4]> {
-    let food = cook.kitchen.pieces().iter().position(|p| p.id == snapshot.food)?;
+    let food = cook
+        .kitchen
+        .pieces()
+        .iter()
+        .position(|p| p.id == snapshot.food)?;
     Some(super::row_at(cook, snapshot.time_s)?.foods[food])
 }
 
 /// The colours of the temperatures.
 fn legend() -> String {
     let map = TemperatureMap::Uniform.map();
-    let stops: Vec<String> = map.table.iter().step_by(15).map(|[r, g, b]| format!("rgb({r} {g} {b})")).collect();
-    let ticks: String = (0..=4).map(|i| map.from_c + (map.to_c - map.from_c) * f64::from(i) / 4.0).map(|c| format!("<span>{c:.0} °C</span>")).collect();
+    let stops: Vec<String> = map
+        .table
+        .iter()
+        .step_by(15)
+        .map(|[r, g, b]| format!("rgb({r} {g} {b})"))
+        .collect();
+    let ticks: String = (0..=4)
+        .map(|i| map.from_c + (map.to_c - map.from_c) * f64::from(i) / 4.0)
+        .map(|c| format!("<span>{c:.0} °C</span>"))
+        .collect();
     format!(
         "<div class=\"scale\"><div style=\"background:linear-gradient(to right,{})\"></div><p>{ticks}</p></div>",
         stops.join(",")

@@ -53,32 +53,58 @@ struct Flesh {
     fat: f32,
     // Free value in 0-1 on a scale of millimetres.
     patchy: f32,
+    // Burnt black (0-1).
+    charred: f32,
 };
 
-fn flesh(rest: vec3<f32>, lean: vec3<f32>, browner: vec3<f32>, fat_colour: vec3<f32>, crust: f32) -> Flesh {
-    // Lattice cells of 2.5 mm and of 0.45 mm.
-    let broad = textureSample(solid_noise, tile_sampler, rest * 50.0);
-    let grain = textureSample(solid_noise, tile_sampler, rest.yzx * 277.0 + 0.37);
-    // Bundles of about 1.3 mm run along z; the warp keeps them from being ruled lines.
+// Bundles of fibres cut across: tone of the place, and the pale tissue between the larger bundles.
+struct Fibres {
+    tone: f32,
+    seam: f32,
+    crack: f32,
+};
+
+fn fibres(rest: vec3<f32>, broad: vec4<f32>) -> Fibres {
+    // Fibres run along z; the warp keeps them from being ruled lines.
     let warped = rest.xy + (broad.rg - 0.5) * 0.0022 + rest.z * vec2<f32>(0.06, -0.04);
-    let bundle = textureSample(bundle_picture, tile_sampler, warped * 48.0);
+    // Bundles of 0.8 mm in fascicles of 3.6 mm.
+    let bundle = textureSample(bundle_picture, tile_sampler, warped * 78.0);
+    let fascicle = textureSample(bundle_picture, tile_sampler, warped.yx * 17.3 + 0.29);
+    let tone = 0.20 * (bundle.g - 0.5) + 0.16 * (fascicle.g - 0.5) - 0.10 * (1.0 - smoothstep(0.0, 0.5, bundle.r));
+    let seam = (1.0 - smoothstep(0.02, 0.13, fascicle.r)) * smoothstep(0.34, 0.62, broad.a);
+    return Fibres(tone, seam, 1.0 - smoothstep(0.0, 0.22, fascicle.r));
+}
+
+fn flesh(in: FoodOut, rest_normal: vec3<f32>) -> Flesh {
+    let rest = in.rest;
+    let crust = in.state.y;
+    let uncooked = 1.0 - crust;
+    // Char is the only thing that is as dark as this.
+    let charred = crust * (1.0 - smoothstep(0.022, 0.050, dot(in.lean, vec3<f32>(0.21, 0.72, 0.07))));
+    // Lattice cells of 8 mm, 2.3 mm, 0.5 mm and 0.2 mm; the small ones are drawn out along the fibres.
+    let region = textureSample(solid_noise, tile_sampler, rest.zxy * 15.6 + 0.61);
+    let broad = textureSample(solid_noise, tile_sampler, rest * 54.0);
+    let grain = textureSample(solid_noise, tile_sampler, rest * vec3<f32>(250.0, 250.0, 42.0) + 0.37);
+    let fine = textureSample(solid_noise, tile_sampler, rest.yxz * vec3<f32>(610.0, 610.0, 120.0) + 0.11);
+    let fibre = fibres(rest, broad);
     let warped_fat = (rest + (broad.gbr - 0.5) * 0.0016 - food.fat_origin.xyz) * food.fat_scale.xyz;
     let fraction = textureSample(fat_volume, clamp_sampler, warped_fat).r;
     let fat = smoothstep(0.20, 0.48, fraction + (grain.a - 0.5) * 0.22);
-    let seam = 1.0 - smoothstep(0.0, 0.28, bundle.r);
-    // Fields of browning of about a centimetre.
-    let region = textureSample(solid_noise, tile_sampler, rest.zxy * 17.0 + 0.61);
-    let uncooked = 1.0 - crust;
-    let mottle = 0.52 * region.a + 0.26 * broad.a + 0.10 * grain.a + 0.12 * bundle.g;
-    let brown = smoothstep(0.36, 0.64, mottle);
-    var meat = mix(lean, browner, brown);
-    meat *= 1.0 + mix(0.12, 0.30, uncooked) * (bundle.g - 0.5) + 0.30 * (grain.a - 0.5) + 0.25 * uncooked * (region.a - 0.5);
-    meat = mix(meat, mix(meat, fat_colour, 0.30), seam * uncooked * 0.42);
+    // The edge between face and side browns first.
+    let upright = abs(rest_normal.z);
+    let rim = smoothstep(0.10, 0.55, upright) * (1.0 - smoothstep(0.75, 0.995, upright));
+    let mottle = 1.5 * (broad.a - 0.5) + 0.85 * (region.a - 0.5) + 0.45 * (grain.a - 0.5) + 0.6 * fibre.tone;
+    var meat = mix(in.lean, in.browner, clamp(0.22 + 1.5 * mottle + 0.5 * rim * crust, -0.38, 1.0));
+    // Where flesh is darker it is also redder: less light comes back out of it.
+    let tone = 1.0 + fibre.tone * (0.35 + 0.65 * uncooked) + mix(0.28, 0.38, crust) * (grain.a - 0.5) + 0.22 * (fine.a - 0.5) + 0.34 * uncooked * (region.a - 0.5);
+    meat *= vec3<f32>(tone, tone * tone, tone * tone);
+    meat = mix(meat, mix(meat, in.fat, 0.40), fibre.seam * uncooked * 0.75);
     // Fat in a crust fries with the meat round it.
-    let fatty = mix(fat_colour * (0.90 + 0.2 * grain.a), meat, 0.62 * crust);
-    let pits = 1.0 - crust * (0.40 * smoothstep(0.50, 0.30, grain.a) + 0.35 * smoothstep(0.45, 0.25, broad.a));
-    let slope = (region.brg - 0.5) * 0.35 + (broad.rgb - 0.5) * (0.22 + 0.45 * crust) + (grain.gbr - 0.5) * (0.20 + 0.75 * crust);
-    return Flesh(mix(meat, fatty, fat) * pits, slope, fat, broad.a);
+    let fatty = mix(in.fat * (0.94 + 0.12 * grain.a), meat, 0.62 * crust);
+    let pits = 1.0 - crust * (0.30 * smoothstep(0.46, 0.26, grain.a) + 0.22 * smoothstep(0.42, 0.24, broad.a));
+    let cracks = 1.0 - 0.65 * charred * fibre.crack;
+    let slope = (region.brg - 0.5) * 0.10 + (broad.rgb - 0.5) * (0.16 + 0.40 * crust) + (grain.rgb - 0.5) * (0.42 + 0.45 * crust) + (fine.grb - 0.5) * (0.22 + 0.50 * crust);
+    return Flesh(mix(meat, fatty, fat) * pits * cracks, slope * (1.0 + 0.6 * charred), fat, broad.a, charred);
 }
 
 // Height of what the food lies on.
@@ -94,28 +120,49 @@ fn world_normal(normal: vec3<f32>) -> vec3<f32> {
 }
 
 fn lit_food(in: FoodOut) -> vec4<f32> {
-    let wetness = in.state.x;
-    let crust = in.state.y;
-    let look = flesh(in.rest, in.lean, in.browner, in.fat, crust);
-    let view = normalize(frame.eye.xyz - in.position);
     let rest_normal = normalize(in.normal);
+    let look = flesh(in, rest_normal);
+    let wetness = in.state.x * (1.0 - look.charred);
+    let crust = in.state.y;
+    let view = normalize(frame.eye.xyz - in.position);
     let slope = look.slope - rest_normal * dot(look.slope, rest_normal);
     let smooth_normal = world_normal(in.normal);
     let height = max(in.position.z - support(in.position), 0.0);
-    let visibility = (0.35 + 0.65 * smoothstep(-0.002, 0.012, height)) * (0.72 + 0.28 * smooth_normal.z);
+    let visibility = (0.30 + 0.70 * smoothstep(-0.001, 0.010, height)) * (0.80 + 0.20 * smooth_normal.z);
     let lit = shadow(in.position, smooth_normal);
-    let raw = (1.0 - crust) * wetness;
-    let bumpy = world_normal(rest_normal - slope * (0.9 - 0.35 * wetness));
-    let wrap = vec3<f32>(0.36, 0.17, 0.12) * (1.0 - 0.85 * crust);
-    let roughness = mix(mix(0.60, 0.82, crust), 0.42, wetness) - 0.12 * look.fat;
-    let body = Surface(look.colour, vec3<f32>(0.035), roughness, bumpy, visibility, wrap);
-    var radiance = diffuse(body, lit) + specular(body, in.position, view, lit) * (1.0 - 0.7 * raw);
-    // Water or oil lies smoother than the flesh and gathers in its hollows.
-    let film = wetness * smoothstep(0.10, 0.85, wetness * 0.75 + (0.5 - look.patchy) * 1.5);
-    let film_normal = world_normal(rest_normal - slope * mix(0.75, 0.95, raw));
-    let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), mix(0.36, 0.20, wetness), film_normal, visibility, vec3<f32>(0.0));
-    radiance += specular(coat, in.position, view, lit) * film;
+    let bumpy = world_normal(rest_normal - slope * (0.85 - 0.35 * wetness));
+    let wrap = vec3<f32>(0.26, 0.14, 0.10) * (1.0 - 0.85 * crust);
+    let roughness = mix(mix(0.60, 0.80, crust), 0.45, wetness) - 0.12 * look.fat + 0.15 * look.charred;
+    let body = Surface(look.colour, vec3<f32>(0.03), roughness, bumpy, visibility, wrap);
+    var radiance = diffuse(body, lit) + look.colour * side_fill(smooth_normal) * visibility;
+    radiance += specular(body, in.position, view, lit) * mix(0.55, 0.20, wetness) * (1.0 - 0.6 * look.charred);
+    radiance += sheen(in, look, rest_normal - slope * 0.9, view, lit, visibility, wetness);
     return pixel_from_radiance(radiance, in.clip.xy);
+}
+
+// The side that the cook sees gets the light that the room behind him gives back.
+fn side_fill(normal: vec3<f32>) -> vec3<f32> {
+    return FILL_FRONT * max(dot(normal, FRONT), 0.0) * (1.0 - max(normal.z, 0.0)) * 1.1;
+}
+
+// Water on raw flesh, oil on a crust: a thin film that breaks the window into small glints.
+fn sheen(in: FoodOut, look: Flesh, bent: vec3<f32>, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {
+    let oily = 0.55 * in.state.y * (1.0 - look.charred) * smoothstep(0.38, 0.62, look.patchy);
+    let film = max(wetness * (0.55 + 0.45 * smoothstep(0.62, 0.35, look.patchy)), oily);
+    let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), mix(0.32, 0.14, wetness), world_normal(bent), visibility, vec3<f32>(0.0));
+    return specular(coat, in.position, view, lit) * film;
+}
+
+// A fresh cut is shown, not lit by the room: a soft light of its own lets crust, band, gradient and centre be read.
+fn lit_cut(in: FoodOut) -> vec4<f32> {
+    let rest_normal = normalize(in.normal);
+    let look = flesh(in, rest_normal);
+    let view = normalize(frame.eye.xyz - in.position);
+    let slope = look.slope - rest_normal * dot(look.slope, rest_normal);
+    let bent = world_normal(rest_normal - slope * 0.35);
+    let shape = 0.86 + 0.16 * clamp(dot(bent, normalize(view + vec3<f32>(-0.3, 0.1, 0.9))), 0.0, 1.0);
+    let moist = specular(Surface(vec3<f32>(0.0), vec3<f32>(0.024), 0.30, bent, 1.0, vec3<f32>(0.0)), in.position, view, 1.0);
+    return pixel_from_radiance(look.colour * shape / WHITE + moist * 0.5 * in.state.x, in.clip.xy);
 }
 
 fn food_pixel(in: FoodOut) -> vec4<f32> {
@@ -128,6 +175,12 @@ fn food_pixel(in: FoodOut) -> vec4<f32> {
 @fragment
 fn fs_food(in: FoodOut) -> @location(0) vec4<f32> {
     return food_pixel(in);
+}
+
+@fragment
+fn fs_cut_face(in: FoodOut) -> @location(0) vec4<f32> {
+    if (frame.mode.y > 0.5) { return food_pixel(in); }
+    return lit_cut(in);
 }
 
 @fragment

@@ -33,10 +33,15 @@ fn srgb_from_linear(linear: vec3<f32>) -> vec3<f32> {
     return select(1.055 * pow(c, vec3<f32>(1.0 / 2.4)) - 0.055, 12.92 * c, c < vec3<f32>(0.0031308));
 }
 
-// Filmic curve with a gentle shoulder (rational fit of the ACES reference rendering); the exposure is chosen.
+// Exposure and white balance: a white patch that lies flat in the full light of window, lamp and room becomes 1.
+const WHITE = vec3<f32>(0.384, 0.414, 0.447);
+// Below this the curve is straight, so that flesh keeps its own colour; above it highlights roll off (chosen).
+const SHOULDER = 0.62;
+
 fn filmic(radiance: vec3<f32>) -> vec3<f32> {
-    let x = radiance * 0.34;
-    return clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), vec3<f32>(0.0), vec3<f32>(1.0));
+    let x = max(radiance * WHITE, vec3<f32>(0.0));
+    let over = max(x - SHOULDER, vec3<f32>(0.0)) / (1.0 - SHOULDER);
+    return min(x, vec3<f32>(SHOULDER)) + (1.0 - SHOULDER) * over / (1.0 + over);
 }
 
 // Interleaved gradient noise breaks the bands of 8-bit gradients.

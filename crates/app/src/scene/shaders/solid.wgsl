@@ -125,9 +125,9 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let local = in.position - frame.pan_place.xyz;
     let radius = length(local.xy);
     let is_floor = in.surface.z > 1.5;
-    if (is_floor && frame.mode.y > 0.5) {
-        let colour = table_colour(floor_field(radius));
-        return vec4<f32>(lightly_lit(colour, n, openness(in.position)), 1.0);
+    let field = floor_field(radius);
+    if (is_floor && frame.mode.y > 0.5 && field >= 0.0) {
+        return vec4<f32>(lightly_lit(table_colour(field), n, openness(in.position)), 1.0);
     }
     let coarse = textureSampleLevel(solid_noise, tile_sampler, local * 6.5, 0.0);
     let fine = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(radius * 110.0, local.z * 60.0, atan2(local.y, local.x) * 0.32), 0.0);
@@ -172,8 +172,9 @@ fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit:
 @fragment
 fn fs_flat_solid(in: SolidOut) -> @location(0) vec4<f32> {
     let is_floor = in.surface.z > 1.5 && in.surface.z < 2.5;
-    if (is_floor && frame.mode.y > 0.5) {
-        return vec4<f32>(table_colour(floor_field(length(in.position.xy - frame.pan_place.xy))), 1.0);
+    let field = floor_field(length(in.position.xy - frame.pan_place.xy));
+    if (is_floor && frame.mode.y > 0.5 && field >= 0.0) {
+        return vec4<f32>(table_colour(field), 1.0);
     }
     // With field colours the rest of the pan only hides what is behind it.
     let plain = srgb_from_linear(in.colour);

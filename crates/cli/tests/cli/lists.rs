@@ -1,0 +1,53 @@
+//! `saute list`.
+
+use serde_json::Value;
+
+use crate::cooked::SHIPPED;
+use crate::running::run;
+
+fn ids(what: &str) -> Vec<String> {
+    let said = run(&["list", what, "--json"]);
+    assert_eq!(said.code, Some(0));
+    let list: Value = serde_json::from_str(&said.out).unwrap();
+    let text = run(&["list", what]).out;
+    list.as_array()
+        .unwrap()
+        .iter()
+        .map(|entry| {
+            let (id, name) = (
+                entry["id"].as_str().unwrap(),
+                entry["name"].as_str().unwrap(),
+            );
+            assert!(
+                text.lines().any(|l| l.starts_with(id) && l.contains(name)),
+                "{id}, {name}:\n{text}"
+            );
+            id.to_owned()
+        })
+        .collect()
+}
+
+#[test]
+fn the_foods_are_lean_and_marbled_beef() {
+    assert_eq!(ids("foods"), ["beef-lean", "beef-marbled"]);
+}
+
+#[test]
+fn there_are_four_pans_each_also_with_a_nonstick_coating() {
+    let bare = [
+        "aluminium-26",
+        "carbon-steel-26",
+        "cast-iron-26",
+        "stainless-clad-26",
+    ];
+    let expected: Vec<String> = bare
+        .iter()
+        .flat_map(|p| [(*p).to_owned(), format!("{p}-nonstick")])
+        .collect();
+    assert_eq!(ids("pans"), expected);
+}
+
+#[test]
+fn the_shipped_recipes_are_listed_by_id_and_title() {
+    assert_eq!(ids("recipes"), SHIPPED);
+}

@@ -1,0 +1,12 @@
+//! The command as its users see it: what it prints, writes, refuses, and how it exits.
+
+mod bad_input;
+mod cooked;
+mod data_folder;
+mod lists;
+mod out_folder;
+mod output;
+mod recipes;
+mod running;
+mod schema;
+mod stopping;

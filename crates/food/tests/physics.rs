@@ -1,0 +1,227 @@
+//! Promise: a piece of food keeps its energy and water in balance, obeys the maximum principle, stays wet at 100 °C,
+//! and never un-cooks.
+
+use std::sync::OnceLock;
+
+use saute_food::components::Components;
+use saute_food::{Down, FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, PieceSpec, Side, Surroundings, ZERO_C};
+
+const DT: f64 = 0.1;
+
+fn model(kind: &str, coarseness: f64, size: [f64; 3]) -> FoodModel {
+    let data = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
+    let read = |path: String| std::fs::read_to_string(data.join(path)).expect("data file");
+    let food: FoodDescription = toml::from_str(&read(format!("foods/{kind}.toml"))).expect("food");
+    let kinetics: Kinetics = toml::from_str(&read(format!("kinetics/{}.toml", food.kinetics))).expect("kinetics");
+    let components: Components = toml::from_str(&read("components.toml".into())).expect("components");
+    FoodModel::build(&food, &kinetics, &components, &PieceSpec { size, seed: 1, coarseness }).expect("builds")
+}
+
+fn lean() -> &'static FoodModel {
+    static LEAN: OnceLock<FoodModel> = OnceLock::new();
+    LEAN.get_or_init(|| model("beef-lean", 1.6, [0.12, 0.08, 0.025]))
+}
+
+fn kitchen_air() -> FreeAir {
+    FreeAir { temperature: ZERO_C + 23.0, convection: 7.0, radiation: 1.0, vapour_density: 0.0103, mass_transfer: 4.0e-3 }
+}
+
+/// What passed in a whole run.
+#[derive(Default)]
+struct Passed {
+    contact: f64,
+    air: f64,
+    evaporation: f64,
+    evaporated: f64,
+    drip: f64,
+    drip_enthalpy: f64,
+}
+
+struct Run<'a> {
+    model: &'a FoodModel,
+    state: FoodState,
+    solver: FoodSolver,
+    passed: Passed,
+}
+
+impl<'a> Run<'a> {
+    fn new(model: &'a FoodModel, celsius: f64) -> Self {
+        Self { model, state: FoodState::raw(model, ZERO_C + celsius), solver: FoodSolver::default(), passed: Passed::default() }
+    }
+
+    /// Fries on a plate at one temperature and conductance.
+    fn fry(&mut self, seconds: f64, plate_c: f64, h: f64, air: FreeAir) {
+        let n = self.model.mesh.nodes_per_level();
+        let (conductance, temperature) = (vec![h; n], vec![ZERO_C + plate_c; n]);
+        let down = Down::Contact { conductance: &conductance, temperature: &temperature };
+        for _ in 0..(seconds / DT).round() as usize {
+            let exchange = self.solver.advance(self.model, &mut self.state, &Surroundings { down, up: air, side: air }, DT);
+            self.passed.contact += self.solver.contact_heat.iter().sum::<f64>();
+            self.passed.air += exchange.air;
+            self.passed.evaporation += exchange.evaporation;
+            self.passed.evaporated += exchange.evaporated;
+            self.passed.drip += exchange.drip.mass;
+            self.passed.drip_enthalpy += exchange.drip.enthalpy;
+        }
+    }
+
+    fn core(&self) -> f64 {
+        self.model.core_temperature(&self.state) - ZERO_C
+    }
+}
+
+#[test]
+fn the_default_steak_has_at_least_8000_nodes() {
+    let steak = model("beef-lean", 1.0, [0.12, 0.08, 0.025]);
+    assert!(steak.mesh.node_count() >= 8000, "{}", steak.mesh.node_count());
+    assert_eq!(steak.mesh.section.clamped_edges, 0);
+}
+
+/// Density of lean beef 1058 kg/m³ (Choi & Okos); the mass follows from the volume of the mesh.
+#[test]
+fn the_raw_mass_is_that_of_its_volume() {
+    let steak = lean();
+    let volume: f64 = steak.mesh.graph.volume.iter().sum();
+    let mass = FoodState::raw(steak, ZERO_C + 5.0).mass(steak);
+    assert!((mass / volume / 1058.0 - 1.0).abs() < 0.005, "{}", mass / volume);
+}
+
+/// Conductivity and specific heat of lean beef at 20 and 60 °C from composition: 0.494, 0.538 W/(m·K); 3.59, 3.61 kJ/(kg·K).
+#[test]
+fn properties_match_the_composition_models() {
+    let steak = lean();
+    let masses = [0.730, 0.235, 0.035];
+    for (c, k, cp) in [(20.0, 0.494, 3590.0), (60.0, 0.538, 3610.0)] {
+        assert!((steak.properties.conductivity(&masses, ZERO_C + c) / k - 1.0).abs() < 0.01, "k at {c}");
+        // The melting of the 3.5 % fat adds up to 0.09 kJ/(kg·K) near 38 °C and 0.01 at 60.
+        assert!((steak.properties.enthalpy(&masses, ZERO_C + c).1 / cp - 1.0).abs() < 0.02, "cp at {c}");
+    }
+}
+
+#[test]
+fn energy_and_water_balance_while_searing_and_flipping() {
+    let mut run = Run::new(lean(), 5.0);
+    let (heat_before, water_before) = (run.state.total_enthalpy(), run.state.water.iter().sum::<f64>());
+    for _ in 0..4 {
+        run.fry(60.0, 220.0, 500.0, kitchen_air());
+        run.state.down = run.state.down.opposite();
+    }
+    let p = &run.passed;
+    let stored = run.state.total_enthalpy() - heat_before;
+    let gross = p.contact + p.air.abs() + p.evaporation;
+    let residual = p.contact - p.air - p.evaporation - p.drip_enthalpy - stored;
+    assert!(residual.abs() < 1e-3 * gross, "{residual} J of {gross} J");
+    let water = run.state.water.iter().sum::<f64>() + p.evaporated + p.drip;
+    assert!((water - water_before).abs() < 1e-3 * water_before);
+    assert!((run.state.evaporated - p.evaporated).abs() < 1e-12 && (run.state.dripped - p.drip).abs() < 1e-12);
+    assert!(run.state.water.iter().all(|&w| w >= 0.0));
+}
+
+/// With evaporation the wet-bulb temperature is the lower bound: about 16 °C at 23 °C and 50 % humidity.
+#[test]
+fn no_node_leaves_the_range_of_its_surroundings() {
+    let mut run = Run::new(lean(), 20.0);
+    for _ in 0..30 {
+        run.fry(10.0, 240.0, 800.0, kitchen_air());
+        let (low, high) = run.state.range();
+        assert!(low > ZERO_C + 14.0 && high < ZERO_C + 240.0, "{low} {high}");
+    }
+}
+
+#[test]
+fn without_evaporation_no_node_leaves_its_neighbours_range() {
+    let still = FreeAir { mass_transfer: 0.0, ..kitchen_air() };
+    let mut run = Run::new(lean(), 5.0);
+    run.fry(60.0, 95.0, 2000.0, still);
+    let (low, high) = run.state.range();
+    assert!(low >= ZERO_C + 5.0 - 1e-6 && high <= ZERO_C + 95.0 + 1e-6, "{low} {high}");
+}
+
+/// Cernela et al. 2015: a wet surface never exceeds 100 °C on a plate at 160–260 °C.
+#[test]
+fn a_wet_surface_stays_at_100_whatever_the_plate() {
+    for plate in [160.0, 200.0, 260.0] {
+        let mut run = Run::new(lean(), 20.0);
+        for _ in 0..8 {
+            run.fry(1.0, plate, 500.0, kitchen_air());
+            let wet = |i: &usize| run.state.water[*i] > 0.5 * run.model.initial_water[*i];
+            let hottest = run.model.face(Side::Bottom).filter(wet).map(|i| run.state.celsius(i)).fold(0.0, f64::max);
+            assert!(hottest <= 101.0, "{plate} °C plate: {hottest}");
+        }
+    }
+}
+
+/// 25 mm from 5 °C on a 180 °C plate, one flip at 240 s, falling conductance: about 620 s to a 50 °C core
+/// (one-dimensional reference computation without juice and air losses); here with both, and with edges.
+#[test]
+fn the_centre_of_a_flipped_steak_takes_as_long_as_the_reference_computation_says() {
+    let mut run = Run::new(lean(), 5.0);
+    run.fry(240.0, 180.0, 340.0, kitchen_air());
+    run.state.down = Side::Top;
+    let mut t = 240.0;
+    while run.core() < 50.0 && t < 1200.0 {
+        run.fry(1.0, 180.0, 340.0, kitchen_air());
+        t += 1.0;
+    }
+    assert!((550.0..720.0).contains(&t), "{t} s");
+}
+
+#[test]
+fn nothing_uncooks_when_it_cools() {
+    let mut run = Run::new(lean(), 20.0);
+    run.fry(240.0, 220.0, 500.0, kitchen_air());
+    let before = run.state.clone();
+    run.fry(120.0, 10.0, 2000.0, kitchen_air());
+    assert!(run.state.range().1 < before.range().1);
+    for k in 0..4 {
+        assert!(run.state.denatured[k].iter().zip(&before.denatured[k]).all(|(now, then)| now >= then));
+    }
+    assert!(run.state.browning.iter().zip(&before.browning).all(|(now, then)| now >= then));
+    assert!(run.state.charring.iter().zip(&before.charring).all(|(now, then)| now >= then));
+    assert!(run.state.peak.iter().zip(&before.peak).all(|(now, then)| now >= then));
+}
+
+#[test]
+fn a_hotter_plate_browns_and_then_chars() {
+    let browning = |plate: f64, seconds: f64| {
+        let mut run = Run::new(lean(), 20.0);
+        run.fry(seconds, plate, 400.0, kitchen_air());
+        let face = run.model.face_reading(&run.state, Side::Bottom);
+        (face.browning, face.charred_pct, face.lab.0[0])
+    };
+    let (cool, medium, hot, burnt) = (browning(120.0, 180.0), browning(180.0, 180.0), browning(230.0, 180.0), browning(320.0, 300.0));
+    assert!(cool.0 < 0.15 && cool.0 < medium.0 && medium.0 < hot.0, "{cool:?} {medium:?} {hot:?}");
+    assert!(hot.1 < 5.0 && burnt.1 > 90.0, "{hot:?} {burnt:?}");
+    assert!(hot.2 < cool.2 && burnt.2 < hot.2, "{cool:?} {hot:?} {burnt:?}");
+}
+
+#[test]
+fn marbling_keeps_its_mean_and_conducts_less() {
+    let steak = model("beef-marbled", 1.6, [0.12, 0.08, 0.025]);
+    let fat: f64 = steak.fat.iter().sum();
+    let mass = FoodState::raw(&steak, ZERO_C + 5.0).mass(&steak);
+    assert!((fat / mass - 0.20).abs() < 0.04, "{}", fat / mass);
+    assert!(steak.adipose.iter().any(|&s| s > 0.6) && steak.adipose.iter().any(|&s| s < 0.05));
+    let k = |fractions: [f64; 3]| steak.properties.conductivity(&fractions, ZERO_C + 20.0);
+    assert!(k([0.10, 0.025, 0.875]) < 0.25 && k([0.73, 0.235, 0.035]) > 0.45);
+}
+
+#[test]
+fn a_non_finite_piece_is_rolled_back_frozen_and_says_so() {
+    let mut run = Run::new(lean(), 20.0);
+    run.fry(10.0, 180.0, 400.0, kitchen_air());
+    run.state.enthalpy[7] = f64::NAN;
+    run.fry(2.0, 180.0, 400.0, kitchen_air());
+    assert!(!run.state.healthy);
+    assert!(run.state.temperature.iter().chain(&run.state.water).all(|v| v.is_finite()));
+}
+
+#[test]
+fn the_same_run_gives_the_same_bits() {
+    let cook = || {
+        let mut run = Run::new(lean(), 5.0);
+        run.fry(90.0, 220.0, 500.0, kitchen_air());
+        run.state
+    };
+    assert!(cook() == cook());
+}

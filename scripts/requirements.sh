@@ -1,0 +1,48 @@
+# What run.sh and test.sh need from the system, and how it is installed. Sourced, not run.
+
+# Commands that build C parts, libraries that the window loads, a software Vulkan driver for machines without a GPU.
+RUN_PACKAGES=(gcc pkg-config libxkbcommon0 libxkbcommon-x11-0 libwayland-client0 libx11-6 libx11-xcb1 libxcursor1 libxi6 libxrandr2 libvulkan1 mesa-vulkan-drivers)
+
+say() { printf '%s\n' "$*" >&2; }
+
+need_cargo() {
+    if ! command -v cargo >/dev/null && [ -x "$HOME/.cargo/bin/cargo" ]; then
+        export PATH="$HOME/.cargo/bin:$PATH"
+    fi
+    if ! command -v cargo >/dev/null; then
+        say "cargo is missing: install the Rust toolchain (1.95 or newer), see https://rustup.rs"
+        exit 2
+    fi
+}
+
+as_root() {
+    if [ "$(id -u)" = 0 ]; then "$@"
+    elif command -v sudo >/dev/null; then sudo "$@"
+    else return 1
+    fi
+}
+
+# installed PACKAGE: whether dpkg has it.
+installed() { dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'install ok installed'; }
+
+# install PACKAGE...: the missing ones, by apt-get.
+install() {
+    local missing=()
+    local package
+    for package in "$@"; do installed "$package" || missing+=("$package"); done
+    [ ${#missing[@]} = 0 ] && return 0
+    say "installing: ${missing[*]}"
+    as_root apt-get update -qq >&2 || return 1
+    DEBIAN_FRONTEND=noninteractive as_root apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
+}
+
+# need_packages WHAT: installs on Debian and Ubuntu, elsewhere names the packages once and goes on.
+need_packages() {
+    if [ "$(uname -s)" != Linux ]; then return 0; fi
+    if command -v apt-get >/dev/null; then
+        install "${RUN_PACKAGES[@]}" || say "could not install packages; saute needs: ${RUN_PACKAGES[*]}"
+    elif ! command -v cc >/dev/null; then
+        say "saute needs a C compiler and these libraries (Debian names): ${RUN_PACKAGES[*]}"
+        exit 2
+    fi
+}
