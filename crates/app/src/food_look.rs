@@ -154,8 +154,7 @@ fn rest_position(model: &FoodModel, level: usize, [x, y]: [f64; 2]) -> Vec3 {
 }
 
 fn vertex(model: &FoodModel, a: Appearance, moisture: f64, field: f32, rest: [f32; 3], normal: [f32; 3]) -> FoodVertex {
-    // The mottled pattern shows flesh that is ahead by most of what half-way browning can gain.
-    let ahead = Appearance { browning: a.browning + 1.1 * a.browning * (1.0 - a.browning), ..a };
+    let mottled = Appearance { browning: mottled(a.browning), ..a };
     let linear = |lab: saute_kitchen::food::Lab| lab.linear_srgb().map(|v| v as f32);
     let (lean, fat) = model.colours(a);
     let wet = ((moisture - 0.25) / 0.75).clamp(0.0, 1.0) * (1.0 - 0.6 * a.browning);
@@ -163,12 +162,19 @@ fn vertex(model: &FoodModel, a: Appearance, moisture: f64, field: f32, rest: [f3
         rest,
         normal,
         lean: linear(lean),
-        browner: linear(model.colours(ahead).0),
+        browner: linear(model.colours(mottled).0),
         fat: linear(fat),
         wetness: wet as f32,
         crust: (a.browning * (1.2 - moisture)).clamp(0.0, 1.0) as f32,
         field,
     }
+}
+
+/// Browning of the other half of the mottled pattern, finer than the nodes: ahead where browning has begun, behind
+/// where it is far on, so that patches of good and poor contact run into one another as on a fried face (chosen).
+fn mottled(browning: f64) -> f64 {
+    let begun = ((browning - 0.05) / 0.25).clamp(0.0, 1.0);
+    browning + 0.80 * begun * (0.74 - browning)
 }
 
 /// Mean outward direction at each boundary node of the section.

@@ -80,9 +80,9 @@ pub struct ListArgs {
 /// What can be listed.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum Listed {
-    /// Foods, for `kind` of a [[food]].
+    /// Foods, for the `kind` of a food.
     Foods,
-    /// Pans, for `kind` of [pan].
+    /// Pans, for the `kind` of the pan.
     Pans,
     /// Recipes that `saute cook` knows by id.
     Recipes,

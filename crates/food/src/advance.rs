@@ -17,8 +17,6 @@ const NEARLY_BOILING: f64 = 372.15;
 pub const REFRESH_TICKS: u64 = 5;
 /// Share of the stability limit that a step may use: properties are up to half a second old [-].
 const STABILITY_MARGIN: f64 = 0.8;
-/// Steepest evaporation with temperature that a step must be stable for [W/(m²·K)] (free air at 95 °C: about 600).
-const EVAPORATION_SLOPE: f64 = 700.0;
 
 /// Air around free faces.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,7 +79,6 @@ pub struct FoodSolver {
     conductivity: Vec<f64>,
     capacity: Vec<f64>,
     power: Vec<f64>,
-    exchange: Vec<f64>,
     hot: Vec<u32>,
     /// The last state in which everything was finite.
     sound: Option<FoodState>,
@@ -107,7 +104,7 @@ impl FoodSolver {
             if state.ticks > 0 {
                 total.drip = change(model, state, dt * REFRESH_TICKS as f64);
             }
-            self.refresh(model, state, around, dt);
+            self.refresh(model, state, dt);
             if !self.keep_or_restore(state) {
                 return Exchange::default();
             }
@@ -126,7 +123,7 @@ impl FoodSolver {
     }
 
     /// Brings temperatures, capacities, conductances and the number of steps up to date.
-    fn refresh(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64) {
+    fn refresh(&mut self, model: &FoodModel, state: &mut FoodState, dt: f64) {
         let n = state.temperature.len();
         self.conductivity.resize(n, 0.0);
         self.capacity.resize(n, 0.0);
@@ -142,8 +139,7 @@ impl FoodSolver {
             self.conductivity[i] = crust + moist * (model.properties.conductivity(&masses, t) - crust);
         }
         self.conduction.refresh(&model.mesh.graph, &self.conductivity);
-        self.set_exchange(model, state, around);
-        let limit = STABILITY_MARGIN * self.conduction.stable_step(&self.capacity, &self.exchange);
+        let limit = STABILITY_MARGIN * self.conduction.stable_step(&self.capacity);
         self.substeps = libm::ceil(dt / limit).clamp(1.0, 1000.0) as u32;
     }
 
@@ -166,28 +162,15 @@ impl FoodSolver {
         self.contact_heat.fill(0.0);
     }
 
-    fn set_exchange(&mut self, model: &FoodModel, state: &FoodState, around: &Surroundings) {
-        self.exchange.clear();
-        self.exchange.resize(state.temperature.len(), 0.0);
-        let free = |air: &FreeAir| air.convection + 20.0 * air.radiation + EVAPORATION_SLOPE;
-        for &node in &model.side_nodes {
-            self.exchange[node as usize] += free(&around.side) * model.side_areas[node as usize];
-        }
-        for (i, area) in model.mesh.section.areas.iter().enumerate() {
-            let down = match &around.down {
-                Down::Contact { conductance, .. } => conductance[i],
-                Down::Free(air) => free(air),
-            };
-            self.exchange[face_node(model, state.down, i)] += down * area;
-            self.exchange[face_node(model, state.down.opposite(), i)] += free(&around.up) * area;
-        }
-    }
-
+    /// One step: exchange with the surroundings, conduction, boiling, each exact about energy.
+    ///
+    /// Exchange is implicit in the node's own temperature and conduction explicit within its stability limit, so
+    /// neither leaves the range of the temperatures it couples.
     fn step(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64, total: &mut Exchange) {
+        self.touch(model, state, around, dt);
+        self.air(model, state, around, dt, total);
         self.power.fill(0.0);
         self.conduction.add_power(&model.mesh.graph, &state.temperature, &mut self.power);
-        self.add_contact(model, state, around, dt);
-        self.add_air(model, state, around, dt, total);
         self.hot.clear();
         let fields = state.enthalpy.iter_mut().zip(&mut state.temperature);
         for (i, ((h, t), (p, c))) in fields.zip(self.power.iter().zip(&self.capacity)).enumerate() {
@@ -201,48 +184,60 @@ impl FoodSolver {
         self.boil(model, state, total);
     }
 
-    fn add_contact(&mut self, model: &FoodModel, state: &FoodState, around: &Surroundings, dt: f64) {
+    /// Heat from what the lower face touches.
+    fn touch(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64) {
         let Down::Contact { conductance, temperature } = around.down else { return };
         for (i, area) in model.mesh.section.areas.iter().enumerate() {
             let node = face_node(model, state.down, i);
-            let power = conductance[i] * area * (temperature[i] - state.temperature[node]);
-            self.power[node] += power;
-            self.contact_heat[i] += power * dt;
+            self.contact_heat[i] += self.exchange(state, node, conductance[i] * area * dt, temperature[i]);
         }
     }
 
+    /// Brings a node towards `outside` through a conductance times time [J/K], implicitly; returns the heat gained [J].
+    #[inline]
+    fn exchange(&self, state: &mut FoodState, node: usize, conductance: f64, outside: f64) -> f64 {
+        let capacity = self.capacity[node];
+        let change = conductance * (outside - state.temperature[node]) / (capacity + conductance);
+        state.temperature[node] += change;
+        state.enthalpy[node] += capacity * change;
+        capacity * change
+    }
+
     /// Convection, radiation and evaporation at every free face.
-    fn add_air(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64, total: &mut Exchange) {
-        let areas = &model.mesh.section.areas;
-        for i in 0..areas.len() {
+    fn air(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64, total: &mut Exchange) {
+        for (i, area) in model.mesh.section.areas.iter().enumerate() {
             let up = face_node(model, state.down.opposite(), i);
-            self.free_face(model, state, up, areas[i], &around.up, dt, total);
+            self.free_face(model, state, up, area * dt, &around.up, total);
             if let Down::Free(air) = &around.down {
-                self.free_face(model, state, face_node(model, state.down, i), areas[i], air, dt, total);
+                self.free_face(model, state, face_node(model, state.down, i), area * dt, air, total);
             }
         }
         for &node in &model.side_nodes {
             let node = node as usize;
-            self.free_face(model, state, node, model.side_areas[node], &around.side, dt, total);
+            self.free_face(model, state, node, model.side_areas[node] * dt, &around.side, total);
         }
     }
 
-    #[expect(clippy::too_many_arguments, reason = "the face, its air and the ledger are all different things")]
+    /// A free face of the given area times time [m²·s].
     #[inline]
-    fn free_face(&mut self, model: &FoodModel, state: &mut FoodState, node: usize, area: f64, air: &FreeAir, dt: f64, total: &mut Exchange) {
+    fn free_face(&self, model: &FoodModel, state: &mut FoodState, node: usize, area_dt: f64, air: &FreeAir, total: &mut Exchange) {
+        let emissivity = model.description.surface.emissivity;
+        let radiation = radiation_coefficient(emissivity, state.temperature[node], air.temperature) * air.radiation;
+        total.air -= self.exchange(state, node, (air.convection + radiation) * area_dt, air.temperature);
         let t = state.temperature[node];
-        let radiation = radiation_coefficient(model.description.surface.emissivity, t, air.temperature) * air.radiation;
-        let lost = (air.convection + radiation) * area * (t - air.temperature);
-        self.power[node] -= lost;
-        total.air += lost * dt;
-        let moisture = state.water[node] / model.lean_solids[node];
         let surface = t.min(NEARLY_BOILING + 1.0);
-        let driving = model.isotherm.activity(moisture) * model.vapour.at(surface) - air.vapour_density;
-        let mass = (air.mass_transfer * driving * area * dt).clamp(0.0, 0.2 * state.water[node]);
-        let enthalpy = mass * (model.properties.water_enthalpy(t) + latent_heat(t));
+        let activity = model.isotherm.activity(state.water[node] / model.lean_solids[node]);
+        let vapour = model.vapour.at(surface);
+        let latent = latent_heat(t);
+        // Linearised in the temperature that falls as water leaves: no overshoot below the wet bulb.
+        let slope = activity * (model.vapour.at(surface + 0.5) - model.vapour.at(surface - 0.5));
+        let transfer = air.mass_transfer * area_dt;
+        let driven = transfer * (activity * vapour - air.vapour_density) / (1.0 + transfer * slope * latent / self.capacity[node]);
+        let mass = driven.clamp(0.0, 0.2 * state.water[node]);
+        let enthalpy = mass * (model.properties.water_enthalpy(t) + latent);
         state.water[node] -= mass;
         state.enthalpy[node] -= enthalpy;
-        state.temperature[node] -= mass * latent_heat(t) / self.capacity[node];
+        state.temperature[node] -= mass * latent / self.capacity[node];
         total.evaporated += mass;
         total.evaporation += enthalpy;
     }

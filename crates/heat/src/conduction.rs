@@ -52,9 +52,14 @@ impl Conduction {
         }
     }
 
-    /// The longest explicit step that keeps every node between its neighbours' temperatures [s]:
-    /// min C / (ΣG + `exchange`), with heat capacities C [J/K] and the conductances to the surroundings [W/K].
-    pub fn stable_step(&self, capacity: &[f64], exchange: &[f64]) -> f64 {
+    /// The longest explicit step that keeps every node between its neighbours' temperatures [s]: min C / ΣG over the
+    /// nodes' heat capacities C [J/K].
+    pub fn stable_step(&self, capacity: &[f64]) -> f64 {
+        capacity.iter().zip(&self.total).map(|(c, g)| c / g).fold(f64::INFINITY, f64::min)
+    }
+
+    /// As [`Self::stable_step`] where nodes also exchange heat explicitly with their surroundings through `exchange` [W/K].
+    pub fn stable_step_with(&self, capacity: &[f64], exchange: &[f64]) -> f64 {
         let limits = capacity.iter().zip(&self.total).zip(exchange).map(|((c, g), e)| c / (g + e));
         limits.fold(f64::INFINITY, f64::min)
     }

@@ -32,7 +32,7 @@ impl Body {
 
     /// Runs to `until` and returns the heat taken up [J].
     fn run(&mut self, until: f64, ambient: f64) -> f64 {
-        let limit = 0.9 * self.conduction.stable_step(&self.capacity, &self.exchange);
+        let limit = 0.9 * self.conduction.stable_step_with(&self.capacity, &self.exchange);
         let steps = (until / limit).ceil();
         let dt = until / steps;
         let mut taken = 0.0;

@@ -231,7 +231,7 @@ impl PanModel {
     pub fn advance(&self, state: &mut PanState, load: &PanLoad, cloth: &mut Option<Cloth>, dt: f64) -> PanExchange {
         let underside = load.hob.glass.gap_conductance_w_m2k;
         let exchange: Vec<f64> = self.section.areas.iter().map(|a| a * (STEEPEST_AIR_LOSS + underside)).collect();
-        let limit = 0.8 * self.conduction.stable_step(&self.capacity, &exchange);
+        let limit = 0.8 * self.conduction.stable_step_with(&self.capacity, &exchange);
         let steps = libm::ceil(dt / limit).clamp(1.0, 1000.0);
         let mut total = PanExchange::default();
         for _ in 0..steps as usize {

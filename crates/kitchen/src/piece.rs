@@ -94,6 +94,11 @@ impl Piece {
         self.state.mass(&self.model)
     }
 
+    /// Steps into which the last tick was divided.
+    pub fn substeps(&self) -> u32 {
+        self.solver.substeps
+    }
+
     pub(crate) fn lay(&mut self, pan: &PanModel, room: &Room, at: [f64; 2]) {
         self.place = Place::Pan(at);
         self.since_contact = 0.0;

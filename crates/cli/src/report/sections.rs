@@ -60,7 +60,7 @@ fn figure(cook: &Cook, summary: &Summary, snapshot: &Snapshot) -> Option<String>
     let [look, temperature] = snapshot.small.each_ref().map(|png| data_uri(png));
     let (time, done) = (duration(snapshot.time_s), escaped(&done.join(", ")));
     let readings = readings(cook, snapshot).map_or(String::new(), |[core, top, bottom, _]| {
-        format!("<br>core {core:.0}\u{a0}°C, top {top:.0}\u{a0}°C, bottom {bottom:.0}\u{a0}°C")
+        format!("<br>core {core:.0}, top {top:.0}, bottom {bottom:.0}\u{a0}°C")
     });
     let alt = format!("Cross-section of {} after {time}", escaped(&snapshot.food));
     Some(format!(

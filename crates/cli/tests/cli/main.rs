@@ -1,5 +1,8 @@
 //! The command as its users see it: what it prints, writes, refuses, and how it exits.
 
+// A test that unwraps in vain says where.
+#![allow(clippy::unwrap_used)]
+
 mod bad_input;
 mod cooked;
 mod data_folder;

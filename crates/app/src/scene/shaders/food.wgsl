@@ -53,6 +53,8 @@ struct Flesh {
     fat: f32,
     // Free value in 0-1 on a scale of millimetres.
     patchy: f32,
+    // The same on a scale of half a millimetre.
+    grainy: f32,
     // Burnt black (0-1).
     charred: f32,
 };
@@ -94,17 +96,17 @@ fn flesh(in: FoodOut, rest_normal: vec3<f32>) -> Flesh {
     let upright = abs(rest_normal.z);
     let rim = smoothstep(0.10, 0.55, upright) * (1.0 - smoothstep(0.75, 0.995, upright));
     let mottle = 1.5 * (broad.a - 0.5) + 0.85 * (region.a - 0.5) + 0.45 * (grain.a - 0.5) + 0.6 * fibre.tone;
-    var meat = mix(in.lean, in.browner, clamp(0.22 + 1.5 * mottle + 0.5 * rim * crust, -0.38, 1.0));
+    var meat = mix(in.lean, in.browner, clamp(0.55 + 1.7 * mottle, -0.25, 1.1));
     // Where flesh is darker it is also redder: less light comes back out of it.
-    let tone = 1.0 + fibre.tone * (0.35 + 0.65 * uncooked) + mix(0.28, 0.38, crust) * (grain.a - 0.5) + 0.22 * (fine.a - 0.5) + 0.34 * uncooked * (region.a - 0.5);
-    meat *= vec3<f32>(tone, tone * tone, tone * tone);
+    let tone = 0.97 + fibre.tone * (0.35 + 0.95 * uncooked) + mix(0.42, 0.36, crust) * (grain.a - 0.5) + 0.26 * (fine.a - 0.5) + uncooked * (0.46 * (region.a - 0.5) + 0.22 * (broad.a - 0.5));
+    meat *= vec3<f32>(tone, tone * tone, tone * tone) * (1.0 - 0.30 * rim * crust);
     meat = mix(meat, mix(meat, in.fat, 0.40), fibre.seam * uncooked * 0.75);
     // Fat in a crust fries with the meat round it.
     let fatty = mix(in.fat * (0.94 + 0.12 * grain.a), meat, 0.62 * crust);
     let pits = 1.0 - crust * (0.30 * smoothstep(0.46, 0.26, grain.a) + 0.22 * smoothstep(0.42, 0.24, broad.a));
     let cracks = 1.0 - 0.65 * charred * fibre.crack;
     let slope = (region.brg - 0.5) * 0.10 + (broad.rgb - 0.5) * (0.16 + 0.40 * crust) + (grain.rgb - 0.5) * (0.42 + 0.45 * crust) + (fine.grb - 0.5) * (0.22 + 0.50 * crust);
-    return Flesh(mix(meat, fatty, fat) * pits * cracks, slope * (1.0 + 0.6 * charred), fat, broad.a, charred);
+    return Flesh(mix(meat, fatty, fat) * pits * cracks, slope * (1.0 + 0.6 * charred), fat, broad.a, grain.a, charred);
 }
 
 // Height of what the food lies on.
@@ -135,8 +137,8 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
     let roughness = mix(mix(0.60, 0.80, crust), 0.45, wetness) - 0.12 * look.fat + 0.15 * look.charred;
     let body = Surface(look.colour, vec3<f32>(0.03), roughness, bumpy, visibility, wrap);
     var radiance = diffuse(body, lit) + look.colour * side_fill(smooth_normal) * visibility;
-    radiance += specular(body, in.position, view, lit) * mix(0.55, 0.20, wetness) * (1.0 - 0.6 * look.charred);
-    radiance += sheen(in, look, rest_normal - slope * 0.9, view, lit, visibility, wetness);
+    radiance += specular(body, in.position, view, lit) * mix(0.42, 0.18, wetness) * (1.0 - 0.6 * look.charred);
+    radiance += sheen(in, look, rest_normal - slope * mix(0.9, 1.5, wetness), view, lit, visibility, wetness);
     return pixel_from_radiance(radiance, in.clip.xy);
 }
 
@@ -147,9 +149,10 @@ fn side_fill(normal: vec3<f32>) -> vec3<f32> {
 
 // Water on raw flesh, oil on a crust: a thin film that breaks the window into small glints.
 fn sheen(in: FoodOut, look: Flesh, bent: vec3<f32>, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {
-    let oily = 0.55 * in.state.y * (1.0 - look.charred) * smoothstep(0.38, 0.62, look.patchy);
-    let film = max(wetness * (0.55 + 0.45 * smoothstep(0.62, 0.35, look.patchy)), oily);
-    let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), mix(0.32, 0.14, wetness), world_normal(bent), visibility, vec3<f32>(0.0));
+    let ridges = smoothstep(0.40, 0.62, look.grainy);
+    let oily = 0.45 * in.state.y * (1.0 - look.charred) * smoothstep(0.38, 0.62, look.patchy) * ridges;
+    let film = max(wetness * (0.12 + 0.78 * ridges), oily);
+    let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), mix(0.30, 0.12, wetness), world_normal(bent), visibility, vec3<f32>(0.0));
     return specular(coat, in.position, view, lit) * film;
 }
 

@@ -93,7 +93,7 @@ fn fs_glass(in: SolidOut) -> @location(0) vec4<f32> {
     var s = plain_surface(in, n);
     let lit = shadow(in.position, n);
     s.visibility *= pan_foot(in.position);
-    var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * mix(0.35, 1.0, s.visibility);
+    var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * mix(0.2, 0.7, s.visibility);
     radiance += printed_ring(in.position) * s.visibility;
     return pixel_from_radiance(radiance, in.clip.xy);
 }
@@ -148,7 +148,7 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let leaves = mix(1.0, mix(0.30, 1.0, escapes_pan(local, towards)), inside);
     // Under oil the metal's own highlight fades: the film takes its place.
     let cover = select(0.0, oil_cover(local, coarse.a), is_floor);
-    var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * (1.0 - 0.55 * cover);
+    var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * (0.72 - 0.45 * cover);
     if (is_floor) {
         radiance = under_oil(radiance, in, n, view, lit, open, cover, coarse.rgb);
     }
@@ -164,7 +164,7 @@ fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit:
     let s = Surface(vec3<f32>(0.0), vec3<f32>(0.036), mix(0.30, 0.06, cover), film, open, vec3<f32>(0.0));
     let towards = reflect(-view, film);
     let leaves = mix(0.15, 1.0, escapes_pan(local, towards));
-    let mirror = specular(s, in.position, view, lit) * leaves;
+    let mirror = specular(s, in.position, view, lit) * leaves * 0.7;
     return mix(below, below * vec3<f32>(0.80, 0.73, 0.55) + mirror, cover);
 }
 
