@@ -277,6 +277,7 @@ impl SauteApp {
         pressed.into_iter().for_each(|act| self.act(act, ctx));
     }
 
+    #[cfg(not(target_arch = "wasm32"))]
     fn take_dropped_files(&mut self, ctx: &egui::Context) {
         for file in ctx.input(|i| i.raw.dropped_files.clone()) {
             let name = file.path().display().to_string();
@@ -285,6 +286,14 @@ impl SauteApp {
                 Ok(Err(_)) => self.notice.say(format!("{name} is not a text file; drop a recipe (.toml).")),
                 Err(error) => self.notice.say(format!("{name} could not be read: {error}")),
             }
+        }
+    }
+
+    /// Browsers hand files over later, which the page does not wait for yet.
+    #[cfg(target_arch = "wasm32")]
+    fn take_dropped_files(&mut self, ctx: &egui::Context) {
+        if ctx.input(|i| !i.raw.dropped_files.is_empty()) {
+            self.notice.say("Files cannot be dropped on the page yet; choose a recipe under \"Steak…\".");
         }
     }
 

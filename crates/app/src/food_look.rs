@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::Vec3;
 use saute_kitchen::Piece;
 use saute_kitchen::food::colour::Appearance;
-use saute_kitchen::food::noise::mix;
+use saute_kitchen::food::noise::{fractal, mix};
 use saute_kitchen::food::{FoodModel, FoodState};
 
 use crate::colour_map::ColourMap;
@@ -14,8 +14,10 @@ use crate::view::View;
 
 /// Radius of the rounded rim between a big face and the side [m] (chosen: a cut steak; only the picture is rounded).
 const RIM_RADIUS: f32 = 1.6e-3;
-/// Largest number of cells of the marbling volume (chosen: 1.3 mm cells in a default steak).
-const FAT_CELLS: f64 = 1.0e5;
+/// How far the drawn surface strays from the smooth shape [m], and over which distance [m] (chosen: hand-cut).
+const UNEVEN: [f64; 2] = [0.7e-3, 11.0e-3];
+/// Largest number of cells of the marbling volume (chosen: 0.9 mm cells in a default steak).
+const FAT_CELLS: f64 = 3.2e5;
 
 /// The drawn surface of one piece: which node feeds each vertex, and where it lies.
 #[derive(Clone, Debug)]
@@ -70,8 +72,7 @@ impl Skin {
             let Some(out) = out else { continue };
             first_of[i] = self.nodes.len() as u32;
             for (level, &z) in model.mesh.levels.iter().enumerate() {
-                let depth = (z as f32).min(thickness - z as f32).min(RIM_RADIUS) / RIM_RADIUS;
-                let (sine, cosine) = (1.0 - depth, (1.0 - (1.0 - depth) * (1.0 - depth)).sqrt());
+                let [sine, cosine] = rim(model, level);
                 let up = if 2.0 * z as f32 > thickness { 1.0 } else { -1.0 };
                 let inset = *out * (-RIM_RADIUS * (1.0 - cosine));
                 self.push(model, level, i, inset, (*out * (cosine + 0.3) + Vec3::Z * (up * sine)).normalize());
@@ -87,7 +88,8 @@ impl Skin {
     }
 
     fn push(&mut self, model: &FoodModel, level: usize, i: usize, shift: Vec3, normal: Vec3) {
-        let p = rest_position(model, level, model.mesh.section.points[i]) + shift;
+        let p = rest_position(model, level, model.mesh.section.points[i]);
+        let p = p + shift + uneven(p, model.mesh.thickness() as f32);
         self.nodes.push(model.mesh.node(level, i) as u32);
         self.positions.push(p.to_array());
         self.normals.push(normal.to_array());
@@ -116,7 +118,7 @@ pub fn slice(model: &FoodModel, state: &FoodState, x: f64, view: View, map: Opti
     let n = model.mesh.nodes_per_level();
     let mut vertices = Vec::new();
     for (level, _) in model.mesh.levels.iter().enumerate() {
-        for p in &cut.points {
+        for (place_in_row, p) in cut.points.iter().enumerate() {
             let [a, b] = p.nodes.map(|i| level * n + i as usize);
             let mix = |f: &dyn Fn(usize) -> f64| f(a) * (1.0 - p.share) + f(b) * p.share;
             let appearance = Appearance {
@@ -127,13 +129,31 @@ pub fn slice(model: &FoodModel, state: &FoodState, x: f64, view: View, map: Opti
             };
             let field = map.map_or(0.0, |m| m.coordinate(mix(&|i| view.celsius(state, i))));
             let moisture = mix(&|i| state.water[i] / model.initial_water[i]);
-            let place = if along_x { [x, p.along] } else { [-p.along, x] };
+            let along = p.along + end_inset(model, level, place_in_row, cut.points.len());
+            let place = if along_x { [x, along] } else { [-along, x] };
             let position = rest_position(model, level, place).to_array();
             vertices.push(vertex(model, appearance, 0.75 * moisture, field, position, normal.to_array()));
         }
     }
     let triangles = strip_triangles(cut.points.len() as u32, model.mesh.levels.len() as u32);
     Some(SliceLook { point, normal, vertices, triangles })
+}
+
+/// The ends of the cut follow the rounded rim [m].
+fn end_inset(model: &FoodModel, level: usize, place: usize, count: usize) -> f64 {
+    let inset = f64::from(RIM_RADIUS * (1.0 - rim(model, level)[1]));
+    match place {
+        0 => inset,
+        _ if place + 1 == count => -inset,
+        _ => 0.0,
+    }
+}
+
+/// Sine and cosine of the angle at which the rounded rim leans at a level.
+fn rim(model: &FoodModel, level: usize) -> [f32; 2] {
+    let (z, thickness) = (model.mesh.levels[level] as f32, model.mesh.thickness() as f32);
+    let sine = 1.0 - z.min(thickness - z).min(RIM_RADIUS) / RIM_RADIUS;
+    [sine, (1.0 - sine * sine).sqrt()]
 }
 
 fn strip_triangles(across: u32, levels: u32) -> Vec<[u32; 3]> {
@@ -168,6 +188,13 @@ fn vertex(model: &FoodModel, a: Appearance, moisture: f64, field: f32, rest: [f3
         crust: (a.browning * (1.2 - moisture)).clamp(0.0, 1.0) as f32,
         field,
     }
+}
+
+/// A hand-cut surface: faces undulate, and the side with them. Where both meet, both give the same.
+fn uneven(p: Vec3, thickness: f32) -> Vec3 {
+    let wave = |seed: u64| (UNEVEN[0] * fractal(seed, p.to_array().map(|v| f64::from(v) / UNEVEN[1]))) as f32;
+    let face = (2.0 * p.z.abs() / thickness).powi(8);
+    Vec3::new(wave(21), wave(22), wave(23) * face)
 }
 
 /// Browning of the other half of the mottled pattern, finer than the nodes: ahead where browning has begun, behind

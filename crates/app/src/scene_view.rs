@@ -34,6 +34,8 @@ pub struct SceneView {
 
 /// Radians a point of drag (chosen: half a turn across a window).
 const ORBIT_PER_POINT: f32 = 0.005;
+/// Height of the cut's knob above the steak [m] (chosen: clear of the crust, near enough to belong to it).
+const KNOB_HEIGHT: f32 = 0.028;
 /// Height at which a carried steak hangs [m] (chosen: above the rim).
 const CARRY_HEIGHT: f32 = 0.085;
 
@@ -155,30 +157,32 @@ impl SauteApp {
         }
     }
 
+    /// Where the middle of the steak appears in a window.
+    pub fn steak_on_screen(&self, window: Rect) -> Option<Pos2> {
+        let (pose, _) = self.steak_pose()?;
+        let ndc = self.camera.project(pose.position, window.width() / window.height())?;
+        Some(on_screen(ndc, window))
+    }
+
+    /// Where the foot and the knob of the cut's handle appear in a window.
+    pub fn cut_handle_on_screen(&self, window: Rect) -> Option<[Pos2; 2]> {
+        let (slice, (pose, piece)) = (self.slice?, self.steak_pose()?);
+        let lengthwise = piece.model.size[0] >= piece.model.size[1];
+        let height = 0.5 * piece.model.mesh.thickness() as f32;
+        let place = along(&pose.matrix(), lengthwise, slice as f32 * half_length(piece) as f32) + Vec3::Z * height;
+        let aspect = window.width() / window.height();
+        let foot = self.camera.project(place, aspect)?;
+        let knob = self.camera.project(place + Vec3::Z * KNOB_HEIGHT, aspect)?;
+        Some([on_screen(foot, window), on_screen(knob, window)])
+    }
+
     /// The cut's handle: a knob above the cut that is dragged along the steak.
     fn show_slice_handle(&mut self, ui: &mut Ui, rect: Rect) {
-        let (Some(slice), Some((pose, piece))) = (self.slice, self.steak_pose()) else { return };
-        let aspect = rect.width() / rect.height();
-        let (half, lengthwise) = (half_length(piece) as f32, piece.model.size[0] >= piece.model.size[1]);
-        let world = pose.matrix();
-        let height = 0.5 * piece.model.mesh.thickness() as f32;
-        let place = |s: f32, up: f32| along(&world, lengthwise, s * half) + Vec3::Z * (height + up);
-        let (Some(foot), Some(knob)) = (
-            self.camera.project(place(slice as f32, 0.0), aspect),
-            self.camera.project(place(slice as f32, 0.028), aspect),
-        ) else {
-            return;
-        };
-        let (foot, knob) = (on_screen(foot, rect), on_screen(knob, rect));
+        let (Some(slice), Some([foot, knob])) = (self.slice, self.cut_handle_on_screen(rect)) else { return };
         let response = ui.interact(Rect::from_center_size(knob, vec2(44.0, 44.0)), ui.scope_id().with("cut"), Sense::click_and_drag());
         response.widget_info(|| egui::WidgetInfo::slider(true, slice, "Place of the cut"));
         if let (true, Some(at)) = (response.dragged(), response.interact_pointer_pos()) {
-            let (origin, direction) = self.camera.ray(ndc(at, rect), aspect);
-            if let Some(hit) = meet_height(origin, direction, pose.position.z + height + 0.028) {
-                let local = world.inverse().transform_point3(hit);
-                let s = if lengthwise { local.x } else { local.y } / half;
-                self.slice = Some(f64::from(s.clamp(-0.95, 0.95)));
-            }
+            self.drag_cut(at, rect);
         }
         let fill = if response.hovered() || response.dragged() { theme::ACCENT } else { theme::TEXT };
         ui.painter().line_segment([foot, knob], Stroke::new(2.0, fill));
@@ -189,6 +193,19 @@ impl SauteApp {
             ui.painter().line_segment([tip, back(-3.5)], Stroke::new(1.5, theme::ON_ACCENT));
             ui.painter().line_segment([tip, back(3.5)], Stroke::new(1.5, theme::ON_ACCENT));
         }
+    }
+}
+
+impl SauteApp {
+    fn drag_cut(&mut self, at: Pos2, rect: Rect) {
+        let Some((pose, piece)) = self.steak_pose() else { return };
+        let (origin, direction) = self.camera.ray(ndc(at, rect), rect.width() / rect.height());
+        let height = pose.position.z + 0.5 * piece.model.mesh.thickness() as f32 + KNOB_HEIGHT;
+        let Some(hit) = meet_height(origin, direction, height) else { return };
+        let local = pose.matrix().inverse().transform_point3(hit);
+        let lengthwise = piece.model.size[0] >= piece.model.size[1];
+        let s = if lengthwise { local.x } else { local.y } / half_length(piece) as f32;
+        self.slice = Some(f64::from(s.clamp(-0.95, 0.95)));
     }
 }
 

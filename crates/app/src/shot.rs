@@ -12,8 +12,12 @@ use crate::stage::StageOptions;
 #[derive(Debug, thiserror::Error)]
 pub enum ShotError {
     /// The recipe ends before.
-    #[error("--at {at_s} is past the end: the recipe ends at {end_s:.1} s; choose a time up to that")]
+    #[error("{file}:{line}: --at {at_s} is past the end: this step ends the cook at {end_s:.1} s\n  remedy: choose a time from 0 to {end_s:.1}")]
     PastTheEnd {
+        /// Which recipe.
+        file: String,
+        /// Line of its last step, from 1.
+        line: usize,
         /// What was asked for [s].
         at_s: f64,
         /// When the recipe ends [s].
@@ -38,7 +42,9 @@ pub fn cook_until(recipe: Recipe, library: &Library, at_s: f64) -> Result<Cook, 
         if cook.stopped().is_some() {
             let end_s = cook.kitchen.time_s();
             if end_s < at_s - 0.5 * TICK_S {
-                return Err(ShotError::PastTheEnd { at_s, end_s });
+                let recipe = cook.runner.recipe();
+                let line = recipe.steps.last().map_or(1, |step| step.line);
+                return Err(ShotError::PastTheEnd { file: recipe.file.clone(), line, at_s, end_s });
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Promise: the window is usable: everything can be done by its controls and keys, and it looks as it should.
 
-use egui::{Key, vec2};
+use egui::{Key, Pos2, Rect, pos2, vec2};
 use egui_kittest::{Harness, kittest::{NodeT, Queryable}};
 use saute_app::{SauteApp, Start, View};
 use saute_kitchen::{Command, Place};
@@ -191,4 +191,123 @@ fn the_scene_is_never_drawn_small_on_a_usual_window() {
     steps(&mut harness, 3);
     let [w, h] = harness.state().scene_size();
     assert!(w >= 960 && h >= 540, "{w} × {h}");
+}
+
+const WINDOW: Rect = Rect { min: Pos2::ZERO, max: pos2(1280.0, 720.0) };
+
+fn click(harness: &mut Harness<'static, SauteApp>, at: Pos2) {
+    drag(harness, at, at);
+}
+
+fn drag(harness: &mut Harness<'static, SauteApp>, from: Pos2, to: Pos2) {
+    harness.hover_at(from);
+    harness.step();
+    harness.drag_at(from);
+    harness.step();
+    if from != to {
+        for k in 1..=4u8 {
+            harness.hover_at(from + (to - from) * (f32::from(k) / 4.0));
+            harness.step();
+        }
+    }
+    harness.drop_at(to);
+    steps(harness, 14);
+}
+
+fn steak(harness: &Harness<'static, SauteApp>) -> Pos2 {
+    harness.state().steak_on_screen(WINDOW).expect("steak in view")
+}
+
+#[test]
+fn the_mouse_puts_flips_carries_and_orbits() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    let on_board = steak(&harness);
+    click(&mut harness, on_board);
+    assert!(harness.state().session().steak().expect("steak").in_pan(), "a click puts it in");
+    let (in_pan, down) = (steak(&harness), harness.state().session().steak().expect("steak").state.down);
+    click(&mut harness, in_pan);
+    assert_ne!(harness.state().session().steak().expect("steak").state.down, down, "a click flips it");
+    drag(&mut harness, in_pan, on_board);
+    assert!(!harness.state().session().steak().expect("steak").in_pan(), "it is dragged onto the board");
+    let lying = steak(&harness);
+    drag(&mut harness, lying, in_pan);
+    assert!(harness.state().session().steak().expect("steak").in_pan(), "it is dragged into the pan");
+    let before = steak(&harness);
+    drag(&mut harness, pos2(90.0, 480.0), pos2(240.0, 440.0));
+    assert!((steak(&harness) - before).length() > 5.0, "a drag beside it turns the view");
+}
+
+#[test]
+fn the_cut_is_dragged_by_its_knob() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    harness.key_press(Key::P);
+    steps(&mut harness, 14);
+    harness.key_press(Key::X);
+    steps(&mut harness, 2);
+    let [_, knob] = harness.state().cut_handle_on_screen(WINDOW).expect("knob in view");
+    drag(&mut harness, knob, knob + vec2(40.0, 14.0));
+    let slice = harness.state().slice().expect("cut");
+    assert!(slice > 0.1, "{slice}");
+    let [_, now] = harness.state().cut_handle_on_screen(WINDOW).expect("knob in view");
+    assert!((now - knob - vec2(40.0, 14.0)).length() < 25.0, "the knob follows the mouse: {knob:?} {now:?}");
+}
+
+#[derive(Debug)]
+struct Dropped(&'static str);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &std::path::Path {
+        std::path::Path::new("dropped.toml")
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        Ok(self.0.as_bytes().to_vec())
+    }
+}
+
+#[test]
+fn a_dropped_recipe_plays_and_a_broken_one_is_explained() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped("[[step]]\nhob_w = 400\n[[step]]\nafter_s = 9\nend = true\n")));
+    steps(&mut harness, 4);
+    assert_eq!(harness.state().session().kitchen.hob_w(), 400.0);
+    harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped("[[step]]\nhob = 400\n")));
+    steps(&mut harness, 2);
+    harness.get_by_label_contains("dropped.toml:2");
+}
+
+#[derive(Default)]
+struct Memory(std::collections::BTreeMap<String, String>);
+
+impl eframe::Storage for Memory {
+    fn get_string(&self, key: &str) -> Option<String> {
+        self.0.get(key).cloned()
+    }
+
+    fn set_string(&mut self, key: &str, value: String) {
+        self.0.insert(key.to_owned(), value);
+    }
+
+    fn remove_string(&mut self, key: &str) {
+        self.0.remove(key);
+    }
+
+    fn flush(&mut self) {}
+}
+
+#[test]
+fn settings_are_remembered() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    for key in [Key::C, Key::Num2, Key::M, Key::CloseBracket] {
+        harness.key_press(key);
+        steps(&mut harness, 2);
+    }
+    let mut memory = Memory::default();
+    eframe::App::save(harness.state_mut(), &mut memory);
+    let stored = memory.0.into_values().next();
+    let again = SauteApp::start(&egui::Context::default(), None, stored, Start::default()).expect("starts");
+    assert_eq!(again.settings(), harness.state().settings());
+    assert!(again.settings().fahrenheit && again.settings().view == View::Temperature && again.session().speed == 5.0);
+    let broken = SauteApp::start(&egui::Context::default(), None, Some("{ not json".into()), Start::default());
+    assert!(broken.is_ok(), "broken settings are left aside");
 }

@@ -57,12 +57,13 @@ fn cook_through(
     let started = Instant::now();
     let mut painting = Duration::ZERO;
     while cook.stopped().is_none() {
-        let fired = cook.advance()?;
+        let fired = cook.fire()?;
         if with_pictures && !fired.is_empty() {
             let begun = Instant::now();
             snapshots.extend(Snapshot::take(&cook, &fired)?);
             painting += begun.elapsed();
         }
+        cook.tick();
         progress.show(&cook);
     }
     Ok((cook, snapshots, started.elapsed().saturating_sub(painting)))

@@ -1,8 +1,5 @@
 //! The command `saute`: a frying pan with a steak in it, in a window or from a recipe file.
 
-// Units stand in brackets in comments and are no links.
-#![allow(rustdoc::broken_intra_doc_links)]
-
 mod args;
 mod cook_command;
 mod error;

@@ -43,6 +43,13 @@ impl Cook {
 
     /// Fires the steps that are due, then moves the world by one tick unless that ended the cook.
     pub fn advance(&mut self) -> Result<Vec<Fired>, RunError> {
+        let fired = self.fire()?;
+        self.tick();
+        Ok(fired)
+    }
+
+    /// Fires the steps that are due now.
+    pub fn fire(&mut self) -> Result<Vec<Fired>, RunError> {
         let fired = self.runner.poll(&mut self.kitchen)?;
         for step in &fired {
             if step.action == "put" {
@@ -53,11 +60,15 @@ impl Cook {
             self.recorder.write_row(&self.kitchen);
             self.steps.extend(fired.iter().cloned());
         }
+        Ok(fired)
+    }
+
+    /// Moves the world by one tick, unless the cook has stopped.
+    pub fn tick(&mut self) {
         if self.stopped().is_none() {
             self.kitchen.step();
             self.recorder.observe(&self.kitchen);
         }
-        Ok(fired)
     }
 
     /// Why it stopped, once it has.

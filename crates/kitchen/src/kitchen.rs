@@ -305,6 +305,11 @@ impl Kitchen {
         self.hob_w
     }
 
+    /// Electrical power that is drawn: none while the pan is off the hob [W].
+    pub fn drawn_w(&self) -> f64 {
+        if self.cloth.is_some() { 0.0 } else { self.hob_w }
+    }
+
     /// Area mean of the pan's flat floor [K].
     pub fn pan_temperature(&self) -> f64 {
         self.fixed.pan.floor_temperature(&self.pan)

@@ -136,8 +136,8 @@ impl Piece {
         self.below.clear();
         let temperature = |l: &saute_heat::Located| (0..3).map(|k| l.weights[k] * pan_state.temperature[l.nodes[k] as usize]).sum::<f64>();
         self.below.extend(patches.located.iter().map(temperature));
-        let plume = room.plume();
-        self.exchange_with(plume, plume, dt)
+        let (up, side) = room.plume(pan.floor_temperature(pan_state));
+        self.exchange_with(up, side, dt)
     }
 
     fn stand(&mut self, on: RestOn, room: &Room, dt: f64) -> Exchange {

@@ -389,7 +389,7 @@ impl Check<'_> {
             }
         }
         if steps.last().is_none_or(|s| s.action != Action::End) {
-            return self.error(self.text.len(), "the recipe has no end", "close it with a [[step]] that says end = true");
+            return self.error(self.text.trim_end().len(), "the recipe has no end", "close it with a [[step]] that says end = true");
         }
         Ok(())
     }

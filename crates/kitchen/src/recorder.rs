@@ -9,7 +9,7 @@ use crate::celsius;
 pub struct Row {
     /// Time [s].
     pub time_s: f64,
-    /// Electrical power [W].
+    /// Electrical power that is drawn [W].
     pub hob_w: f64,
     /// Area mean of the pan's floor [°C].
     pub pan_c: f64,
@@ -55,7 +55,7 @@ impl Recorder {
         let food = |p: &crate::Piece| [celsius(p.core()), celsius(p.face(false)), celsius(p.face(true)), 1e3 * p.mass()];
         let row = Row {
             time_s: rounded(kitchen.time_s()),
-            hob_w: kitchen.hob_w(),
+            hob_w: kitchen.drawn_w(),
             pan_c: celsius(kitchen.pan_temperature()),
             foods: kitchen.pieces().iter().map(food).collect(),
         };

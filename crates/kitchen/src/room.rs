@@ -29,6 +29,10 @@ sourced_table! {
         air_specific_heat_j_kgk: f64,
         /// Evaporation above a hot pan over that in still air [-].
         plume_factor: f64,
+        /// Excess of the air over food in the pan, over the pan's own excess [-].
+        plume_warmth: f64,
+        /// The same for air and walls around its side [-].
+        side_warmth: f64,
     }
 }
 
@@ -157,10 +161,16 @@ impl Room {
         }
     }
 
-    /// Air above a hot pan.
-    pub fn plume(&self) -> FreeAir {
+    /// Air above and beside food in a pan at `pan` [K].
+    pub fn plume(&self, pan: f64) -> (FreeAir, FreeAir) {
         let still = self.still_air();
-        FreeAir { mass_transfer: still.mass_transfer * self.free_face.plume_factor, ..still }
+        let excess = (pan - still.temperature).max(0.0);
+        let warmed = |share: f64| FreeAir {
+            temperature: still.temperature + share * excess,
+            mass_transfer: still.mass_transfer * self.free_face.plume_factor,
+            ..still
+        };
+        (warmed(self.free_face.plume_warmth), warmed(self.free_face.side_warmth))
     }
 
     /// Air under loose foil.

@@ -33,6 +33,8 @@ pub(super) struct FoodBuffers {
     indices: wgpu::Buffer,
     count: u32,
     cut: Option<CutBuffers>,
+    /// What was uploaded.
+    shown: Option<FoodLook>,
     /// World positions when the shadow map was drawn.
     shadowed: Vec<Vec3>,
     /// World positions when the still picture was drawn.
@@ -112,6 +114,8 @@ impl CutBuffers {
 /// What a change of the foods makes stale.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Moved {
+    /// Any state or pose.
+    pub look: bool,
     pub shadow: bool,
     pub still: bool,
 }
@@ -134,6 +138,7 @@ impl Foods {
     ) -> Moved {
         let changed = self.slots.len() != foods.len();
         let mut moved = Moved {
+            look: changed,
             shadow: changed,
             still: changed,
         };
@@ -152,6 +157,10 @@ impl Foods {
                     .splice(index..(index + 1).min(self.slots.len()), [slot]);
             }
             let slot = &mut self.slots[index];
+            if slot.shows(food) {
+                continue;
+            }
+            moved.look = true;
             slot.update(device, queue, food);
             moved.shadow |= differs(food, &slot.shadowed, SHADOW_TOLERANCE);
             moved.still |= differs(food, &slot.stilled, STILL_TOLERANCE);
@@ -217,6 +226,7 @@ impl FoodBuffers {
             indices: mesh.indices.clone(),
             count: mesh.count,
             cut: None,
+            shown: None,
             shadowed: Vec::new(),
             stilled: Vec::new(),
         }
@@ -227,7 +237,16 @@ impl FoodBuffers {
         self.key == food.mesh.key && self.vertices.size() == bytes
     }
 
+    fn shows(&self, food: &FoodLook) -> bool {
+        self.shown.as_ref().is_some_and(|shown| {
+            shown.world_from_rest == food.world_from_rest
+                && shown.vertices == food.vertices
+                && shown.slice == food.slice
+        })
+    }
+
     fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, food: &FoodLook) {
+        self.shown = Some(food.clone());
         queue.write_buffer(&self.vertices, 0, bytemuck::cast_slice(&food.vertices));
         queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform(food)));
         self.cut = food

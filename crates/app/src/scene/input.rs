@@ -119,7 +119,7 @@ pub struct FatVolume {
 }
 
 /// A vertical cut through a food.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SliceLook {
     /// A point of the plane, rest frame [m].
     pub point: Vec3,

@@ -146,16 +146,21 @@ pub(super) fn draw_still_depth(
     }
 }
 
-/// What does not move, nearest first; the pan's floor is drawn with the foods.
+/// What does not move, nearest first. The pan's floor is drawn with the foods; a picture that is kept needs it all the
+/// same, so that the smoothed edge of the wall round it is not mixed with what lies under the pan.
 pub(super) fn draw_still(
     pass: &mut wgpu::RenderPass<'_>,
     pipelines: &ColourPipelines,
     groups: &Groups<'_>,
     solids: &Solids,
+    with_floor: bool,
 ) {
     groups.set(pass);
     pass.set_pipeline(&pipelines.metal);
     solids.pan_body.draw(pass);
+    if with_floor {
+        solids.pan_floor.draw(pass);
+    }
     pass.set_pipeline(&pipelines.solid);
     solids.cloth.draw(pass);
     pass.set_pipeline(&pipelines.glass);
@@ -188,28 +193,45 @@ pub(super) fn draw_lively(
         });
         food.draw(pass);
     }
-    pass.set_pipeline(&pipelines.metal);
+    pass.set_pipeline(&pipelines.floor);
     solids.pan_floor.draw(pass);
 }
 
-/// The veils of cut foods, then steam.
+/// Sprites in one buffer: what lies round frying foods first, then steam.
+pub(super) struct Sprites<'a> {
+    pub buffer: &'a wgpu::Buffer,
+    /// Vertices of the first kind, and of both.
+    pub ends: [u32; 2],
+}
+
+/// What lies round frying foods, the veils of cut foods, then steam.
 pub(super) fn draw_veils(
     pass: &mut wgpu::RenderPass<'_>,
     pipelines: &ColourPipelines,
     groups: &Groups<'_>,
     foods: &Foods,
-    steam: &wgpu::Buffer,
-    puff_vertices: u32,
+    sprites: &Sprites<'_>,
 ) {
     groups.set(pass);
+    let [fry, all] = sprites.ends;
+    draw_sprites(pass, &pipelines.fry, sprites.buffer, 0..fry);
     pass.set_pipeline(&pipelines.ghost);
     for food in &foods.slots {
         food.draw_hidden(pass);
     }
-    if puff_vertices > 0 {
-        pass.set_pipeline(&pipelines.steam);
-        pass.set_vertex_buffer(0, steam.slice(..));
-        pass.draw(0..puff_vertices, 0..1);
+    draw_sprites(pass, &pipelines.steam, sprites.buffer, fry..all);
+}
+
+fn draw_sprites(
+    pass: &mut wgpu::RenderPass<'_>,
+    pipeline: &wgpu::RenderPipeline,
+    buffer: &wgpu::Buffer,
+    range: std::ops::Range<u32>,
+) {
+    if !range.is_empty() {
+        pass.set_pipeline(pipeline);
+        pass.set_vertex_buffer(0, buffer.slice(..));
+        pass.draw(range, 0..1);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::mesh::SolidVertex;
 use super::steam::PuffVertex;
-use super::targets::COLOUR_FORMAT;
+use super::targets::{COLOUR_FORMAT, MSAA_SAMPLES};
 use super::textures::{DEPTH_FORMAT, fragment_entry};
 use crate::scene::input::FoodVertex;
 
@@ -11,6 +11,7 @@ const LIGHT: &str = include_str!("shaders/light.wgsl");
 const SOLID: &str = include_str!("shaders/solid.wgsl");
 const FOOD: &str = include_str!("shaders/food.wgsl");
 const STEAM: &str = include_str!("shaders/steam.wgsl");
+const FRY: &str = include_str!("shaders/fry.wgsl");
 const DEPTH: &str = include_str!("shaders/depth.wgsl");
 const RESTORE: &str = include_str!("shaders/restore.wgsl");
 
@@ -35,6 +36,10 @@ pub(super) struct ColourPipelines {
     pub wood: wgpu::RenderPipeline,
     pub glass: wgpu::RenderPipeline,
     pub metal: wgpu::RenderPipeline,
+    /// The pan's floor, which is drawn with the foods.
+    pub floor: wgpu::RenderPipeline,
+    /// What lies round frying foods.
+    pub fry: wgpu::RenderPipeline,
     pub food: wgpu::RenderPipeline,
     /// A cut food's outside: its inside faces show too.
     pub food_cut: wgpu::RenderPipeline,
@@ -62,7 +67,7 @@ pub(super) struct PipelineFactory {
     pub layouts: Layouts,
     solid: wgpu::ShaderModule,
     food: wgpu::ShaderModule,
-    steam: wgpu::ShaderModule,
+    sprites: wgpu::ShaderModule,
     depth: wgpu::ShaderModule,
     restore: wgpu::ShaderModule,
     solid_layout: wgpu::PipelineLayout,
@@ -83,7 +88,7 @@ impl PipelineFactory {
         Self {
             solid: module("solid", &[FRAME, LIGHT, SOLID]),
             food: module("food", &[FRAME, LIGHT, FOOD]),
-            steam: module("steam", &[FRAME, LIGHT, STEAM]),
+            sprites: module("sprites", &[FRAME, LIGHT, STEAM, FRY]),
             depth: module("depth", &[DEPTH]),
             restore: module("restore", &[RESTORE]),
             layouts,
@@ -93,27 +98,35 @@ impl PipelineFactory {
     }
 
     pub fn colour(&self, device: &wgpu::Device, samples: u32) -> ColourPipelines {
-        let solid = |entry| self.solid_pipeline(device, entry, samples);
-        let food = |entry, cull, veil| self.food_pipeline(device, entry, cull, veil, samples);
+        // At one sample what does not move is only drawn while the eye moves.
+        let (still, lively) = if samples > 1 {
+            (Detail::Fine, Detail::Fine)
+        } else {
+            (Detail::Quick, Detail::Usual)
+        };
+        let solid = |entry| self.solid_pipeline(device, entry, still);
+        let food = |entry, cull, veil| self.food_pipeline(device, entry, cull, veil, lively);
         let back = Some(wgpu::Face::Back);
         ColourPipelines {
             solid: solid("fs_solid"),
             wood: solid("fs_wood"),
             glass: solid("fs_glass"),
             metal: solid("fs_metal"),
+            floor: self.solid_pipeline(device, "fs_metal", lively),
+            fry: self.sprite_pipeline(device, ["vs_fry", "fs_fry"], lively),
             food: food("fs_food", back, false),
             food_cut: food("fs_food_cut", None, false),
             cut_face: food("fs_cut_face", None, false),
             // The ghost has no thickness: only the side that faces the eye is drawn.
             ghost: food("fs_ghost", back, true),
-            steam: self.steam_pipeline(device, samples),
+            steam: self.sprite_pipeline(device, ["vs_steam", "fs_steam"], lively),
         }
     }
 
     pub fn flat(&self, device: &wgpu::Device) -> FlatPipelines {
         FlatPipelines {
-            solid: self.solid_pipeline(device, "fs_flat_solid", 1),
-            food: self.food_pipeline(device, "fs_flat_food", None, false, 1),
+            solid: self.solid_pipeline(device, "fs_flat_solid", Detail::Usual),
+            food: self.food_pipeline(device, "fs_flat_food", None, false, Detail::Usual),
         }
     }
 
@@ -137,7 +150,7 @@ impl PipelineFactory {
                 None,
                 depth,
                 None,
-                1,
+                Detail::Usual,
             )
         };
         DepthPipelines {
@@ -166,7 +179,7 @@ impl PipelineFactory {
             fragment,
             depth,
             None,
-            1,
+            Detail::Usual,
         )
     }
 
@@ -174,7 +187,7 @@ impl PipelineFactory {
         &self,
         device: &wgpu::Device,
         entry: &'static str,
-        samples: u32,
+        detail: Detail,
     ) -> wgpu::RenderPipeline {
         let vertex = (&self.solid, "vs_solid", Some(solid_buffer()));
         build(
@@ -184,7 +197,7 @@ impl PipelineFactory {
             Some((&self.solid, entry, None)),
             depth_state(true),
             None,
-            samples,
+            detail,
         )
     }
 
@@ -194,7 +207,7 @@ impl PipelineFactory {
         entry: &'static str,
         cull: Option<wgpu::Face>,
         veil: bool,
-        samples: u32,
+        detail: Detail,
     ) -> wgpu::RenderPipeline {
         let vertex = (&self.food, "vs_food", Some(food_buffer()));
         let blend = veil.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
@@ -205,26 +218,31 @@ impl PipelineFactory {
             Some((&self.food, entry, blend)),
             depth_state(!veil),
             cull,
-            samples,
+            detail,
         )
     }
 
-    fn steam_pipeline(&self, device: &wgpu::Device, samples: u32) -> wgpu::RenderPipeline {
+    fn sprite_pipeline(
+        &self,
+        device: &wgpu::Device,
+        [vertex, fragment]: [&'static str; 2],
+        detail: Detail,
+    ) -> wgpu::RenderPipeline {
         let buffer = wgpu::VertexBufferLayout {
             array_stride: size_of::<PuffVertex>() as u64,
             step_mode: wgpu::VertexStepMode::Vertex,
             attributes: &STEAM_ATTRIBUTES,
         };
         let blend = Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
-        let vertex = (&self.steam, "vs_steam", Some(buffer));
+        let vertex = (&self.sprites, vertex, Some(buffer));
         build(
             device,
             &self.solid_layout,
             vertex,
-            Some((&self.steam, "fs_steam", blend)),
+            Some((&self.sprites, fragment, blend)),
             depth_state(false),
             None,
-            samples,
+            detail,
         )
     }
 }
@@ -317,17 +335,33 @@ fn pipeline_layout(
     })
 }
 
-/// Anti-aliased pictures also take more samples of the depth maps.
-fn options(samples: u32, entry: &str) -> wgpu::PipelineCompilationOptions<'static> {
-    const FINE: [(&str, f64); 1] = [("fine", 1.0)];
-    let constants: &[(&str, f64)] = if samples > 1 && entry != "fs_restore" {
-        &FINE
-    } else {
-        &[]
-    };
-    wgpu::PipelineCompilationOptions {
-        constants,
-        ..Default::default()
+/// How much work a pixel is worth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Detail {
+    /// Without the patterns of the surroundings.
+    Quick,
+    Usual,
+    /// Anti-aliased, with more samples of the depth maps.
+    Fine,
+}
+
+impl Detail {
+    fn samples(self) -> u32 {
+        if self == Self::Fine { MSAA_SAMPLES } else { 1 }
+    }
+
+    fn options(self) -> wgpu::PipelineCompilationOptions<'static> {
+        const FINE: [(&str, f64); 1] = [("fine", 1.0)];
+        const QUICK: [(&str, f64); 1] = [("quick", 1.0)];
+        let constants: &[(&str, f64)] = match self {
+            Self::Quick => &QUICK,
+            Self::Usual => &[],
+            Self::Fine => &FINE,
+        };
+        wgpu::PipelineCompilationOptions {
+            constants,
+            ..Default::default()
+        }
     }
 }
 
@@ -349,7 +383,7 @@ fn build(
     fragment: Option<FragmentStage<'_>>,
     depth: wgpu::DepthStencilState,
     cull_mode: Option<wgpu::Face>,
-    samples: u32,
+    detail: Detail,
 ) -> wgpu::RenderPipeline {
     let buffers = buffer.map(Some);
     let target = fragment.as_ref().map(|(_, _, blend)| {
@@ -378,7 +412,7 @@ fn build(
         },
         depth_stencil: Some(depth),
         multisample: wgpu::MultisampleState {
-            count: samples,
+            count: detail.samples(),
             ..Default::default()
         },
         fragment: fragment
@@ -387,7 +421,7 @@ fn build(
             .map(|((module, entry, _), target)| wgpu::FragmentState {
                 module,
                 entry_point: Some(entry),
-                compilation_options: options(samples, entry),
+                compilation_options: detail.options(),
                 targets: target,
             }),
         multiview_mask: None,

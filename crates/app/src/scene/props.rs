@@ -133,7 +133,7 @@ fn counter_and_wall(mesh: &mut Mesh) {
 pub(super) fn board() -> Mesh {
     let mut mesh = Mesh::default();
     let wood = Finish {
-        colour: Vec3::new(0.36, 0.22, 0.115),
+        colour: Vec3::new(0.255, 0.158, 0.088),
         roughness: 0.60,
         metalness: 0.0,
         material: Material::Wood,

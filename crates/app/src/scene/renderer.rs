@@ -4,10 +4,12 @@ use wgpu::util::DeviceExt;
 
 use super::dirty::DirtyRect;
 use super::food_gpu::{Foods, Moved};
+use super::fry::{FRY_VERTICES_MAX, fry};
 use super::input::{Colouring, SceneInput};
-use super::passes::{self, Groups};
+use super::passes::{self, Groups, Sprites};
 use super::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines, PipelineFactory};
 use super::shadow::{ContactMap, light_from_world};
+use super::shown::{Shown, Sight, Work};
 use super::solid_gpu::{PanKey, Solids};
 use super::steam::{PUFFS_MAX, PuffVertex, puffs};
 use super::still::{Still, StillKey};
@@ -54,8 +56,10 @@ pub struct SceneRenderer {
     contact: ContactMap,
     solids: Option<Solids>,
     foods: Foods,
-    steam: wgpu::Buffer,
-    puff_vertices: u32,
+    sprites: wgpu::Buffer,
+    /// Vertices of what lies round frying foods, and those with the steam.
+    sprite_ends: [u32; 2],
+    shown: Shown,
     targets: Targets,
     still: Option<Still>,
     /// What moves covers this in the new frame, and covered that in the picture as it stands.
@@ -105,9 +109,9 @@ impl SceneRenderer {
         let camera_view = uniform(&[0; 64]);
         let light_view = uniform(bytemuck::bytes_of(&light_from_world()));
         let contact_view = uniform(bytemuck::bytes_of(&contact.clip_from_world()));
-        let steam = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("steam"),
-            size: (PUFFS_MAX * 6 * size_of::<PuffVertex>()) as u64,
+        let sprites = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("sprites"),
+            size: ((PUFFS_MAX * 6 + FRY_VERTICES_MAX) * size_of::<PuffVertex>()) as u64,
             usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
@@ -128,8 +132,9 @@ impl SceneRenderer {
             contact,
             solids: None,
             foods: Foods::default(),
-            steam,
-            puff_vertices: 0,
+            sprites,
+            sprite_ends: [0; 2],
+            shown: Shown::default(),
             still: None,
             dirty: DirtyRect::WHOLE,
             drawn: DirtyRect::WHOLE,
@@ -165,76 +170,94 @@ impl SceneRenderer {
     ) {
         let limit = device.limits().max_texture_dimension_2d;
         let size = size.map(|side| side.clamp(1, limit));
-        self.prepare(device, queue, input, size);
+        let (sight, changed) = self.prepare(device, queue, input, size);
+        let key = StillKey::new(input, size, self.disturbances);
+        let settled = self.still.as_ref().is_some_and(|still| still.is_best_for(&key));
+        let work = self.shown.work(sight, changed, settled);
+        if work == Work::Nothing {
+            return;
+        }
         if input.flat {
             self.draw_flat(device, encoder);
             return;
         }
         self.update_shadow(encoder, input);
-        match self.quality {
-            Quality::Fast => self.draw_fast(device, encoder, input, size),
-            Quality::Fine => self.draw_fine(device, encoder),
+        if self.quality == Quality::Fine || work == Work::Smooth {
+            self.draw_fine(device, encoder);
+        } else {
+            self.draw_fast(device, encoder, key, size);
         }
     }
 
-    /// Brings buffers and targets up to date.
+    /// Brings buffers and targets up to date; tells what is to be seen, and whether foods or targets changed.
     fn prepare(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         input: &SceneInput,
         size: [u32; 2],
-    ) {
-        if self.targets.size != size {
+    ) -> (Sight, bool) {
+        let resized = self.targets.size != size;
+        if resized {
             self.targets = Targets::new(device, size, &self.factory.layouts.restore);
             self.still = None;
         }
         if self.textures.shadow_size != self.quality.shadow_size() {
-            self.textures
-                .resize_shadow(device, self.quality.shadow_size());
+            self.textures.resize_shadow(device, self.quality.shadow_size());
             self.shadow_pan = None;
         }
         match &mut self.solids {
             Some(solids) => solids.update(device, &input.pan),
             None => self.solids = Some(Solids::new(device, &input.pan)),
         }
-        self.update_table(device, queue, &input.colouring);
+        let coloured = self.update_table(device, queue, &input.colouring);
         let aspect = size[0] as f32 / size[1] as f32;
         let frame = FrameUniform::new(input, aspect, self.textures.shadow_size, &self.contact);
         queue.write_buffer(&self.frame.buffer, 0, bytemuck::bytes_of(&frame));
         let view = input.camera.view_projection(aspect);
         queue.write_buffer(&self.camera_view.buffer, 0, bytemuck::bytes_of(&view));
-        self.moved = self
-            .foods
-            .update(device, queue, &self.factory.layouts, &input.foods);
+        self.moved = self.foods.update(device, queue, &self.factory.layouts, &input.foods);
         if self.moved.shadow {
             self.shadow_pan = None;
         }
         self.disturbances += u64::from(self.moved.still);
-        // Steam would falsify the colours of a field.
-        let steam = if matches!(input.colouring, Colouring::Look) {
-            input.steam.as_slice()
-        } else {
-            &[]
-        };
-        let sprites = puffs(steam, input.time_s);
+        let sprites = self.update_sprites(queue, input);
         self.dirty = DirtyRect::of(input, &sprites, size);
-        self.puff_vertices = sprites.len() as u32;
-        queue.write_buffer(&self.steam, 0, bytemuck::cast_slice(&sprites));
+        let pan_moved = self.shadow_pan != Some(PanKey::of(&input.pan));
+        let sight = Sight { frame, sprites, quality: self.quality };
+        (sight, resized || coloured || pan_moved || self.moved.look)
     }
 
-    fn update_table(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, colouring: &Colouring) {
+    /// Steam and frying fat; none where they would falsify the colours of a field.
+    fn update_sprites(&mut self, queue: &wgpu::Queue, input: &SceneInput) -> Vec<PuffVertex> {
+        let mut sprites = Vec::new();
+        if matches!(input.colouring, Colouring::Look) {
+            sprites = fry(input);
+            self.sprite_ends[0] = sprites.len() as u32;
+            sprites.extend(puffs(&input.steam, input.time_s));
+        } else {
+            self.sprite_ends[0] = 0;
+        }
+        self.sprite_ends[1] = sprites.len() as u32;
+        queue.write_buffer(&self.sprites, 0, bytemuck::cast_slice(&sprites));
+        sprites
+    }
+
+    /// Takes another colour table; tells whether it is another.
+    fn update_table(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, colouring: &Colouring) -> bool {
         let Colouring::Field { table, stepped } = colouring else {
-            return;
+            return false;
         };
         let same = self
             .table
             .as_ref()
             .is_some_and(|old| std::sync::Arc::ptr_eq(old, table));
-        if !same || *stepped != self.textures.stepped() {
+        let other = !same || *stepped != self.textures.stepped();
+        if other {
             self.textures.set_table(device, queue, table, *stepped);
             self.table = Some(table.clone());
         }
+        other
     }
 
     /// Redraws shadow and contact map when something moved.
@@ -273,7 +296,8 @@ impl SceneRenderer {
         };
         let mut pass = passes::begin(encoder, &self.targets.picture.attachments(), true);
         passes::draw_flat(&mut pass, pipelines, &groups, solids, &self.foods);
-        self.still = None;
+        drop(pass);
+        self.drawn = DirtyRect::WHOLE;
     }
 
     fn draw_fine(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
@@ -292,30 +316,26 @@ impl SceneRenderer {
             true,
         );
         passes::draw_lively(&mut pass, pipelines, &groups, solids, &self.foods);
-        passes::draw_still(&mut pass, pipelines, &groups, solids);
+        passes::draw_still(&mut pass, pipelines, &groups, solids, false);
         passes::draw_veils(
             &mut pass,
             pipelines,
             &groups,
             &self.foods,
-            &self.steam,
-            self.puff_vertices,
+            &Sprites { buffer: &self.sprites, ends: self.sprite_ends },
         );
-        self.still = None;
+        drop(pass);
+        self.drawn = DirtyRect::WHOLE;
     }
 
     fn draw_fast(
         &mut self,
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
-        input: &SceneInput,
+        key: StillKey,
         size: [u32; 2],
     ) {
-        self.update_still(
-            device,
-            encoder,
-            StillKey::new(input, size, self.disturbances),
-        );
+        self.update_still(device, encoder, key);
         let pipelines = self
             .fast
             .get_or_insert_with(|| self.factory.colour(device, 1));
@@ -336,8 +356,7 @@ impl SceneRenderer {
             pipelines,
             &groups,
             &self.foods,
-            &self.steam,
-            self.puff_vertices,
+            &Sprites { buffer: &self.sprites, ends: self.sprite_ends },
         );
         drop(pass);
         self.drawn = self.dirty;
@@ -368,7 +387,7 @@ impl SceneRenderer {
                 .fast
                 .get_or_insert_with(|| self.factory.colour(device, 1));
             let mut pass = passes::begin(encoder, &self.targets.still.attachments(), true);
-            passes::draw_still(&mut pass, pipelines, &groups, solids);
+            passes::draw_still(&mut pass, pipelines, &groups, solids, false);
         } else {
             let pipelines = self
                 .fine
@@ -379,7 +398,7 @@ impl SceneRenderer {
                 &self.targets.multisampled(&self.targets.still),
                 true,
             );
-            passes::draw_still(&mut pass, pipelines, &groups, solids);
+            passes::draw_still(&mut pass, pipelines, &groups, solids, true);
             drop(pass);
             let mut pass = passes::begin_depth(encoder, &self.targets.still.depth);
             passes::draw_still_depth(&mut pass, &self.depth, &self.camera_view.group, solids);

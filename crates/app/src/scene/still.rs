@@ -3,6 +3,7 @@
 use super::camera::Camera;
 use super::input::SceneInput;
 use super::solid_gpu::PanKey;
+use super::targets::MSAA_SAMPLES;
 
 /// What the kept picture of the still things depends on.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +33,13 @@ impl StillKey {
             disturbances: other.disturbances,
             ..self.clone()
         } == *other
+    }
+}
+
+impl Still {
+    /// True when the picture is as good as it gets for a key.
+    pub fn is_best_for(&self, key: &StillKey) -> bool {
+        self.key == *key && self.samples == MSAA_SAMPLES
     }
 }
 

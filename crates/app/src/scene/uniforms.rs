@@ -29,6 +29,11 @@ pub(super) struct FrameUniform {
 }
 
 impl FrameUniform {
+    /// True for the exact pictures.
+    pub fn is_flat(&self) -> bool {
+        self.mode.z > 0.5
+    }
+
     pub fn new(input: &SceneInput, aspect: f32, shadow_size: u32, contact: &ContactMap) -> Self {
         let pan = &input.pan;
         let field = matches!(input.colouring, Colouring::Field { .. });

@@ -89,21 +89,21 @@ fn flesh(in: FoodOut, rest_normal: vec3<f32>) -> Flesh {
     let grain = textureSample(solid_noise, tile_sampler, rest * vec3<f32>(250.0, 250.0, 42.0) + 0.37);
     let fine = textureSample(solid_noise, tile_sampler, rest.yxz * vec3<f32>(610.0, 610.0, 120.0) + 0.11);
     let fibre = fibres(rest, broad);
-    let warped_fat = (rest + (broad.gbr - 0.5) * 0.0016 - food.fat_origin.xyz) * food.fat_scale.xyz;
+    let warped_fat = (rest + (broad.gbr - 0.5) * 0.0012 - food.fat_origin.xyz) * food.fat_scale.xyz;
     let fraction = textureSample(fat_volume, clamp_sampler, warped_fat).r;
-    let fat = smoothstep(0.20, 0.48, fraction + (grain.a - 0.5) * 0.22);
+    let fat = smoothstep(0.36, 0.74, fraction + (grain.a - 0.5) * 0.20);
     // The edge between face and side browns first.
     let upright = abs(rest_normal.z);
     let rim = smoothstep(0.10, 0.55, upright) * (1.0 - smoothstep(0.75, 0.995, upright));
     let mottle = 1.5 * (broad.a - 0.5) + 0.85 * (region.a - 0.5) + 0.45 * (grain.a - 0.5) + 0.6 * fibre.tone;
-    var meat = mix(in.lean, in.browner, clamp(0.55 + 1.7 * mottle, -0.25, 1.1));
+    var meat = mix(in.lean, in.browner, clamp(0.60 + 2.0 * mottle, -0.15, 1.2));
     // Where flesh is darker it is also redder: less light comes back out of it.
     let tone = 0.97 + fibre.tone * (0.35 + 0.95 * uncooked) + mix(0.42, 0.36, crust) * (grain.a - 0.5) + 0.26 * (fine.a - 0.5) + uncooked * (0.46 * (region.a - 0.5) + 0.22 * (broad.a - 0.5));
     meat *= vec3<f32>(tone, tone * tone, tone * tone) * (1.0 - 0.30 * rim * crust);
     meat = mix(meat, mix(meat, in.fat, 0.40), fibre.seam * uncooked * 0.75);
     // Fat in a crust fries with the meat round it.
     let fatty = mix(in.fat * (0.94 + 0.12 * grain.a), meat, 0.62 * crust);
-    let pits = 1.0 - crust * (0.30 * smoothstep(0.46, 0.26, grain.a) + 0.22 * smoothstep(0.42, 0.24, broad.a));
+    let pits = 1.0 - crust * (0.10 + 0.38 * smoothstep(0.50, 0.28, grain.a) + 0.30 * smoothstep(0.48, 0.26, broad.a));
     let cracks = 1.0 - 0.65 * charred * fibre.crack;
     let slope = (region.brg - 0.5) * 0.10 + (broad.rgb - 0.5) * (0.16 + 0.40 * crust) + (grain.rgb - 0.5) * (0.42 + 0.45 * crust) + (fine.grb - 0.5) * (0.22 + 0.50 * crust);
     return Flesh(mix(meat, fatty, fat) * pits * cracks, slope * (1.0 + 0.6 * charred), fat, broad.a, grain.a, charred);
@@ -147,13 +147,17 @@ fn side_fill(normal: vec3<f32>) -> vec3<f32> {
     return FILL_FRONT * max(dot(normal, FRONT), 0.0) * (1.0 - max(normal.z, 0.0)) * 1.1;
 }
 
+// Reflections weaker than this do not count as glints (chosen).
+const GLINT = 0.045;
+
 // Water on raw flesh, oil on a crust: a thin film that breaks the window into small glints.
 fn sheen(in: FoodOut, look: Flesh, bent: vec3<f32>, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {
-    let ridges = smoothstep(0.40, 0.62, look.grainy);
+    let ridges = smoothstep(0.48, 0.60, look.grainy);
     let oily = 0.45 * in.state.y * (1.0 - look.charred) * smoothstep(0.38, 0.62, look.patchy) * ridges;
-    let film = max(wetness * (0.12 + 0.78 * ridges), oily);
+    let film = max(wetness * (0.06 + 0.94 * ridges), oily);
     let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), mix(0.30, 0.12, wetness), world_normal(bent), visibility, vec3<f32>(0.0));
-    return specular(coat, in.position, view, lit) * film;
+    // Only the bright parts of the room show as glints; the rest would lie on the flesh like milk.
+    return max(specular(coat, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (1.9 * film);
 }
 
 // A fresh cut is shown, not lit by the room: a soft light of its own lets crust, band, gradient and centre be read.

@@ -34,6 +34,8 @@ struct Surface {
 
 // True takes more samples of the depth maps.
 override fine: bool = false;
+// True leaves the patterns of the surroundings out and takes one sample of the depth maps: the eye is moving.
+override quick: bool = false;
 
 fn depth_test(map: texture_depth_2d, uv: vec2<f32>, step: f32, depth: f32) -> f32 {
     if (fine) {
@@ -45,6 +47,7 @@ fn depth_test(map: texture_depth_2d, uv: vec2<f32>, step: f32, depth: f32) -> f3
         }
         return sum / 9.0;
     }
+    if (quick) { return textureSampleCompareLevel(map, depth_sampler, uv, depth); }
     return 0.25 * (textureSampleCompareLevel(map, depth_sampler, uv + vec2<f32>(0.4, 1.0) * step, depth)
         + textureSampleCompareLevel(map, depth_sampler, uv + vec2<f32>(-1.0, 0.4) * step, depth)
         + textureSampleCompareLevel(map, depth_sampler, uv + vec2<f32>(-0.4, -1.0) * step, depth)

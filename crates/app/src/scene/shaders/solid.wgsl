@@ -45,7 +45,8 @@ fn fs_solid(in: SolidOut) -> @location(0) vec4<f32> {
     let n = facing(in.normal, view);
     var s = plain_surface(in, n);
     let kind = in.surface.z;
-    let coarse = textureSampleLevel(solid_noise, tile_sampler, in.position * select(15.0, 5.3, kind > 5.5), 0.0).a;
+    var coarse = 0.5;
+    if (!quick) { coarse = textureSampleLevel(solid_noise, tile_sampler, in.position * select(15.0, 5.3, kind > 5.5), 0.0).a; }
     // Stone has faint flecks, cloth a weave.
     let stone = 0.93 + 0.14 * coarse;
     let weave = 0.92 + 0.05 * sin(in.position.x * 2600.0) * sin(in.position.y * 2600.0) + 0.12 * (coarse - 0.5);
@@ -63,11 +64,15 @@ fn fs_wood(in: SolidOut) -> @location(0) vec4<f32> {
     let n = facing(in.normal, view);
     var s = plain_surface(in, n);
     let along = textureSampleLevel(solid_noise, tile_sampler, in.position * vec3<f32>(26.0, 1.9, 22.0), 0.0).a;
-    let pores = textureSampleLevel(solid_noise, tile_sampler, in.position * vec3<f32>(120.0, 6.0, 90.0), 0.0).a;
-    let worn = textureSampleLevel(solid_noise, tile_sampler, in.position * vec3<f32>(4.0, 3.0, 4.0), 0.0).a;
+    var pores = 0.5;
+    var worn = 0.5;
+    if (!quick) {
+        pores = textureSampleLevel(solid_noise, tile_sampler, in.position * vec3<f32>(120.0, 6.0, 90.0), 0.0).a;
+        worn = textureSampleLevel(solid_noise, tile_sampler, in.position * vec3<f32>(4.0, 3.0, 4.0), 0.0).a;
+    }
     let rings = sin((along * 5.0 + in.position.x * 55.0) * 3.0) * 0.5 + 0.5;
-    let tone = 0.74 + 0.20 * rings + 0.32 * (pores - 0.5);
-    s.albedo *= tone * mix(vec3<f32>(0.94, 0.93, 0.92), vec3<f32>(1.18, 1.20, 1.24), smoothstep(0.4, 0.7, worn));
+    let tone = 0.82 + 0.14 * rings + 0.22 * (pores - 0.5);
+    s.albedo *= tone * mix(vec3<f32>(0.96, 0.95, 0.94), vec3<f32>(1.10, 1.11, 1.13), smoothstep(0.4, 0.7, worn));
     s.roughness += 0.2 * (pores - 0.5);
     let lit = shadow(in.position, n);
     s.visibility *= openness(in.position);
@@ -129,15 +134,19 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     if (is_floor && frame.mode.y > 0.5 && field >= 0.0) {
         return vec4<f32>(lightly_lit(table_colour(field), n, openness(in.position)), 1.0);
     }
-    let coarse = textureSampleLevel(solid_noise, tile_sampler, local * 6.5, 0.0);
-    let fine = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(radius * 110.0, local.z * 60.0, atan2(local.y, local.x) * 0.32), 0.0);
+    var coarse = vec4<f32>(0.5);
+    var fine = 0.5;
+    if (!quick) {
+        coarse = textureSampleLevel(solid_noise, tile_sampler, local * 6.5, 0.0);
+        fine = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(radius * 110.0, local.z * 60.0, atan2(local.y, local.x) * 0.32), 0.0).a;
+    }
     var s = plain_surface(in, n);
     // Seasoning is patchy; turning marks are circular.
     let patchy = coarse.a - 0.5;
-    s.f0 *= 1.0 + 0.35 * patchy + 0.16 * (fine.a - 0.5);
+    s.f0 *= 1.0 + 0.35 * patchy + 0.16 * (fine - 0.5);
     // The patina over the metal scatters a little.
     s.albedo = in.colour * (1.0 - 0.75 * in.surface.y) * (1.0 + 0.35 * patchy);
-    s.roughness = clamp(s.roughness + 0.14 * patchy + 0.10 * (fine.a - 0.5), 0.05, 1.0);
+    s.roughness = clamp(s.roughness + 0.14 * patchy + 0.10 * (fine - 0.5), 0.05, 1.0);
     let inside = step(radius, frame.pan_shape.y - 0.001) * step(frame.pan_place.w - 0.001, local.z);
     let lit = shadow(in.position, n);
     let open = openness(in.position);

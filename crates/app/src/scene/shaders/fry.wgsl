@@ -1,0 +1,47 @@
+// Fat and juice round a frying food: a ring that climbs its side, and bubbles in it.
+
+struct FryOut {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) position: vec3<f32>,
+    // Bubble: place on the disc. Ring: outward direction.
+    @location(1) corner: vec2<f32>,
+    // Opacity, random value; a ring has -1 - (share of its width).
+    @location(2) look: vec2<f32>,
+};
+
+@vertex
+fn vs_fry(in: PuffIn) -> FryOut {
+    let place = in.position + vec3<f32>(in.corner * in.look.x, 0.0);
+    return FryOut(frame.clip_from_world * vec4<f32>(place, 1.0), place, in.corner, in.look.yz);
+}
+
+fn liquid(normal: vec3<f32>, position: vec3<f32>) -> vec3<f32> {
+    let s = Surface(vec3<f32>(0.0), vec3<f32>(0.045), 0.10, normal, 1.0, vec3<f32>(0.0));
+    return specular(s, position, normalize(frame.eye.xyz - position), 1.0);
+}
+
+// A dark film, steep at the food and flat outside.
+fn ring(in: FryOut) -> vec4<f32> {
+    let noise = textureSampleLevel(solid_noise, tile_sampler, in.position * 26.0, 0.0).a - 0.5;
+    let across = clamp(-1.0 - in.look.y + 0.9 * noise * (-1.0 - in.look.y), 0.0, 1.0);
+    let steep = (1.0 - across) * (1.0 - across);
+    let normal = normalize(vec3<f32>(in.corner * 1.6 * steep, 1.0));
+    let alpha = in.look.x * (1.0 - smoothstep(0.25, 0.85, across)) * 0.7;
+    let juice = vec3<f32>(0.075, 0.045, 0.020);
+    return vec4<f32>(pixel_from_radiance(juice + liquid(normal, in.position), in.clip.xy).rgb * alpha, alpha);
+}
+
+// A dome of clear fat: dark at its foot, with the window in it.
+fn bubble(in: FryOut) -> vec4<f32> {
+    let away = dot(in.corner, in.corner);
+    let normal = vec3<f32>(in.corner * 0.92, sqrt(max(1.0 - 0.85 * away, 0.02)));
+    let alpha = in.look.x * smoothstep(1.0, 0.80, away) * mix(0.30, 0.75, away * away);
+    let fat = vec3<f32>(0.16, 0.115, 0.06) * (1.15 - away);
+    return vec4<f32>(pixel_from_radiance(fat + 2.2 * liquid(normalize(normal), in.position), in.clip.xy).rgb * alpha, alpha);
+}
+
+@fragment
+fn fs_fry(in: FryOut) -> @location(0) vec4<f32> {
+    if (in.look.y < 0.0) { return ring(in); }
+    return bubble(in);
+}

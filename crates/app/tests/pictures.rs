@@ -1,0 +1,122 @@
+//! Promise: pictures tell the truth: the temperature view decodes to the field of the core, and the look follows it.
+
+use saute_app::headless::{Gpu, still};
+use saute_app::scene::camera::Camera;
+use saute_app::shot::{ShotError, cook_until};
+use saute_app::stage::{Pose, StageOptions, half_length};
+use saute_app::{Picture, TemperatureMap, View};
+use saute_kitchen::food::noise::uniform;
+use saute_kitchen::{Cook, Library, Piece, Recipe, celsius};
+
+const SIZE: [u32; 2] = [1280, 720];
+
+const SEARED: &str = "[pan]\ninitial_c = 210\n[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\n\
+    [[step]]\nhob_w = 800\n[[step]]\nput = \"steak\"\n[[step]]\nafter_s = 200\nflip = \"steak\"\n\
+    [[step]]\nafter_s = 200\nend = true\n";
+
+fn cook(at_s: f64) -> Cook {
+    let library = Library::embedded().expect("embedded data");
+    let recipe = Recipe::parse(SEARED, "seared.toml", &library).expect("parses");
+    cook_until(recipe, &library, at_s).expect("cooks")
+}
+
+fn options(view: View, slice: Option<f64>, flat: bool) -> StageOptions {
+    let camera = Camera { yaw: saute_app::app::CUT_YAW, ..Camera::three_quarter() };
+    StageOptions { camera, view, map: TemperatureMap::Uniform, slice, flat }
+}
+
+fn pixel(picture: &Picture, [x, y]: [usize; 2]) -> [u8; 3] {
+    let at = 4 * (y * picture.width + x);
+    [picture.rgba[at], picture.rgba[at + 1], picture.rgba[at + 2]]
+}
+
+/// A plane of the rest frame (origin: centre of the bottom face) on which points are taken.
+enum Plane {
+    /// The face that lies above.
+    Upper,
+    /// The cut.
+    Cut(f64),
+}
+
+/// The rest-frame point of a plane that the centre of the pixel nearest to `near` shows, with that pixel.
+fn seen(piece: &Piece, pose: &Pose, camera: &Camera, plane: &Plane, near: [f64; 3]) -> ([usize; 2], [f64; 3]) {
+    let aspect = SIZE[0] as f32 / SIZE[1] as f32;
+    let half = 0.5 * piece.model.mesh.thickness();
+    let centred = glam::Vec3::new(near[0] as f32, near[1] as f32, (near[2] - half) as f32);
+    let ndc = camera.project(pose.matrix().transform_point3(centred), aspect).expect("in view");
+    let column = ((ndc[0] + 1.0) * 0.5 * SIZE[0] as f32).floor();
+    let row = ((1.0 - ndc[1]) * 0.5 * SIZE[1] as f32).floor();
+    let centre = [2.0 * (column + 0.5) / SIZE[0] as f32 - 1.0, 1.0 - 2.0 * (row + 0.5) / SIZE[1] as f32];
+    let (origin, direction) = camera.ray(centre, aspect);
+    let inverse = pose.matrix().inverse();
+    let (o, d) = (inverse.transform_point3(origin), inverse.transform_vector3(direction));
+    let t = match plane {
+        Plane::Upper => ((near[2] - half) as f32 - o.z) / d.z,
+        Plane::Cut(x) => (*x as f32 - o.x) / d.x,
+    };
+    let hit = o + d * t;
+    let height = (f64::from(hit.z) + half).clamp(0.0, 2.0 * half);
+    ([column as usize, row as usize], [f64::from(hit.x), f64::from(hit.y), height])
+}
+
+#[test]
+fn the_flat_temperature_view_decodes_to_the_cores_field_within_a_kelvin() {
+    let gpu = Gpu::open().expect("an adapter");
+    let cook = cook(300.0);
+    let piece = &cook.kitchen.pieces()[0];
+    let pose = Pose::of(&cook.kitchen, piece);
+    let options = options(View::Temperature, Some(0.2), true);
+    let picture = still(&gpu, &cook.kitchen, &options, SIZE);
+    let map = TemperatureMap::Uniform.map();
+    let (thickness, cut) = (piece.model.mesh.thickness(), 0.2 * half_length(piece));
+    let upper = if pose.turn > 1.0 { 0.0 } else { thickness };
+    for i in 0..40u64 {
+        let random = |k: u64| uniform(2013, 10 * i + k);
+        let (plane, near) = if i % 2 == 0 {
+            (Plane::Upper, [-0.045 + random(0) * (cut + 0.035), (random(1) - 0.5) * 0.055, upper])
+        } else {
+            (Plane::Cut(cut), [cut, (random(0) - 0.5) * 0.06, 0.0015 + random(1) * (thickness - 0.003)])
+        };
+        let (at, point) = seen(piece, &pose, &options.camera, &plane, near);
+        let truth = celsius(piece.model.at(&piece.state.temperature, point).expect("inside"));
+        let (decoded, distance) = map.decode(pixel(&picture, at));
+        assert!(distance < 4.0, "point {i}: {:?} is no colour of the map", pixel(&picture, at));
+        assert!((decoded - truth).abs() < 1.0, "point {i} at {point:?}: {decoded} °C in the picture, {truth} °C in the core");
+    }
+}
+
+const BURNT: &str = "[pan]\ninitial_c = 300\n[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\n\
+    [[step]]\nhob_w = 2000\n[[step]]\nput = \"steak\"\n[[step]]\nafter_s = 200\nflip = \"steak\"\n\
+    [[step]]\nafter_s = 20\nend = true\n";
+
+#[test]
+fn a_burnt_face_is_far_darker_than_a_raw_one() {
+    let gpu = Gpu::open().expect("an adapter");
+    let lightness = |at_s: f64| {
+        let library = Library::embedded().expect("embedded data");
+        let recipe = Recipe::parse(BURNT, "burnt.toml", &library).expect("parses");
+        let cook = cook_until(recipe, &library, at_s).expect("cooks");
+        let picture = still(&gpu, &cook.kitchen, &options(View::Look, None, false), SIZE);
+        let piece = &cook.kitchen.pieces()[0];
+        let pose = Pose::of(&cook.kitchen, piece);
+        let upper = if pose.turn > 1.0 { 0.0 } else { piece.model.mesh.thickness() };
+        let mut sum = 0.0;
+        for i in 0..400u64 {
+            let near = [(uniform(5, 2 * i) - 0.5) * 0.08, (uniform(5, 2 * i + 1) - 0.5) * 0.05, upper];
+            let (at, _) = seen(piece, &pose, &options(View::Look, None, false).camera, &Plane::Upper, near);
+            sum += pixel(&picture, at).map(f64::from).iter().sum::<f64>() / 1200.0;
+        }
+        sum
+    };
+    let (raw, burnt) = (lightness(1.0), lightness(202.0));
+    assert!(burnt < 0.7 * raw, "raw {raw}, burnt {burnt}");
+}
+
+#[test]
+fn a_time_past_the_end_is_refused_with_the_recipes_end() {
+    let library = Library::embedded().expect("embedded data");
+    let recipe = Recipe::parse(SEARED, "seared.toml", &library).expect("parses");
+    let error = cook_until(recipe, &library, 5000.0).err().expect("refused");
+    assert!(matches!(&error, ShotError::PastTheEnd { end_s, .. } if (end_s - 400.0).abs() < 0.2), "{error}");
+    assert!(error.to_string().contains("remedy"), "{error}");
+}
