@@ -272,7 +272,8 @@ impl SauteApp {
         }
         let pressed: Vec<Act> = ctx.input(|i| {
             let plain = !i.modifiers.command && !i.modifiers.alt;
-            BINDINGS.iter().filter(|b| plain && i.key_pressed(b.key)).map(|b| b.act).collect()
+            let times = |b: &crate::act::Binding| if plain { i.num_presses(b.key) } else { 0 };
+            BINDINGS.iter().flat_map(|b| std::iter::repeat_n(b.act, times(b))).collect()
         });
         pressed.into_iter().for_each(|act| self.act(act, ctx));
     }

@@ -200,8 +200,8 @@ fn uneven(p: Vec3, thickness: f32) -> Vec3 {
 /// Browning of the other half of the mottled pattern, finer than the nodes: ahead where browning has begun, behind
 /// where it is far on, so that patches of good and poor contact run into one another as on a fried face (chosen).
 fn mottled(browning: f64) -> f64 {
-    let begun = ((browning - 0.05) / 0.25).clamp(0.0, 1.0);
-    browning + 0.80 * begun * (0.74 - browning)
+    let begun = ((browning - 0.02) / 0.16).clamp(0.0, 1.0);
+    browning + 0.80 * begun * (0.84 - browning)
 }
 
 /// Mean outward direction at each boundary node of the section.

@@ -45,9 +45,9 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// A temperature in the chosen unit, with its unit.
+    /// A temperature in the chosen unit, with its unit, never broken over two lines.
     pub fn temperature(&self, celsius: f64) -> String {
-        if self.fahrenheit { format!("{:.0} °F", celsius * 1.8 + 32.0) } else { format!("{celsius:.0} °C") }
+        format!("{:.0}\u{a0}{}", self.degrees(celsius), self.unit())
     }
 
     /// A temperature in the chosen unit.

@@ -1,7 +1,7 @@
 //! Pan, surface and core against time.
 
-use egui::Ui;
-use egui_plot::{Legend, Line, LineStyle, Plot, PlotPoints, VLine};
+use egui::{RichText, Ui};
+use egui_plot::{Line, LineStyle, Plot, PlotPoints, VLine};
 
 use crate::app::SauteApp;
 use crate::theme;
@@ -24,6 +24,12 @@ pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
         ("underside", series(&|r| r.foods.first().map(|f| f[2]))),
     ];
     let unit = settings.unit();
+    ui.horizontal(|ui| {
+        for (i, name) in ["— pan", "— core", "- - underside"].into_iter().enumerate() {
+            ui.label(RichText::new(name).size(13.0).color(theme::CURVES[i]));
+        }
+        ui.label(RichText::new("··· goal").size(13.0).color(theme::QUIET));
+    });
     Plot::new("curves")
         .height(height)
         .allow_drag(false)
@@ -36,7 +42,6 @@ pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
         .include_x(2.0)
         .y_axis_min_width(28.0)
         .x_axis_label(format!("minutes · {unit}"))
-        .legend(Legend::default().position(egui_plot::Corner::LeftTop).background_alpha(0.4))
         .show(ui, |plot| {
             for (i, (name, points)) in lines.into_iter().enumerate() {
                 let style = [LineStyle::Solid, LineStyle::Solid, LineStyle::dashed_loose()][i];

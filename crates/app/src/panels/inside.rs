@@ -41,7 +41,7 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     goal(app, ui);
     if app.settings.curves_open {
         ui.separator();
-        let height = (ui.available_height() - 6.0).clamp(140.0, 260.0);
+        let height = (ui.available_height() - 32.0).clamp(130.0, 260.0);
         curves::show(app, ui, height);
     }
 }

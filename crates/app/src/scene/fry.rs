@@ -26,7 +26,7 @@ const ABOVE: f32 = 4e-4;
 /// A food whose underside is further above the floor does not fry [m].
 const TOUCHING: f32 = 2.5e-3;
 /// Bubbles for each g/s of vapour (chosen).
-const BUBBLES_PER_FLOW: f32 = 260.0;
+const BUBBLES_PER_FLOW: f32 = 400.0;
 /// Life of a bubble [s] (chosen).
 const LIFE: f32 = 0.8;
 
@@ -104,7 +104,7 @@ impl Foot {
         let age = turn.rem_euclid(1.0);
         let random = |k: f32| ((turn.floor() * 12.9898 + seed * 78.233 + k * 37.719).sin() * 43_758.547).rem_euclid(1.0);
         let (out, reach) = self.edge(random(1.0));
-        let half_size = (0.5e-3 + 1.3e-3 * random(2.0) * random(2.0)) * (0.5 + 0.5 * age);
+        let half_size = (0.7e-3 + 1.8e-3 * random(2.0) * random(2.0)) * (0.5 + 0.5 * age);
         let distance = reach + 0.6 * half_size + 3.0e-3 * random(3.0) * random(3.0);
         let position = (self.middle + (out * distance).extend(0.2e-3)).to_array();
         let opacity = (age * 8.0).min(1.0) * ((1.0 - age) * 12.0).min(1.0);

@@ -53,8 +53,9 @@ struct Flesh {
     fat: f32,
     // Free value in 0-1 on a scale of millimetres.
     patchy: f32,
-    // The same on a scale of half a millimetre.
-    grainy: f32,
+    // Slope of the film that lies over the relief, and where the film is thick.
+    film_slope: vec3<f32>,
+    ridges: f32,
     // Burnt black (0-1).
     charred: f32,
 };
@@ -73,7 +74,7 @@ fn fibres(rest: vec3<f32>, broad: vec4<f32>) -> Fibres {
     let bundle = textureSample(bundle_picture, tile_sampler, warped * 78.0);
     let fascicle = textureSample(bundle_picture, tile_sampler, warped.yx * 17.3 + 0.29);
     let tone = 0.20 * (bundle.g - 0.5) + 0.16 * (fascicle.g - 0.5) - 0.10 * (1.0 - smoothstep(0.0, 0.5, bundle.r));
-    let seam = (1.0 - smoothstep(0.02, 0.13, fascicle.r)) * smoothstep(0.34, 0.62, broad.a);
+    let seam = (1.0 - smoothstep(0.05, 0.24, fascicle.r)) * smoothstep(0.36, 0.58, broad.a);
     return Fibres(tone, seam, 1.0 - smoothstep(0.0, 0.22, fascicle.r));
 }
 
@@ -91,22 +92,24 @@ fn flesh(in: FoodOut, rest_normal: vec3<f32>) -> Flesh {
     let fibre = fibres(rest, broad);
     let warped_fat = (rest + (broad.gbr - 0.5) * 0.0012 - food.fat_origin.xyz) * food.fat_scale.xyz;
     let fraction = textureSample(fat_volume, clamp_sampler, warped_fat).r;
-    let fat = smoothstep(0.36, 0.74, fraction + (grain.a - 0.5) * 0.20);
+    let fat = 0.92 * smoothstep(0.42, 0.92, fraction + (grain.a - 0.5) * 0.20);
     // The edge between face and side browns first.
     let upright = abs(rest_normal.z);
     let rim = smoothstep(0.10, 0.55, upright) * (1.0 - smoothstep(0.75, 0.995, upright));
     let mottle = 1.5 * (broad.a - 0.5) + 0.85 * (region.a - 0.5) + 0.45 * (grain.a - 0.5) + 0.6 * fibre.tone;
-    var meat = mix(in.lean, in.browner, clamp(0.60 + 2.0 * mottle, -0.15, 1.2));
+    var meat = mix(in.lean, in.browner, clamp(0.66 + 2.2 * mottle, 0.0, 1.0));
     // Where flesh is darker it is also redder: less light comes back out of it.
     let tone = 0.97 + fibre.tone * (0.35 + 0.95 * uncooked) + mix(0.42, 0.36, crust) * (grain.a - 0.5) + 0.26 * (fine.a - 0.5) + uncooked * (0.46 * (region.a - 0.5) + 0.22 * (broad.a - 0.5));
-    meat *= vec3<f32>(tone, tone * tone, tone * tone) * (1.0 - 0.30 * rim * crust);
-    meat = mix(meat, mix(meat, in.fat, 0.40), fibre.seam * uncooked * 0.75);
+    meat *= vec3<f32>(tone, tone * tone, tone * tone) * (1.0 - 0.45 * rim * crust);
+    meat = mix(meat, mix(meat, in.fat, 0.40), fibre.seam * uncooked);
     // Fat in a crust fries with the meat round it.
-    let fatty = mix(in.fat * (0.94 + 0.12 * grain.a), meat, 0.62 * crust);
-    let pits = 1.0 - crust * (0.10 + 0.38 * smoothstep(0.50, 0.28, grain.a) + 0.30 * smoothstep(0.48, 0.26, broad.a));
+    let fatty = mix(in.fat * (0.80 + 0.18 * grain.a + 0.18 * broad.a), meat, 0.80 * smoothstep(0.0, 0.7, crust));
+    let pits = 1.0 - crust * (0.10 + 0.34 * smoothstep(0.52, 0.26, grain.a) + 0.16 * smoothstep(0.56, 0.20, broad.a));
     let cracks = 1.0 - 0.65 * charred * fibre.crack;
     let slope = (region.brg - 0.5) * 0.10 + (broad.rgb - 0.5) * (0.16 + 0.40 * crust) + (grain.rgb - 0.5) * (0.42 + 0.45 * crust) + (fine.grb - 0.5) * (0.22 + 0.50 * crust);
-    return Flesh(mix(meat, fatty, fat) * pits * cracks, slope * (1.0 + 0.6 * charred), fat, broad.a, grain.a, charred);
+    let film_slope = (broad.rgb - 0.5) * 0.75 + (grain.rgb - 0.5) * 0.40;
+    let ridges = smoothstep(0.49, 0.62, 0.55 * broad.a + 0.45 * grain.a);
+    return Flesh(mix(meat, fatty, fat) * pits * cracks, slope * (1.0 + 0.6 * charred), fat, broad.a, film_slope, ridges, charred);
 }
 
 // Height of what the food lies on.
@@ -138,7 +141,8 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
     let body = Surface(look.colour, vec3<f32>(0.03), roughness, bumpy, visibility, wrap);
     var radiance = diffuse(body, lit) + look.colour * side_fill(smooth_normal) * visibility;
     radiance += specular(body, in.position, view, lit) * mix(0.42, 0.18, wetness) * (1.0 - 0.6 * look.charred);
-    radiance += sheen(in, look, rest_normal - slope * mix(0.9, 1.5, wetness), view, lit, visibility, wetness);
+    let film_slope = look.film_slope - rest_normal * dot(look.film_slope, rest_normal);
+    radiance += sheen(in, look, rest_normal - film_slope * mix(0.8, 1.2, wetness), view, lit, visibility, wetness) * (0.35 + 0.65 * max(smooth_normal.z, 0.0));
     return pixel_from_radiance(radiance, in.clip.xy);
 }
 
@@ -148,16 +152,15 @@ fn side_fill(normal: vec3<f32>) -> vec3<f32> {
 }
 
 // Reflections weaker than this do not count as glints (chosen).
-const GLINT = 0.045;
+const GLINT = 0.075;
 
 // Water on raw flesh, oil on a crust: a thin film that breaks the window into small glints.
 fn sheen(in: FoodOut, look: Flesh, bent: vec3<f32>, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {
-    let ridges = smoothstep(0.48, 0.60, look.grainy);
-    let oily = 0.45 * in.state.y * (1.0 - look.charred) * smoothstep(0.38, 0.62, look.patchy) * ridges;
-    let film = max(wetness * (0.06 + 0.94 * ridges), oily);
+    let oily = 0.45 * in.state.y * (1.0 - look.charred) * smoothstep(0.38, 0.62, look.patchy) * look.ridges;
+    let film = max(wetness * (0.06 + 0.94 * look.ridges), oily);
     let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), mix(0.30, 0.12, wetness), world_normal(bent), visibility, vec3<f32>(0.0));
     // Only the bright parts of the room show as glints; the rest would lie on the flesh like milk.
-    return max(specular(coat, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (1.9 * film);
+    return max(specular(coat, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (1.7 * film);
 }
 
 // A fresh cut is shown, not lit by the room: a soft light of its own lets crust, band, gradient and centre be read.

@@ -8,10 +8,11 @@ struct SolidIn {
     @location(3) surface: vec4<f32>,
 };
 
+// Read within the triangle: at an anti-aliased edge a thin triangle would else be continued far beyond its ends.
 struct SolidOut {
     @builtin(position) clip: vec4<f32>,
-    @location(0) position: vec3<f32>,
-    @location(1) normal: vec3<f32>,
+    @location(0) @interpolate(perspective, centroid) position: vec3<f32>,
+    @location(1) @interpolate(perspective, centroid) normal: vec3<f32>,
     @location(2) colour: vec3<f32>,
     @location(3) surface: vec4<f32>,
 };
