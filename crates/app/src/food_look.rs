@@ -177,7 +177,9 @@ fn vertex(model: &FoodModel, a: Appearance, moisture: f64, field: f32, rest: [f3
     let mottled = Appearance { browning: mottled(a.browning), ..a };
     let linear = |lab: saute_kitchen::food::Lab| lab.linear_srgb().map(|v| v as f32);
     let (lean, fat) = model.colours(a);
-    let wet = ((moisture - 0.25) / 0.75).clamp(0.0, 1.0) * (1.0 - 0.6 * a.browning);
+    // A film of water stands on raw flesh; cooked flesh is matt, and fried flesh sheds it (chosen).
+    let matt = (1.0 - 0.5 * a.myoglobin) * (1.0 - 0.9 * (2.5 * a.browning).min(1.0));
+    let wet = ((moisture - 0.25) / 0.75).clamp(0.0, 1.0) * matt;
     FoodVertex {
         rest,
         normal,

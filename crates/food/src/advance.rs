@@ -162,25 +162,22 @@ impl FoodSolver {
         self.contact_heat.fill(0.0);
     }
 
-    /// One step: exchange with the surroundings, conduction, boiling, each exact about energy.
+    /// One step: conduction, exchange with the surroundings, boiling, each exact about energy.
     ///
-    /// Exchange is implicit in the node's own temperature and conduction explicit within its stability limit, so
-    /// neither leaves the range of the temperatures it couples.
+    /// Conduction is explicit within its stability limit; exchange is implicit in the node's own temperature and comes
+    /// after conduction, so that both balance in a steady state: T ← (C T + Δt (P + G T₀)) / (C + Δt G). Neither
+    /// leaves the range of the temperatures it couples.
     fn step(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64, total: &mut Exchange) {
-        self.touch(model, state, around, dt);
-        self.air(model, state, around, dt, total);
         self.power.fill(0.0);
         self.conduction.add_power(&model.mesh.graph, &state.temperature, &mut self.power);
-        self.hot.clear();
         let fields = state.enthalpy.iter_mut().zip(&mut state.temperature);
-        for (i, ((h, t), (p, c))) in fields.zip(self.power.iter().zip(&self.capacity)).enumerate() {
+        for ((h, t), (p, c)) in fields.zip(self.power.iter().zip(&self.capacity)) {
             let heat = p * dt;
             *h += heat;
             *t += heat / c;
-            if *t > NEARLY_BOILING {
-                self.hot.push(i as u32);
-            }
         }
+        self.touch(model, state, around, dt);
+        self.air(model, state, around, dt, total);
         self.boil(model, state, total);
     }
 
@@ -247,6 +244,8 @@ impl FoodSolver {
     /// As a node dries its boiling point rises (isotherm), so mass and temperature are found together by Newton's
     /// rule: dm = C (T − T_b) / (L + C · |dT_b/dm|).
     fn boil(&mut self, model: &FoodModel, state: &mut FoodState, total: &mut Exchange) {
+        self.hot.clear();
+        self.hot.extend((0u32..).zip(&state.temperature).filter(|(_, t)| **t > NEARLY_BOILING).map(|(i, _)| i));
         for &node in &self.hot {
             let i = node as usize;
             for _ in 0..8 {

@@ -101,7 +101,7 @@ fn flesh(in: FoodOut, rest_normal: vec3<f32>) -> Flesh {
     // Where flesh is darker it is also redder: less light comes back out of it.
     let tone = 0.97 + fibre.tone * (0.35 + 0.95 * uncooked) + mix(0.42, 0.36, crust) * (grain.a - 0.5) + 0.26 * (fine.a - 0.5) + uncooked * (0.46 * (region.a - 0.5) + 0.22 * (broad.a - 0.5));
     meat *= vec3<f32>(tone, tone * tone, tone * tone) * (1.0 - 0.45 * rim * crust);
-    meat = mix(meat, mix(meat, in.fat, 0.40), fibre.seam * uncooked);
+    meat = mix(meat, mix(meat, in.fat, 0.40), 0.6 * fibre.seam * uncooked);
     // Fat in a crust fries with the meat round it.
     let fatty = mix(in.fat * (0.80 + 0.18 * grain.a + 0.18 * broad.a), meat, 0.80 * smoothstep(0.0, 0.7, crust));
     let pits = 1.0 - crust * (0.10 + 0.34 * smoothstep(0.52, 0.26, grain.a) + 0.16 * smoothstep(0.56, 0.20, broad.a));
@@ -158,9 +158,9 @@ const GLINT = 0.075;
 fn sheen(in: FoodOut, look: Flesh, bent: vec3<f32>, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {
     let oily = 0.45 * in.state.y * (1.0 - look.charred) * smoothstep(0.38, 0.62, look.patchy) * look.ridges;
     let film = max(wetness * (0.06 + 0.94 * look.ridges), oily);
-    let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), mix(0.30, 0.12, wetness), world_normal(bent), visibility, vec3<f32>(0.0));
+    let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), mix(0.30, 0.15, wetness), world_normal(bent), visibility, vec3<f32>(0.0));
     // Only the bright parts of the room show as glints; the rest would lie on the flesh like milk.
-    return max(specular(coat, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (1.7 * film);
+    return max(specular(coat, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (1.35 * film);
 }
 
 // A fresh cut is shown, not lit by the room: a soft light of its own lets crust, band, gradient and centre be read.
@@ -170,7 +170,7 @@ fn lit_cut(in: FoodOut) -> vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
     let slope = look.slope - rest_normal * dot(look.slope, rest_normal);
     let bent = world_normal(rest_normal - slope * 0.35);
-    let shape = 0.86 + 0.16 * clamp(dot(bent, normalize(view + vec3<f32>(-0.3, 0.1, 0.9))), 0.0, 1.0);
+    let shape = 0.95 + 0.17 * clamp(dot(bent, normalize(view + vec3<f32>(-0.3, 0.1, 0.9))), 0.0, 1.0);
     let moist = specular(Surface(vec3<f32>(0.0), vec3<f32>(0.024), 0.30, bent, 1.0, vec3<f32>(0.0)), in.position, view, 1.0);
     return pixel_from_radiance(look.colour * shape / WHITE + moist * 0.5 * in.state.x, in.clip.xy);
 }
