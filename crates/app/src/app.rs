@@ -249,10 +249,9 @@ impl SauteApp {
     fn next_camera(&mut self) {
         self.camera_preset = (self.camera_preset + 1) % 3;
         self.camera = [Camera::three_quarter, Camera::above, Camera::close_up][self.camera_preset]();
-        if self.camera_preset == 2 {
-            if let Some(Place::Rest(_) | Place::Waiting) = self.session.steak().map(|p| p.place) {
-                self.camera.target = crate::scene::props::BOARD_CENTRE;
-            }
+        let on_board = matches!(self.session.steak().map(|p| p.place), Some(Place::Rest(_) | Place::Waiting));
+        if self.camera_preset == 2 && on_board {
+            self.camera.target = crate::scene::props::BOARD_CENTRE - glam::Vec3::X * 0.07;
         }
     }
 

@@ -93,10 +93,9 @@ impl SauteApp {
         if response.drag_stopped() {
             self.let_go();
         }
-        if let Some(at) = response.hover_pos().filter(|_| self.scene.hold == Hold::Nothing) {
-            if self.steak_under(at, rect, aspect) {
-                ui.ctx().set_cursor_icon(egui::CursorIcon::Grab);
-            }
+        let idle = response.hover_pos().filter(|_| self.scene.hold == Hold::Nothing);
+        if idle.is_some_and(|at| self.steak_under(at, rect, aspect)) {
+            ui.ctx().set_cursor_icon(egui::CursorIcon::Grab);
         }
     }
 

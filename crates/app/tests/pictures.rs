@@ -116,7 +116,7 @@ fn a_burnt_face_is_far_darker_than_a_raw_one() {
 fn a_time_past_the_end_is_refused_with_the_recipes_end() {
     let library = Library::embedded().expect("embedded data");
     let recipe = Recipe::parse(SEARED, "seared.toml", &library).expect("parses");
-    let error = cook_until(recipe, &library, 5000.0).err().expect("refused");
+    let error = cook_until(recipe, &library, 5000.0).map(|_| ()).expect_err("refused");
     assert!(matches!(&error, ShotError::PastTheEnd { end_s, .. } if (end_s - 400.0).abs() < 0.2), "{error}");
     assert!(error.to_string().contains("remedy"), "{error}");
 }

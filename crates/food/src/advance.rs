@@ -217,7 +217,15 @@ impl FoodSolver {
 
     /// A free face of the given area times time [m²·s].
     #[inline]
-    fn free_face(&self, model: &FoodModel, state: &mut FoodState, node: usize, area_dt: f64, air: &FreeAir, total: &mut Exchange) {
+    fn free_face(
+        &self,
+        model: &FoodModel,
+        state: &mut FoodState,
+        node: usize,
+        area_dt: f64,
+        air: &FreeAir,
+        total: &mut Exchange,
+    ) {
         let emissivity = model.description.surface.emissivity;
         let radiation = radiation_coefficient(emissivity, state.temperature[node], air.temperature) * air.radiation;
         total.air -= self.exchange(state, node, (air.convection + radiation) * area_dt, air.temperature);
@@ -229,7 +237,8 @@ impl FoodSolver {
         // Linearised in the temperature that falls as water leaves: no overshoot below the wet bulb.
         let slope = activity * (model.vapour.at(surface + 0.5) - model.vapour.at(surface - 0.5));
         let transfer = air.mass_transfer * area_dt;
-        let driven = transfer * (activity * vapour - air.vapour_density) / (1.0 + transfer * slope * latent / self.capacity[node]);
+        let driven = transfer * (activity * vapour - air.vapour_density)
+            / (1.0 + transfer * slope * latent / self.capacity[node]);
         let mass = driven.clamp(0.0, 0.2 * state.water[node]);
         let enthalpy = mass * (model.properties.water_enthalpy(t) + latent);
         state.water[node] -= mass;
@@ -262,7 +271,8 @@ impl FoodSolver {
                 }
                 let capacity = model.properties.enthalpy(&masses, t).1;
                 let drier = 0.995 * moisture;
-                let slope = (model.isotherm.boiling_point(drier) - boiling) / ((moisture - drier) * model.lean_solids[i]);
+                let slope =
+                    (model.isotherm.boiling_point(drier) - boiling) / ((moisture - drier) * model.lean_solids[i]);
                 let latent = latent_heat(boiling);
                 let mass = (capacity * (t - boiling) / (latent + capacity * slope)).min(state.water[i]);
                 let enthalpy = mass * (model.properties.water_enthalpy(boiling) + latent);

@@ -36,7 +36,8 @@ impl Lab {
     /// CIE 15:2004 for L*a*b*, IEC 61966-2-1 for the matrix; white D65 (0.95047, 1, 1.08883).
     pub fn linear_srgb(self) -> [f64; 3] {
         let fy = (self.0[0] + 16.0) / 116.0;
-        let inverse = |f: f64| if f > 6.0 / 29.0 { f * f * f } else { (f - 4.0 / 29.0) * 3.0 * (6.0 / 29.0) * (6.0 / 29.0) };
+        let inverse =
+            |f: f64| if f > 6.0 / 29.0 { f * f * f } else { (f - 4.0 / 29.0) * 3.0 * (6.0 / 29.0) * (6.0 / 29.0) };
         let x = 0.95047 * inverse(fy + self.0[1] / 500.0);
         let y = inverse(fy);
         let z = 1.08883 * inverse(fy - self.0[2] / 200.0);

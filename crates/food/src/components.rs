@@ -79,9 +79,8 @@ impl Properties {
             (&components.ash, lean.ash),
         ];
         let total = lean.lean_solids();
-        let mut rows: Vec<Row> = (COLDEST..=HOTTEST)
-            .map(|c| properties_at(f64::from(c), components, &solids, total))
-            .collect();
+        let mut rows: Vec<Row> =
+            (COLDEST..=HOTTEST).map(|c| properties_at(f64::from(c), components, &solids, total)).collect();
         integrate_enthalpy(&mut rows, components, &solids, total, melting);
         Self { rows }
     }
@@ -99,10 +98,10 @@ impl Properties {
     pub fn enthalpy(&self, masses: &Masses, temperature: f64) -> (f64, f64) {
         let (low, high, share) = self.cell(temperature);
         let (mut enthalpy, mut capacity) = (0.0, 0.0);
-        for k in 0..3 {
-            let slope = high.enthalpy[k] - low.enthalpy[k];
-            enthalpy += masses[k] * (low.enthalpy[k] + share * slope);
-            capacity += masses[k] * slope;
+        for (mass, (from, to)) in masses.iter().zip(low.enthalpy.iter().zip(&high.enthalpy)) {
+            let slope = to - from;
+            enthalpy += mass * (from + share * slope);
+            capacity += mass * slope;
         }
         (enthalpy, capacity)
     }
@@ -132,7 +131,9 @@ impl Properties {
     /// Thermal conductivity by Maxwell–Eucken, water continuous, solids and fat dispersed [W/(m·K)].
     pub fn conductivity(&self, masses: &Masses, temperature: f64) -> f64 {
         let (low, high, share) = self.cell(temperature);
-        let volume = |k: usize| masses[k] * (low.inverse_density[k] + share * (high.inverse_density[k] - low.inverse_density[k]));
+        let volume = |k: usize| {
+            masses[k] * (low.inverse_density[k] + share * (high.inverse_density[k] - low.inverse_density[k]))
+        };
         let conductivity = |k: usize| low.conductivity[k] + share * (high.conductivity[k] - low.conductivity[k]);
         let dispersed = volume(1) + volume(2);
         let inside = (volume(1) * conductivity(1) + volume(2) * conductivity(2)) / dispersed;
@@ -145,14 +146,17 @@ impl Properties {
     /// Volume of the given masses [m³].
     pub fn volume(&self, masses: &Masses, temperature: f64) -> f64 {
         let (low, high, share) = self.cell(temperature);
-        (0..3).map(|k| masses[k] * (low.inverse_density[k] + share * (high.inverse_density[k] - low.inverse_density[k]))).sum()
+        (0..3)
+            .map(|k| masses[k] * (low.inverse_density[k] + share * (high.inverse_density[k] - low.inverse_density[k])))
+            .sum()
     }
 }
 
 fn properties_at(celsius: f64, components: &Components, solids: &[(&Component, f64); 4], total: f64) -> Row {
     let inverse_density = solids.iter().map(|(c, x)| x / polynomial(&c.density_kg_m3, celsius)).sum::<f64>();
     let weighted = |f: fn(&Component) -> &[f64; 3]| {
-        let sum: f64 = solids.iter().map(|(c, x)| x / polynomial(&c.density_kg_m3, celsius) * polynomial(f(c), celsius)).sum();
+        let sum: f64 =
+            solids.iter().map(|(c, x)| x / polynomial(&c.density_kg_m3, celsius) * polynomial(f(c), celsius)).sum();
         sum / inverse_density
     };
     Row {
@@ -171,7 +175,13 @@ fn properties_at(celsius: f64, components: &Components, solids: &[(&Component, f
 }
 
 /// Sums cp (and the heat of melting) from kelvin to kelvin by the midpoint rule, then shifts to zero at 0 °C.
-fn integrate_enthalpy(rows: &mut [Row], components: &Components, solids: &[(&Component, f64); 4], total: f64, melting: &FatMelting) {
+fn integrate_enthalpy(
+    rows: &mut [Row],
+    components: &Components,
+    solids: &[(&Component, f64); 4],
+    total: f64,
+    melting: &FatMelting,
+) {
     let molten = |c: f64| melting.latent_j_kg / (1.0 + libm::exp(-(c - melting.middle_c) / melting.width_k));
     for i in 1..rows.len() {
         let (from, to) = (f64::from(COLDEST + i as i32 - 1), f64::from(COLDEST + i as i32));
@@ -179,8 +189,11 @@ fn integrate_enthalpy(rows: &mut [Row], components: &Components, solids: &[(&Com
         let heat = |c: &Component| polynomial(&c.specific_heat_j_kgk, middle);
         let lean = solids.iter().map(|(c, x)| x * heat(c)).sum::<f64>() / total;
         let before = rows[i - 1].enthalpy;
-        rows[i].enthalpy =
-            [before[0] + heat(&components.water), before[1] + lean, before[2] + heat(&components.fat) + molten(to) - molten(from)];
+        rows[i].enthalpy = [
+            before[0] + heat(&components.water),
+            before[1] + lean,
+            before[2] + heat(&components.fat) + molten(to) - molten(from),
+        ];
     }
     let zero = rows[(-COLDEST) as usize].enthalpy;
     rows.iter_mut().for_each(|row| (0..3).for_each(|k| row.enthalpy[k] -= zero[k]));

@@ -158,7 +158,11 @@ impl FoodModel {
         let (lean, adipose) = (&self.description.lean, &self.description.adipose);
         for (node, &s) in seams.iter().enumerate() {
             let mix = |l: f64, a: f64| (1.0 - s) * l + s * a;
-            let fractions = [mix(lean.water, adipose.water), mix(lean.lean_solids(), adipose.lean_solids()), mix(lean.fat, adipose.fat)];
+            let fractions = [
+                mix(lean.water, adipose.water),
+                mix(lean.lean_solids(), adipose.lean_solids()),
+                mix(lean.fat, adipose.fat),
+            ];
             let mass = self.mesh.graph.volume[node] / self.properties.volume(&fractions, ZERO_C + 20.0);
             self.initial_water.push(mass * fractions[0]);
             self.lean_solids.push(mass * fractions[1]);
@@ -187,7 +191,9 @@ impl FoodModel {
 
     fn interpolate(&self, field: &[f64], found: &Located, z: f64) -> f64 {
         let (level, share) = self.mesh.bracket(z);
-        let on = |l: usize| -> f64 { (0..3).map(|k| found.weights[k] * field[self.mesh.node(l, found.nodes[k] as usize)]).sum() };
+        let on = |l: usize| -> f64 {
+            (0..3).map(|k| found.weights[k] * field[self.mesh.node(l, found.nodes[k] as usize)]).sum()
+        };
         on(level) * (1.0 - share) + on(level + 1) * share
     }
 
@@ -216,7 +222,8 @@ fn check_composition(which: &'static str, total: f64) -> Result<(), BuildError> 
 fn outline(description: &FoodDescription, piece: &PieceSpec) -> Outline {
     let harmonics: Vec<_> = (2..=5u32)
         .map(|m| {
-            let amplitude = description.outline.ripple * (0.4 + 0.6 * uniform(piece.seed, u64::from(m))) / f64::from(m - 1);
+            let amplitude =
+                description.outline.ripple * (0.4 + 0.6 * uniform(piece.seed, u64::from(m))) / f64::from(m - 1);
             (m, amplitude, core::f64::consts::TAU * uniform(piece.seed, 100 + u64::from(m)))
         })
         .collect();
@@ -227,12 +234,8 @@ fn mesh(outline: &Outline, piece: &PieceSpec) -> Result<SweptMesh, MeshError> {
     let smallest = piece.size[0].min(piece.size[1]);
     let spacing = (SPACING * piece.coarseness).min(smallest / 8.0);
     let section = Section::mesh(outline, spacing, 0.38 * spacing)?;
-    let levels = graded_levels(
-        piece.size[2],
-        FIRST_LAYER * piece.coarseness,
-        LAYER_GROWTH,
-        THICKEST_LAYER * piece.coarseness,
-    );
+    let levels =
+        graded_levels(piece.size[2], FIRST_LAYER * piece.coarseness, LAYER_GROWTH, THICKEST_LAYER * piece.coarseness);
     Ok(SweptMesh::new(section, levels))
 }
 
@@ -253,7 +256,11 @@ fn node_shares(mesh: &SweptMesh, marbling: &MarblingField) -> Vec<f64> {
             let mut sum = 0.0;
             for k in 0..27 {
                 let offset = |v: i32| f64::from(v - 1) * 2.0 / 3.0;
-                let p = [x + half * offset(k % 3), y + half * offset(k / 3 % 3), mesh.levels[level] + 0.5 * height * offset(k / 9)];
+                let p = [
+                    x + half * offset(k % 3),
+                    y + half * offset(k / 3 % 3),
+                    mesh.levels[level] + 0.5 * height * offset(k / 9),
+                ];
                 sum += marbling.at(p);
             }
             shares.push(sum / 27.0);

@@ -14,11 +14,12 @@ pub fn uniform(seed: u64, index: u64) -> f64 {
 
 /// Smooth value noise with unit lattice, range −1…1, C¹ continuous.
 pub fn smooth(seed: u64, p: [f64; 3]) -> f64 {
-    let cell = p.map(|v| libm::floor(v));
+    let cell = p.map(libm::floor);
     let f = [p[0] - cell[0], p[1] - cell[1], p[2] - cell[2]].map(|v| v * v * (3.0 - 2.0 * v));
     let corner = |dx: i64, dy: i64, dz: i64| {
         let [x, y, z] = [cell[0] as i64 + dx, cell[1] as i64 + dy, cell[2] as i64 + dz].map(|v| v as u64);
-        2.0 * uniform(seed, x.wrapping_mul(0x8da6_b343) ^ y.wrapping_mul(0xd816_3841) ^ z.wrapping_mul(0xcb1a_b31f)) - 1.0
+        2.0 * uniform(seed, x.wrapping_mul(0x8da6_b343) ^ y.wrapping_mul(0xd816_3841) ^ z.wrapping_mul(0xcb1a_b31f))
+            - 1.0
     };
     let lerp = |a: f64, b: f64, t: f64| a + t * (b - a);
     let plane = |dz: i64| {

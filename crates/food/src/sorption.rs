@@ -69,7 +69,14 @@ mod tests {
     use super::*;
 
     fn beef() -> Sorption {
-        Sorption { monolayer: 0.08, c: 12.0, k: 0.96, fresh_activity: 0.99, source: String::new(), confidence: Default::default() }
+        Sorption {
+            monolayer: 0.08,
+            c: 12.0,
+            k: 0.96,
+            fresh_activity: 0.99,
+            source: String::new(),
+            confidence: Default::default(),
+        }
     }
 
     #[test]

@@ -55,7 +55,9 @@ impl FoodState {
     /// The raw piece at one temperature [K].
     pub fn raw(model: &FoodModel, temperature: f64) -> Self {
         let n = model.mesh.node_count();
-        let enthalpy = (0..n).map(|i| model.properties.enthalpy(&model.masses(i, model.initial_water[i]), temperature).0).collect();
+        let enthalpy = (0..n)
+            .map(|i| model.properties.enthalpy(&model.masses(i, model.initial_water[i]), temperature).0)
+            .collect();
         let zeros = || vec![0.0; n];
         Self {
             temperature: vec![temperature; n],

@@ -4,7 +4,9 @@
 use std::sync::OnceLock;
 
 use saute_food::components::Components;
-use saute_food::{Down, FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, PieceSpec, Side, Surroundings, ZERO_C};
+use saute_food::{
+    Down, FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, PieceSpec, Side, Surroundings, ZERO_C,
+};
 
 const DT: f64 = 0.1;
 
@@ -23,7 +25,13 @@ fn lean() -> &'static FoodModel {
 }
 
 fn kitchen_air() -> FreeAir {
-    FreeAir { temperature: ZERO_C + 23.0, convection: 7.0, radiation: 1.0, vapour_density: 0.0103, mass_transfer: 4.0e-3 }
+    FreeAir {
+        temperature: ZERO_C + 23.0,
+        convection: 7.0,
+        radiation: 1.0,
+        vapour_density: 0.0103,
+        mass_transfer: 4.0e-3,
+    }
 }
 
 /// What passed in a whole run.
@@ -47,7 +55,13 @@ struct Run<'a> {
 
 impl<'a> Run<'a> {
     fn new(model: &'a FoodModel, celsius: f64) -> Self {
-        Self { model, state: FoodState::raw(model, ZERO_C + celsius), solver: FoodSolver::default(), passed: Passed::default(), dt: DT }
+        Self {
+            model,
+            state: FoodState::raw(model, ZERO_C + celsius),
+            solver: FoodSolver::default(),
+            passed: Passed::default(),
+            dt: DT,
+        }
     }
 
     /// Fries on a plate at one temperature and conductance.
@@ -56,7 +70,8 @@ impl<'a> Run<'a> {
         let (conductance, temperature) = (vec![h; n], vec![ZERO_C + plate_c; n]);
         let down = Down::Contact { conductance: &conductance, temperature: &temperature };
         for _ in 0..(seconds / self.dt).round() as usize {
-            let exchange = self.solver.advance(self.model, &mut self.state, &Surroundings { down, up: air, side: air }, self.dt);
+            let exchange =
+                self.solver.advance(self.model, &mut self.state, &Surroundings { down, up: air, side: air }, self.dt);
             self.passed.contact += self.solver.contact_heat.iter().sum::<f64>();
             self.passed.air += exchange.air;
             self.passed.evaporation += exchange.evaporation;
@@ -207,7 +222,8 @@ fn a_hotter_plate_browns_and_then_chars() {
         let face = run.model.face_reading(&run.state, Side::Bottom);
         (face.browning, face.charred_pct, face.lab.0[0])
     };
-    let (cool, medium, hot, burnt) = (browning(120.0, 180.0), browning(180.0, 180.0), browning(230.0, 180.0), browning(320.0, 300.0));
+    let (cool, medium, hot, burnt) =
+        (browning(120.0, 180.0), browning(180.0, 180.0), browning(230.0, 180.0), browning(320.0, 300.0));
     assert!(cool.0 < 0.15 && cool.0 < medium.0 && medium.0 < hot.0, "{cool:?} {medium:?} {hot:?}");
     assert!(hot.1 < 5.0 && burnt.1 > 90.0, "{hot:?} {burnt:?}");
     assert!(hot.2 < cool.2 && burnt.2 < hot.2, "{cool:?} {hot:?} {burnt:?}");

@@ -84,9 +84,9 @@ impl Outline {
     /// Whether a point lies inside (even–odd rule).
     pub fn contains(&self, point: [f64; 2]) -> bool {
         let [x, y] = point;
-        let crossings = self.corners().filter(|(p, q)| {
-            (p[1] > y) != (q[1] > y) && x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])
-        });
+        let crossings = self
+            .corners()
+            .filter(|(p, q)| (p[1] > y) != (q[1] > y) && x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0]));
         crossings.count() % 2 == 1
     }
 

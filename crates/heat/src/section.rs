@@ -53,7 +53,8 @@ impl Section {
     pub fn rings(radii: &[f64], arc: f64) -> Result<Self, MeshError> {
         let mut points = Vec::new();
         for (ring, &radius) in radii.iter().enumerate() {
-            let count = (libm::round(core::f64::consts::TAU * radius / arc) as usize).max(if radius > 0.0 { 6 } else { 1 });
+            let count =
+                (libm::round(core::f64::consts::TAU * radius / arc) as usize).max(if radius > 0.0 { 6 } else { 1 });
             for i in 0..count {
                 let angle = core::f64::consts::TAU * (i as f64 + 0.5 * (ring % 2) as f64) / count as f64;
                 points.push([radius * libm::cos(angle), radius * libm::sin(angle)]);

@@ -53,7 +53,9 @@ impl Body {
     fn at(&self, p: [f64; 2], z: f64) -> f64 {
         let found = Locator::new(&self.mesh.section).locate_or_nearest(&self.mesh.section, p);
         let (level, share) = self.mesh.bracket(z);
-        let on = |l: usize| (0..3).map(|k| found.weights[k] * self.t[self.mesh.node(l, found.nodes[k] as usize)]).sum::<f64>();
+        let on = |l: usize| {
+            (0..3).map(|k| found.weights[k] * self.t[self.mesh.node(l, found.nodes[k] as usize)]).sum::<f64>()
+        };
         on(level) * (1.0 - share) + on(level + 1) * share
     }
 }
@@ -68,7 +70,8 @@ fn brick(size: [f64; 3], cells_across: f64) -> SweptMesh {
 fn slab_centre(bi: f64, fo: f64) -> f64 {
     (0..60)
         .map(|n| {
-            let (mut low, mut high) = (f64::from(n) * std::f64::consts::PI, (f64::from(n) + 0.5) * std::f64::consts::PI - 1e-12);
+            let (mut low, mut high) =
+                (f64::from(n) * std::f64::consts::PI, (f64::from(n) + 0.5) * std::f64::consts::PI - 1e-12);
             for _ in 0..200 {
                 let mid = 0.5 * (low + high);
                 if mid * mid.tan() < bi { low = mid } else { high = mid }

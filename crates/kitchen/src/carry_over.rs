@@ -1,7 +1,7 @@
 //! A rough forecast of the core's peak if a piece were taken out now.
 
-use saute_food::FoodState;
 use saute_food::FoodModel;
+use saute_food::FoodState;
 
 use crate::room::Room;
 

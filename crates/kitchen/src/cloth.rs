@@ -44,7 +44,11 @@ impl Cloth {
         if self.water <= 0.0 {
             return 0.0;
         }
-        let warm = if boiling { 0.0 } else { heat.min((kelvin(100.0) - self.temperature).max(0.0) * self.water * WATER_SPECIFIC_HEAT) };
+        let warm = if boiling {
+            0.0
+        } else {
+            heat.min((kelvin(100.0) - self.temperature).max(0.0) * self.water * WATER_SPECIFIC_HEAT)
+        };
         self.temperature += warm / (self.water * WATER_SPECIFIC_HEAT);
         let mass = ((heat - warm) / latent_heat(kelvin(100.0))).min(self.water);
         self.water -= mass;

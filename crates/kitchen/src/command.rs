@@ -59,7 +59,9 @@ pub enum Refused {
     #[error("\"{0}\" is in the pan already")]
     AlreadyInPan(String),
     /// Does not fit.
-    #[error("\"{food}\" does not fit there: it reaches {reach_mm} mm from the pan's centre, the flat floor {floor_mm} mm; put it nearer to the centre or choose a smaller piece")]
+    #[error(
+        "\"{food}\" does not fit there: it reaches {reach_mm} mm from the pan's centre, the flat floor {floor_mm} mm; put it nearer to the centre or choose a smaller piece"
+    )]
     DoesNotFit {
         /// Which piece.
         food: String,

@@ -16,7 +16,15 @@ pub struct ContactPatches {
 
 impl ContactPatches {
     /// Lays a section at `at` [m] on the pan, turned over about its long axis where `flipped`.
-    pub fn lay(section: &Section, pan: &Section, locator: &Locator, at: [f64; 2], flipped: bool, gap: &ContactGap, seed: u64) -> Self {
+    pub fn lay(
+        section: &Section,
+        pan: &Section,
+        locator: &Locator,
+        at: [f64; 2],
+        flipped: bool,
+        gap: &ContactGap,
+        seed: u64,
+    ) -> Self {
         let turn = if flipped { -1.0 } else { 1.0 };
         let on_pan = |p: &[f64; 2]| locator.locate_or_nearest(pan, [at[0] + p[0], at[1] + turn * p[1]]);
         let scale = gap.unevenness_scale_mm * 1e-3;
@@ -24,7 +32,8 @@ impl ContactPatches {
         let noise = |p: &[f64; 2]| fractal(seed ^ 0xc0_47ac, [p[0] / scale, p[1] / scale, 31.0 * face]);
         let raw: Vec<f64> = section.points.iter().map(noise).collect();
         let mean = raw.iter().sum::<f64>() / raw.len() as f64;
-        let deviation = libm::sqrt(raw.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / raw.len() as f64).max(1e-9);
+        let deviation =
+            libm::sqrt(raw.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / raw.len() as f64).max(1e-9);
         Self {
             located: section.points.iter().map(on_pan).collect(),
             unevenness: raw.iter().map(|v| (v - mean) / deviation * gap.unevenness_mm * 1e-3).collect(),
@@ -61,7 +70,8 @@ mod tests {
     #[test]
     fn conductance_starts_and_ends_in_the_measured_range() {
         let gap = gap();
-        let (first, last) = (conductance(&gap, mean_gap(&gap, 0.0), 1e9), conductance(&gap, mean_gap(&gap, 600.0), 1e9));
+        let (first, last) =
+            (conductance(&gap, mean_gap(&gap, 0.0), 1e9), conductance(&gap, mean_gap(&gap, 600.0), 1e9));
         assert!((500.0..650.0).contains(&first), "{first}");
         assert!((250.0..350.0).contains(&last), "{last}");
     }

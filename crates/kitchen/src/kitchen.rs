@@ -161,7 +161,13 @@ impl Kitchen {
         if self.pieces[index].in_pan() {
             return Err(Refused::AlreadyInPan(food.into()));
         }
-        let reach = self.pieces[index].model.outline.points.iter().map(|p| libm::hypot(p[0] + at[0], p[1] + at[1])).fold(0.0, f64::max);
+        let reach = self.pieces[index]
+            .model
+            .outline
+            .points
+            .iter()
+            .map(|p| libm::hypot(p[0] + at[0], p[1] + at[1]))
+            .fold(0.0, f64::max);
         if reach > floor {
             let mm = |v: f64| libm::ceil(v * 1e3) as i64;
             return Err(Refused::DoesNotFit { food: food.into(), reach_mm: mm(reach), floor_mm: mm(floor) });
@@ -253,7 +259,8 @@ impl Kitchen {
         let excess = self.pan.puddle_enthalpy - self.pan.puddle * liquid;
         if excess > 0.0 {
             let mass = (excess / latent_heat(boiling)).min(self.pan.puddle);
-            let enthalpy = if mass < self.pan.puddle { mass * (liquid + latent_heat(boiling)) } else { self.pan.puddle_enthalpy };
+            let enthalpy =
+                if mass < self.pan.puddle { mass * (liquid + latent_heat(boiling)) } else { self.pan.puddle_enthalpy };
             self.pan.puddle -= mass;
             self.pan.puddle_enthalpy -= enthalpy;
             self.flows.other -= enthalpy;

@@ -80,7 +80,11 @@ impl Library {
                 return Err(LibraryError {
                     file: format!("foods/{id}.toml"),
                     line: 1,
-                    message: format!("kinetics = \"{}\" is unknown; there are: {}", food.kinetics, Self::names(&self.kinetics)),
+                    message: format!(
+                        "kinetics = \"{}\" is unknown; there are: {}",
+                        food.kinetics,
+                        Self::names(&self.kinetics)
+                    ),
                 });
             }
         }
@@ -113,8 +117,13 @@ fn in_folder<'a>(files: &'a BTreeMap<String, String>, folder: &'a str) -> impl I
     files.iter().filter_map(move |(path, text)| Some((path.strip_prefix(folder)?.strip_suffix(".toml")?, text)))
 }
 
-fn parse_folder<T: DeserializeOwned>(files: &BTreeMap<String, String>, folder: &str) -> Result<BTreeMap<String, T>, LibraryError> {
-    in_folder(files, folder).map(|(id, text)| Ok((id.to_owned(), parse_text(text, &format!("{folder}{id}.toml"))?))).collect()
+fn parse_folder<T: DeserializeOwned>(
+    files: &BTreeMap<String, String>,
+    folder: &str,
+) -> Result<BTreeMap<String, T>, LibraryError> {
+    in_folder(files, folder)
+        .map(|(id, text)| Ok((id.to_owned(), parse_text(text, &format!("{folder}{id}.toml"))?)))
+        .collect()
 }
 
 fn parse<T: DeserializeOwned>(files: &BTreeMap<String, String>, path: &str) -> Result<T, LibraryError> {

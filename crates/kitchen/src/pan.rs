@@ -175,7 +175,9 @@ impl PanModel {
     pub fn build(description: &PanDescription, hob: &HobDescription) -> Result<Self, MeshError> {
         let floor = description.floor.radius_mm * 1e-3;
         let step = floor / (FLOOR_RINGS as f64 - 0.5);
-        let rise = libm::hypot(description.wall.height_mm, description.wall.rim_radius_mm - description.floor.radius_mm) * 1e-3;
+        let rise =
+            libm::hypot(description.wall.height_mm, description.wall.rim_radius_mm - description.floor.radius_mm)
+                * 1e-3;
         let wall_rings = libm::round(rise / step).max(1.0) as usize;
         let radii: Vec<f64> = (0..FLOOR_RINGS + wall_rings).map(|i| i as f64 * step).collect();
         let section = Section::rings(&radii, step)?;
@@ -185,8 +187,11 @@ impl PanModel {
         };
         let metal = &description.metal;
         let areas = &section.areas;
-        let capacity = (0..areas.len()).map(|i| areas[i] * thickness(i) * metal.density_kg_m3 * metal.specific_heat_j_kgk).collect();
-        let mut graph = Graph { volume: (0..areas.len()).map(|i| areas[i] * thickness(i)).collect(), ..Graph::default() };
+        let capacity = (0..areas.len())
+            .map(|i| areas[i] * thickness(i) * metal.density_kg_m3 * metal.specific_heat_j_kgk)
+            .collect();
+        let mut graph =
+            Graph { volume: (0..areas.len()).map(|i| areas[i] * thickness(i)).collect(), ..Graph::default() };
         for &(a, b, weight) in &section.edges {
             graph.push(a, b, weight * 0.5 * (thickness(a as usize) + thickness(b as usize)));
         }
@@ -263,7 +268,8 @@ impl PanModel {
             let excess = t - air;
             let convection = load.room.pan_air.convection_coefficient * libm::sqrt(libm::sqrt(libm::fabs(excess)));
             let faces = if i < self.floor_nodes { 1.0 - load.covered[i] } else { 2.0 };
-            let lost = faces * (convection + radiation_coefficient(emissivity, t, air)) * self.section.areas[i] * excess * dt;
+            let lost =
+                faces * (convection + radiation_coefficient(emissivity, t, air)) * self.section.areas[i] * excess * dt;
             heat[i] -= lost;
             total.air += lost;
         }
@@ -289,18 +295,27 @@ impl PanModel {
         total.other += (1.0 - hob.coil.efficiency) * hob_w * dt;
         for (i, share) in self.ring_shares.iter().enumerate() {
             heat[i] += hob.coil.efficiency * hob_w * share * dt;
-            let lost = hob.glass.gap_conductance_w_m2k * self.section.areas[i] * (state.temperature[i] - state.glass[i]) * dt;
+            let lost =
+                hob.glass.gap_conductance_w_m2k * self.section.areas[i] * (state.temperature[i] - state.glass[i]) * dt;
             heat[i] -= lost;
             total.other += lost;
             state.glass[i] += lost / (hob.glass.areal_capacity_j_m2k * self.section.areas[i]);
         }
     }
 
-    fn add_cloth(&self, state: &PanState, room: &Room, cloth: &mut Cloth, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
-        for i in 0..self.floor_nodes {
-            let base = state.temperature[i];
-            let taken = cloth.flux(&room.cloth, base) * self.section.areas[i] * dt;
-            heat[i] -= taken;
+    fn add_cloth(
+        &self,
+        state: &PanState,
+        room: &Room,
+        cloth: &mut Cloth,
+        dt: f64,
+        heat: &mut [f64],
+        total: &mut PanExchange,
+    ) {
+        let floor = state.temperature.iter().zip(&self.section.areas).take(self.floor_nodes);
+        for (q, (&base, area)) in heat.iter_mut().zip(floor) {
+            let taken = cloth.flux(&room.cloth, base) * area * dt;
+            *q -= taken;
             total.other += taken;
             total.cloth_vapour += cloth.absorb(taken, base > crate::kelvin(100.0));
         }

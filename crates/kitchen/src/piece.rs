@@ -134,7 +134,9 @@ impl Piece {
         self.conductance.clear();
         self.conductance.extend(patches.unevenness.iter().map(|u| conductance(&room.contact, gap + u, coating)));
         self.below.clear();
-        let temperature = |l: &saute_heat::Located| (0..3).map(|k| l.weights[k] * pan_state.temperature[l.nodes[k] as usize]).sum::<f64>();
+        let temperature = |l: &saute_heat::Located| {
+            (0..3).map(|k| l.weights[k] * pan_state.temperature[l.nodes[k] as usize]).sum::<f64>()
+        };
         self.below.extend(patches.located.iter().map(temperature));
         let (up, side) = room.plume(pan.floor_temperature(pan_state));
         self.exchange_with(up, side, dt)

@@ -171,7 +171,11 @@ impl Check<'_> {
         }
         let raw: RecipeFile = toml::from_str(self.text).or_else(|e| {
             let message = e.message().trim().to_owned();
-            self.error(e.span().map_or(0, |s| s.start), message, "the keys and their types are listed by: saute schema recipe")
+            self.error(
+                e.span().map_or(0, |s| s.start),
+                message,
+                "the keys and their types are listed by: saute schema recipe",
+            )
         })?;
         let max_s = raw.max_s.as_ref().map_or(Ok(3600.0), |s| self.ranged("max_s", s, 1.0, 86_400.0))?;
         let (pan_kind, pan_temperature) = self.pan(raw.pan.as_ref().map(Spanned::get_ref))?;
@@ -214,12 +218,20 @@ impl Check<'_> {
     fn food(&self, entry: &FoodEntry) -> Checked<PieceOrder> {
         let Some(description) = self.library.foods.get(entry.kind.get_ref()) else {
             let remedy = format!("use one of: {}", Library::names(&self.library.foods));
-            return self.error(entry.kind.span().start, format!("food kind = \"{}\" is not a food", entry.kind.get_ref()), remedy);
+            return self.error(
+                entry.kind.span().start,
+                format!("food kind = \"{}\" is not a food", entry.kind.get_ref()),
+                remedy,
+            );
         };
         let id = entry.id.get_ref();
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
         if id.is_empty() || !id.chars().all(plain) {
-            return self.error(entry.id.span().start, format!("food id = \"{id}\" cannot be used"), "use letters, digits, - and _, as in id = \"steak\"");
+            return self.error(
+                entry.id.span().start,
+                format!("food id = \"{id}\" cannot be used"),
+                "use letters, digits, - and _, as in id = \"steak\"",
+            );
         }
         let size_mm = self.size(entry, description)?;
         let initial = entry.initial_c.as_ref().map_or(Ok(5.0), |c| self.ranged("food.initial_c", c, 0.0, 60.0))?;
@@ -237,7 +249,11 @@ impl Check<'_> {
         let Some(given) = &entry.size_mm else { return Ok(description.size.default_mm) };
         let at = given.span().start;
         let Ok(size) = <[f64; 3]>::try_from(given.get_ref().clone()) else {
-            return self.error(at, "size_mm needs three numbers", "write size_mm = [length, width, thickness], for instance [120, 80, 25]");
+            return self.error(
+                at,
+                "size_mm needs three numbers",
+                "write size_mm = [length, width, thickness], for instance [120, 80, 25]",
+            );
         };
         let names = ["length", "width", "thickness"];
         for axis in 0..3 {
@@ -255,7 +271,11 @@ impl Check<'_> {
         for food in foods {
             let id = &food.get_ref().id;
             if !seen.insert(id.get_ref()) {
-                return self.error(id.span().start, format!("food id = \"{}\" is used twice", id.get_ref()), "give every food its own id");
+                return self.error(
+                    id.span().start,
+                    format!("food id = \"{}\" is used twice", id.get_ref()),
+                    "give every food its own id",
+                );
             }
         }
         Ok(())
@@ -264,7 +284,11 @@ impl Check<'_> {
     fn step(&self, entry: &Spanned<StepEntry>, foods: &[PieceOrder]) -> Checked<Step> {
         let at = entry.span().start;
         let step = entry.get_ref();
-        Ok(Step { trigger: self.trigger(at, step, foods)?, action: self.action(at, step, foods)?, line: line_of(self.text, at) })
+        Ok(Step {
+            trigger: self.trigger(at, step, foods)?,
+            action: self.action(at, step, foods)?,
+            line: line_of(self.text, at),
+        })
     }
 
     fn trigger(&self, at: usize, step: &StepEntry, foods: &[PieceOrder]) -> Checked<Trigger> {
@@ -303,7 +327,11 @@ impl Check<'_> {
             _ => 0.0,
         };
         if !value.is_finite() || value < 0.0 || value > kelvin(500.0) {
-            return self.error(at, "the condition's value is out of range", "temperatures may be 0 to 500 °C, masses 0 to 500 kg");
+            return self.error(
+                at,
+                "the condition's value is out of range",
+                "temperatures may be 0 to 500 °C, masses 0 to 500 kg",
+            );
         }
         Ok(trigger)
     }
@@ -343,7 +371,11 @@ impl Check<'_> {
         }
         if let Some(end) = &step.end {
             if !*end.get_ref() {
-                return self.error(end.span().start, "end = false does nothing", "write end = true, or leave the step out");
+                return self.error(
+                    end.span().start,
+                    "end = false does nothing",
+                    "write end = true, or leave the step out",
+                );
             }
             actions.push(Action::End);
         }
@@ -359,7 +391,11 @@ impl Check<'_> {
         let Some(at) = &step.at_mm else { return Ok([0.0, 0.0]) };
         match <[f64; 2]>::try_from(at.get_ref().clone()) {
             Ok(p) if p.iter().all(|v| v.abs() <= 200.0) => Ok(p.map(|v| v * 1e-3)),
-            _ => self.error(at.span().start, "at_mm needs two numbers within the pan", "write at_mm = [x, y], for instance [20, 0]; the pan's centre is [0, 0]"),
+            _ => self.error(
+                at.span().start,
+                "at_mm needs two numbers within the pan",
+                "write at_mm = [x, y], for instance [20, 0]; the pan's centre is [0, 0]",
+            ),
         }
     }
 
@@ -378,18 +414,27 @@ impl Check<'_> {
 
     /// What can be known before the cook: foods are where a step needs them, times go forward, there is an end.
     fn check_order(&self, raw: &RecipeFile, steps: &[Step], foods: &[PieceOrder]) -> Checked<()> {
-        let mut whereabouts: BTreeMap<&str, Whereabouts> = foods.iter().map(|f| (f.id.as_str(), Whereabouts::Waiting)).collect();
+        let mut whereabouts: BTreeMap<&str, Whereabouts> =
+            foods.iter().map(|f| (f.id.as_str(), Whereabouts::Waiting)).collect();
         let mut earliest = 0.0;
         for (index, (step, entry)) in steps.iter().zip(&raw.step).enumerate() {
             let at = entry.span().start;
             earliest = self.check_time(at, step, earliest)?;
             self.check_place(at, &step.action, &mut whereabouts)?;
             if step.action == Action::End && index + 1 < steps.len() {
-                return self.error(raw.step[index + 1].span().start, "there is a step after the end", "move end = true to the last step");
+                return self.error(
+                    raw.step[index + 1].span().start,
+                    "there is a step after the end",
+                    "move end = true to the last step",
+                );
             }
         }
         if steps.last().is_none_or(|s| s.action != Action::End) {
-            return self.error(self.text.trim_end().len(), "the recipe has no end", "close it with a [[step]] that says end = true");
+            return self.error(
+                self.text.trim_end().len(),
+                "the recipe has no end",
+                "close it with a [[step]] that says end = true",
+            );
         }
         Ok(())
     }
@@ -397,7 +442,8 @@ impl Check<'_> {
     fn check_time(&self, at: usize, step: &Step, earliest: f64) -> Checked<f64> {
         let start = match step.trigger {
             Trigger::At(s) if s < earliest - 1e-9 => {
-                let message = format!("at_s = {s} is already past: the steps before it end at {earliest} s at the earliest");
+                let message =
+                    format!("at_s = {s} is already past: the steps before it end at {earliest} s at the earliest");
                 return self.error(at, message, "use a later at_s, or after_s");
             }
             Trigger::At(s) => s,
@@ -407,11 +453,22 @@ impl Check<'_> {
         Ok(start + if let Action::Cool { for_s } = step.action { for_s } else { 0.0 })
     }
 
-    fn check_place<'b>(&self, at: usize, action: &'b Action, whereabouts: &mut BTreeMap<&'b str, Whereabouts>) -> Checked<()> {
+    fn check_place<'b>(
+        &self,
+        at: usize,
+        action: &'b Action,
+        whereabouts: &mut BTreeMap<&'b str, Whereabouts>,
+    ) -> Checked<()> {
         let (food, needs, then, remedy) = match action {
-            Action::Put { food, .. } => (food, None, Whereabouts::Pan, "a food in the pan cannot be put in again: rest it first"),
-            Action::Flip { food } => (food, Some(Whereabouts::Pan), Whereabouts::Pan, "put it into the pan before this step"),
-            Action::Rest { food, .. } => (food, Some(Whereabouts::Pan), Whereabouts::Out, "put it into the pan before this step"),
+            Action::Put { food, .. } => {
+                (food, None, Whereabouts::Pan, "a food in the pan cannot be put in again: rest it first")
+            }
+            Action::Flip { food } => {
+                (food, Some(Whereabouts::Pan), Whereabouts::Pan, "put it into the pan before this step")
+            }
+            Action::Rest { food, .. } => {
+                (food, Some(Whereabouts::Pan), Whereabouts::Out, "put it into the pan before this step")
+            }
             _ => return Ok(()),
         };
         let now = whereabouts.get(food.as_str()).copied().unwrap_or(Whereabouts::Waiting);

@@ -1,8 +1,8 @@
 //! What is remembered while cooking: series and extremes.
 
+use crate::celsius;
 use crate::kitchen::Kitchen;
 use crate::runner::rounded;
-use crate::celsius;
 
 /// One row of the series.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,7 +52,8 @@ impl Recorder {
 
     /// Adds a row for now; one that repeats the last row's time replaces it.
     pub fn write_row(&mut self, kitchen: &Kitchen) {
-        let food = |p: &crate::Piece| [celsius(p.core()), celsius(p.face(false)), celsius(p.face(true)), 1e3 * p.mass()];
+        let food =
+            |p: &crate::Piece| [celsius(p.core()), celsius(p.face(false)), celsius(p.face(true)), 1e3 * p.mass()];
         let row = Row {
             time_s: rounded(kitchen.time_s()),
             hob_w: kitchen.drawn_w(),

@@ -109,7 +109,10 @@ impl Runner {
         match &recipe.steps[self.next].trigger {
             Trigger::At(s) => {
                 if now > s + TICK_S - SAME_TIME && self.armed.is_none() {
-                    return Err(self.error(format!("at_s = {s} is already past: the step before it ended at {now:.1} s"), "use a later at_s, or after_s"));
+                    return Err(self.error(
+                        format!("at_s = {s} is already past: the step before it ended at {now:.1} s"),
+                        "use a later at_s, or after_s",
+                    ));
                 }
                 self.armed = Some(0.0);
                 Ok(now >= s - SAME_TIME)

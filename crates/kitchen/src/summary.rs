@@ -158,7 +158,14 @@ pub struct Surface {
 
 impl Summary {
     /// Reads everything off a kitchen after a cook.
-    pub fn new(kitchen: &Kitchen, recorder: &Recorder, runner: &Runner, steps: &[StepRecord], masses_at_start: &[f64], wall_s: f64) -> Self {
+    pub fn new(
+        kitchen: &Kitchen,
+        recorder: &Recorder,
+        runner: &Runner,
+        steps: &[StepRecord],
+        masses_at_start: &[f64],
+        wall_s: f64,
+    ) -> Self {
         let stopped_by = runner.stopped().unwrap_or(StoppedBy::MaxS);
         let foods = kitchen.pieces().iter().zip(masses_at_start).map(|(p, m)| FoodSummary::new(p, *m)).collect();
         let unhealthy = kitchen.pieces().iter().filter(|p| !p.state.healthy);
@@ -201,7 +208,11 @@ impl FoodSummary {
             nodes: model.mesh.node_count(),
             mass_g: StartEnd { start: 1e3 * mass_at_start, end: 1e3 * piece.mass() },
             water_g: WaterSummary { evaporated: 1e3 * state.evaporated, dripped: 1e3 * state.dripped },
-            core_c: CoreSummary { end: celsius(piece.core()), peak: celsius(piece.core_peak.0), peak_at_s: rounded(piece.core_peak.1) },
+            core_c: CoreSummary {
+                end: celsius(piece.core()),
+                peak: celsius(piece.core_peak.0),
+                peak_at_s: rounded(piece.core_peak.1),
+            },
             section_pct: model.cut_shares(state, &model.cut_across(0.0)).into(),
             volume_pct: model.volume_shares(state).into(),
             denatured: Denatured { myosin: mean(0), collagen: mean(1), actin: mean(2), myoglobin: mean(3) },
