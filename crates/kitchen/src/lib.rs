@@ -16,6 +16,7 @@ pub mod library;
 pub mod pan;
 pub mod piece;
 pub mod recipe;
+mod recipe_check;
 pub mod recipe_file;
 pub mod recorder;
 pub mod room;

@@ -140,11 +140,11 @@ impl Runner {
     fn fire(&mut self, kitchen: &mut Kitchen) -> Result<StepRecord, RunError> {
         let action = self.recipe.steps[self.next].action.clone();
         let now = kitchen.time_s();
-        if let Some(command) = command(&action) {
-            kitchen.apply(&command).map_err(|refused| self.refused(&refused))?;
+        if let Action::Do(command) = &action {
+            kitchen.apply(command).map_err(|refused| self.refused(&refused))?;
         }
         let record = record(&action, now);
-        self.ready_at = now + if let Action::Cool { for_s } = action { for_s } else { 0.0 };
+        self.ready_at = now + action.duration_s();
         self.armed = None;
         if action == Action::End {
             self.stopped = Some(StoppedBy::End);
@@ -182,24 +182,13 @@ impl Runner {
     }
 }
 
-fn command(action: &Action) -> Option<Command> {
-    Some(match action {
-        Action::Hob(power) => Command::Hob(*power),
-        Action::Put { food, at } => Command::Put { food: food.clone(), at: *at },
-        Action::Flip { food } => Command::Flip { food: food.clone() },
-        Action::Rest { food, on } => Command::Rest { food: food.clone(), on: *on },
-        Action::Cool { for_s } => Command::Cool { for_s: *for_s },
-        Action::End => return None,
-    })
-}
-
 fn parts(action: &Action) -> (&'static str, Option<&str>, serde_json::Value) {
     match action {
-        Action::Hob(power) => ("hob_w", None, (*power).into()),
-        Action::Put { food, at } => ("put", Some(food), serde_json::json!([at[0] * 1e3, at[1] * 1e3])),
-        Action::Flip { food } => ("flip", Some(food), serde_json::Value::Null),
-        Action::Rest { food, on } => ("rest", Some(food), serde_json::json!(on)),
-        Action::Cool { for_s } => ("cool", None, (*for_s).into()),
+        Action::Do(Command::Hob(power)) => ("hob_w", None, (*power).into()),
+        Action::Do(Command::Put { food, at }) => ("put", Some(food), serde_json::json!([at[0] * 1e3, at[1] * 1e3])),
+        Action::Do(Command::Flip { food }) => ("flip", Some(food), serde_json::Value::Null),
+        Action::Do(Command::Rest { food, on }) => ("rest", Some(food), serde_json::json!(on)),
+        Action::Do(Command::Cool { for_s }) => ("cool", None, (*for_s).into()),
         Action::End => ("end", None, true.into()),
     }
 }

@@ -218,7 +218,8 @@ fn turner(mesh: &mut Mesh) {
     ];
     mesh.sweep(
         &bar(&blade, |t| Vec2::new(0.028 + 0.010 * t, 0.0006)),
-        &steel,
+        // Its rolled edge is thinner than a pixel: what it mirrors must be even.
+        &Finish { roughness: 0.6, ..steel },
     );
     let handle: Vec<Vec2> = (0..=8)
         .map(|i| Vec2::new(-0.24 + 0.0145 * i as f32, 0.016))

@@ -155,6 +155,12 @@ impl SceneRenderer {
         self.targets.size
     }
 
+    /// Leaves resting pictures as they are, however slow the machine.
+    #[cfg(test)]
+    pub(super) fn never_smooth(&mut self) {
+        self.shown.rest = web_time::Duration::MAX;
+    }
+
     pub(super) fn picture(&self) -> &wgpu::Texture {
         &self.targets.texture
     }

@@ -38,11 +38,19 @@ pub(super) enum Work {
 }
 
 /// What the picture shows, and since when.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Shown {
+    /// How long a picture must rest before it is smoothed.
+    pub rest: Duration,
     sight: Option<Sight>,
     since: Option<Instant>,
     smooth: bool,
+}
+
+impl Default for Shown {
+    fn default() -> Self {
+        Self { rest: RESTED, sight: None, since: None, smooth: false }
+    }
 }
 
 impl Shown {
@@ -61,7 +69,7 @@ impl Shown {
         if !settled {
             return Work::Draw;
         }
-        if self.since.is_some_and(|since| since.elapsed() > RESTED) {
+        if self.since.is_some_and(|since| since.elapsed() > self.rest) {
             self.smooth = true;
             return Work::Smooth;
         }

@@ -97,6 +97,7 @@ fn a_resting_scene_is_drawn_alike_fast_and_fine() {
         return;
     };
     let mut renderer = SceneRenderer::new(&device, &queue);
+    renderer.never_smooth();
     let scene = steak_in_pan(Doneness::Browned);
     let fast = (0..3)
         .map(|_| renderer.read_as_is(&device, &queue, &scene, SIZE))
@@ -174,6 +175,7 @@ fn a_moved_food_leaves_no_trace() {
         return;
     };
     let draw = |renderer: &mut SceneRenderer, scene: &SceneInput| {
+        renderer.never_smooth();
         (0..5)
             .map(|_| renderer.read_as_is(&device, &queue, scene, SIZE))
             .last()
@@ -187,4 +189,16 @@ fn a_moved_food_leaves_no_trace() {
     let after = draw(&mut renderer, &home);
     let fresh = draw(&mut SceneRenderer::new(&device, &queue), &home);
     assert!(after == fresh);
+}
+
+#[test]
+fn a_pan_without_a_field_is_not_coloured() {
+    let Some((device, queue)) = device() else {
+        return;
+    };
+    let mut scene = flat_field(1.0, false);
+    scene.foods.clear();
+    scene.pan.floor_field = [-1.0; 16];
+    let pixels = SceneRenderer::new(&device, &queue).render_to_image(&device, &queue, &scene, SIZE);
+    assert!(pixels.chunks(4).all(|pixel| pixel[..3] == FLAT_BACKGROUND));
 }
