@@ -1,6 +1,5 @@
 //! The program's window.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use egui::{Rect, Ui};
@@ -18,7 +17,7 @@ use crate::scene::camera::Camera;
 use crate::scene_view::SceneView;
 use crate::session::{SPEEDS, STEAK, Session};
 use crate::settings::Settings;
-use crate::stage::Stage;
+use crate::stage::{Places, Stage, following};
 use crate::theme;
 
 /// Where settings are remembered.
@@ -326,10 +325,15 @@ impl SauteApp {
         self.drawable
     }
 
-    pub(crate) fn poses(&self) -> BTreeMap<String, crate::stage::Pose> {
-        let mut poses = self.motions.poses();
-        poses.extend(self.scene.carried.clone());
-        poses
+    pub(crate) fn places(&self) -> Places {
+        let mut places = self.motions.places();
+        places.pieces.extend(self.scene.carried.clone());
+        places
+    }
+
+    /// The eye as the scene is drawn with it.
+    pub(crate) fn eye(&self) -> Camera {
+        following(&self.camera, self.places().pan(&self.session.kitchen))
     }
 
     /// One frame: takes input, lets time pass, shows everything.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::Vec3;
 use saute_kitchen::Kitchen;
 
-use crate::stage::Pose;
+use crate::stage::{Places, Pose, pan_position};
 
 /// Time of a move or a flip in the picture [s] (chosen).
 const MOVE_S: f32 = 0.45;
@@ -19,10 +19,11 @@ struct Motion {
     progress: f32,
 }
 
-/// Pieces on their way.
+/// Pieces and pan on their way.
 #[derive(Clone, Debug, Default)]
 pub struct Motions {
     moving: BTreeMap<String, Motion>,
+    pan: Option<Motion>,
     generation: u64,
 }
 
@@ -30,39 +31,55 @@ impl Motions {
     /// Forgets everything.
     pub fn clear(&mut self) {
         self.moving.clear();
+        self.pan = None;
     }
 
     /// Follows the kitchen through `wall` seconds; a new `generation` starts at rest.
     pub fn advance(&mut self, kitchen: &Kitchen, generation: u64, wall: f32) {
         if generation != self.generation {
-            self.moving.clear();
+            self.clear();
             self.generation = generation;
         }
         for piece in kitchen.pieces() {
             let target = Pose::of(kitchen, piece);
-            let motion = self.moving.entry(piece.id.clone()).or_insert(Motion { from: target, to: target, progress: 1.0 });
-            if motion.to != target {
-                *motion = Motion { from: at(motion), to: target, progress: 0.0 };
-            }
-            motion.progress = (motion.progress + wall / MOVE_S).min(1.0);
+            self.moving.entry(piece.id.clone()).or_insert(Motion::resting(target)).advance(target, wall);
         }
+        let target = Pose { position: pan_position(kitchen), turn: 0.0, yaw: 0.0 };
+        self.pan.get_or_insert(Motion::resting(target)).advance(target, wall);
     }
 
     /// Starts a piece's next move from where a hand let it go.
     pub fn release(&mut self, id: &str, from: Pose) {
         if let Some(motion) = self.moving.get_mut(id) {
-            *motion = Motion { from, to: from, progress: 1.0 };
+            *motion = Motion::resting(from);
         }
     }
 
     /// Whether anything is on its way.
     pub fn moving(&self) -> bool {
-        self.moving.values().any(|m| m.progress < 1.0)
+        self.moving.values().chain(&self.pan).any(|m| m.progress < 1.0)
     }
 
-    /// Poses of the pieces that are on their way.
-    pub fn poses(&self) -> BTreeMap<String, Pose> {
-        self.moving.iter().filter(|(_, m)| m.progress < 1.0).map(|(id, m)| (id.clone(), at(m))).collect()
+    /// Where things are that are on their way.
+    pub fn places(&self) -> Places {
+        let moving = |m: &&Motion| m.progress < 1.0;
+        Places {
+            pieces: self.moving.iter().filter(|(_, m)| moving(m)).map(|(id, m)| (id.clone(), at(m))).collect(),
+            pan: self.pan.as_ref().filter(moving).map(|m| at(m).position),
+        }
+    }
+}
+
+impl Motion {
+    fn resting(at: Pose) -> Self {
+        Self { from: at, to: at, progress: 1.0 }
+    }
+
+    fn advance(&mut self, target: Pose, wall: f32) {
+        if self.to != target {
+            *self = Self { from: at(self), to: target, progress: 0.0 };
+        }
+        self.progress = (self.progress + wall / MOVE_S).min(1.0);
     }
 }
 

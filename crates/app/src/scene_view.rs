@@ -54,7 +54,7 @@ impl SauteApp {
             slice: self.slice,
             flat: false,
         };
-        let input = self.stage.scene(&self.session.kitchen, &options, &self.poses());
+        let input = self.stage.scene(&self.session.kitchen, &options, &self.places());
         self.scene.drawn_size = self.scene_pixels(rect, ui.ctx().pixels_per_point());
         if self.drawable() {
             let callback = SceneCallback { input: Arc::new(input), size: self.scene.drawn_size };
@@ -108,13 +108,13 @@ impl SauteApp {
 
     fn steak_pose(&self) -> Option<(Pose, &Piece)> {
         let piece = self.session.steak()?;
-        let pose = self.poses().get(&piece.id).copied().unwrap_or_else(|| Pose::of(&self.session.kitchen, piece));
+        let pose = self.places().piece(&self.session.kitchen, piece);
         Some((pose, piece))
     }
 
     fn steak_under(&self, at: Pos2, rect: Rect, aspect: f32) -> bool {
         let Some((pose, piece)) = self.steak_pose() else { return false };
-        let (origin, direction) = self.camera.ray(ndc(at, rect), aspect);
+        let (origin, direction) = self.eye().ray(ndc(at, rect), aspect);
         let half = 0.5 * piece.model.mesh.thickness() as f32;
         let outline = &piece.model.outline;
         [-1.0, 0.0, 1.0].iter().any(|level| {
@@ -127,7 +127,7 @@ impl SauteApp {
     fn carry(&mut self, at: Pos2, rect: Rect, aspect: f32) {
         let Some((pose, piece)) = self.steak_pose() else { return };
         let (id, turn, yaw) = (piece.id.clone(), pose.turn, pose.yaw);
-        let (origin, direction) = self.camera.ray(ndc(at, rect), aspect);
+        let (origin, direction) = self.eye().ray(ndc(at, rect), aspect);
         if let Some(hit) = meet_height(origin, direction, CARRY_HEIGHT) {
             let position = Vec3::new(hit.x.clamp(-0.5, 0.6), hit.y.clamp(-0.4, 0.4), CARRY_HEIGHT);
             self.scene.carried.insert(id, Pose { position, turn, yaw });
@@ -159,7 +159,7 @@ impl SauteApp {
     /// Where the middle of the steak appears in a window.
     pub fn steak_on_screen(&self, window: Rect) -> Option<Pos2> {
         let (pose, _) = self.steak_pose()?;
-        let ndc = self.camera.project(pose.position, window.width() / window.height())?;
+        let ndc = self.eye().project(pose.position, window.width() / window.height())?;
         Some(on_screen(ndc, window))
     }
 
@@ -170,8 +170,8 @@ impl SauteApp {
         let height = 0.5 * piece.model.mesh.thickness() as f32;
         let place = along(&pose.matrix(), lengthwise, slice as f32 * half_length(piece) as f32) + Vec3::Z * height;
         let aspect = window.width() / window.height();
-        let foot = self.camera.project(place, aspect)?;
-        let knob = self.camera.project(place + Vec3::Z * KNOB_HEIGHT, aspect)?;
+        let foot = self.eye().project(place, aspect)?;
+        let knob = self.eye().project(place + Vec3::Z * KNOB_HEIGHT, aspect)?;
         Some([on_screen(foot, window), on_screen(knob, window)])
     }
 
@@ -198,7 +198,7 @@ impl SauteApp {
 impl SauteApp {
     fn drag_cut(&mut self, at: Pos2, rect: Rect) {
         let Some((pose, piece)) = self.steak_pose() else { return };
-        let (origin, direction) = self.camera.ray(ndc(at, rect), rect.width() / rect.height());
+        let (origin, direction) = self.eye().ray(ndc(at, rect), rect.width() / rect.height());
         let height = pose.position.z + 0.5 * piece.model.mesh.thickness() as f32 + KNOB_HEIGHT;
         let Some(hit) = meet_height(origin, direction, height) else { return };
         let local = pose.matrix().inverse().transform_point3(hit);

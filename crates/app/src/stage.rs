@@ -66,6 +66,35 @@ fn board_place(kitchen: &Kitchen, piece: &Piece) -> Vec3 {
     Vec3::X * -0.07 + Vec3::new(0.09, 0.0, 0.0) * index
 }
 
+/// Where things are in the picture while they are on their way; elsewhere the kitchen tells.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Places {
+    /// Pieces, by id.
+    pub pieces: BTreeMap<String, Pose>,
+    /// The pan [m].
+    pub pan: Option<Vec3>,
+}
+
+impl Places {
+    /// Where a piece is.
+    pub fn piece(&self, kitchen: &Kitchen, piece: &Piece) -> Pose {
+        self.pieces.get(&piece.id).copied().unwrap_or_else(|| Pose::of(kitchen, piece))
+    }
+
+    /// Where the pan is [m].
+    pub fn pan(&self, kitchen: &Kitchen) -> Vec3 {
+        self.pan.unwrap_or_else(|| pan_position(kitchen))
+    }
+}
+
+/// How much of the pan's way to the cloth the eye goes along [-] (chosen: hob and pan stay in view).
+const EYE_FOLLOWS: f32 = 0.62;
+
+/// The eye follows the pan to the cloth.
+pub fn following(camera: &Camera, pan: Vec3) -> Camera {
+    Camera { target: camera.target + pan.with_z(0.0) * EYE_FOLLOWS, ..camera.clone() }
+}
+
 /// Where the pan stands [m].
 pub fn pan_position(kitchen: &Kitchen) -> Vec3 {
     if kitchen.cloth().is_some() { CLOTH_PLACE } else { Vec3::ZERO }
@@ -78,31 +107,32 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// Describes one frame; `poses` overrides where pieces lie (motion between two places), by id.
-    pub fn scene(&mut self, kitchen: &Kitchen, options: &StageOptions, poses: &BTreeMap<String, Pose>) -> SceneInput {
+    /// Describes one frame.
+    pub fn scene(&mut self, kitchen: &Kitchen, options: &StageOptions, places: &Places) -> SceneInput {
+        let pan = places.pan(kitchen);
         let map = options.view.colour_map(options.map);
         self.skins.retain(|id, _| kitchen.piece(id).is_some());
-        let foods = kitchen.pieces().iter().map(|p| self.food(kitchen, p, options, map.as_ref(), poses)).collect();
+        let foods = kitchen.pieces().iter().map(|p| self.food(kitchen, p, options, map.as_ref(), places)).collect();
         SceneInput {
-            camera: options.camera.clone(),
-            hob: HobLook { power: (kitchen.hob_w() / 2000.0).min(1.0) as f32 },
-            pan: pan_look(kitchen, options.view, map.as_ref()),
+            camera: following(&options.camera, pan),
+            hob: HobLook { power: (kitchen.drawn_w() / 2000.0).min(1.0) as f32 },
+            pan: PanLook { position: pan, ..pan_look(kitchen, options.view, map.as_ref()) },
             foods,
-            steam: steam(kitchen, poses),
+            steam: steam(kitchen, places),
             time_s: kitchen.time_s() as f32,
             colouring: map.map_or(Colouring::Look, |m| Colouring::Field { table: m.table, stepped: m.stepped }),
             flat: options.flat,
         }
     }
 
-    fn food(&mut self, kitchen: &Kitchen, piece: &Piece, options: &StageOptions, map: Option<&ColourMap>, poses: &BTreeMap<String, Pose>) -> FoodLook {
+    fn food(&mut self, kitchen: &Kitchen, piece: &Piece, options: &StageOptions, map: Option<&ColourMap>, places: &Places) -> FoodLook {
         let identity = std::sync::Arc::as_ptr(&piece.model) as u64;
         let entry = self.skins.entry(piece.id.clone()).or_insert_with(|| (identity, Skin::new(piece)));
         if entry.0 != identity {
             *entry = (identity, Skin::new(piece));
         }
         let skin = &entry.1;
-        let pose = poses.get(&piece.id).copied().unwrap_or_else(|| Pose::of(kitchen, piece));
+        let pose = places.piece(kitchen, piece);
         FoodLook {
             mesh: skin.mesh.clone(),
             vertices: skin.vertices(&piece.model, &piece.state, options.view, map),
@@ -158,10 +188,10 @@ fn floor_field(kitchen: &Kitchen, map: Option<&ColourMap>) -> [f32; FLOOR_FIELD_
 }
 
 /// Vapour leaves round the lower rim of a frying piece and from its upper face.
-fn steam(kitchen: &Kitchen, poses: &BTreeMap<String, Pose>) -> Vec<SteamSource> {
+fn steam(kitchen: &Kitchen, places: &Places) -> Vec<SteamSource> {
     let mut sources = Vec::new();
     for piece in kitchen.pieces().iter().filter(|p| p.place != Place::Waiting && p.vapour_flow > 0.0) {
-        let pose = poses.get(&piece.id).copied().unwrap_or_else(|| Pose::of(kitchen, piece));
+        let pose = places.piece(kitchen, piece);
         let [a, b] = [0.45 * piece.model.size[0] as f32, 0.45 * piece.model.size[1] as f32];
         let share = 1e3 * piece.vapour_flow as f32 / 7.0;
         for k in 0..6u8 {
@@ -175,7 +205,7 @@ fn steam(kitchen: &Kitchen, poses: &BTreeMap<String, Pose>) -> Vec<SteamSource> 
     let (puddle, cloth) = kitchen.other_vapour();
     if puddle + cloth > 1e-6 {
         let flow_g_s = 1e3 * (puddle + 0.3 * cloth) as f32;
-        sources.push(SteamSource { position: pan_position(kitchen) + Vec3::Z * 0.01, radius: 0.09, flow_g_s });
+        sources.push(SteamSource { position: places.pan(kitchen) + Vec3::Z * 0.01, radius: 0.09, flow_g_s });
     }
     sources
 }

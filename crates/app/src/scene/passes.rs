@@ -204,6 +204,27 @@ pub(super) struct Sprites<'a> {
     pub ends: [u32; 2],
 }
 
+/// Everything in a picture.
+pub(super) struct Subject<'a> {
+    pub solids: &'a Solids,
+    pub foods: &'a Foods,
+    pub sprites: Sprites<'a>,
+}
+
+/// A whole picture in one pass, what is near first.
+pub(super) fn draw_whole(
+    encoder: &mut wgpu::CommandEncoder,
+    to: &Attachments<'_>,
+    pipelines: &ColourPipelines,
+    groups: &Groups<'_>,
+    subject: &Subject<'_>,
+) {
+    let mut pass = begin(encoder, to, true);
+    draw_lively(&mut pass, pipelines, groups, subject.solids, subject.foods);
+    draw_still(&mut pass, pipelines, groups, subject.solids, false);
+    draw_veils(&mut pass, pipelines, groups, subject.foods, &subject.sprites);
+}
+
 /// What lies round frying foods, the veils of cut foods, then steam.
 pub(super) fn draw_veils(
     pass: &mut wgpu::RenderPass<'_>,

@@ -6,7 +6,7 @@ use super::dirty::DirtyRect;
 use super::food_gpu::{Foods, Moved};
 use super::fry::{FRY_VERTICES_MAX, fry};
 use super::input::{Colouring, SceneInput};
-use super::passes::{self, Groups, Sprites};
+use super::passes::{self, Groups, Sprites, Subject};
 use super::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines, PipelineFactory};
 use super::shadow::{ContactMap, light_from_world};
 use super::shown::{Shown, Sight, Work};
@@ -307,49 +307,25 @@ impl SceneRenderer {
     }
 
     fn draw_fine(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
-        let pipelines = self
-            .fine
-            .get_or_insert_with(|| self.factory.colour(device, MSAA_SAMPLES));
+        let pipelines = self.fine.get_or_insert_with(|| self.factory.colour(device, MSAA_SAMPLES));
         let Some(solids) = &self.solids else { return };
         self.targets.msaa(device);
-        let groups = Groups {
-            frame: &self.frame.group,
-            textures: &self.textures.bind_group,
-        };
-        let mut pass = passes::begin(
-            encoder,
-            &self.targets.multisampled(&self.targets.picture),
-            true,
-        );
-        passes::draw_lively(&mut pass, pipelines, &groups, solids, &self.foods);
-        passes::draw_still(&mut pass, pipelines, &groups, solids, false);
-        passes::draw_veils(
-            &mut pass,
-            pipelines,
-            &groups,
-            &self.foods,
-            &Sprites { buffer: &self.sprites, ends: self.sprite_ends },
-        );
-        drop(pass);
+        let to = self.targets.multisampled(&self.targets.picture);
+        let subject = Subject { solids, foods: &self.foods, sprites: Sprites { buffer: &self.sprites, ends: self.sprite_ends } };
+        let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
+        passes::draw_whole(encoder, &to, pipelines, &groups, &subject);
         self.drawn = DirtyRect::WHOLE;
     }
 
-    fn draw_fast(
-        &mut self,
-        device: &wgpu::Device,
-        encoder: &mut wgpu::CommandEncoder,
-        key: StillKey,
-        size: [u32; 2],
-    ) {
-        self.update_still(device, encoder, key);
-        let pipelines = self
-            .fast
-            .get_or_insert_with(|| self.factory.colour(device, 1));
+    fn draw_fast(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey, size: [u32; 2]) {
+        match self.still_step(&key) {
+            StillStep::Skip => return self.draw_direct(device, encoder, key),
+            StillStep::Refine => self.refine_still(device, encoder, key),
+            StillStep::Keep => {}
+        }
+        let pipelines = self.fast.get_or_insert_with(|| self.factory.colour(device, 1));
         let Some(solids) = &self.solids else { return };
-        let groups = Groups {
-            frame: &self.frame.group,
-            textures: &self.textures.bind_group,
-        };
+        let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
         let mut pass = passes::begin(encoder, &self.targets.picture.attachments(), false);
         pass.set_pipeline(&self.restore);
         pass.set_bind_group(0, &self.targets.restore, &[]);
@@ -357,59 +333,54 @@ impl SceneRenderer {
         pass.set_scissor_rect(left, top, width, height);
         pass.draw(0..3, 0..1);
         passes::draw_lively(&mut pass, pipelines, &groups, solids, &self.foods);
-        passes::draw_veils(
-            &mut pass,
-            pipelines,
-            &groups,
-            &self.foods,
-            &Sprites { buffer: &self.sprites, ends: self.sprite_ends },
-        );
+        let sprites = Sprites { buffer: &self.sprites, ends: self.sprite_ends };
+        passes::draw_veils(&mut pass, pipelines, &groups, &self.foods, &sprites);
         drop(pass);
         self.drawn = self.dirty;
     }
 
-    /// Draws the still things when they changed: at once with one sample a pixel, and smoothly as soon as they rest.
-    fn update_still(
-        &mut self,
-        device: &wgpu::Device,
-        encoder: &mut wgpu::CommandEncoder,
-        key: StillKey,
-    ) {
-        let samples = match &self.still {
-            Some(still) if still.key == key && still.samples == MSAA_SAMPLES => return,
-            Some(still) if still.key == key => MSAA_SAMPLES,
+    fn still_step(&self, key: &StillKey) -> StillStep {
+        match &self.still {
+            Some(still) if still.is_best_for(key) => StillStep::Keep,
             // A food in motion: its shadow on wall and board may lag until it rests.
-            Some(still) if still.key.same_view(&key) && self.moved.shadow => return,
-            Some(still) if still.key.same_view(&key) => MSAA_SAMPLES,
-            _ => 1,
-        };
-        let Some(solids) = &self.solids else { return };
-        let groups = Groups {
-            frame: &self.frame.group,
-            textures: &self.textures.bind_group,
-        };
-        if samples == 1 {
-            let pipelines = self
-                .fast
-                .get_or_insert_with(|| self.factory.colour(device, 1));
-            let mut pass = passes::begin(encoder, &self.targets.still.attachments(), true);
-            passes::draw_still(&mut pass, pipelines, &groups, solids, false);
-        } else {
-            let pipelines = self
-                .fine
-                .get_or_insert_with(|| self.factory.colour(device, MSAA_SAMPLES));
-            self.targets.msaa(device);
-            let mut pass = passes::begin(
-                encoder,
-                &self.targets.multisampled(&self.targets.still),
-                true,
-            );
-            passes::draw_still(&mut pass, pipelines, &groups, solids, true);
-            drop(pass);
-            let mut pass = passes::begin_depth(encoder, &self.targets.still.depth);
-            passes::draw_still_depth(&mut pass, &self.depth, &self.camera_view.group, solids);
+            Some(still) if still.key.same_view(key) && self.moved.shadow && still.drawn => StillStep::Keep,
+            Some(still) if still.key.same_view(key) && !self.moved.shadow => StillStep::Refine,
+            _ => StillStep::Skip,
         }
-        self.still = Some(Still { key, samples });
+    }
+
+    /// While the eye moves nothing is worth keeping: everything is drawn at once with one sample a pixel.
+    fn draw_direct(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey) {
+        let pipelines = self.fast.get_or_insert_with(|| self.factory.colour(device, 1));
+        let Some(solids) = &self.solids else { return };
+        let to = self.targets.picture.attachments();
+        let subject = Subject { solids, foods: &self.foods, sprites: Sprites { buffer: &self.sprites, ends: self.sprite_ends } };
+        let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
+        passes::draw_whole(encoder, &to, pipelines, &groups, &subject);
+        self.still = Some(Still { key, drawn: false });
         self.drawn = DirtyRect::WHOLE;
     }
+
+    /// Draws the still things smoothly, as soon as they rest.
+    fn refine_still(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey) {
+        let pipelines = self.fine.get_or_insert_with(|| self.factory.colour(device, MSAA_SAMPLES));
+        let Some(solids) = &self.solids else { return };
+        let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
+        self.targets.msaa(device);
+        let mut pass = passes::begin(encoder, &self.targets.multisampled(&self.targets.still), true);
+        passes::draw_still(&mut pass, pipelines, &groups, solids, true);
+        drop(pass);
+        let mut pass = passes::begin_depth(encoder, &self.targets.still.depth);
+        passes::draw_still_depth(&mut pass, &self.depth, &self.camera_view.group, solids);
+        drop(pass);
+        self.still = Some(Still { key, drawn: true });
+        self.drawn = DirtyRect::WHOLE;
+    }
+}
+
+/// What to do about the kept picture of the still things.
+enum StillStep {
+    Keep,
+    Refine,
+    Skip,
 }

@@ -3,7 +3,6 @@
 use super::camera::Camera;
 use super::input::SceneInput;
 use super::solid_gpu::PanKey;
-use super::targets::MSAA_SAMPLES;
 
 /// What the kept picture of the still things depends on.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,15 +35,16 @@ impl StillKey {
     }
 }
 
+/// The kept picture.
+pub(super) struct Still {
+    pub key: StillKey,
+    /// False while the eye moves: then only the key is kept.
+    pub drawn: bool,
+}
+
 impl Still {
     /// True when the picture is as good as it gets for a key.
     pub fn is_best_for(&self, key: &StillKey) -> bool {
-        self.key == *key && self.samples == MSAA_SAMPLES
+        self.key == *key && self.drawn
     }
-}
-
-/// The kept picture and how well it was drawn.
-pub(super) struct Still {
-    pub key: StillKey,
-    pub samples: u32,
 }

@@ -64,7 +64,10 @@ struct Flesh {
 struct Fibres {
     tone: f32,
     seam: f32,
+    // Where a crust cracks.
     crack: f32,
+    // Between the small bundles.
+    strand: f32,
 };
 
 fn fibres(rest: vec3<f32>, broad: vec4<f32>) -> Fibres {
@@ -74,8 +77,9 @@ fn fibres(rest: vec3<f32>, broad: vec4<f32>) -> Fibres {
     let bundle = textureSample(bundle_picture, tile_sampler, warped * 78.0);
     let fascicle = textureSample(bundle_picture, tile_sampler, warped.yx * 17.3 + 0.29);
     let tone = 0.20 * (bundle.g - 0.5) + 0.16 * (fascicle.g - 0.5) - 0.10 * (1.0 - smoothstep(0.0, 0.5, bundle.r));
+    let strand = 1.0 - smoothstep(0.0, 0.35, bundle.r);
     let seam = (1.0 - smoothstep(0.05, 0.24, fascicle.r)) * smoothstep(0.36, 0.58, broad.a);
-    return Fibres(tone, seam, 1.0 - smoothstep(0.0, 0.22, fascicle.r));
+    return Fibres(tone, seam, 1.0 - smoothstep(0.0, 0.26, fascicle.r), strand);
 }
 
 fn flesh(in: FoodOut, rest_normal: vec3<f32>) -> Flesh {
@@ -93,6 +97,8 @@ fn flesh(in: FoodOut, rest_normal: vec3<f32>) -> Flesh {
     let warped_fat = (rest + (broad.gbr - 0.5) * 0.0012 - food.fat_origin.xyz) * food.fat_scale.xyz;
     let fraction = textureSample(fat_volume, clamp_sampler, warped_fat).r;
     let fat = 0.92 * smoothstep(0.42, 0.92, fraction + (grain.a - 0.5) * 0.20);
+    // Lean strands run through broad fat.
+    let shown_fat = fat * (1.0 - 0.40 * fibre.strand - 0.35 * smoothstep(0.50, 0.66, broad.a));
     // The edge between face and side browns first.
     let upright = abs(rest_normal.z);
     let rim = smoothstep(0.10, 0.55, upright) * (1.0 - smoothstep(0.75, 0.995, upright));
@@ -105,11 +111,11 @@ fn flesh(in: FoodOut, rest_normal: vec3<f32>) -> Flesh {
     // Fat in a crust fries with the meat round it.
     let fatty = mix(in.fat * (0.80 + 0.18 * grain.a + 0.18 * broad.a), meat, 0.80 * smoothstep(0.0, 0.7, crust));
     let pits = 1.0 - crust * (0.10 + 0.34 * smoothstep(0.52, 0.26, grain.a) + 0.16 * smoothstep(0.56, 0.20, broad.a));
-    let cracks = 1.0 - 0.65 * charred * fibre.crack;
+    let cracks = mix(1.0, (0.75 + 0.9 * broad.a) * (1.0 - 0.85 * fibre.crack), charred);
     let slope = (region.brg - 0.5) * 0.10 + (broad.rgb - 0.5) * (0.16 + 0.40 * crust) + (grain.rgb - 0.5) * (0.42 + 0.45 * crust) + (fine.grb - 0.5) * (0.22 + 0.50 * crust);
     let film_slope = (broad.rgb - 0.5) * 0.75 + (grain.rgb - 0.5) * 0.40;
     let ridges = smoothstep(0.49, 0.62, 0.55 * broad.a + 0.45 * grain.a);
-    return Flesh(mix(meat, fatty, fat) * pits * cracks, slope * (1.0 + 0.6 * charred), fat, broad.a, film_slope, ridges, charred);
+    return Flesh(mix(meat, fatty, shown_fat) * pits * cracks, slope * (1.0 + 0.6 * charred), fat, broad.a, film_slope, ridges, charred);
 }
 
 // Height of what the food lies on.
