@@ -23,46 +23,28 @@ fn main() -> Result<(), Failure> {
     println!("first frame    {:7.1} ms", milliseconds(start));
     let mut sliced = scene.clone();
     cut(&mut sliced.foods[0], Doneness::HalfWay);
-    let field = Colouring::Field {
-        table: heat_table(),
-        stepped: false,
+    let field = Colouring::Field { table: heat_table(), stepped: false };
+    let coloured = SceneInput { colouring: field, ..sliced.clone() };
+    let mut bench = |name: &str, quality, scene: &SceneInput, change: fn(&mut SceneInput, usize)| {
+        renderer.quality = quality;
+        let median = median(&mut renderer, &device, &queue, scene, change);
+        println!("{name:15}{median:7.1} ms");
     };
-    let coloured = SceneInput {
-        colouring: field,
-        ..sliced.clone()
-    };
-    let mut bench =
-        |name: &str, quality, scene: &SceneInput, change: fn(&mut SceneInput, usize)| {
-            renderer.quality = quality;
-            let median = median(&mut renderer, &device, &queue, scene, change);
-            println!("{name:15}{median:7.1} ms");
-        };
     bench("at rest", Quality::Fast, &scene, |_, _| ());
     bench("sliced", Quality::Fast, &sliced, |_, _| ());
     bench("field", Quality::Fast, &coloured, |_, _| ());
-    bench("food moves", Quality::Fast, &scene, |scene, i| {
-        scene.foods[0].world_from_rest.w_axis.z += 0.001 * i as f32
-    });
-    bench("eye moves", Quality::Fast, &scene, |scene, i| {
-        scene.camera.orbit(0.01 * i as f32, 0.0)
-    });
+    bench("food moves", Quality::Fast, &scene, |scene, i| scene.foods[0].world_from_rest.w_axis.z += 0.001 * i as f32);
+    bench("eye moves", Quality::Fast, &scene, |scene, i| scene.camera.orbit(0.01 * i as f32, 0.0));
     bench("fine", Quality::Fine, &scene, |_, _| ());
     Ok(())
 }
 
 async fn open_device() -> Result<(wgpu::Device, wgpu::Queue), Failure> {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-    let adapter = instance
-        .request_adapter(&wgpu::RequestAdapterOptions::default())
-        .await?;
+    let adapter = instance.request_adapter(&wgpu::RequestAdapterOptions::default()).await?;
     println!("{}", adapter.get_info().name);
     let required_limits = wgpu::Limits::downlevel_webgl2_defaults();
-    Ok(adapter
-        .request_device(&wgpu::DeviceDescriptor {
-            required_limits,
-            ..Default::default()
-        })
-        .await?)
+    Ok(adapter.request_device(&wgpu::DeviceDescriptor { required_limits, ..Default::default() }).await?)
 }
 
 fn median(
@@ -86,12 +68,7 @@ fn median(
     times[FRAMES / 2]
 }
 
-fn frame(
-    renderer: &mut SceneRenderer,
-    device: &wgpu::Device,
-    queue: &wgpu::Queue,
-    scene: &SceneInput,
-) {
+fn frame(renderer: &mut SceneRenderer, device: &wgpu::Device, queue: &wgpu::Queue, scene: &SceneInput) {
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     renderer.render(device, queue, &mut encoder, scene, SIZE);
     queue.submit([encoder.finish()]);

@@ -20,10 +20,7 @@ fn main() -> Result<(), Failure> {
     let (device, queue) = pollster::block_on(open_device())?;
     let mut renderer = SceneRenderer::new(&device, &queue);
     renderer.quality = Quality::Fine;
-    for (name, scene, size) in pictures()
-        .into_iter()
-        .filter(|(name, ..)| name.contains(&only))
-    {
+    for (name, scene, size) in pictures().into_iter().filter(|(name, ..)| name.contains(&only)) {
         let pixels = renderer.render_to_image(&device, &queue, &scene, size);
         write_png(&directory.join(name).with_extension("png"), &pixels, size)?;
     }
@@ -32,16 +29,9 @@ fn main() -> Result<(), Failure> {
 
 async fn open_device() -> Result<(wgpu::Device, wgpu::Queue), Failure> {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-    let adapter = instance
-        .request_adapter(&wgpu::RequestAdapterOptions::default())
-        .await?;
+    let adapter = instance.request_adapter(&wgpu::RequestAdapterOptions::default()).await?;
     let required_limits = wgpu::Limits::downlevel_webgl2_defaults();
-    Ok(adapter
-        .request_device(&wgpu::DeviceDescriptor {
-            required_limits,
-            ..Default::default()
-        })
-        .await?)
+    Ok(adapter.request_device(&wgpu::DeviceDescriptor { required_limits, ..Default::default() }).await?)
 }
 
 fn pictures() -> Vec<(&'static str, SceneInput, [u32; 2])> {
@@ -49,10 +39,7 @@ fn pictures() -> Vec<(&'static str, SceneInput, [u32; 2])> {
     let phone = [390, 844];
     let seen = |scene: SceneInput, camera: Camera| SceneInput { camera, ..scene };
     let field = |scene: SceneInput, flat| SceneInput {
-        colouring: Colouring::Field {
-            table: heat_table(),
-            stepped: false,
-        },
+        colouring: Colouring::Field { table: heat_table(), stepped: false },
         flat,
         ..scene
     };
@@ -62,26 +49,10 @@ fn pictures() -> Vec<(&'static str, SceneInput, [u32; 2])> {
         ("half_way", steak_in_pan(Doneness::HalfWay), wide),
         ("browned", steak_in_pan(Doneness::Browned), wide),
         ("browned_phone", steak_in_pan(Doneness::Browned), phone),
-        (
-            "browned_above",
-            seen(steak_in_pan(Doneness::Browned), Camera::above()),
-            wide,
-        ),
-        (
-            "browned_close",
-            seen(steak_in_pan(Doneness::Browned), Camera::close_up()),
-            wide,
-        ),
-        (
-            "raw_close",
-            seen(steak_in_pan(Doneness::Raw), Camera::close_up()),
-            wide,
-        ),
-        (
-            "slice",
-            seen(sliced(Doneness::Browned), Camera::close_up()),
-            wide,
-        ),
+        ("browned_above", seen(steak_in_pan(Doneness::Browned), Camera::above()), wide),
+        ("browned_close", seen(steak_in_pan(Doneness::Browned), Camera::close_up()), wide),
+        ("raw_close", seen(steak_in_pan(Doneness::Raw), Camera::close_up()), wide),
+        ("slice", seen(sliced(Doneness::Browned), Camera::close_up()), wide),
         ("slice_half_way", sliced(Doneness::HalfWay), wide),
         ("field", field(sliced(Doneness::HalfWay), false), wide),
         ("field_flat", field(sliced(Doneness::HalfWay), true), wide),
@@ -99,17 +70,10 @@ fn sliced(doneness: Doneness) -> SceneInput {
 /// The steak on the board, the pan on the cloth, seen from further away.
 fn resting() -> SceneInput {
     let mut scene = empty_pan();
-    scene.foods.push(steak(
-        Doneness::Browned,
-        Mat4::from_translation(BOARD_CENTRE + Vec3::Z * 0.0128),
-    ));
+    scene.foods.push(steak(Doneness::Browned, Mat4::from_translation(BOARD_CENTRE + Vec3::Z * 0.0128)));
     scene.pan.position = CLOTH_PLACE;
     scene.pan.on_cloth = true;
-    scene.camera = Camera {
-        pitch: 0.6,
-        distance: 1.15,
-        ..Camera::three_quarter()
-    };
+    scene.camera = Camera { pitch: 0.6, distance: 1.15, ..Camera::three_quarter() };
     scene
 }
 

@@ -230,10 +230,11 @@ impl SauteApp {
         self.motions.clear();
     }
 
-    /// The cut's face looks towards +x: the eye steps to that side so that it is seen.
+    /// In the pan the cut's face looks towards +x: the eye steps to that side so that it is seen.
     fn toggle_slice(&mut self) {
         self.slice = if self.slice.is_some() { None } else { Some(0.0) };
-        if self.slice.is_some() && !(0.35..2.6).contains(&self.camera.yaw) {
+        let in_pan = self.session.steak().is_some_and(saute_kitchen::Piece::in_pan);
+        if self.slice.is_some() && in_pan && !(0.35..2.6).contains(&self.camera.yaw) {
             self.camera.yaw = CUT_YAW;
         }
     }
@@ -250,7 +251,7 @@ impl SauteApp {
         self.camera = [Camera::three_quarter, Camera::above, Camera::close_up][self.camera_preset]();
         let on_board = matches!(self.session.steak().map(|p| p.place), Some(Place::Rest(_) | Place::Waiting));
         if self.camera_preset == 2 && on_board {
-            self.camera.target = crate::scene::props::BOARD_CENTRE - glam::Vec3::X * 0.07;
+            self.camera.target = crate::stage::FIRST_ON_BOARD;
         }
     }
 
@@ -300,7 +301,8 @@ impl SauteApp {
         let now = ctx.input(|i| i.time);
         let wall = now - self.last_time.unwrap_or(now);
         self.last_time = Some(now);
-        let passed = self.session.advance(Duration::from_secs_f64(wall.max(0.0)), Duration::from_millis(STEP_BUDGET_MS));
+        let passed =
+            self.session.advance(Duration::from_secs_f64(wall.max(0.0)), Duration::from_millis(STEP_BUDGET_MS));
         if let Err(error) = passed {
             self.notice.say(error);
         }
@@ -365,7 +367,11 @@ impl eframe::App for SauteApp {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        self.settings.choice = if self.session.recipe_title().is_some() { self.settings.choice.clone() } else { self.session.choice().clone() };
+        self.settings.choice = if self.session.recipe_title().is_some() {
+            self.settings.choice.clone()
+        } else {
+            self.session.choice().clone()
+        };
         if let Ok(text) = serde_json::to_string(&self.settings) {
             storage.set_string(SETTINGS_KEY, text);
         }

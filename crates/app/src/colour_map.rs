@@ -71,7 +71,8 @@ pub fn class_colour(class: Class) -> [u8; 3] {
 /// The map of classes over peak temperatures: stepped at 50, 60 and 70 °C.
 pub fn doneness_map() -> ColourMap {
     let (from_c, to_c) = (0.0, 127.5);
-    let table = std::array::from_fn(|i| class_colour(Class::of(ZERO_C + from_c + (to_c - from_c) * (i as f64 + 0.01) / 255.0)));
+    let table =
+        std::array::from_fn(|i| class_colour(Class::of(ZERO_C + from_c + (to_c - from_c) * (i as f64 + 0.01) / 255.0)));
     ColourMap { table: Arc::new(table), from_c, to_c, stepped: true }
 }
 
@@ -89,7 +90,9 @@ impl ColourMap {
         if self.stepped {
             return self.table[(position as usize).min(255)];
         }
-        let mix = |k: usize| f32::from(self.table[low][k]) + share * (f32::from(self.table[low + 1][k]) - f32::from(self.table[low][k]));
+        let mix = |k: usize| {
+            f32::from(self.table[low][k]) + share * (f32::from(self.table[low + 1][k]) - f32::from(self.table[low][k]))
+        };
         [0, 1, 2].map(|k| mix(k).round() as u8)
     }
 
@@ -140,7 +143,10 @@ fn along_spline(t: f64) -> Lab {
     let at = |i: isize| UNIFORM_PATH[(cell as isize + i).clamp(0, UNIFORM_PATH.len() as isize - 1) as usize];
     let [a, b, c, d] = [at(-1), at(0), at(1), at(2)];
     Lab([0, 1, 2].map(|k| {
-        b[k] + 0.5 * u * (c[k] - a[k] + u * (2.0 * a[k] - 5.0 * b[k] + 4.0 * c[k] - d[k] + u * (3.0 * (b[k] - c[k]) + d[k] - a[k])))
+        b[k] + 0.5
+            * u
+            * (c[k] - a[k]
+                + u * (2.0 * a[k] - 5.0 * b[k] + 4.0 * c[k] - d[k] + u * (3.0 * (b[k] - c[k]) + d[k] - a[k])))
     }))
 }
 
@@ -190,7 +196,13 @@ mod tests {
     #[test]
     fn classes_change_at_50_60_and_70() {
         let map = doneness_map();
-        for (c, class) in [(49.0, Class::Raw), (51.0, Class::Rare), (61.0, Class::Medium), (71.0, Class::WellDone), (150.0, Class::WellDone)] {
+        for (c, class) in [
+            (49.0, Class::Raw),
+            (51.0, Class::Rare),
+            (61.0, Class::Medium),
+            (71.0, Class::WellDone),
+            (150.0, Class::WellDone),
+        ] {
             assert_eq!(map.colour(c), class_colour(class), "{c}");
         }
     }

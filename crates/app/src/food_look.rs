@@ -96,11 +96,24 @@ impl Skin {
     }
 
     /// State of every vertex.
-    pub fn vertices(&self, model: &FoodModel, state: &FoodState, view: View, map: Option<&ColourMap>) -> Vec<FoodVertex> {
+    pub fn vertices(
+        &self,
+        model: &FoodModel,
+        state: &FoodState,
+        view: View,
+        map: Option<&ColourMap>,
+    ) -> Vec<FoodVertex> {
         let vertex = |k: usize| {
             let node = self.nodes[k] as usize;
             let field = map.map_or(0.0, |m| m.coordinate(view.celsius(state, node)));
-            vertex(model, model.appearance(state, node), state.water[node] / model.initial_water[node], field, self.positions[k], self.normals[k])
+            vertex(
+                model,
+                model.appearance(state, node),
+                state.water[node] / model.initial_water[node],
+                field,
+                self.positions[k],
+                self.normals[k],
+            )
         };
         (0..self.nodes.len()).map(vertex).collect()
     }
@@ -229,7 +242,8 @@ fn fat_volume(model: &FoodModel) -> FatVolume {
     let reach = model.outline.points.iter().fold([0.0f64; 2], |r, p| [r[0].max(p[0].abs()), r[1].max(p[1].abs())]);
     let extent = [2.0 * reach[0], 2.0 * reach[1], model.mesh.thickness()];
     let origin = Vec3::new(-reach[0] as f32, -reach[1] as f32, -0.5 * extent[2] as f32);
-    let shape = |size: [u32; 3], cells| FatVolume { size, origin, extent: Vec3::from_array(extent.map(|v| v as f32)), cells };
+    let shape =
+        |size: [u32; 3], cells| FatVolume { size, origin, extent: Vec3::from_array(extent.map(|v| v as f32)), cells };
     if model.marbling.mean_share() <= 0.0 {
         return shape([1, 1, 1], vec![0]);
     }

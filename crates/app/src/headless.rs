@@ -10,7 +10,9 @@ use crate::stage::{Stage, StageOptions};
 #[derive(Debug, thiserror::Error)]
 pub enum GpuError {
     /// No adapter.
-    #[error("no graphics adapter was found ({0}); install a Vulkan driver, for instance the package mesa-vulkan-drivers")]
+    #[error(
+        "no graphics adapter was found ({0}); install a Vulkan driver, for instance the package mesa-vulkan-drivers"
+    )]
     NoAdapter(#[from] wgpu::RequestAdapterError),
     /// No device.
     #[error("the graphics adapter gave no device: {0}")]

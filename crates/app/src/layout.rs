@@ -37,7 +37,8 @@ impl Layout {
     pub fn new(whole: Rect, settings: &Settings) -> Self {
         let narrow = whole.width() < NARROW;
         let inner = whole.shrink(GAP);
-        let mut layout = if narrow { Self::narrow(whole, inner) } else { Self::wide(whole, inner, settings.pantry_open) };
+        let mut layout =
+            if narrow { Self::narrow(whole, inner) } else { Self::wide(whole, inner, settings.pantry_open) };
         if settings.panels_hidden {
             layout.free = whole;
         }

@@ -19,7 +19,9 @@ pub struct Offscreen {
 #[derive(Debug, thiserror::Error)]
 pub enum OffscreenError {
     /// No graphics.
-    #[error("no graphics adapter can draw the window ({0}); install a Vulkan driver, for instance the package mesa-vulkan-drivers")]
+    #[error(
+        "no graphics adapter can draw the window ({0}); install a Vulkan driver, for instance the package mesa-vulkan-drivers"
+    )]
     Graphics(#[from] WgpuError),
     /// The program cannot start.
     #[error(transparent)]
@@ -84,7 +86,10 @@ impl Offscreen {
                     color_attachments: &[Some(wgpu::RenderPassColorAttachment {
                         view: &self.target,
                         resolve_target: None,
-                        ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
+                        ops: wgpu::Operations {
+                            load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                            store: wgpu::StoreOp::Store,
+                        },
                         depth_slice: None,
                     })],
                     ..Default::default()

@@ -45,7 +45,9 @@ impl SauteApp {
         let rect = layout.whole;
         self.camera.shift = layout.lens_shift();
         let response = ui.interact(rect, ui.scope_id().with("scene"), Sense::click_and_drag());
-        response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, "Pan and steak; drag to look around"));
+        response.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, "Pan and steak; drag to look around")
+        });
         self.take_mouse(ui, &response, rect);
         let options = StageOptions {
             camera: self.camera.clone(),
@@ -178,7 +180,11 @@ impl SauteApp {
     /// The cut's handle: a knob above the cut that is dragged along the steak.
     fn show_slice_handle(&mut self, ui: &mut Ui, rect: Rect) {
         let (Some(slice), Some([foot, knob])) = (self.slice, self.cut_handle_on_screen(rect)) else { return };
-        let response = ui.interact(Rect::from_center_size(knob, vec2(44.0, 44.0)), ui.scope_id().with("cut"), Sense::click_and_drag());
+        let response = ui.interact(
+            Rect::from_center_size(knob, vec2(44.0, 44.0)),
+            ui.scope_id().with("cut"),
+            Sense::click_and_drag(),
+        );
         response.widget_info(|| egui::WidgetInfo::slider(true, slice, "Place of the cut"));
         if let (true, Some(at)) = (response.dragged(), response.interact_pointer_pos()) {
             self.drag_cut(at, rect);

@@ -28,7 +28,14 @@ struct Sample {
 
 /// Paints the cut at distance `x` [m] from the centroid along the longest axis, as the piece lies, at `per_mm` pixels
 /// a millimetre; transparent outside the piece.
-pub fn section_picture(model: &FoodModel, state: &FoodState, x: f64, view: View, map: TemperatureMap, per_mm: f64) -> Picture {
+pub fn section_picture(
+    model: &FoodModel,
+    state: &FoodState,
+    x: f64,
+    view: View,
+    map: TemperatureMap,
+    per_mm: f64,
+) -> Picture {
     let cut = model.cut_across(x);
     let thickness = model.mesh.thickness();
     let (Some(first), Some(last)) = (cut.points.first(), cut.points.last()) else {
@@ -37,7 +44,8 @@ pub fn section_picture(model: &FoodModel, state: &FoodState, x: f64, view: View,
     let samples = sample(model, state, &cut, view);
     let width = (((last.along - first.along) * 1e3 * per_mm).round() as usize).max(1);
     let height = ((thickness * 1e3 * per_mm).round() as usize).max(1);
-    let painter = Painter { model, cut: &cut, samples, x, colours: view.colour_map(map), flipped: state.down == Side::Top };
+    let painter =
+        Painter { model, cut: &cut, samples, x, colours: view.colour_map(map), flipped: state.down == Side::Top };
     let mut rgba = Vec::with_capacity(4 * width * height);
     for row in 0..height {
         let up = 1.0 - (row as f64 + 0.5) / height as f64;
@@ -104,9 +112,16 @@ impl Painter<'_> {
         let run = points[right].along - points[right - 1].along;
         let across = if run > 0.0 { ((along - points[right - 1].along) / run).clamp(0.0, 1.0) } else { 0.0 };
         let n = points.len();
-        let corner = |l: usize, i: usize| (&self.samples[l * n + i], (if l == level { 1.0 - up } else { up }) * if i == right { across } else { 1.0 - across });
+        let corner = |l: usize, i: usize| {
+            (
+                &self.samples[l * n + i],
+                (if l == level { 1.0 - up } else { up }) * if i == right { across } else { 1.0 - across },
+            )
+        };
         let mut sum = Sample::default();
-        for (s, w) in [corner(level, right - 1), corner(level, right), corner(level + 1, right - 1), corner(level + 1, right)] {
+        for (s, w) in
+            [corner(level, right - 1), corner(level, right), corner(level + 1, right - 1), corner(level + 1, right)]
+        {
             sum.celsius += w * s.celsius;
             sum.appearance.myosin += w * s.appearance.myosin;
             sum.appearance.myoglobin += w * s.appearance.myoglobin;

@@ -2,17 +2,23 @@
 
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::runner::RunError;
-use saute_kitchen::{Cook, Library, Recipe, TICK_S};
+use saute_kitchen::{Cook, Kitchen, Library, Piece, Recipe, TICK_S};
 
+use crate::app::CUT_YAW;
+use crate::colour_map::TemperatureMap;
 use crate::headless::{Gpu, GpuError, still};
+use crate::scene::camera::Camera;
 use crate::section_picture::Picture;
-use crate::stage::StageOptions;
+use crate::stage::{FIRST_ON_BOARD, StageOptions};
+use crate::view::View;
 
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
 pub enum ShotError {
     /// The recipe ends before.
-    #[error("{file}:{line}: --at {at_s} is past the end: this step ends the cook at {end_s:.1} s\n  remedy: choose a time from 0 to {end_s:.1}")]
+    #[error(
+        "{file}:{line}: --at {at_s} is past the end: this step ends the cook at {end_s:.1} s\n  remedy: choose a time from 0 to {end_s:.1}"
+    )]
     PastTheEnd {
         /// Which recipe.
         file: String,
@@ -53,8 +59,43 @@ pub fn cook_until(recipe: Recipe, library: &Library, at_s: f64) -> Result<Cook, 
     Ok(cook)
 }
 
+/// How a still is wanted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShotOptions {
+    /// What the colours mean.
+    pub view: View,
+    /// Whether the food is cut open.
+    pub slice: bool,
+    /// Unlit, exactly decodable colours.
+    pub flat: bool,
+}
+
+impl ShotOptions {
+    /// The eye: over hob and board, or, for a cut, near to the food and on the side to which the cut looks.
+    pub fn stage(self, kitchen: &Kitchen) -> StageOptions {
+        let mut camera = Camera::three_quarter();
+        if self.slice {
+            let in_pan = kitchen.pieces().iter().any(Piece::in_pan);
+            camera.zoom(CUT_DISTANCE);
+            camera.target.x = 0.0;
+            if in_pan { camera.yaw = CUT_YAW } else { camera.target = FIRST_ON_BOARD }
+        }
+        let slice = self.slice.then_some(0.0);
+        StageOptions { camera, view: self.view, map: TemperatureMap::default(), slice, flat: self.flat }
+    }
+}
+
+/// How much nearer a cut is looked at [-] (chosen: the pan fills the picture).
+const CUT_DISTANCE: f32 = 0.62;
+
 /// Cooks up to a time and draws.
-pub fn shot(recipe: Recipe, library: &Library, at_s: f64, options: &StageOptions, size: [u32; 2]) -> Result<Picture, ShotError> {
+pub fn shot(
+    recipe: Recipe,
+    library: &Library,
+    at_s: f64,
+    options: ShotOptions,
+    size: [u32; 2],
+) -> Result<Picture, ShotError> {
     let cook = cook_until(recipe, library, at_s)?;
-    Ok(still(&Gpu::open()?, &cook.kitchen, options, size))
+    Ok(still(&Gpu::open()?, &cook.kitchen, &options.stage(&cook.kitchen), size))
 }

@@ -48,22 +48,29 @@ impl Pose {
                 let floor = kitchen.pan_model().description.floor.thickness_mm as f32 * 1e-3;
                 (pan_position(kitchen) + Vec3::new(at[0] as f32, at[1] as f32, floor + half), 0.0)
             }
-            Place::Waiting | Place::Rest(_) => (BOARD_CENTRE + Vec3::Z * half + board_place(kitchen, piece), std::f32::consts::FRAC_PI_2),
+            Place::Waiting | Place::Rest(_) => {
+                (board_place(kitchen, piece) + Vec3::Z * half, -std::f32::consts::FRAC_PI_2)
+            }
         };
         Self { position, turn: if piece.state.down == Side::Top { std::f32::consts::PI } else { 0.0 }, yaw }
     }
 
     /// Maps the rest frame to the world.
     pub fn matrix(&self) -> Mat4 {
-        Mat4::from_rotation_translation(Quat::from_rotation_z(self.yaw) * Quat::from_rotation_x(self.turn), self.position)
+        Mat4::from_rotation_translation(
+            Quat::from_rotation_z(self.yaw) * Quat::from_rotation_x(self.turn),
+            self.position,
+        )
     }
 }
 
+/// Where the first piece on the board lies: near the pan, in view [m].
+pub const FIRST_ON_BOARD: Vec3 = Vec3::new(BOARD_CENTRE.x - 0.07, BOARD_CENTRE.y, BOARD_CENTRE.z);
+
 /// Pieces lie across the board, the first one nearest to the pan.
 fn board_place(kitchen: &Kitchen, piece: &Piece) -> Vec3 {
-    let waiting: Vec<&Piece> = kitchen.pieces().iter().filter(|p| !p.in_pan()).collect();
-    let index = waiting.iter().position(|p| p.id == piece.id).unwrap_or(0) as f32;
-    Vec3::X * -0.07 + Vec3::new(0.09, 0.0, 0.0) * index
+    let index = kitchen.pieces().iter().filter(|p| !p.in_pan()).position(|p| p.id == piece.id).unwrap_or(0);
+    FIRST_ON_BOARD + Vec3::X * (0.09 * index as f32)
 }
 
 /// Where things are in the picture while they are on their way; elsewhere the kitchen tells.
@@ -125,7 +132,14 @@ impl Stage {
         }
     }
 
-    fn food(&mut self, kitchen: &Kitchen, piece: &Piece, options: &StageOptions, map: Option<&ColourMap>, places: &Places) -> FoodLook {
+    fn food(
+        &mut self,
+        kitchen: &Kitchen,
+        piece: &Piece,
+        options: &StageOptions,
+        map: Option<&ColourMap>,
+        places: &Places,
+    ) -> FoodLook {
         let identity = std::sync::Arc::as_ptr(&piece.model) as u64;
         let entry = self.skins.entry(piece.id.clone()).or_insert_with(|| (identity, Skin::new(piece)));
         if entry.0 != identity {
@@ -137,7 +151,9 @@ impl Stage {
             mesh: skin.mesh.clone(),
             vertices: skin.vertices(&piece.model, &piece.state, options.view, map),
             world_from_rest: pose.matrix(),
-            slice: options.slice.and_then(|s| slice(&piece.model, &piece.state, s * half_length(piece), options.view, map)),
+            slice: options
+                .slice
+                .and_then(|s| slice(&piece.model, &piece.state, s * half_length(piece), options.view, map)),
         }
     }
 }

@@ -15,7 +15,8 @@ pub const TEXT: Color32 = Color32::from_rgb(236, 231, 224);
 /// Quiet text.
 pub const QUIET: Color32 = Color32::from_rgb(173, 166, 157);
 /// Curves: pan, core, surface.
-pub const CURVES: [Color32; 3] = [Color32::from_rgb(236, 138, 60), Color32::from_rgb(226, 86, 104), Color32::from_rgb(224, 200, 120)];
+pub const CURVES: [Color32; 3] =
+    [Color32::from_rgb(236, 138, 60), Color32::from_rgb(226, 86, 104), Color32::from_rgb(224, 200, 120)];
 /// Height of a control that a finger can hit [points].
 pub const TOUCH: f32 = 44.0;
 
@@ -52,7 +53,13 @@ fn visuals() -> Visuals {
     v.selection.bg_fill = ACCENT;
     v.selection.stroke = Stroke::new(1.0, ON_ACCENT);
     v.slider_trailing_fill = true;
-    for widget in [&mut v.widgets.inactive, &mut v.widgets.hovered, &mut v.widgets.active, &mut v.widgets.open, &mut v.widgets.noninteractive] {
+    for widget in [
+        &mut v.widgets.inactive,
+        &mut v.widgets.hovered,
+        &mut v.widgets.active,
+        &mut v.widgets.open,
+        &mut v.widgets.noninteractive,
+    ] {
         widget.corner_radius = CornerRadius::same(8);
     }
     v.widgets.inactive.weak_bg_fill = RAISED;

@@ -81,7 +81,10 @@ fn the_flat_temperature_view_decodes_to_the_cores_field_within_a_kelvin() {
         let truth = celsius(piece.model.at(&piece.state.temperature, point).expect("inside"));
         let (decoded, distance) = map.decode(pixel(&picture, at));
         assert!(distance < 4.0, "point {i}: {:?} is no colour of the map", pixel(&picture, at));
-        assert!((decoded - truth).abs() < 1.0, "point {i} at {point:?}: {decoded} °C in the picture, {truth} °C in the core");
+        assert!(
+            (decoded - truth).abs() < 1.0,
+            "point {i} at {point:?}: {decoded} °C in the picture, {truth} °C in the core"
+        );
     }
 }
 

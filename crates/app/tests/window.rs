@@ -1,7 +1,10 @@
 //! Promise: the window is usable: everything can be done by its controls and keys, and it looks as it should.
 
 use egui::{Key, Pos2, Rect, pos2, vec2};
-use egui_kittest::{Harness, kittest::{NodeT, Queryable}};
+use egui_kittest::{
+    Harness,
+    kittest::{NodeT, Queryable},
+};
 use saute_app::{SauteApp, Start, View};
 use saute_kitchen::{Command, Place};
 
@@ -172,7 +175,12 @@ fn every_control_has_a_name_for_assistive_technology() {
     harness.key_press(Key::N);
     harness.key_press(Key::X);
     steps(&mut harness, 4);
-    let roles = [egui::accesskit::Role::Button, egui::accesskit::Role::Slider, egui::accesskit::Role::RadioButton, egui::accesskit::Role::ComboBox];
+    let roles = [
+        egui::accesskit::Role::Button,
+        egui::accesskit::Role::Slider,
+        egui::accesskit::Role::RadioButton,
+        egui::accesskit::Role::ComboBox,
+    ];
     let mut seen = 0;
     for role in roles {
         for node in harness.get_all_by_role(role) {
@@ -268,7 +276,10 @@ impl egui::DroppedFile for Dropped {
 #[test]
 fn a_dropped_recipe_plays_and_a_broken_one_is_explained() {
     let mut harness = window(vec2(1280.0, 720.0));
-    harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped("[[step]]\nhob_w = 400\n[[step]]\nafter_s = 9\nend = true\n")));
+    harness
+        .input_mut()
+        .dropped_files
+        .push(std::sync::Arc::new(Dropped("[[step]]\nhob_w = 400\n[[step]]\nafter_s = 9\nend = true\n")));
     steps(&mut harness, 4);
     assert_eq!(harness.state().session().kitchen.hob_w(), 400.0);
     harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped("[[step]]\nhob = 400\n")));

@@ -19,8 +19,7 @@ pub struct Args {
     pub command: Option<Command>,
 }
 
-const EXIT_CODES: &str =
-    "Exit codes: 0 done, 1 the recipe was stopped by its max_s, 2 something was wrong.";
+const EXIT_CODES: &str = "Exit codes: 0 done, 1 the recipe was stopped by its max_s, 2 something was wrong.";
 
 /// What to do.
 #[derive(Debug, Subcommand)]

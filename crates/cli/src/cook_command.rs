@@ -20,11 +20,7 @@ const STOPPED: u8 = 1;
 pub fn run(args: &CookArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
     let recipe = recipe_source::load(&args.recipe, shelf)?;
     let cook = set_out(recipe, shelf)?;
-    let out = args
-        .out
-        .as_deref()
-        .map(|dir| OutDir::prepare(dir, disk_space(&cook)))
-        .transpose()?;
+    let out = args.out.as_deref().map(|dir| OutDir::prepare(dir, disk_space(&cook))).transpose()?;
     let (cook, snapshots, wall) = cook_through(cook, out.is_some())?;
     let summary = cook.summary(wall.as_secs_f64());
     if let Some(out) = out {
@@ -34,11 +30,7 @@ pub fn run(args: &CookArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
         out.fill(files)?;
         eprintln!("wrote {count} files to {place}; begin with report.html");
     }
-    stdout::print(&if args.json {
-        json(&summary)?
-    } else {
-        text_summary::text(&summary)
-    })?;
+    stdout::print(&if args.json { json(&summary)? } else { text_summary::text(&summary) })?;
     Ok(say_how_it_ended(&cook, &summary))
 }
 
@@ -48,10 +40,7 @@ fn set_out(recipe: Recipe, shelf: &Shelf) -> Result<Cook, CliError> {
 }
 
 /// Cooks to the end; the wall time is that of the simulation alone, without the pictures.
-fn cook_through(
-    mut cook: Cook,
-    with_pictures: bool,
-) -> Result<(Cook, Vec<Snapshot>, Duration), CliError> {
+fn cook_through(mut cook: Cook, with_pictures: bool) -> Result<(Cook, Vec<Snapshot>, Duration), CliError> {
     let progress = Progress::start(cook.runner.recipe().max_s);
     let mut snapshots = Vec::new();
     let started = Instant::now();
@@ -69,24 +58,12 @@ fn cook_through(
     Ok((cook, snapshots, started.elapsed().saturating_sub(painting)))
 }
 
-fn files(
-    cook: &Cook,
-    summary: &Summary,
-    snapshots: Vec<Snapshot>,
-) -> Result<Vec<(String, Vec<u8>)>, CliError> {
-    let ids: Vec<&str> = cook
-        .kitchen
-        .pieces()
-        .iter()
-        .map(|p| p.id.as_str())
-        .collect();
+fn files(cook: &Cook, summary: &Summary, snapshots: Vec<Snapshot>) -> Result<Vec<(String, Vec<u8>)>, CliError> {
+    let ids: Vec<&str> = cook.kitchen.pieces().iter().map(|p| p.id.as_str()).collect();
     let report = report::html(cook, summary, &snapshots);
     let mut files = vec![
         ("summary.json".to_owned(), json(summary)?.into_bytes()),
-        (
-            "series.csv".to_owned(),
-            cook.recorder.csv(&ids).into_bytes(),
-        ),
+        ("series.csv".to_owned(), cook.recorder.csv(&ids).into_bytes()),
         ("report.html".to_owned(), report.into_bytes()),
     ];
     files.extend(snapshots.into_iter().flat_map(Snapshot::into_files));

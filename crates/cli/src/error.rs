@@ -69,15 +69,7 @@ pub enum CliError {
 
 impl CliError {
     /// A file, folder or stream that cannot be used.
-    pub fn place(
-        place: impl std::fmt::Display,
-        message: impl Into<String>,
-        remedy: impl Into<String>,
-    ) -> Self {
-        Self::Place {
-            place: place.to_string(),
-            message: message.into(),
-            remedy: remedy.into(),
-        }
+    pub fn place(place: impl std::fmt::Display, message: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self::Place { place: place.to_string(), message: message.into(), remedy: remedy.into() }
     }
 }

@@ -35,72 +35,37 @@ pub fn run(args: &ListArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
         Listed::Pans => pans(&shelf.library),
         Listed::Recipes => recipes(shelf)?,
     };
-    let text = if args.json {
-        serde_json::to_string_pretty(&entries)? + "\n"
-    } else {
-        table(&entries)
-    };
+    let text = if args.json { serde_json::to_string_pretty(&entries)? + "\n" } else { table(&entries) };
     stdout::print(&text)?;
     Ok(ExitCode::SUCCESS)
 }
 
 fn foods(library: &Library) -> Vec<Entry> {
-    let sizes = |f: &FoodDescription| Sizes {
-        default: f.size.default_mm,
-        min: f.size.min_mm,
-        max: f.size.max_mm,
-    };
+    let sizes = |f: &FoodDescription| Sizes { default: f.size.default_mm, min: f.size.min_mm, max: f.size.max_mm };
     library
         .foods
         .iter()
-        .map(|(id, f)| Entry {
-            id: id.clone(),
-            name: f.name.clone(),
-            size_mm: Some(sizes(f)),
-        })
+        .map(|(id, f)| Entry { id: id.clone(), name: f.name.clone(), size_mm: Some(sizes(f)) })
         .collect()
 }
 
 fn pans(library: &Library) -> Vec<Entry> {
-    library
-        .pans
-        .iter()
-        .map(|(id, p)| Entry {
-            id: id.clone(),
-            name: p.name.clone(),
-            size_mm: None,
-        })
-        .collect()
+    library.pans.iter().map(|(id, p)| Entry { id: id.clone(), name: p.name.clone(), size_mm: None }).collect()
 }
 
 fn recipes(shelf: &Shelf) -> Result<Vec<Entry>, CliError> {
     let entry = |(id, text): (&String, &String)| {
         let recipe = Recipe::parse(text, &shelf.recipe_place(id), &shelf.library)?;
-        Ok(Entry {
-            id: id.clone(),
-            name: recipe.title,
-            size_mm: None,
-        })
+        Ok(Entry { id: id.clone(), name: recipe.title, size_mm: None })
     };
     shelf.library.recipes.iter().map(entry).collect()
 }
 
 fn table(entries: &[Entry]) -> String {
-    let width = entries
-        .iter()
-        .map(|e| e.id.chars().count())
-        .max()
-        .unwrap_or(0);
+    let width = entries.iter().map(|e| e.id.chars().count()).max().unwrap_or(0);
     entries
         .iter()
-        .map(|e| {
-            format!(
-                "{:width$}  {}{}\n",
-                e.id,
-                e.name,
-                e.size_mm.as_ref().map_or(String::new(), sizes)
-            )
-        })
+        .map(|e| format!("{:width$}  {}{}\n", e.id, e.name, e.size_mm.as_ref().map_or(String::new(), sizes)))
         .collect()
 }
 

@@ -38,11 +38,7 @@ fn main() -> ExitCode {
         Err(usage) => {
             // Help and version come this way too and go to stdout; a closed pipe there is not an error.
             let _ = usage.print();
-            return if usage.use_stderr() {
-                ExitCode::from(FAILED)
-            } else {
-                ExitCode::SUCCESS
-            };
+            return if usage.use_stderr() { ExitCode::from(FAILED) } else { ExitCode::SUCCESS };
         }
     };
     run(args, process_start).unwrap_or_else(|error| {
@@ -64,9 +60,7 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         }
         Some(Command::Cook(args)) => cook_command::run(&args, &shelf),
         Some(Command::Shot(args)) => picture::shot(&args, &shelf),
-        Some(Command::Bench(Bench::Frame(args))) => {
-            picture::bench_frame(&args, &shelf, process_start)
-        }
+        Some(Command::Bench(Bench::Frame(args))) => picture::bench_frame(&args, &shelf, process_start),
         Some(Command::List(args)) => list::run(&args, &shelf),
         Some(Command::Schema(Schema::Recipe)) => schema::recipe(),
     }

@@ -22,17 +22,9 @@ pub struct OutDir {
 impl OutDir {
     /// Makes the folder and writes as many bytes as the cook may need, then takes them away again.
     pub fn prepare(path: &Path, needed: u64) -> Result<Self, CliError> {
-        let made = path
-            .ancestors()
-            .filter(|p| !p.as_os_str().is_empty() && !p.exists())
-            .map(Path::to_owned)
-            .collect();
-        let out = Self {
-            path: path.to_owned(),
-            made,
-        };
-        out.try_out(needed.min(LARGEST_TRIAL))
-            .map_err(|e| out.error("cannot be written to", &e))?;
+        let made = path.ancestors().filter(|p| !p.as_os_str().is_empty() && !p.exists()).map(Path::to_owned).collect();
+        let out = Self { path: path.to_owned(), made };
+        out.try_out(needed.min(LARGEST_TRIAL)).map_err(|e| out.error("cannot be written to", &e))?;
         Ok(out)
     }
 
@@ -52,14 +44,9 @@ impl OutDir {
 
     /// Writes all files, or none: they get their names when all of them are complete.
     pub fn fill(mut self, files: Vec<(String, Vec<u8>)>) -> Result<(), CliError> {
-        let written = self
-            .write_all(&files)
-            .and_then(|()| self.clear_sections())
-            .and_then(|()| self.name_all(&files));
+        let written = self.write_all(&files).and_then(|()| self.clear_sections()).and_then(|()| self.name_all(&files));
         if let Err(e) = written {
-            files
-                .iter()
-                .for_each(|(name, _)| drop(fs::remove_file(self.unfinished(name))));
+            files.iter().for_each(|(name, _)| drop(fs::remove_file(self.unfinished(name))));
             return Err(self.error("could not be filled", &e));
         }
         self.made.clear();
@@ -76,9 +63,7 @@ impl OutDir {
     }
 
     fn name_all(&self, files: &[(String, Vec<u8>)]) -> io::Result<()> {
-        files
-            .iter()
-            .try_for_each(|(name, _)| fs::rename(self.unfinished(name), self.path.join(name)))
+        files.iter().try_for_each(|(name, _)| fs::rename(self.unfinished(name), self.path.join(name)))
     }
 
     /// Removes the section pictures of an earlier cook, which may have had more steps.
@@ -98,18 +83,12 @@ impl OutDir {
 
     fn error(&self, what: &str, error: &io::Error) -> CliError {
         let remedy = match error.kind() {
-            io::ErrorKind::StorageFull
-            | io::ErrorKind::QuotaExceeded
-            | io::ErrorKind::FileTooLarge => {
+            io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded | io::ErrorKind::FileTooLarge => {
                 "free some space, or name a folder on another disk with --out"
             }
             _ => "name a folder that you may write to with --out",
         };
-        CliError::place(
-            format!("--out {}", self.path.display()),
-            format!("{what}: {error}"),
-            remedy,
-        )
+        CliError::place(format!("--out {}", self.path.display()), format!("{what}: {error}"), remedy)
     }
 }
 
@@ -131,9 +110,6 @@ fn write_trial(path: &Path, needed: u64) -> io::Result<()> {
 
 /// Whether a file bears the name of a section picture: `section_03_put.png`.
 fn is_section_picture(name: &str) -> bool {
-    let digits = name
-        .strip_prefix("section_")
-        .and_then(|rest| rest.split('_').next());
-    name.ends_with(".png")
-        && digits.is_some_and(|d| d.len() >= 2 && d.bytes().all(|b| b.is_ascii_digit()))
+    let digits = name.strip_prefix("section_").and_then(|rest| rest.split('_').next());
+    name.ends_with(".png") && digits.is_some_and(|d| d.len() >= 2 && d.bytes().all(|b| b.is_ascii_digit()))
 }

@@ -17,23 +17,12 @@ impl OutFile {
     /// Tries the place out.
     pub fn prepare(path: &Path) -> Result<Self, CliError> {
         let name = path.file_name().ok_or_else(|| {
-            CliError::place(
-                format!("--out {}", path.display()),
-                "is not a file name",
-                "write --out FILE.png",
-            )
+            CliError::place(format!("--out {}", path.display()), "is not a file name", "write --out FILE.png")
         })?;
         let unfinished = path.with_file_name(format!(".saute-unfinished-{}", name.display()));
-        let out = Self {
-            path: path.to_owned(),
-            unfinished,
-        };
+        let out = Self { path: path.to_owned(), unfinished };
         if path.is_dir() {
-            return Err(CliError::place(
-                format!("--out {}", path.display()),
-                "is a folder",
-                "write --out FILE.png",
-            ));
+            return Err(CliError::place(format!("--out {}", path.display()), "is a folder", "write --out FILE.png"));
         }
         File::create(&out.unfinished).map_err(|e| out.error(&e))?;
         Ok(out)
@@ -52,11 +41,7 @@ impl OutFile {
 
     fn error(&self, error: &std::io::Error) -> CliError {
         let remedy = "name a file in a folder that you may write to, with free space";
-        CliError::place(
-            format!("--out {}", self.path.display()),
-            format!("cannot be written: {error}"),
-            remedy,
-        )
+        CliError::place(format!("--out {}", self.path.display()), format!("cannot be written: {error}"), remedy)
     }
 }
 

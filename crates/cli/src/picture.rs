@@ -6,11 +6,9 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use clap::ValueEnum;
-use saute_app::app::CUT_YAW;
 use saute_app::png_file::png_bytes;
-use saute_app::scene::camera::Camera;
-use saute_app::stage::StageOptions;
-use saute_app::{Start, TemperatureMap, View};
+use saute_app::shot::ShotOptions;
+use saute_app::{Start, View};
 
 use crate::error::CliError;
 use crate::out_file::OutFile;
@@ -82,16 +80,10 @@ impl From<ViewName> for View {
 const SIDES: std::ops::RangeInclusive<u32> = 64..=8192;
 
 fn size(text: &str) -> Result<[u32; 2], String> {
-    let sides = text
-        .split_once('x')
-        .and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+    let sides = text.split_once('x').and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
     match sides {
         Some(sides) if sides.iter().all(|s| SIDES.contains(s)) => Ok(sides),
-        _ => Err(format!(
-            "write WIDTHxHEIGHT in pixels, each {} to {}, as in 1280x720",
-            SIDES.start(),
-            SIDES.end()
-        )),
+        _ => Err(format!("write WIDTHxHEIGHT in pixels, each {} to {}, as in 1280x720", SIDES.start(), SIDES.end())),
     }
 }
 
@@ -106,39 +98,16 @@ fn seconds(text: &str) -> Result<f64, String> {
 pub fn shot(args: &ShotArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
     let recipe = recipe_source::load(&args.recipe, shelf)?;
     let out = OutFile::prepare(&args.out)?;
-    let picture =
-        saute_app::shot::shot(recipe, &shelf.library, args.at, &args.options(), args.size)?;
+    let options = ShotOptions { view: args.view.into(), slice: args.slice, flat: args.flat };
+    let picture = saute_app::shot::shot(recipe, &shelf.library, args.at, options, args.size)?;
     out.fill(&png_bytes(&picture)?)?;
     Ok(ExitCode::SUCCESS)
 }
 
-impl ShotArgs {
-    fn options(&self) -> StageOptions {
-        let mut camera = Camera::three_quarter();
-        if self.slice {
-            camera.yaw = CUT_YAW;
-        }
-        StageOptions {
-            camera,
-            view: self.view.into(),
-            map: TemperatureMap::default(),
-            slice: self.slice.then_some(0.0),
-            flat: self.flat,
-        }
-    }
-}
-
 /// Measures frames.
-pub fn bench_frame(
-    args: &BenchFrameArgs,
-    shelf: &Shelf,
-    process_start: Instant,
-) -> Result<ExitCode, CliError> {
+pub fn bench_frame(args: &BenchFrameArgs, shelf: &Shelf, process_start: Instant) -> Result<ExitCode, CliError> {
     let recipe = recipe_source::load(&args.recipe, shelf)?;
-    let start = Start {
-        library: Some(Arc::new(shelf.library.clone())),
-        recipe: Some(recipe),
-    };
+    let start = Start { library: Some(Arc::new(shelf.library.clone())), recipe: Some(recipe) };
     let bench = saute_app::bench_frame::bench_frame(start, args.size, process_start)?;
     if args.json {
         stdout::print(&format!("{}\n", serde_json::to_string_pretty(&bench)?))?;

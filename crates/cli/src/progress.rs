@@ -17,8 +17,8 @@ pub struct Progress(Option<ProgressBar>);
 impl Progress {
     /// Starts the bar.
     pub fn start(max_s: f64) -> Self {
-        let style = ProgressStyle::with_template("{bar:24} {wide_msg}")
-            .unwrap_or_else(|_| ProgressStyle::default_bar());
+        let style =
+            ProgressStyle::with_template("{bar:24} {wide_msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
         let bar = || ProgressBar::new(max_s.ceil() as u64).with_style(style);
         Self(std::io::stderr().is_terminal().then(bar))
     }

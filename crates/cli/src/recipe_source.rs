@@ -24,13 +24,6 @@ fn parse(text: &str, place: &str, shelf: &Shelf) -> Result<Recipe, CliError> {
 }
 
 fn not_found(name: &str, shelf: &Shelf) -> CliError {
-    let remedy = format!(
-        "name a .toml file or one of the shipped recipes: {}",
-        Library::names(&shelf.library.recipes)
-    );
-    CliError::place(
-        name,
-        "there is no such file and no recipe of that id",
-        remedy,
-    )
+    let remedy = format!("name a .toml file or one of the shipped recipes: {}", Library::names(&shelf.library.recipes));
+    CliError::place(name, "there is no such file and no recipe of that id", remedy)
 }

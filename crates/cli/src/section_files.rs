@@ -38,12 +38,7 @@ impl Snapshot {
     pub fn take(cook: &Cook, fired: &[Fired]) -> Result<Vec<Self>, PngError> {
         let first = cook.steps.len() + 1 - fired.len();
         let mut snapshots = Vec::new();
-        for piece in cook
-            .kitchen
-            .pieces()
-            .iter()
-            .filter(|p| p.place != Place::Waiting)
-        {
+        for piece in cook.kitchen.pieces().iter().filter(|p| p.place != Place::Waiting) {
             let (full, small) = (paint(piece, FILE_PER_MM)?, paint(piece, REPORT_PER_MM)?);
             snapshots.extend(fired.iter().enumerate().map(|(i, step)| Self {
                 step: first + i,
@@ -60,11 +55,7 @@ impl Snapshot {
 
     /// Names and bytes of its files. Ids hold no dot, so that no two names can meet.
     pub fn into_files(self) -> [(String, Vec<u8>); 2] {
-        let food = if self.of_several {
-            format!(".{}", self.food)
-        } else {
-            String::new()
-        };
+        let food = if self.of_several { format!(".{}", self.food) } else { String::new() };
         let name = |view: &str| format!("section_{:02}_{}{view}{food}.png", self.step, self.action);
         let names = [name(""), name("_temperature")];
         let [look, temperature] = self.full;
@@ -74,27 +65,14 @@ impl Snapshot {
 }
 
 fn paint(piece: &Piece, per_mm: f64) -> Result<[Vec<u8>; 2], PngError> {
-    let picture = |view| {
-        png_bytes(&section_picture(
-            &piece.model,
-            &piece.state,
-            0.0,
-            view,
-            TemperatureMap::Uniform,
-            per_mm,
-        ))
-    };
+    let picture =
+        |view| png_bytes(&section_picture(&piece.model, &piece.state, 0.0, view, TemperatureMap::Uniform, per_mm));
     Ok([picture(View::Look)?, picture(View::Temperature)?])
 }
 
 /// What a cook may need on the disk [bytes]: no picture is larger than its pixels.
 pub fn disk_space(cook: &Cook) -> u64 {
     let pixels = |p: &Piece| p.model.size[1] * p.model.size[2] * 1e6 * FILE_PER_MM * FILE_PER_MM;
-    let bytes: f64 = cook
-        .kitchen
-        .pieces()
-        .iter()
-        .map(|p| 2.0 * 4.0 * pixels(p))
-        .sum();
+    let bytes: f64 = cook.kitchen.pieces().iter().map(|p| 2.0 * 4.0 * pixels(p)).sum();
     OTHER_FILES + (bytes * cook.runner.recipe().steps.len() as f64) as u64
 }

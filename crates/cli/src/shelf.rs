@@ -29,19 +29,11 @@ struct Own {
 impl Own {
     /// Name of a library file in messages: one can open it as it stands if it is the user's.
     fn place(&self, name: &str) -> String {
-        if self.names.contains(name) {
-            self.dir.join(name).display().to_string()
-        } else {
-            name.to_owned()
-        }
+        if self.names.contains(name) { self.dir.join(name).display().to_string() } else { name.to_owned() }
     }
 
     fn error(&self, error: LibraryError) -> CliError {
-        CliError::Data {
-            file: self.place(&error.file),
-            line: error.line,
-            message: error.message.trim().to_owned(),
-        }
+        CliError::Data { file: self.place(&error.file), line: error.line, message: error.message.trim().to_owned() }
     }
 }
 
@@ -50,10 +42,7 @@ impl Shelf {
     pub fn open(dir: Option<&Path>) -> Result<Self, CliError> {
         let files = dir.map_or(Ok(Vec::new()), read_folders)?;
         let names = files.iter().map(|(name, _)| name.clone()).collect();
-        let own = Own {
-            dir: dir.map_or_else(PathBuf::new, Path::to_owned),
-            names,
-        };
+        let own = Own { dir: dir.map_or_else(PathBuf::new, Path::to_owned), names };
         let library = Library::with(&files).map_err(|e| own.error(e))?;
         Ok(Self { library, own })
     }
@@ -65,34 +54,19 @@ impl Shelf {
 }
 
 fn read_folders(dir: &Path) -> Result<Vec<(String, String)>, CliError> {
-    let remedy =
-        "name a folder that holds foods/, pans/, recipes/, kinetics/ or coatings/ with .toml files";
+    let remedy = "name a folder that holds foods/, pans/, recipes/, kinetics/ or coatings/ with .toml files";
     if !dir.is_dir() {
-        let message = if dir.exists() {
-            "--data is not a folder"
-        } else {
-            "--data does not exist"
-        };
+        let message = if dir.exists() { "--data is not a folder" } else { "--data does not exist" };
         return Err(CliError::place(dir.display(), message, remedy));
     }
-    let present: Vec<&str> = FOLDERS
-        .into_iter()
-        .filter(|f| dir.join(f).is_dir())
-        .collect();
+    let present: Vec<&str> = FOLDERS.into_iter().filter(|f| dir.join(f).is_dir()).collect();
     if present.is_empty() {
-        return Err(CliError::place(
-            dir.display(),
-            "--data holds none of the folders that are read",
-            remedy,
-        ));
+        return Err(CliError::place(dir.display(), "--data holds none of the folders that are read", remedy));
     }
     let mut files = Vec::new();
     for folder in present {
         for name in toml_names(&dir.join(folder))? {
-            files.push((
-                format!("{folder}/{name}"),
-                text_file::read(&dir.join(folder).join(&name))?,
-            ));
+            files.push((format!("{folder}/{name}"), text_file::read(&dir.join(folder).join(&name))?));
         }
     }
     Ok(files)
@@ -101,11 +75,7 @@ fn read_folders(dir: &Path) -> Result<Vec<(String, String)>, CliError> {
 /// Names of the .toml files in a folder, in order.
 fn toml_names(folder: &Path) -> Result<Vec<String>, CliError> {
     let unreadable = |e: std::io::Error| {
-        CliError::place(
-            folder.display(),
-            format!("cannot be read: {e}"),
-            "check the folder's permissions",
-        )
+        CliError::place(folder.display(), format!("cannot be read: {e}"), "check the folder's permissions")
     };
     let mut names = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {

@@ -13,22 +13,12 @@ const LARGEST: u64 = 4 << 20;
 pub fn read(path: &Path) -> Result<String, CliError> {
     let place = path.display();
     if path.is_dir() {
-        return Err(CliError::place(
-            place,
-            "is a folder, not a file",
-            "name a .toml file in it",
-        ));
+        return Err(CliError::place(place, "is a folder, not a file", "name a .toml file in it"));
     }
     let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes))
-        .map_err(|e| {
-            CliError::place(
-                place,
-                format!("cannot be read: {e}"),
-                "check the path and the file's permissions",
-            )
-        })?;
+    File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes)).map_err(|e| {
+        CliError::place(place, format!("cannot be read: {e}"), "check the path and the file's permissions")
+    })?;
     if bytes.len() as u64 > LARGEST {
         return Err(CliError::place(
             path.display(),
@@ -41,13 +31,6 @@ pub fn read(path: &Path) -> Result<String, CliError> {
 
 fn not_text(path: &Path, error: &std::string::FromUtf8Error) -> CliError {
     let good = error.utf8_error().valid_up_to();
-    let line = 1 + error.as_bytes()[..good]
-        .iter()
-        .filter(|&&b| b == b'\n')
-        .count();
-    CliError::place(
-        format!("{}:{line}", path.display()),
-        "is not UTF-8 text",
-        "save the file as UTF-8",
-    )
+    let line = 1 + error.as_bytes()[..good].iter().filter(|&&b| b == b'\n').count();
+    CliError::place(format!("{}:{line}", path.display()), "is not UTF-8 text", "save the file as UTF-8")
 }

@@ -49,18 +49,8 @@ fn food(f: &FoodSummary) -> String {
     row(&mut lines, "cross-section", &doneness(&f.section_pct));
     row(&mut lines, "volume", &doneness(&f.volume_pct));
     let lost = 100.0 * (1.0 - f.mass_g.end / f.mass_g.start);
-    let water = format!(
-        "{:.1} g evaporated, {:.1} g dripped",
-        f.water_g.evaporated, f.water_g.dripped
-    );
-    row(
-        &mut lines,
-        "mass",
-        &format!(
-            "{:.1} g → {:.1} g, −{lost:.1} %: {water}",
-            f.mass_g.start, f.mass_g.end
-        ),
-    );
+    let water = format!("{:.1} g evaporated, {:.1} g dripped", f.water_g.evaporated, f.water_g.dripped);
+    row(&mut lines, "mass", &format!("{:.1} g → {:.1} g, −{lost:.1} %: {water}", f.mass_g.start, f.mass_g.end));
     row(&mut lines, "top", &surface(&f.surfaces.top));
     row(&mut lines, "bottom", &surface(&f.surfaces.bottom));
     let d = &f.denatured;
@@ -82,12 +72,8 @@ fn row(lines: &mut String, name: &str, value: &str) {
 
 /// Shares as a bar and as numbers.
 fn doneness(d: &Doneness) -> String {
-    let classes = [
-        (d.raw, "raw", '·'),
-        (d.rare, "rare", '░'),
-        (d.medium, "medium", '▒'),
-        (d.well_done, "well-done", '█'),
-    ];
+    let classes =
+        [(d.raw, "raw", '·'), (d.rare, "rare", '░'), (d.medium, "medium", '▒'), (d.well_done, "well-done", '█')];
     let (mut bar, mut sum, mut drawn) = (String::new(), 0.0, 0);
     for (share, _, sign) in classes {
         sum += share;
@@ -95,22 +81,14 @@ fn doneness(d: &Doneness) -> String {
         bar.extend(std::iter::repeat_n(sign, until.saturating_sub(drawn)));
         drawn = until.max(drawn);
     }
-    let numbers = classes
-        .map(|(share, name, sign)| format!("{sign} {name} {share:.0} %"))
-        .join("  ");
+    let numbers = classes.map(|(share, name, sign)| format!("{sign} {name} {share:.0} %")).join("  ");
     format!("{bar}  {numbers}")
 }
 
 fn surface(s: &Surface) -> String {
     let [l, a, b] = s.lab;
-    let shares = format!(
-        "browned {:.0} %, charred {:.0} %",
-        s.browned_pct, s.charred_pct
-    );
-    format!(
-        "{:5.1} °C, {shares}, L*a*b* {l:.0} {a:.0} {b:.0}",
-        s.temperature_c
-    )
+    let shares = format!("browned {:.0} %, charred {:.0} %", s.browned_pct, s.charred_pct);
+    format!("{:5.1} °C, {shares}, L*a*b* {l:.0} {a:.0} {b:.0}", s.temperature_c)
 }
 
 fn pan(s: &Summary) -> String {
@@ -122,46 +100,22 @@ fn pan(s: &Summary) -> String {
         }
         _ => String::new(),
     };
-    row(
-        &mut lines,
-        "temperature",
-        &format!(
-            "{at_put}highest {:.1} °C, {:.1} °C at the end",
-            p.peak, p.end
-        ),
-    );
+    row(&mut lines, "temperature", &format!("{at_put}highest {:.1} °C, {:.1} °C at the end", p.peak, p.end));
     row(&mut lines, "energy", &energy(&s.energy_j));
-    row(
-        &mut lines,
-        "imbalance",
-        &format!("{:.1e} % of the hob's energy", imbalance_pct(&s.energy_j)),
-    );
+    row(&mut lines, "imbalance", &format!("{:.1e} % of the hob's energy", imbalance_pct(&s.energy_j)));
     lines
 }
 
 fn energy(e: &Energy) -> String {
     let kj = |j: f64| format!("{:.1}", j / 1e3);
-    let [hob, pan, food, air, vapour, other] = [
-        e.hob,
-        e.pan_stored,
-        e.food_stored,
-        e.air,
-        e.evaporation,
-        e.other,
-    ]
-    .map(kj);
-    format!(
-        "hob {hob} kJ = pan {pan} + food {food} + air {air} + evaporation {vapour} + other {other}"
-    )
+    let [hob, pan, food, air, vapour, other] =
+        [e.hob, e.pan_stored, e.food_stored, e.air, e.evaporation, e.other].map(kj);
+    format!("hob {hob} kJ = pan {pan} + food {food} + air {air} + evaporation {vapour} + other {other}")
 }
 
 /// What is missing from the balance, in percent of what the hob gave.
 pub fn imbalance_pct(e: &Energy) -> f64 {
-    if e.hob > 0.0 {
-        100.0 * e.imbalance.abs() / e.hob
-    } else {
-        0.0
-    }
+    if e.hob > 0.0 { 100.0 * e.imbalance.abs() / e.hob } else { 0.0 }
 }
 
 fn steps(s: &Summary) -> String {

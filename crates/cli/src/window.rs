@@ -14,13 +14,9 @@ pub fn open(shelf: &Shelf, recipe: Option<Recipe>) -> Result<ExitCode, CliError>
     if !has_display() {
         return Err(CliError::NoDisplay(NO_DISPLAY.to_owned()));
     }
-    let start = Start {
-        library: Some(Arc::new(shelf.library.clone())),
-        recipe,
-    };
-    saute_app::window::run(start).map_err(|e| {
-        CliError::NoDisplay(format!("the window could not be opened: {e}\n{NO_DISPLAY}"))
-    })?;
+    let start = Start { library: Some(Arc::new(shelf.library.clone())), recipe };
+    saute_app::window::run(start)
+        .map_err(|e| CliError::NoDisplay(format!("the window could not be opened: {e}\n{NO_DISPLAY}")))?;
     Ok(ExitCode::SUCCESS)
 }
 

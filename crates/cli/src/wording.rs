@@ -5,11 +5,7 @@ use saute_kitchen::runner::StepRecord;
 /// A time as a cook says it: `45.0 s`, `16 min 38 s`.
 pub fn duration(seconds: f64) -> String {
     let whole = seconds.round() as u64;
-    if seconds < 60.0 {
-        format!("{seconds:.1} s")
-    } else {
-        format!("{} min {:02} s", whole / 60, whole % 60)
-    }
+    if seconds < 60.0 { format!("{seconds:.1} s") } else { format!("{} min {:02} s", whole / 60, whole % 60) }
 }
 
 /// A step as it was carried out: `hob 2000 W`, `flip steak`.
@@ -17,13 +13,9 @@ pub fn step(step: &StepRecord) -> String {
     let food = step.target.as_deref().unwrap_or_default();
     match (step.action, &step.value) {
         ("hob_w", value) => format!("hob {} W", number(value)),
-        ("rest", value) => format!(
-            "rest {food} on the {}",
-            value
-                .as_str()
-                .unwrap_or("board")
-                .replace("foil", "board under foil")
-        ),
+        ("rest", value) => {
+            format!("rest {food} on the {}", value.as_str().unwrap_or("board").replace("foil", "board under foil"))
+        }
         ("cool", value) => format!("pan on a wet cloth for {} s", number(value)),
         ("end", _) => "end".to_owned(),
         (action, _) => format!("{action} {food}"),
@@ -40,7 +32,5 @@ pub fn mark(step: &StepRecord) -> Option<&'static str> {
 }
 
 fn number(value: &serde_json::Value) -> String {
-    value
-        .as_f64()
-        .map_or_else(|| value.to_string(), |v| format!("{v}"))
+    value.as_f64().map_or_else(|| value.to_string(), |v| format!("{v}"))
 }

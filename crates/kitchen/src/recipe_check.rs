@@ -243,14 +243,9 @@ impl Check<'_> {
             let for_s = step.for_s.as_ref().map_or(Ok(default), |s| self.ranged("for_s", s, 0.1, 600.0))?;
             actions.push(Command::Cool { for_s });
         }
-        if let Some(end) = &step.end {
-            if !*end.get_ref() {
-                return self.error(
-                    end.span().start,
-                    "end = false does nothing",
-                    "write end = true, or leave the step out",
-                );
-            }
+        if let Some(end) = step.end.as_ref().filter(|end| !*end.get_ref()) {
+            let remedy = "write end = true, or leave the step out";
+            return self.error(end.span().start, "end = false does nothing", remedy);
         }
         self.check_companions(step)?;
         match (actions.len(), step.end.is_some()) {

@@ -19,10 +19,13 @@ pub fn show(app: &SauteApp, ui: &Ui, layout: &Layout) {
 
 fn message(ui: &Ui, layout: &Layout, name: &str, drop: f32, text: &str) {
     let at = layout.free.center_top() + egui::vec2(0.0, drop);
-    Area::new(Id::unique(("message", name))).fixed_pos(at).pivot(Align2::CENTER_TOP).interactable(false).show(ui.ctx(), |ui| {
-        theme::panel().show(ui, |ui| {
-            ui.set_max_width(layout.free.width() - 40.0);
-            ui.label(RichText::new(text).font(FontId::proportional(14.5)));
-        });
-    });
+    Area::new(Id::unique(("message", name))).fixed_pos(at).pivot(Align2::CENTER_TOP).interactable(false).show(
+        ui.ctx(),
+        |ui| {
+            theme::panel().show(ui, |ui| {
+                ui.set_max_width(layout.free.width() - 40.0);
+                ui.label(RichText::new(text).font(FontId::proportional(14.5)));
+            });
+        },
+    );
 }

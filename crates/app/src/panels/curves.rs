@@ -49,9 +49,13 @@ pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
                 plot.line(Line::new(name, PlotPoints::from(points)).color(theme::CURVES[i]).style(style).width(width));
             }
             let goal = settings.degrees(settings.goal_c);
-            plot.hline(egui_plot::HLine::new("goal", goal).color(theme::QUIET).style(LineStyle::dotted_dense()).width(1.0));
+            plot.hline(
+                egui_plot::HLine::new("goal", goal).color(theme::QUIET).style(LineStyle::dotted_dense()).width(1.0),
+            );
             for mark in &app.session.marks {
-                let line = VLine::new(mark.label.clone(), mark.time_s / 60.0).color(egui::Color32::from_white_alpha(46)).width(1.0);
+                let line = VLine::new(mark.label.clone(), mark.time_s / 60.0)
+                    .color(egui::Color32::from_white_alpha(46))
+                    .width(1.0);
                 plot.vline(line.allow_hover(true).name(""));
             }
         });

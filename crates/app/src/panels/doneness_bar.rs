@@ -14,7 +14,9 @@ const BOUNDS: [&str; 4] = ["< 50 °C", "50–60", "60–70", "> 70"];
 pub fn show(ui: &mut Ui, shares: &Shares) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 26.0), Sense::hover());
     let spoken: Vec<String> = NAMES.iter().zip(shares.0).map(|(n, s)| format!("{n} {s:.0} %")).collect();
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, format!("Cross-section: {}", spoken.join(", "))));
+    response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, format!("Cross-section: {}", spoken.join(", ")))
+    });
     let mut left = rect.left();
     for (class, share) in Class::ALL.into_iter().zip(shares.0) {
         let width = rect.width() * share as f32 / 100.0;

@@ -76,7 +76,13 @@ fn time_right_to_left(app: &mut SauteApp, ui: &mut Ui) {
 }
 
 fn speed_button(app: &mut SauteApp, ui: &mut Ui, speed: f64) {
-    if press(ui, &format!("{speed:.0}×"), app.session.speed == speed, true, "simulated seconds a second ([ slower, ] faster)") {
+    if press(
+        ui,
+        &format!("{speed:.0}×"),
+        app.session.speed == speed,
+        true,
+        "simulated seconds a second ([ slower, ] faster)",
+    ) {
         app.set_speed(speed);
     }
 }

@@ -75,7 +75,8 @@ fn cut(app: &mut SauteApp, ui: &mut Ui) {
     let size = texture.size_vec2();
     let scale = (width / size.x).min(130.0 / size.y);
     ui.vertical_centered(|ui| {
-        let image = egui::Image::new((texture.id(), size * scale)).corner_radius(5).alt_text("Cross-section of the steak");
+        let image =
+            egui::Image::new((texture.id(), size * scale)).corner_radius(5).alt_text("Cross-section of the steak");
         ui.add(image);
     });
     let mut place = app.slice.unwrap_or(0.0);
@@ -134,9 +135,11 @@ fn goal(app: &mut SauteApp, ui: &mut Ui) {
         }
         let mut degrees = app.settings.degrees(app.settings.goal_c);
         let range = app.settings.degrees(45.0)..=app.settings.degrees(85.0);
-        let drag = egui::DragValue::new(&mut degrees).range(range).speed(0.2).max_decimals(0).suffix(app.settings.unit());
+        let drag =
+            egui::DragValue::new(&mut degrees).range(range).speed(0.2).max_decimals(0).suffix(app.settings.unit());
         let response = ui.add(drag);
-        response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::SpinButton, true, "Goal for the core"));
+        response
+            .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::SpinButton, true, "Goal for the core"));
         if response.changed() {
             app.settings.goal_c = app.settings.celsius(degrees);
         }
@@ -153,13 +156,26 @@ fn advice(app: &mut SauteApp) -> (String, bool) {
     let Some(piece) = app.session.steak() else { return (String::new(), false) };
     let pan = celsius(app.session.kitchen.pan_temperature());
     match (piece.place, forecast) {
-        (Place::Waiting, _) if pan < 160.0 && app.session.kitchen.hob_w() == 0.0 => ("Turn the hob on and let the pan get hot.".into(), false),
-        (Place::Waiting, _) if pan < 160.0 => ("The pan is heating; a drop of water should dance at 180 °C.".into(), false),
+        (Place::Waiting, _) if pan < 160.0 && app.session.kitchen.hob_w() == 0.0 => {
+            ("Turn the hob on and let the pan get hot.".into(), false)
+        }
+        (Place::Waiting, _) if pan < 160.0 => {
+            ("The pan is heating; a drop of water should dance at 180 °C.".into(), false)
+        }
         (Place::Waiting, _) => ("The pan is hot. Put the steak in.".into(), true),
-        (Place::Pan(_), Some(f)) if f.peak_c >= goal => (format!("Take it out now: resting will bring the core to {}.", app.settings.temperature(f.peak_c)), true),
+        (Place::Pan(_), Some(f)) if f.peak_c >= goal => {
+            (format!("Take it out now: resting will bring the core to {}.", app.settings.temperature(f.peak_c)), true)
+        }
         (Place::Pan(_), Some(f)) => {
             let later = format!("Taken out now, the core would peak at {}.", app.settings.temperature(f.peak_c));
-            (if wet_below(piece) { format!("{later} The underside is wet; it will brown when it dries.") } else { later }, false)
+            (
+                if wet_below(piece) {
+                    format!("{later} The underside is wet; it will brown when it dries.")
+                } else {
+                    later
+                },
+                false,
+            )
         }
         (Place::Rest(_), _) => {
             let peak = app.settings.temperature(celsius(piece.core_peak.0));

@@ -18,7 +18,13 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
         View::Temperature => {
             let map = app.settings.map.map();
             let (rect, response) = ui.allocate_exact_size(vec2(250.0, 36.0), Sense::click());
-            response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, "Legend of temperatures; click for the other colour map"));
+            response.widget_info(|| {
+                egui::WidgetInfo::labeled(
+                    egui::accesskit::Role::Button,
+                    true,
+                    "Legend of temperatures; click for the other colour map",
+                )
+            });
             if response.on_hover_text("Click for the other colour map (M)").clicked() {
                 app.act(crate::act::Act::Map, &ui.ctx().clone());
             }
@@ -36,19 +42,36 @@ fn scale(app: &SauteApp, ui: &Ui, rect: Rect, map: &ColourMap) {
         let celsius = map.from_c + (map.to_c - map.from_c) * i as f64 / columns as f64;
         let [r, g, b] = map.colour(celsius);
         let left = bar.left() + i as f32;
-        painter.rect_filled(Rect::from_min_max(pos2(left, bar.top()), pos2(left + 1.5, bar.bottom())), 0.0, Color32::from_rgb(r, g, b));
+        painter.rect_filled(
+            Rect::from_min_max(pos2(left, bar.top()), pos2(left + 1.5, bar.bottom())),
+            0.0,
+            Color32::from_rgb(r, g, b),
+        );
     }
     let mut free_from = bar.left() - 20.0;
     for tick in TICKS.into_iter().filter(|t| (map.from_c..=map.to_c).contains(t)) {
         let x = bar.left() + map.coordinate(tick) * bar.width();
-        painter.line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 4.0)], egui::Stroke::new(1.0, theme::QUIET));
+        painter
+            .line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 4.0)], egui::Stroke::new(1.0, theme::QUIET));
         if x - free_from >= 20.0 {
             let text = format!("{:.0}", app.settings.degrees(tick));
-            painter.text(pos2(x, bar.bottom() + 4.0), Align2::CENTER_TOP, text, FontId::proportional(11.5), theme::TEXT);
+            painter.text(
+                pos2(x, bar.bottom() + 4.0),
+                Align2::CENTER_TOP,
+                text,
+                FontId::proportional(11.5),
+                theme::TEXT,
+            );
             free_from = x + 8.0;
         }
     }
-    painter.text(rect.right_bottom() + vec2(2.0, 1.0), Align2::RIGHT_BOTTOM, app.settings.unit(), FontId::proportional(11.5), theme::QUIET);
+    painter.text(
+        rect.right_bottom() + vec2(2.0, 1.0),
+        Align2::RIGHT_BOTTOM,
+        app.settings.unit(),
+        FontId::proportional(11.5),
+        theme::QUIET,
+    );
 }
 
 fn classes(ui: &mut Ui) {

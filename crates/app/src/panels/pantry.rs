@@ -36,7 +36,9 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
             ui.selectable_value(&mut choice.pan, id.clone(), &pan.name);
         }
     });
-    response.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, format!("Pan: {name}")));
+    response
+        .response
+        .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, format!("Pan: {name}")));
     temperature(ui, "preheated to", &mut app.settings.choice.preheat_c, 20.0, 260.0, fahrenheit);
     ui.separator();
     recipes(app, ui);
@@ -58,7 +60,8 @@ fn recipes(app: &mut SauteApp, ui: &mut Ui) {
     ui.label(RichText::new("or drop a recipe file on the window").size(12.5).color(theme::QUIET));
     let library = std::sync::Arc::clone(&app.session.library);
     for (id, text) in &library.recipes {
-        let clicked = ui.add(egui::Button::new(id.replace('-', " ")).min_size(egui::vec2(ui.available_width(), 34.0))).clicked();
+        let clicked =
+            ui.add(egui::Button::new(id.replace('-', " ")).min_size(egui::vec2(ui.available_width(), 34.0))).clicked();
         if clicked {
             app.open_recipe(text, &format!("{id}.toml"));
         }

@@ -41,14 +41,7 @@ impl ScenePresenter {
             ..Default::default()
         });
         let pipeline = pipeline(device, &layout, target);
-        Self {
-            renderer: SceneRenderer::new(device, queue),
-            pipeline,
-            layout,
-            sampler,
-            group: None,
-            size: [0; 2],
-        }
+        Self { renderer: SceneRenderer::new(device, queue), pipeline, layout, sampler, group: None, size: [0; 2] }
     }
 
     /// Draws the scene and points the copy at the picture.
@@ -59,8 +52,7 @@ impl ScenePresenter {
         encoder: &mut wgpu::CommandEncoder,
         callback: &SceneCallback,
     ) {
-        self.renderer
-            .render(device, queue, encoder, &callback.input, callback.size);
+        self.renderer.render(device, queue, encoder, &callback.input, callback.size);
         if self.group.is_some() && self.size == self.renderer.size() {
             return;
         }
@@ -73,10 +65,7 @@ impl ScenePresenter {
                     binding: 0,
                     resource: wgpu::BindingResource::TextureView(self.renderer.color_view()),
                 },
-                wgpu::BindGroupEntry {
-                    binding: 1,
-                    resource: wgpu::BindingResource::Sampler(&self.sampler),
-                },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&self.sampler) },
             ],
         }));
     }
@@ -128,12 +117,8 @@ impl CallbackTrait for SceneCallback {
 }
 
 fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
-    let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::FRAGMENT,
-        ty,
-        count: None,
-    };
+    let entry =
+        |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None };
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("present"),
         entries: &[
@@ -145,10 +130,7 @@ fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
                     multisampled: false,
                 },
             ),
-            entry(
-                1,
-                wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
-            ),
+            entry(1, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
         ],
     })
 }
@@ -167,11 +149,7 @@ fn pipeline(
         bind_group_layouts: &[Some(layout)],
         immediate_size: 0,
     });
-    let entry = if target.is_srgb() {
-        "fs_present_linear"
-    } else {
-        "fs_present_encoded"
-    };
+    let entry = if target.is_srgb() { "fs_present_linear" } else { "fs_present_encoded" };
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some("present"),
         layout: Some(&layout),

@@ -54,13 +54,7 @@ impl Camera {
     }
 
     fn looking(yaw: f32, pitch_degrees: f32, distance: f32, target: Vec3) -> Self {
-        Self {
-            yaw,
-            pitch: pitch_degrees.to_radians(),
-            distance,
-            target,
-            shift: [0.0; 2],
-        }
+        Self { yaw, pitch: pitch_degrees.to_radians(), distance, target, shift: [0.0; 2] }
     }
 
     /// Turns the eye around the target by angles [rad], within the limits.
@@ -88,14 +82,10 @@ impl Camera {
 
     /// Maps the world to clip space (depth 0–1) for a picture of the given width over height.
     pub fn view_projection(&self, aspect: f32) -> Mat4 {
-        let vertical_fov = if aspect < 1.0 {
-            2.0 * ((0.5 * FIELD_OF_VIEW).tan() / aspect).atan()
-        } else {
-            FIELD_OF_VIEW
-        };
+        let vertical_fov =
+            if aspect < 1.0 { 2.0 * ((0.5 * FIELD_OF_VIEW).tan() / aspect).atan() } else { FIELD_OF_VIEW };
         let shift = Mat4::from_translation(Vec3::new(self.shift[0], self.shift[1], 0.0));
-        let projection =
-            glam::camera::rh::proj::directx::perspective(vertical_fov, aspect, NEAR, FAR);
+        let projection = glam::camera::rh::proj::directx::perspective(vertical_fov, aspect, NEAR, FAR);
         let view = glam::camera::rh::view::look_at_mat4(self.eye(), self.target, self.up());
         shift * projection * view
     }
@@ -139,10 +129,7 @@ mod tests {
                 let ndc = camera.project(point, aspect).expect("in front of the eye");
                 let (origin, direction) = camera.ray(ndc, aspect);
                 let nearest = origin + direction * (point - origin).dot(direction);
-                assert!(
-                    nearest.distance(point) < 1e-4,
-                    "{camera:?} {aspect}: {nearest}"
-                );
+                assert!(nearest.distance(point) < 1e-4, "{camera:?} {aspect}: {nearest}");
             }
         }
     }
@@ -151,31 +138,17 @@ mod tests {
     fn the_target_appears_at_the_shift() {
         for mut camera in presets() {
             camera.shift = [0.25, 0.1];
-            let ndc = camera
-                .project(camera.target, 1.5)
-                .expect("in front of the eye");
-            assert!(
-                (ndc[0] - 0.25).abs() < 1e-4 && (ndc[1] - 0.1).abs() < 1e-4,
-                "{ndc:?}"
-            );
+            let ndc = camera.project(camera.target, 1.5).expect("in front of the eye");
+            assert!((ndc[0] - 0.25).abs() < 1e-4 && (ndc[1] - 0.1).abs() < 1e-4, "{ndc:?}");
         }
     }
 
     #[test]
     fn screen_right_is_world_right_from_the_cooks_side() {
-        let camera = Camera {
-            yaw: 0.0,
-            ..Camera::three_quarter()
-        };
-        let left = camera
-            .project(Vec3::new(-0.1, 0.0, 0.0), 1.0)
-            .expect("visible");
-        let right = camera
-            .project(Vec3::new(0.1, 0.0, 0.0), 1.0)
-            .expect("visible");
-        let back = camera
-            .project(Vec3::new(0.0, 0.1, 0.0), 1.0)
-            .expect("visible");
+        let camera = Camera { yaw: 0.0, ..Camera::three_quarter() };
+        let left = camera.project(Vec3::new(-0.1, 0.0, 0.0), 1.0).expect("visible");
+        let right = camera.project(Vec3::new(0.1, 0.0, 0.0), 1.0).expect("visible");
+        let back = camera.project(Vec3::new(0.0, 0.1, 0.0), 1.0).expect("visible");
         assert!(left[0] < 0.0 && right[0] > 0.0 && back[1] > left[1]);
     }
 

@@ -20,14 +20,8 @@ pub(super) struct DirtyRect {
 
 impl DirtyRect {
     /// Everything.
-    pub const WHOLE: Self = Self {
-        low: Vec2::NEG_INFINITY,
-        high: Vec2::INFINITY,
-    };
-    const NOTHING: Self = Self {
-        low: Vec2::INFINITY,
-        high: Vec2::NEG_INFINITY,
-    };
+    pub const WHOLE: Self = Self { low: Vec2::NEG_INFINITY, high: Vec2::INFINITY };
+    const NOTHING: Self = Self { low: Vec2::INFINITY, high: Vec2::NEG_INFINITY };
 
     /// What the pan, the foods and the steam of a scene cover.
     pub fn of(input: &SceneInput, puffs: &[PuffVertex], size: [u32; 2]) -> Self {
@@ -45,22 +39,13 @@ impl DirtyRect {
             let floor = (around * pan.floor_radius * 1.01).extend(pan.thickness);
             cover(pan.position + floor, 0.0);
         }
-        input
-            .foods
-            .iter()
-            .flat_map(world_positions)
-            .for_each(|point| cover(point, 0.0));
-        puffs
-            .iter()
-            .for_each(|puff| cover(Vec3::from(puff.position), 1.7 * puff.half_size));
+        input.foods.iter().flat_map(world_positions).for_each(|point| cover(point, 0.0));
+        puffs.iter().for_each(|puff| cover(Vec3::from(puff.position), 1.7 * puff.half_size));
         rect
     }
 
     pub fn union(self, other: Self) -> Self {
-        Self {
-            low: self.low.min(other.low),
-            high: self.high.max(other.high),
-        }
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
     /// Left, top, width, height within a picture.
@@ -80,10 +65,7 @@ fn covered(clip_from_world: &Mat4, size: Vec2, scale: f32, point: Vec3, radius: 
     }
     let centre = (clip.xy() / clip.w * Vec2::new(0.5, -0.5) + 0.5) * size;
     let reach = Vec2::splat(radius * scale / (clip.w - radius));
-    DirtyRect {
-        low: centre - reach,
-        high: centre + reach,
-    }
+    DirtyRect { low: centre - reach, high: centre + reach }
 }
 
 #[cfg(test)]
@@ -97,10 +79,7 @@ mod tests {
         let size = [960, 540];
         let [left, top, width, height] = DirtyRect::of(&scene, &[], size).scissor(size);
         for point in scene.foods.iter().flat_map(world_positions) {
-            let ndc = scene
-                .camera
-                .project(point, 960.0 / 540.0)
-                .expect("in front of the eye");
+            let ndc = scene.camera.project(point, 960.0 / 540.0).expect("in front of the eye");
             let x = (ndc[0] * 0.5 + 0.5) * 960.0;
             let y = (0.5 - ndc[1] * 0.5) * 540.0;
             assert!(x >= left as f32 && x <= (left + width) as f32, "{x}");

@@ -12,8 +12,9 @@ pub(super) const WINDOW_DIRECTION: Vec3 = Vec3::new(-0.585, 0.515, 0.627);
 /// Unit vector towards the lamp, above, a little to the right and to the front (chosen).
 pub(super) const LAMP_DIRECTION: Vec3 = Vec3::new(0.24, -0.10, 0.966);
 
-/// Daylight at 5500 K and tungsten at 3000 K under a white balance between them (chosen); radiance.
-const WINDOW_RADIANCE: Vec3 = Vec3::new(8.2, 8.7, 9.2);
+/// Daylight at 5500 K and tungsten at 3000 K under a white balance between them (chosen); radiance. The window's image
+/// is a little warmer than its light, so that it lies on flesh and crust without a violet cast.
+const WINDOW_RADIANCE: Vec3 = Vec3::new(8.9, 8.7, 8.4);
 const LAMP_RADIANCE: Vec3 = Vec3::new(13.0, 9.2, 5.4);
 
 /// One level of the environment as RGBA16F, x fastest.
@@ -22,9 +23,7 @@ pub(super) fn level(level: u32) -> Vec<u16> {
     let blur = 0.035 + 1.1 * (level as f32 / (ENVIRONMENT_LEVELS - 1) as f32).powi(2);
     let mut texels = Vec::with_capacity((size * size * 4) as usize);
     for index in 0..size * size {
-        let at = Vec2::new((index % size) as f32 + 0.5, (index / size) as f32 + 0.5) / size as f32
-            * 2.0
-            - 1.0;
+        let at = Vec2::new((index % size) as f32 + 0.5, (index / size) as f32 + 0.5) / size as f32 * 2.0 - 1.0;
         let colour = radiance(direction(at), blur);
         texels.extend([half(colour.x), half(colour.y), half(colour.z), half(1.0)]);
     }
@@ -39,9 +38,7 @@ fn direction(at: Vec2) -> Vec3 {
 
 /// Radiance from a direction, blurred by an angle [rad].
 fn radiance(direction: Vec3, blur: f32) -> Vec3 {
-    room(direction, blur)
-        + WINDOW_RADIANCE * window(direction, blur)
-        + LAMP_RADIANCE * lamp(direction, blur)
+    room(direction, blur) + WINDOW_RADIANCE * window(direction, blur) + LAMP_RADIANCE * lamp(direction, blur)
 }
 
 /// Walls and ceiling: lighter above and on the window's side, dark towards the counter.
@@ -51,10 +48,7 @@ fn room(direction: Vec3, blur: f32) -> Vec3 {
     let wall = Vec3::new(0.52, 0.50, 0.47) * (0.55 + 0.7 * side);
     let ceiling = Vec3::new(0.78, 0.74, 0.68);
     let ground = Vec3::new(0.085, 0.078, 0.07);
-    ground.lerp(
-        wall.lerp(ceiling, step(direction.z - 0.62, 0.25 + blur)),
-        up,
-    )
+    ground.lerp(wall.lerp(ceiling, step(direction.z - 0.62, 0.25 + blur)), up)
 }
 
 /// Share of the window seen: two panes by two, on a plane left and behind.
@@ -68,8 +62,7 @@ fn window(direction: Vec3, blur: f32) -> f32 {
     let (u, v) = (direction.dot(across) / depth, direction.z / depth);
     // Blur on the plane grows where the plane is seen obliquely.
     let spread = blur * (1.0 + 0.5 * v);
-    let mullions =
-        (1.0 - 0.8 * bar(u, -0.02, 0.02, spread)) * (1.0 - 0.8 * bar(v, 0.83, 0.87, spread));
+    let mullions = (1.0 - 0.8 * bar(u, -0.02, 0.02, spread)) * (1.0 - 0.8 * bar(v, 0.83, 0.87, spread));
     bar(u, -0.50, 0.50, spread) * bar(v, 0.38, 1.32, spread) * mullions
 }
 
@@ -92,11 +85,7 @@ fn step(x: f32, blur: f32) -> f32 {
 fn half(value: f32) -> u16 {
     let bits = value.clamp(0.0, 65000.0).to_bits();
     let exponent = (bits >> 23) as i32 - 127 + 15;
-    if exponent <= 0 {
-        0
-    } else {
-        ((exponent as u32) << 10 | (bits >> 13 & 0x3ff)) as u16
-    }
+    if exponent <= 0 { 0 } else { ((exponent as u32) << 10 | (bits >> 13 & 0x3ff)) as u16 }
 }
 
 #[cfg(test)]

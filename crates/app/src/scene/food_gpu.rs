@@ -59,15 +59,8 @@ struct Indices {
 
 impl Indices {
     fn new(device: &wgpu::Device, triangles: &[[u32; 3]]) -> Self {
-        let buffer = buffer(
-            device,
-            bytemuck::cast_slice(triangles),
-            wgpu::BufferUsages::INDEX,
-        );
-        Self {
-            buffer,
-            count: triangles.len() as u32 * 3,
-        }
+        let buffer = buffer(device, bytemuck::cast_slice(triangles), wgpu::BufferUsages::INDEX);
+        Self { buffer, count: triangles.len() as u32 * 3 }
     }
 
     fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
@@ -81,29 +74,14 @@ impl Indices {
 impl CutBuffers {
     fn new(device: &wgpu::Device, food: &FoodLook, slice: &SliceLook) -> Self {
         let hides = |&index: &u32| {
-            let rest = food
-                .vertices
-                .get(index as usize)
-                .map_or(Vec3::ZERO, |vertex| Vec3::from(vertex.rest));
+            let rest = food.vertices.get(index as usize).map_or(Vec3::ZERO, |vertex| Vec3::from(vertex.rest));
             (rest - slice.point).dot(slice.normal) > 0.0
         };
         let triangles = &food.mesh.triangles;
-        let kept: Vec<_> = triangles
-            .iter()
-            .copied()
-            .filter(|t| !t.iter().all(hides))
-            .collect();
-        let hidden: Vec<_> = triangles
-            .iter()
-            .copied()
-            .filter(|t| t.iter().any(hides))
-            .collect();
+        let kept: Vec<_> = triangles.iter().copied().filter(|t| !t.iter().all(hides)).collect();
+        let hidden: Vec<_> = triangles.iter().copied().filter(|t| t.iter().any(hides)).collect();
         Self {
-            vertices: buffer(
-                device,
-                bytemuck::cast_slice(&slice.vertices),
-                wgpu::BufferUsages::VERTEX,
-            ),
+            vertices: buffer(device, bytemuck::cast_slice(&slice.vertices), wgpu::BufferUsages::VERTEX),
             face: Indices::new(device, &slice.triangles),
             kept: Indices::new(device, &kept),
             hidden: Indices::new(device, &hidden),
@@ -137,24 +115,16 @@ impl Foods {
         foods: &[FoodLook],
     ) -> Moved {
         let changed = self.slots.len() != foods.len();
-        let mut moved = Moved {
-            look: changed,
-            shadow: changed,
-            still: changed,
-        };
+        let mut moved = Moved { look: changed, shadow: changed, still: changed };
         self.slots.truncate(foods.len());
         self.meshes.values_mut().for_each(|mesh| mesh.used = false);
         for (index, food) in foods.iter().enumerate() {
-            let mesh = self
-                .meshes
-                .entry(food.mesh.key)
-                .or_insert_with(|| MeshBuffers::new(device, queue, &food.mesh));
+            let mesh = self.meshes.entry(food.mesh.key).or_insert_with(|| MeshBuffers::new(device, queue, &food.mesh));
             mesh.used = true;
             let fits = self.slots.get(index).is_some_and(|slot| slot.fits(food));
             if !fits {
                 let slot = FoodBuffers::new(device, layouts, mesh, food);
-                self.slots
-                    .splice(index..(index + 1).min(self.slots.len()), [slot]);
+                self.slots.splice(index..(index + 1).min(self.slots.len()), [slot]);
             }
             let slot = &mut self.slots[index];
             if slot.shows(food) {
@@ -181,11 +151,7 @@ impl Foods {
 impl MeshBuffers {
     fn new(device: &wgpu::Device, queue: &wgpu::Queue, mesh: &FoodMesh) -> Self {
         Self {
-            indices: buffer(
-                device,
-                bytemuck::cast_slice(&mesh.triangles),
-                wgpu::BufferUsages::INDEX,
-            ),
+            indices: buffer(device, bytemuck::cast_slice(&mesh.triangles), wgpu::BufferUsages::INDEX),
             count: mesh.triangles.len() as u32 * 3,
             fat: fat_texture(device, queue, &mesh.fat),
             used: true,
@@ -201,20 +167,10 @@ impl FoodBuffers {
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let whole = wgpu::BindGroupEntry {
-            binding: 0,
-            resource: uniform.as_entire_binding(),
-        };
-        let fat = wgpu::BindGroupEntry {
-            binding: 1,
-            resource: wgpu::BindingResource::TextureView(&mesh.fat),
-        };
+        let whole = wgpu::BindGroupEntry { binding: 0, resource: uniform.as_entire_binding() };
+        let fat = wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&mesh.fat) };
         let group = |layout, entries: &[wgpu::BindGroupEntry<'_>]| {
-            device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some("food"),
-                layout,
-                entries,
-            })
+            device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("food"), layout, entries })
         };
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
@@ -249,10 +205,7 @@ impl FoodBuffers {
         self.shown = Some(food.clone());
         queue.write_buffer(&self.vertices, 0, bytemuck::cast_slice(&food.vertices));
         queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform(food)));
-        self.cut = food
-            .slice
-            .as_ref()
-            .map(|slice| CutBuffers::new(device, food, slice));
+        self.cut = food.slice.as_ref().map(|slice| CutBuffers::new(device, food, slice));
     }
 
     pub fn has_cut(&self) -> bool {
@@ -304,38 +257,26 @@ impl FoodBuffers {
 
 /// True when some vertex is further than the tolerance from where it was.
 fn differs(food: &FoodLook, before: &[Vec3], tolerance: f32) -> bool {
-    before.len() != food.vertices.len()
-        || !world_positions(food)
-            .zip(before)
-            .all(|(a, b)| a.abs_diff_eq(*b, tolerance))
+    before.len() != food.vertices.len() || !world_positions(food).zip(before).all(|(a, b)| a.abs_diff_eq(*b, tolerance))
 }
 
 /// World positions of a food's vertices.
 pub(super) fn world_positions(food: &FoodLook) -> impl Iterator<Item = Vec3> {
-    food.vertices.iter().map(|vertex: &FoodVertex| {
-        food.world_from_rest
-            .transform_point3(Vec3::from(vertex.rest))
-    })
+    food.vertices.iter().map(|vertex: &FoodVertex| food.world_from_rest.transform_point3(Vec3::from(vertex.rest)))
 }
 
 fn uniform(food: &FoodLook) -> FoodUniform {
     let fat = &food.mesh.fat;
     FoodUniform {
         world_from_rest: food.world_from_rest,
-        cut: food.slice.as_ref().map_or(NO_CUT, |slice| {
-            slice.normal.extend(slice.normal.dot(slice.point))
-        }),
+        cut: food.slice.as_ref().map_or(NO_CUT, |slice| slice.normal.extend(slice.normal.dot(slice.point))),
         fat_origin: fat.origin.extend(0.0),
         fat_scale: reciprocal(fat.extent).extend(0.0),
     }
 }
 
 fn buffer(device: &wgpu::Device, contents: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
-    device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-        label: Some("food"),
-        contents,
-        usage,
-    })
+    device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some("food"), contents, usage })
 }
 
 /// The marbling; a volume that does not hold what it says is taken as lean.
@@ -343,19 +284,7 @@ fn fat_texture(device: &wgpu::Device, queue: &wgpu::Queue, fat: &FatVolume) -> w
     let limit = device.limits().max_texture_dimension_3d;
     let full = fat.size.iter().map(|&n| n as usize).product::<usize>() == fat.cells.len();
     let sound = full && fat.size.iter().all(|&n| n > 0 && n <= limit);
-    let (size, cells) = if sound {
-        (fat.size, fat.cells.as_slice())
-    } else {
-        ([1; 3], [0].as_slice())
-    };
+    let (size, cells) = if sound { (fat.size, fat.cells.as_slice()) } else { ([1; 3], [0].as_slice()) };
     let format = wgpu::TextureFormat::R8Unorm;
-    sampled_texture_of(
-        device,
-        queue,
-        size,
-        1,
-        format,
-        wgpu::TextureDimension::D3,
-        cells,
-    )
+    sampled_texture_of(device, queue, size, 1, format, wgpu::TextureDimension::D3, cells)
 }

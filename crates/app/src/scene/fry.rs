@@ -102,7 +102,8 @@ impl Foot {
     fn bubble(&self, vertices: &mut Vec<PuffVertex>, seed: f32, time: f32) {
         let turn = time / LIFE + seed * 0.618;
         let age = turn.rem_euclid(1.0);
-        let random = |k: f32| ((turn.floor() * 12.9898 + seed * 78.233 + k * 37.719).sin() * 43_758.547).rem_euclid(1.0);
+        let random =
+            |k: f32| ((turn.floor() * 12.9898 + seed * 78.233 + k * 37.719).sin() * 43_758.547).rem_euclid(1.0);
         let (out, reach) = self.edge(random(1.0));
         let half_size = (0.7e-3 + 1.8e-3 * random(2.0) * random(2.0)) * (0.5 + 0.5 * age);
         let distance = reach + 0.6 * half_size + 3.0e-3 * random(3.0) * random(3.0);

@@ -50,24 +50,13 @@ impl Mesh {
             position: position.to_array(),
             normal: normal.to_array(),
             colour: finish.colour.to_array(),
-            surface: [
-                finish.roughness,
-                finish.metalness,
-                finish.material as u32 as f32,
-                visibility,
-            ],
+            surface: [finish.roughness, finish.metalness, finish.material as u32 as f32, visibility],
         });
         self.vertices.len() as u32 - 1
     }
 
     /// Adds a regular grid of vertices, `point(i, j)` for `i ≤ columns`, `j ≤ rows`; faces look along ∂i × ∂j.
-    pub fn grid(
-        &mut self,
-        columns: u32,
-        rows: u32,
-        finish: &Finish,
-        point: impl Fn(u32, u32) -> (Vec3, Vec3, f32),
-    ) {
+    pub fn grid(&mut self, columns: u32, rows: u32, finish: &Finish, point: impl Fn(u32, u32) -> (Vec3, Vec3, f32)) {
         let first = self.vertices.len() as u32;
         for j in 0..=rows {
             for i in 0..=columns {
@@ -98,12 +87,7 @@ impl Mesh {
     /// A box with rounded vertical edges and a small rounded top edge, standing on `base` (centre of its underside).
     pub fn slab(&mut self, base: Vec3, size: Vec3, corner: f32, edge: f32, finish: &Finish) {
         // Inset, height under the top (both in edge radii) and how far the normal leans upwards.
-        let profile = [
-            (0.0, size.z / edge, 0.0),
-            (0.0, 1.0, 0.0),
-            (0.29, 0.29, 0.5),
-            (1.0, 0.0, 1.0),
-        ];
+        let profile = [(0.0, size.z / edge, 0.0), (0.0, 1.0, 0.0), (0.29, 0.29, 0.5), (1.0, 0.0, 1.0)];
         const CORNER_STEPS: u32 = 6;
         let outline = rounded_outline(Vec2::new(size.x, size.y) * 0.5, corner, CORNER_STEPS);
         let columns = outline.len() as u32 - 1;
@@ -113,11 +97,7 @@ impl Mesh {
             let (inset, drop, tilt) = profile[j as usize];
             let xy = point - outward * inset * edge;
             let normal = (outward * (1.0 - tilt)).extend(tilt).normalize();
-            (
-                base + xy.extend(size.z - drop * edge),
-                normal,
-                if j == 0 { 0.4 } else { 1.0 },
-            )
+            (base + xy.extend(size.z - drop * edge), normal, if j == 0 { 0.4 } else { 1.0 })
         });
         let centre = self.push(base + Vec3::Z * size.z, Vec3::Z, finish, 1.0);
         let ring: Vec<u32> = outline
@@ -140,10 +120,8 @@ impl Mesh {
             let station = stations[j as usize];
             let (sin, cos) = (TAU * i as f32 / SIDES as f32).sin_cos();
             let square = |v: f32| v.signum() * v.abs().powf(0.55);
-            let offset = station.side * square(cos) * station.half.x
-                + station.up * square(sin) * station.half.y;
-            let normal = station.side * cos / station.half.x.max(1e-4)
-                + station.up * sin / station.half.y.max(1e-4);
+            let offset = station.side * square(cos) * station.half.x + station.up * square(sin) * station.half.y;
+            let normal = station.side * cos / station.half.x.max(1e-4) + station.up * sin / station.half.y.max(1e-4);
             (station.centre + offset, normal.normalize(), 1.0)
         });
     }
@@ -156,24 +134,15 @@ impl Mesh {
             let (rise, run) = (j as f32 / 4.0 * TAU / 4.0).sin_cos();
             let around = side * cos + up * sin;
             let position = centre + around * run * radius + normal * rise * height;
-            (
-                position,
-                (around * run * height + normal * rise * radius).normalize(),
-                0.9,
-            )
+            (position, (around * run * height + normal * rise * radius).normalize(), 0.9)
         });
     }
 
     /// Moves the vertices added since `first`.
     pub fn transform_from(&mut self, first: usize, pose: Mat4) {
         for vertex in &mut self.vertices[first..] {
-            vertex.position = pose
-                .transform_point3(Vec3::from(vertex.position))
-                .to_array();
-            vertex.normal = pose
-                .transform_vector3(Vec3::from(vertex.normal))
-                .normalize()
-                .to_array();
+            vertex.position = pose.transform_point3(Vec3::from(vertex.position)).to_array();
+            vertex.normal = pose.transform_vector3(Vec3::from(vertex.normal)).normalize().to_array();
         }
     }
 }
@@ -200,11 +169,7 @@ pub(super) fn with_normals(points: &[Vec2]) -> Vec<ProfilePoint> {
     (0..points.len())
         .map(|i| {
             let along = points[(i + 1).min(points.len() - 1)] - points[i.saturating_sub(1)];
-            ProfilePoint {
-                at: points[i],
-                normal: along.perp().normalize_or_zero(),
-                visibility: 1.0,
-            }
+            ProfilePoint { at: points[i], normal: along.perp().normalize_or_zero(), visibility: 1.0 }
         })
         .collect()
 }
@@ -217,22 +182,14 @@ pub(super) fn bezier(control: [Vec2; 4], steps: u32) -> impl Iterator<Item = Vec
 /// Point of a cubic Bézier curve at a parameter of 0–1.
 pub(super) fn bezier_at(control: [Vec2; 4], t: f32) -> Vec2 {
     let s = 1.0 - t;
-    control[0] * s * s * s
-        + control[1] * 3.0 * s * s * t
-        + control[2] * 3.0 * s * t * t
-        + control[3] * t * t * t
+    control[0] * s * s * s + control[1] * 3.0 * s * s * t + control[2] * 3.0 * s * t * t + control[3] * t * t * t
 }
 
 /// Closed outline (first point repeated) of a rounded rectangle, counter-clockwise, with outward normals.
 fn rounded_outline(half: Vec2, corner: f32, steps: u32) -> Vec<(Vec2, Vec2)> {
     let mut outline = Vec::new();
     for quarter in 0..4 {
-        let sign = [
-            Vec2::new(1.0, 1.0),
-            Vec2::new(-1.0, 1.0),
-            Vec2::new(-1.0, -1.0),
-            Vec2::new(1.0, -1.0),
-        ][quarter];
+        let sign = [Vec2::new(1.0, 1.0), Vec2::new(-1.0, 1.0), Vec2::new(-1.0, -1.0), Vec2::new(1.0, -1.0)][quarter];
         let centre = (half - Vec2::splat(corner)) * sign;
         for step in 0..=steps {
             let angle = TAU * 0.25 * (quarter as f32 + step as f32 / steps as f32);

@@ -16,8 +16,7 @@ pub(super) fn solid_noise() -> Vec<u8> {
     let step = NOISE_CELLS as f32 / NOISE_SIZE as f32;
     let mut texels = Vec::with_capacity((NOISE_SIZE.pow(3) * 4) as usize);
     for index in 0..NOISE_SIZE.pow(3) {
-        let cell = [index, index / NOISE_SIZE, index / NOISE_SIZE.pow(2)]
-            .map(|i| (i % NOISE_SIZE) as f32 * step);
+        let cell = [index, index / NOISE_SIZE, index / NOISE_SIZE.pow(2)].map(|i| (i % NOISE_SIZE) as f32 * step);
         let (value, slope) = gradient_noise(Vec3::from(cell));
         texels.extend([slope.x * 0.5, slope.y * 0.5, slope.z * 0.5, value].map(signed_byte));
     }
@@ -33,11 +32,7 @@ pub(super) fn halve_volume(texels: &[u8], size: u32) -> Vec<u8> {
         for channel in 0..4 {
             let sum: u32 = (0..8)
                 .map(|k| {
-                    let [x, y, z] = [
-                        corner[0] + (k & 1),
-                        corner[1] + (k >> 1 & 1),
-                        corner[2] + (k >> 2),
-                    ];
+                    let [x, y, z] = [corner[0] + (k & 1), corner[1] + (k >> 1 & 1), corner[2] + (k >> 2)];
                     u32::from(texels[(((z * size + y) * size + x) * 4 + channel) as usize])
                 })
                 .sum();
@@ -62,16 +57,12 @@ pub(super) fn bundles() -> Vec<u8> {
 /// Halves a tiling RG8 picture.
 pub(super) fn halve_picture(texels: &[u8], size: u32) -> Vec<u8> {
     let half = size / 2;
-    let at =
-        |x: u32, y: u32, channel: u32| u32::from(texels[((y * size + x) * 2 + channel) as usize]);
+    let at = |x: u32, y: u32, channel: u32| u32::from(texels[((y * size + x) * 2 + channel) as usize]);
     let mut out = Vec::with_capacity(texels.len() / 4);
     for index in 0..half.pow(2) {
         let (x, y) = (index % half * 2, index / half * 2);
         for channel in 0..2 {
-            let sum = at(x, y, channel)
-                + at(x + 1, y, channel)
-                + at(x, y + 1, channel)
-                + at(x + 1, y + 1, channel);
+            let sum = at(x, y, channel) + at(x + 1, y, channel) + at(x, y + 1, channel) + at(x + 1, y + 1, channel);
             out.push((sum / 4) as u8);
         }
     }
@@ -104,23 +95,14 @@ pub(super) fn gradient_noise(at: Vec3) -> (f32, Vec3) {
         let gradient = lattice_gradient(hash(cell.x, cell.y, cell.z));
         let height = gradient.dot(f - offset.as_vec3());
         let pick = |axis: usize| {
-            if offset[axis] == 1 {
-                fade[axis]
-            } else {
-                1.0 - fade[axis]
-            }
+            if offset[axis] == 1 { fade[axis] } else { 1.0 - fade[axis] }
         };
         let sign = |axis: usize| {
-            if offset[axis] == 1 {
-                fade_slope[axis]
-            } else {
-                -fade_slope[axis]
-            }
+            if offset[axis] == 1 { fade_slope[axis] } else { -fade_slope[axis] }
         };
         let (wx, wy, wz) = (pick(0), pick(1), pick(2));
         value += wx * wy * wz * height;
-        slope += wx * wy * wz * gradient
-            + height * Vec3::new(sign(0) * wy * wz, wx * sign(1) * wz, wx * wy * sign(2));
+        slope += wx * wy * wz * gradient + height * Vec3::new(sign(0) * wy * wz, wx * sign(1) * wz, wx * wy * sign(2));
     }
     (value * 1.5, slope)
 }

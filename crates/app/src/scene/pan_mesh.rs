@@ -22,28 +22,15 @@ pub(super) struct PanMesh {
 
 /// Builds the pan with the centre of its underside at the origin.
 pub(super) fn pan_mesh(pan: &PanLook) -> PanMesh {
-    let metal = Finish {
-        colour: pan.colour,
-        roughness: pan.roughness,
-        metalness: pan.metalness,
-        material: Material::Metal,
-    };
+    let metal =
+        Finish { colour: pan.colour, roughness: pan.roughness, metalness: pan.metalness, material: Material::Metal };
     let mut body = Mesh::default();
     body.lathe(&wall_profile(pan), SEGMENTS, &metal);
     body.lathe(&outside_profile(pan), SEGMENTS, &metal);
     handle(&mut body, pan, &metal);
     let mut floor = Mesh::default();
-    let rings: Vec<Vec2> = (0..=8)
-        .map(|i| Vec2::new(pan.floor_radius * i as f32 / 8.0, pan.thickness))
-        .collect();
-    floor.lathe(
-        &with_normals(&rings),
-        SEGMENTS,
-        &Finish {
-            material: Material::PanFloor,
-            ..metal
-        },
-    );
+    let rings: Vec<Vec2> = (0..=8).map(|i| Vec2::new(pan.floor_radius * i as f32 / 8.0, pan.thickness)).collect();
+    floor.lathe(&with_normals(&rings), SEGMENTS, &Finish { material: Material::PanFloor, ..metal });
     PanMesh { body, floor }
 }
 
@@ -78,18 +65,9 @@ fn outside_profile(pan: &PanLook) -> Vec<ProfilePoint> {
     let mut outer: Vec<Vec2> = bezier(inner_curve(pan), 14).collect();
     outer.reverse();
     let offset = Vec2::new(WALL, -0.35 * WALL);
-    points.extend(
-        outer
-            .into_iter()
-            .skip(2)
-            .map(|p| Vec2::new(p.x + offset.x, (p.y + offset.y).max(0.0012))),
-    );
+    points.extend(outer.into_iter().skip(2).map(|p| Vec2::new(p.x + offset.x, (p.y + offset.y).max(0.0012))));
     let foot = pan.floor_radius + WALL;
-    points.extend([
-        Vec2::new(foot, 0.0006),
-        Vec2::new(foot - 0.002, 0.0),
-        Vec2::new(0.0, 0.0004),
-    ]);
+    points.extend([Vec2::new(foot, 0.0006), Vec2::new(foot - 0.002, 0.0), Vec2::new(0.0, 0.0004)]);
     let mut profile = with_normals(&points);
     for point in &mut profile {
         point.visibility = 0.25 + 0.75 * (point.at.y / (0.6 * pan.rim_height)).clamp(0.0, 1.0);
@@ -101,14 +79,9 @@ fn outside_profile(pan: &PanLook) -> Vec<ProfilePoint> {
 fn handle(mesh: &mut Mesh, pan: &PanLook, metal: &Finish) {
     let along = Vec2::from_angle(HANDLE_ANGLE).extend(0.0);
     let side = Vec3::new(-along.y, along.x, 0.0);
-    let finish = Finish {
-        roughness: (pan.roughness * 0.9).max(0.32),
-        ..*metal
-    };
+    let finish = Finish { roughness: (pan.roughness * 0.9).max(0.32), ..*metal };
     let root_height = pan.thickness + 0.62 * pan.rim_height;
-    let wall = bezier(inner_curve(pan), 40)
-        .find(|p| p.y >= root_height)
-        .map_or(pan.rim_radius, |p| p.x);
+    let wall = bezier(inner_curve(pan), 40).find(|p| p.y >= root_height).map_or(pan.rim_radius, |p| p.x);
     let start = wall + 0.6 * WALL;
     let curve = [
         Vec2::new(start, root_height),
@@ -122,17 +95,10 @@ fn handle(mesh: &mut Mesh, pan: &PanLook, metal: &Finish) {
         let forward = (along * slope.x + Vec3::Z * slope.y).normalize();
         let centre = along * at.x + Vec3::Z * at.y;
         // `side × up` must point along the sweep for the faces to look outwards.
-        Station {
-            centre,
-            side: -side,
-            up: forward.cross(-side),
-            half: handle_section(t),
-        }
+        Station { centre, side: -side, up: forward.cross(-side), half: handle_section(t) }
     };
     // Stations crowd towards the tip, which is round.
-    let stations: Vec<Station> = (0..=40)
-        .map(|i| station(1.0 - (1.0 - i as f32 / 40.0).powi(2)))
-        .collect();
+    let stations: Vec<Station> = (0..=40).map(|i| station(1.0 - (1.0 - i as f32 / 40.0).powi(2))).collect();
     mesh.sweep(&stations, &finish);
     hanging_hole(mesh, &station(0.925), along);
     rivets(mesh, pan, along, side, &finish);
@@ -147,24 +113,13 @@ fn handle_section(t: f32) -> Vec2 {
 }
 
 fn hanging_hole(mesh: &mut Mesh, station: &Station, along: Vec3) {
-    let dark = Finish {
-        colour: Vec3::splat(0.012),
-        roughness: 0.9,
-        metalness: 0.0,
-        material: Material::Plain,
-    };
-    let top =
-        station.centre + station.up.normalize() * station.up.z.signum() * (station.half.y + 0.0002);
+    let dark = Finish { colour: Vec3::splat(0.012), roughness: 0.9, metalness: 0.0, material: Material::Plain };
+    let top = station.centre + station.up.normalize() * station.up.z.signum() * (station.half.y + 0.0002);
     let centre = mesh.push(top, Vec3::Z, &dark, 0.5);
     let ring: Vec<u32> = (0..=16)
         .map(|i| {
             let (sin, cos) = (std::f32::consts::TAU * i as f32 / 16.0).sin_cos();
-            mesh.push(
-                top + along * cos * 0.0062 + station.side * sin * 0.0036,
-                Vec3::Z,
-                &dark,
-                0.5,
-            )
+            mesh.push(top + along * cos * 0.0062 + station.side * sin * 0.0036, Vec3::Z, &dark, 0.5)
         })
         .collect();
     for pair in ring.windows(2) {
@@ -174,11 +129,7 @@ fn hanging_hole(mesh: &mut Mesh, station: &Station, along: Vec3) {
 
 /// Three rivet heads on the inner wall where the handle is fixed.
 fn rivets(mesh: &mut Mesh, pan: &PanLook, along: Vec3, side: Vec3, finish: &Finish) {
-    let steel = Finish {
-        colour: finish.colour.lerp(Vec3::splat(0.45), 0.35),
-        roughness: 0.38,
-        ..*finish
-    };
+    let steel = Finish { colour: finish.colour.lerp(Vec3::splat(0.45), 0.35), roughness: 0.38, ..*finish };
     let wall = with_normals(&bezier(inner_curve(pan), 40).collect::<Vec<_>>());
     for (height, sideways) in [(0.50, -0.0105), (0.50, 0.0105), (0.74, 0.0)] {
         let z = pan.thickness + height * pan.rim_height;

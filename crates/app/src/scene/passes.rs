@@ -28,31 +28,15 @@ pub(super) fn begin<'e>(
     clear: bool,
 ) -> wgpu::RenderPass<'e> {
     let background = f64::from(FLAT_BACKGROUND[0]) / 255.0;
-    let colour = wgpu::Color {
-        r: background,
-        g: background,
-        b: background,
-        a: 1.0,
-    };
-    let store = if to.resolve.is_some() {
-        wgpu::StoreOp::Discard
-    } else {
-        wgpu::StoreOp::Store
-    };
+    let colour = wgpu::Color { r: background, g: background, b: background, a: 1.0 };
+    let store = if to.resolve.is_some() { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: Some("scene"),
         color_attachments: &[Some(wgpu::RenderPassColorAttachment {
             view: to.colour,
             depth_slice: None,
             resolve_target: to.resolve,
-            ops: wgpu::Operations {
-                load: if clear {
-                    wgpu::LoadOp::Clear(colour)
-                } else {
-                    wgpu::LoadOp::Load
-                },
-                store,
-            },
+            ops: wgpu::Operations { load: if clear { wgpu::LoadOp::Clear(colour) } else { wgpu::LoadOp::Load }, store },
         })],
         depth_stencil_attachment: Some(depth_attachment(to.depth, clear, store)),
         ..Default::default()
@@ -60,10 +44,7 @@ pub(super) fn begin<'e>(
 }
 
 /// Begins a pass that only writes depth.
-pub(super) fn begin_depth<'e>(
-    encoder: &'e mut wgpu::CommandEncoder,
-    to: &wgpu::TextureView,
-) -> wgpu::RenderPass<'e> {
+pub(super) fn begin_depth<'e>(encoder: &'e mut wgpu::CommandEncoder, to: &wgpu::TextureView) -> wgpu::RenderPass<'e> {
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: Some("depth"),
         depth_stencil_attachment: Some(depth_attachment(to, true, wgpu::StoreOp::Store)),
@@ -76,11 +57,7 @@ fn depth_attachment(
     clear: bool,
     store: wgpu::StoreOp,
 ) -> wgpu::RenderPassDepthStencilAttachment<'_> {
-    let load = if clear {
-        wgpu::LoadOp::Clear(1.0)
-    } else {
-        wgpu::LoadOp::Load
-    };
+    let load = if clear { wgpu::LoadOp::Clear(1.0) } else { wgpu::LoadOp::Load };
     wgpu::RenderPassDepthStencilAttachment {
         view,
         depth_ops: Some(wgpu::Operations { load, store }),
@@ -98,14 +75,8 @@ pub(super) fn draw_shadow(
 ) {
     pass.set_bind_group(0, view, &[]);
     pass.set_pipeline(&pipelines.solid);
-    for solid in [
-        &solids.surroundings,
-        &solids.board,
-        &solids.hob,
-        &solids.cloth,
-        &solids.pan_body,
-        &solids.pan_floor,
-    ] {
+    for solid in [&solids.surroundings, &solids.board, &solids.hob, &solids.cloth, &solids.pan_body, &solids.pan_floor]
+    {
         solid.draw(pass);
     }
     draw_food_depth(pass, pipelines, view, foods);
@@ -134,14 +105,7 @@ pub(super) fn draw_still_depth(
 ) {
     pass.set_bind_group(0, view, &[]);
     pass.set_pipeline(&pipelines.still);
-    for solid in [
-        &solids.pan_body,
-        &solids.cloth,
-        &solids.hob,
-        &solids.board,
-        &solids.surroundings,
-        &solids.room,
-    ] {
+    for solid in [&solids.pan_body, &solids.cloth, &solids.hob, &solids.board, &solids.surroundings, &solids.room] {
         solid.draw(pass);
     }
 }
@@ -186,11 +150,7 @@ pub(super) fn draw_lively(
             pass.set_pipeline(&pipelines.cut_face);
             food.draw_cut(pass);
         }
-        pass.set_pipeline(if food.has_cut() {
-            &pipelines.food_cut
-        } else {
-            &pipelines.food
-        });
+        pass.set_pipeline(if food.has_cut() { &pipelines.food_cut } else { &pipelines.food });
         food.draw(pass);
     }
     pass.set_pipeline(&pipelines.floor);

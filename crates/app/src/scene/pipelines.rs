@@ -99,11 +99,7 @@ impl PipelineFactory {
 
     pub fn colour(&self, device: &wgpu::Device, samples: u32) -> ColourPipelines {
         // At one sample what does not move is only drawn while the eye moves.
-        let (still, lively) = if samples > 1 {
-            (Detail::Fine, Detail::Fine)
-        } else {
-            (Detail::Quick, Detail::Usual)
-        };
+        let (still, lively) = if samples > 1 { (Detail::Fine, Detail::Fine) } else { (Detail::Quick, Detail::Usual) };
         let solid = |entry| self.solid_pipeline(device, entry, still);
         let food = |entry, cull, veil| self.food_pipeline(device, entry, cull, veil, lively);
         let back = Some(wgpu::Face::Back);
@@ -133,72 +129,28 @@ impl PipelineFactory {
     pub fn depth(&self, device: &wgpu::Device) -> DepthPipelines {
         let view_only = pipeline_layout(device, &[&self.layouts.frame]);
         let with_pose = pipeline_layout(device, &[&self.layouts.frame, &self.layouts.pose]);
-        let bias = wgpu::DepthBiasState {
-            constant: 2,
-            slope_scale: 1.5,
-            clamp: 0.0,
-        };
+        let bias = wgpu::DepthBiasState { constant: 2, slope_scale: 1.5, clamp: 0.0 };
         let make = |layout, entry, buffer, bias| {
-            let depth = wgpu::DepthStencilState {
-                bias,
-                ..depth_state(true)
-            };
-            build(
-                device,
-                layout,
-                (&self.depth, entry, Some(buffer)),
-                None,
-                depth,
-                None,
-                Detail::Usual,
-            )
+            let depth = wgpu::DepthStencilState { bias, ..depth_state(true) };
+            build(device, layout, (&self.depth, entry, Some(buffer)), None, depth, None, Detail::Usual)
         };
         DepthPipelines {
             solid: make(&view_only, "vs_solid_depth", solid_buffer(), bias),
             food: make(&with_pose, "vs_food_depth", food_buffer(), bias),
-            still: make(
-                &view_only,
-                "vs_solid_depth",
-                solid_buffer(),
-                wgpu::DepthBiasState::default(),
-            ),
+            still: make(&view_only, "vs_solid_depth", solid_buffer(), wgpu::DepthBiasState::default()),
         }
     }
 
     pub fn restore(&self, device: &wgpu::Device) -> wgpu::RenderPipeline {
         let layout = pipeline_layout(device, &[&self.layouts.restore]);
-        let depth = wgpu::DepthStencilState {
-            depth_compare: Some(wgpu::CompareFunction::Always),
-            ..depth_state(true)
-        };
+        let depth = wgpu::DepthStencilState { depth_compare: Some(wgpu::CompareFunction::Always), ..depth_state(true) };
         let fragment = Some((&self.restore, "fs_restore", None));
-        build(
-            device,
-            &layout,
-            (&self.restore, "vs_restore", None),
-            fragment,
-            depth,
-            None,
-            Detail::Usual,
-        )
+        build(device, &layout, (&self.restore, "vs_restore", None), fragment, depth, None, Detail::Usual)
     }
 
-    fn solid_pipeline(
-        &self,
-        device: &wgpu::Device,
-        entry: &'static str,
-        detail: Detail,
-    ) -> wgpu::RenderPipeline {
+    fn solid_pipeline(&self, device: &wgpu::Device, entry: &'static str, detail: Detail) -> wgpu::RenderPipeline {
         let vertex = (&self.solid, "vs_solid", Some(solid_buffer()));
-        build(
-            device,
-            &self.solid_layout,
-            vertex,
-            Some((&self.solid, entry, None)),
-            depth_state(true),
-            None,
-            detail,
-        )
+        build(device, &self.solid_layout, vertex, Some((&self.solid, entry, None)), depth_state(true), None, detail)
     }
 
     fn food_pipeline(
@@ -211,15 +163,7 @@ impl PipelineFactory {
     ) -> wgpu::RenderPipeline {
         let vertex = (&self.food, "vs_food", Some(food_buffer()));
         let blend = veil.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
-        build(
-            device,
-            &self.food_layout,
-            vertex,
-            Some((&self.food, entry, blend)),
-            depth_state(!veil),
-            cull,
-            detail,
-        )
+        build(device, &self.food_layout, vertex, Some((&self.food, entry, blend)), depth_state(!veil), cull, detail)
     }
 
     fn sprite_pipeline(
@@ -250,10 +194,7 @@ impl PipelineFactory {
 impl Layouts {
     fn new(device: &wgpu::Device) -> Self {
         let group = |label, entries: &[wgpu::BindGroupLayoutEntry]| {
-            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-                label: Some(label),
-                entries,
-            })
+            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries })
         };
         let texture = |sample_type, view_dimension| wgpu::BindingType::Texture {
             sample_type,
@@ -265,13 +206,7 @@ impl Layouts {
         Self {
             frame: group("frame", &[uniform_entry(0)]),
             pose: group("pose", &[uniform_entry(0)]),
-            food: group(
-                "food",
-                &[
-                    uniform_entry(0),
-                    fragment_entry(1, texture(float(true), TextureViewDimension::D3)),
-                ],
-            ),
+            food: group("food", &[uniform_entry(0), fragment_entry(1, texture(float(true), TextureViewDimension::D3))]),
             restore: group(
                 "restore",
                 &[
@@ -323,10 +258,7 @@ fn depth_state(write: bool) -> wgpu::DepthStencilState {
     }
 }
 
-fn pipeline_layout(
-    device: &wgpu::Device,
-    groups: &[&wgpu::BindGroupLayout],
-) -> wgpu::PipelineLayout {
+fn pipeline_layout(device: &wgpu::Device, groups: &[&wgpu::BindGroupLayout]) -> wgpu::PipelineLayout {
     let groups: Vec<_> = groups.iter().map(|group| Some(*group)).collect();
     device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some("scene"),
@@ -358,23 +290,12 @@ impl Detail {
             Self::Usual => &[],
             Self::Fine => &FINE,
         };
-        wgpu::PipelineCompilationOptions {
-            constants,
-            ..Default::default()
-        }
+        wgpu::PipelineCompilationOptions { constants, ..Default::default() }
     }
 }
 
-type VertexStage<'a> = (
-    &'a wgpu::ShaderModule,
-    &'static str,
-    Option<wgpu::VertexBufferLayout<'static>>,
-);
-type FragmentStage<'a> = (
-    &'a wgpu::ShaderModule,
-    &'static str,
-    Option<wgpu::BlendState>,
-);
+type VertexStage<'a> = (&'a wgpu::ShaderModule, &'static str, Option<wgpu::VertexBufferLayout<'static>>);
+type FragmentStage<'a> = (&'a wgpu::ShaderModule, &'static str, Option<wgpu::BlendState>);
 
 fn build(
     device: &wgpu::Device,
@@ -387,18 +308,10 @@ fn build(
 ) -> wgpu::RenderPipeline {
     let buffers = buffer.map(Some);
     let target = fragment.as_ref().map(|(_, _, blend)| {
-        [Some(wgpu::ColorTargetState {
-            format: COLOUR_FORMAT,
-            blend: *blend,
-            write_mask: wgpu::ColorWrites::ALL,
-        })]
+        [Some(wgpu::ColorTargetState { format: COLOUR_FORMAT, blend: *blend, write_mask: wgpu::ColorWrites::ALL })]
     });
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(
-            fragment
-                .as_ref()
-                .map_or(vertex_entry, |(_, entry, _)| entry),
-        ),
+        label: Some(fragment.as_ref().map_or(vertex_entry, |(_, entry, _)| entry)),
         layout: Some(layout),
         vertex: wgpu::VertexState {
             module: vertex,
@@ -406,24 +319,15 @@ fn build(
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             buffers: buffers.as_slice(),
         },
-        primitive: wgpu::PrimitiveState {
-            cull_mode,
-            ..Default::default()
-        },
+        primitive: wgpu::PrimitiveState { cull_mode, ..Default::default() },
         depth_stencil: Some(depth),
-        multisample: wgpu::MultisampleState {
-            count: detail.samples(),
-            ..Default::default()
-        },
-        fragment: fragment
-            .as_ref()
-            .zip(target.as_ref())
-            .map(|((module, entry, _), target)| wgpu::FragmentState {
-                module,
-                entry_point: Some(entry),
-                compilation_options: detail.options(),
-                targets: target,
-            }),
+        multisample: wgpu::MultisampleState { count: detail.samples(), ..Default::default() },
+        fragment: fragment.as_ref().zip(target.as_ref()).map(|((module, entry, _), target)| wgpu::FragmentState {
+            module,
+            entry_point: Some(entry),
+            compilation_options: detail.options(),
+            targets: target,
+        }),
         multiview_mask: None,
         cache: None,
     })

@@ -38,20 +38,9 @@ pub(super) fn surroundings() -> Mesh {
 /// The glass of the hob and its metal frame.
 pub(super) fn hob() -> Mesh {
     let mut mesh = Mesh::default();
-    let frame = Finish {
-        colour: Vec3::splat(0.035),
-        roughness: 0.5,
-        metalness: 0.6,
-        material: Material::Plain,
-    };
+    let frame = Finish { colour: Vec3::splat(0.035), roughness: 0.5, metalness: 0.6, material: Material::Plain };
     let base = HOB_CENTRE.extend(COUNTER_Z);
-    mesh.slab(
-        base,
-        (HOB_SIZE + 0.006).extend(-COUNTER_Z - 0.0012),
-        0.014,
-        0.001,
-        &frame,
-    );
+    mesh.slab(base, (HOB_SIZE + 0.006).extend(-COUNTER_Z - 0.0012), 0.014, 0.001, &frame);
     let glass = Finish {
         colour: Vec3::new(0.0065, 0.0066, 0.0072),
         roughness: 0.06,
@@ -65,12 +54,8 @@ pub(super) fn hob() -> Mesh {
 /// A cloth folded once, with its centre at the origin on the counter.
 pub(super) fn cloth() -> Mesh {
     let mut mesh = Mesh::default();
-    let finish = Finish {
-        colour: Vec3::new(0.21, 0.26, 0.29),
-        roughness: 0.95,
-        metalness: 0.0,
-        material: Material::Cloth,
-    };
+    let finish =
+        Finish { colour: Vec3::new(0.30, 0.36, 0.38), roughness: 0.95, metalness: 0.0, material: Material::Cloth };
     for (layer, turn) in [(0.0, 0.05_f32), (1.0, 0.02)] {
         let first = mesh.vertices.len();
         cloth_layer(&mut mesh, 0.5 * CLOTH_THICKNESS * (layer + 1.0), &finish);
@@ -103,22 +88,14 @@ fn cloth_layer(mesh: &mut Mesh, top: f32, finish: &Finish) {
 }
 
 fn counter_and_wall(mesh: &mut Mesh) {
-    let stone = Finish {
-        colour: Vec3::new(0.155, 0.148, 0.140),
-        roughness: 0.50,
-        metalness: 0.0,
-        material: Material::Counter,
-    };
+    let stone =
+        Finish { colour: Vec3::new(0.215, 0.190, 0.160), roughness: 0.50, metalness: 0.0, material: Material::Counter };
     mesh.grid(8, 8, &stone, |i, j| {
         let at = Vec3::new(i as f32 * 0.5 - 2.0, j as f32 * 0.325 - 2.0, COUNTER_Z);
         (at, Vec3::Z, 1.0)
     });
-    let plaster = Finish {
-        colour: Vec3::new(0.50, 0.52, 0.53),
-        roughness: 0.9,
-        metalness: 0.0,
-        material: Material::Plain,
-    };
+    let plaster =
+        Finish { colour: Vec3::new(0.50, 0.52, 0.53), roughness: 0.9, metalness: 0.0, material: Material::Plain };
     // The window is in this wall, so it is lit only by the room: its normal leans towards the ceiling.
     let lit_from = Vec3::new(0.3, -0.75, 0.59);
     mesh.grid(1, 12, &plaster, |i, j| {
@@ -132,34 +109,16 @@ fn counter_and_wall(mesh: &mut Mesh) {
 /// The wooden board.
 pub(super) fn board() -> Mesh {
     let mut mesh = Mesh::default();
-    let wood = Finish {
-        colour: Vec3::new(0.255, 0.158, 0.088),
-        roughness: 0.60,
-        metalness: 0.0,
-        material: Material::Wood,
-    };
-    mesh.slab(
-        BOARD_CENTRE - Vec3::Z * BOARD_SIZE.z,
-        BOARD_SIZE,
-        0.018,
-        0.003,
-        &wood,
-    );
+    let wood =
+        Finish { colour: Vec3::new(0.300, 0.175, 0.085), roughness: 0.60, metalness: 0.0, material: Material::Wood };
+    mesh.slab(BOARD_CENTRE - Vec3::Z * BOARD_SIZE.z, BOARD_SIZE, 0.018, 0.003, &wood);
     mesh
 }
 
 fn bottle(mesh: &mut Mesh, base: Vec3) {
-    let oil = Finish {
-        colour: Vec3::new(0.19, 0.125, 0.016),
-        roughness: 0.06,
-        metalness: 0.0,
-        material: Material::Plain,
-    };
-    let cork = Finish {
-        colour: Vec3::new(0.030, 0.028, 0.026),
-        roughness: 0.5,
-        ..oil
-    };
+    let oil =
+        Finish { colour: Vec3::new(0.19, 0.125, 0.016), roughness: 0.06, metalness: 0.0, material: Material::Plain };
+    let cork = Finish { colour: Vec3::new(0.030, 0.028, 0.026), roughness: 0.5, ..oil };
     // Profiles run downwards, so that the outside is on their left.
     let body = [
         (0.0, 0.150),
@@ -173,13 +132,7 @@ fn bottle(mesh: &mut Mesh, base: Vec3) {
         (0.0285, 0.001),
         (0.0265, 0.0),
     ];
-    let cap = [
-        (0.0, 0.172),
-        (0.0110, 0.172),
-        (0.0122, 0.170),
-        (0.0122, 0.151),
-        (0.0112, 0.1495),
-    ];
+    let cap = [(0.0, 0.172), (0.0110, 0.172), (0.0122, 0.170), (0.0122, 0.151), (0.0112, 0.1495)];
     for (profile, finish) in [(&body[..], &oil), (&cap[..], &cork)] {
         let first = mesh.vertices.len();
         let points: Vec<Vec2> = profile.iter().map(|&(r, z)| Vec2::new(r, z)).collect();
@@ -191,47 +144,24 @@ fn bottle(mesh: &mut Mesh, base: Vec3) {
 /// A slotted steel turner that lies behind the hob.
 fn turner(mesh: &mut Mesh) {
     let first = mesh.vertices.len();
-    let steel = Finish {
-        colour: Vec3::splat(0.52),
-        roughness: 0.34,
-        metalness: 1.0,
-        material: Material::Plain,
-    };
-    let grip = Finish {
-        colour: Vec3::new(0.10, 0.055, 0.030),
-        roughness: 0.5,
-        metalness: 0.0,
-        material: Material::Plain,
-    };
-    let spine = [
-        Vec2::new(-0.13, 0.016),
-        Vec2::new(-0.03, 0.016),
-        Vec2::new(0.03, 0.010),
-        Vec2::new(0.075, 0.004),
-    ];
+    let steel = Finish { colour: Vec3::splat(0.52), roughness: 0.34, metalness: 1.0, material: Material::Plain };
+    let grip =
+        Finish { colour: Vec3::new(0.10, 0.055, 0.030), roughness: 0.5, metalness: 0.0, material: Material::Plain };
+    let spine = [Vec2::new(-0.13, 0.016), Vec2::new(-0.03, 0.016), Vec2::new(0.03, 0.010), Vec2::new(0.075, 0.004)];
     let shaft: Vec<Vec2> = bezier(spine, 10).collect();
     mesh.sweep(&bar(&shaft, |_| Vec2::new(0.0045, 0.0012)), &steel);
-    let blade = [
-        Vec2::new(0.07, 0.004),
-        Vec2::new(0.09, 0.0025),
-        Vec2::new(0.165, 0.0010),
-    ];
+    let blade = [Vec2::new(0.07, 0.004), Vec2::new(0.09, 0.0025), Vec2::new(0.165, 0.0010)];
     mesh.sweep(
         &bar(&blade, |t| Vec2::new(0.028 + 0.010 * t, 0.0006)),
         // Its rolled edge is thinner than a pixel: what it mirrors must be even.
         &Finish { roughness: 0.6, ..steel },
     );
-    let handle: Vec<Vec2> = (0..=8)
-        .map(|i| Vec2::new(-0.24 + 0.0145 * i as f32, 0.016))
-        .collect();
+    let handle: Vec<Vec2> = (0..=8).map(|i| Vec2::new(-0.24 + 0.0145 * i as f32, 0.016)).collect();
     mesh.sweep(
-        &bar(&handle, |t| {
-            Vec2::new(0.0105 - 0.003 * t, 0.008) * (4.0 * t * (1.0 - t)).powf(0.18).max(0.05)
-        }),
+        &bar(&handle, |t| Vec2::new(0.0105 - 0.003 * t, 0.008) * (4.0 * t * (1.0 - t)).powf(0.18).max(0.05)),
         &grip,
     );
-    let pose =
-        Mat4::from_translation(Vec3::new(0.05, 0.265, COUNTER_Z)) * Mat4::from_rotation_z(-0.10);
+    let pose = Mat4::from_translation(Vec3::new(0.05, 0.265, COUNTER_Z)) * Mat4::from_rotation_z(-0.10);
     mesh.transform_from(first, pose);
 }
 
@@ -242,12 +172,7 @@ fn bar(path: &[Vec2], section: impl Fn(f32) -> Vec2) -> Vec<Station> {
             let along = path[(i + 1).min(path.len() - 1)] - path[i.saturating_sub(1)];
             let forward = Vec3::new(along.x, 0.0, along.y).normalize();
             let half = section(i as f32 / (path.len() - 1) as f32);
-            Station {
-                centre: Vec3::new(path[i].x, 0.0, path[i].y),
-                side: Vec3::Y,
-                up: forward.cross(Vec3::Y),
-                half,
-            }
+            Station { centre: Vec3::new(path[i].x, 0.0, path[i].y), side: Vec3::Y, up: forward.cross(Vec3::Y), half }
         })
         .collect()
 }

@@ -27,9 +27,7 @@ impl SceneRenderer {
         input: &SceneInput,
         size: [u32; 2],
     ) -> Vec<u8> {
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor {
-            label: Some("still"),
-        });
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("still") });
         self.render(device, queue, &mut encoder, input, size);
         read_picture(device, queue, encoder, self.picture())
     }
@@ -50,31 +48,17 @@ pub(super) fn read_picture(
         usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
         mapped_at_creation: false,
     });
-    let layout = wgpu::TexelCopyBufferLayout {
-        offset: 0,
-        bytes_per_row: Some(row),
-        rows_per_image: None,
-    };
-    let target = wgpu::TexelCopyBufferInfo {
-        buffer: &buffer,
-        layout,
-    };
+    let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None };
+    let target = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
     encoder.copy_texture_to_buffer(texture.as_image_copy(), target, texture.size());
     queue.submit([encoder.finish()]);
-    read(device, &buffer)
-        .chunks(row as usize)
-        .flat_map(|line| &line[..tight])
-        .copied()
-        .collect()
+    read(device, &buffer).chunks(row as usize).flat_map(|line| &line[..tight]).copied().collect()
 }
 
 /// Contents of a buffer once the device is done; zeros when the device is lost.
 fn read(device: &wgpu::Device, buffer: &wgpu::Buffer) -> Vec<u8> {
     buffer.map_async(wgpu::MapMode::Read, .., |_| ());
     let done = device.poll(wgpu::PollType::wait_indefinitely()).is_ok();
-    let bytes = done
-        .then(|| buffer.get_mapped_range(..).ok())
-        .flatten()
-        .map(|view| view.to_vec());
+    let bytes = done.then(|| buffer.get_mapped_range(..).ok()).flatten().map(|view| view.to_vec());
     bytes.unwrap_or_else(|| vec![0; buffer.size() as usize])
 }

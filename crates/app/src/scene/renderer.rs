@@ -88,10 +88,7 @@ impl Uniform {
         let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("uniform"),
             layout,
-            entries: &[wgpu::BindGroupEntry {
-                binding: 0,
-                resource: buffer.as_entire_binding(),
-            }],
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }],
         });
         Self { buffer, group }
     }
@@ -254,10 +251,7 @@ impl SceneRenderer {
         let Colouring::Field { table, stepped } = colouring else {
             return false;
         };
-        let same = self
-            .table
-            .as_ref()
-            .is_some_and(|old| std::sync::Arc::ptr_eq(old, table));
+        let same = self.table.as_ref().is_some_and(|old| std::sync::Arc::ptr_eq(old, table));
         let other = !same || *stepped != self.textures.stepped();
         if other {
             self.textures.set_table(device, queue, table, *stepped);
@@ -274,21 +268,10 @@ impl SceneRenderer {
             return;
         }
         let mut pass = passes::begin_depth(encoder, &self.textures.shadow_map);
-        passes::draw_shadow(
-            &mut pass,
-            &self.depth,
-            &self.light_view.group,
-            solids,
-            &self.foods,
-        );
+        passes::draw_shadow(&mut pass, &self.depth, &self.light_view.group, solids, &self.foods);
         drop(pass);
         let mut pass = passes::begin_depth(encoder, &self.textures.contact_map);
-        passes::draw_food_depth(
-            &mut pass,
-            &self.depth,
-            &self.contact_view.group,
-            &self.foods,
-        );
+        passes::draw_food_depth(&mut pass, &self.depth, &self.contact_view.group, &self.foods);
         drop(pass);
         self.shadow_pan = Some(pan);
     }
@@ -296,10 +279,7 @@ impl SceneRenderer {
     fn draw_flat(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
         let pipelines = self.flat.get_or_insert_with(|| self.factory.flat(device));
         let Some(solids) = &self.solids else { return };
-        let groups = Groups {
-            frame: &self.frame.group,
-            textures: &self.textures.bind_group,
-        };
+        let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
         let mut pass = passes::begin(encoder, &self.targets.picture.attachments(), true);
         passes::draw_flat(&mut pass, pipelines, &groups, solids, &self.foods);
         drop(pass);
@@ -311,7 +291,8 @@ impl SceneRenderer {
         let Some(solids) = &self.solids else { return };
         self.targets.msaa(device);
         let to = self.targets.multisampled(&self.targets.picture);
-        let subject = Subject { solids, foods: &self.foods, sprites: Sprites { buffer: &self.sprites, ends: self.sprite_ends } };
+        let subject =
+            Subject { solids, foods: &self.foods, sprites: Sprites { buffer: &self.sprites, ends: self.sprite_ends } };
         let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
         passes::draw_whole(encoder, &to, pipelines, &groups, &subject);
         self.drawn = DirtyRect::WHOLE;
@@ -354,7 +335,8 @@ impl SceneRenderer {
         let pipelines = self.fast.get_or_insert_with(|| self.factory.colour(device, 1));
         let Some(solids) = &self.solids else { return };
         let to = self.targets.picture.attachments();
-        let subject = Subject { solids, foods: &self.foods, sprites: Sprites { buffer: &self.sprites, ends: self.sprite_ends } };
+        let subject =
+            Subject { solids, foods: &self.foods, sprites: Sprites { buffer: &self.sprites, ends: self.sprite_ends } };
         let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
         passes::draw_whole(encoder, &to, pipelines, &groups, &subject);
         self.still = Some(Still { key, drawn: false });

@@ -7,8 +7,8 @@ use glam::{Mat4, Vec2, Vec3};
 
 use super::camera::Camera;
 use super::input::{
-    Colouring, FLOOR_FIELD_RINGS, FatVolume, FoodLook, FoodMesh, FoodVertex, HobLook, PanLook,
-    SceneInput, SliceLook, SteamSource,
+    Colouring, FLOOR_FIELD_RINGS, FatVolume, FoodLook, FoodMesh, FoodVertex, HobLook, PanLook, SceneInput, SliceLook,
+    SteamSource,
 };
 use super::noise::gradient_noise;
 
@@ -41,9 +41,7 @@ pub fn empty_pan() -> SceneInput {
         oil: 0.45,
         position: Vec3::ZERO,
         on_cloth: false,
-        floor_field: std::array::from_fn(|ring| {
-            0.75 - 0.25 * ring as f32 / FLOOR_FIELD_RINGS as f32
-        }),
+        floor_field: std::array::from_fn(|ring| 0.75 - 0.25 * ring as f32 / FLOOR_FIELD_RINGS as f32),
     };
     SceneInput {
         camera: Camera::three_quarter(),
@@ -64,11 +62,7 @@ pub fn steak_in_pan(doneness: Doneness) -> SceneInput {
     let pose = Mat4::from_translation(Vec3::new(-0.008, 0.004, lift)) * Mat4::from_rotation_z(0.35);
     scene.foods.push(steak(doneness, pose));
     if doneness != Doneness::Raw {
-        let place = |x: f32, y: f32| SteamSource {
-            position: Vec3::new(x, y, 0.02),
-            radius: 0.02,
-            flow_g_s: 0.12,
-        };
+        let place = |x: f32, y: f32| SteamSource { position: Vec3::new(x, y, 0.02), radius: 0.02, flow_g_s: 0.12 };
         scene.steam = vec![place(-0.05, 0.03), place(0.04, 0.02), place(0.0, -0.03)];
     }
     scene
@@ -77,21 +71,9 @@ pub fn steak_in_pan(doneness: Doneness) -> SceneInput {
 /// A steak at a pose.
 pub fn steak(doneness: Doneness, world_from_rest: Mat4) -> FoodLook {
     let (places, triangles) = body();
-    let vertices = places
-        .iter()
-        .map(|&(rest, normal)| painted(doneness, rest, normal))
-        .collect();
-    let mesh = Arc::new(FoodMesh {
-        key: 1,
-        triangles,
-        fat: marbling(),
-    });
-    FoodLook {
-        mesh,
-        vertices,
-        world_from_rest,
-        slice: None,
-    }
+    let vertices = places.iter().map(|&(rest, normal)| painted(doneness, rest, normal)).collect();
+    let mesh = Arc::new(FoodMesh { key: 1, triangles, fat: marbling() });
+    FoodLook { mesh, vertices, world_from_rest, slice: None }
 }
 
 /// Cuts a steak across its middle; the half towards the cook is hidden.
@@ -106,10 +88,7 @@ pub fn cut(steak: &mut FoodLook, doneness: Doneness) {
             let x = across.x * outline(if across.x < 0.0 { TAU * 0.5 } else { 0.0 }).length();
             let bulge = (1.0 - 0.10 * across.y * across.y) * x;
             let rest = Vec3::new(bulge, 0.0, across.y * thickness(Vec2::new(across.x, 0.0)));
-            vertices.push(FoodVertex {
-                normal: normal.to_array(),
-                ..painted_inside(doneness, rest)
-            });
+            vertices.push(FoodVertex { normal: normal.to_array(), ..painted_inside(doneness, rest) });
         }
     }
     let at = |i: usize, j: usize| (j * (COLUMNS + 1) + i) as u32;
@@ -120,24 +99,14 @@ pub fn cut(steak: &mut FoodLook, doneness: Doneness) {
             triangles.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
         }
     }
-    steak.slice = Some(SliceLook {
-        point: Vec3::ZERO,
-        normal,
-        vertices,
-        triangles,
-    });
+    steak.slice = Some(SliceLook { point: Vec3::ZERO, normal, vertices, triangles });
 }
 
 /// A table from dark blue over purple and orange to pale yellow, sRGB.
 pub fn heat_table() -> Arc<[[u8; 3]; 256]> {
-    let stops = [
-        [20.0, 20.0, 80.0],
-        [120.0, 30.0, 130.0],
-        [220.0, 80.0, 60.0],
-        [250.0, 180.0, 60.0],
-        [255.0, 250.0, 200.0],
-    ]
-    .map(|[r, g, b]: [f32; 3]| Vec3::new(r, g, b));
+    let stops =
+        [[20.0, 20.0, 80.0], [120.0, 30.0, 130.0], [220.0, 80.0, 60.0], [250.0, 180.0, 60.0], [255.0, 250.0, 200.0]]
+            .map(|[r, g, b]: [f32; 3]| Vec3::new(r, g, b));
     Arc::new(std::array::from_fn(|i| {
         let at = i as f32 / 255.0 * (stops.len() - 1) as f32;
         let low = (at as usize).min(stops.len() - 2);
@@ -151,18 +120,14 @@ fn outline(angle: f32) -> Vec2 {
     let (sin, cos) = angle.sin_cos();
     let power = 2.6;
     let radius = (cos.abs().powf(power) + sin.abs().powf(power)).powf(-1.0 / power);
-    let wobble = 1.0
-        + 0.045 * (angle * 2.0 + 0.6).sin()
-        + 0.022 * (angle * 3.0 + 2.0).sin()
-        + 0.010 * (angle * 7.0).sin();
+    let wobble =
+        1.0 + 0.045 * (angle * 2.0 + 0.6).sin() + 0.022 * (angle * 3.0 + 2.0).sin() + 0.010 * (angle * 7.0).sin();
     Vec2::new(cos * HALF.x, sin * HALF.y) * radius * wobble
 }
 
 /// Half the thickness over the outline's unit disc.
 fn thickness(disc: Vec2) -> f32 {
-    HALF.z
-        * (1.0 + 0.05 * (disc.x * 3.0 + 1.0).sin() + 0.04 * (disc.y * 4.0).cos()
-            - 0.10 * disc.length_squared())
+    HALF.z * (1.0 + 0.05 * (disc.x * 3.0 + 1.0).sin() + 0.04 * (disc.y * 4.0).cos() - 0.10 * disc.length_squared())
 }
 
 /// Vertices (place, normal) and triangles of the steak.
@@ -223,11 +188,7 @@ fn smooth_normals(places: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
         triangle.iter().for_each(|&i| normals[i as usize] += normal);
     }
     // The middles of the caps are many vertices at one place.
-    normals
-        .iter()
-        .zip(places)
-        .map(|(n, p)| n.normalize_or(Vec3::new(0.0, 0.0, p.z.signum())))
-        .collect()
+    normals.iter().zip(places).map(|(n, p)| n.normalize_or(Vec3::new(0.0, 0.0, p.z.signum()))).collect()
 }
 
 /// Marbling: thin wandering sheets, and a cap of fat along one side.
@@ -237,33 +198,20 @@ fn marbling() -> FatVolume {
     let extent = HALF * 2.3;
     let mut cells = Vec::with_capacity(size.iter().product::<u32>() as usize);
     for index in 0..size.iter().product::<u32>() {
-        let cell = Vec3::new(
-            (index % size[0]) as f32,
-            (index / size[0] % size[1]) as f32,
-            (index / size[0] / size[1]) as f32,
-        );
-        let at = origin
-            + extent * (cell + 0.5) / Vec3::new(size[0] as f32, size[1] as f32, size[2] as f32);
+        let cell =
+            Vec3::new((index % size[0]) as f32, (index / size[0] % size[1]) as f32, (index / size[0] / size[1]) as f32);
+        let at = origin + extent * (cell + 0.5) / Vec3::new(size[0] as f32, size[1] as f32, size[2] as f32);
         cells.push((fat_at(at) * 255.0) as u8);
     }
-    FatVolume {
-        size,
-        origin,
-        extent,
-        cells,
-    }
+    FatVolume { size, origin, extent, cells }
 }
 
 fn fat_at(at: Vec3) -> f32 {
     let noise = |scale: f32, shift: f32| gradient_noise(at * scale + shift).0;
     let warp = Vec3::new(noise(60.0, 1.5), noise(60.0, 2.5), noise(60.0, 3.5)) * 0.35;
-    let vein =
-        |scale: f32, width: f32| 1.0 - gradient_noise(at * scale + warp + 5.0).0.abs() / width;
+    let vein = |scale: f32, width: f32| 1.0 - gradient_noise(at * scale + warp + 5.0).0.abs() / width;
     let patches = (noise(45.0, 6.0) * 2.0 + 0.45).clamp(0.0, 1.0);
-    let veins = vein(52.0, 0.055)
-        .max(0.8 * vein(115.0, 0.09))
-        .clamp(0.0, 1.0)
-        * patches;
+    let veins = vein(52.0, 0.055).max(0.8 * vein(115.0, 0.09)).clamp(0.0, 1.0) * patches;
     let rim = outline(at.y.atan2(at.x)).length() - at.truncate().length();
     let cap = (1.4 - rim / 0.0045).clamp(0.0, 1.0) * ((at.y / HALF.y - 0.35) * 4.0).clamp(0.0, 1.0);
     veins.max(cap)
@@ -276,8 +224,7 @@ fn painted(doneness: Doneness, rest: Vec3, normal: Vec3) -> FoodVertex {
         Doneness::Raw => 0.0,
         Doneness::HalfWay => (-0.55 - height).max(0.0) * 2.2,
         Doneness::Browned => {
-            (0.30 + 0.32 * normal.z.abs() + 0.25 * (rest.truncate().length() / 0.05 - 0.6))
-                .clamp(0.0, 1.0)
+            (0.30 + 0.32 * normal.z.abs() + 0.25 * (rest.truncate().length() / 0.05 - 0.6)).clamp(0.0, 1.0)
         }
     };
     let cooked = match doneness {
@@ -330,28 +277,16 @@ fn coloured(rest: Vec3, normal: Vec3, cooked: f32, browning: f32) -> FoodVertex 
 
 fn ramp(colours: [Vec3; 3], t: f32) -> Vec3 {
     let t = t.clamp(0.0, 1.0) * 2.0;
-    if t < 1.0 {
-        colours[0].lerp(colours[1], t)
-    } else {
-        colours[1].lerp(colours[2], t - 1.0)
-    }
+    if t < 1.0 { colours[0].lerp(colours[1], t) } else { colours[1].lerp(colours[2], t - 1.0) }
 }
 
 /// Linear sRGB of CIE L*a*b* (D65).
 fn reflectance((lightness, a, b): (f32, f32, f32)) -> Vec3 {
     let y = (lightness + 16.0) / 116.0;
     let decode = |t: f32| {
-        if t > 6.0 / 29.0 {
-            t * t * t
-        } else {
-            (t - 4.0 / 29.0) * 0.128_419
-        }
+        if t > 6.0 / 29.0 { t * t * t } else { (t - 4.0 / 29.0) * 0.128_419 }
     };
-    let (x, y, z) = (
-        0.950_47 * decode(y + a / 500.0),
-        decode(y),
-        1.088_83 * decode(y - b / 200.0),
-    );
+    let (x, y, z) = (0.950_47 * decode(y + a / 500.0), decode(y), 1.088_83 * decode(y - b / 200.0));
     Vec3::new(
         3.240_45 * x - 1.537_14 * y - 0.498_53 * z,
         -0.969_27 * x + 1.876_01 * y + 0.041_56 * z,

@@ -28,10 +28,7 @@ pub(super) struct ContactMap {
 
 impl Default for ContactMap {
     fn default() -> Self {
-        Self {
-            low: Vec3::new(-0.50, -0.25, -0.02),
-            extent: Vec3::new(1.0, 0.5, 0.2),
-        }
+        Self { low: Vec3::new(-0.50, -0.25, -0.02), extent: Vec3::new(1.0, 0.5, 0.2) }
     }
 }
 
@@ -39,31 +36,17 @@ impl ContactMap {
     /// Maps the world to clip space; depth grows with height.
     pub fn clip_from_world(&self) -> Mat4 {
         // Rows of the picture grow with y, so the y of clip space falls.
-        let scale = Vec3::new(
-            2.0 / self.extent.x,
-            -2.0 / self.extent.y,
-            1.0 / self.extent.z,
-        );
+        let scale = Vec3::new(2.0 / self.extent.x, -2.0 / self.extent.y, 1.0 / self.extent.z);
         let shift = Vec3::new(-1.0, 1.0, 0.0) - self.low * scale;
         Mat4::from_translation(shift) * Mat4::from_scale(scale)
     }
 
     pub fn rect(&self) -> Vec4 {
-        Vec4::new(
-            self.low.x,
-            self.low.y,
-            1.0 / self.extent.x,
-            1.0 / self.extent.y,
-        )
+        Vec4::new(self.low.x, self.low.y, 1.0 / self.extent.x, 1.0 / self.extent.y)
     }
 
     pub fn height(&self) -> Vec4 {
-        Vec4::new(
-            self.low.z,
-            1.0 / self.extent.z,
-            1.3 / CONTACT_SIZE as f32,
-            0.0,
-        )
+        Vec4::new(self.low.z, 1.0 / self.extent.z, 1.3 / CONTACT_SIZE as f32, 0.0)
     }
 }
 

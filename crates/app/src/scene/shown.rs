@@ -19,10 +19,13 @@ pub(super) struct Sight {
 
 impl Sight {
     fn same(&self, other: &Self) -> bool {
-        let sprites = |sight: &Self| bytemuck::cast_slice::<_, u8>(&sight.sprites).to_vec();
         self.quality == other.quality
             && bytemuck::bytes_of(&self.frame) == bytemuck::bytes_of(&other.frame)
-            && sprites(self) == sprites(other)
+            && self.sprite_bytes() == other.sprite_bytes()
+    }
+
+    fn sprite_bytes(&self) -> &[u8] {
+        bytemuck::cast_slice(&self.sprites)
     }
 }
 

@@ -18,21 +18,11 @@ pub(super) struct SolidBuffers {
 impl SolidBuffers {
     pub fn new(device: &wgpu::Device, mesh: &Mesh) -> Self {
         let buffer = |contents, usage| {
-            device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                label: Some("solid"),
-                contents,
-                usage,
-            })
+            device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some("solid"), contents, usage })
         };
         Self {
-            vertices: buffer(
-                bytemuck::cast_slice(&mesh.vertices),
-                wgpu::BufferUsages::VERTEX,
-            ),
-            indices: buffer(
-                bytemuck::cast_slice(&mesh.indices),
-                wgpu::BufferUsages::INDEX,
-            ),
+            vertices: buffer(bytemuck::cast_slice(&mesh.vertices), wgpu::BufferUsages::VERTEX),
+            indices: buffer(bytemuck::cast_slice(&mesh.indices), wgpu::BufferUsages::INDEX),
             count: mesh.indices.len() as u32,
         }
     }
@@ -57,12 +47,7 @@ pub(super) struct PanKey {
 impl PanKey {
     pub fn of(pan: &PanLook) -> Self {
         Self {
-            shape: [
-                pan.floor_radius,
-                pan.rim_radius,
-                pan.rim_height,
-                pan.thickness,
-            ],
+            shape: [pan.floor_radius, pan.rim_radius, pan.rim_height, pan.thickness],
             colour: pan.colour,
             finish: [pan.metalness, pan.roughness],
             position: pan.position,
@@ -115,14 +100,7 @@ fn movable(device: &wgpu::Device, pan: &PanLook) -> [SolidBuffers; 3] {
     meshes.body.transform_from(0, pose);
     meshes.floor.transform_from(0, pose);
     let mut cloth = props::cloth();
-    let place = if pan.on_cloth {
-        pan.position
-    } else {
-        CLOTH_PLACE
-    };
-    cloth.transform_from(
-        0,
-        Mat4::from_translation(Vec3::new(place.x, place.y, COUNTER_Z)),
-    );
+    let place = if pan.on_cloth { pan.position } else { CLOTH_PLACE };
+    cloth.transform_from(0, Mat4::from_translation(Vec3::new(place.x, place.y, COUNTER_Z)));
     [&cloth, &meshes.body, &meshes.floor].map(|mesh| SolidBuffers::new(device, mesh))
 }

@@ -28,10 +28,7 @@ impl StillKey {
 
     /// True when only the foods differ.
     pub fn same_view(&self, other: &Self) -> bool {
-        Self {
-            disturbances: other.disturbances,
-            ..self.clone()
-        } == *other
+        Self { disturbances: other.disturbances, ..self.clone() } == *other
     }
 }
 

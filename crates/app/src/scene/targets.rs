@@ -26,39 +26,19 @@ pub(super) struct Targets {
 }
 
 impl Targets {
-    pub fn new(
-        device: &wgpu::Device,
-        size: [u32; 2],
-        restore_layout: &wgpu::BindGroupLayout,
-    ) -> Self {
+    pub fn new(device: &wgpu::Device, size: [u32; 2], restore_layout: &wgpu::BindGroupLayout) -> Self {
         let texture = texture(device, size, COLOUR_FORMAT, 1);
         let still = layer(device, size, 1);
         let restore = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("restore"),
             layout: restore_layout,
             entries: &[
-                wgpu::BindGroupEntry {
-                    binding: 0,
-                    resource: wgpu::BindingResource::TextureView(&still.colour),
-                },
-                wgpu::BindGroupEntry {
-                    binding: 1,
-                    resource: wgpu::BindingResource::TextureView(&still.depth),
-                },
+                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&still.colour) },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&still.depth) },
             ],
         });
-        let picture = Layer {
-            colour: view(&texture),
-            depth: view(&self::texture(device, size, DEPTH_FORMAT, 1)),
-        };
-        Self {
-            size,
-            texture,
-            picture,
-            still,
-            restore,
-            msaa: None,
-        }
+        let picture = Layer { colour: view(&texture), depth: view(&self::texture(device, size, DEPTH_FORMAT, 1)) };
+        Self { size, texture, picture, still, restore, msaa: None }
     }
 
     /// The multisampled layer, made when first needed.
@@ -71,11 +51,7 @@ impl Targets {
     /// Attachments that resolve the multisampled layer into `into`; plain ones before `msaa` was called.
     pub fn multisampled<'a>(&'a self, into: &'a Layer) -> Attachments<'a> {
         match &self.msaa {
-            Some(msaa) => Attachments {
-                colour: &msaa.colour,
-                resolve: Some(&into.colour),
-                depth: &msaa.depth,
-            },
+            Some(msaa) => Attachments { colour: &msaa.colour, resolve: Some(&into.colour), depth: &msaa.depth },
             None => into.attachments(),
         }
     }
@@ -90,11 +66,7 @@ pub(super) struct Attachments<'a> {
 
 impl Layer {
     pub fn attachments(&self) -> Attachments<'_> {
-        Attachments {
-            colour: &self.colour,
-            resolve: None,
-            depth: &self.depth,
-        }
+        Attachments { colour: &self.colour, resolve: None, depth: &self.depth }
     }
 }
 
@@ -109,12 +81,7 @@ fn view(texture: &wgpu::Texture) -> wgpu::TextureView {
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
-fn texture(
-    device: &wgpu::Device,
-    size: [u32; 2],
-    format: wgpu::TextureFormat,
-    sample_count: u32,
-) -> wgpu::Texture {
+fn texture(device: &wgpu::Device, size: [u32; 2], format: wgpu::TextureFormat, sample_count: u32) -> wgpu::Texture {
     let mut usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
     if sample_count == 1 {
         usage |= wgpu::TextureUsages::TEXTURE_BINDING;
@@ -124,11 +91,7 @@ fn texture(
     }
     device.create_texture(&wgpu::TextureDescriptor {
         label: Some("scene target"),
-        size: wgpu::Extent3d {
-            width: size[0],
-            height: size[1],
-            depth_or_array_layers: 1,
-        },
+        size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
         mip_level_count: 1,
         sample_count,
         dimension: wgpu::TextureDimension::D2,

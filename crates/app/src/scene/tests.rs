@@ -12,14 +12,9 @@ const SIZE: [u32; 2] = [320, 180];
 
 fn device() -> Option<(wgpu::Device, wgpu::Queue)> {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-    let adapter =
-        pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))
-            .ok()?;
+    let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default())).ok()?;
     let required_limits = wgpu::Limits::downlevel_webgl2_defaults();
-    let descriptor = wgpu::DeviceDescriptor {
-        required_limits,
-        ..Default::default()
-    };
+    let descriptor = wgpu::DeviceDescriptor { required_limits, ..Default::default() };
     pollster::block_on(adapter.request_device(&descriptor)).ok()
 }
 
@@ -28,15 +23,9 @@ fn flat_field(coordinate: f32, sliced: bool) -> SceneInput {
     if sliced {
         cut(&mut scene.foods[0], Doneness::HalfWay);
     }
-    scene.foods[0]
-        .vertices
-        .iter_mut()
-        .for_each(|vertex| vertex.field = coordinate);
+    scene.foods[0].vertices.iter_mut().for_each(|vertex| vertex.field = coordinate);
     scene.pan.floor_field = [coordinate; 16];
-    scene.colouring = Colouring::Field {
-        table: heat_table(),
-        stepped: false,
-    };
+    scene.colouring = Colouring::Field { table: heat_table(), stepped: false };
     scene.flat = true;
     scene
 }
@@ -52,17 +41,10 @@ fn flat_pictures_hold_exact_table_colours() {
         let scene = flat_field(index as f32 / 255.0, false);
         let pixels = renderer.read_as_is(&device, &queue, &scene, SIZE);
         let mut coloured = 0;
-        for pixel in pixels
-            .chunks(4)
-            .filter(|pixel| pixel[..3] != FLAT_BACKGROUND)
-        {
+        for pixel in pixels.chunks(4).filter(|pixel| pixel[..3] != FLAT_BACKGROUND) {
             coloured += 1;
             let off = (0..3).map(|c| pixel[c].abs_diff(table[index][c])).max();
-            assert!(
-                off <= Some(1),
-                "{index}: {pixel:?} instead of {:?}",
-                table[index]
-            );
+            assert!(off <= Some(1), "{index}: {pixel:?} instead of {:?}", table[index]);
         }
         assert!(coloured > 2000, "{index}: {coloured} coloured pixels");
     }
@@ -77,16 +59,10 @@ fn every_way_of_drawing_fills_the_picture() {
     for quality in [Quality::Fast, Quality::Fine] {
         renderer.quality = quality;
         for flat in [false, true] {
-            let scene = SceneInput {
-                flat,
-                ..flat_field(0.5, true)
-            };
+            let scene = SceneInput { flat, ..flat_field(0.5, true) };
             let pixels = renderer.read_as_is(&device, &queue, &scene, SIZE);
             assert_eq!(pixels.len(), 4 * 320 * 180);
-            assert!(
-                pixels.chunks(4).all(|pixel| pixel[3] == 255),
-                "{quality:?} {flat}"
-            );
+            assert!(pixels.chunks(4).all(|pixel| pixel[3] == 255), "{quality:?} {flat}");
         }
     }
 }
@@ -99,35 +75,21 @@ fn a_resting_scene_is_drawn_alike_fast_and_fine() {
     let mut renderer = SceneRenderer::new(&device, &queue);
     renderer.never_smooth();
     let scene = steak_in_pan(Doneness::Browned);
-    let fast = (0..3)
-        .map(|_| renderer.read_as_is(&device, &queue, &scene, SIZE))
-        .last()
-        .unwrap_or_default();
+    let fast = (0..3).map(|_| renderer.read_as_is(&device, &queue, &scene, SIZE)).last().unwrap_or_default();
     renderer.quality = Quality::Fine;
     let fine = renderer.read_as_is(&device, &queue, &scene, SIZE);
-    let off: u64 = fast
-        .iter()
-        .zip(&fine)
-        .map(|(a, b)| u64::from(a.abs_diff(*b)))
-        .sum();
+    let off: u64 = fast.iter().zip(&fine).map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
     let mean = off as f64 / fast.len() as f64;
     assert!(mean < 3.0, "mean difference {mean}");
 }
 
 /// The scene as a window of the given format shows it, as stored bytes.
 fn presented(device: &wgpu::Device, queue: &wgpu::Queue, format: wgpu::TextureFormat) -> Vec<u8> {
-    let callback = SceneCallback {
-        input: Arc::new(steak_in_pan(Doneness::Raw)),
-        size: SIZE,
-    };
+    let callback = SceneCallback { input: Arc::new(steak_in_pan(Doneness::Raw)), size: SIZE };
     let mut presenter = ScenePresenter::new(device, queue, format);
     let window = device.create_texture(&wgpu::TextureDescriptor {
         label: None,
-        size: wgpu::Extent3d {
-            width: SIZE[0],
-            height: SIZE[1],
-            depth_or_array_layers: 1,
-        },
+        size: wgpu::Extent3d { width: SIZE[0], height: SIZE[1], depth_or_array_layers: 1 },
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
@@ -159,10 +121,7 @@ fn windows_of_both_encodings_store_the_same_picture() {
     };
     let mut renderer = SceneRenderer::new(&device, &queue);
     let direct = renderer.read_as_is(&device, &queue, &steak_in_pan(Doneness::Raw), SIZE);
-    for format in [
-        wgpu::TextureFormat::Rgba8Unorm,
-        wgpu::TextureFormat::Rgba8UnormSrgb,
-    ] {
+    for format in [wgpu::TextureFormat::Rgba8Unorm, wgpu::TextureFormat::Rgba8UnormSrgb] {
         let shown = presented(&device, &queue, format);
         let off = direct.iter().zip(&shown).map(|(a, b)| a.abs_diff(*b)).max();
         assert!(off <= Some(1), "{format:?}: {off:?}");
@@ -176,10 +135,7 @@ fn a_moved_food_leaves_no_trace() {
     };
     let draw = |renderer: &mut SceneRenderer, scene: &SceneInput| {
         renderer.never_smooth();
-        (0..5)
-            .map(|_| renderer.read_as_is(&device, &queue, scene, SIZE))
-            .last()
-            .unwrap_or_default()
+        (0..5).map(|_| renderer.read_as_is(&device, &queue, scene, SIZE)).last().unwrap_or_default()
     };
     let mut away = steak_in_pan(Doneness::Browned);
     away.foods[0].world_from_rest.w_axis.x += 0.3;

@@ -74,25 +74,10 @@ impl SceneTextures {
     }
 
     /// Takes another colour table.
-    pub fn set_table(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        table: &[[u8; 3]; 256],
-        stepped: bool,
-    ) {
+    pub fn set_table(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, table: &[[u8; 3]; 256], stepped: bool) {
         let texels: Vec<u8> = table.iter().flat_map(|c| [c[0], c[1], c[2], 255]).collect();
-        let layout = wgpu::TexelCopyBufferLayout {
-            offset: 0,
-            bytes_per_row: Some(1024),
-            rows_per_image: None,
-        };
-        queue.write_texture(
-            self.table.as_image_copy(),
-            &texels,
-            layout,
-            self.table.size(),
-        );
+        let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(1024), rows_per_image: None };
+        queue.write_texture(self.table.as_image_copy(), &texels, layout, self.table.size());
         if stepped != self.stepped {
             self.stepped = stepped;
             self.rebind(device);
@@ -100,29 +85,14 @@ impl SceneTextures {
     }
 
     fn rebind(&mut self, device: &wgpu::Device) {
-        let views = [
-            &self.shadow_map,
-            &self.contact_map,
-            &self.environment,
-            &self.noise,
-            &self.bundles,
-        ];
-        self.bind_group = bind(
-            device,
-            &self.layout,
-            views,
-            &self.table,
-            &self.samplers,
-            self.stepped,
-        );
+        let views = [&self.shadow_map, &self.contact_map, &self.environment, &self.noise, &self.bundles];
+        self.bind_group = bind(device, &self.layout, views, &self.table, &self.samplers, self.stepped);
     }
 }
 
 impl Samplers {
     fn new(device: &wgpu::Device) -> Self {
-        let make = |address: wgpu::AddressMode,
-                    filter: wgpu::FilterMode,
-                    compare: Option<wgpu::CompareFunction>| {
+        let make = |address: wgpu::AddressMode, filter: wgpu::FilterMode, compare: Option<wgpu::CompareFunction>| {
             let mipmap_filter = match filter {
                 wgpu::FilterMode::Linear if compare.is_none() => wgpu::MipmapFilterMode::Linear,
                 _ => wgpu::MipmapFilterMode::Nearest,
@@ -151,11 +121,8 @@ impl Samplers {
 
 fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     use wgpu::{BindingType, SamplerBindingType, TextureSampleType, TextureViewDimension};
-    let texture = |sample_type, view_dimension| BindingType::Texture {
-        sample_type,
-        view_dimension,
-        multisampled: false,
-    };
+    let texture =
+        |sample_type, view_dimension| BindingType::Texture { sample_type, view_dimension, multisampled: false };
     let float = TextureSampleType::Float { filterable: true };
     let filtering = BindingType::Sampler(SamplerBindingType::Filtering);
     let types = [
@@ -170,24 +137,14 @@ fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
         texture(float, TextureViewDimension::D2),
         filtering,
     ];
-    let entries: Vec<_> = (0..)
-        .zip(types)
-        .map(|(binding, ty)| fragment_entry(binding, ty))
-        .collect();
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("scene textures"),
-        entries: &entries,
-    })
+    let entries: Vec<_> = (0..).zip(types).map(|(binding, ty)| fragment_entry(binding, ty)).collect();
+    device
+        .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("scene textures"), entries: &entries })
 }
 
 /// A layout entry that only fragments see.
 pub(super) fn fragment_entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
-    wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::FRAGMENT,
-        ty,
-        count: None,
-    }
+    wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None }
 }
 
 fn bind(
@@ -200,11 +157,7 @@ fn bind(
 ) -> wgpu::BindGroup {
     use wgpu::BindingResource::{Sampler, TextureView};
     let table = table.create_view(&wgpu::TextureViewDescriptor::default());
-    let table_sampler = if stepped {
-        &samplers.nearest
-    } else {
-        &samplers.clamp
-    };
+    let table_sampler = if stepped { &samplers.nearest } else { &samplers.clamp };
     let resources = [
         TextureView(shadow),
         TextureView(contact),
@@ -217,25 +170,15 @@ fn bind(
         TextureView(&table),
         Sampler(table_sampler),
     ];
-    let entries: Vec<_> = (0..)
-        .zip(resources)
-        .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
-        .collect();
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("scene textures"),
-        layout,
-        entries: &entries,
-    })
+    let entries: Vec<_> =
+        (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
+    device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("scene textures"), layout, entries: &entries })
 }
 
 fn depth_map(device: &wgpu::Device, size: u32) -> wgpu::TextureView {
     let texture = device.create_texture(&wgpu::TextureDescriptor {
         label: Some("depth map"),
-        size: wgpu::Extent3d {
-            width: size,
-            height: size,
-            depth_or_array_layers: 1,
-        },
+        size: wgpu::Extent3d { width: size, height: size, depth_or_array_layers: 1 },
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
@@ -255,11 +198,7 @@ pub(super) fn sampled_texture(
     format: wgpu::TextureFormat,
     texels: &[u8],
 ) -> wgpu::TextureView {
-    let dimension = if size[2] > 1 {
-        wgpu::TextureDimension::D3
-    } else {
-        wgpu::TextureDimension::D2
-    };
+    let dimension = if size[2] > 1 { wgpu::TextureDimension::D3 } else { wgpu::TextureDimension::D2 };
     sampled_texture_of(device, queue, size, levels, format, dimension, texels)
 }
 
@@ -275,11 +214,7 @@ pub(super) fn sampled_texture_of(
 ) -> wgpu::TextureView {
     let descriptor = wgpu::TextureDescriptor {
         label: Some("generated"),
-        size: wgpu::Extent3d {
-            width,
-            height,
-            depth_or_array_layers,
-        },
+        size: wgpu::Extent3d { width, height, depth_or_array_layers },
         mip_level_count: levels,
         sample_count: 1,
         dimension,
@@ -287,25 +222,15 @@ pub(super) fn sampled_texture_of(
         usage: wgpu::TextureUsages::TEXTURE_BINDING,
         view_formats: &[],
     };
-    let texture =
-        device.create_texture_with_data(queue, &descriptor, TextureDataOrder::MipMajor, texels);
+    let texture = device.create_texture_with_data(queue, &descriptor, TextureDataOrder::MipMajor, texels);
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
 fn environment_texture(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureView {
-    let texels: Vec<u16> = (0..ENVIRONMENT_LEVELS)
-        .flat_map(environment::level)
-        .collect();
+    let texels: Vec<u16> = (0..ENVIRONMENT_LEVELS).flat_map(environment::level).collect();
     let size = [ENVIRONMENT_SIZE, ENVIRONMENT_SIZE, 1];
     let format = wgpu::TextureFormat::Rgba16Float;
-    sampled_texture(
-        device,
-        queue,
-        size,
-        ENVIRONMENT_LEVELS,
-        format,
-        bytemuck::cast_slice(&texels),
-    )
+    sampled_texture(device, queue, size, ENVIRONMENT_LEVELS, format, bytemuck::cast_slice(&texels))
 }
 
 fn noise_texture(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureView {
@@ -315,14 +240,7 @@ fn noise_texture(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureVie
         level = halve_volume(&level, NOISE_SIZE >> step);
         texels.extend_from_slice(&level);
     }
-    sampled_texture(
-        device,
-        queue,
-        [NOISE_SIZE; 3],
-        NOISE_LEVELS,
-        wgpu::TextureFormat::Rgba8Unorm,
-        &texels,
-    )
+    sampled_texture(device, queue, [NOISE_SIZE; 3], NOISE_LEVELS, wgpu::TextureFormat::Rgba8Unorm, &texels)
 }
 
 fn bundle_texture(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureView {
@@ -333,24 +251,13 @@ fn bundle_texture(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureVi
         texels.extend_from_slice(&level);
     }
     let size = [BUNDLE_SIZE, BUNDLE_SIZE, 1];
-    sampled_texture(
-        device,
-        queue,
-        size,
-        BUNDLE_LEVELS,
-        wgpu::TextureFormat::Rg8Unorm,
-        &texels,
-    )
+    sampled_texture(device, queue, size, BUNDLE_LEVELS, wgpu::TextureFormat::Rg8Unorm, &texels)
 }
 
 fn table_texture(device: &wgpu::Device) -> wgpu::Texture {
     device.create_texture(&wgpu::TextureDescriptor {
         label: Some("colour table"),
-        size: wgpu::Extent3d {
-            width: 256,
-            height: 1,
-            depth_or_array_layers: 1,
-        },
+        size: wgpu::Extent3d { width: 256, height: 1, depth_or_array_layers: 1 },
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,

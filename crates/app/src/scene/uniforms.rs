@@ -37,33 +37,18 @@ impl FrameUniform {
     pub fn new(input: &SceneInput, aspect: f32, shadow_size: u32, contact: &ContactMap) -> Self {
         let pan = &input.pan;
         let field = matches!(input.colouring, Colouring::Field { .. });
-        let [low, high] = [
-            BOARD_CENTRE - BOARD_SIZE * 0.5,
-            BOARD_CENTRE + BOARD_SIZE * 0.5,
-        ];
+        let [low, high] = [BOARD_CENTRE - BOARD_SIZE * 0.5, BOARD_CENTRE + BOARD_SIZE * 0.5];
         Self {
             clip_from_world: input.camera.view_projection(aspect),
             light_from_world: light_from_world(),
-            eye: input
-                .camera
-                .eye()
-                .extend(input.time_s.rem_euclid(TIME_WRAP)),
-            key: WINDOW_DIRECTION
-                .normalize()
-                .extend(1.15 / shadow_size as f32),
-            lamp: LAMP_DIRECTION
-                .normalize()
-                .extend((ENVIRONMENT_LEVELS - 1) as f32),
+            eye: input.camera.eye().extend(input.time_s.rem_euclid(TIME_WRAP)),
+            key: WINDOW_DIRECTION.normalize().extend(1.15 / shadow_size as f32),
+            lamp: LAMP_DIRECTION.normalize().extend((ENVIRONMENT_LEVELS - 1) as f32),
             contact_rect: contact.rect(),
             contact_height: contact.height(),
             pan_place: pan.position.extend(pan.thickness),
             pan_shape: Vec4::new(pan.floor_radius, pan.rim_radius, pan.rim_height, pan.oil),
-            mode: Vec4::new(
-                input.hob.power,
-                f32::from(field),
-                f32::from(input.flat),
-                BOARD_CENTRE.z,
-            ),
+            mode: Vec4::new(input.hob.power, f32::from(field), f32::from(input.flat), BOARD_CENTRE.z),
             board: Vec4::new(low.x, low.y, high.x, high.y),
             floor_field: pan.floor_field,
         }

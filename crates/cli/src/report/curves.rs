@@ -8,11 +8,7 @@ use super::plot::{Panel, Scale, marks, nice_range, nice_step};
 use crate::wording;
 
 /// Curves of a food: class in the style sheet, name, place in a row's numbers.
-const CURVES: [(&str, &str, usize); 3] = [
-    ("bottom", "bottom", 2),
-    ("top", "top", 1),
-    ("core", "core", 0),
-];
+const CURVES: [(&str, &str, usize); 3] = [("bottom", "bottom", 2), ("top", "top", 1), ("core", "core", 0)];
 
 /// Widths of the picture for a desk and for a phone [px]: scaled letters would be too small to read.
 const WIDTHS: [(&str, f64); 2] = [("wide", 760.0), ("narrow", 350.0)];
@@ -26,9 +22,7 @@ const JUMP: f64 = 2.0;
 /// A figure for each food.
 pub fn section(cook: &Cook, summary: &Summary) -> String {
     let rows = thinned(&cook.recorder.rows);
-    let figures: String = (0..summary.foods.len())
-        .map(|food| figure(&rows, summary, food))
-        .collect();
+    let figures: String = (0..summary.foods.len()).map(|food| figure(&rows, summary, food)).collect();
     format!("<section><h2>Temperatures</h2>{figures}</section>")
 }
 
@@ -36,19 +30,12 @@ fn figure(rows: &[&Row], summary: &Summary, food: usize) -> String {
     let id = escaped(&summary.foods[food].id);
     let names = [("pan", "pan, mean of the floor".to_owned())]
         .into_iter()
-        .chain(
-            CURVES
-                .iter()
-                .rev()
-                .map(|(class, name, _)| (*class, format!("{name} of {id}"))),
-        );
+        .chain(CURVES.iter().rev().map(|(class, name, _)| (*class, format!("{name} of {id}"))));
     let legend: String = names
         .map(|(class, name)| format!("<li><svg viewBox=\"0 0 28 8\" aria-hidden=\"true\"><path class=\"curve {class}\" d=\"M1 4H27\"/></svg>{name}</li>"))
         .collect();
-    let pictures: String = WIDTHS
-        .iter()
-        .map(|(class, width)| Drawing::new(rows, summary, food, *width).svg(class))
-        .collect();
+    let pictures: String =
+        WIDTHS.iter().map(|(class, width)| Drawing::new(rows, summary, food, *width).svg(class)).collect();
     format!(
         "<figure class=\"plot\"><ul class=\"legend\">{legend}</ul>{pictures}\
          <figcaption>Top and bottom are means of the face that lies above or below at that moment, so they change places at a flip.</figcaption></figure>"
@@ -66,10 +53,7 @@ fn thinned(rows: &[Row]) -> Vec<&Row> {
                 .any(|(a, b)| a.iter().zip(b).any(|(a, b)| (a - b).abs() > JUMP))
     };
     let kept = |i: &usize| {
-        i.is_multiple_of(stride)
-            || i + 1 == rows.len()
-            || jumps(*i)
-            || (*i + 1 < rows.len() && jumps(*i + 1))
+        i.is_multiple_of(stride) || i + 1 == rows.len() || jumps(*i) || (*i + 1 < rows.len() && jumps(*i + 1))
     };
     (0..rows.len()).filter(kept).map(|i| &rows[i]).collect()
 }
@@ -90,27 +74,12 @@ const RIGHT: f64 = 8.0;
 
 impl<'a> Drawing<'a> {
     fn new(rows: &'a [&'a Row], summary: &'a Summary, food: usize, width: f64) -> Self {
-        Self {
-            rows,
-            summary,
-            food,
-            width,
-        }
+        Self { rows, summary, food, width }
     }
 
     fn svg(&self, class: &str) -> String {
-        let moments: Vec<(f64, String, String)> = self
-            .summary
-            .steps
-            .iter()
-            .filter_map(|s| self.moment(s))
-            .collect();
-        let lines = marks(
-            self.time(),
-            self.width,
-            [PANELS[0][0] - 18.0, PANELS[2][1]],
-            &moments,
-        );
+        let moments: Vec<(f64, String, String)> = self.summary.steps.iter().filter_map(|s| self.moment(s)).collect();
+        let lines = marks(self.time(), self.width, [PANELS[0][0] - 18.0, PANELS[2][1]], &moments);
         let label = format!(
             "Temperatures, power of the hob and mass against time for {}",
             escaped(&self.summary.foods[self.food].id)
@@ -126,53 +95,29 @@ impl<'a> Drawing<'a> {
 
     /// Steps that concern this food, or all.
     fn moment(&self, step: &saute_kitchen::runner::StepRecord) -> Option<(f64, String, String)> {
-        let mine = step
-            .target
-            .as_ref()
-            .is_none_or(|t| *t == self.summary.foods[self.food].id);
-        let full = format!(
-            "{}: {}",
-            wording::duration(step.time_s),
-            escaped(&wording::step(step))
-        );
-        wording::mark(step)
-            .filter(|_| mine)
-            .map(|name| (step.time_s, name.to_owned(), full))
+        let mine = step.target.as_ref().is_none_or(|t| *t == self.summary.foods[self.food].id);
+        let full = format!("{}: {}", wording::duration(step.time_s), escaped(&wording::step(step)));
+        wording::mark(step).filter(|_| mine).map(|name| (step.time_s, name.to_owned(), full))
     }
 
     fn time(&self) -> Scale {
-        Scale::new(
-            [0.0, self.summary.simulated_s.max(1.0)],
-            [LEFT, self.width - RIGHT],
-        )
+        Scale::new([0.0, self.summary.simulated_s.max(1.0)], [LEFT, self.width - RIGHT])
     }
 
     fn panel(&self, [top, bottom]: [f64; 2], range: [f64; 2]) -> Panel {
-        Panel {
-            x: self.time(),
-            y: Scale::new(range, [bottom, top]),
-            edges: [LEFT, self.width - RIGHT, top, bottom],
-        }
+        Panel { x: self.time(), y: Scale::new(range, [bottom, top]), edges: [LEFT, self.width - RIGHT, top, bottom] }
     }
 
     fn temperatures(&self) -> String {
-        let values = self.rows.iter().flat_map(|r| {
-            [r.pan_c]
-                .into_iter()
-                .chain(r.foods[self.food][..3].iter().copied())
-        });
+        let values =
+            self.rows.iter().flat_map(|r| [r.pan_c].into_iter().chain(r.foods[self.food][..3].iter().copied()));
         let (low, high) = values.fold((0.0_f64, 50.0_f64), |(l, h), v| (l.min(v), h.max(v)));
         let (range, step) = nice_range(low, high, 6.0);
         let panel = self.panel(PANELS[0], range);
         let pan = panel.curve("pan", self.rows.iter().map(|r| (r.time_s, r.pan_c)));
         let food: String = CURVES
             .iter()
-            .map(|(class, _, k)| {
-                panel.curve(
-                    class,
-                    self.rows.iter().map(|r| (r.time_s, r.foods[self.food][*k])),
-                )
-            })
+            .map(|(class, _, k)| panel.curve(class, self.rows.iter().map(|r| (r.time_s, r.foods[self.food][*k]))))
             .collect();
         panel.y_axis(range, step, "°C") + &pan + &food
     }
@@ -181,15 +126,9 @@ impl<'a> Drawing<'a> {
         let highest = self.rows.iter().map(|r| r.hob_w).fold(100.0, f64::max);
         let (range, step) = nice_range(0.0, highest, 2.0);
         let panel = self.panel(PANELS[1], range);
-        let pairs = self
-            .rows
-            .windows(2)
-            .flat_map(|w| [(w[0].time_s, w[0].hob_w), (w[1].time_s, w[0].hob_w)]);
+        let pairs = self.rows.windows(2).flat_map(|w| [(w[0].time_s, w[0].hob_w), (w[1].time_s, w[0].hob_w)]);
         panel.y_axis(range, step, "hob [W]")
-            + &panel.curve(
-                "hob",
-                pairs.chain(self.rows.last().map(|r| (r.time_s, r.hob_w))),
-            )
+            + &panel.curve("hob", pairs.chain(self.rows.last().map(|r| (r.time_s, r.hob_w))))
     }
 
     fn mass(&self) -> String {
@@ -198,11 +137,7 @@ impl<'a> Drawing<'a> {
         let (range, step) = nice_range(low, high, 3.0);
         let panel = self.panel(PANELS[2], range);
         let end = self.summary.simulated_s;
-        let (unit, per) = if end > 180.0 {
-            ("time [min]", 60.0)
-        } else {
-            ("time [s]", 1.0)
-        };
+        let (unit, per) = if end > 180.0 { ("time [min]", 60.0) } else { ("time [s]", 1.0) };
         let most = (self.width / 60.0).floor();
         let x_axis = panel.x_axis(end, nice_step(end / per, most) * per, per, unit);
         panel.y_axis(range, step, "mass [g]") + &panel.curve("mass", grams()) + &x_axis

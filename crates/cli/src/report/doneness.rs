@@ -38,19 +38,14 @@ pub fn section(summary: &Summary) -> String {
             ]
         })
         .collect();
-    format!(
-        "<section><h2>Doneness</h2><p>By the highest temperature that each point has reached.</p>{bars}</section>"
-    )
+    format!("<section><h2>Doneness</h2><p>By the highest temperature that each point has reached.</p>{bars}</section>")
 }
 
 fn bar(title: &str, shares: &Doneness) -> String {
     let values = [shares.raw, shares.rare, shares.medium, shares.well_done];
     let part = |((name, ..), share): (&(&str, &str, &str), &f64)| {
-        let number = if *share >= ROOM_FOR_NUMBER {
-            format!("<b class=\"{name}\">{share:.0} %</b>")
-        } else {
-            String::new()
-        };
+        let number =
+            if *share >= ROOM_FOR_NUMBER { format!("<b class=\"{name}\">{share:.0} %</b>") } else { String::new() };
         format!("<span class=\"pattern {name}\" style=\"flex-grow:{share:.3}\">{number}</span>")
     };
     let key = |((name, said, range), share): (&(&str, &str, &str), &f64)| {

@@ -26,9 +26,7 @@ fn base64(bytes: &[u8]) -> String {
     const SIGNS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for chunk in bytes.chunks(3) {
-        let group = (0..3).fold(0_u32, |g, i| {
-            g << 8 | u32::from(chunk.get(i).copied().unwrap_or(0))
-        });
+        let group = (0..3).fold(0_u32, |g, i| g << 8 | u32::from(chunk.get(i).copied().unwrap_or(0)));
         for i in 0..4 {
             let sign = SIGNS[(group >> (18 - 6 * i)) as usize & 63];
             out.push(if i <= chunk.len() { sign as char } else { '=' });
@@ -59,9 +57,6 @@ mod tests {
 
     #[test]
     fn a_title_cannot_smuggle_markup_into_the_page() {
-        assert_eq!(
-            escaped("<b>\"A & B's\"</b>"),
-            "&lt;b&gt;&quot;A &amp; B&#39;s&quot;&lt;/b&gt;"
-        );
+        assert_eq!(escaped("<b>\"A & B's\"</b>"), "&lt;b&gt;&quot;A &amp; B&#39;s&quot;&lt;/b&gt;");
     }
 }

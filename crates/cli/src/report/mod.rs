@@ -22,19 +22,12 @@ pub fn html(cook: &Cook, summary: &Summary, snapshots: &[Snapshot]) -> String {
     let title = escaped(&summary.title);
     let parts = [
         head(cook, summary, &title),
-        summary
-            .foods
-            .iter()
-            .map(|f| key_numbers(summary, f))
-            .collect(),
+        summary.foods.iter().map(|f| key_numbers(summary, f)).collect(),
         doneness::section(summary),
         curves::section(cook, summary),
         sections::section(cook, summary, snapshots),
         numbers::section(cook, summary),
-        format!(
-            "<section><h2>Recipe</h2><pre>{}</pre></section>",
-            escaped(&cook.runner.recipe().text)
-        ),
+        format!("<section><h2>Recipe</h2><pre>{}</pre></section>", escaped(&cook.runner.recipe().text)),
         foot(),
     ];
     format!(
@@ -54,21 +47,14 @@ fn head(cook: &Cook, summary: &Summary, title: &str) -> String {
     let end = match summary.stopped_by {
         StoppedBy::End => String::new(),
         StoppedBy::MaxS => {
-            let (step, waiting) = (
-                cook.runner.waiting_step() + 1,
-                escaped(&cook.runner.waiting_for()),
-            );
+            let (step, waiting) = (cook.runner.waiting_step() + 1, escaped(&cook.runner.waiting_for()));
             format!(
                 "<p class=\"notice\">Stopped by max_s = {} s: step {step} was still waiting ({waiting}).</p>",
                 recipe.max_s
             )
         }
     };
-    let warnings: String = summary
-        .warnings
-        .iter()
-        .map(|w| format!("<p class=\"notice\">{}</p>", escaped(w)))
-        .collect();
+    let warnings: String = summary.warnings.iter().map(|w| format!("<p class=\"notice\">{}</p>", escaped(w))).collect();
     let simulated = duration(summary.simulated_s);
     format!(
         "<header><h1>{title}</h1><p>{}<br>pan: {pan}<br>{simulated} simulated</p>{end}{warnings}</header>",
@@ -91,37 +77,21 @@ fn key_numbers(summary: &Summary, food: &FoodSummary) -> String {
     let (top, bottom) = (&food.surfaces.top, &food.surfaces.bottom);
     let lost = 100.0 * (1.0 - food.mass_g.end / food.mass_g.start);
     let entries = [
-        (
-            format!("{:.1} °C", food.core_c.peak),
-            "core, at its highest",
-        ),
+        (format!("{:.1} °C", food.core_c.peak), "core, at its highest"),
         (duration(seconds_in_pan(summary, &food.id)), "in the pan"),
-        (
-            format!("{:.0} % · {:.0} %", bottom.browned_pct, top.browned_pct),
-            "browned, bottom · top",
-        ),
+        (format!("{:.0} % · {:.0} %", bottom.browned_pct, top.browned_pct), "browned, bottom · top"),
         (format!("{lost:.1} %"), "of its weight lost"),
     ];
-    let tiles: String = entries
-        .iter()
-        .map(|(value, name)| format!("<div><dd>{value}</dd><dt>{name}</dt></div>"))
-        .collect();
-    let heading = if summary.foods.len() > 1 {
-        format!("<h2>{}</h2>", escaped(&food.id))
-    } else {
-        String::new()
-    };
+    let tiles: String =
+        entries.iter().map(|(value, name)| format!("<div><dd>{value}</dd><dt>{name}</dt></div>")).collect();
+    let heading = if summary.foods.len() > 1 { format!("<h2>{}</h2>", escaped(&food.id)) } else { String::new() };
     format!("<section>{heading}<dl class=\"key\">{tiles}</dl></section>")
 }
 
 /// How long a food lay in the pan, all its stays together [s].
 fn seconds_in_pan(summary: &Summary, id: &str) -> f64 {
     let (mut total, mut since) = (0.0, None);
-    for step in summary
-        .steps
-        .iter()
-        .filter(|s| s.target.as_deref() == Some(id))
-    {
+    for step in summary.steps.iter().filter(|s| s.target.as_deref() == Some(id)) {
         match step.action {
             "put" => since = Some(step.time_s),
             "rest" => total += since.take().map_or(0.0, |s| step.time_s - s),
@@ -134,9 +104,7 @@ fn seconds_in_pan(summary: &Summary, id: &str) -> f64 {
 /// The series' row of a moment.
 fn row_at(cook: &Cook, time_s: f64) -> Option<&Row> {
     let rows = &cook.recorder.rows;
-    rows.binary_search_by(|r| r.time_s.total_cmp(&time_s))
-        .ok()
-        .map(|i| &rows[i])
+    rows.binary_search_by(|r| r.time_s.total_cmp(&time_s)).ok().map(|i| &rows[i])
 }
 
 fn foot() -> String {

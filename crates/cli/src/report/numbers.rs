@@ -19,53 +19,22 @@ pub fn section(cook: &Cook, summary: &Summary) -> String {
 }
 
 fn table(caption: &str, rows: &[(String, String)]) -> String {
-    let rows: String = rows
-        .iter()
-        .map(|(name, value)| format!("<tr><th scope=\"row\">{name}</th><td>{value}</td></tr>"))
-        .collect();
+    let rows: String =
+        rows.iter().map(|(name, value)| format!("<tr><th scope=\"row\">{name}</th><td>{value}</td></tr>")).collect();
     format!("<table><caption>{caption}</caption>{rows}</table>")
 }
 
 fn food(f: &FoodSummary) -> String {
     let mut rows = vec![
-        (
-            "Core, highest".to_owned(),
-            format!(
-                "{:.1} °C after {}",
-                f.core_c.peak,
-                duration(f.core_c.peak_at_s)
-            ),
-        ),
-        (
-            "Core, at the end".to_owned(),
-            format!("{:.1} °C", f.core_c.end),
-        ),
-        (
-            "Mass, start → end".to_owned(),
-            format!("{:.1} g → {:.1} g", f.mass_g.start, f.mass_g.end),
-        ),
-        (
-            "Water, evaporated".to_owned(),
-            format!("{:.1} g", f.water_g.evaporated),
-        ),
-        (
-            "Juice, dripped".to_owned(),
-            format!("{:.1} g", f.water_g.dripped),
-        ),
+        ("Core, highest".to_owned(), format!("{:.1} °C after {}", f.core_c.peak, duration(f.core_c.peak_at_s))),
+        ("Core, at the end".to_owned(), format!("{:.1} °C", f.core_c.end)),
+        ("Mass, start → end".to_owned(), format!("{:.1} g → {:.1} g", f.mass_g.start, f.mass_g.end)),
+        ("Water, evaporated".to_owned(), format!("{:.1} g", f.water_g.evaporated)),
+        ("Juice, dripped".to_owned(), format!("{:.1} g", f.water_g.dripped)),
     ];
     let d = &f.denatured;
-    let proteins = [
-        ("Myosin", d.myosin),
-        ("Collagen", d.collagen),
-        ("Actin", d.actin),
-        ("Myoglobin", d.myoglobin),
-    ];
-    rows.extend(proteins.map(|(name, share)| {
-        (
-            format!("{name}, denatured"),
-            format!("{:.0} %", 100.0 * share),
-        )
-    }));
+    let proteins = [("Myosin", d.myosin), ("Collagen", d.collagen), ("Actin", d.actin), ("Myoglobin", d.myoglobin)];
+    rows.extend(proteins.map(|(name, share)| (format!("{name}, denatured"), format!("{:.0} %", 100.0 * share))));
     rows.extend(surface("Top", &f.surfaces.top));
     rows.extend(surface("Bottom", &f.surfaces.bottom));
     rows.push(("Nodes of the mesh".to_owned(), f.nodes.to_string()));
@@ -75,18 +44,9 @@ fn food(f: &FoodSummary) -> String {
 fn surface(name: &str, s: &Surface) -> [(String, String); 3] {
     let [l, a, b] = s.lab;
     [
-        (
-            format!("{name}, at the end"),
-            format!("{:.1} °C", s.temperature_c),
-        ),
-        (
-            format!("{name}, browned · charred"),
-            format!("{:.0} % · {:.0} %", s.browned_pct, s.charred_pct),
-        ),
-        (
-            format!("{name}, L* a* b*"),
-            format!("{l:.1}  {a:.1}  {b:.1}"),
-        ),
+        (format!("{name}, at the end"), format!("{:.1} °C", s.temperature_c)),
+        (format!("{name}, browned · charred"), format!("{:.0} % · {:.0} %", s.browned_pct, s.charred_pct)),
+        (format!("{name}, L* a* b*"), format!("{l:.1}  {a:.1}  {b:.1}")),
     ]
 }
 
@@ -99,10 +59,7 @@ fn pan(s: &Summary) -> String {
         ("Highest", Some(p.peak)),
         ("At the end", Some(p.end)),
     ];
-    table(
-        "Pan, mean of the floor",
-        &rows.map(|(name, c)| (name.to_owned(), celsius(c))),
-    )
+    table("Pan, mean of the floor", &rows.map(|(name, c)| (name.to_owned(), celsius(c))))
 }
 
 fn energy(s: &Summary) -> String {
@@ -122,25 +79,15 @@ fn energy(s: &Summary) -> String {
     let rows: Vec<(String, String)> = entries
         .iter()
         .map(|(name, j)| {
-            (
-                (*name).to_owned(),
-                format!(
-                    "{:.1} kJ<small>{:.1} %</small>",
-                    tidy(j / 1e3),
-                    tidy(share(*j))
-                ),
-            )
+            ((*name).to_owned(), format!("{:.1} kJ<small>{:.1} %</small>", tidy(j / 1e3), tidy(share(*j))))
         })
         .collect();
     table("Energy", &rows)
 }
 
 fn steps(cook: &Cook, summary: &Summary) -> String {
-    let names: String = summary
-        .foods
-        .iter()
-        .map(|f| format!("<th scope=\"col\">core of {}</th>", escaped(&f.id)))
-        .collect();
+    let names: String =
+        summary.foods.iter().map(|f| format!("<th scope=\"col\">core of {}</th>", escaped(&f.id))).collect();
     let rows: String = summary.steps.iter().map(|s| step_row(cook, s)).collect();
     format!(
         "<table class=\"steps\"><caption>Steps</caption><tr><th scope=\"col\">time</th><th scope=\"col\">step</th>\
@@ -151,14 +98,7 @@ fn steps(cook: &Cook, summary: &Summary) -> String {
 fn step_row(cook: &Cook, step: &StepRecord) -> String {
     let cells: String = super::row_at(cook, step.time_s).map_or(String::new(), |r| {
         let cores = r.foods.iter().map(|f| f[0]);
-        std::iter::once(r.pan_c)
-            .chain(cores)
-            .map(|c| format!("<td>{c:.1} °C</td>"))
-            .collect()
+        std::iter::once(r.pan_c).chain(cores).map(|c| format!("<td>{c:.1} °C</td>")).collect()
     });
-    format!(
-        "<tr><td>{:.1} s</td><th scope=\"row\">{}</th>{cells}</tr>",
-        step.time_s,
-        escaped(&wording::step(step))
-    )
+    format!("<tr><td>{:.1} s</td><th scope=\"row\">{}</th>{cells}</tr>", step.time_s, escaped(&wording::step(step)))
 }

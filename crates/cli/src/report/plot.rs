@@ -26,11 +26,7 @@ impl Scale {
 pub fn nice_step(span: f64, most: f64) -> f64 {
     let rough = (span / most).max(1e-9);
     let power = 10_f64.powf(rough.log10().floor());
-    [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .map(|m| m * power)
-        .find(|s| *s >= rough * (1.0 - 1e-9))
-        .unwrap_or(10.0 * power)
+    [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= rough * (1.0 - 1e-9)).unwrap_or(10.0 * power)
 }
 
 /// The range that holds all values and ends on steps; steps are whole numbers, as the labels are.
@@ -56,18 +52,12 @@ impl Panel {
     /// Horizontal lines with their values at the left, and the quantity above them.
     pub fn y_axis(&self, range: [f64; 2], step: f64, title: &str) -> String {
         let [left, right, top, _] = self.edges;
-        let mut svg = format!(
-            "<text class=\"quantity\" x=\"{left:.0}\" y=\"{:.1}\">{title}</text>",
-            top - 7.0
-        );
+        let mut svg = format!("<text class=\"quantity\" x=\"{left:.0}\" y=\"{:.1}\">{title}</text>", top - 7.0);
         let count = ((range[1] - range[0]) / step).round() as usize;
         for i in 0..=count {
             let value = range[0] + i as f64 * step;
             let y = self.y.at(value);
-            let _ = write!(
-                svg,
-                "<path class=\"grid\" d=\"M{left:.1} {y:.1}H{right:.1}\"/>"
-            );
+            let _ = write!(svg, "<path class=\"grid\" d=\"M{left:.1} {y:.1}H{right:.1}\"/>");
             let _ = write!(
                 svg,
                 "<text class=\"tick\" text-anchor=\"end\" x=\"{:.1}\" y=\"{:.1}\">{value:.0}</text>",
@@ -106,13 +96,7 @@ impl Panel {
     pub fn curve(&self, class: &str, points: impl Iterator<Item = (f64, f64)>) -> String {
         let mut path = String::new();
         for (x, y) in points {
-            let _ = write!(
-                path,
-                "{}{:.1} {:.1}",
-                if path.is_empty() { "M" } else { "L" },
-                self.x.at(x),
-                self.y.at(y)
-            );
+            let _ = write!(path, "{}{:.1} {:.1}", if path.is_empty() { "M" } else { "L" }, self.x.at(x), self.y.at(y));
         }
         format!("<path class=\"curve {class}\" d=\"{path}\"/>")
     }
@@ -122,28 +106,16 @@ impl Panel {
 const LETTER: f64 = 7.4;
 
 /// Vertical lines from `top` to `bottom` at named moments; a name is left out where the one before needs the room.
-pub fn marks(
-    x: Scale,
-    right: f64,
-    [top, bottom]: [f64; 2],
-    moments: &[(f64, String, String)],
-) -> String {
+pub fn marks(x: Scale, right: f64, [top, bottom]: [f64; 2], moments: &[(f64, String, String)]) -> String {
     let mut svg = String::new();
     let mut free_from = f64::NEG_INFINITY;
     for (time, name, full) in moments {
         let at = x.at(*time);
-        let _ = write!(
-            svg,
-            "<path class=\"mark\" d=\"M{at:.1} {top:.1}V{bottom:.1}\"><title>{full}</title></path>"
-        );
+        let _ = write!(svg, "<path class=\"mark\" d=\"M{at:.1} {top:.1}V{bottom:.1}\"><title>{full}</title></path>");
         let width = LETTER * name.chars().count() as f64;
         let left = (at - width / 2.0).min(right - 1.0 - width);
         if left > free_from {
-            let _ = write!(
-                svg,
-                "<text class=\"mark-name\" x=\"{left:.1}\" y=\"{:.1}\">{name}</text>",
-                top - 5.0
-            );
+            let _ = write!(svg, "<text class=\"mark-name\" x=\"{left:.1}\" y=\"{:.1}\">{name}</text>", top - 5.0);
             free_from = left + width + 5.0;
         }
     }
@@ -156,23 +128,12 @@ mod tests {
 
     #[test]
     fn an_axis_ends_on_its_steps_and_holds_every_value() {
-        for (low, high) in [
-            (0.0, 219.6),
-            (5.0, 58.2),
-            (179.8, 213.8),
-            (20.0, 20.0),
-            (0.0, 3500.0),
-        ] {
+        for (low, high) in [(0.0, 219.6), (5.0, 58.2), (179.8, 213.8), (20.0, 20.0), (0.0, 3500.0)] {
             let (range, step) = nice_range(low, high, 5.0);
-            assert!(
-                range[0] <= low && range[1] >= high,
-                "{low} {high}: {range:?}"
-            );
+            assert!(range[0] <= low && range[1] >= high, "{low} {high}: {range:?}");
             let pieces = (range[1] - range[0]) / step;
             assert!(
-                (pieces - pieces.round()).abs() < 1e-9
-                    && step >= 1.0
-                    && (1.0..=7.0).contains(&pieces),
+                (pieces - pieces.round()).abs() < 1e-9 && step >= 1.0 && (1.0..=7.0).contains(&pieces),
                 "{range:?} by {step}"
             );
         }

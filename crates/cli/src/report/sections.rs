@@ -13,17 +13,10 @@ pub fn section(cook: &Cook, summary: &Summary, snapshots: &[Snapshot]) -> String
     if snapshots.is_empty() {
         return String::new();
     }
-    let first_of_moment = |(i, s): &(usize, &Snapshot)| {
-        !snapshots[..*i]
-            .iter()
-            .any(|e| e.time_s == s.time_s && e.food == s.food)
-    };
-    let figures: String = snapshots
-        .iter()
-        .enumerate()
-        .filter(first_of_moment)
-        .filter_map(|(_, s)| figure(cook, summary, s))
-        .collect();
+    let first_of_moment =
+        |(i, s): &(usize, &Snapshot)| !snapshots[..*i].iter().any(|e| e.time_s == s.time_s && e.food == s.food);
+    let figures: String =
+        snapshots.iter().enumerate().filter(first_of_moment).filter_map(|(_, s)| figure(cook, summary, s)).collect();
     let sizes: Vec<String> = cook.kitchen.pieces().iter().map(size).collect();
     format!(
         "<section><h2>Cross-sections</h2><p>Through the centre, across the longest side, as the food lies ({}). Above: as the eye sees it; \
@@ -35,25 +28,14 @@ pub fn section(cook: &Cook, summary: &Summary, snapshots: &[Snapshot]) -> String
 
 fn size(piece: &saute_kitchen::Piece) -> String {
     let across = piece.model.size[0].min(piece.model.size[1]);
-    format!(
-        "{} {:.0} × {:.0} mm",
-        escaped(&piece.id),
-        across * 1e3,
-        piece.model.size[2] * 1e3
-    )
+    format!("{} {:.0} × {:.0} mm", escaped(&piece.id), across * 1e3, piece.model.size[2] * 1e3)
 }
 
 /// A moment; none if nothing was done to this food then.
 fn figure(cook: &Cook, summary: &Summary, snapshot: &Snapshot) -> Option<String> {
-    let concerns = |s: &&StepRecord| {
-        s.time_s == snapshot.time_s && s.target.as_ref().is_none_or(|t| *t == snapshot.food)
-    };
-    let done: Vec<String> = summary
-        .steps
-        .iter()
-        .filter(concerns)
-        .map(wording::step)
-        .collect();
+    let concerns =
+        |s: &&StepRecord| s.time_s == snapshot.time_s && s.target.as_ref().is_none_or(|t| *t == snapshot.food);
+    let done: Vec<String> = summary.steps.iter().filter(concerns).map(wording::step).collect();
     if done.is_empty() {
         return None;
     }
@@ -71,23 +53,14 @@ fn figure(cook: &Cook, summary: &Summary, snapshot: &Snapshot) -> Option<String>
 
 /// Core, top, bottom [°C] and mass [g] of the food at that moment, as the series has them.
 fn readings(cook: &Cook, snapshot: &Snapshot) -> Option<[f64; 4]> {
-    let food = cook
-        .kitchen
-        .pieces()
-        .iter()
-        .position(|p| p.id == snapshot.food)?;
+    let food = cook.kitchen.pieces().iter().position(|p| p.id == snapshot.food)?;
     Some(super::row_at(cook, snapshot.time_s)?.foods[food])
 }
 
 /// The colours of the temperatures.
 fn legend() -> String {
     let map = TemperatureMap::Uniform.map();
-    let stops: Vec<String> = map
-        .table
-        .iter()
-        .step_by(15)
-        .map(|[r, g, b]| format!("rgb({r} {g} {b})"))
-        .collect();
+    let stops: Vec<String> = map.table.iter().step_by(15).map(|[r, g, b]| format!("rgb({r} {g} {b})")).collect();
     let ticks: String = (0..=4)
         .map(|i| map.from_c + (map.to_c - map.from_c) * f64::from(i) / 4.0)
         .map(|c| format!("<span>{c:.0} °C</span>"))

@@ -12,164 +12,44 @@ struct Wrong {
     says: &'static [&'static str],
 }
 
-const fn wrong(
-    from: &'static str,
-    to: &'static str,
-    line: usize,
-    says: &'static [&'static str],
-) -> Wrong {
-    Wrong {
-        from,
-        to,
-        line,
-        says,
-    }
+const fn wrong(from: &'static str, to: &'static str, line: usize, says: &'static [&'static str]) -> Wrong {
+    Wrong { from, to, line, says }
 }
 
 const WRONG: [Wrong; 25] = [
-    wrong(
-        "max_s = 100",
-        "max_seconds = 100",
-        2,
-        &["max_seconds", "max_s", "saute schema recipe"],
-    ),
-    wrong(
-        "initial_c = 180",
-        "initial = 180",
-        5,
-        &["initial", "initial_c"],
-    ),
-    wrong(
-        "flip = \"steak\"",
-        "flop = \"steak\"",
-        17,
-        &["flop", "flip"],
-    ),
-    wrong(
-        "kind = \"beef-lean\"",
-        "kind = \"beef\"",
-        8,
-        &["beef", "beef-lean, beef-marbled"],
-    ),
-    wrong(
-        "kind = \"carbon-steel-26\"",
-        "kind = \"wok\"",
-        4,
-        &["wok", "carbon-steel-26"],
-    ),
-    wrong(
-        "[60, 50, 15]",
-        "[60, -50, 15]",
-        9,
-        &["width", "-50", "30 to 190 mm"],
-    ),
-    wrong(
-        "[60, 50, 15]",
-        "[60, 50, 0.001]",
-        9,
-        &["thickness", "10 to 60 mm"],
-    ),
-    wrong(
-        "[60, 50, 15]",
-        "[60e9, 50, 15]",
-        9,
-        &["length", "30 to 190 mm"],
-    ),
-    wrong(
-        "[60, 50, 15]",
-        "[nan, 50, 15]",
-        9,
-        &["length", "30 to 190 mm"],
-    ),
+    wrong("max_s = 100", "max_seconds = 100", 2, &["max_seconds", "max_s", "saute schema recipe"]),
+    wrong("initial_c = 180", "initial = 180", 5, &["initial", "initial_c"]),
+    wrong("flip = \"steak\"", "flop = \"steak\"", 17, &["flop", "flip"]),
+    wrong("kind = \"beef-lean\"", "kind = \"beef\"", 8, &["beef", "beef-lean, beef-marbled"]),
+    wrong("kind = \"carbon-steel-26\"", "kind = \"wok\"", 4, &["wok", "carbon-steel-26"]),
+    wrong("[60, 50, 15]", "[60, -50, 15]", 9, &["width", "-50", "30 to 190 mm"]),
+    wrong("[60, 50, 15]", "[60, 50, 0.001]", 9, &["thickness", "10 to 60 mm"]),
+    wrong("[60, 50, 15]", "[60e9, 50, 15]", 9, &["length", "30 to 190 mm"]),
+    wrong("[60, 50, 15]", "[nan, 50, 15]", 9, &["length", "30 to 190 mm"]),
     wrong("[60, 50, 15]", "[60, 50]", 9, &["three numbers"]),
-    wrong(
-        "initial_c = 5\n",
-        "initial_c = -300\n",
-        10,
-        &["initial_c", "0 to 60"],
-    ),
+    wrong("initial_c = 5\n", "initial_c = -300\n", 10, &["initial_c", "0 to 60"]),
     wrong("hob_w = 1100", "hob_w = 9000", 12, &["hob_w", "0 to 3500"]),
     wrong("hob_w = 1100", "hob_w = -1", 12, &["hob_w", "0 to 3500"]),
     wrong("hob_w = 1100", "hob_w = \"high\"", 12, &["string"]),
-    wrong(
-        "flip = \"steak\"",
-        "flip = \"chop\"",
-        17,
-        &["chop", "names no food", "steak"],
-    ),
-    wrong(
-        "put = \"steak\"",
-        "put = \"\"",
-        14,
-        &["names no food", "steak"],
-    ),
+    wrong("flip = \"steak\"", "flip = \"chop\"", 17, &["chop", "names no food", "steak"]),
+    wrong("put = \"steak\"", "put = \"\"", 14, &["names no food", "steak"]),
     wrong("put = \"steak\"", "put = true", 14, &["string"]),
-    wrong(
-        "put = \"steak\"",
-        "",
-        13,
-        &["no action", "hob_w, put, flip"],
-    ),
-    wrong(
-        "put = \"steak\"",
-        "put = \"steak\"\nhob_w = 0",
-        13,
-        &["more than one action"],
-    ),
-    wrong(
-        "after_s = 10\nflip",
-        "after_s = 10\nat_s = 20\nflip",
-        15,
-        &["more than one trigger"],
-    ),
-    wrong(
-        "after_s = 10\nflip",
-        "when = { core_c = 20 }\nflip",
-        16,
-        &["when needs one condition", "food = \"steak\""],
-    ),
-    wrong(
-        "after_s = 10\nend = true\n",
-        "after_s = 10\nhob_w = 0\n",
-        21,
-        &["no end", "end = true"],
-    ),
-    wrong(
-        "put = \"steak\"",
-        "flip = \"steak\"",
-        13,
-        &["not in the pan", "put it into the pan"],
-    ),
-    wrong(
-        "after_s = 10\nend",
-        "at_s = 3\nend",
-        18,
-        &["at_s = 3 is already past", "later at_s"],
-    ),
+    wrong("put = \"steak\"", "", 13, &["no action", "hob_w, put, flip"]),
+    wrong("put = \"steak\"", "put = \"steak\"\nhob_w = 0", 13, &["more than one action"]),
+    wrong("after_s = 10\nflip", "after_s = 10\nat_s = 20\nflip", 15, &["more than one trigger"]),
+    wrong("after_s = 10\nflip", "when = { core_c = 20 }\nflip", 16, &["when needs one condition", "food = \"steak\""]),
+    wrong("after_s = 10\nend = true\n", "after_s = 10\nhob_w = 0\n", 21, &["no end", "end = true"]),
+    wrong("put = \"steak\"", "flip = \"steak\"", 13, &["not in the pan", "put it into the pan"]),
+    wrong("after_s = 10\nend", "at_s = 3\nend", 18, &["at_s = 3 is already past", "later at_s"]),
     wrong("[[step]]\nhob_w", "[[step]\nhob_w", 11, &["remedy"]),
 ];
 
 /// Cooks a file that must be refused; nothing may be printed on stdout or written.
 fn refused(path: &Path) -> Said {
     let out = path.with_extension("out");
-    let said = run(&[
-        "cook",
-        path.to_str().unwrap(),
-        "--json",
-        "--out",
-        out.to_str().unwrap(),
-    ]);
-    assert_eq!(
-        (said.code, said.out.as_str()),
-        (Some(2), ""),
-        "{}",
-        said.err
-    );
-    assert!(
-        said.err.contains(path.to_str().unwrap()) && said.err.contains("remedy:"),
-        "{}",
-        said.err
-    );
+    let said = run(&["cook", path.to_str().unwrap(), "--json", "--out", out.to_str().unwrap()]);
+    assert_eq!((said.code, said.out.as_str()), (Some(2), ""), "{}", said.err);
+    assert!(said.err.contains(path.to_str().unwrap()) && said.err.contains("remedy:"), "{}", said.err);
     assert!(!out.exists(), "something was written");
     said
 }
@@ -183,8 +63,7 @@ fn every_mistake_in_a_recipe_is_named_with_file_line_and_remedy() {
         std::fs::write(&path, SHORT.replacen(w.from, w.to, 1)).unwrap();
         let said = refused(&path);
         assert!(
-            said.err
-                .contains(&format!("{}:{}:", path.display(), w.line)),
+            said.err.contains(&format!("{}:{}:", path.display(), w.line)),
             "line {} of {:?}:\n{}",
             w.line,
             w.to,
@@ -202,18 +81,11 @@ fn a_time_that_has_passed_when_its_step_comes_up_is_named_with_file_line_and_rem
     let path = dir.path().join("late.toml");
     std::fs::write(
         &path,
-        SHORT.replace(
-            "put = \"steak\"",
-            "when = { pan_c = 185 }\nput = \"steak\"\n[[step]]\nat_s = 0.5\nhob_w = 0",
-        ),
+        SHORT.replace("put = \"steak\"", "when = { pan_c = 185 }\nput = \"steak\"\n[[step]]\nat_s = 0.5\nhob_w = 0"),
     )
     .unwrap();
     let said = refused(&path);
-    assert!(
-        said.err.contains("late.toml:16:") && said.err.contains("already past"),
-        "{}",
-        said.err
-    );
+    assert!(said.err.contains("late.toml:16:") && said.err.contains("already past"), "{}", said.err);
 }
 
 #[test]
@@ -222,11 +94,7 @@ fn files_that_are_no_recipes_are_refused() {
     let cases: [(&str, &[u8], &str); 3] = [
         ("empty.toml", b"", "empty.toml:1: the file is empty"),
         ("blank.toml", b" \n\n", "blank.toml:1: the file is empty"),
-        (
-            "latin.toml",
-            b"title = 'x'\n# caf\xe9\n",
-            "latin.toml:2: is not UTF-8 text",
-        ),
+        ("latin.toml", b"title = 'x'\n# caf\xe9\n", "latin.toml:2: is not UTF-8 text"),
     ];
     for (name, bytes, message) in cases {
         let path = dir.path().join(name);
@@ -240,11 +108,7 @@ fn files_that_are_no_recipes_are_refused() {
 fn missing_files_and_folders_are_refused() {
     let dir = tempfile::tempdir().unwrap();
     let said = refused(&dir.path().join("missing.toml"));
-    assert!(
-        said.err.contains("no such file") && said.err.contains("medium"),
-        "{}",
-        said.err
-    );
+    assert!(said.err.contains("no such file") && said.err.contains("medium"), "{}", said.err);
     let folder = dir.path().join("folder");
     std::fs::create_dir(&folder).unwrap();
     assert!(refused(&folder).err.contains("is a folder"));
@@ -254,9 +118,5 @@ fn missing_files_and_folders_are_refused() {
 #[test]
 fn a_file_without_end_is_refused_instead_of_filling_the_memory() {
     let said = run(&["cook", "/dev/zero"]);
-    assert!(
-        said.code == Some(2) && said.err.contains("larger than"),
-        "{}",
-        said.err
-    );
+    assert!(said.code == Some(2) && said.err.contains("larger than"), "{}", said.err);
 }

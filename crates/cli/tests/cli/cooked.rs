@@ -21,10 +21,7 @@ pub struct Cooked {
 /// A shipped recipe, cooked.
 pub fn cooked(id: &str) -> &'static Cooked {
     static COOKED: [OnceLock<Cooked>; 4] = [const { OnceLock::new() }; 4];
-    let place = SHIPPED
-        .iter()
-        .position(|s| *s == id)
-        .expect("a shipped recipe");
+    let place = SHIPPED.iter().position(|s| *s == id).expect("a shipped recipe");
     COOKED[place].get_or_init(|| cook(id))
 }
 
@@ -34,30 +31,20 @@ pub fn cook(recipe: &str) -> Cooked {
     let out = dir.path().join("out");
     let said = run(&["cook", recipe, "--json", "--out", out.to_str().unwrap()]);
     let read = |name: String| (name.clone(), std::fs::read(out.join(name)).unwrap());
-    let summary =
-        serde_json::from_str(&said.out).unwrap_or_else(|e| panic!("{recipe}: {e}\n{}", said.err));
-    Cooked {
-        summary,
-        files: names_in(&out).into_iter().map(read).collect(),
-        said,
-    }
+    let summary = serde_json::from_str(&said.out).unwrap_or_else(|e| panic!("{recipe}: {e}\n{}", said.err));
+    Cooked { summary, files: names_in(&out).into_iter().map(read).collect(), said }
 }
 
 impl Cooked {
     /// A number of the summary, as in `/pan_c/peak`.
     pub fn number(&self, pointer: &str) -> f64 {
-        self.summary
-            .pointer(pointer)
-            .and_then(Value::as_f64)
-            .unwrap_or_else(|| panic!("no number at {pointer}"))
+        self.summary.pointer(pointer).and_then(Value::as_f64).unwrap_or_else(|| panic!("no number at {pointer}"))
     }
 
     /// When the first step with an action was carried out [s].
     pub fn time_of(&self, action: &str) -> f64 {
         let steps = self.summary["steps"].as_array().unwrap();
-        steps.iter().find(|s| s["action"] == action).unwrap()["time_s"]
-            .as_f64()
-            .unwrap()
+        steps.iter().find(|s| s["action"] == action).unwrap()["time_s"].as_f64().unwrap()
     }
 
     /// A text file.

@@ -17,28 +17,14 @@ fn write(dir: &Path, name: &str, text: &str) {
 fn foods_pans_and_recipes_of_ones_own_are_added() {
     let dir = tempfile::tempdir().unwrap();
     let data = dir.path().to_str().unwrap();
-    write(
-        dir.path(),
-        "foods/flank.toml",
-        &shipped("foods/beef-lean.toml").replace("Lean beef steak", "Flank"),
-    );
-    write(
-        dir.path(),
-        "pans/billy.toml",
-        &shipped("pans/carbon-steel-26.toml").replace("Carbon steel, 26 cm", "Billy"),
-    );
+    write(dir.path(), "foods/flank.toml", &shipped("foods/beef-lean.toml").replace("Lean beef steak", "Flank"));
+    write(dir.path(), "pans/billy.toml", &shipped("pans/carbon-steel-26.toml").replace("Carbon steel, 26 cm", "Billy"));
     write(
         dir.path(),
         "recipes/mine.toml",
-        &SHORT
-            .replace("beef-lean", "flank")
-            .replace("carbon-steel-26", "billy-nonstick"),
+        &SHORT.replace("beef-lean", "flank").replace("carbon-steel-26", "billy-nonstick"),
     );
-    assert!(
-        run(&["list", "foods", "--data", data])
-            .out
-            .contains("Flank")
-    );
+    assert!(run(&["list", "foods", "--data", data]).out.contains("Flank"));
     assert!(run(&["--data", data, "list", "pans"]).out.contains("Billy"));
     let said = run(&["cook", "mine", "--data", data]);
     assert_eq!(said.code, Some(0), "{}", said.err);
@@ -54,47 +40,30 @@ fn a_file_of_the_same_name_takes_the_place_of_the_shipped_one() {
         &shipped("pans/carbon-steel-26.toml").replace("Carbon steel, 26 cm", "Heirloom"),
     );
     let said = run(&["list", "pans", "--data", dir.path().to_str().unwrap()]);
-    assert!(
-        said.out.contains("Heirloom") && !said.out.contains("Carbon steel, 26 cm"),
-        "{}",
-        said.out
-    );
+    assert!(said.out.contains("Heirloom") && !said.out.contains("Carbon steel, 26 cm"), "{}", said.out);
 }
 
 #[test]
 fn a_mistake_in_the_folder_is_named_with_its_file_and_line() {
     let dir = tempfile::tempdir().unwrap();
     let data = dir.path().to_str().unwrap();
-    let pan = shipped("pans/carbon-steel-26.toml")
-        .replace("thickness_mm = 2.5", "thickness_mm = \"thick\"");
+    let pan = shipped("pans/carbon-steel-26.toml").replace("thickness_mm = 2.5", "thickness_mm = \"thick\"");
     let line = 1 + pan.lines().position(|l| l.contains("thick\"")).unwrap();
     write(dir.path(), "pans/odd.toml", &pan);
     let said = run(&["list", "pans", "--data", data]);
     assert_eq!(said.code, Some(2));
     let place = format!("{}:{line}:", dir.path().join("pans/odd.toml").display());
-    assert!(
-        said.err.contains(&place) && said.err.contains("remedy"),
-        "{}",
-        said.err
-    );
+    assert!(said.err.contains(&place) && said.err.contains("remedy"), "{}", said.err);
 }
 
 #[test]
 fn a_mistake_in_a_recipe_of_the_folder_is_named_with_its_file_and_line() {
     let dir = tempfile::tempdir().unwrap();
-    write(
-        dir.path(),
-        "recipes/odd.toml",
-        &SHORT.replace("flip =", "flop ="),
-    );
+    write(dir.path(), "recipes/odd.toml", &SHORT.replace("flip =", "flop ="));
     for args in [["cook", "odd"], ["list", "recipes"]] {
         let said = run(&[args[0], args[1], "--data", dir.path().to_str().unwrap()]);
         let place = format!("{}:17:", dir.path().join("recipes/odd.toml").display());
-        assert!(
-            said.code == Some(2) && said.err.contains(&place),
-            "{}",
-            said.err
-        );
+        assert!(said.code == Some(2) && said.err.contains(&place), "{}", said.err);
     }
 }
 
@@ -111,9 +80,7 @@ fn a_folder_that_is_missing_or_holds_nothing_to_read_is_refused() {
         let said = run(&["list", "foods", "--data", data.to_str().unwrap()]);
         assert_eq!(said.code, Some(2));
         assert!(
-            said.err.contains(part)
-                && said.err.contains("remedy")
-                && said.err.contains(data.to_str().unwrap()),
+            said.err.contains(part) && said.err.contains("remedy") && said.err.contains(data.to_str().unwrap()),
             "{}",
             said.err
         );

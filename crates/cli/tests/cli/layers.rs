@@ -5,7 +5,19 @@ use std::process::Command;
 
 /// Crates that belong to the shells.
 const SHELLS: [&str; 14] = [
-    "wgpu", "egui", "eframe", "winit", "rapier3d", "parry3d", "cpal", "fundsp", "clap", "tokio", "rayon", "gilrs", "saute-app",
+    "wgpu",
+    "egui",
+    "eframe",
+    "winit",
+    "rapier3d",
+    "parry3d",
+    "cpal",
+    "fundsp",
+    "clap",
+    "tokio",
+    "rayon",
+    "gilrs",
+    "saute-app",
     "saute",
 ];
 

@@ -14,14 +14,8 @@ fn ids(what: &str) -> Vec<String> {
         .unwrap()
         .iter()
         .map(|entry| {
-            let (id, name) = (
-                entry["id"].as_str().unwrap(),
-                entry["name"].as_str().unwrap(),
-            );
-            assert!(
-                text.lines().any(|l| l.starts_with(id) && l.contains(name)),
-                "{id}, {name}:\n{text}"
-            );
+            let (id, name) = (entry["id"].as_str().unwrap(), entry["name"].as_str().unwrap());
+            assert!(text.lines().any(|l| l.starts_with(id) && l.contains(name)), "{id}, {name}:\n{text}");
             id.to_owned()
         })
         .collect()
@@ -34,16 +28,8 @@ fn the_foods_are_lean_and_marbled_beef() {
 
 #[test]
 fn there_are_four_pans_each_also_with_a_nonstick_coating() {
-    let bare = [
-        "aluminium-26",
-        "carbon-steel-26",
-        "cast-iron-26",
-        "stainless-clad-26",
-    ];
-    let expected: Vec<String> = bare
-        .iter()
-        .flat_map(|p| [(*p).to_owned(), format!("{p}-nonstick")])
-        .collect();
+    let bare = ["aluminium-26", "carbon-steel-26", "cast-iron-26", "stainless-clad-26"];
+    let expected: Vec<String> = bare.iter().flat_map(|p| [(*p).to_owned(), format!("{p}-nonstick")]).collect();
     assert_eq!(ids("pans"), expected);
 }
 

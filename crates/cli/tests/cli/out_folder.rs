@@ -18,11 +18,7 @@ fn a_folder_that_cannot_be_made_is_reported_before_the_cook_starts() {
     let out = Path::new(&recipe).join("below/a/file");
     let said = run(&["cook", &recipe, "--out", out.to_str().unwrap()]);
     assert_eq!((said.code, said.out.as_str()), (Some(2), ""));
-    assert!(
-        said.err.contains(out.to_str().unwrap()) && said.err.contains("remedy"),
-        "{}",
-        said.err
-    );
+    assert!(said.err.contains(out.to_str().unwrap()) && said.err.contains("remedy"), "{}", said.err);
 }
 
 #[cfg(unix)]
@@ -39,11 +35,7 @@ fn a_disk_that_takes_no_more_is_reported_before_the_cook_starts_and_nothing_stay
         .output()
         .unwrap();
     let err = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(
-        (output.status.code(), output.stdout.len()),
-        (Some(2), 0),
-        "{err}"
-    );
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{err}");
     assert!(err.contains("free some space"), "{err}");
     assert!(!dir.path().join("new").exists());
 }
@@ -54,50 +46,28 @@ fn a_second_cook_into_the_same_folder_replaces_the_first_and_leaves_other_files_
     let recipe = short(dir.path());
     let out = dir.path().join("out");
     std::fs::create_dir(&out).unwrap();
-    for name in [
-        "section_99_flip.png",
-        "section_of_my_house.png",
-        "notes.txt",
-        "summary.json",
-    ] {
+    for name in ["section_99_flip.png", "section_of_my_house.png", "notes.txt", "summary.json"] {
         std::fs::write(out.join(name), "old").unwrap();
     }
     let said = run(&["cook", &recipe, "--out", out.to_str().unwrap()]);
     assert_eq!(said.code, Some(0), "{}", said.err);
     let names = names_in(&out);
     assert!(!names.contains(&"section_99_flip.png".to_owned()));
-    assert!(
-        names.contains(&"section_of_my_house.png".to_owned())
-            && names.contains(&"notes.txt".to_owned())
-    );
+    assert!(names.contains(&"section_of_my_house.png".to_owned()) && names.contains(&"notes.txt".to_owned()));
     assert!(names.iter().all(|n| !n.starts_with('.')), "{names:?}");
-    assert_ne!(
-        std::fs::read_to_string(out.join("summary.json")).unwrap(),
-        "old"
-    );
+    assert_ne!(std::fs::read_to_string(out.join("summary.json")).unwrap(), "old");
 }
 
 #[test]
 fn a_step_that_goes_wrong_while_cooking_leaves_nothing_behind() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("large.toml");
-    std::fs::write(
-        &path,
-        SHORT.replace("put = \"steak\"", "put = \"steak\"\nat_mm = [90, 0]"),
-    )
-    .unwrap();
+    std::fs::write(&path, SHORT.replace("put = \"steak\"", "put = \"steak\"\nat_mm = [90, 0]")).unwrap();
     let out = dir.path().join("out");
-    let said = run(&[
-        "cook",
-        path.to_str().unwrap(),
-        "--out",
-        out.to_str().unwrap(),
-    ]);
+    let said = run(&["cook", path.to_str().unwrap(), "--out", out.to_str().unwrap()]);
     assert_eq!((said.code, said.out.as_str()), (Some(2), ""));
     assert!(
-        said.err.contains("large.toml:13:")
-            && said.err.contains("does not fit")
-            && said.err.contains("remedy"),
+        said.err.contains("large.toml:13:") && said.err.contains("does not fit") && said.err.contains("remedy"),
         "{}",
         said.err
     );

@@ -69,12 +69,7 @@ fn the_json_has_every_key_that_is_promised() {
 #[test]
 fn the_shares_of_doneness_add_up_to_a_hundred_percent() {
     for pointer in ["/foods/0/section_pct", "/foods/0/volume_pct"] {
-        let shares = cooked("medium")
-            .summary
-            .pointer(pointer)
-            .unwrap()
-            .as_object()
-            .unwrap();
+        let shares = cooked("medium").summary.pointer(pointer).unwrap().as_object().unwrap();
         let sum: f64 = shares.values().filter_map(Value::as_f64).sum();
         assert!((sum - 100.0).abs() < 1e-6, "{pointer}: {sum}");
     }
@@ -82,32 +77,18 @@ fn the_shares_of_doneness_add_up_to_a_hundred_percent() {
 
 #[test]
 fn summary_json_holds_what_was_printed() {
-    assert_eq!(
-        cooked("medium").text("summary.json"),
-        cooked("medium").said.out
-    );
+    assert_eq!(cooked("medium").text("summary.json"), cooked("medium").said.out);
 }
 
 #[test]
 fn the_series_has_its_header_and_a_row_for_every_second_and_every_step() {
     let medium = cooked("medium");
     let mut lines = medium.text("series.csv").lines();
-    assert_eq!(
-        lines.next(),
-        Some("time_s,hob_w,pan_c,steak.core_c,steak.top_c,steak.bottom_c,steak.mass_g")
-    );
-    let times: Vec<f64> = lines
-        .map(|l| l.split(',').next().unwrap().parse().unwrap())
-        .collect();
+    assert_eq!(lines.next(), Some("time_s,hob_w,pan_c,steak.core_c,steak.top_c,steak.bottom_c,steak.mass_g"));
+    let times: Vec<f64> = lines.map(|l| l.split(',').next().unwrap().parse().unwrap()).collect();
     let has = |t: f64| times.iter().any(|row| (row - t).abs() < 1e-6);
     assert!((0..=medium.number("/simulated_s") as u32).all(|s| has(f64::from(s))));
-    assert!(
-        medium.summary["steps"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .all(|s| has(s["time_s"].as_f64().unwrap()))
-    );
+    assert!(medium.summary["steps"].as_array().unwrap().iter().all(|s| has(s["time_s"].as_f64().unwrap())));
     assert!(times.windows(2).all(|w| w[1] > w[0]));
 }
 
@@ -115,18 +96,9 @@ fn the_series_has_its_header_and_a_row_for_every_second_and_every_step() {
 fn there_is_a_picture_of_the_cross_section_for_every_step_from_the_put_on() {
     let medium = cooked("medium");
     let names: Vec<&str> = medium.files.keys().map(String::as_str).collect();
-    let pictures = [
-        "02_put", "03_hob_w", "04_flip", "05_rest", "06_hob_w", "07_end",
-    ];
-    let mut expected: Vec<String> = pictures
-        .iter()
-        .flat_map(|p| {
-            [
-                format!("section_{p}.png"),
-                format!("section_{p}_temperature.png"),
-            ]
-        })
-        .collect();
+    let pictures = ["02_put", "03_hob_w", "04_flip", "05_rest", "06_hob_w", "07_end"];
+    let mut expected: Vec<String> =
+        pictures.iter().flat_map(|p| [format!("section_{p}.png"), format!("section_{p}_temperature.png")]).collect();
     expected.extend(["report.html", "series.csv", "summary.json"].map(str::to_owned));
     expected.sort();
     assert_eq!(names, expected);
@@ -135,22 +107,13 @@ fn there_is_a_picture_of_the_cross_section_for_every_step_from_the_put_on() {
 #[test]
 fn the_pictures_decode_and_show_width_by_thickness_at_12_pixels_a_millimetre() {
     let medium = cooked("medium");
-    for (name, bytes) in medium
-        .files
-        .iter()
-        .filter(|(name, _)| name.ends_with(".png"))
-    {
-        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes))
-            .read_info()
-            .unwrap();
+    for (name, bytes) in medium.files.iter().filter(|(name, _)| name.ends_with(".png")) {
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
         let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
         let info = reader.next_frame(&mut pixels).unwrap();
         assert_eq!(info.height, 300, "{name}");
         assert!((900..=1000).contains(&info.width), "{name}: {}", info.width);
-        assert!(
-            pixels.chunks(4).any(|p| p[..3] != pixels[..3]) || name.contains("02_put"),
-            "{name} is blank"
-        );
+        assert!(pixels.chunks(4).any(|p| p[..3] != pixels[..3]) || name.contains("02_put"), "{name} is blank");
     }
 }
 
@@ -171,10 +134,7 @@ fn the_report_stands_alone_and_shows_curves_sections_bars_numbers_and_the_recipe
     for outside in ["http:", "https:", "<link", "<script", "url("] {
         assert!(!report.contains(outside), "{outside}");
     }
-    assert_eq!(
-        report.matches("src=\"").count(),
-        report.matches("src=\"data:image/png;base64,").count()
-    );
+    assert_eq!(report.matches("src=\"").count(), report.matches("src=\"data:image/png;base64,").count());
 }
 
 #[test]
@@ -184,9 +144,7 @@ fn a_report_takes_no_markup_from_a_recipe() {
     std::fs::write(&path, SHORT.replace("Short", "<img src=x> & <b>bold</b>")).unwrap();
     let odd = cook(path.to_str().unwrap());
     let report = odd.text("report.html");
-    assert!(
-        report.contains("&lt;img src=x&gt; &amp; &lt;b&gt;") && !report.contains("<img src=x>")
-    );
+    assert!(report.contains("&lt;img src=x&gt; &amp; &lt;b&gt;") && !report.contains("<img src=x>"));
 }
 
 #[test]
@@ -196,28 +154,14 @@ fn several_foods_have_pictures_of_their_own() {
     let second = "[[food]]\nid = \"other\"\nkind = \"beef-marbled\"\nsize_mm = [50, 40, 12]\n[[step]]\nput = \"other\"\nat_mm = [0, 60]\n[[step]]\n";
     std::fs::write(
         &path,
-        SHORT
-            .replacen("[[step]]\n", second, 1)
-            .replace("put = \"steak\"", "put = \"steak\"\nat_mm = [0, -30]"),
+        SHORT.replacen("[[step]]\n", second, 1).replace("put = \"steak\"", "put = \"steak\"\nat_mm = [0, -30]"),
     )
     .unwrap();
     let two = cook(path.to_str().unwrap());
-    for name in [
-        "section_04_flip.steak.png",
-        "section_04_flip.other.png",
-        "section_04_flip_temperature.other.png",
-    ] {
-        assert!(
-            two.files.contains_key(name),
-            "{name}: {:?} {}",
-            two.files.keys(),
-            two.said.err
-        );
+    for name in ["section_04_flip.steak.png", "section_04_flip.other.png", "section_04_flip_temperature.other.png"] {
+        assert!(two.files.contains_key(name), "{name}: {:?} {}", two.files.keys(), two.said.err);
     }
-    assert!(
-        two.text("series.csv")
-            .starts_with("time_s,hob_w,pan_c,steak.core_c,")
-    );
+    assert!(two.text("series.csv").starts_with("time_s,hob_w,pan_c,steak.core_c,"));
 }
 
 #[test]
@@ -244,10 +188,6 @@ fn without_json_people_read_a_summary_and_no_progress_bar_gets_into_a_file() {
 fn a_reader_that_goes_away_is_not_an_error() {
     let (reader, writer) = std::io::pipe().unwrap();
     drop(reader);
-    let output = saute()
-        .args(["schema", "recipe"])
-        .stdout(writer)
-        .output()
-        .unwrap();
+    let output = saute().args(["schema", "recipe"]).stdout(writer).output().unwrap();
     assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
 }

@@ -7,12 +7,7 @@ const WELL_DONE: &str = "/foods/0/section_pct/well_done";
 
 fn within(cooked: &Cooked, pointer: &str, range: std::ops::RangeInclusive<f64>) {
     let value = cooked.number(pointer);
-    assert!(
-        range.contains(&value),
-        "{} of {} is not in {range:?}: {value}",
-        pointer,
-        cooked.summary["title"]
-    );
+    assert!(range.contains(&value), "{} of {} is not in {range:?}: {value}", pointer, cooked.summary["title"]);
 }
 
 #[test]
@@ -20,19 +15,14 @@ fn every_shipped_recipe_ends_by_its_last_step() {
     for id in SHIPPED {
         assert_eq!(cooked(id).said.code, Some(0), "{id}");
         assert_eq!(cooked(id).summary["stopped_by"], "end", "{id}");
-        assert_eq!(
-            cooked(id).summary["warnings"].as_array().map(Vec::len),
-            Some(0),
-            "{id}"
-        );
+        assert_eq!(cooked(id).summary["warnings"].as_array().map(Vec::len), Some(0), "{id}");
     }
 }
 
 #[test]
 fn the_energy_balance_of_every_shipped_recipe_closes_within_half_a_percent() {
     for id in SHIPPED {
-        let share =
-            cooked(id).number("/energy_j/imbalance").abs() / cooked(id).number("/energy_j/hob");
+        let share = cooked(id).number("/energy_j/imbalance").abs() / cooked(id).number("/energy_j/hob");
         assert!(share < 0.005, "{id}: {share}");
     }
 }
@@ -48,9 +38,7 @@ fn the_core_of_every_shipped_recipe_rests_up_to_what_the_title_says() {
 #[test]
 fn a_rare_steak_is_mostly_below_60_degrees_and_a_well_done_one_above_70() {
     let rare = cooked("rare");
-    assert!(
-        rare.number("/foods/0/section_pct/raw") + rare.number("/foods/0/section_pct/rare") > 40.0
-    );
+    assert!(rare.number("/foods/0/section_pct/raw") + rare.number("/foods/0/section_pct/rare") > 40.0);
     within(cooked("well-done"), WELL_DONE, 80.0..=100.0);
     within(cooked("well-done"), "/foods/0/section_pct/raw", 0.0..=1.0);
 }
@@ -59,16 +47,8 @@ fn a_rare_steak_is_mostly_below_60_degrees_and_a_well_done_one_above_70() {
 fn every_shipped_steak_has_a_crust_on_both_faces_and_is_not_burnt() {
     for id in SHIPPED {
         for face in ["top", "bottom"] {
-            within(
-                cooked(id),
-                &format!("/foods/0/surfaces/{face}/browned_pct"),
-                50.0..=100.0,
-            );
-            within(
-                cooked(id),
-                &format!("/foods/0/surfaces/{face}/charred_pct"),
-                0.0..=5.0,
-            );
+            within(cooked(id), &format!("/foods/0/surfaces/{face}/browned_pct"), 50.0..=100.0);
+            within(cooked(id), &format!("/foods/0/surfaces/{face}/charred_pct"), 0.0..=5.0);
         }
         within(cooked(id), "/pan_c/peak", 200.0..=240.0);
     }
@@ -80,19 +60,12 @@ fn frequent_flips_give_the_same_core_sooner_and_with_a_thinner_grey_band() {
     assert!((one.number(CORE) - many.number(CORE)).abs() < 3.0);
     assert!(many.number(WELL_DONE) < one.number(WELL_DONE) - 4.0);
     let fried = |c: &Cooked| c.time_of("rest") - c.time_of("put");
-    assert!(
-        fried(many) < 0.75 * fried(one),
-        "{} s, {} s",
-        fried(many),
-        fried(one)
-    );
+    assert!(fried(many) < 0.75 * fried(one), "{} s, {} s", fried(many), fried(one));
 }
 
 #[test]
 fn a_steak_that_is_flipped_every_30_s_is_never_left_longer() {
-    let steps = cooked("flip-every-30-s").summary["steps"]
-        .as_array()
-        .unwrap();
+    let steps = cooked("flip-every-30-s").summary["steps"].as_array().unwrap();
     let turned = ["put", "flip", "rest"];
     let times: Vec<f64> = steps
         .iter()
@@ -104,8 +77,5 @@ fn a_steak_that_is_flipped_every_30_s_is_never_left_longer() {
 
 #[test]
 fn the_same_recipe_gives_the_same_series_byte_for_byte() {
-    assert_eq!(
-        cook("rare").files["series.csv"],
-        cooked("rare").files["series.csv"]
-    );
+    assert_eq!(cook("rare").files["series.csv"], cooked("rare").files["series.csv"]);
 }

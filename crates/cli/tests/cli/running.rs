@@ -24,21 +24,13 @@ pub struct Said {
 impl From<Output> for Said {
     fn from(output: Output) -> Self {
         let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the command speaks UTF-8");
-        Self {
-            code: output.status.code(),
-            out: text(output.stdout),
-            err: text(output.stderr),
-        }
+        Self { code: output.status.code(), out: text(output.stdout), err: text(output.stderr) }
     }
 }
 
 /// Runs the command with arguments.
 pub fn run<S: AsRef<OsStr>>(args: &[S]) -> Said {
-    saute()
-        .args(args)
-        .output()
-        .expect("the command starts")
-        .into()
+    saute().args(args).output().expect("the command starts").into()
 }
 
 /// Names of all files in a folder; none if it does not exist.
@@ -46,9 +38,7 @@ pub fn names_in(dir: &Path) -> Vec<String> {
     let Ok(entries) = std::fs::read_dir(dir) else {
         return Vec::new();
     };
-    let mut names: Vec<String> = entries
-        .map(|e| e.unwrap().file_name().into_string().unwrap())
-        .collect();
+    let mut names: Vec<String> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
     names
 }

@@ -16,9 +16,7 @@ fn resolved<'a>(root: &'a Value, part: &'a Value) -> &'a Value {
     if let Some(path) = part["$ref"].as_str() {
         return resolved(root, root.pointer(path.trim_start_matches('#')).unwrap());
     }
-    let real = part["anyOf"]
-        .as_array()
-        .and_then(|all| all.iter().find(|s| s["type"] != "null"));
+    let real = part["anyOf"].as_array().and_then(|all| all.iter().find(|s| s["type"] != "null"));
     real.map_or(part, |s| resolved(root, s))
 }
 
@@ -28,15 +26,12 @@ fn check(root: &Value, part: &Value, value: &Value, at: &str) {
         Value::Object(map) => {
             assert_eq!(part["additionalProperties"], false, "{at} takes any key");
             for (key, inner) in map {
-                let known = part["properties"]
-                    .get(key)
-                    .unwrap_or_else(|| panic!("the schema does not know {at}.{key}"));
+                let known =
+                    part["properties"].get(key).unwrap_or_else(|| panic!("the schema does not know {at}.{key}"));
                 check(root, known, inner, &format!("{at}.{key}"));
             }
         }
-        Value::Array(items) => items
-            .iter()
-            .for_each(|i| check(root, part.get("items").unwrap_or(&Value::Null), i, at)),
+        Value::Array(items) => items.iter().for_each(|i| check(root, part.get("items").unwrap_or(&Value::Null), i, at)),
         _ => {}
     }
 }
@@ -55,13 +50,7 @@ fn the_schema_knows_every_key_of_the_shipped_recipes() {
 fn the_schema_describes_every_key_of_a_step() {
     let schema = schema();
     let step = resolved(&schema, &schema["properties"]["step"]["items"]);
-    for key in [
-        "at_s", "after_s", "when", "hob_w", "put", "at_mm", "flip", "rest", "on", "cool", "for_s",
-        "end",
-    ] {
-        assert!(
-            step["properties"][key]["description"].is_string(),
-            "{key}: {step}"
-        );
+    for key in ["at_s", "after_s", "when", "hob_w", "put", "at_mm", "flip", "rest", "on", "cool", "for_s", "end"] {
+        assert!(step["properties"][key]["description"].is_string(), "{key}: {step}");
     }
 }

@@ -31,10 +31,7 @@ fn wrong_usage_exits_with_2_and_speaks_on_stderr() {
     ] {
         let said = run(&args);
         assert_eq!(said.code, Some(2), "{args:?}");
-        assert!(
-            said.out.is_empty() && !said.err.is_empty(),
-            "{args:?}: {said:?}"
-        );
+        assert!(said.out.is_empty() && !said.err.is_empty(), "{args:?}: {said:?}");
     }
 }
 

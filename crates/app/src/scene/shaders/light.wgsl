@@ -12,12 +12,12 @@
 @group(1) @binding(9) var table_sampler: sampler;
 
 // Irradiance / pi of window, lamp and fill (chosen; the window matches the radiance in the environment picture).
-const KEY = vec3<f32>(1.85, 1.90, 1.95);
-const LAMP = vec3<f32>(0.60, 0.43, 0.25);
-const FILL_SKY = vec3<f32>(0.44, 0.43, 0.42);
+const KEY = vec3<f32>(2.15, 2.12, 2.05);
+const LAMP = vec3<f32>(0.80, 0.55, 0.30);
+const FILL_SKY = vec3<f32>(0.33, 0.32, 0.31);
 const FILL_GROUND = vec3<f32>(0.13, 0.12, 0.11);
 // Light that comes back from the room behind the cook.
-const FILL_FRONT = vec3<f32>(0.72, 0.69, 0.65);
+const FILL_FRONT = vec3<f32>(0.52, 0.49, 0.44);
 const FRONT = vec3<f32>(0.12, -0.84, 0.53);
 
 struct Surface {
@@ -60,11 +60,12 @@ fn shadow(position: vec3<f32>, normal: vec3<f32>) -> f32 {
     return depth_test(shadow_map, at.xy * vec2<f32>(0.5, -0.5) + 0.5, frame.key.w, at.z - 0.0009);
 }
 
-// 1 in the open, lower where food hangs just above.
+// 1 in the open, lower where food hangs just above; never dark, as under a cut food the ground is seen through its
+// ghost (chosen).
 fn openness(position: vec3<f32>) -> f32 {
     let uv = (position.xy - frame.contact_rect.xy) * frame.contact_rect.zw;
     let low = (position.z + 0.006 - frame.contact_height.x) * frame.contact_height.y;
-    return depth_test(contact_map, uv, frame.contact_height.z, low);
+    return mix(0.5, 1.0, depth_test(contact_map, uv, frame.contact_height.z, low));
 }
 
 // Radiance from a direction, blurred for the roughness. The room is near: a step aside shifts the reflection.

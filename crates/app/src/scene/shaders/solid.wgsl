@@ -146,7 +146,7 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let patchy = coarse.a - 0.5;
     s.f0 *= 1.0 + 0.35 * patchy + 0.16 * (fine - 0.5);
     // The patina over the metal scatters a little.
-    s.albedo = in.colour * (1.0 - 0.75 * in.surface.y) * (1.0 + 0.35 * patchy);
+    s.albedo = in.colour * (1.0 - 0.84 * in.surface.y) * (1.0 + 0.35 * patchy);
     s.roughness = clamp(s.roughness + 0.14 * patchy + 0.10 * (fine - 0.5), 0.05, 1.0);
     let inside = step(radius, frame.pan_shape.y - 0.001) * step(frame.pan_place.w - 0.001, local.z);
     let lit = shadow(in.position, n);
@@ -158,7 +158,7 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let leaves = mix(1.0, mix(0.30, 1.0, escapes_pan(local, towards)), inside);
     // Under oil the metal's own highlight fades: the film takes its place.
     let cover = select(0.0, oil_cover(local, coarse.a), is_floor);
-    var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * (0.72 - 0.45 * cover);
+    var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * (0.62 - 0.38 * cover);
     if (is_floor) {
         radiance = under_oil(radiance, in, n, view, lit, open, cover, coarse.rgb);
     }
