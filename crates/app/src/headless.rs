@@ -34,8 +34,10 @@ impl Gpu {
     /// Opens the best adapter there is, a software one included.
     pub fn open() -> Result<Self, GpuError> {
         pollster::block_on(async {
-            let instance = wgpu::Instance::default();
-            let adapter = instance.request_adapter(&wgpu::RequestAdapterOptions::default()).await?;
+            let adapter = match adapter(wgpu::Backends::PRIMARY).await {
+                Ok(adapter) => adapter,
+                Err(_) => adapter(wgpu::Backends::all()).await?,
+            };
             let info = adapter.get_info();
             let limits = wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits());
             let descriptor = wgpu::DeviceDescriptor { required_limits: limits, ..Default::default() };
@@ -43,6 +45,13 @@ impl Gpu {
             Ok(Self { device, queue, adapter: format!("{} ({:?})", info.name, info.backend) })
         })
     }
+}
+
+/// OpenGL is tried last: opening it without a display makes the driver complain on stderr.
+async fn adapter(backends: wgpu::Backends) -> Result<wgpu::Adapter, wgpu::RequestAdapterError> {
+    let descriptor =
+        wgpu::InstanceDescriptor { backends, ..wgpu::InstanceDescriptor::new_without_display_handle_from_env() };
+    wgpu::Instance::new(descriptor).request_adapter(&wgpu::RequestAdapterOptions::default()).await
 }
 
 /// Draws a kitchen once, at the best quality.

@@ -1,7 +1,7 @@
 //! The whole window drawn off-screen, panels and scene, as a window would.
 
 use egui::{FullOutput, RawInput, Rect, pos2, vec2};
-use egui_wgpu::{RenderState, RendererOptions, ScreenDescriptor, WgpuConfiguration, WgpuError};
+use egui_wgpu::{RenderState, RendererOptions, ScreenDescriptor, WgpuConfiguration, WgpuError, WgpuSetup};
 
 use crate::app::{SauteApp, Start, StartError};
 
@@ -31,7 +31,10 @@ pub enum OffscreenError {
 impl Offscreen {
     /// Opens the program at a size in pixels.
     pub fn open(start: Start, size: [u32; 2]) -> Result<Self, OffscreenError> {
-        let config = WgpuConfiguration::default();
+        let mut config = WgpuConfiguration::default();
+        if let WgpuSetup::CreateNew(setup) = &mut config.wgpu_setup {
+            setup.instance_descriptor.backends = wgpu::Backends::PRIMARY;
+        }
         let instance = pollster::block_on(config.wgpu_setup.new_instance());
         let state = pollster::block_on(RenderState::create(&config, &instance, None, RendererOptions::default()))?;
         let context = egui::Context::default();
