@@ -11,6 +11,8 @@ pub fn run(start: Start) -> eframe::Result {
             .with_inner_size([1280.0, 720.0])
             .with_min_inner_size([360.0, 560.0]),
         renderer: eframe::Renderer::Wgpu,
+        // The scene dithers itself and the panels are flat: on a software rasteriser egui's own costs frames.
+        dithering: false,
         ..Default::default()
     };
     eframe::run_native("saute", options, Box::new(|cc| Ok(Box::new(SauteApp::new(cc, start)?))))
