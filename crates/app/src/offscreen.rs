@@ -36,7 +36,12 @@ impl Offscreen {
             setup.instance_descriptor.backends = wgpu::Backends::PRIMARY;
         }
         let instance = pollster::block_on(config.wgpu_setup.new_instance());
-        let state = pollster::block_on(RenderState::create(&config, &instance, None, RendererOptions { dithering: false, ..RendererOptions::default() }))?;
+        let state = pollster::block_on(RenderState::create(
+            &config,
+            &instance,
+            None,
+            RendererOptions { dithering: false, ..RendererOptions::default() },
+        ))?;
         let context = egui::Context::default();
         let app = SauteApp::start(&context, Some(&state), None, start)?;
         let target = state.device.create_texture(&wgpu::TextureDescriptor {
