@@ -1,8 +1,7 @@
 //! A still of a recipe at one instant, drawn by the window's own renderer.
 
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::runner::RunError;
-use saute_kitchen::{Cook, Kitchen, Library, Piece, Recipe, TICK_S};
+use saute_kitchen::{Cook, InputError, Kitchen, Library, Piece, Recipe, TICK_S};
 
 use crate::app::CUT_YAW;
 use crate::colour_map::TemperatureMap;
@@ -31,7 +30,7 @@ pub enum ShotError {
     },
     /// A step went wrong.
     #[error(transparent)]
-    Run(#[from] RunError),
+    Run(#[from] InputError),
     /// The kitchen cannot be set up.
     #[error(transparent)]
     Setup(#[from] SetupError),

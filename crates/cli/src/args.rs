@@ -32,6 +32,8 @@ pub enum Command {
     },
     /// Cooks a recipe without a window.
     Cook(CookArgs),
+    /// Runs the solver on a plain body with any boundary, for checks.
+    Lab(LabArgs),
     /// Draws one picture of a recipe at one moment.
     Shot(ShotArgs),
     /// Measures the program.
@@ -54,6 +56,17 @@ pub struct CookArgs {
     /// missing. Those of an earlier cook in it are replaced.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Prints the numbers as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `saute lab`.
+#[derive(Debug, clap::Args)]
+pub struct LabArgs {
+    /// A case file.
+    #[arg(value_name = "CASE.toml")]
+    pub case: PathBuf,
     /// Prints the numbers as JSON.
     #[arg(long)]
     pub json: bool,
@@ -92,4 +105,6 @@ pub enum Listed {
 pub enum Schema {
     /// JSON Schema of recipe files.
     Recipe,
+    /// JSON Schema of lab cases.
+    Lab,
 }

@@ -3,19 +3,15 @@
 use saute_app::offscreen::OffscreenError;
 use saute_app::png_file::PngError;
 use saute_app::shot::ShotError;
-use saute_kitchen::RecipeError;
+use saute_kitchen::InputError;
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::runner::RunError;
 
 /// Why the command failed.
 #[derive(Debug, thiserror::Error)]
 pub enum CliError {
-    /// A recipe that cannot be used.
+    /// A recipe or a lab case that cannot be used, or a step that went wrong.
     #[error(transparent)]
-    Recipe(#[from] RecipeError),
-    /// A step that went wrong while cooking.
-    #[error(transparent)]
-    Run(#[from] RunError),
+    Input(#[from] InputError),
     /// A recipe whose pan or food cannot be built.
     #[error(
         "{file}: {source}\n  remedy: choose another size or kind of food or pan: saute list foods, saute list pans"

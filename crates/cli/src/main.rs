@@ -3,6 +3,7 @@
 mod args;
 mod cook_command;
 mod error;
+mod lab;
 mod list;
 mod out_dir;
 mod out_file;
@@ -24,7 +25,7 @@ use std::time::Instant;
 
 use clap::Parser;
 
-use crate::args::{Args, Bench, Command, Schema};
+use crate::args::{Args, Bench, Command};
 use crate::error::CliError;
 use crate::shelf::Shelf;
 
@@ -48,8 +49,8 @@ fn main() -> ExitCode {
 }
 
 fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
-    if let Some(Command::Schema(Schema::Recipe)) = args.command {
-        return schema::recipe();
+    if let Some(Command::Schema(which)) = args.command {
+        return schema::run(which);
     }
     let shelf = Shelf::open(args.data.as_deref())?;
     match args.command {
@@ -61,7 +62,8 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         Some(Command::Cook(args)) => cook_command::run(&args, &shelf),
         Some(Command::Shot(args)) => picture::shot(&args, &shelf),
         Some(Command::Bench(Bench::Frame(args))) => picture::bench_frame(&args, &shelf, process_start),
+        Some(Command::Lab(args)) => lab::lab(&args, &shelf),
         Some(Command::List(args)) => list::run(&args, &shelf),
-        Some(Command::Schema(Schema::Recipe)) => schema::recipe(),
+        Some(Command::Schema(which)) => schema::run(which),
     }
 }

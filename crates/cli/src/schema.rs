@@ -2,14 +2,19 @@
 
 use std::process::ExitCode;
 
+use saute_kitchen::lab::CaseFile;
 use saute_kitchen::recipe_file::RecipeFile;
 
+use crate::args::Schema;
 use crate::error::CliError;
 use crate::stdout;
 
-/// Prints the JSON Schema of recipe files.
-pub fn recipe() -> Result<ExitCode, CliError> {
-    let schema = serde_json::to_string_pretty(&schemars::schema_for!(RecipeFile))?;
-    stdout::print(&format!("{schema}\n"))?;
+/// Prints the JSON Schema of a file format.
+pub fn run(which: Schema) -> Result<ExitCode, CliError> {
+    let schema = match which {
+        Schema::Recipe => schemars::schema_for!(RecipeFile),
+        Schema::Lab => schemars::schema_for!(CaseFile),
+    };
+    stdout::print(&format!("{}\n", serde_json::to_string_pretty(&schema)?))?;
     Ok(ExitCode::SUCCESS)
 }

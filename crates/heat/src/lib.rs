@@ -10,7 +10,9 @@ pub mod levels;
 pub mod locate;
 pub mod outline;
 pub mod section;
+pub mod super_step;
 pub mod swept;
+pub mod tensor;
 
 pub use conduction::{Conduction, Graph};
 pub use cut::{Cut, CutPoint};

@@ -6,7 +6,8 @@ use crate::kitchen::{Kitchen, SetupError};
 use crate::library::Library;
 use crate::recipe::Recipe;
 use crate::recorder::Recorder;
-use crate::runner::{RunError, Runner, StepRecord, StoppedBy};
+use crate::input_error::InputError;
+use crate::runner::{Runner, StepRecord, StoppedBy};
 use crate::summary::Summary;
 
 /// A step that has just been carried out.
@@ -42,14 +43,14 @@ impl Cook {
     }
 
     /// Fires the steps that are due, then moves the world by one tick unless that ended the cook.
-    pub fn advance(&mut self) -> Result<Vec<Fired>, RunError> {
+    pub fn advance(&mut self) -> Result<Vec<Fired>, InputError> {
         let fired = self.fire()?;
         self.tick();
         Ok(fired)
     }
 
     /// Fires the steps that are due now.
-    pub fn fire(&mut self) -> Result<Vec<Fired>, RunError> {
+    pub fn fire(&mut self) -> Result<Vec<Fired>, InputError> {
         let fired = self.runner.poll(&mut self.kitchen)?;
         for step in &fired {
             if step.action == "put" {

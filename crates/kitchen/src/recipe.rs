@@ -1,23 +1,10 @@
 //! Recipes: checked, in SI units, ready to run.
 
 use crate::command::Command;
+use crate::input_error::InputError;
 use crate::kitchen::{Kitchen, PieceOrder, SetupError};
 use crate::library::Library;
 use crate::recipe_check::Check;
-
-/// A recipe that cannot be used: where, what is wrong, and what to write instead.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{file}:{line}: {message}\n  remedy: {remedy}")]
-pub struct RecipeError {
-    /// Which file.
-    pub file: String,
-    /// Line, from 1.
-    pub line: usize,
-    /// What is wrong, with the key.
-    pub message: String,
-    /// What to write instead.
-    pub remedy: String,
-}
 
 /// A recipe, checked.
 #[derive(Clone, Debug, PartialEq)]
@@ -102,7 +89,7 @@ impl Action {
 
 impl Recipe {
     /// Reads and checks a recipe. `file` is its name in messages.
-    pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, RecipeError> {
+    pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, InputError> {
         Check { text, file, library }.recipe()
     }
 

@@ -9,7 +9,8 @@ use crate::command::{Command, RestOn};
 use crate::kelvin;
 use crate::kitchen::PieceOrder;
 use crate::library::{Library, line_of};
-use crate::recipe::{Action, Quantity, Recipe, RecipeError, Step, Trigger};
+use crate::input_error::InputError;
+use crate::recipe::{Action, Quantity, Recipe, Step, Trigger};
 use crate::recipe_file::{FoodEntry, PanEntry, RecipeFile, StepEntry, WhenEntry};
 
 /// A recipe's text with what it may name.
@@ -27,11 +28,11 @@ enum Whereabouts {
     Out,
 }
 
-type Checked<T> = Result<T, RecipeError>;
+type Checked<T> = Result<T, InputError>;
 
 impl Check<'_> {
     fn error<T>(&self, offset: usize, message: impl Into<String>, remedy: impl Into<String>) -> Checked<T> {
-        Err(RecipeError {
+        Err(InputError {
             file: self.file.to_owned(),
             line: line_of(self.text, offset),
             message: message.into(),

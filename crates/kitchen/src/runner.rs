@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
+use crate::input_error::InputError;
 use crate::command::{Command, Refused};
 use crate::kitchen::Kitchen;
 use crate::recipe::{Action, Quantity, Recipe, Trigger};
@@ -17,20 +18,6 @@ pub enum StoppedBy {
     End,
     /// The recipe's `max_s`.
     MaxS,
-}
-
-/// A step that went wrong while cooking.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{file}:{line}: {message}\n  remedy: {remedy}")]
-pub struct RunError {
-    /// Which file.
-    pub file: String,
-    /// Line, from 1.
-    pub line: usize,
-    /// What went wrong.
-    pub message: String,
-    /// What to write instead.
-    pub remedy: String,
 }
 
 /// A step that was carried out.
@@ -81,7 +68,7 @@ impl Runner {
     }
 
     /// Fires every step that is due now and returns what was done; call it between ticks.
-    pub fn poll(&mut self, kitchen: &mut Kitchen) -> Result<Vec<StepRecord>, RunError> {
+    pub fn poll(&mut self, kitchen: &mut Kitchen) -> Result<Vec<StepRecord>, InputError> {
         let mut fired = Vec::new();
         while self.stopped.is_none() {
             if kitchen.time_s() > self.recipe.max_s - SAME_TIME && !self.due_at_the_end(kitchen) {
@@ -100,7 +87,7 @@ impl Runner {
         matches!(self.due(kitchen), Ok(true))
     }
 
-    fn due(&mut self, kitchen: &Kitchen) -> Result<bool, RunError> {
+    fn due(&mut self, kitchen: &Kitchen) -> Result<bool, InputError> {
         let now = kitchen.time_s();
         if now < self.ready_at - SAME_TIME {
             return Ok(false);
@@ -137,7 +124,7 @@ impl Runner {
         difference == 0.0 || (before < 0.0) != (difference < 0.0)
     }
 
-    fn fire(&mut self, kitchen: &mut Kitchen) -> Result<StepRecord, RunError> {
+    fn fire(&mut self, kitchen: &mut Kitchen) -> Result<StepRecord, InputError> {
         let action = self.recipe.steps[self.next].action.clone();
         let now = kitchen.time_s();
         if let Action::Do(command) = &action {
@@ -154,13 +141,13 @@ impl Runner {
         Ok(record)
     }
 
-    fn refused(&self, refused: &Refused) -> RunError {
+    fn refused(&self, refused: &Refused) -> InputError {
         self.error(refused.to_string(), "change this step or the ones before it")
     }
 
-    fn error(&self, message: String, remedy: &str) -> RunError {
+    fn error(&self, message: String, remedy: &str) -> InputError {
         let line = self.recipe.steps[self.next].line;
-        RunError { file: self.recipe.file.clone(), line, message, remedy: remedy.to_owned() }
+        InputError { file: self.recipe.file.clone(), line, message, remedy: remedy.to_owned() }
     }
 
     /// What the waiting step waits for, in words.

@@ -38,7 +38,7 @@ const WRONG: [Wrong; 25] = [
     wrong("put = \"steak\"", "put = \"steak\"\nhob_w = 0", 13, &["more than one action"]),
     wrong("after_s = 10\nflip", "after_s = 10\nat_s = 20\nflip", 15, &["more than one trigger"]),
     wrong("after_s = 10\nflip", "when = { core_c = 20 }\nflip", 16, &["when needs one condition", "food = \"steak\""]),
-    wrong("after_s = 10\nend = true\n", "after_s = 10\nhob_w = 0\n", 21, &["no end", "end = true"]),
+    wrong("after_s = 10\nend = true\n", "after_s = 10\nhob_w = 0\n", 20, &["no end", "end = true"]),
     wrong("put = \"steak\"", "flip = \"steak\"", 13, &["not in the pan", "put it into the pan"]),
     wrong("after_s = 10\nend", "at_s = 3\nend", 18, &["at_s = 3 is already past", "later at_s"]),
     wrong("[[step]]\nhob_w", "[[step]\nhob_w", 11, &["remedy"]),

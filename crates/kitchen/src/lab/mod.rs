@@ -1,0 +1,13 @@
+//! The lab: the solver on plain bodies with any boundary, for checks by others.
+
+mod body;
+mod case;
+mod case_file;
+mod material;
+mod report;
+mod run;
+
+pub use case::{Boundary, Case};
+pub use case_file::CaseFile;
+pub use report::LabReport;
+pub use run::run;
