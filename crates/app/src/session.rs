@@ -133,6 +133,7 @@ impl Session {
         self.runner = Some(Runner::new(Arc::new(recipe.clone())));
         self.recipe = Some(recipe);
         self.paused = false;
+        self.speed = 1.0;
         self.begin();
         Ok(())
     }

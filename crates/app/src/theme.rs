@@ -8,6 +8,8 @@ pub const ACCENT: Color32 = Color32::from_rgb(236, 138, 60);
 pub const ON_ACCENT: Color32 = Color32::from_rgb(28, 18, 10);
 /// Panel ground, let through a little.
 pub const GROUND: Color32 = Color32::from_rgba_premultiplied(20, 19, 18, 236);
+/// Ground of what covers everything.
+pub const SOLID: Color32 = Color32::from_rgb(26, 25, 24);
 /// Raised controls.
 pub const RAISED: Color32 = Color32::from_rgb(46, 44, 42);
 /// Text.

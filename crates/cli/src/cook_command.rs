@@ -11,7 +11,7 @@ use crate::out_dir::OutDir;
 use crate::progress::Progress;
 use crate::section_files::{Snapshot, disk_space};
 use crate::shelf::Shelf;
-use crate::{recipe_source, report, stdout, text_summary};
+use crate::{recipe_source, report, stderr, stdout, text_summary};
 
 /// Exit code of a cook that `max_s` stopped.
 const STOPPED: u8 = 1;
@@ -28,7 +28,7 @@ pub fn run(args: &CookArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
         let files = files(&cook, &summary, snapshots)?;
         let count = files.len();
         out.fill(files)?;
-        eprintln!("wrote {count} files to {place}; begin with report.html");
+        stderr::say(format!("wrote {count} files to {place}; begin with report.html"));
     }
     stdout::print(&if args.json { json(&summary)? } else { text_summary::text(&summary) })?;
     Ok(say_how_it_ended(&cook, &summary))
@@ -76,20 +76,20 @@ fn json(summary: &Summary) -> Result<String, CliError> {
 
 fn say_how_it_ended(cook: &Cook, summary: &Summary) -> ExitCode {
     for warning in &summary.warnings {
-        eprintln!("warning: {warning}");
+        stderr::say(format!("warning: {warning}"));
     }
     if summary.stopped_by == StoppedBy::End {
         return ExitCode::SUCCESS;
     }
     let (recipe, waiting) = (cook.runner.recipe(), cook.runner.waiting_step());
     let line = recipe.steps.get(waiting).map_or(1, |s| s.line);
-    eprintln!(
+    stderr::say(format!(
         "stopped: {}:{line}: step {} was still waiting at max_s = {} s: {}",
         recipe.file,
         waiting + 1,
         recipe.max_s,
         cook.runner.waiting_for()
-    );
-    eprintln!("  remedy: raise max_s, or change that step or the hob so that it comes to pass");
+    ));
+    stderr::say("  remedy: raise max_s, or change that step or the hob so that it comes to pass");
     ExitCode::from(STOPPED)
 }

@@ -14,6 +14,7 @@ mod report;
 mod schema;
 mod section_files;
 mod shelf;
+mod stderr;
 mod stdout;
 mod text_file;
 mod text_summary;
@@ -43,7 +44,7 @@ fn main() -> ExitCode {
         }
     };
     run(args, process_start).unwrap_or_else(|error| {
-        eprintln!("error: {error}");
+        stderr::say(format!("error: {error}"));
         ExitCode::from(FAILED)
     })
 }

@@ -16,14 +16,17 @@ pub struct OutFile {
 impl OutFile {
     /// Tries the place out.
     pub fn prepare(path: &Path) -> Result<Self, CliError> {
-        let name = path.file_name().ok_or_else(|| {
-            CliError::place(format!("--out {}", path.display()), "is not a file name", "write --out FILE.png")
-        })?;
+        let place = || format!("--out {}", path.display());
+        // A link is followed, so that it stays one; a device or a folder is no place for a picture.
+        let path = &path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        if path.exists() && !path.is_file() {
+            return Err(CliError::place(place(), "is there and is not a file", "write --out FILE.png"));
+        }
+        let Some(name) = path.file_name() else {
+            return Err(CliError::place(place(), "is not a file name", "write --out FILE.png"));
+        };
         let unfinished = path.with_file_name(format!(".saute-unfinished-{}", name.display()));
         let out = Self { path: path.to_owned(), unfinished };
-        if path.is_dir() {
-            return Err(CliError::place(format!("--out {}", path.display()), "is a folder", "write --out FILE.png"));
-        }
         File::create(&out.unfinished).map_err(|e| out.error(&e))?;
         Ok(out)
     }

@@ -22,7 +22,7 @@ pub struct ShotArgs {
     #[arg(value_name = "RECIPE")]
     pub recipe: String,
     /// Simulated time of the picture.
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_hyphen_values = true)]
     pub at: f64,
     /// What the colours mean.
     #[arg(long, value_enum, default_value_t = ViewName::Look)]

@@ -101,6 +101,9 @@ impl FoodModel {
             reading.browned_pct += 100.0 * share * f64::from(u8::from(state.browning[node] > 0.5));
             reading.charred_pct += 100.0 * share * f64::from(u8::from(state.charring[node] > 0.2));
         }
+        // The shares of the whole add up to 100 but for rounding.
+        reading.browned_pct = reading.browned_pct.min(100.0);
+        reading.charred_pct = reading.charred_pct.min(100.0);
         reading
     }
 

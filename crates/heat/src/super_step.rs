@@ -34,7 +34,12 @@ impl SuperStep {
         let stage = |j: usize| {
             let x = j as f64;
             let mu = (2.0 * x - 1.0) / x * b(j) / b(j - 1);
-            Stage { mu, nu: -(x - 1.0) / x * b(j) / b(j - 2), mu_slope: mu * w, gamma_slope: -(1.0 - b(j - 1)) * mu * w }
+            Stage {
+                mu,
+                nu: -(x - 1.0) / x * b(j) / b(j - 2),
+                mu_slope: mu * w,
+                gamma_slope: -(1.0 - b(j - 1)) * mu * w,
+            }
         };
         let zeros = || vec![0.0; nodes];
         Self {

@@ -183,7 +183,11 @@ mod tests {
 
     #[test]
     fn linear_fields_are_interpolated_exactly() {
-        let body = TensorBody::new(vec![Axis::straight(even(0.04, 5)), Axis::straight(even(0.03, 4)), Axis::straight(even(0.02, 3))]);
+        let body = TensorBody::new(vec![
+            Axis::straight(even(0.04, 5)),
+            Axis::straight(even(0.03, 4)),
+            Axis::straight(even(0.02, 3)),
+        ]);
         let field: Vec<f64> = (0..body.node_count())
             .map(|n| 3.0 + (0..3).map(|a| (a as f64 + 1.0) * body.axes[a].nodes[body.place(n, a)]).sum::<f64>())
             .collect();

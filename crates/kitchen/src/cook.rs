@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
+use crate::input_error::InputError;
 use crate::kitchen::{Kitchen, SetupError};
 use crate::library::Library;
 use crate::recipe::Recipe;
 use crate::recorder::Recorder;
-use crate::input_error::InputError;
 use crate::runner::{Runner, StepRecord, StoppedBy};
 use crate::summary::Summary;
 

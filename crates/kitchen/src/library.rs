@@ -7,6 +7,7 @@ use saute_food::components::Components;
 use saute_food::{FoodDescription, Kinetics};
 use serde::de::DeserializeOwned;
 
+use crate::data_check;
 use crate::hob::HobDescription;
 use crate::pan::{CoatingDescription, PanDescription};
 use crate::room::Room;
@@ -71,6 +72,7 @@ impl Library {
             hob: parse(&files, "hobs/induction.toml")?,
         };
         library.check_references()?;
+        check_numbers(&files)?;
         Ok(library)
     }
 
@@ -102,6 +104,23 @@ impl Library {
         collect(&DATA, "", &mut files);
         files
     }
+}
+
+/// Checks the ranges of pans, coatings and foods, each where its file says it.
+fn check_numbers(files: &BTreeMap<String, String>) -> Result<(), LibraryError> {
+    for (id, text) in in_folder(files, "pans/") {
+        let file = format!("pans/{id}.toml");
+        data_check::pan(&parse_text(text, &file)?, &file, text)?;
+    }
+    for (id, text) in in_folder(files, "coatings/") {
+        let file = format!("coatings/{id}.toml");
+        data_check::coating(&parse_text(text, &file)?, &file, text)?;
+    }
+    for (id, text) in in_folder(files, "foods/") {
+        let file = format!("foods/{id}.toml");
+        data_check::food(&parse_text(text, &file)?, &file, text)?;
+    }
+    Ok(())
 }
 
 fn collect(dir: &Dir, prefix: &str, files: &mut BTreeMap<String, String>) {

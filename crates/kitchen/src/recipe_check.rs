@@ -6,10 +6,10 @@ use saute_food::FoodDescription;
 use toml::Spanned;
 
 use crate::command::{Command, RestOn};
+use crate::input_error::InputError;
 use crate::kelvin;
 use crate::kitchen::PieceOrder;
 use crate::library::{Library, line_of};
-use crate::input_error::InputError;
 use crate::recipe::{Action, Quantity, Recipe, Step, Trigger};
 use crate::recipe_file::{FoodEntry, PanEntry, RecipeFile, StepEntry, WhenEntry};
 
@@ -137,6 +137,10 @@ impl Check<'_> {
                 let message = format!("size_mm: the {} of {} mm is out of range", names[axis], size[axis]);
                 return self.error(at, message, format!("the {} may be {low} to {high} mm", names[axis]));
             }
+        }
+        if size[2] > size[0].max(size[1]) {
+            let message = format!("size_mm: the thickness of {} mm is larger than length and width", size[2]);
+            return self.error(at, message, "lay the piece on its side: write size_mm = [length, width, thickness] with the thickness not the largest");
         }
         Ok(size)
     }

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::input_error::InputError;
 use crate::command::{Command, Refused};
+use crate::input_error::InputError;
 use crate::kitchen::Kitchen;
 use crate::recipe::{Action, Quantity, Recipe, Trigger};
 use crate::{TICK_S, celsius};
@@ -32,6 +32,9 @@ pub struct StepRecord {
     /// Its value: watts, seconds, a place or a surface.
     pub value: serde_json::Value,
 }
+
+/// Differences below this are rounding [K, kg] (chosen: area means of an even temperature are off by 1e-12).
+const SAME_VALUE: f64 = 1e-7;
 
 /// Walks through a recipe's steps.
 #[derive(Clone, Debug)]
@@ -118,10 +121,10 @@ impl Runner {
         }
     }
 
-    /// Whether the difference has changed sign since the step was armed, or is zero.
+    /// Whether the difference has changed sign since the step was armed, or is zero but for rounding.
     fn crossed(&mut self, difference: f64) -> bool {
         let before = *self.armed.get_or_insert(difference);
-        difference == 0.0 || (before < 0.0) != (difference < 0.0)
+        difference.abs() < SAME_VALUE || (before < 0.0) != (difference < 0.0)
     }
 
     fn fire(&mut self, kitchen: &mut Kitchen) -> Result<StepRecord, InputError> {

@@ -241,3 +241,34 @@ fn every_metal_is_also_there_with_a_non_stick_coating() {
         assert!(library.pans.contains_key(metal) && library.pans.contains_key(&format!("{metal}-nonstick")));
     }
 }
+
+#[test]
+fn impossible_numbers_in_data_files_are_refused_where_they_stand() {
+    let files = Library::embedded_files();
+    for (path, from, to, line) in [
+        ("pans/carbon-steel-26.toml", "radius_mm = 100.0", "radius_mm = -5.0", 4),
+        ("pans/carbon-steel-26.toml", "conductivity_w_mk = 52.0", "conductivity_w_mk = 0.0", 17),
+        ("foods/beef-lean.toml", "water = 0.730", "water = 0.830", 19),
+        ("foods/beef-lean.toml", "emissivity = 0.95", "emissivity = nan", 0),
+        ("coatings/nonstick.toml", "emissivity = 0.90", "emissivity = 9.0", 0),
+    ] {
+        assert!(files[path].contains(from), "{path}: {from}");
+        let error = Library::with(&[(path.into(), files[path].replacen(from, to, 1))]).expect_err(to);
+        assert_eq!(error.file, path);
+        assert!(line == 0 || error.line == line, "{error}");
+        assert!(error.message.contains("use ") || error.message.contains("add up"), "{error}");
+    }
+}
+
+/// A condition that holds already fires at once, whatever the value.
+#[test]
+fn a_condition_that_is_equal_fires_at_once() {
+    let library = library();
+    for celsius in [33, 50, 150, 180, 200, 220, 300] {
+        let text = format!("[pan]\ninitial_c = {celsius}\n[[step]]\nwhen = {{ pan_c = {celsius} }}\nend = true\n");
+        let recipe = Recipe::parse(&text, "equal.toml", &library).expect("parses");
+        let mut cook = Cook::new(recipe, &library).expect("sets out");
+        cook.advance().expect("runs");
+        assert!(cook.stopped().is_some(), "{celsius} °C");
+    }
+}

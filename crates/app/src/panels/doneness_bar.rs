@@ -4,14 +4,22 @@ use egui::{Color32, Painter, Rect, Sense, Stroke, Ui, pos2, vec2};
 use saute_kitchen::food::{Class, Shares};
 
 use crate::colour_map::class_colour;
+use crate::settings::Settings;
 use crate::theme;
 
 /// Names of the classes.
 pub const NAMES: [&str; 4] = ["raw", "rare", "medium", "well done"];
-const BOUNDS: [&str; 4] = ["< 50 °C", "50–60", "60–70", "> 70"];
+
+/// Bounds of the classes in the chosen unit.
+fn bounds(settings: &Settings) -> [String; 4] {
+    let [a, b, c] = [50.0, 60.0, 70.0].map(|bound| settings.degrees(bound));
+    let unit = settings.unit();
+    [format!("< {a:.0} {unit}"), format!("{a:.0}–{b:.0}"), format!("{b:.0}–{c:.0}"), format!("> {c:.0} {unit}")]
+}
 
 /// Shows the shares of a section.
-pub fn show(ui: &mut Ui, shares: &Shares) {
+pub fn show(ui: &mut Ui, settings: &Settings, shares: &Shares) {
+    let bounds = bounds(settings);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 26.0), Sense::hover());
     let spoken: Vec<String> = NAMES.iter().zip(shares.0).map(|(n, s)| format!("{n} {s:.0} %")).collect();
     response.widget_info(|| {
@@ -25,6 +33,8 @@ pub fn show(ui: &mut Ui, shares: &Shares) {
         }
         left += width;
     }
+    let caption = "cut through the centre, by highest temperature so far";
+    ui.label(egui::RichText::new(caption).size(11.0).color(theme::QUIET));
     ui.columns(4, |columns| {
         for (i, ui) in columns.iter_mut().enumerate() {
             ui.spacing_mut().item_spacing.y = 1.0;
@@ -32,7 +42,7 @@ pub fn show(ui: &mut Ui, shares: &Shares) {
             swatch(ui.painter(), mark, Class::ALL[i]);
             ui.label(egui::RichText::new(format!("{:.0} %", shares.0[i])).size(16.0).strong());
             ui.label(egui::RichText::new(NAMES[i]).size(12.5));
-            ui.label(egui::RichText::new(BOUNDS[i]).size(11.0).color(theme::QUIET));
+            ui.label(egui::RichText::new(&bounds[i]).size(11.0).color(theme::QUIET));
         }
     });
 }

@@ -8,12 +8,13 @@ use crate::theme;
 
 /// Shows the list over everything; Esc, F1 or a click beside it closes it.
 pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
-    let modal = Modal::new(Id::unique("help")).frame(theme::panel()).show(ui.ctx(), |ui| {
+    let modal = Modal::new(Id::unique("help")).frame(theme::panel().fill(theme::SOLID)).show(ui.ctx(), |ui| {
         ui.set_width((whole.width() - 60.0).min(760.0));
         ui.heading("Keys");
         ui.label("Mouse: drag to look around, wheel to zoom. Click the steak to put it in or to flip it; drag it between board and pan. Drag the knob to move the cut.");
         ui.add_space(6.0);
-        egui::ScrollArea::vertical().max_height(whole.height() - 170.0).show(ui, |ui| {
+        let height = whole.height() - 190.0;
+        egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
             let columns = if whole.width() > 700.0 { 3 } else { 1 };
             let rows = BINDINGS.len().div_ceil(columns);
             ui.columns(columns, |uis| {
@@ -21,7 +22,7 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
                     let ui = &mut uis[i / rows];
                     ui.horizontal(|ui| {
                         let key = RichText::new(binding.written).monospace().strong().color(theme::ACCENT);
-                        ui.add_sized([72.0, 20.0], egui::Label::new(key));
+                        ui.add_sized([90.0, 20.0], egui::Label::new(key));
                         ui.label(binding.words);
                     });
                 }

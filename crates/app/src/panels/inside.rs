@@ -23,6 +23,11 @@ pub struct Inside {
     shares: Shares,
 }
 
+/// From here on every cooking oil smokes [°C] (refined oils 200–270).
+const TOO_HOT_C: f64 = 270.0;
+/// Room for two lines of advice [points].
+const ADVICE_HEIGHT: f32 = 40.0;
+
 /// Goals with names: core peak [°C] in the 2013 paper's classes.
 const GOALS: [(&str, f64); 3] = [("rare", 54.0), ("medium", 62.0), ("well done", 72.0)];
 
@@ -34,14 +39,14 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     }
     refresh(app, ui);
     cut(app, ui);
-    doneness_bar::show(ui, &app.inside.shares);
+    doneness_bar::show(ui, &app.settings, &app.inside.shares);
     ui.separator();
     readings(app, ui);
     ui.separator();
     goal(app, ui);
     if app.settings.curves_open {
         ui.separator();
-        let height = (ui.available_height() - 32.0).clamp(130.0, 260.0);
+        let height = (ui.available_height() - 32.0).clamp(112.0, 260.0);
         curves::show(app, ui, height);
     }
 }
@@ -73,7 +78,7 @@ fn cut(app: &mut SauteApp, ui: &mut Ui) {
     let Some(texture) = &app.inside.texture else { return };
     let width = ui.available_width();
     let size = texture.size_vec2();
-    let scale = (width / size.x).min(130.0 / size.y);
+    let scale = (width / size.x).min(92.0 / size.y);
     ui.vertical_centered(|ui| {
         let image =
             egui::Image::new((texture.id(), size * scale)).corner_radius(5).alt_text("Cross-section of the steak");
@@ -145,8 +150,11 @@ fn goal(app: &mut SauteApp, ui: &mut Ui) {
         }
     });
     let (text, now) = advice(app);
-    let text = RichText::new(text).size(15.0);
-    ui.label(if now { text.color(theme::ACCENT).strong() } else { text });
+    let text = RichText::new(text).size(14.5);
+    let label = egui::Label::new(if now { text.color(theme::ACCENT).strong() } else { text });
+    // Always the same height, so that the curves below stay where they are.
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ADVICE_HEIGHT), egui::Sense::hover());
+    ui.scope_builder(egui::UiBuilder::new().max_rect(rect), |ui| ui.add(label));
 }
 
 /// What to do next, in the cook's words, and whether it is to be done now.
@@ -160,7 +168,10 @@ fn advice(app: &mut SauteApp) -> (String, bool) {
             ("Turn the hob on and let the pan get hot.".into(), false)
         }
         (Place::Waiting, _) if pan < 160.0 => {
-            ("The pan is heating; a drop of water should dance at 180 °C.".into(), false)
+            (format!("The pan is heating; a drop of water should dance at {}.", app.settings.temperature(180.0)), false)
+        }
+        (Place::Waiting | Place::Pan(_), _) if pan > TOO_HOT_C => {
+            ("The pan is too hot and the oil smokes: turn the hob down, or use the wet cloth.".into(), true)
         }
         (Place::Waiting, _) => ("The pan is hot. Put the steak in.".into(), true),
         (Place::Pan(_), Some(f)) if f.peak_c >= goal => {

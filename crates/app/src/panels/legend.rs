@@ -80,5 +80,4 @@ fn classes(ui: &mut Ui) {
         super::doneness_bar::swatch(ui.painter(), rect, class);
         ui.label(egui::RichText::new(name).size(13.0));
     }
-    ui.label(egui::RichText::new("by highest °C so far").size(12.0).color(theme::QUIET));
 }

@@ -85,7 +85,9 @@ pub fn vertical(shape: Shape) -> Option<usize> {
 pub fn on_axes(shape: Shape, size: &[f64], p: &[f64]) -> Option<Vec<f64>> {
     let within = |x: f64, low: f64, high: f64| (low - 1e-9..=high + 1e-9).contains(&x).then_some(x);
     match (shape, p) {
-        (Shape::Box, [x, y, z]) => Some(vec![within(*x, 0.0, size[0])?, within(*y, 0.0, size[1])?, within(*z, 0.0, size[2])?]),
+        (Shape::Box, [x, y, z]) => {
+            Some(vec![within(*x, 0.0, size[0])?, within(*y, 0.0, size[1])?, within(*z, 0.0, size[2])?])
+        }
         (Shape::Cylinder, [x, y, z]) => {
             Some(vec![within(libm::hypot(*x, *y), 0.0, 0.5 * size[0])?, within(*z, 0.0, size[1])?])
         }

@@ -123,7 +123,11 @@ impl Check<'_> {
         }
         for (name, mm) in names.iter().zip(given) {
             if !(0.01..=10_000.0).contains(mm) {
-                return self.error(at, format!("size_mm: the {name} of {mm} mm is out of range"), format!("the {name} may be 0.01 to 10000 mm"));
+                return self.error(
+                    at,
+                    format!("size_mm: the {name} of {mm} mm is out of range"),
+                    format!("the {name} may be 0.01 to 10000 mm"),
+                );
             }
         }
         Ok(given.iter().map(|mm| mm * 1e-3).collect())
@@ -146,10 +150,15 @@ impl Check<'_> {
         match (&m.conductivity_w_mk, &m.density_kg_m3, &m.specific_heat_j_kgk, &m.food) {
             (Some(k), Some(rho), Some(c), None) => Ok(Material::Constant {
                 conductivity: self.ranged("conductivity_w_mk", k, 1e-4, 1e4)?,
-                capacity: self.ranged("density_kg_m3", rho, 1e-2, 1e5)? * self.ranged("specific_heat_j_kgk", c, 1.0, 1e5)?,
+                capacity: self.ranged("density_kg_m3", rho, 1e-2, 1e5)?
+                    * self.ranged("specific_heat_j_kgk", c, 1.0, 1e5)?,
             }),
             (None, None, None, Some(food)) => self.food(food),
-            _ => self.error(at, "the material is incomplete or given twice", "give conductivity_w_mk, density_kg_m3 and specific_heat_j_kgk, or food alone"),
+            _ => self.error(
+                at,
+                "the material is incomplete or given twice",
+                "give conductivity_w_mk, density_kg_m3 and specific_heat_j_kgk, or food alone",
+            ),
         }
     }
 
@@ -170,13 +179,23 @@ impl Check<'_> {
         for entry in entries {
             let b = entry.get_ref();
             let Some(ends) = ends(shape, *b.face.get_ref()) else {
-                return self.error(b.face.span().start, "the body has no such face", "use all, bottom, top, side, x, y or z as far as the shape has them");
+                return self.error(
+                    b.face.span().start,
+                    "the body has no such face",
+                    "use all, bottom, top, side, x, y or z as far as the shape has them",
+                );
             };
             let outside = kelvin(self.ranged("ambient_c", &b.ambient_c, -200.0, 2000.0)?);
             let boundary = match (&b.h_w_m2k, b.fixed) {
                 (Some(h), false) => Boundary::Convective { h: self.ranged("h_w_m2k", h, 0.0, 1e7)?, outside },
                 (None, true) => Boundary::Fixed(outside),
-                _ => return self.error(entry.span().start, "the boundary needs one of h_w_m2k and fixed", "write h_w_m2k = 25, or fixed = true"),
+                _ => {
+                    return self.error(
+                        entry.span().start,
+                        "the boundary needs one of h_w_m2k and fixed",
+                        "write h_w_m2k = 25, or fixed = true",
+                    );
+                }
             };
             for (axis, end) in ends {
                 found.retain(|f| (f.0, f.1) != (axis, end));
@@ -199,13 +218,19 @@ impl Check<'_> {
             return self.error(at, "a sphere has no bottom to flip", "leave [flips] out");
         }
         match (&flips.at_s, flips.every_s) {
-            (Some(times), None) if times.iter().all(|t| (0.0..=duration).contains(t)) && times.is_sorted() => Ok(times.clone()),
+            (Some(times), None) if times.iter().all(|t| (0.0..=duration).contains(t)) && times.is_sorted() => {
+                Ok(times.clone())
+            }
             (None, Some(every)) if every > duration * 1e-5 => {
                 let mut times = repeated(every, duration);
                 times.pop();
                 Ok(times)
             }
-            _ => self.error(at, "flips need at_s, ascending and within the duration, or every_s > 0", "write at_s = [300] or every_s = 30"),
+            _ => self.error(
+                at,
+                "flips need at_s, ascending and within the duration, or every_s > 0",
+                "write at_s = [300] or every_s = 30",
+            ),
         }
     }
 

@@ -1,8 +1,8 @@
 //! Runs a lab case.
 
+use saute_heat::Conduction;
 use saute_heat::super_step::SuperStep;
 use saute_heat::tensor::{End, TensorBody};
-use saute_heat::Conduction;
 
 use crate::celsius;
 use crate::lab::body::{axes, vertical};
@@ -164,9 +164,16 @@ fn opposite(end: End) -> End {
     if end == End::Low { End::High } else { End::Low }
 }
 
+/// A probe: nodes and weights that interpolate there, and what it has read: time [s] and temperature [°C].
+struct Probe {
+    name: String,
+    weights: Vec<(usize, f64)>,
+    series: Vec<[f64; 2]>,
+}
+
 /// What is remembered of a run.
 struct Recording {
-    probes: Vec<(String, Vec<(usize, f64)>, Vec<[f64; 2]>)>,
+    probes: Vec<Probe>,
     peak: Vec<f64>,
     coldest_peak: f64,
     range: [f64; 2],
@@ -175,9 +182,13 @@ struct Recording {
 
 impl Recording {
     fn new(case: &Case, solver: &Solver) -> Self {
-        let probes = case.probes.iter().map(|(name, place)| (name.clone(), solver.body.locate(place), Vec::new()));
+        let probe = |(name, place): &(String, Vec<f64>)| Probe {
+            name: name.clone(),
+            weights: solver.body.locate(place),
+            series: Vec::new(),
+        };
         let mut recording = Self {
-            probes: probes.collect(),
+            probes: case.probes.iter().map(probe).collect(),
             peak: solver.temperature.clone(),
             coldest_peak: lowest(&solver.temperature),
             range: [lowest(&solver.temperature), highest(&solver.temperature)],
@@ -188,9 +199,9 @@ impl Recording {
     }
 
     fn read(&mut self, solver: &Solver) {
-        for (_, weights, series) in &mut self.probes {
-            let value: f64 = weights.iter().map(|(n, w)| w * solver.temperature[*n]).sum();
-            series.push([solver.time, celsius(value)]);
+        for probe in &mut self.probes {
+            let value: f64 = probe.weights.iter().map(|(n, w)| w * solver.temperature[*n]).sum();
+            probe.series.push([solver.time, celsius(value)]);
         }
     }
 
@@ -223,7 +234,7 @@ impl Recording {
             absorbed_j: solver.absorbed,
             max_c: celsius(self.range[1]),
             min_c: celsius(self.range[0]),
-            probes: self.probes.into_iter().map(|(name, _, series)| (name, series)).collect(),
+            probes: self.probes.into_iter().map(|p| (p.name, p.series)).collect(),
         }
     }
 }
