@@ -28,7 +28,7 @@ fn table(report: &LabReport) -> String {
         line(format!("stopped at {t:.2} s"));
     }
     for (name, series) in &report.probes {
-        line(format!("{name}"));
+        line(name.clone());
         series.iter().for_each(|[t, c]| line(format!("  {t:10.2} s  {c:10.4} °C")));
     }
     for (above, share) in &report.volume_pct_above {

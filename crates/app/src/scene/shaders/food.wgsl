@@ -78,7 +78,7 @@ fn fibres(rest: vec3<f32>, broad: vec4<f32>) -> Fibres {
     let fascicle = textureSample(bundle_picture, tile_sampler, warped.yx * 17.3 + 0.29);
     let tone = 0.20 * (bundle.g - 0.5) + 0.16 * (fascicle.g - 0.5) - 0.10 * (1.0 - smoothstep(0.0, 0.5, bundle.r));
     let strand = 1.0 - smoothstep(0.0, 0.35, bundle.r);
-    let seam = (1.0 - smoothstep(0.05, 0.24, fascicle.r)) * smoothstep(0.36, 0.58, broad.a);
+    let seam = (1.0 - smoothstep(0.05, 0.24, fascicle.r)) * smoothstep(0.46, 0.66, broad.a);
     return Fibres(tone, seam, 1.0 - smoothstep(0.0, 0.26, fascicle.r), strand);
 }
 
@@ -105,9 +105,9 @@ fn flesh(in: FoodOut, rest_normal: vec3<f32>) -> Flesh {
     let mottle = 1.5 * (broad.a - 0.5) + 0.85 * (region.a - 0.5) + 0.45 * (grain.a - 0.5) + 0.6 * fibre.tone;
     var meat = mix(in.lean, in.browner, clamp(0.66 + 2.2 * mottle, 0.0, 1.0));
     // Where flesh is darker it is also redder: less light comes back out of it.
-    let tone = 0.97 + fibre.tone * (0.35 + 0.95 * uncooked) + mix(0.42, 0.36, crust) * (grain.a - 0.5) + 0.26 * (fine.a - 0.5) + uncooked * (0.46 * (region.a - 0.5) + 0.22 * (broad.a - 0.5));
+    let tone = 0.97 + fibre.tone * (0.35 + 0.95 * uncooked) + mix(0.42, 0.36, crust) * (grain.a - 0.5) + 0.26 * (fine.a - 0.5) + uncooked * (0.62 * (region.a - 0.5) + 0.30 * (broad.a - 0.5));
     meat *= vec3<f32>(tone, tone * tone, tone * tone) * (1.0 - 0.45 * rim * crust);
-    meat = mix(meat, mix(meat, in.fat, 0.40), 0.6 * fibre.seam * uncooked);
+    meat = mix(meat, mix(meat, in.fat, 0.34), 0.30 * fibre.seam * uncooked);
     // Fat in a crust fries with the meat round it.
     let fatty = mix(in.fat * (0.80 + 0.18 * grain.a + 0.18 * broad.a), meat, 0.80 * smoothstep(0.0, 0.7, crust));
     let pits = 1.0 - crust * (0.10 + 0.34 * smoothstep(0.52, 0.26, grain.a) + 0.16 * smoothstep(0.56, 0.20, broad.a));
