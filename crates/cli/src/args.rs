@@ -19,7 +19,7 @@ pub struct Args {
     pub command: Option<Command>,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done, 1 the recipe was stopped by its max_s, 2 something was wrong.";
+const EXIT_CODES: &str = "Exit codes: 0 done, 1 the recipe was stopped by its max_s or a validation case falls short, 2 something was wrong.";
 
 /// What to do.
 #[derive(Debug, Subcommand)]
@@ -34,6 +34,8 @@ pub enum Command {
     Cook(CookArgs),
     /// Runs the solver on a plain body with any boundary, for checks.
     Lab(LabArgs),
+    /// Runs the cases whose answers come from outside, and compares.
+    Validate(ValidateArgs),
     /// Draws one picture of a recipe at one moment.
     Shot(ShotArgs),
     /// Measures the program.
@@ -70,6 +72,20 @@ pub struct LabArgs {
     /// Prints the numbers as JSON.
     #[arg(long)]
     pub json: bool,
+}
+
+/// `saute validate`.
+#[derive(Debug, clap::Args)]
+pub struct ValidateArgs {
+    /// Runs this case alone: its id, the name of its file.
+    #[arg(long, value_name = "ID")]
+    pub case: Option<String>,
+    /// Prints the verdicts as JSON.
+    #[arg(long)]
+    pub json: bool,
+    /// Writes the table into VALIDATION.md in the current folder.
+    #[arg(long)]
+    pub write: bool,
 }
 
 /// `saute bench`.

@@ -18,6 +18,7 @@ mod stderr;
 mod stdout;
 mod text_file;
 mod text_summary;
+mod validate;
 mod window;
 mod wording;
 
@@ -64,6 +65,7 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         Some(Command::Shot(args)) => picture::shot(&args, &shelf),
         Some(Command::Bench(Bench::Frame(args))) => picture::bench_frame(&args, &shelf, process_start),
         Some(Command::Lab(args)) => lab::lab(&args, &shelf),
+        Some(Command::Validate(args)) => validate::validate(&args, &shelf),
         Some(Command::List(args)) => list::run(&args, &shelf),
         Some(Command::Schema(which)) => schema::run(which),
     }

@@ -13,6 +13,7 @@ use crate::pan::{CoatingDescription, PanDescription};
 use crate::room::Room;
 
 static DATA: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../data");
+static VALIDATION: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../validation");
 static RECIPES: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../recipes");
 
 /// A data file that cannot be used.
@@ -96,6 +97,13 @@ impl Library {
     /// The ids of a table, for messages.
     pub fn names<T>(table: &BTreeMap<String, T>) -> String {
         table.keys().map(String::as_str).collect::<Vec<_>>().join(", ")
+    }
+
+    /// The validation cases that the program carries, by id: their text.
+    pub fn validation_cases() -> BTreeMap<String, String> {
+        let mut files = BTreeMap::new();
+        collect(&VALIDATION, "", &mut files);
+        in_folder(&files, "").map(|(id, text)| (id.to_owned(), text.clone())).collect()
     }
 
     /// Every data file that the program carries, for tests of the data itself.

@@ -14,3 +14,4 @@ mod recipes;
 mod running;
 mod schema;
 mod stopping;
+mod validation;

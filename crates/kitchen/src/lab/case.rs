@@ -7,8 +7,11 @@ use toml::Spanned;
 use crate::input_error::InputError;
 use crate::kelvin;
 use crate::lab::body::{axes, ends, node_count, on_axes, sizes, vertical};
-use crate::lab::case_file::{BodyEntry, BoundaryEntry, CaseFile, FlipsEntry, MaterialEntry, ProbeEntry, Shape};
+use crate::lab::case_file::{
+    BodyEntry, BoundaryEntry, CaseFile, ExpectEntry, FlipsEntry, MaterialEntry, ProbeEntry, Quantity, Shape,
+};
 use crate::lab::material::Material;
+use crate::lab::verdict::{Expectation, Subject};
 use crate::library::{Library, line_of};
 
 /// Most nodes a body may have (chosen: 1 GB of memory).
@@ -45,6 +48,10 @@ pub struct Case {
     pub stop_at: Option<f64>,
     /// Tell the share of the volume ever above these [°C].
     pub volume_above_c: Vec<f64>,
+    /// Where the expected values come from.
+    pub source: String,
+    /// What should come out.
+    pub expectations: Vec<Expectation>,
 }
 
 /// What lies outside a face.
@@ -108,8 +115,10 @@ impl Check<'_> {
             boundaries: self.boundaries(body.shape, &raw.boundary)?,
             flips: self.flips(body.shape, raw.flips.as_ref(), duration)?,
             probes: raw.probe.iter().map(|p| self.probe(body.shape, &size, p.get_ref())).collect::<Checked<_>>()?,
-            stop_at: raw.stop.map(|s| kelvin(s.when_every_point_has_reached_c)),
-            volume_above_c: raw.report.map(|r| r.volume_above_c).unwrap_or_default(),
+            stop_at: raw.stop.as_ref().map(|s| kelvin(s.when_every_point_has_reached_c)),
+            volume_above_c: raw.report.as_ref().map(|r| r.volume_above_c.clone()).unwrap_or_default(),
+            source: raw.source.clone().unwrap_or_default(),
+            expectations: raw.expect.iter().map(|e| self.expectation(e, &raw)).collect::<Checked<_>>()?,
             shape: body.shape,
             size,
         })
@@ -171,6 +180,36 @@ impl Check<'_> {
         let fractions = [food.lean.water, food.lean.lean_solids(), food.lean.fat];
         let density = 1.0 / properties.volume(&fractions, kelvin(20.0));
         Ok(Material::Food { properties: Box::new(properties), masses: fractions.map(|x| x * density) })
+    }
+
+    fn expectation(&self, entry: &Spanned<ExpectEntry>, raw: &CaseFile) -> Checked<Expectation> {
+        let (at, e) = (entry.span().start, entry.get_ref());
+        let tolerance = match (e.tolerance, e.tolerance_pct) {
+            (Some(t), None) => t,
+            (None, Some(pct)) => e.value.abs() * pct / 100.0,
+            _ => {
+                return self.error(
+                    at,
+                    "the expectation needs one tolerance",
+                    "write tolerance = 0.1 or tolerance_pct = 1",
+                );
+            }
+        };
+        let subject = match (e.quantity, &e.probe, e.at_s) {
+            (Quantity::Probe, Some(name), Some(time)) if raw.probe.iter().any(|p| &p.get_ref().name == name) => {
+                Subject::Probe(name.clone(), time)
+            }
+            (Quantity::Probe, _, _) => {
+                return self.error(
+                    at,
+                    "the expectation names no probe and time",
+                    "write probe = \"centre\" and at_s = 60",
+                );
+            }
+            (other, None, None) => Subject::Whole(other),
+            _ => return self.error(at, "probe and at_s belong to quantity = \"probe\"", "leave them out"),
+        };
+        Ok(Expectation { subject, value: e.value, tolerance })
     }
 
     /// Boundaries by end, a later entry in place of an earlier one.

@@ -38,6 +38,46 @@ pub struct CaseFile {
     pub stop: Option<StopEntry>,
     /// What else is told.
     pub report: Option<ReportEntry>,
+    /// Where the expected values come from.
+    pub source: Option<String>,
+    /// What should come out.
+    #[serde(default)]
+    #[schemars(with = "Vec<ExpectEntry>")]
+    pub expect: Vec<Spanned<ExpectEntry>>,
+}
+
+/// Quantities that can be expected.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "snake_case")]
+pub enum Quantity {
+    /// Temperature of a probe [°C].
+    Probe,
+    /// When the stop condition was met [s].
+    StoppedAt,
+    /// Heat taken up [J], for a slab per m².
+    Absorbed,
+    /// Highest temperature of any node at any time [°C].
+    Max,
+    /// Lowest temperature of any node at any time [°C].
+    Min,
+}
+
+/// An expected value, with exactly one of `tolerance` and `tolerance_pct`.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ExpectEntry {
+    /// Which quantity.
+    pub quantity: Quantity,
+    /// Which probe, for `quantity = "probe"`.
+    pub probe: Option<String>,
+    /// When, for a probe [s].
+    pub at_s: Option<f64>,
+    /// Expected value, in the quantity's unit.
+    pub value: f64,
+    /// Largest departure, in the quantity's unit.
+    pub tolerance: Option<f64>,
+    /// Largest departure over the value [%].
+    pub tolerance_pct: Option<f64>,
 }
 
 /// Shapes of bodies.

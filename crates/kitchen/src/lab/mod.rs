@@ -6,8 +6,10 @@ mod case_file;
 mod material;
 mod report;
 mod run;
+mod verdict;
 
 pub use case::{Boundary, Case};
 pub use case_file::CaseFile;
 pub use report::LabReport;
 pub use run::run;
+pub use verdict::{Verdict, verdicts};

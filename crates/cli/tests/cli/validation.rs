@@ -1,0 +1,46 @@
+//! Promise: every validation case holds, and the lab explains itself.
+
+use crate::running::run;
+
+#[test]
+fn every_validation_case_holds() {
+    let said = run(&["validate", "--json"]);
+    assert_eq!(said.code, Some(0), "{}{}", said.out, said.err);
+    let verdicts: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    let cases = verdicts["cases"].as_array().unwrap();
+    assert!(cases.len() > 80, "only {} values", cases.len());
+    for case in cases {
+        assert_eq!(case["pass"], true, "{case}");
+        assert!(!case["source"].as_str().unwrap().is_empty(), "{case}");
+    }
+}
+
+#[test]
+fn an_unknown_case_is_refused_with_the_known_ones() {
+    let said = run(&["validate", "--case", "nothing"]);
+    assert_eq!(said.code, Some(2));
+    assert!(said.err.contains("remedy:") && said.err.contains("burger-flipped-once"), "{}", said.err);
+}
+
+#[test]
+fn the_lab_prints_every_key_and_refuses_bad_cases() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("case.toml");
+    let good = "duration_s = 60\noutput_every_s = 30\n[body]\nshape = \"sphere\"\nsize_mm = [30]\ninitial_c = 5\n\
+        [material]\nfood = \"beef-lean\"\n[[boundary]]\nface = \"all\"\nh_w_m2k = 50\nambient_c = 90\n\
+        [[probe]]\nname = \"centre\"\nat_mm = [0, 0, 0]\n[report]\nvolume_above_c = [40]\n";
+    std::fs::write(&path, good).unwrap();
+    let said = run(&["lab", path.to_str().unwrap(), "--json"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let report: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    for key in
+        ["nodes", "steps", "wall_s", "stopped_at_s", "probes", "volume_pct_above", "absorbed_j", "max_c", "min_c"]
+    {
+        assert!(report.get(key).is_some(), "{key}");
+    }
+    assert_eq!(report["probes"]["centre"].as_array().unwrap().len(), 3);
+    std::fs::write(&path, good.replace("sphere", "cone")).unwrap();
+    let said = run(&["lab", path.to_str().unwrap()]);
+    assert_eq!(said.code, Some(2));
+    assert!(said.err.contains("case.toml:4:") && said.err.contains("remedy:"), "{}", said.err);
+}
