@@ -65,7 +65,7 @@ pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
 
 /// Grid lines at round steps, at most six over a span.
 fn spacing(span: f64) -> [f64; 3] {
-    let round = [0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0];
+    let round = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0];
     let step = round.into_iter().find(|s| span / s <= 6.0).unwrap_or(1000.0);
     [step; 3]
 }

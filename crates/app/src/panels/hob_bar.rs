@@ -1,7 +1,7 @@
 //! Hob, cloth, hands and time.
 
 use egui::{RichText, Ui};
-use saute_kitchen::Place;
+use saute_kitchen::{Place, celsius};
 
 use crate::act::{Act, key_of};
 use crate::app::SauteApp;
@@ -15,6 +15,9 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
         ui.horizontal_wrapped(|ui| hands(app, ui));
         ui.horizontal_wrapped(|ui| hob(app, ui));
         ui.horizontal_wrapped(|ui| time(app, ui));
+        ui.separator();
+        temperatures(app, ui);
+        crate::panels::inside::show_advice(app, ui);
         return;
     }
     ui.horizontal(|ui| {
@@ -22,6 +25,14 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| time_right_to_left(app, ui));
     });
     ui.horizontal(|ui| hands(app, ui));
+}
+
+/// Core and pan at a glance, where the panel with all readings is not open.
+fn temperatures(app: &SauteApp, ui: &mut Ui) {
+    let Some(piece) = app.session.steak() else { return };
+    let shown = |kelvin: f64| app.settings.temperature(celsius(kelvin));
+    let (core, pan) = (shown(piece.core()), shown(app.session.kitchen.pan_temperature()));
+    ui.label(RichText::new(format!("core {core}   ·   pan {pan}")).size(18.0).strong());
 }
 
 fn hob(app: &mut SauteApp, ui: &mut Ui) {

@@ -149,6 +149,11 @@ fn goal(app: &mut SauteApp, ui: &mut Ui) {
             app.settings.goal_c = app.settings.celsius(degrees);
         }
     });
+    show_advice(app, ui);
+}
+
+/// Shows what to do next.
+pub fn show_advice(app: &mut SauteApp, ui: &mut Ui) {
     let (text, now) = advice(app);
     let text = RichText::new(text).size(14.5);
     let label = egui::Label::new(if now { text.color(theme::ACCENT).strong() } else { text });
