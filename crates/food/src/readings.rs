@@ -48,6 +48,25 @@ impl Shares {
     }
 }
 
+/// Upper bounds of raw, rare and medium [K].
+const BOUNDS: [f64; 3] = [crate::ZERO_C + 50.0, crate::ZERO_C + 60.0, crate::ZERO_C + 70.0];
+
+/// Adds a stretch of weight `weight` along which the peak runs linearly from `a` to `b` [K]: each class gets the part
+/// of the stretch that lies in it, so that shares do not jump from node to node.
+fn add_stretch(sums: &mut [f64; 4], a: f64, b: f64, weight: f64) {
+    let (low, high) = (a.min(b), a.max(b));
+    let below = |bound: f64| {
+        if high > low { ((bound - low) / (high - low)).clamp(0.0, 1.0) } else { f64::from(u8::from(low < bound)) }
+    };
+    let mut so_far = 0.0;
+    for (sum, bound) in sums.iter_mut().zip(BOUNDS) {
+        let up_to = below(bound);
+        *sum += weight * (up_to - so_far);
+        so_far = up_to;
+    }
+    sums[3] += weight * (1.0 - so_far);
+}
+
 /// Area means and area shares of one face.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FaceReading {
@@ -132,8 +151,12 @@ impl FoodModel {
     /// Doneness by volume.
     pub fn volume_shares(&self, state: &FoodState) -> Shares {
         let mut sums = [0.0; 4];
-        for (peak, volume) in state.peak.iter().zip(&self.mesh.graph.volume) {
-            sums[Class::of(*peak) as usize] += volume;
+        let n = self.mesh.nodes_per_level();
+        for (level, height) in self.mesh.levels.windows(2).map(|w| w[1] - w[0]).enumerate() {
+            let (lower, upper) = state.peak[level * n..(level + 2) * n].split_at(n);
+            for (i, area) in self.mesh.section.areas.iter().enumerate() {
+                add_stretch(&mut sums, lower[i], upper[i], area * height);
+            }
         }
         Shares::from_weights(sums)
     }
@@ -150,12 +173,28 @@ impl FoodModel {
         let mut sums = [0.0; 4];
         let n = self.mesh.nodes_per_level();
         let lengths = cut.lengths();
-        for (level, height) in self.mesh.layer_heights().iter().enumerate() {
-            let peaks = &state.peak[level * n..(level + 1) * n];
+        for (level, height) in self.mesh.levels.windows(2).map(|w| w[1] - w[0]).enumerate() {
+            let (lower, upper) = state.peak[level * n..(level + 2) * n].split_at(n);
             for (i, length) in lengths.iter().enumerate() {
-                sums[Class::of(cut.sample(i, peaks)) as usize] += length * height;
+                add_stretch(&mut sums, cut.sample(i, lower), cut.sample(i, upper), length * height);
             }
         }
         Shares::from_weights(sums)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_linear_stretch_is_shared_out_at_the_bounds() {
+        let mut sums = [0.0; 4];
+        add_stretch(&mut sums, crate::ZERO_C + 80.0, crate::ZERO_C + 40.0, 4.0);
+        let expected = [1.0, 1.0, 1.0, 1.0];
+        assert!(sums.iter().zip(expected).all(|(s, e)| (s - e).abs() < 1e-9), "{sums:?}");
+        let mut even = [0.0; 4];
+        add_stretch(&mut even, crate::ZERO_C + 55.0, crate::ZERO_C + 55.0, 2.0);
+        assert_eq!(even, [0.0, 2.0, 0.0, 0.0]);
     }
 }
