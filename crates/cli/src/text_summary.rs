@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use saute_kitchen::energy::Energy;
-use saute_kitchen::summary::{Doneness, FoodSummary, Surface};
+use saute_kitchen::summary::{Doneness, FoodSummary, LogReduction, Surface};
 use saute_kitchen::{StoppedBy, Summary};
 
 use crate::wording::{self, duration};
@@ -62,7 +62,15 @@ fn food(f: &FoodSummary) -> String {
             d.myosin, d.collagen, d.actin, d.myoglobin
         ),
     );
+    row(&mut lines, "stiffness", &format!("elastic modulus {:.0} kPa", f.elastic_modulus_kpa));
+    row(&mut lines, "safety", &safety(&f.log_reduction));
     lines
+}
+
+/// Log reductions; past 12 nothing is told apart any more.
+fn safety(l: &LogReduction) -> String {
+    let shown = |log: f64| if log > 12.0 { "over 12".to_owned() } else { format!("{log:.1}") };
+    format!("E. coli log reduction: core {}, least heated surface {}", shown(l.core), shown(l.surface))
 }
 
 fn row(lines: &mut String, name: &str, value: &str) {

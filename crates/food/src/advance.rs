@@ -305,6 +305,7 @@ fn change(model: &FoodModel, state: &mut FoodState, dt: f64) -> Drip {
         let t = state.temperature[i];
         state.peak[i] = state.peak[i].max(t);
         if t > DENATURES_FROM {
+            state.lethality[i] += model.lethality.at(t) * dt;
             for k in 0..4 {
                 state.denatured[k][i] = model.proteins.advance(k, state.denatured[k][i], t, dt);
             }

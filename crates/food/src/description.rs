@@ -210,6 +210,28 @@ sourced_table! {
     }
 }
 
+sourced_table! {
+    /// Death of pathogens by heat.
+    Lethality {
+        /// Minutes for a tenfold reduction at 60 °C [min].
+        d60_min: f64,
+        /// Kelvins for a tenfold change of that [K].
+        z_k: f64,
+    }
+}
+
+sourced_table! {
+    /// Elastic modulus from protein states.
+    Texture {
+        /// Raw [kPa].
+        raw_kpa: f64,
+        /// Added when all myosin is denatured [kPa].
+        myosin_kpa: f64,
+        /// Added when all actin is denatured [kPa].
+        actin_kpa: f64,
+    }
+}
+
 /// What heat does to one kind of flesh.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -228,6 +250,10 @@ pub struct Kinetics {
     pub browning: BrowningRate,
     /// Charring.
     pub charring: CharringRate,
+    /// Death of pathogens.
+    pub lethality: Lethality,
+    /// Elastic modulus.
+    pub texture: Texture,
 }
 
 /// The shapes that can be built.

@@ -6,7 +6,7 @@ use crate::browning::Browning;
 use crate::changes::ProteinRates;
 use crate::colour::Appearance;
 use crate::components::{Components, Masses, Properties};
-use crate::description::{FoodDescription, Kinetics, WaterHolding};
+use crate::description::{FoodDescription, Kinetics, Lethality, Texture, WaterHolding};
 use crate::marbling::MarblingField;
 use crate::noise::uniform;
 use crate::sorption::Isotherm;
@@ -100,6 +100,10 @@ pub struct FoodModel {
     pub browning: Browning,
     /// Share of the raw water that is still held against temperature [-].
     pub held: Table,
+    /// Log₁₀ reduction of pathogens against temperature [1/s].
+    pub lethality: Table,
+    /// Elastic modulus from protein states.
+    pub texture: Texture,
     /// Water holding parameters.
     pub water_holding: WaterHolding,
     /// What the food's file says.
@@ -131,6 +135,8 @@ impl FoodModel {
             proteins: ProteinRates::new(kinetics),
             browning: Browning::new(&kinetics.browning, &kinetics.charring),
             held: Table::new(ZERO_C, ZERO_C + 120.0, 0.5, |t| held_share(&holding, t - ZERO_C)),
+            lethality: lethality(&kinetics.lethality),
+            texture: kinetics.texture.clone(),
             water_holding: kinetics.water_holding.clone(),
             description: description.clone(),
             side_areas: mesh.side_areas(),
@@ -237,6 +243,13 @@ fn mesh(outline: &Outline, piece: &PieceSpec) -> Result<SweptMesh, MeshError> {
     let levels =
         graded_levels(piece.size[2], FIRST_LAYER * piece.coarseness, LAYER_GROWTH, THICKEST_LAYER * piece.coarseness);
     Ok(SweptMesh::new(section, levels))
+}
+
+/// Rate 10^((T − 60)/z) / D₆₀, tabulated from 40 to 100 °C and held beyond (below nothing dies, above all is dead).
+fn lethality(data: &Lethality) -> Table {
+    let per_second = 1.0 / (60.0 * data.d60_min);
+    let z = data.z_k;
+    Table::new(ZERO_C + 40.0, ZERO_C + 100.0, 0.25, |t| per_second * libm::pow(10.0, (t - ZERO_C - 60.0) / z))
 }
 
 fn held_share(holding: &WaterHolding, celsius: f64) -> f64 {

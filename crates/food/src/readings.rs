@@ -148,6 +148,20 @@ impl FoodModel {
         field.iter().zip(volume).map(|(f, v)| f * v).sum::<f64>() / volume.iter().sum::<f64>()
     }
 
+    /// Log₁₀ reduction of pathogens at the core and at the least heated point of the surface [-].
+    pub fn log_reduction(&self, state: &FoodState) -> (f64, f64) {
+        let faces = self.face(Side::Bottom).chain(self.face(Side::Top));
+        let surface = faces.chain(self.side_nodes.iter().map(|&n| n as usize));
+        let least = surface.map(|n| state.lethality[n]).fold(f64::INFINITY, f64::min);
+        (self.at_core(&state.lethality), least)
+    }
+
+    /// Volume mean of the elastic modulus, raw + myosin · X + actin · X [kPa].
+    pub fn elastic_modulus_kpa(&self, state: &FoodState) -> f64 {
+        let mean = |k: usize| self.volume_mean(&state.denatured[k]);
+        self.texture.raw_kpa + self.texture.myosin_kpa * mean(0) + self.texture.actin_kpa * mean(2)
+    }
+
     /// Doneness by volume.
     pub fn volume_shares(&self, state: &FoodState) -> Shares {
         let mut sums = [0.0; 4];

@@ -39,6 +39,8 @@ pub struct FoodState {
     pub browning: Vec<f64>,
     /// Charring [-].
     pub charring: Vec<f64>,
+    /// Log₁₀ reduction of pathogens [-].
+    pub lethality: Vec<f64>,
     /// Which face lies below.
     pub down: Side,
     /// Water that left as vapour [kg].
@@ -67,6 +69,7 @@ impl FoodState {
             denatured: [zeros(), zeros(), zeros(), zeros()],
             browning: zeros(),
             charring: zeros(),
+            lethality: zeros(),
             down: Side::Bottom,
             evaporated: 0.0,
             dripped: 0.0,

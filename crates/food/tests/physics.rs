@@ -229,6 +229,32 @@ fn a_hotter_plate_browns_and_then_chars() {
     assert!(hot.2 < cool.2 && burnt.2 < hot.2, "{cool:?} {hot:?} {burnt:?}");
 }
 
+/// USDA-FSIS Appendix A asks 12 min at 60 °C for 6.5 log of Salmonella; E. coli O157:H7 (D60 2.6 min) loses 4.6.
+#[test]
+fn lethality_adds_up_at_the_published_rate() {
+    let steak = model("beef-lean", 2.5, [0.05, 0.05, 0.012]);
+    let mut run = Run::new(&steak, 60.0);
+    run.fry(
+        720.0,
+        60.0,
+        5000.0,
+        FreeAir { temperature: ZERO_C + 60.0, convection: 5000.0, mass_transfer: 0.0, ..kitchen_air() },
+    );
+    let (core, surface) = steak.log_reduction(&run.state);
+    assert!((core / 4.6 - 1.0).abs() < 0.05 && (surface / 4.6 - 1.0).abs() < 0.05, "{core} {surface}");
+}
+
+/// Ishiwatari et al. 2013: raw 6 kPa, myosin denatured up to 14, actin too 60.
+#[test]
+fn cooked_meat_is_as_stiff_as_measured() {
+    let mut run = Run::new(lean(), 20.0);
+    assert!((run.model.elastic_modulus_kpa(&run.state) - 6.0).abs() < 1e-9);
+    run.state.denatured[0].fill(1.0);
+    assert!((run.model.elastic_modulus_kpa(&run.state) - 14.0).abs() < 1e-9);
+    run.state.denatured[2].fill(1.0);
+    assert!((run.model.elastic_modulus_kpa(&run.state) - 60.0).abs() < 1e-9);
+}
+
 #[test]
 fn marbling_keeps_its_mean_and_conducts_less() {
     let steak = model("beef-marbled", 1.6, [0.12, 0.08, 0.025]);

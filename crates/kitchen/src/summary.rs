@@ -68,8 +68,21 @@ pub struct FoodSummary {
     pub volume_pct: Doneness,
     /// Denatured shares, volume means [-].
     pub denatured: Denatured,
+    /// Volume mean of the elastic modulus [kPa].
+    pub elastic_modulus_kpa: f64,
+    /// Log₁₀ reduction of E. coli O157:H7 [-].
+    pub log_reduction: LogReduction,
     /// Both faces, as they lie.
     pub surfaces: Surfaces,
+}
+
+/// Log₁₀ reduction of pathogens [-]; 6.5 and more count as safe for beef.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct LogReduction {
+    /// At the core.
+    pub core: f64,
+    /// At the least heated point of the surface.
+    pub surface: f64,
 }
 
 /// First and last value.
@@ -201,6 +214,7 @@ impl FoodSummary {
                 charred_pct: face.charred_pct,
             }
         };
+        let (core, least) = model.log_reduction(state);
         let mean = |k: usize| model.volume_mean(&state.denatured[k]);
         Self {
             id: piece.id.clone(),
@@ -216,6 +230,8 @@ impl FoodSummary {
             section_pct: model.cut_shares(state, &model.cut_across(0.0)).into(),
             volume_pct: model.volume_shares(state).into(),
             denatured: Denatured { myosin: mean(0), collagen: mean(1), actin: mean(2), myoglobin: mean(3) },
+            elastic_modulus_kpa: model.elastic_modulus_kpa(state),
+            log_reduction: LogReduction { core, surface: least },
             surfaces: Surfaces { top: surface(state.down.opposite()), bottom: surface(state.down) },
         }
     }

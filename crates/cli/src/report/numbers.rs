@@ -35,6 +35,9 @@ fn food(f: &FoodSummary) -> String {
     let d = &f.denatured;
     let proteins = [("Myosin", d.myosin), ("Collagen", d.collagen), ("Actin", d.actin), ("Myoglobin", d.myoglobin)];
     rows.extend(proteins.map(|(name, share)| (format!("{name}, denatured"), format!("{:.0} %", 100.0 * share))));
+    rows.push(("Elastic modulus".to_owned(), format!("{:.0} kPa", f.elastic_modulus_kpa)));
+    let l = &f.log_reduction;
+    rows.push(("E. coli log reduction, core · surface".to_owned(), format!("{:.1} · {:.1}", l.core, l.surface)));
     rows.extend(surface("Top", &f.surfaces.top));
     rows.extend(surface("Bottom", &f.surfaces.bottom));
     rows.push(("Nodes of the mesh".to_owned(), f.nodes.to_string()));
