@@ -6,7 +6,7 @@ use crate::cooked::{cook, cooked};
 use crate::running::{SHORT, run, saute};
 
 /// Every key that the summary promises.
-const KEYS: [&str; 50] = [
+const KEYS: [&str; 53] = [
     "/simulated_s",
     "/wall_s",
     "/stopped_by",
