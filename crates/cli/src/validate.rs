@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use saute_kitchen::Library;
+use saute_kitchen::cook_case::CookCase;
 use saute_kitchen::lab::{Case, Verdict, run, verdicts};
 use serde::Serialize;
 
@@ -50,11 +51,18 @@ fn run_cases(only: Option<&str>, shelf: &Shelf) -> Result<Vec<Verdict>, CliError
     }
     let mut all = Vec::new();
     for (id, text) in cases.iter().filter(|(id, _)| only.is_none_or(|o| o == *id)) {
-        let case = Case::parse(text, &format!("validation/{id}.toml"), &shelf.library)?;
-        let start = Instant::now();
-        all.extend(verdicts(&case, &run(&case, || start.elapsed().as_secs_f64())));
+        all.extend(run_case(text, &format!("validation/{id}.toml"), &shelf.library)?);
     }
     Ok(all)
+}
+
+fn run_case(text: &str, file: &str, library: &Library) -> Result<Vec<Verdict>, CliError> {
+    if CookCase::is_one(text) {
+        return Ok(CookCase::parse(text, file, library)?.verdicts(library)?);
+    }
+    let case = Case::parse(text, file, library)?;
+    let start = Instant::now();
+    Ok(verdicts(&case, &run(&case, || start.elapsed().as_secs_f64())))
 }
 
 fn word(verdict: &Verdict) -> &'static str {

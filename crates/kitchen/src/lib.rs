@@ -9,6 +9,7 @@ pub mod cloth;
 pub mod command;
 pub mod contact;
 pub mod cook;
+pub mod cook_case;
 mod data_check;
 pub mod energy;
 pub mod hob;

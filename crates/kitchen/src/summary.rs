@@ -58,6 +58,8 @@ pub struct FoodSummary {
     pub nodes: usize,
     /// Mass [g].
     pub mass_g: StartEnd,
+    /// Mass lost over the mass at the start [%].
+    pub lost_pct: f64,
     /// Water that left [g].
     pub water_g: WaterSummary,
     /// Core temperature [°C].
@@ -221,6 +223,7 @@ impl FoodSummary {
             kind: piece.kind.clone(),
             nodes: model.mesh.node_count(),
             mass_g: StartEnd { start: 1e3 * mass_at_start, end: 1e3 * piece.mass() },
+            lost_pct: 100.0 * (1.0 - piece.mass() / mass_at_start),
             water_g: WaterSummary { evaporated: 1e3 * state.evaporated, dripped: 1e3 * state.dripped },
             core_c: CoreSummary {
                 end: celsius(piece.core()),

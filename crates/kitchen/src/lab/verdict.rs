@@ -36,7 +36,7 @@ pub struct Verdict {
     /// Which quantity.
     pub quantity: String,
     /// Its unit.
-    pub unit: &'static str,
+    pub unit: String,
     /// Expected value.
     pub expected: f64,
     /// Largest departure.
@@ -61,7 +61,7 @@ fn verdict(case: &Case, report: &LabReport, expectation: &Expectation) -> Verdic
         name: case.name.clone(),
         source: case.source.clone(),
         quantity,
-        unit,
+        unit: unit.to_owned(),
         expected: expectation.value,
         tolerance: expectation.tolerance,
         got,

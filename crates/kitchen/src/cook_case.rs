@@ -1,0 +1,102 @@
+//! Cooks with an answer from outside: a recipe and the bands in which its numbers should lie.
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use crate::cook::Cook;
+use crate::input_error::InputError;
+use crate::lab::Verdict;
+use crate::library::{Library, line_of};
+use crate::recipe::Recipe;
+
+/// A cook case as it is written.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CookCaseFile {
+    name: String,
+    source: String,
+    recipe: Spanned<String>,
+    expect: Vec<Spanned<BandEntry>>,
+}
+
+/// A band: a number of the summary by its JSON pointer, as in `/foods/0/core_c/peak`, from `low` to `high`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct BandEntry {
+    quantity: String,
+    pointer: String,
+    unit: String,
+    low: f64,
+    high: f64,
+}
+
+/// A cook with expected bands.
+#[derive(Clone, Debug)]
+pub struct CookCase {
+    file: CookCaseFile,
+    recipe: Recipe,
+}
+
+impl CookCase {
+    /// Reads and checks a case. `file` is its name in messages.
+    pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, InputError> {
+        let error = |at: usize, message: String, remedy: &str| InputError {
+            file: file.to_owned(),
+            line: line_of(text, at),
+            message,
+            remedy: remedy.to_owned(),
+        };
+        let raw: CookCaseFile = toml::from_str(text).map_err(|e| {
+            let at = e.span().map_or(0, |s| s.start);
+            error(at, e.message().trim().to_owned(), "a cook case has name, source, recipe and [[expect]]")
+        })?;
+        for band in &raw.expect {
+            let b = band.get_ref();
+            if b.low.partial_cmp(&b.high).is_none_or(std::cmp::Ordering::is_gt) {
+                let message = format!("the band {} to {} is empty", b.low, b.high);
+                return Err(error(band.span().start, message, "write low = … and high = … with low below high"));
+            }
+        }
+        let recipe = Recipe::parse(raw.recipe.get_ref(), &format!("{file}, recipe"), library)?;
+        Ok(Self { file: raw, recipe })
+    }
+
+    /// Whether a text is a cook case rather than a lab case.
+    pub fn is_one(text: &str) -> bool {
+        text.lines().any(|line| line.starts_with("recipe = "))
+    }
+
+    /// Cooks and compares.
+    pub fn verdicts(&self, library: &Library) -> Result<Vec<Verdict>, InputError> {
+        let line_one = |message: String| InputError {
+            file: self.recipe.file.clone(),
+            line: 1,
+            message,
+            remedy: "choose another size or kind of food or pan".into(),
+        };
+        let mut cook = Cook::new(self.recipe.clone(), library).map_err(|e| line_one(e.to_string()))?;
+        while cook.stopped().is_none() {
+            cook.advance()?;
+        }
+        let summary = serde_json::to_value(cook.summary(0.0)).map_err(|e| line_one(e.to_string()))?;
+        Ok(self.file.expect.iter().map(|band| self.verdict(band.get_ref(), &summary)).collect())
+    }
+
+    fn verdict(&self, band: &BandEntry, summary: &serde_json::Value) -> Verdict {
+        let got = summary.pointer(&band.pointer).and_then(serde_json::Value::as_f64);
+        let expected = 0.5 * (band.low + band.high);
+        let error = got.map(|g| g - expected);
+        let tolerance = 0.5 * (band.high - band.low);
+        Verdict {
+            name: self.file.name.clone(),
+            source: self.file.source.clone(),
+            quantity: band.quantity.clone(),
+            unit: band.unit.clone(),
+            expected,
+            tolerance,
+            got,
+            error,
+            pass: error.is_some_and(|e| e.abs() <= tolerance),
+        }
+    }
+}
