@@ -6,4 +6,6 @@ source scripts/requirements.sh
 
 need_cargo
 need_packages
+# Without it graphics drivers complain on stderr while they look for a Wayland display.
+export XDG_RUNTIME_DIR="${XDG_RUNTIME_DIR:-/tmp}"
 exec cargo run --release --quiet -p saute -- "$@"

@@ -4,9 +4,9 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use crate::cook::Cook;
-use crate::input_error::InputError;
+use crate::input_error::{InputError, InputText};
 use crate::lab::Verdict;
-use crate::library::{Library, line_of};
+use crate::library::Library;
 use crate::recipe::Recipe;
 
 /// A cook case as it is written.
@@ -40,21 +40,13 @@ pub struct CookCase {
 impl CookCase {
     /// Reads and checks a case. `file` is its name in messages.
     pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, InputError> {
-        let error = |at: usize, message: String, remedy: &str| InputError {
-            file: file.to_owned(),
-            line: line_of(text, at),
-            message,
-            remedy: remedy.to_owned(),
-        };
-        let raw: CookCaseFile = toml::from_str(text).map_err(|e| {
-            let at = e.span().map_or(0, |s| s.start);
-            error(at, e.message().trim().to_owned(), "a cook case has name, source, recipe and [[expect]]")
-        })?;
+        let input = InputText { text, file };
+        let raw: CookCaseFile = input.parse("a cook case has name, source, recipe and [[expect]]")?;
         for band in &raw.expect {
             let b = band.get_ref();
             if b.low.partial_cmp(&b.high).is_none_or(std::cmp::Ordering::is_gt) {
                 let message = format!("the band {} to {} is empty", b.low, b.high);
-                return Err(error(band.span().start, message, "write low = … and high = … with low below high"));
+                return input.error(band.span().start, message, "write low = … and high = … with low below high");
             }
         }
         let recipe = Recipe::parse(raw.recipe.get_ref(), &format!("{file}, recipe"), library)?;

@@ -1,5 +1,9 @@
 //! What is wrong with a file of the user's.
 
+use toml::Spanned;
+
+use crate::library::line_of;
+
 /// A file that cannot be used: where, what is wrong, and what to write instead.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{file}:{line}: {message}\n  remedy: {remedy}")]
@@ -12,4 +16,38 @@ pub struct InputError {
     pub message: String,
     /// What to write instead.
     pub remedy: String,
+}
+
+/// A file's text with its name: says where something is wrong.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct InputText<'a> {
+    /// Text.
+    pub text: &'a str,
+    /// Name in messages.
+    pub file: &'a str,
+}
+
+impl InputText<'_> {
+    /// An error at a byte offset.
+    pub fn error<T>(&self, at: usize, message: impl Into<String>, remedy: impl Into<String>) -> Result<T, InputError> {
+        let line = line_of(self.text, at);
+        Err(InputError { file: self.file.to_owned(), line, message: message.into(), remedy: remedy.into() })
+    }
+
+    /// A number in its range.
+    pub fn ranged(&self, key: &str, value: &Spanned<f64>, low: f64, high: f64) -> Result<f64, InputError> {
+        let v = *value.get_ref();
+        if (low..=high).contains(&v) {
+            return Ok(v);
+        }
+        self.error(value.span().start, format!("{key} = {v} is out of range"), format!("{key} may be {low} to {high}"))
+    }
+
+    /// Reads the text as TOML; `remedy` says where the keys are listed.
+    pub fn parse<T: serde::de::DeserializeOwned>(&self, remedy: &str) -> Result<T, InputError> {
+        toml::from_str(self.text).or_else(|e| {
+            let at = e.span().map_or(0, |s| s.start);
+            self.error(at, e.message().trim().to_owned(), remedy)
+        })
+    }
 }

@@ -1,7 +1,7 @@
 //! Recipes: checked, in SI units, ready to run.
 
 use crate::command::Command;
-use crate::input_error::InputError;
+use crate::input_error::{InputError, InputText};
 use crate::kitchen::{Kitchen, PieceOrder, SetupError};
 use crate::library::Library;
 use crate::recipe_check::Check;
@@ -90,7 +90,7 @@ impl Action {
 impl Recipe {
     /// Reads and checks a recipe. `file` is its name in messages.
     pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, InputError> {
-        Check { text, file, library }.recipe()
+        Check { input: InputText { text, file }, library }.recipe()
     }
 
     /// The kitchen in which the recipe starts.

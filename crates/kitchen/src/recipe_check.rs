@@ -6,7 +6,7 @@ use saute_food::FoodDescription;
 use toml::Spanned;
 
 use crate::command::{Command, RestOn};
-use crate::input_error::InputError;
+use crate::input_error::{InputError, InputText};
 use crate::kelvin;
 use crate::kitchen::PieceOrder;
 use crate::library::{Library, line_of};
@@ -15,8 +15,7 @@ use crate::recipe_file::{FoodEntry, PanEntry, RecipeFile, StepEntry, WhenEntry};
 
 /// A recipe's text with what it may name.
 pub(crate) struct Check<'a> {
-    pub(crate) text: &'a str,
-    pub(crate) file: &'a str,
+    pub(crate) input: InputText<'a>,
     pub(crate) library: &'a Library,
 }
 
@@ -31,61 +30,42 @@ enum Whereabouts {
 type Checked<T> = Result<T, InputError>;
 
 impl Check<'_> {
-    fn error<T>(&self, offset: usize, message: impl Into<String>, remedy: impl Into<String>) -> Checked<T> {
-        Err(InputError {
-            file: self.file.to_owned(),
-            line: line_of(self.text, offset),
-            message: message.into(),
-            remedy: remedy.into(),
-        })
-    }
-
     pub(crate) fn recipe(&self) -> Checked<Recipe> {
-        if self.text.trim().is_empty() {
-            return self.error(0, "the file is empty", "start from a shipped recipe: saute list recipes");
+        if self.input.text.trim().is_empty() {
+            return self.input.error(0, "the file is empty", "start from a shipped recipe: saute list recipes");
         }
-        let raw: RecipeFile = toml::from_str(self.text).or_else(|e| {
-            let message = e.message().trim().to_owned();
-            self.error(
-                e.span().map_or(0, |s| s.start),
-                message,
-                "the keys and their types are listed by: saute schema recipe",
-            )
-        })?;
-        let max_s = raw.max_s.as_ref().map_or(Ok(3600.0), |s| self.ranged("max_s", s, 1.0, 86_400.0))?;
+        let raw: RecipeFile = self.input.parse("the keys and their types are listed by: saute schema recipe")?;
+        let max_s = raw.max_s.as_ref().map_or(Ok(3600.0), |s| self.input.ranged("max_s", s, 1.0, 86_400.0))?;
         let (pan_kind, pan_temperature) = self.pan(raw.pan.as_ref().map(Spanned::get_ref))?;
         let foods = raw.food.iter().map(|f| self.food(f.get_ref())).collect::<Checked<Vec<_>>>()?;
         self.check_ids(&raw.food)?;
         let steps = raw.step.iter().map(|s| self.step(s, &foods)).collect::<Checked<Vec<_>>>()?;
         self.check_order(&raw, &steps, &foods)?;
         Ok(Recipe {
-            title: raw.title.unwrap_or_else(|| self.file.to_owned()),
+            title: raw.title.unwrap_or_else(|| self.input.file.to_owned()),
             max_s,
             pan_kind,
             pan_temperature,
             foods,
             steps,
-            file: self.file.to_owned(),
-            text: self.text.to_owned(),
+            file: self.input.file.to_owned(),
+            text: self.input.text.to_owned(),
         })
-    }
-
-    fn ranged(&self, key: &str, value: &Spanned<f64>, low: f64, high: f64) -> Checked<f64> {
-        let v = *value.get_ref();
-        if (low..=high).contains(&v) {
-            return Ok(v);
-        }
-        self.error(value.span().start, format!("{key} = {v} is out of range"), format!("{key} may be {low} to {high}"))
     }
 
     fn pan(&self, entry: Option<&PanEntry>) -> Checked<(String, f64)> {
         let default = PanEntry::default();
         let entry = entry.unwrap_or(&default);
-        let initial = entry.initial_c.as_ref().map_or(Ok(20.0), |c| self.ranged("pan.initial_c", c, 0.0, 300.0))?;
+        let initial =
+            entry.initial_c.as_ref().map_or(Ok(20.0), |c| self.input.ranged("pan.initial_c", c, 0.0, 300.0))?;
         let Some(kind) = &entry.kind else { return Ok(("carbon-steel-26".into(), kelvin(initial))) };
         if !self.library.pans.contains_key(kind.get_ref()) {
             let remedy = format!("use one of: {}", Library::names(&self.library.pans));
-            return self.error(kind.span().start, format!("pan.kind = \"{}\" is not a pan", kind.get_ref()), remedy);
+            return self.input.error(
+                kind.span().start,
+                format!("pan.kind = \"{}\" is not a pan", kind.get_ref()),
+                remedy,
+            );
         }
         Ok((kind.get_ref().clone(), kelvin(initial)))
     }
@@ -93,7 +73,7 @@ impl Check<'_> {
     fn food(&self, entry: &FoodEntry) -> Checked<PieceOrder> {
         let Some(description) = self.library.foods.get(entry.kind.get_ref()) else {
             let remedy = format!("use one of: {}", Library::names(&self.library.foods));
-            return self.error(
+            return self.input.error(
                 entry.kind.span().start,
                 format!("food kind = \"{}\" is not a food", entry.kind.get_ref()),
                 remedy,
@@ -102,14 +82,15 @@ impl Check<'_> {
         let id = entry.id.get_ref();
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
         if id.is_empty() || !id.chars().all(plain) {
-            return self.error(
+            return self.input.error(
                 entry.id.span().start,
                 format!("food id = \"{id}\" cannot be used"),
                 "use letters, digits, - and _, as in id = \"steak\"",
             );
         }
         let size_mm = self.size(entry, description)?;
-        let initial = entry.initial_c.as_ref().map_or(Ok(5.0), |c| self.ranged("food.initial_c", c, 0.0, 60.0))?;
+        let initial =
+            entry.initial_c.as_ref().map_or(Ok(5.0), |c| self.input.ranged("food.initial_c", c, 0.0, 60.0))?;
         Ok(PieceOrder {
             id: id.clone(),
             kind: entry.kind.get_ref().clone(),
@@ -124,7 +105,7 @@ impl Check<'_> {
         let Some(given) = &entry.size_mm else { return Ok(description.size.default_mm) };
         let at = given.span().start;
         let Ok(size) = <[f64; 3]>::try_from(given.get_ref().clone()) else {
-            return self.error(
+            return self.input.error(
                 at,
                 "size_mm needs three numbers",
                 "write size_mm = [length, width, thickness], for instance [120, 80, 25]",
@@ -135,12 +116,12 @@ impl Check<'_> {
             let (low, high) = (description.size.min_mm[axis], description.size.max_mm[axis]);
             if !(low..=high).contains(&size[axis]) {
                 let message = format!("size_mm: the {} of {} mm is out of range", names[axis], size[axis]);
-                return self.error(at, message, format!("the {} may be {low} to {high} mm", names[axis]));
+                return self.input.error(at, message, format!("the {} may be {low} to {high} mm", names[axis]));
             }
         }
         if size[2] > size[0].max(size[1]) {
             let message = format!("size_mm: the thickness of {} mm is larger than length and width", size[2]);
-            return self.error(at, message, "lay the piece on its side: write size_mm = [length, width, thickness] with the thickness not the largest");
+            return self.input.error(at, message, "lay the piece on its side: write size_mm = [length, width, thickness] with the thickness not the largest");
         }
         Ok(size)
     }
@@ -150,7 +131,7 @@ impl Check<'_> {
         for food in foods {
             let id = &food.get_ref().id;
             if !seen.insert(id.get_ref()) {
-                return self.error(
+                return self.input.error(
                     id.span().start,
                     format!("food id = \"{}\" is used twice", id.get_ref()),
                     "give every food its own id",
@@ -166,17 +147,17 @@ impl Check<'_> {
         Ok(Step {
             trigger: self.trigger(at, step, foods)?,
             action: self.action(at, step, foods)?,
-            line: line_of(self.text, at),
+            line: line_of(self.input.text, at),
         })
     }
 
     fn trigger(&self, at: usize, step: &StepEntry, foods: &[PieceOrder]) -> Checked<Trigger> {
         match (&step.at_s, &step.after_s, &step.when) {
             (None, None, None) => Ok(Trigger::After(0.0)),
-            (Some(s), None, None) => Ok(Trigger::At(self.ranged("at_s", s, 0.0, 86_400.0)?)),
-            (None, Some(s), None) => Ok(Trigger::After(self.ranged("after_s", s, 0.0, 86_400.0)?)),
+            (Some(s), None, None) => Ok(Trigger::At(self.input.ranged("at_s", s, 0.0, 86_400.0)?)),
+            (None, Some(s), None) => Ok(Trigger::After(self.input.ranged("after_s", s, 0.0, 86_400.0)?)),
             (None, None, Some(when)) => self.condition(when, foods),
-            _ => self.error(at, "the step has more than one trigger", "keep one of at_s, after_s, when"),
+            _ => self.input.error(at, "the step has more than one trigger", "keep one of at_s, after_s, when"),
         }
     }
 
@@ -198,7 +179,7 @@ impl Check<'_> {
                 Trigger::Food { food: self.known(food, "when.food", foods)?, quantity: *quantity, value: *value }
             }
             _ => {
-                return self.error(at, "when needs one condition", "write when = { pan_c = 180 } or when = { food = \"steak\", core_c = 57 } (also top_c, bottom_c, mass_g)");
+                return self.input.error(at, "when needs one condition", "write when = { pan_c = 180 } or when = { food = \"steak\", core_c = 57 } (also top_c, bottom_c, mass_g)");
             }
         };
         let value = match &trigger {
@@ -206,7 +187,7 @@ impl Check<'_> {
             _ => 0.0,
         };
         if !value.is_finite() || value < 0.0 || value > kelvin(500.0) {
-            return self.error(
+            return self.input.error(
                 at,
                 "the condition's value is out of range",
                 "temperatures may be 0 to 500 °C, masses 0 to 500 kg",
@@ -225,13 +206,13 @@ impl Check<'_> {
         } else {
             format!("use one of the recipe's foods: {}", names.join(", "))
         };
-        self.error(id.span().start, format!("{key} = \"{}\" names no food of this recipe", id.get_ref()), remedy)
+        self.input.error(id.span().start, format!("{key} = \"{}\" names no food of this recipe", id.get_ref()), remedy)
     }
 
     fn action(&self, at: usize, step: &StepEntry, foods: &[PieceOrder]) -> Checked<Action> {
         let mut actions = Vec::new();
         if let Some(power) = &step.hob_w {
-            actions.push(Command::Hob(self.ranged("hob_w", power, 0.0, self.library.hob.coil.largest_w)?));
+            actions.push(Command::Hob(self.input.ranged("hob_w", power, 0.0, self.library.hob.coil.largest_w)?));
         }
         if let Some(food) = &step.put {
             actions.push(Command::Put { food: self.known(food, "put", foods)?, at: self.place(step)? });
@@ -245,19 +226,21 @@ impl Check<'_> {
         }
         if step.cool.is_some() {
             let default = self.library.room.cloth.default_s;
-            let for_s = step.for_s.as_ref().map_or(Ok(default), |s| self.ranged("for_s", s, 0.1, 600.0))?;
+            let for_s = step.for_s.as_ref().map_or(Ok(default), |s| self.input.ranged("for_s", s, 0.1, 600.0))?;
             actions.push(Command::Cool { for_s });
         }
         if let Some(end) = step.end.as_ref().filter(|end| !*end.get_ref()) {
             let remedy = "write end = true, or leave the step out";
-            return self.error(end.span().start, "end = false does nothing", remedy);
+            return self.input.error(end.span().start, "end = false does nothing", remedy);
         }
         self.check_companions(step)?;
         match (actions.len(), step.end.is_some()) {
             (0, true) => Ok(Action::End),
             (1, false) => Ok(Action::Do(actions.remove(0))),
-            (0, false) => self.error(at, "the step has no action", "add one of hob_w, put, flip, rest, cool, end"),
-            _ => self.error(at, "the step has more than one action", "write one [[step]] for each action"),
+            (0, false) => {
+                self.input.error(at, "the step has no action", "add one of hob_w, put, flip, rest, cool, end")
+            }
+            _ => self.input.error(at, "the step has more than one action", "write one [[step]] for each action"),
         }
     }
 
@@ -265,7 +248,7 @@ impl Check<'_> {
         let Some(at) = &step.at_mm else { return Ok([0.0, 0.0]) };
         match <[f64; 2]>::try_from(at.get_ref().clone()) {
             Ok(p) if p.iter().all(|v| v.abs() <= 200.0) => Ok(p.map(|v| v * 1e-3)),
-            _ => self.error(
+            _ => self.input.error(
                 at.span().start,
                 "at_mm needs two numbers within the pan",
                 "write at_mm = [x, y], for instance [20, 0]; the pan's centre is [0, 0]",
@@ -276,7 +259,11 @@ impl Check<'_> {
     /// `at_mm`, `on` and `for_s` belong to `put`, `rest` and `cool`.
     fn check_companions(&self, step: &StepEntry) -> Checked<()> {
         let lonely = |key: &str, owner: &str, at: usize| {
-            self.error(at, format!("{key} has no {owner} beside it"), format!("{key} belongs to a step with {owner}"))
+            self.input.error(
+                at,
+                format!("{key} has no {owner} beside it"),
+                format!("{key} belongs to a step with {owner}"),
+            )
         };
         match (&step.at_mm, &step.on, &step.for_s) {
             (Some(k), _, _) if step.put.is_none() => lonely("at_mm", "put", k.span().start),
@@ -296,7 +283,7 @@ impl Check<'_> {
             earliest = self.check_time(at, step, earliest)?;
             self.check_place(at, &step.action, &mut whereabouts)?;
             if step.action == Action::End && index + 1 < steps.len() {
-                return self.error(
+                return self.input.error(
                     raw.step[index + 1].span().start,
                     "there is a step after the end",
                     "move end = true to the last step",
@@ -304,8 +291,8 @@ impl Check<'_> {
             }
         }
         if steps.last().is_none_or(|s| s.action != Action::End) {
-            return self.error(
-                self.text.trim_end().len(),
+            return self.input.error(
+                self.input.text.trim_end().len(),
                 "the recipe has no end",
                 "close it with a [[step]] that says end = true",
             );
@@ -318,7 +305,7 @@ impl Check<'_> {
             Trigger::At(s) if s < earliest - 1e-9 => {
                 let message =
                     format!("at_s = {s} is already past: the steps before it end at {earliest} s at the earliest");
-                return self.error(at, message, "use a later at_s, or after_s");
+                return self.input.error(at, message, "use a later at_s, or after_s");
             }
             Trigger::At(s) => s,
             Trigger::After(s) => earliest + s,
@@ -349,7 +336,7 @@ impl Check<'_> {
         let wrong = needs.map_or(now == Whereabouts::Pan, |n| n != now);
         if wrong {
             let place = if now == Whereabouts::Pan { "is in the pan already" } else { "is not in the pan" };
-            return self.error(at, format!("\"{food}\" {place} at this step"), remedy);
+            return self.input.error(at, format!("\"{food}\" {place} at this step"), remedy);
         }
         whereabouts.insert(food, then);
         Ok(())

@@ -4,7 +4,7 @@ use saute_food::components::Properties;
 use saute_heat::tensor::End;
 use toml::Spanned;
 
-use crate::input_error::InputError;
+use crate::input_error::{InputError, InputText};
 use crate::kelvin;
 use crate::lab::body::{axes, ends, node_count, on_axes, sizes, vertical};
 use crate::lab::case_file::{
@@ -12,7 +12,7 @@ use crate::lab::case_file::{
 };
 use crate::lab::material::Material;
 use crate::lab::verdict::{Expectation, Subject};
-use crate::library::{Library, line_of};
+use crate::library::Library;
 
 /// Most nodes a body may have (chosen: 1 GB of memory).
 const MOST_NODES: usize = 4_000_000;
@@ -73,44 +73,27 @@ type Checked<T> = Result<T, InputError>;
 impl Case {
     /// Reads and checks a case. `file` is its name in messages.
     pub fn parse(text: &str, file: &str, library: &Library) -> Checked<Self> {
-        Check { text, file, library }.case()
+        Check { input: InputText { text, file }, library }.case()
     }
 }
 
 struct Check<'a> {
-    text: &'a str,
-    file: &'a str,
+    input: InputText<'a>,
     library: &'a Library,
 }
 
 impl Check<'_> {
-    fn error<T>(&self, at: usize, message: impl Into<String>, remedy: impl Into<String>) -> Checked<T> {
-        let line = line_of(self.text, at);
-        Err(InputError { file: self.file.to_owned(), line, message: message.into(), remedy: remedy.into() })
-    }
-
-    fn ranged(&self, key: &str, value: &Spanned<f64>, low: f64, high: f64) -> Checked<f64> {
-        let v = *value.get_ref();
-        if (low..=high).contains(&v) {
-            return Ok(v);
-        }
-        self.error(value.span().start, format!("{key} = {v} is out of range"), format!("{key} may be {low} to {high}"))
-    }
-
     fn case(&self) -> Checked<Case> {
-        let raw: CaseFile = toml::from_str(self.text).or_else(|e| {
-            let at = e.span().map_or(0, |s| s.start);
-            self.error(at, e.message().trim().to_owned(), "the keys and their types are listed by: saute schema lab")
-        })?;
-        let duration = self.ranged("duration_s", &raw.duration_s, 1e-3, 1e7)?;
+        let raw: CaseFile = self.input.parse("the keys and their types are listed by: saute schema lab")?;
+        let duration = self.input.ranged("duration_s", &raw.duration_s, 1e-3, 1e7)?;
         let body = raw.body.get_ref();
         let size = self.size(body)?;
         Ok(Case {
-            name: raw.name.clone().unwrap_or_else(|| self.file.to_owned()),
+            name: raw.name.clone().unwrap_or_else(|| self.input.file.to_owned()),
             outputs: self.outputs(&raw, duration)?,
             duration,
             resolution: self.resolution(body, &size)?,
-            initial: kelvin(self.ranged("initial_c", &body.initial_c, -40.0, 400.0)?),
+            initial: kelvin(self.input.ranged("initial_c", &body.initial_c, -40.0, 400.0)?),
             material: self.material(&raw.material)?,
             boundaries: self.boundaries(body.shape, &raw.boundary)?,
             flips: self.flips(body.shape, raw.flips.as_ref(), duration)?,
@@ -128,11 +111,15 @@ impl Check<'_> {
         let (names, given) = (sizes(body.shape), body.size_mm.get_ref());
         let at = body.size_mm.span().start;
         if given.len() != names.len() {
-            return self.error(at, "size_mm does not fit the shape", format!("write size_mm = [{}]", names.join(", ")));
+            return self.input.error(
+                at,
+                "size_mm does not fit the shape",
+                format!("write size_mm = [{}]", names.join(", ")),
+            );
         }
         for (name, mm) in names.iter().zip(given) {
             if !(0.01..=10_000.0).contains(mm) {
-                return self.error(
+                return self.input.error(
                     at,
                     format!("size_mm: the {name} of {mm} mm is out of range"),
                     format!("the {name} may be 0.01 to 10000 mm"),
@@ -145,11 +132,11 @@ impl Check<'_> {
     fn resolution(&self, body: &BodyEntry, size: &[f64]) -> Checked<f64> {
         let smallest = size.iter().copied().fold(f64::INFINITY, f64::min);
         let Some(given) = &body.resolution_mm else { return Ok(smallest * DEFAULT_RESOLUTION) };
-        let resolution = 1e-3 * self.ranged("resolution_mm", given, 1e-3, 1e3 * smallest / 2.0)?;
+        let resolution = 1e-3 * self.input.ranged("resolution_mm", given, 1e-3, 1e3 * smallest / 2.0)?;
         let nodes: f64 = size.iter().map(|s| s / resolution + 3.0).product();
         if nodes > MOST_NODES as f64 || node_count(&axes(body.shape, size, resolution)) > MOST_NODES {
             let message = format!("resolution_mm makes about {nodes:.1e} nodes; at most {MOST_NODES} are allowed");
-            return self.error(given.span().start, message, "use a larger resolution_mm");
+            return self.input.error(given.span().start, message, "use a larger resolution_mm");
         }
         Ok(resolution)
     }
@@ -158,12 +145,12 @@ impl Check<'_> {
         let (at, m) = (entry.span().start, entry.get_ref());
         match (&m.conductivity_w_mk, &m.density_kg_m3, &m.specific_heat_j_kgk, &m.food) {
             (Some(k), Some(rho), Some(c), None) => Ok(Material::Constant {
-                conductivity: self.ranged("conductivity_w_mk", k, 1e-4, 1e4)?,
-                capacity: self.ranged("density_kg_m3", rho, 1e-2, 1e5)?
-                    * self.ranged("specific_heat_j_kgk", c, 1.0, 1e5)?,
+                conductivity: self.input.ranged("conductivity_w_mk", k, 1e-4, 1e4)?,
+                capacity: self.input.ranged("density_kg_m3", rho, 1e-2, 1e5)?
+                    * self.input.ranged("specific_heat_j_kgk", c, 1.0, 1e5)?,
             }),
             (None, None, None, Some(food)) => self.food(food),
-            _ => self.error(
+            _ => self.input.error(
                 at,
                 "the material is incomplete or given twice",
                 "give conductivity_w_mk, density_kg_m3 and specific_heat_j_kgk, or food alone",
@@ -174,7 +161,7 @@ impl Check<'_> {
     fn food(&self, id: &Spanned<String>) -> Checked<Material> {
         let Some(food) = self.library.foods.get(id.get_ref()) else {
             let remedy = format!("use one of: {}", Library::names(&self.library.foods));
-            return self.error(id.span().start, format!("food = \"{}\" is not a food", id.get_ref()), remedy);
+            return self.input.error(id.span().start, format!("food = \"{}\" is not a food", id.get_ref()), remedy);
         };
         let properties = Properties::new(&self.library.components, &food.lean, &food.fat_melting);
         let fractions = [food.lean.water, food.lean.lean_solids(), food.lean.fat];
@@ -188,7 +175,7 @@ impl Check<'_> {
             (Some(t), None) => t,
             (None, Some(pct)) => e.value.abs() * pct / 100.0,
             _ => {
-                return self.error(
+                return self.input.error(
                     at,
                     "the expectation needs one tolerance",
                     "write tolerance = 0.1 or tolerance_pct = 1",
@@ -200,14 +187,14 @@ impl Check<'_> {
                 Subject::Probe(name.clone(), time)
             }
             (Quantity::Probe, _, _) => {
-                return self.error(
+                return self.input.error(
                     at,
                     "the expectation names no probe and time",
                     "write probe = \"centre\" and at_s = 60",
                 );
             }
             (other, None, None) => Subject::Whole(other),
-            _ => return self.error(at, "probe and at_s belong to quantity = \"probe\"", "leave them out"),
+            _ => return self.input.error(at, "probe and at_s belong to quantity = \"probe\"", "leave them out"),
         };
         Ok(Expectation { subject, value: e.value, tolerance })
     }
@@ -218,18 +205,18 @@ impl Check<'_> {
         for entry in entries {
             let b = entry.get_ref();
             let Some(ends) = ends(shape, *b.face.get_ref()) else {
-                return self.error(
+                return self.input.error(
                     b.face.span().start,
                     "the body has no such face",
                     "use all, bottom, top, side, x, y or z as far as the shape has them",
                 );
             };
-            let outside = kelvin(self.ranged("ambient_c", &b.ambient_c, -200.0, 2000.0)?);
+            let outside = kelvin(self.input.ranged("ambient_c", &b.ambient_c, -200.0, 2000.0)?);
             let boundary = match (&b.h_w_m2k, b.fixed) {
-                (Some(h), false) => Boundary::Convective { h: self.ranged("h_w_m2k", h, 0.0, 1e7)?, outside },
+                (Some(h), false) => Boundary::Convective { h: self.input.ranged("h_w_m2k", h, 0.0, 1e7)?, outside },
                 (None, true) => Boundary::Fixed(outside),
                 _ => {
-                    return self.error(
+                    return self.input.error(
                         entry.span().start,
                         "the boundary needs one of h_w_m2k and fixed",
                         "write h_w_m2k = 25, or fixed = true",
@@ -246,7 +233,7 @@ impl Check<'_> {
 
     fn outputs(&self, raw: &CaseFile, duration: f64) -> Checked<Vec<f64>> {
         let Some(every) = &raw.output_every_s else { return Ok(vec![duration]) };
-        let every = self.ranged("output_every_s", every, duration * 1e-5, f64::INFINITY)?;
+        let every = self.input.ranged("output_every_s", every, duration * 1e-5, f64::INFINITY)?;
         Ok(repeated(every, duration))
     }
 
@@ -254,7 +241,7 @@ impl Check<'_> {
         let Some(entry) = entry else { return Ok(Vec::new()) };
         let (at, flips) = (entry.span().start, entry.get_ref());
         if vertical(shape).is_none() {
-            return self.error(at, "a sphere has no bottom to flip", "leave [flips] out");
+            return self.input.error(at, "a sphere has no bottom to flip", "leave [flips] out");
         }
         match (&flips.at_s, flips.every_s) {
             (Some(times), None) if times.iter().all(|t| (0.0..=duration).contains(t)) && times.is_sorted() => {
@@ -265,7 +252,7 @@ impl Check<'_> {
                 times.pop();
                 Ok(times)
             }
-            _ => self.error(
+            _ => self.input.error(
                 at,
                 "flips need at_s, ascending and within the duration, or every_s > 0",
                 "write at_s = [300] or every_s = 30",
@@ -279,7 +266,7 @@ impl Check<'_> {
             Some(place) => Ok((probe.name.clone(), place)),
             None => {
                 let message = format!("the probe \"{}\" lies outside the body", probe.name);
-                self.error(probe.at_mm.span().start, message, "write at_mm = [x, y, z] from the body's corner (box, slab), bottom centre (cylinder) or centre (sphere); a slab needs z alone")
+                self.input.error(probe.at_mm.span().start, message, "write at_mm = [x, y, z] from the body's corner (box, slab), bottom centre (cylinder) or centre (sphere); a slab needs z alone")
             }
         }
     }
