@@ -41,8 +41,8 @@ pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
         .include_x(0.0)
         .include_x(2.0)
         .y_axis_min_width(28.0)
-        .x_grid_spacer(egui_plot::uniform_grid_spacer(|input| spacing(input.bounds.1 - input.bounds.0)))
-        .y_grid_spacer(egui_plot::uniform_grid_spacer(|input| spacing(input.bounds.1 - input.bounds.0)))
+        .x_grid_spacer(egui_plot::uniform_grid_spacer(|input| spacing(input.bounds.1 - input.bounds.0, 3.0)))
+        .y_grid_spacer(egui_plot::uniform_grid_spacer(|input| spacing(input.bounds.1 - input.bounds.0, 6.0)))
         .x_axis_label(format!("minutes · {unit}"))
         .show(ui, |plot| {
             for (i, (name, points)) in lines.into_iter().enumerate() {
@@ -63,9 +63,9 @@ pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
         });
 }
 
-/// Grid lines at round steps, at most six over a span.
-fn spacing(span: f64) -> [f64; 3] {
+/// Grid lines at round steps, at most `most` over a span: each label then has the room that it needs to be shown.
+fn spacing(span: f64, most: f64) -> [f64; 3] {
     let round = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0];
-    let step = round.into_iter().find(|s| span / s <= 6.0).unwrap_or(1000.0);
+    let step = round.into_iter().find(|s| span / s <= most).unwrap_or(1000.0);
     [step; 3]
 }
