@@ -4,12 +4,14 @@ use std::collections::BTreeMap;
 
 use glam::{Mat4, Quat, Vec3};
 use saute_kitchen::food::Side;
-use saute_kitchen::{Kitchen, Piece, Place, celsius};
+use saute_kitchen::{Kitchen, Piece, Place, RestOn, celsius};
 
 use crate::colour_map::{ColourMap, TemperatureMap};
 use crate::food_look::{Skin, slice};
 use crate::scene::camera::Camera;
-use crate::scene::input::{Colouring, FLOOR_FIELD_RINGS, FoodLook, HobLook, PanLook, SceneInput, SteamSource};
+use crate::scene::input::{
+    Colouring, FLOOR_FIELD_RINGS, FoodLook, HobLook, PanLook, RACK_HEIGHT, RestKind, RestLook, SceneInput, SteamSource,
+};
 use crate::scene::props::{BOARD_CENTRE, CLOTH_PLACE};
 use crate::view::View;
 
@@ -43,13 +45,14 @@ impl Pose {
     /// The pose that the kitchen says.
     pub fn of(kitchen: &Kitchen, piece: &Piece) -> Self {
         let half = 0.5 * piece.model.mesh.thickness() as f32;
+        let lift = if piece.place == Place::Rest(RestOn::Rack) { RACK_HEIGHT } else { 0.0 };
         let (position, yaw) = match piece.place {
             Place::Pan(at) => {
                 let floor = kitchen.pan_model().description.floor.thickness_mm as f32 * 1e-3;
                 (pan_position(kitchen) + Vec3::new(at[0] as f32, at[1] as f32, floor + half), 0.0)
             }
             Place::Waiting | Place::Rest(_) => {
-                (board_place(kitchen, piece) + Vec3::Z * half, -std::f32::consts::FRAC_PI_2)
+                (board_place(kitchen, piece) + Vec3::Z * (half + lift), -std::f32::consts::FRAC_PI_2)
             }
         };
         Self { position, turn: if piece.state.down == Side::Top { std::f32::consts::PI } else { 0.0 }, yaw }
@@ -125,6 +128,7 @@ impl Stage {
             hob: HobLook { power: (kitchen.drawn_w() / 2000.0).min(1.0) as f32 },
             pan: PanLook { position: pan, ..pan_look(kitchen, options.view, map.as_ref()) },
             foods,
+            rest: kitchen.pieces().iter().find_map(rest_look),
             steam: steam(kitchen, places),
             time_s: kitchen.time_s() as f32,
             colouring: map.map_or(Colouring::Look, |m| Colouring::Field { table: m.table, stepped: m.stepped }),
@@ -156,6 +160,18 @@ impl Stage {
                 .and_then(|s| slice(&piece.model, &piece.state, s * half_length(piece), options.view, map)),
         }
     }
+}
+
+/// Rack or foil where a piece rests on or under one.
+fn rest_look(piece: &Piece) -> Option<RestLook> {
+    let kind = match piece.place {
+        Place::Rest(RestOn::Rack) => RestKind::Rack,
+        Place::Rest(RestOn::Foil) => RestKind::Foil,
+        _ => return None,
+    };
+    // Pieces lie across the board: their length runs along y.
+    let [length, width, thickness] = piece.model.size.map(|v| v as f32);
+    Some(RestLook { kind, centre: FIRST_ON_BOARD, half: 0.5 * glam::Vec2::new(width, length), height: thickness })
 }
 
 /// Half the longest extent of a piece [m].

@@ -123,3 +123,23 @@ fn a_time_past_the_end_is_refused_with_the_recipes_end() {
     assert!(matches!(&error, ShotError::PastTheEnd { end_s, .. } if (end_s - 400.0).abs() < 0.2), "{error}");
     assert!(error.to_string().contains("remedy"), "{error}");
 }
+
+#[test]
+fn board_rack_and_foil_are_told_apart() {
+    let gpu = Gpu::open().expect("an adapter");
+    let resting = |on: &str| {
+        let text = format!(
+            "[pan]\ninitial_c = 100\n[[food]]\nid = \"s\"\nkind = \"beef-lean\"\nsize_mm = [60, 50, 20]\n\
+             [[step]]\nput = \"s\"\n[[step]]\nafter_s = 1\nrest = \"s\"\non = \"{on}\"\n[[step]]\nafter_s = 1\nend = true\n"
+        );
+        let library = Library::embedded().expect("embedded data");
+        let recipe = Recipe::parse(&text, "rest.toml", &library).expect("parses");
+        let cook = cook_until(recipe, &library, 1.5).expect("cooks");
+        still(&gpu, &cook.kitchen, &options(View::Look, None, false), [640, 360])
+    };
+    let pictures = ["board", "rack", "foil"].map(resting);
+    for (a, b) in [(0, 1), (0, 2), (1, 2)] {
+        let differing = pictures[a].rgba.chunks(4).zip(pictures[b].rgba.chunks(4)).filter(|(p, q)| p != q).count();
+        assert!(differing > 500, "{a} and {b} differ in {differing} pixels");
+    }
+}

@@ -20,6 +20,8 @@ pub struct SceneInput {
     pub pan: PanLook,
     /// Foods, wherever they lie.
     pub foods: Vec<FoodLook>,
+    /// What food on the board rests on or under.
+    pub rest: Option<RestLook>,
     /// Places where water vapour leaves.
     pub steam: Vec<SteamSource>,
     /// Simulated time [s]; moves steam and the shimmer of the oil, nothing else.
@@ -43,6 +45,31 @@ pub enum Colouring {
         stepped: bool,
     },
 }
+
+/// A wire rack under resting food, or loose foil over it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RestLook {
+    /// Rack or foil.
+    pub kind: RestKind,
+    /// Middle of the resting food's place on the board [m].
+    pub centre: Vec3,
+    /// Half the food's extents along x and y [m].
+    pub half: glam::Vec2,
+    /// Top of the food above `centre` [m].
+    pub height: f32,
+}
+
+/// Rack or foil.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RestKind {
+    /// Wire rack; its wires' tops lie `RACK_HEIGHT` above the board.
+    Rack,
+    /// A tent of foil, open in front.
+    Foil,
+}
+
+/// Height of a rack's wires above the board [m] (chosen: a cooling rack).
+pub const RACK_HEIGHT: f32 = 0.016;
 
 /// How the hob looks.
 #[derive(Clone, Copy, Debug)]

@@ -15,6 +15,7 @@ mod pipelines;
 pub mod props;
 mod readback;
 pub mod renderer;
+mod rest_mesh;
 pub mod sample;
 mod shadow;
 mod shown;

@@ -10,7 +10,7 @@ use super::passes::{self, Groups, Sprites, Subject};
 use super::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines, PipelineFactory};
 use super::shadow::{ContactMap, light_from_world};
 use super::shown::{Shown, Sight, Work};
-use super::solid_gpu::{PanKey, Solids};
+use super::solid_gpu::{MovableKey, Solids};
 use super::steam::{PUFFS_MAX, PuffVertex, puffs};
 use super::still::{Still, StillKey};
 use super::targets::{MSAA_SAMPLES, Targets};
@@ -68,7 +68,7 @@ pub struct SceneRenderer {
     moved: Moved,
     /// Counts the moves of foods that pan wall and board show.
     disturbances: u64,
-    shadow_pan: Option<PanKey>,
+    shadow_pan: Option<MovableKey>,
     table: Option<std::sync::Arc<[[u8; 3]; 256]>>,
 }
 
@@ -210,8 +210,8 @@ impl SceneRenderer {
             self.shadow_pan = None;
         }
         match &mut self.solids {
-            Some(solids) => solids.update(device, &input.pan),
-            None => self.solids = Some(Solids::new(device, &input.pan)),
+            Some(solids) => solids.update(device, input),
+            None => self.solids = Some(Solids::new(device, input)),
         }
         let coloured = self.update_table(device, queue, &input.colouring);
         let aspect = size[0] as f32 / size[1] as f32;
@@ -226,7 +226,7 @@ impl SceneRenderer {
         self.disturbances += u64::from(self.moved.still);
         let sprites = self.update_sprites(queue, input);
         self.dirty = DirtyRect::of(input, &sprites, size);
-        let pan_moved = self.shadow_pan != Some(PanKey::of(&input.pan));
+        let pan_moved = self.shadow_pan != Some(MovableKey::of(input));
         let sight = Sight { frame, sprites, quality: self.quality };
         (sight, resized || coloured || pan_moved || self.moved.look)
     }
@@ -263,7 +263,7 @@ impl SceneRenderer {
     /// Redraws shadow and contact map when something moved.
     fn update_shadow(&mut self, encoder: &mut wgpu::CommandEncoder, input: &SceneInput) {
         let Some(solids) = &self.solids else { return };
-        let pan = PanKey::of(&input.pan);
+        let pan = MovableKey::of(input);
         if self.shadow_pan == Some(pan) {
             return;
         }

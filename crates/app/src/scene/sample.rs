@@ -48,6 +48,7 @@ pub fn empty_pan() -> SceneInput {
         hob: HobLook { power: 0.6 },
         pan,
         foods: Vec::new(),
+        rest: None,
         steam: Vec::new(),
         time_s: 3.0,
         colouring: Colouring::Look,

@@ -3,10 +3,11 @@
 use glam::{Mat4, Vec3};
 use wgpu::util::DeviceExt;
 
-use super::input::PanLook;
+use super::input::{RestLook, SceneInput};
 use super::mesh::Mesh;
 use super::pan_mesh::pan_mesh;
 use super::props::{self, CLOTH_PLACE, COUNTER_Z};
+use super::rest_mesh::rest_mesh;
 
 /// A mesh in buffers.
 pub(super) struct SolidBuffers {
@@ -34,24 +35,27 @@ impl SolidBuffers {
     }
 }
 
-/// The shape and finish of a pan, compared to know when to rebuild it.
+/// Shape, finish and place of the pan and of what food rests on, compared to know when to rebuild them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct PanKey {
+pub(super) struct MovableKey {
     shape: [f32; 4],
     colour: Vec3,
     finish: [f32; 2],
     position: Vec3,
     on_cloth: bool,
+    rest: Option<RestLook>,
 }
 
-impl PanKey {
-    pub fn of(pan: &PanLook) -> Self {
+impl MovableKey {
+    pub fn of(input: &SceneInput) -> Self {
+        let pan = &input.pan;
         Self {
             shape: [pan.floor_radius, pan.rim_radius, pan.rim_height, pan.thickness],
             colour: pan.colour,
             finish: [pan.metalness, pan.roughness],
             position: pan.position,
             on_cloth: pan.on_cloth,
+            rest: input.rest,
         }
     }
 }
@@ -65,12 +69,12 @@ pub(super) struct Solids {
     pub cloth: SolidBuffers,
     pub pan_body: SolidBuffers,
     pub pan_floor: SolidBuffers,
-    pub pan: PanKey,
+    pub pan: MovableKey,
 }
 
 impl Solids {
-    pub fn new(device: &wgpu::Device, pan: &PanLook) -> Self {
-        let [cloth, pan_body, pan_floor] = movable(device, pan);
+    pub fn new(device: &wgpu::Device, input: &SceneInput) -> Self {
+        let [cloth, pan_body, pan_floor] = movable(device, input);
         Self {
             room: SolidBuffers::new(device, &props::room()),
             surroundings: SolidBuffers::new(device, &props::surroundings()),
@@ -79,22 +83,23 @@ impl Solids {
             cloth,
             pan_body,
             pan_floor,
-            pan: PanKey::of(pan),
+            pan: MovableKey::of(input),
         }
     }
 
-    /// Rebuilds what depends on the pan, when the pan changed.
-    pub fn update(&mut self, device: &wgpu::Device, pan: &PanLook) {
-        let key = PanKey::of(pan);
+    /// Rebuilds what may move, when it did.
+    pub fn update(&mut self, device: &wgpu::Device, input: &SceneInput) {
+        let key = MovableKey::of(input);
         if key != self.pan {
-            [self.cloth, self.pan_body, self.pan_floor] = movable(device, pan);
+            [self.cloth, self.pan_body, self.pan_floor] = movable(device, input);
             self.pan = key;
         }
     }
 }
 
-/// Cloth, body and floor of the pan where they stand.
-fn movable(device: &wgpu::Device, pan: &PanLook) -> [SolidBuffers; 3] {
+/// Cloth (with rack or foil), body and floor of the pan where they stand.
+fn movable(device: &wgpu::Device, input: &SceneInput) -> [SolidBuffers; 3] {
+    let pan = &input.pan;
     let mut meshes = pan_mesh(pan);
     let pose = Mat4::from_translation(pan.position);
     meshes.body.transform_from(0, pose);
@@ -102,5 +107,8 @@ fn movable(device: &wgpu::Device, pan: &PanLook) -> [SolidBuffers; 3] {
     let mut cloth = props::cloth();
     let place = if pan.on_cloth { pan.position } else { CLOTH_PLACE };
     cloth.transform_from(0, Mat4::from_translation(Vec3::new(place.x, place.y, COUNTER_Z)));
+    if let Some(rest) = &input.rest {
+        rest_mesh(&mut cloth, rest);
+    }
     [&cloth, &meshes.body, &meshes.floor].map(|mesh| SolidBuffers::new(device, mesh))
 }

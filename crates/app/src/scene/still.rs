@@ -2,7 +2,7 @@
 
 use super::camera::Camera;
 use super::input::SceneInput;
-use super::solid_gpu::PanKey;
+use super::solid_gpu::MovableKey;
 
 /// What the kept picture of the still things depends on.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,7 +11,7 @@ pub(super) struct StillKey {
     size: [u32; 2],
     /// Hob power in steps that no eye tells apart.
     power: u32,
-    pan: PanKey,
+    pan: MovableKey,
     disturbances: u64,
 }
 
@@ -21,7 +21,7 @@ impl StillKey {
             camera: input.camera.clone(),
             size,
             power: (input.hob.power * 128.0).round() as u32,
-            pan: PanKey::of(&input.pan),
+            pan: MovableKey::of(input),
             disturbances,
         }
     }
