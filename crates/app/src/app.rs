@@ -14,6 +14,7 @@ use crate::notice::Notice;
 use crate::panels;
 use crate::scene::callback::SceneCallback;
 use crate::scene::camera::Camera;
+use crate::scene::ground::GroundCallback;
 use crate::scene_view::SceneView;
 use crate::session::{SPEEDS, STEAK, Session};
 use crate::settings::Settings;
@@ -95,6 +96,7 @@ impl SauteApp {
         let mut software = false;
         if let Some(state) = graphics {
             SceneCallback::install(state);
+            GroundCallback::install(state);
             software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
         }
         Ok(Self {

@@ -19,6 +19,8 @@ pub const QUIET: Color32 = Color32::from_rgb(173, 166, 157);
 /// Curves: pan, core, surface.
 pub const CURVES: [Color32; 3] =
     [Color32::from_rgb(236, 138, 60), Color32::from_rgb(226, 86, 104), Color32::from_rgb(224, 200, 120)];
+/// Corner radius of a panel [points].
+pub const CORNER: u8 = 12;
 /// Height of a control that a finger can hit [points].
 pub const TOUCH: f32 = 44.0;
 
@@ -75,7 +77,7 @@ fn visuals() -> Visuals {
 
 /// The frame of a floating panel.
 pub fn panel() -> Frame {
-    Frame::new().fill(GROUND).corner_radius(CornerRadius::same(12)).inner_margin(Margin::same(12))
+    Frame::new().fill(GROUND).corner_radius(CornerRadius::same(CORNER)).inner_margin(Margin::same(12))
 }
 
 /// A large button; filled with the accent where `on`.

@@ -14,6 +14,7 @@ use egui::{Rect, ScrollArea, Ui, UiBuilder};
 
 use crate::app::SauteApp;
 use crate::layout::Layout;
+use crate::scene::ground::GroundCallback;
 use crate::theme;
 
 /// Which part of the drawer is open on a narrow window.
@@ -34,15 +35,15 @@ impl Drawer {
 
 /// Shows all panels.
 pub fn show(app: &mut SauteApp, ui: &mut Ui, layout: &Layout) {
-    floating(ui, layout.top, "views", |ui| top::show(app, ui, layout.narrow));
+    floating(ui, layout.top, 0, "views", |ui| top::show(app, ui, layout.narrow));
     if layout.narrow {
-        floating(ui, layout.bottom, "drawer", |ui| drawer(app, ui));
+        floating(ui, layout.bottom, 1, "drawer", |ui| drawer(app, ui));
         return;
     }
-    floating(ui, layout.right, "inside", |ui| scrolled(ui, |ui| inside::show(app, ui)));
-    floating(ui, layout.bottom, "cook", |ui| hob_bar::show(app, ui, false));
+    floating(ui, layout.right, 2, "inside", |ui| scrolled(ui, |ui| inside::show(app, ui)));
+    floating(ui, layout.bottom, 3, "cook", |ui| hob_bar::show(app, ui, false));
     if let Some(left) = layout.left {
-        floating(ui, left, "steak", |ui| scrolled(ui, |ui| pantry::show(app, ui)));
+        floating(ui, left, 4, "steak", |ui| scrolled(ui, |ui| pantry::show(app, ui)));
     }
 }
 
@@ -64,10 +65,18 @@ fn drawer(app: &mut SauteApp, ui: &mut Ui) {
 }
 
 /// A panel at a fixed place; it takes the mouse so that the scene below does not.
-fn floating(ui: &mut Ui, rect: Rect, name: &str, content: impl FnOnce(&mut Ui)) {
+fn floating(ui: &mut Ui, rect: Rect, index: u32, name: &str, content: impl FnOnce(&mut Ui)) {
     ui.interact(rect, ui.scope_id().with(("ground", name)), egui::Sense::click_and_drag());
+    let points = ui.ctx().pixels_per_point();
+    let ground = GroundCallback {
+        index,
+        colour: theme::GROUND.to_normalized_gamma_f32(),
+        size: [rect.width() * points, rect.height() * points],
+        radius: f32::from(theme::CORNER) * points,
+    };
+    ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, ground));
     let mut child = ui.new_child(UiBuilder::new().id_salt(name).max_rect(rect));
-    theme::panel().show(&mut child, |ui| {
+    theme::panel().fill(egui::Color32::TRANSPARENT).show(&mut child, |ui| {
         let inner = ui.available_size();
         ui.set_min_size(inner);
         ui.set_max_size(inner);

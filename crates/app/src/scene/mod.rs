@@ -6,6 +6,7 @@ mod dirty;
 mod environment;
 mod food_gpu;
 mod fry;
+pub mod ground;
 pub mod input;
 mod mesh;
 mod noise;
