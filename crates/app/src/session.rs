@@ -205,12 +205,9 @@ impl Session {
     pub fn tick(&mut self) -> Result<(), String> {
         if let Some(mut runner) = self.runner.take() {
             let fired = runner.poll(&mut self.kitchen).map_err(|e| e.to_string())?;
-            for step in fired {
-                if step.action == "put" {
-                    self.recorder.on_put(&self.kitchen);
-                }
-                self.mark(step_label(&step));
-            }
+            self.recorder.on_steps(&self.kitchen, &fired);
+            let time_s = self.kitchen.time_s();
+            self.marks.extend(fired.iter().map(|step| Mark { time_s, label: step_label(step) }));
             if runner.stopped().is_some() {
                 self.paused = true;
                 self.owed_s = 0.0;

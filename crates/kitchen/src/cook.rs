@@ -52,15 +52,8 @@ impl Cook {
     /// Fires the steps that are due now.
     pub fn fire(&mut self) -> Result<Vec<Fired>, InputError> {
         let fired = self.runner.poll(&mut self.kitchen)?;
-        for step in &fired {
-            if step.action == "put" {
-                self.recorder.on_put(&self.kitchen);
-            }
-        }
-        if !fired.is_empty() {
-            self.recorder.write_row(&self.kitchen);
-            self.steps.extend(fired.iter().cloned());
-        }
+        self.recorder.on_steps(&self.kitchen, &fired);
+        self.steps.extend(fired.iter().cloned());
         Ok(fired)
     }
 

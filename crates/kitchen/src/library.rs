@@ -61,11 +61,11 @@ impl Library {
         collect(&DATA, "", &mut files);
         collect(&RECIPES, "recipes/", &mut files);
         files.extend(own.iter().cloned());
-        let bare = parse_folder::<PanDescription>(&files, "pans/")?;
-        let coatings = parse_folder::<CoatingDescription>(&files, "coatings/")?;
+        let bare = parse_folder(&files, "pans/", data_check::pan)?;
+        let coatings = parse_folder(&files, "coatings/", data_check::coating)?;
         let library = Self {
-            foods: parse_folder(&files, "foods/")?,
-            kinetics: parse_folder(&files, "kinetics/")?,
+            foods: parse_folder(&files, "foods/", data_check::food)?,
+            kinetics: parse_folder(&files, "kinetics/", |_, _, _| Ok(()))?,
             pans: with_coatings(bare, &coatings),
             recipes: in_folder(&files, "recipes/").map(|(id, text)| (id.to_owned(), text.clone())).collect(),
             components: parse(&files, "components.toml")?,
@@ -73,7 +73,6 @@ impl Library {
             hob: parse(&files, "hobs/induction.toml")?,
         };
         library.check_references()?;
-        check_numbers(&files)?;
         Ok(library)
     }
 
@@ -114,23 +113,6 @@ impl Library {
     }
 }
 
-/// Checks the ranges of pans, coatings and foods, each where its file says it.
-fn check_numbers(files: &BTreeMap<String, String>) -> Result<(), LibraryError> {
-    for (id, text) in in_folder(files, "pans/") {
-        let file = format!("pans/{id}.toml");
-        data_check::pan(&parse_text(text, &file)?, &file, text)?;
-    }
-    for (id, text) in in_folder(files, "coatings/") {
-        let file = format!("coatings/{id}.toml");
-        data_check::coating(&parse_text(text, &file)?, &file, text)?;
-    }
-    for (id, text) in in_folder(files, "foods/") {
-        let file = format!("foods/{id}.toml");
-        data_check::food(&parse_text(text, &file)?, &file, text)?;
-    }
-    Ok(())
-}
-
 fn collect(dir: &Dir, prefix: &str, files: &mut BTreeMap<String, String>) {
     for file in dir.files() {
         if let Some(text) = file.contents_utf8() {
@@ -144,12 +126,19 @@ fn in_folder<'a>(files: &'a BTreeMap<String, String>, folder: &'a str) -> impl I
     files.iter().filter_map(move |(path, text)| Some((path.strip_prefix(folder)?.strip_suffix(".toml")?, text)))
 }
 
+/// Parses every file of a folder, by id, and checks its numbers.
 fn parse_folder<T: DeserializeOwned>(
     files: &BTreeMap<String, String>,
     folder: &str,
+    check: impl Fn(&T, &str, &str) -> Result<(), LibraryError>,
 ) -> Result<BTreeMap<String, T>, LibraryError> {
     in_folder(files, folder)
-        .map(|(id, text)| Ok((id.to_owned(), parse_text(text, &format!("{folder}{id}.toml"))?)))
+        .map(|(id, text)| {
+            let file = format!("{folder}{id}.toml");
+            let parsed = parse_text(text, &file)?;
+            check(&parsed, &file, text)?;
+            Ok((id.to_owned(), parsed))
+        })
         .collect()
 }
 

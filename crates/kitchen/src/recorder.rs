@@ -2,7 +2,7 @@
 
 use crate::celsius;
 use crate::kitchen::Kitchen;
-use crate::runner::rounded;
+use crate::runner::{StepRecord, rounded};
 
 /// One row of the series.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,6 +48,16 @@ impl Recorder {
         let pan = celsius(kitchen.pan_temperature());
         self.pan_at_first_put_c.get_or_insert(pan);
         self.pan_lowest_after_c.get_or_insert(pan);
+    }
+
+    /// Remembers the steps that were fired now.
+    pub fn on_steps(&mut self, kitchen: &Kitchen, fired: &[StepRecord]) {
+        if fired.iter().any(|step| step.action == "put") {
+            self.on_put(kitchen);
+        }
+        if !fired.is_empty() {
+            self.write_row(kitchen);
+        }
     }
 
     /// Adds a row for now; one that repeats the last row's time replaces it.

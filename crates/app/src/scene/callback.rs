@@ -5,6 +5,7 @@ use std::sync::Arc;
 use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
 
 use super::input::SceneInput;
+use super::overlay::Overlay;
 use super::renderer::SceneRenderer;
 
 const PRESENT: &str = include_str!("shaders/present.wgsl");
@@ -140,35 +141,7 @@ fn pipeline(
     layout: &wgpu::BindGroupLayout,
     target: wgpu::TextureFormat,
 ) -> wgpu::RenderPipeline {
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some("present"),
-        source: wgpu::ShaderSource::Wgsl(PRESENT.into()),
-    });
-    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some("present"),
-        bind_group_layouts: &[Some(layout)],
-        immediate_size: 0,
-    });
-    let entry = if target.is_srgb() { "fs_present_linear" } else { "fs_present_encoded" };
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("present"),
-        layout: Some(&layout),
-        vertex: wgpu::VertexState {
-            module: &module,
-            entry_point: Some("vs_present"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: None,
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module: &module,
-            entry_point: Some(entry),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(target.into())],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
+    let fragment = if target.is_srgb() { "fs_present_linear" } else { "fs_present_encoded" };
+    let target = target.into();
+    Overlay { label: "present", shader: PRESENT, vertex: "vs_present", fragment, layout, target }.pipeline(device)
 }

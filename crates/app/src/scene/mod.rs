@@ -10,6 +10,7 @@ pub mod ground;
 pub mod input;
 mod mesh;
 mod noise;
+mod overlay;
 mod pan_mesh;
 mod passes;
 mod pipelines;
