@@ -6,6 +6,7 @@ use glam::Vec3;
 use saute_kitchen::Piece;
 use saute_kitchen::food::colour::Appearance;
 use saute_kitchen::food::noise::{fractal, mix};
+use saute_kitchen::food::readings::changed_at;
 use saute_kitchen::food::{FoodModel, FoodState};
 
 use crate::colour_map::ColourMap;
@@ -103,6 +104,7 @@ impl Skin {
         view: View,
         map: Option<&ColourMap>,
     ) -> Vec<FoodVertex> {
+        let shape = PresentShape::new(model, state);
         let vertex = |k: usize| {
             let node = self.nodes[k] as usize;
             let field = map.map_or(0.0, |m| m.coordinate(view.celsius(state, node)));
@@ -111,7 +113,7 @@ impl Skin {
                 model.appearance(state, node),
                 state.water[node] / model.initial_water[node],
                 field,
-                self.positions[k],
+                Place { rest: self.positions[k], now: shape.moved(self.positions[k], |f| f(node)) },
                 self.normals[k],
             )
         };
@@ -129,14 +131,14 @@ pub fn slice(model: &FoodModel, state: &FoodState, x: f64, view: View, map: Opti
     let normal = if along_x { Vec3::X } else { Vec3::Y };
     let point = normal * x as f32;
     let n = model.mesh.nodes_per_level();
+    let shape = PresentShape::new(model, state);
     let mut vertices = Vec::new();
     for (level, _) in model.mesh.levels.iter().enumerate() {
         for (place_in_row, p) in cut.points.iter().enumerate() {
             let [a, b] = p.nodes.map(|i| level * n + i as usize);
             let mix = |f: &dyn Fn(usize) -> f64| f(a) * (1.0 - p.share) + f(b) * p.share;
             let appearance = Appearance {
-                myosin: mix(&|i| state.denatured[0][i]),
-                myoglobin: mix(&|i| state.denatured[3][i]),
+                changed: changed_at(state, |field| mix(&|i| field[i])),
                 browning: mix(&|i| state.browning[i]),
                 charring: mix(&|i| state.charring[i]),
             };
@@ -145,7 +147,12 @@ pub fn slice(model: &FoodModel, state: &FoodState, x: f64, view: View, map: Opti
             let along = p.along + end_inset(model, level, place_in_row, cut.points.len());
             let place = if along_x { [x, along] } else { [-along, x] };
             let position = rest_position(model, level, place).to_array();
-            vertices.push(vertex(model, appearance, 0.75 * moisture, field, position, normal.to_array()));
+            let now = shape.moved(position, |f| {
+                let (from, to) = (f(a), f(b));
+                std::array::from_fn(|axis| from[axis] * (1.0 - p.share) + to[axis] * p.share)
+            });
+            let place = Place { rest: position, now };
+            vertices.push(vertex(model, appearance, 0.75 * moisture, field, place, normal.to_array()));
         }
     }
     let triangles = strip_triangles(cut.points.len() as u32, model.mesh.levels.len() as u32);
@@ -186,15 +193,47 @@ fn rest_position(model: &FoodModel, level: usize, [x, y]: [f64; 2]) -> Vec3 {
     Vec3::new(x as f32, y as f32, (model.mesh.levels[level] - 0.5 * model.mesh.thickness()) as f32)
 }
 
-fn vertex(model: &FoodModel, a: Appearance, moisture: f64, field: f32, rest: [f32; 3], normal: [f32; 3]) -> FoodVertex {
+/// How far every node has moved from the rest shape [m].
+struct PresentShape {
+    moved: Vec<[f64; 3]>,
+}
+
+impl PresentShape {
+    fn new(model: &FoodModel, state: &FoodState) -> Self {
+        let half = 0.5 * model.mesh.thickness();
+        let mut moved = model.positions(state);
+        for (node, shift) in moved.iter_mut().enumerate() {
+            let [x, y, z] = model.mesh.position(node);
+            (shift[0], shift[1], shift[2]) = (shift[0] - x, shift[1] - y, shift[2] - (z - half));
+        }
+        Self { moved }
+    }
+
+    /// Where a point of the rest shape is now; `at` reads the shift off its nodes.
+    fn moved(&self, rest: [f32; 3], at: impl Fn(&dyn Fn(usize) -> [f64; 3]) -> [f64; 3]) -> [f32; 3] {
+        let shift = at(&|node| self.moved[node]);
+        std::array::from_fn(|axis| rest[axis] + shift[axis] as f32)
+    }
+}
+
+/// A point in the rest shape and in the present one [m].
+#[derive(Clone, Copy)]
+struct Place {
+    rest: [f32; 3],
+    now: [f32; 3],
+}
+
+fn vertex(model: &FoodModel, a: Appearance, moisture: f64, field: f32, place: Place, normal: [f32; 3]) -> FoodVertex {
     let mottled = Appearance { browning: mottled(a.browning), ..a };
     let linear = |lab: saute_kitchen::food::Lab| lab.linear_srgb().map(|v| v as f32);
     let (lean, fat) = model.colours(a);
     // A film of water stands on raw flesh; cooked flesh is matt, and fried flesh sheds it (chosen).
-    let matt = (1.0 - 0.5 * a.myoglobin) * (1.0 - 0.9 * (2.5 * a.browning).min(1.0));
+    let done = a.changed[model.changes.count() - 1];
+    let matt = (1.0 - 0.5 * done) * (1.0 - 0.9 * (2.5 * a.browning).min(1.0));
     let wet = ((moisture - 0.25) / 0.75).clamp(0.0, 1.0) * matt;
     FoodVertex {
-        rest,
+        rest: place.rest,
+        position: place.now,
         normal,
         lean: linear(lean),
         browner: linear(model.colours(mottled).0),

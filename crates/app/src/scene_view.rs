@@ -117,7 +117,7 @@ impl SauteApp {
     fn steak_under(&self, at: Pos2, rect: Rect, aspect: f32) -> bool {
         let Some((pose, piece)) = self.steak_pose() else { return false };
         let (origin, direction) = self.eye().ray(ndc(at, rect), aspect);
-        let half = 0.5 * piece.model.mesh.thickness() as f32;
+        let half = 0.5 * piece.model.thickness(&piece.state) as f32;
         let outline = &piece.model.outline;
         [-1.0, 0.0, 1.0].iter().any(|level| {
             let Some(hit) = meet_height(origin, direction, pose.position.z + level * half) else { return false };
@@ -169,7 +169,7 @@ impl SauteApp {
     pub fn cut_handle_on_screen(&self, window: Rect) -> Option<[Pos2; 2]> {
         let (slice, (pose, piece)) = (self.slice?, self.steak_pose()?);
         let lengthwise = piece.model.size[0] >= piece.model.size[1];
-        let height = 0.5 * piece.model.mesh.thickness() as f32;
+        let height = 0.5 * piece.model.thickness(&piece.state) as f32;
         let place = along(&pose.matrix(), lengthwise, slice as f32 * half_length(piece) as f32) + Vec3::Z * height;
         let aspect = window.width() / window.height();
         let foot = self.eye().project(place, aspect)?;
@@ -205,7 +205,7 @@ impl SauteApp {
     fn drag_cut(&mut self, at: Pos2, rect: Rect) {
         let Some((pose, piece)) = self.steak_pose() else { return };
         let (origin, direction) = self.eye().ray(ndc(at, rect), rect.width() / rect.height());
-        let height = pose.position.z + 0.5 * piece.model.mesh.thickness() as f32 + KNOB_HEIGHT;
+        let height = pose.position.z + 0.5 * piece.model.thickness(&piece.state) as f32 + KNOB_HEIGHT;
         let Some(hit) = meet_height(origin, direction, height) else { return };
         let local = pose.matrix().inverse().transform_point3(hit);
         let lengthwise = piece.model.size[0] >= piece.model.size[1];

@@ -2,6 +2,7 @@
 
 use saute_kitchen::food::colour::Appearance;
 use saute_kitchen::food::noise::fractal;
+use saute_kitchen::food::readings::changed_at;
 use saute_kitchen::food::{FoodModel, FoodState, Lab, Side};
 use saute_kitchen::heat::Cut;
 
@@ -42,8 +43,9 @@ pub fn section_picture(
         return Picture { width: 1, height: 1, rgba: vec![0; 4] };
     };
     let samples = sample(model, state, &cut, view);
-    let width = (((last.along - first.along) * 1e3 * per_mm).round() as usize).max(1);
-    let height = ((thickness * 1e3 * per_mm).round() as usize).max(1);
+    // The picture shows the present size; within it the shape is stretched evenly.
+    let width = (((last.along - first.along) * state.stretch.lateral * 1e3 * per_mm).round() as usize).max(1);
+    let height = ((model.thickness(state) * 1e3 * per_mm).round() as usize).max(1);
     let painter =
         Painter { model, cut: &cut, samples, x, colours: view.colour_map(map), flipped: state.down == Side::Top };
     let mut rgba = Vec::with_capacity(4 * width * height);
@@ -68,8 +70,7 @@ fn sample(model: &FoodModel, state: &FoodState, cut: &Cut, view: View) -> Vec<Sa
             samples.push(Sample {
                 celsius: view.celsius(state, a) * (1.0 - p.share) + view.celsius(state, b) * p.share,
                 appearance: Appearance {
-                    myosin: mix(&state.denatured[0]),
-                    myoglobin: mix(&state.denatured[3]),
+                    changed: changed_at(state, mix),
                     browning: mix(&state.browning),
                     charring: mix(&state.charring),
                 },
@@ -123,8 +124,7 @@ impl Painter<'_> {
             [corner(level, right - 1), corner(level, right), corner(level + 1, right - 1), corner(level + 1, right)]
         {
             sum.celsius += w * s.celsius;
-            sum.appearance.myosin += w * s.appearance.myosin;
-            sum.appearance.myoglobin += w * s.appearance.myoglobin;
+            sum.appearance.changed.iter_mut().zip(s.appearance.changed).for_each(|(c, x)| *c += w * x);
             sum.appearance.browning += w * s.appearance.browning;
             sum.appearance.charring += w * s.appearance.charring;
         }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use saute_kitchen::carry_over::foreseen_peak;
+use saute_kitchen::food::description::Form;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{Command, Kitchen, Library, PieceOrder, Recipe, Recorder, Runner, TICK_S, celsius, kelvin};
 use web_time::{Duration, Instant};
@@ -14,7 +15,7 @@ pub struct SteakChoice {
     /// Id of the food.
     pub kind: String,
     /// Length, width, thickness [mm].
-    pub size_mm: [f64; 3],
+    pub size_mm: Vec<f64>,
     /// Start temperature [°C].
     pub initial_c: f64,
     /// Id of the pan.
@@ -27,7 +28,7 @@ impl Default for SteakChoice {
     fn default() -> Self {
         Self {
             kind: "beef-lean".into(),
-            size_mm: [120.0, 80.0, 25.0],
+            size_mm: vec![120.0, 80.0, 25.0],
             initial_c: 5.0,
             pan: "carbon-steel-26".into(),
             preheat_c: 20.0,
@@ -254,10 +255,12 @@ impl Session {
 
 fn set_out(library: &Library, choice: &SteakChoice) -> Result<Kitchen, SetupError> {
     let mut kitchen = Kitchen::new(library, &choice.pan, kelvin(choice.preheat_c))?;
+    let form = library.foods.get(&choice.kind).map_or(Form::Steak, |f| f.form);
+    let size = form.extent(&choice.size_mm).unwrap_or_default();
     let order = PieceOrder {
         id: STEAK.into(),
         kind: choice.kind.clone(),
-        size: choice.size_mm.map(|v| v * 1e-3),
+        size: size.map(|mm| mm * 1e-3),
         temperature: kelvin(choice.initial_c),
         seed: 1,
         coarseness: 1.0,
@@ -272,6 +275,7 @@ fn label(command: &Command) -> String {
         Command::Put { .. } => "in".into(),
         Command::Flip { .. } => "flip".into(),
         Command::Rest { .. } => "out".into(),
+        Command::MovePan { .. } => "pan".into(),
         Command::Cool { .. } => "cloth".into(),
     }
 }
@@ -281,6 +285,7 @@ fn step_label(step: &saute_kitchen::Fired) -> String {
         "hob_w" => format!("{:.0} W", step.value.as_f64().unwrap_or(0.0)),
         "put" => "in".into(),
         "rest" => "out".into(),
+        "move_pan" => "pan".into(),
         "cool" => "cloth".into(),
         other => other.into(),
     }

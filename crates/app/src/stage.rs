@@ -44,7 +44,7 @@ pub struct Pose {
 impl Pose {
     /// The pose that the kitchen says.
     pub fn of(kitchen: &Kitchen, piece: &Piece) -> Self {
-        let half = 0.5 * piece.model.mesh.thickness() as f32;
+        let half = piece.model.rest_height(&piece.state) as f32;
         let lift = if piece.place == Place::Rest(RestOn::Rack) { RACK_HEIGHT } else { 0.0 };
         let (position, yaw) = match piece.place {
             Place::Pan(at) => {
@@ -107,7 +107,11 @@ pub fn following(camera: &Camera, pan: Vec3) -> Camera {
 
 /// Where the pan stands [m].
 pub fn pan_position(kitchen: &Kitchen) -> Vec3 {
-    if kitchen.cloth().is_some() { CLOTH_PLACE } else { Vec3::ZERO }
+    if kitchen.cloth().is_some() {
+        return CLOTH_PLACE;
+    }
+    let pose = kitchen.pan_state().pose;
+    Vec3::new(pose.at[0] as f32, pose.at[1] as f32, pose.lift as f32)
 }
 
 /// Keeps the skins of the pieces between frames.
@@ -231,7 +235,7 @@ fn steam(kitchen: &Kitchen, places: &Places) -> Vec<SteamSource> {
             let position = pose.position + Vec3::new(a * angle.cos(), b * angle.sin(), 0.0);
             sources.push(SteamSource { position, radius: 0.015, flow_g_s: share });
         }
-        let top = pose.position + Vec3::Z * 0.5 * piece.model.mesh.thickness() as f32;
+        let top = pose.position + Vec3::Z * 0.5 * piece.model.thickness(&piece.state) as f32;
         sources.push(SteamSource { position: top, radius: 0.5 * b, flow_g_s: share });
     }
     let (puddle, cloth) = kitchen.other_vapour();

@@ -23,9 +23,9 @@ struct Entry {
 /// Length, width, thickness that a food may have [mm].
 #[derive(Debug, Serialize)]
 struct Sizes {
-    default: [f64; 3],
-    min: [f64; 3],
-    max: [f64; 3],
+    default: Vec<f64>,
+    min: Vec<f64>,
+    max: Vec<f64>,
 }
 
 /// Prints a list, for people or for programs.
@@ -41,7 +41,11 @@ pub fn run(args: &ListArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
 }
 
 fn foods(library: &Library) -> Vec<Entry> {
-    let sizes = |f: &FoodDescription| Sizes { default: f.size.default_mm, min: f.size.min_mm, max: f.size.max_mm };
+    let sizes = |f: &FoodDescription| Sizes {
+        default: f.size.default_mm.clone(),
+        min: f.size.min_mm.clone(),
+        max: f.size.max_mm.clone(),
+    };
     library
         .foods
         .iter()
@@ -70,6 +74,6 @@ fn table(entries: &[Entry]) -> String {
 }
 
 fn sizes(sizes: &Sizes) -> String {
-    let range = |axis: usize| format!("{}–{}", sizes.min[axis], sizes.max[axis]);
-    format!(" ({} × {} × {} mm)", range(0), range(1), range(2))
+    let ranges: Vec<String> = sizes.min.iter().zip(&sizes.max).map(|(low, high)| format!("{low}–{high}")).collect();
+    format!(" ({} mm)", ranges.join(" × "))
 }

@@ -49,19 +49,23 @@ fn food(f: &FoodSummary) -> String {
     row(&mut lines, "cross-section", &doneness(&f.section_pct));
     row(&mut lines, "volume", &doneness(&f.volume_pct));
     let lost = 100.0 * (1.0 - f.mass_g.end / f.mass_g.start);
-    let water = format!("{:.1} g evaporated, {:.1} g dripped", f.water_g.evaporated, f.water_g.dripped);
+    let water = format!(
+        "{:.1} g evaporated, {:.1} g dripped, {:.1} g fat rendered",
+        f.water_g.evaporated, f.water_g.dripped, f.fat_rendered_g
+    );
     row(&mut lines, "mass", &format!("{:.1} g → {:.1} g, −{lost:.1} %: {water}", f.mass_g.start, f.mass_g.end));
     row(&mut lines, "top", &surface(&f.surfaces.top));
     row(&mut lines, "bottom", &surface(&f.surfaces.bottom));
-    let d = &f.denatured;
-    row(
-        &mut lines,
-        "denatured",
-        &format!(
-            "myosin {:.2}, collagen {:.2}, actin {:.2}, myoglobin {:.2}",
-            d.myosin, d.collagen, d.actin, d.myoglobin
-        ),
+    let changes: Vec<String> = f.denatured.iter().map(|(name, share)| format!("{name} {share:.2}")).collect();
+    row(&mut lines, "changed", &changes.join(", "));
+    let s = &f.shape;
+    let shape = format!(
+        "{:.1} % of its volume, {:.1} % across, {:.1} mm thick, domed {:.1} mm",
+        s.volume_pct, s.across_pct, s.thickness_mm, s.dome_mm
     );
+    row(&mut lines, "shape", &shape);
+    let bite = format!("hardness {:.1} × raw, juiciness {:.0} %", f.hardness_index, f.juiciness_pct);
+    row(&mut lines, "bite", &bite);
     row(&mut lines, "stiffness", &format!("elastic modulus {:.0} kPa", f.elastic_modulus_kpa));
     row(&mut lines, "safety", &safety(&f.log_reduction));
     lines

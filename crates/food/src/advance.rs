@@ -3,10 +3,11 @@
 use saute_heat::Conduction;
 
 use crate::browning::BROWNING_FROM;
-use crate::changes::DENATURES_FROM;
-use crate::juice::Drip;
+use crate::changes::CHANGES_FROM;
+use crate::juice::Runoff;
 use crate::model::FoodModel;
-use crate::state::{FoodState, Side};
+use crate::patch::{Face, Patch};
+use crate::state::FoodState;
 use crate::water::latent_heat;
 
 /// Stefan–Boltzmann constant [W/(m²·K⁴)] (CODATA 2018).
@@ -33,29 +34,22 @@ pub struct FreeAir {
     pub mass_transfer: f64,
 }
 
-/// What the lower face touches.
-#[derive(Clone, Copy, Debug)]
-pub enum Down<'a> {
-    /// A solid: conductance [W/(m²·K)] and its temperature [K] under each node of the section.
-    Contact {
-        /// Contact conductance [W/(m²·K)].
-        conductance: &'a [f64],
-        /// Temperature of what it touches [K].
-        temperature: &'a [f64],
-    },
-    /// Air.
-    Free(FreeAir),
+/// What a patch touches.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Touch {
+    /// Contact conductance [W/(m²·K)]; 0 where the patch is free.
+    pub conductance: f64,
+    /// Temperature of what it touches [K].
+    pub temperature: f64,
 }
 
 /// Everything around a piece during one tick.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings<'a> {
-    /// Below.
-    pub down: Down<'a>,
-    /// Above.
-    pub up: FreeAir,
-    /// Around the side.
-    pub side: FreeAir,
+    /// What the patches touch, in their order; patches beyond its end are free.
+    pub touch: &'a [Touch],
+    /// Air before the free patches of the bottom, the top and the side.
+    pub air: [FreeAir; 3],
 }
 
 /// What passed between a piece and its surroundings in one tick; heat taken from contacts is in
@@ -69,20 +63,23 @@ pub struct Exchange {
     /// Enthalpy of that vapour above liquid water at 0 °C [J].
     pub evaporation: f64,
     /// Juice that ran off.
-    pub drip: Drip,
+    pub drip: Runoff,
+    /// Fat that ran off.
+    pub rendered: Runoff,
 }
 
 /// Scratch space and cached properties of one piece.
 #[derive(Clone, Debug, Default)]
 pub struct FoodSolver {
     conduction: Conduction,
-    conductivity: Vec<f64>,
+    /// Conductivity across and along the fibres times the stretches [W/(m·K)].
+    conductivity: [Vec<f64>; 2],
     capacity: Vec<f64>,
     power: Vec<f64>,
     hot: Vec<u32>,
     /// The last state in which everything was finite.
     sound: Option<FoodState>,
-    /// Heat taken from the contact under each node of the section in the last tick [J].
+    /// Heat taken from what each patch touches in the last tick [J].
     pub contact_heat: Vec<f64>,
     /// Steps into which the last tick was divided.
     pub substeps: u32,
@@ -96,13 +93,16 @@ impl FoodSolver {
     pub fn advance(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64) -> Exchange {
         let mut total = Exchange::default();
         self.contact_heat.clear();
-        self.contact_heat.resize(model.mesh.nodes_per_level(), 0.0);
+        self.contact_heat.resize(around.touch.len(), 0.0);
         if !state.healthy {
             return total;
         }
         if state.ticks.is_multiple_of(REFRESH_TICKS) {
             if state.ticks > 0 {
-                total.drip = change(model, state, dt * REFRESH_TICKS as f64);
+                change(model, state, dt * REFRESH_TICKS as f64);
+                total.drip = model.release_juice(state, dt * REFRESH_TICKS as f64);
+                total.rendered = model.release_fat(state, dt * REFRESH_TICKS as f64);
+                model.shrink(state);
             }
             self.refresh(model, state, dt);
             if !self.keep_or_restore(state) {
@@ -125,20 +125,30 @@ impl FoodSolver {
     /// Brings temperatures, capacities, conductances and the number of steps up to date.
     fn refresh(&mut self, model: &FoodModel, state: &mut FoodState, dt: f64) {
         let n = state.temperature.len();
-        self.conductivity.resize(n, 0.0);
+        self.conductivity.iter_mut().for_each(|k| k.resize(n, 0.0));
         self.capacity.resize(n, 0.0);
         self.power.resize(n, 0.0);
-        let driest = 1.0 - model.water_holding.drop;
+        let driest = 1.0 - model.kinetics.water_holding.drop;
         let crust = model.description.crust.conductivity_w_mk;
+        let area = state.stretch.lateral * state.stretch.lateral;
         for i in 0..n {
-            let masses = model.masses(i, state.water[i]);
+            let masses = model.masses(state, i);
             let t = model.properties.temperature(&masses, state.enthalpy[i], state.temperature[i]);
             state.temperature[i] = t;
             self.capacity[i] = model.properties.enthalpy(&masses, t).1;
             let moist = (state.water[i] / (driest * model.initial_water[i])).min(1.0);
-            self.conductivity[i] = crust + moist * (model.properties.conductivity(&masses, t) - crust);
+            let conductivity = crust + moist * (model.properties.conductivity(&masses, t) - crust);
+            // Area over length: height across the fibres, area over height along them.
+            let axial = state.stretch.axial[i];
+            self.conductivity[0][i] = conductivity * axial;
+            self.conductivity[1][i] = conductivity * area / axial;
         }
-        self.conduction.refresh(&model.mesh.graph, &self.conductivity);
+        let [across, along] = &self.conductivity;
+        let edges = model.mesh.edges_per_level();
+        self.conduction.refresh_each(&model.mesh.graph, |edge, a, b| {
+            let k = if edge % edges.all < edges.across { across } else { along };
+            (k[a], k[b])
+        });
         let limit = STABILITY_MARGIN * self.conduction.stable_step(&self.capacity);
         self.substeps = libm::ceil(dt / limit).clamp(1.0, 1000.0) as u32;
     }
@@ -176,17 +186,31 @@ impl FoodSolver {
             *h += heat;
             *t += heat / c;
         }
-        self.touch(model, state, around, dt);
-        self.air(model, state, around, dt, total);
+        self.exchange_patches(model, state, around, dt, total);
         self.boil(model, state, total);
     }
 
-    /// Heat from what the lower face touches.
-    fn touch(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64) {
-        let Down::Contact { conductance, temperature } = around.down else { return };
-        for (i, area) in model.mesh.section.areas.iter().enumerate() {
-            let node = face_node(model, state.down, i);
-            self.contact_heat[i] += self.exchange(state, node, conductance[i] * area * dt, temperature[i]);
+    /// Heat and vapour through every patch: from what it touches, or with the air.
+    fn exchange_patches(
+        &mut self,
+        model: &FoodModel,
+        state: &mut FoodState,
+        around: &Surroundings,
+        dt: f64,
+        total: &mut Exchange,
+    ) {
+        for (i, patch) in model.patches.iter().enumerate() {
+            let area_dt = present_area(patch, state) * dt;
+            match around.touch.get(i) {
+                Some(touch) if touch.conductance > 0.0 => {
+                    let heat =
+                        self.exchange(state, patch.node as usize, touch.conductance * area_dt, touch.temperature);
+                    self.contact_heat[i] += heat;
+                }
+                _ => {
+                    self.free_face(model, state, patch.node as usize, area_dt, &around.air[patch.face as usize], total)
+                }
+            }
         }
     }
 
@@ -198,21 +222,6 @@ impl FoodSolver {
         state.temperature[node] += change;
         state.enthalpy[node] += capacity * change;
         capacity * change
-    }
-
-    /// Convection, radiation and evaporation at every free face.
-    fn air(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64, total: &mut Exchange) {
-        for (i, area) in model.mesh.section.areas.iter().enumerate() {
-            let up = face_node(model, state.down.opposite(), i);
-            self.free_face(model, state, up, area * dt, &around.up, total);
-            if let Down::Free(air) = &around.down {
-                self.free_face(model, state, face_node(model, state.down, i), area * dt, air, total);
-            }
-        }
-        for &node in &model.side_nodes {
-            let node = node as usize;
-            self.free_face(model, state, node, model.side_areas[node] * dt, &around.side, total);
-        }
     }
 
     /// A free face of the given area times time [m²·s].
@@ -263,7 +272,7 @@ impl FoodSolver {
                 if state.water[i] <= 0.0 || state.temperature[i] < boiling - 2.0 {
                     break;
                 }
-                let masses = model.masses(i, state.water[i]);
+                let masses = model.masses(state, i);
                 let t = model.properties.temperature(&masses, state.enthalpy[i], state.temperature[i]);
                 state.temperature[i] = t;
                 if t <= boiling + 1e-3 {
@@ -291,23 +300,23 @@ pub fn radiation_coefficient(emissivity: f64, temperature: f64, walls: f64) -> f
     emissivity * STEFAN_BOLTZMANN * (temperature * temperature + walls * walls) * (temperature + walls)
 }
 
+/// Area of a patch of the contracted piece [m²].
 #[inline]
-fn face_node(model: &FoodModel, side: Side, i: usize) -> usize {
-    match side {
-        Side::Bottom => i,
-        Side::Top => model.mesh.node(model.mesh.levels.len() - 1, i),
-    }
+fn present_area(patch: &Patch, state: &FoodState) -> f64 {
+    let lateral = state.stretch.lateral;
+    let height = if patch.face == Face::Side { state.stretch.axial[patch.node as usize] } else { lateral };
+    patch.area * lateral * height
 }
 
-/// Proteins, peak temperature, browning and juice through `dt` [s].
-fn change(model: &FoodModel, state: &mut FoodState, dt: f64) -> Drip {
+/// First-order changes, peak temperature, lethality and browning through `dt` [s].
+fn change(model: &FoodModel, state: &mut FoodState, dt: f64) {
     for i in 0..state.temperature.len() {
         let t = state.temperature[i];
         state.peak[i] = state.peak[i].max(t);
-        if t > DENATURES_FROM {
+        if t > CHANGES_FROM {
             state.lethality[i] += model.lethality.at(t) * dt;
-            for k in 0..4 {
-                state.denatured[k][i] = model.proteins.advance(k, state.denatured[k][i], t, dt);
+            for (k, share) in state.changed.iter_mut().enumerate() {
+                share[i] = model.changes.advance(k, share[i], t, dt);
             }
         }
         if t > BROWNING_FROM {
@@ -316,5 +325,4 @@ fn change(model: &FoodModel, state: &mut FoodState, dt: f64) -> Drip {
             (state.browning[i], state.charring[i]) = model.browning.advance(before, t, activity, dt);
         }
     }
-    model.release_juice(state, dt)
 }

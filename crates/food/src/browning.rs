@@ -2,7 +2,7 @@
 
 use crate::changes::arrhenius;
 use crate::description::{BrowningRate, CharringRate};
-use crate::table::Table;
+use crate::table::{Table, interpolate};
 
 /// Coldest temperature at which browning is followed [K] (95 °C, chosen: below it a cook's browning is under 0.1 %).
 pub const BROWNING_FROM: f64 = 368.15;
@@ -36,10 +36,4 @@ impl Browning {
         let char = self.char_rate.at(temperature) * browning * dt;
         (browning, 1.0 - (1.0 - state.1) / (1.0 + char))
     }
-}
-
-fn interpolate(xs: &[f64], ys: &[f64], x: f64) -> f64 {
-    let upper = xs.partition_point(|&v| v < x).clamp(1, xs.len() - 1);
-    let share = ((x - xs[upper - 1]) / (xs[upper] - xs[upper - 1])).clamp(0.0, 1.0);
-    ys[upper - 1] + share * (ys[upper] - ys[upper - 1])
 }

@@ -1,9 +1,9 @@
-//! First-order changes of proteins: they never go back.
+//! First-order changes: denaturation, softening, loss of colour. They never go back.
 
 use libm::exp;
 
 use crate::ZERO_C;
-use crate::description::{Denaturation, Kinetics};
+use crate::description::{Change, Kinetics};
 use crate::table::Table;
 
 /// Molar gas constant [J/(mol·K)] (CODATA 2018, exact to 6 digits).
@@ -15,29 +15,31 @@ pub fn arrhenius(activation_energy_kj_mol: f64, anchor_c: f64, rate: f64) -> imp
     move |t| rate * exp(-ratio * (1.0 / t - 1.0 / (anchor_c + ZERO_C)))
 }
 
-/// The proteins that are followed, in the order of the state's fields.
-pub const PROTEINS: [&str; 4] = ["myosin", "collagen", "actin", "myoglobin"];
+/// Coldest temperature at which changes are followed [K] (30 °C: slowest reaction time above a day).
+pub const CHANGES_FROM: f64 = 303.15;
 
-/// Coldest temperature at which denaturation is followed [K] (30 °C: slowest reaction time above a day).
-pub const DENATURES_FROM: f64 = 303.15;
-
-/// Rates of denaturation, tabulated.
+/// Rates of the first-order changes, tabulated.
 #[derive(Clone, Debug)]
-pub struct ProteinRates {
-    tables: [Table; 4],
+pub struct ChangeRates {
+    tables: Vec<Table>,
 }
 
-impl ProteinRates {
-    /// Tabulates the four rates every quarter kelvin from 30 to 110 °C and holds them beyond (all is done there).
+impl ChangeRates {
+    /// Tabulates the rates every quarter kelvin from 30 to 110 °C and holds them beyond (all is done there).
     pub fn new(kinetics: &Kinetics) -> Self {
-        let table = |d: &Denaturation| {
-            let rate = arrhenius(d.activation_energy_kj_mol, d.anchor_c, d.anchor_rate_per_min / 60.0);
-            Table::new(DENATURES_FROM, 383.15, 0.25, rate)
+        let table = |c: &Change| {
+            let rate = arrhenius(c.activation_energy_kj_mol, c.anchor_c, c.anchor_rate_per_min / 60.0);
+            Table::new(CHANGES_FROM, 383.15, 0.25, rate)
         };
-        Self { tables: [&kinetics.myosin, &kinetics.collagen, &kinetics.actin, &kinetics.myoglobin].map(table) }
+        Self { tables: kinetics.change.iter().map(table).collect() }
     }
 
-    /// Denatured share of protein `k` after `dt` [s] at `temperature` [K].
+    /// How many changes there are.
+    pub fn count(&self) -> usize {
+        self.tables.len()
+    }
+
+    /// Share of change `k` after `dt` [s] at `temperature` [K].
     ///
     /// 1 − (1 − X)/(1 + x + x²/2) with x = k Δt: second order, monotone and without an exponential.
     #[inline]

@@ -1,6 +1,6 @@
 //! Colour from state, in L*a*b* under D65 and in linear sRGB.
 
-use crate::description::Colours;
+use crate::description::{Colours, Kinetics, MOST_CHANGES, NoSuchChange, PerChange};
 
 /// A colour in CIE L*a*b* (D65, 2°).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -9,10 +9,8 @@ pub struct Lab(pub [f64; 3]);
 /// What colours a point of flesh: shares between 0 and 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Appearance {
-    /// Denatured myosin: opacity.
-    pub myosin: f64,
-    /// Denatured myoglobin: from red to grey-brown.
-    pub myoglobin: f64,
+    /// The first-order changes, in the order of the kinetics.
+    pub changed: PerChange,
     /// Browning.
     pub browning: f64,
     /// Charring.
@@ -58,27 +56,48 @@ impl Lab {
     }
 }
 
-impl Colours {
-    /// Lean flesh: raw colour shifted by denaturation, then along golden to crust and char.
+impl Appearance {
+    /// The change that makes fat and muscle look opaque: the first one [-].
+    pub fn opaque(&self) -> f64 {
+        self.changed[0]
+    }
+}
+
+/// Colours of one food with the shifts of its changes in order.
+#[derive(Clone, Debug)]
+pub struct Palette {
+    colours: Colours,
+    shifts: [[f64; 3]; MOST_CHANGES],
+}
+
+impl Palette {
+    /// Puts the shifts into the order of the kinetics.
+    pub fn new(colours: &Colours, kinetics: &Kinetics) -> Result<Self, NoSuchChange> {
+        Ok(Self { shifts: kinetics.in_order("colour", &colours.change)?, colours: colours.clone() })
+    }
+
+    /// Lean flesh: raw colour shifted by the changes, then along golden to crust and char.
     pub fn lean(&self, a: Appearance) -> Lab {
-        let base = Lab([0, 1, 2].map(|i| self.raw[i] + a.myosin * self.myosin[i] + a.myoglobin * self.myoglobin[i]));
-        self.browned(base, Lab(self.golden), Lab(self.crust), a)
+        let shifted = |i: usize| a.changed.iter().zip(&self.shifts).map(|(x, shift)| x * shift[i]).sum::<f64>();
+        let base = Lab([0, 1, 2].map(|i| self.colours.raw[i] + shifted(i)));
+        self.browned(base, Lab(self.colours.golden), Lab(self.colours.crust), a)
     }
 
     /// Fat: waxy when raw, translucent when molten, crisp and brown, charred.
     pub fn fat(&self, a: Appearance) -> Lab {
-        let base = Lab(self.fat_raw).lerp(Lab(self.fat_cooked), a.myosin);
-        let brown = Lab(self.fat_brown);
+        let base = Lab(self.colours.fat_raw).lerp(Lab(self.colours.fat_cooked), a.opaque());
+        let brown = Lab(self.colours.fat_brown);
         self.browned(base, base.lerp(brown, 0.6), brown, a)
     }
 
     fn browned(&self, base: Lab, golden: Lab, crust: Lab, a: Appearance) -> Lab {
-        let brown = if a.browning < self.golden_at {
-            base.lerp(golden, a.browning / self.golden_at)
+        let golden_at = self.colours.golden_at;
+        let brown = if a.browning < golden_at {
+            base.lerp(golden, a.browning / golden_at)
         } else {
-            golden.lerp(crust, (a.browning - self.golden_at) / (1.0 - self.golden_at))
+            golden.lerp(crust, (a.browning - golden_at) / (1.0 - golden_at))
         };
-        brown.lerp(Lab(self.char), a.charring)
+        brown.lerp(Lab(self.colours.char), a.charring)
     }
 }
 

@@ -113,6 +113,13 @@ impl Properties {
         low.enthalpy[0] + share * (high.enthalpy[0] - low.enthalpy[0])
     }
 
+    /// Specific enthalpy of fat above 0 °C, heat of melting included [J/kg].
+    #[inline]
+    pub fn fat_enthalpy(&self, temperature: f64) -> f64 {
+        let (low, high, share) = self.cell(temperature);
+        low.enthalpy[2] + share * (high.enthalpy[2] - low.enthalpy[2])
+    }
+
     /// Temperature at which the given masses hold `enthalpy` [K], by Newton's rule from `guess`; exact on the table.
     #[inline]
     pub fn temperature(&self, masses: &Masses, enthalpy: f64, guess: f64) -> f64 {

@@ -1,5 +1,7 @@
 //! Foods as they are described in files.
 
+use std::collections::BTreeMap;
+
 use serde::Deserialize;
 
 /// How well a number is known.
@@ -51,14 +53,14 @@ sourced_table! {
 }
 
 sourced_table! {
-    /// Sizes that a piece may have.
+    /// Sizes that a piece may have, in the order of the form's dimensions.
     SizeRange {
-        /// Length, width, thickness unless told otherwise [mm].
-        default_mm: [f64; 3],
+        /// Unless told otherwise [mm].
+        default_mm: Vec<f64>,
         /// Smallest [mm].
-        min_mm: [f64; 3],
+        min_mm: Vec<f64>,
         /// Largest [mm].
-        max_mm: [f64; 3],
+        max_mm: Vec<f64>,
     }
 }
 
@@ -123,6 +125,8 @@ sourced_table! {
     SurfaceProperties {
         /// Thermal emissivity [-].
         emissivity: f64,
+        /// Share of the lower face that comes near to the pan: 1 for flat cuts, less for rounded pieces [-].
+        contact_share: f64,
     }
 }
 
@@ -131,10 +135,8 @@ sourced_table! {
     Colours {
         /// Raw flesh.
         raw: [f64; 3],
-        /// Added when all myosin is denatured.
-        myosin: [f64; 3],
-        /// Added when all myoglobin is denatured.
-        myoglobin: [f64; 3],
+        /// Added when a change is complete, by its name.
+        change: BTreeMap<String, [f64; 3]>,
         /// Golden stage of browning.
         golden: [f64; 3],
         /// Browning at which the golden stage is reached [-].
@@ -153,8 +155,10 @@ sourced_table! {
 }
 
 sourced_table! {
-    /// A first-order reaction given by its rate at an anchor temperature.
-    Denaturation {
+    /// A first-order change given by its rate at an anchor temperature.
+    Change {
+        /// Name by which colours, texture and shrinkage refer to it.
+        name: String,
         /// Activation energy [kJ/mol].
         activation_energy_kj_mol: f64,
         /// Temperature at which the rate is given [°C].
@@ -177,6 +181,8 @@ sourced_table! {
         middle_c: f64,
         /// First-order release of what is no longer held [1/s].
         release_per_s: f64,
+        /// Speed of free juice along the fibres [µm/s].
+        juice_speed_um_s: f64,
         /// Juice that stays on a face before it runs off [kg/m²].
         film_kg_m2: f64,
     }
@@ -221,14 +227,56 @@ sourced_table! {
 }
 
 sourced_table! {
-    /// Elastic modulus from protein states.
+    /// Elastic modulus from the changes.
     Texture {
         /// Raw [kPa].
         raw_kpa: f64,
-        /// Added when all myosin is denatured [kPa].
-        myosin_kpa: f64,
-        /// Added when all actin is denatured [kPa].
-        actin_kpa: f64,
+        /// Added when a change is complete, by its name [kPa].
+        change_kpa: BTreeMap<String, f64>,
+        /// Share of the stress of a bend that is left after a minute [-].
+        relaxed_share: f64,
+    }
+}
+
+sourced_table! {
+    /// Hardness on biting over that of the raw food, from the changes.
+    Hardness {
+        /// Added when a change is complete, by its name [-].
+        change: BTreeMap<String, f64>,
+    }
+}
+
+sourced_table! {
+    /// Juiciness on biting: the raw food's water that is left, times one plus the changes' contributions.
+    Juiciness {
+        /// Added to 1 when a change is complete, by its name [-].
+        change: BTreeMap<String, f64>,
+    }
+}
+
+sourced_table! {
+    /// How far free tissue contracts.
+    Shrinkage {
+        /// Contraction of a length across the fibres when a change is complete, by its name [-].
+        across: BTreeMap<String, f64>,
+        /// Contraction along the fibres (a steak's thickness) when a change is complete, by its name [-].
+        along: BTreeMap<String, f64>,
+    }
+}
+
+sourced_table! {
+    /// Molten fat that leaves the tissue.
+    FatRelease {
+        /// Share of the lean tissue's fat that can leave [-].
+        fine_share: f64,
+        /// Share of the fat in seams that can leave [-].
+        seam_share: f64,
+        /// Temperatures at which the rate is given, ascending [°C].
+        celsius: Vec<f64>,
+        /// Rate at those temperatures, of fat that lies at a face [1/s].
+        rate_per_s: Vec<f64>,
+        /// Depth below a face at which the rate has fallen to 1/e [mm].
+        depth_mm: f64,
     }
 }
 
@@ -236,16 +284,14 @@ sourced_table! {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Kinetics {
-    /// Myosin.
-    pub myosin: Denaturation,
-    /// Collagen with sarcoplasmic proteins.
-    pub collagen: Denaturation,
-    /// Actin.
-    pub actin: Denaturation,
-    /// Myoglobin.
-    pub myoglobin: Denaturation,
+    /// First-order changes, at most [`MOST_CHANGES`]; the first makes fat look cooked, the last tells a cook that it is done.
+    pub change: Vec<Change>,
     /// Water holding.
     pub water_holding: WaterHolding,
+    /// Fat that leaves.
+    pub fat_release: FatRelease,
+    /// Contraction.
+    pub shrinkage: Shrinkage,
     /// Browning.
     pub browning: BrowningRate,
     /// Charring.
@@ -254,6 +300,51 @@ pub struct Kinetics {
     pub lethality: Lethality,
     /// Elastic modulus.
     pub texture: Texture,
+    /// Hardness.
+    pub hardness: Hardness,
+    /// Juiciness.
+    pub juiciness: Juiciness,
+}
+
+/// Most changes that one kind of flesh may have (chosen: beef has four).
+pub const MOST_CHANGES: usize = 4;
+
+/// A value for each change, in the order of the kinetics file.
+pub type PerChange = [f64; MOST_CHANGES];
+
+/// A name that is no change of the kinetics.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("\"{name}\" in [{table}] is no change of the kinetics; there are: {known}")]
+pub struct NoSuchChange {
+    /// The table that names it.
+    pub table: &'static str,
+    /// The name.
+    pub name: String,
+    /// What there is.
+    pub known: String,
+}
+
+impl Kinetics {
+    /// Names of the changes, in order.
+    pub fn names(&self) -> Vec<&str> {
+        self.change.iter().map(|c| c.name.as_str()).collect()
+    }
+
+    /// The values of a table in the order of the changes; what the table does not name is zero.
+    pub fn in_order<T: Copy + Default>(
+        &self,
+        table: &'static str,
+        values: &BTreeMap<String, T>,
+    ) -> Result<[T; MOST_CHANGES], NoSuchChange> {
+        let mut ordered = [T::default(); MOST_CHANGES];
+        for (name, value) in values {
+            let Some(at) = self.change.iter().position(|c| &c.name == name) else {
+                return Err(NoSuchChange { table, name: name.clone(), known: self.names().join(", ") });
+            };
+            ordered[at] = *value;
+        }
+        Ok(ordered)
+    }
 }
 
 /// The shapes that can be built.
@@ -262,6 +353,27 @@ pub struct Kinetics {
 pub enum Form {
     /// A superellipse outline times a thickness; fibres run through the thickness.
     Steak,
+    /// A circle times a thickness.
+    Disc,
+}
+
+impl Form {
+    /// Names of its dimensions.
+    pub fn dimensions(self) -> &'static [&'static str] {
+        match self {
+            Self::Steak => &["length", "width", "thickness"],
+            Self::Disc => &["diameter", "thickness"],
+        }
+    }
+
+    /// Length, width and thickness from its dimensions; none where their number is wrong.
+    pub fn extent(self, size: &[f64]) -> Option<[f64; 3]> {
+        match (self, size) {
+            (Self::Steak, &[length, width, thickness]) => Some([length, width, thickness]),
+            (Self::Disc, &[diameter, thickness]) => Some([diameter, diameter, thickness]),
+            _ => None,
+        }
+    }
 }
 
 /// A food as its file describes it.
@@ -280,10 +392,10 @@ pub struct FoodDescription {
     pub outline: OutlineShape,
     /// Lean tissue.
     pub lean: Composition,
-    /// Fat tissue.
-    pub adipose: Composition,
-    /// Fat seams.
-    pub marbling: Marbling,
+    /// Fat tissue; absent where there is none.
+    pub adipose: Option<Composition>,
+    /// Seams of fat tissue; absent where there are none.
+    pub marbling: Option<Marbling>,
     /// Melting of fat.
     pub fat_melting: FatMelting,
     /// Sorption isotherm.

@@ -9,20 +9,24 @@ pub mod changes;
 pub mod colour;
 pub mod components;
 pub mod description;
+pub mod fat;
 pub mod juice;
 pub mod marbling;
 pub mod model;
 pub mod noise;
+pub mod patch;
 pub mod readings;
+pub mod shrink;
 pub mod sorption;
 pub mod state;
 pub mod table;
 pub mod water;
 
-pub use advance::{Down, Exchange, FoodSolver, FreeAir, Surroundings};
+pub use advance::{Exchange, FoodSolver, FreeAir, Surroundings, Touch};
 pub use colour::Lab;
 pub use description::{FoodDescription, Kinetics};
-pub use model::{BuildError, FoodModel, PieceSpec};
+pub use model::{Body, BuildError, FoodModel, PieceSpec};
+pub use patch::{Face, Patch};
 pub use readings::{Class, Shares};
 pub use state::{FoodState, Side};
 

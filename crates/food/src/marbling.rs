@@ -17,8 +17,11 @@ pub struct MarblingField {
 const EDGE: f64 = 0.10;
 
 impl MarblingField {
-    /// Seams where ridged noise exceeds the threshold that gives the wanted mean share.
-    pub fn new(marbling: &Marbling, seed: u64) -> Self {
+    /// Seams where ridged noise exceeds the threshold that gives the wanted mean share; no seams without marbling.
+    pub fn new(marbling: Option<&Marbling>, seed: u64) -> Self {
+        let Some(marbling) = marbling else {
+            return Self { seed, wavelength: 1.0, flattening: 1.0, threshold: 2.0, share: 0.0 };
+        };
         let mut field = Self {
             seed,
             wavelength: marbling.seam_mm * 1e-3,

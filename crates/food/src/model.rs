@@ -3,13 +3,16 @@
 use saute_heat::{Located, Locator, MeshError, Outline, Section, SweptMesh, graded_levels};
 
 use crate::browning::Browning;
-use crate::changes::ProteinRates;
-use crate::colour::Appearance;
+use crate::changes::ChangeRates;
+use crate::colour::{Appearance, Palette};
 use crate::components::{Components, Masses, Properties};
-use crate::description::{FoodDescription, Kinetics, Lethality, Texture, WaterHolding};
+use crate::description::{FoodDescription, Form, Kinetics, Lethality, NoSuchChange, PerChange, WaterHolding};
+use crate::fat::FatRates;
 use crate::marbling::MarblingField;
 use crate::noise::uniform;
+use crate::patch::{Patch, patches};
 use crate::sorption::Isotherm;
+use crate::state::FoodState;
 use crate::table::Table;
 use crate::water::saturation_density;
 use crate::{Lab, ZERO_C};
@@ -40,6 +43,9 @@ pub enum BuildError {
     /// The mesh failed.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+    /// A table names a change that the kinetics lack.
+    #[error(transparent)]
+    Change(#[from] NoSuchChange),
 }
 
 /// One piece to be cut.
@@ -61,6 +67,19 @@ const FIRST_LAYER: f64 = 0.35e-3;
 const LAYER_GROWTH: f64 = 1.38;
 const THICKEST_LAYER: f64 = 2.2e-3;
 
+/// A body to be filled with food: its mesh, how it meets the outside, and its outline seen from above.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Length, width, thickness [m].
+    pub size: [f64; 3],
+    /// Rest mesh.
+    pub mesh: SweptMesh,
+    /// Outline of the section.
+    pub outline: Outline,
+    /// Faces towards the outside.
+    pub patches: Vec<Patch>,
+}
+
 /// A piece of food, immutable after it is built.
 #[derive(Clone, Debug)]
 pub struct FoodModel {
@@ -72,42 +91,50 @@ pub struct FoodModel {
     pub size: [f64; 3],
     /// Outline of the section.
     pub outline: Outline,
+    /// Height of the slab of material that belongs to each level [m].
+    pub layer_heights: Vec<f64>,
+    /// Faces towards the outside: the bottom's and the top's in the order of the section's nodes, then the side's.
+    pub patches: Vec<Patch>,
     /// Thermal properties of water, lean solids and fat.
     pub properties: Properties,
     /// Raw water of each node [kg].
     pub initial_water: Vec<f64>,
     /// Lean solids of each node [kg].
     pub lean_solids: Vec<f64>,
-    /// Fat of each node [kg].
-    pub fat: Vec<f64>,
-    /// Share of adipose tissue of each node [-].
+    /// Raw fat of each node [kg].
+    pub initial_fat: Vec<f64>,
+    /// Raw share of adipose tissue of each node [-].
     pub adipose: Vec<f64>,
-    /// Everything but water [kg].
-    pub dry_mass: f64,
-    /// Side area of each node [m²].
-    pub side_areas: Vec<f64>,
-    /// Nodes with a side area.
-    pub side_nodes: Vec<u32>,
     /// Where the fat seams run.
     pub marbling: MarblingField,
     /// Sorption isotherm.
     pub isotherm: Isotherm,
     /// Density of saturated vapour against temperature [kg/m³].
     pub vapour: Table,
-    /// Rates of denaturation.
-    pub proteins: ProteinRates,
+    /// Rates of the first-order changes.
+    pub changes: ChangeRates,
+    /// Release of molten fat.
+    pub fat_rates: FatRates,
     /// Rates of browning.
     pub browning: Browning,
     /// Share of the raw water that is still held against temperature [-].
     pub held: Table,
     /// Log₁₀ reduction of pathogens against temperature [1/s].
     pub lethality: Table,
-    /// Elastic modulus from protein states.
-    pub texture: Texture,
-    /// Water holding parameters.
-    pub water_holding: WaterHolding,
+    /// What each change adds to the elastic modulus [kPa].
+    pub modulus: PerChange,
+    /// What each change adds to the hardness index [-].
+    pub hardness: PerChange,
+    /// What each change adds to the juiciness factor [-].
+    pub juiciness: PerChange,
+    /// Contraction across and along the fibres of each complete change [-].
+    pub contraction: [PerChange; 2],
+    /// Colours of flesh and fat.
+    pub palette: Palette,
     /// What the food's file says.
     pub description: FoodDescription,
+    /// What the kinetics file says.
+    pub kinetics: Kinetics,
     core: Located,
 }
 
@@ -120,40 +147,58 @@ impl FoodModel {
         piece: &PieceSpec,
     ) -> Result<Self, BuildError> {
         check_size(description, piece)?;
-        check_composition("lean", description.lean.total())?;
-        check_composition("adipose", description.adipose.total())?;
         let outline = outline(description, piece);
         let mesh = mesh(&outline, piece)?;
+        let body = Body { size: piece.size, patches: patches(&mesh), mesh, outline };
+        Self::fill_body(description, kinetics, components, body, piece.seed)
+    }
+
+    /// Fills a body with food.
+    pub fn fill_body(
+        description: &FoodDescription,
+        kinetics: &Kinetics,
+        components: &Components,
+        body: Body,
+        seed: u64,
+    ) -> Result<Self, BuildError> {
+        check_composition("lean", description.lean.total())?;
+        description.adipose.iter().try_for_each(|a| check_composition("adipose", a.total()))?;
+        let Body { size, mesh, outline, patches } = body;
         let locator = Locator::new(&mesh.section);
-        let core = locator.locate_or_nearest(&mesh.section, [0.0, 0.0]);
-        let marbling = MarblingField::new(&description.marbling, piece.seed);
         let holding = kinetics.water_holding.clone();
+        let shrinkage = &kinetics.shrinkage;
         let mut model = Self {
             properties: Properties::new(components, &description.lean, &description.fat_melting),
             isotherm: Isotherm::new(&description.sorption),
             vapour: Table::new(250.0, 380.0, 0.5, saturation_density),
-            proteins: ProteinRates::new(kinetics),
+            changes: ChangeRates::new(kinetics),
+            fat_rates: FatRates::new(&kinetics.fat_release, &description.fat_melting, &mesh),
             browning: Browning::new(&kinetics.browning, &kinetics.charring),
             held: Table::new(ZERO_C, ZERO_C + 120.0, 0.5, |t| held_share(&holding, t - ZERO_C)),
             lethality: lethality(&kinetics.lethality),
-            texture: kinetics.texture.clone(),
-            water_holding: kinetics.water_holding.clone(),
+            modulus: kinetics.in_order("texture", &kinetics.texture.change_kpa)?,
+            hardness: kinetics.in_order("hardness", &kinetics.hardness.change)?,
+            juiciness: kinetics.in_order("juiciness", &kinetics.juiciness.change)?,
+            contraction: [
+                kinetics.in_order("shrinkage", &shrinkage.across)?,
+                kinetics.in_order("shrinkage", &shrinkage.along)?,
+            ],
+            palette: Palette::new(&description.colour, kinetics)?,
+            core: locator.locate_or_nearest(&mesh.section, [0.0, 0.0]),
+            marbling: MarblingField::new(description.marbling.as_ref(), seed),
             description: description.clone(),
-            side_areas: mesh.side_areas(),
-            side_nodes: Vec::new(),
-            size: piece.size,
+            kinetics: kinetics.clone(),
             initial_water: Vec::new(),
             lean_solids: Vec::new(),
-            fat: Vec::new(),
+            initial_fat: Vec::new(),
             adipose: Vec::new(),
-            dry_mass: 0.0,
+            size,
             outline,
+            layer_heights: mesh.layer_heights(),
+            patches,
             mesh,
             locator,
-            marbling,
-            core,
         };
-        model.side_nodes = (0..model.side_areas.len() as u32).filter(|&i| model.side_areas[i as usize] > 0.0).collect();
         model.fill();
         Ok(model)
     }
@@ -161,7 +206,8 @@ impl FoodModel {
     /// Gives every node the masses that its volume of lean and adipose tissue holds at 20 °C.
     fn fill(&mut self) {
         let seams = node_shares(&self.mesh, &self.marbling);
-        let (lean, adipose) = (&self.description.lean, &self.description.adipose);
+        let lean = &self.description.lean;
+        let adipose = self.description.adipose.as_ref().unwrap_or(lean);
         for (node, &s) in seams.iter().enumerate() {
             let mix = |l: f64, a: f64| (1.0 - s) * l + s * a;
             let fractions = [
@@ -172,16 +218,20 @@ impl FoodModel {
             let mass = self.mesh.graph.volume[node] / self.properties.volume(&fractions, ZERO_C + 20.0);
             self.initial_water.push(mass * fractions[0]);
             self.lean_solids.push(mass * fractions[1]);
-            self.fat.push(mass * fractions[2]);
+            self.initial_fat.push(mass * fractions[2]);
         }
         self.adipose = seams;
-        self.dry_mass = self.lean_solids.iter().sum::<f64>() + self.fat.iter().sum::<f64>();
     }
 
-    /// Water, lean solids and fat of a node with the given water [kg].
+    /// Water, lean solids and fat that a node holds now [kg].
     #[inline]
-    pub fn masses(&self, node: usize, water: f64) -> Masses {
-        [water, self.lean_solids[node], self.fat[node]]
+    pub fn masses(&self, state: &FoodState, node: usize) -> Masses {
+        [state.water[node], self.lean_solids[node], state.fat[node]]
+    }
+
+    /// Raw mass [kg].
+    pub fn raw_mass(&self) -> f64 {
+        [&self.initial_water, &self.lean_solids, &self.initial_fat].iter().map(|m| m.iter().sum::<f64>()).sum()
     }
 
     /// Value of a node field at the rest shape's centroid.
@@ -205,14 +255,21 @@ impl FoodModel {
 
     /// Colour of lean flesh and of fat in a given appearance.
     pub fn colours(&self, appearance: Appearance) -> (Lab, Lab) {
-        (self.description.colour.lean(appearance), self.description.colour.fat(appearance))
+        (self.palette.lean(appearance), self.palette.fat(appearance))
     }
 }
 
 fn check_size(description: &FoodDescription, piece: &PieceSpec) -> Result<(), BuildError> {
-    for (axis, which) in ["length", "width", "thickness"].into_iter().enumerate() {
+    let range = &description.size;
+    let bounds = [&range.min_mm, &range.max_mm].map(|mm| description.form.extent(mm).unwrap_or_default());
+    let names = if description.form == Form::Disc {
+        ["diameter", "diameter", "thickness"]
+    } else {
+        ["length", "width", "thickness"]
+    };
+    for (axis, which) in names.into_iter().enumerate() {
         let got = piece.size[axis] * 1e3;
-        let (low, high) = (description.size.min_mm[axis], description.size.max_mm[axis]);
+        let (low, high) = (bounds[0][axis], bounds[1][axis]);
         if !(got >= low - 1e-9 && got <= high + 1e-9) {
             return Err(BuildError::Size { which, got, low, high });
         }

@@ -3,6 +3,7 @@
 use saute_heat::Cut;
 
 use crate::colour::{Appearance, Lab};
+use crate::description::{MOST_CHANGES, PerChange};
 use crate::model::FoodModel;
 use crate::state::{FoodState, Side};
 
@@ -67,6 +68,13 @@ fn add_stretch(sums: &mut [f64; 4], a: f64, b: f64, weight: f64) {
     sums[3] += weight * (1.0 - so_far);
 }
 
+/// The changes at a point, each read off its field.
+pub fn changed_at(state: &FoodState, read: impl Fn(&[f64]) -> f64) -> PerChange {
+    let mut changed = [0.0; MOST_CHANGES];
+    changed.iter_mut().zip(&state.changed).for_each(|(c, field)| *c = read(field));
+    changed
+}
+
 /// Area means and area shares of one face.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FaceReading {
@@ -129,8 +137,7 @@ impl FoodModel {
     /// What colours a node.
     pub fn appearance(&self, state: &FoodState, node: usize) -> Appearance {
         Appearance {
-            myosin: state.denatured[0][node],
-            myoglobin: state.denatured[3][node],
+            changed: changed_at(state, |field| field[node]),
             browning: state.browning[node],
             charring: state.charring[node],
         }
@@ -150,16 +157,42 @@ impl FoodModel {
 
     /// Log₁₀ reduction of pathogens at the core and at the least heated point of the surface [-].
     pub fn log_reduction(&self, state: &FoodState) -> (f64, f64) {
-        let faces = self.face(Side::Bottom).chain(self.face(Side::Top));
-        let surface = faces.chain(self.side_nodes.iter().map(|&n| n as usize));
-        let least = surface.map(|n| state.lethality[n]).fold(f64::INFINITY, f64::min);
+        let surface = self.patches.iter().filter(|p| p.area > 0.0);
+        let least = surface.map(|p| state.lethality[p.node as usize]).fold(f64::INFINITY, f64::min);
         (self.at_core(&state.lethality), least)
     }
 
-    /// Volume mean of the elastic modulus, raw + myosin · X + actin · X [kPa].
+    /// A value plus what the changes of a node contribute.
+    fn with_changes(&self, base: f64, contributions: &PerChange, state: &FoodState, node: usize) -> f64 {
+        state.changed.iter().zip(contributions).fold(base, |sum, (x, c)| sum + c * x[node])
+    }
+
+    /// Elastic modulus of a node [kPa].
+    pub fn node_modulus_kpa(&self, state: &FoodState, node: usize) -> f64 {
+        self.with_changes(self.kinetics.texture.raw_kpa, &self.modulus, state, node)
+    }
+
+    /// Volume mean of a value that depends on a node.
+    fn mean_of(&self, value: impl Fn(usize) -> f64) -> f64 {
+        let volume = &self.mesh.graph.volume;
+        let sum: f64 = volume.iter().enumerate().map(|(node, v)| v * value(node)).sum();
+        sum / volume.iter().sum::<f64>()
+    }
+
+    /// Volume mean of the elastic modulus: raw plus each change's share of its contribution [kPa].
     pub fn elastic_modulus_kpa(&self, state: &FoodState) -> f64 {
-        let mean = |k: usize| self.volume_mean(&state.denatured[k]);
-        self.texture.raw_kpa + self.texture.myosin_kpa * mean(0) + self.texture.actin_kpa * mean(2)
+        self.mean_of(|node| self.node_modulus_kpa(state, node))
+    }
+
+    /// Volume mean of the hardness on biting over that of the raw food [-].
+    pub fn hardness_index(&self, state: &FoodState) -> f64 {
+        self.mean_of(|node| self.with_changes(1.0, &self.hardness, state, node))
+    }
+
+    /// Volume mean of the juiciness: water left over raw water, times one plus the changes' contributions [%].
+    pub fn juiciness_pct(&self, state: &FoodState) -> f64 {
+        let left = |node: usize| (state.water[node] / self.initial_water[node]).min(1.0);
+        100.0 * self.mean_of(|node| left(node) * self.with_changes(1.0, &self.juiciness, state, node))
     }
 
     /// Doneness by volume.

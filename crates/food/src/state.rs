@@ -22,6 +22,18 @@ impl Side {
     }
 }
 
+/// Stretches of the present shape over the rest shape.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stretch {
+    /// Across the fibres, the whole piece alike [-].
+    pub lateral: f64,
+    /// Along the fibres at each node [-].
+    pub axial: Vec<f64>,
+    /// How far the middle of the bottom face stands back from the plane of its rim, against gravity; negative where
+    /// the top face's does [m].
+    pub dome: f64,
+}
+
 /// Fields on the nodes of a piece and what has left it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoodState {
@@ -31,22 +43,30 @@ pub struct FoodState {
     pub enthalpy: Vec<f64>,
     /// Water [kg].
     pub water: Vec<f64>,
+    /// The part of the water that is free juice on its way out [kg].
+    pub juice: Vec<f64>,
+    /// Fat [kg].
+    pub fat: Vec<f64>,
     /// Highest temperature so far [K].
     pub peak: Vec<f64>,
-    /// Denatured shares of myosin, collagen, actin, myoglobin [-].
-    pub denatured: [Vec<f64>; 4],
+    /// Shares of the first-order changes, in the order of the kinetics [-].
+    pub changed: Vec<Vec<f64>>,
     /// Browning [-].
     pub browning: Vec<f64>,
     /// Charring [-].
     pub charring: Vec<f64>,
     /// Log₁₀ reduction of pathogens [-].
     pub lethality: Vec<f64>,
+    /// How far it has contracted and bent.
+    pub stretch: Stretch,
     /// Which face lies below.
     pub down: Side,
     /// Water that left as vapour [kg].
     pub evaporated: f64,
     /// Juice that ran off [kg].
     pub dripped: f64,
+    /// Fat that ran off [kg].
+    pub rendered: f64,
     /// Ticks since the start.
     pub ticks: u64,
     /// False after a non-finite value: the piece no longer changes.
@@ -57,30 +77,35 @@ impl FoodState {
     /// The raw piece at one temperature [K].
     pub fn raw(model: &FoodModel, temperature: f64) -> Self {
         let n = model.mesh.node_count();
-        let enthalpy = (0..n)
-            .map(|i| model.properties.enthalpy(&model.masses(i, model.initial_water[i]), temperature).0)
-            .collect();
         let zeros = || vec![0.0; n];
-        Self {
+        let mut raw = Self {
             temperature: vec![temperature; n],
-            enthalpy,
+            enthalpy: zeros(),
             water: model.initial_water.clone(),
+            juice: zeros(),
+            fat: model.initial_fat.clone(),
             peak: vec![temperature; n],
-            denatured: [zeros(), zeros(), zeros(), zeros()],
+            changed: vec![zeros(); model.changes.count()],
             browning: zeros(),
             charring: zeros(),
             lethality: zeros(),
+            stretch: Stretch { lateral: 1.0, axial: vec![1.0; n], dome: 0.0 },
             down: Side::Bottom,
             evaporated: 0.0,
             dripped: 0.0,
+            rendered: 0.0,
             ticks: 0,
             healthy: true,
+        };
+        for i in 0..n {
+            raw.enthalpy[i] = model.properties.enthalpy(&model.masses(&raw, i), temperature).0;
         }
+        raw
     }
 
     /// Mass [kg].
     pub fn mass(&self, model: &FoodModel) -> f64 {
-        self.water.iter().sum::<f64>() + model.dry_mass
+        [&self.water, &model.lean_solids, &self.fat].iter().map(|m| m.iter().sum::<f64>()).sum()
     }
 
     /// Enthalpy above 0 °C [J].

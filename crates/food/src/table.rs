@@ -26,6 +26,13 @@ impl Table {
     }
 }
 
+/// Straight lines through given points, held beyond both ends; `xs` ascend.
+pub fn interpolate(xs: &[f64], ys: &[f64], x: f64) -> f64 {
+    let upper = xs.partition_point(|&v| v < x).clamp(1, xs.len() - 1);
+    let share = ((x - xs[upper - 1]) / (xs[upper] - xs[upper - 1])).clamp(0.0, 1.0);
+    ys[upper - 1] + share * (ys[upper] - ys[upper - 1])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

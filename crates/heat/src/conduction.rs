@@ -32,11 +32,17 @@ impl Conduction {
     ///
     /// The harmonic mean carries the right flux where a dry crust meets wet flesh (two layers in series).
     pub fn refresh(&mut self, graph: &Graph, conductivity: &[f64]) {
+        self.refresh_each(graph, |_, a, b| (conductivity[a], conductivity[b]));
+    }
+
+    /// As [`Self::refresh`], with the conductivity of both ends asked for by edge: `at(edge, a, b)` [W/(m·K)].
+    pub fn refresh_each(&mut self, graph: &Graph, at: impl Fn(usize, usize, usize) -> (f64, f64)) {
         self.conductance.resize(graph.ends.len(), 0.0);
         self.total.clear();
         self.total.resize(graph.volume.len(), 0.0);
-        for ((&[a, b], &shape), g) in graph.ends.iter().zip(&graph.shape).zip(&mut self.conductance) {
-            let (ka, kb) = (conductivity[a as usize], conductivity[b as usize]);
+        let edges = graph.ends.iter().zip(&graph.shape).zip(&mut self.conductance);
+        for (edge, ((&[a, b], &shape), g)) in edges.enumerate() {
+            let (ka, kb) = at(edge, a as usize, b as usize);
             *g = shape * 2.0 * ka * kb / (ka + kb);
             self.total[a as usize] += *g;
             self.total[b as usize] += *g;

@@ -66,5 +66,5 @@ fn mean_profile(model: &FoodModel, state: &FoodState) -> Vec<f64> {
 
 fn masses_per_volume(model: &FoodModel, state: &FoodState) -> [f64; 3] {
     let volume: f64 = model.mesh.graph.volume.iter().sum();
-    [&state.water, &model.lean_solids, &model.fat].map(|m| m.iter().sum::<f64>() / volume)
+    [&state.water, &model.lean_solids, &state.fat].map(|m| m.iter().sum::<f64>() / volume)
 }

@@ -39,6 +39,13 @@ pub enum Command {
         /// Onto what.
         on: RestOn,
     },
+    /// Moves the pan over the hob; what lies in it moves along.
+    MovePan {
+        /// Centre of the pan relative to the ring's [m].
+        at: [f64; 2],
+        /// Height above the glass [m].
+        lift: f64,
+    },
     /// Sets the pan on the wet cloth for a while [s]; a fresh cloth unless one lies there already.
     Cool {
         /// How long [s].
@@ -77,6 +84,12 @@ pub enum Refused {
         food: String,
         /// What is in the way.
         other: String,
+    },
+    /// The pan would be out of reach.
+    #[error("the pan can be moved and lifted by up to {farthest_mm} mm")]
+    PanPlace {
+        /// How far [mm].
+        farthest_mm: i64,
     },
     /// Power out of range.
     #[error("the hob gives 0 to {largest_w} W")]

@@ -1,7 +1,7 @@
 //! Ranges of the numbers in data files: what parses must also be possible.
 
-use saute_food::FoodDescription;
-use saute_food::description::Composition;
+use saute_food::description::{Composition, MOST_CHANGES};
+use saute_food::{FoodDescription, Kinetics};
 
 use crate::library::{LibraryError, line_of};
 use crate::pan::{CoatingDescription, PanDescription};
@@ -61,9 +61,6 @@ pub fn food(food: &FoodDescription, file: &str, text: &str) -> Result<(), Librar
         &[
             ranged("outline", "exponent", food.outline.exponent, 2.0, 20.0),
             ranged("outline", "ripple", food.outline.ripple, 0.0, 0.1),
-            ranged("marbling", "adipose_share", food.marbling.adipose_share, 0.0, 0.6),
-            ranged("marbling", "seam_mm", food.marbling.seam_mm, 1.0, 50.0),
-            ranged("marbling", "flattening", food.marbling.flattening, 1.0, 20.0),
             ranged("fat_melting", "width_k", food.fat_melting.width_k, 0.5, 50.0),
             ranged("fat_melting", "latent_j_kg", food.fat_melting.latent_j_kg, 0.0, 4e5),
             ranged("sorption", "monolayer", food.sorption.monolayer, 0.01, 0.3),
@@ -74,15 +71,108 @@ pub fn food(food: &FoodDescription, file: &str, text: &str) -> Result<(), Librar
             ranged("surface", "emissivity", food.surface.emissivity, 0.0, 1.0),
         ],
     )?;
-    let sizes =
-        ["min_mm", "default_mm", "max_mm"].into_iter().zip([food.size.min_mm, food.size.default_mm, food.size.max_mm]);
-    let mut low = [5.0; 3];
-    for (key, size) in sizes {
-        (0..3).try_for_each(|axis| check(file, text, &[ranged("size", key, size[axis], low[axis], 300.0)]))?;
-        low = size;
+    if let Some(marbling) = &food.marbling {
+        let share = ranged("marbling", "adipose_share", marbling.adipose_share, 0.0, 0.6);
+        let seam = ranged("marbling", "seam_mm", marbling.seam_mm, 1.0, 50.0);
+        check(file, text, &[share, seam, ranged("marbling", "flattening", marbling.flattening, 1.0, 20.0)])?;
     }
+    sizes(food, file, text)?;
     composition("lean", &food.lean, file, text)?;
-    composition("adipose", &food.adipose, file, text)
+    food.adipose.iter().try_for_each(|adipose| composition("adipose", adipose, file, text))
+}
+
+/// As many sizes as the form has dimensions, ascending from smallest to largest.
+fn sizes(food: &FoodDescription, file: &str, text: &str) -> Result<(), LibraryError> {
+    let names = food.form.dimensions();
+    let range = &food.size;
+    let mut low = vec![2.0; names.len()];
+    for (key, size) in [("min_mm", &range.min_mm), ("default_mm", &range.default_mm), ("max_mm", &range.max_mm)] {
+        if size.len() != names.len() {
+            let message = format!("{key} needs the {} of this form: write {key} = [{}]", names.len(), names.join(", "));
+            return Err(LibraryError { file: file.to_owned(), line: line_of(text, place(text, "size", key)), message });
+        }
+        (0..names.len())
+            .try_for_each(|axis| check(file, text, &[ranged("size", key, size[axis], low[axis], 300.0)]))?;
+        low.clone_from(size);
+    }
+    Ok(())
+}
+
+/// Checks the numbers of a kinetics file.
+pub fn kinetics(kinetics: &Kinetics, file: &str, text: &str) -> Result<(), LibraryError> {
+    if kinetics.change.is_empty() || kinetics.change.len() > MOST_CHANGES {
+        let message = format!("give 1 to {MOST_CHANGES} [[change]] tables");
+        return Err(LibraryError { file: file.to_owned(), line: 1, message });
+    }
+    for change in &kinetics.change {
+        check(
+            file,
+            text,
+            &[
+                ranged("[change]", "activation_energy_kj_mol", change.activation_energy_kj_mol, 1.0, 1000.0),
+                ranged("[change]", "anchor_c", change.anchor_c, 0.0, 200.0),
+                ranged("[change]", "anchor_rate_per_min", change.anchor_rate_per_min, 1e-6, 1e4),
+            ],
+        )?;
+    }
+    let (holding, release) = (&kinetics.water_holding, &kinetics.fat_release);
+    check(
+        file,
+        text,
+        &[
+            ranged("water_holding", "drop", holding.drop, 0.0, 0.9),
+            ranged("water_holding", "spread", holding.spread, 1e-3, 1e6),
+            ranged("water_holding", "slope_per_k", holding.slope_per_k, 0.0, 5.0),
+            ranged("water_holding", "release_per_s", holding.release_per_s, 0.0, 1.0),
+            ranged("water_holding", "juice_speed_um_s", holding.juice_speed_um_s, 0.0, 1e4),
+            ranged("water_holding", "film_kg_m2", holding.film_kg_m2, 0.0, 2.0),
+            ranged("fat_release", "fine_share", release.fine_share, 0.0, 1.0),
+            ranged("fat_release", "seam_share", release.seam_share, 0.0, 1.0),
+            ranged("fat_release", "depth_mm", release.depth_mm, 0.1, 1000.0),
+            ranged("lethality", "d60_min", kinetics.lethality.d60_min, 1e-3, 1e4),
+            ranged("lethality", "z_k", kinetics.lethality.z_k, 1.0, 30.0),
+            ranged("texture", "raw_kpa", kinetics.texture.raw_kpa, 0.1, 1e5),
+            ranged("texture", "relaxed_share", kinetics.texture.relaxed_share, 0.01, 1.0),
+        ],
+    )?;
+    let curves = [
+        ("fat_release", "celsius", &release.celsius, &release.rate_per_s),
+        ("browning", "activity", &kinetics.browning.activity, &kinetics.browning.factor),
+    ];
+    for (table, key, xs, ys) in curves {
+        if xs.len() < 2 || xs.len() != ys.len() || !xs.is_sorted() {
+            let message =
+                format!("[{table}] {key} needs two or more ascending numbers, and as many values beside them");
+            return Err(LibraryError { file: file.to_owned(), line: line_of(text, place(text, table, key)), message });
+        }
+    }
+    contraction(kinetics, file, text)
+}
+
+/// Neither direction may contract by half, and every table may name only what changes.
+fn contraction(kinetics: &Kinetics, file: &str, text: &str) -> Result<(), LibraryError> {
+    let place_of = |key| line_of(text, place(text, "shrinkage", key));
+    for (key, table) in [("across", &kinetics.shrinkage.across), ("along", &kinetics.shrinkage.along)] {
+        if !(0.0..=0.5).contains(&table.values().sum::<f64>()) {
+            let message = format!("[shrinkage] {key} adds up to more than 0.5 or less than 0");
+            return Err(LibraryError { file: file.to_owned(), line: place_of(key), message });
+        }
+    }
+    let named = [
+        ("shrinkage", &kinetics.shrinkage.across),
+        ("shrinkage", &kinetics.shrinkage.along),
+        ("texture", &kinetics.texture.change_kpa),
+        ("hardness", &kinetics.hardness.change),
+        ("juiciness", &kinetics.juiciness.change),
+    ];
+    for (table, values) in named {
+        kinetics.in_order(table, values).map_err(|e| LibraryError {
+            file: file.to_owned(),
+            line: line_of(text, place(text, table, "change")),
+            message: e.to_string(),
+        })?;
+    }
+    Ok(())
 }
 
 fn composition(table: &'static str, tissue: &Composition, file: &str, text: &str) -> Result<(), LibraryError> {

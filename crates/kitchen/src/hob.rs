@@ -21,6 +21,22 @@ sourced_table! {
 }
 
 sourced_table! {
+    /// What the hob's electronics do.
+    Control {
+        /// Settings below this are switched on and off [W].
+        duty_below_w: f64,
+        /// Period of that [s].
+        duty_period_s: f64,
+        /// The power goes off where the glass under the pan gets hotter than this [°C].
+        limit_c: f64,
+        /// How far it must cool until the power comes back [K].
+        resume_k: f64,
+        /// A pan that stands higher than this is not detected [mm].
+        lift_limit_mm: f64,
+    }
+}
+
+sourced_table! {
     /// Glass of the hob.
     Glass {
         /// Conductance between pan and glass [W/(m²·K)].
@@ -40,23 +56,90 @@ pub struct HobDescription {
     pub name: String,
     /// Coil.
     pub coil: Coil,
+    /// Electronics.
+    pub control: Control,
     /// Glass.
     pub glass: Glass,
 }
 
+/// Where a pan stands over its ring.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PanPose {
+    /// Centre of the pan relative to the ring's [m].
+    pub at: [f64; 2],
+    /// Height above the glass [m].
+    pub lift: f64,
+}
+
 impl HobDescription {
-    /// Share of the power that goes into each node of the pan's floor; the shares sum to 1.
+    /// Share of the set power that goes into each node of a pan's floor; the shares sum to 1 on the ring, to less beside
+    /// it, to 0 where the pan is lifted or moved off so far that the hob does not detect it.
     ///
     /// Flux q(r) ∝ (r/r_c)² exp(1 − (r/r_c)²) inside the coil radius, 0 outside.
-    pub fn ring_shares(&self, radii: &[f64], areas: &[f64]) -> Vec<f64> {
+    pub fn ring_shares(&self, points: &[[f64; 2]], areas: &[f64], pose: &PanPose) -> Vec<f64> {
+        let weights = |at: [f64; 2]| -> Vec<f64> {
+            points.iter().zip(areas).map(|(p, a)| self.flux(libm::hypot(p[0] + at[0], p[1] + at[1])) * a).collect()
+        };
+        let whole: f64 = weights([0.0; 2]).iter().sum();
+        let detected = self.detects(pose);
+        weights(pose.at).iter().map(|w| if detected { w / whole } else { 0.0 }).collect()
+    }
+
+    /// Flux at a distance from the ring's centre [m], in any unit.
+    fn flux(&self, r: f64) -> f64 {
         let coil = self.coil.radius_mm * 1e-3;
         let peak = coil * self.coil.ring_over_radius;
-        let weight = |r: f64| {
-            let s = (r / peak) * (r / peak);
-            if r <= coil { s * libm::exp(1.0 - s) } else { 0.0 }
+        let s = (r / peak) * (r / peak);
+        if r <= coil { s * libm::exp(1.0 - s) } else { 0.0 }
+    }
+
+    /// Whether a pan stands low and near enough.
+    pub fn detects(&self, pose: &PanPose) -> bool {
+        pose.lift <= self.control.lift_limit_mm * 1e-3
+            && libm::hypot(pose.at[0], pose.at[1]) <= self.coil.radius_mm * 1e-3
+    }
+
+    /// Mean power over a tick from `time` to `time + dt` [W]: low settings are switched on and off.
+    pub fn switched(&self, power: f64, time: f64, dt: f64) -> f64 {
+        let Control { duty_below_w: full, duty_period_s: period, .. } = self.control;
+        if power <= 0.0 || power >= full {
+            return power;
+        }
+        let on_until = |t: f64| {
+            let periods = libm::floor(t / period);
+            (periods * power / full + (t / period - periods).min(power / full)) * period
         };
-        let weights: Vec<f64> = radii.iter().zip(areas).map(|(&r, a)| weight(r) * a).collect();
-        let total: f64 = weights.iter().sum();
-        weights.iter().map(|w| w / total).collect()
+        full * (on_until(time + dt) - on_until(time)) / dt
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn hob() -> HobDescription {
+        crate::Library::embedded().expect("embedded data").hob
+    }
+
+    #[test]
+    fn low_settings_are_switched_and_keep_their_mean() {
+        let hob = hob();
+        let ticks: Vec<f64> = (0..20).map(|i| hob.switched(200.0, f64::from(i) * 0.1, 0.1)).collect();
+        assert!((ticks.iter().sum::<f64>() / 20.0 - 200.0).abs() < 1e-6, "{ticks:?}");
+        assert!((ticks[0] - 500.0).abs() < 1e-6 && ticks[19].abs() < 1e-6);
+        assert_eq!(hob.switched(800.0, 3.0, 0.1), 800.0);
+    }
+
+    #[test]
+    fn a_pan_lifted_or_off_its_ring_gets_no_power() {
+        let hob = hob();
+        let (points, areas) = ([[0.05, 0.0], [-0.05, 0.0]], [1.0, 1.0]);
+        let total = |pose: PanPose| hob.ring_shares(&points, &areas, &pose).iter().sum::<f64>();
+        assert!((total(PanPose::default()) - 1.0).abs() < 1e-12);
+        assert!((total(PanPose { lift: 0.014, ..Default::default() }) - 1.0).abs() < 1e-12);
+        assert_eq!(total(PanPose { lift: 0.016, ..Default::default() }), 0.0);
+        assert_eq!(total(PanPose { at: [0.1, 0.0], lift: 0.0 }), 0.0);
+        let beside = total(PanPose { at: [0.06, 0.0], lift: 0.0 });
+        assert!(beside < 0.9, "{beside}");
     }
 }

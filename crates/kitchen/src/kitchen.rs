@@ -8,9 +8,9 @@ use saute_food::{BuildError, FoodModel, PieceSpec};
 use crate::cloth::Cloth;
 use crate::command::{Command, Refused};
 use crate::energy::Energy;
-use crate::hob::HobDescription;
+use crate::hob::{HobDescription, PanPose};
 use crate::library::Library;
-use crate::pan::{PanLoad, PanModel, PanState};
+use crate::pan::{PanLoad, PanModel, PanSolver, PanState};
 use crate::piece::{Piece, Place};
 use crate::room::Room;
 use crate::{TICK_S, kelvin};
@@ -45,6 +45,7 @@ pub struct PieceOrder {
 pub struct Kitchen {
     fixed: Arc<Fixed>,
     pan: PanState,
+    pan_solver: PanSolver,
     pieces: Vec<Piece>,
     hob_w: f64,
     cloth: Option<Cloth>,
@@ -80,13 +81,14 @@ impl Kitchen {
             .get(pan_kind)
             .ok_or_else(|| SetupError::NoSuchPan(pan_kind.into(), Library::names(&library.pans)))?;
         let pan = PanModel::build(description, &library.hob).map_err(BuildError::from)?;
-        let state = pan.at(pan_temperature, library.room.temperature());
+        let state = pan.at(pan_temperature, &library.room, &library.hob);
         Ok(Self {
             stored_at_start: pan.stored(&state),
             foods_at_start: 0.0,
             pan_flow: vec![0.0; state.temperature.len()],
             covered: vec![0.0; state.temperature.len()],
             pan: state,
+            pan_solver: PanSolver::default(),
             pieces: Vec::new(),
             hob_w: 0.0,
             cloth: None,
@@ -137,6 +139,7 @@ impl Kitchen {
                 piece.rest(*on, &room);
                 Ok(())
             }
+            Command::MovePan { at, lift } => self.move_pan(PanPose { at: *at, lift: *lift }),
             Command::Cool { for_s } => {
                 let fresh = Cloth::fresh(&self.fixed.room.cloth, self.fixed.room.temperature(), *for_s);
                 self.cloth.get_or_insert(fresh).remaining_s = *for_s;
@@ -151,6 +154,15 @@ impl Kitchen {
             return Err(Refused::Power { largest_w: largest as i64 });
         }
         self.hob_w = power;
+        Ok(())
+    }
+
+    fn move_pan(&mut self, pose: PanPose) -> Result<(), Refused> {
+        if !(0.0..=FARTHEST_PAN).contains(&pose.lift) || !(libm::hypot(pose.at[0], pose.at[1]) <= FARTHEST_PAN) {
+            return Err(Refused::PanPlace { farthest_mm: libm::round(FARTHEST_PAN * 1e3) as i64 });
+        }
+        let fixed = Arc::clone(&self.fixed);
+        fixed.pan.place(&mut self.pan, &fixed.hob, pose);
         Ok(())
     }
 
@@ -203,10 +215,11 @@ impl Kitchen {
             hob: &fixed.hob,
             room: &fixed.room,
             hob_w: self.hob_w,
+            time: self.time_s(),
             food: &self.pan_flow,
             covered: &self.covered,
         };
-        let exchange = fixed.pan.advance(&mut self.pan, &load, &mut self.cloth, TICK_S);
+        let exchange = fixed.pan.advance(&mut self.pan, &mut self.pan_solver, &load, &mut self.cloth, TICK_S);
         self.flows.hob += exchange.hob;
         self.flows.air += exchange.air;
         self.flows.other += exchange.other;
@@ -224,19 +237,22 @@ impl Kitchen {
         let taken: f64 = piece.solver.contact_heat.iter().sum();
         match (piece.place, &piece.patches) {
             (Place::Pan(_), Some(patches)) => {
-                let sizes = piece.solver.contact_heat.iter().zip(&piece.model.mesh.section.areas);
-                for (located, (heat, area)) in patches.located.iter().zip(sizes) {
+                let first = piece.first_below();
+                let lateral = piece.state.stretch.lateral;
+                for (i, located) in patches.located.iter().enumerate() {
+                    let area = piece.model.patches[first + i].area * lateral * lateral;
                     for k in 0..3 {
                         let node = located.nodes[k] as usize;
-                        self.pan_flow[node] += located.weights[k] * heat / TICK_S;
+                        self.pan_flow[node] += located.weights[k] * piece.solver.contact_heat[first + i] / TICK_S;
                         self.covered[node] += located.weights[k] * area / fixed.pan.section.areas[node];
                     }
                 }
                 self.pan.puddle += exchange.drip.mass;
                 self.pan.puddle_enthalpy += exchange.drip.enthalpy;
-                self.flows.other += exchange.drip.enthalpy;
+                self.pan.oil += exchange.rendered.mass;
+                self.flows.other += exchange.drip.enthalpy + exchange.rendered.enthalpy;
             }
-            (Place::Rest(_), _) => self.flows.other += exchange.drip.enthalpy - taken,
+            (Place::Rest(_), _) => self.flows.other += exchange.drip.enthalpy + exchange.rendered.enthalpy - taken,
             _ => {}
         }
         self.covered.iter_mut().for_each(|c| *c = c.min(1.0));
@@ -312,9 +328,11 @@ impl Kitchen {
         self.hob_w
     }
 
-    /// Electrical power that is drawn: none while the pan is off the hob [W].
+    /// Mean electrical power that is drawn: none while the pan is off the hob or the hob's limit holds, less beside the
+    /// ring [W].
     pub fn drawn_w(&self) -> f64 {
-        if self.cloth.is_some() { 0.0 } else { self.hob_w }
+        let off = self.cloth.is_some() || self.pan.limited;
+        if off { 0.0 } else { self.hob_w * self.pan.ring_shares.iter().sum::<f64>() }
     }
 
     /// Area mean of the pan's flat floor [K].
@@ -363,6 +381,9 @@ impl Kitchen {
         .balanced()
     }
 }
+
+/// How far the pan may be moved or lifted [m] (chosen: within reach).
+const FARTHEST_PAN: f64 = 0.5;
 
 /// Specific heat with which the puddle's temperature is reckoned [J/(kg·K)] (water, standard tables).
 pub(crate) const PUDDLE_SPECIFIC_HEAT: f64 = 4190.0;

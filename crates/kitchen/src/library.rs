@@ -65,7 +65,7 @@ impl Library {
         let coatings = parse_folder(&files, "coatings/", data_check::coating)?;
         let library = Self {
             foods: parse_folder(&files, "foods/", data_check::food)?,
-            kinetics: parse_folder(&files, "kinetics/", |_, _, _| Ok(()))?,
+            kinetics: parse_folder(&files, "kinetics/", data_check::kinetics)?,
             pans: with_coatings(bare, &coatings),
             recipes: in_folder(&files, "recipes/").map(|(id, text)| (id.to_owned(), text.clone())).collect(),
             components: parse(&files, "components.toml")?,
@@ -89,6 +89,11 @@ impl Library {
                     ),
                 });
             }
+            self.kinetics[&food.kinetics].in_order("colour", &food.colour.change).map_err(|e| LibraryError {
+                file: format!("foods/{id}.toml"),
+                line: 1,
+                message: e.to_string(),
+            })?;
         }
         Ok(())
     }

@@ -6,7 +6,7 @@ use saute_heat::{Conduction, Graph, Locator, MeshError, Section};
 use serde::Deserialize;
 
 use crate::cloth::Cloth;
-use crate::hob::HobDescription;
+use crate::hob::{HobDescription, PanPose};
 use crate::room::Room;
 
 sourced_table! {
@@ -121,7 +121,8 @@ pub struct PanModel {
     capacity: Vec<f64>,
     graph: Graph,
     conduction: Conduction,
-    ring_shares: Vec<f64>,
+    /// Conductance of air and glass at its largest [W/K]; bounds the stable step.
+    steepest: Vec<f64>,
 }
 
 /// What changes in a pan.
@@ -135,6 +136,20 @@ pub struct PanState {
     pub puddle: f64,
     /// Its enthalpy above 0 °C [J].
     pub puddle_enthalpy: f64,
+    /// Oil and rendered fat in the pan [kg].
+    pub oil: f64,
+    /// Where the pan stands.
+    pub pose: PanPose,
+    /// Share of the hob's power that goes into each node of the floor [-].
+    pub ring_shares: Vec<f64>,
+    /// Whether the hob's limit keeps the power off.
+    pub limited: bool,
+}
+
+/// Scratch space of a pan.
+#[derive(Clone, Debug, Default)]
+pub struct PanSolver {
+    heat: Vec<f64>,
 }
 
 /// What acts on the pan during one tick.
@@ -144,14 +159,18 @@ pub struct PanLoad<'a> {
     pub hob: &'a HobDescription,
     /// The room around it.
     pub room: &'a Room,
-    /// Electrical power [W].
+    /// Electrical power that is set [W].
     pub hob_w: f64,
+    /// Time at the start of the tick [s].
+    pub time: f64,
     /// Heat flow from each node into food [W].
     pub food: &'a [f64],
     /// Share of each node's area under food [-].
     pub covered: &'a [f64],
 }
 
+/// Thermal conductivity of warm air under a lifted pan [W/(m·K)] (standard tables, 100 °C).
+const AIR_CONDUCTIVITY: f64 = 0.031;
 /// Convection and radiation of both faces of a very hot wall [W/(m²·K)]; bounds the stable step.
 const STEEPEST_AIR_LOSS: f64 = 100.0;
 
@@ -197,9 +216,8 @@ impl PanModel {
         }
         let mut conduction = Conduction::default();
         conduction.refresh(&graph, &vec![metal.conductivity_w_mk; areas.len()]);
-        let radii: Vec<f64> = section.points[..floor_nodes].iter().map(|p| libm::hypot(p[0], p[1])).collect();
         Ok(Self {
-            ring_shares: hob.ring_shares(&radii, &areas[..floor_nodes]),
+            steepest: areas.iter().map(|a| a * (STEEPEST_AIR_LOSS + hob.glass.gap_conductance_w_m2k)).collect(),
             floor_area: areas[..floor_nodes].iter().sum(),
             locator: Locator::new(&section),
             description: description.clone(),
@@ -211,14 +229,35 @@ impl PanModel {
         })
     }
 
-    /// The pan and the glass at given temperatures [K].
-    pub fn at(&self, pan: f64, glass: f64) -> PanState {
+    /// The pan and the glass at given temperatures [K], with the room's oil in it, on its ring.
+    pub fn at(&self, pan: f64, room: &Room, hob: &HobDescription) -> PanState {
+        let pose = PanPose::default();
         PanState {
             temperature: vec![pan; self.capacity.len()],
-            glass: vec![glass; self.floor_nodes],
+            glass: vec![room.temperature(); self.floor_nodes],
             puddle: 0.0,
             puddle_enthalpy: 0.0,
+            oil: 1e-3 * room.contact.oil_g,
+            ring_shares: self.ring_shares(hob, &pose),
+            pose,
+            limited: false,
         }
+    }
+
+    fn ring_shares(&self, hob: &HobDescription, pose: &PanPose) -> Vec<f64> {
+        let floor = self.floor_nodes;
+        hob.ring_shares(&self.section.points[..floor], &self.section.areas[..floor], pose)
+    }
+
+    /// Moves the pan over the hob.
+    pub fn place(&self, state: &mut PanState, hob: &HobDescription, pose: PanPose) {
+        state.ring_shares = self.ring_shares(hob, &pose);
+        state.pose = pose;
+    }
+
+    /// Thickness of the oil film, spread over the floor [m].
+    pub fn oil_film(&self, state: &PanState, room: &Room) -> f64 {
+        state.oil / (room.contact.oil_density_kg_m3 * self.floor_area)
     }
 
     /// Area mean of the flat floor [K].
@@ -233,29 +272,47 @@ impl PanModel {
     }
 
     /// Moves the pan through `dt` [s]; with a cloth it stands off the hob, which then gives no power.
-    pub fn advance(&self, state: &mut PanState, load: &PanLoad, cloth: &mut Option<Cloth>, dt: f64) -> PanExchange {
-        let underside = load.hob.glass.gap_conductance_w_m2k;
-        let exchange: Vec<f64> = self.section.areas.iter().map(|a| a * (STEEPEST_AIR_LOSS + underside)).collect();
-        let limit = 0.8 * self.conduction.stable_step_with(&self.capacity, &exchange);
+    pub fn advance(
+        &self,
+        state: &mut PanState,
+        solver: &mut PanSolver,
+        load: &PanLoad,
+        cloth: &mut Option<Cloth>,
+        dt: f64,
+    ) -> PanExchange {
+        let limit = 0.8 * self.conduction.stable_step_with(&self.capacity, &self.steepest);
         let steps = libm::ceil(dt / limit).clamp(1.0, 1000.0);
+        let hottest = state.glass.iter().copied().fold(0.0, f64::max);
+        let control = &load.hob.control;
+        let bound = control.limit_c - if state.limited { control.resume_k } else { 0.0 };
+        state.limited = hottest > crate::kelvin(bound);
         let mut total = PanExchange::default();
         for _ in 0..steps as usize {
-            self.step(state, load, cloth, dt / steps, &mut total);
+            self.step(state, &mut solver.heat, load, cloth, dt / steps, &mut total);
         }
         total
     }
 
-    fn step(&self, state: &mut PanState, load: &PanLoad, cloth: &mut Option<Cloth>, dt: f64, total: &mut PanExchange) {
-        let mut power: Vec<f64> = load.food.iter().map(|p| -p).collect();
-        self.conduction.add_power(&self.graph, &state.temperature, &mut power);
-        let mut heat: Vec<f64> = power.iter().map(|p| p * dt).collect();
-        self.add_air_losses(state, load, dt, &mut heat, total);
-        self.add_puddle(state, load.room, dt, &mut heat, total);
+    fn step(
+        &self,
+        state: &mut PanState,
+        heat: &mut Vec<f64>,
+        load: &PanLoad,
+        cloth: &mut Option<Cloth>,
+        dt: f64,
+        total: &mut PanExchange,
+    ) {
+        heat.clear();
+        heat.extend(load.food.iter().map(|p| -p));
+        self.conduction.add_power(&self.graph, &state.temperature, heat);
+        heat.iter_mut().for_each(|q| *q *= dt);
+        self.add_air_losses(state, load, dt, heat, total);
+        self.add_puddle(state, load.room, dt, heat, total);
         match cloth {
-            None => self.add_hob(state, load, dt, &mut heat, total),
-            Some(cloth) => self.add_cloth(state, load.room, cloth, dt, &mut heat, total),
+            None => self.add_hob(state, load, dt, heat, total),
+            Some(cloth) => self.add_cloth(state, load.room, cloth, dt, heat, total),
         }
-        for ((t, q), c) in state.temperature.iter_mut().zip(&heat).zip(&self.capacity) {
+        for ((t, q), c) in state.temperature.iter_mut().zip(heat.iter()).zip(&self.capacity) {
             *t += q / c;
         }
         self.cool_glass(state, load, dt);
@@ -289,17 +346,21 @@ impl PanModel {
         }
     }
 
+    /// Heat from the ring, and between floor and glass: through their contact, or through the air under a lifted pan.
     fn add_hob(&self, state: &mut PanState, load: &PanLoad, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
-        let PanLoad { hob, hob_w, .. } = *load;
-        total.hob += hob_w * dt;
-        total.other += (1.0 - hob.coil.efficiency) * hob_w * dt;
-        for (i, share) in self.ring_shares.iter().enumerate() {
-            heat[i] += hob.coil.efficiency * hob_w * share * dt;
-            let lost =
-                hob.glass.gap_conductance_w_m2k * self.section.areas[i] * (state.temperature[i] - state.glass[i]) * dt;
+        let PanLoad { hob, time, .. } = *load;
+        let power = if state.limited { 0.0 } else { hob.switched(load.hob_w, time, crate::TICK_S) };
+        let glass = &hob.glass;
+        let gap = 1.0 / (1.0 / glass.gap_conductance_w_m2k + state.pose.lift / AIR_CONDUCTIVITY);
+        for (i, share) in state.ring_shares.iter().enumerate() {
+            let drawn = power * share * dt;
+            total.hob += drawn;
+            total.other += (1.0 - hob.coil.efficiency) * drawn;
+            heat[i] += hob.coil.efficiency * drawn;
+            let lost = gap * self.section.areas[i] * (state.temperature[i] - state.glass[i]) * dt;
             heat[i] -= lost;
             total.other += lost;
-            state.glass[i] += lost / (hob.glass.areal_capacity_j_m2k * self.section.areas[i]);
+            state.glass[i] += lost / (glass.areal_capacity_j_m2k * self.section.areas[i]);
         }
     }
 

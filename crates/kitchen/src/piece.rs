@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use saute_food::{Down, Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Side, Surroundings};
+use saute_food::{Exchange, Face, FoodModel, FoodSolver, FoodState, FreeAir, Side, Surroundings, Touch};
 
 use crate::board::Board;
 use crate::command::RestOn;
-use crate::contact::{ContactPatches, conductance, mean_gap};
+use crate::contact::{ContactPatches, FaceContact, steam_share};
 use crate::pan::{PanModel, PanState};
 use crate::room::Room;
 
@@ -47,8 +47,7 @@ pub struct Piece {
     pub(crate) patches: Option<Arc<ContactPatches>>,
     pub(crate) solver: FoodSolver,
     board: Board,
-    conductance: Vec<f64>,
-    below: Vec<f64>,
+    touch: Vec<Touch>,
 }
 
 impl Piece {
@@ -64,8 +63,7 @@ impl Piece {
             patches: None,
             solver: FoodSolver::default(),
             board: Board::at(room),
-            conductance: Vec::new(),
-            below: Vec::new(),
+            touch: Vec::new(),
             id,
             kind,
             seed,
@@ -129,38 +127,68 @@ impl Piece {
 
     fn fry(&mut self, pan: &PanModel, pan_state: &PanState, room: &Room, dt: f64) -> Exchange {
         let Some(patches) = self.patches.clone() else { return Exchange::default() };
-        let gap = mean_gap(&room.contact, self.since_contact);
-        let coating = pan.description.coating_w_m2k.unwrap_or(f64::INFINITY);
-        self.conductance.clear();
-        self.conductance.extend(patches.unevenness.iter().map(|u| conductance(&room.contact, gap + u, coating)));
-        self.below.clear();
-        let temperature = |l: &saute_heat::Located| {
-            (0..3).map(|k| l.weights[k] * pan_state.temperature[l.nodes[k] as usize]).sum::<f64>()
+        let contact = &room.contact;
+        let face = FaceContact {
+            since: self.since_contact,
+            pressure: GRAVITY * self.mass() / self.model.mesh.section.area(),
+            film: pan.oil_film(pan_state, room),
+            coating: pan.description.coating_w_m2k.unwrap_or(f64::INFINITY),
         };
-        self.below.extend(patches.located.iter().map(temperature));
+        let gap = face.mean_gap(contact);
+        let share = self.model.description.surface.contact_share;
+        let first = self.free_all();
+        for (i, located) in patches.located.iter().enumerate() {
+            let node = self.model.patches[first + i].node as usize;
+            let temperature =
+                (0..3).map(|k| located.weights[k] * pan_state.temperature[located.nodes[k] as usize]).sum::<f64>();
+            let wet = self.state.water[node] > WET_SHARE * self.model.initial_water[node];
+            let dome = self.model.dome_gap(&self.state, self.model.mesh.section.points[i]);
+            let conductance = face.conductance(contact, gap + patches.unevenness[i] + dome)
+                * steam_share(contact, temperature, wet)
+                * share;
+            self.touch[first + i] = Touch { conductance, temperature };
+        }
         let (up, side) = room.plume(pan.floor_temperature(pan_state));
-        self.exchange_with(up, side, dt)
+        self.exchange([up, up, side], dt)
     }
 
     fn stand(&mut self, on: RestOn, room: &Room, dt: f64) -> Exchange {
         let air = if on == RestOn::Foil { room.under_foil() } else { room.still_air() };
-        if on == RestOn::Rack {
-            let around = Surroundings { down: Down::Free(air), up: air, side: air };
-            return self.solver.advance(&self.model, &mut self.state, &around, dt);
+        let first = self.free_all();
+        if on != RestOn::Rack {
+            let board = Touch { conductance: room.board.conductance_w_m2k, temperature: self.board.layers[0] };
+            self.touch[first..first + self.model.mesh.nodes_per_level()].fill(board);
         }
-        let n = self.model.mesh.nodes_per_level();
-        self.conductance.clear();
-        self.conductance.resize(n, room.board.conductance_w_m2k);
-        self.below.clear();
-        self.below.resize(n, self.board.layers[0]);
-        let exchange = self.exchange_with(air, air, dt);
-        let taken = -self.solver.contact_heat.iter().sum::<f64>() / self.model.mesh.section.area();
-        self.board.absorb(&room.board, taken, dt);
+        let exchange = self.exchange([air; 3], dt);
+        if on != RestOn::Rack {
+            let lateral = self.state.stretch.lateral;
+            let area = self.model.mesh.section.area() * lateral * lateral;
+            let taken = -self.solver.contact_heat.iter().sum::<f64>() / area;
+            self.board.absorb(&room.board, taken, dt);
+        }
         exchange
     }
 
-    fn exchange_with(&mut self, up: FreeAir, side: FreeAir, dt: f64) -> Exchange {
-        let down = Down::Contact { conductance: &self.conductance, temperature: &self.below };
-        self.solver.advance(&self.model, &mut self.state, &Surroundings { down, up, side }, dt)
+    /// Frees all patches of both big faces; returns the first patch of the one below.
+    fn free_all(&mut self) -> usize {
+        let n = self.model.mesh.nodes_per_level();
+        self.touch.clear();
+        self.touch.resize(2 * n, Touch::default());
+        self.first_below()
+    }
+
+    /// Index of the first patch of the face that lies below.
+    pub(crate) fn first_below(&self) -> usize {
+        if self.state.down == Side::Bottom { 0 } else { self.model.mesh.nodes_per_level() }
+    }
+
+    fn exchange(&mut self, air: [FreeAir; 3], dt: f64) -> Exchange {
+        debug_assert_eq!(Face::Side as usize, 2);
+        self.solver.advance(&self.model, &mut self.state, &Surroundings { touch: &self.touch, air }, dt)
     }
 }
+
+/// Acceleration of gravity [m/s²] (standard).
+const GRAVITY: f64 = 9.806_65;
+/// A node with more than this share of its raw water has a wet face [-] (chosen: far above a crust, below held water).
+const WET_SHARE: f64 = 0.4;

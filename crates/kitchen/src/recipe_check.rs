@@ -11,7 +11,7 @@ use crate::kelvin;
 use crate::kitchen::PieceOrder;
 use crate::library::{Library, line_of};
 use crate::recipe::{Action, Quantity, Recipe, Step, Trigger};
-use crate::recipe_file::{FoodEntry, PanEntry, RecipeFile, StepEntry, WhenEntry};
+use crate::recipe_file::{FoodEntry, MovePanEntry, PanEntry, RecipeFile, StepEntry, WhenEntry};
 
 /// A recipe's text with what it may name.
 pub(crate) struct Check<'a> {
@@ -102,21 +102,25 @@ impl Check<'_> {
     }
 
     fn size(&self, entry: &FoodEntry, description: &FoodDescription) -> Checked<[f64; 3]> {
-        let Some(given) = &entry.size_mm else { return Ok(description.size.default_mm) };
-        let at = given.span().start;
-        let Ok(size) = <[f64; 3]>::try_from(given.get_ref().clone()) else {
+        let (form, range) = (description.form, &description.size);
+        let (given, at) = match &entry.size_mm {
+            Some(given) => (given.get_ref().as_slice(), given.span().start),
+            None => (range.default_mm.as_slice(), entry.kind.span().start),
+        };
+        let names = form.dimensions();
+        let Some(size) = form.extent(given) else {
+            let defaults: Vec<String> = range.default_mm.iter().map(f64::to_string).collect();
             return self.input.error(
                 at,
-                "size_mm needs three numbers",
-                "write size_mm = [length, width, thickness], for instance [120, 80, 25]",
+                format!("size_mm needs {} numbers", ["no", "one", "two", "three"][names.len()]),
+                format!("write size_mm = [{}], for instance [{}]", names.join(", "), defaults.join(", ")),
             );
         };
-        let names = ["length", "width", "thickness"];
-        for axis in 0..3 {
-            let (low, high) = (description.size.min_mm[axis], description.size.max_mm[axis]);
-            if !(low..=high).contains(&size[axis]) {
-                let message = format!("size_mm: the {} of {} mm is out of range", names[axis], size[axis]);
-                return self.input.error(at, message, format!("the {} may be {low} to {high} mm", names[axis]));
+        for (axis, name) in names.iter().enumerate() {
+            let (low, high) = (range.min_mm[axis], range.max_mm[axis]);
+            if !(low..=high).contains(&given[axis]) {
+                let message = format!("size_mm: the {name} of {} mm is out of range", given[axis]);
+                return self.input.error(at, message, format!("the {name} may be {low} to {high} mm"));
             }
         }
         if size[2] > size[0].max(size[1]) {
@@ -124,6 +128,21 @@ impl Check<'_> {
             return self.input.error(at, message, "lay the piece on its side: write size_mm = [length, width, thickness] with the thickness not the largest");
         }
         Ok(size)
+    }
+
+    fn move_pan(&self, to: &MovePanEntry) -> Checked<Command> {
+        let at = match &to.at_mm {
+            None => [0.0; 2],
+            Some(given) => match <[f64; 2]>::try_from(given.get_ref().clone()) {
+                Ok(mm) if mm.iter().all(|v| v.abs() <= 350.0) => mm.map(|v| v * 1e-3),
+                _ => {
+                    let remedy = "write at_mm = [x, y] with both within ± 350 mm of the ring's centre";
+                    return self.input.error(given.span().start, "move_pan.at_mm cannot be used", remedy);
+                }
+            },
+        };
+        let lift = to.lift_mm.as_ref().map_or(Ok(0.0), |mm| self.input.ranged("move_pan.lift_mm", mm, 0.0, 500.0))?;
+        Ok(Command::MovePan { at, lift: lift * 1e-3 })
     }
 
     fn check_ids(&self, foods: &[Spanned<FoodEntry>]) -> Checked<()> {
@@ -224,6 +243,9 @@ impl Check<'_> {
             let on = step.on.as_ref().map_or(RestOn::default(), |on| *on.get_ref());
             actions.push(Command::Rest { food: self.known(food, "rest", foods)?, on });
         }
+        if let Some(to) = &step.move_pan {
+            actions.push(self.move_pan(to.get_ref())?);
+        }
         if step.cool.is_some() {
             let default = self.library.room.cloth.default_s;
             let for_s = step.for_s.as_ref().map_or(Ok(default), |s| self.input.ranged("for_s", s, 0.1, 600.0))?;
@@ -238,7 +260,7 @@ impl Check<'_> {
             (0, true) => Ok(Action::End),
             (1, false) => Ok(Action::Do(actions.remove(0))),
             (0, false) => {
-                self.input.error(at, "the step has no action", "add one of hob_w, put, flip, rest, cool, end")
+                self.input.error(at, "the step has no action", "add one of hob_w, put, flip, rest, move_pan, cool, end")
             }
             _ => self.input.error(at, "the step has more than one action", "write one [[step]] for each action"),
         }

@@ -51,8 +51,8 @@ pub struct FoodEntry {
     /// Id of a food (`saute list foods`).
     #[schemars(with = "String")]
     pub kind: Spanned<String>,
-    /// Length, width, thickness [mm]; the food's own by default.
-    #[schemars(with = "Option<[f64; 3]>")]
+    /// Length, width, thickness of a steak; diameter, thickness of a disc [mm]; the food's own by default.
+    #[schemars(with = "Option<Vec<f64>>")]
     pub size_mm: Option<Spanned<Vec<f64>>>,
     /// Temperature at which it goes into the pan [°C]; 5 by default.
     #[schemars(with = "Option<f64>", range(min = 0, max = 60))]
@@ -92,6 +92,9 @@ pub struct StepEntry {
     /// With `rest`: onto what; the board by default.
     #[schemars(with = "Option<RestOn>")]
     pub on: Option<Spanned<RestOn>>,
+    /// Action: moves the pan over the hob, or lifts it, until it is moved again.
+    #[schemars(with = "Option<MovePanEntry>")]
+    pub move_pan: Option<Spanned<MovePanEntry>>,
     /// Action: sets the pan on a wet cloth, off the hob.
     #[schemars(with = "Option<CoolBy>")]
     pub cool: Option<Spanned<CoolBy>>,
@@ -101,6 +104,18 @@ pub struct StepEntry {
     /// Action: ends the cook.
     #[schemars(with = "Option<bool>")]
     pub end: Option<Spanned<bool>>,
+}
+
+/// Where the pan goes: back onto its ring by default. More than 15 mm above the glass or off the ring it gets no power.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MovePanEntry {
+    /// Its centre relative to the ring's [mm]; [0, 0] by default.
+    #[schemars(with = "Option<[f64; 2]>")]
+    pub at_mm: Option<Spanned<Vec<f64>>>,
+    /// Its height above the glass [mm]; 0 by default.
+    #[schemars(with = "Option<f64>", range(min = 0, max = 500))]
+    pub lift_mm: Option<Spanned<f64>>,
 }
 
 /// What cools the pan.

@@ -47,15 +47,21 @@ sourced_table! {
 sourced_table! {
     /// The gap between food and pan.
     ContactGap {
-        /// Thickness of the oil film [mm].
-        oil_film_mm: f64,
+        /// Oil in the pan at the start [g].
+        oil_g: f64,
+        /// Density of hot oil [kg/m³].
+        oil_density_kg_m3: f64,
         /// Thermal conductivity of oil [W/(m·K)].
         oil_conductivity_w_mk: f64,
         /// Thermal conductivity of steam and air in the gap [W/(m·K)].
         vapour_conductivity_w_mk: f64,
-        /// Mean gap when the food is laid down [mm].
+        /// What the mean gap is wider when the food has just been laid down [mm].
+        settling_gap_mm: f64,
+        /// Time constant of settling [s].
+        settling_s: f64,
+        /// Mean gap when the food has settled [mm].
         initial_gap_mm: f64,
-        /// Mean gap after steam has lifted it [mm].
+        /// Mean gap after steam and crust have lifted it [mm].
         final_gap_mm: f64,
         /// Time constant of that [s].
         time_constant_s: f64,
@@ -65,6 +71,14 @@ sourced_table! {
         unevenness_scale_mm: f64,
         /// Smallest gap [mm].
         least_gap_mm: f64,
+        /// Pressure at which the mean gap is as given [Pa].
+        pressure_pa: f64,
+        /// Pressure on top of that which halves the mean gap [Pa].
+        halving_pressure_pa: f64,
+        /// A wet face begins to ride on steam where the pan is hotter than the first, and does so fully at the second [°C].
+        steam_c: [f64; 2],
+        /// Conductance of a face that rides on steam over that of one that does not [-].
+        steam_factor: f64,
     }
 }
 

@@ -178,6 +178,9 @@ fn parts(action: &Action) -> (&'static str, Option<&str>, serde_json::Value) {
         Action::Do(Command::Put { food, at }) => ("put", Some(food), serde_json::json!([at[0] * 1e3, at[1] * 1e3])),
         Action::Do(Command::Flip { food }) => ("flip", Some(food), serde_json::Value::Null),
         Action::Do(Command::Rest { food, on }) => ("rest", Some(food), serde_json::json!(on)),
+        Action::Do(Command::MovePan { at, lift }) => {
+            ("move_pan", None, serde_json::json!({ "at_mm": [at[0] * 1e3, at[1] * 1e3], "lift_mm": lift * 1e3 }))
+        }
         Action::Do(Command::Cool { for_s }) => ("cool", None, (*for_s).into()),
         Action::End => ("end", None, true.into()),
     }

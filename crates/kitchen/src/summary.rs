@@ -1,5 +1,7 @@
 //! The numbers of a whole cook, as `saute cook --json` prints them.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use crate::celsius;
@@ -62,16 +64,24 @@ pub struct FoodSummary {
     pub lost_pct: f64,
     /// Water that left [g].
     pub water_g: WaterSummary,
+    /// Fat that ran off into the pan's oil [g].
+    pub fat_rendered_g: f64,
     /// Core temperature [°C].
     pub core_c: CoreSummary,
     /// Doneness of the section by area [%].
     pub section_pct: Doneness,
     /// Doneness by volume [%].
     pub volume_pct: Doneness,
-    /// Denatured shares, volume means [-].
-    pub denatured: Denatured,
+    /// Shares of the first-order changes by name, volume means [-].
+    pub denatured: BTreeMap<String, f64>,
     /// Volume mean of the elastic modulus [kPa].
     pub elastic_modulus_kpa: f64,
+    /// Volume mean of the hardness on biting over that of the raw food [-].
+    pub hardness_index: f64,
+    /// Volume mean of juiciness, raw 100 [%].
+    pub juiciness_pct: f64,
+    /// How far it has contracted and bent.
+    pub shape: Shape,
     /// Log₁₀ reduction of E. coli O157:H7 [-].
     pub log_reduction: LogReduction,
     /// Both faces, as they lie.
@@ -136,17 +146,17 @@ impl From<saute_food::Shares> for Doneness {
     }
 }
 
-/// Denatured shares [-].
+/// Present shape.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub struct Denatured {
-    /// Myosin.
-    pub myosin: f64,
-    /// Collagen with sarcoplasmic proteins.
-    pub collagen: f64,
-    /// Actin.
-    pub actin: f64,
-    /// Myoglobin.
-    pub myoglobin: f64,
+pub struct Shape {
+    /// Volume over the raw volume [%].
+    pub volume_pct: f64,
+    /// Lengths across the fibres over the raw ones [%].
+    pub across_pct: f64,
+    /// Mean thickness [mm].
+    pub thickness_mm: f64,
+    /// How far the middle of the lower face stands off its rim; negative where the rim stands off [mm].
+    pub dome_mm: f64,
 }
 
 /// Both faces of a food.
@@ -217,7 +227,9 @@ impl FoodSummary {
             }
         };
         let (core, least) = model.log_reduction(state);
-        let mean = |k: usize| model.volume_mean(&state.denatured[k]);
+        let names = model.kinetics.names();
+        let mean = |field: &Vec<f64>| model.volume_mean(field);
+        let upwards = if state.down == saute_food::Side::Bottom { 1.0 } else { -1.0 };
         Self {
             id: piece.id.clone(),
             kind: piece.kind.clone(),
@@ -225,6 +237,7 @@ impl FoodSummary {
             mass_g: StartEnd { start: 1e3 * mass_at_start, end: 1e3 * piece.mass() },
             lost_pct: 100.0 * (1.0 - piece.mass() / mass_at_start),
             water_g: WaterSummary { evaporated: 1e3 * state.evaporated, dripped: 1e3 * state.dripped },
+            fat_rendered_g: 1e3 * state.rendered,
             core_c: CoreSummary {
                 end: celsius(piece.core()),
                 peak: celsius(piece.core_peak.0),
@@ -232,8 +245,16 @@ impl FoodSummary {
             },
             section_pct: model.cut_shares(state, &model.cut_across(0.0)).into(),
             volume_pct: model.volume_shares(state).into(),
-            denatured: Denatured { myosin: mean(0), collagen: mean(1), actin: mean(2), myoglobin: mean(3) },
+            denatured: names.into_iter().map(str::to_owned).zip(state.changed.iter().map(mean)).collect(),
             elastic_modulus_kpa: model.elastic_modulus_kpa(state),
+            hardness_index: model.hardness_index(state),
+            juiciness_pct: model.juiciness_pct(state),
+            shape: Shape {
+                volume_pct: 100.0 * model.relative_volume(state),
+                across_pct: 100.0 * state.stretch.lateral,
+                thickness_mm: 1e3 * model.thickness(state),
+                dome_mm: 1e3 * upwards * state.stretch.dome,
+            },
             log_reduction: LogReduction { core, surface: least },
             surfaces: Surfaces { top: surface(state.down.opposite()), bottom: surface(state.down) },
         }

@@ -18,10 +18,15 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
         }
     }
     if let Some(food) = library.foods.get(&choice.kind) {
-        for (axis, name) in [(2, "thickness"), (0, "length"), (1, "width")] {
+        let dimensions = food.form.dimensions();
+        if choice.size_mm.len() != dimensions.len() {
+            choice.size_mm.clone_from(&food.size.default_mm);
+        }
+        let thickness = dimensions.len() - 1;
+        for axis in std::iter::once(thickness).chain(0..thickness) {
             // The window keeps pieces on the 200 mm floor: length and width end where their corner still fits.
-            let most = food.size.max_mm[axis].min(if axis == 2 { 60.0 } else { 150.0 });
-            slider(ui, name, &mut choice.size_mm[axis], food.size.min_mm[axis], most, " mm");
+            let most = food.size.max_mm[axis].min(if axis == thickness { 60.0 } else { 150.0 });
+            slider(ui, dimensions[axis], &mut choice.size_mm[axis], food.size.min_mm[axis], most, " mm");
         }
     }
     let fahrenheit = app.settings.fahrenheit;

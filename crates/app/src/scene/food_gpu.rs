@@ -262,7 +262,7 @@ fn differs(food: &FoodLook, before: &[Vec3], tolerance: f32) -> bool {
 
 /// World positions of a food's vertices.
 pub(super) fn world_positions(food: &FoodLook) -> impl Iterator<Item = Vec3> {
-    food.vertices.iter().map(|vertex: &FoodVertex| food.world_from_rest.transform_point3(Vec3::from(vertex.rest)))
+    food.vertices.iter().map(|vertex: &FoodVertex| food.world_from_rest.transform_point3(Vec3::from(vertex.position)))
 }
 
 fn uniform(food: &FoodLook) -> FoodUniform {

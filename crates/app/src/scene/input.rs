@@ -162,7 +162,7 @@ pub struct SliceLook {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct FoodVertex {
-    /// Position in the rest frame [m]; also where the solid textures are sampled.
+    /// Position in the rest shape, where the solid textures are sampled [m].
     pub rest: [f32; 3],
     /// Outward unit normal in the rest frame.
     pub normal: [f32; 3],
@@ -178,6 +178,8 @@ pub struct FoodVertex {
     pub crust: f32,
     /// Coordinate into the colour table (0–1), linear between vertices.
     pub field: f32,
+    /// Position in the present shape, in the same frame [m].
+    pub position: [f32; 3],
 }
 
 /// A place where vapour leaves.

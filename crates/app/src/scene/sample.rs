@@ -266,6 +266,7 @@ fn coloured(rest: Vec3, normal: Vec3, cooked: f32, browning: f32) -> FoodVertex 
     };
     FoodVertex {
         rest: rest.to_array(),
+        position: rest.to_array(),
         normal: normal.to_array(),
         lean: blend(browning * 0.70).to_array(),
         browner: blend(browning * 1.40).to_array(),

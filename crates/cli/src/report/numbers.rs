@@ -32,9 +32,15 @@ fn food(f: &FoodSummary) -> String {
         ("Water, evaporated".to_owned(), format!("{:.1} g", f.water_g.evaporated)),
         ("Juice, dripped".to_owned(), format!("{:.1} g", f.water_g.dripped)),
     ];
-    let d = &f.denatured;
-    let proteins = [("Myosin", d.myosin), ("Collagen", d.collagen), ("Actin", d.actin), ("Myoglobin", d.myoglobin)];
-    rows.extend(proteins.map(|(name, share)| (format!("{name}, denatured"), format!("{:.0} %", 100.0 * share))));
+    let changed = f.denatured.iter();
+    rows.extend(
+        changed.map(|(name, share)| (format!("{}, changed", escaped(name)), format!("{:.0} %", 100.0 * share))),
+    );
+    rows.push(("Fat, rendered".to_owned(), format!("{:.1} g", f.fat_rendered_g)));
+    rows.push(("Volume over raw".to_owned(), format!("{:.1} %", f.shape.volume_pct)));
+    rows.push(("Thickness".to_owned(), format!("{:.1} mm", f.shape.thickness_mm)));
+    rows.push(("Hardness over raw".to_owned(), format!("{:.1}", f.hardness_index)));
+    rows.push(("Juiciness".to_owned(), format!("{:.0} %", f.juiciness_pct)));
     rows.push(("Elastic modulus".to_owned(), format!("{:.0} kPa", f.elastic_modulus_kpa)));
     let l = &f.log_reduction;
     rows.push(("E. coli log reduction, core · surface".to_owned(), format!("{:.1} · {:.1}", l.core, l.surface)));

@@ -17,6 +17,6 @@ fn vs_solid_depth(@location(0) position: vec3<f32>) -> @builtin(position) vec4<f
 }
 
 @vertex
-fn vs_food_depth(@location(0) rest: vec3<f32>) -> @builtin(position) vec4<f32> {
-    return view.clip_from_world * pose.world_from_rest * vec4<f32>(rest, 1.0);
+fn vs_food_depth(@location(6) position: vec3<f32>) -> @builtin(position) vec4<f32> {
+    return view.clip_from_world * pose.world_from_rest * vec4<f32>(position, 1.0);
 }

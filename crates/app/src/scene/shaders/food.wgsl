@@ -20,6 +20,8 @@ struct FoodIn {
     @location(4) fat: vec3<f32>,
     // Wetness, crust, field.
     @location(5) state: vec3<f32>,
+    // In the present shape; rest is in the shape before cooking.
+    @location(6) position: vec3<f32>,
 };
 
 struct FoodOut {
@@ -35,7 +37,7 @@ struct FoodOut {
 
 @vertex
 fn vs_food(in: FoodIn) -> FoodOut {
-    let world = food.world_from_rest * vec4<f32>(in.rest, 1.0);
+    let world = food.world_from_rest * vec4<f32>(in.position, 1.0);
     let clip = frame.clip_from_world * world;
     return FoodOut(clip, world.xyz, in.rest, in.normal, in.lean, in.browner, in.fat, in.state);
 }

@@ -1,90 +1,11 @@
 //! Promise: a piece of food keeps its energy and water in balance, obeys the maximum principle, stays wet at 100 °C,
 //! and never un-cooks.
 
-use std::sync::OnceLock;
+mod run;
+mod shrinking;
 
-use saute_food::components::Components;
-use saute_food::{
-    Down, FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, PieceSpec, Side, Surroundings, ZERO_C,
-};
-
-const DT: f64 = 0.1;
-
-fn model(kind: &str, coarseness: f64, size: [f64; 3]) -> FoodModel {
-    let data = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
-    let read = |path: String| std::fs::read_to_string(data.join(path)).expect("data file");
-    let food: FoodDescription = toml::from_str(&read(format!("foods/{kind}.toml"))).expect("food");
-    let kinetics: Kinetics = toml::from_str(&read(format!("kinetics/{}.toml", food.kinetics))).expect("kinetics");
-    let components: Components = toml::from_str(&read("components.toml".into())).expect("components");
-    FoodModel::build(&food, &kinetics, &components, &PieceSpec { size, seed: 1, coarseness }).expect("builds")
-}
-
-fn lean() -> &'static FoodModel {
-    static LEAN: OnceLock<FoodModel> = OnceLock::new();
-    LEAN.get_or_init(|| model("beef-lean", 1.6, [0.12, 0.08, 0.025]))
-}
-
-fn kitchen_air() -> FreeAir {
-    FreeAir {
-        temperature: ZERO_C + 23.0,
-        convection: 7.0,
-        radiation: 1.0,
-        vapour_density: 0.0103,
-        mass_transfer: 4.0e-3,
-    }
-}
-
-/// What passed in a whole run.
-#[derive(Default)]
-struct Passed {
-    contact: f64,
-    air: f64,
-    evaporation: f64,
-    evaporated: f64,
-    drip: f64,
-    drip_enthalpy: f64,
-}
-
-struct Run<'a> {
-    model: &'a FoodModel,
-    state: FoodState,
-    solver: FoodSolver,
-    passed: Passed,
-    dt: f64,
-}
-
-impl<'a> Run<'a> {
-    fn new(model: &'a FoodModel, celsius: f64) -> Self {
-        Self {
-            model,
-            state: FoodState::raw(model, ZERO_C + celsius),
-            solver: FoodSolver::default(),
-            passed: Passed::default(),
-            dt: DT,
-        }
-    }
-
-    /// Fries on a plate at one temperature and conductance.
-    fn fry(&mut self, seconds: f64, plate_c: f64, h: f64, air: FreeAir) {
-        let n = self.model.mesh.nodes_per_level();
-        let (conductance, temperature) = (vec![h; n], vec![ZERO_C + plate_c; n]);
-        let down = Down::Contact { conductance: &conductance, temperature: &temperature };
-        for _ in 0..(seconds / self.dt).round() as usize {
-            let exchange =
-                self.solver.advance(self.model, &mut self.state, &Surroundings { down, up: air, side: air }, self.dt);
-            self.passed.contact += self.solver.contact_heat.iter().sum::<f64>();
-            self.passed.air += exchange.air;
-            self.passed.evaporation += exchange.evaporation;
-            self.passed.evaporated += exchange.evaporated;
-            self.passed.drip += exchange.drip.mass;
-            self.passed.drip_enthalpy += exchange.drip.enthalpy;
-        }
-    }
-
-    fn core(&self) -> f64 {
-        self.model.core_temperature(&self.state) - ZERO_C
-    }
-}
+use run::{DT, Run, kitchen_air, lean, model};
+use saute_food::{FoodState, FreeAir, Side, ZERO_C};
 
 #[test]
 fn the_default_steak_has_at_least_8000_nodes() {
@@ -125,7 +46,7 @@ fn energy_and_water_balance_while_searing_and_flipping() {
     let p = &run.passed;
     let stored = run.state.total_enthalpy() - heat_before;
     let gross = p.contact + p.air.abs() + p.evaporation;
-    let residual = p.contact - p.air - p.evaporation - p.drip_enthalpy - stored;
+    let residual = p.contact - p.air - p.evaporation - p.runoff_enthalpy - stored;
     assert!(residual.abs() < 1e-3 * gross, "{residual} J of {gross} J");
     let water = run.state.water.iter().sum::<f64>() + p.evaporated + p.drip;
     assert!((water - water_before).abs() < 1e-3 * water_before);
@@ -207,7 +128,7 @@ fn nothing_uncooks_when_it_cools() {
     run.fry(120.0, 10.0, 2000.0, kitchen_air());
     assert!(run.state.range().1 < before.range().1);
     for k in 0..4 {
-        assert!(run.state.denatured[k].iter().zip(&before.denatured[k]).all(|(now, then)| now >= then));
+        assert!(run.state.changed[k].iter().zip(&before.changed[k]).all(|(now, then)| now >= then));
     }
     assert!(run.state.browning.iter().zip(&before.browning).all(|(now, then)| now >= then));
     assert!(run.state.charring.iter().zip(&before.charring).all(|(now, then)| now >= then));
@@ -249,16 +170,16 @@ fn lethality_adds_up_at_the_published_rate() {
 fn cooked_meat_is_as_stiff_as_measured() {
     let mut run = Run::new(lean(), 20.0);
     assert!((run.model.elastic_modulus_kpa(&run.state) - 6.0).abs() < 1e-9);
-    run.state.denatured[0].fill(1.0);
+    run.state.changed[0].fill(1.0);
     assert!((run.model.elastic_modulus_kpa(&run.state) - 14.0).abs() < 1e-9);
-    run.state.denatured[2].fill(1.0);
+    run.state.changed[2].fill(1.0);
     assert!((run.model.elastic_modulus_kpa(&run.state) - 60.0).abs() < 1e-9);
 }
 
 #[test]
 fn marbling_keeps_its_mean_and_conducts_less() {
     let steak = model("beef-marbled", 1.6, [0.12, 0.08, 0.025]);
-    let fat: f64 = steak.fat.iter().sum();
+    let fat: f64 = steak.initial_fat.iter().sum();
     let mass = FoodState::raw(&steak, ZERO_C + 5.0).mass(&steak);
     assert!((fat / mass - 0.20).abs() < 0.04, "{}", fat / mass);
     assert!(steak.adipose.iter().any(|&s| s > 0.6) && steak.adipose.iter().any(|&s| s < 0.05));

@@ -1,0 +1,182 @@
+//! How a piece contracts and bends as it loses water and fat.
+
+use libm::{exp, log};
+
+use crate::ZERO_C;
+use crate::description::PerChange;
+use crate::model::FoodModel;
+use crate::state::FoodState;
+
+/// Acceleration of gravity [m/s²] (standard).
+const GRAVITY: f64 = 9.806_65;
+/// Poisson's ratio of meat [-] (nearly incompressible: 0.5).
+const POISSON: f64 = 0.5;
+/// Temperature at which rest volumes are reckoned [K].
+const REST: f64 = ZERO_C + 20.0;
+
+/// Sums over the piece as a plate, by level from the bottom.
+#[derive(Default)]
+struct Plate {
+    /// Stiffness per width E·h [N/m].
+    stiffness: f64,
+    /// First moments of stiffness and of stiffness × contraction about the bottom.
+    height: f64,
+    contraction: f64,
+    /// Second moments.
+    height_squared: f64,
+    contraction_height: f64,
+}
+
+impl Plate {
+    fn add(&mut self, modulus: f64, thickness: f64, z: f64, contraction: f64) {
+        let weight = modulus * thickness;
+        self.stiffness += weight;
+        self.height += weight * z;
+        self.contraction += weight * contraction;
+        self.height_squared += weight * (z * z + thickness * thickness / 12.0);
+        self.contraction_height += weight * z * contraction;
+    }
+
+    /// Contraction of the whole plate [-], curvature it would take freely [1/m] and E·I per width [N·m].
+    fn bend(&self) -> (f64, f64, f64) {
+        let (middle, mean) = (self.height / self.stiffness, self.contraction / self.stiffness);
+        let rigidity = self.height_squared - self.stiffness * middle * middle;
+        (mean, (self.contraction_height - self.stiffness * middle * mean) / rigidity, rigidity)
+    }
+}
+
+impl FoodModel {
+    /// Brings the stretches up to date with water, fat and changes.
+    ///
+    /// A node's volume is its rest volume less the water and fat lost, down to that of fully contracted free muscle;
+    /// what boils off beyond leaves pores. Free contraction is shared between across and along the fibres as the
+    /// changes of free muscle are. Across, the levels are one plate: it takes their stiffness-weighted mean, and
+    /// thickness takes up the rest, so that volumes hold. What differs between levels bends the plate; its own
+    /// weight holds it down (simply supported disc with relaxed modulus): w = (5+ν)/(64(1+ν)) p a⁴/D.
+    pub fn shrink(&self, state: &mut FoodState) {
+        let n = self.mesh.nodes_per_level();
+        let rest = Rest::of(self);
+        let mut plate = Plate::default();
+        for (level, height) in self.layer_heights.iter().enumerate() {
+            let (mut modulus, mut contraction) = (0.0, 0.0);
+            for (i, area) in self.mesh.section.areas.iter().enumerate() {
+                let node = level * n + i;
+                let volume = rest.relative_volume(self, state, node);
+                state.stretch.axial[node] = volume;
+                let e = area * self.node_modulus_kpa(state, node);
+                modulus += e;
+                contraction += e * self.free_contraction(state, node, volume);
+            }
+            let (z, mean) = (self.mesh.levels[level], contraction / modulus);
+            plate.add(1e3 * modulus / self.mesh.section.area(), *height, z, mean);
+        }
+        let (mean, curvature, rigidity) = plate.bend();
+        state.stretch.lateral = exp(-mean);
+        let area_stretch = state.stretch.lateral * state.stretch.lateral;
+        state.stretch.axial.iter_mut().for_each(|a| *a /= area_stretch);
+        state.stretch.dome = self.dome(state, curvature, rigidity);
+    }
+
+    /// Log contraction across the fibres that a free node would take at its relative volume [-].
+    fn free_contraction(&self, state: &FoodState, node: usize, volume: f64) -> f64 {
+        let sum = |table: &PerChange| -> f64 { state.changed.iter().zip(table).map(|(x, c)| x[node] * c).sum() };
+        let [across, along] = &self.contraction;
+        let (a, b) = (-log(1.0 - sum(across)), -log(1.0 - sum(along)));
+        let share = if 2.0 * a + b > 1e-9 { a / (2.0 * a + b) } else { 1.0 / 3.0 };
+        -log(volume) * share
+    }
+
+    /// What of a free dome stands up against the weight [m].
+    fn dome(&self, state: &FoodState, curvature: f64, rigidity: f64) -> f64 {
+        let (length, width) = (self.size[0], self.size[1]);
+        let radius_squared = 0.125 * (length * length + width * width);
+        let weight = GRAVITY * state.mass(self) / self.mesh.section.area();
+        let stiff = self.kinetics.texture.relaxed_share * rigidity / (1.0 - POISSON * POISSON);
+        let sag = (5.0 + POISSON) / (64.0 * (1.0 + POISSON)) * weight * radius_squared * radius_squared / stiff;
+        let free = -0.5 * curvature * radius_squared;
+        free.signum() * (free.abs() - sag).max(0.0)
+    }
+
+    /// Present height of every node of a column above its lowest [m].
+    pub fn column_heights(&self, state: &FoodState, column: usize) -> Vec<f64> {
+        let n = self.mesh.nodes_per_level();
+        let mut heights = vec![0.0];
+        for (level, pair) in self.mesh.levels.windows(2).enumerate() {
+            let (low, high) = (state.stretch.axial[level * n + column], state.stretch.axial[(level + 1) * n + column]);
+            heights.push(heights[level] + 0.5 * (low + high) * (pair[1] - pair[0]));
+        }
+        heights
+    }
+
+    /// Present mean thickness [m].
+    pub fn thickness(&self, state: &FoodState) -> f64 {
+        let areas = self.mesh.section.areas.iter().enumerate();
+        let sum: f64 = areas.map(|(i, a)| a * self.column_heights(state, i).last().copied().unwrap_or_default()).sum();
+        sum / self.mesh.section.area()
+    }
+
+    /// Present position of every node, origin midway between the piece's lowest and highest mean levels [m].
+    pub fn positions(&self, state: &FoodState) -> Vec<[f64; 3]> {
+        let n = self.mesh.nodes_per_level();
+        let half = 0.5 * self.thickness(state);
+        let mut positions = vec![[0.0; 3]; self.mesh.node_count()];
+        for (i, &[x, y]) in self.mesh.section.points.iter().enumerate() {
+            let bend = state.stretch.dome * (0.5 - self.outwards([x, y]));
+            for (level, z) in self.column_heights(state, i).into_iter().enumerate() {
+                positions[level * n + i] = [x * state.stretch.lateral, y * state.stretch.lateral, z - half + bend];
+            }
+        }
+        positions
+    }
+
+    /// Height of the origin of [`Self::positions`] above the plane on which the piece lies [m].
+    pub fn rest_height(&self, state: &FoodState) -> f64 {
+        0.5 * (self.thickness(state) + state.stretch.dome.abs())
+    }
+
+    /// Square of the distance from the middle over the half length and width [-].
+    fn outwards(&self, [x, y]: [f64; 2]) -> f64 {
+        4.0 * ((x / self.size[0]) * (x / self.size[0]) + (y / self.size[1]) * (y / self.size[1]))
+    }
+
+    /// Present volume over the rest volume [-].
+    pub fn relative_volume(&self, state: &FoodState) -> f64 {
+        let rest = Rest::of(self);
+        let volume = &self.mesh.graph.volume;
+        let now: f64 = volume.iter().enumerate().map(|(i, v)| v * rest.relative_volume(self, state, i)).sum();
+        now / volume.iter().sum::<f64>()
+    }
+
+    /// How far a patch of the lower face at a point of the section stands off for the dome [m].
+    pub fn dome_gap(&self, state: &FoodState, point: [f64; 2]) -> f64 {
+        let out = self.outwards(point);
+        let upwards = if state.down == crate::Side::Bottom { state.stretch.dome } else { -state.stretch.dome };
+        if upwards > 0.0 { upwards * (1.0 - out).max(0.0) } else { -upwards * out }
+    }
+}
+
+/// Specific volumes of water and fat, and the least volume of a node.
+struct Rest {
+    water: f64,
+    fat: f64,
+    least: f64,
+}
+
+impl Rest {
+    fn of(model: &FoodModel) -> Self {
+        let complete = |table: &PerChange| 1.0 - table.iter().sum::<f64>();
+        let [across, along] = &model.contraction;
+        Self {
+            water: model.properties.volume(&[1.0, 0.0, 0.0], REST),
+            fat: model.properties.volume(&[0.0, 0.0, 1.0], REST),
+            least: complete(across) * complete(across) * complete(along),
+        }
+    }
+
+    fn relative_volume(&self, model: &FoodModel, state: &FoodState, node: usize) -> f64 {
+        let lost = self.water * (model.initial_water[node] - state.water[node])
+            + self.fat * (model.initial_fat[node] - state.fat[node]);
+        // A film on a face does not swell the flesh.
+        (1.0 - lost / model.mesh.graph.volume[node]).clamp(self.least, 1.0)
+    }
+}

@@ -1,0 +1,89 @@
+//! A piece on a plate, for the tests.
+
+use std::sync::OnceLock;
+
+use saute_food::components::Components;
+use saute_food::{
+    FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, PieceSpec, Side, Surroundings, Touch, ZERO_C,
+};
+
+pub const DT: f64 = 0.1;
+
+pub fn model(kind: &str, coarseness: f64, size: [f64; 3]) -> FoodModel {
+    let data = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
+    let read = |path: String| std::fs::read_to_string(data.join(path)).expect("data file");
+    let food: FoodDescription = toml::from_str(&read(format!("foods/{kind}.toml"))).expect("food");
+    let kinetics: Kinetics = toml::from_str(&read(format!("kinetics/{}.toml", food.kinetics))).expect("kinetics");
+    let components: Components = toml::from_str(&read("components.toml".into())).expect("components");
+    FoodModel::build(&food, &kinetics, &components, &PieceSpec { size, seed: 1, coarseness }).expect("builds")
+}
+
+pub fn lean() -> &'static FoodModel {
+    static LEAN: OnceLock<FoodModel> = OnceLock::new();
+    LEAN.get_or_init(|| model("beef-lean", 1.6, [0.12, 0.08, 0.025]))
+}
+
+pub fn kitchen_air() -> FreeAir {
+    FreeAir {
+        temperature: ZERO_C + 23.0,
+        convection: 7.0,
+        radiation: 1.0,
+        vapour_density: 0.0103,
+        mass_transfer: 4.0e-3,
+    }
+}
+
+/// What passed in a whole run.
+#[derive(Default)]
+pub struct Passed {
+    pub contact: f64,
+    pub air: f64,
+    pub evaporation: f64,
+    pub evaporated: f64,
+    pub drip: f64,
+    pub rendered: f64,
+    pub runoff_enthalpy: f64,
+}
+
+pub struct Run<'a> {
+    pub model: &'a FoodModel,
+    pub state: FoodState,
+    pub solver: FoodSolver,
+    pub passed: Passed,
+    pub dt: f64,
+}
+
+impl<'a> Run<'a> {
+    pub fn new(model: &'a FoodModel, celsius: f64) -> Self {
+        Self {
+            model,
+            state: FoodState::raw(model, ZERO_C + celsius),
+            solver: FoodSolver::default(),
+            passed: Passed::default(),
+            dt: DT,
+        }
+    }
+
+    /// Fries on a plate at one temperature and conductance.
+    pub fn fry(&mut self, seconds: f64, plate_c: f64, h: f64, air: FreeAir) {
+        let n = self.model.mesh.nodes_per_level();
+        let mut touch = vec![Touch::default(); 2 * n];
+        let below = if self.state.down == Side::Bottom { 0 } else { n };
+        touch[below..below + n].fill(Touch { conductance: h, temperature: ZERO_C + plate_c });
+        for _ in 0..(seconds / self.dt).round() as usize {
+            let around = Surroundings { touch: &touch, air: [air; 3] };
+            let exchange = self.solver.advance(self.model, &mut self.state, &around, self.dt);
+            self.passed.contact += self.solver.contact_heat.iter().sum::<f64>();
+            self.passed.air += exchange.air;
+            self.passed.evaporation += exchange.evaporation;
+            self.passed.evaporated += exchange.evaporated;
+            self.passed.drip += exchange.drip.mass;
+            self.passed.rendered += exchange.rendered.mass;
+            self.passed.runoff_enthalpy += exchange.drip.enthalpy + exchange.rendered.enthalpy;
+        }
+    }
+
+    pub fn core(&self) -> f64 {
+        self.model.core_temperature(&self.state) - ZERO_C
+    }
+}
