@@ -130,6 +130,7 @@ impl FoodSolver {
         self.power.resize(n, 0.0);
         let driest = 1.0 - model.kinetics.water_holding.drop;
         let crust = model.description.crust.conductivity_w_mk;
+        let across = model.description.anisotropy.as_ref().map_or(1.0, |a| a.across);
         let area = state.stretch.lateral * state.stretch.lateral;
         for i in 0..n {
             let masses = model.masses(state, i);
@@ -140,7 +141,7 @@ impl FoodSolver {
             let conductivity = crust + moist * (model.properties.conductivity(&masses, t) - crust);
             // Area over length: height across the fibres, area over height along them.
             let axial = state.stretch.axial[i];
-            self.conductivity[0][i] = conductivity * axial;
+            self.conductivity[0][i] = across * conductivity * axial;
             self.conductivity[1][i] = conductivity * area / axial;
         }
         let [across, along] = &self.conductivity;

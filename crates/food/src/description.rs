@@ -121,6 +121,14 @@ sourced_table! {
 }
 
 sourced_table! {
+    /// Conduction that differs with direction.
+    Anisotropy {
+        /// Conductivity across the fibres or sheaths over that of the composition [-].
+        across: f64,
+    }
+}
+
+sourced_table! {
     /// Surface properties.
     SurfaceProperties {
         /// Thermal emissivity [-].
@@ -402,6 +410,8 @@ pub struct FoodDescription {
     pub sorption: Sorption,
     /// Dry crust.
     pub crust: Crust,
+    /// Conduction across; as along unless given.
+    pub anisotropy: Option<Anisotropy>,
     /// Surface.
     pub surface: SurfaceProperties,
     /// Colours.

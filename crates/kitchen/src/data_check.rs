@@ -76,6 +76,9 @@ pub fn food(food: &FoodDescription, file: &str, text: &str) -> Result<(), Librar
         let seam = ranged("marbling", "seam_mm", marbling.seam_mm, 1.0, 50.0);
         check(file, text, &[share, seam, ranged("marbling", "flattening", marbling.flattening, 1.0, 20.0)])?;
     }
+    if let Some(anisotropy) = &food.anisotropy {
+        check(file, text, &[ranged("anisotropy", "across", anisotropy.across, 0.05, 5.0)])?;
+    }
     sizes(food, file, text)?;
     composition("lean", &food.lean, file, text)?;
     food.adipose.iter().try_for_each(|adipose| composition("adipose", adipose, file, text))
