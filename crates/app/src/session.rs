@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use saute_kitchen::carry_over::foreseen_peak;
+use saute_kitchen::food::Rules;
 use saute_kitchen::food::description::Form;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{Command, Kitchen, Library, PieceOrder, Recipe, Recorder, Runner, TICK_S, celsius, kelvin};
@@ -264,6 +265,7 @@ fn set_out(library: &Library, choice: &SteakChoice) -> Result<Kitchen, SetupErro
         temperature: kelvin(choice.initial_c),
         seed: 1,
         coarseness: 1.0,
+        rules: Rules::Full,
     };
     kitchen.add(library, &order)?;
     Ok(kitchen)

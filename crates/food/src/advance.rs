@@ -6,6 +6,7 @@ use crate::browning::BROWNING_FROM;
 use crate::changes::CHANGES_FROM;
 use crate::juice::Runoff;
 use crate::model::FoodModel;
+use crate::paper_2013::{self, Rules};
 use crate::patch::{Face, Patch};
 use crate::state::FoodState;
 use crate::water::latent_heat;
@@ -102,7 +103,9 @@ impl FoodSolver {
                 change(model, state, dt * REFRESH_TICKS as f64);
                 total.drip = model.release_juice(state, dt * REFRESH_TICKS as f64);
                 total.rendered = model.release_fat(state, dt * REFRESH_TICKS as f64);
-                model.shrink(state);
+                if model.rules == Rules::Full {
+                    model.shrink(state);
+                }
             }
             self.refresh(model, state, dt);
             if !self.keep_or_restore(state) {
@@ -128,6 +131,8 @@ impl FoodSolver {
         self.conductivity.iter_mut().for_each(|k| k.resize(n, 0.0));
         self.capacity.resize(n, 0.0);
         self.power.resize(n, 0.0);
+        self.hot.clear();
+        self.hot.reserve(n);
         let driest = 1.0 - model.kinetics.water_holding.drop;
         let crust = model.description.crust.conductivity_w_mk;
         let across = model.description.anisotropy.as_ref().map_or(1.0, |a| a.across);
@@ -158,7 +163,7 @@ impl FoodSolver {
     fn keep_or_restore(&mut self, state: &mut FoodState) -> bool {
         let sound = state.temperature.iter().chain(&state.water).all(|v| v.is_finite());
         match &mut self.sound {
-            Some(kept) if sound => kept.clone_from(state),
+            Some(kept) if sound => kept.copy_from(state),
             None if sound => self.sound = Some(state.clone()),
             _ => self.restore(state),
         }
@@ -167,7 +172,7 @@ impl FoodSolver {
 
     fn restore(&mut self, state: &mut FoodState) {
         if let Some(kept) = &self.sound {
-            state.clone_from(kept);
+            state.copy_from(kept);
         }
         state.healthy = false;
         self.contact_heat.fill(0.0);
@@ -321,9 +326,20 @@ fn change(model: &FoodModel, state: &mut FoodState, dt: f64) {
             }
         }
         if t > BROWNING_FROM {
-            let activity = model.isotherm.activity(state.water[i] / model.lean_solids[i]);
-            let before = (state.browning[i], state.charring[i]);
-            (state.browning[i], state.charring[i]) = model.browning.advance(before, t, activity, dt);
+            brown(model, state, i, dt);
         }
     }
+}
+
+/// Browning and charring of a node by its rules.
+fn brown(model: &FoodModel, state: &mut FoodState, i: usize, dt: f64) {
+    let t = state.temperature[i];
+    if model.rules == Rules::Paper2013 {
+        let lost = 1.0 - state.water[i] / model.initial_water[i];
+        state.browning[i] = paper_2013::browning(state.browning[i], t, lost);
+        return;
+    }
+    let activity = model.isotherm.activity(state.water[i] / model.lean_solids[i]);
+    let before = (state.browning[i], state.charring[i]);
+    (state.browning[i], state.charring[i]) = model.browning.advance(before, t, activity, dt);
 }

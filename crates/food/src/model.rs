@@ -10,6 +10,7 @@ use crate::description::{FoodDescription, Form, Kinetics, Lethality, NoSuchChang
 use crate::fat::FatRates;
 use crate::marbling::MarblingField;
 use crate::noise::uniform;
+use crate::paper_2013::{BOILING, Rules, simplified};
 use crate::patch::{Patch, patches};
 use crate::sorption::Isotherm;
 use crate::state::FoodState;
@@ -57,6 +58,8 @@ pub struct PieceSpec {
     pub seed: u64,
     /// Mesh spacing over the default [-]; 1 by default, 2 has about an eighth of the nodes.
     pub coarseness: f64,
+    /// Rules that it follows.
+    pub rules: Rules,
 }
 
 /// In-plane spacing of the default mesh [m] (chosen: the gradient length √(αt) is 9 mm after 10 minutes).
@@ -131,6 +134,8 @@ pub struct FoodModel {
     pub contraction: [PerChange; 2],
     /// Colours of flesh and fat.
     pub palette: Palette,
+    /// Rules that the piece follows.
+    pub rules: Rules,
     /// What the food's file says.
     pub description: FoodDescription,
     /// What the kinetics file says.
@@ -150,7 +155,7 @@ impl FoodModel {
         let outline = outline(description, piece);
         let mesh = mesh(&outline, piece)?;
         let body = Body { size: piece.size, patches: patches(&mesh), mesh, outline };
-        Self::fill_body(description, kinetics, components, body, piece.seed)
+        Self::fill_body(description, kinetics, components, body, piece.seed, piece.rules)
     }
 
     /// Fills a body with food.
@@ -160,16 +165,39 @@ impl FoodModel {
         components: &Components,
         body: Body,
         seed: u64,
+        rules: Rules,
     ) -> Result<Self, BuildError> {
         check_composition("lean", description.lean.total())?;
         description.adipose.iter().try_for_each(|a| check_composition("adipose", a.total()))?;
+        if rules == Rules::Full {
+            return Self::assemble(description, kinetics, components, body, seed, rules);
+        }
+        let lean = &description.lean;
+        let properties = Properties::new(components, lean, &description.fat_melting);
+        let raw = properties.conductivity(&[lean.water, lean.lean_solids(), lean.fat], ZERO_C + 20.0);
+        let (description, kinetics) = simplified(description, kinetics, raw);
+        Self::assemble(&description, &kinetics, components, body, seed, rules)
+    }
+
+    fn assemble(
+        description: &FoodDescription,
+        kinetics: &Kinetics,
+        components: &Components,
+        body: Body,
+        seed: u64,
+        rules: Rules,
+    ) -> Result<Self, BuildError> {
         let Body { size, mesh, outline, patches } = body;
         let locator = Locator::new(&mesh.section);
         let holding = kinetics.water_holding.clone();
         let shrinkage = &kinetics.shrinkage;
         let mut model = Self {
             properties: Properties::new(components, &description.lean, &description.fat_melting),
-            isotherm: Isotherm::new(&description.sorption),
+            isotherm: match rules {
+                Rules::Full => Isotherm::new(&description.sorption),
+                Rules::Paper2013 => Isotherm::free_water(BOILING),
+            },
+            rules,
             vapour: Table::new(250.0, 380.0, 0.5, saturation_density),
             changes: ChangeRates::new(kinetics),
             fat_rates: FatRates::new(&kinetics.fat_release, &description.fat_melting, &mesh),

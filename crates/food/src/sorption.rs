@@ -26,6 +26,12 @@ impl Isotherm {
         Self { activity, boiling }
     }
 
+    /// Water that boils at one temperature [K] until none is left.
+    pub fn free_water(boiling: f64) -> Self {
+        let table = |value: f64| Table::new(0.0, WETTEST, WETTEST, move |_| value);
+        Self { activity: table(1.0), boiling: table(boiling) }
+    }
+
     /// Water activity at moisture `x` [-].
     pub fn activity(&self, x: f64) -> f64 {
         self.activity.at(x)

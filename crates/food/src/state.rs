@@ -103,6 +103,25 @@ impl FoodState {
         raw
     }
 
+    /// Takes over another state of the same piece without allocating.
+    pub fn copy_from(&mut self, other: &Self) {
+        let Self { temperature, enthalpy, water, juice, fat, peak, changed, browning, charring, lethality, .. } = self;
+        temperature.clone_from(&other.temperature);
+        enthalpy.clone_from(&other.enthalpy);
+        water.clone_from(&other.water);
+        juice.clone_from(&other.juice);
+        fat.clone_from(&other.fat);
+        peak.clone_from(&other.peak);
+        changed.iter_mut().zip(&other.changed).for_each(|(to, from)| to.clone_from(from));
+        browning.clone_from(&other.browning);
+        charring.clone_from(&other.charring);
+        lethality.clone_from(&other.lethality);
+        self.stretch.axial.clone_from(&other.stretch.axial);
+        (self.stretch.lateral, self.stretch.dome) = (other.stretch.lateral, other.stretch.dome);
+        (self.evaporated, self.dripped, self.rendered) = (other.evaporated, other.dripped, other.rendered);
+        (self.down, self.ticks, self.healthy) = (other.down, other.ticks, other.healthy);
+    }
+
     /// Mass [kg].
     pub fn mass(&self, model: &FoodModel) -> f64 {
         [&self.water, &model.lean_solids, &self.fat].iter().map(|m| m.iter().sum::<f64>()).sum()

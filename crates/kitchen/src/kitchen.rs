@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use saute_food::water::latent_heat;
-use saute_food::{BuildError, FoodModel, PieceSpec};
+use saute_food::{BuildError, FoodModel, PieceSpec, Rules};
 
 use crate::cloth::Cloth;
 use crate::command::{Command, Refused};
@@ -38,6 +38,8 @@ pub struct PieceOrder {
     pub seed: u64,
     /// Mesh spacing over the default [-].
     pub coarseness: f64,
+    /// Rules that it follows.
+    pub rules: Rules,
 }
 
 /// The world of one cook.
@@ -107,7 +109,7 @@ impl Kitchen {
             .get(&order.kind)
             .ok_or_else(|| SetupError::NoSuchFood(order.kind.clone(), Library::names(&library.foods)))?;
         let kinetics = &library.kinetics[&food.kinetics];
-        let spec = PieceSpec { size: order.size, seed: order.seed, coarseness: order.coarseness };
+        let spec = PieceSpec { size: order.size, seed: order.seed, coarseness: order.coarseness, rules: order.rules };
         let model = Arc::new(FoodModel::build(food, kinetics, &library.components, &spec)?);
         let room = self.fixed.room.temperature();
         let piece = Piece::new(order.id.clone(), order.kind.clone(), order.seed, model, order.temperature, room);
@@ -141,11 +143,29 @@ impl Kitchen {
             }
             Command::MovePan { at, lift } => self.move_pan(PanPose { at: *at, lift: *lift }),
             Command::Cool { for_s } => {
+                self.cool_at_once();
                 let fresh = Cloth::fresh(&self.fixed.room.cloth, self.fixed.room.temperature(), *for_s);
                 self.cloth.get_or_insert(fresh).remaining_s = *for_s;
                 Ok(())
             }
         }
+    }
+
+    /// Under the rules of 2013 the pan is cool as soon as it touches the cloth.
+    fn cool_at_once(&mut self) {
+        if self.rules() == Rules::Paper2013 {
+            let fixed = Arc::clone(&self.fixed);
+            let before = fixed.pan.stored(&self.pan);
+            let cool = kelvin(fixed.room.rules_2013.cloth_c);
+            self.pan.temperature.iter_mut().for_each(|t| *t = t.min(cool));
+            self.flows.other += before - fixed.pan.stored(&self.pan);
+        }
+    }
+
+    /// The rules that the pieces follow: those of 2013 if any piece does.
+    pub fn rules(&self) -> Rules {
+        let simple = self.pieces.iter().any(|p| p.model.rules == Rules::Paper2013);
+        if simple { Rules::Paper2013 } else { Rules::Full }
     }
 
     fn set_hob(&mut self, power: f64) -> Result<(), Refused> {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use saute_food::{Exchange, Face, FoodModel, FoodSolver, FoodState, FreeAir, Side, Surroundings, Touch};
+use saute_food::{Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Rules, Side, Surroundings, Touch};
 
 use crate::board::Board;
 use crate::command::RestOn;
@@ -127,7 +127,8 @@ impl Piece {
 
     fn fry(&mut self, pan: &PanModel, pan_state: &PanState, room: &Room, dt: f64) -> Exchange {
         let Some(patches) = self.patches.clone() else { return Exchange::default() };
-        let contact = &room.contact;
+        let (contact, rules) = (&room.contact, &room.rules_2013);
+        let simple = self.model.rules == Rules::Paper2013;
         let face = FaceContact {
             since: self.since_contact,
             pressure: GRAVITY * self.mass() / self.model.mesh.section.area(),
@@ -143,9 +144,12 @@ impl Piece {
                 (0..3).map(|k| located.weights[k] * pan_state.temperature[located.nodes[k] as usize]).sum::<f64>();
             let wet = self.state.water[node] > WET_SHARE * self.model.initial_water[node];
             let dome = self.model.dome_gap(&self.state, self.model.mesh.section.points[i]);
-            let conductance = face.conductance(contact, gap + patches.unevenness[i] + dome)
-                * steam_share(contact, temperature, wet)
-                * share;
+            let distance = gap + patches.unevenness[i] + dome;
+            let conductance = if simple {
+                rules.conductance_w_m2k * f64::from(u8::from(distance <= rules.contact_distance_mm * 1e-3))
+            } else {
+                face.conductance(contact, distance) * steam_share(contact, temperature, wet) * share
+            };
             self.touch[first + i] = Touch { conductance, temperature };
         }
         let (up, side) = room.plume(pan.floor_temperature(pan_state));
@@ -183,7 +187,7 @@ impl Piece {
     }
 
     fn exchange(&mut self, air: [FreeAir; 3], dt: f64) -> Exchange {
-        debug_assert_eq!(Face::Side as usize, 2);
+        let air = if self.model.rules == Rules::Paper2013 { air.map(Room::without_evaporation) } else { air };
         self.solver.advance(&self.model, &mut self.state, &Surroundings { touch: &self.touch, air }, dt)
     }
 }

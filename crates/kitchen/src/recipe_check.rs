@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use saute_food::FoodDescription;
+use saute_food::{FoodDescription, Rules};
 use toml::Spanned;
 
 use crate::command::{Command, RestOn};
@@ -11,7 +11,7 @@ use crate::kelvin;
 use crate::kitchen::PieceOrder;
 use crate::library::{Library, line_of};
 use crate::recipe::{Action, Quantity, Recipe, Step, Trigger};
-use crate::recipe_file::{FoodEntry, MovePanEntry, PanEntry, RecipeFile, StepEntry, WhenEntry};
+use crate::recipe_file::{FoodEntry, MovePanEntry, PanEntry, Preset, RecipeFile, StepEntry, WhenEntry};
 
 /// A recipe's text with what it may name.
 pub(crate) struct Check<'a> {
@@ -37,12 +37,13 @@ impl Check<'_> {
         let raw: RecipeFile = self.input.parse("the keys and their types are listed by: saute schema recipe")?;
         let max_s = raw.max_s.as_ref().map_or(Ok(3600.0), |s| self.input.ranged("max_s", s, 1.0, 86_400.0))?;
         let (pan_kind, pan_temperature) = self.pan(raw.pan.as_ref().map(Spanned::get_ref))?;
-        let foods = raw.food.iter().map(|f| self.food(f.get_ref())).collect::<Checked<Vec<_>>>()?;
+        let rules = if raw.preset == Some(Preset::Paper2013) { Rules::Paper2013 } else { Rules::Full };
+        let foods = raw.food.iter().map(|f| self.food(f.get_ref(), rules)).collect::<Checked<Vec<_>>>()?;
         self.check_ids(&raw.food)?;
         let steps = raw.step.iter().map(|s| self.step(s, &foods)).collect::<Checked<Vec<_>>>()?;
         self.check_order(&raw, &steps, &foods)?;
         Ok(Recipe {
-            title: raw.title.unwrap_or_else(|| self.input.file.to_owned()),
+            title: labelled(raw.title.unwrap_or_else(|| self.input.file.to_owned()), rules),
             max_s,
             pan_kind,
             pan_temperature,
@@ -70,7 +71,7 @@ impl Check<'_> {
         Ok((kind.get_ref().clone(), kelvin(initial)))
     }
 
-    fn food(&self, entry: &FoodEntry) -> Checked<PieceOrder> {
+    fn food(&self, entry: &FoodEntry, rules: Rules) -> Checked<PieceOrder> {
         let Some(description) = self.library.foods.get(entry.kind.get_ref()) else {
             let remedy = format!("use one of: {}", Library::names(&self.library.foods));
             return self.input.error(
@@ -98,6 +99,7 @@ impl Check<'_> {
             temperature: kelvin(initial),
             seed: u64::from(entry.seed.unwrap_or(1)),
             coarseness: 1.0,
+            rules,
         })
     }
 
@@ -362,5 +364,13 @@ impl Check<'_> {
         }
         whereabouts.insert(food, then);
         Ok(())
+    }
+}
+
+/// A title that says which rules were followed, unless it was all of them.
+fn labelled(title: String, rules: Rules) -> String {
+    match rules {
+        Rules::Full => title,
+        Rules::Paper2013 => format!("{title} [rules of 2013]"),
     }
 }

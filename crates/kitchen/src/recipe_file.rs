@@ -13,6 +13,9 @@ use crate::command::RestOn;
 pub struct RecipeFile {
     /// Title for people.
     pub title: Option<String>,
+    /// Rules for comparison; everything that this program knows unless given.
+    #[schemars(with = "Option<Preset>")]
+    pub preset: Option<Preset>,
     /// The cook stops here if the steps have not ended it [s]; 3600 by default.
     #[schemars(with = "Option<f64>", range(min = 1, max = 86400))]
     pub max_s: Option<Spanned<f64>>,
@@ -27,6 +30,15 @@ pub struct RecipeFile {
     #[serde(default)]
     #[schemars(with = "Vec<StepEntry>")]
     pub step: Vec<Spanned<StepEntry>>,
+}
+
+/// Rules for comparison.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+pub enum Preset {
+    /// Those of the 2013 Interactive Cooking Simulator: heat along line segments, contact by distance, all heat above
+    /// boiling into vapour, browning above 150 °C by weight loss in four stages, a cloth that cools at once.
+    #[serde(rename = "2013")]
+    Paper2013,
 }
 
 /// The pan.

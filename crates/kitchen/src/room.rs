@@ -134,6 +134,18 @@ sourced_table! {
     }
 }
 
+sourced_table! {
+    /// What the rules of 2013 put in place of contact, and of the cloth.
+    Rules2013 {
+        /// Nodes whose gap is below this take heat [mm].
+        contact_distance_mm: f64,
+        /// Conductance of those [W/(m²·K)].
+        conductance_w_m2k: f64,
+        /// Temperature of the pan as soon as it touches the cloth [°C].
+        cloth_c: f64,
+    }
+}
+
 /// `data/kitchen.toml`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -154,6 +166,8 @@ pub struct Room {
     pub board: BoardData,
     /// Foil.
     pub foil: FoilData,
+    /// The rules of 2013.
+    pub rules_2013: Rules2013,
 }
 
 impl Room {
@@ -185,6 +199,11 @@ impl Room {
             ..still
         };
         (warmed(self.free_face.plume_warmth), warmed(self.free_face.side_warmth))
+    }
+
+    /// The same air, which takes up no vapour.
+    pub fn without_evaporation(air: FreeAir) -> FreeAir {
+        FreeAir { mass_transfer: 0.0, ..air }
     }
 
     /// Air under loose foil.

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use saute_food::Rules;
 use serde::Serialize;
 
 use crate::celsius;
@@ -16,6 +17,8 @@ use crate::runner::{Runner, StepRecord, StoppedBy, rounded};
 pub struct Summary {
     /// Title of the recipe.
     pub title: String,
+    /// Rules that were followed: "full" or "2013".
+    pub rules: Rules,
     /// Simulated time [s].
     pub simulated_s: f64,
     /// Wall time of the simulation [s].
@@ -196,6 +199,7 @@ impl Summary {
         let unhealthy = kitchen.pieces().iter().filter(|p| !p.state.healthy);
         Self {
             title: runner.recipe().title.clone(),
+            rules: kitchen.rules(),
             simulated_s: rounded(kitchen.time_s()),
             wall_s,
             stopped_by,

@@ -2,6 +2,7 @@
 //! bands, and give the same bits every time.
 
 use saute_kitchen::carry_over::foreseen_peak;
+use saute_kitchen::food::Rules;
 use saute_kitchen::{Command, Cook, Kitchen, Library, PieceOrder, Recipe, Refused, RestOn, TICK_S, celsius, kelvin};
 
 fn library() -> Library {
@@ -16,6 +17,7 @@ fn steak(size_mm: [f64; 3], initial_c: f64) -> PieceOrder {
         temperature: kelvin(initial_c),
         seed: 1,
         coarseness: 1.5,
+        rules: Rules::Full,
     }
 }
 

@@ -4,7 +4,8 @@ use std::sync::OnceLock;
 
 use saute_food::components::Components;
 use saute_food::{
-    FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, PieceSpec, Side, Surroundings, Touch, ZERO_C,
+    FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, PieceSpec, Rules, Side, Surroundings, Touch,
+    ZERO_C,
 };
 
 pub const DT: f64 = 0.1;
@@ -15,7 +16,8 @@ pub fn model(kind: &str, coarseness: f64, size: [f64; 3]) -> FoodModel {
     let food: FoodDescription = toml::from_str(&read(format!("foods/{kind}.toml"))).expect("food");
     let kinetics: Kinetics = toml::from_str(&read(format!("kinetics/{}.toml", food.kinetics))).expect("kinetics");
     let components: Components = toml::from_str(&read("components.toml".into())).expect("components");
-    FoodModel::build(&food, &kinetics, &components, &PieceSpec { size, seed: 1, coarseness }).expect("builds")
+    FoodModel::build(&food, &kinetics, &components, &PieceSpec { size, seed: 1, coarseness, rules: Rules::Full })
+        .expect("builds")
 }
 
 pub fn lean() -> &'static FoodModel {

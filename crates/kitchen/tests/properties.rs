@@ -1,0 +1,155 @@
+//! Promise: whatever is cooked, in whatever pan, however it is turned: nothing becomes non-finite, energy and water
+//! balance, masses stay positive, and nothing un-cooks.
+
+use proptest::prelude::*;
+use saute_kitchen::food::Rules;
+use saute_kitchen::{Command, Kitchen, Library, PieceOrder, RestOn, TICK_S, kelvin};
+
+/// A cook drawn at random.
+#[derive(Clone, Debug)]
+struct Draw {
+    food: prop::sample::Index,
+    pan: prop::sample::Index,
+    size: [f64; 3],
+    start_c: f64,
+    pan_c: f64,
+    seed: u64,
+    schedule: Vec<(f64, Deed)>,
+    rules: Rules,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Deed {
+    Hob(f64),
+    Put,
+    Flip,
+    Rest(RestOn),
+    Cloth,
+    Lift(f64),
+}
+
+fn deed() -> impl Strategy<Value = Deed> {
+    prop_oneof![
+        2 => (0.0..3500.0).prop_map(Deed::Hob),
+        1 => Just(Deed::Put),
+        3 => Just(Deed::Flip),
+        2 => prop_oneof![Just(RestOn::Board), Just(RestOn::Rack), Just(RestOn::Foil)].prop_map(Deed::Rest),
+        1 => Just(Deed::Cloth),
+        1 => (0.0..0.05).prop_map(Deed::Lift),
+    ]
+}
+
+fn draw() -> impl Strategy<Value = Draw> {
+    let sizes = [0.0..1.0, 0.0..1.0, 0.0..1.0];
+    let schedule = prop::collection::vec((0.0..60.0, deed()), 1..8);
+    let rules = prop_oneof![4 => Just(Rules::Full), 1 => Just(Rules::Paper2013)];
+    (
+        any::<prop::sample::Index>(),
+        any::<prop::sample::Index>(),
+        sizes,
+        0.0..40.0,
+        20.0..320.0,
+        0..1000u64,
+        schedule,
+        rules,
+    )
+        .prop_map(|(food, pan, size, start_c, pan_c, seed, schedule, rules)| Draw {
+            food,
+            pan,
+            size,
+            start_c,
+            pan_c,
+            seed,
+            schedule,
+            rules,
+        })
+}
+
+/// The kitchen of a draw, with a piece whose sizes lie at the drawn places of the allowed ranges.
+fn kitchen(library: &Library, draw: &Draw) -> Kitchen {
+    let pans: Vec<&String> = library.pans.keys().collect();
+    let foods: Vec<&String> = library.foods.keys().collect();
+    let (pan, kind) = (pans[draw.pan.index(pans.len())], foods[draw.food.index(foods.len())]);
+    let food = &library.foods[kind];
+    let within = |axis: usize| {
+        let (low, high) = (food.size.min_mm[axis], food.size.max_mm[axis].min(130.0));
+        1e-3 * (low + draw.size[axis] * (high - low))
+    };
+    let given: Vec<f64> = (0..food.form.dimensions().len()).map(within).collect();
+    let mut kitchen = Kitchen::new(library, pan, kelvin(draw.pan_c)).expect("pan");
+    let order = PieceOrder {
+        id: "it".into(),
+        kind: kind.clone(),
+        size: food.form.extent(&given).expect("dimensions"),
+        temperature: kelvin(draw.start_c),
+        seed: draw.seed,
+        coarseness: 2.5,
+        rules: draw.rules,
+    };
+    kitchen.add(library, &order).expect("builds");
+    kitchen
+}
+
+fn command(deed: Deed) -> Command {
+    let food = "it".to_owned();
+    match deed {
+        Deed::Hob(w) => Command::Hob(w),
+        Deed::Put => Command::Put { food, at: [0.0, 0.0] },
+        Deed::Flip => Command::Flip { food },
+        Deed::Rest(on) => Command::Rest { food, on },
+        Deed::Cloth => Command::Cool { for_s: 2.0 },
+        Deed::Lift(lift) => Command::MovePan { at: [0.01, 0.0], lift },
+    }
+}
+
+/// Fields that must never fall.
+fn progress(kitchen: &Kitchen) -> Vec<f64> {
+    let state = &kitchen.pieces()[0].state;
+    let sum = |v: &Vec<f64>| v.iter().sum::<f64>();
+    let mut sums = vec![sum(&state.peak), sum(&state.browning), sum(&state.charring), sum(&state.lethality)];
+    sums.extend(state.changed.iter().map(sum));
+    sums.extend([state.evaporated, state.dripped, state.rendered]);
+    sums
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_cook_keeps_the_laws(draw in draw()) {
+        let library = Library::embedded().expect("embedded data");
+        let mut kitchen = kitchen(&library, &draw);
+        let raw = kitchen.pieces()[0].mass();
+        let water: f64 = kitchen.pieces()[0].state.water.iter().sum();
+        // A deed may be refused, as flipping a piece that is not in the pan; then nothing changes.
+        kitchen.apply(&command(Deed::Put)).expect("fits");
+        let mut before = progress(&kitchen);
+        for (wait, deed) in &draw.schedule {
+            let _ = kitchen.apply(&command(*deed));
+            (0..(wait / TICK_S) as usize).for_each(|_| kitchen.step());
+            let now = progress(&kitchen);
+            prop_assert!(now.iter().zip(&before).all(|(n, b)| n >= b), "{now:?} after {before:?}");
+            before = now;
+        }
+        let piece = &kitchen.pieces()[0];
+        let (model, state) = (&piece.model, &piece.state);
+        prop_assert!(state.healthy);
+        for field in [&state.temperature, &state.water, &state.juice, &state.fat, &state.enthalpy, &state.browning] {
+            prop_assert!(field.iter().all(|v| v.is_finite()));
+        }
+        for mass in [&state.water, &state.juice, &state.fat] {
+            prop_assert!(mass.iter().all(|m| *m >= 0.0));
+        }
+        let lost = state.evaporated + state.dripped;
+        let left: f64 = state.water.iter().sum();
+        prop_assert!((water - lost - left).abs() <= 1e-3 * water, "water {water} lost {lost} left {left}");
+        prop_assert!((raw - lost - state.rendered - state.mass(model)).abs() <= 1e-9 * raw.max(1e-3));
+        let energy = kitchen.energy();
+        let gross = energy.hob + energy.air.abs() + energy.evaporation + energy.other.abs() + energy.pan_stored.abs();
+        prop_assert!(energy.imbalance.abs() <= 1e-3 * gross.max(1.0), "{energy:?}");
+        prop_assert!(state.changed.iter().flatten().all(|x| (0.0..=1.0).contains(x)));
+        prop_assert!((0.1..=1.0 + 1e-9).contains(&model.relative_volume(state)));
+        let (low, high) = state.range();
+        prop_assert!(low > kelvin(-1.0) && high < kelvin(1200.0), "{low} {high}");
+    }
+}
