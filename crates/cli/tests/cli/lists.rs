@@ -22,8 +22,9 @@ fn ids(what: &str) -> Vec<String> {
 }
 
 #[test]
-fn the_foods_are_lean_and_marbled_beef() {
-    assert_eq!(ids("foods"), ["beef-lean", "beef-marbled"]);
+fn the_foods_are_those_of_the_2013_system_and_a_patty() {
+    let expected = ["beef-lean", "beef-marbled", "beef-patty", "carrot-coin", "carrot-stick", "leek-ring", "shrimp"];
+    assert_eq!(ids("foods"), expected);
 }
 
 #[test]
