@@ -133,7 +133,8 @@ pub struct BodyEntry {
     /// Sizes [mm].
     #[schemars(with = "Vec<f64>")]
     pub size_mm: Spanned<Vec<f64>>,
-    /// Largest node spacing [mm], for all axes or for each in the order of `size_mm`; the mesh is finer towards the faces.
+    /// Largest node spacing [mm], or one for each axis in the order of `size_mm`. A single number holds along the longest
+    /// axis, and a shorter one gets finer by the square root of the sizes' ratio, at most twice as fine. The mesh is finer towards the faces.
     #[schemars(with = "Option<OneOrMore<f64>>")]
     pub resolution_mm: Option<Spanned<OneOrMore<f64>>>,
     /// How much finer the mesh is towards the faces [-]: 0 even, 1 (the default) 0.42 of the largest spacing, 2 a
@@ -192,7 +193,7 @@ pub struct SolverEntry {
     /// What makes conductances of the mesh.
     #[serde(default)]
     pub rule: RuleEntry,
-    /// Every time step is this many times as long as it would be [-], at most 1: to see what a step costs.
+    /// Every time step is this many times as long as it would be [-]: to see what a step costs and brings.
     #[schemars(with = "Option<f64>")]
     pub step_factor: Option<Spanned<f64>>,
 }

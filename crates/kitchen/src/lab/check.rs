@@ -13,6 +13,8 @@ use crate::lab::case_file::{CaseFile, ExpectEntry, Physics, ProbeEntry, Quantity
 use crate::lab::verdict::{Expectation, Subject};
 use crate::library::Library;
 
+/// Largest step factor [-] (chosen: steps stay stable at any length, but tell nothing beyond).
+const LONGEST_STEPS: f64 = 100.0;
 /// Where a probe may be written.
 const PLACES: &str = "write at_mm = [x, y, z] from the lowest body's corner (box), bottom centre (cylinder) or centre \
      (sphere), and [z] from the bottom of a slab or of a pan alone";
@@ -42,7 +44,9 @@ impl Check<'_> {
                 RuleEntry::ShapeFunctions => Rule::ShapeFunctions,
                 RuleEntry::Segments => Rule::Segments,
             },
-            step_factor: self.optional("step_factor", raw.solver.step_factor.as_ref(), 1e-3, 1.0)?.unwrap_or(1.0),
+            step_factor: self
+                .optional("step_factor", raw.solver.step_factor.as_ref(), 1e-3, LONGEST_STEPS)?
+                .unwrap_or(1.0),
             materials: self.materials(&raw, bodies.len())?,
             phases: self.phases(&raw, shape, duration)?,
             flips: self.flips(&raw, shape, duration)?,

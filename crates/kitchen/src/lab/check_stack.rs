@@ -17,6 +17,9 @@ use crate::library::Library;
 const MOST_NODES: f64 = 4e6;
 /// Spacing over the smallest size where no resolution is given [-] (chosen: 40 cells across).
 const DEFAULT_RESOLUTION: f64 = 1.0 / 40.0;
+/// Finest spacing of a short axis over that of the longest [-] (chosen: reached by a steak's thickness, a quarter of its
+/// length; a rod needs no more).
+const FINEST_SHARE: f64 = 0.5;
 /// Steepness of the grading where none is given [-] (chosen: spacing at a face is 0.42 of the largest).
 const DEFAULT_GRADING: f64 = 1.0;
 /// Steepest grading [-] (chosen: spacing at a face is then a hundredth of the largest).
@@ -96,6 +99,7 @@ impl Check<'_> {
 
     fn resolution(&self, body: &BodyEntry, size: &[f64]) -> Checked<Vec<f64>> {
         let smallest = size.iter().copied().fold(f64::INFINITY, f64::min);
+        let longest = size.iter().copied().fold(0.0, f64::max);
         let Some(given) = &body.resolution_mm else { return Ok(vec![smallest * DEFAULT_RESOLUTION; size.len()]) };
         let (at, all) = (given.span().start, given.get_ref().all());
         if all.len() != 1 && all.len() != size.len() {
@@ -106,7 +110,9 @@ impl Check<'_> {
             let mm = all[axis.min(all.len() - 1)];
             let most = if all.len() == 1 { smallest } else { size[axis] } * 1e3 / 2.0;
             if (1e-3..=most).contains(&mm) {
-                return Ok(mm * 1e-3);
+                // One number holds for the longest axis. Heat has come through a short one sooner, with steeper profiles.
+                let share = if all.len() == 1 { libm::sqrt(size[axis] / longest).max(FINEST_SHARE) } else { 1.0 };
+                return Ok(mm * 1e-3 * share);
             }
             let message = format!("resolution_mm = {mm} is out of range");
             self.input.error(at, message, format!("resolution_mm may be 0.001 to {most} here, half the size"))
