@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
+use crate::bench_heat::BenchHeatArgs;
 use crate::picture::{BenchFrameArgs, ShotArgs};
 
 /// A frying pan, what lies in it, and your hands on it. Without a command the window opens.
@@ -83,7 +84,7 @@ pub struct ValidateArgs {
     /// Prints the verdicts as JSON.
     #[arg(long)]
     pub json: bool,
-    /// Writes the table into VALIDATION.md in the current folder.
+    /// Writes VALIDATION.md in the current folder and its pictures and pages under docs/.
     #[arg(long)]
     pub write: bool,
 }
@@ -93,6 +94,8 @@ pub struct ValidateArgs {
 pub enum Bench {
     /// Draws whole frames off-screen as the window would and counts them.
     Frame(BenchFrameArgs),
+    /// Times the solver on one thread, checks it against an exact series, and compares it with the machine's memory.
+    Heat(BenchHeatArgs),
 }
 
 /// `saute list`.

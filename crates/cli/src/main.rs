@@ -1,6 +1,7 @@
 //! The command `saute`: a frying pan with a steak in it, in a window or from a recipe file.
 
 mod args;
+mod bench_heat;
 mod cook_command;
 mod error;
 mod lab;
@@ -64,6 +65,7 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         Some(Command::Cook(args)) => cook_command::run(&args, &shelf),
         Some(Command::Shot(args)) => picture::shot(&args, &shelf),
         Some(Command::Bench(Bench::Frame(args))) => picture::bench_frame(&args, &shelf, process_start),
+        Some(Command::Bench(Bench::Heat(args))) => bench_heat::run(&args, &shelf),
         Some(Command::Lab(args)) => lab::lab(&args, &shelf),
         Some(Command::Validate(args)) => validate::validate(&args, &shelf),
         Some(Command::List(args)) => list::run(&args, &shelf),

@@ -1,5 +1,7 @@
 //! Conduction on a graph of lumped nodes and edges.
 
+use crate::tensor::LayeredGraph;
+
 /// Geometry of a body for conduction: what linear shape functions leave of it.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
@@ -46,6 +48,25 @@ impl Conduction {
             *g = shape * 2.0 * ka * kb / (ka + kb);
             self.total[a as usize] += *g;
             self.total[b as usize] += *g;
+        }
+    }
+
+    /// As [`Self::refresh`] where an edge lies in a layer of its own and k is told by layer and node; a contact's shape
+    /// is its conductance.
+    pub fn refresh_layers(&mut self, edges: &LayeredGraph, conductivity: impl Fn(usize, usize) -> f64) {
+        let graph = &edges.graph;
+        self.conductance.resize(graph.ends.len(), 0.0);
+        self.total.clear();
+        self.total.resize(graph.volume.len(), 0.0);
+        for (e, (&[a, b], &shape)) in graph.ends.iter().zip(&graph.shape).enumerate() {
+            let (a, b) = (a as usize, b as usize);
+            let g = edges.layer[e].map_or(shape, |layer| {
+                let (ka, kb) = (conductivity(layer, a), conductivity(layer, b));
+                shape * 2.0 * ka * kb / (ka + kb)
+            });
+            self.conductance[e] = g;
+            self.total[a] += g;
+            self.total[b] += g;
         }
     }
 

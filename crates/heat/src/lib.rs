@@ -4,20 +4,27 @@
 //! edge a conductance and every node a lumped volume, so a time step is a sum over edges ([`Conduction`]), exact
 //! about energy and, within [`Conduction::stable_step`], free of undershoot.
 
+pub mod axis;
+pub mod boundary;
+pub mod column;
 pub mod conduction;
 pub mod cut;
 pub mod levels;
 pub mod locate;
 pub mod outline;
+pub mod product;
+pub mod rule;
 pub mod section;
 pub mod super_step;
 pub mod swept;
 pub mod tensor;
 
+pub use boundary::Boundary;
 pub use conduction::{Conduction, Graph};
 pub use cut::{Cut, CutPoint};
 pub use levels::graded_levels;
 pub use locate::{Located, Locator};
 pub use outline::Outline;
+pub use rule::Rule;
 pub use section::{MeshError, Section};
 pub use swept::SweptMesh;

@@ -105,6 +105,13 @@ impl Section {
         Self { points, triangles, areas, edges, boundary, clamped_edges }
     }
 
+    /// Every side of every triangle once, ends ascending; those without weight included.
+    pub fn sides(&self) -> Vec<[u32; 2]> {
+        let ends = |t: &[u32; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
+        let sides = self.triangles.iter().flat_map(ends).map(|[a, b]| [a.min(b), a.max(b)]);
+        sides.collect::<std::collections::BTreeSet<_>>().into_iter().collect()
+    }
+
     /// Total area [m²].
     pub fn area(&self) -> f64 {
         self.areas.iter().sum()

@@ -1,6 +1,7 @@
 //! A cross-section carried along z in layers: prisms with linear shape functions.
 
 use crate::conduction::Graph;
+use crate::rule::{Rule, segment_shape};
 use crate::section::Section;
 
 /// Number of edges that belong to one level of a swept mesh.
@@ -24,8 +25,46 @@ pub struct SweptMesh {
 }
 
 impl SweptMesh {
-    /// Builds volumes and edges: in-plane cotangent weight × layer height, along the path node area ÷ spacing.
+    /// Builds volumes and edges under the shape functions: in-plane cotangent weight × layer height, along the path node
+    /// area ÷ spacing.
     pub fn new(section: Section, levels: Vec<f64>) -> Self {
+        Self::with_rule(section, levels, Rule::ShapeFunctions)
+    }
+
+    /// Builds volumes and edges under a rule. Segments run along every side of every triangle, in every layer, and along
+    /// the path.
+    pub fn with_rule(section: Section, levels: Vec<f64>, rule: Rule) -> Self {
+        let mut mesh = Self::by_shape_functions(section, levels);
+        if rule == Rule::Segments {
+            mesh.graph = mesh.segments();
+        }
+        mesh
+    }
+
+    fn segments(&self) -> Graph {
+        let n = self.nodes_per_level();
+        let mut graph = Graph { volume: self.graph.volume.clone(), ..Graph::default() };
+        let mut push = |a: usize, b: usize, length: f64| {
+            let shape = segment_shape([self.graph.volume[a], self.graph.volume[b]], length);
+            graph.push(a as u32, b as u32, shape);
+        };
+        let sides = self.section.sides();
+        for level in 0..self.levels.len() {
+            for &[a, b] in &sides {
+                let (p, q) = (self.section.points[a as usize], self.section.points[b as usize]);
+                let length = libm::hypot(p[0] - q[0], p[1] - q[1]);
+                push(level * n + a as usize, level * n + b as usize, length);
+            }
+            if level + 1 < self.levels.len() {
+                (0..n).for_each(|i| {
+                    push(level * n + i, (level + 1) * n + i, self.levels[level + 1] - self.levels[level])
+                });
+            }
+        }
+        graph
+    }
+
+    fn by_shape_functions(section: Section, levels: Vec<f64>) -> Self {
         let n = section.points.len();
         let heights = layer_heights(&levels);
         let mut volume = Vec::with_capacity(n * levels.len());
@@ -124,6 +163,20 @@ mod tests {
         assert!((volume / (0.04 * 0.03 * 0.02) - 1.0).abs() < 1e-9);
         let side: f64 = mesh.side_areas().iter().sum();
         assert!((side / (0.14 * 0.02) - 1.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn segments_follow_every_side_of_every_triangle() {
+        let section = Section::mesh(&Outline::rectangle(0.04, 0.03), 4e-3, 2e-3).expect("meshes");
+        let (sides, nodes) = (section.sides().len(), section.points.len());
+        let mesh = SweptMesh::with_rule(section, graded_levels(0.02, 1e-3, 1.3, 4e-3), Rule::Segments);
+        assert_eq!(mesh.graph.ends.len(), mesh.levels.len() * sides + (mesh.levels.len() - 1) * nodes);
+        for (&[a, b], shape) in mesh.graph.ends.iter().zip(&mesh.graph.shape) {
+            let (p, q) = (mesh.position(a as usize), mesh.position(b as usize));
+            let length = (0..3).map(|x| (p[x] - q[x]) * (p[x] - q[x])).sum::<f64>().sqrt();
+            let mean = 0.5 * (mesh.graph.volume[a as usize] + mesh.graph.volume[b as usize]);
+            assert!((shape / (mean.powf(2.0 / 3.0) / length) - 1.0).abs() < 1e-9);
+        }
     }
 
     #[test]

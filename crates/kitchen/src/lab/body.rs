@@ -1,12 +1,11 @@
 //! Shapes of the lab as products of axes, with their faces by name.
 
-use saute_heat::tensor::{Axis, End, Metric};
+use saute_heat::axis::{Axis, End, Metric};
+use saute_heat::column::{Between, Column};
+use saute_heat::tensor::TensorBody;
 
+use crate::lab::case::{BodyCase, Case};
 use crate::lab::case_file::{Face, Shape};
-
-/// Steepness β of the grading x = L/2 (1 + tanh(β (2ξ − 1)) / tanh β) [-] (chosen: spacing at a face is 0.42 of the
-/// largest; one smooth map for all resolutions keeps the order of convergence).
-const STEEPNESS: f64 = 1.0;
 
 /// Sizes a shape needs and what they are called.
 pub fn sizes(shape: Shape) -> &'static [&'static str] {
@@ -18,32 +17,86 @@ pub fn sizes(shape: Shape) -> &'static [&'static str] {
     }
 }
 
-/// Axes of a shape with spacing up to `resolution` [m].
-pub fn axes(shape: Shape, size: &[f64], resolution: f64) -> Vec<Axis> {
-    let levels = |length: f64| graded(length, resolution);
-    let radius = |metric, diameter: f64| {
-        let across = levels(diameter);
-        let middle = across.len() / 2;
-        Axis { metric, nodes: across[middle..].iter().map(|x| x - across[middle]).collect() }
+/// The mesh of a case.
+pub fn mesh(case: &Case) -> TensorBody {
+    let Some(first) = case.bodies.first() else {
+        let plate = case.pan.map_or(0.0, |p| p.capacity);
+        let column = Column { between: Vec::new(), plate };
+        return TensorBody::stacked(vec![Axis::straight(vec![0.0])], Some(0), column);
     };
-    match shape {
-        Shape::Box => size.iter().map(|&s| Axis::straight(levels(s))).collect(),
-        Shape::Cylinder => vec![radius(Metric::Cylindrical, size[0]), Axis::straight(levels(size[1]))],
-        Shape::Sphere => vec![radius(Metric::Spherical, size[0])],
-        Shape::Slab => vec![Axis::straight(levels(size[0]))],
-    }
+    let Some(vertical) = vertical(case.shape) else {
+        return TensorBody::new(vec![radius(Metric::Spherical, first)]);
+    };
+    let mut axes = match case.shape {
+        Shape::Box => vec![Axis::straight(levels(first, 0)), Axis::straight(levels(first, 1))],
+        Shape::Cylinder => vec![radius(Metric::Cylindrical, first)],
+        Shape::Sphere | Shape::Slab => Vec::new(),
+    };
+    let (axis, column) = stack(case, vertical);
+    axes.push(axis);
+    TensorBody::stacked(axes, Some(vertical), column)
 }
 
-/// Nodes over a length, an even number of cells, finer towards both ends, at most `largest` apart [m].
-fn graded(length: f64, largest: f64) -> Vec<f64> {
-    let stretch = STEEPNESS / libm::tanh(STEEPNESS);
-    let cells = (2.0 * libm::ceil(0.5 * stretch * length / largest - 1e-9)).max(2.0);
-    let place = |i: f64| 0.5 * length * (1.0 + libm::tanh(STEEPNESS * (2.0 * i / cells - 1.0)) / libm::tanh(STEEPNESS));
+/// The vertical axis of a stack, the pan's node first where it has one of its own.
+fn stack(case: &Case, vertical: usize) -> (Axis, Column) {
+    let (mut nodes, mut column) = (vec![0.0], Column::default());
+    column.plate = case.pan.map_or(0.0, |p| p.capacity);
+    let mut base = 0.0;
+    for (layer, body) in case.bodies.iter().enumerate() {
+        if let Some(h) = body.contact {
+            column.between.push(Between::Contact(h));
+            nodes.push(base);
+        }
+        let levels = levels(body, vertical);
+        column.between.extend(levels[1..].iter().map(|_| Between::Layer(layer)));
+        nodes.extend(levels[1..].iter().map(|z| base + z));
+        base += body.size[vertical];
+    }
+    (Axis::straight(nodes), column)
+}
+
+fn levels(body: &BodyCase, axis: usize) -> Vec<f64> {
+    graded(body.size[axis], body.resolution[axis], body.grading)
+}
+
+fn radius(metric: Metric, body: &BodyCase) -> Axis {
+    let across = levels(body, 0);
+    let middle = across.len() / 2;
+    Axis { metric, nodes: across[middle..].iter().map(|x| x - across[middle]).collect() }
+}
+
+/// Cells over a length: an even number, so that there is a middle.
+fn cells(length: f64, largest: f64, grading: f64) -> f64 {
+    let stretch = if grading > 0.0 { grading / libm::tanh(grading) } else { 1.0 };
+    (2.0 * libm::ceil(0.5 * stretch * length / largest - 1e-9)).max(2.0)
+}
+
+/// Nodes over a length, finer towards both ends, at most `largest` apart [m]: x = L/2 (1 + tanh(β (2ξ − 1)) / tanh β) with
+/// β the grading; one smooth map for all resolutions keeps the order of convergence.
+fn graded(length: f64, largest: f64, grading: f64) -> Vec<f64> {
+    let cells = cells(length, largest, grading);
+    let place = |i: f64| {
+        let even = 2.0 * i / cells - 1.0;
+        let bent = if grading > 0.0 { libm::tanh(grading * even) / libm::tanh(grading) } else { even };
+        0.5 * length * (1.0 + bent)
+    };
     let mut nodes: Vec<f64> = (0..=cells as usize).map(|i| place(i as f64)).collect();
-    let middle = nodes.len() / 2;
-    let last = nodes.len() - 1;
+    let (middle, last) = (nodes.len() / 2, nodes.len() - 1);
     (nodes[0], nodes[middle], nodes[last]) = (0.0, 0.5 * length, length);
     nodes
+}
+
+/// Nodes that a stack of bodies would have, before any is made.
+pub fn node_count(shape: Shape, bodies: &[BodyCase]) -> f64 {
+    let along = |body: &BodyCase, axis: usize| cells(body.size[axis], body.resolution[axis], body.grading) + 1.0;
+    let Some(first) = bodies.first() else { return 1.0 };
+    let across: f64 = match shape {
+        Shape::Box => along(first, 0) * along(first, 1),
+        Shape::Cylinder => 0.5 * along(first, 0),
+        Shape::Sphere => return 0.5 * along(first, 0),
+        Shape::Slab => 1.0,
+    };
+    across * bodies.iter().map(|b| along(b, b.size.len() - 1)).sum::<f64>()
 }
 
 /// Ends of axes that a face name means; none where the shape has no such face.
@@ -92,12 +145,7 @@ pub fn on_axes(shape: Shape, size: &[f64], p: &[f64]) -> Option<Vec<f64>> {
             Some(vec![within(libm::hypot(*x, *y), 0.0, 0.5 * size[0])?, within(*z, 0.0, size[1])?])
         }
         (Shape::Sphere, [x, y, z]) => Some(vec![within(libm::hypot(libm::hypot(*x, *y), *z), 0.0, 0.5 * size[0])?]),
-        (Shape::Slab, [.., z]) => Some(vec![within(*z, 0.0, size[0])?]),
+        (Shape::Slab, [z] | [_, _, z]) => Some(vec![within(*z, 0.0, size[0])?]),
         _ => None,
     }
-}
-
-/// Nodes that a body would have.
-pub fn node_count(axes: &[Axis]) -> usize {
-    axes.iter().map(|a| a.nodes.len()).product()
 }

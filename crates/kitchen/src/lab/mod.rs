@@ -3,13 +3,21 @@
 mod body;
 mod case;
 mod case_file;
+mod check;
+mod check_schedule;
+mod check_stack;
+mod edge_system;
 mod material;
+mod one_or_more;
+mod recording;
 mod report;
 mod run;
+mod solver;
 mod verdict;
 
-pub use case::{Boundary, Case};
-pub use case_file::CaseFile;
+pub use case::{BodyCase, Case, PanCase, Phase, ProbeCase, Until};
+pub use case_file::{CaseFile, Physics, Shape};
+pub use material::{Boiling, Material, Solid};
 pub use report::LabReport;
 pub use run::run;
-pub use verdict::{Verdict, verdicts};
+pub use verdict::{Expectation, Subject, Verdict, verdicts};

@@ -9,8 +9,8 @@ use crate::lab::report::LabReport;
 /// What an expectation is about.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Subject {
-    /// A probe at a time [s].
-    Probe(String, f64),
+    /// Temperature or flux of a probe at a time [s].
+    Probe(Quantity, String, f64),
     /// A number of the whole run.
     Whole(Quantity),
 }
@@ -72,15 +72,35 @@ fn verdict(case: &Case, report: &LabReport, expectation: &Expectation) -> Verdic
 
 fn read(report: &LabReport, subject: &Subject) -> (String, &'static str, Option<f64>) {
     match subject {
-        Subject::Probe(name, time) => {
-            let series = report.probes.get(name);
+        Subject::Probe(quantity, name, time) => {
+            let (all, what, unit) = match quantity {
+                Quantity::Flux => (&report.flux, "flux at ", "W/m²"),
+                _ => (&report.probes, "", "°C"),
+            };
             let near = |[t, _]: &&[f64; 2]| (t - time).abs() < 1e-6 * time.max(1.0);
-            (format!("{name} at {time} s"), "°C", series.and_then(|s| s.iter().find(near)).map(|[_, c]| *c))
+            let got = all.get(name).and_then(|s| s.iter().find(near)).map(|[_, value]| *value);
+            (format!("{what}{name} at {time} s"), unit, got)
         }
-        Subject::Whole(Quantity::StoppedAt) => ("stopped".into(), "s", report.stopped_at_s),
-        Subject::Whole(Quantity::Absorbed) => ("heat taken up".into(), "J", Some(report.absorbed_j)),
-        Subject::Whole(Quantity::Max) => ("highest".into(), "°C", Some(report.max_c)),
-        Subject::Whole(Quantity::Min) => ("lowest".into(), "°C", Some(report.min_c)),
-        Subject::Whole(Quantity::Probe) => ("probe".into(), "°C", None),
+        Subject::Whole(quantity) => whole(report, *quantity),
     }
+}
+
+fn whole(report: &LabReport, quantity: Quantity) -> (String, &'static str, Option<f64>) {
+    let other = report.compared.as_ref().and_then(|c| c.stopped_at_s);
+    let (name, unit, got) = match quantity {
+        Quantity::Probe => ("probe", "°C", None),
+        Quantity::Flux => ("flux", "W/m²", None),
+        Quantity::StoppedAt => ("stopped", "s", report.stopped_at_s),
+        Quantity::Absorbed => ("heat taken up", "J", Some(report.absorbed_j)),
+        Quantity::Max => ("highest", "°C", Some(report.max_c)),
+        Quantity::Min => ("lowest", "°C", Some(report.min_c)),
+        Quantity::EvaporatedKgM2 => ("evaporated", "kg/m²", report.evaporated_kg_m2),
+        Quantity::EvaporatedG => ("evaporated", "g", report.evaporated_g),
+        Quantity::CrustMm => ("crust", "mm", report.crust_mm),
+        Quantity::CorePeak => ("core, highest", "°C", report.core_peak_c),
+        Quantity::CorePeakAt => ("core, highest, when", "s", report.core_peak_at_s),
+        Quantity::FirstPhaseEnded => ("pulled", "s", report.phases_ended_s.first().copied()),
+        Quantity::StopRatio => ("time over time", "-", other.zip(report.stopped_at_s).map(|(o, s)| o / s)),
+    };
+    (name.to_owned(), unit, got)
 }

@@ -1,0 +1,73 @@
+//! `saute bench heat`: speed and accuracy of the solver on one thread.
+
+mod brick;
+mod exact_brick;
+mod kernel;
+mod steak;
+mod table;
+
+use std::process::ExitCode;
+
+use serde::Serialize;
+
+use crate::error::CliError;
+use crate::shelf::Shelf;
+use crate::{stderr, stdout};
+
+/// `saute bench heat`.
+#[derive(Debug, clap::Args)]
+pub struct BenchHeatArgs {
+    /// Prints the numbers as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// All numbers, as `--json` prints them.
+#[derive(Debug, Serialize)]
+struct HeatBench {
+    brick: brick::BrickBench,
+    /// Node updates in a second, a node moved by one stage counting as one, on a mesh as large as the brick's.
+    updates_per_s: f64,
+    /// Bytes moved in a second at 10⁶ nodes, each array of a stage counted once, over those of a STREAM triad [-].
+    bandwidth_fraction: f64,
+    scaling: Scaling,
+    steak: steak::SteakBench,
+}
+
+/// Time against mesh size.
+#[derive(Debug, Serialize)]
+struct Scaling {
+    #[serde(flatten)]
+    steps: kernel::StepTimes,
+    /// Whole runs of the brick, finer and finer.
+    runs: Vec<brick::WholeRun>,
+    /// Time of a whole run of the brick to an error of 0.1 K, between those above [s].
+    seconds_to_0_1_k: Option<f64>,
+}
+
+/// Measures and tells.
+pub fn run(args: &BenchHeatArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+    stderr::say("brick: exact series, then the time loop");
+    let exact = brick::exact();
+    let brick = brick::measure(&exact, &shelf.library)?;
+    stderr::say("brick: whole runs, finer and finer");
+    let runs = brick::whole_runs(&exact, &shelf.library)?;
+    stderr::say("kernel: 10⁴ to 10⁶ nodes");
+    let steps = kernel::step_times();
+    stderr::say("memory: STREAM triad");
+    let bandwidth_fraction = kernel::bandwidth(&steps) / kernel::triad_bandwidth();
+    stderr::say("steak: a whole cook");
+    let bench = HeatBench {
+        updates_per_s: kernel::updates_per_s(&steps),
+        bandwidth_fraction,
+        scaling: Scaling { steps, seconds_to_0_1_k: brick::seconds_to(0.1, &runs), runs },
+        brick,
+        steak: steak::measure(&shelf.library)?,
+    };
+    stdout::print(&if args.json {
+        format!("{}\n", serde_json::to_string_pretty(&bench)?)
+    } else {
+        table::text(&bench)
+    })?;
+    Ok(ExitCode::SUCCESS)
+}
