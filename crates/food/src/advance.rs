@@ -103,7 +103,7 @@ impl FoodSolver {
                 change(model, state, dt * REFRESH_TICKS as f64);
                 total.drip = model.release_juice(state, dt * REFRESH_TICKS as f64);
                 total.rendered = model.release_fat(state, dt * REFRESH_TICKS as f64);
-                if model.rules == Rules::Full {
+                if model.contracts {
                     model.shrink(state);
                 }
             }
@@ -150,9 +150,8 @@ impl FoodSolver {
             self.conductivity[1][i] = conductivity * area / axial;
         }
         let [across, along] = &self.conductivity;
-        let edges = model.mesh.edges_per_level();
-        self.conduction.refresh_each(&model.mesh.graph, |edge, a, b| {
-            let k = if edge % edges.all < edges.across { across } else { along };
+        self.conduction.refresh_each(&model.mesh.graph, |_, a, b| {
+            let k = if model.mesh.is_along(a, b) { along } else { across };
             (k[a], k[b])
         });
         let limit = STABILITY_MARGIN * self.conduction.stable_step(&self.capacity);

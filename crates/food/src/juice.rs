@@ -26,7 +26,8 @@ impl FoodModel {
         for column in 0..self.mesh.nodes_per_level() {
             self.free(state, column, released);
             self.drain(state, column, reach);
-            for level in [0, self.mesh.levels.len() - 1] {
+            let last = self.mesh.levels.len() - 1;
+            for level in if self.closed_below { last..=last } else { 0..=last }.step_by(last) {
                 self.run_off(state, self.mesh.node(level, column), self.mesh.section.areas[column], &mut runoff);
             }
         }
@@ -53,6 +54,13 @@ impl FoodModel {
     /// that nothing moves by two nodes at once.
     fn drain(&self, state: &mut FoodState, column: usize, reach: f64) {
         let last = self.mesh.levels.len() - 1;
+        if self.closed_below {
+            for to in (1..=last).rev() {
+                let nodes = [to - 1, to].map(|level| self.mesh.node(level, column));
+                self.carry(state, nodes, self.share(to - 1, to, reach));
+            }
+            return;
+        }
         for to in 0..last.div_ceil(2) {
             for (from, to) in [(to + 1, to), (last - to - 1, last - to)] {
                 let part = if 2 * from == last { 0.5 } else { 1.0 };

@@ -1,6 +1,6 @@
 //! What never changes in a piece of food: rest mesh, composition, tables.
 
-use saute_heat::{Located, Locator, MeshError, Outline, Section, SweptMesh, graded_levels};
+use saute_heat::{Located, Locator, MeshError, Outline, Rule, Section, SweptMesh, graded_levels};
 
 use crate::browning::Browning;
 use crate::changes::ChangeRates;
@@ -11,7 +11,7 @@ use crate::fat::FatRates;
 use crate::marbling::MarblingField;
 use crate::noise::uniform;
 use crate::paper_2013::{BOILING, Rules, simplified};
-use crate::patch::{Patch, patches};
+use crate::patch::{Face, Patch, patches};
 use crate::sorption::Isotherm;
 use crate::state::FoodState;
 use crate::table::Table;
@@ -81,6 +81,8 @@ pub struct Body {
     pub outline: Outline,
     /// Faces towards the outside.
     pub patches: Vec<Patch>,
+    /// Whether it contracts and bends as a plate.
+    pub contracts: bool,
 }
 
 /// A piece of food, immutable after it is built.
@@ -136,6 +138,10 @@ pub struct FoodModel {
     pub palette: Palette,
     /// Rules that the piece follows.
     pub rules: Rules,
+    /// Whether it contracts and bends as a plate.
+    pub contracts: bool,
+    /// Whether the lower end of the path is no face, as the centre of a ball is not.
+    pub closed_below: bool,
     /// What the food's file says.
     pub description: FoodDescription,
     /// What the kinetics file says.
@@ -154,7 +160,7 @@ impl FoodModel {
         check_size(description, piece)?;
         let outline = outline(description, piece);
         let mesh = mesh(&outline, piece)?;
-        let body = Body { size: piece.size, patches: patches(&mesh), mesh, outline };
+        let body = Body { size: piece.size, patches: patches(&mesh), mesh, outline, contracts: true };
         Self::fill_body(description, kinetics, components, body, piece.seed, piece.rules)
     }
 
@@ -187,7 +193,7 @@ impl FoodModel {
         seed: u64,
         rules: Rules,
     ) -> Result<Self, BuildError> {
-        let Body { size, mesh, outline, patches } = body;
+        let Body { size, mesh, outline, patches, contracts } = body;
         let locator = Locator::new(&mesh.section);
         let holding = kinetics.water_holding.clone();
         let shrinkage = &kinetics.shrinkage;
@@ -222,6 +228,8 @@ impl FoodModel {
             adipose: Vec::new(),
             size,
             outline,
+            contracts: contracts && rules == Rules::Full,
+            closed_below: !patches.iter().any(|p| p.face == Face::Bottom && p.area > 0.0),
             layer_heights: mesh.layer_heights(),
             patches,
             mesh,
@@ -264,7 +272,8 @@ impl FoodModel {
 
     /// Value of a node field at the rest shape's centroid.
     pub fn at_core(&self, field: &[f64]) -> f64 {
-        self.interpolate(field, &self.core, 0.5 * self.mesh.thickness())
+        let height = if self.closed_below { 0.0 } else { 0.5 * self.mesh.thickness() };
+        self.interpolate(field, &self.core, height)
     }
 
     /// Value of a node field at a point of the rest frame (origin: centroid of the bottom face), or none outside.
@@ -327,7 +336,8 @@ fn mesh(outline: &Outline, piece: &PieceSpec) -> Result<SweptMesh, MeshError> {
     let section = Section::mesh(outline, spacing, 0.38 * spacing)?;
     let levels =
         graded_levels(piece.size[2], FIRST_LAYER * piece.coarseness, LAYER_GROWTH, THICKEST_LAYER * piece.coarseness);
-    Ok(SweptMesh::new(section, levels))
+    let rule = if piece.rules == Rules::Paper2013 { Rule::Segments } else { Rule::ShapeFunctions };
+    Ok(SweptMesh::with_rule(section, levels, rule))
 }
 
 /// Rate 10^((T − 60)/z) / D₆₀, tabulated from 40 to 100 °C and held beyond (below nothing dies, above all is dead).

@@ -4,15 +4,6 @@ use crate::conduction::Graph;
 use crate::rule::{Rule, segment_shape};
 use crate::section::Section;
 
-/// Number of edges that belong to one level of a swept mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct LevelEdges {
-    /// Within the level.
-    pub across: usize,
-    /// With those to the next level.
-    pub all: usize,
-}
-
 /// A swept body: node `level · n + i` lies at `section.points[i]`, height `levels[level]`.
 #[derive(Clone, Debug)]
 pub struct SweptMesh {
@@ -86,10 +77,10 @@ impl SweptMesh {
         Self { section, levels, graph }
     }
 
-    /// How the graph's edges are ordered: level by level, those across the path before those along it.
-    pub fn edges_per_level(&self) -> LevelEdges {
-        let across = self.section.edges.len();
-        LevelEdges { across, all: across + self.section.points.len() }
+    /// Whether the edge between two nodes runs along the path.
+    #[inline]
+    pub fn is_along(&self, a: usize, b: usize) -> bool {
+        a.abs_diff(b) == self.section.points.len()
     }
 
     /// Nodes in one level.

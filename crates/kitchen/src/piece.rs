@@ -193,6 +193,6 @@ impl Piece {
 }
 
 /// Acceleration of gravity [m/s²] (standard).
-const GRAVITY: f64 = 9.806_65;
+pub(crate) const GRAVITY: f64 = 9.806_65;
 /// A node with more than this share of its raw water has a wet face [-] (chosen: far above a crust, below held water).
-const WET_SHARE: f64 = 0.4;
+pub(crate) const WET_SHARE: f64 = 0.4;

@@ -146,6 +146,9 @@ sourced_table! {
     }
 }
 
+/// Radius of the floor of a 26 cm pan [m] (as the pans of `data/pans`).
+const FLOOR_RADIUS: f64 = 0.1;
+
 /// `data/kitchen.toml`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -178,15 +181,27 @@ impl Room {
 
     /// Still air around resting food.
     pub fn still_air(&self) -> FreeAir {
+        self.air_moving(self.free_face.convection_w_m2k)
+    }
+
+    /// Air of the room that moves so that its coefficient is `convection` [W/(m²·K)]; it takes up vapour by the Lewis
+    /// analogy.
+    pub fn air_moving(&self, convection: f64) -> FreeAir {
         let face = &self.free_face;
         let lewis = libm::pow(face.lewis_number, 2.0 / 3.0);
         FreeAir {
             temperature: self.temperature(),
-            convection: face.convection_w_m2k,
+            convection,
             radiation: 1.0,
             vapour_density: self.air.relative_humidity * saturation_density(self.temperature()),
-            mass_transfer: face.convection_w_m2k / (face.air_density_kg_m3 * face.air_specific_heat_j_kgk * lewis),
+            mass_transfer: convection / (face.air_density_kg_m3 * face.air_specific_heat_j_kgk * lewis),
         }
+    }
+
+    /// Film of the oil that a pan starts with, on the floor of a 26 cm pan [m].
+    pub fn default_film(&self) -> f64 {
+        let floor = core::f64::consts::PI * FLOOR_RADIUS * FLOOR_RADIUS;
+        1e-3 * self.contact.oil_g / (self.contact.oil_density_kg_m3 * floor)
     }
 
     /// Air above and beside food in a pan at `pan` [K].

@@ -1,14 +1,18 @@
 //! Lab cases: checked, in SI units, ready to run.
 
+use saute_food::components::Components;
+use saute_food::{FoodDescription, Kinetics};
 use saute_heat::Rule;
+use saute_heat::axis::End;
 use saute_heat::product::FaceBoundary;
 
 use crate::input_error::{InputError, InputText};
-use crate::lab::case_file::{Physics, Shape};
+use crate::lab::case_file::{Contact, Physics, Shape};
 use crate::lab::check::Check;
 use crate::lab::material::Material;
 use crate::lab::verdict::Expectation;
 use crate::library::Library;
+use crate::room::Room;
 
 /// A case, checked.
 #[derive(Clone, Debug)]
@@ -29,6 +33,8 @@ pub struct Case {
     pub pan: Option<PanCase>,
     /// What happens in the body.
     pub physics: Physics,
+    /// The food that is cooked.
+    pub cooking: Option<CookingCase>,
     /// What makes conductances of the mesh.
     pub rule: Rule,
     /// Length of a step over its usual length [-].
@@ -68,6 +74,19 @@ pub struct BodyCase {
     pub contact: Option<f64>,
 }
 
+/// What cooking needs beyond conduction.
+#[derive(Clone, Debug)]
+pub struct CookingCase {
+    /// The food.
+    pub food: FoodDescription,
+    /// What heat does to it.
+    pub kinetics: Kinetics,
+    /// Thermal properties of its components.
+    pub components: Components,
+    /// The room, for air and contact.
+    pub room: Room,
+}
+
 /// A plate of even temperature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PanCase {
@@ -84,6 +103,8 @@ pub struct PanCase {
 pub struct Phase {
     /// Boundary of each end of each axis that is not insulated.
     pub boundaries: Vec<FaceBoundary>,
+    /// What those ends meet when food is cooked; air or a solid by their coefficient where nothing is said.
+    pub contacts: Vec<(usize, End, Contact)>,
     /// When it ends.
     pub until: Until,
 }

@@ -90,6 +90,10 @@ pub enum Quantity {
     FirstPhaseEnded,
     /// When the compared run stopped over when this one did [-].
     StopRatio,
+    /// Juice that ran off [g].
+    DrippedG,
+    /// Mass lost [%].
+    LostPct,
 }
 
 /// An expected value, with exactly one of `tolerance` and `tolerance_pct`.
@@ -332,9 +336,24 @@ pub struct BoundaryEntry {
     /// Temperature outside, or of the surface where `fixed` [°C].
     #[schemars(with = "Option<f64>")]
     pub ambient_c: Option<Spanned<f64>>,
+    /// With `physics = "cooking"`: what the face meets. Air takes up vapour; by default `h_w_m2k` up to 100 means air, more
+    /// a solid or a liquid. A pan of `ambient_c` needs no `h_w_m2k`: the kitchen's contact model gives it.
+    pub contact: Option<Contact>,
     /// A flux into the body [W/m²], alone or on top of `h_w_m2k`.
     #[schemars(with = "Option<f64>")]
     pub q_w_m2: Option<Spanned<f64>>,
+}
+
+/// What a face meets.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+pub enum Contact {
+    /// Air, which takes up vapour.
+    Air,
+    /// A solid or a liquid, which takes up none.
+    Solid,
+    /// A pan with its film of oil: conductance from gap, pressure, wetness and steam.
+    Pan,
 }
 
 /// Flips.

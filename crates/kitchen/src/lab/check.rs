@@ -8,7 +8,7 @@ use toml::Spanned;
 use crate::input_error::{InputError, InputText};
 use crate::kelvin;
 use crate::lab::body::{on_axes, vertical};
-use crate::lab::case::{BodyCase, Case, ProbeCase};
+use crate::lab::case::{BodyCase, Case, CookingCase, ProbeCase};
 use crate::lab::case_file::{CaseFile, ExpectEntry, Physics, ProbeEntry, Quantity, RuleEntry, Shape};
 use crate::lab::verdict::{Expectation, Subject};
 use crate::library::Library;
@@ -39,7 +39,7 @@ impl Check<'_> {
         let mut case = Case {
             name: raw.name.clone().unwrap_or_else(|| self.input.file.to_owned()),
             outputs: self.outputs(&raw, duration)?,
-            physics: self.physics(&raw)?,
+            physics: if cooks(&raw) { Physics::Cooking } else { Physics::Conduction },
             rule: match raw.solver.rule {
                 RuleEntry::ShapeFunctions => Rule::ShapeFunctions,
                 RuleEntry::Segments => Rule::Segments,
@@ -48,6 +48,7 @@ impl Check<'_> {
                 .optional("step_factor", raw.solver.step_factor.as_ref(), 1e-3, LONGEST_STEPS)?
                 .unwrap_or(1.0),
             materials: self.materials(&raw, bodies.len())?,
+            cooking: self.cooking(&raw, bodies.len())?,
             phases: self.phases(&raw, shape, duration)?,
             flips: self.flips(&raw, shape, duration)?,
             stop_at: self.stop_at(&raw)?,
@@ -80,16 +81,29 @@ impl Check<'_> {
         value.map(|v| self.input.ranged(key, v, low, high)).transpose()
     }
 
-    fn physics(&self, raw: &CaseFile) -> Checked<Physics> {
-        match &raw.solver.physics {
-            // The one place that lets cooking in: it runs where `run` dispatches on `Case::physics`.
-            Some(physics) if *physics.get_ref() == Physics::Cooking => self.input.error(
-                physics.span().start,
-                "physics = \"cooking\" cannot be run by the lab yet",
-                "write physics = \"conduction\", or cook a recipe with: saute cook",
-            ),
-            _ => Ok(Physics::Conduction),
+    /// What cooking needs: one body of one food, without a pan below it.
+    fn cooking(&self, raw: &CaseFile, bodies: usize) -> Checked<Option<CookingCase>> {
+        let Some(physics) = raw.solver.physics.as_ref().filter(|_| cooks(raw)) else { return Ok(None) };
+        let at = physics.span().start;
+        let materials = raw.material.as_ref().map_or(&[][..], |m| m.get_ref().all());
+        let Some(food) = materials.first().and_then(|m| m.food.as_ref()).filter(|_| bodies == 1 && raw.pan.is_none())
+        else {
+            let remedy = "give one [body] and food = \"beef-lean\" in [material]; for a pan write contact = \"pan\" \
+                          into a [[boundary]], or cook a recipe with: saute cook";
+            return self.input.error(at, "physics = \"cooking\" needs one body of one food", remedy);
+        };
+        if raw.probe.iter().any(|p| p.get_ref().flux) || raw.compare.is_some() {
+            let remedy = "leave flux and [compare] out, or write physics = \"conduction\"";
+            return self.input.error(at, "physics = \"cooking\" tells no flux and compares nothing", remedy);
         }
+        // `materials` has found it.
+        let description = &self.library.foods[food.get_ref()];
+        Ok(Some(CookingCase {
+            food: description.clone(),
+            kinetics: self.library.kinetics[&description.kinetics].clone(),
+            components: self.library.components.clone(),
+            room: self.library.room.clone(),
+        }))
     }
 
     fn stop_at(&self, raw: &CaseFile) -> Checked<Option<f64>> {
@@ -179,6 +193,11 @@ impl Check<'_> {
         };
         Ok(Expectation { subject, value: e.value, tolerance })
     }
+}
+
+/// Whether a case asks for cooking.
+pub(super) fn cooks(raw: &CaseFile) -> bool {
+    raw.solver.physics.as_ref().is_some_and(|p| *p.get_ref() == Physics::Cooking)
 }
 
 /// Multiples of `every` up to and with `end`.

@@ -2,30 +2,30 @@
 
 use saute_heat::axis::End;
 use saute_heat::boundary::Boundary;
-use saute_heat::product::FaceBoundary;
 use toml::Spanned;
 
 use crate::kelvin;
 use crate::lab::body::{ends, vertical};
 use crate::lab::case::{Phase, Until};
-use crate::lab::case_file::{BoundaryEntry, CaseFile, Face, FlipsEntry, PhaseEntry, Shape};
-use crate::lab::check::{Check, Checked, repeated};
+use crate::lab::case_file::{BoundaryEntry, CaseFile, Contact, Face, FlipsEntry, PhaseEntry, Shape};
+use crate::lab::check::{Check, Checked, cooks, repeated};
 
 impl Check<'_> {
     /// Phases, each with the boundaries that always hold and its own; one that lasts where none is given.
     pub(super) fn phases(&self, raw: &CaseFile, shape: Shape, duration: f64) -> Checked<Vec<Phase>> {
-        let mut always = Vec::new();
+        let mut always = Phase { boundaries: Vec::new(), contacts: Vec::new(), until: Until::Forever };
         if let Some(pan) = &raw.pan {
-            always.push((vertical(shape).unwrap_or(0), End::Low, self.pan(pan)?.1));
+            always.boundaries.push((vertical(shape).unwrap_or(0), End::Low, self.pan(pan)?.1));
         }
         self.add_boundaries(raw, shape, &raw.boundary, &mut always)?;
         if raw.phase.is_empty() {
-            return Ok(vec![Phase { boundaries: always, until: Until::Forever }]);
+            return Ok(vec![always]);
         }
         let phase = |(i, entry): (usize, &Spanned<PhaseEntry>)| {
-            let mut boundaries = always.clone();
-            self.add_boundaries(raw, shape, &entry.get_ref().boundary, &mut boundaries)?;
-            Ok(Phase { boundaries, until: self.until(raw, entry, i + 1 == raw.phase.len(), duration)? })
+            let mut phase = always.clone();
+            self.add_boundaries(raw, shape, &entry.get_ref().boundary, &mut phase)?;
+            phase.until = self.until(raw, entry, i + 1 == raw.phase.len(), duration)?;
+            Ok(phase)
         };
         raw.phase.iter().enumerate().map(phase).collect()
     }
@@ -54,7 +54,7 @@ impl Check<'_> {
         raw: &CaseFile,
         shape: Shape,
         entries: &[Spanned<BoundaryEntry>],
-        found: &mut Vec<FaceBoundary>,
+        found: &mut Phase,
     ) -> Checked<()> {
         for entry in entries {
             let face = &entry.get_ref().face;
@@ -69,21 +69,36 @@ impl Check<'_> {
                 }
                 ends.retain(|(axis, end)| (Some(*axis), *end) != (vertical(shape), End::Low));
             }
-            let boundary = self.boundary(entry)?;
+            let boundary = self.boundary(raw, entry)?;
             for (axis, end) in ends {
-                found.retain(|f| (f.0, f.1) != (axis, end));
-                found.push((axis, end, boundary));
+                found.boundaries.retain(|f| (f.0, f.1) != (axis, end));
+                found.contacts.retain(|f| (f.0, f.1) != (axis, end));
+                found.boundaries.push((axis, end, boundary));
+                found.contacts.extend(entry.get_ref().contact.map(|contact| (axis, end, contact)));
             }
         }
         Ok(())
     }
 
-    fn boundary(&self, entry: &Spanned<BoundaryEntry>) -> Checked<Boundary> {
+    fn boundary(&self, raw: &CaseFile, entry: &Spanned<BoundaryEntry>) -> Checked<Boundary> {
         let b = entry.get_ref();
+        let cooks = cooks(raw);
+        if b.contact.is_some() && !cooks {
+            let remedy = "leave it out, or write physics = \"cooking\" into [solver] and food into [material]";
+            return self.input.error(entry.span().start, "contact belongs to cooking", remedy);
+        }
+        if let (true, Some(flux)) = (cooks, &b.q_w_m2) {
+            let remedy = "write h_w_m2k and ambient_c, or contact = \"pan\" and ambient_c";
+            return self.input.error(flux.span().start, "q_w_m2 does not go with physics = \"cooking\"", remedy);
+        }
         let flux = self.optional("q_w_m2", b.q_w_m2.as_ref(), -1e7, 1e7)?;
         let outside = self.optional("ambient_c", b.ambient_c.as_ref(), -200.0, 2000.0)?.map(kelvin);
         let h = self.optional("h_w_m2k", b.h_w_m2k.as_ref(), 0.0, 1e7)?;
         match (h, b.fixed, outside, flux) {
+            // The contact model gives the coefficient.
+            (None, false, Some(outside), None) if b.contact == Some(Contact::Pan) => {
+                Ok(Boundary::convective(1.0, outside))
+            }
             (Some(h), false, Some(outside), q) => Ok(Boundary::Exchange { h, source: h * outside + q.unwrap_or(0.0) }),
             (None, true, Some(outside), None) => Ok(Boundary::Fixed(outside)),
             (None, false, None, Some(source)) => Ok(Boundary::Exchange { h: 0.0, source }),

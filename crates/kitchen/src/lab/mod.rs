@@ -6,6 +6,8 @@ mod case_file;
 mod check;
 mod check_schedule;
 mod check_stack;
+mod cooking;
+mod cooking_body;
 mod edge_system;
 mod material;
 mod one_or_more;
@@ -15,7 +17,7 @@ mod run;
 mod solver;
 mod verdict;
 
-pub use case::{BodyCase, Case, PanCase, Phase, ProbeCase, Until};
+pub use case::{BodyCase, Case, CookingCase, PanCase, Phase, ProbeCase, Until};
 pub use case_file::{CaseFile, Physics, Shape};
 pub use material::{Boiling, Material, Solid};
 pub use report::LabReport;

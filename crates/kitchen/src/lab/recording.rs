@@ -11,7 +11,7 @@ use crate::lab::solver::Solver;
 /// Nodes along each axis that a reading is interpolated through: a cubic.
 const CUBIC: usize = 4;
 /// The same where a front runs through the body, at which a cubic would ring.
-const LINEAR: usize = 2;
+pub(super) const LINEAR: usize = 2;
 
 /// Nodes and weights that interpolate at a point, and what was read there: time [s] and value.
 struct Reading {
@@ -137,7 +137,6 @@ impl Recording {
         let dried = solver.dried();
         let (per_area, whole_body) = if case.shape == Shape::Slab { (dried, None) } else { (None, dried) };
         LabReport {
-            name: case.name.clone(),
             nodes: solver.body.node_count(),
             steps: solver.steps,
             wall_s,
@@ -154,7 +153,7 @@ impl Recording {
             phases_ended_s: self.phases_ended,
             flux: self.fluxes.into_iter().map(|f| (f.reading.name, f.reading.series)).collect(),
             probes: self.probes.into_iter().map(|p| (p.name, p.series)).collect(),
-            compared: None,
+            ..LabReport::empty(case)
         }
     }
 }

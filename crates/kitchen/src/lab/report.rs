@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use crate::lab::case::Case;
+
 /// The numbers of a lab run, as `saute lab --json` prints them.
 #[derive(Clone, Debug, Serialize)]
 pub struct LabReport {
@@ -36,7 +38,19 @@ pub struct LabReport {
     /// Water evaporated from a body with a volume [g].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub evaporated_g: Option<f64>,
-    /// Highest temperature of the probe in `report.peak_of` [°C].
+    /// Juice that ran off a cooked food [g]; for a slab per m².
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dripped_g: Option<f64>,
+    /// Fat that ran off [g]; for a slab per m².
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rendered_g: Option<f64>,
+    /// Mass lost [%].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lost_pct: Option<f64>,
+    /// L*, a*, b* of the cooked food's bottom and top, area means; a sphere has a top alone.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub surface_lab: BTreeMap<String, [f64; 3]>,
+    /// Highest temperature of the probe in `report.peak_of`, of cooked food its centre's by default [°C].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub core_peak_c: Option<f64>,
     /// When that was [s].
@@ -51,4 +65,34 @@ pub struct LabReport {
     /// The run with other flips.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub compared: Option<Box<Self>>,
+}
+
+impl LabReport {
+    /// A report that says nothing yet.
+    pub(super) fn empty(case: &Case) -> Self {
+        Self {
+            name: case.name.clone(),
+            nodes: 0,
+            steps: 0,
+            wall_s: 0.0,
+            stopped_at_s: None,
+            probes: BTreeMap::new(),
+            volume_pct_above: BTreeMap::new(),
+            absorbed_j: 0.0,
+            max_c: 0.0,
+            min_c: 0.0,
+            evaporated_kg_m2: None,
+            crust_mm: None,
+            evaporated_g: None,
+            dripped_g: None,
+            rendered_g: None,
+            lost_pct: None,
+            surface_lab: BTreeMap::new(),
+            core_peak_c: None,
+            core_peak_at_s: None,
+            phases_ended_s: Vec::new(),
+            flux: BTreeMap::new(),
+            compared: None,
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 use crate::lab::case::{Case, Until};
 use crate::lab::case_file::Physics;
+use crate::lab::cooking::cook;
 use crate::lab::recording::Recording;
 use crate::lab::report::LabReport;
 use crate::lab::solver::Solver;
@@ -16,8 +17,7 @@ pub fn run(case: &Case, clock: impl Fn() -> f64) -> LabReport {
 fn run_one(case: &Case, clock: &impl Fn() -> f64) -> LabReport {
     match case.physics {
         Physics::Conduction => conduct(case, clock),
-        // Not let in by the check of cases yet.
-        Physics::Cooking => conduct(case, clock),
+        Physics::Cooking => case.cooking.as_ref().map_or_else(|| conduct(case, clock), |c| cook(case, c, clock)),
     }
 }
 

@@ -228,7 +228,8 @@ fn stored(temperature: &[f64], capacity: &[f64]) -> f64 {
     temperature.iter().zip(capacity).map(|(t, c)| t * c).sum()
 }
 
-fn opposite(end: End) -> End {
+/// The other end of an axis.
+pub(super) fn opposite(end: End) -> End {
     if end == End::Low { End::High } else { End::Low }
 }
 

@@ -100,6 +100,8 @@ fn whole(report: &LabReport, quantity: Quantity) -> (String, &'static str, Optio
         Quantity::CorePeak => ("core, highest", "°C", report.core_peak_c),
         Quantity::CorePeakAt => ("core, highest, when", "s", report.core_peak_at_s),
         Quantity::FirstPhaseEnded => ("pulled", "s", report.phases_ended_s.first().copied()),
+        Quantity::DrippedG => ("dripped", "g", report.dripped_g),
+        Quantity::LostPct => ("mass lost", "%", report.lost_pct),
         Quantity::StopRatio => ("time over time", "-", other.zip(report.stopped_at_s).map(|(o, s)| o / s)),
     };
     (name.to_owned(), unit, got)

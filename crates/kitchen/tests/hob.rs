@@ -1,0 +1,96 @@
+//! Promise: the hob does what hobs do: low settings are switched, a lifted pan or one off its ring gets nothing, an
+//! overheated one is limited; and the rules of 2013 are there for comparison, labelled.
+
+use saute_kitchen::food::Rules;
+use saute_kitchen::{Command, Cook, Kitchen, Library, Recipe, TICK_S, celsius, kelvin};
+
+fn library() -> Library {
+    Library::embedded().expect("embedded data")
+}
+
+fn empty_pan(celsius: f64, power: f64) -> Kitchen {
+    let mut kitchen = Kitchen::new(&library(), "carbon-steel-26", kelvin(celsius)).expect("pan");
+    kitchen.apply(&Command::Hob(power)).expect("power");
+    kitchen
+}
+
+fn run(kitchen: &mut Kitchen, seconds: f64) {
+    (0..(seconds / TICK_S).round() as usize).for_each(|_| kitchen.step());
+}
+
+#[test]
+fn a_low_setting_gives_its_mean_power() {
+    let mut kitchen = empty_pan(20.0, 200.0);
+    run(&mut kitchen, 1.0);
+    assert!((kitchen.energy().hob - 400.0).abs() < 1.0, "on for the first 0.8 s of 2: {}", kitchen.energy().hob);
+    run(&mut kitchen, 59.0);
+    assert!((kitchen.energy().hob / 60.0 - 200.0).abs() < 0.5, "{}", kitchen.energy().hob / 60.0);
+}
+
+#[test]
+fn a_pan_lifted_more_than_15_mm_or_off_its_ring_gets_no_power_and_cools() {
+    for (at, lift) in [([0.0, 0.0], 0.016), ([0.12, 0.0], 0.0)] {
+        let mut kitchen = empty_pan(200.0, 1500.0);
+        kitchen.apply(&Command::MovePan { at, lift }).expect("moves");
+        run(&mut kitchen, 60.0);
+        assert_eq!((kitchen.energy().hob, kitchen.drawn_w()), (0.0, 0.0));
+        assert!(celsius(kitchen.pan_temperature()) < 200.0);
+        kitchen.apply(&Command::MovePan { at: [0.0, 0.0], lift: 0.0 }).expect("moves");
+        run(&mut kitchen, 10.0);
+        assert!((kitchen.energy().hob - 15_000.0).abs() < 1.0);
+        assert!(kitchen.energy().imbalance.abs() < 1e-6 * 15_000.0);
+    }
+    let mut kitchen = empty_pan(200.0, 1500.0);
+    kitchen.apply(&Command::MovePan { at: [0.0, 0.0], lift: 0.014 }).expect("moves");
+    run(&mut kitchen, 10.0);
+    assert!((kitchen.energy().hob - 15_000.0).abs() < 1.0);
+    assert!(kitchen.apply(&Command::MovePan { at: [0.0, 0.0], lift: 2.0 }).is_err());
+}
+
+/// The glass under an empty pan lags behind it; the hob holds the pan below what burns oil (330 °C flash point).
+#[test]
+fn the_hob_limits_an_overheated_pan() {
+    let mut kitchen = empty_pan(20.0, 2000.0);
+    let (mut hottest, mut limited) = (0.0f64, 0);
+    for _ in 0..6000 {
+        kitchen.step();
+        hottest = hottest.max(celsius(kitchen.pan_temperature()));
+        limited += usize::from(kitchen.pan_state().limited);
+    }
+    assert!(limited > 500 && hottest < 460.0, "{limited} ticks, {hottest} °C");
+    let late = celsius(kitchen.pan_temperature());
+    assert!((230.0..340.0).contains(&late), "{late}");
+}
+
+/// Cooling takes as long as it takes; under the rules of 2013 it is done at once, and the summary says whose rules.
+#[test]
+fn the_rules_of_2013_are_followed_and_labelled() {
+    let text = |preset: &str| {
+        format!(
+            "title = \"T\"\n{preset}\n[pan]\ninitial_c = 220\n[[food]]\nid = \"s\"\nkind = \"beef-lean\"\n\
+             [[step]]\nhob_w = 800\n[[step]]\nput = \"s\"\n[[step]]\nafter_s = 240\ncool = \"wet-cloth\"\nfor_s = 1\n[[step]]\nend = true\n"
+        )
+    };
+    let cooked = |preset: &str| {
+        let library = library();
+        let recipe = Recipe::parse(&text(preset), "t.toml", &library).expect("parses");
+        let mut cook = Cook::new(recipe, &library).expect("sets out");
+        while cook.stopped().is_none() {
+            cook.advance().expect("cooks");
+        }
+        cook
+    };
+    let (full, old) = (cooked(""), cooked("preset = \"2013\""));
+    let (full_summary, old_summary) = (full.summary(0.0), old.summary(0.0));
+    assert_eq!((full_summary.rules, full_summary.title.as_str()), (Rules::Full, "T"));
+    assert_eq!((old_summary.rules, old_summary.title.as_str()), (Rules::Paper2013, "T [rules of 2013]"));
+    assert!(celsius(old.kitchen.pan_temperature()) <= 121.0);
+    assert!(celsius(full.kitchen.pan_temperature()) > 122.0);
+    let (f, o) = (&full_summary.foods[0], &old_summary.foods[0]);
+    // No juice, no evaporation below boiling, no contraction; the bottom browns in steps.
+    assert!(o.water_g.dripped == 0.0 && (o.shape.volume_pct - 100.0).abs() < 1e-9 && f.shape.volume_pct < 99.0);
+    assert!((o.core_c.peak - f.core_c.peak).abs() > 1.0, "{} {}", o.core_c.peak, f.core_c.peak);
+    assert!(old.kitchen.energy().imbalance.abs() < 1e-6 * old.kitchen.energy().hob);
+    let stages = &old.kitchen.pieces()[0].state.browning;
+    assert!(stages.iter().all(|b| [0.0, 0.25, 0.5, 0.75, 1.0].contains(b)));
+}
