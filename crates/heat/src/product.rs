@@ -222,6 +222,16 @@ impl Rates for ProductOperator {
         }
     }
 
+    fn begin(&self, share: f64, t: &[f64], start: &mut [f64], rates: &mut [f64], y: &mut [f64]) {
+        for (j, k, base) in self.rows() {
+            let at = base..base + self.counts[0];
+            let (t_row, rate) = (&t[at.clone()], &mut rates[at.clone()]);
+            self.row(t, j, k, rate);
+            start[at.clone()].copy_from_slice(t_row);
+            y[at].iter_mut().zip(t_row.iter().zip(rate.iter())).for_each(|(y, (t, f))| *y = t + share * f);
+        }
+    }
+
     /// Row by row, so that rates never leave the nearest cache.
     fn stage(&self, weights: &Stage, t: &[f64], start: StepStart, y: &mut [f64], scratch: &mut [f64]) {
         let n = self.counts[0];

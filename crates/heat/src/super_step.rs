@@ -41,6 +41,13 @@ pub trait Rates {
     /// Writes the rate of every unknown [1/s].
     fn rates(&self, t: &[f64], rate: &mut [f64]);
 
+    /// Begins a step of which `t` is the state: keeps it in `start`, writes its rates, and y ← t + `share` · rates.
+    fn begin(&self, share: f64, t: &[f64], start: &mut [f64], rates: &mut [f64], y: &mut [f64]) {
+        start.copy_from_slice(t);
+        self.rates(t, rates);
+        y.iter_mut().zip(t.iter().zip(rates.iter())).for_each(|(y, (t, f))| *y = t + share * f);
+    }
+
     /// Makes one stage: `y` holds the stage before last and gets the new one. `scratch` is as long as `y`.
     fn stage(&self, weights: &Stage, t: &[f64], start: StepStart, y: &mut [f64], scratch: &mut [f64]) {
         self.rates(t, scratch);
@@ -103,12 +110,7 @@ impl SuperStep {
     /// Moves `t` by `dt` [s] in `stages` ≥ 2 stages.
     pub fn advance(&mut self, t: &mut Vec<f64>, dt: f64, stages: usize, system: &impl Rates) {
         let s = stages.max(2);
-        self.start.copy_from_slice(t);
-        system.rates(t, &mut self.slope_at_start);
-        let first = b(1) * w(s) * dt;
-        for (y, (t, f)) in self.previous.iter_mut().zip(t.iter().zip(&self.slope_at_start)) {
-            *y = t + first * f;
-        }
+        system.begin(b(1) * w(s) * dt, t, &mut self.start, &mut self.slope_at_start, &mut self.previous);
         for j in 2..=s {
             let start = StepStart { state: &self.start, rates: &self.slope_at_start };
             system.stage(&Stage::new(j, s, dt), &self.previous, start, t, &mut self.scratch);

@@ -43,13 +43,13 @@ pub struct Case {
     pub phases: Vec<Phase>,
     /// Times of the flips, ascending [s].
     pub flips: Vec<f64>,
-    /// Points that are told.
+    /// Points that are told; a pan is told too, after them.
     pub probes: Vec<ProbeCase>,
     /// Stop once every point has reached this [K].
     pub stop_at: Option<f64>,
     /// Tell the share of the volume ever above these [°C].
     pub volume_above_c: Vec<f64>,
-    /// Probe whose highest temperature is told, as an index.
+    /// Probe whose highest temperature is told, as an index; the pan comes after all others.
     pub peak_of: Option<usize>,
     /// The same with other flips, to be run for comparison.
     pub compare: Option<Box<Self>>,

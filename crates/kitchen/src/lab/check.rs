@@ -119,6 +119,8 @@ impl Check<'_> {
     pub(super) fn probe_index(&self, raw: &CaseFile, name: &str, at: usize) -> Checked<usize> {
         match raw.probe.iter().position(|p| p.get_ref().name == name) {
             Some(index) => Ok(index),
+            // The pan is read after all others.
+            None if raw.pan.is_some() && name == "pan" => Ok(raw.probe.len()),
             None => self.input.error(at, format!("there is no probe \"{name}\""), "name one of the [[probe]]s"),
         }
     }
@@ -176,7 +178,7 @@ impl Check<'_> {
         let subject = match (&e.probe, e.at_s) {
             (Some(name), Some(time)) if of_probe => {
                 let probe = self.probe_index(raw, name, at)?;
-                if e.quantity == Quantity::Flux && !raw.probe[probe].get_ref().flux {
+                if e.quantity == Quantity::Flux && !raw.probe.get(probe).is_some_and(|p| p.get_ref().flux) {
                     return self.input.error(at, format!("the probe \"{name}\" tells no flux"), "give it flux = true");
                 }
                 Subject::Probe(e.quantity, name.clone(), time)

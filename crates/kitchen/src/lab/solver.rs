@@ -22,6 +22,8 @@ const SAFETY: f64 = 0.95;
 /// A step over the time since the last sudden change [-] (chosen: profiles grow as the square root of time, so equal
 /// shares of it cost equal accuracy).
 const GROWTH: f64 = 0.01;
+/// First step of a lone plate over its time constant [-] (chosen: an error of 1e-4 of the way in each).
+const LUMPED_STEP: f64 = 0.01;
 
 /// How rates of change are computed.
 enum System {
@@ -134,10 +136,12 @@ impl Solver {
         let most = match &self.system {
             System::Product(_) => SAFETY * SuperStep::reach(MOST_STAGES) * self.explicit,
             System::Edges(edges) if edges.boils() => SAFETY * self.explicit,
-            System::Edges(_) => SAFETY * SuperStep::reach(MOST_STAGES_VARYING) * self.explicit,
+            System::Edges(edges) if edges.varies() => SAFETY * SuperStep::reach(MOST_STAGES_VARYING) * self.explicit,
+            System::Edges(_) => SAFETY * SuperStep::reach(MOST_STAGES) * self.explicit,
         };
         let since = self.time - self.changed_at;
-        let wanted = case.step_factor * most.min((GROWTH * since).max(SAFETY * self.explicit));
+        let first = if self.temperature.len() == 1 { LUMPED_STEP } else { SAFETY } * self.explicit;
+        let wanted = case.step_factor * most.min((GROWTH * since).max(first));
         let left = until - self.time;
         left / libm::ceil(left / wanted - 1e-9).max(1.0)
     }
