@@ -44,3 +44,45 @@ fn the_lab_prints_every_key_and_refuses_bad_cases() {
     assert_eq!(said.code, Some(2));
     assert!(said.err.contains("case.toml:4:") && said.err.contains("remedy:"), "{}", said.err);
 }
+
+/// Pages and pictures of a folder that has neither.
+#[test]
+fn the_page_is_written_with_its_pictures() {
+    let dir = tempfile::tempdir().unwrap();
+    let said: crate::running::Said =
+        crate::running::saute().args(["validate", "--write"]).current_dir(dir.path()).output().unwrap().into();
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    assert!(said.err.contains("1 of "), "{}", said.err);
+    let page = std::fs::read_to_string(dir.path().join("VALIDATION.md")).unwrap();
+    let linked: Vec<&str> =
+        page.split(['(', ')']).filter(|p| p.starts_with("docs/") && !p.contains(char::is_whitespace)).collect();
+    assert!(linked.len() > 20, "{linked:?}");
+    for link in linked {
+        assert!(dir.path().join(link).is_file(), "{link}");
+    }
+    let segments = std::fs::read_to_string(dir.path().join("docs/segments.md")).unwrap();
+    assert!(segments.lines().filter(|l| l.starts_with("| ")).count() > 30);
+}
+
+#[test]
+fn the_heat_bench_tells_every_number_and_its_brick_is_exact() {
+    let said = run(&["bench", "heat", "--json"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let bench: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    let number = |pointer: &str| bench.pointer(pointer).and_then(serde_json::Value::as_f64).expect(pointer);
+    assert!(number("/brick/max_error_k") <= 0.1 && number("/brick/half_step_error_k") <= 0.1, "{bench}");
+    for pointer in [
+        "/brick/loop_s",
+        "/brick/nodes",
+        "/brick/steps",
+        "/updates_per_s",
+        "/bandwidth_fraction",
+        "/scaling/nodes/0",
+        "/scaling/seconds/0",
+        "/scaling/exponent",
+        "/steak/nodes",
+        "/steak/real_time_factor",
+    ] {
+        assert!(number(pointer) > 0.0, "{pointer}: {bench}");
+    }
+}

@@ -3,13 +3,14 @@
 use saute_heat::Rule;
 use saute_heat::axis::End;
 use saute_heat::boundary::Boundary;
-use saute_heat::product::{FaceBoundary, ProductOperator};
+use saute_heat::product::{Constants, FaceBoundary, ProductOperator};
 use saute_heat::super_step::SuperStep;
 use saute_heat::tensor::{Part, TensorBody};
 
 use crate::lab::body::mesh;
 use crate::lab::case::Case;
 use crate::lab::edge_system::EdgeSystem;
+use crate::lab::material::Material;
 
 /// Most stages of a super-step with constant properties at a step factor of 1 (chosen: the error in time stays well
 /// below that in space, which falls at its own order).
@@ -28,9 +29,21 @@ const LUMPED_STEP: f64 = 0.01;
 /// How rates of change are computed.
 enum System {
     /// Constant properties under the shape functions.
-    Product(ProductOperator),
+    Product(Box<ProductOperator>),
     /// Anything else: edge by edge.
     Edges(Box<EdgeSystem>),
+}
+
+impl System {
+    fn new(case: &Case, body: &TensorBody) -> Self {
+        let layers: Option<Vec<Constants>> = case.materials.iter().map(Material::constants).collect();
+        match layers {
+            Some(layers) if case.rule == Rule::ShapeFunctions => {
+                Self::Product(Box::new(ProductOperator::new(body, &layers, &[])))
+            }
+            _ => Self::Edges(Box::new(EdgeSystem::new(case, body))),
+        }
+    }
 }
 
 /// The body and its present state.
@@ -65,7 +78,7 @@ impl Solver {
         let capacity: Vec<f64> = (0..n).map(|node| capacity(case, &body, node, &initial)).collect();
         let temperature = start(case, &body);
         let mut solver = Self {
-            system: System::Edges(Box::new(EdgeSystem::new(case, &body))),
+            system: System::new(case, &body),
             stored_at_start: stored(&temperature, &capacity),
             temperature,
             time: 0.0,
@@ -102,18 +115,15 @@ impl Solver {
         let turned = |&(axis, end, b): &FaceBoundary| (axis, if swapped(axis) { opposite(end) } else { end }, b);
         let boundaries: Vec<FaceBoundary> = self.boundaries.iter().map(turned).collect();
         self.hold_fixed_faces(&boundaries, case);
-        let constants: Option<Vec<_>> = case.materials.iter().map(|m| m.constants()).collect();
-        match constants {
-            Some(layers) if case.rule == Rule::ShapeFunctions => {
-                let operator = ProductOperator::new(&self.body, &layers, &boundaries);
+        match &mut self.system {
+            System::Product(operator) => {
+                let layers: Vec<Constants> = case.materials.iter().filter_map(Material::constants).collect();
+                **operator = ProductOperator::new(&self.body, &layers, &boundaries);
                 self.explicit = operator.stable_step();
-                self.system = System::Product(operator);
             }
-            _ => {
-                if let System::Edges(edges) = &mut self.system {
-                    edges.put_on(&self.body, &boundaries);
-                    self.explicit = edges.refresh(&self.body, case, &self.temperature);
-                }
+            System::Edges(edges) => {
+                edges.put_on(&self.body, &boundaries);
+                self.explicit = edges.refresh(&self.body, case, &self.temperature);
             }
         }
         self.changed_at = self.time;
@@ -164,7 +174,7 @@ impl Solver {
     fn super_step(&mut self, dt: f64, case: &Case) {
         let stages = SuperStep::stages_for(dt, self.explicit);
         match &mut self.system {
-            System::Product(operator) => self.step.advance(&mut self.temperature, dt, stages, operator),
+            System::Product(operator) => self.step.advance(&mut self.temperature, dt, stages, &**operator),
             System::Edges(edges) => {
                 if edges.varies() {
                     self.explicit = edges.refresh(&self.body, case, &self.temperature);
