@@ -43,9 +43,27 @@ impl Pages {
             OutFile::prepare(&picture_path(name))?.fill(svg.as_bytes())?;
         }
         self.segments.fill(page.as_bytes())?;
+        clear_old_pictures(&drawn)?;
         let names: Vec<&str> = drawn.iter().map(|(name, _)| name.as_str()).collect();
         self.table.fill(markdown(runs, &names).as_bytes())
     }
+}
+
+/// Removes pictures of cases that are no more.
+fn clear_old_pictures(drawn: &[(String, String)]) -> Result<(), CliError> {
+    let clear = || {
+        for entry in fs::read_dir(PICTURES)? {
+            let path = entry?.path();
+            let kept = path.file_stem().is_none_or(|stem| drawn.iter().any(|(name, _)| stem == name.as_str()));
+            if path.extension().is_some_and(|e| e == "svg") && !kept {
+                fs::remove_file(&path)?;
+            }
+        }
+        Ok(())
+    };
+    clear().map_err(|e: std::io::Error| {
+        CliError::place(PICTURES, format!("old pictures cannot be removed: {e}"), "remove its .svg files by hand")
+    })
 }
 
 fn picture_path(name: &str) -> PathBuf {

@@ -11,7 +11,7 @@ use crate::report::plot::{Panel, Scale, nice_range, nice_step};
 /// Size [px].
 const SIZE: [f64; 2] = [720.0, 400.0];
 /// Edges of the panel: left, right, top, bottom [px].
-const EDGES: [f64; 4] = [52.0, 520.0, 46.0, 350.0];
+const EDGES: [f64; 4] = [52.0, 470.0, 46.0, 350.0];
 /// Points of a curve (chosen: one every other pixel).
 const POINTS: usize = 240;
 /// Colours of curves, told apart by eyes that see few (Okabe & Ito 2008).

@@ -23,6 +23,8 @@ const SAFETY: f64 = 0.95;
 /// A step over the time since the last sudden change [-] (chosen: profiles grow as the square root of time, so equal
 /// shares of it cost equal accuracy).
 const GROWTH: f64 = 0.01;
+/// The same where properties are held over a step, which is then of first order in them [-] (chosen: less than 0.05 K).
+const GROWTH_VARYING: f64 = 0.04;
 /// First step of a lone plate over its time constant [-] (chosen: an error of 1e-4 of the way in each).
 const LUMPED_STEP: f64 = 0.01;
 
@@ -143,15 +145,15 @@ impl Solver {
 
     /// Length of the next step on the way to `until` [s].
     pub(super) fn next_step(&self, until: f64, case: &Case) -> f64 {
-        let most = match &self.system {
-            System::Product(_) => SAFETY * SuperStep::reach(MOST_STAGES) * self.explicit,
-            System::Edges(edges) if edges.boils() => SAFETY * self.explicit,
-            System::Edges(edges) if edges.varies() => SAFETY * SuperStep::reach(MOST_STAGES_VARYING) * self.explicit,
-            System::Edges(_) => SAFETY * SuperStep::reach(MOST_STAGES) * self.explicit,
+        let (reach, growth) = match &self.system {
+            System::Edges(edges) if edges.boils() => (1.0, GROWTH),
+            System::Edges(edges) if edges.varies() => (SuperStep::reach(MOST_STAGES_VARYING), GROWTH_VARYING),
+            System::Product(_) | System::Edges(_) => (SuperStep::reach(MOST_STAGES), GROWTH),
         };
+        let most = SAFETY * reach * self.explicit;
         let since = self.time - self.changed_at;
         let first = if self.temperature.len() == 1 { LUMPED_STEP } else { SAFETY } * self.explicit;
-        let wanted = case.step_factor * most.min((GROWTH * since).max(first));
+        let wanted = case.step_factor * most.min((growth * since).max(first));
         let left = until - self.time;
         left / libm::ceil(left / wanted - 1e-9).max(1.0)
     }
