@@ -85,7 +85,7 @@ pub struct ValidateArgs {
     #[arg(long)]
     pub json: bool,
     /// Writes VALIDATION.md in the current folder and its pictures and pages under docs/.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "case")]
     pub write: bool,
 }
 

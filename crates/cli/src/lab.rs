@@ -27,14 +27,38 @@ fn table(report: &LabReport) -> String {
     if let Some(t) = report.stopped_at_s {
         line(format!("stopped at {t:.2} s"));
     }
+    for (i, t) in report.phases_ended_s.iter().enumerate() {
+        line(format!("phase {} ended at {t:.2} s", i + 1));
+    }
     for (name, series) in &report.probes {
         line(name.clone());
         series.iter().for_each(|[t, c]| line(format!("  {t:10.2} s  {c:10.4} °C")));
     }
+    for (name, series) in &report.flux {
+        line(format!("{name}, heat flux upwards"));
+        series.iter().for_each(|[t, q]| line(format!("  {t:10.2} s  {q:12.2} W/m²")));
+    }
     for (above, share) in &report.volume_pct_above {
         line(format!("volume ever above {above} °C: {share:.2} %"));
     }
-    line(format!("heat taken up: {:.4e} J", report.absorbed_j));
-    line(format!("all nodes, all times: {:.4} to {:.4} °C", report.min_c, report.max_c));
+    whole_run(report).into_iter().for_each(line);
     text
+}
+
+/// Numbers of the whole run, as far as the case has them.
+fn whole_run(report: &LabReport) -> Vec<String> {
+    let peak = report.core_peak_c.zip(report.core_peak_at_s);
+    let ratio = report.compared.as_ref().and_then(|c| c.stopped_at_s).zip(report.stopped_at_s);
+    [
+        peak.map(|(c, t)| format!("highest of the core: {c:.4} °C at {t:.2} s")),
+        report.evaporated_kg_m2.map(|kg| format!("evaporated: {kg:.4} kg/m²")),
+        report.evaporated_g.map(|g| format!("evaporated: {g:.3} g")),
+        report.crust_mm.map(|mm| format!("dried: {mm:.4} mm")),
+        ratio.map(|(other, this)| format!("with the other flips: {other:.2} s, {:.4} times as long", other / this)),
+        Some(format!("heat taken up: {:.4e} J", report.absorbed_j)),
+        Some(format!("all nodes, all times: {:.4} to {:.4} °C", report.min_c, report.max_c)),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }

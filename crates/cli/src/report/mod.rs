@@ -2,9 +2,9 @@
 
 mod curves;
 mod doneness;
-mod markup;
+pub mod markup;
 mod numbers;
-mod plot;
+pub mod plot;
 mod sections;
 
 use saute_kitchen::recorder::Row;

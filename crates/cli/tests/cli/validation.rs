@@ -1,18 +1,36 @@
 //! Promise: every validation case holds, and the lab explains itself.
 
-use crate::running::run;
+use std::path::Path;
 
+use crate::running::{Said, run, saute};
+
+/// One run for all that it promises: verdicts, progress, pages and pictures in a folder that has neither.
 #[test]
-fn every_validation_case_holds() {
-    let said = run(&["validate", "--json"]);
+fn every_validation_case_holds_and_its_page_is_written_with_pictures() {
+    let dir = tempfile::tempdir().unwrap();
+    let said: Said = saute().args(["validate", "--json", "--write"]).current_dir(dir.path()).output().unwrap().into();
     assert_eq!(said.code, Some(0), "{}{}", said.out, said.err);
+    assert!(said.err.contains("1 of "), "{}", said.err);
     let verdicts: serde_json::Value = serde_json::from_str(&said.out).unwrap();
     let cases = verdicts["cases"].as_array().unwrap();
-    assert!(cases.len() > 80, "only {} values", cases.len());
+    assert!(cases.len() > 140, "only {} values", cases.len());
     for case in cases {
         assert_eq!(case["pass"], true, "{case}");
         assert!(!case["source"].as_str().unwrap().is_empty(), "{case}");
     }
+    check_pages(dir.path());
+}
+
+fn check_pages(dir: &Path) {
+    let page = std::fs::read_to_string(dir.join("VALIDATION.md")).unwrap();
+    let linked: Vec<&str> =
+        page.split(['(', ')']).filter(|p| p.starts_with("docs/") && !p.contains(char::is_whitespace)).collect();
+    assert!(linked.len() > 20, "{linked:?}");
+    for link in linked {
+        assert!(dir.join(link).is_file(), "{link}");
+    }
+    let segments = std::fs::read_to_string(dir.join("docs/segments.md")).unwrap();
+    assert!(segments.lines().filter(|l| l.starts_with("| ")).count() > 30);
 }
 
 #[test]
@@ -43,4 +61,59 @@ fn the_lab_prints_every_key_and_refuses_bad_cases() {
     let said = run(&["lab", path.to_str().unwrap()]);
     assert_eq!(said.code, Some(2));
     assert!(said.err.contains("case.toml:4:") && said.err.contains("remedy:"), "{}", said.err);
+}
+
+#[test]
+fn the_heat_bench_tells_every_number_and_its_brick_is_exact() {
+    let said = run(&["bench", "heat", "--json"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let bench: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    let number = |pointer: &str| bench.pointer(pointer).and_then(serde_json::Value::as_f64).expect(pointer);
+    assert!(number("/brick/max_error_k") <= 0.1 && number("/brick/half_step_error_k") <= 0.1, "{bench}");
+    for pointer in [
+        "/brick/loop_s",
+        "/brick/nodes",
+        "/brick/steps",
+        "/updates_per_s",
+        "/bandwidth_fraction",
+        "/scaling/nodes/0",
+        "/scaling/seconds/0",
+        "/scaling/exponent",
+        "/steak/nodes",
+        "/steak/real_time_factor",
+    ] {
+        assert!(number(pointer) > 0.0, "{pointer}: {bench}");
+    }
+}
+
+#[test]
+fn the_lab_tells_fluxes_phases_and_vapour_and_its_schema_names_their_keys() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("stack.toml");
+    let stack = "duration_s = 60\n[pan]\nkind = \"cast-iron-26\"\ninitial_c = 200\nq_w_m2 = 5000\n\
+        [[body]]\nshape = \"slab\"\nsize_mm = [10]\ninitial_c = 20\ncontact_h_w_m2k = 900\n\
+        [[body]]\nshape = \"slab\"\nsize_mm = [5]\ninitial_c = 5\n\
+        [material]\nconductivity_w_mk = 0.48\ndensity_kg_m3 = 1050\nspecific_heat_j_kgk = 3500\nwater_kg_m3 = 700\n\
+        [[phase]]\nuntil = { at_s = 20 }\n[[phase]]\n[[phase.boundary]]\nface = \"top\"\nh_w_m2k = 15\nambient_c = 25\n\
+        [[probe]]\nname = \"border\"\nat_mm = [10]\nflux = true\n[report]\npeak_of = \"border\"\n";
+    std::fs::write(&path, stack).unwrap();
+    let said = run(&["lab", path.to_str().unwrap(), "--json"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let report: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    assert_eq!(report["phases_ended_s"][0], 20.0, "{report}");
+    assert!(
+        report["evaporated_kg_m2"].as_f64().unwrap() > 0.0 && report["core_peak_c"].as_f64().unwrap() > 5.0,
+        "{report}"
+    );
+    assert_eq!(report["flux"]["border"].as_array().unwrap().len(), report["probes"]["pan"].as_array().unwrap().len());
+    let schema = run(&["schema", "lab"]).out;
+    for key in ["contact_h_w_m2k", "juice", "rule", "phase", "until", "peak_of", "q_w_m2", "step_factor", "grading"] {
+        assert!(schema.contains(&format!("\"{key}\"")), "{key}");
+    }
+    for (from, to, line) in [("cast-iron-26", "wok", 3), ("at_mm = [10]", "at_mm = [16]", 29), ("0.48", "nan", 16)] {
+        std::fs::write(&path, stack.replace(from, to)).unwrap();
+        let said = run(&["lab", path.to_str().unwrap()]);
+        assert_eq!(said.code, Some(2), "{}", said.out);
+        assert!(said.err.contains(&format!("stack.toml:{line}:")) && said.err.contains("remedy:"), "{}", said.err);
+    }
 }

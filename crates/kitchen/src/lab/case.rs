@@ -7,6 +7,7 @@ use saute_heat::axis::End;
 use saute_heat::product::FaceBoundary;
 
 use crate::input_error::{InputError, InputText};
+use crate::lab::body::node_count;
 use crate::lab::case_file::{Contact, Physics, Shape};
 use crate::lab::check::Check;
 use crate::lab::material::Material;
@@ -132,6 +133,11 @@ pub struct ProbeCase {
 }
 
 impl Case {
+    /// Nodes of its mesh, to within a few.
+    pub fn node_count(&self) -> usize {
+        node_count(self.shape, &self.bodies) as usize
+    }
+
     /// Reads and checks a case. `file` is its name in messages.
     pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, InputError> {
         Check { input: InputText { text, file }, library }.case()

@@ -96,6 +96,13 @@ pub enum Quantity {
     LostPct,
 }
 
+impl Quantity {
+    /// Whether it is the temperature of a probe.
+    pub fn is_temperature(self) -> bool {
+        self == Self::Probe
+    }
+}
+
 /// An expected value, with exactly one of `tolerance` and `tolerance_pct`.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -190,7 +190,8 @@ impl Check<'_> {
         let properties = Properties::new(&self.library.components, &food.lean, &food.fat_melting);
         let fractions = [food.lean.water, food.lean.lean_solids(), food.lean.fat];
         let density = 1.0 / properties.volume(&fractions, kelvin(20.0));
-        let solid = Solid::Food { properties: Box::new(properties), masses: fractions.map(|x| x * density) };
+        let masses = fractions.map(|x| x * density);
+        let solid = Solid::Food { id: id.get_ref().clone(), properties: Box::new(properties), masses };
         Ok(Material { solid, boiling: None })
     }
 

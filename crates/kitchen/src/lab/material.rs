@@ -19,6 +19,8 @@ pub enum Solid {
     Constant(Constants),
     /// A food's raw lean tissue at the node's temperature, its mass fixed by its density at 20 °C.
     Food {
+        /// Its id in the library.
+        id: String,
         /// Tables of its components.
         properties: Box<Properties>,
         /// Water, lean solids and fat in a cubic metre [kg/m³].
@@ -46,7 +48,7 @@ impl Material {
     pub fn conductivity(&self, temperature: f64, dried: f64) -> f64 {
         let wet = match &self.solid {
             Solid::Constant(c) => c.conductivity,
-            Solid::Food { properties, masses } => properties.conductivity(masses, temperature),
+            Solid::Food { properties, masses, .. } => properties.conductivity(masses, temperature),
         };
         self.boiling.map_or(wet, |b| 1.0 / (dried / b.crust_conductivity + (1.0 - dried) / wet))
     }
@@ -55,7 +57,7 @@ impl Material {
     pub fn capacity(&self, temperature: f64) -> f64 {
         match &self.solid {
             Solid::Constant(c) => c.capacity,
-            Solid::Food { properties, masses } => properties.enthalpy(masses, temperature).1,
+            Solid::Food { properties, masses, .. } => properties.enthalpy(masses, temperature).1,
         }
     }
 

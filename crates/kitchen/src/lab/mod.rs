@@ -18,7 +18,7 @@ mod solver;
 mod verdict;
 
 pub use case::{BodyCase, Case, CookingCase, PanCase, Phase, ProbeCase, Until};
-pub use case_file::{CaseFile, Physics, Shape};
+pub use case_file::{CaseFile, Physics, Quantity, Shape};
 pub use material::{Boiling, Material, Solid};
 pub use report::LabReport;
 pub use run::run;

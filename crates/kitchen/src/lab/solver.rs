@@ -3,13 +3,14 @@
 use saute_heat::Rule;
 use saute_heat::axis::End;
 use saute_heat::boundary::Boundary;
-use saute_heat::product::{FaceBoundary, ProductOperator};
+use saute_heat::product::{Constants, FaceBoundary, ProductOperator};
 use saute_heat::super_step::SuperStep;
 use saute_heat::tensor::{Part, TensorBody};
 
 use crate::lab::body::mesh;
 use crate::lab::case::Case;
 use crate::lab::edge_system::EdgeSystem;
+use crate::lab::material::Material;
 
 /// Most stages of a super-step with constant properties at a step factor of 1 (chosen: the error in time stays well
 /// below that in space, which falls at its own order).
@@ -22,15 +23,29 @@ const SAFETY: f64 = 0.95;
 /// A step over the time since the last sudden change [-] (chosen: profiles grow as the square root of time, so equal
 /// shares of it cost equal accuracy).
 const GROWTH: f64 = 0.01;
+/// The same where properties are held over a step, which is then of first order in them [-] (chosen: less than 0.05 K).
+const GROWTH_VARYING: f64 = 0.04;
 /// First step of a lone plate over its time constant [-] (chosen: an error of 1e-4 of the way in each).
 const LUMPED_STEP: f64 = 0.01;
 
 /// How rates of change are computed.
 enum System {
     /// Constant properties under the shape functions.
-    Product(ProductOperator),
+    Product(Box<ProductOperator>),
     /// Anything else: edge by edge.
     Edges(Box<EdgeSystem>),
+}
+
+impl System {
+    fn new(case: &Case, body: &TensorBody) -> Self {
+        let layers: Option<Vec<Constants>> = case.materials.iter().map(Material::constants).collect();
+        match layers {
+            Some(layers) if case.rule == Rule::ShapeFunctions => {
+                Self::Product(Box::new(ProductOperator::new(body, &layers, &[])))
+            }
+            _ => Self::Edges(Box::new(EdgeSystem::new(case, body))),
+        }
+    }
 }
 
 /// The body and its present state.
@@ -65,7 +80,7 @@ impl Solver {
         let capacity: Vec<f64> = (0..n).map(|node| capacity(case, &body, node, &initial)).collect();
         let temperature = start(case, &body);
         let mut solver = Self {
-            system: System::Edges(Box::new(EdgeSystem::new(case, &body))),
+            system: System::new(case, &body),
             stored_at_start: stored(&temperature, &capacity),
             temperature,
             time: 0.0,
@@ -102,18 +117,15 @@ impl Solver {
         let turned = |&(axis, end, b): &FaceBoundary| (axis, if swapped(axis) { opposite(end) } else { end }, b);
         let boundaries: Vec<FaceBoundary> = self.boundaries.iter().map(turned).collect();
         self.hold_fixed_faces(&boundaries, case);
-        let constants: Option<Vec<_>> = case.materials.iter().map(|m| m.constants()).collect();
-        match constants {
-            Some(layers) if case.rule == Rule::ShapeFunctions => {
-                let operator = ProductOperator::new(&self.body, &layers, &boundaries);
+        match &mut self.system {
+            System::Product(operator) => {
+                let layers: Vec<Constants> = case.materials.iter().filter_map(Material::constants).collect();
+                **operator = ProductOperator::new(&self.body, &layers, &boundaries);
                 self.explicit = operator.stable_step();
-                self.system = System::Product(operator);
             }
-            _ => {
-                if let System::Edges(edges) = &mut self.system {
-                    edges.put_on(&self.body, &boundaries);
-                    self.explicit = edges.refresh(&self.body, case, &self.temperature);
-                }
+            System::Edges(edges) => {
+                edges.put_on(&self.body, &boundaries);
+                self.explicit = edges.refresh(&self.body, case, &self.temperature);
             }
         }
         self.changed_at = self.time;
@@ -133,15 +145,15 @@ impl Solver {
 
     /// Length of the next step on the way to `until` [s].
     pub(super) fn next_step(&self, until: f64, case: &Case) -> f64 {
-        let most = match &self.system {
-            System::Product(_) => SAFETY * SuperStep::reach(MOST_STAGES) * self.explicit,
-            System::Edges(edges) if edges.boils() => SAFETY * self.explicit,
-            System::Edges(edges) if edges.varies() => SAFETY * SuperStep::reach(MOST_STAGES_VARYING) * self.explicit,
-            System::Edges(_) => SAFETY * SuperStep::reach(MOST_STAGES) * self.explicit,
+        let (reach, growth) = match &self.system {
+            System::Edges(edges) if edges.boils() => (1.0, GROWTH),
+            System::Edges(edges) if edges.varies() => (SuperStep::reach(MOST_STAGES_VARYING), GROWTH_VARYING),
+            System::Product(_) | System::Edges(_) => (SuperStep::reach(MOST_STAGES), GROWTH),
         };
+        let most = SAFETY * reach * self.explicit;
         let since = self.time - self.changed_at;
         let first = if self.temperature.len() == 1 { LUMPED_STEP } else { SAFETY } * self.explicit;
-        let wanted = case.step_factor * most.min((GROWTH * since).max(first));
+        let wanted = case.step_factor * most.min((growth * since).max(first));
         let left = until - self.time;
         left / libm::ceil(left / wanted - 1e-9).max(1.0)
     }
@@ -164,7 +176,7 @@ impl Solver {
     fn super_step(&mut self, dt: f64, case: &Case) {
         let stages = SuperStep::stages_for(dt, self.explicit);
         match &mut self.system {
-            System::Product(operator) => self.step.advance(&mut self.temperature, dt, stages, operator),
+            System::Product(operator) => self.step.advance(&mut self.temperature, dt, stages, &**operator),
             System::Edges(edges) => {
                 if edges.varies() {
                     self.explicit = edges.refresh(&self.body, case, &self.temperature);

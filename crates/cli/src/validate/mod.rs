@@ -1,0 +1,85 @@
+//! `saute validate`.
+
+mod page;
+mod picture;
+mod segments;
+
+use std::process::ExitCode;
+use std::time::Instant;
+
+use saute_kitchen::Library;
+use saute_kitchen::cook_case::CookCase;
+use saute_kitchen::lab::{Case, LabReport, Verdict, run, verdicts};
+use serde::Serialize;
+
+use crate::args::ValidateArgs;
+use crate::error::CliError;
+use crate::shelf::Shelf;
+use crate::{stderr, stdout};
+
+/// Exit code when a case falls short.
+const SHORT: u8 = 1;
+
+/// All verdicts, as `--json` prints them.
+#[derive(Serialize)]
+struct Verdicts {
+    cases: Vec<Verdict>,
+}
+
+/// A case that has been run.
+struct CaseRun {
+    /// Name of its file.
+    id: String,
+    /// The case, if it is one of the lab.
+    lab: Option<Case>,
+    /// What came of it.
+    verdicts: Vec<Verdict>,
+}
+
+/// Runs the cases and tells their verdicts.
+pub fn validate(args: &ValidateArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+    let pages = args.write.then(page::Pages::prepare).transpose()?;
+    let runs = run_cases(args.case.as_deref(), shelf)?;
+    if let Some(pages) = pages {
+        stderr::say("pages and pictures");
+        pages.fill(&runs)?;
+    }
+    let verdicts = Verdicts { cases: runs.into_iter().flat_map(|r| r.verdicts).collect() };
+    stdout::print(&if args.json {
+        format!("{}\n", serde_json::to_string_pretty(&verdicts)?)
+    } else {
+        page::text(&verdicts.cases)
+    })?;
+    let all = verdicts.cases.iter().all(|v| v.pass);
+    Ok(if all { ExitCode::SUCCESS } else { ExitCode::from(SHORT) })
+}
+
+fn run_cases(only: Option<&str>, shelf: &Shelf) -> Result<Vec<CaseRun>, CliError> {
+    let cases = Library::validation_cases();
+    if let Some(id) = only.filter(|id| !cases.contains_key(*id)) {
+        let remedy = format!("use one of: {}", Library::names(&cases));
+        return Err(CliError::place(format!("--case {id}"), "there is no such case", remedy));
+    }
+    let chosen: Vec<_> = cases.iter().filter(|(id, _)| only.is_none_or(|o| o == *id)).collect();
+    let run = |(i, (id, text)): (usize, &(&String, &String))| {
+        stderr::say(format!("{} of {}: {id}", i + 1, chosen.len()));
+        run_case(id, text, &shelf.library)
+    };
+    chosen.iter().enumerate().map(run).collect()
+}
+
+fn run_case(id: &str, text: &str, library: &Library) -> Result<CaseRun, CliError> {
+    let file = format!("validation/{id}.toml");
+    if CookCase::is_one(text) {
+        let verdicts = CookCase::parse(text, &file, library)?.verdicts(library)?;
+        return Ok(CaseRun { id: id.to_owned(), lab: None, verdicts });
+    }
+    let case = Case::parse(text, &file, library)?;
+    let verdicts = verdicts(&case, &timed(&case));
+    Ok(CaseRun { id: id.to_owned(), lab: Some(case), verdicts })
+}
+
+fn timed(case: &Case) -> LabReport {
+    let start = Instant::now();
+    run(case, || start.elapsed().as_secs_f64())
+}

@@ -1,0 +1,142 @@
+//! The verdicts as text and as pages.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use saute_kitchen::lab::Verdict;
+
+use super::{CaseRun, picture, segments};
+use crate::error::CliError;
+use crate::out_file::OutFile;
+
+/// The table.
+const TABLE: &str = "VALIDATION.md";
+/// Where pictures lie.
+const PICTURES: &str = "docs/validation";
+/// The page of the segments.
+const SEGMENTS: &str = "docs/segments.md";
+
+/// The places of all pages and pictures, tried out.
+pub struct Pages {
+    table: OutFile,
+    segments: OutFile,
+}
+
+impl Pages {
+    /// Tries the places out.
+    pub fn prepare() -> Result<Self, CliError> {
+        fs::create_dir_all(PICTURES).map_err(|e| {
+            let remedy = "run it where you may write, as in the project's own folder";
+            CliError::place(PICTURES, format!("cannot be made: {e}"), remedy)
+        })?;
+        Ok(Self { table: OutFile::prepare(Path::new(TABLE))?, segments: OutFile::prepare(Path::new(SEGMENTS))? })
+    }
+
+    /// Draws and writes everything.
+    pub fn fill(self, runs: &[CaseRun]) -> Result<(), CliError> {
+        let mut drawn = vec![("errors".to_owned(), picture::errors(runs))];
+        drawn.extend(runs.iter().filter_map(|run| Some((run.id.clone(), picture::curves(run)?))));
+        let (page, pictures) = segments::page(runs);
+        drawn.extend(pictures);
+        for (name, svg) in &drawn {
+            OutFile::prepare(&picture_path(name))?.fill(svg.as_bytes())?;
+        }
+        self.segments.fill(page.as_bytes())?;
+        clear_old_pictures(&drawn)?;
+        let names: Vec<&str> = drawn.iter().map(|(name, _)| name.as_str()).collect();
+        self.table.fill(markdown(runs, &names).as_bytes())
+    }
+}
+
+/// Removes pictures of cases that are no more.
+fn clear_old_pictures(drawn: &[(String, String)]) -> Result<(), CliError> {
+    let clear = || {
+        for entry in fs::read_dir(PICTURES)? {
+            let path = entry?.path();
+            let kept = path.file_stem().is_none_or(|stem| drawn.iter().any(|(name, _)| stem == name.as_str()));
+            if path.extension().is_some_and(|e| e == "svg") && !kept {
+                fs::remove_file(&path)?;
+            }
+        }
+        Ok(())
+    };
+    clear().map_err(|e: std::io::Error| {
+        CliError::place(PICTURES, format!("old pictures cannot be removed: {e}"), "remove its .svg files by hand")
+    })
+}
+
+fn picture_path(name: &str) -> PathBuf {
+    Path::new(PICTURES).join(format!("{name}.svg"))
+}
+
+fn word(verdict: &Verdict) -> &'static str {
+    if verdict.pass { "holds" } else { "FALLS SHORT" }
+}
+
+/// A value, as many digits as it bears.
+pub fn number(value: Option<f64>) -> String {
+    value.map_or_else(|| "none".into(), |v| format!("{v:.4}"))
+}
+
+/// The table for a terminal.
+pub fn text(verdicts: &[Verdict]) -> String {
+    let mut text = String::new();
+    let mut name = "";
+    for v in verdicts {
+        if v.name != name {
+            name = &v.name;
+            let _ = writeln!(text, "{name}\n  {}", v.source);
+        }
+        let (got, error) = (number(v.got), number(v.error));
+        let _ = writeln!(
+            text,
+            "    {:<22} expected {:>11.4} ± {:<8.4} got {got:>11} {:<2} error {error:>9}  {}",
+            v.quantity,
+            v.expected,
+            v.tolerance,
+            v.unit,
+            word(v)
+        );
+    }
+    let held = verdicts.iter().filter(|v| v.pass).count();
+    let _ = writeln!(text, "{held} of {} values hold", verdicts.len());
+    text
+}
+
+fn markdown(runs: &[CaseRun], pictures: &[&str]) -> String {
+    let verdicts: Vec<&Verdict> = runs.iter().flat_map(|r| &r.verdicts).collect();
+    let held = verdicts.iter().filter(|v| v.pass).count();
+    let mut text = format!(
+        "# Validation\n\nWritten by `saute validate --write`. Every case is a file in `validation/`; the expected values come \
+         from outside this program. {held} of {} values hold. What the shape functions gain over the segments of earlier \
+         work stands in [docs/segments.md](docs/segments.md).\n\n![every error over its tolerance]({PICTURES}/errors.svg)\n\n\
+         | case | quantity | expected | tolerance | got | error | |\n|---|---|---:|---:|---:|---:|---|\n",
+        verdicts.len()
+    );
+    for run in runs {
+        for v in &run.verdicts {
+            let name = if pictures.contains(&run.id.as_str()) {
+                format!("[{}]({PICTURES}/{}.svg)", v.name, run.id)
+            } else {
+                v.name.clone()
+            };
+            let (got, error) = (number(v.got), number(v.error));
+            let _ = writeln!(
+                text,
+                "| {name} | {} [{}] | {:.4} | {:.4} | {got} | {error} | {} |",
+                v.quantity,
+                v.unit,
+                v.expected,
+                v.tolerance,
+                word(v)
+            );
+        }
+    }
+    text.push_str("\n## Sources\n\n");
+    let mut sources: Vec<&str> = verdicts.iter().map(|v| v.source.as_str()).collect();
+    sources.sort_unstable();
+    sources.dedup();
+    sources.iter().for_each(|s| text.push_str(&format!("- {s}\n")));
+    text
+}

@@ -1,0 +1,143 @@
+//! Pictures of the validation: curves with the expected values on them, and all errors at a glance.
+
+use std::fmt::Write;
+
+use saute_kitchen::lab::{Case, LabReport, Subject};
+
+use super::{CaseRun, timed};
+use crate::report::markup::escaped;
+use crate::report::plot::{Panel, Scale, nice_range, nice_step};
+
+/// Size [px].
+const SIZE: [f64; 2] = [720.0, 400.0];
+/// Edges of the panel: left, right, top, bottom [px].
+const EDGES: [f64; 4] = [52.0, 470.0, 46.0, 350.0];
+/// Points of a curve (chosen: one every other pixel).
+const POINTS: usize = 240;
+/// Colours of curves, told apart by eyes that see few (Okabe & Ito 2008).
+const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+/// Letters and lines of a picture that stands alone.
+const STYLE: &str = "text{font:12px sans-serif;fill:#222}.grid{stroke:#ddd;fill:none}.curve{fill:none;stroke-width:1.6}\
+     .title{font-weight:bold}.bound{stroke:#999;stroke-dasharray:4 3;fill:none}";
+
+/// A named curve.
+pub struct Curve {
+    /// Name in the legend.
+    pub name: String,
+    /// Time [s] and temperature [°C].
+    pub series: Vec<[f64; 2]>,
+    /// Drawn with dashes.
+    pub dashed: bool,
+    /// Place in the list of colours.
+    pub colour: usize,
+}
+
+/// The same case with its probes read often.
+pub fn dense(case: &Case) -> LabReport {
+    let outputs = (1..=POINTS).map(|i| case.duration * i as f64 / POINTS as f64).collect();
+    timed(&Case { outputs, compare: None, ..case.clone() })
+}
+
+/// Expected temperatures: probe, time [s], value [°C].
+pub fn expected(case: &Case) -> Vec<(&str, f64, f64)> {
+    let point = |e: &'_ saute_kitchen::lab::Expectation| match &e.subject {
+        Subject::Probe(quantity, name, time) if quantity.is_temperature() => {
+            // The name lives as long as the case does.
+            case.probes.iter().map(|p| p.name.as_str()).find(|n| n == name).map(|n| (n, *time, e.value))
+        }
+        _ => None,
+    };
+    case.expectations.iter().filter_map(point).collect()
+}
+
+/// The curves of a case with the expected values on them; none for a case that expects fewer than two temperatures.
+pub fn curves(run: &CaseRun) -> Option<String> {
+    let case = run.lab.as_ref()?;
+    let points = expected(case);
+    if points.len() < 2 {
+        return None;
+    }
+    let report = dense(case);
+    let curve = |(colour, (name, series)): (usize, (&String, &Vec<[f64; 2]>))| Curve {
+        name: name.clone(),
+        series: series.clone(),
+        dashed: false,
+        colour,
+    };
+    let curves: Vec<Curve> = report.probes.iter().enumerate().map(curve).collect();
+    Some(draw(&case.name, &curves, &points))
+}
+
+/// A picture of curves against time, with rings at expected values.
+pub fn draw(title: &str, curves: &[Curve], points: &[(&str, f64, f64)]) -> String {
+    let values = || curves.iter().flat_map(|c| c.series.iter().copied()).chain(points.iter().map(|p| [p.1, p.2]));
+    let end = values().map(|v| v[0]).fold(0.0, f64::max);
+    let (low, high) = values().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v[1]), h.max(v[1])));
+    let (range, step) = nice_range(low, high, 6.0);
+    let [left, right, top, bottom] = EDGES;
+    let panel = Panel { x: Scale::new([0.0, end], [left, right]), y: Scale::new(range, [bottom, top]), edges: EDGES };
+    let mut svg = panel.y_axis(range, step, "°C") + &panel.x_axis(end, nice_step(end, 6.0), 1.0, "time [s]");
+    for (row, curve) in curves.iter().enumerate() {
+        let colour = COLOURS[curve.colour % COLOURS.len()];
+        let dashes = if curve.dashed { " stroke-dasharray=\"6 4\"" } else { "" };
+        let path = panel.curve("", curve.series.iter().map(|p| (p[0], p[1])));
+        let y = top + 18.0 * row as f64;
+        let _ = write!(
+            svg,
+            "<g stroke=\"{colour}\"{dashes}>{path}<path class=\"curve\" d=\"M{:.0} {y:.0}h24\"/></g><text x=\"{:.0}\" y=\"{:.0}\">{}</text>",
+            right + 12.0,
+            right + 42.0,
+            y + 4.0,
+            escaped(&curve.name)
+        );
+    }
+    for (_, time, value) in points {
+        let (x, y) = (panel.x.at(*time), panel.y.at(*value));
+        let _ = write!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\" fill=\"none\" stroke=\"#222\"/>");
+    }
+    let y = top + 18.0 * curves.len() as f64;
+    let _ = write!(
+        svg,
+        "<circle cx=\"{:.0}\" cy=\"{y:.0}\" r=\"4\" fill=\"none\" stroke=\"#222\"/><text x=\"{:.0}\" y=\"{:.0}\">expected</text>",
+        right + 24.0,
+        right + 42.0,
+        y + 4.0
+    );
+    page(title, &svg)
+}
+
+fn page(title: &str, inside: &str) -> String {
+    let [width, height] = SIZE;
+    let title = escaped(title);
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" role=\"img\" \
+         aria-label=\"{title}\"><style>{STYLE}</style><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\
+         <text class=\"title\" x=\"16\" y=\"20\">{title}</text>{inside}</svg>\n"
+    )
+}
+
+/// Every error over its tolerance, in the order of the table: what lies between the dashed lines holds.
+pub fn errors(runs: &[CaseRun]) -> String {
+    let shares: Vec<f64> = runs
+        .iter()
+        .flat_map(|r| &r.verdicts)
+        .filter_map(|v| Some(v.error? / v.tolerance.max(f64::MIN_POSITIVE)))
+        .collect();
+    let [left, _, top, bottom] = EDGES;
+    let right = SIZE[0] - 16.0;
+    let panel = Panel {
+        x: Scale::new([0.0, shares.len() as f64], [left, right]),
+        y: Scale::new([-2.0, 2.0], [bottom, top]),
+        edges: [left, right, top, bottom],
+    };
+    let mut svg = panel.y_axis([-2.0, 2.0], 1.0, "error over tolerance");
+    for bound in [-1.0, 1.0] {
+        let _ = write!(svg, "<path class=\"bound\" d=\"M{left:.0} {:.1}H{right:.0}\"/>", panel.y.at(bound));
+    }
+    for (i, share) in shares.iter().enumerate() {
+        let colour = if share.abs() <= 1.0 { COLOURS[0] } else { COLOURS[1] };
+        let (x, y) = (panel.x.at(i as f64 + 0.5), panel.y.at(share.clamp(-2.0, 2.0)));
+        let _ = write!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.5\" fill=\"{colour}\"/>");
+    }
+    page("Every expected value: error over tolerance, in the order of the table", &svg)
+}

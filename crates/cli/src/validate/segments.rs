@@ -1,0 +1,119 @@
+//! Segments beside shape functions on the cases of the lab.
+
+use std::fmt::Write;
+
+use saute_kitchen::heat::Rule;
+use saute_kitchen::lab::{Case, Shape, Verdict, verdicts};
+
+use super::page::number;
+use super::picture::{Curve, dense, draw, expected};
+use super::{CaseRun, timed};
+
+/// Cases with more nodes are left out: segments are summed edge by edge (chosen: some seconds each).
+const MOST_NODES: usize = 40_000;
+/// Pictures (chosen: the cases in which segments stray farthest).
+const PICTURES: usize = 3;
+
+/// A case under both rules.
+struct Pair<'a> {
+    run: &'a CaseRun,
+    case: Case,
+    segments: Vec<Verdict>,
+    /// Segments on a mesh that is not graded.
+    even: Vec<Verdict>,
+}
+
+impl Pair<'_> {
+    /// Largest error of the segments over its tolerance [-].
+    fn worst(&self) -> f64 {
+        let shares = self.segments.iter().map(|v| v.error.map_or(f64::INFINITY, |e| e.abs() / v.tolerance));
+        shares.fold(0.0, f64::max)
+    }
+}
+
+/// The page, and its pictures by name.
+pub fn page(runs: &[CaseRun]) -> (String, Vec<(String, String)>) {
+    let mut pairs: Vec<Pair> = runs.iter().filter_map(pair).collect();
+    let mut text = String::from(INTRODUCTION);
+    for pair in &pairs {
+        for ((shape, segment), even) in pair.run.verdicts.iter().zip(&pair.segments).zip(&pair.even) {
+            let _ = writeln!(
+                text,
+                "| {} | {} [{}] | {:.4} | {:.4} | {} | {} | {} |",
+                shape.name,
+                shape.quantity,
+                shape.unit,
+                shape.expected,
+                shape.tolerance,
+                number(shape.error),
+                number(segment.error),
+                number(even.error)
+            );
+        }
+    }
+    let held = |of: fn(&Pair) -> usize| pairs.iter().map(of).sum::<usize>();
+    let _ = writeln!(
+        text,
+        "\nOf {} values {} hold under the shape functions, {} under the segments on the same mesh, and {} under the segments \
+         on an even mesh.",
+        held(|p| p.segments.len()),
+        held(|p| holding(&p.run.verdicts)),
+        held(|p| holding(&p.segments)),
+        held(|p| holding(&p.even))
+    );
+    pairs.retain(|p| expected(&p.case).len() >= 2);
+    pairs.sort_by(|a, b| b.worst().total_cmp(&a.worst()));
+    let pictures: Vec<(String, String)> = pairs.iter().take(PICTURES).map(picture).collect();
+    for (name, _) in &pictures {
+        let _ = writeln!(text, "\n![{name}](validation/{name}.svg)");
+    }
+    (text, pictures)
+}
+
+const INTRODUCTION: &str = "# What the shape functions gain\n\nWritten by `saute validate --write`. Earlier work took every edge \
+    of a mesh for a rod: conductance k · V^(2/3) / length, with V the mean of both nodes' shares of the volume; capacity \
+    ρ c V; heat enters at the vertices within a stated distance of the pan (here: the nodes on the face, each with its \
+    share of it). Linear shape functions take the area over length of the cells that meet at the edge instead.\n\n\
+    The rods are right inside a lattice of cubes and nowhere else. At a face the cells are halved, and the rods along it \
+    and into it are too thick for them; where a mesh gets finer towards a face, the rods across its flat cells are too \
+    thin. Finer meshes do not help as long as the cells keep their proportions.\n\n\
+    Below are the lab's slabs and boxes under both rules. A slab counts as a column as wide as its mean spacing. The last \
+    column is the kindest to the segments: a mesh without grading.\n\n\
+    | case | quantity | expected | tolerance | error, shape functions | error, segments | error, segments, even mesh |\n\
+    |---|---|---:|---:|---:|---:|---:|\n";
+
+fn holding(verdicts: &[Verdict]) -> usize {
+    verdicts.iter().filter(|v| v.pass).count()
+}
+
+/// A case under the segments; none where the rule has nothing to say or the case is large.
+fn pair(run: &CaseRun) -> Option<Pair<'_>> {
+    let lab = run.lab.as_ref().filter(|c| c.rule == Rule::ShapeFunctions && c.bodies.len() == 1)?;
+    let plain = matches!(lab.shape, Shape::Slab | Shape::Box)
+        && lab.materials.iter().all(|m| m.constants().is_some())
+        && lab.compare.is_none();
+    if !plain || lab.node_count() > MOST_NODES {
+        return None;
+    }
+    let case = Case { rule: Rule::Segments, ..lab.clone() };
+    let segments = verdicts(&case, &timed(&case));
+    let mut even = case.clone();
+    even.bodies.iter_mut().for_each(|b| b.grading = 0.0);
+    let even = verdicts(&even, &timed(&even));
+    Some(Pair { run, case, segments, even })
+}
+
+fn picture(pair: &Pair) -> (String, String) {
+    let mut curves = Vec::new();
+    for (rule, name, dashed) in [(Rule::ShapeFunctions, "shape functions", false), (Rule::Segments, "segments", true)] {
+        let report = dense(&Case { rule, ..pair.case.clone() });
+        let named = report.probes.into_iter().enumerate();
+        curves.extend(named.map(|(colour, (probe, series))| Curve {
+            name: format!("{probe}, {name}"),
+            series,
+            dashed,
+            colour,
+        }));
+    }
+    (format!("segments-{}", pair.run.id), draw(&pair.case.name, &curves, &expected(&pair.case)))
+}
