@@ -47,7 +47,7 @@ struct Painted {
 /// From here on every cooking oil smokes [°C] (refined oils 200–270).
 const TOO_HOT_C: f64 = 270.0;
 /// Height of the picture of the cut at most [points].
-const CUT_HEIGHT: f32 = 78.0;
+const CUT_HEIGHT: f32 = 84.0;
 /// Room for two lines of advice [points].
 const ADVICE_HEIGHT: f32 = 40.0;
 
@@ -151,11 +151,12 @@ fn readings(app: &SauteApp, ui: &mut Ui) {
     let rows = [
         [("Core", temperature(piece.core())), ("Pan", temperature(kitchen.pan_temperature()))],
         [("Underside", temperature(piece.face(true))), ("Upper side", temperature(piece.face(false)))],
-        [("Mass", format!("{mass:.0} g")), ("Lost", format!("{lost:.1} %"))],
+        [("Mass", grams(mass)), ("Lost", format!("{:.1} %", tidy(lost)))],
         [("Hardness", format!("{hardness:.1} × raw")), ("Juiciness", format!("{juiciness:.0} %"))],
         [("Time", clock(kitchen.time_s())), ("Since flip", since.map_or_else(|| "–".into(), clock))],
     ];
-    egui::Grid::new("readings").num_columns(4).min_col_width(56.0).spacing(vec2(10.0, 4.0)).show(ui, |ui| {
+    ui.spacing_mut().interact_size.y = 21.0;
+    egui::Grid::new("readings").num_columns(4).min_col_width(56.0).spacing(vec2(10.0, 3.0)).show(ui, |ui| {
         for row in rows {
             for (name, value) in row {
                 ui.label(RichText::new(name).size(12.5).color(theme::QUIET));
@@ -166,6 +167,16 @@ fn readings(app: &SauteApp, ui: &mut Ui) {
     });
 }
 
+/// A mass with as many places as it takes to see it change.
+fn grams(mass: f64) -> String {
+    if mass < 50.0 { format!("{mass:.1} g") } else { format!("{mass:.0} g") }
+}
+
+/// A percentage rounded to a tenth; adding zero turns −0.0 into 0.0, which would print as −0.0.
+fn tidy(percent: f64) -> f64 {
+    (10.0 * percent).round() / 10.0 + 0.0
+}
+
 /// Minutes and seconds.
 pub fn clock(seconds: f64) -> String {
     let whole = seconds.max(0.0) as u64;
@@ -173,12 +184,16 @@ pub fn clock(seconds: f64) -> String {
 }
 
 fn goal(app: &mut SauteApp, ui: &mut Ui) {
+    let Some(scale) = app.scale() else {
+        show_advice(app, ui);
+        return;
+    };
     ui.horizontal(|ui| {
-        ui.spacing_mut().button_padding.x = 7.0;
-        ui.label(RichText::new("Goal").size(12.5).color(theme::QUIET));
-        if let Some(scale) = app.scale() {
-            goals(&mut app.settings, ui, &scale);
-        }
+        let many = scale.class.len() > 4;
+        (ui.spacing_mut().button_padding.x, ui.spacing_mut().item_spacing.x) =
+            if many { (4.0, 2.0) } else { (7.0, 8.0) };
+        ui.label(RichText::new("Goal").size(if many { 11.0 } else { 12.5 }).color(theme::QUIET));
+        goals(&mut app.settings, ui, &scale);
         let mut degrees = app.settings.degrees(app.settings.goal_c);
         let range = app.settings.degrees(45.0)..=app.settings.degrees(85.0);
         let drag =
@@ -197,7 +212,7 @@ fn goal(app: &mut SauteApp, ui: &mut Ui) {
 fn goals(settings: &mut Settings, ui: &mut Ui, scale: &Scale) {
     for class in scale.class.iter().skip(1) {
         let goal = class.from_c + GOAL_INTO_CLASS;
-        let name = RichText::new(&class.name).size(if scale.class.len() > 4 { 12.5 } else { 15.0 });
+        let name = RichText::new(&class.name).size(if scale.class.len() > 4 { 11.5 } else { 15.0 });
         if ui.selectable_label((settings.goal_c - goal).abs() < 0.5, name).clicked() {
             settings.goal_c = goal;
         }
@@ -231,19 +246,18 @@ fn advice(app: &mut SauteApp) -> (String, bool) {
             ("The pan is too hot and the oil smokes: turn the hob down, or use the wet cloth.".into(), true)
         }
         (Place::Waiting, _) => (format!("The pan is hot. Put the {} in.", app.session.noun()), true),
+        (Place::Pan(_), _) if app.scale().is_none() && wet_below(piece) => {
+            ("The underside is wet; it browns once dry.".into(), false)
+        }
+        (Place::Pan(_), _) if app.scale().is_none() => {
+            ("It browns below: flip it, or take it out, when you like it.".into(), false)
+        }
         (Place::Pan(_), Some(f)) if f.peak_c >= goal => {
             (format!("Take it out now: resting will bring the core to {}.", app.settings.temperature(f.peak_c)), true)
         }
         (Place::Pan(_), Some(f)) => {
             let later = format!("Taken out now, the core would peak at {}.", app.settings.temperature(f.peak_c));
-            (
-                if wet_below(piece) {
-                    format!("{later} The underside is wet; it will brown when it dries.")
-                } else {
-                    later
-                },
-                false,
-            )
+            (if wet_below(piece) { format!("{later} The underside is wet; it browns once dry.") } else { later }, false)
         }
         (Place::Rest(_), _) => {
             let peak = app.settings.temperature(celsius(piece.core_peak.0));
