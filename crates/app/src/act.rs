@@ -19,7 +19,7 @@ pub enum Act {
     HobSet(f64),
     /// Wet cloth under the pan.
     Cloth,
-    /// The steak into the pan.
+    /// The food into the pan.
     Put,
     /// Turn it over.
     Flip,
@@ -31,6 +31,8 @@ pub enum Act {
     View(View),
     /// The other colour map.
     Map,
+    /// The next scale of doneness.
+    Scale,
     /// Cut on or off.
     Slice,
     /// Moves the cut.
@@ -43,7 +45,7 @@ pub enum Act {
     Zoom(f32),
     /// Turns the eye [rad].
     Orbit(f32, f32),
-    /// Steak and pan choices.
+    /// Food and pan choices.
     Pantry,
     /// Curves on or off.
     Curves,
@@ -74,10 +76,10 @@ const fn bind(key: Key, written: &'static str, act: Act, words: &'static str) ->
 }
 
 /// All keys, in the order in which the help lists them.
-pub const BINDINGS: [Binding; 33] = [
-    bind(Key::P, "P", Act::Put, "steak into the pan"),
-    bind(Key::F, "F", Act::Flip, "flip the steak"),
-    bind(Key::O, "O", Act::Out, "steak onto the board"),
+pub const BINDINGS: [Binding; 34] = [
+    bind(Key::P, "P", Act::Put, "food into the pan"),
+    bind(Key::F, "F", Act::Flip, "flip the food"),
+    bind(Key::O, "O", Act::Out, "food onto the board"),
     bind(Key::E, "E", Act::Hob(1), "hob one step up"),
     bind(Key::Q, "Q", Act::Hob(-1), "hob one step down"),
     bind(Key::W, "W", Act::Cloth, "pan onto the wet cloth"),
@@ -86,11 +88,12 @@ pub const BINDINGS: [Binding; 33] = [
     bind(Key::CloseBracket, "]", Act::Speed(1), "faster: 1×, 5×, 20×"),
     bind(Key::OpenBracket, "[", Act::Speed(-1), "slower"),
     bind(Key::R, "R", Act::Restart, "start over"),
-    bind(Key::N, "N", Act::Pantry, "choose steak and pan"),
+    bind(Key::N, "N", Act::Pantry, "choose food and pan"),
     bind(Key::Num1, "1", Act::View(View::Look), "natural look"),
     bind(Key::Num2, "2", Act::View(View::Temperature), "temperature"),
     bind(Key::Num3, "3", Act::View(View::Doneness), "doneness"),
     bind(Key::M, "M", Act::Map, "other temperature colours"),
+    bind(Key::D, "D", Act::Scale, "other scale of doneness"),
     bind(Key::X, "X", Act::Slice, "cut on, off"),
     bind(Key::J, "J", Act::SliceBy(-0.05), "cut to the left"),
     bind(Key::L, "L", Act::SliceBy(0.05), "cut to the right"),

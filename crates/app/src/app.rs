@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use egui::{Rect, Ui};
+use saute_kitchen::food::Scale;
 use saute_kitchen::{Command, Library, Place, Recipe, RestOn};
 use web_time::Duration;
 
@@ -18,7 +19,7 @@ use crate::scene::ground::GroundCallback;
 use crate::scene_view::SceneView;
 use crate::session::{SPEEDS, STEAK, Session};
 use crate::settings::Settings;
-use crate::stage::{Places, Stage, following};
+use crate::stage::{Places, Stage, fitting, following, nearness};
 use crate::theme;
 
 /// Where settings are remembered.
@@ -71,7 +72,7 @@ pub enum StartError {
 }
 
 impl SauteApp {
-    /// Sets out the remembered steak, or plays the given recipe.
+    /// Sets out the remembered food, or plays the given recipe.
     pub fn new(cc: &eframe::CreationContext<'_>, start: Start) -> Result<Self, StartError> {
         let stored = cc.storage.and_then(|s| s.get_string(SETTINGS_KEY));
         Self::start(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), stored, start)
@@ -166,6 +167,7 @@ impl SauteApp {
             Act::Restart => self.restart(),
             Act::View(view) => self.settings.view = view,
             Act::Map => self.next_map(),
+            Act::Scale => self.next_scale(),
             Act::Slice => self.toggle_slice(),
             Act::SliceBy(by) => self.slice = Some((self.slice.unwrap_or(0.0) + by).clamp(-0.95, 0.95)),
             Act::Units => self.settings.fahrenheit = !self.settings.fahrenheit,
@@ -248,9 +250,39 @@ impl SauteApp {
         };
     }
 
+    /// The scale that was chosen; where the data no longer knows it, the first.
+    pub fn chosen_scale(&self) -> Option<&Arc<Scale>> {
+        let library = &self.session.library;
+        library.scale(&self.settings.scale).or_else(|| library.scales.first())
+    }
+
+    /// The chosen scale of doneness, where it says anything about the food.
+    pub fn scale(&self) -> Option<Arc<Scale>> {
+        fitting(&self.session.kitchen, self.chosen_scale()?)
+    }
+
+    pub(crate) fn choose_scale(&mut self, scale: &Scale) {
+        self.settings.scale.clone_from(&scale.id);
+        self.notice.say(match self.scale() {
+            Some(_) => format!("Scale of doneness: {}.", scale.name),
+            None => format!("Scale of doneness for meat: {}.", scale.name),
+        });
+    }
+
+    fn next_scale(&mut self) {
+        let scales = &self.session.library.scales;
+        let now = scales.iter().position(|s| s.id == self.settings.scale).unwrap_or(0);
+        if let Some(next) = scales.get((now + 1) % scales.len().max(1)).cloned() {
+            self.choose_scale(&next);
+        }
+    }
+
     fn next_camera(&mut self) {
         self.camera_preset = (self.camera_preset + 1) % 3;
         self.camera = [Camera::three_quarter, Camera::above, Camera::close_up][self.camera_preset]();
+        if self.camera_preset == 2 {
+            self.camera.zoom(self.session.steak().map_or(1.0, nearness));
+        }
         let on_board = matches!(self.session.steak().map(|p| p.place), Some(Place::Rest(_) | Place::Waiting));
         if self.camera_preset == 2 && on_board {
             self.camera.target = crate::stage::FIRST_ON_BOARD;
@@ -295,7 +327,7 @@ impl SauteApp {
     #[cfg(target_arch = "wasm32")]
     fn take_dropped_files(&mut self, ctx: &egui::Context) {
         if ctx.input(|i| !i.raw.dropped_files.is_empty()) {
-            self.notice.say("Files cannot be dropped on the page yet; choose a recipe under \"Steak…\".");
+            self.notice.say("Files cannot be dropped on the page yet; choose one in the list beside the food.");
         }
     }
 

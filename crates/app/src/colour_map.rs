@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use saute_kitchen::food::{Class, Lab, ZERO_C};
+use saute_kitchen::food::{Lab, Scale, ZERO_C};
 
 /// A table of 256 sRGB colours over a range of temperatures.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,19 +60,55 @@ impl TemperatureMap {
     }
 }
 
-/// Colours of raw, rare, medium, well-done: lightness differs as well as hue.
-pub const CLASS_COLOURS: [[u8; 3]; 4] = [[120, 16, 40], [205, 62, 72], [236, 150, 130], [142, 108, 86]];
-
-/// Colour of a class.
-pub fn class_colour(class: Class) -> [u8; 3] {
-    CLASS_COLOURS[class as usize]
+/// How a class of doneness is painted: a colour, and a pattern that goes with it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tone {
+    /// The least done.
+    Raw,
+    /// Warm and red.
+    Rare,
+    /// Between rare and medium, where a scale knows it.
+    MediumRare,
+    /// Pink.
+    Medium,
+    /// The most done.
+    WellDone,
 }
 
-/// The map of classes over peak temperatures: stepped at 50, 60 and 70 °C.
-pub fn doneness_map() -> ColourMap {
+impl Tone {
+    /// The tones of a scale with so many classes, from the least done on.
+    pub fn of_scale(classes: usize) -> &'static [Self] {
+        match classes {
+            0..=2 => &[Self::Raw, Self::WellDone],
+            3 => &[Self::Raw, Self::Medium, Self::WellDone],
+            4 => &[Self::Raw, Self::Rare, Self::Medium, Self::WellDone],
+            _ => &[Self::Raw, Self::Rare, Self::MediumRare, Self::Medium, Self::WellDone],
+        }
+    }
+
+    /// The tone of a class, by its place in a scale.
+    pub fn of(scale: &Scale, class: usize) -> Self {
+        let tones = Self::of_scale(scale.class.len());
+        tones[class.min(tones.len() - 1)]
+    }
+
+    /// Its colour: lightness differs as well as hue (chosen; medium-rare lies between its neighbours).
+    pub fn colour(self) -> [u8; 3] {
+        match self {
+            Self::Raw => [120, 16, 40],
+            Self::Rare => [205, 62, 72],
+            Self::MediumRare => [222, 106, 98],
+            Self::Medium => [236, 150, 130],
+            Self::WellDone => [142, 108, 86],
+        }
+    }
+}
+
+/// The map of a scale's classes over peak temperatures, in steps of half a kelvin.
+pub fn doneness_map(scale: &Scale) -> ColourMap {
     let (from_c, to_c) = (0.0, 127.5);
-    let table =
-        std::array::from_fn(|i| class_colour(Class::of(ZERO_C + from_c + (to_c - from_c) * (i as f64 + 0.01) / 255.0)));
+    let class = |i: usize| scale.class_of(ZERO_C + from_c + (to_c - from_c) * (i as f64 + 0.01) / 255.0);
+    let table = std::array::from_fn(|i| Tone::of(scale, class(i)).colour());
     ColourMap { table: Arc::new(table), from_c, to_c, stepped: true }
 }
 
@@ -194,16 +230,23 @@ mod tests {
     }
 
     #[test]
-    fn classes_change_at_50_60_and_70() {
-        let map = doneness_map();
-        for (c, class) in [
-            (49.0, Class::Raw),
-            (51.0, Class::Rare),
-            (61.0, Class::Medium),
-            (71.0, Class::WellDone),
-            (150.0, Class::WellDone),
-        ] {
-            assert_eq!(map.colour(c), class_colour(class), "{c}");
+    fn classes_change_where_their_scale_says() {
+        let library = saute_kitchen::Library::embedded().expect("embedded data");
+        for scale in &library.scales {
+            let map = doneness_map(scale);
+            for (place, class) in scale.class.iter().enumerate().skip(1) {
+                let near = |c: f64| map.colour(class.from_c + c);
+                assert_eq!(near(-0.6), Tone::of(scale, place - 1).colour(), "{} {}", scale.id, class.name);
+                assert_eq!(near(0.6), Tone::of(scale, place).colour(), "{} {}", scale.id, class.name);
+            }
+            assert_eq!(map.colour(150.0), Tone::WellDone.colour());
         }
+    }
+
+    #[test]
+    fn medium_rare_lies_between_its_neighbours_and_no_two_neighbours_are_of_one_lightness() {
+        let l: Vec<f64> = Tone::of_scale(5).iter().map(|t| lightness(t.colour())).collect();
+        assert!(l.windows(2).all(|w| (w[0] - w[1]).abs() > 8.0), "{l:?}");
+        assert!(l[1] < l[2] && l[2] < l[3], "{l:?}");
     }
 }

@@ -13,10 +13,12 @@ use crate::colour_map::ColourMap;
 use crate::scene::input::{FatVolume, FoodMesh, FoodVertex, SliceLook};
 use crate::view::View;
 
-/// Radius of the rounded rim between a big face and the side [m] (chosen: a cut steak; only the picture is rounded).
+/// Radius of the rounded rim between a big face and the side of a steak [m] (chosen; only the picture is rounded).
 const RIM_RADIUS: f32 = 1.6e-3;
-/// How far the drawn surface strays from the smooth shape [m], and over which distance [m] (chosen: hand-cut).
+/// How far the drawn surface of a steak strays from the smooth shape [m], and over which distance [m] (chosen: hand-cut).
 const UNEVEN: [f64; 2] = [0.7e-3, 11.0e-3];
+/// Least extent of a piece to which both apply; with a smaller one they shrink [m] (chosen: a thick steak).
+const TUNED_FOR: f64 = 0.022;
 /// Largest number of cells of the marbling volume (chosen: 0.9 mm cells in a default steak).
 const FAT_CELLS: f64 = 3.2e5;
 
@@ -28,6 +30,17 @@ pub struct Skin {
     nodes: Vec<u32>,
     positions: Vec<[f32; 3]>,
     normals: Vec<[f32; 3]>,
+}
+
+/// How much smaller rim and unevenness are than those of a steak [-].
+fn fineness(model: &FoodModel) -> f64 {
+    let least = model.size.iter().fold(f64::INFINITY, |least, v| least.min(*v));
+    (least / TUNED_FOR).min(1.0)
+}
+
+/// Radius of the rounded rim of a piece [m].
+fn rim_radius(model: &FoodModel) -> f32 {
+    RIM_RADIUS * fineness(model) as f32
 }
 
 impl Skin {
@@ -58,7 +71,7 @@ impl Skin {
                 Some(out) => (*out * 0.7 + Vec3::Z * up).normalize(),
                 None => Vec3::Z * up,
             };
-            self.push(model, level, i, out.unwrap_or(Vec3::ZERO) * -RIM_RADIUS, normal);
+            self.push(model, level, i, out.unwrap_or(Vec3::ZERO) * -rim_radius(model), normal);
         }
         for t in &model.mesh.section.triangles {
             let [a, b, c] = t.map(|i| first + i);
@@ -75,7 +88,7 @@ impl Skin {
             for (level, &z) in model.mesh.levels.iter().enumerate() {
                 let [sine, cosine] = rim(model, level);
                 let up = if 2.0 * z as f32 > thickness { 1.0 } else { -1.0 };
-                let inset = *out * (-RIM_RADIUS * (1.0 - cosine));
+                let inset = *out * (-rim_radius(model) * (1.0 - cosine));
                 self.push(model, level, i, inset, (*out * (cosine + 0.3) + Vec3::Z * (up * sine)).normalize());
             }
         }
@@ -90,7 +103,7 @@ impl Skin {
 
     fn push(&mut self, model: &FoodModel, level: usize, i: usize, shift: Vec3, normal: Vec3) {
         let p = rest_position(model, level, model.mesh.section.points[i]);
-        let p = p + shift + uneven(p, model.mesh.thickness() as f32);
+        let p = p + shift + uneven(p, model);
         self.nodes.push(model.mesh.node(level, i) as u32);
         self.positions.push(p.to_array());
         self.normals.push(normal.to_array());
@@ -161,7 +174,7 @@ pub fn slice(model: &FoodModel, state: &FoodState, x: f64, view: View, map: Opti
 
 /// The ends of the cut follow the rounded rim [m].
 fn end_inset(model: &FoodModel, level: usize, place: usize, count: usize) -> f64 {
-    let inset = f64::from(RIM_RADIUS * (1.0 - rim(model, level)[1]));
+    let inset = f64::from(rim_radius(model) * (1.0 - rim(model, level)[1]));
     match place {
         0 => inset,
         _ if place + 1 == count => -inset,
@@ -172,7 +185,8 @@ fn end_inset(model: &FoodModel, level: usize, place: usize, count: usize) -> f64
 /// Sine and cosine of the angle at which the rounded rim leans at a level.
 fn rim(model: &FoodModel, level: usize) -> [f32; 2] {
     let (z, thickness) = (model.mesh.levels[level] as f32, model.mesh.thickness() as f32);
-    let sine = 1.0 - z.min(thickness - z).min(RIM_RADIUS) / RIM_RADIUS;
+    let radius = rim_radius(model);
+    let sine = 1.0 - z.min(thickness - z).min(radius) / radius;
     [sine, (1.0 - sine * sine).sqrt()]
 }
 
@@ -245,8 +259,9 @@ fn vertex(model: &FoodModel, a: Appearance, moisture: f64, field: f32, place: Pl
 }
 
 /// A hand-cut surface: faces undulate, and the side with them. Where both meet, both give the same.
-fn uneven(p: Vec3, thickness: f32) -> Vec3 {
-    let wave = |seed: u64| (UNEVEN[0] * fractal(seed, p.to_array().map(|v| f64::from(v) / UNEVEN[1]))) as f32;
+fn uneven(p: Vec3, model: &FoodModel) -> Vec3 {
+    let (thickness, [height, run]) = (model.mesh.thickness() as f32, UNEVEN.map(|v| v * fineness(model)));
+    let wave = |seed: u64| (height * fractal(seed, p.to_array().map(|v| f64::from(v) / run))) as f32;
     let face = (2.0 * p.z.abs() / thickness).powi(8);
     Vec3::new(wave(21), wave(22), wave(23) * face)
 }

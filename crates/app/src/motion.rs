@@ -12,6 +12,10 @@ const MOVE_S: f32 = 0.45;
 /// How high a piece is lifted on its way [m] (chosen: over the rim).
 const LIFT: f32 = 0.075;
 
+/// How far a piece's middle moves in a frame as it swells, shrinks or bends, which is no move [m] (chosen: more than any
+/// food does, less than a hand does).
+const BENDS: f32 = 3.0e-3;
+
 #[derive(Clone, Copy, Debug)]
 struct Motion {
     from: Pose,
@@ -76,7 +80,10 @@ impl Motion {
     }
 
     fn advance(&mut self, target: Pose, wall: f32) {
-        if self.to != target {
+        let bent = self.to.position.distance(target.position) < BENDS;
+        if bent && (self.to.turn, self.to.yaw) == (target.turn, target.yaw) {
+            self.to = target;
+        } else {
             *self = Self { from: at(self), to: target, progress: 0.0 };
         }
         self.progress = (self.progress + wall / MOVE_S).min(1.0);
@@ -91,5 +98,24 @@ fn at(motion: &Motion) -> Pose {
         position: motion.from.position.lerp(motion.to.position, s) + Vec3::Z * lift,
         turn: motion.from.turn + (motion.to.turn - motion.from.turn) * s,
         yaw: motion.from.yaw + (motion.to.yaw - motion.from.yaw) * s,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_piece_that_bends_stays_where_it_lies_and_one_that_is_moved_goes_there() {
+        let pose = |x: f32, z: f32| Pose { position: Vec3::new(x, 0.0, z), turn: 0.0, yaw: 0.0 };
+        let mut motion = Motion::resting(pose(0.0, 0.010));
+        for k in 0..50u8 {
+            motion.advance(pose(0.0, 0.010 + 1e-4 * f32::from(k)), 0.05);
+            assert!(motion.progress >= 1.0, "it hops");
+        }
+        motion.advance(pose(0.2, 0.015), 0.05);
+        assert!(motion.progress < 1.0);
+        (0..10).for_each(|_| motion.advance(pose(0.2, 0.0151), 0.05));
+        assert!(motion.progress >= 1.0 && at(&motion).position.distance(Vec3::new(0.2, 0.0, 0.0151)) < 1e-6);
     }
 }

@@ -46,13 +46,14 @@ impl SauteApp {
         self.camera.shift = layout.lens_shift();
         let response = ui.interact(rect, ui.scope_id().with("scene"), Sense::click_and_drag());
         response.widget_info(|| {
-            egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, "Pan and steak; drag to look around")
+            egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, "Pan and food; drag to look around")
         });
         self.take_mouse(ui, &response, rect);
         let options = StageOptions {
             camera: self.camera.clone(),
             view: self.settings.view,
             map: self.settings.map,
+            scale: self.scale(),
             slice: self.slice,
             flat: false,
         };

@@ -6,7 +6,7 @@ use saute_kitchen::food::readings::changed_at;
 use saute_kitchen::food::{FoodModel, FoodState, Lab, Side};
 use saute_kitchen::heat::Cut;
 
-use crate::colour_map::TemperatureMap;
+use crate::colour_map::ColourMap;
 use crate::view::View;
 
 /// An RGBA picture, 8 bits a channel, sRGB, rows from the top.
@@ -28,13 +28,13 @@ struct Sample {
 }
 
 /// Paints the cut at distance `x` [m] from the centroid along the longest axis, as the piece lies, at `per_mm` pixels
-/// a millimetre; transparent outside the piece.
+/// a millimetre, with the view's colours where it has any; transparent outside the piece.
 pub fn section_picture(
     model: &FoodModel,
     state: &FoodState,
     x: f64,
     view: View,
-    map: TemperatureMap,
+    colours: Option<&ColourMap>,
     per_mm: f64,
 ) -> Picture {
     let cut = model.cut_across(x);
@@ -46,8 +46,7 @@ pub fn section_picture(
     // The picture shows the present size; within it the shape is stretched evenly.
     let width = (((last.along - first.along) * state.stretch.lateral * 1e3 * per_mm).round() as usize).max(1);
     let height = ((model.thickness(state) * 1e3 * per_mm).round() as usize).max(1);
-    let painter =
-        Painter { model, cut: &cut, samples, x, colours: view.colour_map(map), flipped: state.down == Side::Top };
+    let painter = Painter { model, cut: &cut, samples, x, colours, flipped: state.down == Side::Top };
     let mut rgba = Vec::with_capacity(4 * width * height);
     for row in 0..height {
         let up = 1.0 - (row as f64 + 0.5) / height as f64;
@@ -85,7 +84,7 @@ struct Painter<'a> {
     cut: &'a Cut,
     samples: Vec<Sample>,
     x: f64,
-    colours: Option<crate::colour_map::ColourMap>,
+    colours: Option<&'a ColourMap>,
     flipped: bool,
 }
 
@@ -95,7 +94,7 @@ impl Painter<'_> {
         // Flipping turns the piece about its long axis, so the cut is mirrored as well.
         let along = if self.flipped { self.mirrored(along) } else { along };
         let s = self.interpolate(along, z);
-        match &self.colours {
+        match self.colours {
             Some(map) => map.colour(s.celsius),
             None => self.flesh(s.appearance, along, z).srgb8(),
         }

@@ -9,13 +9,13 @@ use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{Command, Kitchen, Library, PieceOrder, Recipe, Recorder, Runner, TICK_S, celsius, kelvin};
 use web_time::{Duration, Instant};
 
-/// What the person chooses before putting the steak in.
+/// What the person chooses before putting the food in.
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
 #[serde(default)]
 pub struct SteakChoice {
     /// Id of the food.
     pub kind: String,
-    /// Length, width, thickness [mm].
+    /// Its dimensions: those of its form [mm].
     pub size_mm: Vec<f64>,
     /// Start temperature [°C].
     pub initial_c: f64,
@@ -37,7 +37,7 @@ impl Default for SteakChoice {
     }
 }
 
-/// Name of the only piece that the window sets out.
+/// Name of a steak that the window sets out; another food bears the name of its kind.
 pub const STEAK: &str = "steak";
 
 /// Something that happened, for the plot.
@@ -49,7 +49,7 @@ pub struct Mark {
     pub label: String,
 }
 
-/// What would happen if the steak were taken out now.
+/// What would happen if the food were taken out now.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Forecast {
     /// Expected core peak [°C].
@@ -163,6 +163,11 @@ impl Session {
         self.kitchen.pieces().first()
     }
 
+    /// What the food is called in a sentence: "steak", "carrot coin".
+    pub fn noun(&self) -> String {
+        self.steak().map_or_else(|| STEAK.to_owned(), |p| noun(&self.library, &p.kind))
+    }
+
     /// Its mass when it was set out [g].
     pub fn start_mass_g(&self) -> f64 {
         self.start_mass_g
@@ -239,7 +244,7 @@ impl Session {
         (self.owed_s > LATE_AFTER_S * self.speed).then_some(self.owed_s)
     }
 
-    /// What would happen if the steak were taken out now; reckoned anew every simulated second.
+    /// What would happen if the food were taken out now; reckoned anew every simulated second.
     pub fn forecast(&mut self) -> Option<Forecast> {
         let piece = self.kitchen.pieces().first()?;
         if !piece.in_pan() {
@@ -254,12 +259,21 @@ impl Session {
     }
 }
 
+/// What a kind of food is called in a sentence.
+pub fn noun(library: &Library, kind: &str) -> String {
+    let name = library.foods.get(kind).map_or(kind, |f| f.name.as_str()).to_lowercase();
+    if name.contains(STEAK) { STEAK.to_owned() } else { name }
+}
+
 fn set_out(library: &Library, choice: &SteakChoice) -> Result<Kitchen, SetupError> {
     let mut kitchen = Kitchen::new(library, &choice.pan, kelvin(choice.preheat_c))?;
-    let form = library.foods.get(&choice.kind).map_or(Form::Steak, |f| f.form);
-    let size = form.extent(&choice.size_mm).unwrap_or_default();
+    let food = library.foods.get(&choice.kind);
+    let form = food.map_or(Form::Steak, |f| f.form);
+    let default = || food.and_then(|f| form.extent(&f.size.default_mm)).unwrap_or_default();
+    let size = form.extent(&choice.size_mm).unwrap_or_else(default);
+    let is_steak = noun(library, &choice.kind) == STEAK;
     let order = PieceOrder {
-        id: STEAK.into(),
+        id: if is_steak { STEAK.into() } else { choice.kind.clone() },
         kind: choice.kind.clone(),
         size: size.map(|mm| mm * 1e-3),
         temperature: kelvin(choice.initial_c),

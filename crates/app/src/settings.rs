@@ -1,5 +1,7 @@
 //! What the program remembers from one start to the next.
 
+use saute_kitchen::library::DEFAULT_SCALE;
+
 use crate::colour_map::TemperatureMap;
 use crate::session::SteakChoice;
 use crate::view::View;
@@ -14,13 +16,15 @@ pub struct Settings {
     pub map: TemperatureMap,
     /// What the colours mean.
     pub view: View,
+    /// Id of the scale of doneness.
+    pub scale: String,
     /// Simulated seconds a wall second.
     pub speed: f64,
-    /// The steak and the pan.
+    /// The food and the pan.
     pub choice: SteakChoice,
     /// Goal for the core's peak [°C].
     pub goal_c: f64,
-    /// Whether the panel with the steak's choices is open.
+    /// Whether the panel with the food's choices is open.
     pub pantry_open: bool,
     /// Whether the curves are shown.
     pub curves_open: bool,
@@ -34,6 +38,7 @@ impl Default for Settings {
             fahrenheit: false,
             map: TemperatureMap::default(),
             view: View::default(),
+            scale: DEFAULT_SCALE.to_owned(),
             speed: 1.0,
             choice: SteakChoice::default(),
             goal_c: 60.0,

@@ -1,5 +1,8 @@
 //! A still of a recipe at one instant, drawn by the window's own renderer.
 
+use std::sync::Arc;
+
+use saute_kitchen::food::Scale;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{Cook, InputError, Kitchen, Library, Piece, Recipe, TICK_S};
 
@@ -8,7 +11,7 @@ use crate::colour_map::TemperatureMap;
 use crate::headless::{Gpu, GpuError, still};
 use crate::scene::camera::Camera;
 use crate::section_picture::Picture;
-use crate::stage::{FIRST_ON_BOARD, StageOptions};
+use crate::stage::{FIRST_ON_BOARD, StageOptions, fitting};
 use crate::view::View;
 
 /// Why there is no picture.
@@ -59,7 +62,7 @@ pub fn cook_until(recipe: Recipe, library: &Library, at_s: f64) -> Result<Cook, 
 }
 
 /// How a still is wanted.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ShotOptions {
     /// What the colours mean.
     pub view: View,
@@ -67,11 +70,13 @@ pub struct ShotOptions {
     pub slice: bool,
     /// Unlit, exactly decodable colours.
     pub flat: bool,
+    /// The scale of doneness.
+    pub scale: Arc<Scale>,
 }
 
 impl ShotOptions {
     /// The eye: over hob and board, or, for a cut, near to the food and on the side to which the cut looks.
-    pub fn stage(self, kitchen: &Kitchen) -> StageOptions {
+    pub fn stage(&self, kitchen: &Kitchen) -> StageOptions {
         let mut camera = Camera::three_quarter();
         if self.slice {
             let in_pan = kitchen.pieces().iter().any(Piece::in_pan);
@@ -80,7 +85,8 @@ impl ShotOptions {
             if in_pan { camera.yaw = CUT_YAW } else { camera.target = FIRST_ON_BOARD }
         }
         let slice = self.slice.then_some(0.0);
-        StageOptions { camera, view: self.view, map: TemperatureMap::default(), slice, flat: self.flat }
+        let scale = fitting(kitchen, &self.scale);
+        StageOptions { camera, view: self.view, map: TemperatureMap::default(), scale, slice, flat: self.flat }
     }
 }
 

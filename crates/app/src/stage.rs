@@ -1,9 +1,10 @@
 //! Sets the scene: a kitchen becomes what the renderer draws.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use glam::{Mat4, Quat, Vec3};
-use saute_kitchen::food::Side;
+use saute_kitchen::food::{Scale, Side};
 use saute_kitchen::{Kitchen, Piece, Place, RestOn, celsius};
 
 use crate::colour_map::{ColourMap, TemperatureMap};
@@ -24,6 +25,8 @@ pub struct StageOptions {
     pub view: View,
     /// Which map shows temperatures.
     pub map: TemperatureMap,
+    /// The scale of doneness; none where no scale says anything about the food.
+    pub scale: Option<Arc<Scale>>,
     /// The cut: distance along the longest axis from the centroid over half the length (−1…1); none for no cut.
     pub slice: Option<f64>,
     /// Unlit, exactly decodable colours.
@@ -124,7 +127,7 @@ impl Stage {
     /// Describes one frame.
     pub fn scene(&mut self, kitchen: &Kitchen, options: &StageOptions, places: &Places) -> SceneInput {
         let pan = places.pan(kitchen);
-        let map = options.view.colour_map(options.map);
+        let map = options.view.colour_map(options.map, options.scale.as_deref());
         self.skins.retain(|id, _| kitchen.piece(id).is_some());
         let foods = kitchen.pieces().iter().map(|p| self.food(kitchen, p, options, map.as_ref(), places)).collect();
         SceneInput {
@@ -148,7 +151,7 @@ impl Stage {
         map: Option<&ColourMap>,
         places: &Places,
     ) -> FoodLook {
-        let identity = std::sync::Arc::as_ptr(&piece.model) as u64;
+        let identity = Arc::as_ptr(&piece.model) as u64;
         let entry = self.skins.entry(piece.id.clone()).or_insert_with(|| (identity, Skin::new(piece)));
         if entry.0 != identity {
             *entry = (identity, Skin::new(piece));
@@ -176,6 +179,18 @@ fn rest_look(piece: &Piece) -> Option<RestLook> {
     // Pieces lie across the board: their length runs along y.
     let [length, width, thickness] = piece.model.size.map(|v| v as f32);
     Some(RestLook { kind, centre: FIRST_ON_BOARD, half: 0.5 * glam::Vec2::new(width, length), height: thickness })
+}
+
+/// The scale, where it says anything about what is cooked: about the first piece.
+pub fn fitting(kitchen: &Kitchen, scale: &Arc<Scale>) -> Option<Arc<Scale>> {
+    let first = kitchen.pieces().first();
+    first.is_none_or(|p| scale.fits(&p.model.kinetics)).then(|| Arc::clone(scale))
+}
+
+/// How much nearer the eye goes to a small piece [-]: it fills as much of the picture as a steak of 120 mm, and never
+/// nearer than is sharp (chosen).
+pub fn nearness(piece: &Piece) -> f32 {
+    ((half_length(piece) / 0.06) as f32).clamp(0.5, 1.0)
 }
 
 /// Half the longest extent of a piece [m].
@@ -233,7 +248,7 @@ fn steam(kitchen: &Kitchen, places: &Places) -> Vec<SteamSource> {
         for k in 0..6u8 {
             let angle = f32::from(k) * std::f32::consts::TAU / 6.0 + 0.4;
             let position = pose.position + Vec3::new(a * angle.cos(), b * angle.sin(), 0.0);
-            sources.push(SteamSource { position, radius: 0.015, flow_g_s: share });
+            sources.push(SteamSource { position, radius: 0.015f32.min(0.5 * b), flow_g_s: share });
         }
         let top = pose.position + Vec3::Z * 0.5 * piece.model.thickness(&piece.state) as f32;
         sources.push(SteamSource { position: top, radius: 0.5 * b, flow_g_s: share });

@@ -1,7 +1,7 @@
 //! What the colours of the picture mean.
 
 use saute_kitchen::celsius;
-use saute_kitchen::food::FoodState;
+use saute_kitchen::food::{FoodState, Scale};
 
 use crate::colour_map::{ColourMap, TemperatureMap, doneness_map};
 
@@ -31,12 +31,13 @@ impl View {
         }
     }
 
-    /// The map that colours this view; none for the look.
-    pub fn colour_map(self, temperature: TemperatureMap) -> Option<ColourMap> {
+    /// The map that colours this view; none for the look. Doneness of a food about which no scale says anything is the
+    /// highest temperature so far.
+    pub fn colour_map(self, temperature: TemperatureMap, scale: Option<&Scale>) -> Option<ColourMap> {
         match self {
             Self::Look => None,
             Self::Temperature => Some(temperature.map()),
-            Self::Doneness => Some(doneness_map()),
+            Self::Doneness => Some(scale.map_or_else(|| temperature.map(), doneness_map)),
         }
     }
 

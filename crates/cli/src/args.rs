@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
+use saute_kitchen::library::DEFAULT_SCALE;
 
 use crate::bench_heat::BenchHeatArgs;
 use crate::picture::{BenchFrameArgs, ShotArgs};
@@ -11,8 +12,8 @@ use crate::picture::{BenchFrameArgs, ShotArgs};
 #[derive(Debug, Parser)]
 #[command(name = "saute", version, after_help = EXIT_CODES)]
 pub struct Args {
-    /// Folder with foods/, pans/, recipes/, kinetics/ or coatings/ of your own; adds to the shipped ones or replaces
-    /// those of the same name.
+    /// Folder with foods/, pans/, recipes/, kinetics/ or coatings/ of your own, or doneness.toml; adds to the shipped
+    /// ones or replaces those of the same name.
     #[arg(long, global = true, value_name = "DIR")]
     pub data: Option<PathBuf>,
     /// What to do.
@@ -59,6 +60,9 @@ pub struct CookArgs {
     /// missing. Those of an earlier cook in it are replaced.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Scale of doneness of the summary and the report: see `saute list scales`. JSON holds them all.
+    #[arg(long, value_name = "SCALE", default_value = DEFAULT_SCALE)]
+    pub doneness: String,
     /// Prints the numbers as JSON.
     #[arg(long)]
     pub json: bool,
@@ -117,6 +121,8 @@ pub enum Listed {
     Pans,
     /// Recipes that `saute cook` knows by id.
     Recipes,
+    /// Scales of doneness, for `--doneness`.
+    Scales,
 }
 
 /// `saute schema`.

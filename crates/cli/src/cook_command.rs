@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use saute_kitchen::food::Scale;
 use saute_kitchen::{Cook, Recipe, StoppedBy, Summary};
 
 use crate::args::CookArgs;
@@ -18,6 +19,7 @@ const STOPPED: u8 = 1;
 
 /// Cooks a recipe and says what came of it.
 pub fn run(args: &CookArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+    let scale = shelf.scale(&args.doneness)?;
     let recipe = recipe_source::load(&args.recipe, shelf)?;
     let cook = set_out(recipe, shelf)?;
     let out = args.out.as_deref().map(|dir| OutDir::prepare(dir, disk_space(&cook))).transpose()?;
@@ -25,12 +27,12 @@ pub fn run(args: &CookArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
     let summary = cook.summary(wall.as_secs_f64());
     if let Some(out) = out {
         let place = out.place();
-        let files = files(&cook, &summary, snapshots)?;
+        let files = files(&cook, &summary, snapshots, &scale)?;
         let count = files.len();
         out.fill(files)?;
         stderr::say(format!("wrote {count} files to {place}; begin with report.html"));
     }
-    stdout::print(&if args.json { json(&summary)? } else { text_summary::text(&summary) })?;
+    stdout::print(&if args.json { json(&summary)? } else { text_summary::text(&summary, &scale) })?;
     Ok(say_how_it_ended(&cook, &summary))
 }
 
@@ -58,9 +60,14 @@ fn cook_through(mut cook: Cook, with_pictures: bool) -> Result<(Cook, Vec<Snapsh
     Ok((cook, snapshots, started.elapsed().saturating_sub(painting)))
 }
 
-fn files(cook: &Cook, summary: &Summary, snapshots: Vec<Snapshot>) -> Result<Vec<(String, Vec<u8>)>, CliError> {
+fn files(
+    cook: &Cook,
+    summary: &Summary,
+    snapshots: Vec<Snapshot>,
+    scale: &Scale,
+) -> Result<Vec<(String, Vec<u8>)>, CliError> {
     let ids: Vec<&str> = cook.kitchen.pieces().iter().map(|p| p.id.as_str()).collect();
-    let report = report::html(cook, summary, &snapshots);
+    let report = report::html(cook, summary, &snapshots, scale);
     let mut files = vec![
         ("summary.json".to_owned(), json(summary)?.into_bytes()),
         ("series.csv".to_owned(), cook.recorder.csv(&ids).into_bytes()),

@@ -1,15 +1,16 @@
 //! `saute list`.
 
 use std::process::ExitCode;
+use std::sync::Arc;
 
-use saute_kitchen::food::FoodDescription;
+use saute_kitchen::food::{FoodDescription, Scale};
 use saute_kitchen::{Library, Recipe};
 use serde::Serialize;
 
 use crate::args::{ListArgs, Listed};
 use crate::error::CliError;
 use crate::shelf::Shelf;
-use crate::stdout;
+use crate::{stdout, wording};
 
 /// One line of a list.
 #[derive(Debug, Serialize)]
@@ -18,6 +19,27 @@ struct Entry {
     name: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     size_mm: Option<Sizes>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    class: Option<Vec<ClassEntry>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    source: Option<String>,
+}
+
+impl Entry {
+    fn new(id: &str, name: &str) -> Self {
+        Self { id: id.to_owned(), name: name.to_owned(), size_mm: None, class: None, source: None }
+    }
+}
+
+/// A class of a scale of doneness.
+#[derive(Debug, Serialize)]
+struct ClassEntry {
+    name: String,
+    /// Where it begins; the first class reaches down to any cold [°C].
+    from_c: f64,
+    /// The same in words.
+    #[serde(skip)]
+    range: String,
 }
 
 /// Length, width, thickness that a food may have [mm].
@@ -34,6 +56,7 @@ pub fn run(args: &ListArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
         Listed::Foods => foods(&shelf.library),
         Listed::Pans => pans(&shelf.library),
         Listed::Recipes => recipes(shelf)?,
+        Listed::Scales => scales(&shelf.library),
     };
     let text = if args.json { serde_json::to_string_pretty(&entries)? + "\n" } else { table(&entries) };
     stdout::print(&text)?;
@@ -46,31 +69,46 @@ fn foods(library: &Library) -> Vec<Entry> {
         min: f.size.min_mm.clone(),
         max: f.size.max_mm.clone(),
     };
-    library
-        .foods
-        .iter()
-        .map(|(id, f)| Entry { id: id.clone(), name: f.name.clone(), size_mm: Some(sizes(f)) })
-        .collect()
+    library.foods.iter().map(|(id, f)| Entry { size_mm: Some(sizes(f)), ..Entry::new(id, &f.name) }).collect()
 }
 
 fn pans(library: &Library) -> Vec<Entry> {
-    library.pans.iter().map(|(id, p)| Entry { id: id.clone(), name: p.name.clone(), size_mm: None }).collect()
+    library.pans.iter().map(|(id, p)| Entry::new(id, &p.name)).collect()
 }
 
 fn recipes(shelf: &Shelf) -> Result<Vec<Entry>, CliError> {
     let entry = |(id, text): (&String, &String)| {
         let recipe = Recipe::parse(text, &shelf.recipe_place(id), &shelf.library)?;
-        Ok(Entry { id: id.clone(), name: recipe.title, size_mm: None })
+        Ok(Entry::new(id, &recipe.title))
     };
     shelf.library.recipes.iter().map(entry).collect()
 }
 
+fn scales(library: &Library) -> Vec<Entry> {
+    let class = |scale: &Scale, place: usize| ClassEntry {
+        name: scale.class[place].name.clone(),
+        from_c: scale.class[place].from_c,
+        range: wording::class_range(scale, place),
+    };
+    let entry = |scale: &Arc<Scale>| Entry {
+        class: Some((0..scale.class.len()).map(|place| class(scale, place)).collect()),
+        source: Some(scale.source.clone()),
+        ..Entry::new(&scale.id, &scale.name)
+    };
+    library.scales.iter().map(entry).collect()
+}
+
 fn table(entries: &[Entry]) -> String {
     let width = entries.iter().map(|e| e.id.chars().count()).max().unwrap_or(0);
-    entries
-        .iter()
-        .map(|e| format!("{:width$}  {}{}\n", e.id, e.name, e.size_mm.as_ref().map_or(String::new(), sizes)))
-        .collect()
+    let more = |e: &Entry| {
+        e.size_mm.as_ref().map_or(String::new(), sizes) + &e.class.as_ref().map_or(String::new(), |c| classes(c))
+    };
+    entries.iter().map(|e| format!("{:width$}  {}{}\n", e.id, e.name, more(e))).collect()
+}
+
+fn classes(classes: &[ClassEntry]) -> String {
+    let ranges: Vec<String> = classes.iter().map(|c| format!("{} {}", c.name, c.range)).collect();
+    format!(" ({})", ranges.join(", "))
 }
 
 fn sizes(sizes: &Sizes) -> String {

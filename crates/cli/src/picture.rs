@@ -9,6 +9,7 @@ use clap::ValueEnum;
 use saute_app::png_file::png_bytes;
 use saute_app::shot::ShotOptions;
 use saute_app::{Start, View};
+use saute_kitchen::library::DEFAULT_SCALE;
 
 use crate::error::CliError;
 use crate::out_file::OutFile;
@@ -33,6 +34,9 @@ pub struct ShotArgs {
     /// Writes unlit colours without tone mapping, for measuring.
     #[arg(long)]
     pub flat: bool,
+    /// The scale of the doneness view: see `saute list scales`.
+    #[arg(long, value_name = "SCALE", default_value = DEFAULT_SCALE)]
+    pub doneness: String,
     /// Size of the picture in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
     pub size: [u32; 2],
@@ -98,7 +102,8 @@ fn seconds(text: &str) -> Result<f64, String> {
 pub fn shot(args: &ShotArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
     let recipe = recipe_source::load(&args.recipe, shelf)?;
     let out = OutFile::prepare(&args.out)?;
-    let options = ShotOptions { view: args.view.into(), slice: args.slice, flat: args.flat };
+    let scale = shelf.scale(&args.doneness)?;
+    let options = ShotOptions { view: args.view.into(), slice: args.slice, flat: args.flat, scale };
     let picture = saute_app::shot::shot(recipe, &shelf.library, args.at, options, args.size)?;
     out.fill(&png_bytes(&picture)?)?;
     Ok(ExitCode::SUCCESS)

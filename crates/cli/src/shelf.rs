@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
+use saute_kitchen::food::Scale;
 use saute_kitchen::{Library, LibraryError};
 
 use crate::error::CliError;
@@ -10,6 +12,9 @@ use crate::text_file;
 
 /// Folders that are read from `--data`.
 const FOLDERS: [&str; 5] = ["foods", "pans", "recipes", "kinetics", "coatings"];
+
+/// File that is read from `--data` itself: the scales of doneness.
+const FILE: &str = "doneness.toml";
 
 /// A library that remembers which of its files are the user's.
 #[derive(Debug)]
@@ -47,6 +52,15 @@ impl Shelf {
         Ok(Self { library, own })
     }
 
+    /// The scale of doneness of that id.
+    pub fn scale(&self, id: &str) -> Result<Arc<Scale>, CliError> {
+        let unknown = || {
+            let remedy = format!("use one of: {}", self.library.scale_names());
+            CliError::place(format!("--doneness {id}"), "there is no scale of doneness of that id", remedy)
+        };
+        self.library.scale(id).cloned().ok_or_else(unknown)
+    }
+
     /// Name of a recipe's file in messages.
     pub fn recipe_place(&self, id: &str) -> String {
         self.own.place(&format!("recipes/{id}.toml"))
@@ -54,16 +68,20 @@ impl Shelf {
 }
 
 fn read_folders(dir: &Path) -> Result<Vec<(String, String)>, CliError> {
-    let remedy = "name a folder that holds foods/, pans/, recipes/, kinetics/ or coatings/ with .toml files";
+    let remedy =
+        "name a folder that holds foods/, pans/, recipes/, kinetics/ or coatings/ with .toml files, or doneness.toml";
     if !dir.is_dir() {
         let message = if dir.exists() { "--data is not a folder" } else { "--data does not exist" };
         return Err(CliError::place(dir.display(), message, remedy));
     }
     let present: Vec<&str> = FOLDERS.into_iter().filter(|f| dir.join(f).is_dir()).collect();
-    if present.is_empty() {
+    let mut files = Vec::new();
+    if dir.join(FILE).is_file() {
+        files.push((FILE.to_owned(), text_file::read(&dir.join(FILE))?));
+    }
+    if present.is_empty() && files.is_empty() {
         return Err(CliError::place(dir.display(), "--data holds none of the folders that are read", remedy));
     }
-    let mut files = Vec::new();
     for folder in present {
         for name in toml_names(&dir.join(folder))? {
             files.push((format!("{folder}/{name}"), text_file::read(&dir.join(folder).join(&name))?));

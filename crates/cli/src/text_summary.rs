@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use saute_kitchen::energy::Energy;
-use saute_kitchen::summary::{Doneness, FoodSummary, LogReduction, Surface};
+use saute_kitchen::food::Scale;
+use saute_kitchen::summary::{ClassShares, FoodSummary, LogReduction, Surface};
 use saute_kitchen::{StoppedBy, Summary};
 
 use crate::wording::{self, duration};
@@ -11,10 +12,10 @@ use crate::wording::{self, duration};
 /// Width of a doneness bar [characters].
 const BAR: usize = 30;
 
-/// Everything about a cook on one screen.
-pub fn text(summary: &Summary) -> String {
+/// Everything about a cook on one screen, with doneness by a scale.
+pub fn text(summary: &Summary, scale: &Scale) -> String {
     let mut blocks = vec![head(summary)];
-    blocks.extend(summary.foods.iter().map(food));
+    blocks.extend(summary.foods.iter().map(|f| food(f, scale)));
     blocks.push(pan(summary));
     blocks.push(steps(summary));
     blocks.join("\n")
@@ -34,7 +35,7 @@ fn head(s: &Summary) -> String {
     )
 }
 
-fn food(f: &FoodSummary) -> String {
+fn food(f: &FoodSummary, scale: &Scale) -> String {
     let mut lines = format!("{} ({}, {} nodes)\n", f.id, f.kind, f.nodes);
     row(
         &mut lines,
@@ -46,8 +47,7 @@ fn food(f: &FoodSummary) -> String {
             f.core_c.end
         ),
     );
-    row(&mut lines, "cross-section", &doneness(&f.section_pct));
-    row(&mut lines, "volume", &doneness(&f.volume_pct));
+    doneness(&mut lines, f, scale);
     let lost = 100.0 * (1.0 - f.mass_g.end / f.mass_g.start);
     let water = format!(
         "{:.1} g evaporated, {:.1} g dripped, {:.1} g fat rendered",
@@ -82,19 +82,30 @@ fn row(lines: &mut String, name: &str, value: &str) {
     let _ = writeln!(lines, "  {name:<14}{value}");
 }
 
+/// Doneness by a scale, with its label; nothing where the scale says nothing about the food.
+fn doneness(lines: &mut String, f: &FoodSummary, scale: &Scale) {
+    let Some(reading) = f.doneness.get(&scale.id) else { return };
+    row(lines, "doneness", &format!("core {}; scale: {}", reading.class, reading.label));
+    row(lines, "cross-section", &shares(&reading.section_pct));
+    row(lines, "volume", &shares(&reading.volume_pct));
+}
+
 /// Shares as a bar and as numbers.
-fn doneness(d: &Doneness) -> String {
-    let classes =
-        [(d.raw, "raw", '·'), (d.rare, "rare", '░'), (d.medium, "medium", '▒'), (d.well_done, "well-done", '█')];
-    let (mut bar, mut sum, mut drawn) = (String::new(), 0.0, 0);
-    for (share, _, sign) in classes {
+fn shares(shares: &ClassShares) -> String {
+    let (mut bar, mut sum, mut drawn, mut numbers) = (String::new(), 0.0, 0, Vec::new());
+    for ((name, share), sign) in shares.0.iter().zip(signs(shares.0.len())) {
         sum += share;
         let until = ((sum / 100.0 * BAR as f64).round() as usize).min(BAR);
-        bar.extend(std::iter::repeat_n(sign, until.saturating_sub(drawn)));
+        bar.extend(std::iter::repeat_n(*sign, until.saturating_sub(drawn)));
         drawn = until.max(drawn);
+        numbers.push(format!("{sign} {name} {share:.0} %"));
     }
-    let numbers = classes.map(|(share, name, sign)| format!("{sign} {name} {share:.0} %")).join("  ");
-    format!("{bar}  {numbers}")
+    format!("{bar}  {}", numbers.join("  "))
+}
+
+/// A sign for each of so many classes, denser and denser.
+fn signs(classes: usize) -> &'static [char] {
+    if classes > 4 { &['·', '░', '▒', '▓', '█'] } else { &['·', '░', '▒', '█'] }
 }
 
 fn surface(s: &Surface) -> String {

@@ -1,5 +1,6 @@
 //! How numbers and steps are said.
 
+use saute_kitchen::food::Scale;
 use saute_kitchen::runner::StepRecord;
 
 /// A time as a cook says it: `45.0 s`, `16 min 38 s`.
@@ -33,4 +34,14 @@ pub fn mark(step: &StepRecord) -> Option<&'static str> {
 
 fn number(value: &serde_json::Value) -> String {
     value.as_f64().map_or_else(|| value.to_string(), |v| format!("{v}"))
+}
+
+/// Where a class of doneness lies, as `50–60 °C`.
+pub fn class_range(scale: &Scale, place: usize) -> String {
+    let from = scale.class.get(place).map_or(0.0, |c| c.from_c);
+    match (place, scale.end_c(place)) {
+        (0, Some(end)) => format!("< {end} °C"),
+        (_, Some(end)) => format!("{from}–{end} °C"),
+        (_, None) => format!("> {from} °C"),
+    }
 }

@@ -9,6 +9,7 @@ pub mod changes;
 pub mod colour;
 pub mod components;
 pub mod description;
+pub mod doneness;
 pub mod fat;
 pub mod juice;
 pub mod marbling;
@@ -26,10 +27,10 @@ pub mod water;
 pub use advance::{Exchange, FoodSolver, FreeAir, Surroundings, Touch};
 pub use colour::Lab;
 pub use description::{FoodDescription, Kinetics};
+pub use doneness::{Scale, Shares};
 pub use model::{Body, BuildError, FoodModel, PieceSpec};
 pub use paper_2013::Rules;
 pub use patch::{Face, Patch};
-pub use readings::{Class, Shares};
 pub use state::{FoodState, Side};
 
 /// Absolute temperature of 0 °C [K].

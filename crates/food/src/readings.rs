@@ -4,69 +4,9 @@ use saute_heat::Cut;
 
 use crate::colour::{Appearance, Lab};
 use crate::description::{MOST_CHANGES, PerChange};
+use crate::doneness::{MOST_CLASSES, Scale, Shares};
 use crate::model::FoodModel;
 use crate::state::{FoodState, Side};
-
-/// Doneness by the highest temperature a point has reached (the classes of the 2013 paper).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Class {
-    /// Below 50 °C.
-    Raw,
-    /// 50–60 °C.
-    Rare,
-    /// 60–70 °C.
-    Medium,
-    /// Above 70 °C.
-    WellDone,
-}
-
-impl Class {
-    /// All classes, in order.
-    pub const ALL: [Self; 4] = [Self::Raw, Self::Rare, Self::Medium, Self::WellDone];
-
-    /// Class of a peak temperature [K].
-    pub fn of(peak: f64) -> Self {
-        match peak - crate::ZERO_C {
-            c if c < 50.0 => Self::Raw,
-            c if c < 60.0 => Self::Rare,
-            c if c <= 70.0 => Self::Medium,
-            _ => Self::WellDone,
-        }
-    }
-}
-
-/// Shares of raw, rare, medium, well-done; they sum to 100 [%].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Shares(pub [f64; 4]);
-
-impl Shares {
-    fn from_weights(mut sums: [f64; 4]) -> Self {
-        let total: f64 = sums.iter().sum();
-        if total > 0.0 {
-            sums.iter_mut().for_each(|s| *s *= 100.0 / total);
-        }
-        Self(sums)
-    }
-}
-
-/// Upper bounds of raw, rare and medium [K].
-const BOUNDS: [f64; 3] = [crate::ZERO_C + 50.0, crate::ZERO_C + 60.0, crate::ZERO_C + 70.0];
-
-/// Adds a stretch of weight `weight` along which the peak runs linearly from `a` to `b` [K]: each class gets the part
-/// of the stretch that lies in it, so that shares do not jump from node to node.
-fn add_stretch(sums: &mut [f64; 4], a: f64, b: f64, weight: f64) {
-    let (low, high) = (a.min(b), a.max(b));
-    let below = |bound: f64| {
-        if high > low { ((bound - low) / (high - low)).clamp(0.0, 1.0) } else { f64::from(u8::from(low < bound)) }
-    };
-    let mut so_far = 0.0;
-    for (sum, bound) in sums.iter_mut().zip(BOUNDS) {
-        let up_to = below(bound);
-        *sum += weight * (up_to - so_far);
-        so_far = up_to;
-    }
-    sums[3] += weight * (1.0 - so_far);
-}
 
 /// The changes at a point, each read off its field.
 pub fn changed_at(state: &FoodState, read: impl Fn(&[f64]) -> f64) -> PerChange {
@@ -196,13 +136,13 @@ impl FoodModel {
     }
 
     /// Doneness by volume.
-    pub fn volume_shares(&self, state: &FoodState) -> Shares {
-        let mut sums = [0.0; 4];
+    pub fn volume_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
+        let mut sums = [0.0; MOST_CLASSES];
         let n = self.mesh.nodes_per_level();
         for (level, height) in self.mesh.levels.windows(2).map(|w| w[1] - w[0]).enumerate() {
             let (lower, upper) = state.peak[level * n..(level + 2) * n].split_at(n);
             for (i, area) in self.mesh.section.areas.iter().enumerate() {
-                add_stretch(&mut sums, lower[i], upper[i], area * height);
+                scale.add_stretch(&mut sums, lower[i], upper[i], area * height);
             }
         }
         Shares::from_weights(sums)
@@ -216,32 +156,16 @@ impl FoodModel {
     }
 
     /// Doneness of a cut by area.
-    pub fn cut_shares(&self, state: &FoodState, cut: &Cut) -> Shares {
-        let mut sums = [0.0; 4];
+    pub fn cut_shares(&self, state: &FoodState, cut: &Cut, scale: &Scale) -> Shares {
+        let mut sums = [0.0; MOST_CLASSES];
         let n = self.mesh.nodes_per_level();
         let lengths = cut.lengths();
         for (level, height) in self.mesh.levels.windows(2).map(|w| w[1] - w[0]).enumerate() {
             let (lower, upper) = state.peak[level * n..(level + 2) * n].split_at(n);
             for (i, length) in lengths.iter().enumerate() {
-                add_stretch(&mut sums, cut.sample(i, lower), cut.sample(i, upper), length * height);
+                scale.add_stretch(&mut sums, cut.sample(i, lower), cut.sample(i, upper), length * height);
             }
         }
         Shares::from_weights(sums)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_linear_stretch_is_shared_out_at_the_bounds() {
-        let mut sums = [0.0; 4];
-        add_stretch(&mut sums, crate::ZERO_C + 80.0, crate::ZERO_C + 40.0, 4.0);
-        let expected = [1.0, 1.0, 1.0, 1.0];
-        assert!(sums.iter().zip(expected).all(|(s, e)| (s - e).abs() < 1e-9), "{sums:?}");
-        let mut even = [0.0; 4];
-        add_stretch(&mut even, crate::ZERO_C + 55.0, crate::ZERO_C + 55.0, 2.0);
-        assert_eq!(even, [0.0, 2.0, 0.0, 0.0]);
     }
 }

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use saute_food::Scale;
+
 use crate::input_error::InputError;
 use crate::kitchen::{Kitchen, SetupError};
 use crate::library::Library;
@@ -25,6 +27,7 @@ pub struct Cook {
     /// Steps so far.
     pub steps: Vec<StepRecord>,
     masses_at_start: Vec<f64>,
+    scales: Vec<Arc<Scale>>,
 }
 
 impl Cook {
@@ -37,6 +40,7 @@ impl Cook {
             masses_at_start: kitchen.pieces().iter().map(crate::Piece::mass).collect(),
             runner: Runner::new(Arc::new(recipe)),
             steps: Vec::new(),
+            scales: library.scales.clone(),
             kitchen,
             recorder,
         })
@@ -72,6 +76,7 @@ impl Cook {
 
     /// The numbers of the cook so far.
     pub fn summary(&self, wall_s: f64) -> Summary {
-        Summary::new(&self.kitchen, &self.recorder, &self.runner, &self.steps, &self.masses_at_start, wall_s)
+        let (steps, masses) = (&self.steps, &self.masses_at_start);
+        Summary::new(&self.kitchen, &self.recorder, &self.runner, steps, masses, &self.scales, wall_s)
     }
 }

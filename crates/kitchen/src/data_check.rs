@@ -1,9 +1,11 @@
 //! Ranges of the numbers in data files: what parses must also be possible.
 
 use saute_food::description::{Composition, MOST_CHANGES};
-use saute_food::{FoodDescription, Kinetics};
+use saute_food::doneness::MOST_CLASSES;
+use saute_food::{FoodDescription, Kinetics, Scale};
+use toml::Spanned;
 
-use crate::library::{LibraryError, line_of};
+use crate::library::{DEFAULT_SCALE, LibraryError, line_of};
 use crate::pan::{CoatingDescription, PanDescription};
 
 /// A number with its place in the file and the range in which it makes sense.
@@ -176,6 +178,82 @@ fn contraction(kinetics: &Kinetics, file: &str, text: &str) -> Result<(), Librar
         })?;
     }
     Ok(())
+}
+
+/// Classes of [`DEFAULT_SCALE`]: the summary's `section_pct` has these keys.
+const DEFAULT_CLASSES: [&str; 4] = ["raw", "rare", "medium", "well-done"];
+
+/// Checks the scales of doneness.
+pub fn doneness(scales: &[Spanned<Scale>], file: &str, text: &str) -> Result<(), LibraryError> {
+    let error = |offset: usize, message: String| {
+        Err(LibraryError { file: file.to_owned(), line: line_of(text, offset), message })
+    };
+    for (i, spanned) in scales.iter().enumerate() {
+        let (scale, start) = (spanned.get_ref(), spanned.span().start);
+        if let Err((key, message)) = scale_sound(scale) {
+            return error(key_after(text, start, key), message);
+        }
+        if scales[..i].iter().any(|s| s.get_ref().id == scale.id) {
+            return error(
+                key_after(text, start, "id"),
+                format!("there is another scale \"{}\": use another id", scale.id),
+            );
+        }
+    }
+    if scales.iter().any(|s| s.get_ref().id == DEFAULT_SCALE) {
+        return Ok(());
+    }
+    error(
+        0,
+        format!(
+            "there is no scale \"{DEFAULT_SCALE}\", which every summary reports: keep it and add your own beside it"
+        ),
+    )
+}
+
+/// Whether a scale can be used; else the key that is wrong and what to write instead.
+fn scale_sound(scale: &Scale) -> Result<(), (&'static str, String)> {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    let (classes, count) = (&scale.class, scale.class.len());
+    if scale.id.is_empty() || !scale.id.chars().all(plain) {
+        return Err(("id", format!("id = \"{}\" cannot be used: write letters, digits, - and _", scale.id)));
+    }
+    if scale.name.trim().is_empty() {
+        return Err(("name", "name is empty: write the label that people read".into()));
+    }
+    if !(2..=MOST_CLASSES).contains(&count) {
+        return Err(("class", format!("class has {count} entries: use 2 to {MOST_CLASSES}")));
+    }
+    if !classes.iter().all(|c| (0.0..=120.0).contains(&c.from_c)) {
+        return Err(("class", "from_c is out of range: use 0 to 120".into()));
+    }
+    if !classes.windows(2).all(|w| w[0].from_c < w[1].from_c) {
+        return Err(("class", "from_c does not ascend: list the classes from the coldest to the hottest".into()));
+    }
+    let repeated = |i: usize| classes[..i].iter().any(|c| c.name == classes[i].name);
+    if let Some(i) = (0..count).find(|&i| classes[i].name.trim().is_empty() || repeated(i)) {
+        return Err(("class", format!("class name \"{}\" is empty or repeated: name each class", classes[i].name)));
+    }
+    if scale.id == DEFAULT_SCALE && !classes.iter().map(|c| c.name.as_str()).eq(DEFAULT_CLASSES) {
+        let names = DEFAULT_CLASSES.join(", ");
+        return Err((
+            "class",
+            format!("\"{DEFAULT_SCALE}\" has the classes {names}: give other ones an id of their own"),
+        ));
+    }
+    Ok(())
+}
+
+/// Where a key stands at the beginning of a line, looked for from an offset on; that offset if nowhere.
+fn key_after(text: &str, start: usize, key: &str) -> usize {
+    let mut at = start;
+    for line in text[start..].split_inclusive('\n') {
+        if line.trim_start().strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('=')) {
+            return at;
+        }
+        at += line.len();
+    }
+    start
 }
 
 fn composition(table: &'static str, tissue: &Composition, file: &str, text: &str) -> Result<(), LibraryError> {

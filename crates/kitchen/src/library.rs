@@ -1,16 +1,22 @@
 //! Foods, pans and recipes: those in the program, and those from a folder of the user's.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use include_dir::{Dir, include_dir};
 use saute_food::components::Components;
-use saute_food::{FoodDescription, Kinetics};
+use saute_food::{FoodDescription, Kinetics, Scale};
+use serde::Deserialize;
 use serde::de::DeserializeOwned;
+use toml::Spanned;
 
 use crate::data_check;
 use crate::hob::HobDescription;
 use crate::pan::{CoatingDescription, PanDescription};
 use crate::room::Room;
+
+/// The file of the scales of doneness.
+const DONENESS_FILE: &str = "doneness.toml";
 
 static DATA: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../data");
 static VALIDATION: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../validation");
@@ -28,6 +34,16 @@ pub struct LibraryError {
     pub message: String,
 }
 
+/// The scale that every summary reports and that is chosen unless another is named.
+pub const DEFAULT_SCALE: &str = "paper-2013";
+
+/// `doneness.toml` as it is written.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct DonenessFile {
+    pub(crate) scale: Vec<Spanned<Scale>>,
+}
+
 /// Everything a kitchen can be built from.
 #[derive(Clone, Debug)]
 pub struct Library {
@@ -39,6 +55,8 @@ pub struct Library {
     pub pans: BTreeMap<String, PanDescription>,
     /// Recipes by id: their text.
     pub recipes: BTreeMap<String, String>,
+    /// Scales of doneness, in the order of their file; [`DEFAULT_SCALE`] is one of them.
+    pub scales: Vec<Arc<Scale>>,
     /// Thermal properties of food components.
     pub components: Components,
     /// The room.
@@ -55,7 +73,8 @@ impl Library {
 
     /// What the program carries, with files of the user's added or put in place of its own.
     ///
-    /// Each entry is a path like `foods/my-steak.toml`, `pans/…`, `recipes/…`, `kinetics/…` and its text.
+    /// Each entry is a path like `foods/my-steak.toml`, `pans/…`, `recipes/…`, `kinetics/…` or `doneness.toml`, and its
+    /// text.
     pub fn with(own: &[(String, String)]) -> Result<Self, LibraryError> {
         let mut files: BTreeMap<String, String> = BTreeMap::new();
         collect(&DATA, "", &mut files);
@@ -68,6 +87,7 @@ impl Library {
             kinetics: parse_folder(&files, "kinetics/", data_check::kinetics)?,
             pans: with_coatings(bare, &coatings),
             recipes: in_folder(&files, "recipes/").map(|(id, text)| (id.to_owned(), text.clone())).collect(),
+            scales: scales(&files)?,
             components: parse(&files, "components.toml")?,
             room: parse(&files, "kitchen.toml")?,
             hob: parse(&files, "hobs/induction.toml")?,
@@ -96,6 +116,16 @@ impl Library {
             })?;
         }
         Ok(())
+    }
+
+    /// A scale of doneness by its id.
+    pub fn scale(&self, id: &str) -> Option<&Arc<Scale>> {
+        self.scales.iter().find(|s| s.id == id)
+    }
+
+    /// The ids of the scales, for messages.
+    pub fn scale_names(&self) -> String {
+        self.scales.iter().map(|s| s.id.as_str()).collect::<Vec<_>>().join(", ")
     }
 
     /// The ids of a table, for messages.
@@ -145,6 +175,12 @@ fn parse_folder<T: DeserializeOwned>(
             Ok((id.to_owned(), parsed))
         })
         .collect()
+}
+
+fn scales(files: &BTreeMap<String, String>) -> Result<Vec<Arc<Scale>>, LibraryError> {
+    let parsed: DonenessFile = parse(files, DONENESS_FILE)?;
+    data_check::doneness(&parsed.scale, DONENESS_FILE, files.get(DONENESS_FILE).map_or("", String::as_str))?;
+    Ok(parsed.scale.into_iter().map(|s| Arc::new(s.into_inner())).collect())
 }
 
 fn parse<T: DeserializeOwned>(files: &BTreeMap<String, String>, path: &str) -> Result<T, LibraryError> {

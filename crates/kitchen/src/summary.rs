@@ -1,13 +1,15 @@
 //! The numbers of a whole cook, as `saute cook --json` prints them.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
-use saute_food::Rules;
-use serde::Serialize;
+use saute_food::{Rules, Scale, Shares};
+use serde::{Serialize, Serializer};
 
 use crate::celsius;
 use crate::energy::Energy;
 use crate::kitchen::Kitchen;
+use crate::library::DEFAULT_SCALE;
 use crate::piece::Piece;
 use crate::recorder::Recorder;
 use crate::runner::{Runner, StepRecord, StoppedBy, rounded};
@@ -71,10 +73,12 @@ pub struct FoodSummary {
     pub fat_rendered_g: f64,
     /// Core temperature [°C].
     pub core_c: CoreSummary,
-    /// Doneness of the section by area [%].
+    /// Doneness of the section by area, by the scale of 2013 [%].
     pub section_pct: Doneness,
-    /// Doneness by volume [%].
+    /// Doneness by volume, by the scale of 2013 [%].
     pub volume_pct: Doneness,
+    /// Doneness by every scale that says anything about this food, by the scales' ids.
+    pub doneness: ByScale,
     /// Shares of the first-order changes by name, volume means [-].
     pub denatured: BTreeMap<String, f64>,
     /// Volume mean of the elastic modulus [kPa].
@@ -130,7 +134,7 @@ pub struct CoreSummary {
 }
 
 /// Shares by highest temperature so far [%].
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Doneness {
     /// Below 50 °C.
     pub raw: f64,
@@ -142,10 +146,68 @@ pub struct Doneness {
     pub well_done: f64,
 }
 
-impl From<saute_food::Shares> for Doneness {
-    fn from(s: saute_food::Shares) -> Self {
-        let [raw, rare, medium, well_done] = s.0;
+impl From<Shares> for Doneness {
+    fn from(s: Shares) -> Self {
+        let [raw, rare, medium, well_done, _] = s.0;
         Self { raw, rare, medium, well_done }
+    }
+}
+
+/// Doneness by each scale, in the order of the scales.
+#[derive(Clone, Debug, Default)]
+pub struct ByScale(pub Vec<(String, ScaleReading)>);
+
+impl ByScale {
+    /// What a scale says; nothing where it says nothing about this food.
+    pub fn get(&self, id: &str) -> Option<&ScaleReading> {
+        self.0.iter().find(|(own, _)| own == id).map(|(_, reading)| reading)
+    }
+}
+
+impl Serialize for ByScale {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_map(self.0.iter().map(|(id, reading)| (id, reading)))
+    }
+}
+
+/// Doneness by one scale.
+#[derive(Clone, Debug, Serialize)]
+pub struct ScaleReading {
+    /// Label of the scale.
+    pub label: String,
+    /// Class of the core's peak.
+    pub class: String,
+    /// Shares of the section by area [%].
+    pub section_pct: ClassShares,
+    /// Shares of the volume [%].
+    pub volume_pct: ClassShares,
+}
+
+/// Classes with their shares, in the order of their scale [%].
+#[derive(Clone, Debug)]
+pub struct ClassShares(pub Vec<(String, f64)>);
+
+impl ClassShares {
+    fn new(scale: &Scale, shares: Shares) -> Self {
+        Self(scale.class.iter().map(|c| c.name.clone()).zip(shares.0).collect())
+    }
+}
+
+impl Serialize for ClassShares {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_map(self.0.iter().map(|(name, share)| (name, share)))
+    }
+}
+
+impl ScaleReading {
+    fn new(piece: &Piece, scale: &Scale) -> Self {
+        let (model, state) = (&piece.model, &piece.state);
+        Self {
+            label: scale.name.clone(),
+            class: scale.name_of(piece.core_peak.0).to_owned(),
+            section_pct: ClassShares::new(scale, model.cut_shares(state, &model.cut_across(0.0), scale)),
+            volume_pct: ClassShares::new(scale, model.volume_shares(state, scale)),
+        }
     }
 }
 
@@ -192,10 +254,12 @@ impl Summary {
         runner: &Runner,
         steps: &[StepRecord],
         masses_at_start: &[f64],
+        scales: &[Arc<Scale>],
         wall_s: f64,
     ) -> Self {
         let stopped_by = runner.stopped().unwrap_or(StoppedBy::MaxS);
-        let foods = kitchen.pieces().iter().zip(masses_at_start).map(|(p, m)| FoodSummary::new(p, *m)).collect();
+        let foods =
+            kitchen.pieces().iter().zip(masses_at_start).map(|(p, m)| FoodSummary::new(p, *m, scales)).collect();
         let unhealthy = kitchen.pieces().iter().filter(|p| !p.state.healthy);
         Self {
             title: runner.recipe().title.clone(),
@@ -219,7 +283,7 @@ impl Summary {
 }
 
 impl FoodSummary {
-    fn new(piece: &Piece, mass_at_start: f64) -> Self {
+    fn new(piece: &Piece, mass_at_start: f64, scales: &[Arc<Scale>]) -> Self {
         let (model, state) = (&piece.model, &piece.state);
         let surface = |side| {
             let face = model.face_reading(state, side);
@@ -231,6 +295,9 @@ impl FoodSummary {
             }
         };
         let (core, least) = model.log_reduction(state);
+        // There always is one: the library does not load without it.
+        let default = scales.iter().find(|s| s.id == DEFAULT_SCALE);
+        let fitting = scales.iter().filter(|s| s.fits(&model.kinetics));
         let names = model.kinetics.names();
         let mean = |field: &Vec<f64>| model.volume_mean(field);
         let upwards = if state.down == saute_food::Side::Bottom { 1.0 } else { -1.0 };
@@ -247,8 +314,9 @@ impl FoodSummary {
                 peak: celsius(piece.core_peak.0),
                 peak_at_s: rounded(piece.core_peak.1),
             },
-            section_pct: model.cut_shares(state, &model.cut_across(0.0)).into(),
-            volume_pct: model.volume_shares(state).into(),
+            section_pct: default.map(|s| model.cut_shares(state, &model.cut_across(0.0), s).into()).unwrap_or_default(),
+            volume_pct: default.map(|s| model.volume_shares(state, s).into()).unwrap_or_default(),
+            doneness: ByScale(fitting.map(|s| (s.id.clone(), ScaleReading::new(piece, s))).collect()),
             denatured: names.into_iter().map(str::to_owned).zip(state.changed.iter().map(mean)).collect(),
             elastic_modulus_kpa: model.elastic_modulus_kpa(state),
             hardness_index: model.hardness_index(state),

@@ -28,7 +28,9 @@ pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
         for (i, name) in ["— pan", "— core", "- - underside"].into_iter().enumerate() {
             ui.label(RichText::new(name).size(13.0).color(theme::CURVES[i]));
         }
-        ui.label(RichText::new("··· goal").size(13.0).color(theme::QUIET));
+        if app.scale().is_some() {
+            ui.label(RichText::new("··· goal").size(13.0).color(theme::QUIET));
+        }
     });
     Plot::new("curves")
         .height(height)
@@ -50,10 +52,10 @@ pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
                 let width = [1.6, 2.4, 1.6][i];
                 plot.line(Line::new(name, PlotPoints::from(points)).color(theme::CURVES[i]).style(style).width(width));
             }
-            let goal = settings.degrees(settings.goal_c);
-            plot.hline(
-                egui_plot::HLine::new("goal", goal).color(theme::QUIET).style(LineStyle::dotted_dense()).width(1.0),
-            );
+            if app.scale().is_some() {
+                let goal = egui_plot::HLine::new("goal", settings.degrees(settings.goal_c));
+                plot.hline(goal.color(theme::QUIET).style(LineStyle::dotted_dense()).width(1.0));
+            }
             for mark in &app.session.marks {
                 let line = VLine::new(mark.label.clone(), mark.time_s / 60.0)
                     .color(egui::Color32::from_white_alpha(46))

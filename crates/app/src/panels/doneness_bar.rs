@@ -1,55 +1,129 @@
-//! The stacked bar of raw, rare, medium and well-done: colour, pattern, words and numbers.
+//! The stacked bar of the classes of doneness: colour, pattern, words and numbers; or what else has changed.
 
-use egui::{Color32, Painter, Rect, Sense, Stroke, Ui, pos2, vec2};
-use saute_kitchen::food::{Class, Shares};
+use egui::{Color32, ComboBox, Painter, Rect, RichText, Sense, Stroke, Ui, pos2, vec2};
+use saute_kitchen::food::Scale;
 
-use crate::colour_map::class_colour;
+use crate::app::SauteApp;
+use crate::colour_map::Tone;
 use crate::settings::Settings;
 use crate::theme;
 
-/// Names of the classes.
-pub const NAMES: [&str; 4] = ["raw", "rare", "medium", "well done"];
-
-/// Bounds of the classes in the chosen unit.
-fn bounds(settings: &Settings) -> [String; 4] {
-    let [a, b, c] = [50.0, 60.0, 70.0].map(|bound| settings.degrees(bound));
+/// Bounds of a class in the chosen unit; the unit stands beside the first and the last.
+fn range(settings: &Settings, scale: &Scale, class: usize) -> String {
+    let from = settings.degrees(scale.class[class].from_c);
     let unit = settings.unit();
-    [format!("< {a:.0} {unit}"), format!("{a:.0}–{b:.0}"), format!("{b:.0}–{c:.0}"), format!("> {c:.0} {unit}")]
+    match (class, scale.end_c(class).map(|c| settings.degrees(c))) {
+        (0, Some(end)) => format!("< {end:.0} {unit}"),
+        (_, Some(end)) => format!("{from:.0}–{end:.0}"),
+        (_, None) => format!("> {from:.0} {unit}"),
+    }
 }
 
-/// Shows the shares of a section.
-pub fn show(ui: &mut Ui, settings: &Settings, shares: &Shares) {
-    let bounds = bounds(settings);
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 26.0), Sense::hover());
-    let spoken: Vec<String> = NAMES.iter().zip(shares.0).map(|(n, s)| format!("{n} {s:.0} %")).collect();
-    response.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, format!("Cross-section: {}", spoken.join(", ")))
+/// Shows the shares of a section by the chosen scale, or the changes of a food that no scale knows.
+pub fn show(app: &mut SauteApp, ui: &mut Ui) {
+    let Some(scale) = app.scale() else {
+        changes(app, ui);
+        return;
+    };
+    selector(app, ui, &scale);
+    bar(app, ui, &scale);
+    columns(app, ui, &scale);
+}
+
+/// The scale's label; a click chooses another.
+fn selector(app: &mut SauteApp, ui: &mut Ui, scale: &Scale) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().interact_size.y = 22.0;
+        ui.spacing_mut().button_padding = vec2(8.0, 2.0);
+        ui.label(RichText::new("Doneness by").size(12.5).color(theme::QUIET));
+        let text = RichText::new(&scale.name).size(13.0);
+        let combo = ComboBox::from_id_salt("scale").selected_text(text).width(ui.available_width() - 4.0);
+        let mut chosen = None;
+        let shown = combo.show_ui(ui, |ui| {
+            for other in &app.session.library.scales {
+                if ui.selectable_label(other.id == scale.id, &other.name).clicked() {
+                    chosen = Some(other.clone());
+                }
+            }
+        });
+        let name = format!("Scale of doneness: {}", scale.name);
+        shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &name));
+        shown.response.on_hover_text("another scale (D)");
+        if let Some(other) = chosen {
+            app.choose_scale(&other);
+        }
     });
+}
+
+fn bar(app: &SauteApp, ui: &mut Ui, scale: &Scale) {
+    let shares = app.inside.shares.0;
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 24.0), Sense::hover());
+    let spoken: Vec<String> = scale.class.iter().zip(shares).map(|(c, s)| format!("{} {s:.0} %", c.name)).collect();
+    let spoken = format!("Cross-section by {}: {}", scale.name, spoken.join(", "));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &spoken));
+    response.on_hover_text("cut through the centre, by highest temperature so far");
     let mut left = rect.left();
-    for (class, share) in Class::ALL.into_iter().zip(shares.0) {
+    for (class, share) in (0..scale.class.len()).zip(shares) {
         let width = rect.width() * share as f32 / 100.0;
         if width > 0.0 {
-            swatch(ui.painter(), Rect::from_min_size(pos2(left, rect.top()), vec2(width, rect.height())), class);
+            let part = Rect::from_min_size(pos2(left, rect.top()), vec2(width, rect.height()));
+            swatch(ui.painter(), part, Tone::of(scale, class));
         }
         left += width;
     }
-    let caption = "cut through the centre, by highest temperature so far";
-    ui.label(egui::RichText::new(caption).size(11.0).color(theme::QUIET));
-    ui.columns(4, |columns| {
-        for (i, ui) in columns.iter_mut().enumerate() {
-            ui.spacing_mut().item_spacing.y = 1.0;
-            let (mark, _) = ui.allocate_exact_size(vec2(18.0, 10.0), Sense::hover());
-            swatch(ui.painter(), mark, Class::ALL[i]);
-            ui.label(egui::RichText::new(format!("{:.0} %", shares.0[i])).size(16.0).strong());
-            ui.label(egui::RichText::new(NAMES[i]).size(12.5));
-            ui.label(egui::RichText::new(&bounds[i]).size(11.0).color(theme::QUIET));
+}
+
+/// Number, name and range of each class, side by side; longer names get more room.
+fn columns(app: &SauteApp, ui: &mut Ui, scale: &Scale) {
+    let gap = 4.0;
+    let room = ui.available_width() - gap * (scale.class.len() - 1) as f32;
+    // As many letters as its name or its range needs, at least.
+    let letters = |c: usize| scale.class[c].name.chars().count().max(6) as f32;
+    let all: f32 = (0..scale.class.len()).map(letters).sum();
+    ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = gap;
+        for class in 0..scale.class.len() {
+            let size = vec2(room * letters(class) / all, 0.0);
+            ui.allocate_ui_with_layout(size, egui::Layout::top_down(egui::Align::Min), |ui| {
+                ui.set_width(size.x);
+                ui.spacing_mut().item_spacing.y = 1.0;
+                let (mark, _) = ui.allocate_exact_size(vec2(18.0, 10.0), Sense::hover());
+                swatch(ui.painter(), mark, Tone::of(scale, class));
+                let small = if scale.class.len() > 4 { 11.0 } else { 12.5 };
+                ui.label(RichText::new(format!("{:.0} %", app.inside.shares.0[class])).size(16.0).strong());
+                ui.add(egui::Label::new(RichText::new(&scale.class[class].name).size(small)).extend());
+                let range = RichText::new(range(&app.settings, scale, class)).size(11.0).color(theme::QUIET);
+                ui.add(egui::Label::new(range).extend());
+            });
         }
     });
 }
 
+/// What heat has changed in a food that no scale of doneness knows: name and mean share of each change.
+fn changes(app: &SauteApp, ui: &mut Ui) {
+    let caption = "Changed by heat so far, mean of the whole";
+    ui.label(RichText::new(caption).size(12.5).color(theme::QUIET));
+    for (name, share) in &app.inside.changed {
+        let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
+        let text = format!("{name} {:.0} %", 100.0 * share);
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &text));
+        let track = Rect::from_min_max(
+            pos2(rect.left() + 92.0, rect.top() + 4.0),
+            pos2(rect.right() - 52.0, rect.bottom() - 4.0),
+        );
+        let full = Rect::from_min_size(track.min, vec2(track.width() * *share as f32, track.height()));
+        let (painter, font) = (ui.painter(), egui::FontId::proportional(14.0));
+        painter.text(rect.left_center(), egui::Align2::LEFT_CENTER, name, font.clone(), theme::TEXT);
+        painter.rect_filled(track, 3.0, theme::RAISED);
+        painter.rect_filled(full, 3.0, theme::CURVES[2]);
+        let percent = format!("{:.0} %", 100.0 * share);
+        painter.text(rect.right_center(), egui::Align2::RIGHT_CENTER, percent, font, theme::TEXT);
+    }
+}
+
 /// A patch in a class's colour and pattern, so that nothing is told by hue alone.
-pub fn swatch(painter: &Painter, rect: Rect, class: Class) {
-    let [r, g, b] = class_colour(class);
+pub fn swatch(painter: &Painter, rect: Rect, tone: Tone) {
+    let [r, g, b] = tone.colour();
     let painter = painter.with_clip_rect(rect.intersect(painter.clip_rect()));
     painter.rect_filled(rect, 2.0, Color32::from_rgb(r, g, b));
     let ink = Stroke::new(1.2, Color32::from_black_alpha(90));
@@ -62,14 +136,23 @@ pub fn swatch(painter: &Painter, rect: Rect, class: Class) {
             x += gap;
         }
     };
-    match class {
-        Class::Raw => {}
-        Class::Rare => dots(&painter, rect),
-        Class::Medium => lines(1.0, 8.0),
-        Class::WellDone => {
+    match tone {
+        Tone::Raw => {}
+        Tone::Rare => dots(&painter, rect),
+        Tone::MediumRare => level_lines(&painter, rect, ink),
+        Tone::Medium => lines(1.0, 8.0),
+        Tone::WellDone => {
             lines(1.0, 7.0);
             lines(-1.0, 7.0);
         }
+    }
+}
+
+fn level_lines(painter: &Painter, rect: Rect, ink: Stroke) {
+    let mut y = rect.top() + 3.0;
+    while y < rect.bottom() {
+        painter.line_segment([pos2(rect.left(), y), pos2(rect.right(), y)], ink);
+        y += 5.0;
     }
 }
 

@@ -11,7 +11,7 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
     let modal = Modal::new(Id::unique("help")).frame(theme::panel().fill(theme::SOLID)).show(ui.ctx(), |ui| {
         ui.set_width((whole.width() - 60.0).min(760.0));
         ui.heading("Keys");
-        ui.label("Mouse: drag to look around, wheel to zoom. Click the steak to put it in or to flip it; drag it between board and pan. Drag the knob to move the cut.");
+        ui.label("Mouse: drag to look around, wheel to zoom. Click the food to put it in or to flip it; drag it between board and pan. Drag the knob to move the cut.");
         ui.add_space(6.0);
         let height = whole.height() - 190.0;
         egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {

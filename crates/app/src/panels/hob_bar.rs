@@ -1,7 +1,7 @@
 //! Hob, cloth, hands and time.
 
 use egui::{RichText, Ui};
-use saute_kitchen::{Place, celsius};
+use saute_kitchen::{Kitchen, Place, celsius};
 
 use crate::act::{Act, key_of};
 use crate::app::SauteApp;
@@ -33,6 +33,10 @@ fn temperatures(app: &SauteApp, ui: &mut Ui) {
     let shown = |kelvin: f64| app.settings.temperature(celsius(kelvin));
     let (core, pan) = (shown(piece.core()), shown(app.session.kitchen.pan_temperature()));
     ui.label(RichText::new(format!("core {core}   ·   pan {pan}")).size(18.0).strong());
+    if let Some(scale) = app.scale() {
+        let class = format!("core so far: {} (scale: {})", scale.name_of(piece.core_peak.0), scale.name);
+        ui.label(RichText::new(class).size(13.0).color(theme::QUIET));
+    }
 }
 
 fn hob(app: &mut SauteApp, ui: &mut Ui) {
@@ -56,18 +60,45 @@ fn hands(app: &mut SauteApp, ui: &mut Ui) {
     let place = app.session.steak().map(|p| p.place);
     let in_pan = matches!(place, Some(Place::Pan(_)));
     let next_is_put = matches!(place, Some(Place::Waiting));
-    button(app, ui, "Steak in", next_is_put, place.is_some() && !in_pan, Act::Put);
+    button(
+        app,
+        ui,
+        &capitalised(&format!("{} in", app.session.noun())),
+        next_is_put,
+        place.is_some() && !in_pan,
+        Act::Put,
+    );
     button(app, ui, "Flip", false, in_pan, Act::Flip);
     button(app, ui, "Take out", false, in_pan, Act::Out);
     let on_cloth = app.session.kitchen.cloth().is_some();
     button(app, ui, "Wet cloth", on_cloth, true, Act::Cloth);
     button(app, ui, "Start over", false, true, Act::Restart);
+    if let Some(text) = no_power(&app.session.kitchen) {
+        ui.label(RichText::new(text).size(13.0).color(theme::ACCENT).strong());
+    }
     if let Some(runner) = &app.session.runner {
         let text = format!("{} – next: {}", runner.recipe().title, runner.waiting_for());
         ui.add(egui::Label::new(RichText::new(text).size(13.0).color(theme::QUIET)).truncate());
     } else if app.session.recipe_title().is_none() {
         ui.label(RichText::new("A thin oil film covers the pan.").size(13.0).color(theme::QUIET));
     }
+}
+
+/// Why the hob gives no power although it is on.
+fn no_power(kitchen: &Kitchen) -> Option<&'static str> {
+    let (pan, on) = (kitchen.pan_state(), kitchen.hob_w() > 0.0);
+    match () {
+        () if !on || kitchen.drawn_w() > 0.0 => None,
+        () if kitchen.cloth().is_some() => Some("No power: the pan is on the cloth"),
+        () if pan.limited => Some("No power: the hob's limit holds"),
+        () if pan.pose.lift > 0.0 => Some("No power: the pan is lifted"),
+        () => Some("No power: the pan is off its ring"),
+    }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 fn time(app: &mut SauteApp, ui: &mut Ui) {

@@ -1,16 +1,21 @@
 //! What is inside now: the cut, doneness, temperatures, the goal and the curves.
 
 use egui::{RichText, TextureHandle, TextureOptions, Ui, vec2};
-use saute_kitchen::food::Shares;
+use saute_kitchen::food::{Scale, Shares};
 use saute_kitchen::{Piece, Place, celsius};
 
 use crate::app::SauteApp;
+use crate::colour_map::TemperatureMap;
 use crate::panels::{curves, doneness_bar};
 use crate::section_picture::section_picture;
+use crate::settings::Settings;
 use crate::theme;
+use crate::view::View;
 
-/// Pictures of the cut are painted at this scale [pixels/mm] (chosen: sharp in the panel, 4 ms a picture).
+/// Pictures of the cut of a steak are painted at this scale [pixels/mm] (chosen: sharp in the panel, 4 ms a picture).
 const PER_MM: f64 = 3.2;
+/// Width of the picture's place in the panel [points]; narrower pieces are painted finer.
+const PANEL_WIDTH: f64 = 290.0;
 /// The picture is painted anew this often [wall s] (chosen).
 const REPAINT_S: f64 = 0.4;
 
@@ -19,27 +24,45 @@ const REPAINT_S: f64 = 0.4;
 pub struct Inside {
     texture: Option<TextureHandle>,
     painted_at: f64,
-    painted_for: Option<(u64, i64, crate::View, crate::TemperatureMap, bool)>,
-    shares: Shares,
+    painted_for: Option<Painted>,
+    /// Doneness of the section, by the chosen scale.
+    pub(crate) shares: Shares,
+    /// Names and mean shares of what heat has changed.
+    pub(crate) changed: Vec<(String, f64)>,
+    /// Hardness over that of the raw food [-] and juiciness [%].
+    bite: [f64; 2],
+}
+
+/// What a picture of the cut was painted for.
+#[derive(Clone, Debug, PartialEq)]
+struct Painted {
+    generation: u64,
+    place: i64,
+    view: View,
+    map: TemperatureMap,
+    scale: Option<String>,
+    flipped: bool,
 }
 
 /// From here on every cooking oil smokes [°C] (refined oils 200–270).
 const TOO_HOT_C: f64 = 270.0;
+/// Height of the picture of the cut at most [points].
+const CUT_HEIGHT: f32 = 84.0;
 /// Room for two lines of advice [points].
 const ADVICE_HEIGHT: f32 = 40.0;
 
-/// Goals with names: core peak [°C] in the 2013 paper's classes.
-const GOALS: [(&str, f64); 3] = [("rare", 54.0), ("medium", 62.0), ("well done", 72.0)];
+/// How far into a class its goal for the core lies [K] (chosen: within every class, clear of its bound).
+const GOAL_INTO_CLASS: f64 = 2.0;
 
 /// Shows the panel.
 pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     if app.session.steak().is_none() {
-        ui.label("No food is set out. Choose one under “Steak…”.");
+        ui.label("No food is set out. Choose one (N).");
         return;
     }
     refresh(app, ui);
     cut(app, ui);
-    doneness_bar::show(ui, &app.settings, &app.inside.shares);
+    doneness_bar::show(app, ui);
     ui.separator();
     readings(app, ui);
     ui.separator();
@@ -56,33 +79,51 @@ fn refresh(app: &mut SauteApp, ui: &Ui) {
     let Some(piece) = app.session.steak() else { return };
     let place = app.slice.unwrap_or(0.0);
     let flipped = piece.state.down == saute_kitchen::food::Side::Top;
-    let wanted = (app.session.generation, (place * 1e4) as i64, app.settings.view, app.settings.map, flipped);
-    let same = app.inside.painted_for == Some(wanted);
+    let scale = app.scale();
+    let wanted = Painted {
+        generation: app.session.generation,
+        place: (place * 1e4) as i64,
+        view: app.settings.view,
+        map: app.settings.map,
+        scale: scale.as_ref().map(|s| s.id.clone()),
+        flipped,
+    };
+    let same = app.inside.painted_for.as_ref() == Some(&wanted);
     if same && now - app.inside.painted_at < REPAINT_S {
         return;
     }
     let x = place * crate::stage::half_length(piece);
-    let picture = section_picture(&piece.model, &piece.state, x, app.settings.view, app.settings.map, PER_MM);
-    let shares = piece.model.cut_shares(&piece.state, &piece.model.cut_across(0.0));
+    let (model, state) = (&piece.model, &piece.state);
+    let colours = wanted.view.colour_map(wanted.map, scale.as_deref());
+    let picture = section_picture(model, state, x, wanted.view, colours.as_ref(), per_mm(piece));
+    let shares = scale.map(|s| model.cut_shares(state, &model.cut_across(0.0), &s)).unwrap_or_default();
+    let means = state.changed.iter().map(|field| model.volume_mean(field));
+    let changed = model.kinetics.names().into_iter().map(str::to_owned).zip(means).collect();
+    app.inside.bite = [model.hardness_index(state), model.juiciness_pct(state)];
     let image = egui::ColorImage::from_rgba_unmultiplied([picture.width, picture.height], &picture.rgba);
     match &mut app.inside.texture {
         Some(texture) => texture.set(image, TextureOptions::LINEAR),
         None => app.inside.texture = Some(ui.ctx().load_texture("cut", image, TextureOptions::LINEAR)),
     }
-    app.inside.shares = shares;
+    (app.inside.shares, app.inside.changed) = (shares, changed);
     app.inside.painted_at = now;
     app.inside.painted_for = Some(wanted);
+}
+
+/// Fineness at which the cut of a piece is sharp in the panel [pixels/mm].
+fn per_mm(piece: &Piece) -> f64 {
+    let across = 1e3 * piece.model.size[0].min(piece.model.size[1]);
+    (PANEL_WIDTH / across).clamp(PER_MM, 8.0 * PER_MM)
 }
 
 fn cut(app: &mut SauteApp, ui: &mut Ui) {
     let Some(texture) = &app.inside.texture else { return };
     let width = ui.available_width();
     let size = texture.size_vec2();
-    let scale = (width / size.x).min(92.0 / size.y);
+    let scale = (width / size.x).min(CUT_HEIGHT / size.y);
+    let alt = format!("Cross-section of the {}", app.session.noun());
     ui.vertical_centered(|ui| {
-        let image =
-            egui::Image::new((texture.id(), size * scale)).corner_radius(5).alt_text("Cross-section of the steak");
-        ui.add(image);
+        ui.add(egui::Image::new((texture.id(), size * scale)).corner_radius(5).alt_text(alt));
     });
     let mut place = app.slice.unwrap_or(0.0);
     ui.horizontal(|ui| {
@@ -90,7 +131,8 @@ fn cut(app: &mut SauteApp, ui: &mut Ui) {
         ui.spacing_mut().slider_width = ui.available_width() - 16.0;
         let slider = egui::Slider::new(&mut place, -0.95..=0.95).show_value(false);
         let response = ui.add(slider);
-        response.widget_info(|| egui::WidgetInfo::slider(true, place, "Place of the cut along the steak"));
+        let name = format!("Place of the cut along the {}", app.session.noun());
+        response.widget_info(|| egui::WidgetInfo::slider(true, place, &name));
         if response.changed() {
             app.slice = Some(place);
         }
@@ -104,14 +146,17 @@ fn readings(app: &SauteApp, ui: &mut Ui) {
     let mass = 1e3 * piece.mass();
     let lost = 100.0 * (1.0 - mass / app.session.start_mass_g());
     let since = piece.flipped_at.map(|t| kitchen.time_s() - t);
+    let [hardness, juiciness] = app.inside.bite;
     let temperature = |kelvin: f64| settings.temperature(celsius(kelvin));
     let rows = [
         [("Core", temperature(piece.core())), ("Pan", temperature(kitchen.pan_temperature()))],
         [("Underside", temperature(piece.face(true))), ("Upper side", temperature(piece.face(false)))],
-        [("Mass", format!("{mass:.0} g")), ("Lost", format!("{lost:.1} %"))],
+        [("Mass", grams(mass)), ("Lost", format!("{:.1} %", tidy(lost)))],
+        [("Hardness", format!("{hardness:.1} × raw")), ("Juiciness", format!("{juiciness:.0} %"))],
         [("Time", clock(kitchen.time_s())), ("Since flip", since.map_or_else(|| "–".into(), clock))],
     ];
-    egui::Grid::new("readings").num_columns(4).min_col_width(56.0).spacing(vec2(10.0, 4.0)).show(ui, |ui| {
+    ui.spacing_mut().interact_size.y = 21.0;
+    egui::Grid::new("readings").num_columns(4).min_col_width(56.0).spacing(vec2(10.0, 3.0)).show(ui, |ui| {
         for row in rows {
             for (name, value) in row {
                 ui.label(RichText::new(name).size(12.5).color(theme::QUIET));
@@ -122,6 +167,16 @@ fn readings(app: &SauteApp, ui: &mut Ui) {
     });
 }
 
+/// A mass with as many places as it takes to see it change.
+fn grams(mass: f64) -> String {
+    if mass < 50.0 { format!("{mass:.1} g") } else { format!("{mass:.0} g") }
+}
+
+/// A percentage rounded to a tenth; adding zero turns −0.0 into 0.0, which would print as −0.0.
+fn tidy(percent: f64) -> f64 {
+    (10.0 * percent).round() / 10.0 + 0.0
+}
+
 /// Minutes and seconds.
 pub fn clock(seconds: f64) -> String {
     let whole = seconds.max(0.0) as u64;
@@ -129,15 +184,16 @@ pub fn clock(seconds: f64) -> String {
 }
 
 fn goal(app: &mut SauteApp, ui: &mut Ui) {
+    let Some(scale) = app.scale() else {
+        show_advice(app, ui);
+        return;
+    };
     ui.horizontal(|ui| {
-        ui.spacing_mut().button_padding.x = 7.0;
-        ui.label(RichText::new("Goal").size(12.5).color(theme::QUIET));
-        for (name, celsius) in GOALS {
-            let on = (app.settings.goal_c - celsius).abs() < 0.5;
-            if ui.selectable_label(on, name).clicked() {
-                app.settings.goal_c = celsius;
-            }
-        }
+        let many = scale.class.len() > 4;
+        (ui.spacing_mut().button_padding.x, ui.spacing_mut().item_spacing.x) =
+            if many { (4.0, 2.0) } else { (7.0, 8.0) };
+        ui.label(RichText::new("Goal").size(if many { 11.0 } else { 12.5 }).color(theme::QUIET));
+        goals(&mut app.settings, ui, &scale);
         let mut degrees = app.settings.degrees(app.settings.goal_c);
         let range = app.settings.degrees(45.0)..=app.settings.degrees(85.0);
         let drag =
@@ -150,6 +206,17 @@ fn goal(app: &mut SauteApp, ui: &mut Ui) {
         }
     });
     show_advice(app, ui);
+}
+
+/// A button for each class but the least done.
+fn goals(settings: &mut Settings, ui: &mut Ui, scale: &Scale) {
+    for class in scale.class.iter().skip(1) {
+        let goal = class.from_c + GOAL_INTO_CLASS;
+        let name = RichText::new(&class.name).size(if scale.class.len() > 4 { 11.5 } else { 15.0 });
+        if ui.selectable_label((settings.goal_c - goal).abs() < 0.5, name).clicked() {
+            settings.goal_c = goal;
+        }
+    }
 }
 
 /// Shows what to do next.
@@ -178,24 +245,24 @@ fn advice(app: &mut SauteApp) -> (String, bool) {
         (Place::Waiting | Place::Pan(_), _) if pan > TOO_HOT_C => {
             ("The pan is too hot and the oil smokes: turn the hob down, or use the wet cloth.".into(), true)
         }
-        (Place::Waiting, _) => ("The pan is hot. Put the steak in.".into(), true),
+        (Place::Waiting, _) => (format!("The pan is hot. Put the {} in.", app.session.noun()), true),
+        (Place::Pan(_), _) if app.scale().is_none() && wet_below(piece) => {
+            ("The underside is wet; it browns once dry.".into(), false)
+        }
+        (Place::Pan(_), _) if app.scale().is_none() => {
+            ("It browns below: flip it, or take it out, when you like it.".into(), false)
+        }
         (Place::Pan(_), Some(f)) if f.peak_c >= goal => {
             (format!("Take it out now: resting will bring the core to {}.", app.settings.temperature(f.peak_c)), true)
         }
         (Place::Pan(_), Some(f)) => {
             let later = format!("Taken out now, the core would peak at {}.", app.settings.temperature(f.peak_c));
-            (
-                if wet_below(piece) {
-                    format!("{later} The underside is wet; it will brown when it dries.")
-                } else {
-                    later
-                },
-                false,
-            )
+            (if wet_below(piece) { format!("{later} The underside is wet; it browns once dry.") } else { later }, false)
         }
         (Place::Rest(_), _) => {
             let peak = app.settings.temperature(celsius(piece.core_peak.0));
-            (format!("Resting. The core has reached {peak}."), false)
+            let class = app.scale().map(|s| format!(": {} ({})", s.name_of(piece.core_peak.0), s.name));
+            (format!("Resting. The core has reached {peak}{}.", class.unwrap_or_default()), false)
         }
         _ => (String::new(), false),
     }

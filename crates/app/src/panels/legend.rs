@@ -1,12 +1,12 @@
 //! The legend of the present view.
 
 use egui::{Align2, Color32, FontId, Rect, Sense, Ui, pos2, vec2};
+use saute_kitchen::food::Scale;
 
 use crate::app::SauteApp;
-use crate::colour_map::ColourMap;
+use crate::colour_map::{ColourMap, Tone};
 use crate::theme;
 use crate::view::View;
-use saute_kitchen::food::Class;
 
 /// Temperatures worth a mark in a kitchen [°C].
 const TICKS: [f64; 8] = [0.0, 50.0, 60.0, 70.0, 100.0, 140.0, 180.0, 220.0];
@@ -15,23 +15,32 @@ const TICKS: [f64; 8] = [0.0, 50.0, 60.0, 70.0, 100.0, 140.0, 180.0, 220.0];
 pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     match app.settings.view {
         View::Look => {}
-        View::Temperature => {
-            let map = app.settings.map.map();
-            let (rect, response) = ui.allocate_exact_size(vec2(250.0, 36.0), Sense::click());
-            response.widget_info(|| {
-                egui::WidgetInfo::labeled(
-                    egui::accesskit::Role::Button,
-                    true,
-                    "Legend of temperatures; click for the other colour map",
-                )
-            });
-            if response.on_hover_text("Click for the other colour map (M)").clicked() {
-                app.act(crate::act::Act::Map, &ui.ctx().clone());
+        View::Doneness => {
+            if let Some(scale) = app.scale() {
+                classes(ui, &scale);
+            } else {
+                ui.label(egui::RichText::new("highest\nso far").size(12.5).color(theme::QUIET));
+                temperatures(app, ui);
             }
-            scale(app, ui, rect, &map);
         }
-        View::Doneness => classes(ui),
+        View::Temperature => temperatures(app, ui),
     }
+}
+
+fn temperatures(app: &mut SauteApp, ui: &mut Ui) {
+    let map = app.settings.map.map();
+    let (rect, response) = ui.allocate_exact_size(vec2(250.0, 36.0), Sense::click());
+    response.widget_info(|| {
+        egui::WidgetInfo::labeled(
+            egui::accesskit::Role::Button,
+            true,
+            "Legend of temperatures; click for the other colour map",
+        )
+    });
+    if response.on_hover_text("Click for the other colour map (M)").clicked() {
+        app.act(crate::act::Act::Map, &ui.ctx().clone());
+    }
+    scale(app, ui, rect, &map);
 }
 
 fn scale(app: &SauteApp, ui: &Ui, rect: Rect, map: &ColourMap) {
@@ -74,10 +83,19 @@ fn scale(app: &SauteApp, ui: &Ui, rect: Rect, map: &ColourMap) {
     );
 }
 
-fn classes(ui: &mut Ui) {
-    for (class, name) in Class::ALL.into_iter().zip(super::doneness_bar::NAMES) {
-        let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
-        super::doneness_bar::swatch(ui.painter(), rect, class);
-        ui.label(egui::RichText::new(name).size(13.0));
-    }
+/// The classes of a scale under its label.
+pub fn classes(ui: &mut Ui, scale: &Scale) {
+    ui.vertical(|ui| {
+        ui.spacing_mut().item_spacing.y = 2.0;
+        let label = egui::RichText::new(format!("doneness by {}", scale.name)).size(12.0).color(theme::QUIET);
+        ui.label(label);
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 5.0;
+            for (place, class) in scale.class.iter().enumerate() {
+                let (rect, _) = ui.allocate_exact_size(vec2(15.0, 15.0), Sense::hover());
+                super::doneness_bar::swatch(ui.painter(), rect, Tone::of(scale, place));
+                ui.label(egui::RichText::new(&class.name).size(12.5));
+            }
+        });
+    });
 }

@@ -25,12 +25,20 @@ pub enum Drawer {
     Cook,
     /// What is inside.
     Inside,
-    /// Steak and pan.
-    Steak,
+    /// Food and pan.
+    Food,
 }
 
 impl Drawer {
-    const ALL: [(Self, &'static str); 3] = [(Self::Cook, "Cook"), (Self::Inside, "Inside"), (Self::Steak, "Steak")];
+    const ALL: [Self; 3] = [Self::Cook, Self::Inside, Self::Food];
+
+    fn name(self, app: &SauteApp) -> &'static str {
+        match self {
+            Self::Cook => "Cook",
+            Self::Inside => "Inside",
+            Self::Food => top::food_word(app),
+        }
+    }
 }
 
 /// Shows all panels.
@@ -43,14 +51,14 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui, layout: &Layout) {
     floating(ui, layout.right, 2, "inside", |ui| scrolled(ui, |ui| inside::show(app, ui)));
     floating(ui, layout.bottom, 3, "cook", |ui| hob_bar::show(app, ui, false));
     if let Some(left) = layout.left {
-        floating(ui, left, 4, "steak", |ui| scrolled(ui, |ui| pantry::show(app, ui)));
+        floating(ui, left, 4, "food", |ui| scrolled(ui, |ui| pantry::show(app, ui)));
     }
 }
 
 fn drawer(app: &mut SauteApp, ui: &mut Ui) {
     ui.horizontal(|ui| {
-        for (part, name) in Drawer::ALL {
-            if ui.add(theme::button(name, app.drawer == part)).clicked() {
+        for part in Drawer::ALL {
+            if ui.add(theme::button(part.name(app), app.drawer == part)).clicked() {
                 app.drawer = part;
             }
         }
@@ -60,7 +68,7 @@ fn drawer(app: &mut SauteApp, ui: &mut Ui) {
     scrolled(ui, |ui| match app.drawer {
         Drawer::Cook => hob_bar::show(app, ui, true),
         Drawer::Inside => inside::show(app, ui),
-        Drawer::Steak => pantry::show(app, ui),
+        Drawer::Food => pantry::show(app, ui),
     });
 }
 

@@ -1,33 +1,29 @@
-//! Choosing the steak and the pan.
+//! Choosing the food and the pan.
 
 use egui::{RichText, Ui};
+use saute_kitchen::food::FoodDescription;
 
 use crate::app::SauteApp;
+use crate::session::noun;
 use crate::theme;
 
 /// Shows the choices; they take effect with "Set out".
 pub fn show(app: &mut SauteApp, ui: &mut Ui) {
-    ui.heading("My steak");
-    set_out(app, ui);
-    ui.label(RichText::new("a raw steak and this pan; the clock starts anew").size(12.5).color(theme::QUIET));
     let library = std::sync::Arc::clone(&app.session.library);
+    let noun = noun(&library, &app.settings.choice.kind);
+    ui.heading(format!("My {noun}"));
+    set_out(app, ui);
+    let starts = format!("a raw {noun} and this pan; the clock starts anew");
+    ui.label(RichText::new(starts).size(12.5).color(theme::QUIET));
     let choice = &mut app.settings.choice;
     for (id, food) in &library.foods {
-        if ui.radio(choice.kind == *id, &food.name).clicked() {
+        if ui.radio(choice.kind == *id, &food.name).clicked() && choice.kind != *id {
             choice.kind.clone_from(id);
+            choice.size_mm.clone_from(&food.size.default_mm);
         }
     }
     if let Some(food) = library.foods.get(&choice.kind) {
-        let dimensions = food.form.dimensions();
-        if choice.size_mm.len() != dimensions.len() {
-            choice.size_mm.clone_from(&food.size.default_mm);
-        }
-        let thickness = dimensions.len() - 1;
-        for axis in std::iter::once(thickness).chain(0..thickness) {
-            // The window keeps pieces on the 200 mm floor: length and width end where their corner still fits.
-            let most = food.size.max_mm[axis].min(if axis == thickness { 60.0 } else { 150.0 });
-            slider(ui, dimensions[axis], &mut choice.size_mm[axis], food.size.min_mm[axis], most, " mm");
-        }
+        sizes(ui, food, &mut choice.size_mm);
     }
     let fahrenheit = app.settings.fahrenheit;
     temperature(ui, "start temperature", &mut app.settings.choice.initial_c, 0.0, 30.0, fahrenheit);
@@ -47,6 +43,22 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     temperature(ui, "preheated to", &mut app.settings.choice.preheat_c, 20.0, 260.0, fahrenheit);
     ui.separator();
     recipes(app, ui);
+}
+
+/// A slider for each dimension of the form, the thickness first.
+fn sizes(ui: &mut Ui, food: &FoodDescription, size_mm: &mut Vec<f64>) {
+    let (names, range) = (food.form.dimensions(), &food.size);
+    if size_mm.len() != names.len() {
+        size_mm.clone_from(&range.default_mm);
+    }
+    let thickness = names.len() - 1;
+    for axis in std::iter::once(thickness).chain(0..thickness) {
+        // The window keeps pieces on the 200 mm floor: length and width end where their corner still fits. Nothing
+        // stands on edge: no piece is thicker than long.
+        let longest = size_mm[..thickness].iter().copied().fold(0.0, f64::max);
+        let most = if axis == thickness { longest.min(60.0) } else { 150.0 };
+        slider(ui, names[axis], &mut size_mm[axis], range.min_mm[axis], range.max_mm[axis].min(most), " mm");
+    }
 }
 
 fn set_out(app: &mut SauteApp, ui: &mut Ui) {

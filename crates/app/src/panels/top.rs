@@ -5,6 +5,7 @@ use egui::Ui;
 use crate::act::{Act, key_of};
 use crate::app::SauteApp;
 use crate::panels::legend;
+use crate::session::STEAK;
 use crate::theme;
 use crate::view::View;
 
@@ -24,15 +25,20 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     });
 }
 
-/// Shows the unit, the help and, where there is room, the switch of the steak's panel, from the right.
+/// Shows the unit, the help and, where there is room, the switch of the food's panel, from the right.
 pub fn units_and_help(app: &mut SauteApp, ui: &mut Ui) {
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         chip(app, ui, "?", app.help, Act::Help);
         chip(app, ui, app.settings.unit(), false, Act::Units);
         if ui.available_width() > 90.0 {
-            chip(app, ui, "Steak…", app.settings.pantry_open, Act::Pantry);
+            chip(app, ui, &format!("{}…", food_word(app)), app.settings.pantry_open, Act::Pantry);
         }
     });
+}
+
+/// The word for what is cooked, where there is room for one only.
+pub fn food_word(app: &SauteApp) -> &'static str {
+    if app.session.noun() == STEAK { "Steak" } else { "Food" }
 }
 
 fn chip(app: &mut SauteApp, ui: &mut Ui, text: &str, on: bool, act: Act) {

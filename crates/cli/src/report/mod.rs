@@ -7,6 +7,7 @@ mod numbers;
 pub mod plot;
 mod sections;
 
+use saute_kitchen::food::Scale;
 use saute_kitchen::recorder::Row;
 use saute_kitchen::summary::FoodSummary;
 use saute_kitchen::{Cook, StoppedBy, Summary};
@@ -18,12 +19,12 @@ use crate::wording::duration;
 const STYLE: &str = include_str!("report.css");
 
 /// The whole page.
-pub fn html(cook: &Cook, summary: &Summary, snapshots: &[Snapshot]) -> String {
+pub fn html(cook: &Cook, summary: &Summary, snapshots: &[Snapshot], scale: &Scale) -> String {
     let title = escaped(&summary.title);
     let parts = [
         head(cook, summary, &title),
         summary.foods.iter().map(|f| key_numbers(summary, f)).collect(),
-        doneness::section(summary),
+        doneness::section(summary, scale),
         curves::section(cook, summary),
         sections::section(cook, summary, snapshots),
         numbers::section(cook, summary),
