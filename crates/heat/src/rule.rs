@@ -7,13 +7,10 @@ pub enum Rule {
     #[default]
     ShapeFunctions,
     /// A rod along every edge of the mesh with a cross-section of V^(2/3), V the mean of both nodes' volumes: right on a
-    /// lattice of cubes alone, kept for comparison. Heat enters at the vertices within [`SEGMENTS_REACH`] of a face.
+    /// lattice of cubes alone, kept for comparison. Heat enters at the vertices that lie on the face (our meshes have
+    /// none close below it, so any distance up to the first spacing is the same), each by its share of the area.
     Segments,
 }
-
-/// Vertices this close to a face take its heat under [`Rule::Segments`] [m] (chosen: our meshes have nodes on their
-/// faces, and none so close below them).
-pub const SEGMENTS_REACH: f64 = 1e-6;
 
 /// Shape of an edge under [`Rule::Segments`]: V^(2/3) over length, V the mean of both ends' volumes [m].
 pub fn segment_shape(volumes: [f64; 2], length: f64) -> f64 {

@@ -72,7 +72,7 @@ pub fn page(runs: &[CaseRun]) -> (String, Vec<(String, String)>) {
 
 const INTRODUCTION: &str = "# What the shape functions gain\n\nWritten by `saute validate --write`. Earlier work took every edge \
     of a mesh for a rod: conductance k · V^(2/3) / length, with V the mean of both nodes' shares of the volume; capacity \
-    ρ c V; heat enters at the vertices within a stated distance of the pan (here: the nodes on the face, each with its \
+    ρ c V; heat enters at the vertices within a stated distance of the pan (here zero: the nodes on the face, each with its \
     share of it). Linear shape functions take the area over length of the cells that meet at the edge instead.\n\n\
     The rods are right inside a lattice of cubes and nowhere else. At a face the cells are halved, and the rods along it \
     and into it are too thick for them; where a mesh gets finer towards a face, the rods across its flat cells are too \

@@ -227,7 +227,8 @@ pub enum RuleEntry {
     /// Linear shape functions.
     #[default]
     ShapeFunctions,
-    /// Along every edge k · V^(2/3) / length, V the mean of both nodes' volumes; for comparison.
+    /// Along every edge k · V^(2/3) / length, V the mean of both nodes' volumes; heat enters at the nodes on the face. For
+    /// comparison.
     Segments,
 }
 

@@ -1,7 +1,5 @@
 //! Checks a lab case as it was written and brings it into SI units.
 
-use core::f64;
-
 use saute_heat::Rule;
 use toml::Spanned;
 
