@@ -15,8 +15,12 @@ use crate::water::latent_heat;
 const STEFAN_BOLTZMANN: f64 = 5.670_374e-8;
 /// Nodes above this may boil [K].
 const NEARLY_BOILING: f64 = 372.15;
+/// Evaporation into air is reckoned at no higher surface temperature: beyond, water boils [K].
+const HOTTEST_WET: f64 = 373.15;
 /// Ticks between two refreshes of properties, proteins, browning and juice (chosen: half a second).
 pub const REFRESH_TICKS: u64 = 5;
+/// Ticks between two refreshes of the shape (chosen: two seconds, in which it changes by less than a thousandth).
+const SHAPE_TICKS: u64 = 20;
 /// Share of the stability limit that a step may use: properties are up to half a second old [-].
 const STABILITY_MARGIN: f64 = 0.8;
 
@@ -77,6 +81,8 @@ pub struct FoodSolver {
     conductivity: [Vec<f64>; 2],
     capacity: Vec<f64>,
     power: Vec<f64>,
+    /// Exchange of each patch with air, while it is free.
+    films: Vec<AirFilm>,
     hot: Vec<u32>,
     /// The last state in which everything was finite.
     sound: Option<FoodState>,
@@ -103,11 +109,12 @@ impl FoodSolver {
                 change(model, state, dt * REFRESH_TICKS as f64);
                 total.drip = model.release_juice(state, dt * REFRESH_TICKS as f64);
                 total.rendered = model.release_fat(state, dt * REFRESH_TICKS as f64);
-                if model.contracts {
+                if model.contracts && state.ticks.is_multiple_of(SHAPE_TICKS) {
                     model.shrink(state);
                 }
             }
             self.refresh(model, state, dt);
+            self.refresh_films(model, state, around);
             if !self.keep_or_restore(state) {
                 return Exchange::default();
             }
@@ -205,18 +212,22 @@ impl FoodSolver {
         total: &mut Exchange,
     ) {
         for (i, patch) in model.patches.iter().enumerate() {
-            let area_dt = present_area(patch, state) * dt;
             match around.touch.get(i) {
                 Some(touch) if touch.conductance > 0.0 => {
-                    let heat =
-                        self.exchange(state, patch.node as usize, touch.conductance * area_dt, touch.temperature);
+                    let conductance = touch.conductance * present_area(patch, state) * dt;
+                    let heat = self.exchange(state, patch.node as usize, conductance, touch.temperature);
                     self.contact_heat[i] += heat;
                 }
-                _ => {
-                    self.free_face(model, state, patch.node as usize, area_dt, &around.air[patch.face as usize], total)
-                }
+                _ => self.breathe(state, patch, &self.films[i], &around.air[patch.face as usize], dt, total),
             }
         }
+    }
+
+    /// Convection, radiation and evaporation of each patch, linearised about its present state.
+    fn refresh_films(&mut self, model: &FoodModel, state: &FoodState, around: &Surroundings) {
+        self.films.clear();
+        let film = |patch: &Patch| AirFilm::of(model, state, patch, &around.air[patch.face as usize]);
+        self.films.extend(model.patches.iter().map(film));
     }
 
     /// Brings a node towards `outside` through a conductance times time [J/K], implicitly; returns the heat gained [J].
@@ -229,35 +240,28 @@ impl FoodSolver {
         capacity * change
     }
 
-    /// A free face of the given area times time [m²·s].
+    /// A free patch exchanges heat and vapour with the air for `dt` [s].
     #[inline]
-    fn free_face(
+    fn breathe(
         &self,
-        model: &FoodModel,
         state: &mut FoodState,
-        node: usize,
-        area_dt: f64,
+        patch: &Patch,
+        film: &AirFilm,
         air: &FreeAir,
+        dt: f64,
         total: &mut Exchange,
     ) {
-        let emissivity = model.description.surface.emissivity;
-        let radiation = radiation_coefficient(emissivity, state.temperature[node], air.temperature) * air.radiation;
-        total.air -= self.exchange(state, node, (air.convection + radiation) * area_dt, air.temperature);
-        let t = state.temperature[node];
-        let surface = t.min(NEARLY_BOILING + 1.0);
-        let activity = model.isotherm.activity(state.water[node] / model.lean_solids[node]);
-        let vapour = model.vapour.at(surface);
-        let latent = latent_heat(t);
-        // Linearised in the temperature that falls as water leaves: no overshoot below the wet bulb.
-        let slope = activity * (model.vapour.at(surface + 0.5) - model.vapour.at(surface - 0.5));
-        let transfer = air.mass_transfer * area_dt;
-        let driven = transfer * (activity * vapour - air.vapour_density)
-            / (1.0 + transfer * slope * latent / self.capacity[node]);
-        let mass = driven.clamp(0.0, 0.2 * state.water[node]);
-        let enthalpy = mass * (model.properties.water_enthalpy(t) + latent);
+        let node = patch.node as usize;
+        total.air -= self.exchange(state, node, film.heat * dt, air.temperature);
+        let density = film.density + film.slope * (state.temperature[node].min(HOTTEST_WET) - film.temperature);
+        // Implicit in the temperature that falls as water leaves: no overshoot below the wet bulb.
+        let transfer = film.transfer * dt;
+        let damped = 1.0 + transfer * film.slope * film.latent / self.capacity[node];
+        let mass = (transfer * (density - air.vapour_density) / damped).clamp(0.0, 0.2 * state.water[node]);
+        let enthalpy = mass * film.vapour_enthalpy;
         state.water[node] -= mass;
         state.enthalpy[node] -= enthalpy;
-        state.temperature[node] -= mass * latent / self.capacity[node];
+        state.temperature[node] -= mass * film.latent / self.capacity[node];
         total.evaporated += mass;
         total.evaporation += enthalpy;
     }
@@ -271,30 +275,63 @@ impl FoodSolver {
         self.hot.extend((0u32..).zip(&state.temperature).filter(|(_, t)| **t > NEARLY_BOILING).map(|(i, _)| i));
         for &node in &self.hot {
             let i = node as usize;
-            for _ in 0..8 {
+            for _ in 0..4 {
                 let moisture = state.water[i] / model.lean_solids[i];
                 let boiling = model.isotherm.boiling_point(moisture);
-                if state.water[i] <= 0.0 || state.temperature[i] < boiling - 2.0 {
+                let excess = state.temperature[i] - boiling;
+                if excess <= 1e-3 || state.water[i] <= 0.0 {
                     break;
                 }
-                let masses = model.masses(state, i);
-                let t = model.properties.temperature(&masses, state.enthalpy[i], state.temperature[i]);
-                state.temperature[i] = t;
-                if t <= boiling + 1e-3 {
-                    break;
-                }
-                let capacity = model.properties.enthalpy(&masses, t).1;
+                let capacity = self.capacity[i];
                 let drier = 0.995 * moisture;
                 let slope =
                     (model.isotherm.boiling_point(drier) - boiling) / ((moisture - drier) * model.lean_solids[i]);
                 let latent = latent_heat(boiling);
-                let mass = (capacity * (t - boiling) / (latent + capacity * slope)).min(state.water[i]);
+                let mass = (capacity * excess / (latent + capacity * slope)).min(state.water[i]);
                 let enthalpy = mass * (model.properties.water_enthalpy(boiling) + latent);
                 state.water[i] -= mass;
                 state.enthalpy[i] -= enthalpy;
+                state.temperature[i] -= mass * latent / capacity;
                 total.evaporated += mass;
                 total.evaporation += enthalpy;
             }
+        }
+    }
+}
+
+/// A free patch's exchange with air, linear in its temperature.
+#[derive(Clone, Copy, Debug, Default)]
+struct AirFilm {
+    /// Convection and radiation [W/K].
+    heat: f64,
+    /// Mass transfer coefficient times area [m³/s].
+    transfer: f64,
+    /// Vapour density at the surface [kg/m³] at `temperature` [K], and its slope [kg/(m³·K)].
+    density: f64,
+    slope: f64,
+    temperature: f64,
+    /// Latent heat, and enthalpy of the vapour above liquid water at 0 °C [J/kg].
+    latent: f64,
+    vapour_enthalpy: f64,
+}
+
+impl AirFilm {
+    fn of(model: &FoodModel, state: &FoodState, patch: &Patch, air: &FreeAir) -> Self {
+        let node = patch.node as usize;
+        let t = state.temperature[node];
+        let area = present_area(patch, state);
+        let radiation = radiation_coefficient(model.description.surface.emissivity, t, air.temperature) * air.radiation;
+        let surface = t.min(HOTTEST_WET);
+        let activity = model.isotherm.activity(state.water[node] / model.lean_solids[node]);
+        let latent = latent_heat(t);
+        Self {
+            heat: (air.convection + radiation) * area,
+            transfer: air.mass_transfer * area,
+            density: activity * model.vapour.at(surface),
+            slope: activity * (model.vapour.at(surface + 0.5) - model.vapour.at(surface - 0.5)),
+            temperature: surface,
+            latent,
+            vapour_enthalpy: model.properties.water_enthalpy(t) + latent,
         }
     }
 }

@@ -108,6 +108,8 @@ pub struct FoodModel {
     pub lean_solids: Vec<f64>,
     /// Raw fat of each node [kg].
     pub initial_fat: Vec<f64>,
+    /// Raw mass [kg].
+    pub raw_mass: f64,
     /// Raw share of adipose tissue of each node [-].
     pub adipose: Vec<f64>,
     /// Where the fat seams run.
@@ -225,6 +227,7 @@ impl FoodModel {
             initial_water: Vec::new(),
             lean_solids: Vec::new(),
             initial_fat: Vec::new(),
+            raw_mass: 0.0,
             adipose: Vec::new(),
             size,
             outline,
@@ -257,17 +260,14 @@ impl FoodModel {
             self.initial_fat.push(mass * fractions[2]);
         }
         self.adipose = seams;
+        let all = [&self.initial_water, &self.lean_solids, &self.initial_fat];
+        self.raw_mass = all.iter().map(|m| m.iter().sum::<f64>()).sum();
     }
 
     /// Water, lean solids and fat that a node holds now [kg].
     #[inline]
     pub fn masses(&self, state: &FoodState, node: usize) -> Masses {
         [state.water[node], self.lean_solids[node], state.fat[node]]
-    }
-
-    /// Raw mass [kg].
-    pub fn raw_mass(&self) -> f64 {
-        [&self.initial_water, &self.lean_solids, &self.initial_fat].iter().map(|m| m.iter().sum::<f64>()).sum()
     }
 
     /// Value of a node field at the rest shape's centroid.

@@ -127,6 +127,11 @@ impl FoodState {
         [&self.water, &model.lean_solids, &self.fat].iter().map(|m| m.iter().sum::<f64>()).sum()
     }
 
+    /// As [`Self::mass`], from what has left: cheap, and the same but for rounding [kg].
+    pub fn mass_left(&self, model: &FoodModel) -> f64 {
+        model.raw_mass - self.evaporated - self.dripped - self.rendered
+    }
+
     /// Enthalpy above 0 °C [J].
     pub fn total_enthalpy(&self) -> f64 {
         self.enthalpy.iter().sum()

@@ -131,7 +131,7 @@ impl Piece {
         let simple = self.model.rules == Rules::Paper2013;
         let face = FaceContact {
             since: self.since_contact,
-            pressure: GRAVITY * self.mass() / self.model.mesh.section.area(),
+            pressure: GRAVITY * self.state.mass_left(&self.model) / self.model.mesh.section.area(),
             film: pan.oil_film(pan_state, room),
             coating: pan.description.coating_w_m2k.unwrap_or(f64::INFINITY),
         };

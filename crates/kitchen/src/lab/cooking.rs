@@ -190,7 +190,7 @@ impl<'a> Cooking<'a> {
         let area: f64 = model.patches[range.clone()].iter().map(|p| p.area).sum();
         let face = FaceContact {
             since: self.time() - self.laid_at,
-            pressure: crate::piece::GRAVITY * self.state.mass(model) / area,
+            pressure: crate::piece::GRAVITY * self.state.mass_left(model) / area,
             film: self.cooking.room.default_film(),
             coating: f64::INFINITY,
         };
@@ -255,7 +255,7 @@ impl<'a> Cooking<'a> {
             evaporated_g: Some(1e3 * self.state.evaporated),
             dripped_g: Some(1e3 * self.state.dripped),
             rendered_g: Some(1e3 * self.state.rendered),
-            lost_pct: Some(100.0 * (1.0 - self.state.mass(model) / model.raw_mass())),
+            lost_pct: Some(100.0 * (1.0 - self.state.mass(model) / model.raw_mass)),
             surface_lab: surface_lab(model, &self.state),
             core_peak_c: Some(celsius(self.core_peak[0])),
             core_peak_at_s: Some(self.core_peak[1]),
