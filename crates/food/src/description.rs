@@ -187,6 +187,8 @@ sourced_table! {
         slope_per_k: f64,
         /// Temperature of the transition [°C].
         middle_c: f64,
+        /// Share of the raw water that is lost at least when a change is complete, by its name [-].
+        change: BTreeMap<String, f64>,
         /// First-order release of what is no longer held [1/s].
         release_per_s: f64,
         /// Speed of free juice along the fibres [µm/s].

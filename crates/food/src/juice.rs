@@ -15,7 +15,7 @@ pub struct Runoff {
 impl FoodModel {
     /// Releases and moves juice for `dt` [s] and returns what ran off.
     ///
-    /// Water beyond what is held at the peak temperature becomes free with first order. Free juice moves along the
+    /// Water beyond what is held at the peak temperature and after the changes becomes free with first order. Free juice moves along the
     /// fibres towards the nearer face at a speed v: dF/dt = −F v/Δz, and takes its heat along. On its way flesh that
     /// has dried below what it can hold takes it up; what reaches a face gathers as a film there, then runs off.
     pub fn release_juice(&self, state: &mut FoodState, dt: f64) -> Runoff {
@@ -35,9 +35,10 @@ impl FoodModel {
         runoff
     }
 
-    /// Water that a node can hold now [kg].
+    /// Water that a node can hold now [kg]: what the peak temperature leaves, or the changes if they leave less.
     fn capacity(&self, state: &FoodState, node: usize) -> f64 {
-        self.initial_water[node] * self.held.at(state.peak[node])
+        let squeezed: f64 = state.changed.iter().zip(&self.squeeze).map(|(x, s)| s * x[node]).sum();
+        self.initial_water[node] * self.held.at(state.peak[node]).min(1.0 - squeezed)
     }
 
     /// Frees a share of what a column's nodes no longer hold; dried flesh takes up free juice.

@@ -128,6 +128,8 @@ pub struct FoodModel {
     pub held: Table,
     /// Log₁₀ reduction of pathogens against temperature [1/s].
     pub lethality: Table,
+    /// Share of the raw water that each complete change squeezes out at least [-].
+    pub squeeze: PerChange,
     /// What each change adds to the elastic modulus [kPa].
     pub modulus: PerChange,
     /// What each change adds to the hardness index [-].
@@ -212,6 +214,7 @@ impl FoodModel {
             browning: Browning::new(&kinetics.browning, &kinetics.charring),
             held: Table::new(ZERO_C, ZERO_C + 120.0, 0.5, |t| held_share(&holding, t - ZERO_C)),
             lethality: lethality(&kinetics.lethality),
+            squeeze: kinetics.in_order("water_holding", &kinetics.water_holding.change)?,
             modulus: kinetics.in_order("texture", &kinetics.texture.change_kpa)?,
             hardness: kinetics.in_order("hardness", &kinetics.hardness.change)?,
             juiciness: kinetics.in_order("juiciness", &kinetics.juiciness.change)?,

@@ -166,6 +166,7 @@ fn contraction(kinetics: &Kinetics, file: &str, text: &str) -> Result<(), Librar
     let named = [
         ("shrinkage", &kinetics.shrinkage.across),
         ("shrinkage", &kinetics.shrinkage.along),
+        ("water_holding", &kinetics.water_holding.change),
         ("texture", &kinetics.texture.change_kpa),
         ("hardness", &kinetics.hardness.change),
         ("juiciness", &kinetics.juiciness.change),
