@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use egui::{Rect, Ui};
-use saute_kitchen::food::Scale;
 use saute_kitchen::{Command, Library, Place, Recipe, RestOn};
 use web_time::Duration;
 
@@ -19,7 +18,7 @@ use crate::scene::ground::GroundCallback;
 use crate::scene_view::SceneView;
 use crate::session::{SPEEDS, STEAK, Session};
 use crate::settings::Settings;
-use crate::stage::{Places, Stage, fitting, following, nearness};
+use crate::stage::{Places, Stage, following, nearness};
 use crate::theme;
 
 /// Where settings are remembered.
@@ -248,33 +247,6 @@ impl SauteApp {
             TemperatureMap::Uniform => TemperatureMap::Paper2013,
             TemperatureMap::Paper2013 => TemperatureMap::Uniform,
         };
-    }
-
-    /// The scale that was chosen; where the data no longer knows it, the first.
-    pub fn chosen_scale(&self) -> Option<&Arc<Scale>> {
-        let library = &self.session.library;
-        library.scale(&self.settings.scale).or_else(|| library.scales.first())
-    }
-
-    /// The chosen scale of doneness, where it says anything about the food.
-    pub fn scale(&self) -> Option<Arc<Scale>> {
-        fitting(&self.session.kitchen, self.chosen_scale()?)
-    }
-
-    pub(crate) fn choose_scale(&mut self, scale: &Scale) {
-        self.settings.scale.clone_from(&scale.id);
-        self.notice.say(match self.scale() {
-            Some(_) => format!("Scale of doneness: {}.", scale.name),
-            None => format!("Scale of doneness for meat: {}.", scale.name),
-        });
-    }
-
-    fn next_scale(&mut self) {
-        let scales = &self.session.library.scales;
-        let now = scales.iter().position(|s| s.id == self.settings.scale).unwrap_or(0);
-        if let Some(next) = scales.get((now + 1) % scales.len().max(1)).cloned() {
-            self.choose_scale(&next);
-        }
     }
 
     fn next_camera(&mut self) {

@@ -159,7 +159,12 @@ pub fn slice(model: &FoodModel, state: &FoodState, x: f64, view: View, map: Opti
             let moisture = mix(&|i| state.water[i] / model.initial_water[i]);
             let along = p.along + end_inset(model, level, place_in_row, cut.points.len());
             let place = if along_x { [x, along] } else { [-along, x] };
-            let position = rest_position(model, level, place).to_array();
+            let mut position = rest_position(model, level, place);
+            if level == 0 || level + 1 == model.mesh.levels.len() {
+                // The edge follows the undulating face; within the cut's plane nothing is shifted.
+                position.z += uneven(position, model).z;
+            }
+            let position = position.to_array();
             let now = shape.moved(position, |f| {
                 let (from, to) = (f(a), f(b));
                 std::array::from_fn(|axis| from[axis] * (1.0 - p.share) + to[axis] * p.share)

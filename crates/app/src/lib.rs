@@ -16,6 +16,7 @@ pub mod offscreen;
 pub mod panels;
 pub mod png_file;
 mod save_picture;
+mod scale_choice;
 pub mod scene;
 pub mod scene_view;
 pub mod section_picture;

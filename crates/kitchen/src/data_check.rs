@@ -215,32 +215,34 @@ pub fn doneness(scales: &[Spanned<Scale>], file: &str, text: &str) -> Result<(),
 /// Whether a scale can be used; else the key that is wrong and what to write instead.
 fn scale_sound(scale: &Scale) -> Result<(), (&'static str, String)> {
     let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-    let (classes, count) = (&scale.class, scale.class.len());
     if scale.id.is_empty() || !scale.id.chars().all(plain) {
         return Err(("id", format!("id = \"{}\" cannot be used: write letters, digits, - and _", scale.id)));
     }
     if scale.name.trim().is_empty() {
         return Err(("name", "name is empty: write the label that people read".into()));
     }
+    classes_sound(scale).map_err(|message| ("class", message))
+}
+
+/// Whether the classes of a scale can be used; else what to write instead.
+fn classes_sound(scale: &Scale) -> Result<(), String> {
+    let (classes, count) = (&scale.class, scale.class.len());
+    let repeated = |i: usize| classes[..i].iter().any(|c| c.name == classes[i].name);
     if !(2..=MOST_CLASSES).contains(&count) {
-        return Err(("class", format!("class has {count} entries: use 2 to {MOST_CLASSES}")));
+        return Err(format!("class has {count} entries: use 2 to {MOST_CLASSES}"));
     }
     if !classes.iter().all(|c| (0.0..=120.0).contains(&c.from_c)) {
-        return Err(("class", "from_c is out of range: use 0 to 120".into()));
+        return Err("from_c is out of range: use 0 to 120".into());
     }
     if !classes.windows(2).all(|w| w[0].from_c < w[1].from_c) {
-        return Err(("class", "from_c does not ascend: list the classes from the coldest to the hottest".into()));
+        return Err("from_c does not ascend: list the classes from the coldest to the hottest".into());
     }
-    let repeated = |i: usize| classes[..i].iter().any(|c| c.name == classes[i].name);
     if let Some(i) = (0..count).find(|&i| classes[i].name.trim().is_empty() || repeated(i)) {
-        return Err(("class", format!("class name \"{}\" is empty or repeated: name each class", classes[i].name)));
+        return Err(format!("class name \"{}\" is empty or repeated: name each class", classes[i].name));
     }
     if scale.id == DEFAULT_SCALE && !classes.iter().map(|c| c.name.as_str()).eq(DEFAULT_CLASSES) {
         let names = DEFAULT_CLASSES.join(", ");
-        return Err((
-            "class",
-            format!("\"{DEFAULT_SCALE}\" has the classes {names}: give other ones an id of their own"),
-        ));
+        return Err(format!("\"{DEFAULT_SCALE}\" has the classes {names}: give other ones an id of their own"));
     }
     Ok(())
 }

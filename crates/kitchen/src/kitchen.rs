@@ -178,7 +178,8 @@ impl Kitchen {
     }
 
     fn move_pan(&mut self, pose: PanPose) -> Result<(), Refused> {
-        if !(0.0..=FARTHEST_PAN).contains(&pose.lift) || !(libm::hypot(pose.at[0], pose.at[1]) <= FARTHEST_PAN) {
+        let reach = 0.0..=FARTHEST_PAN;
+        if !reach.contains(&pose.lift) || !reach.contains(&libm::hypot(pose.at[0], pose.at[1])) {
             return Err(Refused::PanPlace { farthest_mm: libm::round(FARTHEST_PAN * 1e3) as i64 });
         }
         let fixed = Arc::clone(&self.fixed);

@@ -74,40 +74,54 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     }
 }
 
+/// Reads everything anew and paints the cut, every now and then and as soon as it should look different.
 fn refresh(app: &mut SauteApp, ui: &Ui) {
     let now = ui.input(|i| i.time);
-    let Some(piece) = app.session.steak() else { return };
-    let place = app.slice.unwrap_or(0.0);
-    let flipped = piece.state.down == saute_kitchen::food::Side::Top;
-    let scale = app.scale();
-    let wanted = Painted {
-        generation: app.session.generation,
-        place: (place * 1e4) as i64,
-        view: app.settings.view,
-        map: app.settings.map,
-        scale: scale.as_ref().map(|s| s.id.clone()),
-        flipped,
-    };
+    let Some(wanted) = Painted::wanted(app) else { return };
     let same = app.inside.painted_for.as_ref() == Some(&wanted);
     if same && now - app.inside.painted_at < REPAINT_S {
         return;
     }
-    let x = place * crate::stage::half_length(piece);
+    read(app);
+    paint(app, ui, &wanted);
+    app.inside.painted_at = now;
+    app.inside.painted_for = Some(wanted);
+}
+
+impl Painted {
+    fn wanted(app: &SauteApp) -> Option<Self> {
+        Some(Self {
+            generation: app.session.generation,
+            place: (app.slice.unwrap_or(0.0) * 1e4) as i64,
+            view: app.settings.view,
+            map: app.settings.map,
+            scale: app.scale().map(|s| s.id.clone()),
+            flipped: app.session.steak()?.state.down == saute_kitchen::food::Side::Top,
+        })
+    }
+}
+
+fn read(app: &mut SauteApp) {
+    let scale = app.scale();
+    let Some(piece) = app.session.steak() else { return };
     let (model, state) = (&piece.model, &piece.state);
-    let colours = wanted.view.colour_map(wanted.map, scale.as_deref());
-    let picture = section_picture(model, state, x, wanted.view, colours.as_ref(), per_mm(piece));
     let shares = scale.map(|s| model.cut_shares(state, &model.cut_across(0.0), &s)).unwrap_or_default();
     let means = state.changed.iter().map(|field| model.volume_mean(field));
     let changed = model.kinetics.names().into_iter().map(str::to_owned).zip(means).collect();
     app.inside.bite = [model.hardness_index(state), model.juiciness_pct(state)];
+    (app.inside.shares, app.inside.changed) = (shares, changed);
+}
+
+fn paint(app: &mut SauteApp, ui: &Ui, wanted: &Painted) {
+    let Some(piece) = app.session.steak() else { return };
+    let x = app.slice.unwrap_or(0.0) * crate::stage::half_length(piece);
+    let colours = wanted.view.colour_map(wanted.map, app.scale().as_deref());
+    let picture = section_picture(&piece.model, &piece.state, x, wanted.view, colours.as_ref(), per_mm(piece));
     let image = egui::ColorImage::from_rgba_unmultiplied([picture.width, picture.height], &picture.rgba);
     match &mut app.inside.texture {
         Some(texture) => texture.set(image, TextureOptions::LINEAR),
         None => app.inside.texture = Some(ui.ctx().load_texture("cut", image, TextureOptions::LINEAR)),
     }
-    (app.inside.shares, app.inside.changed) = (shares, changed);
-    app.inside.painted_at = now;
-    app.inside.painted_for = Some(wanted);
 }
 
 /// Fineness at which the cut of a piece is sharp in the panel [pixels/mm].

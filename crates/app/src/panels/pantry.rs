@@ -1,10 +1,11 @@
 //! Choosing the food and the pan.
 
 use egui::{RichText, Ui};
+use saute_kitchen::Library;
 use saute_kitchen::food::FoodDescription;
 
 use crate::app::SauteApp;
-use crate::session::noun;
+use crate::session::{SteakChoice, noun};
 use crate::theme;
 
 /// Shows the choices; they take effect with "Set out".
@@ -16,12 +17,7 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     let starts = format!("a raw {noun} and this pan; the clock starts anew");
     ui.label(RichText::new(starts).size(12.5).color(theme::QUIET));
     let choice = &mut app.settings.choice;
-    for (id, food) in &library.foods {
-        if ui.radio(choice.kind == *id, &food.name).clicked() && choice.kind != *id {
-            choice.kind.clone_from(id);
-            choice.size_mm.clone_from(&food.size.default_mm);
-        }
-    }
+    ui.scope(|ui| kinds(ui, &library, choice));
     if let Some(food) = library.foods.get(&choice.kind) {
         sizes(ui, food, &mut choice.size_mm);
     }
@@ -43,6 +39,17 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     temperature(ui, "preheated to", &mut app.settings.choice.preheat_c, 20.0, 260.0, fahrenheit);
     ui.separator();
     recipes(app, ui);
+}
+
+/// One button for each kind of food; another kind begins with its own size.
+fn kinds(ui: &mut Ui, library: &Library, choice: &mut SteakChoice) {
+    (ui.spacing_mut().interact_size.y, ui.spacing_mut().item_spacing.y) = (24.0, 3.0);
+    for (id, food) in &library.foods {
+        if ui.radio(choice.kind == *id, &food.name).clicked() && choice.kind != *id {
+            choice.kind.clone_from(id);
+            choice.size_mm.clone_from(&food.size.default_mm);
+        }
+    }
 }
 
 /// A slider for each dimension of the form, the thickness first.

@@ -22,9 +22,23 @@ fn ids(what: &str) -> Vec<String> {
 }
 
 #[test]
-fn the_foods_are_those_of_the_2013_system_and_a_patty() {
+fn the_foods_are_beef_shrimp_carrot_and_leek() {
     let expected = ["beef-lean", "beef-marbled", "beef-patty", "carrot-coin", "carrot-stick", "leek-ring", "shrimp"];
     assert_eq!(ids("foods"), expected);
+}
+
+#[test]
+fn the_scales_of_doneness_are_listed_with_their_classes_and_sources() {
+    assert_eq!(ids("scales"), ["paper-2013", "chefs", "academic"]);
+    let scales: Value = serde_json::from_str(&run(&["list", "scales", "--json"]).out).unwrap();
+    let classes = |i: usize| -> Vec<(String, f64)> {
+        let class = scales[i]["class"].as_array().unwrap().iter();
+        class.map(|c| (c["name"].as_str().unwrap().to_owned(), c["from_c"].as_f64().unwrap())).collect()
+    };
+    let expected = [("raw", 0.0), ("rare", 50.0), ("medium", 60.0), ("well-done", 70.0)];
+    assert_eq!(classes(0), expected.map(|(name, c)| (name.to_owned(), c)));
+    assert!((0..3).all(|i| !scales[i]["source"].as_str().unwrap().is_empty()));
+    assert!(run(&["list", "scales"]).out.contains("medium-rare 55–60 °C"));
 }
 
 #[test]

@@ -6,6 +6,7 @@
 mod bad_input;
 mod cooked;
 mod data_folder;
+mod doneness;
 mod layers;
 mod lists;
 mod out_folder;

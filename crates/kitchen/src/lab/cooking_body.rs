@@ -18,8 +18,11 @@ pub struct FoodBody {
     /// The food on it.
     pub model: FoodModel,
     /// The patches of each end of each axis.
-    pub ends: Vec<(usize, End, Range<usize>)>,
+    pub ends: Vec<EndPatches>,
 }
+
+/// An axis, one of its ends, and which patches lie there.
+pub type EndPatches = (usize, End, Range<usize>);
 
 impl FoodBody {
     /// Fills the body of a case.
@@ -41,7 +44,7 @@ impl FoodBody {
 }
 
 /// Patches of every end of every axis: the bottom's and the top's first, node by node.
-fn patches(tensor: &TensorBody, vertical: Option<usize>) -> (Vec<Patch>, Vec<(usize, End, Range<usize>)>) {
+fn patches(tensor: &TensorBody, vertical: Option<usize>) -> (Vec<Patch>, Vec<EndPatches>) {
     let (mut patches, mut ends) = (Vec::new(), Vec::new());
     let mut add = |axis: usize, end: End, face: Face| {
         let first = patches.len();

@@ -1,0 +1,37 @@
+//! Which scale of doneness the window goes by.
+
+use std::sync::Arc;
+
+use saute_kitchen::food::Scale;
+
+use crate::app::SauteApp;
+use crate::stage::fitting;
+
+impl SauteApp {
+    /// The scale that was chosen; where the data no longer knows it, the first.
+    pub fn chosen_scale(&self) -> Option<&Arc<Scale>> {
+        let library = &self.session.library;
+        library.scale(&self.settings.scale).or_else(|| library.scales.first())
+    }
+
+    /// The chosen scale of doneness, where it says anything about the food.
+    pub fn scale(&self) -> Option<Arc<Scale>> {
+        fitting(&self.session.kitchen, self.chosen_scale()?)
+    }
+
+    pub(crate) fn choose_scale(&mut self, scale: &Scale) {
+        self.settings.scale.clone_from(&scale.id);
+        self.notice.say(match self.scale() {
+            Some(_) => format!("Scale of doneness: {}.", scale.name),
+            None => format!("Scale of doneness for meat: {}.", scale.name),
+        });
+    }
+
+    pub(crate) fn next_scale(&mut self) {
+        let scales = &self.session.library.scales;
+        let now = scales.iter().position(|s| s.id == self.settings.scale).unwrap_or(0);
+        if let Some(next) = scales.get((now + 1) % scales.len().max(1)).cloned() {
+            self.choose_scale(&next);
+        }
+    }
+}
