@@ -41,18 +41,26 @@ fn table(report: &LabReport) -> String {
     for (above, share) in &report.volume_pct_above {
         line(format!("volume ever above {above} °C: {share:.2} %"));
     }
-    whole_run(report).into_iter().for_each(line);
+    whole_run(report).into_iter().for_each(&mut line);
+    for (face, [l, a, b]) in &report.surface_lab {
+        line(format!("{face}: L* {l:.1}  a* {a:.1}  b* {b:.1}"));
+    }
     text
 }
 
 /// Numbers of the whole run, as far as the case has them.
 fn whole_run(report: &LabReport) -> Vec<String> {
+    let shrunk = report.section_shrunk_pct.zip(report.thickness_shrunk_pct);
     let peak = report.core_peak_c.zip(report.core_peak_at_s);
     let ratio = report.compared.as_ref().and_then(|c| c.stopped_at_s).zip(report.stopped_at_s);
     [
         peak.map(|(c, t)| format!("highest of the core: {c:.4} °C at {t:.2} s")),
         report.evaporated_kg_m2.map(|kg| format!("evaporated: {kg:.4} kg/m²")),
         report.evaporated_g.map(|g| format!("evaporated: {g:.3} g")),
+        report.dripped_g.map(|g| format!("juice run off: {g:.3} g")),
+        report.rendered_g.map(|g| format!("fat run off: {g:.3} g")),
+        report.lost_pct.map(|pct| format!("mass lost: {pct:.2} %")),
+        shrunk.map(|(across, along)| format!("shrunk: section by {across:.2} %, thickness by {along:.2} %")),
         report.crust_mm.map(|mm| format!("dried: {mm:.4} mm")),
         ratio.map(|(other, this)| format!("with the other flips: {other:.2} s, {:.4} times as long", other / this)),
         Some(format!("heat taken up: {:.4e} J", report.absorbed_j)),

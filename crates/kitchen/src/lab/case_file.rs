@@ -94,6 +94,18 @@ pub enum Quantity {
     DrippedG,
     /// Mass lost [%].
     LostPct,
+    /// Contraction of the section across the fibres, by area [%].
+    SectionShrunkPct,
+    /// Contraction along the fibres, of the thickness [%].
+    ThicknessShrunkPct,
+    /// Highest conductance of the contact with a pan [W/(m²·K)].
+    ContactHighest,
+    /// When it was highest [s].
+    ContactHighestAt,
+    /// Last conductance of the contact with a pan [W/(m²·K)].
+    ContactLast,
+    /// Lowest conductance of the contact with a pan [W/(m²·K)].
+    ContactLowest,
 }
 
 impl Quantity {

@@ -61,6 +61,8 @@ struct Cooking<'a> {
     probes: Vec<Vec<(usize, f64)>>,
     series: Vec<Vec<[f64; 2]>>,
     absorbed: f64,
+    /// Time [s] and mean conductance of the contact with a pan [W/(m²·K)], every second.
+    contact: Vec<[f64; 2]>,
     range: [f64; 2],
     core_peak: [f64; 2],
     phases_ended: Vec<f64>,
@@ -85,6 +87,7 @@ impl<'a> Cooking<'a> {
             probes: case.probes.iter().map(|p| body.tensor.locate(&p.place, LINEAR)).collect(),
             series: vec![Vec::new(); case.probes.len()],
             absorbed: 0.0,
+            contact: Vec::new(),
             range: [initial; 2],
             core_peak: [initial, 0.0],
             phases_ended: Vec::new(),
@@ -195,11 +198,16 @@ impl<'a> Cooking<'a> {
             coating: f64::INFINITY,
         };
         let conductance = face.conductance(gap, face.mean_gap(gap)) * model.description.surface.contact_share;
+        let mut mean = 0.0;
         for patch in range {
             let node = model.patches[patch].node as usize;
             let wet = self.state.water[node] > WET_SHARE * model.initial_water[node];
             let conductance = conductance * steam_share(gap, pan, wet);
             self.touch[patch] = Touch { conductance, temperature: pan };
+            mean += conductance * model.patches[patch].area / area;
+        }
+        if self.contact.last().is_none_or(|[last, _]| self.time() > last + 0.999) {
+            self.contact.push([self.time(), mean]);
         }
     }
 
@@ -241,6 +249,7 @@ impl<'a> Cooking<'a> {
             100.0 * hot.sum::<f64>() / whole
         };
         let slab = self.case.shape == Shape::Slab;
+        let (lateral, thickness) = (self.state.stretch.lateral, model.mesh.thickness());
         let names = self.case.probes.iter().map(|p| p.name.clone());
         LabReport {
             nodes: model.mesh.node_count(),
@@ -255,6 +264,9 @@ impl<'a> Cooking<'a> {
             evaporated_g: Some(1e3 * self.state.evaporated),
             dripped_g: Some(1e3 * self.state.dripped),
             rendered_g: Some(1e3 * self.state.rendered),
+            section_shrunk_pct: model.contracts.then(|| 100.0 * (1.0 - lateral * lateral)),
+            thickness_shrunk_pct: model.contracts.then(|| 100.0 * (1.0 - model.thickness(&self.state) / thickness)),
+            contact_w_m2k: self.contact.clone(),
             lost_pct: Some(100.0 * (1.0 - self.state.mass(model) / model.raw_mass)),
             surface_lab: surface_lab(model, &self.state),
             core_peak_c: Some(celsius(self.core_peak[0])),

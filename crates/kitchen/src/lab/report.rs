@@ -47,6 +47,15 @@ pub struct LabReport {
     /// Mass lost [%].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lost_pct: Option<f64>,
+    /// Contraction of a cooked food's section across the fibres, by area [%].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub section_shrunk_pct: Option<f64>,
+    /// Contraction along the fibres, of its mean thickness [%].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub thickness_shrunk_pct: Option<f64>,
+    /// Conductance of the contact with a pan in time: time [s] and mean conductance [W/(m²·K)].
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub contact_w_m2k: Vec<[f64; 2]>,
     /// L*, a*, b* of the cooked food's bottom and top, area means; a sphere has a top alone.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub surface_lab: BTreeMap<String, [f64; 3]>,
@@ -87,6 +96,9 @@ impl LabReport {
             dripped_g: None,
             rendered_g: None,
             lost_pct: None,
+            section_shrunk_pct: None,
+            thickness_shrunk_pct: None,
+            contact_w_m2k: Vec::new(),
             surface_lab: BTreeMap::new(),
             core_peak_c: None,
             core_peak_at_s: None,

@@ -102,7 +102,21 @@ fn whole(report: &LabReport, quantity: Quantity) -> (String, &'static str, Optio
         Quantity::FirstPhaseEnded => ("pulled", "s", report.phases_ended_s.first().copied()),
         Quantity::DrippedG => ("dripped", "g", report.dripped_g),
         Quantity::LostPct => ("mass lost", "%", report.lost_pct),
+        Quantity::SectionShrunkPct => ("section shrunk by", "%", report.section_shrunk_pct),
+        Quantity::ThicknessShrunkPct => ("thickness shrunk by", "%", report.thickness_shrunk_pct),
+        Quantity::ContactHighest => ("contact, highest", "W/m²K", highest(report).map(|c| c[1])),
+        Quantity::ContactHighestAt => ("contact, highest, when", "s", highest(report).map(|c| c[0])),
+        Quantity::ContactLast => ("contact, at the end", "W/m²K", report.contact_w_m2k.last().map(|c| c[1])),
+        Quantity::ContactLowest => {
+            let lowest = report.contact_w_m2k.iter().map(|c| c[1]).min_by(f64::total_cmp);
+            ("contact, lowest", "W/m²K", lowest)
+        }
         Quantity::StopRatio => ("time over time", "-", other.zip(report.stopped_at_s).map(|(o, s)| o / s)),
     };
     (name.to_owned(), unit, got)
+}
+
+/// Time and value of the highest conductance of the contact with a pan.
+fn highest(report: &LabReport) -> Option<[f64; 2]> {
+    report.contact_w_m2k.iter().copied().max_by(|a, b| a[1].total_cmp(&b[1]))
 }
