@@ -19,6 +19,9 @@ const NEARLY_BOILING: f64 = 372.15;
 const HOTTEST_WET: f64 = 373.15;
 /// Ticks between two refreshes of properties, proteins, browning and juice (chosen: half a second).
 pub const REFRESH_TICKS: u64 = 5;
+/// Ticks between two refreshes of the conductances (chosen: a second, in which conductivity changes by less than a percent
+/// but in a crust that is just drying).
+const CONDUCTION_TICKS: u64 = 2 * REFRESH_TICKS;
 /// Ticks between two refreshes of the shape (chosen: two seconds, in which it changes by less than a thousandth).
 const SHAPE_TICKS: u64 = 20;
 /// Share of the stability limit that a step may use: properties are up to half a second old [-].
@@ -79,7 +82,9 @@ pub struct FoodSolver {
     conduction: Conduction,
     /// Conductivity across and along the fibres times the stretches [W/(m·K)].
     conductivity: [Vec<f64>; 2],
+    /// Heat capacity [J/K] and one over it.
     capacity: Vec<f64>,
+    per_capacity: Vec<f64>,
     power: Vec<f64>,
     /// Exchange of each patch with air, while it is free.
     films: Vec<AirFilm>,
@@ -132,25 +137,40 @@ impl FoodSolver {
         total
     }
 
-    /// Brings temperatures, capacities, conductances and the number of steps up to date.
+    /// Brings temperatures, capacities and the number of steps up to date.
     fn refresh(&mut self, model: &FoodModel, state: &mut FoodState, dt: f64) {
         let n = state.temperature.len();
-        self.conductivity.iter_mut().for_each(|k| k.resize(n, 0.0));
-        self.capacity.resize(n, 0.0);
-        self.power.resize(n, 0.0);
+        for field in [&mut self.capacity, &mut self.per_capacity, &mut self.power] {
+            field.resize(n, 0.0);
+        }
         self.hot.clear();
         self.hot.reserve(n);
-        let driest = 1.0 - model.kinetics.water_holding.drop;
-        let crust = model.description.crust.conductivity_w_mk;
-        let across = model.description.anisotropy.as_ref().map_or(1.0, |a| a.across);
-        let area = state.stretch.lateral * state.stretch.lateral;
         for i in 0..n {
             let masses = model.masses(state, i);
             let t = model.properties.temperature(&masses, state.enthalpy[i], state.temperature[i]);
             state.temperature[i] = t;
             self.capacity[i] = model.properties.enthalpy(&masses, t).1;
+            self.per_capacity[i] = 1.0 / self.capacity[i];
+        }
+        if state.ticks.is_multiple_of(CONDUCTION_TICKS) || self.conductivity[0].len() != n {
+            self.refresh_conduction(model, state);
+        }
+        let limit = STABILITY_MARGIN * self.conduction.stable_step(&self.capacity);
+        self.substeps = libm::ceil(dt / limit).clamp(1.0, 1000.0) as u32;
+    }
+
+    /// Brings conductances up to date.
+    fn refresh_conduction(&mut self, model: &FoodModel, state: &FoodState) {
+        let n = state.temperature.len();
+        self.conductivity.iter_mut().for_each(|k| k.resize(n, 0.0));
+        let driest = 1.0 - model.kinetics.water_holding.drop;
+        let crust = model.description.crust.conductivity_w_mk;
+        let across = model.description.anisotropy.as_ref().map_or(1.0, |a| a.across);
+        let area = state.stretch.lateral * state.stretch.lateral;
+        for i in 0..n {
+            let wet = model.properties.conductivity(&model.masses(state, i), state.temperature[i]);
             let moist = (state.water[i] / (driest * model.initial_water[i])).min(1.0);
-            let conductivity = crust + moist * (model.properties.conductivity(&masses, t) - crust);
+            let conductivity = crust + moist * (wet - crust);
             // Area over length: height across the fibres, area over height along them.
             let axial = state.stretch.axial[i];
             self.conductivity[0][i] = across * conductivity * axial;
@@ -161,8 +181,6 @@ impl FoodSolver {
             let k = if model.mesh.is_along(a, b) { along } else { across };
             (k[a], k[b])
         });
-        let limit = STABILITY_MARGIN * self.conduction.stable_step(&self.capacity);
-        self.substeps = libm::ceil(dt / limit).clamp(1.0, 1000.0) as u32;
     }
 
     /// Remembers a sound state; puts the remembered one in place of an unsound one. Returns whether all is well.
@@ -193,10 +211,10 @@ impl FoodSolver {
         self.power.fill(0.0);
         self.conduction.add_power(&model.mesh.graph, &state.temperature, &mut self.power);
         let fields = state.enthalpy.iter_mut().zip(&mut state.temperature);
-        for ((h, t), (p, c)) in fields.zip(self.power.iter().zip(&self.capacity)) {
+        for ((h, t), (p, per_c)) in fields.zip(self.power.iter().zip(&self.per_capacity)) {
             let heat = p * dt;
             *h += heat;
-            *t += heat / c;
+            *t += heat * per_c;
         }
         self.exchange_patches(model, state, around, dt, total);
         self.boil(model, state, total);
@@ -294,6 +312,10 @@ impl FoodSolver {
                 state.temperature[i] -= mass * latent / capacity;
                 total.evaporated += mass;
                 total.evaporation += enthalpy;
+                // Where the boiling point stays, one round finds it.
+                if slope == 0.0 {
+                    break;
+                }
             }
         }
     }
