@@ -2,6 +2,7 @@
 
 use saute_heat::Conduction;
 
+use crate::air_film::{AirFilm, FreeAir, HOTTEST_WET};
 use crate::browning::BROWNING_FROM;
 use crate::changes::CHANGES_FROM;
 use crate::juice::Runoff;
@@ -11,12 +12,8 @@ use crate::patch::{Face, Patch};
 use crate::state::FoodState;
 use crate::water::latent_heat;
 
-/// Stefan–Boltzmann constant [W/(m²·K⁴)] (CODATA 2018).
-const STEFAN_BOLTZMANN: f64 = 5.670_374e-8;
 /// Nodes above this may boil [K].
 const NEARLY_BOILING: f64 = 372.15;
-/// Evaporation into air is reckoned at no higher surface temperature: beyond, water boils [K].
-const HOTTEST_WET: f64 = 373.15;
 /// Ticks between two refreshes of properties, proteins, browning and juice (chosen: half a second).
 pub const REFRESH_TICKS: u64 = 5;
 /// Ticks between two refreshes of the conductances (chosen: a second, in which conductivity changes by less than a percent
@@ -26,21 +23,6 @@ const CONDUCTION_TICKS: u64 = 2 * REFRESH_TICKS;
 const SHAPE_TICKS: u64 = 20;
 /// Share of the stability limit that a step may use: properties are up to half a second old [-].
 const STABILITY_MARGIN: f64 = 0.8;
-
-/// Air around free faces.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FreeAir {
-    /// Temperature of air and walls [K].
-    pub temperature: f64,
-    /// Convective heat transfer coefficient [W/(m²·K)].
-    pub convection: f64,
-    /// Share of radiation that is not screened [-] (a foil screens most).
-    pub radiation: f64,
-    /// Vapour density of the far air [kg/m³].
-    pub vapour_density: f64,
-    /// Mass transfer coefficient of vapour, by the Lewis analogy [m/s].
-    pub mass_transfer: f64,
-}
 
 /// What a patch touches.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -321,52 +303,9 @@ impl FoodSolver {
     }
 }
 
-/// A free patch's exchange with air, linear in its temperature.
-#[derive(Clone, Copy, Debug, Default)]
-struct AirFilm {
-    /// Convection and radiation [W/K].
-    heat: f64,
-    /// Mass transfer coefficient times area [m³/s].
-    transfer: f64,
-    /// Vapour density at the surface [kg/m³] at `temperature` [K], and its slope [kg/(m³·K)].
-    density: f64,
-    slope: f64,
-    temperature: f64,
-    /// Latent heat, and enthalpy of the vapour above liquid water at 0 °C [J/kg].
-    latent: f64,
-    vapour_enthalpy: f64,
-}
-
-impl AirFilm {
-    fn of(model: &FoodModel, state: &FoodState, patch: &Patch, air: &FreeAir) -> Self {
-        let node = patch.node as usize;
-        let t = state.temperature[node];
-        let area = present_area(patch, state);
-        let radiation = radiation_coefficient(model.description.surface.emissivity, t, air.temperature) * air.radiation;
-        let surface = t.min(HOTTEST_WET);
-        let activity = model.isotherm.activity(state.water[node] / model.lean_solids[node]);
-        let latent = latent_heat(t);
-        Self {
-            heat: (air.convection + radiation) * area,
-            transfer: air.mass_transfer * area,
-            density: activity * model.vapour.at(surface),
-            slope: activity * (model.vapour.at(surface + 0.5) - model.vapour.at(surface - 0.5)),
-            temperature: surface,
-            latent,
-            vapour_enthalpy: model.properties.water_enthalpy(t) + latent,
-        }
-    }
-}
-
-/// Radiative heat transfer coefficient ε σ (T² + T₀²)(T + T₀) [W/(m²·K)].
-#[inline]
-pub fn radiation_coefficient(emissivity: f64, temperature: f64, walls: f64) -> f64 {
-    emissivity * STEFAN_BOLTZMANN * (temperature * temperature + walls * walls) * (temperature + walls)
-}
-
 /// Area of a patch of the contracted piece [m²].
 #[inline]
-fn present_area(patch: &Patch, state: &FoodState) -> f64 {
+pub(crate) fn present_area(patch: &Patch, state: &FoodState) -> f64 {
     let lateral = state.stretch.lateral;
     let height = if patch.face == Face::Side { state.stretch.axial[patch.node as usize] } else { lateral };
     patch.area * lateral * height

@@ -4,6 +4,7 @@
 //! [`FoodState`] is what does. [`FoodSolver::advance`] moves a state through one tick between given surroundings.
 
 pub mod advance;
+pub mod air_film;
 pub mod browning;
 pub mod changes;
 pub mod colour;
@@ -24,7 +25,8 @@ pub mod state;
 pub mod table;
 pub mod water;
 
-pub use advance::{Exchange, FoodSolver, FreeAir, Surroundings, Touch};
+pub use advance::{Exchange, FoodSolver, Surroundings, Touch};
+pub use air_film::FreeAir;
 pub use colour::Lab;
 pub use description::{FoodDescription, Kinetics};
 pub use doneness::{Scale, Shares};

@@ -1,6 +1,6 @@
 //! The pan: a heated plate with a wall, conducting along its metal.
 
-use saute_food::advance::radiation_coefficient;
+use saute_food::air_film::radiation_coefficient;
 use saute_food::sourced_table;
 use saute_heat::{Conduction, Graph, Locator, MeshError, Section};
 use serde::Deserialize;

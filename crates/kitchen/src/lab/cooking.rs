@@ -264,7 +264,7 @@ impl<'a> Cooking<'a> {
             evaporated_g: Some(1e3 * self.state.evaporated),
             dripped_g: Some(1e3 * self.state.dripped),
             rendered_g: Some(1e3 * self.state.rendered),
-            section_shrunk_pct: model.contracts.then(|| 100.0 * (1.0 - lateral * lateral)),
+            section_shrunk_pct: model.contracts.then_some(100.0 * (1.0 - lateral * lateral)),
             thickness_shrunk_pct: model.contracts.then(|| 100.0 * (1.0 - model.thickness(&self.state) / thickness)),
             contact_w_m2k: self.contact.clone(),
             lost_pct: Some(100.0 * (1.0 - self.state.mass(model) / model.raw_mass)),

@@ -8,34 +8,7 @@ use egui_kittest::{
 use saute_app::{SauteApp, Start, View};
 use saute_kitchen::{Command, Place};
 
-fn window(size: egui::Vec2) -> Harness<'static, SauteApp> {
-    let mut harness = Harness::builder()
-        .with_size(size)
-        .with_step_dt(0.05)
-        .wgpu()
-        .build_eframe(|cc| SauteApp::new(cc, Start::default()).expect("starts"));
-    harness.step();
-    harness
-}
-
-fn steps(harness: &mut Harness<'static, SauteApp>, count: usize) {
-    (0..count).for_each(|_| harness.step());
-}
-
-/// Lets simulated time pass without frames.
-fn cook(harness: &mut Harness<'static, SauteApp>, seconds: f64) {
-    for _ in 0..(seconds / saute_kitchen::TICK_S) as usize {
-        harness.state_mut().session_mut().tick().expect("ticks");
-    }
-    steps(harness, 12);
-}
-
-fn save(harness: &mut Harness<'static, SauteApp>, name: &str) {
-    let image = harness.render().expect("renders");
-    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("window");
-    std::fs::create_dir_all(&folder).expect("folder");
-    image.save(folder.join(format!("{name}.png"))).expect("saves");
-}
+use crate::harness::{cook, save, steps, window};
 
 #[test]
 fn a_first_cook_by_buttons_alone() {

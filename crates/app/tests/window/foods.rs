@@ -3,20 +3,12 @@
 use egui::Key;
 use egui_kittest::{Harness, kittest::Queryable};
 use saute_app::{SauteApp, Start, View};
-use saute_kitchen::{Command, TICK_S};
+use saute_kitchen::Command;
+
+use crate::harness::{cook, press, save, steps, window};
 
 const WIDE: egui::Vec2 = egui::vec2(1280.0, 720.0);
 const PHONE: egui::Vec2 = egui::vec2(390.0, 844.0);
-
-fn window(size: egui::Vec2) -> Harness<'static, SauteApp> {
-    let mut harness = Harness::builder()
-        .with_size(size)
-        .with_step_dt(0.05)
-        .wgpu()
-        .build_eframe(|cc| SauteApp::new(cc, Start::default()).expect("starts"));
-    harness.step();
-    harness
-}
 
 /// A window that plays a recipe, some seconds on.
 fn playing(size: egui::Vec2, recipe: &str, seconds: f64) -> Harness<'static, SauteApp> {
@@ -24,29 +16,6 @@ fn playing(size: egui::Vec2, recipe: &str, seconds: f64) -> Harness<'static, Sau
     harness.state_mut().open_recipe(recipe, "own.toml");
     cook(&mut harness, seconds);
     harness
-}
-
-fn steps(harness: &mut Harness<'static, SauteApp>, count: usize) {
-    (0..count).for_each(|_| harness.step());
-}
-
-fn press(harness: &mut Harness<'static, SauteApp>, key: Key) {
-    harness.key_press(key);
-    steps(harness, 3);
-}
-
-fn cook(harness: &mut Harness<'static, SauteApp>, seconds: f64) {
-    for _ in 0..(seconds / TICK_S) as usize {
-        harness.state_mut().session_mut().tick().expect("ticks");
-    }
-    steps(harness, 12);
-}
-
-fn save(harness: &mut Harness<'static, SauteApp>, name: &str) {
-    let image = harness.render().expect("renders");
-    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("window");
-    std::fs::create_dir_all(&folder).expect("folder");
-    image.save(folder.join(format!("{name}.png"))).expect("saves");
 }
 
 fn frying(kind: &str, id: &str, more: &str) -> String {

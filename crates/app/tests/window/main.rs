@@ -1,0 +1,5 @@
+//! The window, tested through the window.
+
+mod foods;
+mod harness;
+mod steak;
