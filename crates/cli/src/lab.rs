@@ -9,7 +9,7 @@ use saute_kitchen::lab::{Case, LabReport, run};
 use crate::args::LabArgs;
 use crate::error::CliError;
 use crate::shelf::Shelf;
-use crate::{stdout, text_file};
+use crate::{stderr, stdout, text_file};
 
 /// Runs a case and tells its numbers.
 pub fn lab(args: &LabArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
@@ -18,8 +18,12 @@ pub fn lab(args: &LabArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
     let start = Instant::now();
     let report = run(&case, || start.elapsed().as_secs_f64());
     stdout::print(&if args.json { format!("{}\n", serde_json::to_string_pretty(&report)?) } else { table(&report) })?;
-    Ok(ExitCode::SUCCESS)
+    report.warnings.iter().for_each(|warning| stderr::say(format!("warning: {warning}")));
+    Ok(if report.warnings.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(SHORT) })
 }
+
+/// Exit code of a run that fell short.
+const SHORT: u8 = 1;
 
 fn table(report: &LabReport) -> String {
     let mut text = format!("{}\n{} nodes, {} steps, {:.3} s\n", report.name, report.nodes, report.steps, report.wall_s);
@@ -38,7 +42,10 @@ fn table(report: &LabReport) -> String {
         line(format!("{name}, heat flux upwards"));
         series.iter().for_each(|[t, q]| line(format!("  {t:10.2} s  {q:12.2} W/m²")));
     }
-    for (above, share) in &report.volume_pct_above {
+    let mut above: Vec<(f64, f64)> =
+        report.volume_pct_above.iter().filter_map(|(c, share)| Some((c.parse().ok()?, *share))).collect();
+    above.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (above, share) in &above {
         line(format!("volume ever above {above} °C: {share:.2} %"));
     }
     whole_run(report).into_iter().for_each(&mut line);
@@ -50,20 +57,21 @@ fn table(report: &LabReport) -> String {
 
 /// Numbers of the whole run, as far as the case has them.
 fn whole_run(report: &LabReport) -> Vec<String> {
+    let per = if report.per_m2 { "/m²" } else { "" };
     let shrunk = report.section_shrunk_pct.zip(report.thickness_shrunk_pct);
     let peak = report.core_peak_c.zip(report.core_peak_at_s);
     let ratio = report.compared.as_ref().and_then(|c| c.stopped_at_s).zip(report.stopped_at_s);
     [
         peak.map(|(c, t)| format!("highest of the core: {c:.4} °C at {t:.2} s")),
         report.evaporated_kg_m2.map(|kg| format!("evaporated: {kg:.4} kg/m²")),
-        report.evaporated_g.map(|g| format!("evaporated: {g:.3} g")),
-        report.dripped_g.map(|g| format!("juice run off: {g:.3} g")),
-        report.rendered_g.map(|g| format!("fat run off: {g:.3} g")),
+        report.evaporated_g.filter(|_| !report.per_m2).map(|g| format!("evaporated: {g:.3} g")),
+        report.dripped_g.map(|g| format!("juice run off: {g:.3} g{per}")),
+        report.rendered_g.map(|g| format!("fat run off: {g:.3} g{per}")),
         report.lost_pct.map(|pct| format!("mass lost: {pct:.2} %")),
         shrunk.map(|(across, along)| format!("shrunk: section by {across:.2} %, thickness by {along:.2} %")),
         report.crust_mm.map(|mm| format!("dried: {mm:.4} mm")),
         ratio.map(|(other, this)| format!("with the other flips: {other:.2} s, {:.4} times as long", other / this)),
-        Some(format!("heat taken up: {:.4e} J", report.absorbed_j)),
+        Some(format!("heat taken up: {:.4e} J{per}", report.absorbed_j)),
         Some(format!("all nodes, all times: {:.4} to {:.4} °C", report.min_c, report.max_c)),
     ]
     .into_iter()

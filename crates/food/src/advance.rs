@@ -21,6 +21,8 @@ pub const REFRESH_TICKS: u64 = 5;
 const CONDUCTION_TICKS: u64 = 2 * REFRESH_TICKS;
 /// Ticks between two refreshes of the shape (chosen: two seconds, in which it changes by less than a thousandth).
 const SHAPE_TICKS: u64 = 20;
+/// Most steps a tick is divided into (chosen: reached by layers of a few nanometres).
+const MOST_SUBSTEPS: f64 = 4.0e9;
 /// Share of the stability limit that a step may use: properties are up to half a second old [-].
 const STABILITY_MARGIN: f64 = 0.8;
 
@@ -138,7 +140,7 @@ impl FoodSolver {
             self.refresh_conduction(model, state);
         }
         let limit = STABILITY_MARGIN * self.conduction.stable_step(&self.capacity);
-        self.substeps = libm::ceil(dt / limit).clamp(1.0, 1000.0) as u32;
+        self.substeps = libm::ceil(dt / limit).clamp(1.0, MOST_SUBSTEPS) as u32;
     }
 
     /// Brings conductances up to date.

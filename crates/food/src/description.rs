@@ -189,8 +189,12 @@ sourced_table! {
         middle_c: f64,
         /// Share of the raw water that is lost at least when a change is complete, by its name [-].
         change: BTreeMap<String, f64>,
-        /// First-order release of what is no longer held [1/s].
+        /// First-order release of what is no longer held, at `release_anchor_c` [1/s].
         release_per_s: f64,
+        /// Temperature of that [°C].
+        release_anchor_c: f64,
+        /// How the release quickens with temperature [kJ/mol].
+        release_activation_energy_kj_mol: f64,
         /// Speed of free juice along the fibres [µm/s].
         juice_speed_um_s: f64,
         /// Juice that stays on a face before it runs off [kg/m²].
@@ -271,6 +275,8 @@ sourced_table! {
         across: BTreeMap<String, f64>,
         /// Contraction along the fibres (a steak's thickness) when a change is complete, by its name [-].
         along: BTreeMap<String, f64>,
+        /// Volume over the raw volume below which what is lost leaves pores [-].
+        least_volume: f64,
     }
 }
 

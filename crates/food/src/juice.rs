@@ -19,12 +19,10 @@ impl FoodModel {
     /// fibres towards the nearer face at a speed v: dF/dt = −F v/Δz, and takes its heat along. On its way flesh that
     /// has dried below what it can hold takes it up; what reaches a face gathers as a film there, then runs off.
     pub fn release_juice(&self, state: &mut FoodState, dt: f64) -> Runoff {
-        let holding = &self.kinetics.water_holding;
-        let released = 1.0 - 1.0 / (1.0 + holding.release_per_s * dt);
-        let reach = 1e-6 * holding.juice_speed_um_s * dt;
+        let reach = 1e-6 * self.kinetics.water_holding.juice_speed_um_s * dt;
         let mut runoff = Runoff::default();
         for column in 0..self.mesh.nodes_per_level() {
-            self.free(state, column, released);
+            self.free(state, column, dt);
             self.drain(state, column, reach);
             let last = self.mesh.levels.len() - 1;
             for level in if self.closed_below { last..=last } else { 0..=last }.step_by(last) {
@@ -42,11 +40,12 @@ impl FoodModel {
     }
 
     /// Frees a share of what a column's nodes no longer hold; dried flesh takes up free juice.
-    fn free(&self, state: &mut FoodState, column: usize, released: f64) {
+    fn free(&self, state: &mut FoodState, column: usize, dt: f64) {
         for level in 0..self.mesh.levels.len() {
             let node = self.mesh.node(level, column);
             let surplus = (state.water[node] - self.capacity(state, node)).max(0.0);
             let bound = (surplus - state.juice[node]).max(0.0);
+            let released = 1.0 - 1.0 / (1.0 + self.release.at(state.temperature[node]) * dt);
             state.juice[node] = (state.juice[node] + released * bound).min(surplus);
         }
     }

@@ -3,7 +3,7 @@
 use saute_heat::{Located, Locator, MeshError, Outline, Rule, Section, SweptMesh, graded_levels};
 
 use crate::browning::Browning;
-use crate::changes::ChangeRates;
+use crate::changes::{ChangeRates, arrhenius};
 use crate::colour::{Appearance, Palette};
 use crate::components::{Components, Masses, Properties};
 use crate::description::{FoodDescription, Form, Kinetics, Lethality, NoSuchChange, PerChange, WaterHolding};
@@ -126,6 +126,8 @@ pub struct FoodModel {
     pub browning: Browning,
     /// Share of the raw water that is still held against temperature [-].
     pub held: Table,
+    /// Rate at which what is no longer held becomes free against temperature [1/s].
+    pub release: Table,
     /// Log₁₀ reduction of pathogens against temperature [1/s].
     pub lethality: Table,
     /// Share of the raw water that each complete change squeezes out at least [-].
@@ -213,6 +215,7 @@ impl FoodModel {
             fat_rates: FatRates::new(&kinetics.fat_release, &description.fat_melting, &mesh),
             browning: Browning::new(&kinetics.browning, &kinetics.charring),
             held: Table::new(ZERO_C, ZERO_C + 120.0, 0.5, |t| held_share(&holding, t - ZERO_C)),
+            release: release(&kinetics.water_holding),
             lethality: lethality(&kinetics.lethality),
             squeeze: kinetics.in_order("water_holding", &kinetics.water_holding.change)?,
             modulus: kinetics.in_order("texture", &kinetics.texture.change_kpa)?,
@@ -348,6 +351,12 @@ fn lethality(data: &Lethality) -> Table {
     let per_second = 1.0 / (60.0 * data.d60_min);
     let z = data.z_k;
     Table::new(ZERO_C + 40.0, ZERO_C + 100.0, 0.25, |t| per_second * libm::pow(10.0, (t - ZERO_C - 60.0) / z))
+}
+
+/// Rate of release, tabulated from 0 to 110 °C and held beyond.
+fn release(holding: &WaterHolding) -> Table {
+    let rate = arrhenius(holding.release_activation_energy_kj_mol, holding.release_anchor_c, holding.release_per_s);
+    Table::new(ZERO_C, ZERO_C + 110.0, 0.5, rate)
 }
 
 fn held_share(holding: &WaterHolding, celsius: f64) -> f64 {

@@ -37,6 +37,7 @@ pub fn simplified(
     kinetics.fat_release.rate_per_s.fill(0.0);
     kinetics.shrinkage.across.clear();
     kinetics.shrinkage.along.clear();
+    kinetics.shrinkage.least_volume = 1.0;
     description.crust.conductivity_w_mk = raw_conductivity;
     description.anisotropy = None;
     (description, kinetics)

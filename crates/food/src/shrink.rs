@@ -48,7 +48,7 @@ impl Plate {
 impl FoodModel {
     /// Brings the stretches up to date with water, fat and changes.
     ///
-    /// A node's volume is its rest volume less the water and fat lost, down to that of fully contracted free muscle;
+    /// A node's volume is its rest volume less the water and fat lost, down to the least that the tissue contracts to;
     /// what boils off beyond leaves pores. Free contraction is shared between across and along the fibres as the
     /// changes of free muscle are. Across, the levels are one plate: it takes their stiffness-weighted mean, and
     /// thickness takes up the rest, so that volumes hold. What differs between levels bends the plate; its own
@@ -94,7 +94,7 @@ impl FoodModel {
         let stiff = self.kinetics.texture.relaxed_share * rigidity / (1.0 - POISSON * POISSON);
         let sag = (5.0 + POISSON) / (64.0 * (1.0 + POISSON)) * weight * radius_squared * radius_squared / stiff;
         let free = -0.5 * curvature * radius_squared;
-        free.signum() * (free.abs() - sag).max(0.0)
+        if free.abs() > sag { free - sag * free.signum() } else { 0.0 }
     }
 
     /// Present height of every node of a column above its lowest [m].
@@ -164,12 +164,10 @@ struct Rest {
 
 impl Rest {
     fn of(model: &FoodModel) -> Self {
-        let complete = |table: &PerChange| 1.0 - table.iter().sum::<f64>();
-        let [across, along] = &model.contraction;
         Self {
             water: model.properties.volume(&[1.0, 0.0, 0.0], REST),
             fat: model.properties.volume(&[0.0, 0.0, 1.0], REST),
-            least: complete(across) * complete(across) * complete(along),
+            least: model.kinetics.shrinkage.least_volume,
         }
     }
 

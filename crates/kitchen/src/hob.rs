@@ -33,6 +33,8 @@ sourced_table! {
         resume_k: f64,
         /// A pan that stands higher than this is not detected [mm].
         lift_limit_mm: f64,
+        /// Share of the power that reaches a pan at that height; it falls evenly up to there [-].
+        coupling_at_limit: f64,
     }
 }
 
@@ -81,8 +83,9 @@ impl HobDescription {
             points.iter().zip(areas).map(|(p, a)| self.flux(libm::hypot(p[0] + at[0], p[1] + at[1])) * a).collect()
         };
         let whole: f64 = weights([0.0; 2]).iter().sum();
-        let detected = self.detects(pose);
-        weights(pose.at).iter().map(|w| if detected { w / whole } else { 0.0 }).collect()
+        let height = pose.lift / (self.control.lift_limit_mm * 1e-3);
+        let coupling = if self.detects(pose) { 1.0 - height * (1.0 - self.control.coupling_at_limit) } else { 0.0 };
+        weights(pose.at).iter().map(|w| coupling * w / whole).collect()
     }
 
     /// Flux at a distance from the ring's centre [m], in any unit.
@@ -136,7 +139,7 @@ mod tests {
         let (points, areas) = ([[0.05, 0.0], [-0.05, 0.0]], [1.0, 1.0]);
         let total = |pose: PanPose| hob.ring_shares(&points, &areas, &pose).iter().sum::<f64>();
         assert!((total(PanPose::default()) - 1.0).abs() < 1e-12);
-        assert!((total(PanPose { lift: 0.014, ..Default::default() }) - 1.0).abs() < 1e-12);
+        assert!((total(PanPose { lift: 0.0075, ..Default::default() }) - 0.7).abs() < 1e-12);
         assert_eq!(total(PanPose { lift: 0.016, ..Default::default() }), 0.0);
         assert_eq!(total(PanPose { at: [0.1, 0.0], lift: 0.0 }), 0.0);
         let beside = total(PanPose { at: [0.06, 0.0], lift: 0.0 });

@@ -40,14 +40,28 @@ impl InputText<'_> {
         if (low..=high).contains(&v) {
             return Ok(v);
         }
-        self.error(value.span().start, format!("{key} = {v} is out of range"), format!("{key} may be {low} to {high}"))
+        let number =
+            |v: f64| if v != 0.0 && !(1e-4..1e7).contains(&v.abs()) { format!("{v:e}") } else { v.to_string() };
+        let range = if high >= f64::MAX {
+            format!("{key} may be {} and more", number(low))
+        } else {
+            format!("{key} may be {} to {}", number(low), number(high))
+        };
+        self.error(value.span().start, format!("{key} = {} is out of range", number(v)), range)
+    }
+
+    /// The key to the left of a value, as "key: "; nothing where there is none.
+    fn key_at(&self, at: usize) -> String {
+        let line = self.text[..at.min(self.text.len())].rsplit('\n').next().unwrap_or_default();
+        let key = line.rsplit_once('=').map(|(key, _)| key.rsplit(['{', ',']).next().unwrap_or_default().trim());
+        key.filter(|k| !k.is_empty()).map_or_else(String::new, |k| format!("{k}: "))
     }
 
     /// Reads the text as TOML; `remedy` says where the keys are listed.
     pub fn parse<T: serde::de::DeserializeOwned>(&self, remedy: &str) -> Result<T, InputError> {
         toml::from_str(self.text).or_else(|e| {
             let at = e.span().map_or(0, |s| s.start);
-            self.error(at, e.message().trim().to_owned(), remedy)
+            self.error(at, format!("{}{}", self.key_at(at), e.message().trim()), remedy)
         })
     }
 }

@@ -415,7 +415,8 @@ pub struct StopEntry {
 pub struct ReportEntry {
     /// Share of the volume that has ever been above these [°C].
     #[serde(default)]
-    pub volume_above_c: Vec<f64>,
+    #[schemars(with = "Vec<f64>")]
+    pub volume_above_c: Vec<Spanned<f64>>,
     /// Probe whose highest temperature is told, at any step.
     #[schemars(with = "Option<String>")]
     pub peak_of: Option<Spanned<String>>,

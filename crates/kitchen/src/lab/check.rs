@@ -50,7 +50,7 @@ impl Check<'_> {
             phases: self.phases(&raw, shape, duration)?,
             flips: self.flips(&raw, shape, duration)?,
             stop_at: self.stop_at(&raw)?,
-            volume_above_c: raw.report.volume_above_c.clone(),
+            volume_above_c: self.volume_above(&raw)?,
             peak_of: self.peak_of(&raw)?,
             compare: None,
             source: raw.source.clone().unwrap_or_default(),
@@ -102,6 +102,10 @@ impl Check<'_> {
             components: self.library.components.clone(),
             room: self.library.room.clone(),
         }))
+    }
+
+    fn volume_above(&self, raw: &CaseFile) -> Checked<Vec<f64>> {
+        raw.report.volume_above_c.iter().map(|c| self.input.ranged("volume_above_c", c, -200.0, 5000.0)).collect()
     }
 
     fn stop_at(&self, raw: &CaseFile) -> Checked<Option<f64>> {

@@ -72,9 +72,9 @@ impl Check<'_> {
 
     fn body(&self, entry: &BodyEntry, cooks: bool) -> Checked<BodyCase> {
         let size = self.size(entry)?;
-        let [default_share, default_grading] = if cooks { COOKING_MESH } else { DEFAULT_MESH };
+        let default_grading = if cooks { COOKING_MESH } else { DEFAULT_MESH }[1];
         Ok(BodyCase {
-            resolution: self.resolution(entry, &size, default_share)?,
+            resolution: self.resolution(entry, &size, cooks)?,
             grading: self
                 .optional("grading", entry.grading.as_ref(), 0.0, STEEPEST_GRADING)?
                 .unwrap_or(default_grading),
@@ -100,10 +100,15 @@ impl Check<'_> {
         Ok(given.iter().map(|mm| mm * 1e-3).collect())
     }
 
-    fn resolution(&self, body: &BodyEntry, size: &[f64], default_share: f64) -> Checked<Vec<f64>> {
+    fn resolution(&self, body: &BodyEntry, size: &[f64], cooks: bool) -> Checked<Vec<f64>> {
+        let default_share = if cooks { COOKING_MESH } else { DEFAULT_MESH }[0];
         let smallest = size.iter().copied().fold(f64::INFINITY, f64::min);
         let longest = size.iter().copied().fold(0.0, f64::max);
-        let Some(given) = &body.resolution_mm else { return Ok(vec![smallest * default_share; size.len()]) };
+        let Some(given) = &body.resolution_mm else {
+            // Cooking needs its layers towards every face and nothing fine inside, however long the axis.
+            let share = |s: &f64| if cooks { *s } else { smallest } * default_share;
+            return Ok(size.iter().map(share).collect());
+        };
         let (at, all) = (given.span().start, given.get_ref().all());
         if all.len() != 1 && all.len() != size.len() {
             let remedy = format!("write one number, or {} as in size_mm", size.len());

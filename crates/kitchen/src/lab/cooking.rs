@@ -250,11 +250,13 @@ impl<'a> Cooking<'a> {
         };
         let slab = self.case.shape == Shape::Slab;
         let (lateral, thickness) = (self.state.stretch.lateral, model.mesh.thickness());
+        let unsound = "a value became non-finite: the food stopped changing; use another resolution_mm or size_mm";
         let names = self.case.probes.iter().map(|p| p.name.clone());
         LabReport {
             nodes: model.mesh.node_count(),
             steps: self.steps,
             wall_s,
+            warnings: if self.state.healthy { Vec::new() } else { vec![unsound.to_owned()] },
             stopped_at_s: self.stopped_at,
             volume_pct_above: self.case.volume_above_c.iter().map(|&c| (format!("{c}"), above(c))).collect(),
             absorbed_j: self.absorbed,

@@ -5,7 +5,7 @@ use std::ops::Range;
 use saute_food::{Body, BuildError, Face, FoodModel, Patch, Rules};
 use saute_heat::axis::End;
 use saute_heat::tensor::TensorBody;
-use saute_heat::{Outline, Rule, Section, SweptMesh};
+use saute_heat::{Outline, Section, SweptMesh};
 
 use crate::lab::body::{mesh, vertical};
 use crate::lab::case::{Case, CookingCase};
@@ -36,9 +36,8 @@ impl FoodBody {
             patches,
             contracts: case.shape != Shape::Sphere,
         };
-        // The rules of 2013 come with their conductances.
-        let rules = if case.rule == Rule::Segments { Rules::Paper2013 } else { Rules::Full };
-        let model = FoodModel::fill_body(&cooking.food, &cooking.kinetics, &cooking.components, body, 1, rules)?;
+        let CookingCase { food, kinetics, components, .. } = cooking;
+        let model = FoodModel::fill_body(food, kinetics, components, body, 1, Rules::Full)?;
         Ok(Self { tensor, model, ends })
     }
 }

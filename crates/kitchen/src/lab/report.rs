@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::lab::case::Case;
+use crate::lab::case_file::Shape;
 
 /// The numbers of a lab run, as `saute lab --json` prints them.
 #[derive(Clone, Debug, Serialize)]
@@ -17,6 +18,12 @@ pub struct LabReport {
     pub steps: usize,
     /// Wall time of the time loop [s].
     pub wall_s: f64,
+    /// True for a slab and a pan alone: joules and grams are per m².
+    #[serde(skip_serializing_if = "core::ops::Not::not")]
+    pub per_m2: bool,
+    /// What went wrong; empty if all went well.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<String>,
     /// When the stop condition was met [s].
     pub stopped_at_s: Option<f64>,
     /// Series of each probe: time [s] and temperature [°C], the start included.
@@ -84,6 +91,8 @@ impl LabReport {
             nodes: 0,
             steps: 0,
             wall_s: 0.0,
+            per_m2: case.shape == Shape::Slab,
+            warnings: Vec::new(),
             stopped_at_s: None,
             probes: BTreeMap::new(),
             volume_pct_above: BTreeMap::new(),
