@@ -112,3 +112,25 @@ fn bad_cooking_cases_say_what_to_write() {
         assert!(error.contains(expected), "{error}");
     }
 }
+
+/// Thin bodies have layers of micrometres: the tick is divided until they are stable.
+#[test]
+fn thin_bodies_stay_sound() {
+    let text = "duration_s = 10\n[body]\nshape = \"slab\"\nsize_mm = [0.5]\ninitial_c = 5\n[material]\nfood = \"beef-lean\"\n\
+                [solver]\nphysics = \"cooking\"\n[[boundary]]\nface = \"all\"\nh_w_m2k = 500\nambient_c = 180\n";
+    let report = solve(text);
+    assert!(report.warnings.is_empty() && report.max_c < 180.1 && report.min_c >= 4.9, "{report:?}");
+    assert!(report.absorbed_j.is_finite() && report.lost_pct.is_some_and(|l| l > 20.0), "{report:?}");
+}
+
+/// Segments change conduction alone: juice, fat and contraction go on.
+#[test]
+fn segments_cook_with_all_other_physics() {
+    let lost = |rule: &str| {
+        let text = slab("", "h_w_m2k = 500\nambient_c = 90", "");
+        let report = solve(&text.replace("[solver]\n", &format!("[solver]\nrule = \"{rule}\"\n")));
+        (report.dripped_g.expect("juice"), report.section_shrunk_pct.expect("contraction"))
+    };
+    let (shapes, segments) = (lost("shape-functions"), lost("segments"));
+    assert!(shapes.0 > 100.0 && segments.0 > 100.0 && segments.1 > 1.0, "{shapes:?} {segments:?}");
+}
