@@ -63,7 +63,8 @@ fn food(f: &FoodSummary, scale: &Scale) -> String {
         "{:.1} % of its volume, {:.1} % across, {:.1} mm thick, domed {:.1} mm",
         s.volume_pct, s.across_pct, s.thickness_mm, s.dome_mm
     );
-    row(&mut lines, "shape", &shape);
+    let curl = if s.curl_deg > 0.0 { format!(", curled by {:.0}°", s.curl_deg) } else { String::new() };
+    row(&mut lines, "shape", &(shape + &curl));
     let bite = format!("hardness {:.1} × raw, juiciness {:.0} %", f.hardness_index, f.juiciness_pct);
     row(&mut lines, "bite", &bite);
     row(&mut lines, "stiffness", &format!("elastic modulus {:.0} kPa", f.elastic_modulus_kpa));

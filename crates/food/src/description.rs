@@ -281,6 +281,14 @@ sourced_table! {
 }
 
 sourced_table! {
+    /// How a body curls because its belly contracts more than its back.
+    Curl {
+        /// Difference of the contractions along the body when a change is complete, by its name [-].
+        change: BTreeMap<String, f64>,
+    }
+}
+
+sourced_table! {
     /// Molten fat that leaves the tissue.
     FatRelease {
         /// Share of the lean tissue's fat that can leave [-].
@@ -308,6 +316,8 @@ pub struct Kinetics {
     pub fat_release: FatRelease,
     /// Contraction.
     pub shrinkage: Shrinkage,
+    /// Curling; absent where there is none.
+    pub curl: Option<Curl>,
     /// Browning.
     pub browning: BrowningRate,
     /// Charring.

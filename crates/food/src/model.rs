@@ -6,7 +6,9 @@ use crate::browning::Browning;
 use crate::changes::{ChangeRates, arrhenius};
 use crate::colour::{Appearance, Palette};
 use crate::components::{Components, Masses, Properties};
-use crate::description::{FoodDescription, Form, Kinetics, Lethality, NoSuchChange, PerChange, WaterHolding};
+use crate::description::{
+    FoodDescription, Form, Kinetics, Lethality, MOST_CHANGES, NoSuchChange, PerChange, WaterHolding,
+};
 use crate::fat::FatRates;
 use crate::marbling::MarblingField;
 use crate::noise::uniform;
@@ -140,6 +142,8 @@ pub struct FoodModel {
     pub juiciness: PerChange,
     /// Contraction across and along the fibres of each complete change [-].
     pub contraction: [PerChange; 2],
+    /// Difference of contraction between belly and back of each complete change [-].
+    pub curl: PerChange,
     /// Colours of flesh and fat.
     pub palette: Palette,
     /// Rules that the piece follows.
@@ -225,6 +229,7 @@ impl FoodModel {
                 kinetics.in_order("shrinkage", &shrinkage.across)?,
                 kinetics.in_order("shrinkage", &shrinkage.along)?,
             ],
+            curl: kinetics.curl.as_ref().map_or(Ok([0.0; MOST_CHANGES]), |c| kinetics.in_order("curl", &c.change))?,
             palette: Palette::new(&description.colour, kinetics)?,
             core: locator.locate_or_nearest(&mesh.section, [0.0, 0.0]),
             marbling: MarblingField::new(description.marbling.as_ref(), seed),

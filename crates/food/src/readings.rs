@@ -135,6 +135,12 @@ impl FoodModel {
         100.0 * self.mean_of(|node| left(node) * self.with_changes(1.0, &self.juiciness, state, node))
     }
 
+    /// Angle by which the body has curled: difference of contraction over thickness, times length [rad].
+    pub fn curl(&self, state: &FoodState) -> f64 {
+        let difference = self.mean_of(|node| self.with_changes(0.0, &self.curl, state, node));
+        difference * self.size[0] / self.size[2]
+    }
+
     /// Doneness by volume.
     pub fn volume_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
         let mut sums = [0.0; MOST_CLASSES];

@@ -180,7 +180,8 @@ fn contraction(kinetics: &Kinetics, file: &str, text: &str) -> Result<(), Librar
         ("hardness", &kinetics.hardness.change),
         ("juiciness", &kinetics.juiciness.change),
     ];
-    for (table, values) in named {
+    let curl = kinetics.curl.iter().map(|c| ("curl", &c.change));
+    for (table, values) in named.into_iter().chain(curl) {
         kinetics.in_order(table, values).map_err(|e| LibraryError {
             file: file.to_owned(),
             line: line_of(text, place(text, table, "change")),

@@ -222,6 +222,8 @@ pub struct Shape {
     pub thickness_mm: f64,
     /// How far the middle of the lower face stands off its rim; negative where the rim stands off [mm].
     pub dome_mm: f64,
+    /// Angle by which a body curls, as shrimp do [°]; 0 for others.
+    pub curl_deg: f64,
 }
 
 /// Both faces of a food.
@@ -326,6 +328,7 @@ impl FoodSummary {
                 across_pct: 100.0 * state.stretch.lateral,
                 thickness_mm: 1e3 * model.thickness(state),
                 dome_mm: 1e3 * upwards * state.stretch.dome,
+                curl_deg: model.curl(state).to_degrees(),
             },
             log_reduction: LogReduction { core, surface: least },
             surfaces: Surfaces { top: surface(state.down.opposite()), bottom: surface(state.down) },

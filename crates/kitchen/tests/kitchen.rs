@@ -274,3 +274,17 @@ fn a_condition_that_is_equal_fires_at_once() {
         assert!(cook.stopped().is_some(), "{celsius} °C");
     }
 }
+
+/// A flip changes no mass, no enthalpy and nothing that any node remembers.
+#[test]
+fn a_flip_changes_nothing_but_the_side_that_lies_below() {
+    let mut kitchen = kitchen("carbon-steel-26", 200.0, &steak([80.0, 60.0, 20.0], 5.0));
+    apply(&mut kitchen, Command::Hob(600.0));
+    apply(&mut kitchen, put());
+    run(&mut kitchen, 90.0);
+    let before = kitchen.pieces()[0].state.clone();
+    apply(&mut kitchen, Command::Flip { food: "steak".into() });
+    let after = &kitchen.pieces()[0].state;
+    assert_ne!(after.down, before.down);
+    assert_eq!(saute_kitchen::food::FoodState { down: before.down, ..after.clone() }, before);
+}

@@ -95,3 +95,21 @@ fn fat_renders_from_hot_faces_into_the_pan() {
     let middle = steak.mesh.node(steak.mesh.levels.len() / 2, 0);
     assert!(run.state.fat[middle] > 0.99 * steak.initial_fat[middle]);
 }
+
+/// Shrimp curl as myosin, then actin denatures; a steak does not.
+#[test]
+fn shrimp_curl_as_they_cook() {
+    let shrimp = model("shrimp", 1.6, [0.065, 0.016, 0.014]);
+    let mut run = Run::new(&shrimp, 5.0);
+    let mut curls = vec![shrimp.curl(&run.state)];
+    for _ in 0..4 {
+        run.fry(40.0, 180.0, 400.0, kitchen_air());
+        curls.push(shrimp.curl(&run.state));
+    }
+    assert!(curls[0] == 0.0 && curls.windows(2).all(|w| w[1] >= w[0]), "{curls:?}");
+    assert!(curls[4].to_degrees() > 5.0, "{curls:?}");
+    // All changed: 10 % over 14 mm along 65 mm.
+    run.state.changed.iter_mut().for_each(|field| field.fill(1.0));
+    assert!((shrimp.curl(&run.state) - 0.1 * 65.0 / 14.0).abs() < 1e-9);
+    assert_eq!(lean().curl(&FoodState::raw(lean(), ZERO_C + 60.0)), 0.0);
+}
