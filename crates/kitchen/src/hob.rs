@@ -27,7 +27,7 @@ sourced_table! {
         duty_below_w: f64,
         /// Period of that [s].
         duty_period_s: f64,
-        /// The power goes off where the glass under the pan gets hotter than this [°C].
+        /// The power goes off while the glass in the middle of the coil, where the sensor sits, is hotter than this [°C].
         limit_c: f64,
         /// How far it must cool until the power comes back [K].
         resume_k: f64,

@@ -282,10 +282,10 @@ impl PanModel {
     ) -> PanExchange {
         let limit = 0.8 * self.conduction.stable_step_with(&self.capacity, &self.steepest);
         let steps = libm::ceil(dt / limit).clamp(1.0, 1000.0);
-        let hottest = state.glass.iter().copied().fold(0.0, f64::max);
         let control = &load.hob.control;
         let bound = control.limit_c - if state.limited { control.resume_k } else { 0.0 };
-        state.limited = hottest > crate::kelvin(bound);
+        // The sensor sits in the middle of the coil; node 0 lies above it.
+        state.limited = state.glass[0] > crate::kelvin(bound);
         let mut total = PanExchange::default();
         for _ in 0..steps as usize {
             self.step(state, &mut solver.heat, load, cloth, dt / steps, &mut total);

@@ -47,7 +47,7 @@ fn a_pan_lifted_more_than_15_mm_or_off_its_ring_gets_no_power_and_cools() {
     assert!(kitchen.apply(&Command::MovePan { at: [0.0, 0.0], lift: 2.0 }).is_err());
 }
 
-/// The glass under an empty pan lags behind it; the hob holds the pan below what burns oil (330 °C flash point).
+/// The sensor under the glass lags behind an empty pan at 2000 W, which overshoots to about 340 °C and stays below 350.
 #[test]
 fn the_hob_limits_an_overheated_pan() {
     let mut kitchen = empty_pan(20.0, 2000.0);
@@ -57,9 +57,9 @@ fn the_hob_limits_an_overheated_pan() {
         hottest = hottest.max(celsius(kitchen.pan_temperature()));
         limited += usize::from(kitchen.pan_state().limited);
     }
-    assert!(limited > 500 && hottest < 460.0, "{limited} ticks, {hottest} °C");
+    assert!(limited > 500 && hottest < 350.0, "{limited} ticks, {hottest} °C");
     let late = celsius(kitchen.pan_temperature());
-    assert!((230.0..340.0).contains(&late), "{late}");
+    assert!((180.0..400.0).contains(&late), "{late}");
 }
 
 /// Cooling takes as long as it takes; under the rules of 2013 it is done at once, and the summary says whose rules.
