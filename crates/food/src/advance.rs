@@ -40,8 +40,8 @@ pub struct Touch {
 pub struct Surroundings<'a> {
     /// What the patches touch, in their order; patches beyond its end are free.
     pub touch: &'a [Touch],
-    /// Air before the free patches of the bottom, the top and the side.
-    pub air: [FreeAir; 3],
+    /// Airs before free patches; each patch names its own.
+    pub air: &'a [FreeAir],
 }
 
 /// What passed between a piece and its surroundings in one tick; heat taken from contacts is in
@@ -220,7 +220,7 @@ impl FoodSolver {
                     let heat = self.exchange(state, patch.node as usize, conductance, touch.temperature);
                     self.contact_heat[i] += heat;
                 }
-                _ => self.breathe(state, patch, &self.films[i], &around.air[patch.face as usize], dt, total),
+                _ => self.breathe(state, patch, &self.films[i], &around.air[patch.air], dt, total),
             }
         }
     }
@@ -228,7 +228,7 @@ impl FoodSolver {
     /// Convection, radiation and evaporation of each patch, linearised about its present state.
     fn refresh_films(&mut self, model: &FoodModel, state: &FoodState, around: &Surroundings) {
         self.films.clear();
-        let film = |patch: &Patch| AirFilm::of(model, state, patch, &around.air[patch.face as usize]);
+        let film = |patch: &Patch| AirFilm::of(model, state, patch, &around.air[patch.air]);
         self.films.extend(model.patches.iter().map(film));
     }
 

@@ -185,24 +185,8 @@ impl FoodModel {
     ) -> Result<Self, BuildError> {
         check_composition("lean", description.lean.total())?;
         description.adipose.iter().try_for_each(|a| check_composition("adipose", a.total()))?;
-        if rules == Rules::Full {
-            return Self::assemble(description, kinetics, components, body, seed, rules);
-        }
-        let lean = &description.lean;
-        let properties = Properties::new(components, lean, &description.fat_melting);
-        let raw = properties.conductivity(&[lean.water, lean.lean_solids(), lean.fat], ZERO_C + 20.0);
-        let (description, kinetics) = simplified(description, kinetics, raw);
-        Self::assemble(&description, &kinetics, components, body, seed, rules)
-    }
-
-    fn assemble(
-        description: &FoodDescription,
-        kinetics: &Kinetics,
-        components: &Components,
-        body: Body,
-        seed: u64,
-        rules: Rules,
-    ) -> Result<Self, BuildError> {
+        let simple = (rules == Rules::Paper2013).then(|| simplified(description, kinetics, components));
+        let (description, kinetics) = simple.as_ref().map_or((description, kinetics), |(d, k)| (d, k));
         let Body { size, mesh, outline, patches, contracts } = body;
         let locator = Locator::new(&mesh.section);
         let holding = kinetics.water_holding.clone();

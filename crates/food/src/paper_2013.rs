@@ -5,6 +5,7 @@
 //! Kato, Hasegawa, "Interactive Cooking Simulator", SIGGRAPH Asia 2013.
 
 use crate::ZERO_C;
+use crate::components::{Components, Properties};
 use crate::description::{FoodDescription, Kinetics};
 
 /// Which rules a piece follows.
@@ -30,15 +31,18 @@ const STAGES: f64 = 4.0;
 pub fn simplified(
     description: &FoodDescription,
     kinetics: &Kinetics,
-    raw_conductivity: f64,
+    components: &Components,
 ) -> (FoodDescription, Kinetics) {
+    let lean = &description.lean;
+    let properties = Properties::new(components, lean, &description.fat_melting);
+    let raw = properties.conductivity(&[lean.water, lean.lean_solids(), lean.fat], ZERO_C + 20.0);
     let (mut description, mut kinetics) = (description.clone(), kinetics.clone());
     kinetics.water_holding.release_per_s = 0.0;
     kinetics.fat_release.rate_per_s.fill(0.0);
     kinetics.shrinkage.across.clear();
     kinetics.shrinkage.along.clear();
     kinetics.shrinkage.least_volume = 1.0;
-    description.crust.conductivity_w_mk = raw_conductivity;
+    description.crust.conductivity_w_mk = raw;
     description.anisotropy = None;
     (description, kinetics)
 }

@@ -188,7 +188,7 @@ impl Piece {
 
     fn exchange(&mut self, air: [FreeAir; 3], dt: f64) -> Exchange {
         let air = if self.model.rules == Rules::Paper2013 { air.map(Room::without_evaporation) } else { air };
-        self.solver.advance(&self.model, &mut self.state, &Surroundings { touch: &self.touch, air }, dt)
+        self.solver.advance(&self.model, &mut self.state, &Surroundings { touch: &self.touch, air: &air }, dt)
     }
 }
 

@@ -134,3 +134,17 @@ fn segments_cook_with_all_other_physics() {
     let (shapes, segments) = (lost("shape-functions"), lost("segments"));
     assert!(shapes.0 > 100.0 && segments.0 > 100.0 && segments.1 > 1.0, "{shapes:?} {segments:?}");
 }
+
+/// Each pair of sides has its own air: the warmer one is nearer to its air.
+#[test]
+fn every_side_of_a_box_meets_its_own_air() {
+    let text = "duration_s = 60\n[body]\nshape = \"box\"\nsize_mm = [30, 30, 30]\ninitial_c = 20\n\
+                [material]\nfood = \"beef-lean\"\n[solver]\nphysics = \"cooking\"\n\
+                [[boundary]]\nface = \"x\"\nh_w_m2k = 80\nambient_c = 150\n\
+                [[boundary]]\nface = \"y\"\nh_w_m2k = 10\nambient_c = 20\n\
+                [[probe]]\nname = \"x\"\nat_mm = [0, 15, 15]\n[[probe]]\nname = \"y\"\nat_mm = [15, 0, 15]\n";
+    let report = solve(text);
+    let [x, y] = ["x", "y"].map(|name| report.probes[name][1][1]);
+    // Warm air heats the one; cool air dries the other, which falls towards the wet bulb.
+    assert!(x > 30.0 && y < 20.0, "{x} {y}");
+}

@@ -57,7 +57,8 @@ struct Cooking<'a> {
     /// When the faces last changed [s].
     laid_at: f64,
     touch: Vec<Touch>,
-    air: [FreeAir; 3],
+    /// Air before each end of each axis.
+    air: Vec<FreeAir>,
     probes: Vec<Vec<(usize, f64)>>,
     series: Vec<Vec<[f64; 2]>>,
     absorbed: f64,
@@ -66,8 +67,6 @@ struct Cooking<'a> {
     range: [f64; 2],
     core_peak: [f64; 2],
     phases_ended: Vec<f64>,
-    /// What the probe that ends the phase read last [K].
-    watched: f64,
     stopped_at: Option<f64>,
 }
 
@@ -83,7 +82,7 @@ impl<'a> Cooking<'a> {
             phase: 0,
             laid_at: 0.0,
             touch: vec![Touch::default(); body.model.patches.len()],
-            air: [cooking.room.still_air(); 3],
+            air: vec![cooking.room.still_air(); body.ends.len()],
             probes: case.probes.iter().map(|p| body.tensor.locate(&p.place, LINEAR)).collect(),
             series: vec![Vec::new(); case.probes.len()],
             absorbed: 0.0,
@@ -91,7 +90,6 @@ impl<'a> Cooking<'a> {
             range: [initial; 2],
             core_peak: [initial, 0.0],
             phases_ended: Vec::new(),
-            watched: initial,
             stopped_at: None,
             case,
             cooking,
@@ -105,8 +103,14 @@ impl<'a> Cooking<'a> {
         self.steps as f64 * self.dt
     }
 
+    /// The present phase; past the last one its boundaries stay on.
     fn phase(&self) -> &'a Phase {
         &self.case.phases[self.phase.min(self.case.phases.len() - 1)]
+    }
+
+    /// The end of the present phase; none past the last one.
+    fn until(&self) -> Until {
+        self.case.phases.get(self.phase).map_or(Until::Forever, |p| p.until)
     }
 
     fn probe(&self, probe: usize) -> f64 {
@@ -124,10 +128,22 @@ impl<'a> Cooking<'a> {
     fn step(&mut self) {
         self.events();
         self.meet();
-        let around = Surroundings { touch: &self.touch, air: self.air };
+        let around = Surroundings { touch: &self.touch, air: &self.air };
+        let before = self.to_target();
         let exchange = self.solver.advance(&self.body.model, &mut self.state, &around, self.dt);
         self.steps += 1;
         self.observe(&exchange);
+        if before.zip(self.to_target()).is_some_and(|(before, now)| before * now <= 0.0) {
+            self.end_phase();
+        }
+    }
+
+    /// How far the probe that ends the phase is above its target [K].
+    fn to_target(&self) -> Option<f64> {
+        match self.until() {
+            Until::Probe(probe, target) => Some(self.probe(probe) - target),
+            _ => None,
+        }
     }
 
     /// Flips and ends of phases that are due.
@@ -137,7 +153,7 @@ impl<'a> Cooking<'a> {
             self.flips += 1;
             self.laid_at = self.time();
         }
-        while matches!(self.phase().until, Until::Time(end) if end < now) && self.phase + 1 < self.case.phases.len() {
+        while matches!(self.until(), Until::Time(end) if end < now) {
             self.end_phase();
         }
     }
@@ -172,19 +188,16 @@ impl<'a> Cooking<'a> {
         };
         match contact {
             Some(Contact::Pan) => self.meet_pan(range, outside),
-            Some(Contact::Air) => self.meet_air(range, h, outside),
-            None if h <= MOST_OF_AIR => self.meet_air(range, h, outside),
+            Some(Contact::Air) => self.meet_air(at, h, outside),
+            None if h <= MOST_OF_AIR => self.meet_air(at, h, outside),
             _ => self.touch[range].fill(Touch { conductance: h, temperature: outside }),
         }
     }
 
-    fn meet_air(&mut self, range: std::ops::Range<usize>, h: f64, outside: f64) {
-        let room = &self.cooking.room;
-        let air = FreeAir { temperature: outside, convection: h, radiation: 0.0, ..room.air_moving(h) };
-        if let Some(first) = self.body.model.patches.get(range.start) {
-            self.air[first.face as usize] = air;
-        }
-        self.touch[range].fill(Touch::default());
+    fn meet_air(&mut self, at: usize, h: f64, outside: f64) {
+        let moving = self.cooking.room.air_moving(h);
+        self.air[at] = FreeAir { temperature: outside, radiation: 0.0, ..moving };
+        self.touch[self.body.ends[at].2.clone()].fill(Touch::default());
     }
 
     fn meet_pan(&mut self, range: std::ops::Range<usize>, pan: f64) {
@@ -223,13 +236,6 @@ impl<'a> Cooking<'a> {
         self.state.peak.iter_mut().zip(&self.state.temperature).for_each(|(p, t)| *p = p.max(*t));
         if self.case.stop_at.is_some_and(|target| self.state.peak.iter().all(|p| *p >= target)) {
             self.stopped_at = Some(self.time());
-        }
-        if let Until::Probe(probe, target) = self.phase().until {
-            let (now, before) = (self.probe(probe), self.watched);
-            self.watched = now;
-            if (before - target) * (now - target) <= 0.0 && self.phase + 1 < self.case.phases.len() {
-                self.end_phase();
-            }
         }
     }
 

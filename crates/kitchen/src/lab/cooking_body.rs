@@ -42,27 +42,23 @@ impl FoodBody {
     }
 }
 
-/// Patches of every end of every axis: the bottom's and the top's first, node by node.
+/// Patches of every end of every axis, each end with an air of its own: the bottom's and the top's first, node by node.
 fn patches(tensor: &TensorBody, vertical: Option<usize>) -> (Vec<Patch>, Vec<EndPatches>) {
+    let all = match vertical {
+        Some(axis) => {
+            let across = (0..tensor.axes.len()).filter(|a| *a != axis);
+            let sides = across.flat_map(|a| [(a, End::Low, Face::Side), (a, End::High, Face::Side)]);
+            [(axis, End::Low, Face::Bottom), (axis, End::High, Face::Top)].into_iter().chain(sides).collect()
+        }
+        // The surface of a ball ends its only axis, and the path of its fibres.
+        None => vec![(0, End::High, Face::Top)],
+    };
     let (mut patches, mut ends) = (Vec::new(), Vec::new());
-    let mut add = |axis: usize, end: End, face: Face| {
+    for (air, (axis, end, face)) in all.into_iter().enumerate() {
         let first = patches.len();
         let nodes = tensor.face(axis, end).into_iter();
-        patches.extend(nodes.map(|(node, area)| Patch { node: node as u32, face, area }));
+        patches.extend(nodes.map(|(node, area)| Patch { node: node as u32, face, air, area }));
         ends.push((axis, end, first..patches.len()));
-    };
-    match vertical {
-        Some(axis) => [(End::Low, Face::Bottom), (End::High, Face::Top)].map(|(end, face)| add(axis, end, face)),
-        // The surface of a ball ends its only axis, and the path of its fibres.
-        None => [(End::High, Face::Top); 2].map(|(end, face)| add(0, end, face)),
-    };
-    for axis in (0..tensor.axes.len()).filter(|axis| vertical.is_some_and(|v| v != *axis)) {
-        [End::Low, End::High].into_iter().for_each(|end| add(axis, end, Face::Side));
-    }
-    if vertical.is_none() {
-        let whole = ends[0].2.len();
-        patches.truncate(whole);
-        ends.truncate(1);
     }
     (patches, ends)
 }
