@@ -11,6 +11,7 @@ pub mod contact;
 pub mod cook;
 pub mod cook_case;
 mod data_check;
+pub mod dynamics;
 pub mod energy;
 pub mod hob;
 mod input_error;

@@ -1,0 +1,154 @@
+//! Motions of the pan that a cook makes by habit: shaking and tossing.
+
+use core::f64::consts::{PI, TAU};
+
+use glam::DVec3;
+
+use super::pan_motion::PanTarget;
+use super::pose::{Pose, turn};
+
+/// A motion of the pan about the place where it is held.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Gesture {
+    /// To and fro, left and right.
+    Shake {
+        /// How far to either side [m].
+        amplitude: f64,
+        /// How often [1/s].
+        hz: f64,
+        /// How long [s].
+        for_s: f64,
+    },
+    /// A jerk that throws the food up, turns it over and catches it.
+    Toss {
+        /// How high the food flies [m].
+        height: f64,
+    },
+}
+
+/// A moment of a toss: time [s], the pan's middle forwards and upwards [m], and its tilt, far edge up [rad].
+type Moment = [f64; 4];
+
+impl Gesture {
+    /// How long it takes [s].
+    pub fn duration_s(&self) -> f64 {
+        match *self {
+            Self::Shake { for_s, .. } => for_s,
+            Self::Toss { height } => toss(height).last().map_or(0.0, |m| m[0]),
+        }
+    }
+
+    /// Where the pan should be at a time since the start [s], held at `home` otherwise.
+    pub fn target(&self, home: &Pose, t: f64) -> PanTarget {
+        match *self {
+            Self::Shake { amplitude, hz, for_s } => shake(home, amplitude, hz, for_s, t),
+            Self::Toss { height } => along(home, &toss(height), t),
+        }
+    }
+}
+
+/// A sine that starts and ends gently within half a period.
+fn shake(home: &Pose, amplitude: f64, hz: f64, for_s: f64, t: f64) -> PanTarget {
+    let ramp = (0.5 / hz.max(0.1)).min(0.5 * for_s).max(1e-6);
+    let edge = (t.min(for_s - t) / ramp).clamp(0.0, 1.0);
+    let (envelope, slope) = (edge * edge * (3.0 - 2.0 * edge), 6.0 * edge * (1.0 - edge) / ramp);
+    let slope = if t < 0.5 * for_s { slope } else { -slope };
+    let (sin, cos) = libm::sincos(TAU * hz * t);
+    let x = amplitude * envelope * sin;
+    let v = amplitude * (slope * sin + envelope * TAU * hz * cos);
+    let a = -amplitude * envelope * (TAU * hz) * (TAU * hz) * sin;
+    PanTarget {
+        pose: Pose { position: home.position + DVec3::X * x, ..*home },
+        velocity: DVec3::X * v,
+        acceleration: DVec3::X * a,
+        turning: DVec3::ZERO,
+    }
+}
+
+/// The moments of a toss: the pan is drawn back, driven forwards so that the food runs up the far wall, jerked up and
+/// back, and meets the food as it falls (chosen by trial on coins, shrimps and a steak; see the tests).
+fn toss(height: f64) -> Vec<Moment> {
+    let lift = libm::sqrt(height / 0.12);
+    vec![
+        [0.00, 0.0, 0.0, 0.0],
+        [0.20, -0.05, 0.01, -0.05],
+        [0.36, 0.09, 0.01, -0.12],
+        [0.46, 0.06, 0.01 + 0.07 * lift, 0.35],
+        [0.62, -0.02, 0.03, 0.05],
+        [0.80, -0.01, 0.01, 0.0],
+        [1.10, 0.0, 0.0, 0.0],
+    ]
+}
+
+/// Cubic way through the moments (Catmull–Rom), in the vertical plane that points away from the cook.
+fn along(home: &Pose, moments: &[Moment], t: f64) -> PanTarget {
+    let last = moments.len() - 1;
+    let i = moments.iter().rposition(|m| m[0] <= t).unwrap_or(0).min(last - 1);
+    let slope = |k: usize, axis: usize| {
+        if k == 0 || k == last {
+            return 0.0;
+        }
+        (moments[k + 1][axis] - moments[k - 1][axis]) / (moments[k + 1][0] - moments[k - 1][0])
+    };
+    let span = moments[i + 1][0] - moments[i][0];
+    let s = ((t - moments[i][0]) / span).clamp(0.0, 1.0);
+    let value = |axis: usize| {
+        let (p, q) = (moments[i][axis], moments[i + 1][axis]);
+        let (m, n) = (slope(i, axis) * span, slope(i + 1, axis) * span);
+        let (s2, s3) = (s * s, s * s * s);
+        let at = p * (2.0 * s3 - 3.0 * s2 + 1.0) + m * (s3 - 2.0 * s2 + s) + q * (3.0 * s2 - 2.0 * s3) + n * (s3 - s2);
+        let speed = p * (6.0 * s2 - 6.0 * s) + m * (3.0 * s2 - 4.0 * s + 1.0) + q * (6.0 * s - 6.0 * s2) + n * (3.0 * s2 - 2.0 * s);
+        let bend = p * (12.0 * s - 6.0) + m * (6.0 * s - 4.0) + q * (6.0 - 12.0 * s) + n * (6.0 * s - 2.0);
+        [at, speed / span, bend / (span * span)]
+    };
+    let (y, z, tilt) = (value(1), value(2), value(3));
+    PanTarget {
+        pose: Pose {
+            position: home.position + DVec3::new(0.0, y[0], z[0].max(0.0)),
+            rotation: (turn(DVec3::X, tilt[0]) * home.rotation).normalize(),
+        },
+        velocity: DVec3::new(0.0, y[1], z[1]),
+        acceleration: DVec3::new(0.0, y[2], z[2]),
+        turning: DVec3::X * tilt[1],
+    }
+}
+
+/// The pose of a pan that is tilted by an angle towards a direction [rad], raised so that its edge clears the glass [m].
+pub fn tilted(home: &Pose, floor_radius: f64, angle: f64, towards: f64) -> Pose {
+    let (sin, cos) = libm::sincos(towards);
+    // Downwards in the direction: a turn about the horizontal axis to its right.
+    let axis = DVec3::new(-sin, cos, 0.0);
+    let raise = floor_radius * libm::sin(angle.clamp(0.0, 0.5 * PI));
+    Pose {
+        position: home.position + DVec3::Z * raise,
+        rotation: (turn(axis, angle) * home.rotation).normalize(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shake_starts_and_ends_at_home_and_reaches_its_amplitude() {
+        let home = Pose::at(0.0, 0.0, 0.002);
+        let shake = Gesture::Shake { amplitude: 0.02, hz: 3.0, for_s: 4.0 };
+        let x = |t: f64| shake.target(&home, t).pose.position.x;
+        assert!(x(0.0).abs() < 1e-12 && x(4.0).abs() < 1e-12);
+        let most = (0..4000).map(|i| x(f64::from(i) * 1e-3)).fold(0.0, f64::max);
+        assert!((most - 0.02).abs() < 1e-4, "{most}");
+        for i in 1..4000 {
+            let t = f64::from(i) * 1e-3;
+            let v = (x(t + 1e-5) - x(t - 1e-5)) / 2e-5;
+            assert!((shake.target(&home, t).velocity.x - v).abs() < 2e-3, "{t}");
+        }
+    }
+
+    #[test]
+    fn a_tilted_pan_is_lower_on_the_side_it_is_tilted_to() {
+        let pan = tilted(&Pose::default(), 0.1, 0.3, 0.5 * PI);
+        let far = pan.to_world(DVec3::new(0.0, 0.1, 0.0));
+        let near = pan.to_world(DVec3::new(0.0, -0.1, 0.0));
+        assert!(far.z.abs() < 1e-12 && near.z > 0.05, "{far} {near}");
+    }
+}

@@ -1,0 +1,313 @@
+//! The cook's other hand: a turner or tongs that work through forces.
+//!
+//! A tool moves along legs with bounded speed. What it grips follows it by a spring whose force and torque are bounded:
+//! nothing is put anywhere, and what is too heavy, stuck or held down stays where it is.
+
+use glam::DVec3;
+
+use super::pose::{Pose, rotation_between, turn};
+use super::world::{Against, RIGID_S, World};
+use crate::piece::GRAVITY;
+
+/// Which tool the hand holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tool {
+    /// A blade that goes under food, lifts, turns and presses it.
+    #[default]
+    Turner,
+    /// Two fingers that hold food anywhere.
+    Tongs,
+}
+
+/// Stiffness of the grip as a natural frequency [rad/s] (chosen: food hangs 4 mm low without the weight's compensation).
+const GRIP: f64 = 50.0;
+/// Largest force [N] and torque [N·m] of the grip (chosen: what a hand holds with a turner without effort).
+pub const GRIP_FORCE: f64 = 20.0;
+const GRIP_TORQUE: f64 = 1.5;
+/// Distance [m] and angle [rad] beyond which the grip is lost, and for how long [s] (chosen).
+const SLIP: f64 = 0.03;
+const SLIP_ANGLE: f64 = 0.9;
+const SLIP_S: f64 = 0.15;
+/// How far from a tool food can be gripped [m] (chosen: forgiving).
+pub const REACH: f64 = 0.05;
+/// Force on the blade beyond which the hand yields [N] (chosen).
+const YIELD_FORCE: f64 = 12.0;
+/// How long a tool waits for a way before it gives up [s] (chosen).
+const PATIENCE_S: f64 = 0.5;
+
+/// In which frame a leg is laid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Frame {
+    /// It moves along with the pan.
+    Pan,
+    /// It stands in the kitchen.
+    Kitchen,
+}
+
+/// What a tool does when it has come to the end of a leg.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Act {
+    /// Goes on.
+    Pass,
+    /// Grips a body.
+    Grip(u32),
+    /// Lets go.
+    Release,
+    /// Pushes a body down where it is [N], for a time [s].
+    Press {
+        /// Which body.
+        key: u32,
+        /// How hard [N].
+        newtons: f64,
+        /// How long [s].
+        for_s: f64,
+    },
+}
+
+/// A stretch of a tool's way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Leg {
+    /// In which frame it lies.
+    pub frame: Frame,
+    /// Where it leads.
+    pub to: Pose,
+    /// A turn on the way about an axis of the frame: axis times angle [rad].
+    pub turn: DVec3,
+    /// How long it takes [s].
+    pub for_s: f64,
+    /// What happens at its end.
+    pub act: Act,
+}
+
+/// How a task ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ended {
+    /// As it should.
+    Done,
+    /// The way was blocked, or the food slipped off.
+    Blocked,
+}
+
+/// What holds a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Grip {
+    key: u32,
+    /// Pose of the body in the tool's frame.
+    hold: Pose,
+    slipping_s: f64,
+}
+
+/// The hand with its tool.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Hand {
+    /// What it holds.
+    pub tool: Tool,
+    /// Pose of the tool's tip.
+    pub pose: Pose,
+    legs: Vec<Leg>,
+    leg: usize,
+    from: Pose,
+    elapsed: f64,
+    waited: f64,
+    grip: Option<Grip>,
+    spared: Option<u32>,
+    /// Whether it is at work; else it is out of the way.
+    active: bool,
+}
+
+impl Hand {
+    /// Sends the hand along a way; `spared` is the body that the blade slides under.
+    pub fn begin(&mut self, tool: Tool, legs: Vec<Leg>, spared: Option<u32>, world: &World) {
+        let Some(first) = legs.first() else { return };
+        let start = place(first, world);
+        *self = Self {
+            tool,
+            pose: Pose { position: start.position + DVec3::Z * HOVER, ..start },
+            from: Pose { position: first.to.position + DVec3::Z * HOVER, ..first.to },
+            legs,
+            spared,
+            active: true,
+            ..Self::default()
+        };
+    }
+
+    /// Whether it is at work.
+    pub fn is_active(&self) -> bool {
+        self.active
+    }
+
+    /// What it grips.
+    pub fn gripped(&self) -> Option<u32> {
+        self.grip.map(|g| g.key)
+    }
+
+    /// Which body it is about to slide under.
+    pub fn spared(&self) -> Option<u32> {
+        self.spared
+    }
+
+    /// Takes hold of a body within reach, as it lies.
+    pub fn grip(&mut self, key: u32, world: &World) -> bool {
+        let Some(body) = world.pose(key) else { return false };
+        if world.distance(key, self.pose.position) > REACH {
+            return false;
+        }
+        self.grip = Some(Grip { key, hold: body.seen_from(&self.pose), slipping_s: 0.0 });
+        true
+    }
+
+    /// Lets go of what it holds.
+    pub fn release(&mut self) {
+        self.grip = None;
+    }
+
+    /// Moves the tool freely towards a pose, with bounded speed; the body it grips follows.
+    pub fn lead(&mut self, tool: Tool, to: &Pose) {
+        (self.tool, self.active) = (tool, true);
+        self.legs.clear();
+        let way = to.position - self.pose.position;
+        self.pose.position += way.clamp_length_max(LEAD_SPEED * RIGID_S);
+        let twist = rotation_between(self.pose.rotation, to.rotation).clamp_length_max(LEAD_TURN * RIGID_S);
+        self.pose.rotation = (super::pose::about(twist) * self.pose.rotation).normalize();
+    }
+
+    /// Puts the tool away.
+    pub fn withdraw(&mut self) {
+        *self = Self::default();
+    }
+
+    /// One rigid step: the tool goes on, what it grips is pulled along. Tells when its way has ended.
+    pub fn step(&mut self, world: &mut World) -> Option<Ended> {
+        if !self.active {
+            return None;
+        }
+        let ended = if self.legs.is_empty() { None } else { self.go(world) };
+        self.keep_above_pan(world);
+        let slipped = self.pull(world);
+        let ended = if slipped { Some(Ended::Blocked) } else { ended };
+        if ended.is_some() && !self.legs.is_empty() {
+            self.withdraw();
+        }
+        ended
+    }
+
+    fn go(&mut self, world: &mut World) -> Option<Ended> {
+        let leg = self.legs[self.leg];
+        if let Act::Press { key, newtons, for_s } = leg.act
+            && self.elapsed >= leg.for_s
+        {
+            world.push(key, DVec3::Z * -newtons, DVec3::ZERO);
+            self.elapsed += RIGID_S;
+            return if self.elapsed >= leg.for_s + for_s { self.next_leg(&leg, world) } else { None };
+        }
+        if world.blade_force() > YIELD_FORCE {
+            self.waited += RIGID_S;
+            return (self.waited > PATIENCE_S).then_some(Ended::Blocked);
+        }
+        self.elapsed += RIGID_S;
+        let share = smooth((self.elapsed / leg.for_s).min(1.0));
+        let frame = frame_pose(leg.frame, world);
+        let mut at = self.from.towards(&leg.to, share);
+        if leg.turn != DVec3::ZERO {
+            let angle = leg.turn.length();
+            at = Pose { position: at.position, rotation: self.from.rotation }.turned(leg.turn / angle, angle * share);
+        }
+        self.pose = frame.then(&at);
+        if self.elapsed < leg.for_s || matches!(leg.act, Act::Press { .. }) {
+            return None;
+        }
+        match leg.act {
+            Act::Grip(key) if !self.grip(key, world) => return Some(Ended::Blocked),
+            Act::Release => self.release(),
+            _ => {}
+        }
+        self.next_leg(&leg, world)
+    }
+
+    fn next_leg(&mut self, done: &Leg, world: &World) -> Option<Ended> {
+        self.leg += 1;
+        self.elapsed = 0.0;
+        let Some(next) = self.legs.get(self.leg) else { return Some(Ended::Done) };
+        let here = if done.frame == next.frame { None } else { Some(frame_pose(next.frame, world)) };
+        self.from = here.map_or_else(
+            || {
+                let turned = done.turn != DVec3::ZERO;
+                let rotation = if turned {
+                    turn(done.turn.normalize(), done.turn.length()) * self.from.rotation
+                } else {
+                    done.to.rotation
+                };
+                Pose { position: done.to.position, rotation: rotation.normalize() }
+            },
+            |frame| self.pose.seen_from(&frame),
+        );
+        None
+    }
+
+    /// The tool does not go through the pan.
+    fn keep_above_pan(&mut self, world: &World) {
+        let pan = world.motion.pose;
+        let mut p = pan.to_body(self.pose.position);
+        if world.pan_shape().holds(p) {
+            p.z = p.z.max(world.pan_shape().surface_height(libm::hypot(p.x, p.y)) + TOOL_CLEARANCE);
+            self.pose.position = pan.to_world(p);
+        }
+    }
+
+    /// Pulls what is gripped along; tells whether it has slipped off.
+    fn pull(&mut self, world: &mut World) -> bool {
+        let Some(grip) = &mut self.grip else { return false };
+        let (Some(body), Some((velocity, turning))) = (world.pose(grip.key), world.velocity(grip.key)) else {
+            self.grip = None;
+            return true;
+        };
+        let wanted = self.pose.then(&grip.hold);
+        let (off, twist) = (wanted.position - body.position, rotation_between(body.rotation, wanted.rotation));
+        let far = off.length() > SLIP || twist.length() > SLIP_ANGLE;
+        grip.slipping_s = if far { grip.slipping_s + RIGID_S } else { 0.0 };
+        if grip.slipping_s > SLIP_S {
+            self.grip = None;
+            return true;
+        }
+        let mass = world.mass(grip.key);
+        let force = mass * (GRIP * GRIP * off - 2.0 * GRIP * velocity + DVec3::Z * GRAVITY);
+        let spin = GRIP * GRIP * twist - 2.0 * GRIP * turning;
+        let torque = world.inertia_times(grip.key, spin);
+        world.push(grip.key, force.clamp_length_max(GRIP_FORCE), torque.clamp_length_max(GRIP_TORQUE));
+        false
+    }
+
+    /// Pose of the blade for collisions: none for tongs.
+    pub fn blade(&self) -> Option<Pose> {
+        (self.active && self.tool == Tool::Turner).then_some(self.pose)
+    }
+
+    /// Whether a contact is with what the hand works on.
+    pub fn works_on(&self, against: Against) -> bool {
+        matches!(against, Against::Piece(key) if Some(key) == self.gripped() || Some(key) == self.spared)
+    }
+}
+
+/// How high above its way a tool comes in [m] (chosen).
+const HOVER: f64 = 0.06;
+/// Distance that a tool keeps from the pan [m] (chosen: a blade's thickness).
+const TOOL_CLEARANCE: f64 = 0.0015;
+/// How quickly a free hand leads a tool [m/s] and turns it [rad/s] (chosen).
+const LEAD_SPEED: f64 = 1.0;
+const LEAD_TURN: f64 = 10.0;
+
+fn frame_pose(frame: Frame, world: &World) -> Pose {
+    match frame {
+        Frame::Pan => world.motion.pose,
+        Frame::Kitchen => Pose::default(),
+    }
+}
+
+fn place(leg: &Leg, world: &World) -> Pose {
+    frame_pose(leg.frame, world).then(&leg.to)
+}
+
+/// Starts and ends gently: 3s² − 2s³ [-].
+fn smooth(s: f64) -> f64 {
+    s * s * (3.0 - 2.0 * s)
+}

@@ -1,0 +1,560 @@
+//! Rigid bodies of the kitchen: pan, table, board, foods, and the step that moves them.
+
+use std::collections::BTreeMap;
+
+use glam::DVec3;
+use rapier3d::dynamics::{
+    CCDSolver, CoefficientCombineRule, ImpulseJointSet, IntegrationParameters, IslandManager, MultibodyJointSet,
+    RigidBody, RigidBodyBuilder, RigidBodyHandle, RigidBodySet, SoftBodySet,
+};
+use rapier3d::geometry::{
+    BroadPhaseBvh, Collider, ColliderBuilder, ColliderHandle, ColliderSet, Group, InteractionGroups, InteractionTestMode, NarrowPhase,
+};
+use rapier3d::math::Vector;
+use rapier3d::pipeline::PhysicsPipeline;
+use saute_food::Solid;
+
+use super::pan_motion::{PanMotion, PanTarget};
+use super::pan_shape::PanShape;
+use super::pose::Pose;
+use super::{scale, solid_shape};
+use crate::piece::GRAVITY;
+
+/// Rigid steps a second [1/s] (chosen: at 240 even 35 shrimps, shaken, sink into each other by less than 0.5 mm).
+pub const RIGID_HZ: u32 = 240;
+/// Length of one rigid step [s].
+pub const RIGID_S: f64 = 1.0 / RIGID_HZ as f64;
+/// Size of a typical body, from which the solver takes its tolerances [solver units] (chosen: 2 cm).
+const TYPICAL: f32 = 2.0;
+/// Natural frequency [Hz] and damping ratio [-] of contacts (chosen: stiff enough for 0.1 mm at rest, damped enough not to
+/// ring at the step's length).
+const CONTACT_HZ: f32 = 240.0;
+const CONTACT_DAMPING: f32 = 2.0;
+/// Solver iterations (chosen: with them a pile of 35 shrimps comes to rest).
+const ITERATIONS: usize = 3;
+/// How far ahead contacts are made [TYPICAL] (chosen: a millimetre).
+const PREDICTION: f32 = 0.05;
+/// Drift up to which a contact is kept [TYPICAL] (chosen: 0.2 mm).
+const RECYCLING: f32 = 0.01;
+/// Mass change after which a body is weighed anew [-] (chosen).
+const NEW_MASS: f64 = 0.01;
+
+const FOOD_INSIDE: Group = Group::GROUP_1;
+const FOOD_OUTSIDE: Group = Group::GROUP_2;
+const PAN_FLOOR: Group = Group::GROUP_3;
+const KITCHEN: Group = Group::GROUP_4;
+const BLADE: Group = Group::GROUP_5;
+
+/// What a body touches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Against {
+    /// The pan's floor.
+    Floor,
+    /// The pan's wall.
+    Wall,
+    /// The hob's glass or the table.
+    Ground,
+    /// The board.
+    Board,
+    /// The turner's blade.
+    Blade,
+    /// Another piece, by its key.
+    Piece(u32),
+}
+
+impl Against {
+    fn code(self) -> u128 {
+        match self {
+            Self::Floor => 1,
+            Self::Wall => 2,
+            Self::Ground => 3,
+            Self::Board => 4,
+            Self::Blade => 5,
+            Self::Piece(key) => 16 + u128::from(key),
+        }
+    }
+
+    fn decode(code: u128) -> Self {
+        match code {
+            1 => Self::Floor,
+            2 => Self::Wall,
+            3 => Self::Ground,
+            4 => Self::Board,
+            5 => Self::Blade,
+            piece => Self::Piece(piece.saturating_sub(16) as u32),
+        }
+    }
+}
+
+/// One contact of a piece.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// What it touches.
+    pub against: Against,
+    /// Normal force [N].
+    pub force: f64,
+}
+
+/// The board on which food rests: where it lies and its half sizes [m] (chosen: an ordinary board beside the hob).
+pub const BOARD_AT: DVec3 = DVec3::new(0.44, 0.0, 0.01);
+const BOARD_HALF: DVec3 = DVec3::new(0.20, 0.16, 0.01);
+/// Half the side of the hob's glass [m] (chosen: one zone with its frame).
+pub const GLASS_HALF: f64 = 0.2;
+
+#[derive(Clone, Debug)]
+struct FoodBody {
+    body: RigidBodyHandle,
+    colliders: Vec<ColliderHandle>,
+    solid: Solid,
+    mass: f64,
+    friction: f64,
+    inside: bool,
+}
+
+/// All rigid bodies.
+pub struct World {
+    pipeline: PhysicsPipeline,
+    parameters: IntegrationParameters,
+    islands: IslandManager,
+    broad_phase: BroadPhaseBvh,
+    narrow_phase: NarrowPhase,
+    bodies: RigidBodySet,
+    colliders: ColliderSet,
+    joints: ImpulseJointSet,
+    multibody_joints: MultibodyJointSet,
+    soft_bodies: SoftBodySet,
+    ccd: CCDSolver,
+    shape: PanShape,
+    pan: RigidBodyHandle,
+    blade: RigidBodyHandle,
+    spared: Option<u32>,
+    foods: BTreeMap<u32, FoodBody>,
+    /// How the pan moves.
+    pub motion: PanMotion,
+    may_sleep: bool,
+    settled: bool,
+}
+
+impl Clone for World {
+    fn clone(&self) -> Self {
+        Self {
+            // Both hold scratch space only.
+            pipeline: PhysicsPipeline::new(),
+            ccd: CCDSolver::new(),
+            parameters: self.parameters,
+            islands: self.islands.clone(),
+            broad_phase: self.broad_phase.clone(),
+            narrow_phase: self.narrow_phase.clone(),
+            bodies: self.bodies.clone(),
+            colliders: self.colliders.clone(),
+            joints: self.joints.clone(),
+            multibody_joints: self.multibody_joints.clone(),
+            soft_bodies: self.soft_bodies.clone(),
+            shape: self.shape,
+            pan: self.pan,
+            blade: self.blade,
+            spared: self.spared,
+            foods: self.foods.clone(),
+            motion: self.motion,
+            may_sleep: self.may_sleep,
+            settled: self.settled,
+        }
+    }
+}
+
+impl core::fmt::Debug for World {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("World").field("motion", &self.motion).field("foods", &self.foods).finish_non_exhaustive()
+    }
+}
+
+impl World {
+    /// A pan on its ring, a table, a board and no food.
+    pub fn new(shape: PanShape) -> Self {
+        let mut bodies = RigidBodySet::new();
+        let mut colliders = ColliderSet::new();
+        let motion = PanMotion::standing(Pose::at(0.0, 0.0, shape.thickness));
+        let pan =
+            bodies.insert(RigidBodyBuilder::kinematic_position_based().pose(scale::solver_pose(&motion.pose)).build());
+        let floor = met_by(shape.floor_collider(), PAN_FLOOR, FOOD_INSIDE, Against::Floor);
+        colliders.insert_with_parent(floor, pan, &mut bodies);
+        for wedge in shape.wall_colliders() {
+            let wedge = met_by(wedge, KITCHEN, FOOD_INSIDE | FOOD_OUTSIDE, Against::Wall);
+            colliders.insert_with_parent(wedge, pan, &mut bodies);
+        }
+        let table = ColliderBuilder::new(rapier3d::geometry::SharedShape::halfspace(Vector::Z));
+        colliders.insert(met_by(table, KITCHEN, FOOD_OUTSIDE, Against::Ground));
+        let half = scale::vector(BOARD_HALF);
+        let board = ColliderBuilder::cuboid(half.x, half.y, half.z).translation(scale::vector(BOARD_AT));
+        colliders.insert(met_by(board, KITCHEN, FOOD_OUTSIDE, Against::Board));
+        let blade = insert_blade(&mut bodies, &mut colliders);
+        Self {
+            pipeline: PhysicsPipeline::new(),
+            parameters: parameters(),
+            islands: IslandManager::new(),
+            broad_phase: BroadPhaseBvh::new(),
+            narrow_phase: NarrowPhase::new(),
+            bodies,
+            colliders,
+            joints: ImpulseJointSet::new(),
+            multibody_joints: MultibodyJointSet::new(),
+            soft_bodies: SoftBodySet::new(),
+            ccd: CCDSolver::new(),
+            shape,
+            pan,
+            blade,
+            spared: None,
+            foods: BTreeMap::new(),
+            motion,
+            may_sleep: true,
+            settled: false,
+        }
+    }
+
+    /// The pan's surface.
+    pub fn pan_shape(&self) -> &PanShape {
+        &self.shape
+    }
+
+    /// Whether bodies at rest stop being computed until something stirs them; they do unless told otherwise.
+    pub fn let_sleep(&mut self, may_sleep: bool) {
+        self.may_sleep = may_sleep;
+        for food in self.foods.values() {
+            set_sleep(&mut self.bodies[food.body], may_sleep);
+        }
+        self.stir();
+    }
+
+    /// Lets a body into the world, at rest.
+    pub fn add(&mut self, key: u32, solid: Solid, mass: f64, pose: &Pose) {
+        let inside = self.shape.holds(self.motion.pose.to_body(pose.position));
+        let mut body = RigidBodyBuilder::dynamic().pose(scale::solver_pose(pose)).ccd_enabled(true).build();
+        set_sleep(&mut body, self.may_sleep);
+        let body = self.bodies.insert(body);
+        let mut food = FoodBody { body, colliders: Vec::new(), solid, mass: 0.0, friction: DEFAULT_FRICTION, inside };
+        for (place, shape) in solid_shape::shapes(&food.solid) {
+            let collider = ColliderBuilder::new(shape)
+                .position(place)
+                .friction(food.friction as f32)
+                .friction_combine_rule(CoefficientCombineRule::Min)
+                .restitution(RESTITUTION)
+                .user_data(Against::Piece(key).code());
+            food.colliders.push(self.colliders.insert_with_parent(collider, body, &mut self.bodies));
+        }
+        self.foods.insert(key, food);
+        self.set_groups(key, inside);
+        self.set_mass(key, mass);
+        self.stir();
+    }
+
+    /// Takes a body out of the world.
+    pub fn remove(&mut self, key: u32) {
+        if let Some(food) = self.foods.remove(&key) {
+            let Self { islands, bodies, colliders, joints, multibody_joints, soft_bodies, .. } = self;
+            bodies.remove(food.body, islands, colliders, joints, multibody_joints, soft_bodies, true);
+            self.stir();
+        }
+    }
+
+    /// Whether a body is in the world.
+    pub fn has(&self, key: u32) -> bool {
+        self.foods.contains_key(&key)
+    }
+
+    /// Weighs a body anew [kg].
+    pub fn set_mass(&mut self, key: u32, mass: f64) {
+        let Some(food) = self.foods.get_mut(&key) else { return };
+        if (mass / food.mass.max(1e-9) - 1.0).abs() < NEW_MASS {
+            return;
+        }
+        food.mass = mass;
+        let volume: f32 = food.colliders.iter().map(|c| self.colliders[*c].volume()).sum();
+        let density = (mass * scale::PER_KILOGRAM) as f32 / volume;
+        for collider in &food.colliders {
+            if let Some(collider) = self.colliders.get_mut(*collider) {
+                collider.set_density(density);
+            }
+        }
+    }
+
+    /// Friction of a body against whatever is smoother [-].
+    pub fn set_friction(&mut self, key: u32, friction: f64) {
+        let Some(food) = self.foods.get_mut(&key) else { return };
+        if (friction - food.friction).abs() < 0.01 {
+            return;
+        }
+        food.friction = friction;
+        for collider in &food.colliders {
+            if let Some(collider) = self.colliders.get_mut(*collider) {
+                collider.set_friction(friction as f32);
+            }
+        }
+    }
+
+    /// Gives a body its present shape, when that has changed.
+    pub fn set_solid(&mut self, key: u32, solid: Solid) {
+        let Some(food) = self.foods.get_mut(&key) else { return };
+        if food.solid == solid {
+            return;
+        }
+        for (collider, (_, shape)) in food.colliders.iter().zip(solid_shape::shapes(&solid)) {
+            if let Some(collider) = self.colliders.get_mut(*collider) {
+                collider.set_shape(shape);
+            }
+        }
+        food.solid = solid;
+        self.stir();
+    }
+
+    /// The solid as which a body collides.
+    pub fn solid(&self, key: u32) -> Option<&Solid> {
+        self.foods.get(&key).map(|f| &f.solid)
+    }
+
+    fn body(&self, key: u32) -> Option<&RigidBody> {
+        self.foods.get(&key).and_then(|f| self.bodies.get(f.body))
+    }
+
+    /// Pose of a body.
+    pub fn pose(&self, key: u32) -> Option<Pose> {
+        self.body(key).map(|b| scale::pose(b.position()))
+    }
+
+    /// Velocity of a body [m/s] and its turning speed [rad/s].
+    pub fn velocity(&self, key: u32) -> Option<(DVec3, DVec3)> {
+        self.body(key).map(|b| (scale::metres(b.linvel()), scale::metres(b.angvel()) * scale::PER_METRE))
+    }
+
+    /// Moments of inertia of a body, times a vector of turning [kg·m²].
+    pub fn inertia_times(&self, key: u32, turning: DVec3) -> DVec3 {
+        let Some(body) = self.body(key) else { return DVec3::ZERO };
+        let local = &body.mass_properties().local_mprops;
+        let frame = body.position().rotation * local.principal_inertia_local_frame;
+        let inertia = local.principal_inertia();
+        let within = frame.inverse() * scale::plain(turning);
+        let out = frame * (within * inertia);
+        scale::metres(out) * scale::PER_METRE / (scale::PER_KILOGRAM * scale::PER_METRE * scale::PER_METRE)
+    }
+
+    /// Pushes and twists a body during the next step [N, N·m].
+    pub fn push(&mut self, key: u32, force: DVec3, torque: DVec3) {
+        let Some(body) = self.foods.get(&key).and_then(|f| self.bodies.get_mut(f.body)) else { return };
+        body.add_force(scale::force(force), true);
+        body.add_torque(scale::torque(torque), true);
+        self.settled = false;
+    }
+
+    /// Mass of a body [kg].
+    pub fn mass(&self, key: u32) -> f64 {
+        self.foods.get(&key).map_or(0.0, |f| f.mass)
+    }
+
+    /// Everything that a body touches now, what it presses on most first.
+    pub fn contacts(&self, key: u32) -> Vec<Contact> {
+        let mut found: BTreeMap<Against, f64> = BTreeMap::new();
+        let Some(food) = self.foods.get(&key) else { return Vec::new() };
+        for own in &food.colliders {
+            for pair in self.narrow_phase.contact_pairs_with(*own).filter(|p| p.has_any_active_contact()) {
+                let other = if pair.collider1 == *own { pair.collider2 } else { pair.collider1 };
+                let Some(other) = self.colliders.get(other).filter(|o| o.user_data != Against::Piece(key).code()) else {
+                    continue;
+                };
+                let force = newtons(pair.total_impulse_magnitude());
+                *found.entry(Against::decode(other.user_data)).or_default() += force;
+            }
+        }
+        found.into_iter().map(|(against, force)| Contact { against, force }).collect()
+    }
+
+    /// How deep any two bodies, or a body and the pan, overlap [m].
+    pub fn deepest_overlap(&self) -> f64 {
+        let apart = |a: &Collider, b: &Collider| a.parent() != b.parent();
+        let mut deepest = 0.0f32;
+        for pair in self.narrow_phase.contact_pairs() {
+            let (Some(a), Some(b)) = (self.colliders.get(pair.collider1), self.colliders.get(pair.collider2)) else {
+                continue;
+            };
+            if pair.has_any_active_contact() && apart(a, b) {
+                let met = rapier3d::parry::query::contact(a.position(), a.shape(), b.position(), b.shape(), 0.0);
+                deepest = met.ok().flatten().map_or(deepest, |c| deepest.max(-c.dist));
+            }
+        }
+        f64::from(deepest) / scale::PER_METRE
+    }
+
+    /// Moves the blade, or takes it away; the body that is `spared` it does not meet.
+    pub fn set_blade(&mut self, pose: Option<&Pose>, spared: Option<u32>) {
+        let Some(body) = self.bodies.get_mut(self.blade) else { return };
+        let there = body.is_enabled();
+        match pose {
+            Some(pose) if there => body.set_next_kinematic_position(scale::solver_pose(pose)),
+            Some(pose) => {
+                body.set_enabled(true);
+                body.set_position(scale::solver_pose(pose), true);
+            }
+            None if there => body.set_enabled(false),
+            None => {}
+        }
+        if pose.is_some() {
+            self.settled = false;
+        }
+        if spared != self.spared {
+            let before = core::mem::replace(&mut self.spared, spared);
+            for key in [before, spared].into_iter().flatten() {
+                let inside = self.foods.get(&key).is_some_and(|f| f.inside);
+                self.set_groups(key, inside);
+            }
+        }
+    }
+
+    /// Force with which foods hold up the blade [N].
+    pub fn blade_force(&self) -> f64 {
+        let blade = self.bodies.get(self.blade).filter(|b| b.is_enabled());
+        let colliders = blade.into_iter().flat_map(|b| b.colliders().iter());
+        let pairs = colliders.flat_map(|c| self.narrow_phase.contact_pairs_with(*c));
+        pairs.map(|p| newtons(p.total_impulse_magnitude())).sum()
+    }
+
+    /// Distance from a point to a body; 0 inside [m].
+    pub fn distance(&self, key: u32, point: DVec3) -> f64 {
+        let Some(food) = self.foods.get(&key) else { return f64::INFINITY };
+        let to = |c: &ColliderHandle| {
+            let collider = &self.colliders[*c];
+            collider.shape().distance_to_point(collider.position(), scale::vector(point), true)
+        };
+        f64::from(food.colliders.iter().map(to).fold(f32::INFINITY, f32::min)) / scale::PER_METRE
+    }
+
+    /// Wakes everything.
+    pub fn stir(&mut self) {
+        self.settled = false;
+        for food in self.foods.values() {
+            if let Some(body) = self.bodies.get_mut(food.body) {
+                body.wake_up(true);
+            }
+        }
+    }
+
+    /// Whether nothing moves and nothing needs to be computed.
+    pub fn is_settled(&self) -> bool {
+        self.settled
+    }
+
+    /// One rigid step in which the pan follows its target.
+    pub fn step(&mut self, target: &PanTarget) {
+        let stood = self.motion.is_still();
+        self.motion.follow(target, RIGID_S);
+        if !self.motion.is_still() || !stood {
+            if stood {
+                self.stir();
+            }
+            self.settled = false;
+            if let Some(pan) = self.bodies.get_mut(self.pan) {
+                pan.set_next_kinematic_position(scale::solver_pose(&self.motion.pose));
+            }
+        }
+        if self.settled {
+            return;
+        }
+        let gravity = scale::vector(DVec3::new(0.0, 0.0, -GRAVITY));
+        self.pipeline.step(
+            gravity,
+            &self.parameters,
+            &mut self.islands,
+            &mut self.broad_phase,
+            &mut self.narrow_phase,
+            &mut self.bodies,
+            &mut self.colliders,
+            &mut self.joints,
+            &mut self.multibody_joints,
+            &mut self.soft_bodies,
+            &mut self.ccd,
+            &(),
+            &(),
+        );
+        self.after_step();
+    }
+
+    fn after_step(&mut self) {
+        let mut asleep = true;
+        let mut changed = Vec::new();
+        for (key, food) in &self.foods {
+            let Some(body) = self.bodies.get_mut(food.body) else { continue };
+            body.reset_forces(false);
+            body.reset_torques(false);
+            asleep &= body.is_sleeping();
+            let inside = self.shape.holds(self.motion.pose.to_body(scale::metres(body.translation())));
+            if inside != food.inside {
+                changed.push((*key, inside));
+            }
+        }
+        changed.into_iter().for_each(|(key, inside)| self.set_groups(key, inside));
+        self.settled = asleep && self.may_sleep && self.motion.is_still();
+    }
+
+    /// Foods over the pan meet its floor; foods elsewhere meet table and board.
+    fn set_groups(&mut self, key: u32, inside: bool) {
+        let Some(food) = self.foods.get_mut(&key) else { return };
+        food.inside = inside;
+        let group = if inside { FOOD_INSIDE } else { FOOD_OUTSIDE };
+        let meets = if self.spared == Some(key) { Group::ALL.difference(BLADE) } else { Group::ALL };
+        for collider in &food.colliders {
+            if let Some(collider) = self.colliders.get_mut(*collider) {
+                collider.set_collision_groups(InteractionGroups::new(group, meets, InteractionTestMode::And));
+            }
+        }
+    }
+}
+
+/// Friction of a body that nothing is known of [-] (chosen).
+const DEFAULT_FRICTION: f64 = 0.3;
+/// Restitution of food [-] (chosen: wet flesh hardly bounces).
+const RESTITUTION: f32 = 0.05;
+/// Half sizes of the turner's blade [m] (chosen: a fish slice).
+pub const BLADE_HALF: DVec3 = DVec3::new(0.045, 0.04, 0.001);
+
+/// Force [N] that makes an impulse of the solver in one step.
+fn newtons(impulse: f32) -> f64 {
+    f64::from(impulse) / (RIGID_S * scale::PER_METRE * scale::PER_KILOGRAM)
+}
+
+fn insert_blade(bodies: &mut RigidBodySet, colliders: &mut ColliderSet) -> RigidBodyHandle {
+    let blade = bodies.insert(RigidBodyBuilder::kinematic_position_based().enabled(false).build());
+    let half = scale::vector(BLADE_HALF);
+    let shape = ColliderBuilder::cuboid(half.x, half.y, half.z);
+    colliders.insert_with_parent(met_by(shape, BLADE, FOOD_INSIDE | FOOD_OUTSIDE, Against::Blade), blade, bodies);
+    blade
+}
+
+fn met_by(collider: ColliderBuilder, group: Group, by: Group, against: Against) -> Collider {
+    collider
+        .collision_groups(InteractionGroups::new(group, by, InteractionTestMode::And))
+        .friction(1.0)
+        .friction_combine_rule(CoefficientCombineRule::Min)
+        .restitution(RESTITUTION)
+        .user_data(against.code())
+        .build()
+}
+
+fn set_sleep(body: &mut RigidBody, may_sleep: bool) {
+    let activation = body.activation_mut();
+    let default = rapier3d::dynamics::RigidBodyActivation::active();
+    activation.normalized_linear_threshold = if may_sleep { default.normalized_linear_threshold } else { -1.0 };
+    activation.angular_threshold = if may_sleep { default.angular_threshold } else { -1.0 };
+}
+
+fn parameters() -> IntegrationParameters {
+    let mut parameters = IntegrationParameters {
+        dt: RIGID_S as f32,
+        length_unit: TYPICAL,
+        num_solver_iterations: ITERATIONS,
+        normalized_prediction_distance: PREDICTION,
+        normalized_contact_recycle_distance: RECYCLING,
+        ..IntegrationParameters::default()
+    };
+    for softness in [&mut parameters.contact_softness, &mut parameters.static_contact_softness] {
+        softness.natural_frequency = CONTACT_HZ;
+        softness.damping_ratio = CONTACT_DAMPING;
+    }
+    parameters
+}
