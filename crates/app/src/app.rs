@@ -160,7 +160,7 @@ impl SauteApp {
                 let for_s = self.session.kitchen.room().cloth.default_s;
                 self.command(&Command::Cool { for_s });
             }
-            Act::Put => self.command(&Command::Put { food: self.steak_id(), at: [0.0, 0.0] }),
+            Act::Put => self.command(&Command::Put { food: self.steak_id(), at: [0.0, 0.0], heap: false }),
             Act::Flip => self.command(&Command::Flip { food: self.steak_id() }),
             Act::Out => self.command(&Command::Rest { food: self.steak_id(), on: RestOn::Board }),
             Act::Restart => self.restart(),

@@ -106,7 +106,7 @@ impl SauteApp {
     fn click_steak(&mut self) {
         let Some(in_pan) = self.session.steak().map(Piece::in_pan) else { return };
         let food = self.steak_id();
-        self.command(&if in_pan { Command::Flip { food } } else { Command::Put { food, at: [0.0, 0.0] } });
+        self.command(&if in_pan { Command::Flip { food } } else { Command::Put { food, at: [0.0, 0.0], heap: false } });
     }
 
     fn steak_pose(&self) -> Option<(Pose, &Piece)> {
@@ -151,7 +151,7 @@ impl SauteApp {
                 (true, false) => {
                     let room = (pan.floor.radius_mm * 1e-3 - piece.model.outline.reach()).max(0.0) as f32;
                     let place = offset.truncate().clamp_length_max(0.98 * room);
-                    self.command(&Command::Put { food, at: [f64::from(place.x), f64::from(place.y)] });
+                    self.command(&Command::Put { food, at: [f64::from(place.x), f64::from(place.y)], heap: false });
                 }
                 (false, true) => self.command(&Command::Rest { food, on: RestOn::Board }),
                 _ => {}

@@ -6,7 +6,9 @@ use saute_kitchen::carry_over::foreseen_peak;
 use saute_kitchen::food::Rules;
 use saute_kitchen::food::description::Form;
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{Command, Kitchen, Library, PieceOrder, Recipe, Recorder, Runner, TICK_S, celsius, kelvin};
+use saute_kitchen::{
+    Command, Kitchen, Library, MeshSize, PieceOrder, Recipe, Recorder, Runner, TICK_S, celsius, kelvin,
+};
 use web_time::{Duration, Instant};
 
 /// What the person chooses before putting the food in.
@@ -280,6 +282,7 @@ fn set_out(library: &Library, choice: &SteakChoice) -> Result<Kitchen, SetupErro
         seed: 1,
         coarseness: 1.0,
         rules: Rules::Full,
+        mesh: MeshSize::Default,
     };
     kitchen.add(library, &order)?;
     Ok(kitchen)
@@ -293,6 +296,15 @@ fn label(command: &Command) -> String {
         Command::Rest { .. } => "out".into(),
         Command::MovePan { .. } => "pan".into(),
         Command::Cool { .. } => "cloth".into(),
+        Command::Toss { .. } => "toss".into(),
+        Command::Shake { .. } => "shake".into(),
+        Command::Tilt { .. } => "tilt".into(),
+        Command::Press { .. } => "press".into(),
+        Command::Move { .. } => "move".into(),
+        Command::Oil { .. } => "oil".into(),
+        Command::Butter(_) => "butter".into(),
+        Command::Water(_) => "water".into(),
+        Command::Lid(on) => if *on { "lid on" } else { "lid off" }.into(),
     }
 }
 
@@ -303,7 +315,8 @@ fn step_label(step: &saute_kitchen::Fired) -> String {
         "rest" => "out".into(),
         "move_pan" => "pan".into(),
         "cool" => "cloth".into(),
-        other => other.into(),
+        "lid" => if step.value == true { "lid on" } else { "lid off" }.into(),
+        other => other.trim_end_matches("_g").into(),
     }
 }
 

@@ -26,6 +26,8 @@ pub enum Command {
         food: String,
         /// Where its centroid goes [m].
         at: [f64; 2],
+        /// Dropped from above onto what lies there, instead of laid onto the floor.
+        heap: bool,
     },
     /// Turns a piece over about its long axis.
     Flip {
@@ -51,6 +53,56 @@ pub enum Command {
         /// How long [s].
         for_s: f64,
     },
+    /// Tosses what lies in the pan.
+    Toss {
+        /// How high the foods shall fly [m].
+        height: f64,
+    },
+    /// Shakes the pan to and fro.
+    Shake {
+        /// Farthest from the middle, to either side [m].
+        amplitude: f64,
+        /// How often [Hz].
+        hz: f64,
+        /// How long [s].
+        for_s: f64,
+    },
+    /// Tilts the pan until it is tilted otherwise.
+    Tilt {
+        /// Angle between floor and horizontal [rad].
+        angle: f64,
+        /// Direction in which the floor goes down, from +x over +y [rad].
+        towards: f64,
+    },
+    /// Presses a piece onto the floor.
+    Press {
+        /// Which piece.
+        food: String,
+        /// With what force [N].
+        newtons: f64,
+        /// How long [s].
+        for_s: f64,
+    },
+    /// Pushes or carries a piece to a place in the pan [m].
+    Move {
+        /// Which piece.
+        food: String,
+        /// Where its centroid goes, relative to the pan's centre [m].
+        to: [f64; 2],
+    },
+    /// Pours oil into the pan.
+    Oil {
+        /// Which oil; the kitchen's own unless given.
+        kind: Option<String>,
+        /// How much [kg].
+        mass: f64,
+    },
+    /// Puts butter into the pan [kg].
+    Butter(f64),
+    /// Pours water into the pan [kg].
+    Water(f64),
+    /// Lays the lid on, or takes it off.
+    Lid(bool),
 }
 
 /// Why a command was not carried out; the kitchen is unchanged.
@@ -85,6 +137,12 @@ pub enum Refused {
         /// What is in the way.
         other: String,
     },
+    /// Nothing to toss.
+    #[error("there is nothing in the pan to toss: put a food in first")]
+    EmptyPan,
+    /// Not built yet.
+    #[error("this kitchen cannot {0} yet")]
+    NotYet(&'static str),
     /// The pan would be out of reach.
     #[error("the pan can be moved and lifted by up to {farthest_mm} mm")]
     PanPlace {

@@ -9,6 +9,7 @@ use crate::cloth::Cloth;
 use crate::command::{Command, Refused};
 use crate::energy::Energy;
 use crate::hob::{HobDescription, PanPose};
+use crate::layout::{Floor, Footprint};
 use crate::library::Library;
 use crate::pan::{PanLoad, PanModel, PanSolver, PanState};
 use crate::piece::{Piece, Place};
@@ -40,6 +41,18 @@ pub struct PieceOrder {
     pub coarseness: f64,
     /// Rules that it follows.
     pub rules: Rules,
+    /// Fineness of its mesh.
+    pub mesh: MeshSize,
+}
+
+/// Fineness of a mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MeshSize {
+    /// As fine as our physics asks for.
+    #[default]
+    Default,
+    /// As many vertices as the 2013 simulator had.
+    Paper2013,
 }
 
 /// The world of one cook.
@@ -130,7 +143,8 @@ impl Kitchen {
     pub fn apply(&mut self, command: &Command) -> Result<(), Refused> {
         match command {
             Command::Hob(power) => self.set_hob(*power),
-            Command::Put { food, at } => self.put(food, *at),
+            Command::Put { heap: true, .. } => Err(Refused::NotYet("heap foods")),
+            Command::Put { food, at, heap: false } => self.put(food, *at),
             Command::Flip { food } => self.flip(food),
             Command::Rest { food, on } => {
                 let room = self.fixed.room.clone();
@@ -148,7 +162,35 @@ impl Kitchen {
                 self.cloth.get_or_insert(fresh).remaining_s = *for_s;
                 Ok(())
             }
+            Command::Toss { .. } if !self.pieces.iter().any(Piece::in_pan) => Err(Refused::EmptyPan),
+            Command::Toss { .. } => Err(Refused::NotYet("toss")),
+            Command::Shake { .. } => Err(Refused::NotYet("shake the pan")),
+            Command::Tilt { .. } => Err(Refused::NotYet("tilt the pan")),
+            Command::Press { .. } => Err(Refused::NotYet("press foods")),
+            Command::Move { .. } => Err(Refused::NotYet("move foods")),
+            Command::Oil { .. } => Err(Refused::NotYet("pour oil")),
+            Command::Butter(_) => Err(Refused::NotYet("melt butter")),
+            Command::Water(_) => Err(Refused::NotYet("pour water")),
+            Command::Lid(_) => Err(Refused::NotYet("take a lid")),
         }
+    }
+
+    /// Whether tools are still at work on what they were told to do.
+    pub fn busy(&self) -> bool {
+        false
+    }
+
+    /// Free places on the floor for pieces, in their order, the first ones nearest to `around` [m]; fewer than pieces where
+    /// not all of them fit. What lies in the pan is left where it is, but for the pieces themselves.
+    pub fn free_places(&self, foods: &[String], around: [f64; 2]) -> Vec<[f64; 2]> {
+        let footprint = |p: &Piece| Footprint::of(&p.model.outline.points, p.state.down == saute_food::Side::Top);
+        let named = |p: &&Piece| foods.contains(&p.id);
+        let lying = self.pieces.iter().filter(|p| !named(p)).filter_map(|p| match p.place {
+            Place::Pan(at) => Some((footprint(p), at)),
+            _ => None,
+        });
+        let wanted: Vec<Footprint> = foods.iter().filter_map(|id| self.piece(id)).map(footprint).collect();
+        Floor::new(self.fixed.pan.description.floor.radius_mm * 1e-3, lying.collect()).places(&wanted, around)
     }
 
     /// Under the rules of 2013 the pan is cool as soon as it touches the cloth.

@@ -3,6 +3,8 @@
 //! A [`Kitchen`] is a pure function of its model, its state and the [`Command`]s it gets; [`Kitchen::step`] moves it
 //! by one [`TICK_S`]. It never fails, reads no clock and opens no file.
 
+mod action_check;
+pub mod action_file;
 pub mod board;
 pub mod carry_over;
 pub mod cloth;
@@ -17,6 +19,7 @@ pub mod hob;
 mod input_error;
 pub mod kitchen;
 pub mod lab;
+pub mod layout;
 pub mod library;
 pub mod pan;
 pub mod piece;
@@ -26,15 +29,17 @@ pub mod recipe_file;
 pub mod recorder;
 pub mod room;
 pub mod runner;
+mod sequence_check;
+pub mod shorthand;
 pub mod summary;
 
 pub use command::{Command, Refused, RestOn};
 pub use cook::{Cook, Fired};
 pub use input_error::InputError;
-pub use kitchen::{Kitchen, PieceOrder};
+pub use kitchen::{Kitchen, MeshSize, PieceOrder};
 pub use library::{Library, LibraryError};
 pub use piece::{Piece, Place};
-pub use recipe::{Action, Recipe, Step, Trigger};
+pub use recipe::{Action, Deed, Group, Recipe, Step, Target, Trigger};
 pub use recorder::Recorder;
 pub use runner::{Runner, StoppedBy};
 pub use saute_food as food;

@@ -1,9 +1,12 @@
 //! Recipes: checked, in SI units, ready to run.
 
-use crate::command::Command;
+use std::ops::Range;
+
+use crate::command::{Command, RestOn};
 use crate::input_error::{InputError, InputText};
 use crate::kitchen::{Kitchen, PieceOrder, SetupError};
 use crate::library::Library;
+use crate::piece::Piece;
 use crate::recipe_check::Check;
 
 /// A recipe, checked.
@@ -17,14 +20,27 @@ pub struct Recipe {
     pub pan_kind: String,
     /// Start temperature of the pan [K].
     pub pan_temperature: f64,
-    /// Foods.
+    /// Foods, the pieces of a group one after the other.
     pub foods: Vec<PieceOrder>,
+    /// Groups of them.
+    pub groups: Vec<Group>,
     /// Steps, the last one ends the cook.
     pub steps: Vec<Step>,
     /// Name of its file, for messages.
     pub file: String,
     /// Its text.
     pub text: String,
+}
+
+/// Several foods of one kind under one name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Group {
+    /// Name in the recipe.
+    pub id: String,
+    /// Kind of food.
+    pub kind: String,
+    /// Which of the recipe's foods.
+    pub members: Range<usize>,
 }
 
 /// One step.
@@ -47,10 +63,10 @@ pub enum Trigger {
     After(f64),
     /// When the pan's floor crosses a temperature [K].
     Pan(f64),
-    /// When a quantity of a food crosses a value.
+    /// When a quantity of a food has crossed a value; of several foods, when each of them has since the step was armed.
     Food {
-        /// Which food.
-        food: String,
+        /// Which foods.
+        food: Target,
         /// Which quantity.
         quantity: Quantity,
         /// Value in SI units.
@@ -71,19 +87,94 @@ pub enum Quantity {
     Mass,
 }
 
+impl Quantity {
+    /// Its value for a piece [K, kg].
+    pub fn of(self, piece: &Piece) -> f64 {
+        match self {
+            Self::Core => piece.core(),
+            Self::Top => piece.face(false),
+            Self::Bottom => piece.face(true),
+            Self::Mass => piece.mass(),
+        }
+    }
+}
+
+/// Name that stands for all foods of a recipe.
+pub const ALL: &str = "all";
+
+/// Whom an action or a condition concerns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Target {
+    /// As the recipe names it: a food, a group, or [`ALL`].
+    pub name: String,
+    /// The foods that it stands for.
+    pub foods: Vec<String>,
+    /// Whether it is a group or [`ALL`]: then foods that an action cannot concern are passed over.
+    pub group: bool,
+}
+
 /// What a step does.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// Gives the kitchen a command.
     Do(Command),
+    /// Does something to foods, one after the other.
+    Each(Target, Deed),
     /// Ends the cook.
     End,
 }
 
+/// What can be done to a food.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Deed {
+    /// Puts it into the pan.
+    Put {
+        /// Its place, or that about which several lie [m].
+        at: [f64; 2],
+        /// Dropped from above onto what lies there.
+        heap: bool,
+    },
+    /// Turns it over.
+    Flip,
+    /// Takes it out of the pan.
+    Rest(RestOn),
+    /// Presses it onto the floor.
+    Press {
+        /// With what force [N].
+        newtons: f64,
+        /// How long [s].
+        for_s: f64,
+    },
+    /// Pushes or carries it to a place in the pan, or several about it [m].
+    Move([f64; 2]),
+}
+
+impl Deed {
+    /// The command for one food at its place [m]; only what gives a food a place heeds that.
+    pub fn command(self, food: String, at: [f64; 2]) -> Command {
+        match self {
+            Self::Put { heap, .. } => Command::Put { food, at, heap },
+            Self::Flip => Command::Flip { food },
+            Self::Rest(on) => Command::Rest { food, on },
+            Self::Press { newtons, for_s } => Command::Press { food, newtons, for_s },
+            Self::Move(_) => Command::Move { food, to: at },
+        }
+    }
+
+    /// Whether the food must be in the pan before; otherwise it must not.
+    pub fn needs_pan(self) -> bool {
+        !matches!(self, Self::Put { .. })
+    }
+}
+
 impl Action {
-    /// How long the action keeps the next step waiting [s].
+    /// How long the action keeps the next step waiting at least [s].
     pub fn duration_s(&self) -> f64 {
-        if let Self::Do(Command::Cool { for_s }) = self { *for_s } else { 0.0 }
+        match self {
+            Self::Do(Command::Cool { for_s } | Command::Shake { for_s, .. })
+            | Self::Each(_, Deed::Press { for_s, .. }) => *for_s,
+            _ => 0.0,
+        }
     }
 }
 

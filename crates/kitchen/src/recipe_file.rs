@@ -4,7 +4,12 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
 
+use crate::action_file::{
+    ButterTable, CoolTable, FlipTable, HobTable, LidTable, MovePanTable, MoveTable, OilTable, PressTable, PutTable,
+    RestTable, ShakeTable, TiltTable, TossTable, WaterTable,
+};
 use crate::command::RestOn;
+use crate::shorthand::Entry;
 
 /// A cook: a pan, foods and steps.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -57,7 +62,7 @@ pub struct PanEntry {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FoodEntry {
-    /// Name that the steps use.
+    /// Name that the steps use: letters, digits, - and _; not "all".
     #[schemars(with = "String")]
     pub id: Spanned<String>,
     /// Id of a food (`saute list foods`).
@@ -69,11 +74,33 @@ pub struct FoodEntry {
     /// Temperature at which it goes into the pan [°C]; 5 by default.
     #[schemars(with = "Option<f64>", range(min = 0, max = 60))]
     pub initial_c: Option<Spanned<f64>>,
-    /// Seed of its natural variation; 1 by default.
+    /// Seed of its natural variation; 1 by default. The pieces of a group have seeds that follow each other.
     pub seed: Option<u32>,
+    /// Makes a group of so many pieces, which are called id.1, id.2 and so on; one piece with the plain id where it is not
+    /// given.
+    #[schemars(with = "Option<u32>", range(min = 1, max = MOST_PIECES))]
+    pub count: Option<Spanned<i64>>,
+    /// Fineness of its mesh; "default" by default.
+    pub mesh: Option<MeshName>,
 }
 
-/// One step: at most one trigger (`at_s`, `after_s`, `when`) and exactly one action.
+/// Pieces that a group may have (chosen: a 26 cm pan takes some 40 shrimps; more is a mistyped number).
+pub(crate) const MOST_PIECES: i64 = 200;
+
+/// Fineness of a mesh.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
+pub enum MeshName {
+    /// As fine as the physics asks for.
+    #[default]
+    #[serde(rename = "default")]
+    Default,
+    /// As many vertices as the 2013 Interactive Cooking Simulator had.
+    #[serde(rename = "2013")]
+    Paper2013,
+}
+
+/// One step: at most one trigger (`at_s`, `after_s`, `when`) and exactly one action. An action takes a table, or a bare value
+/// that leaves the table's other keys at their defaults.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StepEntry {
@@ -86,56 +113,49 @@ pub struct StepEntry {
     /// Trigger: a temperature crosses a value, in either direction.
     #[schemars(with = "Option<WhenEntry>")]
     pub when: Option<Spanned<WhenEntry>>,
-    /// Action: electrical power of the hob, 0–3500 [W].
-    #[schemars(with = "Option<f64>", range(min = 0, max = 3500))]
-    pub hob_w: Option<Spanned<f64>>,
-    /// Action: puts a food into the pan.
-    #[schemars(with = "Option<String>")]
-    pub put: Option<Spanned<String>>,
-    /// With `put`: place of its centre relative to the pan's [mm]; [0, 0] by default.
+    /// Action: sets the hob; a bare number is its electrical power, 0–3500 [W].
+    pub hob_w: Option<Entry<HobTable>>,
+    /// Action: puts foods into the pan.
+    pub put: Option<Entry<PutTable>>,
+    /// With a bare `put`: place of its centre relative to the pan's [mm]; [0, 0] by default.
     #[schemars(with = "Option<[f64; 2]>")]
     pub at_mm: Option<Spanned<Vec<f64>>>,
-    /// Action: turns a food over.
-    #[schemars(with = "Option<String>")]
-    pub flip: Option<Spanned<String>>,
-    /// Action: takes a food out of the pan to rest.
-    #[schemars(with = "Option<String>")]
-    pub rest: Option<Spanned<String>>,
-    /// With `rest`: onto what; the board by default.
+    /// Action: turns foods over.
+    pub flip: Option<Entry<FlipTable>>,
+    /// Action: takes foods out of the pan to rest.
+    pub rest: Option<Entry<RestTable>>,
+    /// With a bare `rest`: onto what; the board by default.
     #[schemars(with = "Option<RestOn>")]
     pub on: Option<Spanned<RestOn>>,
-    /// Action: moves the pan over the hob, or lifts it, until it is moved again.
-    #[schemars(with = "Option<MovePanEntry>")]
-    pub move_pan: Option<Spanned<MovePanEntry>>,
+    /// Action: moves the pan over the hob, or lifts it, until it is moved again; true sets it back onto its ring.
+    pub move_pan: Option<Entry<MovePanTable>>,
     /// Action: sets the pan on a wet cloth, off the hob.
-    #[schemars(with = "Option<CoolBy>")]
-    pub cool: Option<Spanned<CoolBy>>,
-    /// With `cool`: how long [s]; 3 by default.
+    pub cool: Option<Entry<CoolTable>>,
+    /// With a bare `cool`: how long [s]; 3 by default.
     #[schemars(with = "Option<f64>", range(min = 0.1, max = 600))]
     pub for_s: Option<Spanned<f64>>,
+    /// Action: pours oil into the pan; a bare number is how much [g].
+    pub oil_g: Option<Entry<OilTable>>,
+    /// Action: puts butter into the pan; a bare number is how much [g].
+    pub butter_g: Option<Entry<ButterTable>>,
+    /// Action: pours water into the pan; a bare number is how much [g].
+    pub water_g: Option<Entry<WaterTable>>,
+    /// Action: tosses what lies in the pan; true takes the defaults.
+    pub toss: Option<Entry<TossTable>>,
+    /// Action: shakes the pan to and fro; a bare number is how long [s].
+    pub shake: Option<Entry<ShakeTable>>,
+    /// Action: tilts the pan until it is tilted otherwise; a bare number is the angle [°], 0 levels it.
+    pub tilt: Option<Entry<TiltTable>>,
+    /// Action: presses foods onto the floor with the turner.
+    pub press: Option<Entry<PressTable>>,
+    /// Action: pushes or carries foods to a place in the pan.
+    #[serde(rename = "move")]
+    pub move_to: Option<Entry<MoveTable>>,
+    /// Action: lays the lid on (true, "on") or takes it off (false, "off").
+    pub lid: Option<Entry<LidTable>>,
     /// Action: ends the cook.
     #[schemars(with = "Option<bool>")]
     pub end: Option<Spanned<bool>>,
-}
-
-/// Where the pan goes: back onto its ring by default. More than 15 mm above the glass or off the ring it gets no power.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct MovePanEntry {
-    /// Its centre relative to the ring's [mm]; [0, 0] by default.
-    #[schemars(with = "Option<[f64; 2]>")]
-    pub at_mm: Option<Spanned<Vec<f64>>>,
-    /// Its height above the glass [mm]; 0 by default.
-    #[schemars(with = "Option<f64>", range(min = 0, max = 500))]
-    pub lift_mm: Option<Spanned<f64>>,
-}
-
-/// What cools the pan.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum CoolBy {
-    /// A folded wet cloth.
-    WetCloth,
 }
 
 /// A condition: `pan_c`, or `food` with one of its quantities.
@@ -144,7 +164,7 @@ pub enum CoolBy {
 pub struct WhenEntry {
     /// Area mean of the pan's flat floor [°C].
     pub pan_c: Option<f64>,
-    /// Which food.
+    /// Which food; of a group (or "all") every piece must have crossed the value since the step is waited for.
     #[schemars(with = "Option<String>")]
     pub food: Option<Spanned<String>>,
     /// Its core temperature [°C].

@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use serde::Serialize;
+use serde_json::{Value, json};
 
 use crate::command::{Command, Refused};
 use crate::input_error::InputError;
 use crate::kitchen::Kitchen;
-use crate::recipe::{Action, Quantity, Recipe, Trigger};
+use crate::recipe::{ALL, Action, Deed, Quantity, Recipe, Target, Trigger};
 use crate::{TICK_S, celsius};
 
 /// Why a cook stopped.
@@ -27,10 +28,12 @@ pub struct StepRecord {
     pub time_s: f64,
     /// Name of the action's key.
     pub action: &'static str,
-    /// The food, if it has one.
+    /// The food, the group, or "all", if it has one.
     pub target: Option<String>,
+    /// The foods to which it was done.
+    pub foods: Vec<String>,
     /// Its value: watts, seconds, a place or a surface.
-    pub value: serde_json::Value,
+    pub value: Value,
 }
 
 /// Differences below this are rounding [K, kg] (chosen: area means of an even temperature are off by 1e-12).
@@ -42,8 +45,27 @@ pub struct Runner {
     recipe: Arc<Recipe>,
     next: usize,
     ready_at: f64,
-    armed: Option<f64>,
+    armed: Option<Vec<Watch>>,
     stopped: Option<StoppedBy>,
+}
+
+/// A difference that is watched for a change of its sign.
+#[derive(Clone, Copy, Debug)]
+struct Watch {
+    below: bool,
+    crossed: bool,
+}
+
+impl Watch {
+    fn on(difference: f64) -> Self {
+        Self { below: difference < 0.0, crossed: false }
+    }
+
+    /// Whether the difference has changed sign by now, or is or was zero but for rounding.
+    fn look(&mut self, difference: f64) -> bool {
+        self.crossed |= difference.abs() < SAME_VALUE || self.below != (difference < 0.0);
+        self.crossed
+    }
 }
 
 /// Times closer than this count as equal [s] (chosen: far below a tick, far above rounding).
@@ -92,6 +114,10 @@ impl Runner {
 
     fn due(&mut self, kitchen: &Kitchen) -> Result<bool, InputError> {
         let now = kitchen.time_s();
+        if kitchen.busy() {
+            // The step before ends when the tools are done, at the next tick at the earliest.
+            self.ready_at = self.ready_at.max(now + TICK_S);
+        }
         if now < self.ready_at - SAME_TIME {
             return Ok(false);
         }
@@ -104,36 +130,32 @@ impl Runner {
                         "use a later at_s, or after_s",
                     ));
                 }
-                self.armed = Some(0.0);
+                self.armed = Some(Vec::new());
                 Ok(now >= s - SAME_TIME)
             }
             Trigger::After(s) => Ok(now >= self.ready_at + s - SAME_TIME),
-            Trigger::Pan(value) => Ok(self.crossed(kitchen.pan_temperature() - value)),
+            Trigger::Pan(value) => Ok(self.crossed(&[kitchen.pan_temperature() - value])),
             Trigger::Food { food, quantity, value } => {
-                let reading = kitchen.piece(food).map_or(f64::NAN, |p| match quantity {
-                    Quantity::Core => p.core(),
-                    Quantity::Top => p.face(false),
-                    Quantity::Bottom => p.face(true),
-                    Quantity::Mass => p.mass(),
-                });
-                Ok(self.crossed(reading - value))
+                let difference = |id: &String| kitchen.piece(id).map_or(f64::NAN, |p| quantity.of(p)) - value;
+                Ok(self.crossed(&food.foods.iter().map(difference).collect::<Vec<f64>>()))
             }
         }
     }
 
-    /// Whether the difference has changed sign since the step was armed, or is zero but for rounding.
-    fn crossed(&mut self, difference: f64) -> bool {
-        let before = *self.armed.get_or_insert(difference);
-        difference.abs() < SAME_VALUE || (before < 0.0) != (difference < 0.0)
+    /// Whether each of the differences has changed its sign since the step was armed.
+    fn crossed(&mut self, differences: &[f64]) -> bool {
+        let watches = self.armed.get_or_insert_with(|| differences.iter().map(|d| Watch::on(*d)).collect());
+        watches.iter_mut().zip(differences).fold(true, |all, (watch, d)| watch.look(*d) && all)
     }
 
     fn fire(&mut self, kitchen: &mut Kitchen) -> Result<StepRecord, InputError> {
         let action = self.recipe.steps[self.next].action.clone();
         let now = kitchen.time_s();
-        if let Action::Do(command) = &action {
-            kitchen.apply(command).map_err(|refused| self.refused(&refused))?;
-        }
-        let record = record(&action, now);
+        let foods = match &action {
+            Action::Do(command) => self.apply(kitchen, command).map(|()| Vec::new()),
+            Action::Each(target, deed) => self.fire_each(kitchen, target, *deed),
+            Action::End => Ok(Vec::new()),
+        }?;
         self.ready_at = now + action.duration_s();
         self.armed = None;
         if action == Action::End {
@@ -141,11 +163,49 @@ impl Runner {
         } else {
             self.next += 1;
         }
-        Ok(record)
+        Ok(record(&action, foods, now))
     }
 
-    fn refused(&self, refused: &Refused) -> InputError {
-        self.error(refused.to_string(), "change this step or the ones before it")
+    fn apply(&self, kitchen: &mut Kitchen, command: &Command) -> Result<(), InputError> {
+        let refused = |r: Refused| self.error(r.to_string(), "change this step or the ones before it");
+        kitchen.apply(command).map_err(refused)
+    }
+
+    /// Gives a command for each food that the deed can concern; returns those.
+    fn fire_each(&self, kitchen: &mut Kitchen, target: &Target, deed: Deed) -> Result<Vec<String>, InputError> {
+        let foods = concerned(kitchen, target, deed);
+        let places = self.places(kitchen, target, &foods, deed)?;
+        for (food, at) in foods.iter().zip(places) {
+            self.apply(kitchen, &deed.command(food.clone(), at))?;
+        }
+        Ok(foods)
+    }
+
+    /// Where each food goes: a single one, and those that are heaped, where the recipe says; a group side by side.
+    fn places(
+        &self,
+        kitchen: &Kitchen,
+        target: &Target,
+        foods: &[String],
+        deed: Deed,
+    ) -> Result<Vec<[f64; 2]>, InputError> {
+        let around = match deed {
+            Deed::Put { at, heap: false } | Deed::Move(at) if target.group => at,
+            Deed::Put { at, .. } | Deed::Move(at) => return Ok(vec![at; foods.len()]),
+            _ => return Ok(vec![[0.0; 2]; foods.len()]),
+        };
+        let places = kitchen.free_places(foods, around);
+        if places.len() < foods.len() {
+            return Err(self.crowded(&target.name, places.len(), foods.len(), deed));
+        }
+        Ok(places)
+    }
+
+    fn crowded(&self, name: &str, fit: usize, of: usize, deed: Deed) -> InputError {
+        let message = format!("not all of \"{name}\" find room on the floor of the pan: {fit} of {of} fit");
+        let heap = format!("put = {{ food = \"{name}\", heap = true }} drops them onto each other");
+        let remedy = if deed.needs_pan() { "take something out first, or choose another place" } else { &heap };
+        self.error(message, &format!("choose fewer or smaller pieces; {remedy}"))
     }
 
     fn error(&self, message: String, remedy: &str) -> InputError {
@@ -162,36 +222,115 @@ impl Runner {
             Trigger::At(s) => format!("{what} at {s:.0} s"),
             Trigger::After(s) => format!("{what} at {:.0} s", self.ready_at + s),
             Trigger::Pan(t) => format!("{what} when the pan reaches {:.0} °C", celsius(*t)),
-            Trigger::Food { food, quantity, value } => match quantity {
-                Quantity::Mass => format!("{what} when {food} weighs {:.0} g", value * 1e3),
-                Quantity::Core => format!("{what} when the core of {food} reaches {:.0} °C", celsius(*value)),
-                Quantity::Top => format!("{what} when the top of {food} reaches {:.0} °C", celsius(*value)),
-                Quantity::Bottom => format!("{what} when the underside of {food} reaches {:.0} °C", celsius(*value)),
-            },
+            Trigger::Food { food, quantity, value } => format!("{what} when {}", expected(food, *quantity, *value)),
         }
     }
 }
 
-fn parts(action: &Action) -> (&'static str, Option<&str>, serde_json::Value) {
+/// A condition on foods in words.
+fn expected(target: &Target, quantity: Quantity, value: f64) -> String {
+    let name = match (target.group, target.name.as_str()) {
+        (true, ALL) => "every food".to_owned(),
+        (true, group) => format!("each of {group}"),
+        (false, food) => food.to_owned(),
+    };
+    let degrees = celsius(value);
+    match quantity {
+        Quantity::Mass => format!("{name} weighs {:.0} g", value * 1e3),
+        Quantity::Core => format!("the core of {name} reaches {degrees:.0} °C"),
+        Quantity::Top => format!("the top of {name} reaches {degrees:.0} °C"),
+        Quantity::Bottom => format!("the underside of {name} reaches {degrees:.0} °C"),
+    }
+}
+
+/// The foods that a deed can concern: of a group those that are in the pan, or not, as the deed needs. Where there is none,
+/// all of them, so that the kitchen says why.
+fn concerned(kitchen: &Kitchen, target: &Target, deed: Deed) -> Vec<String> {
+    let fits = |id: &&String| kitchen.piece(id).is_some_and(|p| p.in_pan() == deed.needs_pan());
+    let fitting: Vec<String> = target.foods.iter().filter(fits).cloned().collect();
+    if target.group && !fitting.is_empty() { fitting } else { target.foods.clone() }
+}
+
+/// Name of an action's key, its target and its value in the units of the recipe.
+fn parts(action: &Action) -> (&'static str, Option<&str>, Value) {
     match action {
-        Action::Do(Command::Hob(power)) => ("hob_w", None, (*power).into()),
-        Action::Do(Command::Put { food, at }) => ("put", Some(food), serde_json::json!([at[0] * 1e3, at[1] * 1e3])),
-        Action::Do(Command::Flip { food }) => ("flip", Some(food), serde_json::Value::Null),
-        Action::Do(Command::Rest { food, on }) => ("rest", Some(food), serde_json::json!(on)),
-        Action::Do(Command::MovePan { at, lift }) => {
-            ("move_pan", None, serde_json::json!({ "at_mm": [at[0] * 1e3, at[1] * 1e3], "lift_mm": lift * 1e3 }))
+        Action::Do(command) => {
+            let (key, value) = command_parts(command);
+            (key, None, value)
         }
-        Action::Do(Command::Cool { for_s }) => ("cool", None, (*for_s).into()),
+        Action::Each(target, deed) => {
+            let (key, value) = deed_parts(*deed);
+            (key, Some(&target.name), value)
+        }
         Action::End => ("end", None, true.into()),
     }
 }
 
-fn record(action: &Action, time_s: f64) -> StepRecord {
+fn command_parts(command: &Command) -> (&'static str, Value) {
+    match command {
+        Command::Hob(power) => ("hob_w", (*power).into()),
+        Command::MovePan { at, lift } => ("move_pan", json!({ "at_mm": at.map(mm), "lift_mm": mm(*lift) })),
+        Command::Cool { for_s } => ("cool", (*for_s).into()),
+        Command::Toss { height } => ("toss", json!({ "height_mm": mm(*height) })),
+        Command::Shake { amplitude, hz, for_s } => {
+            ("shake", json!({ "amplitude_mm": mm(*amplitude), "hz": hz, "for_s": for_s }))
+        }
+        Command::Tilt { angle, towards } => {
+            ("tilt", json!({ "deg": tidy(angle.to_degrees()), "towards_deg": tidy(towards.to_degrees()) }))
+        }
+        Command::Oil { kind, mass } => ("oil_g", json!({ "g": mm(*mass), "kind": kind })),
+        Command::Butter(mass) => ("butter_g", mm(*mass).into()),
+        Command::Water(mass) => ("water_g", mm(*mass).into()),
+        Command::Lid(on) => ("lid", (*on).into()),
+        Command::Put { at, heap, .. } => deed_parts(Deed::Put { at: *at, heap: *heap }),
+        Command::Flip { .. } => deed_parts(Deed::Flip),
+        Command::Rest { on, .. } => deed_parts(Deed::Rest(*on)),
+        Command::Press { newtons, for_s, .. } => deed_parts(Deed::Press { newtons: *newtons, for_s: *for_s }),
+        Command::Move { to, .. } => deed_parts(Deed::Move(*to)),
+    }
+}
+
+fn deed_parts(deed: Deed) -> (&'static str, Value) {
+    match deed {
+        Deed::Put { at, heap: false } => ("put", json!(at.map(mm))),
+        Deed::Put { at, heap: true } => ("put", json!({ "at_mm": at.map(mm), "heap": true })),
+        Deed::Flip => ("flip", Value::Null),
+        Deed::Rest(on) => ("rest", json!(on)),
+        Deed::Press { newtons, for_s } => ("press", json!({ "n": newtons, "for_s": for_s })),
+        Deed::Move(to) => ("move", json!(to.map(mm))),
+    }
+}
+
+fn record(action: &Action, foods: Vec<String>, time_s: f64) -> StepRecord {
     let (action, target, value) = parts(action);
-    StepRecord { time_s: rounded(time_s), action, target: target.map(str::to_owned), value }
+    StepRecord { time_s: rounded(time_s), action, target: target.map(str::to_owned), foods, value }
+}
+
+/// A length in millimetres from metres, or a mass in grams from kilograms.
+fn mm(si: f64) -> f64 {
+    tidy(si * 1e3)
+}
+
+/// A number that was read from a recipe without the noise of its conversion to SI units and back.
+fn tidy(value: f64) -> f64 {
+    libm::round(value * 1e6) / 1e6
 }
 
 /// A time without the noise of binary fractions [s].
 pub(crate) fn rounded(time_s: f64) -> f64 {
     libm::round(time_s * 1000.0) / 1000.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_watch_remembers_that_its_difference_has_crossed_zero() {
+        let mut watch = Watch::on(-2.0);
+        assert_eq!([-2.0, -1.0, 1.0, -1.0, -2.0].map(|d| watch.look(d)), [false, false, true, true, true]);
+        let mut falling = Watch::on(3.0);
+        assert_eq!([3.0, 1.0, -0.5].map(|d| falling.look(d)), [false, false, true]);
+        assert!(Watch::on(0.0).look(0.0));
+    }
 }

@@ -3,7 +3,9 @@
 
 use saute_kitchen::carry_over::foreseen_peak;
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, Cook, Kitchen, Library, PieceOrder, Recipe, Refused, RestOn, TICK_S, celsius, kelvin};
+use saute_kitchen::{
+    Command, Cook, Kitchen, Library, MeshSize, PieceOrder, Recipe, Refused, RestOn, TICK_S, celsius, kelvin,
+};
 
 fn library() -> Library {
     Library::embedded().expect("embedded data")
@@ -18,6 +20,7 @@ fn steak(size_mm: [f64; 3], initial_c: f64) -> PieceOrder {
         seed: 1,
         coarseness: 1.5,
         rules: Rules::Full,
+        mesh: MeshSize::Default,
     }
 }
 
@@ -37,7 +40,7 @@ fn apply(kitchen: &mut Kitchen, command: Command) {
 }
 
 fn put() -> Command {
-    Command::Put { food: "steak".into(), at: [0.0, 0.0] }
+    Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false }
 }
 
 /// From 20 to 180 °C takes at least what the floor alone stores and at most half as much again as floor and wall store.
@@ -178,7 +181,7 @@ fn what_cannot_be_done_is_refused_and_changes_nothing() {
     let flip = Command::Flip { food: "steak".into() };
     assert_eq!(kitchen.apply(&flip), Err(Refused::NotInPan("steak".into())));
     assert_eq!(kitchen.apply(&Command::Flip { food: "stake".into() }), Err(Refused::NoSuchFood("stake".into())));
-    let aside = Command::Put { food: "steak".into(), at: [0.09, 0.0] };
+    let aside = Command::Put { food: "steak".into(), at: [0.09, 0.0], heap: false };
     assert!(matches!(kitchen.apply(&aside), Err(Refused::DoesNotFit { .. })));
     assert!(matches!(kitchen.apply(&Command::Hob(9000.0)), Err(Refused::Power { .. })));
     assert!(matches!(kitchen.apply(&Command::Hob(f64::NAN)), Err(Refused::Power { .. })));
@@ -194,9 +197,12 @@ fn two_pieces_need_their_own_places() {
     for id in ["a", "b"] {
         kitchen.add(&library, &PieceOrder { id: id.into(), ..steak([80.0, 50.0, 20.0], 5.0) }).expect("food");
     }
-    apply(&mut kitchen, Command::Put { food: "a".into(), at: [0.0, 0.03] });
-    assert!(matches!(kitchen.apply(&Command::Put { food: "b".into(), at: [0.0, 0.0] }), Err(Refused::Occupied { .. })));
-    apply(&mut kitchen, Command::Put { food: "b".into(), at: [0.0, -0.03] });
+    apply(&mut kitchen, Command::Put { food: "a".into(), at: [0.0, 0.03], heap: false });
+    assert!(matches!(
+        kitchen.apply(&Command::Put { food: "b".into(), at: [0.0, 0.0], heap: false }),
+        Err(Refused::Occupied { .. })
+    ));
+    apply(&mut kitchen, Command::Put { food: "b".into(), at: [0.0, -0.03], heap: false });
     run(&mut kitchen, 20.0);
     assert!(kitchen.pieces().iter().all(|p| celsius(p.face(true)) > 60.0));
 }

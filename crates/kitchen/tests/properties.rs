@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, Kitchen, Library, PieceOrder, RestOn, TICK_S, kelvin};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, RestOn, TICK_S, kelvin};
 
 /// A cook drawn at random.
 #[derive(Clone, Debug)]
@@ -85,6 +85,7 @@ fn kitchen(library: &Library, draw: &Draw) -> Kitchen {
         seed: draw.seed,
         coarseness: 2.5,
         rules: draw.rules,
+        mesh: MeshSize::Default,
     };
     kitchen.add(library, &order).expect("builds");
     kitchen
@@ -94,7 +95,7 @@ fn command(deed: Deed) -> Command {
     let food = "it".to_owned();
     match deed {
         Deed::Hob(w) => Command::Hob(w),
-        Deed::Put => Command::Put { food, at: [0.0, 0.0] },
+        Deed::Put => Command::Put { food, at: [0.0, 0.0], heap: false },
         Deed::Flip => Command::Flip { food },
         Deed::Rest(on) => Command::Rest { food, on },
         Deed::Cloth => Command::Cool { for_s: 2.0 },

@@ -1,0 +1,110 @@
+//! A key that takes a table, or one bare value that stands for the table with its defaults: `oil_g = 10`.
+
+use core::fmt;
+use core::marker::PhantomData;
+use std::borrow::Cow;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::value::{BoolDeserializer, F64Deserializer, MapAccessDeserializer, StrDeserializer};
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
+use toml::Spanned;
+
+/// A table that a bare value can stand for.
+pub trait Shorthand: Sized {
+    /// The bare value.
+    type Bare;
+
+    /// The table with the bare value and defaults; or why the value says nothing.
+    fn from_bare(bare: Spanned<Self::Bare>) -> Result<Self, &'static str>;
+}
+
+/// A table, written out or by its shorthand.
+#[derive(Clone, Debug)]
+pub struct Entry<T> {
+    /// The table.
+    pub table: T,
+    /// Byte offset in the text.
+    pub at: usize,
+    /// Whether it was written by its shorthand.
+    pub bare: bool,
+}
+
+/// What stands in the text.
+enum Written<B, T> {
+    Bare(B),
+    Table(T),
+}
+
+impl<'de, T> Deserialize<'de> for Entry<T>
+where
+    T: Shorthand + Deserialize<'de>,
+    T::Bare: Deserialize<'de>,
+{
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let written = Spanned::<Written<T::Bare, T>>::deserialize(deserializer)?;
+        let span = written.span();
+        let at = span.start;
+        match written.into_inner() {
+            Written::Table(table) => Ok(Self { table, at, bare: false }),
+            Written::Bare(bare) => {
+                let table = T::from_bare(Spanned::new(span, bare)).map_err(D::Error::custom)?;
+                Ok(Self { table, at, bare: true })
+            }
+        }
+    }
+}
+
+/// Told apart by what stands there, so that errors keep their place in the file.
+impl<'de, B: Deserialize<'de>, T: Deserialize<'de>> Deserialize<'de> for Written<B, T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Either(PhantomData))
+    }
+}
+
+struct Either<B, T>(PhantomData<(B, T)>);
+
+impl<'de, B: Deserialize<'de>, T: Deserialize<'de>> Visitor<'de> for Either<B, T> {
+    type Value = Written<B, T>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("one value or a table")
+    }
+
+    fn visit_bool<E: Error>(self, v: bool) -> Result<Self::Value, E> {
+        B::deserialize(BoolDeserializer::new(v)).map(Written::Bare)
+    }
+
+    fn visit_f64<E: Error>(self, v: f64) -> Result<Self::Value, E> {
+        B::deserialize(F64Deserializer::new(v)).map(Written::Bare)
+    }
+
+    fn visit_i64<E: Error>(self, v: i64) -> Result<Self::Value, E> {
+        self.visit_f64(v as f64)
+    }
+
+    fn visit_str<E: Error>(self, v: &str) -> Result<Self::Value, E> {
+        B::deserialize(StrDeserializer::new(v)).map(Written::Bare)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
+        T::deserialize(MapAccessDeserializer::new(map)).map(Written::Table)
+    }
+}
+
+impl<T> JsonSchema for Entry<T>
+where
+    T: Shorthand + JsonSchema,
+    T::Bare: JsonSchema,
+{
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        format!("{}OrValue", T::schema_name()).into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "anyOf": [generator.subschema_for::<T::Bare>(), generator.subschema_for::<T>()] })
+    }
+}
