@@ -20,7 +20,6 @@ pub mod paper_2013;
 pub mod patch;
 pub mod readings;
 pub mod shrink;
-pub mod solid;
 pub mod sorption;
 pub mod state;
 pub mod table;
@@ -34,7 +33,6 @@ pub use doneness::{Scale, Shares};
 pub use model::{Body, BuildError, FoodModel, PieceSpec};
 pub use paper_2013::Rules;
 pub use patch::{Face, Patch};
-pub use solid::{Capsule, Solid};
 pub use state::{FoodState, Side};
 
 /// Absolute temperature of 0 °C [K].

@@ -1,45 +1,6 @@
 //! Contact conductance between food and pan from the gap between them.
 
-use saute_food::noise::fractal;
-use saute_heat::{Located, Locator, Section};
-
 use crate::room::ContactGap;
-
-/// Where each node of a piece's section lies on the pan, and how uneven the face is there.
-#[derive(Clone, Debug)]
-pub struct ContactPatches {
-    /// Place on the pan's mesh.
-    pub located: Vec<Located>,
-    /// Departure from the mean gap [m].
-    pub unevenness: Vec<f64>,
-}
-
-impl ContactPatches {
-    /// Lays a section at `at` [m] on the pan, turned over about its long axis where `flipped`.
-    pub fn lay(
-        section: &Section,
-        pan: &Section,
-        locator: &Locator,
-        at: [f64; 2],
-        flipped: bool,
-        gap: &ContactGap,
-        seed: u64,
-    ) -> Self {
-        let turn = if flipped { -1.0 } else { 1.0 };
-        let on_pan = |p: &[f64; 2]| locator.locate_or_nearest(pan, [at[0] + p[0], at[1] + turn * p[1]]);
-        let scale = gap.unevenness_scale_mm * 1e-3;
-        let face = if flipped { 1.0 } else { 0.0 };
-        let noise = |p: &[f64; 2]| fractal(seed ^ 0xc0_47ac, [p[0] / scale, p[1] / scale, 31.0 * face]);
-        let raw: Vec<f64> = section.points.iter().map(noise).collect();
-        let mean = raw.iter().sum::<f64>() / raw.len() as f64;
-        let deviation =
-            libm::sqrt(raw.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / raw.len() as f64).max(1e-9);
-        Self {
-            located: section.points.iter().map(on_pan).collect(),
-            unevenness: raw.iter().map(|v| (v - mean) / deviation * gap.unevenness_mm * 1e-3).collect(),
-        }
-    }
-}
 
 /// What the contact of a whole face depends on.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,27 +1,29 @@
 //! The whole world: hob, pan, foods, time.
 
+use std::collections::VecDeque;
 use std::sync::Arc;
 
-use saute_food::water::latent_heat;
 use saute_food::{BuildError, FoodModel, PieceSpec, Rules};
 
 use crate::cloth::Cloth;
-use crate::command::{Command, Refused};
+use crate::command::Refused;
+use crate::dynamics::{Gesture, Hand, PanShape, Pose, Task, World};
 use crate::energy::Energy;
-use crate::hob::{HobDescription, PanPose};
+use crate::food_contact::Touching;
+use crate::hob::HobDescription;
 use crate::layout::{Floor, Footprint};
 use crate::library::Library;
-use crate::pan::{PanLoad, PanModel, PanSolver, PanState};
+use crate::pan::{PanModel, PanSolver, PanState};
 use crate::piece::{Piece, Place};
 use crate::room::Room;
-use crate::{TICK_S, kelvin};
+use crate::{FRAME_S, TICK_S};
 
 /// What never changes while cooking.
 #[derive(Clone, Debug)]
-struct Fixed {
-    room: Room,
-    hob: HobDescription,
-    pan: PanModel,
+pub(crate) struct Fixed {
+    pub(crate) room: Room,
+    pub(crate) hob: HobDescription,
+    pub(crate) pan: PanModel,
 }
 
 /// A piece that is asked for.
@@ -58,20 +60,37 @@ pub enum MeshSize {
 /// The world of one cook.
 #[derive(Clone, Debug)]
 pub struct Kitchen {
-    fixed: Arc<Fixed>,
-    pan: PanState,
-    pan_solver: PanSolver,
-    pieces: Vec<Piece>,
-    hob_w: f64,
-    cloth: Option<Cloth>,
-    tick: u64,
-    flows: Energy,
+    pub(crate) fixed: Arc<Fixed>,
+    pub(crate) pan: PanState,
+    pub(crate) pan_solver: PanSolver,
+    pub(crate) pieces: Vec<Piece>,
+    pub(crate) hob_w: f64,
+    pub(crate) cloth: Option<Cloth>,
+    pub(crate) tick: u64,
+    /// Frames since the last tick.
+    pub(crate) frame: u32,
+    pub(crate) flows: Energy,
     stored_at_start: f64,
     foods_at_start: f64,
-    pan_flow: Vec<f64>,
-    covered: Vec<f64>,
-    puddle_vapour: f64,
-    cloth_vapour: f64,
+    pub(crate) pan_flow: Vec<f64>,
+    pub(crate) covered: Vec<f64>,
+    pub(crate) puddle_vapour: f64,
+    pub(crate) cloth_vapour: f64,
+    next_key: u32,
+    /// The rigid bodies.
+    pub(crate) world: World,
+    /// Where the hand holds the pan when it makes no gesture.
+    pub(crate) held_at: Pose,
+    /// A gesture and the time since its start [s].
+    pub(crate) gesture: Option<(Gesture, f64)>,
+    /// The other hand, what it still has to do, and what it is doing.
+    pub(crate) hand: Hand,
+    pub(crate) tasks: VecDeque<Task>,
+    pub(crate) at_work: Option<Task>,
+    /// Foods that touch each other.
+    pub(crate) touching: Vec<Touching>,
+    /// Tasks that failed because something was in the way.
+    pub(crate) blocked: Vec<Task>,
 }
 
 /// Why a kitchen could not be set up.
@@ -97,7 +116,18 @@ impl Kitchen {
             .ok_or_else(|| SetupError::NoSuchPan(pan_kind.into(), Library::names(&library.pans)))?;
         let pan = PanModel::build(description, &library.hob).map_err(BuildError::from)?;
         let state = pan.at(pan_temperature, &library.room, &library.hob);
+        let world = World::new(PanShape::of(description));
         Ok(Self {
+            held_at: world.motion.pose,
+            world,
+            gesture: None,
+            hand: Hand::default(),
+            tasks: VecDeque::new(),
+            at_work: None,
+            touching: Vec::new(),
+            blocked: Vec::new(),
+            next_key: 0,
+            frame: 0,
             stored_at_start: pan.stored(&state),
             foods_at_start: 0.0,
             pan_flow: vec![0.0; state.temperature.len()],
@@ -124,8 +154,9 @@ impl Kitchen {
         let kinetics = &library.kinetics[&food.kinetics];
         let spec = PieceSpec { size: order.size, seed: order.seed, coarseness: order.coarseness, rules: order.rules };
         let model = Arc::new(FoodModel::build(food, kinetics, &library.components, &spec)?);
-        let room = self.fixed.room.temperature();
-        let piece = Piece::new(order.id.clone(), order.kind.clone(), order.seed, model, order.temperature, room);
+        let names = (order.id.clone(), order.kind.clone());
+        let piece = Piece::new(names, order.seed, self.next_key, model, order.temperature, &self.fixed.room);
+        self.next_key += 1;
         self.foods_at_start += piece.state.total_enthalpy();
         self.pieces.push(piece);
         Ok(())
@@ -135,72 +166,9 @@ impl Kitchen {
     pub fn remove(&mut self, id: &str) {
         if let Some(i) = self.pieces.iter().position(|p| p.id == id) {
             let piece = self.pieces.remove(i);
+            self.world.remove(piece.key);
+            self.touching.retain(|t| !t.pair.contains(&piece.key));
             self.foods_at_start -= piece.state.total_enthalpy();
-        }
-    }
-
-    /// Carries out a command, or says why not.
-    pub fn apply(&mut self, command: &Command) -> Result<(), Refused> {
-        match command {
-            Command::Hob(power) => self.set_hob(*power),
-            Command::Put { heap: true, .. } => Err(Refused::NotYet("heap foods")),
-            Command::Put { food, at, heap: false } => self.put(food, *at),
-            Command::Flip { food } => self.flip(food),
-            Command::Rest { food, on } => {
-                let room = self.fixed.room.clone();
-                let piece = self.piece_mut(food)?;
-                if piece.place == Place::Waiting {
-                    return Err(Refused::NotInPan(food.clone()));
-                }
-                piece.rest(*on, &room);
-                Ok(())
-            }
-            Command::MovePan { at, lift } => self.move_pan(PanPose { at: *at, lift: *lift }),
-            Command::Cool { for_s } => {
-                self.cool_at_once();
-                let fresh = Cloth::fresh(&self.fixed.room.cloth, self.fixed.room.temperature(), *for_s);
-                self.cloth.get_or_insert(fresh).remaining_s = *for_s;
-                Ok(())
-            }
-            Command::Toss { .. } if !self.pieces.iter().any(Piece::in_pan) => Err(Refused::EmptyPan),
-            Command::Toss { .. } => Err(Refused::NotYet("toss")),
-            Command::Shake { .. } => Err(Refused::NotYet("shake the pan")),
-            Command::Tilt { .. } => Err(Refused::NotYet("tilt the pan")),
-            Command::Press { .. } => Err(Refused::NotYet("press foods")),
-            Command::Move { .. } => Err(Refused::NotYet("move foods")),
-            Command::Oil { .. } => Err(Refused::NotYet("pour oil")),
-            Command::Butter(_) => Err(Refused::NotYet("melt butter")),
-            Command::Water(_) => Err(Refused::NotYet("pour water")),
-            Command::Lid(_) => Err(Refused::NotYet("take a lid")),
-        }
-    }
-
-    /// Whether tools are still at work on what they were told to do.
-    pub fn busy(&self) -> bool {
-        false
-    }
-
-    /// Free places on the floor for pieces, in their order, the first ones nearest to `around` [m]; fewer than pieces where
-    /// not all of them fit. What lies in the pan is left where it is, but for the pieces themselves.
-    pub fn free_places(&self, foods: &[String], around: [f64; 2]) -> Vec<[f64; 2]> {
-        let footprint = |p: &Piece| Footprint::of(&p.model.outline.points, p.state.down == saute_food::Side::Top);
-        let named = |p: &&Piece| foods.contains(&p.id);
-        let lying = self.pieces.iter().filter(|p| !named(p)).filter_map(|p| match p.place {
-            Place::Pan(at) => Some((footprint(p), at)),
-            _ => None,
-        });
-        let wanted: Vec<Footprint> = foods.iter().filter_map(|id| self.piece(id)).map(footprint).collect();
-        Floor::new(self.fixed.pan.description.floor.radius_mm * 1e-3, lying.collect()).places(&wanted, around)
-    }
-
-    /// Under the rules of 2013 the pan is cool as soon as it touches the cloth.
-    fn cool_at_once(&mut self) {
-        if self.rules() == Rules::Paper2013 {
-            let fixed = Arc::clone(&self.fixed);
-            let before = fixed.pan.stored(&self.pan);
-            let cool = kelvin(fixed.room.rules_2013.cloth_c);
-            self.pan.temperature.iter_mut().for_each(|t| *t = t.min(cool));
-            self.flows.other += before - fixed.pan.stored(&self.pan);
         }
     }
 
@@ -210,165 +178,50 @@ impl Kitchen {
         if simple { Rules::Paper2013 } else { Rules::Full }
     }
 
-    fn set_hob(&mut self, power: f64) -> Result<(), Refused> {
-        let largest = self.fixed.hob.coil.largest_w;
-        if !(0.0..=largest).contains(&power) {
-            return Err(Refused::Power { largest_w: largest as i64 });
-        }
-        self.hob_w = power;
-        Ok(())
-    }
-
-    fn move_pan(&mut self, pose: PanPose) -> Result<(), Refused> {
-        let reach = 0.0..=FARTHEST_PAN;
-        if !reach.contains(&pose.lift) || !reach.contains(&libm::hypot(pose.at[0], pose.at[1])) {
-            return Err(Refused::PanPlace { farthest_mm: libm::round(FARTHEST_PAN * 1e3) as i64 });
-        }
-        let fixed = Arc::clone(&self.fixed);
-        fixed.pan.place(&mut self.pan, &fixed.hob, pose);
-        Ok(())
-    }
-
-    fn put(&mut self, food: &str, at: [f64; 2]) -> Result<(), Refused> {
-        let floor = self.fixed.pan.description.floor.radius_mm * 1e-3;
-        let fixed = Arc::clone(&self.fixed);
-        let index = self.index(food)?;
-        if self.pieces[index].in_pan() {
-            return Err(Refused::AlreadyInPan(food.into()));
-        }
-        let reach = self.pieces[index]
-            .model
-            .outline
-            .points
-            .iter()
-            .map(|p| libm::hypot(p[0] + at[0], p[1] + at[1]))
-            .fold(0.0, f64::max);
-        if reach > floor {
-            let mm = |v: f64| libm::ceil(v * 1e3) as i64;
-            return Err(Refused::DoesNotFit { food: food.into(), reach_mm: mm(reach), floor_mm: mm(floor) });
-        }
-        if let Some(other) = self.pieces.iter().find(|p| overlaps(p, &self.pieces[index], at)) {
-            return Err(Refused::Occupied { food: food.into(), other: other.id.clone() });
-        }
-        self.pieces[index].lay(&fixed.pan, &fixed.room, at);
-        Ok(())
-    }
-
-    fn flip(&mut self, food: &str) -> Result<(), Refused> {
-        let fixed = Arc::clone(&self.fixed);
-        let now = self.time_s();
-        let piece = self.piece_mut(food)?;
-        let Place::Pan(at) = piece.place else { return Err(Refused::NotInPan(food.into())) };
-        piece.state.down = piece.state.down.opposite();
-        piece.flipped_at = Some(now);
-        piece.lay(&fixed.pan, &fixed.room, at);
-        Ok(())
-    }
-
-    /// Moves the world by one tick.
-    pub fn step(&mut self) {
-        let fixed = Arc::clone(&self.fixed);
-        self.pan_flow.fill(0.0);
-        self.covered.fill(0.0);
-        let time = self.time_s() + TICK_S;
-        for index in 0..self.pieces.len() {
-            self.step_piece(&fixed, index, time);
-        }
-        let load = PanLoad {
-            hob: &fixed.hob,
-            room: &fixed.room,
-            hob_w: self.hob_w,
-            time: self.time_s(),
-            food: &self.pan_flow,
-            covered: &self.covered,
-        };
-        let exchange = fixed.pan.advance(&mut self.pan, &mut self.pan_solver, &load, &mut self.cloth, TICK_S);
-        self.flows.hob += exchange.hob;
-        self.flows.air += exchange.air;
-        self.flows.other += exchange.other;
-        self.cloth_vapour = exchange.cloth_vapour / TICK_S;
-        self.boil_puddle(exchange.puddle);
-        self.lift_off_cloth();
-        self.tick += 1;
-    }
-
-    fn step_piece(&mut self, fixed: &Fixed, index: usize, time: f64) {
-        let piece = &mut self.pieces[index];
-        let exchange = piece.advance(&fixed.pan, &self.pan, &fixed.room, TICK_S);
-        self.flows.air += exchange.air;
-        self.flows.evaporation += exchange.evaporation;
-        let taken: f64 = piece.solver.contact_heat.iter().sum();
-        match (piece.place, &piece.patches) {
-            (Place::Pan(_), Some(patches)) => {
-                let first = piece.first_below();
-                let lateral = piece.state.stretch.lateral;
-                for (i, located) in patches.located.iter().enumerate() {
-                    let area = piece.model.patches[first + i].area * lateral * lateral;
-                    for k in 0..3 {
-                        let node = located.nodes[k] as usize;
-                        self.pan_flow[node] += located.weights[k] * piece.solver.contact_heat[first + i] / TICK_S;
-                        self.covered[node] += located.weights[k] * area / fixed.pan.section.areas[node];
-                    }
-                }
-                self.pan.puddle += exchange.drip.mass;
-                self.pan.puddle_enthalpy += exchange.drip.enthalpy;
-                self.pan.oil += exchange.rendered.mass;
-                self.flows.other += exchange.drip.enthalpy + exchange.rendered.enthalpy;
-            }
-            (Place::Rest(_), _) => self.flows.other += exchange.drip.enthalpy + exchange.rendered.enthalpy - taken,
-            _ => {}
-        }
-        self.covered.iter_mut().for_each(|c| *c = c.min(1.0));
-        let core = piece.core();
-        if core > piece.core_peak.0 {
-            piece.core_peak = (core, time);
-        }
-    }
-
-    /// Gives heat to the juice in the pan; what exceeds 100 °C boils off [J].
-    fn boil_puddle(&mut self, heat: f64) {
-        self.puddle_vapour = 0.0;
-        if self.pan.puddle <= 0.0 {
-            return;
-        }
-        self.pan.puddle_enthalpy += heat;
-        self.flows.other += heat;
-        let boiling = kelvin(100.0);
-        let liquid = PUDDLE_SPECIFIC_HEAT * 100.0;
-        let excess = self.pan.puddle_enthalpy - self.pan.puddle * liquid;
-        if excess > 0.0 {
-            let mass = (excess / latent_heat(boiling)).min(self.pan.puddle);
-            let enthalpy =
-                if mass < self.pan.puddle { mass * (liquid + latent_heat(boiling)) } else { self.pan.puddle_enthalpy };
-            self.pan.puddle -= mass;
-            self.pan.puddle_enthalpy -= enthalpy;
-            self.flows.other -= enthalpy;
-            self.flows.evaporation += enthalpy;
-            self.puddle_vapour = mass / TICK_S;
-        }
-    }
-
-    fn lift_off_cloth(&mut self) {
-        if let Some(cloth) = &mut self.cloth {
-            cloth.remaining_s -= TICK_S;
-            if cloth.remaining_s < 0.5 * TICK_S {
-                self.cloth = None;
-            }
-        }
-    }
-
-    fn index(&self, id: &str) -> Result<usize, Refused> {
+    pub(crate) fn index(&self, id: &str) -> Result<usize, Refused> {
         self.pieces.iter().position(|p| p.id == id).ok_or_else(|| Refused::NoSuchFood(id.into()))
     }
 
-    fn piece_mut(&mut self, id: &str) -> Result<&mut Piece, Refused> {
+    pub(crate) fn piece_mut(&mut self, id: &str) -> Result<&mut Piece, Refused> {
         let index = self.index(id)?;
         Ok(&mut self.pieces[index])
     }
 
+    /// Whether tools or gestures are still at work on what they were told to do.
+    pub fn busy(&self) -> bool {
+        self.gesture.is_some() || self.hand.is_active() || self.at_work.is_some() || !self.tasks.is_empty()
+    }
+
+    /// The rigid bodies.
+    pub fn world(&self) -> &World {
+        &self.world
+    }
+
+    /// The hand with its tool.
+    pub fn hand(&self) -> &Hand {
+        &self.hand
+    }
+
+    /// Whether bodies at rest stop being computed until something stirs them; they do unless told otherwise.
+    pub fn let_sleep(&mut self, may_sleep: bool) {
+        self.world.let_sleep(may_sleep);
+    }
+
+    /// Free places on the floor for pieces, in their order, the first ones nearest to `around` [m]; fewer than pieces where
+    /// not all of them fit. What lies in the pan is left where it is, but for the pieces themselves.
+    pub fn free_places(&self, foods: &[String], around: [f64; 2]) -> Vec<[f64; 2]> {
+        let named = |p: &&Piece| foods.contains(&p.id);
+        let lying = self.pieces.iter().filter(|p| !named(p)).filter_map(|p| match p.place {
+            Place::Pan(at) => Some((p.footprint(), at)),
+            _ => None,
+        });
+        let wanted: Vec<Footprint> = foods.iter().filter_map(|id| self.piece(id)).map(Piece::footprint).collect();
+        Floor::new(self.fixed.pan.description.floor.radius_mm * 1e-3, lying.collect()).places(&wanted, around)
+    }
+
     /// Simulated time [s].
     pub fn time_s(&self) -> f64 {
-        self.tick as f64 * TICK_S
+        self.tick as f64 * TICK_S + f64::from(self.frame) * FRAME_S
     }
 
     /// Ticks since the start.
@@ -445,14 +298,3 @@ impl Kitchen {
     }
 }
 
-/// How far the pan may be moved or lifted [m] (chosen: within reach).
-const FARTHEST_PAN: f64 = 0.5;
-
-/// Specific heat with which the puddle's temperature is reckoned [J/(kg·K)] (water, standard tables).
-pub(crate) const PUDDLE_SPECIFIC_HEAT: f64 = 4190.0;
-
-fn overlaps(lying: &Piece, new: &Piece, at: [f64; 2]) -> bool {
-    let Place::Pan(there) = lying.place else { return false };
-    let inside = |p: &[f64; 2]| lying.model.outline.contains([p[0] + at[0] - there[0], p[1] + at[1] - there[1]]);
-    lying.id != new.id && (new.model.outline.points.iter().step_by(8).any(inside) || inside(&[0.0, 0.0]))
-}

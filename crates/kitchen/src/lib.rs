@@ -16,13 +16,19 @@ mod data_check;
 pub mod dynamics;
 pub mod energy;
 pub mod hob;
+mod food_contact;
+mod heat_tick;
 mod input_error;
 pub mod kitchen;
 pub mod lab;
 pub mod layout;
 pub mod library;
+mod motion;
+mod near_pan;
+mod orders;
 pub mod pan;
 pub mod piece;
+mod puddle;
 pub mod recipe;
 mod recipe_check;
 pub mod recipe_file;
@@ -48,6 +54,12 @@ pub use summary::Summary;
 
 /// Length of one tick [s].
 pub const TICK_S: f64 = 0.1;
+
+/// Frames in a tick.
+pub const FRAMES_PER_TICK: u32 = 6;
+
+/// Length of one frame [s]: what a display shows at once, and the smallest step that can be asked for.
+pub const FRAME_S: f64 = TICK_S / FRAMES_PER_TICK as f64;
 
 /// Temperature in kelvin from °C.
 pub fn kelvin(celsius: f64) -> f64 {

@@ -2,11 +2,16 @@
 
 use std::sync::Arc;
 
-use saute_food::{Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Rules, Side, Surroundings, Touch};
+use saute_food::{
+    Exchange, FoodModel, FoodSolver, FoodState, FreeAir, PatchGeometry, PatchPose, Rules, Surroundings, Touch,
+    present_area,
+};
 
 use crate::board::Board;
 use crate::command::RestOn;
-use crate::contact::{ContactPatches, FaceContact, steam_share};
+use crate::contact::{FaceContact, steam_share};
+use crate::dynamics::{PanShape, Pose};
+use crate::near_pan::{NearPan, NearPatch, unevenness};
 use crate::pan::{PanModel, PanState};
 use crate::room::Room;
 
@@ -15,10 +20,43 @@ use crate::room::Room;
 pub enum Place {
     /// Waiting at its start temperature; nothing happens to it.
     Waiting,
-    /// In the pan, centroid at this point relative to the pan's centre [m].
+    /// In the pan or above it, middle at this point relative to the pan's centre [m].
     Pan([f64; 2]),
+    /// Held by a tool.
+    Held,
     /// Resting.
     Rest(RestOn),
+    /// Fallen onto the hob's glass.
+    Glass,
+    /// Fallen onto the table.
+    Table,
+}
+
+impl Place {
+    /// Name in data.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Waiting => "waiting",
+            Self::Pan(_) => "pan",
+            Self::Held => "held",
+            Self::Rest(RestOn::Board) => "board",
+            Self::Rest(RestOn::Rack) => "rack",
+            Self::Rest(RestOn::Foil) => "foil",
+            Self::Glass => "glass",
+            Self::Table => "table",
+        }
+    }
+}
+
+/// What lies under a piece that is not in the pan.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Under {
+    /// Nothing, or a rack's wires.
+    Air,
+    /// Wood: its own layers below the piece.
+    Wood,
+    /// The hob's glass at a temperature [K].
+    Glass(f64),
 }
 
 /// A piece: its model, state and place.
@@ -30,12 +68,16 @@ pub struct Piece {
     pub kind: String,
     /// Seed of its natural variation.
     pub seed: u64,
+    /// Number that it keeps as long as it exists.
+    pub key: u32,
     /// What never changes.
     pub model: Arc<FoodModel>,
     /// What changes.
     pub state: FoodState,
     /// Where it is.
     pub place: Place,
+    /// Where its body's origin is in the kitchen and how it is turned.
+    pub pose: Pose,
     /// Time since its lower face was laid down [s].
     pub since_contact: f64,
     /// Time of the last flip [s].
@@ -44,36 +86,85 @@ pub struct Piece {
     pub core_peak: (f64, f64),
     /// Vapour given off in the last tick [kg/s].
     pub vapour_flow: f64,
-    pub(crate) patches: Option<Arc<ContactPatches>>,
+    /// Force with which it presses on the pan [N].
+    pub pan_force: f64,
+    /// Onto what it was put to rest.
+    pub(crate) resting_on: RestOn,
+    pub(crate) near: NearPan,
     pub(crate) solver: FoodSolver,
+    geometry: PatchGeometry,
+    shape_count: u64,
+    shaped_at: u64,
+    lay_up: [f64; 3],
+    lost_contact_s: f64,
+    uneven: Arc<Vec<f64>>,
     board: Board,
     touch: Vec<Touch>,
 }
 
+/// How long contact may be lost before it starts anew [s] (chosen: a hop of a few millimetres).
+const HOP_S: f64 = 0.15;
+/// Time constant with which the pressure follows the contact force [s] (chosen: a landing is over).
+const PRESSURE_S: f64 = 0.3;
+/// Ticks between two looks at the present shape (chosen: those at which it is reckoned anew).
+const SHAPE_TICKS: u64 = 20;
+
 impl Piece {
     /// A waiting piece at one temperature [K].
-    pub fn new(id: String, kind: String, seed: u64, model: Arc<FoodModel>, temperature: f64, room: f64) -> Self {
+    pub(crate) fn new(
+        (id, kind): (String, String),
+        seed: u64,
+        key: u32,
+        model: Arc<FoodModel>,
+        temperature: f64,
+        room: &Room,
+    ) -> Self {
+        let state = FoodState::raw(&model, temperature);
+        let gap = &room.contact;
+        let uneven = unevenness(&model, seed, 1e-3 * gap.unevenness_scale_mm, 1e-3 * gap.unevenness_mm);
+        let mut geometry = PatchGeometry::default();
+        model.patch_geometry_into(&state, &mut geometry);
         Self {
-            state: FoodState::raw(&model, temperature),
             core_peak: (temperature, 0.0),
             place: Place::Waiting,
+            pose: Pose::default(),
             since_contact: 0.0,
             flipped_at: None,
             vapour_flow: 0.0,
-            patches: None,
+            pan_force: 0.0,
+            resting_on: RestOn::Board,
+            near: NearPan::default(),
             solver: FoodSolver::default(),
-            board: Board::at(room),
+            geometry,
+            shape_count: 0,
+            shaped_at: 0,
+            lay_up: [0.0, 0.0, 1.0],
+            lost_contact_s: 0.0,
+            uneven: Arc::new(uneven),
+            board: Board::at(room.temperature()),
             touch: Vec::new(),
             id,
             kind,
             seed,
+            key,
             model,
+            state,
         }
     }
 
     /// Whether it lies in the pan.
     pub fn in_pan(&self) -> bool {
         matches!(self.place, Place::Pan(_))
+    }
+
+    /// Whether it is a body among others: no longer waiting.
+    pub fn is_out(&self) -> bool {
+        self.place != Place::Waiting
+    }
+
+    /// The upward direction in its body's frame [-].
+    pub fn up(&self) -> [f64; 3] {
+        self.pose.up()
     }
 
     /// Core temperature [K].
@@ -83,8 +174,7 @@ impl Piece {
 
     /// Area-mean temperature of the face that lies below (`true`) or above [K].
     pub fn face(&self, below: bool) -> f64 {
-        let side = if below { self.state.down } else { self.state.down.opposite() };
-        self.model.face_temperature(&self.state, side)
+        self.model.face_temperature(&self.state, self.up().map(|u| if below { u } else { -u }))
     }
 
     /// Mass [kg].
@@ -97,98 +187,162 @@ impl Piece {
         self.solver.substeps
     }
 
-    pub(crate) fn lay(&mut self, pan: &PanModel, room: &Room, at: [f64; 2]) {
-        self.place = Place::Pan(at);
-        self.since_contact = 0.0;
-        let flipped = self.state.down == Side::Top;
-        let section = &self.model.mesh.section;
-        let patches = ContactPatches::lay(section, &pan.section, &pan.locator, at, flipped, &room.contact, self.seed);
-        self.patches = Some(Arc::new(patches));
+    /// Where its patches are in its body's frame, and how they look.
+    pub fn patch_poses(&self) -> &[PatchPose] {
+        &self.geometry.poses
     }
 
-    pub(crate) fn rest(&mut self, on: RestOn, room: &Room) {
-        self.place = Place::Rest(on);
-        self.since_contact = 0.0;
-        self.patches = None;
-        self.board = Board::at(room.temperature());
+    /// How often its shape has been reckoned anew.
+    pub fn shape_count(&self) -> u64 {
+        self.shape_count
     }
 
-    /// One tick; returns what passed and, per unit of the section, leaves the heat taken in the solver.
-    pub(crate) fn advance(&mut self, pan: &PanModel, pan_state: &PanState, room: &Room, dt: f64) -> Exchange {
-        let exchange = match self.place {
-            Place::Waiting => return Exchange::default(),
-            Place::Pan(_) => self.fry(pan, pan_state, room, dt),
-            Place::Rest(on) => self.stand(on, room, dt),
+    /// Present area of a patch [m²].
+    pub fn patch_area(&self, patch: usize) -> f64 {
+        present_area(&self.model.patches[patch], &self.state)
+    }
+
+    /// Node of a patch.
+    pub(crate) fn node_of(&self, patch: u32) -> usize {
+        self.model.patches[patch as usize].node as usize
+    }
+
+    /// Brings the geometry up to date with the shape; tells whether it has changed.
+    pub(crate) fn follow_shape(&mut self) -> bool {
+        if self.state.ticks < self.shaped_at + SHAPE_TICKS {
+            return false;
+        }
+        self.shaped_at = self.state.ticks;
+        self.shape_count += 1;
+        self.model.patch_geometry_into(&self.state, &mut self.geometry);
+        true
+    }
+
+    /// Puts it onto wood of room temperature.
+    pub(crate) fn onto_wood(&mut self, room: f64) {
+        self.board = Board::at(room);
+    }
+
+    /// Starts a tick: nothing is touched.
+    pub(crate) fn free_all(&mut self) {
+        self.touch.clear();
+        self.touch.resize(self.model.patches.len(), Touch::default());
+    }
+
+    /// Closes a patch that lies against other food to the air.
+    pub(crate) fn close(&mut self, patch: u32) {
+        self.touch[patch as usize] = Touch::CLOSED;
+    }
+
+    /// Looks where it is near to the pan, and for how long; `seen` is its pose in the pan's frame.
+    pub(crate) fn meet_pan(&mut self, pan: &PanModel, surface: &PanShape, seen: &Pose, force: f64, now: f64, dt: f64) {
+        self.near.look(pan, surface, seen, &self.geometry.poses, self.shape_count);
+        self.lost_contact_s = if self.near.patches.is_empty() { self.lost_contact_s + dt } else { 0.0 };
+        let up = seen.up();
+        let level: f64 = up.iter().zip(&self.lay_up).map(|(a, b)| a * b).sum();
+        if level < 0.0 && !self.near.patches.is_empty() {
+            self.flipped_at = Some(now);
+        }
+        if self.lost_contact_s > HOP_S || (level < 0.5 && !self.near.patches.is_empty()) {
+            self.since_contact = 0.0;
+            self.pan_force = force;
+        }
+        if !self.near.patches.is_empty() && level < 0.5 {
+            self.lay_up = up;
+        }
+        self.pan_force += (force - self.pan_force) * dt / (dt + PRESSURE_S);
+    }
+
+    /// Takes leave of the pan.
+    pub(crate) fn leave_pan(&mut self) {
+        self.near.forget();
+        self.since_contact = 0.0;
+        self.pan_force = 0.0;
+    }
+
+    /// Touches the pan where it is near to it.
+    pub(crate) fn touch_pan(&mut self, pan: &PanModel, pan_state: &PanState, room: &Room) {
+        let near = core::mem::take(&mut self.near.patches);
+        let area: f64 = near.iter().map(|n| self.patch_area(n.patch as usize)).sum();
+        let face = FaceContact {
+            since: self.since_contact,
+            pressure: self.pan_force / area.max(1e-6),
+            film: pan.oil_film(pan_state, room),
+            coating: pan.description.coating_w_m2k.unwrap_or(f64::INFINITY),
         };
+        let mean = face.mean_gap(&room.contact);
+        for n in &near {
+            self.touch[n.patch as usize] = self.pan_touch(n, &face, mean, pan_state, room);
+        }
+        self.near.patches = near;
+    }
+
+    fn pan_touch(&self, near: &NearPatch, face: &FaceContact, mean: f64, pan: &PanState, room: &Room) -> Touch {
+        let (contact, rules) = (&room.contact, &room.rules_2013);
+        let node = self.node_of(near.patch);
+        let located = &near.located;
+        let temperature = (0..3).map(|k| located.weights[k] * pan.temperature[located.nodes[k] as usize]).sum::<f64>();
+        let wet = self.state.water[node] > WET_SHARE * self.model.initial_water[node];
+        let dome = self.dome_gap(near.patch as usize);
+        let distance = mean + self.uneven[near.patch as usize] + near.gap + dome;
+        let conductance = if self.model.rules == Rules::Paper2013 {
+            rules.conductance_w_m2k * f64::from(u8::from(distance <= rules.contact_distance_mm * 1e-3))
+        } else {
+            let share = self.model.description.surface.contact_share;
+            face.conductance(contact, distance) * steam_share(contact, temperature, wet) * share
+        };
+        Touch { conductance, temperature }
+    }
+
+    /// How far a patch of a bent slice stands off [m]; 0 where the slice does not lie flat.
+    fn dome_gap(&self, patch: usize) -> f64 {
+        let flat = self.model.is_slice() && self.lay_up[2].abs() > 0.7;
+        if !flat {
+            return 0.0;
+        }
+        let at = self.model.mesh.position(self.model.patches[patch].node as usize);
+        self.model.dome_gap(&self.state, at, self.lay_up)
+    }
+
+    /// Touches what lies under it outside of the pan.
+    pub(crate) fn touch_ground(&mut self, under: Under, room: &Room) {
+        let temperature = match under {
+            Under::Air => return,
+            Under::Wood => self.board.layers[0],
+            Under::Glass(temperature) => temperature,
+        };
+        let touch = Touch { conductance: room.board.conductance_w_m2k, temperature };
+        let up = self.up();
+        for patch in self.model.patches_below(up) {
+            self.touch[patch] = touch;
+        }
+    }
+
+    /// Gives the wood under it what the last tick took.
+    pub(crate) fn warm_wood(&mut self, room: &Room, dt: f64) {
+        let area: f64 = self.model.patches_below(self.up()).map(|i| self.patch_area(i)).sum();
+        let taken = -self.solver.contact_heat.iter().sum::<f64>() / area;
+        self.board.absorb(&room.board, taken, dt);
+    }
+
+    /// One tick between everything that was touched and the airs before its faces.
+    pub(crate) fn advance(&mut self, air: [FreeAir; 3], dt: f64) -> Exchange {
+        let air = if self.model.rules == Rules::Paper2013 { air.map(Room::without_evaporation) } else { air };
+        let around = Surroundings { touch: &self.touch, air: &air };
+        let exchange = self.solver.advance(&self.model, &mut self.state, &around, dt);
         self.since_contact += dt;
         self.vapour_flow = exchange.evaporated / dt;
         exchange
     }
 
-    fn fry(&mut self, pan: &PanModel, pan_state: &PanState, room: &Room, dt: f64) -> Exchange {
-        let Some(patches) = self.patches.clone() else { return Exchange::default() };
-        let (contact, rules) = (&room.contact, &room.rules_2013);
-        let simple = self.model.rules == Rules::Paper2013;
-        let face = FaceContact {
-            since: self.since_contact,
-            pressure: GRAVITY * self.state.mass_left(&self.model) / self.model.mesh.section.area(),
-            film: pan.oil_film(pan_state, room),
-            coating: pan.description.coating_w_m2k.unwrap_or(f64::INFINITY),
-        };
-        let gap = face.mean_gap(contact);
-        let share = self.model.description.surface.contact_share;
-        let first = self.free_all();
-        for (i, located) in patches.located.iter().enumerate() {
-            let node = self.model.patches[first + i].node as usize;
-            let temperature =
-                (0..3).map(|k| located.weights[k] * pan_state.temperature[located.nodes[k] as usize]).sum::<f64>();
-            let wet = self.state.water[node] > WET_SHARE * self.model.initial_water[node];
-            let dome = self.model.dome_gap(&self.state, self.model.mesh.section.points[i]);
-            let distance = gap + patches.unevenness[i] + dome;
-            let conductance = if simple {
-                rules.conductance_w_m2k * f64::from(u8::from(distance <= rules.contact_distance_mm * 1e-3))
-            } else {
-                face.conductance(contact, distance) * steam_share(contact, temperature, wet) * share
-            };
-            self.touch[first + i] = Touch { conductance, temperature };
-        }
-        let (up, side) = room.plume(pan.floor_temperature(pan_state));
-        self.exchange([up, up, side], dt)
+    /// Heat capacity of a node [J/K]; none before the first tick.
+    pub(crate) fn capacity(&self, node: usize) -> Option<f64> {
+        self.solver.capacity(node)
     }
 
-    fn stand(&mut self, on: RestOn, room: &Room, dt: f64) -> Exchange {
-        let air = if on == RestOn::Foil { room.under_foil() } else { room.still_air() };
-        let first = self.free_all();
-        if on != RestOn::Rack {
-            let board = Touch { conductance: room.board.conductance_w_m2k, temperature: self.board.layers[0] };
-            self.touch[first..first + self.model.mesh.nodes_per_level()].fill(board);
-        }
-        let exchange = self.exchange([air; 3], dt);
-        if on != RestOn::Rack {
-            let lateral = self.state.stretch.lateral;
-            let area = self.model.mesh.section.area() * lateral * lateral;
-            let taken = -self.solver.contact_heat.iter().sum::<f64>() / area;
-            self.board.absorb(&room.board, taken, dt);
-        }
-        exchange
-    }
-
-    /// Frees all patches of both big faces; returns the first patch of the one below.
-    fn free_all(&mut self) -> usize {
-        let n = self.model.mesh.nodes_per_level();
-        self.touch.clear();
-        self.touch.resize(2 * n, Touch::default());
-        self.first_below()
-    }
-
-    /// Index of the first patch of the face that lies below.
-    pub(crate) fn first_below(&self) -> usize {
-        if self.state.down == Side::Bottom { 0 } else { self.model.mesh.nodes_per_level() }
-    }
-
-    fn exchange(&mut self, air: [FreeAir; 3], dt: f64) -> Exchange {
-        let air = if self.model.rules == Rules::Paper2013 { air.map(Room::without_evaporation) } else { air };
-        self.solver.advance(&self.model, &mut self.state, &Surroundings { touch: &self.touch, air: &air }, dt)
+    /// Gives heat to a node [J].
+    pub(crate) fn give(&mut self, node: usize, heat: f64) {
+        self.solver.give(&mut self.state, node, heat);
     }
 }
 

@@ -1,0 +1,87 @@
+//! Time in frames: bodies move, tools work, gestures run, and at every tick heat flows.
+
+use crate::dynamics::{Ended, PanTarget, RIGID_HZ, RIGID_S, Task};
+use crate::kitchen::Kitchen;
+use crate::FRAMES_PER_TICK;
+
+/// Rigid steps in a frame.
+const STEPS_PER_FRAME: u32 = RIGID_HZ / 60;
+
+impl Kitchen {
+    /// Moves the world on to its next tick.
+    pub fn step(&mut self) {
+        while !self.advance_frame() {}
+    }
+
+    /// Moves the world by one frame: bodies and tools move; at every sixth frame heat flows and foods change. Tells
+    /// whether that was a tick.
+    pub fn advance_frame(&mut self) -> bool {
+        self.take_up_task();
+        for _ in 0..STEPS_PER_FRAME {
+            if self.world.is_settled() && self.gesture.is_none() && !self.hand.is_active() && self.is_home() {
+                break;
+            }
+            self.rigid_step();
+        }
+        self.frame += 1;
+        if self.frame < FRAMES_PER_TICK {
+            return false;
+        }
+        self.frame = 0;
+        self.heat_tick();
+        true
+    }
+
+    fn is_home(&self) -> bool {
+        self.world.motion.is_still() && self.world.motion.pose == self.held_at
+    }
+
+    fn rigid_step(&mut self) {
+        let target = self.pan_target();
+        if let Some(ended) = self.hand.step(&mut self.world) {
+            self.end_task(ended);
+        }
+        self.world.set_blade(self.hand.blade().as_ref(), self.hand.spared());
+        self.world.step(&target);
+        for piece in self.pieces.iter_mut().filter(|p| p.is_out()) {
+            if let Some(pose) = self.world.pose(piece.key) {
+                piece.pose = pose;
+            }
+        }
+    }
+
+    /// Where the pan should be now: at a gesture's moment, or where it is held.
+    fn pan_target(&mut self) -> PanTarget {
+        let standing = PanTarget { pose: self.held_at, ..PanTarget::default() };
+        let Some((gesture, since)) = &mut self.gesture else { return standing };
+        *since += RIGID_S;
+        let (gesture, since) = (*gesture, *since);
+        if since >= gesture.duration_s() {
+            self.gesture = None;
+            return standing;
+        }
+        gesture.target(&self.held_at, since)
+    }
+
+    fn take_up_task(&mut self) {
+        if self.at_work.is_some() || self.hand.is_active() {
+            return;
+        }
+        if let Some(task) = self.tasks.pop_front() {
+            let legs = task.legs(&self.world);
+            if !legs.is_empty() {
+                let spared = matches!(task, Task::Flip { .. }).then(|| task.key());
+                self.hand.begin(task.tool(), legs, spared, &self.world);
+                self.at_work = Some(task);
+            }
+        }
+    }
+
+    fn end_task(&mut self, ended: Ended) {
+        if let Some(task) = self.at_work.take()
+            && ended == Ended::Blocked
+        {
+            self.blocked.push(task);
+        }
+    }
+}
