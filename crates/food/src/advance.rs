@@ -35,6 +35,11 @@ pub struct Touch {
     pub temperature: f64,
 }
 
+impl Touch {
+    /// A patch that is closed to the air by something that passes no heat here: what passes is reckoned elsewhere.
+    pub const CLOSED: Self = Self { conductance: f64::MIN_POSITIVE, temperature: 0.0 };
+}
+
 /// Everything around a piece during one tick.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings<'a> {
@@ -119,6 +124,19 @@ impl FoodSolver {
         state.evaporated += total.evaporated;
         state.ticks += 1;
         total
+    }
+
+    /// Heat capacity of a node [J/K]; none before the first tick.
+    pub fn capacity(&self, node: usize) -> Option<f64> {
+        self.capacity.get(node).copied()
+    }
+
+    /// Gives a node heat from outside of any tick [J].
+    pub fn give(&self, state: &mut FoodState, node: usize, heat: f64) {
+        if let Some(per_capacity) = self.per_capacity.get(node) {
+            state.enthalpy[node] += heat;
+            state.temperature[node] += heat * per_capacity;
+        }
     }
 
     /// Brings temperatures, capacities and the number of steps up to date.
@@ -307,7 +325,7 @@ impl FoodSolver {
 
 /// Area of a patch of the contracted piece [m²].
 #[inline]
-pub(crate) fn present_area(patch: &Patch, state: &FoodState) -> f64 {
+pub fn present_area(patch: &Patch, state: &FoodState) -> f64 {
     let lateral = state.stretch.lateral;
     let height = if patch.face == Face::Side { state.stretch.axial[patch.node as usize] } else { lateral };
     patch.area * lateral * height

@@ -86,11 +86,13 @@ impl Kitchen {
     }
 
     fn follow_shapes(&mut self) {
+        let film = self.fixed.pan.oil_film(&self.pan, &self.fixed.room);
         for piece in self.pieces.iter_mut().filter(|p| p.is_out()) {
             piece.free_all();
             if piece.follow_shape() {
                 self.world.set_solid(piece.key, piece.model.solid(&piece.state));
                 self.world.set_mass(piece.key, piece.state.mass_left(&piece.model));
+                self.world.set_friction(piece.key, piece.friction(film, &self.fixed.room));
             }
         }
     }

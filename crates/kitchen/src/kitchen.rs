@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use saute_food::{BuildError, FoodModel, PieceSpec, Rules};
+use saute_food::{BuildError, FoodModel, MeshSize, PieceSpec, Rules};
 
 use crate::cloth::Cloth;
 use crate::command::Refused;
@@ -45,16 +45,6 @@ pub struct PieceOrder {
     pub rules: Rules,
     /// Fineness of its mesh.
     pub mesh: MeshSize,
-}
-
-/// Fineness of a mesh.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum MeshSize {
-    /// As fine as our physics asks for.
-    #[default]
-    Default,
-    /// As many vertices as the 2013 simulator had.
-    Paper2013,
 }
 
 /// The world of one cook.
@@ -152,7 +142,13 @@ impl Kitchen {
             .get(&order.kind)
             .ok_or_else(|| SetupError::NoSuchFood(order.kind.clone(), Library::names(&library.foods)))?;
         let kinetics = &library.kinetics[&food.kinetics];
-        let spec = PieceSpec { size: order.size, seed: order.seed, coarseness: order.coarseness, rules: order.rules };
+        let spec = PieceSpec {
+            size: order.size,
+            seed: order.seed,
+            coarseness: order.coarseness,
+            mesh: order.mesh,
+            rules: order.rules,
+        };
         let model = Arc::new(FoodModel::build(food, kinetics, &library.components, &spec)?);
         let names = (order.id.clone(), order.kind.clone());
         let piece = Piece::new(names, order.seed, self.next_key, model, order.temperature, &self.fixed.room);

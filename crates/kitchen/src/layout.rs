@@ -20,16 +20,33 @@ pub struct Footprint {
 }
 
 impl Footprint {
-    /// The footprint of an outline about its centroid [m], turned over about its long axis where `flipped`.
-    pub fn of(outline: &[[f64; 2]], flipped: bool) -> Self {
-        let turn = if flipped { -1.0 } else { 1.0 };
+    /// The footprint of an outline about its body's origin [m].
+    pub fn of(outline: &[[f64; 2]]) -> Self {
         let reach = core::array::from_fn(|k| {
             let [x, y] = direction(k);
-            outline.iter().map(|p| p[0] * x + turn * p[1] * y).fold(f64::NEG_INFINITY, f64::max)
+            outline.iter().map(|p| p[0] * x + p[1] * y).fold(f64::NEG_INFINITY, f64::max)
         });
         let inner = reach.iter().copied().fold(f64::INFINITY, f64::min);
         let outer = reach.iter().copied().fold(0.0, f64::max);
         Self { reach, inner, outer }
+    }
+
+    /// How far it reaches from the origin when it lies at a place [m].
+    pub fn reach_from(&self, at: [f64; 2]) -> f64 {
+        let reach = |k: usize| {
+            let [x, y] = direction(k);
+            self.reach[k] + at[0] * x + at[1] * y
+        };
+        (0..DIRECTIONS).map(reach).fold(0.0, f64::max)
+    }
+
+    /// Whether it would overlap another piece.
+    pub fn overlaps(&self, here: [f64; 2], other: &Self, there: [f64; 2]) -> bool {
+        let [dx, dy] = [there[0] - here[0], there[1] - here[1]];
+        (0..DIRECTIONS).all(|k| {
+            let [x, y] = direction(k);
+            dx * x + dy * y < self.reach[k] + other.reach[(k + DIRECTIONS / 2) % DIRECTIONS]
+        })
     }
 
     /// Whether some line parts this piece at `here` from another one at `there`, with room between them.
@@ -139,7 +156,7 @@ mod tests {
     use saute_heat::outline::Outline;
 
     fn coin(radius: f64) -> Footprint {
-        Footprint::of(&Outline::circle(radius).points, false)
+        Footprint::of(&Outline::circle(radius).points)
     }
 
     fn places(floor: f64, pieces: &[Footprint], around: [f64; 2]) -> Vec<[f64; 2]> {
@@ -174,13 +191,13 @@ mod tests {
     #[test]
     fn a_steak_takes_only_the_room_of_its_outline_and_a_flipped_one_its_mirror_image() {
         let long = Outline::superellipse(0.12, 0.06, 2.5, &[]);
-        let steak = Footprint::of(&long.points, false);
+        let steak = Footprint::of(&long.points);
         // A circle about the steak would leave 40 mm beside it.
         let floor = Floor::new(0.1, vec![(steak, [0.0, 0.0])]);
         let beside = floor.places(&vec![coin(0.0125); 12], [0.0, 0.05]);
         assert_eq!(beside.len(), 12, "{beside:?}");
         let lopsided = [[-0.01, -0.03], [0.01, -0.03], [0.0, 0.01]];
-        let (up, down) = (Footprint::of(&lopsided, false), Footprint::of(&lopsided, true));
+        let (up, down) = (Footprint::of(&lopsided), Footprint::of(&lopsided, true));
         assert_eq!(up.reach[DIRECTIONS / 4], down.reach[3 * DIRECTIONS / 4]);
         assert_ne!(up, down);
     }

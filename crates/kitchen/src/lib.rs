@@ -42,13 +42,14 @@ pub mod summary;
 pub use command::{Command, Refused, RestOn};
 pub use cook::{Cook, Fired};
 pub use input_error::InputError;
-pub use kitchen::{Kitchen, MeshSize, PieceOrder};
+pub use kitchen::{Kitchen, PieceOrder};
 pub use library::{Library, LibraryError};
 pub use piece::{Piece, Place};
 pub use recipe::{Action, Deed, Group, Recipe, Step, Target, Trigger};
 pub use recorder::Recorder;
 pub use runner::{Runner, StoppedBy};
 pub use saute_food as food;
+pub use saute_food::MeshSize;
 pub use saute_heat as heat;
 pub use summary::Summary;
 

@@ -177,15 +177,17 @@ impl Kitchen {
             return Ok(());
         }
         let solid = piece.model.solid(&piece.state);
-        let below = reach(&solid, -DVec3::Z) + piece.model.dome_sag(&piece.state);
+        let below = reach(&solid, -DVec3::Z);
         let height = if heap { self.heap_height(at, radius(&solid)) + HEAP } else { LAY };
         let pan = self.world.motion.pose;
         let pose = pan.then(&Pose::at(at[0], at[1], height + below));
         let (key, mass) = (piece.key, piece.mass());
+        let friction = piece.friction(self.fixed.pan.oil_film(&self.pan, &self.fixed.room), &self.fixed.room);
         self.world.add(key, solid, mass, &pose);
+        self.world.set_friction(key, friction);
         let piece = &mut self.pieces[index];
         (piece.pose, piece.place, piece.since_contact) = (pose, Place::Pan(at), 0.0);
-        piece.lie(pan.rotation);
+        piece.lie();
         Ok(())
     }
 

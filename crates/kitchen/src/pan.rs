@@ -338,7 +338,7 @@ impl PanModel {
             return;
         }
         let share = (state.puddle / 1000.0 / (room.puddle.depth_mm * 1e-3) / self.floor_area).min(1.0);
-        let water = saute_food::ZERO_C + state.puddle_enthalpy / (state.puddle * crate::kitchen::PUDDLE_SPECIFIC_HEAT);
+        let water = saute_food::ZERO_C + state.puddle_enthalpy / (state.puddle * crate::puddle::PUDDLE_SPECIFIC_HEAT);
         for (i, &t) in state.temperature[..self.floor_nodes].iter().enumerate() {
             let taken = room.puddle.conductance_w_m2k * share * self.section.areas[i] * (t - water) * dt;
             heat[i] -= taken;

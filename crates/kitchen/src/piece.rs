@@ -10,7 +10,9 @@ use saute_food::{
 use crate::board::Board;
 use crate::command::RestOn;
 use crate::contact::{FaceContact, steam_share};
+use crate::dynamics::extent::outline;
 use crate::dynamics::{PanShape, Pose};
+use crate::layout::Footprint;
 use crate::near_pan::{NearPan, NearPatch, unevenness};
 use crate::pan::{PanModel, PanState};
 use crate::room::Room;
@@ -167,6 +169,20 @@ impl Piece {
         self.pose.up()
     }
 
+    /// Whether it lies upside down.
+    pub fn upside_down(&self) -> bool {
+        self.up()[2] < 0.0
+    }
+
+    /// Friction of its lower face on metal under a film of oil [-]: raw flesh clings, a crust does not, oil helps.
+    pub(crate) fn friction(&self, film: f64, room: &Room) -> f64 {
+        let data = &room.friction;
+        let crust = self.model.face_reading(&self.state, self.up()).browning.min(1.0);
+        let dry = data.raw + crust * (data.crust - data.raw);
+        let oiled = film / (film + 1e-3 * data.film_mm);
+        dry * (1.0 + oiled * (data.oiled_factor - 1.0))
+    }
+
     /// Core temperature [K].
     pub fn core(&self) -> f64 {
         self.model.core_temperature(&self.state)
@@ -190,6 +206,17 @@ impl Piece {
     /// Where its patches are in its body's frame, and how they look.
     pub fn patch_poses(&self) -> &[PatchPose] {
         &self.geometry.poses
+    }
+
+    /// What it covers of a floor as it is turned now.
+    pub fn footprint(&self) -> Footprint {
+        Footprint::of(&outline(&self.model.solid(&self.state), self.pose.rotation))
+    }
+
+    /// Lies flat in the pan, turned as the pan is.
+    pub(crate) fn lie(&mut self) {
+        self.lay_up = [0.0, 0.0, 1.0];
+        self.near.forget();
     }
 
     /// How often its shape has been reckoned anew.
@@ -300,8 +327,8 @@ impl Piece {
         if !flat {
             return 0.0;
         }
-        let at = self.model.mesh.position(self.model.patches[patch].node as usize);
-        self.model.dome_gap(&self.state, at, self.lay_up)
+        let [x, y, _] = self.model.mesh.position(self.model.patches[patch].node as usize);
+        self.model.dome_gap(&self.state, [x, y], self.lay_up)
     }
 
     /// Touches what lies under it outside of the pan.
@@ -312,10 +339,8 @@ impl Piece {
             Under::Glass(temperature) => temperature,
         };
         let touch = Touch { conductance: room.board.conductance_w_m2k, temperature };
-        let up = self.up();
-        for patch in self.model.patches_below(up) {
-            self.touch[patch] = touch;
-        }
+        let model = Arc::clone(&self.model);
+        model.patches_below(self.up()).for_each(|patch| self.touch[patch] = touch);
     }
 
     /// Gives the wood under it what the last tick took.

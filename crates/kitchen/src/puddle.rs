@@ -7,7 +7,7 @@ use crate::{TICK_S, kelvin};
 
 impl Kitchen {
     /// Gives heat to the juice in the pan; what exceeds 100 °C boils off [J].
-    fn boil_puddle(&mut self, heat: f64) {
+    pub(crate) fn boil_puddle(&mut self, heat: f64) {
         self.puddle_vapour = 0.0;
         if self.pan.puddle <= 0.0 {
             return;
@@ -29,7 +29,7 @@ impl Kitchen {
         }
     }
 
-    fn lift_off_cloth(&mut self) {
+    pub(crate) fn lift_off_cloth(&mut self) {
         if let Some(cloth) = &mut self.cloth {
             cloth.remaining_s -= TICK_S;
             if cloth.remaining_s < 0.5 * TICK_S {

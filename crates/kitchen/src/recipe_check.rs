@@ -1,11 +1,11 @@
 //! Checks a recipe as it is written and turns it into SI units.
 
-use saute_food::{FoodDescription, Rules};
+use saute_food::{MeshSize, FoodDescription, Rules};
 use toml::Spanned;
 
 use crate::input_error::{InputError, InputText};
 use crate::kelvin;
-use crate::kitchen::{MeshSize, PieceOrder};
+use crate::kitchen::PieceOrder;
 use crate::library::{Library, line_of};
 use crate::recipe::{ALL, Group, Quantity, Recipe, Step, Target, Trigger};
 use crate::recipe_file::{FoodEntry, MOST_PIECES, MeshName, PanEntry, Preset, RecipeFile, StepEntry, WhenEntry};

@@ -83,6 +83,28 @@ sourced_table! {
 }
 
 sourced_table! {
+    /// Food on food.
+    FoodContact {
+        /// Conductance between wet foods that touch [W/(m²·K)].
+        conductance_w_m2k: f64,
+    }
+}
+
+sourced_table! {
+    /// Friction of food in the pan.
+    Friction {
+        /// Raw, wet flesh on dry metal [-].
+        raw: f64,
+        /// A crust on dry metal [-].
+        crust: f64,
+        /// Factor that a film of oil leaves [-].
+        oiled_factor: f64,
+        /// Film at which it is halfway there [mm].
+        film_mm: f64,
+    }
+}
+
+sourced_table! {
     /// Juice that has run into the pan.
     PuddleData {
         /// Conductance to the pan [W/(m²·K)].
@@ -161,6 +183,10 @@ pub struct Room {
     pub pan_air: PanAir,
     /// Food on pan.
     pub contact: ContactGap,
+    /// Food on food.
+    pub food_contact: FoodContact,
+    /// Friction.
+    pub friction: Friction,
     /// Juice in the pan.
     pub puddle: PuddleData,
     /// Wet cloth.

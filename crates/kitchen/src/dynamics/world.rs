@@ -97,7 +97,8 @@ pub struct Contact {
 
 /// The board on which food rests: where it lies and its half sizes [m] (chosen: an ordinary board beside the hob).
 pub const BOARD_AT: DVec3 = DVec3::new(0.44, 0.0, 0.01);
-const BOARD_HALF: DVec3 = DVec3::new(0.20, 0.16, 0.01);
+/// Half sizes of the board [m].
+pub const BOARD_HALF: DVec3 = DVec3::new(0.20, 0.16, 0.01);
 /// Half the side of the hob's glass [m] (chosen: one zone with its frame).
 pub const GLASS_HALF: f64 = 0.2;
 
