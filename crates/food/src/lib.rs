@@ -43,7 +43,7 @@ pub use form::Form;
 pub use model::{BuildError, FoodModel, PieceSpec};
 pub use paper_2013::{MeshSize, Rules};
 pub use patch::{Face, Patch};
-pub use solid::Solid;
+pub use solid::{Capsule, Solid};
 pub use state::FoodState;
 pub use surface::{PatchGeometry, PatchPose};
 

@@ -6,6 +6,15 @@ use crate::form::Form;
 use crate::model::FoodModel;
 use crate::state::FoodState;
 
+/// A rounded rod.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Capsule {
+    /// Middles of its round ends [m].
+    pub ends: [[f64; 3]; 2],
+    /// Radius [m].
+    pub radius: f64,
+}
+
 /// A solid about the origin of [`FoodModel::positions`], in the body frame and the present shape.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Solid {
@@ -21,19 +30,16 @@ pub enum Solid {
         /// Half of its length, width and height [m].
         half: [f64; 3],
     },
-    /// Convex hulls of points [m].
+    /// Rounded rods along a bent body.
+    Capsules(Vec<Capsule>),
+    /// Convex hulls of points, whose faces have four corners [m].
     Hulls(Vec<Vec<[f64; 3]>>),
 }
 
-/// How far the polygon about an outline may stray from it [m] (chosen: below what is seen or felt).
-const STRAY: f64 = 0.25e-3;
-/// Fewest and most corners of that polygon (chosen: 16 are enough for small pieces, 32 for any steak).
-const CORNERS: [usize; 2] = [16, 32];
-/// Hulls along a curved body (chosen: fewer leave the bow of a shrimp filled).
-const HULLS: usize = 3;
-/// Corners of the hexagon about a section over its half axes. Flat above and below, where it lies; its
-/// corners stray as far outside as its sides inside.
-const HEXAGON: [[f64; 2]; 6] = [[1.05, 0.0], [0.56, 1.0], [-0.56, 1.0], [-1.05, 0.0], [-0.56, -1.0], [0.56, -1.0]];
+/// Strips into which a slice is cut across its length (chosen: their outline strays from the piece's by half a millimetre).
+const STRIPS: usize = 8;
+/// Rods along a curved body (chosen: fewer leave the bow of a shrimp filled).
+const RODS: usize = 4;
 
 impl FoodModel {
     /// The solid of the present shape.
@@ -41,12 +47,12 @@ impl FoodModel {
         let lateral = state.stretch.lateral;
         let half_height = 0.5 * self.thickness(state);
         match (self.description.form, &self.mesh.path) {
-            (Form::Shrimp, Path::Stations(stations)) => Solid::Hulls(self.hulls_along(state, stations)),
+            (Form::Shrimp, Path::Stations(stations)) => Solid::Capsules(self.rods_along(state, stations)),
             (Form::Stick, Path::Stations(stations)) => {
                 let length = self.present_length(state, stations);
                 Solid::Cuboid { half: [0.5 * length, 0.5 * lateral * self.size[1], half_height] }
             }
-            (Form::Steak, _) => Solid::Hulls(vec![self.prism(state)]),
+            (Form::Steak, _) => Solid::Hulls(self.strips(state)),
             _ => Solid::Cylinder { radius: lateral * self.round_radius(), half_height },
         }
     }
@@ -65,58 +71,73 @@ impl FoodModel {
         steps.sum()
     }
 
-    /// A polygon about the outline, at the heights of both faces.
-    fn prism(&self, state: &FoodState) -> Vec<[f64; 3]> {
-        let positions = {
-            let mut flat = Vec::new();
-            self.flat_positions_into(state, &mut flat);
-            flat
+    /// Strips across the length, each a prism of four corners above and below: the solver's faces have four at most.
+    fn strips(&self, state: &FoodState) -> Vec<Vec<[f64; 3]>> {
+        let mut flat = Vec::new();
+        self.flat_positions_into(state, &mut flat);
+        let (low, high) = self.outline.points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
+            (low.min(p[0]), high.max(p[0]))
+        });
+        // Narrower towards the ends, where the outline turns.
+        let cut = |i: usize| {
+            let share = 0.5 - 0.5 * libm::cos(core::f64::consts::PI * (i as f64 + 0.25) / (STRIPS as f64 + 0.5));
+            low + share * (high - low)
         };
-        let rim = self.mesh.section.rim();
-        let last = self.mesh.levels.len() - 1;
-        let corners = self.outline.polygon(STRAY, CORNERS);
-        let nearest = |p: [f64; 2]| {
-            let distance = |i: &u32| {
-                let q = self.mesh.section.points[*i as usize];
-                libm::hypot(p[0] - q[0], p[1] - q[1])
-            };
-            rim.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0) as usize
-        };
-        let mut points = Vec::with_capacity(2 * corners.len());
-        for p in corners {
-            let column = nearest(p);
-            for level in [0, last] {
-                let z = positions[self.mesh.node(level, column)][2];
-                points.push([p[0] * state.stretch.lateral, p[1] * state.stretch.lateral, z]);
-            }
-        }
-        points
+        let edges: Vec<Vec<[f64; 3]>> = (0..=STRIPS).map(|i| self.edge_at(cut(i), state, &flat)).collect();
+        edges.windows(2).map(|pair| pair.concat()).collect()
     }
 
-    /// Hulls of a curved body: hexagons at both ends of each, and the back of the middle between them.
-    fn hulls_along(&self, state: &FoodState, stations: &[Station]) -> Vec<Vec<[f64; 3]>> {
+    /// The four corners at which a cut across the length leaves the slice [m].
+    fn edge_at(&self, x: f64, state: &FoodState, flat: &[[f64; 3]]) -> Vec<[f64; 3]> {
+        let last = self.mesh.levels.len() - 1;
+        let points = &self.outline.points;
+        let sides = (0..points.len()).map(|i| (points[i], points[(i + 1) % points.len()]));
+        let crossings = sides.filter(|(p, q)| (p[0] <= x) != (q[0] <= x)).map(|(p, q)| {
+            let share = (x - p[0]) / (q[0] - p[0]);
+            p[1] + share * (q[1] - p[1])
+        });
+        let (low, high) =
+            crossings.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
+        let lateral = state.stretch.lateral;
+        let corner = |y: f64, level: usize| {
+            let z = flat[self.mesh.node(level, self.rim_column([x, y]))][2];
+            [x * lateral, y * lateral, z]
+        };
+        [low, high].into_iter().flat_map(|y| [0, last].map(|level| corner(y, level))).collect()
+    }
+
+    /// The column of the rim nearest to a point of the section.
+    fn rim_column(&self, p: [f64; 2]) -> usize {
+        let distance = |i: &u32| {
+            let q = self.mesh.section.points[*i as usize];
+            libm::hypot(p[0] - q[0], p[1] - q[1])
+        };
+        let rim = self.mesh.section.rim();
+        rim.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0) as usize
+    }
+
+    /// Rods along a curved body, each as thick as the body is high there as it lies on its side.
+    fn rods_along(&self, state: &FoodState, stations: &[Station]) -> Vec<Capsule> {
         let lateral = state.stretch.lateral;
         let standing: Vec<_> = self.spine(state, stations).collect();
         let origin = self.spine_origin(state);
-        let corners = |level: usize, which: &[usize], points: &mut Vec<[f64; 3]>| {
-            let station = &stations[level];
-            let half = [0, 1].map(|k| station.section.points.iter().map(|p| p[k]).fold(0.0, f64::max));
-            for [x, y] in which.iter().map(|i| HEXAGON[*i]) {
-                let p = standing[level].place(station, [x * half[0], y * half[1]], lateral);
-                points.push([0, 1, 2].map(|k| p[k] - origin[k]));
-            }
+        let half_height = |level: usize| {
+            lateral * stations[level].section.points.iter().map(|p| p[1]).fold(0.0, f64::max)
         };
-        let cuts: Vec<usize> = (0..=HULLS).map(|i| self.level_near(i as f64 / HULLS as f64)).collect();
-        let hull = |pair: &[usize]| {
-            let (from, to) = (pair[0], pair[1]);
-            let middle = self.level_near(0.5 * (self.mesh.levels[from] + self.mesh.levels[to]) / self.mesh.thickness());
-            let mut points = Vec::new();
-            corners(from, &[0, 1, 2, 3, 4, 5], &mut points);
-            corners(middle, &[0, 1, 2, 5], &mut points);
-            corners(to, &[0, 1, 2, 3, 4, 5], &mut points);
-            points
+        let centre = |level: usize| [0, 1, 2].map(|k| standing[level].centre[k] - origin[k]);
+        let cuts: Vec<usize> = (0..=RODS).map(|i| self.level_near(i as f64 / RODS as f64)).collect();
+        let rod = |pair: &[usize]| {
+            let middle = self.level_near(0.5 * (self.mesh.levels[pair[0]] + self.mesh.levels[pair[1]]) / self.mesh.thickness());
+            let radius = half_height(middle);
+            let (a, b) = (centre(pair[0]), centre(pair[1]));
+            let length = libm::sqrt((0..3).map(|k| (b[k] - a[k]) * (b[k] - a[k])).sum::<f64>());
+            // Outer ends are as far out as the body; inner ones meet.
+            let inset = |level: usize| if level == cuts[0] || level == cuts[RODS] { (radius / length).min(0.4) } else { 0.0 };
+            let (s, e) = (inset(pair[0]), 1.0 - inset(pair[1]));
+            let at = |share: f64| [0, 1, 2].map(|k| a[k] + share * (b[k] - a[k]));
+            Capsule { ends: [at(s), at(e)], radius }
         };
-        cuts.windows(2).map(hull).collect()
+        cuts.windows(2).map(rod).collect()
     }
 
     /// The level nearest to a share of the path's length.

@@ -11,6 +11,10 @@ pub fn reach(solid: &Solid, along: DVec3) -> f64 {
             radius * libm::hypot(along.x, along.y) + half_height * along.z.abs()
         }
         Solid::Cuboid { half } => DVec3::from_array(*half).dot(along.abs()),
+        Solid::Capsules(capsules) => capsules
+            .iter()
+            .flat_map(|c| c.ends.map(|e| DVec3::from_array(e).dot(along) + c.radius))
+            .fold(f64::NEG_INFINITY, f64::max),
         Solid::Hulls(hulls) => farthest(&mut hulls.iter().flatten().map(|p| DVec3::from_array(*p))),
     }
 }
@@ -21,6 +25,9 @@ pub fn radius(solid: &Solid) -> f64 {
     match solid {
         Solid::Cylinder { radius, .. } => *radius,
         Solid::Cuboid { half } => far(half),
+        Solid::Capsules(capsules) => {
+            capsules.iter().flat_map(|c| c.ends.map(|e| far(&e) + c.radius)).fold(0.0, f64::max)
+        }
         Solid::Hulls(hulls) => hulls.iter().flatten().map(far).fold(0.0, f64::max),
     }
 }
@@ -42,6 +49,18 @@ pub fn outline(solid: &Solid, rotation: DQuat) -> Vec<[f64; 2]> {
             .map(|k| {
                 let sign = |bit: usize| if k >> bit & 1 == 0 { -1.0 } else { 1.0 };
                 seen(DVec3::new(sign(0) * half[0], sign(1) * half[1], sign(2) * half[2]))
+            })
+            .collect(),
+        Solid::Capsules(capsules) => capsules
+            .iter()
+            .flat_map(|c| {
+                c.ends.into_iter().flat_map(move |end| {
+                    let [x, y] = seen(DVec3::from_array(end));
+                    (0..ROUND / 2).map(move |k| {
+                        let (sin, cos) = libm::sincos(2.0 * core::f64::consts::TAU * k as f64 / ROUND as f64);
+                        [x + c.radius * cos, y + c.radius * sin]
+                    })
+                })
             })
             .collect(),
         Solid::Hulls(hulls) => hulls.iter().flatten().map(|p| seen(DVec3::from_array(*p))).collect(),

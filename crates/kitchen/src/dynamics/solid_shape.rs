@@ -19,6 +19,10 @@ pub fn shapes(solid: &Solid) -> Vec<(SolverPose, SharedShape)> {
             vec![(upright, SharedShape::cylinder(length(*half_height), length(*radius)))]
         }
         Solid::Cuboid { half } => vec![(here, SharedShape::cuboid(length(half[0]), length(half[1]), length(half[2])))],
+        Solid::Capsules(capsules) => capsules
+            .iter()
+            .map(|c| (here, SharedShape::capsule(point(&c.ends[0]), point(&c.ends[1]), length(c.radius))))
+            .collect(),
         Solid::Hulls(hulls) => hulls
             .iter()
             .filter_map(|points| SharedShape::convex_hull(&points.iter().map(point).collect::<Vec<Vector>>()))
@@ -32,6 +36,7 @@ pub fn name(solid: &Solid) -> &'static str {
     match solid {
         Solid::Cylinder { .. } => "cylinder",
         Solid::Cuboid { .. } => "cuboid",
+        Solid::Capsules(_) => "capsules",
         Solid::Hulls(_) => "convex hulls",
     }
 }
