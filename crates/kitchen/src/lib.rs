@@ -14,6 +14,7 @@ pub mod cook;
 pub mod cook_case;
 mod data_check;
 pub mod energy;
+pub mod group_summary;
 pub mod hob;
 mod input_error;
 pub mod kitchen;

@@ -44,27 +44,40 @@ const SAME_VALUE: f64 = 1e-7;
 pub struct Runner {
     recipe: Arc<Recipe>,
     next: usize,
+    begun: bool,
     ready_at: f64,
-    armed: Option<Vec<Watch>>,
+    armed: Option<Watch>,
     stopped: Option<StoppedBy>,
 }
 
-/// A difference that is watched for a change of its sign.
-#[derive(Clone, Copy, Debug)]
+/// Differences that are watched until each of them has been on the side on which not all of them began: the last of several
+/// pieces counts, and those that are there already are not waited for.
+#[derive(Clone, Debug)]
 struct Watch {
-    below: bool,
-    crossed: bool,
+    above: Vec<bool>,
+    below: Vec<bool>,
+    began_above: bool,
+    began_below: bool,
 }
 
 impl Watch {
-    fn on(difference: f64) -> Self {
-        Self { below: difference < 0.0, crossed: false }
+    fn on(differences: &[f64]) -> Self {
+        Self {
+            above: vec![false; differences.len()],
+            below: vec![false; differences.len()],
+            began_above: differences.iter().all(|d| *d >= SAME_VALUE),
+            began_below: differences.iter().all(|d| *d <= -SAME_VALUE),
+        }
     }
 
-    /// Whether the difference has changed sign by now, or is or was zero but for rounding.
-    fn look(&mut self, difference: f64) -> bool {
-        self.crossed |= difference.abs() < SAME_VALUE || self.below != (difference < 0.0);
-        self.crossed
+    /// Whether it has come to that; a difference that is zero but for rounding is on both sides.
+    fn look(&mut self, differences: &[f64]) -> bool {
+        for (i, d) in differences.iter().enumerate() {
+            self.above[i] |= *d > -SAME_VALUE;
+            self.below[i] |= *d < SAME_VALUE;
+        }
+        let all = |side: &[bool]| side.iter().all(|been| *been);
+        (!self.began_above && all(&self.above)) || (!self.began_below && all(&self.below))
     }
 }
 
@@ -74,7 +87,7 @@ const SAME_TIME: f64 = 1e-6;
 impl Runner {
     /// Starts at the first step.
     pub fn new(recipe: Arc<Recipe>) -> Self {
-        Self { recipe, next: 0, ready_at: 0.0, armed: None, stopped: None }
+        Self { recipe, next: 0, begun: false, ready_at: 0.0, armed: None, stopped: None }
     }
 
     /// The recipe.
@@ -94,6 +107,10 @@ impl Runner {
 
     /// Fires every step that is due now and returns what was done; call it between ticks.
     pub fn poll(&mut self, kitchen: &mut Kitchen) -> Result<Vec<StepRecord>, InputError> {
+        if !self.begun {
+            self.begun = true;
+            self.check_room(kitchen)?;
+        }
         let mut fired = Vec::new();
         while self.stopped.is_none() {
             if kitchen.time_s() > self.recipe.max_s - SAME_TIME && !self.due_at_the_end(kitchen) {
@@ -105,6 +122,20 @@ impl Runner {
             }
         }
         Ok(fired)
+    }
+
+    /// Groups that do not even fit into the empty pan are refused before anything is cooked.
+    fn check_room(&self, kitchen: &Kitchen) -> Result<(), InputError> {
+        for (step, entry) in self.recipe.steps.iter().enumerate() {
+            if let Action::Each(target, deed @ Deed::Put { at, heap: false }) = &entry.action
+                && target.group
+                && target.name != ALL
+            {
+                let places = kitchen.free_places(&target.foods, *at);
+                self.all_fit(step, &target.name, [places.len(), target.foods.len()], *deed)?;
+            }
+        }
+        Ok(())
     }
 
     /// At `max_s` itself a step that is due still counts.
@@ -126,11 +157,12 @@ impl Runner {
             Trigger::At(s) => {
                 if now > s + TICK_S - SAME_TIME && self.armed.is_none() {
                     return Err(self.error(
+                        self.next,
                         format!("at_s = {s} is already past: the step before it ended at {now:.1} s"),
                         "use a later at_s, or after_s",
                     ));
                 }
-                self.armed = Some(Vec::new());
+                self.armed = Some(Watch::on(&[]));
                 Ok(now >= s - SAME_TIME)
             }
             Trigger::After(s) => Ok(now >= self.ready_at + s - SAME_TIME),
@@ -142,10 +174,9 @@ impl Runner {
         }
     }
 
-    /// Whether each of the differences has changed its sign since the step was armed.
+    /// Whether the differences have crossed zero since the step was armed.
     fn crossed(&mut self, differences: &[f64]) -> bool {
-        let watches = self.armed.get_or_insert_with(|| differences.iter().map(|d| Watch::on(*d)).collect());
-        watches.iter_mut().zip(differences).fold(true, |all, (watch, d)| watch.look(*d) && all)
+        self.armed.get_or_insert_with(|| Watch::on(differences)).look(differences)
     }
 
     fn fire(&mut self, kitchen: &mut Kitchen) -> Result<StepRecord, InputError> {
@@ -167,7 +198,7 @@ impl Runner {
     }
 
     fn apply(&self, kitchen: &mut Kitchen, command: &Command) -> Result<(), InputError> {
-        let refused = |r: Refused| self.error(r.to_string(), "change this step or the ones before it");
+        let refused = |r: Refused| self.error(self.next, r.to_string(), "change this step or the ones before it");
         kitchen.apply(command).map_err(refused)
     }
 
@@ -195,21 +226,23 @@ impl Runner {
             _ => return Ok(vec![[0.0; 2]; foods.len()]),
         };
         let places = kitchen.free_places(foods, around);
-        if places.len() < foods.len() {
-            return Err(self.crowded(&target.name, places.len(), foods.len(), deed));
-        }
+        self.all_fit(self.next, &target.name, [places.len(), foods.len()], deed)?;
         Ok(places)
     }
 
-    fn crowded(&self, name: &str, fit: usize, of: usize, deed: Deed) -> InputError {
-        let message = format!("not all of \"{name}\" find room on the floor of the pan: {fit} of {of} fit");
-        let heap = format!("put = {{ food = \"{name}\", heap = true }} drops them onto each other");
-        let remedy = if deed.needs_pan() { "take something out first, or choose another place" } else { &heap };
-        self.error(message, &format!("choose fewer or smaller pieces; {remedy}"))
+    /// An error where fewer foods than all find room.
+    fn all_fit(&self, step: usize, name: &str, [fit, all]: [usize; 2], deed: Deed) -> Result<(), InputError> {
+        if fit == all {
+            return Ok(());
+        }
+        let message = format!("not all of \"{name}\" find room on the floor of the pan: {fit} of {all} fit");
+        let heap = format!("write put = {{ food = \"{name}\", heap = true }} to drop them onto each other");
+        let other = if deed.needs_pan() { "take something out before this step" } else { &heap };
+        Err(self.error(step, message, &format!("choose fewer or smaller pieces, or {other}")))
     }
 
-    fn error(&self, message: String, remedy: &str) -> InputError {
-        let line = self.recipe.steps[self.next].line;
+    fn error(&self, step: usize, message: String, remedy: &str) -> InputError {
+        let line = self.recipe.steps[step].line;
         InputError { file: self.recipe.file.clone(), line, message, remedy: remedy.to_owned() }
     }
 
@@ -325,12 +358,31 @@ pub(crate) fn rounded(time_s: f64) -> f64 {
 mod tests {
     use super::*;
 
+    /// Looks at rows one after the other, from the first, at which the watch begins.
+    fn looks<const N: usize, const M: usize>(rows: [[f64; M]; N]) -> [bool; N] {
+        let mut watch = Watch::on(&rows[0]);
+        rows.map(|row| watch.look(&row))
+    }
+
     #[test]
-    fn a_watch_remembers_that_its_difference_has_crossed_zero() {
-        let mut watch = Watch::on(-2.0);
-        assert_eq!([-2.0, -1.0, 1.0, -1.0, -2.0].map(|d| watch.look(d)), [false, false, true, true, true]);
-        let mut falling = Watch::on(3.0);
-        assert_eq!([3.0, 1.0, -0.5].map(|d| falling.look(d)), [false, false, true]);
-        assert!(Watch::on(0.0).look(0.0));
+    fn a_single_difference_crosses_in_either_direction_or_is_zero_from_the_start() {
+        assert_eq!(looks([[-2.0], [-1.0], [1.0]]), [false, false, true]);
+        assert_eq!(looks([[3.0], [1.0], [-0.5]]), [false, false, true]);
+        assert_eq!(looks([[1e-9]]), [true]);
+        assert_eq!(looks([[f64::NAN], [f64::NAN]]), [false, false]);
+    }
+
+    #[test]
+    fn of_several_differences_each_must_have_crossed_but_may_have_come_back() {
+        assert_eq!(looks([[-2.0, -3.0], [1.0, -2.0], [-1.0, -1.0], [-1.0, 1.0]]), [false, false, false, true]);
+        assert_eq!(looks([[2.0, 3.0], [-1.0, 2.0], [-1.0, -1.0]]), [false, false, true]);
+    }
+
+    #[test]
+    fn those_that_are_there_already_are_not_waited_for() {
+        // One core is hot when the step is armed, the other heats up.
+        assert_eq!(looks([[5.0, -3.0], [6.0, -1.0], [7.0, 0.5]]), [false, false, true]);
+        // One piece is light, the other loses weight.
+        assert_eq!(looks([[-5.0, 3.0], [-6.0, 1.0], [-7.0, -0.5]]), [false, false, true]);
     }
 }
