@@ -31,7 +31,9 @@ pub mod room;
 pub mod runner;
 mod sequence_check;
 pub mod shorthand;
+pub mod step_record;
 pub mod summary;
+mod watch;
 
 pub use command::{Command, Refused, RestOn};
 pub use cook::{Cook, Fired};

@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::celsius;
 use crate::kitchen::Kitchen;
 use crate::recipe::Group;
-use crate::runner::{StepRecord, rounded};
+use crate::step_record::{StepRecord, rounded};
 
 /// One row of the series.
 #[derive(Clone, Debug, PartialEq)]

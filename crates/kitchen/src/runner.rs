@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use serde::Serialize;
-use serde_json::{Value, json};
 
 use crate::command::{Command, Refused};
 use crate::input_error::InputError;
 use crate::kitchen::Kitchen;
 use crate::recipe::{ALL, Action, Deed, Quantity, Recipe, Target, Trigger};
+use crate::step_record::{StepRecord, parts, record};
+use crate::watch::Watch;
 use crate::{TICK_S, celsius};
 
 /// Why a cook stopped.
@@ -21,24 +22,6 @@ pub enum StoppedBy {
     MaxS,
 }
 
-/// A step that was carried out.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct StepRecord {
-    /// When [s].
-    pub time_s: f64,
-    /// Name of the action's key.
-    pub action: &'static str,
-    /// The food, the group, or "all", if it has one.
-    pub target: Option<String>,
-    /// The foods to which it was done.
-    pub foods: Vec<String>,
-    /// Its value: watts, seconds, a place or a surface.
-    pub value: Value,
-}
-
-/// Differences below this are rounding [K, kg] (chosen: area means of an even temperature are off by 1e-12).
-const SAME_VALUE: f64 = 1e-7;
-
 /// Walks through a recipe's steps.
 #[derive(Clone, Debug)]
 pub struct Runner {
@@ -48,37 +31,6 @@ pub struct Runner {
     ready_at: f64,
     armed: Option<Watch>,
     stopped: Option<StoppedBy>,
-}
-
-/// Differences that are watched until each of them has been on the side on which not all of them began: the last of several
-/// pieces counts, and those that are there already are not waited for.
-#[derive(Clone, Debug)]
-struct Watch {
-    above: Vec<bool>,
-    below: Vec<bool>,
-    began_above: bool,
-    began_below: bool,
-}
-
-impl Watch {
-    fn on(differences: &[f64]) -> Self {
-        Self {
-            above: vec![false; differences.len()],
-            below: vec![false; differences.len()],
-            began_above: differences.iter().all(|d| *d >= SAME_VALUE),
-            began_below: differences.iter().all(|d| *d <= -SAME_VALUE),
-        }
-    }
-
-    /// Whether it has come to that; a difference that is zero but for rounding is on both sides.
-    fn look(&mut self, differences: &[f64]) -> bool {
-        for (i, d) in differences.iter().enumerate() {
-            self.above[i] |= *d > -SAME_VALUE;
-            self.below[i] |= *d < SAME_VALUE;
-        }
-        let all = |side: &[bool]| side.iter().all(|been| *been);
-        (!self.began_above && all(&self.above)) || (!self.began_below && all(&self.below))
-    }
 }
 
 /// Times closer than this count as equal [s] (chosen: far below a tick, far above rounding).
@@ -282,107 +234,4 @@ fn concerned(kitchen: &Kitchen, target: &Target, deed: Deed) -> Vec<String> {
     let fits = |id: &&String| kitchen.piece(id).is_some_and(|p| p.in_pan() == deed.needs_pan());
     let fitting: Vec<String> = target.foods.iter().filter(fits).cloned().collect();
     if target.group && !fitting.is_empty() { fitting } else { target.foods.clone() }
-}
-
-/// Name of an action's key, its target and its value in the units of the recipe.
-fn parts(action: &Action) -> (&'static str, Option<&str>, Value) {
-    match action {
-        Action::Do(command) => {
-            let (key, value) = command_parts(command);
-            (key, None, value)
-        }
-        Action::Each(target, deed) => {
-            let (key, value) = deed_parts(*deed);
-            (key, Some(&target.name), value)
-        }
-        Action::End => ("end", None, true.into()),
-    }
-}
-
-fn command_parts(command: &Command) -> (&'static str, Value) {
-    match command {
-        Command::Hob(power) => ("hob_w", (*power).into()),
-        Command::MovePan { at, lift } => ("move_pan", json!({ "at_mm": at.map(mm), "lift_mm": mm(*lift) })),
-        Command::Cool { for_s } => ("cool", (*for_s).into()),
-        Command::Toss { height } => ("toss", json!({ "height_mm": mm(*height) })),
-        Command::Shake { amplitude, hz, for_s } => {
-            ("shake", json!({ "amplitude_mm": mm(*amplitude), "hz": hz, "for_s": for_s }))
-        }
-        Command::Tilt { angle, towards } => {
-            ("tilt", json!({ "deg": tidy(angle.to_degrees()), "towards_deg": tidy(towards.to_degrees()) }))
-        }
-        Command::Oil { kind, mass } => ("oil_g", json!({ "g": mm(*mass), "kind": kind })),
-        Command::Butter(mass) => ("butter_g", mm(*mass).into()),
-        Command::Water(mass) => ("water_g", mm(*mass).into()),
-        Command::Lid(on) => ("lid", (*on).into()),
-        Command::Put { at, heap, .. } => deed_parts(Deed::Put { at: *at, heap: *heap }),
-        Command::Flip { .. } => deed_parts(Deed::Flip),
-        Command::Rest { on, .. } => deed_parts(Deed::Rest(*on)),
-        Command::Press { newtons, for_s, .. } => deed_parts(Deed::Press { newtons: *newtons, for_s: *for_s }),
-        Command::Move { to, .. } => deed_parts(Deed::Move(*to)),
-    }
-}
-
-fn deed_parts(deed: Deed) -> (&'static str, Value) {
-    match deed {
-        Deed::Put { at, heap: false } => ("put", json!(at.map(mm))),
-        Deed::Put { at, heap: true } => ("put", json!({ "at_mm": at.map(mm), "heap": true })),
-        Deed::Flip => ("flip", Value::Null),
-        Deed::Rest(on) => ("rest", json!(on)),
-        Deed::Press { newtons, for_s } => ("press", json!({ "n": newtons, "for_s": for_s })),
-        Deed::Move(to) => ("move", json!(to.map(mm))),
-    }
-}
-
-fn record(action: &Action, foods: Vec<String>, time_s: f64) -> StepRecord {
-    let (action, target, value) = parts(action);
-    StepRecord { time_s: rounded(time_s), action, target: target.map(str::to_owned), foods, value }
-}
-
-/// A length in millimetres from metres, or a mass in grams from kilograms.
-fn mm(si: f64) -> f64 {
-    tidy(si * 1e3)
-}
-
-/// A number that was read from a recipe without the noise of its conversion to SI units and back.
-fn tidy(value: f64) -> f64 {
-    libm::round(value * 1e6) / 1e6
-}
-
-/// A time without the noise of binary fractions [s].
-pub(crate) fn rounded(time_s: f64) -> f64 {
-    libm::round(time_s * 1000.0) / 1000.0
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Looks at rows one after the other, from the first, at which the watch begins.
-    fn looks<const N: usize, const M: usize>(rows: [[f64; M]; N]) -> [bool; N] {
-        let mut watch = Watch::on(&rows[0]);
-        rows.map(|row| watch.look(&row))
-    }
-
-    #[test]
-    fn a_single_difference_crosses_in_either_direction_or_is_zero_from_the_start() {
-        assert_eq!(looks([[-2.0], [-1.0], [1.0]]), [false, false, true]);
-        assert_eq!(looks([[3.0], [1.0], [-0.5]]), [false, false, true]);
-        assert_eq!(looks([[1e-9]]), [true]);
-        assert_eq!(looks([[f64::NAN], [f64::NAN]]), [false, false]);
-    }
-
-    #[test]
-    fn of_several_differences_each_must_have_crossed_but_may_have_come_back() {
-        assert_eq!(looks([[-2.0, -3.0], [1.0, -2.0], [-1.0, -1.0], [-1.0, 1.0]]), [false, false, false, true]);
-        assert_eq!(looks([[2.0, 3.0], [-1.0, 2.0], [-1.0, -1.0]]), [false, false, true]);
-    }
-
-    #[test]
-    fn those_that_are_there_already_are_not_waited_for() {
-        // One core is hot when the step is armed, the other heats up.
-        assert_eq!(looks([[5.0, -3.0], [6.0, -1.0], [7.0, 0.5]]), [false, false, true]);
-        // One piece is light, the other loses weight.
-        assert_eq!(looks([[-5.0, 3.0], [-6.0, 1.0], [-7.0, -0.5]]), [false, false, true]);
-    }
 }

@@ -15,7 +15,8 @@ use crate::kitchen::Kitchen;
 use crate::library::DEFAULT_SCALE;
 use crate::piece::{Piece, Place};
 use crate::recorder::Recorder;
-use crate::runner::{Runner, StepRecord, StoppedBy, rounded};
+use crate::runner::{Runner, StoppedBy};
+use crate::step_record::{StepRecord, rounded};
 
 /// Everything about one cook.
 #[derive(Clone, Debug, Serialize)]

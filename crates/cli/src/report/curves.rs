@@ -92,7 +92,7 @@ impl<'a> Drawing<'a> {
     }
 
     /// Steps that concern this food, or all.
-    fn moment(&self, step: &saute_kitchen::runner::StepRecord) -> Option<(f64, String, String)> {
+    fn moment(&self, step: &saute_kitchen::step_record::StepRecord) -> Option<(f64, String, String)> {
         let members = &self.summary.foods[self.told.members.clone()];
         let mine = step.target.is_none() || members.iter().any(|f| step.foods.contains(&f.id));
         let full = format!("{}: {}", wording::duration(step.time_s), escaped(&wording::step(step)));

@@ -1,7 +1,7 @@
 //! The tables: food, pan, energy, steps.
 
 use saute_kitchen::group_summary::GroupSummary;
-use saute_kitchen::runner::StepRecord;
+use saute_kitchen::step_record::StepRecord;
 use saute_kitchen::summary::{FoodSummary, Surface, Told};
 use saute_kitchen::{Cook, Summary};
 

@@ -1,7 +1,7 @@
 //! The cross-sections step by step.
 
 use saute_app::TemperatureMap;
-use saute_kitchen::runner::StepRecord;
+use saute_kitchen::step_record::StepRecord;
 use saute_kitchen::{Cook, Summary};
 
 use super::markup::{data_uri, escaped};
