@@ -63,6 +63,9 @@ pub struct CookArgs {
     /// Scale of doneness of the summary and the report: see `saute list scales`. JSON holds them all.
     #[arg(long, value_name = "SCALE", default_value = DEFAULT_SCALE)]
     pub doneness: String,
+    /// Pictures of every piece of a group; of its first piece alone unless given.
+    #[arg(long, requires = "out")]
+    pub every_piece: bool,
     /// Prints the numbers as JSON.
     #[arg(long)]
     pub json: bool,
@@ -123,6 +126,8 @@ pub enum Listed {
     Recipes,
     /// Scales of doneness, for `--doneness`.
     Scales,
+    /// Actions of a recipe's steps, with the keys of their tables and the defaults.
+    Actions,
 }
 
 /// `saute schema`.

@@ -10,7 +10,7 @@ use crate::args::CookArgs;
 use crate::error::CliError;
 use crate::out_dir::OutDir;
 use crate::progress::Progress;
-use crate::section_files::{Snapshot, disk_space};
+use crate::section_files::{Snapshot, disk_space, pictured};
 use crate::shelf::Shelf;
 use crate::{recipe_source, report, stderr, stdout, text_summary};
 
@@ -22,8 +22,9 @@ pub fn run(args: &CookArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
     let scale = shelf.scale(&args.doneness)?;
     let recipe = recipe_source::load(&args.recipe, shelf)?;
     let cook = set_out(recipe, shelf)?;
-    let out = args.out.as_deref().map(|dir| OutDir::prepare(dir, disk_space(&cook))).transpose()?;
-    let (cook, snapshots, wall) = cook_through(cook, out.is_some())?;
+    let pictured = if args.out.is_some() { pictured(&cook, args.every_piece) } else { Vec::new() };
+    let out = args.out.as_deref().map(|dir| OutDir::prepare(dir, disk_space(&cook, &pictured))).transpose()?;
+    let (cook, snapshots, wall) = cook_through(cook, &pictured)?;
     let summary = cook.summary(wall.as_secs_f64());
     if let Some(out) = out {
         let place = out.place();
@@ -41,17 +42,17 @@ fn set_out(recipe: Recipe, shelf: &Shelf) -> Result<Cook, CliError> {
     Cook::new(recipe, &shelf.library).map_err(|source| CliError::Setup { file, source })
 }
 
-/// Cooks to the end; the wall time is that of the simulation alone, without the pictures.
-fn cook_through(mut cook: Cook, with_pictures: bool) -> Result<(Cook, Vec<Snapshot>, Duration), CliError> {
+/// Cooks to the end and takes pictures of some foods; the wall time is that of the simulation alone, without the pictures.
+fn cook_through(mut cook: Cook, pictured: &[usize]) -> Result<(Cook, Vec<Snapshot>, Duration), CliError> {
     let progress = Progress::start(cook.runner.recipe().max_s);
     let mut snapshots = Vec::new();
     let started = Instant::now();
     let mut painting = Duration::ZERO;
     while cook.stopped().is_none() {
         let fired = cook.fire()?;
-        if with_pictures && !fired.is_empty() {
+        if !pictured.is_empty() && !fired.is_empty() {
             let begun = Instant::now();
-            snapshots.extend(Snapshot::take(&cook, &fired)?);
+            snapshots.extend(Snapshot::take(&cook, &fired, pictured)?);
             painting += begun.elapsed();
         }
         cook.tick();
@@ -70,7 +71,7 @@ fn files(
     let report = report::html(cook, summary, &snapshots, scale);
     let mut files = vec![
         ("summary.json".to_owned(), json(summary)?.into_bytes()),
-        ("series.csv".to_owned(), cook.recorder.csv(&ids).into_bytes()),
+        ("series.csv".to_owned(), cook.recorder.csv(&ids, &cook.runner.recipe().groups).into_bytes()),
         ("report.html".to_owned(), report.into_bytes()),
     ];
     files.extend(snapshots.into_iter().flat_map(Snapshot::into_files));

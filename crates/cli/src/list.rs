@@ -10,7 +10,7 @@ use serde::Serialize;
 use crate::args::{ListArgs, Listed};
 use crate::error::CliError;
 use crate::shelf::Shelf;
-use crate::{stdout, wording};
+use crate::{action_list, stdout, wording};
 
 /// One line of a list.
 #[derive(Debug, Serialize)]
@@ -57,6 +57,7 @@ pub fn run(args: &ListArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
         Listed::Pans => pans(&shelf.library),
         Listed::Recipes => recipes(shelf)?,
         Listed::Scales => scales(&shelf.library),
+        Listed::Actions => return action_list::run(args.json),
     };
     let text = if args.json { serde_json::to_string_pretty(&entries)? + "\n" } else { table(&entries) };
     stdout::print(&text)?;

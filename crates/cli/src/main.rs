@@ -1,5 +1,6 @@
 //! The command `saute`: a frying pan with a steak in it, in a window or from a recipe file.
 
+mod action_list;
 mod args;
 mod bench_heat;
 mod cook_command;

@@ -34,11 +34,12 @@ pub struct Snapshot {
 }
 
 impl Snapshot {
-    /// Pictures of all foods that are in the pan or out of it again, for each of the steps that were just carried out.
-    pub fn take(cook: &Cook, fired: &[Fired]) -> Result<Vec<Self>, PngError> {
+    /// Pictures of those foods that are in the pan or out of it again, for each of the steps that were just carried out.
+    pub fn take(cook: &Cook, fired: &[Fired], pictured: &[usize]) -> Result<Vec<Self>, PngError> {
         let first = cook.steps.len() + 1 - fired.len();
         let mut snapshots = Vec::new();
-        for piece in cook.kitchen.pieces().iter().filter(|p| p.place != Place::Waiting) {
+        let pieces = pictured.iter().map(|i| &cook.kitchen.pieces()[*i]);
+        for piece in pieces.filter(|p| p.place != Place::Waiting) {
             let (full, small) = (paint(piece, FILE_PER_MM)?, paint(piece, REPORT_PER_MM)?);
             snapshots.extend(fired.iter().enumerate().map(|(i, step)| Self {
                 step: first + i,
@@ -53,7 +54,7 @@ impl Snapshot {
         Ok(snapshots)
     }
 
-    /// Names and bytes of its files. Ids hold no dot, so that no two names can meet.
+    /// Names and bytes of its files. What stands before the food's id holds no dot, so that no two names can meet.
     pub fn into_files(self) -> [(String, Vec<u8>); 2] {
         let food = if self.of_several { format!(".{}", self.food) } else { String::new() };
         let name = |view: &str| format!("section_{:02}_{}{view}{food}.png", self.step, self.action);
@@ -72,9 +73,16 @@ fn paint(piece: &Piece, per_mm: f64) -> Result<[Vec<u8>; 2], PngError> {
     Ok([picture(View::Look)?, picture(View::Temperature)?])
 }
 
-/// What a cook may need on the disk [bytes]: no picture is larger than its pixels.
-pub fn disk_space(cook: &Cook) -> u64 {
+/// Which foods are pictured: all that belong to no group, and of each group the first piece, or every piece.
+pub fn pictured(cook: &Cook, every_piece: bool) -> Vec<usize> {
+    let groups = &cook.runner.recipe().groups;
+    let follows = |i: usize| groups.iter().any(|g| g.members.contains(&i) && g.members.start != i);
+    (0..cook.kitchen.pieces().len()).filter(|i| every_piece || !follows(*i)).collect()
+}
+
+/// What a cook with pictures of some foods may need on the disk [bytes]: no picture is larger than its pixels.
+pub fn disk_space(cook: &Cook, pictured: &[usize]) -> u64 {
     let pixels = |p: &Piece| p.model.size[1] * p.model.size[2] * 1e6 * FILE_PER_MM * FILE_PER_MM;
-    let bytes: f64 = cook.kitchen.pieces().iter().map(|p| 2.0 * 4.0 * pixels(p)).sum();
+    let bytes: f64 = pictured.iter().map(|i| 2.0 * 4.0 * pixels(&cook.kitchen.pieces()[*i])).sum();
     OTHER_FILES + (bytes * cook.runner.recipe().steps.len() as f64) as u64
 }

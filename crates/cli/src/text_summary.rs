@@ -1,9 +1,11 @@
 //! The numbers of a cook for people, as plain text.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use saute_kitchen::energy::Energy;
 use saute_kitchen::food::Scale;
+use saute_kitchen::group_summary::GroupSummary;
 use saute_kitchen::summary::{ClassShares, FoodSummary, LogReduction, Surface};
 use saute_kitchen::{StoppedBy, Summary};
 
@@ -15,7 +17,8 @@ const BAR: usize = 30;
 /// Everything about a cook on one screen, with doneness by a scale.
 pub fn text(summary: &Summary, scale: &Scale) -> String {
     let mut blocks = vec![head(summary)];
-    blocks.extend(summary.foods.iter().map(|f| food(f, scale)));
+    blocks.extend(summary.foods.iter().filter(|f| f.group.is_none()).map(|f| food(f, scale)));
+    blocks.extend((!summary.groups.is_empty()).then(|| groups(summary)));
     blocks.push(pan(summary));
     blocks.push(steps(summary));
     blocks.join("\n")
@@ -70,6 +73,39 @@ fn food(f: &FoodSummary, scale: &Scale) -> String {
     row(&mut lines, "stiffness", &format!("elastic modulus {:.0} kPa", f.elastic_modulus_kpa));
     row(&mut lines, "safety", &safety(&f.log_reduction));
     lines
+}
+
+/// A line for each group: means, with the least and the largest value where pieces differ.
+fn groups(summary: &Summary) -> String {
+    let mut lines = "groups, means (least–largest)\n".to_owned();
+    for g in &summary.groups {
+        let spread = |mean: f64, [low, high]: [f64; 2]| format!("{mean:.0} ({low:.0}–{high:.0})");
+        let (mean, s) = (&g.mean, &g.spread);
+        let line = format!(
+            "{} × {}: core {} °C at its highest, {} °C at the end; {:.1} g → {:.1} g, −{} %; browned {} %; {}",
+            g.count,
+            mean.kind,
+            spread(mean.core_c.peak, s.core_peak_c),
+            spread(mean.core_c.end, s.core_end_c),
+            mean.mass_g.start,
+            mean.mass_g.end,
+            spread(mean.lost_pct, s.lost_pct),
+            spread(mean.browned_pct(), s.browned_pct),
+            places(summary, g)
+        );
+        row(&mut lines, &mean.id, &line);
+    }
+    lines
+}
+
+/// How many pieces of a group are where: `9 pan, 2 board`.
+fn places(summary: &Summary, group: &GroupSummary) -> String {
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for food in &summary.foods[group.members.clone()] {
+        *counts.entry(food.place).or_default() += 1;
+    }
+    let counts: Vec<String> = counts.iter().map(|(place, count)| format!("{count} {place}")).collect();
+    counts.join(", ")
 }
 
 /// Log reductions; past 12 nothing is told apart any more.

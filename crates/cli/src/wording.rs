@@ -1,7 +1,7 @@
 //! How numbers and steps are said.
 
 use saute_kitchen::food::Scale;
-use saute_kitchen::runner::StepRecord;
+use saute_kitchen::step_record::StepRecord;
 
 /// A time as a cook says it: `45.0 s`, `16 min 38 s`.
 pub fn duration(seconds: f64) -> String {
@@ -18,8 +18,29 @@ pub fn step(step: &StepRecord) -> String {
             format!("rest {food} on the {}", value.as_str().unwrap_or("board").replace("foil", "board under foil"))
         }
         ("cool", value) => format!("pan on a wet cloth for {} s", number(value)),
-        ("end", _) => "end".to_owned(),
-        (action, _) => format!("{action} {food}"),
+        ("press", value) => {
+            format!("press {food} with {} N for {} s", number(&value["n"]), number(&value["for_s"]))
+        }
+        ("move", value) => format!("move {food} to {value} mm"),
+        ("put" | "flip", _) => format!("{} {food}", step.action),
+        (action, value) => on_pan(action, value),
+    }
+}
+
+/// What concerns no single food.
+fn on_pan(action: &str, value: &serde_json::Value) -> String {
+    let n = |key: &str| number(&value[key]);
+    match action {
+        "move_pan" => format!("pan to {} mm, lifted by {} mm", value["at_mm"], n("lift_mm")),
+        "oil_g" => format!("{} g {}", n("g"), value["kind"].as_str().map_or("oil".to_owned(), |k| format!("{k} oil"))),
+        "butter_g" => format!("{} g butter", number(value)),
+        "water_g" => format!("{} g water", number(value)),
+        "toss" => format!("toss {} mm high", n("height_mm")),
+        "shake" => format!("shake ± {} mm at {} Hz for {} s", n("amplitude_mm"), n("hz"), n("for_s")),
+        "tilt" if value["deg"] == 0.0 => "level the pan".to_owned(),
+        "tilt" => format!("tilt by {}° towards {}°", n("deg"), n("towards_deg")),
+        "lid" => if *value == true { "lid on" } else { "lid off" }.to_owned(),
+        other => other.to_owned(),
     }
 }
 
@@ -28,6 +49,8 @@ pub fn mark(step: &StepRecord) -> Option<&'static str> {
     match step.action {
         "hob_w" => None,
         "cool" => Some("cloth"),
+        "move_pan" => Some("pan"),
+        action if action.ends_with("_g") => Some(action.trim_end_matches("_g")),
         action => Some(action),
     }
 }

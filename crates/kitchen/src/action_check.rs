@@ -3,11 +3,10 @@
 use toml::Spanned;
 
 use crate::action_file::{
-    ButterTable, CoolTable, FOR_S, HobTable, LIFT_MM, Limits, MovePanTable, MoveTable, OilTable, PRESS_N, PressTable,
-    PutTable, SHAKE_AMPLITUDE_MM, SHAKE_HZ, ShakeTable, TILT_DEG, TOSS_HEIGHT_MM, TOWARDS_DEG, TiltTable, TossTable,
-    WATER_G, WaterTable,
+    ButterTable, COOL_S, CoolTable, FAT_G, FOR_S, HobTable, LIFT_MM, Limits, MovePanTable, MoveTable, OilTable,
+    PRESS_N, PressTable, PutTable, SHAKE_AMPLITUDE_MM, SHAKE_HZ, ShakeTable, TILT_DEG, TOSS_HEIGHT_MM, TOWARDS_DEG,
+    TiltTable, TossTable, WATER_G, WaterTable,
 };
-use crate::action_file::{COOL_S, FAT_G};
 use crate::command::Command;
 use crate::input_error::InputError;
 use crate::recipe::{Action, Deed};

@@ -58,7 +58,7 @@ pub struct HobTable {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PutTable {
-    /// A food, a group, or "all" that are not in the pan. A group's pieces lie side by side.
+    /// A food, a group, or "all"; of several those that are not in the pan. They are laid side by side.
     #[schemars(with = "String")]
     pub food: Spanned<String>,
     /// Place of its centre relative to the pan's, or that about which a group lies [mm]; [0, 0] by default.
@@ -73,7 +73,7 @@ pub struct PutTable {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FlipTable {
-    /// A food, a group, or "all" that are in the pan.
+    /// A food, a group, or "all"; of several those that are in the pan.
     #[schemars(with = "String")]
     pub food: Spanned<String>,
 }
@@ -82,7 +82,7 @@ pub struct FlipTable {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RestTable {
-    /// A food, a group, or "all" that are in the pan.
+    /// A food, a group, or "all"; of several those that are in the pan.
     #[schemars(with = "String")]
     pub food: Spanned<String>,
     /// Onto what; the board by default.
@@ -192,7 +192,7 @@ pub struct TiltTable {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PressTable {
-    /// A food, a group, or "all" that are in the pan.
+    /// A food, a group, or "all"; of several those that are in the pan.
     #[schemars(with = "String")]
     pub food: Spanned<String>,
     /// Force [N]; 10 by default.
@@ -207,7 +207,7 @@ pub struct PressTable {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MoveTable {
-    /// A food, a group, or "all" that are in the pan. A group's pieces come to lie side by side.
+    /// A food, a group, or "all"; of several those that are in the pan. They come to lie side by side.
     #[schemars(with = "String")]
     pub food: Spanned<String>,
     /// Place of its centre relative to the pan's, or that about which a group lies [mm]; [0, 0] by default.

@@ -9,7 +9,8 @@ use crate::kitchen::{Kitchen, SetupError};
 use crate::library::Library;
 use crate::recipe::Recipe;
 use crate::recorder::Recorder;
-use crate::runner::{Runner, StepRecord, StoppedBy};
+use crate::runner::{Runner, StoppedBy};
+use crate::step_record::StepRecord;
 use crate::summary::Summary;
 
 /// A step that has just been carried out.

@@ -15,6 +15,7 @@ pub mod cook_case;
 mod data_check;
 pub mod dynamics;
 pub mod energy;
+pub mod group_summary;
 pub mod hob;
 mod food_contact;
 mod heat_tick;
@@ -37,7 +38,9 @@ pub mod room;
 pub mod runner;
 mod sequence_check;
 pub mod shorthand;
+pub mod step_record;
 pub mod summary;
+mod watch;
 
 pub use command::{Command, Refused, RestOn};
 pub use cook::{Cook, Fired};

@@ -63,7 +63,7 @@ pub enum Trigger {
     After(f64),
     /// When the pan's floor crosses a temperature [K].
     Pan(f64),
-    /// When a quantity of a food has crossed a value; of several foods, when each of them has since the step was armed.
+    /// When a quantity of a food has crossed a value since the step was armed; of several foods, when the last of them has.
     Food {
         /// Which foods.
         food: Target,

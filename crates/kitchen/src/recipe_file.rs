@@ -164,7 +164,7 @@ pub struct StepEntry {
 pub struct WhenEntry {
     /// Area mean of the pan's flat floor [°C].
     pub pan_c: Option<f64>,
-    /// Which food; of a group (or "all") every piece must have crossed the value since the step is waited for.
+    /// Which food; of a group (or "all") the last piece must have crossed the value while the step is waited for.
     #[schemars(with = "Option<String>")]
     pub food: Option<Spanned<String>>,
     /// Its core temperature [°C].

@@ -1,8 +1,11 @@
 //! What is remembered while cooking: series and extremes.
 
+use std::ops::Range;
+
 use crate::celsius;
 use crate::kitchen::Kitchen;
-use crate::runner::{StepRecord, rounded};
+use crate::recipe::Group;
+use crate::step_record::{StepRecord, rounded};
 
 /// One row of the series.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +18,14 @@ pub struct Row {
     pub pan_c: f64,
     /// For each food: core, top, bottom [°C], mass [g].
     pub foods: Vec<[f64; 4]>,
+}
+
+impl Row {
+    /// Means over foods: core, top, bottom [°C], mass [g].
+    pub fn mean(&self, members: &Range<usize>) -> [f64; 4] {
+        let foods = &self.foods[members.clone()];
+        core::array::from_fn(|k| foods.iter().map(|f| f[k]).sum::<f64>() / foods.len() as f64)
+    }
 }
 
 /// Series and extremes of a cook.
@@ -76,16 +87,18 @@ impl Recorder {
         self.rows.push(row);
     }
 
-    /// The series as CSV, with fixed decimals: the same cook gives the same bytes.
-    pub fn csv(&self, ids: &[&str]) -> String {
+    /// The series as CSV with fixed decimals, so that the same cook gives the same bytes: columns for each food by its id, then
+    /// for the means of each group.
+    pub fn csv(&self, ids: &[&str], groups: &[Group]) -> String {
         let mut text = String::from("time_s,hob_w,pan_c");
-        for id in ids {
+        for id in ids.iter().copied().chain(groups.iter().map(|g| g.id.as_str())) {
             text.push_str(&format!(",{id}.core_c,{id}.top_c,{id}.bottom_c,{id}.mass_g"));
         }
         text.push('\n');
         for row in &self.rows {
             text.push_str(&format!("{:.1},{:.0},{:.3}", row.time_s, row.hob_w, row.pan_c));
-            for [core, top, bottom, mass] in &row.foods {
+            let means = groups.iter().map(|g| row.mean(&g.members));
+            for [core, top, bottom, mass] in row.foods.iter().copied().chain(means) {
                 text.push_str(&format!(",{core:.3},{top:.3},{bottom:.3},{mass:.4}"));
             }
             text.push('\n');

@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use serde::Serialize;
-use serde_json::{Value, json};
 
 use crate::command::{Command, Refused};
 use crate::input_error::InputError;
 use crate::kitchen::Kitchen;
 use crate::recipe::{ALL, Action, Deed, Quantity, Recipe, Target, Trigger};
+use crate::step_record::{StepRecord, parts, record};
+use crate::watch::Watch;
 use crate::{TICK_S, celsius};
 
 /// Why a cook stopped.
@@ -21,51 +22,15 @@ pub enum StoppedBy {
     MaxS,
 }
 
-/// A step that was carried out.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct StepRecord {
-    /// When [s].
-    pub time_s: f64,
-    /// Name of the action's key.
-    pub action: &'static str,
-    /// The food, the group, or "all", if it has one.
-    pub target: Option<String>,
-    /// The foods to which it was done.
-    pub foods: Vec<String>,
-    /// Its value: watts, seconds, a place or a surface.
-    pub value: Value,
-}
-
-/// Differences below this are rounding [K, kg] (chosen: area means of an even temperature are off by 1e-12).
-const SAME_VALUE: f64 = 1e-7;
-
 /// Walks through a recipe's steps.
 #[derive(Clone, Debug)]
 pub struct Runner {
     recipe: Arc<Recipe>,
     next: usize,
+    begun: bool,
     ready_at: f64,
-    armed: Option<Vec<Watch>>,
+    armed: Option<Watch>,
     stopped: Option<StoppedBy>,
-}
-
-/// A difference that is watched for a change of its sign.
-#[derive(Clone, Copy, Debug)]
-struct Watch {
-    below: bool,
-    crossed: bool,
-}
-
-impl Watch {
-    fn on(difference: f64) -> Self {
-        Self { below: difference < 0.0, crossed: false }
-    }
-
-    /// Whether the difference has changed sign by now, or is or was zero but for rounding.
-    fn look(&mut self, difference: f64) -> bool {
-        self.crossed |= difference.abs() < SAME_VALUE || self.below != (difference < 0.0);
-        self.crossed
-    }
 }
 
 /// Times closer than this count as equal [s] (chosen: far below a tick, far above rounding).
@@ -74,7 +39,7 @@ const SAME_TIME: f64 = 1e-6;
 impl Runner {
     /// Starts at the first step.
     pub fn new(recipe: Arc<Recipe>) -> Self {
-        Self { recipe, next: 0, ready_at: 0.0, armed: None, stopped: None }
+        Self { recipe, next: 0, begun: false, ready_at: 0.0, armed: None, stopped: None }
     }
 
     /// The recipe.
@@ -94,6 +59,10 @@ impl Runner {
 
     /// Fires every step that is due now and returns what was done; call it between ticks.
     pub fn poll(&mut self, kitchen: &mut Kitchen) -> Result<Vec<StepRecord>, InputError> {
+        if !self.begun {
+            self.begun = true;
+            self.check_room(kitchen)?;
+        }
         let mut fired = Vec::new();
         while self.stopped.is_none() {
             if kitchen.time_s() > self.recipe.max_s - SAME_TIME && !self.due_at_the_end(kitchen) {
@@ -105,6 +74,20 @@ impl Runner {
             }
         }
         Ok(fired)
+    }
+
+    /// Groups that do not even fit into the empty pan are refused before anything is cooked.
+    fn check_room(&self, kitchen: &Kitchen) -> Result<(), InputError> {
+        for (step, entry) in self.recipe.steps.iter().enumerate() {
+            if let Action::Each(target, deed @ Deed::Put { at, heap: false }) = &entry.action
+                && target.group
+                && target.name != ALL
+            {
+                let places = kitchen.free_places(&target.foods, *at);
+                self.all_fit(step, &target.name, [places.len(), target.foods.len()], *deed)?;
+            }
+        }
+        Ok(())
     }
 
     /// At `max_s` itself a step that is due still counts.
@@ -126,11 +109,12 @@ impl Runner {
             Trigger::At(s) => {
                 if now > s + TICK_S - SAME_TIME && self.armed.is_none() {
                     return Err(self.error(
+                        self.next,
                         format!("at_s = {s} is already past: the step before it ended at {now:.1} s"),
                         "use a later at_s, or after_s",
                     ));
                 }
-                self.armed = Some(Vec::new());
+                self.armed = Some(Watch::on(&[]));
                 Ok(now >= s - SAME_TIME)
             }
             Trigger::After(s) => Ok(now >= self.ready_at + s - SAME_TIME),
@@ -142,10 +126,9 @@ impl Runner {
         }
     }
 
-    /// Whether each of the differences has changed its sign since the step was armed.
+    /// Whether the differences have crossed zero since the step was armed.
     fn crossed(&mut self, differences: &[f64]) -> bool {
-        let watches = self.armed.get_or_insert_with(|| differences.iter().map(|d| Watch::on(*d)).collect());
-        watches.iter_mut().zip(differences).fold(true, |all, (watch, d)| watch.look(*d) && all)
+        self.armed.get_or_insert_with(|| Watch::on(differences)).look(differences)
     }
 
     fn fire(&mut self, kitchen: &mut Kitchen) -> Result<StepRecord, InputError> {
@@ -167,7 +150,7 @@ impl Runner {
     }
 
     fn apply(&self, kitchen: &mut Kitchen, command: &Command) -> Result<(), InputError> {
-        let refused = |r: Refused| self.error(r.to_string(), "change this step or the ones before it");
+        let refused = |r: Refused| self.error(self.next, r.to_string(), "change this step or the ones before it");
         kitchen.apply(command).map_err(refused)
     }
 
@@ -195,21 +178,23 @@ impl Runner {
             _ => return Ok(vec![[0.0; 2]; foods.len()]),
         };
         let places = kitchen.free_places(foods, around);
-        if places.len() < foods.len() {
-            return Err(self.crowded(&target.name, places.len(), foods.len(), deed));
-        }
+        self.all_fit(self.next, &target.name, [places.len(), foods.len()], deed)?;
         Ok(places)
     }
 
-    fn crowded(&self, name: &str, fit: usize, of: usize, deed: Deed) -> InputError {
-        let message = format!("not all of \"{name}\" find room on the floor of the pan: {fit} of {of} fit");
-        let heap = format!("put = {{ food = \"{name}\", heap = true }} drops them onto each other");
-        let remedy = if deed.needs_pan() { "take something out first, or choose another place" } else { &heap };
-        self.error(message, &format!("choose fewer or smaller pieces; {remedy}"))
+    /// An error where fewer foods than all find room.
+    fn all_fit(&self, step: usize, name: &str, [fit, all]: [usize; 2], deed: Deed) -> Result<(), InputError> {
+        if fit == all {
+            return Ok(());
+        }
+        let message = format!("not all of \"{name}\" find room on the floor of the pan: {fit} of {all} fit");
+        let heap = format!("write put = {{ food = \"{name}\", heap = true }} to drop them onto each other");
+        let other = if deed.needs_pan() { "take something out before this step" } else { &heap };
+        Err(self.error(step, message, &format!("choose fewer or smaller pieces, or {other}")))
     }
 
-    fn error(&self, message: String, remedy: &str) -> InputError {
-        let line = self.recipe.steps[self.next].line;
+    fn error(&self, step: usize, message: String, remedy: &str) -> InputError {
+        let line = self.recipe.steps[step].line;
         InputError { file: self.recipe.file.clone(), line, message, remedy: remedy.to_owned() }
     }
 
@@ -249,88 +234,4 @@ fn concerned(kitchen: &Kitchen, target: &Target, deed: Deed) -> Vec<String> {
     let fits = |id: &&String| kitchen.piece(id).is_some_and(|p| p.in_pan() == deed.needs_pan());
     let fitting: Vec<String> = target.foods.iter().filter(fits).cloned().collect();
     if target.group && !fitting.is_empty() { fitting } else { target.foods.clone() }
-}
-
-/// Name of an action's key, its target and its value in the units of the recipe.
-fn parts(action: &Action) -> (&'static str, Option<&str>, Value) {
-    match action {
-        Action::Do(command) => {
-            let (key, value) = command_parts(command);
-            (key, None, value)
-        }
-        Action::Each(target, deed) => {
-            let (key, value) = deed_parts(*deed);
-            (key, Some(&target.name), value)
-        }
-        Action::End => ("end", None, true.into()),
-    }
-}
-
-fn command_parts(command: &Command) -> (&'static str, Value) {
-    match command {
-        Command::Hob(power) => ("hob_w", (*power).into()),
-        Command::MovePan { at, lift } => ("move_pan", json!({ "at_mm": at.map(mm), "lift_mm": mm(*lift) })),
-        Command::Cool { for_s } => ("cool", (*for_s).into()),
-        Command::Toss { height } => ("toss", json!({ "height_mm": mm(*height) })),
-        Command::Shake { amplitude, hz, for_s } => {
-            ("shake", json!({ "amplitude_mm": mm(*amplitude), "hz": hz, "for_s": for_s }))
-        }
-        Command::Tilt { angle, towards } => {
-            ("tilt", json!({ "deg": tidy(angle.to_degrees()), "towards_deg": tidy(towards.to_degrees()) }))
-        }
-        Command::Oil { kind, mass } => ("oil_g", json!({ "g": mm(*mass), "kind": kind })),
-        Command::Butter(mass) => ("butter_g", mm(*mass).into()),
-        Command::Water(mass) => ("water_g", mm(*mass).into()),
-        Command::Lid(on) => ("lid", (*on).into()),
-        Command::Put { at, heap, .. } => deed_parts(Deed::Put { at: *at, heap: *heap }),
-        Command::Flip { .. } => deed_parts(Deed::Flip),
-        Command::Rest { on, .. } => deed_parts(Deed::Rest(*on)),
-        Command::Press { newtons, for_s, .. } => deed_parts(Deed::Press { newtons: *newtons, for_s: *for_s }),
-        Command::Move { to, .. } => deed_parts(Deed::Move(*to)),
-    }
-}
-
-fn deed_parts(deed: Deed) -> (&'static str, Value) {
-    match deed {
-        Deed::Put { at, heap: false } => ("put", json!(at.map(mm))),
-        Deed::Put { at, heap: true } => ("put", json!({ "at_mm": at.map(mm), "heap": true })),
-        Deed::Flip => ("flip", Value::Null),
-        Deed::Rest(on) => ("rest", json!(on)),
-        Deed::Press { newtons, for_s } => ("press", json!({ "n": newtons, "for_s": for_s })),
-        Deed::Move(to) => ("move", json!(to.map(mm))),
-    }
-}
-
-fn record(action: &Action, foods: Vec<String>, time_s: f64) -> StepRecord {
-    let (action, target, value) = parts(action);
-    StepRecord { time_s: rounded(time_s), action, target: target.map(str::to_owned), foods, value }
-}
-
-/// A length in millimetres from metres, or a mass in grams from kilograms.
-fn mm(si: f64) -> f64 {
-    tidy(si * 1e3)
-}
-
-/// A number that was read from a recipe without the noise of its conversion to SI units and back.
-fn tidy(value: f64) -> f64 {
-    libm::round(value * 1e6) / 1e6
-}
-
-/// A time without the noise of binary fractions [s].
-pub(crate) fn rounded(time_s: f64) -> f64 {
-    libm::round(time_s * 1000.0) / 1000.0
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_watch_remembers_that_its_difference_has_crossed_zero() {
-        let mut watch = Watch::on(-2.0);
-        assert_eq!([-2.0, -1.0, 1.0, -1.0, -2.0].map(|d| watch.look(d)), [false, false, true, true, true]);
-        let mut falling = Watch::on(3.0);
-        assert_eq!([3.0, 1.0, -0.5].map(|d| falling.look(d)), [false, false, true]);
-        assert!(Watch::on(0.0).look(0.0));
-    }
 }

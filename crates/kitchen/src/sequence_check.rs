@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::command::Command;
-use crate::input_error::InputError;
-use crate::input_error::InputText;
+use crate::input_error::{InputError, InputText};
 use crate::recipe::{Action, Deed, Step, Target, Trigger};
 
 /// What holds as the steps go by.

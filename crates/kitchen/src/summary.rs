@@ -1,18 +1,22 @@
 //! The numbers of a whole cook, as `saute cook --json` prints them.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Arc;
 
 use saute_food::{Rules, Scale, Shares};
 use serde::{Serialize, Serializer};
 
 use crate::celsius;
+use crate::command::RestOn;
 use crate::energy::Energy;
+use crate::group_summary::GroupSummary;
 use crate::kitchen::Kitchen;
 use crate::library::DEFAULT_SCALE;
-use crate::piece::Piece;
+use crate::piece::{Piece, Place};
 use crate::recorder::Recorder;
-use crate::runner::{Runner, StepRecord, StoppedBy, rounded};
+use crate::runner::{Runner, StoppedBy};
+use crate::step_record::{StepRecord, rounded};
 
 /// Everything about one cook.
 #[derive(Clone, Debug, Serialize)]
@@ -31,6 +35,8 @@ pub struct Summary {
     pub waiting_step: Option<usize>,
     /// Foods.
     pub foods: Vec<FoodSummary>,
+    /// Groups of foods.
+    pub groups: Vec<GroupSummary>,
     /// Pan temperatures [°C].
     pub pan_c: PanSummary,
     /// Energy [J].
@@ -61,6 +67,10 @@ pub struct FoodSummary {
     pub id: String,
     /// Kind of food.
     pub kind: String,
+    /// Group to which it belongs.
+    pub group: Option<String>,
+    /// Where it is: "waiting", "pan", "board", "rack" or "foil"; of a group "several" where its pieces are in several places.
+    pub place: &'static str,
     /// Nodes of its mesh.
     pub nodes: usize,
     /// Mass [g].
@@ -260,8 +270,11 @@ impl Summary {
         wall_s: f64,
     ) -> Self {
         let stopped_by = runner.stopped().unwrap_or(StoppedBy::MaxS);
-        let foods =
-            kitchen.pieces().iter().zip(masses_at_start).map(|(p, m)| FoodSummary::new(p, *m, scales)).collect();
+        let groups = &runner.recipe().groups;
+        let group_of = |i: usize| groups.iter().find(|g| g.members.contains(&i)).map(|g| g.id.clone());
+        let pieces = kitchen.pieces().iter().zip(masses_at_start).enumerate();
+        let foods: Vec<FoodSummary> =
+            pieces.map(|(i, (p, m))| FoodSummary { group: group_of(i), ..FoodSummary::new(p, *m, scales) }).collect();
         let unhealthy = kitchen.pieces().iter().filter(|p| !p.state.healthy);
         Self {
             title: runner.recipe().title.clone(),
@@ -270,6 +283,7 @@ impl Summary {
             wall_s,
             stopped_by,
             waiting_step: (stopped_by == StoppedBy::MaxS).then(|| runner.waiting_step() + 1),
+            groups: groups.iter().map(|g| GroupSummary::new(g, &foods[g.members.clone()], scales)).collect(),
             foods,
             pan_c: PanSummary {
                 peak: recorder.pan_peak_c,
@@ -283,6 +297,42 @@ impl Summary {
         }
     }
 }
+
+/// What a page tells as one: a food that belongs to no group, or the means of a group.
+#[derive(Clone, Debug)]
+pub struct Told<'a> {
+    /// Its numbers.
+    pub food: &'a FoodSummary,
+    /// Which of the foods it stands for.
+    pub members: Range<usize>,
+    /// Whether it is a group.
+    pub group: bool,
+}
+
+impl Summary {
+    /// Foods and groups in the order of the recipe.
+    pub fn told(&self) -> Vec<Told<'_>> {
+        let group_at = |i: usize| self.groups.iter().find(|g| g.members.start == i);
+        let told = |(i, food): (usize, _)| match group_at(i) {
+            Some(group) => Some(Told { food: &group.mean, members: group.members.clone(), group: true }),
+            None => self.foods[i].group.is_none().then_some(Told { food, members: i..i + 1, group: false }),
+        };
+        self.foods.iter().enumerate().filter_map(told).collect()
+    }
+}
+
+fn place_word(place: Place) -> &'static str {
+    match place {
+        Place::Waiting => "waiting",
+        Place::Pan(_) => IN_PAN,
+        Place::Rest(RestOn::Board) => "board",
+        Place::Rest(RestOn::Rack) => "rack",
+        Place::Rest(RestOn::Foil) => "foil",
+    }
+}
+
+/// Word for the place in the pan.
+pub(crate) const IN_PAN: &str = "pan";
 
 impl FoodSummary {
     fn new(piece: &Piece, mass_at_start: f64, scales: &[Arc<Scale>]) -> Self {
@@ -306,6 +356,8 @@ impl FoodSummary {
         Self {
             id: piece.id.clone(),
             kind: piece.kind.clone(),
+            group: None,
+            place: place_word(piece.place),
             nodes: model.mesh.node_count(),
             mass_g: StartEnd { start: 1e3 * mass_at_start, end: 1e3 * piece.mass() },
             lost_pct: 100.0 * (1.0 - piece.mass() / mass_at_start),

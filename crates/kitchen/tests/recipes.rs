@@ -5,9 +5,12 @@
 
 use saute_kitchen::food::Rules;
 use saute_kitchen::recipe::Quantity;
+use saute_kitchen::recipe_file::RecipeFile;
+use saute_kitchen::summary::FoodSummary;
 use saute_kitchen::{
     Action, Command, Cook, Deed, InputError, Library, MeshSize, Recipe, RestOn, StoppedBy, Trigger, kelvin,
 };
+use serde_json::Value;
 
 /// A steak and eleven carrots; steps are put in by the tests.
 const FOODS: &str = r#"[pan]
@@ -109,6 +112,68 @@ fn actions_arrive_in_si_units() {
         each("rest = { food = \"carrots.3\", on = \"rack\" }"),
         ("carrots.3".into(), 1, Deed::Rest(RestOn::Rack))
     );
+}
+
+/// A step with an action's table: keys that it needs, and one more.
+fn table(action: &str, needs: &[&str], key: &str, value: &Value) -> String {
+    let own = |name: &str| match name {
+        "food" => "\"steak\"",
+        "by" => "\"wet-cloth\"",
+        "on" => "true",
+        _ => "10",
+    };
+    let others = needs.iter().filter(|n| **n != key).map(|n| format!("{n} = {}", own(n)));
+    let keys: Vec<String> = others.chain((!key.is_empty()).then(|| format!("{key} = {value}"))).collect();
+    format!("{action} = {{ {} }}", keys.join(", "))
+}
+
+/// The action of such a table, or why it is refused.
+fn action_of_table(line: &str) -> Result<Action, InputError> {
+    let first = if line.starts_with("put") { "hob_w = 0" } else { "put = \"steak\"" };
+    parse(&with(&[first, line, "end = true"])).map(|recipe| recipe.steps[1].action.clone())
+}
+
+/// Every action with its table in the schema.
+fn tables() -> Vec<(String, Value)> {
+    let schema = serde_json::to_value(schemars::schema_for!(RecipeFile)).unwrap();
+    let properties = schema["$defs"]["StepEntry"]["properties"].as_object().unwrap();
+    let is_table =
+        |path: &&str| schema.pointer(path.trim_start_matches('#')).is_some_and(|t| t["properties"].is_object());
+    let table = |(action, of): (&String, &Value)| {
+        let alternatives =
+            of["anyOf"].as_array().filter(|_| of["description"].as_str().unwrap().starts_with("Action: "))?;
+        let flat = alternatives.iter().flat_map(|a| a["anyOf"].as_array().into_iter().flatten().chain([a]));
+        let path = flat.filter_map(|a| a["$ref"].as_str()).find(is_table)?;
+        Some((action.clone(), schema.pointer(path.trim_start_matches('#'))?.clone()))
+    };
+    properties.iter().filter_map(table).collect()
+}
+
+/// What the schema promises holds: ranges are those that are checked, and a default is what holds when the key is left out.
+#[test]
+fn ranges_and_defaults_of_the_schema_are_those_that_are_checked() {
+    let (mut ranges, mut defaults) = (0, 0);
+    for (action, table_schema) in tables() {
+        let needs: Vec<&str> =
+            table_schema["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+        for (key, of) in table_schema["properties"].as_object().unwrap() {
+            let with_value = |value: f64| action_of_table(&table(&action, &needs, key, &value.into()));
+            if let Some((low, high)) = of["minimum"].as_f64().zip(of["maximum"].as_f64()) {
+                ranges += 1;
+                assert!(with_value(low).is_ok() && with_value(high).is_ok(), "{action}.{key}");
+                for beyond in [low - 0.01, high + 0.01] {
+                    let error = with_value(beyond).expect_err("is refused");
+                    assert!(error.message.contains("is out of range"), "{action}.{key}: {error}");
+                }
+            }
+            if let Some(default) = of.get("default") {
+                defaults += 1;
+                let bare = action_of_table(&table(&action, &needs, "", &Value::Null)).unwrap();
+                assert_eq!(action_of_table(&table(&action, &needs, key, default)).unwrap(), bare, "{action}.{key}");
+            }
+        }
+    }
+    assert_eq!((ranges, defaults), (14, 14));
 }
 
 /// What used to stand beside a bare value still may.
@@ -274,6 +339,11 @@ fn cook_through(text: &str) -> Result<Cook, InputError> {
     Ok(cook)
 }
 
+/// Why a cook is refused; the cook itself would fill pages.
+fn refusal(text: &str) -> InputError {
+    cook_through(text).map(|_| ()).expect_err("is refused")
+}
+
 #[test]
 fn a_group_lies_side_by_side_is_turned_and_taken_out_as_one() {
     let steps = [
@@ -321,11 +391,79 @@ fn a_condition_on_all_foods_waits_for_those_that_are_not_cooked_too_and_says_so(
 
 #[test]
 fn too_many_pieces_are_refused_with_the_number_that_fits() {
-    let text = with(&["put = \"carrots\"", "end = true"]).replace("[25, 6]", "[60, 6]");
-    let error = cook_through(&text).expect_err("is refused");
+    let text = with(&["hob_w = 500", "after_s = 60\nput = \"carrots\"", "end = true"]).replace("[25, 6]", "[60, 6]");
+    let error = refusal(&text);
+    assert_eq!(error.line, 15, "{error}");
     assert!(error.message.contains("of 11 fit"), "{error}");
     assert!(error.remedy.contains("heap = true"), "{error}");
     let fit: usize = error.message.split(": ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    // That is told before anything is cooked.
+    let mut cook = Cook::new(parse(&text).unwrap(), &Library::embedded().unwrap()).unwrap();
+    assert_eq!(cook.fire().expect_err("is refused"), error);
+    assert_eq!(cook.kitchen.tick(), 0);
     let fewer = text.replace("count = 11", &format!("count = {fit}"));
     cook_through(&fewer).unwrap();
+}
+
+/// What stands in the way at the moment counts, too.
+#[test]
+fn a_group_finds_no_room_beside_what_lies_there_and_the_error_says_how_many_do() {
+    let text = with(&["put = \"steak\"", "put = \"carrots\"", "end = true"]).replace("[60, 50, 15]", "[180, 160, 15]");
+    let error = refusal(&text);
+    assert!(error.message.contains("of 11 fit") && error.line == 15, "{error}");
+}
+
+#[test]
+fn the_means_of_a_group_are_those_of_its_pieces_and_safety_is_that_of_the_worst() {
+    let steps = ["put = \"carrots\"", "after_s = 10\nrest = \"carrots.2\"", "after_s = 30\nend = true"];
+    let summary = cook_through(&with(&steps)).unwrap().summary(0.0);
+    let group = &summary.groups[0];
+    let pieces = &summary.foods[1..];
+    assert_eq!((group.count, group.in_pan, group.mean.place), (11, 10, "several"));
+    assert_eq!((summary.foods[2].place, summary.foods[0].place), ("board", "waiting"));
+    let mean = |of: fn(&FoodSummary) -> f64| pieces.iter().map(of).sum::<f64>() / 11.0;
+    let values: [fn(&FoodSummary) -> f64; 7] = [
+        |f| f.core_c.end,
+        |f| f.core_c.peak,
+        |f| f.mass_g.end,
+        |f| f.lost_pct,
+        |f| f.surfaces.bottom.temperature_c,
+        |f| f.denatured["pectin"],
+        |f| f.juiciness_pct,
+    ];
+    for (i, value) in values.into_iter().enumerate() {
+        assert!((value(&group.mean) - mean(value)).abs() < 1e-9, "value {i}");
+    }
+    let cores = pieces.iter().map(|f| f.core_c.end);
+    let [low, high] = group.spread.core_end_c;
+    assert_eq!((low, high), (cores.clone().fold(f64::MAX, f64::min), cores.fold(f64::MIN, f64::max)));
+    assert!(low < high - 1.0, "the piece on the board stayed colder: {low} {high}");
+    let worst = pieces.iter().map(|f| f.log_reduction.core).fold(f64::MAX, f64::min);
+    assert_eq!(group.mean.log_reduction.core, worst);
+}
+
+/// A page tells a steak and a group; it does not tell eleven pieces.
+#[test]
+fn a_page_tells_single_foods_and_groups_in_the_order_of_the_recipe() {
+    let summary = cook_through(&with(&["end = true"])).unwrap().summary(0.0);
+    let told: Vec<(&str, usize, bool)> =
+        summary.told().iter().map(|t| (t.food.id.as_str(), t.members.len(), t.group)).collect();
+    assert_eq!(told, [("steak", 1, false), ("carrots", 11, true)]);
+}
+
+#[test]
+fn the_series_has_columns_for_pieces_and_means() {
+    let cook = cook_through(&with(&["put = \"carrots\"", "after_s = 5\nend = true"])).unwrap();
+    let recipe = cook.runner.recipe();
+    let ids: Vec<&str> = recipe.foods.iter().map(|f| f.id.as_str()).collect();
+    let csv = cook.recorder.csv(&ids, &recipe.groups);
+    let head: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
+    assert_eq!(head.len(), 3 + 4 * 13);
+    assert_eq!(
+        (head[3], head[7], head[50], head[51]),
+        ("steak.core_c", "carrots.1.core_c", "carrots.11.mass_g", "carrots.core_c")
+    );
+    let last: Vec<f64> = csv.lines().last().unwrap().split(',').map(|v| v.parse().unwrap()).collect();
+    let mean: f64 = (0..11).map(|i| last[7 + 4 * i]).sum::<f64>() / 11.0;
+    assert!((last[51] - mean).abs() < 1e-3, "{} {mean}", last[51]);
 }

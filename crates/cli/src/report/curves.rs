@@ -1,6 +1,7 @@
 //! Temperatures, power and mass against time.
 
 use saute_kitchen::recorder::Row;
+use saute_kitchen::summary::Told;
 use saute_kitchen::{Cook, Summary};
 
 use super::markup::escaped;
@@ -19,15 +20,15 @@ const MOST_ROWS: usize = 1600;
 /// Changes larger than this are never thinned out [K]: a flip is a jump.
 const JUMP: f64 = 2.0;
 
-/// A figure for each food.
+/// A figure for each food; of a group the means.
 pub fn section(cook: &Cook, summary: &Summary) -> String {
     let rows = thinned(&cook.recorder.rows);
-    let figures: String = (0..summary.foods.len()).map(|food| figure(&rows, summary, food)).collect();
+    let figures: String = summary.told().iter().map(|told| figure(&rows, summary, told)).collect();
     format!("<section><h2>Temperatures</h2>{figures}</section>")
 }
 
-fn figure(rows: &[&Row], summary: &Summary, food: usize) -> String {
-    let id = escaped(&summary.foods[food].id);
+fn figure(rows: &[&Row], summary: &Summary, told: &Told) -> String {
+    let id = escaped(&told.food.id);
     let names = [("pan", "pan, mean of the floor".to_owned())]
         .into_iter()
         .chain(CURVES.iter().rev().map(|(class, name, _)| (*class, format!("{name} of {id}"))));
@@ -35,7 +36,7 @@ fn figure(rows: &[&Row], summary: &Summary, food: usize) -> String {
         .map(|(class, name)| format!("<li><svg viewBox=\"0 0 28 8\" aria-hidden=\"true\"><path class=\"curve {class}\" d=\"M1 4H27\"/></svg>{name}</li>"))
         .collect();
     let pictures: String =
-        WIDTHS.iter().map(|(class, width)| Drawing::new(rows, summary, food, *width).svg(class)).collect();
+        WIDTHS.iter().map(|(class, width)| Drawing::new(rows, summary, told, *width).svg(class)).collect();
     format!(
         "<figure class=\"plot\"><ul class=\"legend\">{legend}</ul>{pictures}\
          <figcaption>Top and bottom are means of the face that lies above or below at that moment, so they change places at a flip.</figcaption></figure>"
@@ -62,7 +63,7 @@ fn thinned(rows: &[Row]) -> Vec<&Row> {
 struct Drawing<'a> {
     rows: &'a [&'a Row],
     summary: &'a Summary,
-    food: usize,
+    told: &'a Told<'a>,
     width: f64,
 }
 
@@ -73,17 +74,14 @@ const LEFT: f64 = 40.0;
 const RIGHT: f64 = 8.0;
 
 impl<'a> Drawing<'a> {
-    fn new(rows: &'a [&'a Row], summary: &'a Summary, food: usize, width: f64) -> Self {
-        Self { rows, summary, food, width }
+    fn new(rows: &'a [&'a Row], summary: &'a Summary, told: &'a Told<'a>, width: f64) -> Self {
+        Self { rows, summary, told, width }
     }
 
     fn svg(&self, class: &str) -> String {
         let moments: Vec<(f64, String, String)> = self.summary.steps.iter().filter_map(|s| self.moment(s)).collect();
         let lines = marks(self.time(), self.width, [PANELS[0][0] - 18.0, PANELS[2][1]], &moments);
-        let label = format!(
-            "Temperatures, power of the hob and mass against time for {}",
-            escaped(&self.summary.foods[self.food].id)
-        );
+        let label = format!("Temperatures, power of the hob and mass against time for {}", escaped(&self.told.food.id));
         format!(
             "<svg class=\"{class}\" viewBox=\"0 0 {} {HEIGHT}\" role=\"img\" aria-label=\"{label}\">{lines}{}{}{}</svg>",
             self.width,
@@ -94,10 +92,16 @@ impl<'a> Drawing<'a> {
     }
 
     /// Steps that concern this food, or all.
-    fn moment(&self, step: &saute_kitchen::runner::StepRecord) -> Option<(f64, String, String)> {
-        let mine = step.target.as_ref().is_none_or(|t| *t == self.summary.foods[self.food].id);
+    fn moment(&self, step: &saute_kitchen::step_record::StepRecord) -> Option<(f64, String, String)> {
+        let members = &self.summary.foods[self.told.members.clone()];
+        let mine = step.target.is_none() || members.iter().any(|f| step.foods.contains(&f.id));
         let full = format!("{}: {}", wording::duration(step.time_s), escaped(&wording::step(step)));
         wording::mark(step).filter(|_| mine).map(|name| (step.time_s, name.to_owned(), full))
+    }
+
+    /// Core, top, bottom [°C] and mass [g] of a row.
+    fn readings(&self, row: &Row) -> [f64; 4] {
+        row.mean(&self.told.members)
     }
 
     fn time(&self) -> Scale {
@@ -109,15 +113,17 @@ impl<'a> Drawing<'a> {
     }
 
     fn temperatures(&self) -> String {
-        let values =
-            self.rows.iter().flat_map(|r| [r.pan_c].into_iter().chain(r.foods[self.food][..3].iter().copied()));
+        let values = self.rows.iter().flat_map(|r| {
+            let [core, top, bottom, _] = self.readings(r);
+            [r.pan_c, core, top, bottom]
+        });
         let (low, high) = values.fold((0.0_f64, 50.0_f64), |(l, h), v| (l.min(v), h.max(v)));
         let (range, step) = nice_range(low, high, 6.0);
         let panel = self.panel(PANELS[0], range);
         let pan = panel.curve("pan", self.rows.iter().map(|r| (r.time_s, r.pan_c)));
         let food: String = CURVES
             .iter()
-            .map(|(class, _, k)| panel.curve(class, self.rows.iter().map(|r| (r.time_s, r.foods[self.food][*k]))))
+            .map(|(class, _, k)| panel.curve(class, self.rows.iter().map(|r| (r.time_s, self.readings(r)[*k]))))
             .collect();
         panel.y_axis(range, step, "°C") + &pan + &food
     }
@@ -132,7 +138,7 @@ impl<'a> Drawing<'a> {
     }
 
     fn mass(&self) -> String {
-        let grams = || self.rows.iter().map(|r| (r.time_s, r.foods[self.food][3]));
+        let grams = || self.rows.iter().map(|r| (r.time_s, self.readings(r)[3]));
         let (low, high) = grams().fold((f64::MAX, f64::MIN), |(l, h), (_, g)| (l.min(g), h.max(g)));
         let (range, step) = nice_range(low, high, 3.0);
         let panel = self.panel(PANELS[2], range);

@@ -31,9 +31,9 @@ pub fn style() -> String {
     Tone::of_scale(saute_kitchen::food::doneness::MOST_CLASSES).iter().map(rule).collect()
 }
 
-/// Bars of all foods about which the scale says anything.
+/// Bars of all foods about which the scale says anything; of a group the means.
 pub fn section(summary: &Summary, scale: &Scale) -> String {
-    let bars: String = summary.foods.iter().map(|f| bars(f, scale)).collect();
+    let bars: String = summary.told().iter().map(|t| bars(t.food, scale)).collect();
     if bars.is_empty() {
         return String::new();
     }

@@ -9,8 +9,8 @@ mod sections;
 
 use saute_kitchen::food::Scale;
 use saute_kitchen::recorder::Row;
-use saute_kitchen::summary::FoodSummary;
-use saute_kitchen::{Cook, StoppedBy, Summary};
+use saute_kitchen::summary::Told;
+use saute_kitchen::{Cook, Recipe, StoppedBy, Summary};
 
 use self::markup::escaped;
 use crate::section_files::Snapshot;
@@ -23,7 +23,7 @@ pub fn html(cook: &Cook, summary: &Summary, snapshots: &[Snapshot], scale: &Scal
     let title = escaped(&summary.title);
     let parts = [
         head(cook, summary, &title),
-        summary.foods.iter().map(|f| key_numbers(summary, f)).collect(),
+        summary.told().iter().map(|t| key_numbers(summary, t)).collect(),
         doneness::section(summary, scale),
         curves::section(cook, summary),
         sections::section(cook, summary, snapshots),
@@ -43,7 +43,7 @@ pub fn html(cook: &Cook, summary: &Summary, snapshots: &[Snapshot], scale: &Scal
 
 fn head(cook: &Cook, summary: &Summary, title: &str) -> String {
     let recipe = cook.runner.recipe();
-    let foods: Vec<String> = recipe.foods.iter().map(food).collect();
+    let foods: Vec<String> = summary.told().iter().map(|told| foods(recipe, told)).collect();
     let pan = escaped(&cook.kitchen.pan_model().description.name);
     let end = match summary.stopped_by {
         StoppedBy::End => String::new(),
@@ -63,36 +63,48 @@ fn head(cook: &Cook, summary: &Summary, title: &str) -> String {
     )
 }
 
-fn food(order: &saute_kitchen::PieceOrder) -> String {
+/// What was asked for, a group on one line.
+fn foods(recipe: &Recipe, told: &Told) -> String {
+    let order = &recipe.foods[told.members.start];
     let [length, width, thickness] = order.size.map(|m| m * 1e3);
     let celsius = saute_kitchen::celsius(order.temperature);
+    let count = if told.group { format!("{} × ", told.members.len()) } else { String::new() };
     format!(
-        "{}: {}, {length:.0} × {width:.0} × {thickness:.0} mm, {celsius:.0} °C",
-        escaped(&order.id),
+        "{}: {count}{}, {length:.0} × {width:.0} × {thickness:.0} mm, {celsius:.0} °C",
+        escaped(&told.food.id),
         escaped(&order.kind)
     )
 }
 
-/// What one wants to know first.
-fn key_numbers(summary: &Summary, food: &FoodSummary) -> String {
+/// What one wants to know first; of a group the means.
+fn key_numbers(summary: &Summary, told: &Told) -> String {
+    let food = told.food;
     let (top, bottom) = (&food.surfaces.top, &food.surfaces.bottom);
     let lost = 100.0 * (1.0 - food.mass_g.end / food.mass_g.start);
     let entries = [
         (format!("{:.1} °C", food.core_c.peak), "core, at its highest"),
-        (duration(seconds_in_pan(summary, &food.id)), "in the pan"),
+        (duration(seconds_in_pan(summary, told)), "in the pan"),
         (format!("{:.0} % · {:.0} %", bottom.browned_pct, top.browned_pct), "browned, bottom · top"),
         (format!("{lost:.1} %"), "of its weight lost"),
     ];
     let tiles: String =
         entries.iter().map(|(value, name)| format!("<div><dd>{value}</dd><dt>{name}</dt></div>")).collect();
-    let heading = if summary.foods.len() > 1 { format!("<h2>{}</h2>", escaped(&food.id)) } else { String::new() };
+    let means = if told.group { format!(", means of {}", told.members.len()) } else { String::new() };
+    let alone = summary.foods.len() == 1;
+    let heading = if alone { String::new() } else { format!("<h2>{}{means}</h2>", escaped(&food.id)) };
     format!("<section>{heading}<dl class=\"key\">{tiles}</dl></section>")
 }
 
+/// How long foods lay in the pan on average [s].
+fn seconds_in_pan(summary: &Summary, told: &Told) -> f64 {
+    let members = &summary.foods[told.members.clone()];
+    members.iter().map(|f| seconds_of_one_in_pan(summary, &f.id)).sum::<f64>() / members.len() as f64
+}
+
 /// How long a food lay in the pan, all its stays together [s].
-fn seconds_in_pan(summary: &Summary, id: &str) -> f64 {
+fn seconds_of_one_in_pan(summary: &Summary, id: &str) -> f64 {
     let (mut total, mut since) = (0.0, None);
-    for step in summary.steps.iter().filter(|s| s.target.as_deref() == Some(id)) {
+    for step in summary.steps.iter().filter(|s| s.foods.iter().any(|food| food == id)) {
         match step.action {
             "put" => since = Some(step.time_s),
             "rest" => total += since.take().map_or(0.0, |s| step.time_s - s),

@@ -1,7 +1,8 @@
 //! The tables: food, pan, energy, steps.
 
-use saute_kitchen::runner::StepRecord;
-use saute_kitchen::summary::{FoodSummary, Surface};
+use saute_kitchen::group_summary::GroupSummary;
+use saute_kitchen::step_record::StepRecord;
+use saute_kitchen::summary::{FoodSummary, Surface, Told};
 use saute_kitchen::{Cook, Summary};
 
 use super::markup::escaped;
@@ -9,9 +10,10 @@ use crate::wording::{self, duration};
 
 /// All tables.
 pub fn section(cook: &Cook, summary: &Summary) -> String {
-    let foods: String = summary.foods.iter().map(food).collect();
+    let foods: String = summary.told().iter().map(food).collect();
+    let members: String = summary.groups.iter().map(|group| members(summary, group)).collect();
     format!(
-        "<section><h2>Numbers</h2><div class=\"tables\">{foods}{}{}</div>{}</section>",
+        "<section><h2>Numbers</h2><div class=\"tables\">{foods}{}{}</div>{members}{}</section>",
         pan(summary),
         energy(summary),
         steps(cook, summary)
@@ -24,7 +26,8 @@ fn table(caption: &str, rows: &[(String, String)]) -> String {
     format!("<table><caption>{caption}</caption>{rows}</table>")
 }
 
-fn food(f: &FoodSummary) -> String {
+fn food(told: &Told) -> String {
+    let f = told.food;
     let mut rows = vec![
         ("Core, highest".to_owned(), format!("{:.1} °C after {}", f.core_c.peak, duration(f.core_c.peak_at_s))),
         ("Core, at the end".to_owned(), format!("{:.1} °C", f.core_c.end)),
@@ -47,7 +50,32 @@ fn food(f: &FoodSummary) -> String {
     rows.extend(surface("Top", &f.surfaces.top));
     rows.extend(surface("Bottom", &f.surfaces.bottom));
     rows.push(("Nodes of the mesh".to_owned(), f.nodes.to_string()));
-    table(&format!("{} ({})", escaped(&f.id), escaped(&f.kind)), &rows)
+    let means = if told.group { format!("means of {} × ", told.members.len()) } else { String::new() };
+    table(&format!("{} ({means}{})", escaped(&f.id), escaped(&f.kind)), &rows)
+}
+
+/// A line for each piece of a group.
+fn members(summary: &Summary, group: &GroupSummary) -> String {
+    let rows: String = summary.foods[group.members.clone()].iter().map(member).collect();
+    let heads = ["core, highest", "core, at the end", "mass, start → end", "lost", "browned, bottom · top", "place"];
+    let heads: String = heads.iter().map(|head| format!("<th scope=\"col\">{head}</th>")).collect();
+    format!(
+        "<table class=\"steps\"><caption>{}, piece by piece</caption><tr><th scope=\"col\">piece</th>{heads}</tr>{rows}</table>",
+        escaped(&group.mean.id)
+    )
+}
+
+fn member(f: &FoodSummary) -> String {
+    let cells = [
+        format!("{:.1} °C", f.core_c.peak),
+        format!("{:.1} °C", f.core_c.end),
+        format!("{:.1} g → {:.1} g", f.mass_g.start, f.mass_g.end),
+        format!("{:.1} %", f.lost_pct),
+        format!("{:.0} % · {:.0} %", f.surfaces.bottom.browned_pct, f.surfaces.top.browned_pct),
+        f.place.to_owned(),
+    ];
+    let cells: String = cells.iter().map(|cell| format!("<td>{cell}</td>")).collect();
+    format!("<tr><th scope=\"row\">{}</th>{cells}</tr>", escaped(&f.id))
 }
 
 fn surface(name: &str, s: &Surface) -> [(String, String); 3] {
@@ -95,18 +123,19 @@ fn energy(s: &Summary) -> String {
 }
 
 fn steps(cook: &Cook, summary: &Summary) -> String {
-    let names: String =
-        summary.foods.iter().map(|f| format!("<th scope=\"col\">core of {}</th>", escaped(&f.id))).collect();
-    let rows: String = summary.steps.iter().map(|s| step_row(cook, s)).collect();
+    let told = summary.told();
+    let name = |t: &Told| format!("<th scope=\"col\">core of {}</th>", escaped(&t.food.id));
+    let names: String = told.iter().map(name).collect();
+    let rows: String = summary.steps.iter().map(|s| step_row(cook, &told, s)).collect();
     format!(
         "<table class=\"steps\"><caption>Steps</caption><tr><th scope=\"col\">time</th><th scope=\"col\">step</th>\
          <th scope=\"col\">pan</th>{names}</tr>{rows}</table>"
     )
 }
 
-fn step_row(cook: &Cook, step: &StepRecord) -> String {
+fn step_row(cook: &Cook, told: &[Told], step: &StepRecord) -> String {
     let cells: String = super::row_at(cook, step.time_s).map_or(String::new(), |r| {
-        let cores = r.foods.iter().map(|f| f[0]);
+        let cores = told.iter().map(|t| r.mean(&t.members)[0]);
         std::iter::once(r.pan_c).chain(cores).map(|c| format!("<td>{c:.1} °C</td>")).collect()
     });
     format!("<tr><td>{:.1} s</td><th scope=\"row\">{}</th>{cells}</tr>", step.time_s, escaped(&wording::step(step)))

@@ -1,7 +1,7 @@
 //! The cross-sections step by step.
 
 use saute_app::TemperatureMap;
-use saute_kitchen::runner::StepRecord;
+use saute_kitchen::step_record::StepRecord;
 use saute_kitchen::{Cook, Summary};
 
 use super::markup::{data_uri, escaped};
@@ -17,7 +17,8 @@ pub fn section(cook: &Cook, summary: &Summary, snapshots: &[Snapshot]) -> String
         |(i, s): &(usize, &Snapshot)| !snapshots[..*i].iter().any(|e| e.time_s == s.time_s && e.food == s.food);
     let figures: String =
         snapshots.iter().enumerate().filter(first_of_moment).filter_map(|(_, s)| figure(cook, summary, s)).collect();
-    let sizes: Vec<String> = cook.kitchen.pieces().iter().map(size).collect();
+    let pictured = |p: &&saute_kitchen::Piece| snapshots.iter().any(|s| s.food == p.id);
+    let sizes: Vec<String> = cook.kitchen.pieces().iter().filter(pictured).map(size).collect();
     format!(
         "<section><h2>Cross-sections</h2><p>Through the centre, across the longest side, as the food lies ({}). Above: as the eye sees it; \
          below: temperature.</p>{}<div class=\"sections\">{figures}</div></section>",
@@ -34,7 +35,7 @@ fn size(piece: &saute_kitchen::Piece) -> String {
 /// A moment; none if nothing was done to this food then.
 fn figure(cook: &Cook, summary: &Summary, snapshot: &Snapshot) -> Option<String> {
     let concerns =
-        |s: &&StepRecord| s.time_s == snapshot.time_s && s.target.as_ref().is_none_or(|t| *t == snapshot.food);
+        |s: &&StepRecord| s.time_s == snapshot.time_s && (s.target.is_none() || s.foods.contains(&snapshot.food));
     let done: Vec<String> = summary.steps.iter().filter(concerns).map(wording::step).collect();
     if done.is_empty() {
         return None;
@@ -45,9 +46,10 @@ fn figure(cook: &Cook, summary: &Summary, snapshot: &Snapshot) -> Option<String>
         format!("<br>core {core:.0}, top {top:.0}, bottom {bottom:.0}\u{a0}°C")
     });
     let alt = format!("Cross-section of {} after {time}", escaped(&snapshot.food));
+    let name = if snapshot.of_several { format!("{}: ", escaped(&snapshot.food)) } else { String::new() };
     Some(format!(
         "<figure><img src=\"{look}\" alt=\"{alt}\"><img src=\"{temperature}\" alt=\"{alt}, temperature\">\
-         <figcaption><b>{time}</b> {done}{readings}</figcaption></figure>"
+         <figcaption><b>{time}</b> {name}{done}{readings}</figcaption></figure>"
     ))
 }
 

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::cooked::SHIPPED;
+use crate::cooked::{SHIPPED, TO_COME};
 use crate::running::run;
 
 fn ids(what: &str) -> Vec<String> {
@@ -50,5 +50,28 @@ fn there_are_four_pans_each_also_with_a_nonstick_coating() {
 
 #[test]
 fn the_shipped_recipes_are_listed_by_id_and_title() {
-    assert_eq!(ids("recipes"), SHIPPED);
+    let mut all: Vec<&str> = SHIPPED.into_iter().chain(TO_COME).collect();
+    all.sort_unstable();
+    assert_eq!(ids("recipes"), all);
+}
+
+/// Every action of a step.
+pub const ACTIONS: [&str; 16] = [
+    "butter_g", "cool", "end", "flip", "hob_w", "lid", "move", "move_pan", "oil_g", "press", "put", "rest", "shake",
+    "tilt", "toss", "water_g",
+];
+
+#[test]
+fn the_actions_are_listed_with_the_keys_of_their_tables_their_ranges_and_defaults() {
+    assert_eq!(ids("actions"), ACTIONS);
+    let actions: Value = serde_json::from_str(&run(&["list", "actions", "--json"]).out).unwrap();
+    let shake = actions.as_array().unwrap().iter().find(|a| a["id"] == "shake").unwrap();
+    let keys: Vec<&str> = shake["key"].as_array().unwrap().iter().map(|k| k["id"].as_str().unwrap()).collect();
+    assert_eq!(keys, ["amplitude_mm", "for_s", "hz"]);
+    let amplitude = &shake["key"][0];
+    assert_eq!(
+        (&amplitude["default"], &amplitude["min"], &amplitude["max"]),
+        (&20.0.into(), &0.0.into(), &100.0.into())
+    );
+    assert!(run(&["list", "actions"]).out.contains("How often a second [Hz]; 3 by default. 0–8."));
 }

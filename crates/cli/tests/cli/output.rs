@@ -6,12 +6,16 @@ use crate::cooked::{cook, cooked};
 use crate::running::{SHORT, run, saute};
 
 /// Every key that the summary promises.
-const KEYS: [&str; 53] = [
+const KEYS: [&str; 57] = [
     "/simulated_s",
     "/wall_s",
     "/stopped_by",
     "/foods/0/id",
     "/foods/0/kind",
+    "/foods/0/group",
+    "/foods/0/place",
+    "/groups",
+    "/steps/0/foods",
     "/foods/0/nodes",
     "/foods/0/mass_g/start",
     "/foods/0/mass_g/end",

@@ -1,0 +1,96 @@
+//! `saute list actions`: what a step of a recipe can do, read off the schema of the recipe format.
+
+use std::process::ExitCode;
+
+use saute_kitchen::recipe_file::RecipeFile;
+use serde::Serialize;
+use serde_json::Value;
+
+use crate::error::CliError;
+use crate::stdout;
+
+/// How the schema's descriptions of actions begin.
+const ACTION: &str = "Action: ";
+
+/// An action.
+#[derive(Debug, Serialize)]
+struct Entry {
+    id: String,
+    /// What it does.
+    name: String,
+    /// Keys of its table.
+    key: Vec<Key>,
+}
+
+/// A key of an action's table.
+#[derive(Debug, Serialize)]
+struct Key {
+    id: String,
+    name: String,
+    /// Whether it must be given.
+    required: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    default: Option<Value>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    min: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    max: Option<f64>,
+}
+
+/// Prints all actions with the keys of their tables, for people or for programs.
+pub fn run(as_json: bool) -> Result<ExitCode, CliError> {
+    let entries = entries(&serde_json::to_value(schemars::schema_for!(RecipeFile))?);
+    let text =
+        if as_json { serde_json::to_string_pretty(&entries)? + "\n" } else { entries.iter().map(text).collect() };
+    stdout::print(&text)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Members of an object; none of anything else.
+fn members(of: &Value) -> impl Iterator<Item = (&String, &Value)> {
+    of.as_object().into_iter().flatten()
+}
+
+fn entries(schema: &Value) -> Vec<Entry> {
+    let action = |(id, property): (&String, &Value)| {
+        let name = property["description"].as_str()?.strip_prefix(ACTION)?.to_owned();
+        Some(Entry { id: id.clone(), name, key: keys(schema, property) })
+    };
+    members(&schema["$defs"]["StepEntry"]["properties"]).filter_map(action).collect()
+}
+
+/// The keys of the table that an action takes; none where it takes a bare value alone.
+fn keys(schema: &Value, property: &Value) -> Vec<Key> {
+    let Some(table) = table(schema, property) else { return Vec::new() };
+    let required = |id: &str| table["required"].as_array().is_some_and(|all| all.iter().any(|key| key == id));
+    let key = |(id, of): (&String, &Value)| Key {
+        id: id.clone(),
+        name: of["description"].as_str().unwrap_or_default().to_owned(),
+        required: required(id),
+        default: of.get("default").cloned(),
+        min: of["minimum"].as_f64(),
+        max: of["maximum"].as_f64(),
+    };
+    members(&table["properties"]).map(key).collect()
+}
+
+/// The table among the alternatives of a property.
+fn table<'a>(schema: &'a Value, part: &'a Value) -> Option<&'a Value> {
+    if let Some(path) = part["$ref"].as_str() {
+        return table(schema, schema.pointer(path.trim_start_matches('#'))?);
+    }
+    if part["properties"].is_object() {
+        return Some(part);
+    }
+    part["anyOf"].as_array()?.iter().find_map(|alternative| table(schema, alternative))
+}
+
+fn text(entry: &Entry) -> String {
+    let mut lines = format!("{:<12}{}\n", entry.id, entry.name);
+    for key in &entry.key {
+        let range = key.min.zip(key.max).map_or(String::new(), |(low, high)| format!(" {low}–{high}."));
+        let must = if key.required { " Needed." } else { "" };
+        lines += &format!("  {:<14}{}{range}{must}\n", key.id, key.name);
+    }
+    lines
+}
