@@ -1,4 +1,5 @@
-//! Eases pieces from one place to another in the picture; the kitchen moves them at once.
+//! Eases what jumps from one place to another: food that a hand puts into the pan, the pan on its way to the cloth. All
+//! else moves as the kitchen's bodies move.
 
 use std::collections::BTreeMap;
 
@@ -7,14 +8,13 @@ use saute_kitchen::Kitchen;
 
 use crate::stage::{Places, Pose, pan_position};
 
-/// Time of a move or a flip in the picture [s] (chosen).
+/// Time of a move in the picture [s] (chosen).
 const MOVE_S: f32 = 0.45;
 /// How high a piece is lifted on its way [m] (chosen: over the rim).
 const LIFT: f32 = 0.075;
 
-/// How far a piece's middle moves in a frame as it swells, shrinks or bends, which is no move [m] (chosen: more than any
-/// food does, less than a hand does).
-const BENDS: f32 = 3.0e-3;
+/// How far a body may come between two pictures [m] (chosen: more than any hand moves it, less than from board to pan).
+const JUMP: f32 = 0.1;
 
 #[derive(Clone, Copy, Debug)]
 struct Motion {
@@ -48,7 +48,7 @@ impl Motions {
             let target = Pose::of(kitchen, piece);
             self.moving.entry(piece.id.clone()).or_insert(Motion::resting(target)).advance(target, wall);
         }
-        let target = Pose { position: pan_position(kitchen), turn: 0.0, yaw: 0.0 };
+        let target = Pose { position: pan_position(kitchen), rotation: glam::Quat::IDENTITY };
         self.pan.get_or_insert(Motion::resting(target)).advance(target, wall);
     }
 
@@ -80,8 +80,7 @@ impl Motion {
     }
 
     fn advance(&mut self, target: Pose, wall: f32) {
-        let bent = self.to.position.distance(target.position) < BENDS;
-        if bent && (self.to.turn, self.to.yaw) == (target.turn, target.yaw) {
+        if self.to.position.distance(target.position) < JUMP {
             self.to = target;
         } else {
             *self = Self { from: at(self), to: target, progress: 0.0 };
@@ -96,8 +95,7 @@ fn at(motion: &Motion) -> Pose {
     let lift = if t < 1.0 { LIFT * 4.0 * t * (1.0 - t) } else { 0.0 };
     Pose {
         position: motion.from.position.lerp(motion.to.position, s) + Vec3::Z * lift,
-        turn: motion.from.turn + (motion.to.turn - motion.from.turn) * s,
-        yaw: motion.from.yaw + (motion.to.yaw - motion.from.yaw) * s,
+        rotation: motion.from.rotation.slerp(motion.to.rotation, s),
     }
 }
 
@@ -106,8 +104,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_piece_that_bends_stays_where_it_lies_and_one_that_is_moved_goes_there() {
-        let pose = |x: f32, z: f32| Pose { position: Vec3::new(x, 0.0, z), turn: 0.0, yaw: 0.0 };
+    fn a_piece_that_moves_is_followed_and_one_that_jumps_is_eased_there() {
+        let pose = |x: f32, z: f32| Pose { position: Vec3::new(x, 0.0, z), rotation: glam::Quat::IDENTITY };
         let mut motion = Motion::resting(pose(0.0, 0.010));
         for k in 0..50u8 {
             motion.advance(pose(0.0, 0.010 + 1e-4 * f32::from(k)), 0.05);

@@ -129,11 +129,11 @@ impl SauteApp {
 
     fn carry(&mut self, at: Pos2, rect: Rect, aspect: f32) {
         let Some((pose, piece)) = self.steak_pose() else { return };
-        let (id, turn, yaw) = (piece.id.clone(), pose.turn, pose.yaw);
+        let (id, rotation) = (piece.id.clone(), pose.rotation);
         let (origin, direction) = self.eye().ray(ndc(at, rect), aspect);
         if let Some(hit) = meet_height(origin, direction, CARRY_HEIGHT) {
             let position = Vec3::new(hit.x.clamp(-0.5, 0.6), hit.y.clamp(-0.4, 0.4), CARRY_HEIGHT);
-            self.scene.carried.insert(id, Pose { position, turn, yaw });
+            self.scene.carried.insert(id, Pose { position, rotation });
         }
     }
 

@@ -33,40 +33,33 @@ pub struct StageOptions {
     pub flat: bool,
 }
 
-/// Where a piece lies and how far it is turned about its long axis.
+/// Where a piece is and how it is turned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Centroid [m].
+    /// Origin of its body [m].
     pub position: Vec3,
-    /// Turn about the long axis [rad]: 0 or π at rest.
-    pub turn: f32,
-    /// Turn about the vertical [rad]: across the board, along the pan.
-    pub yaw: f32,
+    /// How it is turned.
+    pub rotation: Quat,
 }
 
 impl Pose {
-    /// The pose that the kitchen says.
+    /// The pose that the kitchen says; what waits lies on the board.
     pub fn of(kitchen: &Kitchen, piece: &Piece) -> Self {
-        let half = piece.model.rest_height(&piece.state) as f32;
+        if piece.place == Place::Waiting {
+            let half = piece.model.rest_height(&piece.state) as f32;
+            let rotation = Quat::from_rotation_z(-std::f32::consts::FRAC_PI_2);
+            return Self { position: board_place(kitchen, piece) + Vec3::Z * half, rotation };
+        }
+        let rotation = piece.pose.rotation.as_quat();
+        // The bodies know no rack: it lifts what lies on it in the picture.
         let lift = if piece.place == Place::Rest(RestOn::Rack) { RACK_HEIGHT } else { 0.0 };
-        let (position, yaw) = match piece.place {
-            Place::Pan(at) => {
-                let floor = kitchen.pan_model().description.floor.thickness_mm as f32 * 1e-3;
-                (pan_position(kitchen) + Vec3::new(at[0] as f32, at[1] as f32, floor + half), 0.0)
-            }
-            Place::Waiting | Place::Rest(_) => {
-                (board_place(kitchen, piece) + Vec3::Z * (half + lift), -std::f32::consts::FRAC_PI_2)
-            }
-        };
-        Self { position, turn: if piece.upside_down() { std::f32::consts::PI } else { 0.0 }, yaw }
+        let bent = 0.5 * piece.state.stretch.dome.abs() as f32;
+        Self { position: piece.pose.position.as_vec3() + Vec3::Z * (lift + bent), rotation }
     }
 
     /// Maps the rest frame to the world.
     pub fn matrix(&self) -> Mat4 {
-        Mat4::from_rotation_translation(
-            Quat::from_rotation_z(self.yaw) * Quat::from_rotation_x(self.turn),
-            self.position,
-        )
+        Mat4::from_rotation_translation(self.rotation, self.position)
     }
 }
 
@@ -75,7 +68,8 @@ pub const FIRST_ON_BOARD: Vec3 = Vec3::new(BOARD_CENTRE.x - 0.07, BOARD_CENTRE.y
 
 /// Pieces lie across the board, the first one nearest to the pan.
 fn board_place(kitchen: &Kitchen, piece: &Piece) -> Vec3 {
-    let index = kitchen.pieces().iter().filter(|p| !p.in_pan()).position(|p| p.id == piece.id).unwrap_or(0);
+    let waiting = |p: &&Piece| p.place == Place::Waiting;
+    let index = kitchen.pieces().iter().filter(waiting).position(|p| p.id == piece.id).unwrap_or(0);
     FIRST_ON_BOARD + Vec3::X * (0.09 * index as f32)
 }
 
@@ -113,8 +107,8 @@ pub fn pan_position(kitchen: &Kitchen) -> Vec3 {
     if kitchen.cloth().is_some() {
         return CLOTH_PLACE;
     }
-    let pose = kitchen.pan_state().pose;
-    Vec3::new(pose.at[0] as f32, pose.at[1] as f32, pose.lift as f32)
+    let pan = kitchen.world().motion.pose.position.as_vec3();
+    pan - Vec3::Z * kitchen.world().pan_shape().thickness as f32
 }
 
 /// Keeps the skins of the pieces between frames.

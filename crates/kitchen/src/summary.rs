@@ -8,12 +8,11 @@ use saute_food::{Rules, Scale, Shares};
 use serde::{Serialize, Serializer};
 
 use crate::celsius;
-use crate::command::RestOn;
 use crate::energy::Energy;
 use crate::group_summary::GroupSummary;
 use crate::kitchen::Kitchen;
 use crate::library::DEFAULT_SCALE;
-use crate::piece::{Piece, Place};
+use crate::piece::Piece;
 use crate::recorder::Recorder;
 use crate::runner::{Runner, StoppedBy};
 use crate::step_record::{StepRecord, rounded};
@@ -321,16 +320,6 @@ impl Summary {
     }
 }
 
-fn place_word(place: Place) -> &'static str {
-    match place {
-        Place::Waiting => "waiting",
-        Place::Pan(_) => IN_PAN,
-        Place::Rest(RestOn::Board) => "board",
-        Place::Rest(RestOn::Rack) => "rack",
-        Place::Rest(RestOn::Foil) => "foil",
-    }
-}
-
 /// Word for the place in the pan.
 pub(crate) const IN_PAN: &str = "pan";
 
@@ -357,7 +346,7 @@ impl FoodSummary {
             id: piece.id.clone(),
             kind: piece.kind.clone(),
             group: None,
-            place: place_word(piece.place),
+            place: piece.place.name(),
             nodes: model.mesh.node_count(),
             mass_g: StartEnd { start: 1e3 * mass_at_start, end: 1e3 * piece.mass() },
             lost_pct: 100.0 * (1.0 - piece.mass() / mass_at_start),
