@@ -197,7 +197,8 @@ mod tests {
         let beside = floor.places(&vec![coin(0.0125); 12], [0.0, 0.05]);
         assert_eq!(beside.len(), 12, "{beside:?}");
         let lopsided = [[-0.01, -0.03], [0.01, -0.03], [0.0, 0.01]];
-        let (up, down) = (Footprint::of(&lopsided), Footprint::of(&lopsided, true));
+        let turned: Vec<[f64; 2]> = lopsided.iter().map(|p| [p[0], -p[1]]).collect();
+        let (up, down) = (Footprint::of(&lopsided), Footprint::of(&turned));
         assert_eq!(up.reach[DIRECTIONS / 4], down.reach[3 * DIRECTIONS / 4]);
         assert_ne!(up, down);
     }
