@@ -293,6 +293,10 @@ fn label(command: &Command) -> String {
         Command::Rest { .. } => "out".into(),
         Command::MovePan { .. } => "pan".into(),
         Command::Cool { .. } => "cloth".into(),
+        Command::Oil { .. } => "oil".into(),
+        Command::Butter(_) => "butter".into(),
+        Command::Water(_) => "water".into(),
+        Command::Lid(on) => if *on { "lid on" } else { "lid off" }.into(),
     }
 }
 

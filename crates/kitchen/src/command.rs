@@ -51,6 +51,30 @@ pub enum Command {
         /// How long [s].
         for_s: f64,
     },
+    /// Pours oil over the floor.
+    Oil {
+        /// Which oil, as in `data/oils`.
+        kind: String,
+        /// How much [kg].
+        mass: f64,
+    },
+    /// Lays a piece of butter into the pan [kg].
+    Butter(f64),
+    /// Throws water of the room's temperature into the pan [kg].
+    Water(f64),
+    /// Puts the lid on or takes it off.
+    Lid(bool),
+}
+
+impl Command {
+    /// Whether it cannot be done while the lid is on.
+    pub fn needs_open_pan(&self) -> bool {
+        match self {
+            Self::Put { .. } | Self::Flip { .. } | Self::Rest { .. } => true,
+            Self::Oil { .. } | Self::Butter(_) | Self::Water(_) => true,
+            Self::Hob(_) | Self::MovePan { .. } | Self::Cool { .. } | Self::Lid(_) => false,
+        }
+    }
 }
 
 /// Why a command was not carried out; the kitchen is unchanged.
@@ -97,4 +121,23 @@ pub enum Refused {
         /// Largest power [W].
         largest_w: i64,
     },
+    /// Unknown oil.
+    #[error("there is no oil \"{kind}\"; there are: {known}")]
+    NoSuchOil {
+        /// What was asked for.
+        kind: String,
+        /// What there is.
+        known: String,
+    },
+    /// No amount, or more than the pan holds.
+    #[error("that is no amount of {what} that the pan holds: give more than 0 and at most {holds_g} g")]
+    Amount {
+        /// What.
+        what: &'static str,
+        /// Most [g].
+        holds_g: i64,
+    },
+    /// The lid is in the way.
+    #[error("the lid is on: take it off first")]
+    LidIsOn,
 }

@@ -8,10 +8,12 @@ use saute_food::{BuildError, FoodModel, PieceSpec, Rules};
 use crate::cloth::Cloth;
 use crate::command::{Command, Refused};
 use crate::energy::Energy;
+use crate::event::EventLog;
 use crate::hob::{HobDescription, PanPose};
 use crate::library::Library;
-use crate::pan::{PanLoad, PanModel, PanSolver, PanState};
+use crate::pan::{LEVEL, PanLoad, PanModel, PanSolver, PanState};
 use crate::piece::{Piece, Place};
+use crate::pour::Pouring;
 use crate::room::Room;
 use crate::{TICK_S, kelvin};
 
@@ -57,6 +59,10 @@ pub struct Kitchen {
     foods_at_start: f64,
     pan_flow: Vec<f64>,
     covered: Vec<f64>,
+    /// Steam that foods made at each node of the pan in this tick [kg].
+    steam: Vec<f64>,
+    gravity: [f64; 3],
+    events: EventLog,
     puddle_vapour: f64,
     cloth_vapour: f64,
 }
@@ -82,13 +88,16 @@ impl Kitchen {
             .pans
             .get(pan_kind)
             .ok_or_else(|| SetupError::NoSuchPan(pan_kind.into(), Library::names(&library.pans)))?;
-        let pan = PanModel::build(description, &library.hob).map_err(BuildError::from)?;
+        let pan = PanModel::build(description, library).map_err(BuildError::from)?;
         let state = pan.at(pan_temperature, &library.room, &library.hob);
         Ok(Self {
             stored_at_start: pan.stored(&state),
             foods_at_start: 0.0,
             pan_flow: vec![0.0; state.temperature.len()],
             covered: vec![0.0; state.temperature.len()],
+            steam: vec![0.0; state.temperature.len()],
+            gravity: LEVEL,
+            events: EventLog::default(),
             pan: state,
             pan_solver: PanSolver::default(),
             pieces: Vec::new(),
@@ -128,6 +137,9 @@ impl Kitchen {
 
     /// Carries out a command, or says why not.
     pub fn apply(&mut self, command: &Command) -> Result<(), Refused> {
+        if self.pan.lid.is_some() && command.needs_open_pan() {
+            return Err(Refused::LidIsOn);
+        }
         match command {
             Command::Hob(power) => self.set_hob(*power),
             Command::Put { food, at } => self.put(food, *at),
@@ -148,7 +160,20 @@ impl Kitchen {
                 self.cloth.get_or_insert(fresh).remaining_s = *for_s;
                 Ok(())
             }
+            Command::Oil { .. } | Command::Butter(_) | Command::Water(_) | Command::Lid(_) => self.pour(command),
         }
+    }
+
+    fn pour(&mut self, command: &Command) -> Result<(), Refused> {
+        let fixed = Arc::clone(&self.fixed);
+        let time = self.time_s();
+        let mut at = Pouring { room: &fixed.room, covered: &self.covered, time, events: &mut self.events };
+        let brought = fixed.pan.pour(&mut self.pan, command, &mut at)?;
+        self.stored_at_start += brought.stored;
+        self.flows.air += brought.air;
+        self.flows.evaporation += brought.evaporation;
+        self.flows.other += brought.other;
+        Ok(())
     }
 
     /// Under the rules of 2013 the pan is cool as soon as it touches the cloth.
@@ -228,6 +253,7 @@ impl Kitchen {
         let fixed = Arc::clone(&self.fixed);
         self.pan_flow.fill(0.0);
         self.covered.fill(0.0);
+        self.steam.fill(0.0);
         let time = self.time_s() + TICK_S;
         for index in 0..self.pieces.len() {
             self.step_piece(&fixed, index, time);
@@ -239,13 +265,17 @@ impl Kitchen {
             time: self.time_s(),
             food: &self.pan_flow,
             covered: &self.covered,
+            steam: &self.steam,
+            gravity: self.gravity,
         };
-        let exchange = fixed.pan.advance(&mut self.pan, &mut self.pan_solver, &load, &mut self.cloth, TICK_S);
+        let (pan, solver) = (&mut self.pan, &mut self.pan_solver);
+        let exchange = fixed.pan.advance(pan, solver, &load, &mut self.cloth, &mut self.events, TICK_S);
         self.flows.hob += exchange.hob;
         self.flows.air += exchange.air;
         self.flows.other += exchange.other;
         self.cloth_vapour = exchange.cloth_vapour / TICK_S;
-        self.boil_puddle(exchange.puddle);
+        self.flows.evaporation += exchange.vapour.enthalpy;
+        self.puddle_vapour = exchange.vapour.mass / TICK_S;
         self.lift_off_cloth();
         self.tick += 1;
     }
@@ -253,25 +283,36 @@ impl Kitchen {
     fn step_piece(&mut self, fixed: &Fixed, index: usize, time: f64) {
         let piece = &mut self.pieces[index];
         let exchange = piece.advance(&fixed.pan, &self.pan, &fixed.room, TICK_S);
-        self.flows.air += exchange.air;
-        self.flows.evaporation += exchange.evaporation;
+        let (air, evaporation) = if piece.in_pan() {
+            fixed.pan.take_up(&mut self.pan, &fixed.room, piece.face(false), &exchange)
+        } else {
+            (exchange.air, exchange.evaporation)
+        };
+        self.flows.air += air;
+        self.flows.evaporation += evaporation;
         let taken: f64 = piece.solver.contact_heat.iter().sum();
         match (piece.place, &piece.patches) {
             (Place::Pan(_), Some(patches)) => {
                 let first = piece.first_below();
                 let lateral = piece.state.stretch.lateral;
+                let whole = piece.model.mesh.section.area();
+                // What boils at the face that lies below rises through the oil there.
+                let boiled = exchange.evaporated.min(taken.max(0.0) / latent_heat(kelvin(100.0)));
                 for (i, located) in patches.located.iter().enumerate() {
                     let area = piece.model.patches[first + i].area * lateral * lateral;
                     for k in 0..3 {
                         let node = located.nodes[k] as usize;
                         self.pan_flow[node] += located.weights[k] * piece.solver.contact_heat[first + i] / TICK_S;
                         self.covered[node] += located.weights[k] * area / fixed.pan.section.areas[node];
+                        let share = located.weights[k] * piece.model.patches[first + i].area / whole;
+                        self.steam[node] += share * boiled;
+                        if exchange.drip.mass > 0.0 {
+                            self.pan.liquids.drip(node, share * exchange.drip.mass, share * exchange.drip.enthalpy);
+                        }
                     }
                 }
-                self.pan.puddle += exchange.drip.mass;
-                self.pan.puddle_enthalpy += exchange.drip.enthalpy;
-                self.pan.oil += exchange.rendered.mass;
-                self.flows.other += exchange.drip.enthalpy + exchange.rendered.enthalpy;
+                let latent = piece.model.description.fat_melting.latent_j_kg;
+                self.flows.other += fixed.pan.render(&mut self.pan, &exchange.rendered, latent);
             }
             (Place::Rest(_), _) => self.flows.other += exchange.drip.enthalpy + exchange.rendered.enthalpy - taken,
             _ => {}
@@ -280,29 +321,6 @@ impl Kitchen {
         let core = piece.core();
         if core > piece.core_peak.0 {
             piece.core_peak = (core, time);
-        }
-    }
-
-    /// Gives heat to the juice in the pan; what exceeds 100 °C boils off [J].
-    fn boil_puddle(&mut self, heat: f64) {
-        self.puddle_vapour = 0.0;
-        if self.pan.puddle <= 0.0 {
-            return;
-        }
-        self.pan.puddle_enthalpy += heat;
-        self.flows.other += heat;
-        let boiling = kelvin(100.0);
-        let liquid = PUDDLE_SPECIFIC_HEAT * 100.0;
-        let excess = self.pan.puddle_enthalpy - self.pan.puddle * liquid;
-        if excess > 0.0 {
-            let mass = (excess / latent_heat(boiling)).min(self.pan.puddle);
-            let enthalpy =
-                if mass < self.pan.puddle { mass * (liquid + latent_heat(boiling)) } else { self.pan.puddle_enthalpy };
-            self.pan.puddle -= mass;
-            self.pan.puddle_enthalpy -= enthalpy;
-            self.flows.other -= enthalpy;
-            self.flows.evaporation += enthalpy;
-            self.puddle_vapour = mass / TICK_S;
         }
     }
 
@@ -386,7 +404,17 @@ impl Kitchen {
         self.cloth.as_ref()
     }
 
-    /// Vapour from juice in the pan and from the cloth [kg/s].
+    /// What happened since the start.
+    pub fn events(&self) -> &EventLog {
+        &self.events
+    }
+
+    /// Leans the pan: gravity less its acceleration, in its own frame [m/s²]; [`LEVEL`] unless set.
+    pub fn lean(&mut self, gravity: [f64; 3]) {
+        self.gravity = gravity;
+    }
+
+    /// Vapour from water in the pan and from the cloth [kg/s].
     pub fn other_vapour(&self) -> (f64, f64) {
         (self.puddle_vapour, self.cloth_vapour)
     }
@@ -405,9 +433,6 @@ impl Kitchen {
 
 /// How far the pan may be moved or lifted [m] (chosen: within reach).
 const FARTHEST_PAN: f64 = 0.5;
-
-/// Specific heat with which the puddle's temperature is reckoned [J/(kg·K)] (water, standard tables).
-pub(crate) const PUDDLE_SPECIFIC_HEAT: f64 = 4190.0;
 
 fn overlaps(lying: &Piece, new: &Piece, at: [f64; 2]) -> bool {
     let Place::Pan(there) = lying.place else { return false };

@@ -3,7 +3,9 @@
 //! A [`Kitchen`] is a pure function of its model, its state and the [`Command`]s it gets; [`Kitchen::step`] moves it
 //! by one [`TICK_S`]. It never fails, reads no clock and opens no file.
 
+pub mod bed;
 pub mod board;
+pub mod butter;
 pub mod carry_over;
 pub mod cloth;
 pub mod command;
@@ -12,23 +14,34 @@ pub mod cook;
 pub mod cook_case;
 mod data_check;
 pub mod energy;
+pub mod event;
+pub mod film_flow;
 pub mod hob;
 mod input_error;
 pub mod kitchen;
 pub mod lab;
 pub mod library;
+pub mod lid;
+pub mod liquids;
+pub mod oil;
+pub mod oil_film;
 pub mod pan;
 pub mod piece;
+mod pour;
 pub mod recipe;
 mod recipe_check;
 pub mod recipe_file;
 pub mod recorder;
 pub mod room;
 pub mod runner;
+pub mod smoke;
+pub mod spatter;
 pub mod summary;
+pub mod water_film;
 
 pub use command::{Command, Refused, RestOn};
 pub use cook::{Cook, Fired};
+pub use event::{Event, EventKind, EventLog};
 pub use input_error::InputError;
 pub use kitchen::{Kitchen, PieceOrder};
 pub use library::{Library, LibraryError};

@@ -132,7 +132,7 @@ impl Piece {
         let face = FaceContact {
             since: self.since_contact,
             pressure: GRAVITY * self.state.mass_left(&self.model) / self.model.mesh.section.area(),
-            film: pan.oil_film(pan_state, room),
+            film: 0.0,
             coating: pan.description.coating_w_m2k.unwrap_or(f64::INFINITY),
         };
         let gap = face.mean_gap(contact);
@@ -148,12 +148,12 @@ impl Piece {
             let conductance = if simple {
                 rules.conductance_w_m2k * f64::from(u8::from(distance <= rules.contact_distance_mm * 1e-3))
             } else {
+                let face = FaceContact { film: pan_state.oil_film(located), ..face };
                 face.conductance(contact, distance) * steam_share(contact, temperature, wet) * share
             };
             self.touch[first + i] = Touch { conductance, temperature };
         }
-        let (up, side) = room.plume(pan.floor_temperature(pan_state));
-        self.exchange([up, up, side], dt)
+        self.exchange(pan.airs(pan_state, room, self.face(false)), dt)
     }
 
     fn stand(&mut self, on: RestOn, room: &Room, dt: f64) -> Exchange {

@@ -182,6 +182,10 @@ fn parts(action: &Action) -> (&'static str, Option<&str>, serde_json::Value) {
             ("move_pan", None, serde_json::json!({ "at_mm": [at[0] * 1e3, at[1] * 1e3], "lift_mm": lift * 1e3 }))
         }
         Action::Do(Command::Cool { for_s }) => ("cool", None, (*for_s).into()),
+        Action::Do(Command::Oil { kind, mass }) => ("oil_g", Some(kind), (1e3 * mass).into()),
+        Action::Do(Command::Butter(mass)) => ("butter_g", None, (1e3 * mass).into()),
+        Action::Do(Command::Water(mass)) => ("water_g", None, (1e3 * mass).into()),
+        Action::Do(Command::Lid(on)) => ("lid", None, (*on).into()),
         Action::End => ("end", None, true.into()),
     }
 }

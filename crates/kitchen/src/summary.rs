@@ -6,8 +6,10 @@ use std::sync::Arc;
 use saute_food::{Rules, Scale, Shares};
 use serde::{Serialize, Serializer};
 
+use crate::butter::ButterModel;
 use crate::celsius;
 use crate::energy::Energy;
+use crate::event::Tally;
 use crate::kitchen::Kitchen;
 use crate::library::DEFAULT_SCALE;
 use crate::piece::Piece;
@@ -33,6 +35,10 @@ pub struct Summary {
     pub foods: Vec<FoodSummary>,
     /// Pan temperatures [°C].
     pub pan_c: PanSummary,
+    /// Liquids of the pan [g].
+    pub liquids_g: LiquidsSummary,
+    /// What happened, by kind.
+    pub events: Vec<Tally>,
     /// Energy [J].
     pub energy_j: Energy,
     /// Steps in the order they fired.
@@ -52,6 +58,41 @@ pub struct PanSummary {
     pub lowest_after_first_put: Option<f64>,
     /// At the end.
     pub end: f64,
+}
+
+/// Liquids of the pan [g].
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct LiquidsSummary {
+    /// Oil and fat of all kinds that lie in the pan.
+    pub oil: f64,
+    /// Butter's part of that, milk solids left out.
+    pub butter_fat: f64,
+    /// Water that lies in the pan.
+    pub water: f64,
+    /// Oil that went up in smoke.
+    pub smoked: f64,
+    /// Oil that burnt.
+    pub burnt: f64,
+    /// Oil that spattered out of the pan.
+    pub spattered: f64,
+    /// What ran over the rim.
+    pub spilled: f64,
+}
+
+impl LiquidsSummary {
+    fn new(kitchen: &Kitchen) -> Self {
+        let (model, liquids) = (&kitchen.pan_model().liquids, &kitchen.pan_state().liquids);
+        let fat = |b: &ButterModel| liquids.oil.total_of(b.kind) * (1.0 - b.solids_share());
+        Self {
+            oil: 1e3 * liquids.oil.total(),
+            butter_fat: 1e3 * model.butter.as_ref().map_or(0.0, fat),
+            water: 1e3 * liquids.water.total(),
+            smoked: 1e3 * liquids.smoke.smoked,
+            burnt: 1e3 * liquids.smoke.burnt,
+            spattered: 1e3 * liquids.spatter.spattered,
+            spilled: 1e3 * liquids.spilled,
+        }
+    }
 }
 
 /// One food.
@@ -262,6 +303,8 @@ impl Summary {
         let stopped_by = runner.stopped().unwrap_or(StoppedBy::MaxS);
         let foods =
             kitchen.pieces().iter().zip(masses_at_start).map(|(p, m)| FoodSummary::new(p, *m, scales)).collect();
+        let dangers = kitchen.events().tallies().filter(|t| t.kind.endangers()).filter_map(|t| t.kind.advice());
+        let dangers = dangers.map(str::to_owned);
         let unhealthy = kitchen.pieces().iter().filter(|p| !p.state.healthy);
         Self {
             title: runner.recipe().title.clone(),
@@ -277,9 +320,11 @@ impl Summary {
                 lowest_after_first_put: recorder.pan_lowest_after_c,
                 end: celsius(kitchen.pan_temperature()),
             },
+            liquids_g: LiquidsSummary::new(kitchen),
+            events: kitchen.events().tallies().copied().collect(),
             energy_j: kitchen.energy(),
             steps: steps.to_vec(),
-            warnings: unhealthy.map(|p| format!("{} became non-finite and was frozen", p.id)).collect(),
+            warnings: unhealthy.map(|p| format!("{} became non-finite and was frozen", p.id)).chain(dangers).collect(),
         }
     }
 }
