@@ -68,8 +68,7 @@ impl Shelf {
 }
 
 fn read_folders(dir: &Path) -> Result<Vec<(String, String)>, CliError> {
-    let remedy =
-        "name a folder that holds foods/, pans/, recipes/, kinetics/, coatings/ or oils/ with .toml files, or doneness.toml";
+    let remedy = "name a folder that holds foods/, pans/, recipes/, kinetics/, coatings/ or oils/ with .toml files, or doneness.toml";
     if !dir.is_dir() {
         let message = if dir.exists() { "--data is not a folder" } else { "--data does not exist" };
         return Err(CliError::place(dir.display(), message, remedy));

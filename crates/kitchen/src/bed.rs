@@ -2,7 +2,7 @@
 
 use saute_heat::Section;
 
-use crate::pan::PanDescription;
+use crate::pan_description::PanDescription;
 
 /// A face through which liquid passes between two nodes.
 #[derive(Clone, Copy, Debug)]

@@ -119,7 +119,11 @@ impl Butter {
         let wanted = whole / (model.density * 1e-3 * model.emulsion.lump_mm);
         let mut order: Vec<usize> = (0..covered.len()).filter(|&i| bed.places[i][2] <= 0.0).collect();
         let distance = |i: &usize| libm::hypot(bed.places[*i][0], bed.places[*i][1]);
-        order.sort_by(|a, b| (covered[*a] > 0.5, distance(a)).partial_cmp(&(covered[*b] > 0.5, distance(b))).unwrap_or(core::cmp::Ordering::Equal));
+        order.sort_by(|a, b| {
+            (covered[*a] > 0.5, distance(a))
+                .partial_cmp(&(covered[*b] > 0.5, distance(b)))
+                .unwrap_or(core::cmp::Ordering::Equal)
+        });
         let mut left = wanted;
         let mut footprint = Vec::new();
         for i in order {
@@ -129,7 +133,8 @@ impl Butter {
             }
             left -= area;
         }
-        self.lump = Some(Lump { mass: whole, temperature: (old * warm + mass * temperature) / whole, footprint, whole });
+        self.lump =
+            Some(Lump { mass: whole, temperature: (old * warm + mass * temperature) / whole, footprint, whole });
     }
 
     /// Warms and melts the piece for `dt` [s] on a pan of these temperatures [K], and tells what each node gets and gives,

@@ -7,7 +7,7 @@ use toml::Spanned;
 
 use crate::library::{DEFAULT_SCALE, LibraryError, line_of};
 use crate::oil::OilDescription;
-use crate::pan::{CoatingDescription, PanDescription};
+use crate::pan_description::{CoatingDescription, PanDescription};
 
 /// A number with its place in the file and the range in which it makes sense.
 struct Ranged {

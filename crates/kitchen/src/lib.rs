@@ -26,6 +26,7 @@ pub mod liquids;
 pub mod oil;
 pub mod oil_film;
 pub mod pan;
+pub mod pan_description;
 pub mod piece;
 mod pour;
 pub mod recipe;

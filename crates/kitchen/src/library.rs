@@ -13,7 +13,7 @@ use toml::Spanned;
 use crate::data_check;
 use crate::hob::HobDescription;
 use crate::oil::OilDescription;
-use crate::pan::{CoatingDescription, PanDescription};
+use crate::pan_description::{CoatingDescription, PanDescription};
 use crate::room::Room;
 
 /// The file of the scales of doneness.

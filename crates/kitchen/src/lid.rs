@@ -8,10 +8,10 @@ use saute_food::air_film::radiation_coefficient;
 use saute_food::water::{ATMOSPHERE, VAPOUR_GAS_CONSTANT, latent_heat, saturation_density, saturation_pressure};
 use saute_food::{FreeAir, ZERO_C, sourced_table};
 
-use crate::pan::PanDescription;
+use crate::kelvin;
+use crate::pan_description::PanDescription;
 use crate::room::Room;
 use crate::water_film::{Vapour, WATER_SPECIFIC_HEAT, vapour_enthalpy};
-use crate::kelvin;
 
 sourced_table! {
     /// A lid.

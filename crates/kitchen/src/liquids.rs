@@ -5,14 +5,15 @@ use saute_food::{FreeAir, ZERO_C};
 use crate::bed::Bed;
 use crate::butter::{Butter, ButterModel};
 use crate::event::{Event, EventLog};
+use crate::film_flow::FilmFlow;
 use crate::library::Library;
 use crate::oil::Oil;
-use crate::oil_film::{OilFilm, OilSolver};
-use crate::pan::PanDescription;
+use crate::oil_film::{Dose, Ground, OilFilm};
+use crate::pan_description::PanDescription;
 use crate::room::Room;
-use crate::smoke::Smoke;
+use crate::smoke::{OilFire, Smoke};
 use crate::spatter::Spatter;
-use crate::water_film::{Vapour, WaterFilm, WaterModel, WaterSolver};
+use crate::water_film::{Vapour, WaterFilm, WaterModel};
 
 /// What never changes about liquids in a pan.
 #[derive(Clone, Debug)]
@@ -30,6 +31,8 @@ pub struct LiquidModel {
     /// Nodes of the floor.
     floor_nodes: usize,
     floor_area: f64,
+    /// Film of oil that stays on a drained pan [m].
+    clinging: f64,
     default: usize,
     rendered: usize,
 }
@@ -56,19 +59,21 @@ pub struct Liquids {
     ticks: u64,
 }
 
-/// Whether a liquid is under way.
+/// How often a liquid is looked at: each tick while it runs, more rarely the slower it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Pace {
-    /// Whether it must be looked at in the next tick.
-    stirred: bool,
-    /// Time that it has lain still [s].
-    still_s: f64,
+    /// Time between two looks [s].
+    interval: f64,
+    /// Time since the last one [s].
+    since: f64,
     /// Gravity in the pan's frame when it was last looked at [m/s²].
     gravity: [f64; 3],
 }
 
-/// A liquid whose thickness changes by less than this in a tick lies still [m] (chosen: 0.2 µm/s).
-const STILL: f64 = 2e-8;
+/// A liquid's thickness may change by about this between two looks [m] (chosen: a micrometre is not seen).
+const CHANGE_PER_LOOK: f64 = 1e-6;
+/// A lean that differs by less is the same [m/s²] (chosen: a hundredth of a degree).
+const SAME_LEAN: f64 = 2e-3;
 /// A liquid that lies still is looked at again after this time [s] (chosen).
 const LOOK_AGAIN_S: f64 = 1.0;
 /// Ticks between two looks at smoke and milk solids (chosen: half a second).
@@ -79,26 +84,33 @@ const SPATTER_SEED: u64 = 0x5a17_7e55;
 /// Scratch space of the liquids.
 #[derive(Clone, Debug, Default)]
 pub struct LiquidSolver {
-    oil: OilSolver,
-    water: WaterSolver,
+    oil: FilmFlow,
+    water: FilmFlow,
     /// Steam that was made at each node in this tick [kg].
     pub steam: Vec<f64>,
 }
 
 impl Pace {
-    /// Time to be made up in this tick [s]; 0 while it may lie still.
+    /// Time to be made up in this tick of `dt` [s]; 0 while the liquid may be left alone.
     fn due(&mut self, gravity: [f64; 3], dt: f64) -> f64 {
-        if gravity != self.gravity {
-            self.gravity = gravity;
-            self.stirred = true;
+        if (0..3).any(|k| libm::fabs(gravity[k] - self.gravity[k]) > SAME_LEAN) {
+            *self = Self { gravity, ..Self::default() };
         }
-        self.still_s += dt;
-        if !self.stirred && self.still_s < LOOK_AGAIN_S - 0.5 * dt {
+        self.since += dt;
+        if self.since < self.interval - 0.5 * dt {
             return 0.0;
         }
-        let due = if self.stirred { dt } else { self.still_s };
-        self.still_s = 0.0;
-        due
+        core::mem::take(&mut self.since)
+    }
+
+    /// Chooses when to look again after a look that made up for `due` [s] and moved the thickness by `moved` [m].
+    fn choose(&mut self, due: f64, moved: f64) {
+        self.interval = (due * CHANGE_PER_LOOK / moved.max(1e-30)).min(LOOK_AGAIN_S);
+    }
+
+    /// The liquid was stirred: look at it in the next tick.
+    fn stir(&mut self) {
+        self.interval = 0.0;
     }
 }
 
@@ -116,6 +128,7 @@ impl LiquidModel {
             water: WaterModel::new(&library.room.puddle),
             volume: core::f64::consts::PI / 3.0 * height * (floor * floor + floor * rim + rim * rim),
             floor_area: bed.areas[..floor_nodes].iter().sum(),
+            clinging: 1e-3 * use_of.clinging_mm,
             default: kind(&use_of.default),
             rendered: kind(&use_of.rendered),
             floor_nodes,
@@ -145,26 +158,19 @@ impl LiquidModel {
             ticks: 0,
         };
         let mut temperature = vec![pan; nodes];
-        self.pour_oil(&mut liquids, self.default, 1e-3 * room.contact.oil_g, pan, &vec![0.0; nodes], &mut temperature);
+        let dose = Dose { kind: self.default, mass: 1e-3 * room.contact.oil_g, temperature: pan };
+        self.pour_oil(&mut liquids, dose, &vec![0.0; nodes], &mut temperature);
         self.refresh_film(&mut liquids, room);
         liquids
     }
 
-    /// Pours oil of one temperature [K] evenly over the floor.
-    pub fn pour_oil(
-        &self,
-        liquids: &mut Liquids,
-        kind: usize,
-        mass: f64,
-        source: f64,
-        metal: &[f64],
-        temperature: &mut [f64],
-    ) {
+    /// Pours oil evenly over the floor, of a metal with these heat capacities [J/K].
+    pub fn pour_oil(&self, liquids: &mut Liquids, dose: Dose, metal: &[f64], temperature: &mut [f64]) {
         for i in 0..self.floor_nodes {
-            let part = mass * self.bed.areas[i] / self.floor_area;
-            liquids.oil.add(&self.oils, kind, i, part, source, metal[i], &mut temperature[i]);
+            let part = Dose { mass: dose.mass * self.bed.areas[i] / self.floor_area, ..dose };
+            liquids.oil.add(&self.oils, i, part, metal[i], &mut temperature[i]);
         }
-        liquids.oil_pace.stirred = true;
+        liquids.oil_pace.stir();
     }
 
     /// Adds water with its enthalpy [kg], [J] evenly over the floor.
@@ -173,7 +179,7 @@ impl LiquidModel {
             let share = self.bed.areas[i] / self.floor_area;
             liquids.water.add(i, share * water.mass, share * water.enthalpy);
         }
-        liquids.water_pace.stirred = true;
+        liquids.water_pace.stir();
     }
 
     /// Adds fat that a food renders [kg] with its enthalpy [J], which holds its latent heat of fusion [J/kg]. It joins the
@@ -190,19 +196,20 @@ impl LiquidModel {
             return enthalpy;
         }
         let capacity = mass * self.oils[self.rendered].specific_heat;
-        let source = ZERO_C + ((enthalpy - mass * latent) / capacity).clamp(0.0, 200.0);
+        let warmth = ((enthalpy - mass * latent) / capacity).clamp(0.0, 200.0);
+        let dose = Dose { kind: self.rendered, mass, temperature: ZERO_C + warmth };
         let whole = liquids.oil.total();
         if whole <= 0.0 {
-            self.pour_oil(liquids, self.rendered, mass, source, metal, temperature);
-            return enthalpy - capacity * (source - ZERO_C);
-        }
-        for i in 0..metal.len() {
-            let part = mass * liquids.oil.mass[i] / whole;
-            if part > 0.0 {
-                liquids.oil.add(&self.oils, self.rendered, i, part, source, metal[i], &mut temperature[i]);
+            self.pour_oil(liquids, dose, metal, temperature);
+        } else {
+            for i in 0..metal.len() {
+                let part = Dose { mass: mass * liquids.oil.mass[i] / whole, ..dose };
+                if part.mass > 0.0 {
+                    liquids.oil.add(&self.oils, i, part, metal[i], &mut temperature[i]);
+                }
             }
         }
-        enthalpy - capacity * (source - ZERO_C)
+        enthalpy - capacity * warmth
     }
 
     /// Heat of all liquids above 0 °C [J].
@@ -216,7 +223,6 @@ impl LiquidModel {
         &self,
         liquids: &mut Liquids,
         solver: &mut LiquidSolver,
-        room: &Room,
         gravity: [f64; 3],
         metal: &[f64],
         temperature: &mut [f64],
@@ -226,19 +232,18 @@ impl LiquidModel {
         let mut lost = 0.0;
         let due = liquids.oil_pace.due(gravity, dt);
         if due > 0.0 {
-            let clinging = 1e-3 * room.oil.clinging_mm;
-            let (mass, heat, moved) =
-                liquids.oil.flow(&mut solver.oil, &self.bed, &self.oils, clinging, gravity, metal, temperature, due);
-            liquids.spilled += mass;
-            liquids.oil_pace.stirred = moved > STILL;
-            lost += heat;
+            let on = Ground { bed: &self.bed, oils: &self.oils, metal, clinging: self.clinging };
+            let run = liquids.oil.run(&mut solver.oil, &on, gravity, temperature, due);
+            liquids.spilled += run.spilled;
+            liquids.oil_pace.choose(due, run.moved);
+            lost += run.spilled_heat;
         }
         let due = liquids.water_pace.due(gravity, dt);
         if due > 0.0 {
-            let (mass, heat, moved) = liquids.water.flow(&mut solver.water, &self.water, &self.bed, gravity, due);
-            liquids.spilled += mass;
-            liquids.water_pace.stirred = moved > STILL;
-            lost += heat;
+            let run = liquids.water.run(&mut solver.water, &self.water, &self.bed, gravity, due);
+            liquids.spilled += run.spilled;
+            liquids.water_pace.choose(due, run.moved);
+            lost += run.spilled_heat;
         }
         lost
     }
@@ -255,15 +260,16 @@ impl LiquidModel {
             let i = molten.node;
             *t -= molten.heat / (metal[i] + oil.capacity[i]);
             if molten.fat > 0.0 {
-                oil.add(&self.oils, model.kind, i, molten.fat, molten.temperature, metal[i], t);
+                let dose = Dose { kind: model.kind, mass: molten.fat, temperature: molten.temperature };
+                oil.add(&self.oils, i, dose, metal[i], t);
                 let warmth = crate::water_film::WATER_SPECIFIC_HEAT * (molten.temperature - ZERO_C);
                 water.add(i, molten.water, molten.water * warmth);
                 fresh += molten.fat;
             }
         });
         butter.freshen(before, fresh);
-        liquids.oil_pace.stirred = true;
-        liquids.water_pace.stirred = true;
+        liquids.oil_pace.stir();
+        liquids.water_pace.stir();
     }
 
     /// Evaporation, spatter, foam, smoke and browning at the end of a tick that began at `time` [s]; returns the vapour
@@ -283,27 +289,34 @@ impl LiquidModel {
         let mut tell = |kind, node: usize, amount| {
             events.push(Event { time_s: around.time, kind, at: self.bed.places[node], amount });
         };
-        let Liquids { oil, water, butter, smoke, spatter, .. } = liquids;
+        let Liquids { oil, spatter, smoke, .. } = liquids;
         if !around.lidded {
             heat += spatter.advance(&room.spatter, &self.bed, oil, temperature, &solver.steam, &mut tell);
         }
-        if let Some(model) = &self.butter {
-            let there = oil.fats.iter().any(|f| f.kind == model.kind);
-            let through = |(i, s): (usize, &f64)| if *s > 0.0 { s * oil.share(model.kind, i) } else { 0.0 };
-            let steam = if there { solver.steam.iter().enumerate().map(through).sum::<f64>() / dt } else { 0.0 };
-            butter.froth(model, steam, dt);
-        }
         liquids.ticks += 1;
         if liquids.ticks.is_multiple_of(SLOW_TICKS) {
-            let long = dt * SLOW_TICKS as f64;
+            let (oils, bed, lidded) = (&self.oils, &self.bed, around.lidded);
+            let over = OilFire { data: &room.smoke, oils, bed, temperature, lidded };
             let tell = |kind, node: usize| tell(kind, node, temperature[node]);
-            heat += smoke.advance(&room.smoke, &self.oils, &self.bed, oil, temperature, around.lidded, long, tell);
-            if let Some(model) = &self.butter {
-                butter.brown(model, oil, (water, &self.water), &self.bed, temperature, long);
-            }
+            heat += smoke.advance(&over, oil, dt * SLOW_TICKS as f64, tell);
         }
+        self.froth_and_brown(liquids, &solver.steam, temperature, dt);
         self.refresh_film(liquids, room);
         (vapour, heat)
+    }
+
+    /// Foam and milk solids, where there is butter.
+    fn froth_and_brown(&self, liquids: &mut Liquids, steam: &[f64], temperature: &[f64], dt: f64) {
+        let Some(model) = &self.butter else { return };
+        let Liquids { oil, water, butter, ticks, .. } = liquids;
+        let there = oil.fats.iter().any(|f| f.kind == model.kind);
+        let through = |(i, s): (usize, &f64)| if *s > 0.0 { s * oil.share(model.kind, i) } else { 0.0 };
+        let foaming = if there { steam.iter().enumerate().map(through).sum::<f64>() / dt } else { 0.0 };
+        butter.froth(model, foaming, dt);
+        if ticks.is_multiple_of(SLOW_TICKS) {
+            let long = dt * SLOW_TICKS as f64;
+            butter.brown(model, oil, (water, &self.water), &self.bed, temperature, long);
+        }
     }
 
     fn evaporate(&self, liquids: &mut Liquids, around: &Around, dt: f64) -> Vapour {
@@ -370,7 +383,7 @@ impl Liquids {
     /// Adds water with its enthalpy [kg], [J] at one node, as juice does.
     pub fn drip(&mut self, node: usize, mass: f64, enthalpy: f64) {
         self.water.add(node, mass, enthalpy);
-        self.water_pace.stirred = true;
+        self.water_pace.stir();
     }
 
     /// Mass of all liquids and of butter that is not molten yet [kg].
@@ -378,4 +391,3 @@ impl Liquids {
         self.oil.total() + self.water.total() + self.butter.lump.as_ref().map_or(0.0, |l| l.mass)
     }
 }
-

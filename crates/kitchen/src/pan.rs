@@ -2,9 +2,8 @@
 
 use saute_food::air_film::radiation_coefficient;
 use saute_food::juice::Runoff;
-use saute_food::{Exchange, FreeAir, sourced_table};
+use saute_food::{Exchange, FreeAir};
 use saute_heat::{Conduction, Graph, Located, Locator, MeshError, Section};
-use serde::Deserialize;
 
 use crate::bed::Bed;
 use crate::cloth::Cloth;
@@ -13,101 +12,9 @@ use crate::hob::{HobDescription, PanPose};
 use crate::library::Library;
 use crate::lid::Lid;
 use crate::liquids::{Around, LiquidModel, LiquidSolver, Liquids};
+use crate::pan_description::PanDescription;
 use crate::room::Room;
 use crate::water_film::Vapour;
-
-sourced_table! {
-    /// The flat floor.
-    Floor {
-        /// Radius [mm].
-        radius_mm: f64,
-        /// Thickness [mm].
-        thickness_mm: f64,
-    }
-}
-
-sourced_table! {
-    /// The flared wall.
-    Wall {
-        /// Radius at the rim [mm].
-        rim_radius_mm: f64,
-        /// Height of the rim above the floor [mm].
-        height_mm: f64,
-        /// Thickness [mm].
-        thickness_mm: f64,
-    }
-}
-
-sourced_table! {
-    /// The metal.
-    Metal {
-        /// Thermal conductivity along the floor [W/(m·K)].
-        conductivity_w_mk: f64,
-        /// Density [kg/m³].
-        density_kg_m3: f64,
-        /// Specific heat [J/(kg·K)].
-        specific_heat_j_kgk: f64,
-    }
-}
-
-sourced_table! {
-    /// The cooking surface.
-    PanSurface {
-        /// Thermal emissivity [-].
-        emissivity: f64,
-    }
-}
-
-sourced_table! {
-    /// What it looks like.
-    Look {
-        /// sRGB, 0–255.
-        colour_srgb: [u8; 3],
-        /// 0 dielectric – 1 metal.
-        metalness: f64,
-        /// Roughness [-].
-        roughness: f64,
-    }
-}
-
-/// A pan as its file describes it.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PanDescription {
-    /// Name for people.
-    pub name: String,
-    /// Floor.
-    pub floor: Floor,
-    /// Wall.
-    pub wall: Wall,
-    /// Metal.
-    pub metal: Metal,
-    /// Surface.
-    pub surface: PanSurface,
-    /// Look.
-    pub look: Look,
-    /// Conductance of a coating [W/(m²·K)]; absent on bare metal.
-    #[serde(skip)]
-    pub coating_w_m2k: Option<f64>,
-}
-
-/// A coating that any pan can have.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CoatingDescription {
-    /// Name for people.
-    pub name: String,
-    /// Conductance [W/(m²·K)].
-    pub conductance_w_m2k: f64,
-    /// Emissivity [-].
-    pub emissivity: f64,
-    /// Where the numbers come from.
-    pub source: String,
-    /// How well they are known.
-    pub confidence: saute_food::description::Confidence,
-    /// Look.
-    pub look: Look,
-}
 
 /// Rings of nodes on the floor (chosen: 8 mm; the ring of heat is 50 mm wide).
 const FLOOR_RINGS: usize = 12;
@@ -333,7 +240,7 @@ impl PanModel {
         let mut total = PanExchange::default();
         let PanState { liquids, temperature, .. } = state;
         let scratch = &mut solver.liquids;
-        total.other += self.liquids.run(liquids, scratch, load.room, load.gravity, &self.capacity, temperature, dt);
+        total.other += self.liquids.run(liquids, scratch, load.gravity, &self.capacity, temperature, dt);
         scratch.steam.clear();
         scratch.steam.extend_from_slice(load.steam);
         solver.capacity.clear();
@@ -356,7 +263,8 @@ impl PanModel {
         total: &mut PanExchange,
     ) {
         let [air, ..] = self.airs(state, load.room, self.floor_temperature(state));
-        let around = Around { room: load.room, air, lidded: state.lid.is_some(), covered: load.covered, time: load.time };
+        let around =
+            Around { room: load.room, air, lidded: state.lid.is_some(), covered: load.covered, time: load.time };
         let PanState { liquids, temperature, .. } = state;
         let (vapour, heat) = self.liquids.finish(liquids, &solver.liquids, &around, temperature, events, dt);
         total.other += heat;

@@ -2,8 +2,9 @@
 
 use crate::command::{Command, Refused};
 use crate::event::{Event, EventKind, EventLog};
-use crate::lid::Lid;
 use crate::kelvin;
+use crate::lid::Lid;
+use crate::oil_film::Dose;
 use crate::pan::{PanModel, PanState};
 use crate::room::Room;
 use crate::water_film::{Vapour, WATER_DENSITY, WATER_SPECIFIC_HEAT};
@@ -63,7 +64,8 @@ impl PanModel {
         }
         self.check_amount("oil", state, mass, self.liquids.oils[kind].density(at.room.temperature()))?;
         let PanState { liquids, temperature, .. } = state;
-        self.liquids.pour_oil(liquids, kind, mass, at.room.temperature(), &self.capacity, temperature);
+        let dose = Dose { kind, mass, temperature: at.room.temperature() };
+        self.liquids.pour_oil(liquids, dose, &self.capacity, temperature);
         Ok(())
     }
 
@@ -82,9 +84,8 @@ impl PanModel {
         let enthalpy = mass * WATER_SPECIFIC_HEAT * (at.room.temperature() - kelvin(0.0));
         let oil = &state.liquids.oil.mass;
         let hot = |i: &usize| oil[*i] > 0.0 && state.temperature[*i] > HOT_OIL;
-        let hottest = (0..self.floor_nodes)
-            .filter(hot)
-            .max_by(|a, b| state.temperature[*a].total_cmp(&state.temperature[*b]));
+        let hottest =
+            (0..self.floor_nodes).filter(hot).max_by(|a, b| state.temperature[*a].total_cmp(&state.temperature[*b]));
         if let Some(node) = hottest {
             let place = self.liquids.bed.places[node];
             at.events.push(Event { time_s: at.time, kind: EventKind::WaterInHotOil, at: place, amount: mass });

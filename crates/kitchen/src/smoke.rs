@@ -40,6 +40,21 @@ pub struct Smoke {
     flashed: bool,
 }
 
+/// What oil smokes and burns over.
+#[derive(Clone, Copy, Debug)]
+pub struct OilFire<'a> {
+    /// Smoke and fire of oil.
+    pub data: &'a SmokeData,
+    /// Kinds of oil.
+    pub oils: &'a [Oil],
+    /// The pan's surface.
+    pub bed: &'a Bed,
+    /// Temperature of each node [K].
+    pub temperature: &'a [f64],
+    /// Whether a lid is on.
+    pub lidded: bool,
+}
+
 /// The hottest oil with respect to the points of its kind: node and excess over each point [K].
 #[derive(Clone, Copy)]
 struct Hottest {
@@ -54,17 +69,13 @@ impl Smoke {
     /// 0 °C [J]. Under a lid a fire goes out.
     pub fn advance(
         &mut self,
-        data: &SmokeData,
-        oils: &[Oil],
-        bed: &Bed,
+        over: &OilFire,
         oil: &mut OilFilm,
-        temperature: &[f64],
-        lidded: bool,
         dt: f64,
         mut tell: impl FnMut(EventKind, usize),
     ) -> f64 {
         self.rate = 0.0;
-        let Some(hottest) = hottest(oils, oil, temperature) else {
+        let Some(hottest) = hottest(over, oil) else {
             self.burning = false;
             return 0.0;
         };
@@ -76,26 +87,19 @@ impl Smoke {
         };
         begins(&mut self.smoking, hottest.smoke, EventKind::SmokeBegins);
         begins(&mut self.flashed, hottest.flash, EventKind::FlashPoint);
-        if lidded || hottest.flash < 0.0 {
+        if over.lidded || hottest.flash < 0.0 {
             self.burning = false;
         } else if hottest.fire >= 0.0 && !self.burning {
             self.burning = true;
             tell(EventKind::Fire, hottest.node);
         }
-        if hottest.smoke < 0.0 { 0.0 } else { self.consume(data, oils, bed, oil, temperature, dt) }
+        if hottest.smoke < 0.0 { 0.0 } else { self.consume(over, oil, dt) }
     }
 
-    fn consume(
-        &mut self,
-        data: &SmokeData,
-        oils: &[Oil],
-        bed: &Bed,
-        oil: &mut OilFilm,
-        temperature: &[f64],
-        dt: f64,
-    ) -> f64 {
+    fn consume(&mut self, over: &OilFire, oil: &mut OilFilm, dt: f64) -> f64 {
+        let OilFire { data, oils, bed, .. } = *over;
         let mut heat = 0.0;
-        for (i, &t) in temperature.iter().enumerate() {
+        for (i, &t) in over.temperature.iter().enumerate() {
             let flux = smoke_flux(data, oils, oil, i, t);
             if flux <= 0.0 {
                 continue;
@@ -132,7 +136,8 @@ fn passes(oils: &[Oil], oil: &OilFilm, node: usize, t: f64) -> bool {
     oil.fats.iter().any(|f| f.mass[node] > TRACE * oil.mass[node] && t > kelvin(oils[f.kind].description.heat.flash_c))
 }
 
-fn hottest(oils: &[Oil], oil: &OilFilm, temperature: &[f64]) -> Option<Hottest> {
+fn hottest(over: &OilFire, oil: &OilFilm) -> Option<Hottest> {
+    let OilFire { oils, temperature, .. } = *over;
     let mut found: Option<Hottest> = None;
     for fat in &oil.fats {
         let there = |i: &usize| fat.mass[*i] > TRACE * oil.mass[*i] && fat.mass[*i] > 0.0;

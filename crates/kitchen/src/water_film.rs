@@ -5,7 +5,7 @@ use saute_food::water::{latent_heat, saturation_density};
 use saute_food::{FreeAir, ZERO_C, sourced_table};
 
 use crate::bed::Bed;
-use crate::film_flow::{FilmFlow, Layer, carry};
+use crate::film_flow::{FilmFlow, Manner, Run, Sweep};
 use crate::{celsius, kelvin};
 
 sourced_table! {
@@ -30,9 +30,9 @@ sourced_table! {
 pub const WATER_SPECIFIC_HEAT: f64 = 4190.0;
 /// Density of water with which depths are reckoned [kg/m³] (0.96 to 1.00 in standard tables).
 pub const WATER_DENSITY: f64 = 1000.0;
-/// Water that covers less than this share of a node on a hot pan boils off at once [-] (chosen: it takes a tenth of a
-/// kelvin from the metal there).
-const LAST_BREATH: f64 = 1e-3;
+/// Water that covers less than this share of a node on a hot pan boils off at once [-] (chosen: it takes a
+/// thousandth of a kelvin from the metal there).
+const LAST_BREATH: f64 = 1e-5;
 
 /// Enthalpy of vapour above liquid water at 0 °C [J/kg].
 pub fn vapour_enthalpy(temperature: f64) -> f64 {
@@ -65,15 +65,6 @@ pub struct Vapour {
     pub mass: f64,
     /// Enthalpy above liquid water at 0 °C [J].
     pub enthalpy: f64,
-}
-
-/// Scratch space of the water's flow.
-#[derive(Clone, Debug, Default)]
-pub struct WaterSolver {
-    flow: FilmFlow,
-    thickness: Vec<f64>,
-    fluidity: Vec<f64>,
-    before: Vec<f64>,
 }
 
 impl WaterModel {
@@ -172,43 +163,22 @@ impl WaterFilm {
         Vapour { mass: gone, enthalpy }
     }
 
-    /// Moves the water through `dt` [s]; returns what ran over the rim, mass [kg] and enthalpy [J], and the largest change
-    /// of depth [m].
-    pub fn flow(
-        &mut self,
-        solver: &mut WaterSolver,
-        model: &WaterModel,
-        bed: &Bed,
-        gravity: [f64; 3],
-        dt: f64,
-    ) -> (f64, f64, f64) {
-        let mut total = (0.0, 0.0, 0.0_f64);
+    /// Moves the water through `dt` [s] under a gravity in the pan's frame [m/s²].
+    pub fn run(&mut self, flow: &mut FilmFlow, model: &WaterModel, bed: &Bed, gravity: [f64; 3], dt: f64) -> Run {
+        let mut run = Run::default();
         if self.mass.iter().all(|m| *m <= 0.0) {
-            return total;
+            return run;
         }
         let mean = ZERO_C + self.stored() / (self.total() * WATER_SPECIFIC_HEAT);
-        solver.fluidity.clear();
-        solver.fluidity.resize(self.mass.len(), model.fluidity.at(mean));
-        solver.flow.lean(bed, gravity);
-        let mut sweeps = 0;
-        let mut done = 0;
-        while done == 0 || done < sweeps {
-            solver.thickness.clear();
-            solver.thickness.extend(self.mass.iter().zip(&bed.areas).map(|(m, a)| m / (WATER_DENSITY * a)));
-            let layer = Layer {
-                thickness: &solver.thickness,
-                fluidity: &solver.fluidity,
-                puddle: model.depth,
-                clinging: model.clinging,
-            };
-            if done == 0 {
-                sweeps = solver.flow.sweeps(bed, &layer, gravity, dt);
-            }
-            total.2 = total.2.max(solver.flow.sweep(bed, &layer, gravity, dt / f64::from(sweeps)));
-            total.0 += carry(bed, &solver.flow, &mut self.mass, &mut solver.before);
-            total.1 += carry(bed, &solver.flow, &mut self.enthalpy, &mut solver.before);
-            done += 1;
+        let manner = Manner { density: WATER_DENSITY, puddle: model.depth, clinging: model.clinging };
+        flow.fluidity.clear();
+        flow.fluidity.resize(self.mass.len(), model.fluidity.at(mean));
+        flow.lean(bed, gravity);
+        for sweep in Sweep::BOTH {
+            run.moved = run.moved.max(flow.sweep(bed, &manner, &self.mass, sweep, 0.5 * dt));
+            run.spilled += flow.carry(bed, sweep, &mut self.mass);
+            run.spilled_heat += flow.carry(bed, sweep, &mut self.enthalpy);
         }
-        total
+        run
     }
 }

@@ -76,7 +76,9 @@ fn oil_that_runs_keeps_its_mass_and_its_heat_and_is_nowhere_negative() {
     let mut kitchen = pan_at(150.0);
     pour(&mut kitchen, "sunflower", 20.0);
     let before = kitchen.pan_state().oil_mass();
-    for (step, gravity) in [tilted(25.0), tilted(-40.0), [6.0, -7.0, -3.0], [0.0, 0.0, 5.0], LEVEL].into_iter().enumerate() {
+    for (step, gravity) in
+        [tilted(25.0), tilted(-40.0), [6.0, -7.0, -3.0], [0.0, 0.0, 5.0], LEVEL].into_iter().enumerate()
+    {
         kitchen.lean(gravity);
         run(&mut kitchen, 6.0);
         let liquids = &kitchen.pan_state().liquids;
@@ -181,8 +183,9 @@ fn water_in_a_hot_pan_boils_away_and_takes_its_latent_heat_from_the_pan() {
         kitchen.step();
         vapour += kitchen.other_vapour().0 * TICK_S;
     }
-    assert!(kitchen.pan_state().water_mass() == 0.0, "{}", kitchen.pan_state().water_mass());
-    assert!((vapour / 0.005 - 1.0).abs() < 1e-9, "{vapour}");
+    let left = kitchen.pan_state().water_mass();
+    assert!(left < 1e-4, "{left}");
+    assert!(((vapour + left) / 0.005 - 1.0).abs() < 1e-12, "{vapour}");
     let after = kitchen.pan_model().stored(kitchen.pan_state());
     let e = kitchen.energy();
     assert!((0.005 * 2.6e6..0.005 * 2.75e6).contains(&e.evaporation), "{}", e.evaporation);
@@ -210,7 +213,8 @@ fn water_runs_to_the_low_side_and_over_the_rim_of_a_pan_on_edge() {
     kitchen.lean(gravity);
     run(&mut kitchen, 20.0);
     let (state, bed) = (kitchen.pan_state(), &kitchen.pan_model().liquids.bed);
-    let depth: Vec<f64> = state.liquids.water.mass.iter().zip(&bed.areas).map(|(m, a)| m / (WATER_DENSITY * a)).collect();
+    let depth: Vec<f64> =
+        state.liquids.water.mass.iter().zip(&bed.areas).map(|(m, a)| m / (WATER_DENSITY * a)).collect();
     let heights = surfaces(&kitchen, &depth, gravity, 3e-3);
     assert!(heights.len() > 10 && spread(&heights) < 0.5e-3, "{} nodes, {} m", heights.len(), spread(&heights));
     assert!(state.liquids.spilled == 0.0);
@@ -250,7 +254,7 @@ fn butter_melts_foams_and_its_milk_solids_brown_and_burn() {
         }
     }
     let molten = molten_at.expect("has molten");
-    assert!((5.0..45.0).contains(&molten), "{molten} s");
+    assert!((10.0..60.0).contains(&molten), "{molten} s");
     assert!(most_foam > 0.3, "{most_foam}");
     let kind = kitchen.pan_model().liquids.butter_kind().expect("butter");
     assert!((kitchen.pan_state().liquids.oil.total_of(kind) / (0.020 * 0.84) - 1.0).abs() < 0.02);
@@ -267,13 +271,15 @@ fn butter_melts_foams_and_its_milk_solids_brown_and_burn() {
 #[test]
 fn melting_butter_keeps_mass_and_energy() {
     let mut kitchen = pan_at(90.0);
+    apply(&mut kitchen, Command::Hob(300.0));
     let before = kitchen.pan_state().liquids.total();
     apply(&mut kitchen, Command::Butter(0.015));
     let mut evaporated = 0.0;
     for _ in 0..1500 {
         kitchen.step();
         evaporated += kitchen.other_vapour().0 * TICK_S;
-        let total = kitchen.pan_state().liquids.total() + evaporated;
+        let liquids = &kitchen.pan_state().liquids;
+        let total = liquids.total() + liquids.smoke.smoked + liquids.spatter.spattered + evaporated;
         assert!((total / (before + 0.015) - 1.0).abs() < 1e-12);
         assert!(imbalance(&kitchen) < 1e-9);
     }
