@@ -4,6 +4,15 @@ use saute_heat::Section;
 
 use crate::pan_description::PanDescription;
 
+/// What liquid passes through.
+#[derive(Clone, Copy, Debug)]
+pub struct Mouth {
+    /// Length of the face [m].
+    pub face: f64,
+    /// Distance of its ends [m].
+    pub length: f64,
+}
+
 /// A face through which liquid passes between two nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct BedEdge {
@@ -11,10 +20,8 @@ pub struct BedEdge {
     pub a: u32,
     /// The other.
     pub b: u32,
-    /// Length of the face [m].
-    pub face: f64,
-    /// Distance of the ends [m].
-    pub length: f64,
+    /// Face between them.
+    pub mouth: Mouth,
 }
 
 /// A face through which liquid runs over the rim.
@@ -22,10 +29,8 @@ pub struct BedEdge {
 pub struct RimFace {
     /// The node below it.
     pub node: u32,
-    /// Length of the face [m].
-    pub face: f64,
-    /// Distance to the lip [m].
-    pub length: f64,
+    /// Face towards the lip.
+    pub mouth: Mouth,
     /// The lip in the pan's frame [m].
     pub lip: [f64; 3],
 }
@@ -39,6 +44,8 @@ pub struct Bed {
     pub normals: Vec<[f64; 3]>,
     /// Area of each node [m²].
     pub areas: Vec<f64>,
+    /// One over the area of each node [1/m²].
+    pub per_area: Vec<f64>,
     /// Faces between nodes.
     pub edges: Vec<BedEdge>,
     /// Faces over the rim.
@@ -75,19 +82,21 @@ impl Bed {
         let edges = section.edges.iter().map(|&(a, b, weight)| {
             let length = distance(a, b);
             let narrower = 0.5 * (placed[a as usize].2 + placed[b as usize].2);
-            BedEdge { a, b, face: weight * length * narrower, length }
+            BedEdge { a, b, mouth: Mouth { face: weight * length * narrower, length } }
         });
         let lengths = section.boundary_lengths();
         let rim = lengths.iter().enumerate().filter(|(_, length)| **length > 0.0).map(|(node, &length)| {
             // The outermost nodes stand on the rim; the lip is half a cell further.
             let beyond = 0.5 * section.areas[node] / length;
             let (lip, _, narrower) = place(&section.points[node], beyond);
-            RimFace { node: node as u32, face: length * narrower, length: beyond, lip }
+            RimFace { node: node as u32, mouth: Mouth { face: length * narrower, length: beyond }, lip }
         });
+        let areas: Vec<f64> = section.areas.iter().zip(&placed).map(|(area, p)| area * p.2).collect();
         Self {
             edges: edges.collect(),
             rim: rim.collect(),
-            areas: section.areas.iter().zip(&placed).map(|(area, p)| area * p.2).collect(),
+            per_area: areas.iter().map(|area| 1.0 / area).collect(),
+            areas,
             places: placed.iter().map(|p| p.0).collect(),
             normals: placed.iter().map(|p| p.1).collect(),
         }

@@ -7,7 +7,7 @@
 //! passes more than lets their surfaces meet, and never more than its donor has: whatever the step, masses are kept to
 //! rounding, no thickness becomes negative, and no surface leaves the range of those around it by levelling.
 
-use crate::bed::Bed;
+use crate::bed::{Bed, Mouth};
 
 /// Gravity that presses a film onto the pan is reckoned with at least this [m/s²] (chosen: keeps levelling defined on a
 /// pan that is tossed or stands on edge).
@@ -57,6 +57,17 @@ impl Sweep {
     }
 }
 
+/// What drives a liquid through a face.
+#[derive(Clone, Copy)]
+struct Driven {
+    /// Difference of the potentials [m²/s²].
+    drop: f64,
+    /// How quickly it falls with the volume that passes [1/(m·s²)].
+    stiffness: f64,
+    /// For how long [s].
+    dt: f64,
+}
+
 /// Flow of one liquid.
 #[derive(Clone, Debug, Default)]
 pub struct FilmFlow {
@@ -68,6 +79,8 @@ pub struct FilmFlow {
     spilled: Vec<f64>,
     potential: Vec<f64>,
     pressing: Vec<f64>,
+    /// How quickly a node's potential rises with its volume [1/(m·s²)].
+    stiffness: Vec<f64>,
     thickness: Vec<f64>,
     lip: Vec<f64>,
 }
@@ -80,6 +93,8 @@ impl FilmFlow {
         self.potential.extend(bed.places.iter().map(|p| -along(p)));
         self.pressing.clear();
         self.pressing.extend(bed.normals.iter().map(|n| (-along(n)).max(LEAST_PRESSING)));
+        self.stiffness.clear();
+        self.stiffness.extend(self.pressing.iter().zip(&bed.per_area).map(|(g, per_area)| g * per_area));
         self.lip.clear();
         self.lip.extend(bed.rim.iter().map(|rim| -along(&rim.lip)));
     }
@@ -105,24 +120,18 @@ impl FilmFlow {
         self.potential[node] + self.pressing[node] * self.thickness[node].max(manner.puddle)
     }
 
-    /// Passes liquid through an edge: with Q = K ΔΠ, backward Euler between the two nodes gives
-    /// V = Δt K ΔΠ / (1 + Δt K (g_a/A_a + g_b/A_b)).
+    /// Passes liquid through an edge.
     #[inline]
     fn pass(&mut self, bed: &Bed, manner: &Manner, e: usize, dt: f64) {
         let edge = &bed.edges[e];
         let (a, b) = (edge.a as usize, edge.b as usize);
         let drop = self.surface(manner, a) - self.surface(manner, b);
         let (from, to) = if drop > 0.0 { (a, b) } else { (b, a) };
-        let loose = dt * self.looseness(manner, from, libm::fabs(drop), edge.face, edge.length);
-        if loose <= 0.0 {
-            self.passed[e] = 0.0;
-            return;
-        }
-        let meeting = loose * (self.pressing[a] / bed.areas[a] + self.pressing[b] / bed.areas[b]);
-        let volume = loose * libm::fabs(drop) / (1.0 + meeting);
-        let share = self.give(bed, manner, from, volume);
-        self.thickness[to] += share.1 / bed.areas[to];
-        self.passed[e] = if drop > 0.0 { share.0 } else { -share.0 };
+        let stiffness = self.stiffness[a] + self.stiffness[b];
+        let (share, volume) =
+            self.give(bed, manner, from, Driven { drop: libm::fabs(drop), stiffness, dt }, edge.mouth);
+        self.thickness[to] += volume * bed.per_area[to];
+        self.passed[e] = if drop > 0.0 { share } else { -share };
     }
 
     /// Passes liquid over the rim, where it falls away.
@@ -130,33 +139,29 @@ impl FilmFlow {
         let (rim, lip) = (&bed.rim[r], self.lip[r]);
         let i = rim.node as usize;
         let drop = self.surface(manner, i) - lip - self.pressing[i] * manner.puddle;
-        let loose = dt * self.looseness(manner, i, drop, rim.face, rim.length);
-        let volume = loose * drop / (1.0 + loose * self.pressing[i] / bed.areas[i]);
-        self.spilled[r] = if loose > 0.0 { self.give(bed, manner, i, volume).0 } else { 0.0 };
+        self.spilled[r] = self.give(bed, manner, i, Driven { drop, stiffness: self.stiffness[i], dt }, rim.mouth).0;
     }
 
-    /// Takes a volume from a node, at most what does not cling; returns its share of what was there, and the volume.
+    /// Takes from a node what runs through a mouth; returns its share of what was there, and the volume [m³].
+    ///
+    /// u = u_v u_f / (u_v + u_f) with the film's own speed u_v = h² ΔΠ/(3 ν L) and that of a fall, u_f = √(2 ΔΠ). With
+    /// Q = K ΔΠ, backward Euler between the two nodes gives V = Δt K ΔΠ / (1 + Δt K Σ g/A); no more than is mobile.
     #[inline]
-    fn give(&mut self, bed: &Bed, manner: &Manner, from: usize, volume: f64) -> (f64, f64) {
-        let mobile = self.thickness[from] - manner.clinging;
-        let given = (volume / bed.areas[from]).min(mobile);
-        let share = given / self.thickness[from];
-        self.thickness[from] -= given;
-        (share, given * bed.areas[from])
-    }
-
-    /// Flow out of a donor through a face over the potential difference that drives it [m·s].
-    #[inline]
-    fn looseness(&self, manner: &Manner, donor: usize, drop: f64, face: f64, length: f64) -> f64 {
-        let mobile = self.thickness[donor] - manner.clinging;
-        if mobile <= 0.0 || drop < LEAST_DROP {
-            return 0.0;
+    fn give(&mut self, bed: &Bed, manner: &Manner, from: usize, by: Driven, mouth: Mouth) -> (f64, f64) {
+        let thickness = self.thickness[from];
+        let mobile = thickness - manner.clinging;
+        if mobile <= 0.0 || by.drop < LEAST_DROP {
+            return (0.0, 0.0);
         }
-        let depth = self.thickness[donor].max(manner.puddle);
-        let viscous = depth * depth * self.fluidity[donor];
-        // u = u_v u_f / (u_v + u_f) with the film's own speed u_v = viscous · drop / (3 length) and that of a fall.
-        let falling = 3.0 * length * libm::sqrt(2.0 * drop);
-        mobile * face * viscous * falling / (3.0 * length * (viscous * drop + falling))
+        let depth = thickness.max(manner.puddle);
+        let viscous = depth * depth * self.fluidity[from];
+        let length = 3.0 * mouth.length;
+        let falling = length * libm::sqrt(2.0 * by.drop);
+        let loose = by.dt * mobile * mouth.face * viscous * falling;
+        let volume = loose * by.drop / (length * (viscous * by.drop + falling) + loose * by.stiffness);
+        let given = (volume * bed.per_area[from]).min(mobile);
+        self.thickness[from] -= given;
+        (given / thickness, given * bed.areas[from])
     }
 
     /// Moves a quantity along with its liquid as in the last sweep. What runs over the rim is returned.

@@ -70,8 +70,8 @@ struct Pace {
     gravity: [f64; 3],
 }
 
-/// A liquid's thickness may change by about this between two looks [m] (chosen: a micrometre is not seen).
-const CHANGE_PER_LOOK: f64 = 1e-6;
+/// A liquid's thickness may change by about this between two looks [m] (chosen: two per cent of a film of 0.2 mm).
+const CHANGE_PER_LOOK: f64 = 4e-6;
 /// A lean that differs by less is the same [m/s²] (chosen: a hundredth of a degree).
 const SAME_LEAN: f64 = 2e-3;
 /// A liquid that lies still is looked at again after this time [s] (chosen).
