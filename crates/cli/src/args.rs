@@ -12,8 +12,8 @@ use crate::picture::{BenchFrameArgs, ShotArgs};
 #[derive(Debug, Parser)]
 #[command(name = "saute", version, after_help = EXIT_CODES)]
 pub struct Args {
-    /// Folder with foods/, pans/, recipes/, kinetics/ or coatings/ of your own, or doneness.toml; adds to the shipped
-    /// ones or replaces those of the same name.
+    /// Folder with foods/, pans/, recipes/, kinetics/, coatings/ or oils/ of your own, or doneness.toml; adds to the
+    /// shipped ones or replaces those of the same name.
     #[arg(long, global = true, value_name = "DIR")]
     pub data: Option<PathBuf>,
     /// What to do.

@@ -11,7 +11,7 @@ use crate::error::CliError;
 use crate::text_file;
 
 /// Folders that are read from `--data`.
-const FOLDERS: [&str; 5] = ["foods", "pans", "recipes", "kinetics", "coatings"];
+const FOLDERS: [&str; 6] = ["foods", "pans", "recipes", "kinetics", "coatings", "oils"];
 
 /// File that is read from `--data` itself: the scales of doneness.
 const FILE: &str = "doneness.toml";
@@ -68,8 +68,7 @@ impl Shelf {
 }
 
 fn read_folders(dir: &Path) -> Result<Vec<(String, String)>, CliError> {
-    let remedy =
-        "name a folder that holds foods/, pans/, recipes/, kinetics/ or coatings/ with .toml files, or doneness.toml";
+    let remedy = "name a folder that holds foods/, pans/, recipes/, kinetics/, coatings/ or oils/ with .toml files, or doneness.toml";
     if !dir.is_dir() {
         let message = if dir.exists() { "--data is not a folder" } else { "--data does not exist" };
         return Err(CliError::place(dir.display(), message, remedy));

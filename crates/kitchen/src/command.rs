@@ -105,6 +105,19 @@ pub enum Command {
     Lid(bool),
 }
 
+impl Command {
+    /// Whether it cannot be done while the lid is on.
+    pub fn needs_open_pan(&self) -> bool {
+        match self {
+            Self::Put { .. } | Self::Flip { .. } | Self::Rest { .. } => true,
+            Self::Press { .. } | Self::Move { .. } | Self::Toss { .. } => true,
+            Self::Oil { .. } | Self::Butter(_) | Self::Water(_) => true,
+            Self::Shake { .. } | Self::Tilt { .. } => false,
+            Self::Hob(_) | Self::MovePan { .. } | Self::Cool { .. } | Self::Lid(_) => false,
+        }
+    }
+}
+
 /// Why a command was not carried out; the kitchen is unchanged.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Refused {
@@ -155,4 +168,23 @@ pub enum Refused {
         /// Largest power [W].
         largest_w: i64,
     },
+    /// Unknown oil.
+    #[error("there is no oil \"{kind}\"; there are: {known}")]
+    NoSuchOil {
+        /// What was asked for.
+        kind: String,
+        /// What there is.
+        known: String,
+    },
+    /// No amount, or more than the pan holds.
+    #[error("that is no amount of {what} that the pan holds: give more than 0 and at most {holds_g} g")]
+    Amount {
+        /// What.
+        what: &'static str,
+        /// Most [g].
+        holds_g: i64,
+    },
+    /// The lid is in the way.
+    #[error("the lid is on: take it off first")]
+    LidIsOn,
 }

@@ -6,7 +6,8 @@ use saute_food::{FoodDescription, Form, Kinetics, Scale};
 use toml::Spanned;
 
 use crate::library::{DEFAULT_SCALE, LibraryError, line_of};
-use crate::pan::{CoatingDescription, PanDescription};
+use crate::oil::OilDescription;
+use crate::pan_description::{CoatingDescription, PanDescription};
 
 /// A number with its place in the file and the range in which it makes sense.
 struct Ranged {
@@ -53,6 +54,48 @@ pub fn coating(coating: &CoatingDescription, file: &str, text: &str) -> Result<(
             ranged("", "emissivity", coating.emissivity, 0.0, 1.0),
         ],
     )
+}
+
+/// Checks the numbers of a kind of oil.
+pub fn oil(oil: &OilDescription, file: &str, text: &str) -> Result<(), LibraryError> {
+    let (fluid, heat) = (&oil.fluid, &oil.heat);
+    check(
+        file,
+        text,
+        &[
+            ranged("fluid", "density_kg_m3", fluid.density_kg_m3, 700.0, 1100.0),
+            ranged("fluid", "density_per_k", fluid.density_per_k, -1.0, 0.0),
+            ranged("fluid", "specific_heat_j_kgk", fluid.specific_heat_j_kgk, 1000.0, 4000.0),
+            ranged("heat", "smoke_c", heat.smoke_c, 80.0, 400.0),
+            ranged("heat", "flash_c", heat.flash_c, heat.smoke_c, 500.0),
+            ranged("heat", "fire_c", heat.fire_c, heat.flash_c, 600.0),
+        ],
+    )?;
+    let (xs, ys) = (&fluid.viscosity_c, &fluid.viscosity_mpa_s);
+    if xs.len() < 2 || xs.len() != ys.len() || !xs.is_sorted() || !ys.iter().all(|v| (0.01..1e6).contains(v)) {
+        let line = line_of(text, place(text, "fluid", "viscosity_c"));
+        let message = "viscosity_c needs two or more ascending temperatures, and as many values of viscosity_mpa_s";
+        return Err(LibraryError { file: file.to_owned(), line, message: message.to_owned() });
+    }
+    let Some(emulsion) = &oil.emulsion else { return Ok(()) };
+    check(
+        file,
+        text,
+        &[
+            ranged("emulsion", "water", emulsion.water, 0.0, 0.6),
+            ranged("emulsion", "solids", emulsion.solids, 0.0, 0.3),
+            ranged("emulsion", "melting_c", emulsion.melting_c, 0.0, 80.0),
+            ranged("emulsion", "latent_j_kg", emulsion.latent_j_kg, 1e3, 3e5),
+            ranged("emulsion", "conductance_w_m2k", emulsion.conductance_w_m2k, 1.0, 1e4),
+            ranged("emulsion", "lump_mm", emulsion.lump_mm, 1.0, 100.0),
+        ],
+    )?;
+    let changes = [("emulsion.browning", &emulsion.browning), ("emulsion.charring", &emulsion.charring)];
+    changes.into_iter().try_for_each(|(table, change)| {
+        let energy = ranged(table, "activation_energy_kj_mol", change.activation_energy_kj_mol, 1.0, 1000.0);
+        let anchor = ranged(table, "anchor_c", change.anchor_c, 0.0, 400.0);
+        check(file, text, &[energy, anchor, ranged(table, "anchor_rate_per_s", change.anchor_rate_per_s, 1e-9, 10.0)])
+    })
 }
 
 /// Checks a food's numbers.

@@ -7,7 +7,7 @@ use serde::Serialize;
 pub struct Energy {
     /// Electrical energy from the hob.
     pub hob: f64,
-    /// Stored in the pan.
+    /// Stored in the pan, in what is liquid in it, and in its lid.
     pub pan_stored: f64,
     /// Stored in foods.
     pub food_stored: f64,
@@ -15,7 +15,7 @@ pub struct Energy {
     pub air: f64,
     /// Enthalpy of the vapour above liquid water at 0 °C.
     pub evaporation: f64,
-    /// Losses of the hob, heat in glass, cloth and board, juice that ran off.
+    /// Losses of the hob, heat in glass, cloth and board, oil and juice that left pan or food.
     pub other: f64,
     /// `hob` less all others.
     pub imbalance: f64,

@@ -2,24 +2,27 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
 use saute_food::Exchange;
+use saute_food::water::latent_heat;
 
 use crate::command::RestOn;
 use crate::dynamics::world::{Contact, GLASS_HALF};
-use crate::dynamics::Against;
+use crate::dynamics::{Against, Pose};
 use crate::food_contact::{self, Touching};
 use crate::hob::PanPose;
 use crate::kitchen::{Fixed, Kitchen};
-use crate::pan::PanLoad;
-use crate::piece::{Piece, Place, Under};
+use crate::pan::{LEVEL, PanLoad};
+use crate::piece::{GRAVITY, Piece, Place, Under};
 use crate::room::Room;
-use crate::TICK_S;
+use crate::{TICK_S, kelvin};
 
 impl Kitchen {
     pub(crate) fn heat_tick(&mut self) {
         let fixed = Arc::clone(&self.fixed);
         self.pan_flow.fill(0.0);
         self.covered.fill(0.0);
+        self.steam.fill(0.0);
         self.follow_pan(&fixed);
         self.find_places();
         self.follow_shapes();
@@ -33,6 +36,7 @@ impl Kitchen {
     }
 
     fn step_pan(&mut self, fixed: &Fixed) {
+        let gravity = self.felt_gravity();
         let load = PanLoad {
             hob: &fixed.hob,
             room: &fixed.room,
@@ -40,14 +44,39 @@ impl Kitchen {
             time: self.tick as f64 * TICK_S,
             food: &self.pan_flow,
             covered: &self.covered,
+            steam: &self.steam,
+            gravity,
         };
-        let exchange = fixed.pan.advance(&mut self.pan, &mut self.pan_solver, &load, &mut self.cloth, TICK_S);
+        let (pan, solver) = (&mut self.pan, &mut self.pan_solver);
+        let exchange = fixed.pan.advance(pan, solver, &load, &mut self.cloth, &mut self.events, TICK_S);
         self.flows.hob += exchange.hob;
         self.flows.air += exchange.air;
         self.flows.other += exchange.other;
         self.cloth_vapour = exchange.cloth_vapour / TICK_S;
-        self.boil_puddle(exchange.puddle);
+        self.flows.evaporation += exchange.vapour.enthalpy;
+        self.puddle_vapour = exchange.vapour.mass / TICK_S;
         self.lift_off_cloth();
+    }
+
+    fn lift_off_cloth(&mut self) {
+        if let Some(cloth) = &mut self.cloth {
+            cloth.remaining_s -= TICK_S;
+            if cloth.remaining_s < 0.5 * TICK_S {
+                self.cloth = None;
+            }
+        }
+    }
+
+    /// Gravity less the pan's mean acceleration since the last tick, in the pan's frame [m/s²].
+    fn felt_gravity(&mut self) -> [f64; 3] {
+        let motion = &self.world.motion;
+        if motion.is_still() && motion.velocity == self.pan_velocity && motion.pose.rotation == Pose::default().rotation {
+            return LEVEL;
+        }
+        let acceleration = (motion.velocity - self.pan_velocity) / TICK_S;
+        let felt = DVec3::new(0.0, 0.0, -GRAVITY) - acceleration;
+        self.pan_velocity = motion.velocity;
+        (motion.pose.rotation.conjugate() * felt).to_array()
     }
 
     /// Tells hob and pan where the pan is now.
@@ -86,8 +115,13 @@ impl Kitchen {
     }
 
     fn follow_shapes(&mut self) {
-        let film = self.fixed.pan.oil_film(&self.pan, &self.fixed.room);
-        for piece in self.pieces.iter_mut().filter(|p| p.is_out()) {
+        for index in 0..self.pieces.len() {
+            let film = match self.pieces[index].place {
+                Place::Waiting => continue,
+                Place::Pan(at) => self.film_at(at),
+                _ => 0.0,
+            };
+            let piece = &mut self.pieces[index];
             piece.free_all();
             if piece.follow_shape() {
                 self.world.set_solid(piece.key, piece.model.solid(&piece.state));
@@ -135,10 +169,9 @@ impl Kitchen {
             Place::Glass => Under::Glass(self.glass_under(index)),
         };
         self.meet(fixed, index, under);
-        let (up, side) = fixed.room.plume(fixed.pan.floor_temperature(&self.pan));
         let piece = &mut self.pieces[index];
         let air = match piece.place {
-            Place::Pan(_) => [up, up, side],
+            Place::Pan(_) => fixed.pan.airs(&self.pan, &fixed.room, piece.face(false)),
             Place::Rest(RestOn::Foil) => [fixed.room.under_foil(); 3],
             _ => [fixed.room.still_air(); 3],
         };
@@ -169,25 +202,47 @@ impl Kitchen {
     /// Books what a piece exchanged: heat from the pan's nodes below it, juice and fat that ran off.
     fn book(&mut self, fixed: &Fixed, index: usize, exchange: &Exchange) {
         let piece = &self.pieces[index];
-        self.flows.air += exchange.air;
-        self.flows.evaporation += exchange.evaporation;
-        self.flows.other += exchange.drip.enthalpy + exchange.rendered.enthalpy;
+        let taken: f64 = piece.solver.contact_heat.iter().sum();
         if !piece.in_pan() {
-            self.flows.other -= piece.solver.contact_heat.iter().sum::<f64>();
+            self.flows.air += exchange.air;
+            self.flows.evaporation += exchange.evaporation;
+            self.flows.other += exchange.drip.enthalpy + exchange.rendered.enthalpy - taken;
             return;
         }
+        let (air, evaporation) = fixed.pan.take_up(&mut self.pan, &fixed.room, piece.face(false), exchange);
+        self.flows.air += air;
+        self.flows.evaporation += evaporation;
+        let whole: f64 = piece.near.patches.iter().map(|n| piece.patch_area(n.patch as usize)).sum();
+        // What boils at the face that lies below rises through the oil there.
+        let boiled = exchange.evaporated.min(taken.max(0.0) / latent_heat(kelvin(100.0)));
         for near in &piece.near.patches {
             let (patch, located) = (near.patch as usize, &near.located);
             let (heat, area) = (piece.solver.contact_heat[patch], piece.patch_area(patch));
             for k in 0..3 {
-                let node = located.nodes[k] as usize;
-                self.pan_flow[node] += located.weights[k] * heat / TICK_S;
-                self.covered[node] += located.weights[k] * area / fixed.pan.section.areas[node];
+                let (node, weight) = (located.nodes[k] as usize, located.weights[k]);
+                self.pan_flow[node] += weight * heat / TICK_S;
+                self.covered[node] += weight * area / fixed.pan.section.areas[node];
+                self.steam[node] += weight * area / whole * boiled;
+                if exchange.drip.mass > 0.0 {
+                    let share = weight * area / whole;
+                    self.pan.liquids.drip(node, share * exchange.drip.mass, share * exchange.drip.enthalpy);
+                }
             }
         }
-        self.pan.puddle += exchange.drip.mass;
-        self.pan.puddle_enthalpy += exchange.drip.enthalpy;
-        self.pan.oil += exchange.rendered.mass;
+        if piece.near.patches.is_empty() && exchange.drip.mass > 0.0 {
+            self.drip_from_above(fixed, index, exchange);
+        }
+        let latent = self.pieces[index].model.description.fat_melting.latent_j_kg;
+        self.flows.other += fixed.pan.render(&mut self.pan, &exchange.rendered, latent);
+    }
+
+    /// Juice of a piece that lies on others or is in the air runs down to the floor below it.
+    fn drip_from_above(&mut self, fixed: &Fixed, index: usize, exchange: &Exchange) {
+        let Place::Pan(at) = self.pieces[index].place else { return };
+        let located = fixed.pan.locator.locate_or_nearest(&fixed.pan.section, at);
+        for (node, share) in located.nodes.into_iter().zip(located.weights) {
+            self.pan.liquids.drip(node as usize, share * exchange.drip.mass, share * exchange.drip.enthalpy);
+        }
     }
 
     /// Temperature of the hob's glass under a piece [K].

@@ -9,6 +9,7 @@ use crate::cloth::Cloth;
 use crate::command::Refused;
 use crate::dynamics::{Gesture, Hand, PanShape, Pose, Task, World};
 use crate::energy::Energy;
+use crate::event::EventLog;
 use crate::food_contact::Touching;
 use crate::hob::HobDescription;
 use crate::layout::{Floor, Footprint};
@@ -64,11 +65,16 @@ pub struct Kitchen {
     foods_at_start: f64,
     pub(crate) pan_flow: Vec<f64>,
     pub(crate) covered: Vec<f64>,
+    /// Steam that foods made at each node of the pan in this tick [kg].
+    pub(crate) steam: Vec<f64>,
+    pub(crate) events: EventLog,
     pub(crate) puddle_vapour: f64,
     pub(crate) cloth_vapour: f64,
     next_key: u32,
     /// The rigid bodies.
     pub(crate) world: World,
+    /// The pan's velocity at the last tick [m/s].
+    pub(crate) pan_velocity: glam::DVec3,
     /// Where the hand holds the pan when it makes no gesture.
     pub(crate) held_at: Pose,
     /// A gesture and the time since its start [s].
@@ -104,10 +110,11 @@ impl Kitchen {
             .pans
             .get(pan_kind)
             .ok_or_else(|| SetupError::NoSuchPan(pan_kind.into(), Library::names(&library.pans)))?;
-        let pan = PanModel::build(description, &library.hob).map_err(BuildError::from)?;
+        let pan = PanModel::build(description, library).map_err(BuildError::from)?;
         let state = pan.at(pan_temperature, &library.room, &library.hob);
         let world = World::new(PanShape::of(description));
         Ok(Self {
+            pan_velocity: glam::DVec3::ZERO,
             held_at: world.motion.pose,
             world,
             gesture: None,
@@ -121,11 +128,13 @@ impl Kitchen {
             stored_at_start: pan.stored(&state),
             foods_at_start: 0.0,
             pan_flow: vec![0.0; state.temperature.len()],
+            steam: vec![0.0; state.temperature.len()],
             covered: vec![0.0; state.temperature.len()],
             pan: state,
             pan_solver: PanSolver::default(),
             pieces: Vec::new(),
             hob_w: 0.0,
+            events: EventLog::default(),
             cloth: None,
             tick: 0,
             flows: Energy::default(),
@@ -186,6 +195,17 @@ impl Kitchen {
     /// Whether tools or gestures are still at work on what they were told to do.
     pub fn busy(&self) -> bool {
         self.gesture.is_some() || self.hand.is_active() || self.at_work.is_some() || !self.tasks.is_empty()
+    }
+
+    /// Books what the pan holds more than it did [J].
+    pub(crate) fn bring(&mut self, stored: f64) {
+        self.stored_at_start += stored;
+    }
+
+    /// Thickness of the oil at a place of the pan [m].
+    pub(crate) fn film_at(&self, at: [f64; 2]) -> f64 {
+        let pan = &self.fixed.pan;
+        self.pan.oil_film(&pan.locator.locate_or_nearest(&pan.section, at))
     }
 
     /// The rigid bodies.
@@ -277,7 +297,12 @@ impl Kitchen {
         self.cloth.as_ref()
     }
 
-    /// Vapour from juice in the pan and from the cloth [kg/s].
+    /// What happened since the start.
+    pub fn events(&self) -> &EventLog {
+        &self.events
+    }
+
+    /// Vapour from water in the pan and from the cloth [kg/s].
     pub fn other_vapour(&self) -> (f64, f64) {
         (self.puddle_vapour, self.cloth_vapour)
     }

@@ -12,7 +12,8 @@ use toml::Spanned;
 
 use crate::data_check;
 use crate::hob::HobDescription;
-use crate::pan::{CoatingDescription, PanDescription};
+use crate::oil::OilDescription;
+use crate::pan_description::{CoatingDescription, PanDescription};
 use crate::room::Room;
 
 /// The file of the scales of doneness.
@@ -53,6 +54,8 @@ pub struct Library {
     pub kinetics: BTreeMap<String, Kinetics>,
     /// Pans by id, coated ones included.
     pub pans: BTreeMap<String, PanDescription>,
+    /// Kinds of oil and fat by id.
+    pub oils: BTreeMap<String, OilDescription>,
     /// Recipes by id: their text.
     pub recipes: BTreeMap<String, String>,
     /// Scales of doneness, in the order of their file; [`DEFAULT_SCALE`] is one of them.
@@ -86,6 +89,7 @@ impl Library {
             foods: parse_folder(&files, "foods/", data_check::food)?,
             kinetics: parse_folder(&files, "kinetics/", data_check::kinetics)?,
             pans: with_coatings(bare, &coatings),
+            oils: parse_folder(&files, "oils/", data_check::oil)?,
             recipes: in_folder(&files, "recipes/").map(|(id, text)| (id.to_owned(), text.clone())).collect(),
             scales: scales(&files)?,
             components: parse(&files, "components.toml")?,
@@ -114,6 +118,21 @@ impl Library {
                 line: 1,
                 message: e.to_string(),
             })?;
+        }
+        self.check_oils()
+    }
+
+    /// The kitchen names oils that are there, and butter that melts.
+    fn check_oils(&self) -> Result<(), LibraryError> {
+        let oil = &self.room.oil;
+        let error = |message| Err(LibraryError { file: "kitchen.toml".into(), line: 1, message });
+        for (key, id) in [("default", &oil.default), ("rendered", &oil.rendered), ("butter", &oil.butter)] {
+            let Some(kind) = self.oils.get(id) else {
+                return error(format!("[oil] {key} = \"{id}\" is unknown; there are: {}", Self::names(&self.oils)));
+            };
+            if key == "butter" && kind.emulsion.is_none() {
+                return error(format!("[oil] butter = \"{id}\" has no [emulsion]: name an oil that has one"));
+            }
         }
         Ok(())
     }

@@ -14,6 +14,7 @@ use crate::dynamics::{Gesture, Pose, Task};
 use crate::kelvin;
 use crate::kitchen::Kitchen;
 use crate::piece::{Piece, Place};
+use crate::pour::Pouring;
 
 /// How far the pan may be moved or lifted [m] (chosen: within reach).
 const FARTHEST_PAN: f64 = 0.5;
@@ -25,6 +26,9 @@ const HEAP: f64 = 4.0e-3;
 impl Kitchen {
     /// Carries out a command, or says why not.
     pub fn apply(&mut self, command: &Command) -> Result<(), Refused> {
+        if self.pan.lid.is_some() && command.needs_open_pan() {
+            return Err(Refused::LidIsOn);
+        }
         match command {
             Command::Hob(power) => self.set_hob(*power),
             Command::Put { food, at, heap } => self.put(food, *at, *heap),
@@ -51,10 +55,7 @@ impl Kitchen {
                 self.order(food, |key| Task::Press { key, newtons: *newtons, for_s: *for_s })
             }
             Command::Move { food, to } => self.order(food, |key| Task::Move { key, to: *to }),
-            Command::Oil { .. } => Err(Refused::NotYet("pour oil")),
-            Command::Butter(_) => Err(Refused::NotYet("melt butter")),
-            Command::Water(_) => Err(Refused::NotYet("pour water")),
-            Command::Lid(_) => Err(Refused::NotYet("take a lid")),
+            Command::Oil { .. } | Command::Butter(_) | Command::Water(_) | Command::Lid(_) => self.pour(command),
         }
     }
 
@@ -67,6 +68,19 @@ impl Kitchen {
             self.pan.temperature.iter_mut().for_each(|t| *t = t.min(cool));
             self.flows.other += before - fixed.pan.stored(&self.pan);
         }
+    }
+
+    /// Pours or lays something into the pan.
+    fn pour(&mut self, command: &Command) -> Result<(), Refused> {
+        let fixed = Arc::clone(&self.fixed);
+        let time = self.time_s();
+        let mut at = Pouring { room: &fixed.room, covered: &self.covered, time, events: &mut self.events };
+        let brought = fixed.pan.pour(&mut self.pan, command, &mut at)?;
+        self.bring(brought.stored);
+        self.flows.air += brought.air;
+        self.flows.evaporation += brought.evaporation;
+        self.flows.other += brought.other;
+        Ok(())
     }
 
     fn set_hob(&mut self, power: f64) -> Result<(), Refused> {
@@ -182,7 +196,7 @@ impl Kitchen {
         let pan = self.world.motion.pose;
         let pose = pan.then(&Pose::at(at[0], at[1], height + below));
         let (key, mass) = (piece.key, piece.mass());
-        let friction = piece.friction(self.fixed.pan.oil_film(&self.pan, &self.fixed.room), &self.fixed.room);
+        let friction = piece.friction(self.film_at(at), &self.fixed.room);
         self.world.add(key, solid, mass, &pose);
         self.world.set_friction(key, friction);
         let piece = &mut self.pieces[index];

@@ -1,106 +1,20 @@
 //! The pan: a heated plate with a wall, conducting along its metal.
 
 use saute_food::air_film::radiation_coefficient;
-use saute_food::sourced_table;
-use saute_heat::{Conduction, Graph, Locator, MeshError, Section};
-use serde::Deserialize;
+use saute_food::juice::Runoff;
+use saute_food::{Exchange, FreeAir};
+use saute_heat::{Conduction, Graph, Located, Locator, MeshError, Section};
 
+use crate::bed::Bed;
 use crate::cloth::Cloth;
+use crate::event::EventLog;
 use crate::hob::{HobDescription, PanPose};
+use crate::library::Library;
+use crate::lid::Lid;
+use crate::liquids::{Around, LiquidModel, LiquidSolver, Liquids};
+use crate::pan_description::PanDescription;
 use crate::room::Room;
-
-sourced_table! {
-    /// The flat floor.
-    Floor {
-        /// Radius [mm].
-        radius_mm: f64,
-        /// Thickness [mm].
-        thickness_mm: f64,
-    }
-}
-
-sourced_table! {
-    /// The flared wall.
-    Wall {
-        /// Radius at the rim [mm].
-        rim_radius_mm: f64,
-        /// Height of the rim above the floor [mm].
-        height_mm: f64,
-        /// Thickness [mm].
-        thickness_mm: f64,
-    }
-}
-
-sourced_table! {
-    /// The metal.
-    Metal {
-        /// Thermal conductivity along the floor [W/(m·K)].
-        conductivity_w_mk: f64,
-        /// Density [kg/m³].
-        density_kg_m3: f64,
-        /// Specific heat [J/(kg·K)].
-        specific_heat_j_kgk: f64,
-    }
-}
-
-sourced_table! {
-    /// The cooking surface.
-    PanSurface {
-        /// Thermal emissivity [-].
-        emissivity: f64,
-    }
-}
-
-sourced_table! {
-    /// What it looks like.
-    Look {
-        /// sRGB, 0–255.
-        colour_srgb: [u8; 3],
-        /// 0 dielectric – 1 metal.
-        metalness: f64,
-        /// Roughness [-].
-        roughness: f64,
-    }
-}
-
-/// A pan as its file describes it.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PanDescription {
-    /// Name for people.
-    pub name: String,
-    /// Floor.
-    pub floor: Floor,
-    /// Wall.
-    pub wall: Wall,
-    /// Metal.
-    pub metal: Metal,
-    /// Surface.
-    pub surface: PanSurface,
-    /// Look.
-    pub look: Look,
-    /// Conductance of a coating [W/(m²·K)]; absent on bare metal.
-    #[serde(skip)]
-    pub coating_w_m2k: Option<f64>,
-}
-
-/// A coating that any pan can have.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CoatingDescription {
-    /// Name for people.
-    pub name: String,
-    /// Conductance [W/(m²·K)].
-    pub conductance_w_m2k: f64,
-    /// Emissivity [-].
-    pub emissivity: f64,
-    /// Where the numbers come from.
-    pub source: String,
-    /// How well they are known.
-    pub confidence: saute_food::description::Confidence,
-    /// Look.
-    pub look: Look,
-}
+use crate::water_film::Vapour;
 
 /// Rings of nodes on the floor (chosen: 8 mm; the ring of heat is 50 mm wide).
 const FLOOR_RINGS: usize = 12;
@@ -118,7 +32,9 @@ pub struct PanModel {
     pub floor_nodes: usize,
     /// Area of the floor [m²].
     pub floor_area: f64,
-    capacity: Vec<f64>,
+    /// Liquids on it.
+    pub liquids: LiquidModel,
+    pub(crate) capacity: Vec<f64>,
     graph: Graph,
     conduction: Conduction,
     /// Conductance of air and glass at its largest [W/K]; bounds the stable step.
@@ -132,12 +48,10 @@ pub struct PanState {
     pub temperature: Vec<f64>,
     /// Hob glass under the floor [K].
     pub glass: Vec<f64>,
-    /// Juice in the pan [kg].
-    pub puddle: f64,
-    /// Its enthalpy above 0 °C [J].
-    pub puddle_enthalpy: f64,
-    /// Oil and rendered fat in the pan [kg].
-    pub oil: f64,
+    /// Oil, water and butter in the pan.
+    pub liquids: Liquids,
+    /// The lid, while it is on.
+    pub lid: Option<Lid>,
     /// Where the pan stands.
     pub pose: PanPose,
     /// Share of the hob's power that goes into each node of the floor [-].
@@ -150,6 +64,9 @@ pub struct PanState {
 #[derive(Clone, Debug, Default)]
 pub struct PanSolver {
     heat: Vec<f64>,
+    /// Heat capacity of metal and oil [J/K].
+    capacity: Vec<f64>,
+    liquids: LiquidSolver,
 }
 
 /// What acts on the pan during one tick.
@@ -167,7 +84,14 @@ pub struct PanLoad<'a> {
     pub food: &'a [f64],
     /// Share of each node's area under food [-].
     pub covered: &'a [f64],
+    /// Steam that food made at each node in this tick [kg].
+    pub steam: &'a [f64],
+    /// Gravity less the pan's acceleration, in the pan's frame [m/s²].
+    pub gravity: [f64; 3],
 }
+
+/// Gravity in the frame of a pan that is level and at rest [m/s²].
+pub const LEVEL: [f64; 3] = [0.0, 0.0, -crate::piece::GRAVITY];
 
 /// Thermal conductivity of warm air under a lifted pan [W/(m·K)] (standard tables, 100 °C).
 const AIR_CONDUCTIVITY: f64 = 0.031;
@@ -181,17 +105,17 @@ pub struct PanExchange {
     pub hob: f64,
     /// To air and walls.
     pub air: f64,
-    /// Into the glass, the coil and the cloth.
+    /// Into the glass, the coil and the cloth, and with what left the pan.
     pub other: f64,
-    /// Into the puddle.
-    pub puddle: f64,
+    /// Vapour from the pan's water to the room.
+    pub vapour: Vapour,
     /// Vapour from the cloth [kg].
     pub cloth_vapour: f64,
 }
 
 impl PanModel {
     /// Meshes a pan: rings on the floor, then up the wall, which is unrolled into the plane.
-    pub fn build(description: &PanDescription, hob: &HobDescription) -> Result<Self, MeshError> {
+    pub fn build(description: &PanDescription, library: &Library) -> Result<Self, MeshError> {
         let floor = description.floor.radius_mm * 1e-3;
         let step = floor / (FLOOR_RINGS as f64 - 0.5);
         let rise =
@@ -216,8 +140,10 @@ impl PanModel {
         }
         let mut conduction = Conduction::default();
         conduction.refresh(&graph, &vec![metal.conductivity_w_mk; areas.len()]);
+        let bed = Bed::new(&section, description);
         Ok(Self {
-            steepest: areas.iter().map(|a| a * (STEEPEST_AIR_LOSS + hob.glass.gap_conductance_w_m2k)).collect(),
+            liquids: LiquidModel::new(bed, floor_nodes, description, library),
+            steepest: areas.iter().map(|a| a * (STEEPEST_AIR_LOSS + library.hob.glass.gap_conductance_w_m2k)).collect(),
             floor_area: areas[..floor_nodes].iter().sum(),
             locator: Locator::new(&section),
             description: description.clone(),
@@ -235,9 +161,8 @@ impl PanModel {
         PanState {
             temperature: vec![pan; self.capacity.len()],
             glass: vec![room.temperature(); self.floor_nodes],
-            puddle: 0.0,
-            puddle_enthalpy: 0.0,
-            oil: 1e-3 * room.contact.oil_g,
+            liquids: self.liquids.fresh(pan, room),
+            lid: None,
             ring_shares: self.ring_shares(hob, &pose),
             pose,
             limited: false,
@@ -255,20 +180,45 @@ impl PanModel {
         state.pose = pose;
     }
 
-    /// Thickness of the oil film, spread over the floor [m].
-    pub fn oil_film(&self, state: &PanState, room: &Room) -> f64 {
-        state.oil / (room.contact.oil_density_kg_m3 * self.floor_area)
-    }
-
     /// Area mean of the flat floor [K].
     pub fn floor_temperature(&self, state: &PanState) -> f64 {
         let sum: f64 = state.temperature[..self.floor_nodes].iter().zip(&self.section.areas).map(|(t, a)| t * a).sum();
         sum / self.floor_area
     }
 
-    /// Heat stored above 0 °C [J].
+    /// Heat stored above 0 °C in metal, liquids and lid [J].
     pub fn stored(&self, state: &PanState) -> f64 {
-        state.temperature.iter().zip(&self.capacity).map(|(t, c)| (t - saute_food::ZERO_C) * c).sum()
+        let metal: f64 = state.temperature.iter().zip(&self.capacity).map(|(t, c)| (t - saute_food::ZERO_C) * c).sum();
+        metal + self.liquids.stored(&state.liquids, &state.temperature) + state.lid.map_or(0.0, |lid| lid.stored())
+    }
+
+    /// Air over and beside food whose upper face is at `surface` [K]: in the pan's plume, or under the lid.
+    pub fn airs(&self, state: &PanState, room: &Room, surface: f64) -> [FreeAir; 3] {
+        match &state.lid {
+            Some(lid) => [lid.air_over(room, surface).0; 3],
+            None => {
+                let (up, side) = room.plume(self.floor_temperature(state));
+                [up, up, side]
+            }
+        }
+    }
+
+    /// Takes up fat that food in the pan renders, which holds its latent heat of fusion [J/kg]; returns the heat that oil
+    /// does not count [J].
+    pub fn render(&self, state: &mut PanState, fat: &Runoff, latent: f64) -> f64 {
+        let PanState { liquids, temperature, .. } = state;
+        self.liquids.render(liquids, (fat.mass, fat.enthalpy), latent, &self.capacity, temperature)
+    }
+
+    /// Takes up what food in the pan gave to the air: all of it passes on to the room unless a lid holds it. Returns heat
+    /// and enthalpy of vapour that go to the room [J].
+    pub fn take_up(&self, state: &mut PanState, room: &Room, surface: f64, exchange: &Exchange) -> (f64, f64) {
+        let Some(lid) = &mut state.lid else { return (exchange.air, exchange.evaporation) };
+        let condensing = lid.air_over(room, surface).1;
+        lid.take_vapour(Vapour { mass: exchange.evaporated, enthalpy: exchange.evaporation });
+        let dew = lid.take_heat(exchange.air, condensing);
+        self.liquids.pour_water(&mut state.liquids, dew);
+        (0.0, 0.0)
     }
 
     /// Moves the pan through `dt` [s]; with a cloth it stands off the hob, which then gives no power.
@@ -278,6 +228,7 @@ impl PanModel {
         solver: &mut PanSolver,
         load: &PanLoad,
         cloth: &mut Option<Cloth>,
+        events: &mut EventLog,
         dt: f64,
     ) -> PanExchange {
         let limit = 0.8 * self.conduction.stable_step_with(&self.capacity, &self.steepest);
@@ -287,63 +238,127 @@ impl PanModel {
         // The sensor sits in the middle of the coil; node 0 lies above it.
         state.limited = state.glass[0] > crate::kelvin(bound);
         let mut total = PanExchange::default();
+        let PanState { liquids, temperature, .. } = state;
+        let scratch = &mut solver.liquids;
+        total.other += self.liquids.run(liquids, scratch, load.gravity, &self.capacity, temperature, dt);
+        scratch.steam.clear();
+        scratch.steam.extend_from_slice(load.steam);
+        solver.capacity.clear();
+        solver.capacity.extend(self.capacity.iter().zip(&liquids.oil.capacity).map(|(metal, oil)| metal + oil));
         for _ in 0..steps as usize {
-            self.step(state, &mut solver.heat, load, cloth, dt / steps, &mut total);
+            self.step(state, solver, load, cloth, dt / steps, &mut total);
         }
+        self.finish(state, solver, load, events, dt, &mut total);
         total
+    }
+
+    /// What liquids and lid do at the end of a tick.
+    fn finish(
+        &self,
+        state: &mut PanState,
+        solver: &PanSolver,
+        load: &PanLoad,
+        events: &mut EventLog,
+        dt: f64,
+        total: &mut PanExchange,
+    ) {
+        let [air, ..] = self.airs(state, load.room, self.floor_temperature(state));
+        let around =
+            Around { room: load.room, air, lidded: state.lid.is_some(), covered: load.covered, time: load.time };
+        let PanState { liquids, temperature, .. } = state;
+        let (vapour, heat) = self.liquids.finish(liquids, &solver.liquids, &around, temperature, events, dt);
+        total.other += heat;
+        self.release(state, vapour, total);
+        if let Some(lid) = &mut state.lid {
+            let settled = lid.settle(load.room, dt);
+            total.air += settled.to_room;
+            total.vapour.mass += settled.escaped.mass;
+            total.vapour.enthalpy += settled.escaped.enthalpy;
+            self.liquids.pour_water(&mut state.liquids, settled.condensate);
+        }
+    }
+
+    /// Vapour from the pan's water rises to the room or under the lid.
+    fn release(&self, state: &mut PanState, vapour: Vapour, total: &mut PanExchange) {
+        match &mut state.lid {
+            Some(lid) => lid.take_vapour(vapour),
+            None => {
+                total.vapour.mass += vapour.mass;
+                total.vapour.enthalpy += vapour.enthalpy;
+            }
+        }
     }
 
     fn step(
         &self,
         state: &mut PanState,
-        heat: &mut Vec<f64>,
+        solver: &mut PanSolver,
         load: &PanLoad,
         cloth: &mut Option<Cloth>,
         dt: f64,
         total: &mut PanExchange,
     ) {
+        let heat = &mut solver.heat;
         heat.clear();
         heat.extend(load.food.iter().map(|p| -p));
         self.conduction.add_power(&self.graph, &state.temperature, heat);
         heat.iter_mut().for_each(|q| *q *= dt);
         self.add_air_losses(state, load, dt, heat, total);
-        self.add_puddle(state, load.room, dt, heat, total);
+        self.add_water(state, &mut solver.liquids.steam, dt, heat, total);
         match cloth {
             None => self.add_hob(state, load, dt, heat, total),
             Some(cloth) => self.add_cloth(state, load.room, cloth, dt, heat, total),
         }
-        for ((t, q), c) in state.temperature.iter_mut().zip(heat.iter()).zip(&self.capacity) {
+        for ((t, q), c) in state.temperature.iter_mut().zip(heat.iter()).zip(&solver.capacity) {
             *t += q / c;
         }
         self.cool_glass(state, load, dt);
     }
 
-    fn add_air_losses(&self, state: &PanState, load: &PanLoad, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
-        let air = load.room.temperature();
+    /// Convection and radiation of both faces of the wall and of the bare floor; under a lid the inner ones meet its air.
+    fn add_air_losses(&self, state: &mut PanState, load: &PanLoad, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
+        let room = load.room.temperature();
         let emissivity = self.description.surface.emissivity;
+        let inside = state.lid.map(|lid| (lid.air_temperature(), load.room.lid.convection_w_m2k));
+        let mut under_lid = 0.0;
         for (i, &t) in state.temperature.iter().enumerate() {
-            let excess = t - air;
+            let area = self.section.areas[i] * dt;
+            let bare = if i < self.floor_nodes { 1.0 - load.covered[i] } else { 1.0 };
+            let wall = if i < self.floor_nodes { 0.0 } else { 1.0 };
+            let mut outer = wall;
+            match inside {
+                Some((air, convection)) => {
+                    let lost = bare * (convection + radiation_coefficient(emissivity, t, air)) * area * (t - air);
+                    heat[i] -= lost;
+                    under_lid += lost;
+                }
+                None => outer += bare,
+            }
+            let excess = t - room;
             let convection = load.room.pan_air.convection_coefficient * libm::sqrt(libm::sqrt(libm::fabs(excess)));
-            let faces = if i < self.floor_nodes { 1.0 - load.covered[i] } else { 2.0 };
-            let lost =
-                faces * (convection + radiation_coefficient(emissivity, t, air)) * self.section.areas[i] * excess * dt;
+            let lost = outer * (convection + radiation_coefficient(emissivity, t, room)) * area * excess;
             heat[i] -= lost;
             total.air += lost;
         }
+        if let Some(lid) = &mut state.lid {
+            lid.take_heat(under_lid, 0.0);
+        }
     }
 
-    /// Juice lies where the floor is bare or under the food alike: it takes heat evenly from the floor it covers.
-    fn add_puddle(&self, state: &PanState, room: &Room, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
-        if state.puddle <= 0.0 {
-            return;
+    /// Water takes heat from the pan under it and boils.
+    fn add_water(&self, state: &mut PanState, steam: &mut [f64], dt: f64, heat: &mut [f64], total: &mut PanExchange) {
+        let mut vapour = Vapour::default();
+        for i in 0..state.temperature.len() {
+            if state.liquids.water.mass[i] > 0.0 {
+                let (base, area) = (state.temperature[i], self.liquids.bed.areas[i]);
+                let (taken, boiled) = state.liquids.water.heat(&self.liquids.water, i, area, base, dt);
+                heat[i] -= taken;
+                steam[i] += boiled.mass;
+                vapour.mass += boiled.mass;
+                vapour.enthalpy += boiled.enthalpy;
+            }
         }
-        let share = (state.puddle / 1000.0 / (room.puddle.depth_mm * 1e-3) / self.floor_area).min(1.0);
-        let water = saute_food::ZERO_C + state.puddle_enthalpy / (state.puddle * crate::puddle::PUDDLE_SPECIFIC_HEAT);
-        for (i, &t) in state.temperature[..self.floor_nodes].iter().enumerate() {
-            let taken = room.puddle.conductance_w_m2k * share * self.section.areas[i] * (t - water) * dt;
-            heat[i] -= taken;
-            total.puddle += taken;
-        }
+        self.release(state, vapour, total);
     }
 
     /// Heat from the ring, and between floor and glass: through their contact, or through the air under a lifted pan.
@@ -387,5 +402,37 @@ impl PanModel {
         let share = hob.glass.loss_w_m2k * dt / hob.glass.areal_capacity_j_m2k;
         let air = load.room.temperature();
         state.glass.iter_mut().for_each(|t| *t -= share * (*t - air));
+    }
+}
+
+impl PanState {
+    /// Mass of oil and fat [kg].
+    pub fn oil_mass(&self) -> f64 {
+        self.liquids.oil.total()
+    }
+
+    /// Mass of water that lies in the pan [kg].
+    pub fn water_mass(&self) -> f64 {
+        self.liquids.water.total()
+    }
+
+    /// Smoke that rises from the oil [mg/s].
+    pub fn smoke_mg_s(&self) -> f64 {
+        1e6 * self.liquids.smoke.rate
+    }
+
+    /// Foam of butter, 0 none – 1 the pan full [-].
+    pub fn foam(&self) -> f64 {
+        self.liquids.butter.foam
+    }
+
+    /// Browning of butter's milk solids, 0–1 [-].
+    pub fn milk_solids_browning(&self) -> f64 {
+        self.liquids.butter.browning
+    }
+
+    /// Thickness of the oil film at a place on the pan's mesh [m].
+    pub fn oil_film(&self, at: &Located) -> f64 {
+        (0..3).map(|k| at.weights[k] * self.liquids.film[at.nodes[k] as usize]).sum()
     }
 }

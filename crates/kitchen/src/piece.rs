@@ -294,7 +294,7 @@ impl Piece {
         let face = FaceContact {
             since: self.since_contact,
             pressure: self.pan_force / area.max(1e-6),
-            film: pan.oil_film(pan_state, room),
+            film: 0.0,
             coating: pan.description.coating_w_m2k.unwrap_or(f64::INFINITY),
         };
         let mean = face.mean_gap(&room.contact);
@@ -308,6 +308,7 @@ impl Piece {
         let (contact, rules) = (&room.contact, &room.rules_2013);
         let node = self.node_of(near.patch);
         let located = &near.located;
+        let face = FaceContact { film: pan.oil_film(located), ..*face };
         let temperature = (0..3).map(|k| located.weights[k] * pan.temperature[located.nodes[k] as usize]).sum::<f64>();
         let wet = self.state.water[node] > WET_SHARE * self.model.initial_water[node];
         let dome = self.dome_gap(near.patch as usize);

@@ -4,7 +4,12 @@ use saute_food::water::saturation_density;
 use saute_food::{FreeAir, sourced_table};
 use serde::Deserialize;
 
+use crate::butter::FoamData;
 use crate::kelvin;
+use crate::lid::LidData;
+use crate::smoke::SmokeData;
+use crate::spatter::SpatterData;
+use crate::water_film::PuddleData;
 
 sourced_table! {
     /// Air of the room.
@@ -105,12 +110,16 @@ sourced_table! {
 }
 
 sourced_table! {
-    /// Juice that has run into the pan.
-    PuddleData {
-        /// Conductance to the pan [W/(m²·K)].
-        conductance_w_m2k: f64,
-        /// Depth [mm].
-        depth_mm: f64,
+    /// Oil and fat by kind, and what stays of them on a drained pan.
+    OilUse {
+        /// Oil in the pan at the start, and unless told otherwise.
+        default: String,
+        /// Fat that foods render.
+        rendered: String,
+        /// Butter.
+        butter: String,
+        /// Film that stays on a drained pan [mm].
+        clinging_mm: f64,
     }
 }
 
@@ -187,8 +196,18 @@ pub struct Room {
     pub food_contact: FoodContact,
     /// Friction.
     pub friction: Friction,
-    /// Juice in the pan.
+    /// Water in the pan.
     pub puddle: PuddleData,
+    /// Oil in the pan.
+    pub oil: OilUse,
+    /// Smoke and fire.
+    pub smoke: SmokeData,
+    /// Spatter.
+    pub spatter: SpatterData,
+    /// Foam of butter.
+    pub foam: FoamData,
+    /// Lid.
+    pub lid: LidData,
     /// Wet cloth.
     pub cloth: ClothData,
     /// Board.

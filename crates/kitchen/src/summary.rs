@@ -7,8 +7,10 @@ use std::sync::Arc;
 use saute_food::{Rules, Scale, Shares};
 use serde::{Serialize, Serializer};
 
+use crate::butter::ButterModel;
 use crate::celsius;
 use crate::energy::Energy;
+use crate::event::Tally;
 use crate::group_summary::GroupSummary;
 use crate::kitchen::Kitchen;
 use crate::library::DEFAULT_SCALE;
@@ -38,6 +40,10 @@ pub struct Summary {
     pub groups: Vec<GroupSummary>,
     /// Pan temperatures [°C].
     pub pan_c: PanSummary,
+    /// Liquids of the pan [g].
+    pub liquids_g: LiquidsSummary,
+    /// What happened, by kind.
+    pub events: Vec<Tally>,
     /// Energy [J].
     pub energy_j: Energy,
     /// Steps in the order they fired.
@@ -57,6 +63,41 @@ pub struct PanSummary {
     pub lowest_after_first_put: Option<f64>,
     /// At the end.
     pub end: f64,
+}
+
+/// Liquids of the pan [g].
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct LiquidsSummary {
+    /// Oil and fat of all kinds that lie in the pan.
+    pub oil: f64,
+    /// Butter's part of that, milk solids left out.
+    pub butter_fat: f64,
+    /// Water that lies in the pan.
+    pub water: f64,
+    /// Oil that went up in smoke.
+    pub smoked: f64,
+    /// Oil that burnt.
+    pub burnt: f64,
+    /// Oil that spattered out of the pan.
+    pub spattered: f64,
+    /// What ran over the rim.
+    pub spilled: f64,
+}
+
+impl LiquidsSummary {
+    fn new(kitchen: &Kitchen) -> Self {
+        let (model, liquids) = (&kitchen.pan_model().liquids, &kitchen.pan_state().liquids);
+        let fat = |b: &ButterModel| liquids.oil.total_of(b.kind) * (1.0 - b.solids_share());
+        Self {
+            oil: 1e3 * liquids.oil.total(),
+            butter_fat: 1e3 * model.butter.as_ref().map_or(0.0, fat),
+            water: 1e3 * liquids.water.total(),
+            smoked: 1e3 * liquids.smoke.smoked,
+            burnt: 1e3 * liquids.smoke.burnt,
+            spattered: 1e3 * liquids.spatter.spattered,
+            spilled: 1e3 * liquids.spilled,
+        }
+    }
 }
 
 /// One food.
@@ -274,6 +315,8 @@ impl Summary {
         let pieces = kitchen.pieces().iter().zip(masses_at_start).enumerate();
         let foods: Vec<FoodSummary> =
             pieces.map(|(i, (p, m))| FoodSummary { group: group_of(i), ..FoodSummary::new(p, *m, scales) }).collect();
+        let dangers = kitchen.events().tallies().filter(|t| t.kind.endangers()).filter_map(|t| t.kind.advice());
+        let dangers = dangers.map(str::to_owned);
         let unhealthy = kitchen.pieces().iter().filter(|p| !p.state.healthy);
         Self {
             title: runner.recipe().title.clone(),
@@ -290,9 +333,11 @@ impl Summary {
                 lowest_after_first_put: recorder.pan_lowest_after_c,
                 end: celsius(kitchen.pan_temperature()),
             },
+            liquids_g: LiquidsSummary::new(kitchen),
+            events: kitchen.events().tallies().copied().collect(),
             energy_j: kitchen.energy(),
             steps: steps.to_vec(),
-            warnings: unhealthy.map(|p| format!("{} became non-finite and was frozen", p.id)).collect(),
+            warnings: unhealthy.map(|p| format!("{} became non-finite and was frozen", p.id)).chain(dangers).collect(),
         }
     }
 }

@@ -26,6 +26,11 @@ enum Deed {
     Rest(RestOn),
     Cloth,
     Lift(f64),
+    Oil(f64),
+    Butter(f64),
+    Water(f64),
+    Lid(bool),
+    Lean([f64; 3]),
 }
 
 fn deed() -> impl Strategy<Value = Deed> {
@@ -36,6 +41,11 @@ fn deed() -> impl Strategy<Value = Deed> {
         2 => prop_oneof![Just(RestOn::Board), Just(RestOn::Rack), Just(RestOn::Foil)].prop_map(Deed::Rest),
         1 => Just(Deed::Cloth),
         1 => (0.0..0.05).prop_map(Deed::Lift),
+        1 => (-0.01..0.05).prop_map(Deed::Oil),
+        1 => (-0.01..0.05).prop_map(Deed::Butter),
+        1 => (-0.01..0.1).prop_map(Deed::Water),
+        2 => any::<bool>().prop_map(Deed::Lid),
+        2 => [-12.0..12.0, -12.0..12.0, -20.0..10.0].prop_map(Deed::Lean),
     ]
 }
 
@@ -100,6 +110,12 @@ fn command(deed: Deed) -> Command {
         Deed::Rest(on) => Command::Rest { food, on },
         Deed::Cloth => Command::Cool { for_s: 2.0 },
         Deed::Lift(lift) => Command::MovePan { at: [0.01, 0.0], lift },
+        Deed::Oil(mass) => Command::Oil { kind: "olive".into(), mass },
+        Deed::Butter(mass) => Command::Butter(mass),
+        Deed::Water(mass) => Command::Water(mass),
+        Deed::Lid(on) => Command::Lid(on),
+        // Not a command: the pan's motion sets it.
+        Deed::Lean(_) => Command::Hob(500.0),
     }
 }
 
@@ -127,6 +143,9 @@ proptest! {
         let mut before = progress(&kitchen);
         for (wait, deed) in &draw.schedule {
             let _ = kitchen.apply(&command(*deed));
+            if let Deed::Lean(gravity) = deed {
+                kitchen.lean(*gravity);
+            }
             (0..(wait / TICK_S) as usize).for_each(|_| kitchen.step());
             let now = progress(&kitchen);
             prop_assert!(now.iter().zip(&before).all(|(n, b)| n >= b), "{now:?} after {before:?}");
@@ -145,6 +164,10 @@ proptest! {
         let left: f64 = state.water.iter().sum();
         prop_assert!((water - lost - left).abs() <= 1e-3 * water, "water {water} lost {lost} left {left}");
         prop_assert!((raw - lost - state.rendered - state.mass(model)).abs() <= 1e-9 * raw.max(1e-3));
+        let pan = kitchen.pan_state();
+        prop_assert!(pan.temperature.iter().all(|t| (kelvin(-1.0)..kelvin(1200.0)).contains(t)));
+        prop_assert!(pan.liquids.oil.mass.iter().chain(&pan.liquids.water.mass).all(|m| *m >= 0.0));
+        prop_assert!(pan.lid.is_none_or(|lid| lid.vapour >= 0.0 && lid.air_temperature() < kelvin(600.0)));
         let energy = kitchen.energy();
         let gross = energy.hob + energy.air.abs() + energy.evaporation + energy.other.abs() + energy.pan_stored.abs();
         prop_assert!(energy.imbalance.abs() <= 1e-3 * gross.max(1.0), "{energy:?}");

@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use rapier3d::math::Vector;
 use rapier3d::prelude::{ColliderBuilder, SharedShape};
 
-use crate::pan::PanDescription;
+use crate::pan_description::PanDescription;
 
 use super::scale;
 use glam::DVec3;
