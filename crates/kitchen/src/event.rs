@@ -36,6 +36,11 @@ impl EventKind {
         Self::SteamReleased,
     ];
 
+    /// Whether its amounts add up, as masses do and temperatures do not.
+    pub fn adds_up(self) -> bool {
+        !matches!(self, Self::SmokeBegins | Self::FlashPoint | Self::Fire)
+    }
+
     /// Whether it can burn the kitchen down: summaries warn of it.
     pub fn endangers(self) -> bool {
         matches!(self, Self::FlashPoint | Self::Fire)
@@ -73,7 +78,7 @@ pub struct Tally {
     pub kind: EventKind,
     /// How often.
     pub count: u64,
-    /// Sum of the amounts, in the unit of the kind.
+    /// Sum of the masses, or the highest temperature, in the unit of the kind.
     pub amount: f64,
     /// When first [s].
     pub first_s: f64,
@@ -109,7 +114,7 @@ impl EventLog {
             tally.first_s = event.time_s;
         }
         tally.count += 1;
-        tally.amount += event.amount;
+        tally.amount = if event.kind.adds_up() { tally.amount + event.amount } else { tally.amount.max(event.amount) };
         tally.last_s = event.time_s;
         self.latest.push_back(event);
     }

@@ -63,7 +63,7 @@ impl OilFilm {
 
     /// Mass of one kind [kg].
     pub fn total_of(&self, kind: usize) -> f64 {
-        self.fats.iter().filter(|f| f.kind == kind).flat_map(|f| &f.mass).sum()
+        self.fats.iter().filter(|f| f.kind == kind).flat_map(|f| &f.mass).fold(0.0, |sum, mass| sum + mass)
     }
 
     /// Share of a kind in the film at a node [-].
