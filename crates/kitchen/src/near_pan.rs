@@ -15,9 +15,12 @@ const REACH: f64 = 3.0e-3;
 const LYING: f64 = 1.0e-3;
 /// Cosine between a patch's normal and the surface's below which they face each other [-] (chosen: 60°).
 const FACING: f64 = -0.5;
-/// Unevenness of the shape that does not count [m] (chosen: a 25 mm slab of 10–20 kPa gives by 0.3 mm under its own
-/// weight, and the measured conductances on which the mean gap rests were those of hand-cut, bumpy faces).
-const GIVE: f64 = 0.5e-3;
+/// How much farther than the face's mean a patch may be before that counts [m] (chosen: a 25 mm slab of 10–20 kPa gives
+/// by 0.3 mm under its own weight).
+const GIVE: f64 = 0.3e-3;
+/// Patches up to this much farther off than the nearest make up the face on which the piece lies [m] (chosen: above the
+/// bumps of a hand-cut face, which the measured conductances behind the mean gap include).
+const FACE: f64 = 1.0e-3;
 /// Movement below which everything is as before [m] (chosen: far below the mesh of pan and piece).
 const SAME: f64 = 0.1e-3;
 
@@ -26,7 +29,7 @@ const SAME: f64 = 0.1e-3;
 pub struct NearPatch {
     /// Index of the patch.
     pub patch: u32,
-    /// How much farther from the pan it is than the nearest ones, beyond what the food gives [m].
+    /// How much farther from the pan it is than the face on which the piece lies, beyond what the food gives [m].
     pub gap: f64,
     /// Place on the pan's mesh.
     pub located: Located,
@@ -67,7 +70,10 @@ impl NearPan {
         if nearest > LYING {
             self.patches.clear();
         }
-        self.patches.iter_mut().for_each(|p| p.gap = (p.gap - nearest - GIVE).max(0.0));
+        let face = self.patches.iter().map(|p| p.gap).filter(|gap| *gap < nearest + FACE);
+        let (sum, count) = face.fold((0.0, 0.0), |(sum, count), gap| (sum + gap, count + 1.0));
+        let mean = if count > 0.0 { sum / count } else { nearest };
+        self.patches.iter_mut().for_each(|p| p.gap = (p.gap - mean - GIVE).max(0.0));
         self.patches.retain(|p| p.gap < REACH);
     }
 

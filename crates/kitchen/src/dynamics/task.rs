@@ -121,19 +121,19 @@ fn flip(world: &World, key: u32, at: &Pose) -> Vec<Leg> {
     let under = DVec3::new(body.position.x, body.position.y, body.position.z - below);
     let outside = under - along * (length + 0.05);
     let lift = DVec3::Z * (width + 0.012 - below).max(0.02);
-    let over = Leg { turn: along * PI, ..leg(Frame::Pan, blade(under + lift + DVec3::Z * (2.0 * below)), 0.30, Act::Pass) };
+    let over = Leg { turn: along * PI, ..leg(Frame::Pan, blade(under + lift + DVec3::Z * (2.0 * below)), 0.22, Act::Pass) };
     // Turned over about its own way, the blade lies on top: as high above the middle as it was below.
     let flipped = Pose { position: DVec3::ZERO, rotation: (turn(along, PI) * facing).normalize() };
     let on_top = |p: DVec3| Pose { position: p, ..flipped };
     let above = side(DVec3::Z);
     let landed = DVec3::new(under.x, under.y, under.z + above + below + DROP);
     vec![
-        leg(Frame::Pan, blade(outside), 0.15, Act::Pass),
-        leg(Frame::Pan, blade(under), 0.20, Act::Grip(key)),
-        leg(Frame::Pan, blade(under + lift), 0.25, Act::Pass),
+        leg(Frame::Pan, blade(outside), 0.10, Act::Pass),
+        leg(Frame::Pan, blade(under), 0.12, Act::Grip(key)),
+        leg(Frame::Pan, blade(under + lift), 0.14, Act::Pass),
         over,
-        leg(Frame::Pan, on_top(landed), 0.25, Act::Release),
-        leg(Frame::Pan, on_top(landed + DVec3::Z * 0.05), 0.12, Act::Pass),
+        leg(Frame::Pan, on_top(landed), 0.15, Act::Release),
+        leg(Frame::Pan, on_top(landed + DVec3::Z * 0.05), 0.10, Act::Pass),
     ]
 }
 
