@@ -23,13 +23,18 @@ fn apply(kitchen: &mut Kitchen, command: Command) {
 }
 
 fn pour(kitchen: &mut Kitchen, kind: &str, grams: f64) {
-    apply(kitchen, Command::Oil { kind: kind.into(), mass: 1e-3 * grams });
+    apply(kitchen, Command::Oil { kind: Some(kind.into()), mass: 1e-3 * grams });
 }
 
 /// Gravity in the frame of a pan that is tilted by so many degrees, down towards +x.
 fn tilted(degrees: f64) -> [f64; 3] {
     let (sin, cos) = degrees.to_radians().sin_cos();
     [-LEVEL[2] * sin, 0.0, LEVEL[2] * cos]
+}
+
+/// Tilts the pan by so many degrees, down towards +x.
+fn tilt(kitchen: &mut Kitchen, degrees: f64) {
+    apply(kitchen, Command::Tilt { angle: degrees.to_radians(), towards: 0.0 });
 }
 
 fn steak() -> PieceOrder {
@@ -41,13 +46,14 @@ fn steak() -> PieceOrder {
         seed: 1,
         coarseness: 2.0,
         rules: Rules::Full,
+        mesh: saute_kitchen::MeshSize::Default,
     }
 }
 
 fn frying(pan_c: f64) -> Kitchen {
     let mut kitchen = pan_at(pan_c);
     kitchen.add(&library(), &steak()).expect("food");
-    apply(&mut kitchen, Command::Put { food: "steak".into(), at: [0.0, 0.0] });
+    apply(&mut kitchen, Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false });
     kitchen
 }
 
@@ -76,10 +82,11 @@ fn oil_that_runs_keeps_its_mass_and_its_heat_and_is_nowhere_negative() {
     let mut kitchen = pan_at(150.0);
     pour(&mut kitchen, "sunflower", 20.0);
     let before = kitchen.pan_state().oil_mass();
-    for (step, gravity) in
-        [tilted(25.0), tilted(-40.0), [6.0, -7.0, -3.0], [0.0, 0.0, 5.0], LEVEL].into_iter().enumerate()
-    {
-        kitchen.lean(gravity);
+    let shake = Command::Shake { amplitude: 0.05, hz: 4.0, for_s: 5.0 };
+    let slanting = Command::Tilt { angle: 1.2, towards: 4.0 };
+    let level = Command::Tilt { angle: 0.0, towards: 0.0 };
+    for (step, motion) in [slanting, shake, Command::Tilt { angle: 2.6, towards: 1.0 }, level].iter().enumerate() {
+        apply(&mut kitchen, motion.clone());
         run(&mut kitchen, 6.0);
         let liquids = &kitchen.pan_state().liquids;
         assert!(liquids.oil.mass.iter().all(|m| *m >= 0.0), "{step}");
@@ -113,7 +120,7 @@ fn a_tilted_pan_has_a_level_pool_on_its_low_side_that_returns_when_it_is_set_dow
     let mut kitchen = pan_at(120.0);
     pour(&mut kitchen, "canola", 60.0);
     let gravity = tilted(12.0);
-    kitchen.lean(gravity);
+    tilt(&mut kitchen, 12.0);
     run(&mut kitchen, 60.0);
     let low_share = |kitchen: &Kitchen| {
         let (bed, mass) = (&kitchen.pan_model().liquids.bed, &kitchen.pan_state().liquids.oil.mass);
@@ -128,7 +135,7 @@ fn a_tilted_pan_has_a_level_pool_on_its_low_side_that_returns_when_it_is_set_dow
     let depth: Vec<f64> = mass.iter().zip(&bed.areas).map(|(m, a)| m / (oil.density(mean) * a)).collect();
     let heights = surfaces(&kitchen, &depth, gravity, 1.5e-3);
     assert!(heights.len() > 10 && spread(&heights) < 0.3e-3, "{} nodes, {} m", heights.len(), spread(&heights));
-    kitchen.lean(LEVEL);
+    tilt(&mut kitchen, 0.0);
     run(&mut kitchen, 60.0);
     assert!(low_share(&kitchen) < 0.45, "{}", low_share(&kitchen));
 }
@@ -139,7 +146,7 @@ fn a_tilted_pan_has_a_level_pool_on_its_low_side_that_returns_when_it_is_set_dow
 fn a_draining_film_thins_by_jeffreys_law() {
     let mut kitchen = pan_at(100.0);
     pour(&mut kitchen, "canola", 5.0);
-    kitchen.lean(tilted(10.0));
+    tilt(&mut kitchen, 10.0);
     run(&mut kitchen, 30.0);
     let pan = kitchen.pan_model();
     let oil = &pan.liquids.oils[kitchen.pan_state().liquids.oil.fats[0].kind];
@@ -210,7 +217,7 @@ fn water_runs_to_the_low_side_and_over_the_rim_of_a_pan_on_edge() {
     let mut kitchen = pan_at(40.0);
     apply(&mut kitchen, Command::Water(0.2));
     let gravity = tilted(20.0);
-    kitchen.lean(gravity);
+    tilt(&mut kitchen, 20.0);
     run(&mut kitchen, 20.0);
     let (state, bed) = (kitchen.pan_state(), &kitchen.pan_model().liquids.bed);
     let depth: Vec<f64> =
@@ -218,7 +225,7 @@ fn water_runs_to_the_low_side_and_over_the_rim_of_a_pan_on_edge() {
     let heights = surfaces(&kitchen, &depth, gravity, 3e-3);
     assert!(heights.len() > 10 && spread(&heights) < 0.5e-3, "{} nodes, {} m", heights.len(), spread(&heights));
     assert!(state.liquids.spilled == 0.0);
-    kitchen.lean(tilted(100.0));
+    tilt(&mut kitchen, 100.0);
     run(&mut kitchen, 20.0);
     let liquids = &kitchen.pan_state().liquids;
     assert!(liquids.spilled > 0.15 && liquids.water.total() < 0.05, "{}", liquids.spilled);
@@ -414,7 +421,7 @@ fn absurd_amounts_unknown_oils_and_a_lid_in_the_way_are_refused_and_change_nothi
     let before = kitchen.pan_state().clone();
     for grams in [-5.0, 0.0, f64::NAN, f64::INFINITY, 5e3] {
         for command in [
-            Command::Oil { kind: "canola".into(), mass: 1e-3 * grams },
+            Command::Oil { kind: Some("canola".into()), mass: 1e-3 * grams },
             Command::Butter(1e-3 * grams),
             Command::Water(1e-3 * grams),
         ] {
@@ -422,7 +429,7 @@ fn absurd_amounts_unknown_oils_and_a_lid_in_the_way_are_refused_and_change_nothi
             assert!(matches!(refused, Refused::Amount { holds_g, .. } if holds_g > 1500), "{command:?}: {refused}");
         }
     }
-    let refused = kitchen.apply(&Command::Oil { kind: "motor".into(), mass: 0.01 }).expect_err("refused");
+    let refused = kitchen.apply(&Command::Oil { kind: Some("motor".into()), mass: 0.01 }).expect_err("refused");
     let text = refused.to_string();
     assert!(text.contains("motor") && text.contains("sunflower") && text.contains("clarified-butter"), "{text}");
     assert!(*kitchen.pan_state() == before);

@@ -30,7 +30,9 @@ enum Deed {
     Butter(f64),
     Water(f64),
     Lid(bool),
-    Lean([f64; 3]),
+    Tilt(f64, f64),
+    Toss,
+    Shake(f64),
 }
 
 fn deed() -> impl Strategy<Value = Deed> {
@@ -45,7 +47,9 @@ fn deed() -> impl Strategy<Value = Deed> {
         1 => (-0.01..0.05).prop_map(Deed::Butter),
         1 => (-0.01..0.1).prop_map(Deed::Water),
         2 => any::<bool>().prop_map(Deed::Lid),
-        2 => [-12.0..12.0, -12.0..12.0, -20.0..10.0].prop_map(Deed::Lean),
+        2 => (0.0..1.4, 0.0..6.3).prop_map(|(angle, towards)| Deed::Tilt(angle, towards)),
+        2 => Just(Deed::Toss),
+        2 => (0.5..6.0).prop_map(Deed::Shake),
     ]
 }
 
@@ -110,12 +114,13 @@ fn command(deed: Deed) -> Command {
         Deed::Rest(on) => Command::Rest { food, on },
         Deed::Cloth => Command::Cool { for_s: 2.0 },
         Deed::Lift(lift) => Command::MovePan { at: [0.01, 0.0], lift },
-        Deed::Oil(mass) => Command::Oil { kind: "olive".into(), mass },
+        Deed::Oil(mass) => Command::Oil { kind: Some("olive".into()), mass },
         Deed::Butter(mass) => Command::Butter(mass),
         Deed::Water(mass) => Command::Water(mass),
         Deed::Lid(on) => Command::Lid(on),
-        // Not a command: the pan's motion sets it.
-        Deed::Lean(_) => Command::Hob(500.0),
+        Deed::Tilt(angle, towards) => Command::Tilt { angle, towards },
+        Deed::Toss => Command::Toss { height: 0.1 },
+        Deed::Shake(hz) => Command::Shake { amplitude: 0.03, hz, for_s: 1.0 },
     }
 }
 
@@ -143,9 +148,6 @@ proptest! {
         let mut before = progress(&kitchen);
         for (wait, deed) in &draw.schedule {
             let _ = kitchen.apply(&command(*deed));
-            if let Deed::Lean(gravity) = deed {
-                kitchen.lean(*gravity);
-            }
             (0..(wait / TICK_S) as usize).for_each(|_| kitchen.step());
             let now = progress(&kitchen);
             prop_assert!(now.iter().zip(&before).all(|(n, b)| n >= b), "{now:?} after {before:?}");
