@@ -376,9 +376,8 @@ fn place_among(mesh: &SweptMesh, stations: &[Station], p: [f64; 3]) -> Option<(L
 fn check_size(description: &FoodDescription, piece: &PieceSpec) -> Result<(), BuildError> {
     let (form, range) = (description.form, &description.size);
     let bounds = [&range.min_mm, &range.max_mm].map(|mm| form.extent(mm).unwrap_or_default());
-    for axis in 0..3 {
+    for (axis, (&low, &high)) in bounds[0].iter().zip(&bounds[1]).enumerate() {
         let got = piece.size[axis] * 1e3;
-        let (low, high) = (bounds[0][axis], bounds[1][axis]);
         if !(got >= low - 1e-9 && got <= high + 1e-9) {
             return Err(BuildError::Size { which: form.dimension_of(axis), got, low, high });
         }

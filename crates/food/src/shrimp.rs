@@ -18,19 +18,19 @@ const RINGS: usize = 5;
 const FIRST_LAYER: f64 = 0.4e-3;
 /// Growth of the layers from the ends inwards [-], and the longest over the length [-] (chosen: three a segment).
 const GROWTH: f64 = 1.7;
-const LONGEST: f64 = 0.042;
+const LONGEST: f64 = 0.047;
 /// Segments of the abdomen (anatomy), and where along the length they end and the tail fan begins [-] (chosen).
 const SEGMENTS: f64 = 6.0;
 const FAN_FROM: f64 = 0.83;
 /// Depth (back to belly) over the thickest at shares of the length [-] (chosen by eye from peeled shrimp).
 const DEPTH_AT: [f64; 11] = [0.0, 0.12, 0.28, 0.45, 0.60, 0.72, 0.80, 0.85, 0.90, 0.96, 1.0];
-const DEPTH: [f64; 11] = [0.90, 1.0, 1.0, 0.92, 0.80, 0.68, 0.54, 0.44, 0.62, 0.92, 0.96];
+const DEPTH: [f64; 11] = [0.97, 1.0, 0.98, 0.90, 0.78, 0.66, 0.53, 0.42, 0.66, 0.97, 0.90];
 /// Breadth (left to right) over the broadest at shares of the length [-] (chosen likewise: the fan is a thin blade).
-const BREADTH: [f64; 11] = [0.90, 1.0, 1.0, 0.92, 0.80, 0.68, 0.54, 0.42, 0.30, 0.20, 0.17];
+const BREADTH: [f64; 11] = [0.97, 1.0, 0.98, 0.91, 0.81, 0.70, 0.57, 0.43, 0.28, 0.18, 0.16];
 /// How far the head end is rounded [-] and over which run [m] (chosen: where the head was twisted off).
 const ROUNDING: [f64; 2] = [0.16, 1.2e-3];
 /// Depth of the grooves between segments over the radius [-] (chosen: gently visible without the shell).
-const GROOVE: f64 = 0.055;
+const GROOVE: f64 = 0.085;
 
 impl Body {
     /// A shrimp; its plane is x–y, the back towards +y, the head end towards −x.

@@ -31,9 +31,12 @@ const STRAY: f64 = 0.25e-3;
 const CORNERS: [usize; 2] = [16, 32];
 /// Hulls along a curved body (chosen: fewer leave the bow of a shrimp filled).
 const HULLS: usize = 3;
+/// Share of what a section stands out of the straight lines between the ends of a hull that these give way [-] (chosen:
+/// half inside, half outside, as with the hexagon's sides).
+const LIFTED: f64 = 0.6;
 /// Corners of the hexagon about a section over its half axes. Flat above and below, where it lies; its
 /// corners stray as far outside as its sides inside.
-const HEXAGON: [[f64; 2]; 6] = [[1.05, 0.0], [0.56, 1.0], [-0.56, 1.0], [-1.05, 0.0], [-0.56, -1.0], [0.56, -1.0]];
+const HEXAGON: [[f64; 2]; 6] = [[1.08, 0.0], [0.60, 1.0], [-0.56, 1.0], [-1.05, 0.0], [-0.56, -1.0], [0.60, -1.0]];
 
 impl FoodModel {
     /// The solid of the present shape.
@@ -98,25 +101,45 @@ impl FoodModel {
         let lateral = state.stretch.lateral;
         let standing: Vec<_> = self.spine(state, stations).collect();
         let origin = self.spine_origin(state);
-        let corners = |level: usize, which: &[usize], points: &mut Vec<[f64; 3]>| {
-            let station = &stations[level];
-            let half = [0, 1].map(|k| station.section.points.iter().map(|p| p[k]).fold(0.0, f64::max));
-            for [x, y] in which.iter().map(|i| HEXAGON[*i]) {
-                let p = standing[level].place(station, [x * half[0], y * half[1]], lateral);
-                points.push([0, 1, 2].map(|k| p[k] - origin[k]));
-            }
+        let place = |level: usize, p: [f64; 2]| {
+            let p = standing[level].place(&stations[level], p, lateral);
+            [0, 1, 2].map(|k| p[k] - origin[k])
         };
         let cuts: Vec<usize> = (0..=HULLS).map(|i| self.level_near(i as f64 / HULLS as f64)).collect();
         let hull = |pair: &[usize]| {
             let (from, to) = (pair[0], pair[1]);
             let middle = self.level_near(0.5 * (self.mesh.levels[from] + self.mesh.levels[to]) / self.mesh.thickness());
-            let mut points = Vec::new();
-            corners(from, &[0, 1, 2, 3, 4, 5], &mut points);
-            corners(middle, &[0, 1, 2, 5], &mut points);
-            corners(to, &[0, 1, 2, 3, 4, 5], &mut points);
+            let halves = self.halves_between(stations, [from, to]);
+            let at = |level: usize| [0, 1].map(|k| halves[k](self.mesh.levels[level]));
+            let back = |level: usize| place(level, [at(level)[0], 0.0]);
+            let bow = LIFTED * bow((from..=middle).map(back)).max(bow((middle..=to).map(back)));
+            let mut points = Vec::with_capacity(16);
+            for (level, which) in [(from, &[0, 1, 2, 3, 4, 5][..]), (middle, &[0, 1, 2, 5]), (to, &[0, 1, 2, 3, 4, 5])]
+            {
+                let half = at(level);
+                for [x, y] in which.iter().map(|i| HEXAGON[*i]) {
+                    let lifted = bow * x.clamp(0.0, 1.0) * if y == 0.0 { 1.0 } else { 0.7 };
+                    points.push(place(level, [x * half[0] + lifted, y * half[1]]));
+                }
+            }
             points
         };
         cuts.windows(2).map(hull).collect()
+    }
+
+    /// Half axes of the section between two levels: straight lines along the path, lifted towards the sections
+    /// between them that are larger [m].
+    fn halves_between(&self, stations: &[Station], [from, to]: [usize; 2]) -> [impl Fn(f64) -> f64; 2] {
+        let half = |level: usize, k: usize| stations[level].section.points.iter().map(|p| p[k]).fold(0.0, f64::max);
+        let levels = &self.mesh.levels;
+        [0, 1].map(|k| {
+            let (start, run) = (levels[from], levels[to] - levels[from]);
+            let (low, high) = (half(from, k), half(to, k));
+            let line = move |z: f64| low + (high - low) * (z - start) / run;
+            let lift = (from..=to).map(|l| half(l, k) - line(levels[l])).fold(0.0, f64::max);
+            let largest = (from..=to).map(|l| half(l, k)).fold(0.0, f64::max);
+            move |z: f64| (line(z) + LIFTED * lift).min(largest)
+        })
     }
 
     /// The level nearest to a share of the path's length.
@@ -137,4 +160,14 @@ impl FoodModel {
         }
         self.centre_of(&places)
     }
+}
+
+/// Largest distance of points of a plane z = const from the line between the first and the last [m].
+fn bow(points: impl Iterator<Item = [f64; 3]>) -> f64 {
+    let points: Vec<[f64; 3]> = points.collect();
+    let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return 0.0 };
+    let [x, y] = [last[0] - first[0], last[1] - first[1]];
+    let length = libm::hypot(x, y).max(1e-12);
+    let off = |p: &[f64; 3]| libm::fabs((p[0] - first[0]) * y - (p[1] - first[1]) * x) / length;
+    points.iter().map(off).fold(0.0, f64::max)
 }
