@@ -145,8 +145,8 @@ fn support(solid: &Solid, d: [f64; 3]) -> f64 {
     }
 }
 
-/// Solids reach as far as the mesh in every direction, within 0.3 mm (2 mm where hexagons stand for a shrimp's oval
-/// section, but 0.3 mm below and above), raw and cooked.
+/// Solids reach as far as the mesh in every direction, within 0.3 mm, raw and cooked. Hulls of 16 corners are too few for
+/// that on a shrimp: there 0.3 mm holds below and above, where it lies, and 1.5 mm elsewhere.
 #[test]
 fn solids_follow_the_mesh() {
     for (kind, size, _) in FOODS {
@@ -157,18 +157,21 @@ fn solids_follow_the_mesh() {
             state.stretch.lateral = if seed == 3 { 0.93 } else { 1.0 };
             let (solid, mut positions) = (model.solid(&state), Vec::new());
             model.flat_positions_into(&state, &mut positions);
-            let within = if kind == "shrimp" { 2.0e-3 } else { 0.3e-3 };
+            let within = if kind == "shrimp" { 1.5e-3 } else { 0.3e-3 };
             for up in [UP, FLIPPED] {
                 let low = positions.iter().map(|p| p[2] * up[2]).fold(f64::NEG_INFINITY, f64::max);
                 assert!((support(&solid, up) - low).abs() < 0.3e-3, "{kind} {seed}: it would float or sink");
             }
-            for i in 0..400 {
+            let spiral = (0..400).map(|i| {
                 let (z, a) = (1.0 - (f64::from(i) + 0.5) / 200.0, f64::from(i) * 2.399_963);
                 let r = (1.0 - z * z).sqrt();
-                let d = [r * a.cos(), r * a.sin(), z];
+                [r * a.cos(), r * a.sin(), z]
+            });
+            let sides = [0, 1, 2].map(|k| [-1.0, 1.0].map(|s| [0, 1, 2].map(|i| if i == k { s } else { 0.0 })));
+            for d in spiral.chain(sides.into_iter().flatten()) {
                 let mesh =
                     positions.iter().map(|p| p[0] * d[0] + p[1] * d[1] + p[2] * d[2]).fold(f64::NEG_INFINITY, f64::max);
-                // A sharp edge of a box or a cylinder stands for a rounded one: only the six sides are compared there.
+                // The sharp edges of a box stand for rounded ones: how far it reaches is compared on its six sides.
                 let sharp = matches!(solid, Solid::Cuboid { .. }) && d.iter().all(|v| v.abs() < 0.999);
                 let off = support(&solid, d) - mesh;
                 assert!(off > -within && (sharp || off < within), "{kind} {seed}: {off} towards {d:?}");
@@ -177,7 +180,7 @@ fn solids_follow_the_mesh() {
     }
 }
 
-/// What is cut from the hulls of a shrimp is small: every node lies within 0.9 mm of one of them.
+/// What stands out of the hulls of a shrimp is small: every node lies within 1.5 mm of one of them.
 #[test]
 fn hulls_of_a_shrimp_hold_its_nodes() {
     let shrimp = model("shrimp", 1.0, [0.075, 0.0155, 0.0155]);
@@ -200,7 +203,7 @@ fn hulls_of_a_shrimp_hold_its_nodes() {
     };
     let off = |p: [f64; 3]| hulls.iter().map(|h| outside(&p, h)).fold(f64::INFINITY, f64::min);
     let worst = shrimp.positions(&state).into_iter().map(off).fold(f64::NEG_INFINITY, f64::max);
-    assert!(worst < 0.9e-3, "{worst}");
+    assert!(worst < 1.5e-3, "{worst}");
 }
 
 /// A cooked shrimp is more curled: its ends come nearer to each other, and its volume's centre stays the origin.
