@@ -14,6 +14,7 @@ pub mod description;
 pub mod doneness;
 pub mod fat;
 pub mod form;
+mod hull;
 pub mod juice;
 pub mod marbling;
 pub mod model;
