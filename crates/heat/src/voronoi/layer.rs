@@ -15,6 +15,9 @@ const LATTICE: f64 = 0.55;
 const OWN_DEPTH: f64 = 0.85;
 /// Copies of one layer that come nearer than this share of the spacing are thinned [-] (chosen).
 const CROWDED: f64 = 0.5;
+/// Cosine beyond which two samples are of one face, whose copies may be thinned [-] (chosen: 45°; thinning either column
+/// beside a sharp edge would spoil their symmetry, by which cells end where faces do).
+const ONE_FACE: f64 = 0.707;
 /// Nodes of different layers stay apart by this share of the layers' distance [-] (chosen).
 const LAYERS_APART: f64 = 0.6;
 /// Lattice points stay away from other nodes by this share of the lattice's distance [-] (chosen).
@@ -45,7 +48,8 @@ pub fn depths(first: f64, spacing: f64) -> Vec<f64> {
 /// Places nodes: the samples themselves first, in their order, then their copies inwards, then the lattice.
 pub fn nodes(finder: &DepthFinder, samples: &[Sample], first: f64, spacing: f64) -> Vec<Node> {
     let bounds = bounds(finder.surface().vertices.iter().copied());
-    let mut placed = Placed { grid: PointGrid::over(bounds, 0.5 * spacing), nodes: Vec::new(), layers: Vec::new() };
+    let grid = PointGrid::over(bounds, 0.5 * spacing);
+    let mut placed = Placed { samples, grid, nodes: Vec::new(), layers: Vec::new() };
     for (i, sample) in samples.iter().enumerate() {
         placed.push(Node { position: sample.position, depth: 0.0, sample: i as u32 }, 0);
     }
@@ -55,22 +59,29 @@ pub fn nodes(finder: &DepthFinder, samples: &[Sample], first: f64, spacing: f64)
 }
 
 /// What has been placed so far.
-struct Placed {
+struct Placed<'a> {
+    samples: &'a [Sample],
     grid: PointGrid,
     nodes: Vec<Node>,
     layers: Vec<u32>,
 }
 
-impl Placed {
+impl Placed<'_> {
     fn push(&mut self, node: Node, layer: u32) {
         self.grid.push(node.position);
         self.nodes.push(node);
         self.layers.push(layer);
     }
 
-    fn crowded(&self, p: Vec3, layer: u32, gap: f64, spacing: f64) -> bool {
-        self.grid.any_within(p, CROWDED * spacing, |i| self.layers[i as usize] == layer)
-            || self.grid.any_within(p, LAYERS_APART * gap, |_| true)
+    /// Whether a copy of a sample would stand too near to what there is.
+    fn crowded(&self, copy: &Node, layer: u32, gap: f64, spacing: f64) -> bool {
+        let normal = |sample: u32| self.samples[sample as usize].normal;
+        let same_layer = |i: u32| {
+            let other = &self.nodes[i as usize];
+            self.layers[i as usize] == layer && dot(normal(other.sample), normal(copy.sample)) > ONE_FACE
+        };
+        self.grid.any_within(copy.position, CROWDED * spacing, same_layer)
+            || self.grid.any_within(copy.position, LAYERS_APART * gap, |_| true)
     }
 }
 
@@ -82,10 +93,11 @@ fn copies(finder: &DepthFinder, samples: &[Sample], first: f64, spacing: f64, pl
     for (layer, depth) in (1u32..).zip(depths(first, spacing)) {
         for (i, sample) in samples.iter().enumerate() {
             let position = along(sample.position, sample.normal, -depth);
+            let copy = Node { position, depth, sample: i as u32 };
             open[i] &= finder.depth(position).depth >= OWN_DEPTH * depth
-                && !placed.crowded(position, layer, depth - before, spacing);
+                && !placed.crowded(&copy, layer, depth - before, spacing);
             if open[i] {
-                placed.push(Node { position, depth, sample: i as u32 }, layer);
+                placed.push(copy, layer);
                 deepest[i] = depth;
             }
         }
