@@ -44,9 +44,13 @@ fn rim_radius(model: &FoodModel) -> f32 {
 }
 
 impl Skin {
-    /// Builds the skin of a piece: both faces from the section's triangles, the side from its boundary.
+    /// Builds the skin of a piece: of a slice both faces from the section's triangles and the side from its boundary,
+    /// with a sharp rim between; of any other body its smooth surface.
     pub fn new(piece: &Piece) -> Self {
         let model = &piece.model;
+        if !model.is_slice() {
+            return Self::smooth(piece);
+        }
         let mut skin = Self {
             mesh: Arc::new(FoodMesh { key: key(piece), triangles: Vec::new(), fat: fat_volume(model) }),
             nodes: Vec::new(),
@@ -61,6 +65,31 @@ impl Skin {
         skin.add_side(model, &outward, &mut triangles);
         skin.mesh = Arc::new(FoodMesh { triangles, ..(*skin.mesh).clone() });
         skin
+    }
+
+    /// The surface over the nodes of a body without rims.
+    fn smooth(piece: &Piece) -> Self {
+        let model = &piece.model;
+        let mut normal_of = vec![Vec3::ZERO; model.mesh.node_count()];
+        for (patch, normal) in model.patches.iter().zip(&model.rest_normals) {
+            let normal = Vec3::from_array(normal.map(|v| v as f32));
+            normal_of[patch.node as usize] += normal * patch.area as f32;
+        }
+        let mut vertex_of = vec![u32::MAX; normal_of.len()];
+        let (mut nodes, mut positions, mut normals) = (Vec::new(), Vec::new(), Vec::new());
+        let mut vertex = |node: u32| {
+            let place = &mut vertex_of[node as usize];
+            if *place == u32::MAX {
+                *place = nodes.len() as u32;
+                nodes.push(node);
+                positions.push(model.rest_position(node as usize).map(|v| v as f32));
+                normals.push(normal_of[node as usize].normalize_or_zero().to_array());
+            }
+            *place
+        };
+        let triangles = model.surface.triangles.iter().map(|t| t.map(&mut vertex)).collect();
+        let mesh = Arc::new(FoodMesh { key: key(piece), triangles, fat: fat_volume(model) });
+        Self { mesh, nodes, positions, normals }
     }
 
     fn add_face(&mut self, model: &FoodModel, level: usize, outward: &[Option<Vec3>], triangles: &mut Vec<[u32; 3]>) {
@@ -102,9 +131,10 @@ impl Skin {
     }
 
     fn push(&mut self, model: &FoodModel, level: usize, i: usize, shift: Vec3, normal: Vec3) {
-        let p = rest_position(model, level, model.mesh.section.points[i]);
+        let node = model.mesh.node(level, i);
+        let p = Vec3::from_array(model.rest_position(node).map(|v| v as f32));
         let p = p + shift + uneven(p, model);
-        self.nodes.push(model.mesh.node(level, i) as u32);
+        self.nodes.push(node as u32);
         self.positions.push(p.to_array());
         self.normals.push(normal.to_array());
     }
@@ -134,15 +164,20 @@ impl Skin {
     }
 }
 
-/// The cut at `x` [m] along the longest axis, its hidden side away from the origin of that axis or towards +x.
+/// The cut at `x` [m] along the longest axis, its hidden side away from the origin of that axis or towards +x; a body
+/// that is no slice is cut along its middle plane, its upper half hidden.
 pub fn slice(model: &FoodModel, state: &FoodState, x: f64, view: View, map: Option<&ColourMap>) -> Option<SliceLook> {
     let cut = model.cut_across(x);
     if cut.points.len() < 2 {
         return None;
     }
-    let along_x = model.size[0] >= model.size[1];
-    let normal = if along_x { Vec3::X } else { Vec3::Y };
-    let point = normal * x as f32;
+    let (along_x, slice) = (model.size[0] >= model.size[1], model.is_slice());
+    let normal = match (slice, along_x) {
+        (false, _) => Vec3::Z,
+        (true, true) => Vec3::X,
+        (true, false) => Vec3::Y,
+    };
+    let point = if slice { normal * x as f32 } else { Vec3::ZERO };
     let n = model.mesh.nodes_per_level();
     let shape = PresentShape::new(model, state);
     let mut vertices = Vec::new();
@@ -154,15 +189,20 @@ pub fn slice(model: &FoodModel, state: &FoodState, x: f64, view: View, map: Opti
                 changed: changed_at(state, |field| mix(&|i| field[i])),
                 browning: mix(&|i| state.browning[i]),
                 charring: mix(&|i| state.charring[i]),
+                tissue: mix(&|i| model.tissue[i]),
             };
             let field = map.map_or(0.0, |m| m.coordinate(mix(&|i| view.celsius(state, i))));
             let moisture = mix(&|i| state.water[i] / model.initial_water[i]);
-            let along = p.along + end_inset(model, level, place_in_row, cut.points.len());
-            let place = if along_x { [x, along] } else { [-along, x] };
-            let mut position = rest_position(model, level, place);
-            if level == 0 || level + 1 == model.mesh.levels.len() {
-                // The edge follows the undulating face; within the cut's plane nothing is shifted.
-                position.z += uneven(position, model).z;
+            let rest: [f32; 3] = std::array::from_fn(|axis| mix(&|i| model.rest_position(i)[axis]) as f32);
+            let mut position = Vec3::from_array(rest);
+            if slice {
+                let along = p.along + end_inset(model, level, place_in_row, cut.points.len());
+                let [x, y] = if along_x { [x, along] } else { [-along, x] };
+                position = Vec3::new(x as f32, y as f32, position.z);
+                if level == 0 || level + 1 == model.mesh.levels.len() {
+                    // The edge follows the undulating face; within the cut's plane nothing is shifted.
+                    position.z += uneven(position, model).z;
+                }
             }
             let position = position.to_array();
             let now = shape.moved(position, |f| {
@@ -173,7 +213,11 @@ pub fn slice(model: &FoodModel, state: &FoodState, x: f64, view: View, map: Opti
             vertices.push(vertex(model, appearance, 0.75 * moisture, field, place, normal.to_array()));
         }
     }
-    let triangles = strip_triangles(cut.points.len() as u32, model.mesh.levels.len() as u32);
+    let mut triangles = strip_triangles(cut.points.len() as u32, model.mesh.levels.len() as u32);
+    if !slice {
+        // Across and along the path come in the other order, seen from the hidden side.
+        triangles.iter_mut().for_each(|t| t.swap(1, 2));
+    }
     Some(SliceLook { point, normal, vertices, triangles })
 }
 
@@ -207,11 +251,6 @@ fn strip_triangles(across: u32, levels: u32) -> Vec<[u32; 3]> {
     triangles
 }
 
-/// Rest frame of the renderer: origin at the centroid of the rest shape.
-fn rest_position(model: &FoodModel, level: usize, [x, y]: [f64; 2]) -> Vec3 {
-    Vec3::new(x as f32, y as f32, (model.mesh.levels[level] - 0.5 * model.mesh.thickness()) as f32)
-}
-
 /// How far every node has moved from the rest shape [m].
 struct PresentShape {
     moved: Vec<[f64; 3]>,
@@ -219,11 +258,10 @@ struct PresentShape {
 
 impl PresentShape {
     fn new(model: &FoodModel, state: &FoodState) -> Self {
-        let half = 0.5 * model.mesh.thickness();
         let mut moved = model.positions(state);
         for (node, shift) in moved.iter_mut().enumerate() {
-            let [x, y, z] = model.mesh.position(node);
-            (shift[0], shift[1], shift[2]) = (shift[0] - x, shift[1] - y, shift[2] - (z - half));
+            let rest = model.rest_position(node);
+            (0..3).for_each(|axis| shift[axis] -= rest[axis]);
         }
         Self { moved }
     }

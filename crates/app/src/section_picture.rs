@@ -1,9 +1,10 @@
 //! A picture of a cut through a piece, painted pixel by pixel from the fields.
 
+use saute_kitchen::Piece;
 use saute_kitchen::food::colour::Appearance;
 use saute_kitchen::food::noise::fractal;
 use saute_kitchen::food::readings::changed_at;
-use saute_kitchen::food::{FoodModel, FoodState, Lab, Side};
+use saute_kitchen::food::{FoodModel, FoodState, Lab};
 use saute_kitchen::heat::Cut;
 
 use crate::colour_map::ColourMap;
@@ -29,24 +30,21 @@ struct Sample {
 
 /// Paints the cut at distance `x` [m] from the centroid along the longest axis, as the piece lies, at `per_mm` pixels
 /// a millimetre, with the view's colours where it has any; transparent outside the piece.
-pub fn section_picture(
-    model: &FoodModel,
-    state: &FoodState,
-    x: f64,
-    view: View,
-    colours: Option<&ColourMap>,
-    per_mm: f64,
-) -> Picture {
+pub fn section_picture(piece: &Piece, x: f64, view: View, colours: Option<&ColourMap>, per_mm: f64) -> Picture {
+    let (model, state) = (&*piece.model, &piece.state);
     let cut = model.cut_across(x);
     let thickness = model.mesh.thickness();
     let (Some(first), Some(last)) = (cut.points.first(), cut.points.last()) else {
         return Picture { width: 1, height: 1, rgba: vec![0; 4] };
     };
     let samples = sample(model, state, &cut, view);
+    let painter = Painter { model, cut: &cut, samples, x, colours, flipped: piece.upside_down() };
+    if !model.is_slice() {
+        return painter.lengthwise(per_mm);
+    }
     // The picture shows the present size; within it the shape is stretched evenly.
     let width = (((last.along - first.along) * state.stretch.lateral * 1e3 * per_mm).round() as usize).max(1);
     let height = ((model.thickness(state) * 1e3 * per_mm).round() as usize).max(1);
-    let painter = Painter { model, cut: &cut, samples, x, colours, flipped: state.down == Side::Top };
     let mut rgba = Vec::with_capacity(4 * width * height);
     for row in 0..height {
         let up = 1.0 - (row as f64 + 0.5) / height as f64;
@@ -72,6 +70,7 @@ fn sample(model: &FoodModel, state: &FoodState, cut: &Cut, view: View) -> Vec<Sa
                     changed: changed_at(state, mix),
                     browning: mix(&state.browning),
                     charring: mix(&state.charring),
+                    tissue: mix(&model.tissue),
                 },
             });
         }
@@ -89,10 +88,34 @@ struct Painter<'a> {
 }
 
 impl Painter<'_> {
+    /// The middle plane of a body that is no slice, stretched out straight: its path runs across the picture.
+    fn lengthwise(&self, per_mm: f64) -> Picture {
+        let (first, last) = (self.cut.points[0].along, self.cut.points[self.cut.points.len() - 1].along);
+        let breadths: Vec<f64> =
+            (0..self.model.mesh.levels.len()).map(|level| self.model.cut_breadth(self.cut, level)).collect();
+        let length = self.model.mesh.thickness();
+        let width = ((length * 1e3 * per_mm).round() as usize).max(1);
+        let height = (((last - first) * 1e3 * per_mm).round() as usize).max(1);
+        let mut rgba = Vec::with_capacity(4 * width * height);
+        for row in 0..height {
+            let across = last - (last - first) * (row as f64 + 0.5) / height as f64;
+            for column in 0..width {
+                let z = length * (column as f64 + 0.5) / width as f64;
+                let (level, up) = self.model.mesh.bracket(z);
+                let along = across / (breadths[level] * (1.0 - up) + breadths[level + 1] * up);
+                let inside = (first..=last).contains(&along);
+                let [r, g, b] = if inside { self.pixel(along, z) } else { [0; 3] };
+                rgba.extend([r, g, b, if inside { 255 } else { 0 }]);
+            }
+        }
+        Picture { width, height, rgba }
+    }
+
     fn pixel(&self, along: f64, up: f64) -> [u8; 3] {
-        let z = if self.flipped { self.model.mesh.thickness() - up } else { up };
-        // Flipping turns the piece about its long axis, so the cut is mirrored as well.
-        let along = if self.flipped { self.mirrored(along) } else { along };
+        // Flipping turns a slice about its long axis, so the cut is mirrored as well.
+        let flipped = self.flipped && self.model.is_slice();
+        let z = if flipped { self.model.mesh.thickness() - up } else { up };
+        let along = if flipped { self.mirrored(along) } else { along };
         let s = self.interpolate(along, z);
         match self.colours {
             Some(map) => map.colour(s.celsius),
@@ -126,6 +149,7 @@ impl Painter<'_> {
             sum.appearance.changed.iter_mut().zip(s.appearance.changed).for_each(|(c, x)| *c += w * x);
             sum.appearance.browning += w * s.appearance.browning;
             sum.appearance.charring += w * s.appearance.charring;
+            sum.appearance.tissue += w * s.appearance.tissue;
         }
         sum
     }
@@ -133,7 +157,9 @@ impl Painter<'_> {
     /// Flesh with its seams and a fine grain of fibre bundles, which run through the thickness.
     fn flesh(&self, appearance: Appearance, along: f64, z: f64) -> Lab {
         let p = if self.model.size[0] >= self.model.size[1] { [self.x, along, z] } else { [-along, self.x, z] };
-        let (lean, fat) = self.model.colours(appearance);
+        // Of a slice the second tissue is known more finely than at its nodes.
+        let tissue = if self.model.is_slice() { self.model.tissue_at(p) } else { appearance.tissue };
+        let (lean, fat) = self.model.colours(Appearance { tissue, ..appearance });
         let mixed = lean.lerp(fat, self.model.marbling.at(p));
         let grain = fractal(11, [p[0] / 1.1e-3, p[1] / 1.1e-3, p[2] / 9.0e-3]);
         Lab([mixed.0[0] + 2.2 * grain, mixed.0[1] + 0.8 * grain, mixed.0[2]])

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use saute_kitchen::carry_over::foreseen_peak;
+use saute_kitchen::food::Form;
 use saute_kitchen::food::Rules;
-use saute_kitchen::food::description::Form;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{Command, Kitchen, Library, PieceOrder, Recipe, Recorder, Runner, TICK_S, celsius, kelvin};
 use web_time::{Duration, Instant};

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use glam::{Mat4, Quat, Vec3};
-use saute_kitchen::food::{Scale, Side};
+use saute_kitchen::food::Scale;
 use saute_kitchen::{Kitchen, Piece, Place, RestOn, celsius};
 
 use crate::colour_map::{ColourMap, TemperatureMap};
@@ -58,7 +58,7 @@ impl Pose {
                 (board_place(kitchen, piece) + Vec3::Z * (half + lift), -std::f32::consts::FRAC_PI_2)
             }
         };
-        Self { position, turn: if piece.state.down == Side::Top { std::f32::consts::PI } else { 0.0 }, yaw }
+        Self { position, turn: if piece.upside_down() { std::f32::consts::PI } else { 0.0 }, yaw }
     }
 
     /// Maps the rest frame to the world.

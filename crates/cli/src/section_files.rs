@@ -67,7 +67,7 @@ impl Snapshot {
 fn paint(piece: &Piece, per_mm: f64) -> Result<[Vec<u8>; 2], PngError> {
     let picture = |view: View| {
         let colours = view.colour_map(TemperatureMap::Uniform, None);
-        png_bytes(&section_picture(&piece.model, &piece.state, 0.0, view, colours.as_ref(), per_mm))
+        png_bytes(&section_picture(piece, 0.0, view, colours.as_ref(), per_mm))
     };
     Ok([picture(View::Look)?, picture(View::Temperature)?])
 }

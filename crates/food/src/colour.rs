@@ -15,6 +15,8 @@ pub struct Appearance {
     pub browning: f64,
     /// Charring.
     pub charring: f64,
+    /// Second tissue: a root's core, a shaft's green.
+    pub tissue: f64,
 }
 
 impl Lab {
@@ -67,19 +69,22 @@ impl Appearance {
 #[derive(Clone, Debug)]
 pub struct Palette {
     colours: Colours,
+    second: [f64; 3],
     shifts: [[f64; 3]; MOST_CHANGES],
 }
 
 impl Palette {
-    /// Puts the shifts into the order of the kinetics.
-    pub fn new(colours: &Colours, kinetics: &Kinetics) -> Result<Self, NoSuchChange> {
-        Ok(Self { shifts: kinetics.in_order("colour", &colours.change)?, colours: colours.clone() })
+    /// Puts the shifts into the order of the kinetics; `second` is the raw colour of a second tissue, if there is one.
+    pub fn new(colours: &Colours, second: Option<[f64; 3]>, kinetics: &Kinetics) -> Result<Self, NoSuchChange> {
+        let shifts = kinetics.in_order("colour", &colours.change)?;
+        Ok(Self { shifts, second: second.unwrap_or(colours.raw), colours: colours.clone() })
     }
 
     /// Lean flesh: raw colour shifted by the changes, then along golden to crust and char.
     pub fn lean(&self, a: Appearance) -> Lab {
         let shifted = |i: usize| a.changed.iter().zip(&self.shifts).map(|(x, shift)| x * shift[i]).sum::<f64>();
-        let base = Lab([0, 1, 2].map(|i| self.colours.raw[i] + shifted(i)));
+        let raw = |i: usize| self.colours.raw[i] + a.tissue * (self.second[i] - self.colours.raw[i]);
+        let base = Lab([0, 1, 2].map(|i| raw(i) + shifted(i)));
         self.browned(base, Lab(self.colours.golden), Lab(self.colours.crust), a)
     }
 

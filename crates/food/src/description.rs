@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
+use crate::form::Form;
+
 /// How well a number is known.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
 #[serde(rename_all = "lowercase")]
@@ -71,6 +73,60 @@ sourced_table! {
         exponent: f64,
         /// Amplitude of the natural waviness over the radius [-].
         ripple: f64,
+        /// How much the thickness may differ from one end to the other, over its mean [-].
+        #[serde(default)]
+        wedge: f64,
+        /// Amplitude of the gentle bumps of a cut over the mean thickness [-].
+        #[serde(default)]
+        bumps: f64,
+    }
+}
+
+sourced_table! {
+    /// The curve of a shrimp.
+    Spine {
+        /// Angle through which it turns from end to end [°].
+        turn_deg: f64,
+        /// How much that differs between pieces [°].
+        turn_varies_deg: f64,
+        /// Breadth over depth of the body [-].
+        flattening: f64,
+    }
+}
+
+sourced_table! {
+    /// The core of a root: a second tissue around its axis, through slices and along sticks.
+    Core {
+        /// Mean radius over that of the piece [-].
+        radius: f64,
+        /// Waviness of its edge over its radius [-].
+        wave: f64,
+        /// How far it may lie off the middle, over the half width [-].
+        offset: f64,
+        /// Width of the passage from one tissue to the other [mm].
+        edge_mm: f64,
+        /// Raw colour, L*, a*, b* under D65.
+        colour: [f64; 3],
+        /// What it consists of; as the rest unless given.
+        tissue: Option<Composition>,
+    }
+}
+
+sourced_table! {
+    /// Concentric sheaths of a shaft, with borders that conduct less; the second tissue is their green.
+    Sheaths {
+        /// Mean thickness of a sheath [mm].
+        thickness_mm: f64,
+        /// How much thicknesses differ over their mean [-].
+        variation: f64,
+        /// Conductance of the border between two sheaths [W/(m²·K)].
+        conductance_w_m2k: f64,
+        /// Largest share of the green tissue [-].
+        greenest: f64,
+        /// Raw colour of the green tissue, L*, a*, b* under D65.
+        colour: [f64; 3],
+        /// What the green tissue consists of; as the rest unless given.
+        tissue: Option<Composition>,
     }
 }
 
@@ -373,35 +429,6 @@ impl Kinetics {
     }
 }
 
-/// The shapes that can be built.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub enum Form {
-    /// A superellipse outline times a thickness; fibres run through the thickness.
-    Steak,
-    /// A circle times a thickness.
-    Disc,
-}
-
-impl Form {
-    /// Names of its dimensions.
-    pub fn dimensions(self) -> &'static [&'static str] {
-        match self {
-            Self::Steak => &["length", "width", "thickness"],
-            Self::Disc => &["diameter", "thickness"],
-        }
-    }
-
-    /// Length, width and thickness from its dimensions; none where their number is wrong.
-    pub fn extent(self, size: &[f64]) -> Option<[f64; 3]> {
-        match (self, size) {
-            (Self::Steak, &[length, width, thickness]) => Some([length, width, thickness]),
-            (Self::Disc, &[diameter, thickness]) => Some([diameter, diameter, thickness]),
-            _ => None,
-        }
-    }
-}
-
 /// A food as its file describes it.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -414,8 +441,14 @@ pub struct FoodDescription {
     pub form: Form,
     /// Allowed sizes.
     pub size: SizeRange,
-    /// Outline.
+    /// Outline: of slices as seen from above, of sticks and shrimps across them.
     pub outline: OutlineShape,
+    /// Curve of a shrimp; other forms have none.
+    pub spine: Option<Spine>,
+    /// Core of a root; absent where there is none.
+    pub core: Option<Core>,
+    /// Sheaths of a shaft; absent where there are none.
+    pub sheaths: Option<Sheaths>,
     /// Lean tissue.
     pub lean: Composition,
     /// Fat tissue; absent where there is none.
@@ -434,6 +467,21 @@ pub struct FoodDescription {
     pub surface: SurfaceProperties,
     /// Colours.
     pub colour: Colours,
+}
+
+impl FoodDescription {
+    /// Raw colour of the second tissue, where there is one.
+    pub fn second_colour(&self) -> Option<[f64; 3]> {
+        let sheaths = || self.sheaths.as_ref().map(|s| s.colour);
+        self.core.as_ref().map(|c| c.colour).or_else(sheaths)
+    }
+
+    /// What the second tissue consists of; the lean tissue where nothing else is said.
+    pub fn second_tissue(&self) -> &Composition {
+        let core = self.core.as_ref().and_then(|c| c.tissue.as_ref());
+        let sheaths = || self.sheaths.as_ref().and_then(|s| s.tissue.as_ref());
+        core.or_else(sheaths).unwrap_or(&self.lean)
+    }
 }
 
 impl Composition {

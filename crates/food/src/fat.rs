@@ -37,10 +37,9 @@ impl FatRates {
     }
 }
 
-/// exp(−depth / scale) with the depth below the nearer big face [-].
+/// exp(−depth / scale) with the depth below the nearer big face, or the skin of a body that is no slice [-].
 fn nearness(mesh: &SweptMesh, node: usize, scale: f64) -> f64 {
-    let z = mesh.levels[node / mesh.nodes_per_level()];
-    libm::exp(-z.min(mesh.thickness() - z) / scale)
+    libm::exp(-mesh.depth(node) / scale)
 }
 
 impl FoodModel {

@@ -17,20 +17,37 @@ impl FoodModel {
     ///
     /// Water beyond what is held at the peak temperature and after the changes becomes free with first order. Free juice moves along the
     /// fibres towards the nearer face at a speed v: dF/dt = −F v/Δz, and takes its heat along. On its way flesh that
-    /// has dried below what it can hold takes it up; what reaches a face gathers as a film there, then runs off.
+    /// has dried below what it can hold takes it up; what reaches a face gathers as a film there, then runs off. A body that
+    /// is no slice has its fibres along it, and what its skin squeezes out runs off there.
     pub fn release_juice(&self, state: &mut FoodState, dt: f64) -> Runoff {
         let reach = 1e-6 * self.kinetics.water_holding.juice_speed_um_s * dt;
         let mut runoff = Runoff::default();
         for column in 0..self.mesh.nodes_per_level() {
             self.free(state, column, dt);
             self.drain(state, column, reach);
-            let last = self.mesh.levels.len() - 1;
-            for level in if self.closed_below { last..=last } else { 0..=last }.step_by(last) {
-                self.run_off(state, self.mesh.node(level, column), self.mesh.section.areas[column], &mut runoff);
-            }
+        }
+        for &(node, area) in &self.outlets {
+            self.run_off(state, node as usize, area, &mut runoff);
         }
         state.dripped += runoff.mass;
         runoff
+    }
+
+    /// Nodes from which juice runs off, with their area [m²]: of a slice those of its cut faces, column by column; of
+    /// other bodies all of the skin.
+    pub(crate) fn juice_outlets(&self) -> Vec<(u32, f64)> {
+        if !self.is_slice() {
+            let mut areas = vec![0.0; self.mesh.node_count()];
+            self.patches.iter().for_each(|p| areas[p.node as usize] += p.area);
+            return (0u32..).zip(areas).filter(|(_, area)| *area > 0.0).collect();
+        }
+        let last = self.mesh.levels.len() - 1;
+        let first = if self.closed_below { last } else { 0 };
+        let column = |i: usize| {
+            let at = move |level: usize| (self.mesh.node(level, i) as u32, self.mesh.section.areas[i]);
+            (first..=last).step_by(last).map(at)
+        };
+        (0..self.mesh.nodes_per_level()).flat_map(column).collect()
     }
 
     /// Water that a node can hold now [kg]: what the peak temperature leaves, or the changes if they leave less.

@@ -5,6 +5,7 @@
 
 pub mod advance;
 pub mod air_film;
+pub mod body;
 pub mod browning;
 pub mod changes;
 pub mod colour;
@@ -12,28 +13,39 @@ pub mod components;
 pub mod description;
 pub mod doneness;
 pub mod fat;
+pub mod form;
 pub mod juice;
 pub mod marbling;
 pub mod model;
 pub mod noise;
 pub mod paper_2013;
 pub mod patch;
+pub mod present_shape;
 pub mod readings;
+pub mod rounded;
+pub mod shrimp;
 pub mod shrink;
+pub mod solid;
 pub mod sorption;
 pub mod state;
+pub mod surface;
 pub mod table;
+pub mod tissue;
 pub mod water;
 
 pub use advance::{Exchange, FoodSolver, Surroundings, Touch};
 pub use air_film::FreeAir;
+pub use body::Body;
 pub use colour::Lab;
 pub use description::{FoodDescription, Kinetics};
 pub use doneness::{Scale, Shares};
-pub use model::{Body, BuildError, FoodModel, PieceSpec};
-pub use paper_2013::Rules;
+pub use form::Form;
+pub use model::{BuildError, FoodModel, PieceSpec};
+pub use paper_2013::{MeshSize, Rules};
 pub use patch::{Face, Patch};
-pub use state::{FoodState, Side};
+pub use solid::Solid;
+pub use state::FoodState;
+pub use surface::{PatchGeometry, PatchPose};
 
 /// Absolute temperature of 0 °C [K].
 pub const ZERO_C: f64 = 273.15;

@@ -1,22 +1,22 @@
 //! What never changes in a piece of food: rest mesh, composition, tables.
 
-use saute_heat::{Located, Locator, MeshError, Outline, Rule, Section, SweptMesh, graded_levels};
+use saute_heat::{Located, Locator, MeshError, Outline, Path, Station, SweptMesh};
 
+use crate::body::Body;
 use crate::browning::Browning;
 use crate::changes::{ChangeRates, arrhenius};
 use crate::colour::{Appearance, Palette};
 use crate::components::{Components, Masses, Properties};
-use crate::description::{
-    FoodDescription, Form, Kinetics, Lethality, MOST_CHANGES, NoSuchChange, PerChange, WaterHolding,
-};
+use crate::description::{FoodDescription, Kinetics, Lethality, MOST_CHANGES, NoSuchChange, PerChange, WaterHolding};
 use crate::fat::FatRates;
 use crate::marbling::MarblingField;
-use crate::noise::uniform;
-use crate::paper_2013::{BOILING, Rules, simplified};
-use crate::patch::{Face, Patch, patches};
+use crate::paper_2013::{BOILING, MeshSize, Rules, simplified};
+use crate::patch::{Face, Patch};
 use crate::sorption::Isotherm;
 use crate::state::FoodState;
+use crate::surface::Surface;
 use crate::table::Table;
+use crate::tissue::TissueField;
 use crate::water::saturation_density;
 use crate::{Lab, ZERO_C};
 
@@ -43,6 +43,14 @@ pub enum BuildError {
         /// Their sum [-].
         total: f64,
     },
+    /// A form that needs a table of its own.
+    #[error("the form \"{form}\" needs a table [{table}]: see the shipped foods of that form")]
+    Missing {
+        /// Which form.
+        form: &'static str,
+        /// Which table.
+        table: &'static str,
+    },
     /// The mesh failed.
     #[error(transparent)]
     Mesh(#[from] MeshError),
@@ -60,48 +68,33 @@ pub struct PieceSpec {
     pub seed: u64,
     /// Mesh spacing over the default [-]; 1 by default, 2 has about an eighth of the nodes.
     pub coarseness: f64,
+    /// Which mesh.
+    pub mesh: MeshSize,
     /// Rules that it follows.
     pub rules: Rules,
-}
-
-/// In-plane spacing of the default mesh [m] (chosen: the gradient length √(αt) is 9 mm after 10 minutes).
-const SPACING: f64 = 5.0e-3;
-/// First layer below a big face [m] (chosen: a crust is 0.5–1.5 mm thick).
-const FIRST_LAYER: f64 = 0.35e-3;
-/// Growth of the layers inwards [-] and the thickest layer [m] (chosen; convergence is tested).
-const LAYER_GROWTH: f64 = 1.38;
-const THICKEST_LAYER: f64 = 2.2e-3;
-
-/// A body to be filled with food: its mesh, how it meets the outside, and its outline seen from above.
-#[derive(Clone, Debug)]
-pub struct Body {
-    /// Length, width, thickness [m].
-    pub size: [f64; 3],
-    /// Rest mesh.
-    pub mesh: SweptMesh,
-    /// Outline of the section.
-    pub outline: Outline,
-    /// Faces towards the outside.
-    pub patches: Vec<Patch>,
-    /// Whether it contracts and bends as a plate.
-    pub contracts: bool,
 }
 
 /// A piece of food, immutable after it is built.
 #[derive(Clone, Debug)]
 pub struct FoodModel {
-    /// Rest mesh; z from 0 to the thickness, origin at the outline's centroid.
+    /// Rest mesh; of a slice z goes from 0 to the thickness, origin at the outline's centroid.
     pub mesh: SweptMesh,
     /// Finds points in the section.
     pub locator: Locator,
-    /// Length, width, thickness [m].
+    /// Length, width, thickness; of a curved body along its curve, across it in its plane, and its height [m].
     pub size: [f64; 3],
-    /// Outline of the section.
+    /// Outline seen from above.
     pub outline: Outline,
     /// Height of the slab of material that belongs to each level [m].
     pub layer_heights: Vec<f64>,
-    /// Faces towards the outside: the bottom's and the top's in the order of the section's nodes, then the side's.
+    /// Faces towards the outside: those of both ends of the path in the order of the section's nodes, then the side's.
     pub patches: Vec<Patch>,
+    /// Triangles over the nodes of the surface.
+    pub surface: Surface,
+    /// Outward normal of each patch of the rest shape, in the body frame [-].
+    pub rest_normals: Vec<[f64; 3]>,
+    /// Nodes from which juice runs off, with their area [m²].
+    pub(crate) outlets: Vec<(u32, f64)>,
     /// Thermal properties of water, lean solids and fat.
     pub properties: Properties,
     /// Raw water of each node [kg].
@@ -116,6 +109,10 @@ pub struct FoodModel {
     pub adipose: Vec<f64>,
     /// Where the fat seams run.
     pub marbling: MarblingField,
+    /// Share of the second tissue of each node [-].
+    pub tissue: Vec<f64>,
+    /// Where the second tissue lies.
+    pub tissues: TissueField,
     /// Sorption isotherm.
     pub isotherm: Isotherm,
     /// Density of saturated vapour against temperature [kg/m³].
@@ -156,7 +153,8 @@ pub struct FoodModel {
     pub description: FoodDescription,
     /// What the kinetics file says.
     pub kinetics: Kinetics,
-    core: Located,
+    /// Where the core is in the section, and how far along the path [m].
+    core: (Located, f64),
 }
 
 impl FoodModel {
@@ -168,9 +166,7 @@ impl FoodModel {
         piece: &PieceSpec,
     ) -> Result<Self, BuildError> {
         check_size(description, piece)?;
-        let outline = outline(description, piece);
-        let mesh = mesh(&outline, piece)?;
-        let body = Body { size: piece.size, patches: patches(&mesh), mesh, outline, contracts: true };
+        let body = Body::cut(description, piece)?;
         Self::fill_body(description, kinetics, components, body, piece.seed, piece.rules)
     }
 
@@ -185,10 +181,12 @@ impl FoodModel {
     ) -> Result<Self, BuildError> {
         check_composition("lean", description.lean.total())?;
         description.adipose.iter().try_for_each(|a| check_composition("adipose", a.total()))?;
+        check_composition("second", description.second_tissue().total())?;
         let simple = (rules == Rules::Paper2013).then(|| simplified(description, kinetics, components));
         let (description, kinetics) = simple.as_ref().map_or((description, kinetics), |(d, k)| (d, k));
         let Body { size, mesh, outline, patches, contracts } = body;
         let locator = Locator::new(&mesh.section);
+        let closed_below = !patches.iter().any(|p| p.face == Face::Bottom && p.area > 0.0);
         let holding = kinetics.water_holding.clone();
         let shrinkage = &kinetics.shrinkage;
         let mut model = Self {
@@ -214,9 +212,13 @@ impl FoodModel {
                 kinetics.in_order("shrinkage", &shrinkage.along)?,
             ],
             curl: kinetics.curl.as_ref().map_or(Ok([0.0; MOST_CHANGES]), |c| kinetics.in_order("curl", &c.change))?,
-            palette: Palette::new(&description.colour, kinetics)?,
-            core: locator.locate_or_nearest(&mesh.section, [0.0, 0.0]),
+            palette: Palette::new(&description.colour, description.second_colour(), kinetics)?,
+            core: (locator.locate_or_nearest(&mesh.section, [0.0, 0.0]), core_height(&mesh, closed_below)),
             marbling: MarblingField::new(description.marbling.as_ref(), seed),
+            tissues: TissueField::new(description, size, seed),
+            tissue: Vec::new(),
+            outlets: Vec::new(),
+            rest_normals: Vec::new(),
             description: description.clone(),
             kinetics: kinetics.clone(),
             initial_water: Vec::new(),
@@ -227,36 +229,56 @@ impl FoodModel {
             size,
             outline,
             contracts: contracts && rules == Rules::Full,
-            closed_below: !patches.iter().any(|p| p.face == Face::Bottom && p.area > 0.0),
+            closed_below,
             layer_heights: mesh.layer_heights(),
+            surface: Surface::of(&mesh, &patches),
             patches,
             mesh,
             locator,
         };
         model.fill();
+        model.part_sheaths();
+        model.outlets = model.juice_outlets();
+        model.rest_normals = model.rest_poses().into_iter().map(|p| p.normal).collect();
         Ok(model)
     }
 
-    /// Gives every node the masses that its volume of lean and adipose tissue holds at 20 °C.
+    /// Gives every node the masses that its volume of lean, second and adipose tissue holds at 20 °C.
     fn fill(&mut self) {
-        let seams = node_shares(&self.mesh, &self.marbling);
-        let lean = &self.description.lean;
+        let seams = node_means(&self.mesh, (self.marbling.mean_share() > 0.0).then_some(|p| self.marbling.at(p)));
+        let second = node_means(&self.mesh, (!self.tissues.is_plain()).then_some(|p| self.tissues.at(p)));
+        let (lean, other) = (&self.description.lean, self.description.second_tissue());
         let adipose = self.description.adipose.as_ref().unwrap_or(lean);
-        for (node, &s) in seams.iter().enumerate() {
-            let mix = |l: f64, a: f64| (1.0 - s) * l + s * a;
+        for (node, (&s, &t)) in seams.iter().zip(&second).enumerate() {
+            let mix = |l: f64, o: f64, a: f64| (1.0 - s) * (l + t * (o - l)) + s * a;
             let fractions = [
-                mix(lean.water, adipose.water),
-                mix(lean.lean_solids(), adipose.lean_solids()),
-                mix(lean.fat, adipose.fat),
+                mix(lean.water, other.water, adipose.water),
+                mix(lean.lean_solids(), other.lean_solids(), adipose.lean_solids()),
+                mix(lean.fat, other.fat, adipose.fat),
             ];
             let mass = self.mesh.graph.volume[node] / self.properties.volume(&fractions, ZERO_C + 20.0);
             self.initial_water.push(mass * fractions[0]);
             self.lean_solids.push(mass * fractions[1]);
             self.initial_fat.push(mass * fractions[2]);
         }
-        self.adipose = seams;
+        (self.adipose, self.tissue) = (seams, second);
         let all = [&self.initial_water, &self.lean_solids, &self.initial_fat];
         self.raw_mass = all.iter().map(|m| m.iter().sum::<f64>()).sum();
+    }
+
+    /// Lowers the conductance of the edges that cross borders of sheaths, by the conductivity of the raw flesh.
+    fn part_sheaths(&mut self) {
+        let lean = &self.description.lean;
+        let k = self.properties.conductivity(&[lean.water, lean.lean_solids(), lean.fat], ZERO_C + 20.0);
+        let place = |node: u32| self.mesh.position(node as usize);
+        let across = |ends: &[u32; 2]| self.tissues.share_across(ends.map(place), k);
+        let shares: Vec<f64> = self.mesh.graph.ends.iter().map(across).collect();
+        self.mesh.graph.shape.iter_mut().zip(shares).for_each(|(shape, share)| *shape *= share);
+    }
+
+    /// Share of the second tissue (a root's core, a shaft's green) at a point of the rest mesh's frame [-].
+    pub fn tissue_at(&self, p: [f64; 3]) -> f64 {
+        self.tissues.at(p)
     }
 
     /// Water, lean solids and fat that a node holds now [kg].
@@ -265,16 +287,38 @@ impl FoodModel {
         [state.water[node], self.lean_solids[node], state.fat[node]]
     }
 
-    /// Value of a node field at the rest shape's centroid.
+    /// Value of a node field at the core: the rest shape's centroid, or the middle of its thickest section where the
+    /// body is curved.
     pub fn at_core(&self, field: &[f64]) -> f64 {
-        let height = if self.closed_below { 0.0 } else { 0.5 * self.mesh.thickness() };
-        self.interpolate(field, &self.core, height)
+        self.interpolate(field, &self.core.0, self.core.1)
     }
 
-    /// Value of a node field at a point of the rest frame (origin: centroid of the bottom face), or none outside.
+    /// Value of a node field above or below the core: `share` runs from −1 at the lower face to 1 at the upper one, as
+    /// the rest mesh stands.
+    pub fn above_core(&self, field: &[f64], share: f64) -> f64 {
+        if self.is_slice() {
+            return self.interpolate(field, &self.core.0, 0.5 * (1.0 + share) * self.mesh.thickness());
+        }
+        let found = self.locator.locate_or_nearest(&self.mesh.section, [0.0, 0.5 * share * self.size[2]]);
+        self.interpolate(field, &found, self.core.1)
+    }
+
+    /// Value of a node field at a point of the rest mesh's frame (of a slice the origin is the centroid of the bottom
+    /// face), or none outside.
     pub fn at(&self, field: &[f64], p: [f64; 3]) -> Option<f64> {
+        let (found, height) = self.place_of(p)?;
+        Some(self.interpolate(field, &found, height))
+    }
+
+    /// Where a point of the rest mesh's frame lies in the section and along the path [m].
+    fn place_of(&self, p: [f64; 3]) -> Option<(Located, f64)> {
+        if let Path::Stations(stations) = &self.mesh.path {
+            return place_among(&self.mesh, stations, p);
+        }
         let found = self.locator.locate(&self.mesh.section, [p[0], p[1]])?;
-        (0.0..=self.mesh.thickness()).contains(&p[2]).then(|| self.interpolate(field, &found, p[2]))
+        let column: f64 = (0..3).map(|k| found.weights[k] * self.mesh.path.column(found.nodes[k] as usize)).sum();
+        let height = p[2] / column;
+        (0.0..=self.mesh.thickness()).contains(&height).then_some((found, height))
     }
 
     fn interpolate(&self, field: &[f64], found: &Located, z: f64) -> f64 {
@@ -291,19 +335,52 @@ impl FoodModel {
     }
 }
 
+/// How far along the path the core lies [m]: half way, or at the centre of a ball; on stations where it is deepest.
+fn core_height(mesh: &SweptMesh, closed_below: bool) -> f64 {
+    match &mesh.path {
+        Path::Stations(stations) => {
+            let depth = |level: usize| {
+                let z = mesh.levels[level];
+                let rim = stations[level].section.points.iter().map(|p| p[1]).fold(0.0, f64::max);
+                rim.min(z).min(mesh.thickness() - z)
+            };
+            let deepest = (0..mesh.levels.len()).max_by(|a, b| depth(*a).total_cmp(&depth(*b))).unwrap_or(0);
+            mesh.levels[deepest]
+        }
+        _ if closed_below => 0.0,
+        _ => 0.5 * mesh.thickness(),
+    }
+}
+
+/// Where a point lies between stations: in which triangle of the section, and how far along the path [m].
+fn place_among(mesh: &SweptMesh, stations: &[Station], p: [f64; 3]) -> Option<(Located, f64)> {
+    for (level, pair) in stations.windows(2).enumerate() {
+        let (low, high) = (pair[0].coordinates(p), pair[1].coordinates(p));
+        if low[2] < -1e-12 || high[2] > 1e-12 {
+            continue;
+        }
+        let share = if low[2] > high[2] { low[2] / (low[2] - high[2]) } else { 0.0 };
+        let point = [0, 1].map(|k| low[k] + share * (high[k] - low[k]));
+        let node = |i: u32| {
+            let [a, b] = [0, 1].map(|k| pair[k].section.points[i as usize]);
+            [0, 1].map(|k| a[k] + share * (b[k] - a[k]))
+        };
+        let corners = mesh.section.triangles.iter().map(|t| Located::within(*t, t.map(node), point));
+        if let Some(found) = corners.flatten().next() {
+            return Some((found, mesh.levels[level] + share * (mesh.levels[level + 1] - mesh.levels[level])));
+        }
+    }
+    None
+}
+
 fn check_size(description: &FoodDescription, piece: &PieceSpec) -> Result<(), BuildError> {
-    let range = &description.size;
-    let bounds = [&range.min_mm, &range.max_mm].map(|mm| description.form.extent(mm).unwrap_or_default());
-    let names = if description.form == Form::Disc {
-        ["diameter", "diameter", "thickness"]
-    } else {
-        ["length", "width", "thickness"]
-    };
-    for (axis, which) in names.into_iter().enumerate() {
+    let (form, range) = (description.form, &description.size);
+    let bounds = [&range.min_mm, &range.max_mm].map(|mm| form.extent(mm).unwrap_or_default());
+    for axis in 0..3 {
         let got = piece.size[axis] * 1e3;
         let (low, high) = (bounds[0][axis], bounds[1][axis]);
         if !(got >= low - 1e-9 && got <= high + 1e-9) {
-            return Err(BuildError::Size { which, got, low, high });
+            return Err(BuildError::Size { which: form.dimension_of(axis), got, low, high });
         }
     }
     Ok(())
@@ -311,28 +388,6 @@ fn check_size(description: &FoodDescription, piece: &PieceSpec) -> Result<(), Bu
 
 fn check_composition(which: &'static str, total: f64) -> Result<(), BuildError> {
     if (total - 1.0).abs() > 0.005 { Err(BuildError::Composition { which, total }) } else { Ok(()) }
-}
-
-/// The outline with its seeded natural waviness in harmonics 2 to 5.
-fn outline(description: &FoodDescription, piece: &PieceSpec) -> Outline {
-    let harmonics: Vec<_> = (2..=5u32)
-        .map(|m| {
-            let amplitude =
-                description.outline.ripple * (0.4 + 0.6 * uniform(piece.seed, u64::from(m))) / f64::from(m - 1);
-            (m, amplitude, core::f64::consts::TAU * uniform(piece.seed, 100 + u64::from(m)))
-        })
-        .collect();
-    Outline::superellipse(piece.size[0], piece.size[1], description.outline.exponent, &harmonics)
-}
-
-fn mesh(outline: &Outline, piece: &PieceSpec) -> Result<SweptMesh, MeshError> {
-    let smallest = piece.size[0].min(piece.size[1]);
-    let spacing = (SPACING * piece.coarseness).min(smallest / 8.0);
-    let section = Section::mesh(outline, spacing, 0.38 * spacing)?;
-    let levels =
-        graded_levels(piece.size[2], FIRST_LAYER * piece.coarseness, LAYER_GROWTH, THICKEST_LAYER * piece.coarseness);
-    let rule = if piece.rules == Rules::Paper2013 { Rule::Segments } else { Rule::ShapeFunctions };
-    Ok(SweptMesh::with_rule(section, levels, rule))
 }
 
 /// Rate 10^((T − 60)/z) / D₆₀, tabulated from 40 to 100 °C and held beyond (below nothing dies, above all is dead).
@@ -352,28 +407,22 @@ fn held_share(holding: &WaterHolding, celsius: f64) -> f64 {
     1.0 - holding.drop / (1.0 + holding.spread * libm::exp(-holding.slope_per_k * (celsius - holding.middle_c)))
 }
 
-/// Mean of the marbling field over each node's volume, from 3 × 3 × 3 samples of its box [-].
-fn node_shares(mesh: &SweptMesh, marbling: &MarblingField) -> Vec<f64> {
-    if marbling.mean_share() <= 0.0 {
-        return vec![0.0; mesh.node_count()];
-    }
-    let heights = mesh.layer_heights();
-    let mut shares = Vec::with_capacity(mesh.node_count());
-    for (level, height) in heights.iter().enumerate() {
-        for (i, &[x, y]) in mesh.section.points.iter().enumerate() {
-            let half = 0.5 * libm::sqrt(mesh.section.areas[i]);
+/// Mean of a field over each node's volume, from 3 × 3 × 3 samples of its box [-]; zeros where there is no field.
+fn node_means(mesh: &SweptMesh, field: Option<impl Fn([f64; 3]) -> f64>) -> Vec<f64> {
+    let Some(field) = field else { return vec![0.0; mesh.node_count()] };
+    let mut means = Vec::with_capacity(mesh.node_count());
+    for (level, height) in mesh.layer_heights().iter().enumerate() {
+        for (i, area) in mesh.section_at(level).areas.iter().enumerate() {
+            let half = 0.5 * libm::sqrt(*area);
+            let [x, y, z] = mesh.position(mesh.node(level, i));
             let mut sum = 0.0;
             for k in 0..27 {
                 let offset = |v: i32| f64::from(v - 1) * 2.0 / 3.0;
-                let p = [
-                    x + half * offset(k % 3),
-                    y + half * offset(k / 3 % 3),
-                    mesh.levels[level] + 0.5 * height * offset(k / 9),
-                ];
-                sum += marbling.at(p);
+                sum +=
+                    field([x + half * offset(k % 3), y + half * offset(k / 3 % 3), z + 0.5 * height * offset(k / 9)]);
             }
-            shares.push(sum / 27.0);
+            means.push(sum / 27.0);
         }
     }
-    shares
+    means
 }

@@ -7,6 +7,7 @@
 use crate::ZERO_C;
 use crate::components::{Components, Properties};
 use crate::description::{FoodDescription, Kinetics};
+use crate::form::Form;
 
 /// Which rules a piece follows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
@@ -18,6 +19,39 @@ pub enum Rules {
     /// Those of 2013.
     #[serde(rename = "2013")]
     Paper2013,
+}
+
+/// How finely a piece is meshed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, serde::Serialize)]
+pub enum MeshSize {
+    /// As finely as this program does, graded towards the surface.
+    #[default]
+    #[serde(rename = "default")]
+    Default,
+    /// With as many vertices as the foods of 2013 had, at even distances.
+    #[serde(rename = "2013")]
+    Paper2013,
+}
+
+/// Rings of a section, as `(count, share of the radius)`, and levels.
+pub type Rings = &'static [(usize, f64)];
+
+/// 18 × 3 = 54, 17 × 7 = 119, 17 × 5 = 85, 71 × 17 = 1207 and 84 × 10 = 840 vertices (the paper's tables).
+const CARROT: (Rings, usize) = (&[(12, 1.0), (5, 0.5), (1, 0.0)], 3);
+const SHRIMP: (Rings, usize) = (&[(8, 1.0), (8, 0.5), (1, 0.0)], 7);
+const LEEK: (Rings, usize) = (&[(11, 1.0), (5, 0.5), (1, 0.0)], 5);
+const MARBLED: (Rings, usize) = (&[(28, 1.0), (21, 0.75), (14, 0.5), (7, 0.25), (1, 0.0)], 17);
+const LEAN: (Rings, usize) = (&[(34, 1.0), (26, 0.75), (16, 0.5), (7, 0.25), (1, 0.0)], 10);
+
+/// Rings and levels of a food's mesh of 2013.
+pub fn mesh_of(description: &FoodDescription) -> (Rings, usize) {
+    match description.form {
+        Form::Coin | Form::Stick => CARROT,
+        Form::Ring => LEEK,
+        Form::Shrimp => SHRIMP,
+        Form::Steak if description.marbling.is_some() => MARBLED,
+        Form::Steak | Form::Patty => LEAN,
+    }
 }
 
 /// Water boils here [K].
@@ -44,6 +78,9 @@ pub fn simplified(
     kinetics.shrinkage.least_volume = 1.0;
     description.crust.conductivity_w_mk = raw;
     description.anisotropy = None;
+    if let Some(sheaths) = &mut description.sheaths {
+        sheaths.conductance_w_m2k = f64::INFINITY;
+    }
     (description, kinetics)
 }
 

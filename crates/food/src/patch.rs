@@ -2,7 +2,7 @@
 
 use saute_heat::SweptMesh;
 
-/// Which face a patch belongs to, named in the rest frame.
+/// Which face a patch belongs to, named by the path of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Face {
     /// Level 0 of the mesh.
@@ -31,7 +31,7 @@ pub fn patches(mesh: &SweptMesh) -> Vec<Patch> {
     let (n, last) = (mesh.nodes_per_level(), mesh.levels.len() - 1);
     let mut all = Vec::with_capacity(2 * n);
     for (face, level) in [(Face::Bottom, 0), (Face::Top, last)] {
-        let areas = mesh.section.areas.iter().enumerate();
+        let areas = mesh.section_at(level).areas.iter().enumerate();
         all.extend(areas.map(|(i, &area)| Patch { node: mesh.node(level, i) as u32, face, air: face as usize, area }));
     }
     let sides = mesh.side_areas().into_iter().enumerate().filter(|(_, area)| *area > 0.0);

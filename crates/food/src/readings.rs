@@ -1,12 +1,12 @@
 //! What is read off a piece: core, faces, shares of doneness, colour.
 
-use saute_heat::Cut;
+use saute_heat::{Cut, CutPoint};
 
 use crate::colour::{Appearance, Lab};
 use crate::description::{MOST_CHANGES, PerChange};
 use crate::doneness::{MOST_CLASSES, Scale, Shares};
 use crate::model::FoodModel;
-use crate::state::{FoodState, Side};
+use crate::state::FoodState;
 
 /// The changes at a point, each read off its field.
 pub fn changed_at(state: &FoodState, read: impl Fn(&[f64]) -> f64) -> PerChange {
@@ -38,28 +38,23 @@ impl FoodModel {
         self.at_core(&state.temperature)
     }
 
-    /// Nodes of a face, in the order of the section's nodes.
-    pub fn face(&self, side: Side) -> std::ops::Range<usize> {
-        let n = self.mesh.nodes_per_level();
-        match side {
-            Side::Bottom => 0..n,
-            Side::Top => self.mesh.node_count() - n..self.mesh.node_count(),
+    /// Area-mean temperature of the face that lies below where `up` points up in the world, a direction of the body
+    /// frame; that of the upper face with the opposite direction [K].
+    pub fn face_temperature(&self, state: &FoodState, up: [f64; 3]) -> f64 {
+        let (mut sum, mut area) = (0.0, 0.0);
+        for patch in self.patches_below(up).map(|i| &self.patches[i]) {
+            sum += patch.area * state.temperature[patch.node as usize];
+            area += patch.area;
         }
+        sum / area
     }
 
-    /// Area-mean temperature of a face [K].
-    pub fn face_temperature(&self, state: &FoodState, side: Side) -> f64 {
-        let areas = &self.mesh.section.areas;
-        let sum: f64 = areas.iter().zip(&state.temperature[self.face(side)]).map(|(a, t)| a * t).sum();
-        sum / self.mesh.section.area()
-    }
-
-    /// Everything that is read off a face.
-    pub fn face_reading(&self, state: &FoodState, side: Side) -> FaceReading {
+    /// Everything that is read off the face that lies below, as [`Self::face_temperature`] has it.
+    pub fn face_reading(&self, state: &FoodState, up: [f64; 3]) -> FaceReading {
         let mut reading = FaceReading::default();
-        let whole = self.mesh.section.area();
-        for (node, area) in self.face(side).zip(&self.mesh.section.areas) {
-            let share = area / whole;
+        let whole: f64 = self.patches_below(up).map(|i| self.patches[i].area).sum();
+        for patch in self.patches_below(up).map(|i| &self.patches[i]) {
+            let (node, share) = (patch.node as usize, patch.area / whole);
             let colour = self.node_colour(state, node).0;
             (0..3).for_each(|k| reading.lab.0[k] += share * colour[k]);
             reading.temperature += share * state.temperature[node];
@@ -80,6 +75,7 @@ impl FoodModel {
             changed: changed_at(state, |field| field[node]),
             browning: state.browning[node],
             charring: state.charring[node],
+            tissue: self.tissue[node],
         }
     }
 
@@ -135,27 +131,35 @@ impl FoodModel {
         100.0 * self.mean_of(|node| left(node) * self.with_changes(1.0, &self.juiciness, state, node))
     }
 
-    /// Angle by which the body has curled: difference of contraction over thickness, times length [rad].
+    /// Angle by which the body has curled: difference of contraction over its depth, times length [rad].
     pub fn curl(&self, state: &FoodState) -> f64 {
+        if self.curl.iter().all(|c| *c == 0.0) {
+            return 0.0;
+        }
         let difference = self.mean_of(|node| self.with_changes(0.0, &self.curl, state, node));
-        difference * self.size[0] / self.size[2]
+        // A body on its side curls across its width, a slice would through its thickness.
+        difference * self.size[0] / if self.is_slice() { self.size[2] } else { self.size[1] }
     }
 
     /// Doneness by volume.
     pub fn volume_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
         let mut sums = [0.0; MOST_CLASSES];
         let n = self.mesh.nodes_per_level();
-        for (level, height) in self.mesh.levels.windows(2).map(|w| w[1] - w[0]).enumerate() {
+        for level in 0..self.mesh.levels.len() - 1 {
             let (lower, upper) = state.peak[level * n..(level + 2) * n].split_at(n);
-            for (i, area) in self.mesh.section.areas.iter().enumerate() {
-                scale.add_stretch(&mut sums, lower[i], upper[i], area * height);
+            for i in 0..n {
+                scale.add_stretch(&mut sums, lower[i], upper[i], self.mesh.between(level, i));
             }
         }
         Shares::from_weights(sums)
     }
 
-    /// The cut across the longest axis at distance `x` from the centroid along it [m].
+    /// The cut that shows the inside: of a slice across its longest axis at distance `x` from the centroid along it
+    /// [m]; a body that is no slice is cut along its middle plane, wherever `x` is.
     pub fn cut_across(&self, x: f64) -> Cut {
+        if !self.is_slice() {
+            return Cut::new(&self.mesh.section, [0.0, 0.0], [1.0, 0.0]);
+        }
         let direction = if self.size[0] >= self.size[1] { [0.0, 1.0] } else { [-1.0, 0.0] };
         let point = if self.size[0] >= self.size[1] { [x, 0.0] } else { [0.0, x] };
         Cut::new(&self.mesh.section, point, direction)
@@ -168,10 +172,24 @@ impl FoodModel {
         let lengths = cut.lengths();
         for (level, height) in self.mesh.levels.windows(2).map(|w| w[1] - w[0]).enumerate() {
             let (lower, upper) = state.peak[level * n..(level + 2) * n].split_at(n);
+            let wide = 0.5 * (self.cut_breadth(cut, level) + self.cut_breadth(cut, level + 1));
             for (i, length) in lengths.iter().enumerate() {
-                scale.add_stretch(&mut sums, cut.sample(i, lower), cut.sample(i, upper), length * height);
+                scale.add_stretch(&mut sums, cut.sample(i, lower), cut.sample(i, upper), wide * length * height);
             }
         }
         Shares::from_weights(sums)
+    }
+
+    /// Breadth of the body along a cut at a level over that of the section [-].
+    pub fn cut_breadth(&self, cut: &Cut, level: usize) -> f64 {
+        let (Some(first), Some(last)) = (cut.points.first(), cut.points.last()) else { return 1.0 };
+        if self.is_slice() {
+            return 1.0;
+        }
+        let across = |level: usize, p: &CutPoint| {
+            let at = |k: usize| self.mesh.section_at(level).points[p.nodes[k] as usize][0];
+            at(0) * (1.0 - p.share) + at(1) * p.share
+        };
+        (across(level, last) - across(level, first)) / (last.along - first.along)
     }
 }

@@ -5,7 +5,7 @@ use libm::{exp, log};
 use crate::ZERO_C;
 use crate::description::PerChange;
 use crate::model::FoodModel;
-use crate::state::FoodState;
+use crate::state::{FoodState, Stretch};
 
 /// Acceleration of gravity [m/s²] (standard).
 const GRAVITY: f64 = 9.806_65;
@@ -54,6 +54,25 @@ impl FoodModel {
     /// thickness takes up the rest, so that volumes hold. What differs between levels bends the plate; its own
     /// weight holds it down (simply supported disc with relaxed modulus): w = (5+ν)/(64(1+ν)) p a⁴/D.
     pub fn shrink(&self, state: &mut FoodState) {
+        if self.is_slice() { self.shrink_as_a_plate(state) } else { self.shrink_freely(state) }
+    }
+
+    /// A body that is no plate takes the stiffness-weighted mean of its contraction across and stays unbent (what
+    /// differs between its belly and its back is [`FoodModel::curl`]).
+    fn shrink_freely(&self, state: &mut FoodState) {
+        let rest = Rest::of(self);
+        let (mut modulus, mut contraction) = (0.0, 0.0);
+        for (node, size) in self.mesh.graph.volume.iter().enumerate() {
+            let volume = rest.relative_volume(self, state, node);
+            state.stretch.axial[node] = volume;
+            let e = size * self.node_modulus_kpa(state, node);
+            modulus += e;
+            contraction += e * self.free_contraction(state, node, volume);
+        }
+        state.stretch.contract_across(contraction / modulus);
+    }
+
+    fn shrink_as_a_plate(&self, state: &mut FoodState) {
         let n = self.mesh.nodes_per_level();
         let rest = Rest::of(self);
         let mut plate = Plate::default();
@@ -71,9 +90,7 @@ impl FoodModel {
             plate.add(1e3 * modulus / self.mesh.section.area(), *height, z, mean);
         }
         let (mean, curvature, rigidity) = plate.bend();
-        state.stretch.lateral = exp(-mean);
-        let area_stretch = state.stretch.lateral * state.stretch.lateral;
-        state.stretch.axial.iter_mut().for_each(|a| *a /= area_stretch);
+        state.stretch.contract_across(mean);
         state.stretch.dome = self.dome(state, curvature, rigidity);
     }
 
@@ -97,48 +114,6 @@ impl FoodModel {
         if free.abs() > sag { free - sag * free.signum() } else { 0.0 }
     }
 
-    /// Present height of every node of a column above its lowest [m].
-    pub fn column_heights(&self, state: &FoodState, column: usize) -> Vec<f64> {
-        let n = self.mesh.nodes_per_level();
-        let mut heights = vec![0.0];
-        for (level, pair) in self.mesh.levels.windows(2).enumerate() {
-            let (low, high) = (state.stretch.axial[level * n + column], state.stretch.axial[(level + 1) * n + column]);
-            heights.push(heights[level] + 0.5 * (low + high) * (pair[1] - pair[0]));
-        }
-        heights
-    }
-
-    /// Present mean thickness [m].
-    pub fn thickness(&self, state: &FoodState) -> f64 {
-        let areas = self.mesh.section.areas.iter().enumerate();
-        let sum: f64 = areas.map(|(i, a)| a * self.column_heights(state, i).last().copied().unwrap_or_default()).sum();
-        sum / self.mesh.section.area()
-    }
-
-    /// Present position of every node, origin midway between the piece's lowest and highest mean levels [m].
-    pub fn positions(&self, state: &FoodState) -> Vec<[f64; 3]> {
-        let n = self.mesh.nodes_per_level();
-        let half = 0.5 * self.thickness(state);
-        let mut positions = vec![[0.0; 3]; self.mesh.node_count()];
-        for (i, &[x, y]) in self.mesh.section.points.iter().enumerate() {
-            let bend = state.stretch.dome * (0.5 - self.outwards([x, y]));
-            for (level, z) in self.column_heights(state, i).into_iter().enumerate() {
-                positions[level * n + i] = [x * state.stretch.lateral, y * state.stretch.lateral, z - half + bend];
-            }
-        }
-        positions
-    }
-
-    /// Height of the origin of [`Self::positions`] above the plane on which the piece lies [m].
-    pub fn rest_height(&self, state: &FoodState) -> f64 {
-        0.5 * (self.thickness(state) + state.stretch.dome.abs())
-    }
-
-    /// Square of the distance from the middle over the half length and width [-].
-    fn outwards(&self, [x, y]: [f64; 2]) -> f64 {
-        4.0 * ((x / self.size[0]) * (x / self.size[0]) + (y / self.size[1]) * (y / self.size[1]))
-    }
-
     /// Present volume over the rest volume [-].
     pub fn relative_volume(&self, state: &FoodState) -> f64 {
         let rest = Rest::of(self);
@@ -146,12 +121,14 @@ impl FoodModel {
         let now: f64 = volume.iter().enumerate().map(|(i, v)| v * rest.relative_volume(self, state, i)).sum();
         now / volume.iter().sum::<f64>()
     }
+}
 
-    /// How far a patch of the lower face at a point of the section stands off for the dome [m].
-    pub fn dome_gap(&self, state: &FoodState, point: [f64; 2]) -> f64 {
-        let out = self.outwards(point);
-        let upwards = if state.down == crate::Side::Bottom { state.stretch.dome } else { -state.stretch.dome };
-        if upwards > 0.0 { upwards * (1.0 - out).max(0.0) } else { -upwards * out }
+impl Stretch {
+    /// Sets the stretch across from a log contraction; `axial` holds relative volumes and becomes what is left of them.
+    fn contract_across(&mut self, contraction: f64) {
+        self.lateral = exp(-contraction);
+        let area_stretch = self.lateral * self.lateral;
+        self.axial.iter_mut().for_each(|a| *a /= area_stretch);
     }
 }
 

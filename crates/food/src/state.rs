@@ -3,25 +3,6 @@
 use crate::ZERO_C;
 use crate::model::FoodModel;
 
-/// A big face of a piece, named in its rest frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// Level 0 of the mesh.
-    Bottom,
-    /// The last level.
-    Top,
-}
-
-impl Side {
-    /// The other side.
-    pub fn opposite(self) -> Self {
-        match self {
-            Self::Bottom => Self::Top,
-            Self::Top => Self::Bottom,
-        }
-    }
-}
-
 /// Stretches of the present shape over the rest shape.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stretch {
@@ -30,7 +11,7 @@ pub struct Stretch {
     /// Along the fibres at each node [-].
     pub axial: Vec<f64>,
     /// How far the middle of the bottom face stands back from the plane of its rim, against gravity; negative where
-    /// the top face's does [m].
+    /// the top face's does; 0 in bodies that are no slices [m].
     pub dome: f64,
 }
 
@@ -59,8 +40,6 @@ pub struct FoodState {
     pub lethality: Vec<f64>,
     /// How far it has contracted and bent.
     pub stretch: Stretch,
-    /// Which face lies below.
-    pub down: Side,
     /// Water that left as vapour [kg].
     pub evaporated: f64,
     /// Juice that ran off [kg].
@@ -90,7 +69,6 @@ impl FoodState {
             charring: zeros(),
             lethality: zeros(),
             stretch: Stretch { lateral: 1.0, axial: vec![1.0; n], dome: 0.0 },
-            down: Side::Bottom,
             evaporated: 0.0,
             dripped: 0.0,
             rendered: 0.0,
@@ -119,7 +97,7 @@ impl FoodState {
         self.stretch.axial.clone_from(&other.stretch.axial);
         (self.stretch.lateral, self.stretch.dome) = (other.stretch.lateral, other.stretch.dome);
         (self.evaporated, self.dripped, self.rendered) = (other.evaporated, other.dripped, other.rendered);
-        (self.down, self.ticks, self.healthy) = (other.down, other.ticks, other.healthy);
+        (self.ticks, self.healthy) = (other.ticks, other.healthy);
     }
 
     /// Mass [kg].

@@ -11,6 +11,14 @@ pub struct Located {
     pub weights: [f64; 3],
 }
 
+impl Located {
+    /// A point within a triangle, or none outside of it.
+    pub fn within(nodes: [u32; 3], corners: [[f64; 2]; 3], point: [f64; 2]) -> Option<Self> {
+        let weights = shape_functions(corners, point);
+        weights.iter().all(|&w| w >= -1e-9).then_some(Self { nodes, weights })
+    }
+}
+
 /// Buckets of triangles on a square grid.
 #[derive(Clone, Debug)]
 pub struct Locator {
@@ -52,8 +60,7 @@ impl Locator {
         let candidates = &self.buckets[row * self.columns + column];
         candidates.iter().find_map(|&t| {
             let nodes = section.triangles[t as usize];
-            let weights = shape_functions(nodes.map(|i| section.points[i as usize]), point);
-            weights.iter().all(|&w| w >= -1e-9).then_some(Located { nodes, weights })
+            Located::within(nodes, nodes.map(|i| section.points[i as usize]), point)
         })
     }
 

@@ -102,8 +102,12 @@ impl Outline {
         if self.points.len() <= 8 {
             return self.sampled_by_side(spacing);
         }
+        self.evenly((libm::round(self.perimeter() / spacing) as usize).max(8))
+    }
+
+    /// The curve divided into `count` even steps, with the inward unit normal at each point.
+    pub fn evenly(&self, count: usize) -> Vec<([f64; 2], [f64; 2])> {
         let perimeter = self.perimeter();
-        let count = (libm::round(perimeter / spacing) as usize).max(8);
         let mut samples = Vec::with_capacity(count);
         let (mut walked, mut next) = (0.0, 0);
         for (p, q) in self.corners() {

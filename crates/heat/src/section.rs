@@ -63,6 +63,14 @@ impl Section {
         Self::triangulate(points, |_| true)
     }
 
+    /// Rings of nodes along an outline drawn towards its centroid: `(count, share)`, a share of 1 is the outline itself.
+    pub fn concentric(outline: &Outline, rings: &[(usize, f64)]) -> Result<Self, MeshError> {
+        let ring = |&(count, share): &(usize, f64)| {
+            outline.evenly(count).into_iter().map(move |(p, _)| [share * p[0], share * p[1]])
+        };
+        Self::triangulate(rings.iter().flat_map(ring).collect(), |_| true)
+    }
+
     /// Delaunay triangulation of given nodes, keeping triangles whose centroid `inside` accepts.
     pub fn triangulate(points: Vec<[f64; 2]>, inside: impl Fn([f64; 2]) -> bool) -> Result<Self, MeshError> {
         let vertices = points.iter().map(|p| Point2::new(p[0], p[1])).collect();
@@ -110,6 +118,20 @@ impl Section {
         let ends = |t: &[u32; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
         let sides = self.triangles.iter().flat_map(ends).map(|[a, b]| [a.min(b), a.max(b)]);
         sides.collect::<std::collections::BTreeSet<_>>().into_iter().collect()
+    }
+
+    /// Nodes of the boundary in order, counter-clockwise; of a region with holes, the loop through its first edge.
+    pub fn rim(&self) -> Vec<u32> {
+        let next: std::collections::BTreeMap<u32, u32> = self.boundary.iter().map(|[a, b]| (*a, *b)).collect();
+        let Some(&[first, _]) = self.boundary.first() else { return Vec::new() };
+        let mut rim = vec![first];
+        while let Some(&node) = rim.last().and_then(|last| next.get(last)) {
+            if node == first || rim.len() > next.len() {
+                break;
+            }
+            rim.push(node);
+        }
+        rim
     }
 
     /// Total area [m²].

@@ -1,16 +1,20 @@
-//! A cross-section carried along z in layers: prisms with linear shape functions.
+//! A cross-section carried along a path in layers: prisms with linear shape functions.
 
 use crate::conduction::Graph;
+use crate::outline::Outline;
+use crate::path::{Path, Station, cross, distance, dot};
 use crate::rule::{Rule, segment_shape};
 use crate::section::Section;
 
-/// A swept body: node `level · n + i` lies at `section.points[i]`, height `levels[level]`.
+/// A swept body: node `level · n + i` is node `i` of the section at `level` of the path.
 #[derive(Clone, Debug)]
 pub struct SweptMesh {
     /// The cross-section that is carried along.
     pub section: Section,
-    /// Heights of the layers, ascending from 0 [m].
+    /// Distances of the layers along the path, ascending from 0; heights where it is straight [m].
     pub levels: Vec<f64>,
+    /// The way of the section.
+    pub path: Path,
     /// Lumped volumes and edge shapes.
     pub graph: Graph,
 }
@@ -25,7 +29,35 @@ impl SweptMesh {
     /// Builds volumes and edges under a rule. Segments run along every side of every triangle, in every layer, and along
     /// the path.
     pub fn with_rule(section: Section, levels: Vec<f64>, rule: Rule) -> Self {
-        let mut mesh = Self::by_shape_functions(section, levels);
+        Self::upright(section, levels, Path::Straight, rule)
+    }
+
+    /// As [`Self::with_rule`], with a height of its own for each column: volumes and in-plane conductances grow with it,
+    /// those along the path fall. Slopes are gentle: areas of the faces are those of the flat section.
+    pub fn uneven(section: Section, levels: Vec<f64>, variation: impl Fn([f64; 2]) -> f64, rule: Rule) -> Self {
+        let path = Path::uneven(&section, variation);
+        Self::upright(section, levels, path, rule)
+    }
+
+    fn upright(section: Section, levels: Vec<f64>, path: Path, rule: Rule) -> Self {
+        let mut mesh = Self { section, levels, path, graph: Graph::default() };
+        mesh.graph = mesh.upright_graph();
+        if rule == Rule::Segments {
+            mesh.graph = mesh.segments();
+        }
+        mesh
+    }
+
+    /// Carries a section along stations. A node's volume is that of the frusta of its own areas and its own chords to
+    /// the levels beside it; along the path it conducts by the geometric mean of its areas over the chord (exact for
+    /// a cone), in its plane by the cotangent weights of the section as it stands there times its layer height.
+    pub fn along(section: Section, path: Vec<Station>, rule: Rule) -> Self {
+        let mut levels = vec![0.0];
+        for (level, pair) in path.windows(2).enumerate() {
+            levels.push(levels[level] + distance(pair[0].centre, pair[1].centre));
+        }
+        let mut mesh = Self { section, levels, path: Path::Stations(path), graph: Graph::default() };
+        mesh.graph = mesh.station_graph();
         if rule == Rule::Segments {
             mesh.graph = mesh.segments();
         }
@@ -42,39 +74,77 @@ impl SweptMesh {
         let sides = self.section.sides();
         for level in 0..self.levels.len() {
             for &[a, b] in &sides {
-                let (p, q) = (self.section.points[a as usize], self.section.points[b as usize]);
-                let length = libm::hypot(p[0] - q[0], p[1] - q[1]);
-                push(level * n + a as usize, level * n + b as usize, length);
+                let (a, b) = (level * n + a as usize, level * n + b as usize);
+                push(a, b, self.length(a, b));
             }
             if level + 1 < self.levels.len() {
-                (0..n).for_each(|i| {
-                    push(level * n + i, (level + 1) * n + i, self.levels[level + 1] - self.levels[level])
-                });
+                (0..n).for_each(|i| push(level * n + i, (level + 1) * n + i, self.chord(level, i)));
             }
         }
         graph
     }
 
-    fn by_shape_functions(section: Section, levels: Vec<f64>) -> Self {
-        let n = section.points.len();
-        let heights = layer_heights(&levels);
-        let mut volume = Vec::with_capacity(n * levels.len());
+    /// Distance between two nodes of one level [m]; where the path is straight, that of the section.
+    fn length(&self, a: usize, b: usize) -> f64 {
+        if let Path::Straight = self.path {
+            let n = self.nodes_per_level();
+            let (p, q) = (self.section.points[a % n], self.section.points[b % n]);
+            return libm::hypot(p[0] - q[0], p[1] - q[1]);
+        }
+        distance(self.position(a), self.position(b))
+    }
+
+    /// Distance of node `i` of a level from the same node of the next [m].
+    pub fn chord(&self, level: usize, i: usize) -> f64 {
+        match &self.path {
+            Path::Stations(_) => distance(self.position(self.node(level, i)), self.position(self.node(level + 1, i))),
+            path => (self.levels[level + 1] - self.levels[level]) * path.column(i),
+        }
+    }
+
+    fn upright_graph(&self) -> Graph {
+        let (n, levels, path) = (self.nodes_per_level(), &self.levels, &self.path);
+        let section = &self.section;
         let mut graph = Graph::default();
-        for (level, height) in heights.iter().enumerate() {
-            volume.extend(section.areas.iter().map(|a| a * height));
+        for (level, height) in layer_heights(levels).iter().enumerate() {
+            graph.volume.extend(section.areas.iter().enumerate().map(|(i, a)| a * height * path.column(i)));
             let base = (level * n) as u32;
             for &(a, b, weight) in &section.edges {
-                graph.push(base + a, base + b, weight * height);
+                let mean = 0.5 * (path.column(a as usize) + path.column(b as usize));
+                graph.push(base + a, base + b, weight * height * mean);
             }
             if level + 1 < levels.len() {
-                let spacing = levels[level + 1] - levels[level];
                 for (i, area) in section.areas.iter().enumerate() {
-                    graph.push(base + i as u32, base + (n + i) as u32, area / spacing);
+                    graph.push(base + i as u32, base + (n + i) as u32, area / self.chord(level, i));
                 }
             }
         }
-        graph.volume = volume;
-        Self { section, levels, graph }
+        graph
+    }
+
+    fn station_graph(&self) -> Graph {
+        let (n, last) = (self.nodes_per_level(), self.levels.len() - 1);
+        let mut graph = Graph { volume: vec![0.0; self.node_count()], ..Graph::default() };
+        let mut thick = vec![0.0; self.node_count()];
+        for level in 0..last {
+            for i in 0..n {
+                let (a, b) = (self.node(level, i), self.node(level + 1, i));
+                let (chord, areas) = (self.chord(level, i), [self.node_area(level, i), self.node_area(level + 1, i)]);
+                graph.push(a as u32, b as u32, libm::sqrt(areas[0] * areas[1]) / chord);
+                let halves = frustum_halves(areas);
+                for (node, mean) in [(a, halves[0]), (b, halves[1])] {
+                    graph.volume[node] += 0.5 * chord * mean;
+                    thick[node] += 0.5 * chord;
+                }
+            }
+        }
+        for level in 0..=last {
+            for &(a, b, weight) in &self.section_at(level).edges {
+                let (a, b) = (self.node(level, a as usize), self.node(level, b as usize));
+                graph.push(a as u32, b as u32, weight * 0.5 * (thick[a] + thick[b]));
+            }
+        }
+        graph
     }
 
     /// Whether the edge between two nodes runs along the path.
@@ -98,7 +168,7 @@ impl SweptMesh {
         level * self.section.points.len() + i
     }
 
-    /// Height of the body [m].
+    /// Mean length of the path [m]; the height of a body that stands upright.
     pub fn thickness(&self) -> f64 {
         self.levels[self.levels.len() - 1]
     }
@@ -108,26 +178,105 @@ impl SweptMesh {
         layer_heights(&self.levels)
     }
 
+    /// The section as it stands at a level.
+    pub fn section_at(&self, level: usize) -> &Section {
+        match &self.path {
+            Path::Stations(stations) => &stations[level].section,
+            _ => &self.section,
+        }
+    }
+
+    /// Area of node `i` of the section at `level` [m²].
+    pub fn node_area(&self, level: usize, i: usize) -> f64 {
+        self.section_at(level).areas[i]
+    }
+
+    /// Volume between node `i` of a level and of the next [m³].
+    pub fn between(&self, level: usize, i: usize) -> f64 {
+        let areas = [self.node_area(level, i), self.node_area(level + 1, i)];
+        match self.path {
+            Path::Stations(_) => 0.5 * self.chord(level, i) * frustum_halves(areas).iter().sum::<f64>(),
+            _ => areas[0] * self.chord(level, i),
+        }
+    }
+
     /// Side area of every node, level-major like the nodes [m²] (0 inside).
     pub fn side_areas(&self) -> Vec<f64> {
+        if let Path::Stations(_) = self.path {
+            return self.shared_areas(&self.side_triangles());
+        }
         let lengths = self.section.boundary_lengths();
         let heights = self.layer_heights();
-        heights.iter().flat_map(|h| lengths.iter().map(move |l| l * h)).collect()
+        let side = |h: f64| lengths.iter().enumerate().map(move |(i, l)| (i, l * h));
+        heights.iter().flat_map(|h| side(*h)).map(|(i, area)| area * self.path.column(i)).collect()
     }
 
-    /// Position of a node, origin at the bottom centre [m].
+    /// Triangles of the surface between the two ends of the path, seen from outside counter-clockwise.
+    pub fn side_triangles(&self) -> Vec<[u32; 3]> {
+        let mut triangles = Vec::new();
+        for level in 0..self.levels.len().saturating_sub(1) {
+            for &[a, b] in &self.section.boundary {
+                let at = |level: usize, i: u32| self.node(level, i as usize) as u32;
+                let [a, b, c, d] = [at(level, a), at(level, b), at(level + 1, b), at(level + 1, a)];
+                triangles.extend([[a, b, c], [a, c, d]]);
+            }
+        }
+        triangles
+    }
+
+    /// Triangles of the section that closes the path at its start (`false`) or end, seen from outside counter-clockwise.
+    pub fn end_triangles(&self, last: bool) -> Vec<[u32; 3]> {
+        let level = if last { self.levels.len() - 1 } else { 0 };
+        let of = |t: &[u32; 3]| t.map(|i| self.node(level, i as usize) as u32);
+        let outward = |[a, b, c]: [u32; 3]| if last { [a, b, c] } else { [a, c, b] };
+        self.section.triangles.iter().map(|t| outward(of(t))).collect()
+    }
+
+    /// A third of the area of every triangle at each of its nodes [m²].
+    fn shared_areas(&self, triangles: &[[u32; 3]]) -> Vec<f64> {
+        let mut areas = vec![0.0; self.node_count()];
+        for t in triangles {
+            let [p, q, r] = t.map(|node| self.position(node as usize));
+            let normal = cross([0, 1, 2].map(|k| q[k] - p[k]), [0, 1, 2].map(|k| r[k] - p[k]));
+            t.iter().for_each(|&node| areas[node as usize] += libm::sqrt(dot(normal, normal)) / 6.0);
+        }
+        areas
+    }
+
+    /// Position of a node [m]: of an upright body from the bottom centre, else in the frame of the stations.
     pub fn position(&self, node: usize) -> [f64; 3] {
         let n = self.nodes_per_level();
-        let [x, y] = self.section.points[node % n];
-        [x, y, self.levels[node / n]]
+        let (level, i) = (node / n, node % n);
+        if let Path::Stations(stations) = &self.path {
+            return stations[level].place(stations[level].section.points[i]);
+        }
+        let [x, y] = self.section.points[i];
+        [x, y, self.levels[level] * self.path.column(i)]
     }
 
-    /// The two levels that bracket a height and the weight of the upper one [-]; ends are clamped.
+    /// Depth of a node below the nearer end of the path, or on stations below the skin if that is nearer [m].
+    pub fn depth(&self, node: usize) -> f64 {
+        let (level, i) = (node / self.nodes_per_level(), node % self.nodes_per_level());
+        let z = self.levels[level];
+        let below_ends = z.min(self.thickness() - z) * self.path.column(i);
+        let Path::Stations(stations) = &self.path else { return below_ends };
+        let section = &stations[level].section;
+        let rim = Outline { points: self.section.rim().iter().map(|&i| section.points[i as usize]).collect() };
+        below_ends.min(rim.distance_to(section.points[i]))
+    }
+
+    /// The two levels that bracket a distance along the path and the weight of the upper one [-]; ends are clamped.
     pub fn bracket(&self, z: f64) -> (usize, f64) {
         let upper = self.levels.partition_point(|&l| l <= z).clamp(1, self.levels.len() - 1);
         let (low, high) = (self.levels[upper - 1], self.levels[upper]);
         (upper - 1, ((z - low) / (high - low)).clamp(0.0, 1.0))
     }
+}
+
+/// Mean areas of the halves of a frustum between two areas [m²].
+fn frustum_halves([a, b]: [f64; 2]) -> [f64; 2] {
+    let root = 0.5 * (libm::sqrt(a) + libm::sqrt(b));
+    [a, b].map(|end| (end + libm::sqrt(end) * root + root * root) / 3.0)
 }
 
 fn layer_heights(levels: &[f64]) -> Vec<f64> {

@@ -15,9 +15,8 @@ const HORIZON_S: f64 = 1800.0;
 /// One-dimensional conduction through the thickness from the mean profile of the inner half of the section; the
 /// edges are neglected, which makes it a little high. Tested against the full model within 3 K.
 pub fn foreseen_peak(model: &FoodModel, state: &FoodState, room: &Room) -> (f64, f64) {
-    let mut profile = mean_profile(model, state);
-    let levels = &model.mesh.levels;
-    let heights = model.mesh.layer_heights();
+    let (levels, mut profile) = mean_profile(model, state);
+    let heights = heights(&levels);
     let middle = levels.len() / 2;
     let masses = masses_per_volume(model, state);
     let conductivity = model.properties.conductivity(&masses, profile[middle]);
@@ -43,8 +42,19 @@ pub fn foreseen_peak(model: &FoodModel, state: &FoodState, room: &Room) -> (f64,
     (best, when)
 }
 
-/// Area-mean temperature of each level over the inner half of the section, capped at boiling [K].
-fn mean_profile(model: &FoodModel, state: &FoodState) -> Vec<f64> {
+/// Points of the line through the core of a body that is no slice (chosen: a millimetre apart).
+const ACROSS: usize = 15;
+
+/// Heights of the line through the core [m] and its temperatures, capped at boiling [K]: of a slice the area mean of
+/// each level over the inner half of the section.
+fn mean_profile(model: &FoodModel, state: &FoodState) -> (Vec<f64>, Vec<f64>) {
+    let boiling = crate::kelvin(100.0);
+    if !model.is_slice() {
+        let share = |i: usize| 2.0 * i as f64 / (ACROSS - 1) as f64 - 1.0;
+        let height = |i: usize| 0.5 * (1.0 + share(i)) * model.size[2];
+        let across = (0..ACROSS).map(|i| model.above_core(&state.temperature, share(i)).min(boiling));
+        return ((0..ACROSS).map(height).collect(), across.collect());
+    }
     let n = model.mesh.nodes_per_level();
     let reach = 0.25 * (model.size[0] * model.size[0] + model.size[1] * model.size[1]) * 0.25;
     let inner: Vec<usize> = (0..n)
@@ -58,10 +68,16 @@ fn mean_profile(model: &FoodModel, state: &FoodState) -> Vec<f64> {
         .map(|level| {
             inner.iter().map(|&i| state.temperature[level * n + i] * model.mesh.section.areas[i]).sum::<f64>() / area
         })
-        .map(|t: f64| t.min(crate::kelvin(100.0)))
+        .map(|t: f64| t.min(boiling))
         .collect();
     profile[model.mesh.levels.len() / 2] = model.core_temperature(state);
-    profile
+    (model.mesh.levels.clone(), profile)
+}
+
+/// Height that belongs to each point of a line [m].
+fn heights(levels: &[f64]) -> Vec<f64> {
+    let last = levels.len() - 1;
+    (0..=last).map(|i| 0.5 * (levels[(i + 1).min(last)] - levels[i.saturating_sub(1)])).collect()
 }
 
 fn masses_per_volume(model: &FoodModel, state: &FoodState) -> [f64; 3] {

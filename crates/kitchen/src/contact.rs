@@ -5,9 +5,11 @@ use saute_heat::{Located, Locator, Section};
 
 use crate::room::ContactGap;
 
-/// Where each node of a piece's section lies on the pan, and how uneven the face is there.
+/// Where each patch that lies below is on the pan, and how uneven the face is there.
 #[derive(Clone, Debug)]
 pub struct ContactPatches {
+    /// The patches that lie below.
+    pub below: Vec<usize>,
     /// Place on the pan's mesh.
     pub located: Vec<Located>,
     /// Departure from the mean gap [m].
@@ -15,9 +17,12 @@ pub struct ContactPatches {
 }
 
 impl ContactPatches {
-    /// Lays a section at `at` [m] on the pan, turned over about its long axis where `flipped`.
+    /// Lays patches at points of the rest shape [m] on the pan at `at` [m], turned over about the long axis where
+    /// `flipped`.
+    #[expect(clippy::too_many_arguments, reason = "it is read off the piece's place here alone")]
     pub fn lay(
-        section: &Section,
+        below: Vec<usize>,
+        points: &[[f64; 2]],
         pan: &Section,
         locator: &Locator,
         at: [f64; 2],
@@ -30,12 +35,13 @@ impl ContactPatches {
         let scale = gap.unevenness_scale_mm * 1e-3;
         let face = if flipped { 1.0 } else { 0.0 };
         let noise = |p: &[f64; 2]| fractal(seed ^ 0xc0_47ac, [p[0] / scale, p[1] / scale, 31.0 * face]);
-        let raw: Vec<f64> = section.points.iter().map(noise).collect();
+        let raw: Vec<f64> = points.iter().map(noise).collect();
         let mean = raw.iter().sum::<f64>() / raw.len() as f64;
         let deviation =
             libm::sqrt(raw.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / raw.len() as f64).max(1e-9);
         Self {
-            located: section.points.iter().map(on_pan).collect(),
+            below,
+            located: points.iter().map(on_pan).collect(),
             unevenness: raw.iter().map(|v| (v - mean) / deviation * gap.unevenness_mm * 1e-3).collect(),
         }
     }

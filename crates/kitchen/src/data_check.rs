@@ -2,7 +2,7 @@
 
 use saute_food::description::{Composition, MOST_CHANGES};
 use saute_food::doneness::MOST_CLASSES;
-use saute_food::{FoodDescription, Kinetics, Scale};
+use saute_food::{FoodDescription, Form, Kinetics, Scale};
 use toml::Spanned;
 
 use crate::library::{DEFAULT_SCALE, LibraryError, line_of};
@@ -63,6 +63,8 @@ pub fn food(food: &FoodDescription, file: &str, text: &str) -> Result<(), Librar
         &[
             ranged("outline", "exponent", food.outline.exponent, 2.0, 20.0),
             ranged("outline", "ripple", food.outline.ripple, 0.0, 0.1),
+            ranged("outline", "wedge", food.outline.wedge, 0.0, 0.3),
+            ranged("outline", "bumps", food.outline.bumps, 0.0, 0.1),
             ranged("fat_melting", "width_k", food.fat_melting.width_k, 0.5, 50.0),
             ranged("fat_melting", "latent_j_kg", food.fat_melting.latent_j_kg, 0.0, 4e5),
             ranged("sorption", "monolayer", food.sorption.monolayer, 0.01, 0.3),
@@ -81,9 +83,63 @@ pub fn food(food: &FoodDescription, file: &str, text: &str) -> Result<(), Librar
     if let Some(anisotropy) = &food.anisotropy {
         check(file, text, &[ranged("anisotropy", "across", anisotropy.across, 0.05, 5.0)])?;
     }
+    tissues(food, file, text)?;
     sizes(food, file, text)?;
     composition("lean", &food.lean, file, text)?;
     food.adipose.iter().try_for_each(|adipose| composition("adipose", adipose, file, text))
+}
+
+/// Tables that belong to some forms alone.
+fn tissues(food: &FoodDescription, file: &str, text: &str) -> Result<(), LibraryError> {
+    let error = |table: &str, message: String| {
+        Err(LibraryError { file: file.to_owned(), line: line_of(text, place(text, table, "")), message })
+    };
+    let is_shrimp = food.form == Form::Shrimp;
+    match &food.spine {
+        Some(spine) if is_shrimp => check(
+            file,
+            text,
+            &[
+                ranged("spine", "turn_deg", spine.turn_deg, 0.0, 200.0),
+                ranged("spine", "turn_varies_deg", spine.turn_varies_deg, 0.0, 60.0),
+                ranged("spine", "flattening", spine.flattening, 0.5, 1.5),
+            ],
+        )?,
+        Some(_) => return error("spine", "[spine] belongs to form = \"shrimp\": leave it out".into()),
+        None if is_shrimp => {
+            let message = "form = \"shrimp\" needs a table [spine] with turn_deg, turn_varies_deg and flattening";
+            return error("", message.into());
+        }
+        None => {}
+    }
+    if food.core.is_some() && food.sheaths.is_some() {
+        return error("sheaths", "[core] and [sheaths] exclude each other: keep one of them".into());
+    }
+    let table = if food.core.is_some() { "core" } else { "sheaths" };
+    if (food.core.is_some() || food.sheaths.is_some()) && !food.form.may_hold_tissues() {
+        return error(table, format!("[{table}] cannot lie in form = \"shrimp\": leave it out"));
+    }
+    if let Some(core) = &food.core {
+        let shape = [
+            ranged("core", "radius", core.radius, 0.05, 1.5),
+            ranged("core", "wave", core.wave, 0.0, 0.5),
+            ranged("core", "offset", core.offset, 0.0, 1.5),
+            ranged("core", "edge_mm", core.edge_mm, 0.05, 10.0),
+        ];
+        check(file, text, &shape)?;
+        core.tissue.iter().try_for_each(|t| composition("core.tissue", t, file, text))?;
+    }
+    if let Some(sheaths) = &food.sheaths {
+        let shape = [
+            ranged("sheaths", "thickness_mm", sheaths.thickness_mm, 0.5, 20.0),
+            ranged("sheaths", "variation", sheaths.variation, 0.0, 0.8),
+            ranged("sheaths", "conductance_w_m2k", sheaths.conductance_w_m2k, 10.0, 1e6),
+            ranged("sheaths", "greenest", sheaths.greenest, 0.0, 1.0),
+        ];
+        check(file, text, &shape)?;
+        sheaths.tissue.iter().try_for_each(|t| composition("sheaths.tissue", t, file, text))?;
+    }
+    Ok(())
 }
 
 /// As many sizes as the form has dimensions, ascending from smallest to largest.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use saute_food::water::latent_heat;
-use saute_food::{BuildError, FoodModel, PieceSpec, Rules};
+use saute_food::{BuildError, FoodModel, MeshSize, PieceSpec, Rules};
 
 use crate::cloth::Cloth;
 use crate::command::{Command, Refused};
@@ -109,7 +109,13 @@ impl Kitchen {
             .get(&order.kind)
             .ok_or_else(|| SetupError::NoSuchFood(order.kind.clone(), Library::names(&library.foods)))?;
         let kinetics = &library.kinetics[&food.kinetics];
-        let spec = PieceSpec { size: order.size, seed: order.seed, coarseness: order.coarseness, rules: order.rules };
+        let spec = PieceSpec {
+            size: order.size,
+            seed: order.seed,
+            coarseness: order.coarseness,
+            mesh: MeshSize::Default,
+            rules: order.rules,
+        };
         let model = Arc::new(FoodModel::build(food, kinetics, &library.components, &spec)?);
         let room = self.fixed.room.temperature();
         let piece = Piece::new(order.id.clone(), order.kind.clone(), order.seed, model, order.temperature, room);
@@ -217,7 +223,7 @@ impl Kitchen {
         let now = self.time_s();
         let piece = self.piece_mut(food)?;
         let Place::Pan(at) = piece.place else { return Err(Refused::NotInPan(food.into())) };
-        piece.state.down = piece.state.down.opposite();
+        piece.turn_over();
         piece.flipped_at = Some(now);
         piece.lay(&fixed.pan, &fixed.room, at);
         Ok(())
@@ -258,13 +264,12 @@ impl Kitchen {
         let taken: f64 = piece.solver.contact_heat.iter().sum();
         match (piece.place, &piece.patches) {
             (Place::Pan(_), Some(patches)) => {
-                let first = piece.first_below();
                 let lateral = piece.state.stretch.lateral;
-                for (i, located) in patches.located.iter().enumerate() {
-                    let area = piece.model.patches[first + i].area * lateral * lateral;
+                for (&patch, located) in patches.below.iter().zip(&patches.located) {
+                    let area = piece.model.patches[patch].area * lateral * lateral;
                     for k in 0..3 {
                         let node = located.nodes[k] as usize;
-                        self.pan_flow[node] += located.weights[k] * piece.solver.contact_heat[first + i] / TICK_S;
+                        self.pan_flow[node] += located.weights[k] * piece.solver.contact_heat[patch] / TICK_S;
                         self.covered[node] += located.weights[k] * area / fixed.pan.section.areas[node];
                     }
                 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use saute_food::{Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Rules, Side, Surroundings, Touch};
+use saute_food::{Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Rules, Surroundings, Touch};
 
 use crate::board::Board;
 use crate::command::RestOn;
@@ -36,6 +36,8 @@ pub struct Piece {
     pub state: FoodState,
     /// Where it is.
     pub place: Place,
+    /// Direction of the body frame that points up in the world.
+    pub up: [f64; 3],
     /// Time since its lower face was laid down [s].
     pub since_contact: f64,
     /// Time of the last flip [s].
@@ -57,6 +59,7 @@ impl Piece {
             state: FoodState::raw(&model, temperature),
             core_peak: (temperature, 0.0),
             place: Place::Waiting,
+            up: [0.0, 0.0, 1.0],
             since_contact: 0.0,
             flipped_at: None,
             vapour_flow: 0.0,
@@ -83,8 +86,17 @@ impl Piece {
 
     /// Area-mean temperature of the face that lies below (`true`) or above [K].
     pub fn face(&self, below: bool) -> f64 {
-        let side = if below { self.state.down } else { self.state.down.opposite() };
-        self.model.face_temperature(&self.state, side)
+        self.model.face_temperature(&self.state, if below { self.up } else { self.up.map(|v| -v) })
+    }
+
+    /// Whether it lies upside down.
+    pub fn upside_down(&self) -> bool {
+        self.up[2] < 0.0
+    }
+
+    /// Turns it over.
+    pub(crate) fn turn_over(&mut self) {
+        self.up = self.up.map(|v| -v);
     }
 
     /// Mass [kg].
@@ -100,9 +112,16 @@ impl Piece {
     pub(crate) fn lay(&mut self, pan: &PanModel, room: &Room, at: [f64; 2]) {
         self.place = Place::Pan(at);
         self.since_contact = 0.0;
-        let flipped = self.state.down == Side::Top;
-        let section = &self.model.mesh.section;
-        let patches = ContactPatches::lay(section, &pan.section, &pan.locator, at, flipped, &room.contact, self.seed);
+        let model = &self.model;
+        let below: Vec<usize> = model.patches_below(self.up).collect();
+        let point = |patch: &usize| {
+            let [x, y, _] = model.mesh.position(model.patches[*patch].node as usize);
+            [x, y]
+        };
+        let points: Vec<[f64; 2]> = below.iter().map(point).collect();
+        let flipped = self.upside_down();
+        let patches =
+            ContactPatches::lay(below, &points, &pan.section, &pan.locator, at, flipped, &room.contact, self.seed);
         self.patches = Some(Arc::new(patches));
     }
 
@@ -131,26 +150,27 @@ impl Piece {
         let simple = self.model.rules == Rules::Paper2013;
         let face = FaceContact {
             since: self.since_contact,
-            pressure: GRAVITY * self.state.mass_left(&self.model) / self.model.mesh.section.area(),
+            pressure: GRAVITY * self.state.mass_left(&self.model) / self.area_below(&patches.below),
             film: pan.oil_film(pan_state, room),
             coating: pan.description.coating_w_m2k.unwrap_or(f64::INFINITY),
         };
         let gap = face.mean_gap(contact);
         let share = self.model.description.surface.contact_share;
-        let first = self.free_all();
-        for (i, located) in patches.located.iter().enumerate() {
-            let node = self.model.patches[first + i].node as usize;
+        self.free_all();
+        for (i, (&patch, located)) in patches.below.iter().zip(&patches.located).enumerate() {
+            let node = self.model.patches[patch].node as usize;
             let temperature =
                 (0..3).map(|k| located.weights[k] * pan_state.temperature[located.nodes[k] as usize]).sum::<f64>();
             let wet = self.state.water[node] > WET_SHARE * self.model.initial_water[node];
-            let dome = self.model.dome_gap(&self.state, self.model.mesh.section.points[i]);
+            let [x, y, _] = self.model.mesh.position(node);
+            let dome = self.model.dome_gap(&self.state, [x, y], self.up);
             let distance = gap + patches.unevenness[i] + dome;
             let conductance = if simple {
                 rules.conductance_w_m2k * f64::from(u8::from(distance <= rules.contact_distance_mm * 1e-3))
             } else {
                 face.conductance(contact, distance) * steam_share(contact, temperature, wet) * share
             };
-            self.touch[first + i] = Touch { conductance, temperature };
+            self.touch[patch] = Touch { conductance, temperature };
         }
         let (up, side) = room.plume(pan.floor_temperature(pan_state));
         self.exchange([up, up, side], dt)
@@ -158,32 +178,31 @@ impl Piece {
 
     fn stand(&mut self, on: RestOn, room: &Room, dt: f64) -> Exchange {
         let air = if on == RestOn::Foil { room.under_foil() } else { room.still_air() };
-        let first = self.free_all();
+        self.free_all();
+        let below: Vec<usize> = self.model.patches_below(self.up).collect();
         if on != RestOn::Rack {
             let board = Touch { conductance: room.board.conductance_w_m2k, temperature: self.board.layers[0] };
-            self.touch[first..first + self.model.mesh.nodes_per_level()].fill(board);
+            below.iter().for_each(|patch| self.touch[*patch] = board);
         }
         let exchange = self.exchange([air; 3], dt);
         if on != RestOn::Rack {
             let lateral = self.state.stretch.lateral;
-            let area = self.model.mesh.section.area() * lateral * lateral;
+            let area = self.area_below(&below) * lateral * lateral;
             let taken = -self.solver.contact_heat.iter().sum::<f64>() / area;
             self.board.absorb(&room.board, taken, dt);
         }
         exchange
     }
 
-    /// Frees all patches of both big faces; returns the first patch of the one below.
-    fn free_all(&mut self) -> usize {
-        let n = self.model.mesh.nodes_per_level();
+    /// Frees all patches.
+    fn free_all(&mut self) {
         self.touch.clear();
-        self.touch.resize(2 * n, Touch::default());
-        self.first_below()
+        self.touch.resize(self.model.patches.len(), Touch::default());
     }
 
-    /// Index of the first patch of the face that lies below.
-    pub(crate) fn first_below(&self) -> usize {
-        if self.state.down == Side::Bottom { 0 } else { self.model.mesh.nodes_per_level() }
+    /// Rest area of patches [m²].
+    fn area_below(&self, below: &[usize]) -> f64 {
+        below.iter().map(|patch| self.model.patches[*patch].area).sum()
     }
 
     fn exchange(&mut self, air: [FreeAir; 3], dt: f64) -> Exchange {

@@ -287,8 +287,8 @@ impl Summary {
 impl FoodSummary {
     fn new(piece: &Piece, mass_at_start: f64, scales: &[Arc<Scale>]) -> Self {
         let (model, state) = (&piece.model, &piece.state);
-        let surface = |side| {
-            let face = model.face_reading(state, side);
+        let surface = |up| {
+            let face = model.face_reading(state, up);
             Surface {
                 temperature_c: celsius(face.temperature),
                 lab: face.lab.0,
@@ -302,7 +302,7 @@ impl FoodSummary {
         let fitting = scales.iter().filter(|s| s.fits(&model.kinetics));
         let names = model.kinetics.names();
         let mean = |field: &Vec<f64>| model.volume_mean(field);
-        let upwards = if state.down == saute_food::Side::Bottom { 1.0 } else { -1.0 };
+        let upwards = if piece.upside_down() { -1.0 } else { 1.0 };
         Self {
             id: piece.id.clone(),
             kind: piece.kind.clone(),
@@ -331,7 +331,7 @@ impl FoodSummary {
                 curl_deg: model.curl(state).to_degrees(),
             },
             log_reduction: LogReduction { core, surface: least },
-            surfaces: Surfaces { top: surface(state.down.opposite()), bottom: surface(state.down) },
+            surfaces: Surfaces { top: surface(piece.up.map(|v| -v)), bottom: surface(piece.up) },
         }
     }
 }

@@ -96,7 +96,7 @@ impl Painted {
             view: app.settings.view,
             map: app.settings.map,
             scale: app.scale().map(|s| s.id.clone()),
-            flipped: app.session.steak()?.state.down == saute_kitchen::food::Side::Top,
+            flipped: app.session.steak()?.upside_down(),
         })
     }
 }
@@ -116,7 +116,7 @@ fn paint(app: &mut SauteApp, ui: &Ui, wanted: &Painted) {
     let Some(piece) = app.session.steak() else { return };
     let x = app.slice.unwrap_or(0.0) * crate::stage::half_length(piece);
     let colours = wanted.view.colour_map(wanted.map, app.scale().as_deref());
-    let picture = section_picture(&piece.model, &piece.state, x, wanted.view, colours.as_ref(), per_mm(piece));
+    let picture = section_picture(piece, x, wanted.view, colours.as_ref(), per_mm(piece));
     let image = egui::ColorImage::from_rgba_unmultiplied([picture.width, picture.height], &picture.rgba);
     match &mut app.inside.texture {
         Some(texture) => texture.set(image, TextureOptions::LINEAR),

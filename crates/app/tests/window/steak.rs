@@ -57,9 +57,9 @@ fn every_operation_has_a_key() {
     assert_eq!(harness.state().session().kitchen.hob_w(), 0.0);
     press(&mut harness, Key::P);
     assert!(harness.state().session().steak().expect("steak").in_pan());
-    let before = harness.state().session().steak().expect("steak").state.down;
+    let before = harness.state().session().steak().expect("steak").up;
     press(&mut harness, Key::F);
-    assert_ne!(harness.state().session().steak().expect("steak").state.down, before);
+    assert_ne!(harness.state().session().steak().expect("steak").up, before);
     press(&mut harness, Key::O);
     assert!(!harness.state().session().steak().expect("steak").in_pan());
     press(&mut harness, Key::W);
@@ -205,9 +205,9 @@ fn the_mouse_puts_flips_carries_and_orbits() {
     let on_board = steak(&harness);
     click(&mut harness, on_board);
     assert!(harness.state().session().steak().expect("steak").in_pan(), "a click puts it in");
-    let (in_pan, down) = (steak(&harness), harness.state().session().steak().expect("steak").state.down);
+    let (in_pan, down) = (steak(&harness), harness.state().session().steak().expect("steak").up);
     click(&mut harness, in_pan);
-    assert_ne!(harness.state().session().steak().expect("steak").state.down, down, "a click flips it");
+    assert_ne!(harness.state().session().steak().expect("steak").up, down, "a click flips it");
     drag(&mut harness, in_pan, on_board);
     assert!(!harness.state().session().steak().expect("steak").in_pan(), "it is dragged onto the board");
     let lying = steak(&harness);

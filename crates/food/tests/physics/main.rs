@@ -1,11 +1,12 @@
 //! Promise: a piece of food keeps its energy and water in balance, obeys the maximum principle, stays wet at 100 °C,
 //! and never un-cooks.
 
+mod forms;
 mod run;
 mod shrinking;
 
-use run::{DT, Run, kitchen_air, lean, model};
-use saute_food::{FoodState, FreeAir, Side, ZERO_C};
+use run::{DT, Run, UP, kitchen_air, lean, model};
+use saute_food::{FoodState, FreeAir, ZERO_C};
 
 #[test]
 fn the_default_steak_has_at_least_8000_nodes() {
@@ -41,7 +42,7 @@ fn energy_and_water_balance_while_searing_and_flipping() {
     let (heat_before, water_before) = (run.state.total_enthalpy(), run.state.water.iter().sum::<f64>());
     for _ in 0..4 {
         run.fry(60.0, 220.0, 500.0, kitchen_air());
-        run.state.down = run.state.down.opposite();
+        run.flip();
     }
     let p = &run.passed;
     let stored = run.state.total_enthalpy() - heat_before;
@@ -82,7 +83,13 @@ fn a_wet_surface_stays_at_100_whatever_the_plate() {
         for _ in 0..8 {
             run.fry(1.0, plate, 500.0, kitchen_air());
             let wet = |i: &usize| run.state.water[*i] > 0.5 * run.model.initial_water[*i];
-            let hottest = run.model.face(Side::Bottom).filter(wet).map(|i| run.state.celsius(i)).fold(0.0, f64::max);
+            let hottest = run
+                .model
+                .patches_below(UP)
+                .map(|p| run.model.patches[p].node as usize)
+                .filter(wet)
+                .map(|i| run.state.celsius(i))
+                .fold(0.0, f64::max);
             assert!(hottest <= 101.0, "{plate} °C plate: {hottest}");
         }
     }
@@ -94,7 +101,7 @@ fn a_wet_surface_stays_at_100_whatever_the_plate() {
 fn the_centre_of_a_flipped_steak_takes_as_long_as_the_reference_computation_says() {
     let mut run = Run::new(lean(), 5.0);
     run.fry(240.0, 180.0, 340.0, kitchen_air());
-    run.state.down = Side::Top;
+    run.flip();
     let mut t = 240.0;
     while run.core() < 50.0 && t < 1200.0 {
         run.fry(1.0, 180.0, 340.0, kitchen_air());
@@ -109,9 +116,9 @@ fn halving_the_tick_changes_nothing_that_matters() {
     let cook = |dt: f64| {
         let mut run = Run { dt, ..Run::new(lean(), 5.0) };
         run.fry(150.0, 230.0, 1800.0, kitchen_air());
-        run.state.down = Side::Top;
+        run.flip();
         run.fry(150.0, 230.0, 1800.0, kitchen_air());
-        let face = run.model.face_temperature(&run.state, Side::Top);
+        let face = run.model.face_temperature(&run.state, run.up);
         (run.core(), 1e3 * run.state.mass(run.model), face)
     };
     let (coarse, fine) = (cook(DT), cook(0.5 * DT));
@@ -140,7 +147,7 @@ fn a_hotter_plate_browns_and_then_chars() {
     let browning = |plate: f64, seconds: f64| {
         let mut run = Run::new(lean(), 20.0);
         run.fry(seconds, plate, 400.0, kitchen_air());
-        let face = run.model.face_reading(&run.state, Side::Bottom);
+        let face = run.model.face_reading(&run.state, UP);
         (face.browning, face.charred_pct, face.lab.0[0])
     };
     let (cool, medium, hot, burnt) =

@@ -4,20 +4,27 @@ use std::sync::OnceLock;
 
 use saute_food::components::Components;
 use saute_food::{
-    FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, PieceSpec, Rules, Side, Surroundings, Touch,
-    ZERO_C,
+    FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, MeshSize, PieceSpec, Rules, Surroundings,
+    Touch, ZERO_C,
 };
 
 pub const DT: f64 = 0.1;
 
+/// The body frame's direction that points up while the bottom lies below, and after a flip.
+pub const UP: [f64; 3] = [0.0, 0.0, 1.0];
+pub const FLIPPED: [f64; 3] = [0.0, 0.0, -1.0];
+
 pub fn model(kind: &str, coarseness: f64, size: [f64; 3]) -> FoodModel {
+    piece(kind, &PieceSpec { size, seed: 1, coarseness, mesh: MeshSize::Default, rules: Rules::Full })
+}
+
+pub fn piece(kind: &str, spec: &PieceSpec) -> FoodModel {
     let data = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
     let read = |path: String| std::fs::read_to_string(data.join(path)).expect("data file");
     let food: FoodDescription = toml::from_str(&read(format!("foods/{kind}.toml"))).expect("food");
     let kinetics: Kinetics = toml::from_str(&read(format!("kinetics/{}.toml", food.kinetics))).expect("kinetics");
     let components: Components = toml::from_str(&read("components.toml".into())).expect("components");
-    FoodModel::build(&food, &kinetics, &components, &PieceSpec { size, seed: 1, coarseness, rules: Rules::Full })
-        .expect("builds")
+    FoodModel::build(&food, &kinetics, &components, spec).expect("builds")
 }
 
 pub fn lean() -> &'static FoodModel {
@@ -50,6 +57,7 @@ pub struct Passed {
 pub struct Run<'a> {
     pub model: &'a FoodModel,
     pub state: FoodState,
+    pub up: [f64; 3],
     pub solver: FoodSolver,
     pub passed: Passed,
     pub dt: f64,
@@ -60,6 +68,7 @@ impl<'a> Run<'a> {
         Self {
             model,
             state: FoodState::raw(model, ZERO_C + celsius),
+            up: UP,
             solver: FoodSolver::default(),
             passed: Passed::default(),
             dt: DT,
@@ -68,10 +77,10 @@ impl<'a> Run<'a> {
 
     /// Fries on a plate at one temperature and conductance.
     pub fn fry(&mut self, seconds: f64, plate_c: f64, h: f64, air: FreeAir) {
-        let n = self.model.mesh.nodes_per_level();
-        let mut touch = vec![Touch::default(); 2 * n];
-        let below = if self.state.down == Side::Bottom { 0 } else { n };
-        touch[below..below + n].fill(Touch { conductance: h, temperature: ZERO_C + plate_c });
+        let mut touch = vec![Touch::default(); self.model.patches.len()];
+        for patch in self.model.patches_below(self.up) {
+            touch[patch] = Touch { conductance: h, temperature: ZERO_C + plate_c };
+        }
         for _ in 0..(seconds / self.dt).round() as usize {
             let around = Surroundings { touch: &touch, air: &[air; 3] };
             let exchange = self.solver.advance(self.model, &mut self.state, &around, self.dt);
@@ -83,6 +92,10 @@ impl<'a> Run<'a> {
             self.passed.rendered += exchange.rendered.mass;
             self.passed.runoff_enthalpy += exchange.drip.enthalpy + exchange.rendered.enthalpy;
         }
+    }
+
+    pub fn flip(&mut self) {
+        self.up = self.up.map(|v| -v);
     }
 
     pub fn core(&self) -> f64 {

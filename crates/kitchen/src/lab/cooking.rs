@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use saute_food::{Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Lab, Side, Surroundings, Touch};
+use saute_food::{Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Lab, Surroundings, Touch};
 use saute_heat::axis::End;
 use saute_heat::boundary::Boundary;
 
@@ -287,11 +287,11 @@ impl<'a> Cooking<'a> {
 }
 
 fn surface_lab(model: &FoodModel, state: &FoodState) -> BTreeMap<String, [f64; 3]> {
-    let sides = [("bottom", Side::Bottom), ("top", Side::Top)];
-    let there = sides.into_iter().filter(|(_, side)| *side == Side::Top || !model.closed_below);
+    let sides = [("bottom", [0.0, 0.0, 1.0]), ("top", [0.0, 0.0, -1.0])];
+    let there = sides.into_iter().filter(|(name, _)| *name == "top" || !model.closed_below);
     there
-        .map(|(name, side)| {
-            let Lab(lab) = model.face_reading(state, side).lab;
+        .map(|(name, up)| {
+            let Lab(lab) = model.face_reading(state, up).lab;
             (name.to_owned(), lab)
         })
         .collect()

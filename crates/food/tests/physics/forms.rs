@@ -1,0 +1,280 @@
+//! Promise: every form has its size, its nodes and its faces; solids follow the mesh; the 2013 meshes have their counts.
+
+use saute_food::{FoodModel, FoodState, MeshSize, PieceSpec, Rules, Solid, ZERO_C};
+
+use crate::run::{FLIPPED, Run, UP, kitchen_air, model, piece};
+
+const FOODS: [(&str, [f64; 3], usize); 7] = [
+    ("beef-lean", [0.12, 0.08, 0.025], 840),
+    ("beef-marbled", [0.12, 0.08, 0.025], 1207),
+    ("beef-patty", [0.10, 0.10, 0.018], 840),
+    ("carrot-coin", [0.03, 0.03, 0.008], 54),
+    ("carrot-stick", [0.06, 0.01, 0.01], 54),
+    ("leek-ring", [0.028, 0.028, 0.012], 85),
+    ("shrimp", [0.075, 0.015, 0.015], 119),
+];
+
+fn spec(size: [f64; 3], seed: u64, mesh: MeshSize, rules: Rules) -> PieceSpec {
+    PieceSpec { size, seed, coarseness: 1.0, mesh, rules }
+}
+
+fn volume(model: &FoodModel) -> f64 {
+    model.mesh.graph.volume.iter().sum()
+}
+
+#[test]
+fn the_meshes_of_2013_have_the_published_vertices_under_both_rules() {
+    for (kind, size, nodes) in FOODS {
+        for rules in [Rules::Full, Rules::Paper2013] {
+            let coarse = piece(kind, &spec(size, 1, MeshSize::Paper2013, rules));
+            assert_eq!(coarse.mesh.node_count(), nodes, "{kind}");
+            assert!(coarse.mesh.graph.shape.iter().all(|s| *s >= 0.0 && s.is_finite()), "{kind}");
+            let fine = piece(kind, &spec(size, 1, MeshSize::Default, rules));
+            assert!(
+                (volume(&coarse) / volume(&fine) - 1.0).abs() < 0.15,
+                "{kind}: {} {}",
+                volume(&coarse),
+                volume(&fine)
+            );
+        }
+    }
+}
+
+#[test]
+fn conductances_are_never_negative_and_every_node_has_a_volume() {
+    for (kind, size, _) in FOODS {
+        let model = model(kind, 1.0, size);
+        assert!(model.mesh.graph.shape.iter().all(|s| *s >= 0.0 && s.is_finite()), "{kind}");
+        assert!(model.mesh.graph.volume.iter().all(|v| *v > 0.0), "{kind}");
+    }
+}
+
+/// A shrimp of 75 mm weighs 8 to 12 g, has 2,000 nodes or more and layers of 0.4 mm below its skin.
+#[test]
+fn a_shrimp_has_its_mass_its_nodes_and_its_layers() {
+    let shrimp = model("shrimp", 1.0, [0.075, 0.015, 0.015]);
+    assert!((8e-3..12e-3).contains(&shrimp.raw_mass), "{}", shrimp.raw_mass);
+    assert!(shrimp.mesh.node_count() >= 2000, "{}", shrimp.mesh.node_count());
+    let mut depths: Vec<f64> = (0..shrimp.mesh.node_count()).map(|n| shrimp.mesh.depth(n)).collect();
+    depths.retain(|d| *d > 1e-6);
+    let first = depths.iter().copied().fold(f64::INFINITY, f64::min);
+    assert!((0.1e-3..0.41e-3).contains(&first), "{first}");
+    let deepest = depths.iter().copied().fold(0.0, f64::max);
+    assert!((5.5e-3..7.5e-3).contains(&deepest), "{deepest}");
+    assert_eq!(shrimp.mesh.depth(0), 0.0);
+}
+
+/// Length along the curve and thickest diameter are those that were asked for.
+#[test]
+fn a_shrimp_is_as_long_and_as_thick_as_asked() {
+    for seed in 1..6 {
+        let shrimp = piece("shrimp", &spec([0.06, 0.012, 0.012], seed, MeshSize::Default, Rules::Full));
+        assert!((shrimp.mesh.thickness() / 0.06 - 1.0).abs() < 0.01, "{}", shrimp.mesh.thickness());
+        let depth = |level: usize| {
+            let points = &shrimp.mesh.section_at(level).points;
+            let ys = points.iter().map(|p| p[0]);
+            ys.clone().fold(0.0, f64::max) - ys.fold(0.0, f64::min)
+        };
+        let thickest = (0..shrimp.mesh.levels.len()).map(depth).fold(0.0, f64::max);
+        assert!((thickest / 0.012 - 1.0).abs() < 0.06, "{thickest}");
+    }
+}
+
+/// Outline, mean thickness and box of a steak are what was asked for; its thickness differs from place to place.
+#[test]
+fn natural_variation_keeps_the_mean_thickness() {
+    for (kind, size) in [("beef-lean", [0.12, 0.08, 0.025]), ("beef-patty", [0.10, 0.10, 0.018])] {
+        let models: Vec<_> = [1, 2].map(|seed| piece(kind, &spec(size, seed, MeshSize::Default, Rules::Full))).into();
+        for model in &models {
+            let state = FoodState::raw(model, ZERO_C + 5.0);
+            assert!((model.thickness(&state) / size[2] - 1.0).abs() < 1e-9);
+            assert!((volume(model) / (model.mesh.section.area() * size[2]) - 1.0).abs() < 1e-9);
+            let columns: Vec<f64> = (0..model.mesh.nodes_per_level()).map(|i| model.mesh.path.column(i)).collect();
+            let low = columns.iter().copied().fold(f64::INFINITY, f64::min);
+            let high = columns.iter().copied().fold(0.0, f64::max);
+            assert!(low < 0.99 && high > 1.01 && low > 0.94 && high < 1.06, "{low} {high}");
+        }
+        assert_ne!(models[0].outline.points, models[1].outline.points);
+    }
+}
+
+/// The patches below are one of the big faces of a slice, whichever way it lies, and of a shrimp those that look down.
+#[test]
+fn what_lies_below_is_what_looks_down() {
+    let steak = model("beef-lean", 1.6, [0.12, 0.08, 0.025]);
+    let n = steak.mesh.nodes_per_level();
+    assert!(steak.patches_below(UP).eq(0..n));
+    assert!(steak.patches_below(FLIPPED).eq(n..2 * n));
+    for (kind, size) in [("shrimp", [0.075, 0.015, 0.015]), ("carrot-stick", [0.06, 0.01, 0.01])] {
+        let body = model(kind, 1.0, size);
+        let below: Vec<usize> = body.patches_below(UP).collect();
+        assert!(below.len() > 20 && below.iter().all(|p| body.rest_normals[*p][2] < -0.7), "{kind}");
+        let projected: f64 = below.iter().map(|p| -body.rest_normals[*p][2] * body.patches[*p].area).sum();
+        assert!(projected > 0.4 * 0.8 * size[0] * size[1] * 0.6, "{kind}: {projected}");
+    }
+    let standing = steak.patches_below([1.0, 0.0, 0.0]);
+    assert!(standing.count() > 3);
+}
+
+/// All patches together close the body: their areas times normals add up to nothing.
+#[test]
+fn patches_close_the_body() {
+    for (kind, size, _) in FOODS {
+        let model = model(kind, 1.0, size);
+        let poses = model.patch_geometry(&FoodState::raw(&model, ZERO_C + 5.0));
+        let mut sum = [0.0; 3];
+        let mut area = 0.0;
+        for (pose, patch) in poses.iter().zip(&model.patches) {
+            (0..3).for_each(|k| sum[k] += patch.area * pose.normal[k]);
+            area += patch.area;
+            assert!((pose.normal.iter().map(|v| v * v).sum::<f64>() - 1.0).abs() < 1e-9);
+        }
+        assert!(sum.iter().all(|s| s.abs() < 0.01 * area), "{kind}: {sum:?} of {area}");
+    }
+}
+
+/// A solid's farthest point in a direction.
+fn support(solid: &Solid, d: [f64; 3]) -> f64 {
+    let of = |points: &[[f64; 3]]| {
+        points.iter().map(|p| p[0] * d[0] + p[1] * d[1] + p[2] * d[2]).fold(f64::NEG_INFINITY, f64::max)
+    };
+    match solid {
+        Solid::Cylinder { radius, half_height } => radius * d[0].hypot(d[1]) + half_height * d[2].abs(),
+        Solid::Cuboid { half } => (0..3).map(|k| half[k] * d[k].abs()).sum(),
+        Solid::Hulls(hulls) => hulls.iter().map(|h| of(h)).fold(f64::NEG_INFINITY, f64::max),
+    }
+}
+
+/// Solids reach as far as the mesh in every direction, within 0.3 mm (0.8 mm where hexagons stand for a shrimp's oval
+/// section), raw and cooked.
+#[test]
+fn solids_follow_the_mesh() {
+    for (kind, size, _) in FOODS {
+        for seed in [1, 2, 3] {
+            let model = piece(kind, &spec(size, seed, MeshSize::Default, Rules::Full));
+            let mut state = FoodState::raw(&model, ZERO_C + 5.0);
+            state.changed.iter_mut().for_each(|field| field.fill(if seed == 3 { 1.0 } else { 0.0 }));
+            state.stretch.lateral = if seed == 3 { 0.93 } else { 1.0 };
+            let (solid, mut positions) = (model.solid(&state), Vec::new());
+            model.flat_positions_into(&state, &mut positions);
+            let within = if kind == "shrimp" { 0.8e-3 } else { 0.3e-3 };
+            for i in 0..400 {
+                let (z, a) = (1.0 - (f64::from(i) + 0.5) / 200.0, f64::from(i) * 2.399_963);
+                let r = (1.0 - z * z).sqrt();
+                let d = [r * a.cos(), r * a.sin(), z];
+                let mesh =
+                    positions.iter().map(|p| p[0] * d[0] + p[1] * d[1] + p[2] * d[2]).fold(f64::NEG_INFINITY, f64::max);
+                // A sharp edge of a box or a cylinder stands for a rounded one: only the six sides are compared there.
+                let sharp = matches!(solid, Solid::Cuboid { .. }) && d.iter().all(|v| v.abs() < 0.999);
+                let off = support(&solid, d) - mesh;
+                assert!(off > -within && (sharp || off < within), "{kind} {seed}: {off} towards {d:?}");
+            }
+        }
+    }
+}
+
+/// What is cut from the hulls of a shrimp is small: every node lies within 0.3 mm of one of them.
+#[test]
+fn hulls_of_a_shrimp_hold_its_nodes() {
+    let shrimp = model("shrimp", 1.0, [0.075, 0.015, 0.015]);
+    let state = FoodState::raw(&shrimp, ZERO_C + 5.0);
+    let Solid::Hulls(hulls) = shrimp.solid(&state) else { panic!("hulls") };
+    assert_eq!(hulls.len(), 3);
+    assert!(hulls.iter().all(|h| h.len() <= 16));
+    let directions: Vec<[f64; 3]> = (0..2000)
+        .map(|i| {
+            let (z, a) = (1.0 - (f64::from(i) + 0.5) / 1000.0, f64::from(i) * 2.399_963);
+            let r = (1.0 - z * z).sqrt();
+            [r * a.cos(), r * a.sin(), z]
+        })
+        .collect();
+    let dot = |p: &[f64; 3], d: &[f64; 3]| p[0] * d[0] + p[1] * d[1] + p[2] * d[2];
+    // The farthest that a point stands out of a hull in any direction is its distance from it.
+    let outside = |p: &[f64; 3], hull: &[[f64; 3]]| {
+        let beyond = |d: &[f64; 3]| dot(p, d) - hull.iter().map(|q| dot(q, d)).fold(f64::NEG_INFINITY, f64::max);
+        directions.iter().map(beyond).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let worst = shrimp
+        .positions(&state)
+        .into_iter()
+        .map(|p| hulls.iter().map(|h| outside(&p, h)).fold(f64::INFINITY, f64::min));
+    let worst = worst.fold(f64::NEG_INFINITY, f64::max);
+    assert!(worst < 0.8e-3, "{worst}");
+}
+
+/// A cooked shrimp is more curled: its ends come nearer to each other, and its volume's centre stays the origin.
+#[test]
+fn a_shrimp_curls_in_its_present_shape() {
+    let shrimp = model("shrimp", 1.6, [0.075, 0.015, 0.015]);
+    let mut state = FoodState::raw(&shrimp, ZERO_C + 5.0);
+    let gap = |state: &FoodState| {
+        let positions = shrimp.positions(state);
+        let last = shrimp.mesh.node(shrimp.mesh.levels.len() - 1, 0);
+        (positions[0][0] - positions[last][0]).hypot(positions[0][1] - positions[last][1])
+    };
+    let raw = gap(&state);
+    let rest: Vec<_> = (0..shrimp.mesh.node_count()).map(|n| shrimp.rest_position(n)).collect();
+    let same = shrimp.positions(&state).iter().zip(&rest).all(|(a, b)| (0..3).all(|k| (a[k] - b[k]).abs() < 1e-9));
+    assert!(same, "the raw piece has its rest shape");
+    state.changed.iter_mut().for_each(|field| field.fill(1.0));
+    assert!(gap(&state) < 0.9 * raw, "{raw} -> {}", gap(&state));
+    let mut centre = [0.0; 3];
+    for (p, v) in shrimp.positions(&state).iter().zip(&shrimp.mesh.graph.volume) {
+        (0..3).for_each(|k| centre[k] += p[k] * v / volume(&shrimp));
+    }
+    assert!(centre.iter().all(|c| c.abs() < 1e-9), "{centre:?}");
+}
+
+/// Energy and water balance of a shrimp and a stick on a plate, as of a steak.
+#[test]
+fn curved_bodies_keep_their_energy_and_water() {
+    for (kind, size) in
+        [("shrimp", [0.075, 0.015, 0.015]), ("carrot-stick", [0.06, 0.01, 0.01]), ("leek-ring", [0.028, 0.028, 0.012])]
+    {
+        let body = model(kind, 1.6, size);
+        let mut run = Run::new(&body, 5.0);
+        let (heat, water) = (run.state.total_enthalpy(), run.state.water.iter().sum::<f64>());
+        for _ in 0..3 {
+            run.fry(40.0, 200.0, 300.0, kitchen_air());
+            run.flip();
+        }
+        let p = &run.passed;
+        let stored = run.state.total_enthalpy() - heat;
+        let residual = p.contact - p.air - p.evaporation - p.runoff_enthalpy - stored;
+        assert!(residual.abs() < 1e-9 * p.contact, "{kind}: {residual} of {}", p.contact);
+        let now = run.state.water.iter().sum::<f64>() + p.evaporated + p.drip;
+        assert!((now / water - 1.0).abs() < 1e-9, "{kind}");
+        assert!(run.core() > 40.0, "{kind}: {}", run.core());
+    }
+}
+
+/// Two tissues of a carrot have their colours, seeded; the stick's core runs along it.
+#[test]
+fn a_carrot_has_a_core_and_a_leek_sheaths() {
+    let coin = model("carrot-coin", 1.0, [0.03, 0.03, 0.008]);
+    assert!(coin.tissue_at([0.0, 0.0, 0.004]) > 0.99 && coin.tissue_at([0.013, 0.0, 0.004]) < 0.01);
+    let share = coin.tissue.iter().sum::<f64>() / coin.tissue.len() as f64;
+    assert!((0.08..0.5).contains(&share), "{share}");
+    let stick = model("carrot-stick", 1.0, [0.06, 0.01, 0.01]);
+    let along = |x: f64| [-0.004, -0.002, 0.0, 0.002, 0.004].map(|y| stick.tissue_at([x, y, 0.0]));
+    assert_eq!(along(-0.02), along(0.02));
+    let leek = model("leek-ring", 1.0, [0.028, 0.028, 0.012]);
+    let sheaths: Vec<usize> = (0..14).map(|mm| leek.tissues.sheath([f64::from(mm) * 1e-3, 0.0, 0.0])).collect();
+    assert!(sheaths.windows(2).all(|w| w[1] >= w[0]) && sheaths[13] >= 4, "{sheaths:?}");
+}
+
+/// Heat crosses a leek's sheaths less well than it runs along them: 0.35–0.45 against 0.55 W/(m·K).
+#[test]
+fn sheath_borders_lower_the_conductivity_across_to_the_measured_range() {
+    let leek = model("leek-ring", 0.6, [0.028, 0.028, 0.012]);
+    let plain = 0.55;
+    let (mut through, mut free) = (0.0, 0.0);
+    let steps = 400;
+    for i in 0..steps {
+        let at = |k: i32| [0.013 * f64::from(k) / f64::from(steps), 0.0, 0.006];
+        through += 1.0 / leek.tissues.share_across([at(i), at(i + 1)], plain);
+        free += 1.0;
+    }
+    let across = plain * free / through;
+    assert!((0.34..0.47).contains(&across), "{across}");
+}
