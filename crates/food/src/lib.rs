@@ -7,6 +7,7 @@ pub mod advance;
 pub mod air_film;
 pub mod body;
 pub mod browning;
+mod cell_body;
 pub mod changes;
 pub mod colour;
 pub mod components;

@@ -23,6 +23,13 @@ pub enum Solid {
     },
     /// Convex hulls of points [m].
     Hulls(Vec<Vec<[f64; 3]>>),
+    /// A closed surface that need not be convex.
+    Surface {
+        /// Corners [m].
+        points: Vec<[f64; 3]>,
+        /// Triangles, counter-clockwise seen from outside.
+        triangles: Vec<[u32; 3]>,
+    },
 }
 
 /// How far the polygon about an outline may stray from it [m] (chosen: below what is seen or felt).
@@ -41,6 +48,7 @@ impl FoodModel {
         let lateral = state.stretch.lateral;
         let half_height = 0.5 * self.thickness(state);
         match (self.description.form, &self.mesh.path) {
+            (_, Path::Cells(cells)) => self.cell_solid(cells, state),
             (Form::Shrimp, Path::Stations(stations)) => Solid::Hulls(self.hulls_along(state, stations)),
             (Form::Stick, Path::Stations(stations)) => {
                 let length = self.present_length(state, stations);

@@ -5,6 +5,7 @@ use crate::outline::Outline;
 use crate::path::{Path, Station, cross, distance, dot};
 use crate::rule::{Rule, segment_shape};
 use crate::section::Section;
+use crate::voronoi::CellMesh;
 
 /// A swept body: node `level · n + i` is node `i` of the section at `level` of the path.
 #[derive(Clone, Debug)]
@@ -62,6 +63,26 @@ impl SweptMesh {
             mesh.graph = mesh.segments();
         }
         mesh
+    }
+
+    /// A body of cells: one level of nodes without a section between them.
+    pub fn of_cells(cells: CellMesh) -> Self {
+        let points = cells.positions.iter().map(|p| [p[0], p[1]]).collect();
+        let graph = cells.graph.clone();
+        Self { section: Section::scattered(points), levels: vec![0.0], path: Path::Cells(Box::new(cells)), graph }
+    }
+
+    /// The cells, where the body is made of them.
+    pub fn cells(&self) -> Option<&CellMesh> {
+        if let Path::Cells(cells) = &self.path { Some(cells) } else { None }
+    }
+
+    /// Distance of the first nodes below the surface from it [m].
+    pub fn first_layer(&self) -> f64 {
+        match &self.path {
+            Path::Cells(cells) => cells.fineness.first,
+            _ => self.levels.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min),
+        }
     }
 
     fn segments(&self) -> Graph {
@@ -245,6 +266,9 @@ impl SweptMesh {
 
     /// Position of a node [m]: of an upright body from the bottom centre, else in the frame of the stations.
     pub fn position(&self, node: usize) -> [f64; 3] {
+        if let Path::Cells(cells) = &self.path {
+            return cells.positions[node];
+        }
         let n = self.nodes_per_level();
         let (level, i) = (node / n, node % n);
         if let Path::Stations(stations) = &self.path {
@@ -256,6 +280,9 @@ impl SweptMesh {
 
     /// Depth of a node below the nearer end of the path, or on stations below the skin if that is nearer [m].
     pub fn depth(&self, node: usize) -> f64 {
+        if let Path::Cells(cells) = &self.path {
+            return cells.depth[node];
+        }
         let (level, i) = (node / self.nodes_per_level(), node % self.nodes_per_level());
         let z = self.levels[level];
         let below_ends = z.min(self.thickness() - z) * self.path.column(i);

@@ -12,6 +12,7 @@ pub mod cook;
 pub mod cook_case;
 mod data_check;
 pub mod energy;
+pub mod food_check;
 pub mod hob;
 mod input_error;
 pub mod kitchen;

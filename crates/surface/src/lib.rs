@@ -34,7 +34,7 @@ impl Format {
     }
 
     /// Millimetres in one unit of a file, unless told otherwise [mm]: glTF is in metres, the others mostly in millimetres.
-    pub fn scale_mm(self) -> f64 {
+    fn unit_mm(self) -> f64 {
         if self == Self::Gltf { 1000.0 } else { 1.0 }
     }
 }
@@ -59,12 +59,15 @@ impl ReadError {
 ///
 /// z points up in what is returned: glTF files, in which y does, are turned.
 pub fn read(name: &str, bytes: &[u8], beside: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Soup, ReadError> {
-    let soup = match Format::of(name) {
-        Some(Format::Stl) => stl_file::read(bytes),
-        Some(Format::Obj) => obj_file::read(bytes),
-        Some(Format::Gltf) => gltf_file::read(bytes, beside),
-        None => Err(ReadError::new("is no surface file that can be read", "export it as .stl, .obj, .gltf or .glb")),
+    let Some(format) = Format::of(name) else {
+        return Err(ReadError::new("is no surface file that can be read", "export it as .stl, .obj, .gltf or .glb"));
+    };
+    let mut soup = match format {
+        Format::Stl => stl_file::read(bytes),
+        Format::Obj => obj_file::read(bytes),
+        Format::Gltf => gltf_file::read(bytes, beside),
     }?;
+    soup.unit_mm = format.unit_mm();
     if soup.triangles.is_empty() {
         return Err(ReadError::new(
             "holds no triangle",

@@ -101,7 +101,8 @@ fn gltf_is_read_from_all_kinds_of_buffers_and_turned_upright() {
         assert!((volume(soup) - 8000.0 / 6.0).abs() < 1e-4, "{}", volume(soup));
         assert_eq!(soup.vertices[0], [2.0, -6.0, 4.0], "moved by (1, 2, 3), doubled, y up turned to z up");
     }
-    assert_eq!((Format::of("x.GLB").unwrap().scale_mm(), Format::of("x.stl").unwrap().scale_mm()), (1000.0, 1.0));
+    assert!(soups.iter().all(|s| s.unit_mm == 1000.0), "glTF is in metres");
+    assert_eq!((Format::of("x.GLB"), plain("x.stl", &binary_stl(b"")).unwrap().unit_mm), (Some(Format::Gltf), 1.0));
 }
 
 #[test]

@@ -14,12 +14,20 @@ pub use feature::{Feature, features};
 use crate::vector::{Vec3, add, bounds, cross, dot, length, scale, sub, unit};
 
 /// Triangles as a file holds them: corners that belong together need not be shared.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Soup {
     /// Corners, in the file's unit.
     pub vertices: Vec<Vec3>,
     /// Triangles by their corners, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
+    /// Millimetres in one of those units, unless the user says otherwise [mm].
+    pub unit_mm: f64,
+}
+
+impl Default for Soup {
+    fn default() -> Self {
+        Self { vertices: Vec::new(), triangles: Vec::new(), unit_mm: 1.0 }
+    }
 }
 
 /// A closed surface of one body that does not cross itself; normals point outwards.

@@ -9,8 +9,10 @@ mod layer;
 mod point_grid;
 mod sample;
 mod skin;
+mod slice;
 mod weights;
 
 pub use cell_mesh::{CellMesh, CellMeshError, CellPatch, Fineness};
 pub use skin::Skin;
+pub use slice::CellSlice;
 pub use weights::Weights;

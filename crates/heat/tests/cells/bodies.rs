@@ -7,7 +7,7 @@ use saute_heat::vector::{Vec3, add, length, scale};
 pub fn soup(triangles: &[[Vec3; 3]]) -> Soup {
     let vertices = triangles.concat();
     let triangles = (0..triangles.len() as u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect();
-    Soup { vertices, triangles }
+    Soup { vertices, triangles, ..Soup::default() }
 }
 
 /// Triangles of a soup.

@@ -140,6 +140,23 @@ fn skin_area(mesh: &CellMesh) -> f64 {
     surface.area()
 }
 
+/// A cut through a ball is a disc, and reads linear fields as they are.
+#[test]
+fn a_cut_is_the_section_of_the_body() {
+    let mesh = meshed(&ball(12.0, 4), 1.0);
+    for (axis, at) in [(0, 0.0), (2, 0.005)] {
+        let cut = mesh.slice(axis, at).unwrap();
+        let area: f64 = cut.areas.iter().sum();
+        let expected = std::f64::consts::PI * (0.012f64.powi(2) - at * at);
+        assert!((area / expected - 1.0).abs() < 0.02, "{area} {expected}");
+        for (i, p) in cut.points.iter().enumerate().filter(|(_, p)| length(**p) < 0.008) {
+            let read = cut.read(i, |node| mesh.positions[node][1]);
+            assert!((read - p[1]).abs() < 1e-8, "{p:?} {read}");
+        }
+    }
+    assert!(mesh.slice(0, 0.013).is_err());
+}
+
 /// The same surface gives the same mesh, to the last bit.
 #[test]
 fn meshing_is_deterministic() {

@@ -18,7 +18,9 @@ pub fn findings(text: &str) -> Vec<Finding> {
             let line = line_of(text, e.span().map_or(0, |s| s.start));
             Finding::new(line, "", e.message().trim().to_owned(), "write it as TOML: key = value, text in \"quotes\"")
         };
-        return errors.iter().map(finding).collect();
+        let mut findings: Vec<Finding> = errors.iter().map(finding).collect();
+        findings.sort_by_key(|f| f.line);
+        return findings;
     }
     let top = document.get_ref();
     let mut layout = Layout { text, findings: Vec::new() };
@@ -28,7 +30,12 @@ pub fn findings(text: &str) -> Vec<Finding> {
     for table in REQUIRED_TABLES.iter().chain(shaped).filter(|t| !top.contains_key(**t)) {
         let example: Vec<&str> = keys_of(table).iter().map(|k| k.example).collect();
         let message = format!("[{table}] is missing: {}", meaning_of(table));
-        layout.findings.push(Finding::new(last_line(text), table, message, format!("write [{table}] with {}", example.join(", "))));
+        layout.findings.push(Finding::new(
+            last_line(text),
+            table,
+            message,
+            format!("write [{table}] with {}", example.join(", ")),
+        ));
     }
     layout.findings.sort_by_key(|f| f.line);
     layout.findings
@@ -78,7 +85,8 @@ impl Layout<'_> {
         let tables = REQUIRED_TABLES.into_iter().chain(OTHER_TABLES);
         let depth = if table.is_empty() { 0 } else { table.len() + 1 };
         let below = tables.filter(|t| t.len() > depth && t.starts_with(table) && !t[depth..].contains('.'));
-        let mut known: Vec<&str> = below.filter(|t| depth == 0 || t.as_bytes()[depth - 1] == b'.').map(|t| &t[depth..]).collect();
+        let mut known: Vec<&str> =
+            below.filter(|t| depth == 0 || t.as_bytes()[depth - 1] == b'.').map(|t| &t[depth..]).collect();
         let keys = keys_of(table);
         known.extend(keys.iter().map(|k| k.name));
         let remedy = match nearest(name, &known) {
@@ -181,7 +189,8 @@ mod tests {
             .replace("[crust]", "[crusts]");
         let found = findings(&wrong);
         let line = |part: &str| 1 + wrong.lines().position(|l| l.contains(part)).expect("is there");
-        let about = |part: &str| found.iter().find(|f| f.message.contains(part)).unwrap_or_else(|| panic!("{part}: {found:?}"));
+        let about =
+            |part: &str| found.iter().find(|f| f.message.contains(part)).unwrap_or_else(|| panic!("{part}: {found:?}"));
         let rippel = about("outline.rippel is no key");
         assert_eq!((rippel.line, rippel.remedy.as_str()), (line("rippel"), "write ripple"));
         assert!(about("outline.ripple is missing").remedy.contains("ripple = 0.02"));

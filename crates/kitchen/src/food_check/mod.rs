@@ -11,7 +11,7 @@ use serde::Serialize;
 pub use report::{FoodReport, SurfaceReport};
 
 use crate::data_check;
-use crate::library::{Library, LibraryError, line_of};
+use crate::library::{Library, LibraryError, line_of, with_body};
 
 /// One thing that is wrong with a file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -53,7 +53,7 @@ pub fn check_food(text: &str, surface: Option<&Soup>, library: &Library) -> Resu
     })?;
     let file = "food";
     data_check::food(&food, file, text).map_err(|e| one(e.into()))?;
-    let food = library.with_body(food, surface, file, text).map_err(|e| one(e.into()))?;
+    let food = with_body(food, surface, file, text).map_err(|e| one(e.into()))?;
     library.check_kinetics(&food, file, text).map_err(|e| one(e.into()))?;
     FoodReport::of(&food, library).map_err(|e| one(Finding::new(1, "", e.to_string(), "choose other sizes")))
 }
