@@ -11,15 +11,15 @@ const LARGEST: u64 = 128 << 20;
 
 /// Reads the triangles of a surface file, or says why not.
 pub fn read(path: &Path) -> Result<Soup, CliError> {
-    let place = path.display();
-    let bytes = bytes(path)
-        .map_err(|e| CliError::place(place, format!("cannot be read: {e}"), "check the path of the surface"))?;
+    let bytes = bytes(path).map_err(|e| {
+        CliError::place(path.display(), format!("cannot be read: {e}"), "check the path of the surface")
+    })?;
     if bytes.len() as u64 > LARGEST {
-        return Err(CliError::place(place, "is larger than 128 MiB", "reduce it in your modeller (decimate)"));
+        return Err(CliError::place(path.display(), "is larger than 128 MiB", "reduce it in your modeller (decimate)"));
     }
     let beside = |name: &str| self::bytes(&path.with_file_name(name)).ok();
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    saute_surface::read(&name, &bytes, beside).map_err(|e| CliError::place(place, e.message, e.remedy))
+    saute_surface::read(&name, &bytes, beside).map_err(|e| CliError::place(path.display(), e.message, e.remedy))
 }
 
 fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {

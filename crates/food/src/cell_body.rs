@@ -1,12 +1,13 @@
 //! Bodies that are meshed inside a closed surface: what replaces sections and levels there.
 
-use saute_heat::vector::{Vec3, cross, dot, scale, sub};
+use saute_heat::vector::{Vec3, cross, scale, sub};
 use saute_heat::voronoi::Weights;
 use saute_heat::{CellMesh, Fineness, Outline, SweptMesh};
 
 use crate::body::Body;
 use crate::description::FoodDescription;
 use crate::doneness::{MOST_CLASSES, Scale, Shares};
+use crate::juice_way::juice_ways;
 use crate::model::{BuildError, FoodModel, PieceSpec};
 use crate::patch::{Face, Patch};
 use crate::solid::Solid;
@@ -37,12 +38,14 @@ impl Body {
         let (size, outline) = (surface.extent(), silhouette(&surface.vertices));
         let cells = CellMesh::new(surface, fineness)?;
         let patches = cells.patches.iter().map(|p| {
-            let face = match p.normal[2] {
+            let air = match p.normal[2] {
                 z if z > BIG_FACE => Face::Top,
                 z if z < -BIG_FACE => Face::Bottom,
                 _ => Face::Side,
             };
-            Patch { node: p.node, face, air: face as usize, area: p.area }
+            // The skin contracts as the big faces of a slice do: by the stretch across alone.
+            let face = if p.normal[2] > 0.0 { Face::Top } else { Face::Bottom };
+            Patch { node: p.node, face, air: air as usize, area: p.area }
         });
         let patches = patches.collect();
         Ok(Self { size, mesh: SweptMesh::of_cells(cells), outline, patches, contracts: true })
@@ -74,13 +77,13 @@ fn silhouette(points: &[Vec3]) -> Outline {
 
 impl CellReadings {
     /// Prepares the readings of a body of cells.
-    pub(crate) fn of(cells: &CellMesh) -> Self {
+    pub(crate) fn of(cells: &CellMesh, fibres: Option<[f64; 3]>) -> Self {
         let deepest = (0..cells.node_count()).max_by(|a, b| cells.depth[*a].total_cmp(&cells.depth[*b]));
         let centre = [0.0; 3];
         // The centroid may lie outside a bent body.
         let core =
             if cells.contains(centre) { cells.weights(centre) } else { vec![(deepest.unwrap_or(0) as u32, 1.0)] };
-        Self { core, cut: middle_cut(cells), outwards: outwards(cells) }
+        Self { core, cut: middle_cut(cells), outwards: juice_ways(cells, fibres) }
     }
 }
 
@@ -94,29 +97,6 @@ fn middle_cut(cells: &CellMesh) -> Vec<(u32, f64)> {
         weights.iter().for_each(|(node, w)| areas[*node as usize] += w * area);
     }
     (0u32..).zip(areas).filter(|(_, area)| *area > 0.0).collect()
-}
-
-/// Steepest way outwards from every node, over the edges of the mesh.
-fn outwards(cells: &CellMesh) -> Vec<(u32, u32, f64)> {
-    let mut best: Vec<(f64, u32)> = vec![(0.0, u32::MAX); cells.node_count()];
-    for &[a, b] in &cells.graph.ends {
-        for (from, to) in [(a, b), (b, a)] {
-            let rise = cells.depth[from as usize] - cells.depth[to as usize];
-            let way = sub(cells.positions[from as usize], cells.positions[to as usize]);
-            let steep = rise / libm::sqrt(dot(way, way));
-            if steep > best[from as usize].0 {
-                best[from as usize] = (steep, to);
-            }
-        }
-    }
-    let mut order: Vec<u32> = (0..cells.node_count() as u32).filter(|i| best[*i as usize].1 != u32::MAX).collect();
-    order.sort_by(|a, b| cells.depth[*a as usize].total_cmp(&cells.depth[*b as usize]).then(a.cmp(b)));
-    let step = |&from: &u32| {
-        let to = best[from as usize].1;
-        let way = sub(cells.positions[from as usize], cells.positions[to as usize]);
-        (from, to, libm::sqrt(dot(way, way)))
-    };
-    order.iter().map(step).collect()
 }
 
 impl FoodModel {
@@ -133,7 +113,8 @@ impl FoodModel {
         }
     }
 
-    /// The body contracts alike in all directions, to the volume that its nodes have left.
+    /// The body contracts alike in all directions, to the volume that its nodes have left; where a node has lost more or
+    /// less than that, the flesh around it holds its breadth, and it becomes thinner or thicker below the skin.
     pub(crate) fn shrink_evenly(&self, state: &mut FoodState, relative_volume: impl Fn(&FoodState, usize) -> f64) {
         let volume = &self.mesh.graph.volume;
         let mut left = 0.0;

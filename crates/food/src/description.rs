@@ -90,6 +90,8 @@ sourced_table! {
         file: String,
         /// Millimetres in one unit of that file [mm].
         scale_mm: Option<f64>,
+        /// Direction of the fibres, along which juice moves; it takes the shortest way to the skin unless told [-].
+        fibres: Option<[f64; 3]>,
     }
 }
 

@@ -16,6 +16,7 @@ pub mod doneness;
 pub mod fat;
 pub mod form;
 pub mod juice;
+mod juice_way;
 pub mod marbling;
 pub mod model;
 pub mod noise;

@@ -219,7 +219,10 @@ impl FoodModel {
             ],
             curl: kinetics.curl.as_ref().map_or(Ok([0.0; MOST_CHANGES]), |c| kinetics.in_order("curl", &c.change))?,
             palette: Palette::new(&description.colour, description.second_colour(), kinetics)?,
-            cell_readings: mesh.cells().map(CellReadings::of).unwrap_or_default(),
+            cell_readings: {
+                let fibres = description.mesh.as_ref().and_then(|m| m.fibres);
+                mesh.cells().map(|cells| CellReadings::of(cells, fibres)).unwrap_or_default()
+            },
             core: (locator.locate_or_nearest(&mesh.section, [0.0, 0.0]), core_height(&mesh, closed_below)),
             marbling: MarblingField::new(description.marbling.as_ref(), seed),
             tissues: TissueField::new(description, size, seed),

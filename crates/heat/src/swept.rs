@@ -168,9 +168,12 @@ impl SweptMesh {
         graph
     }
 
-    /// Whether the edge between two nodes runs along the path.
+    /// Whether the edge between two nodes runs along the path; in a body of cells, rather inwards than along the skin.
     #[inline]
     pub fn is_along(&self, a: usize, b: usize) -> bool {
+        if let Path::Cells(cells) = &self.path {
+            return cells.is_inward(a, b);
+        }
         a.abs_diff(b) == self.section.points.len()
     }
 

@@ -113,6 +113,11 @@ fn shape(food: &FoodDescription, file: &str, text: &str) -> Result<(), LibraryEr
     if food.outline.is_set() {
         return error("[outline]", "[outline] does not go with form = \"mesh\": leave it out");
     }
+    if mesh.fibres.is_some_and(|f| f.iter().all(|v| *v == 0.0) || f.iter().any(|v| !v.is_finite())) {
+        let line = line_of(text, place(text, "mesh", "fibres"));
+        let message = "fibres has no direction: write [x, y, z], for instance [0.0, 0.0, 1.0]".to_owned();
+        return Err(LibraryError { file: file.to_owned(), line, message });
+    }
     mesh.scale_mm.map_or(Ok(()), |scale| check(file, text, &[ranged("mesh", "scale_mm", scale, 1e-6, 1e6)]))
 }
 

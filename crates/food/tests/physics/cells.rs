@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use saute_food::description::{Confidence, SurfaceFile};
 use saute_food::{FoodModel, Form, MeshSize, PieceSpec, Rules, Solid, ZERO_C};
 use saute_heat::{Soup, Surface};
 
@@ -21,11 +22,14 @@ fn brick() -> Surface {
     Surface::close(&soup, 1.0).expect("closed")
 }
 
-/// A brick of beef whose surface is meshed inside.
+/// A brick of beef whose surface is meshed inside, its fibres upright as a steak's.
 fn cells(coarseness: f64) -> FoodModel {
     shaped("beef-lean", &spec([SIZE[0]; 3], coarseness), |food| {
         food.form = Form::Mesh;
         food.body = Some(Arc::new(brick()));
+        let (file, source) = (String::new(), String::new());
+        let confidence = Confidence::Low;
+        food.mesh = Some(SurfaceFile { file, scale_mm: None, fibres: Some([0.0, 0.0, 1.0]), source, confidence });
         for size in [&mut food.size.default_mm, &mut food.size.min_mm, &mut food.size.max_mm] {
             *size = vec![60.0];
         }
@@ -52,24 +56,25 @@ fn a_surface_is_filled_to_its_volume_and_lies_on_its_lower_face() {
     assert!((model.raw_mass - swept().raw_mass).abs() < 0.01 * model.raw_mass);
 }
 
+/// On a plate below and above boiling. (Hotter still, a steak contracts more across its fibres than along them, a body
+/// of cells alike in all directions.)
 #[test]
 fn cells_cook_as_swept_layers_do() {
     let (cells, swept) = (cells(1.0), swept());
-    let mut runs = [Run::new(&cells, 10.0), Run::new(&swept, 10.0)];
-    for run in &mut runs {
-        run.fry(120.0, 180.0, 500.0, kitchen_air());
-        run.up[2] = -1.0;
-        run.fry(120.0, 180.0, 500.0, kitchen_air());
+    for plate in [60.0, 90.0, 130.0] {
+        let mut runs = [Run::new(&cells, 10.0), Run::new(&swept, 10.0)];
+        runs.iter_mut().for_each(|run| run.fry(240.0, plate, 500.0, kitchen_air()));
+        let both = |read: &dyn Fn(&Run) -> f64| runs.each_ref().map(read);
+        for (what, [a, b], within) in [
+            ("core °C", both(&|r| r.model.core_temperature(&r.state) - ZERO_C), 0.6),
+            ("mean °C", both(&|r| r.model.volume_mean(&r.state.temperature) - ZERO_C), 0.5),
+            ("lower face °C", both(&|r| r.model.face_temperature(&r.state, UP) - ZERO_C), 1.0),
+            ("evaporated g", both(&|r| 1e3 * r.passed.evaporated), 0.06),
+            ("from the plate kJ", both(&|r| 1e-3 * r.passed.contact), 0.08),
+        ] {
+            assert!((a - b).abs() < within, "plate {plate} °C, {what}: {a} in cells, {b} in layers");
+        }
     }
-    let [a, b] = &runs;
-    let core = [a, b].map(|r| r.model.core_temperature(&r.state) - ZERO_C);
-    let mean = [a, b].map(|r| r.model.volume_mean(&r.state.temperature) - ZERO_C);
-    let lost = [a, b].map(|r| 1e3 * (r.model.raw_mass - r.state.mass_left(r.model)));
-    assert!(core[0] > 25.0 && (core[0] - core[1]).abs() < 1.5, "core {core:?} °C");
-    assert!((mean[0] - mean[1]).abs() < 1.5, "mean {mean:?} °C");
-    assert!((lost[0] / lost[1] - 1.0).abs() < 0.1, "lost {lost:?} g");
-    let faces = [a, b].map(|r| r.model.face_temperature(&r.state, [0.0, 0.0, -1.0]) - ZERO_C);
-    assert!((faces[0] - faces[1]).abs() < 5.0, "lower face {faces:?} °C");
 }
 
 #[test]
@@ -77,14 +82,15 @@ fn energy_and_mass_balance_and_no_node_leaves_the_range() {
     let model = cells(1.5);
     let mut run = Run::new(&model, 10.0);
     let start = run.state.total_enthalpy();
-    run.fry(240.0, 200.0, 800.0, kitchen_air());
+    run.fry(400.0, 200.0, 800.0, kitchen_air());
     let p = &run.passed;
     let gained = run.state.total_enthalpy() - start;
     let balance = p.contact - p.air - p.evaporation - p.runoff_enthalpy;
     assert!((gained - balance).abs() < 1e-9 * p.contact, "{gained} {balance}");
     let (low, high) = run.state.range();
     assert!(low > ZERO_C + 5.0 && high <= ZERO_C + 200.0 && run.state.healthy);
-    assert!(p.drip > 0.0, "juice reaches the skin");
+    let skin: std::collections::BTreeSet<u32> = model.patches.iter().map(|p| p.node).collect();
+    assert!(skin.iter().map(|n| run.state.juice[*n as usize]).sum::<f64>() > 0.0, "juice reaches the skin");
     assert!((run.state.mass(&model) - run.state.mass_left(&model)).abs() < 1e-9);
 }
 
@@ -94,7 +100,7 @@ fn a_cooked_body_is_smaller_and_its_solid_with_it() {
     let mut run = Run::new(&model, 10.0);
     run.fry(400.0, 200.0, 800.0, kitchen_air());
     let left = model.relative_volume(&run.state);
-    assert!(left < 0.95, "{left}");
+    assert!(left < 0.97, "{left}");
     let Solid::Surface { points, triangles } = model.solid(&run.state) else { panic!("a surface") };
     let solid = Surface { vertices: points, triangles };
     // Nodes contract every two seconds.

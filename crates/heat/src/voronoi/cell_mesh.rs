@@ -117,6 +117,13 @@ impl CellMesh {
         unreachable!("the last trial returns")
     }
 
+    /// Whether the edge between two nodes runs rather inwards (within 45°) than along the skin.
+    #[inline]
+    pub fn is_inward(&self, a: usize, b: usize) -> bool {
+        let (rise, way) = (self.depth[a] - self.depth[b], sub(self.positions[a], self.positions[b]));
+        2.0 * rise * rise > dot(way, way)
+    }
+
     /// Number of nodes.
     pub fn node_count(&self) -> usize {
         self.positions.len()

@@ -60,7 +60,7 @@ const COMPOSITION: [(&str, &str, &str); 6] = [
 /// Tables that hold a composition.
 const COMPOSED: [&str; 4] = ["lean", "adipose", "core.tissue", "sheaths.tissue"];
 
-const KEYS: [Key; 48] = [
+const KEYS: [Key; 49] = [
     must("", "name", "name for people", "name = \"My food\""),
     must("", "kinetics", "id of the kinetics file: what heat does to this kind of flesh", "kinetics = \"beef\""),
     must("", "form", "shape that is built", "form = \"steak\""),
@@ -82,6 +82,7 @@ const KEYS: [Key; 48] = [
         "closed surface, a path beside this file: .stl, .obj, .gltf or .glb",
         "file = \"my-piece.obj\"",
     ),
+    may("mesh", "fibres", "direction of the fibres, along which juice moves", "fibres = [0.0, 0.0, 1.0]"),
     may("mesh", "scale_mm", "millimetres in one unit of that file", "scale_mm = 1.0"),
     must("spine", "turn_deg", "angle through which a shrimp turns from end to end [°]", "turn_deg = 125.0"),
     must("spine", "turn_varies_deg", "how much that differs between pieces [°]", "turn_varies_deg = 20.0"),
