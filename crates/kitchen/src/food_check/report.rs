@@ -97,18 +97,20 @@ impl FoodReport {
             density_kg_m3: model.raw_mass / volume,
             conductivity_w_mk: [20.0, 60.0].map(|c| model.properties.conductivity(&lean, kelvin(c))),
             first_layer_mm: 1e3 * model.mesh.first_layer(),
-            core_55_c_min: minutes_in_a_bath(&build(COARSE)?),
+            core_55_c_min: minutes_in_a_bath(&build(COARSE)?, library),
             surface: food.body.as_deref().map(SurfaceReport::of),
         })
     }
 }
 
 /// Time until the core is done in the bath [min].
-fn minutes_in_a_bath(model: &FoodModel) -> Option<f64> {
+fn minutes_in_a_bath(model: &FoodModel, library: &Library) -> Option<f64> {
     let mut state = FoodState::raw(model, kelvin(START_C));
     let mut solver = FoodSolver::default();
     let touch = vec![Touch { conductance: BATH_CONDUCTANCE, temperature: kelvin(BATH_C) }; model.patches.len()];
-    let around = Surroundings { touch: &touch, air: &[] };
+    // Every patch lies in water, so that the air passes nothing.
+    let air = [library.room.still_air(); 3];
+    let around = Surroundings { touch: &touch, air: &air };
     let mut time = 0.0;
     while celsius(model.core_temperature(&state)) < CORE_C {
         let _: Exchange = solver.advance(model, &mut state, &around, TICK);
