@@ -175,7 +175,8 @@ impl Skin {
 
 /// The cut at `x` [m] along the longest axis, its hidden side away from the origin of that axis or towards +x; a body
 /// that is no slice is cut along its middle plane, its upper half hidden.
-pub fn slice(model: &FoodModel, state: &FoodState, x: f64, view: View, map: Option<&ColourMap>) -> Option<SliceLook> {
+pub fn slice(piece: &Piece, x: f64, view: View, map: Option<&ColourMap>) -> Option<SliceLook> {
+    let (model, state) = (&*piece.model, &piece.state);
     if let Some(cells) = model.cells() {
         return CellLook { cells, model, state, view, map }.slice(x);
     }
@@ -185,6 +186,7 @@ pub fn slice(model: &FoodModel, state: &FoodState, x: f64, view: View, map: Opti
     }
     let (along_x, slice) = (model.size[0] >= model.size[1], model.is_slice());
     let normal = match (slice, along_x) {
+        (false, _) if piece.upside_down() => Vec3::NEG_Z,
         (false, _) => Vec3::Z,
         (true, true) => Vec3::X,
         (true, false) => Vec3::Y,
@@ -226,8 +228,8 @@ pub fn slice(model: &FoodModel, state: &FoodState, x: f64, view: View, map: Opti
         }
     }
     let mut triangles = strip_triangles(cut.points.len() as u32, model.mesh.levels.len() as u32);
-    if !slice {
-        // Across and along the path come in the other order, seen from the hidden side.
+    if !slice && !piece.upside_down() {
+        // Across and along the path come in the other order, seen from above.
         triangles.iter_mut().for_each(|t| t.swap(1, 2));
     }
     Some(SliceLook { point, normal, vertices, triangles })

@@ -162,9 +162,7 @@ impl Stage {
             mesh: skin.mesh.clone(),
             vertices: skin.vertices(&piece.model, &piece.state, options.view, map),
             world_from_rest: pose.matrix(),
-            slice: options
-                .slice
-                .and_then(|s| slice(&piece.model, &piece.state, s * half_length(piece), options.view, map)),
+            slice: options.slice.and_then(|s| slice(piece, s * half_length(piece), options.view, map)),
         }
     }
 }

@@ -15,6 +15,7 @@ pub mod description;
 pub mod doneness;
 pub mod fat;
 pub mod form;
+mod hull;
 pub mod juice;
 mod juice_way;
 pub mod marbling;

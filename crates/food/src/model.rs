@@ -10,6 +10,7 @@ use crate::colour::{Appearance, Palette};
 use crate::components::{Components, Masses, Properties};
 use crate::description::{FoodDescription, Kinetics, Lethality, MOST_CHANGES, NoSuchChange, PerChange, WaterHolding};
 use crate::fat::FatRates;
+use crate::hull::HullCorner;
 use crate::marbling::MarblingField;
 use crate::paper_2013::{BOILING, MeshSize, Rules, simplified};
 use crate::patch::{Face, Patch};
@@ -97,6 +98,8 @@ pub struct FoodModel {
     pub surface: Surface,
     /// Outward normal of each patch of the rest shape, in the body frame [-].
     pub rest_normals: Vec<[f64; 3]>,
+    /// Corners of the hulls that stand for a curved body.
+    pub(crate) hulls: Vec<Vec<HullCorner>>,
     /// Nodes from which juice runs off, with their area [m²].
     pub(crate) outlets: Vec<(u32, f64)>,
     /// Thermal properties of water, lean solids and fat.
@@ -228,6 +231,7 @@ impl FoodModel {
             tissues: TissueField::new(description, size, seed),
             tissue: Vec::new(),
             outlets: Vec::new(),
+            hulls: Vec::new(),
             rest_normals: Vec::new(),
             description: description.clone(),
             kinetics: kinetics.clone(),
@@ -250,6 +254,7 @@ impl FoodModel {
         model.part_sheaths();
         model.outlets = model.juice_outlets();
         model.rest_normals = model.rest_poses().into_iter().map(|p| p.normal).collect();
+        model.hulls = model.hull_corners();
         Ok(model)
     }
 
@@ -395,9 +400,8 @@ fn place_among(mesh: &SweptMesh, stations: &[Station], p: [f64; 3]) -> Option<(L
 fn check_size(description: &FoodDescription, piece: &PieceSpec) -> Result<(), BuildError> {
     let (form, range) = (description.form, &description.size);
     let bounds = [&range.min_mm, &range.max_mm].map(|mm| form.extent(mm).unwrap_or_default());
-    for axis in 0..3 {
+    for (axis, (&low, &high)) in bounds[0].iter().zip(&bounds[1]).enumerate() {
         let got = piece.size[axis] * 1e3;
-        let (low, high) = (bounds[0][axis], bounds[1][axis]);
         if !(got >= low - 1e-9 && got <= high + 1e-9) {
             return Err(BuildError::Size { which: form.dimension_of(axis), got, low, high });
         }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use saute_heat::{Outline, Section, Station, SweptMesh, graded_levels};
+use saute_heat::{Outline, Section, Station, SweptMesh};
 
 use crate::body::{Body, even_levels, paper_mesh, rule};
 use crate::description::{FoodDescription, Spine};
@@ -16,21 +16,22 @@ const AROUND: usize = 20;
 const RINGS: usize = 5;
 /// First layer below the skin and at both ends [m] (chosen: a seared skin is half a millimetre).
 const FIRST_LAYER: f64 = 0.4e-3;
-/// Growth of the layers from the ends inwards [-], and the longest over the length [-] (chosen: three a segment).
+/// Growth of the layers from the ends inwards [-] (chosen), and layers in each segment and in the fan (chosen: one at
+/// each groove and two between).
 const GROWTH: f64 = 1.7;
-const LONGEST: f64 = 0.042;
+const LAYERS: [f64; 2] = [3.0, 4.0];
 /// Segments of the abdomen (anatomy), and where along the length they end and the tail fan begins [-] (chosen).
 const SEGMENTS: f64 = 6.0;
 const FAN_FROM: f64 = 0.83;
 /// Depth (back to belly) over the thickest at shares of the length [-] (chosen by eye from peeled shrimp).
 const DEPTH_AT: [f64; 11] = [0.0, 0.12, 0.28, 0.45, 0.60, 0.72, 0.80, 0.85, 0.90, 0.96, 1.0];
-const DEPTH: [f64; 11] = [0.90, 1.0, 1.0, 0.92, 0.80, 0.68, 0.54, 0.44, 0.62, 0.92, 0.96];
+const DEPTH: [f64; 11] = [0.97, 1.0, 0.98, 0.90, 0.78, 0.66, 0.53, 0.42, 0.66, 0.97, 0.90];
 /// Breadth (left to right) over the broadest at shares of the length [-] (chosen likewise: the fan is a thin blade).
-const BREADTH: [f64; 11] = [0.90, 1.0, 1.0, 0.92, 0.80, 0.68, 0.54, 0.42, 0.30, 0.20, 0.17];
+const BREADTH: [f64; 11] = [0.97, 1.0, 0.98, 0.91, 0.81, 0.70, 0.57, 0.43, 0.28, 0.18, 0.16];
 /// How far the head end is rounded [-] and over which run [m] (chosen: where the head was twisted off).
 const ROUNDING: [f64; 2] = [0.16, 1.2e-3];
 /// Depth of the grooves between segments over the radius [-] (chosen: gently visible without the shell).
-const GROOVE: f64 = 0.055;
+const GROOVE: f64 = 0.11;
 
 impl Body {
     /// A shrimp; its plane is x–y, the back towards +y, the head end towards −x.
@@ -46,7 +47,7 @@ impl Body {
         };
         let levels = match paper_mesh(description, piece) {
             Some((_, levels)) => even_levels(shape.length, levels),
-            None => graded_levels(shape.length, first, GROWTH, LONGEST * piece.coarseness * shape.length),
+            None => shape.levels(first, piece.coarseness),
         };
         let section = Section::concentric(&edge, &rings)?;
         let graded = piece.mesh == crate::paper_2013::MeshSize::Default;
@@ -82,6 +83,23 @@ impl Shape {
         }
     }
 
+    /// Levels along the spine: thin at both ends, then with the segments and evenly in the fan [m].
+    fn levels(&self, first: f64, coarseness: f64) -> Vec<f64> {
+        let [in_segment, in_fan] = LAYERS.map(|count| libm::ceil(count / coarseness));
+        let (body, fan) = (FAN_FROM * self.length, (1.0 - FAN_FROM) * self.length);
+        let (step, fan_step) = (body / (SEGMENTS * in_segment), fan / in_fan);
+        let (mut ends, mut layer) = (vec![0.0], first);
+        while layer < 0.7 * step.min(fan_step) {
+            ends.push(ends[ends.len() - 1] + layer);
+            layer *= GROWTH;
+        }
+        let deepest = ends[ends.len() - 1] + 0.5 * layer;
+        let segments = (0..(SEGMENTS * in_segment) as usize).map(|k| k as f64 * step);
+        let marks = segments.chain((0..in_fan as usize).map(|k| body + k as f64 * fan_step));
+        let inside = marks.filter(|m| (deepest..self.length - deepest).contains(m));
+        ends.iter().copied().chain(inside).chain(ends.iter().rev().map(|e| self.length - e)).collect()
+    }
+
     /// Depth and breadth at a share of the length over the largest [-].
     fn scale(&self, share: f64) -> [f64; 2] {
         let rounded = 1.0 - ROUNDING[0] * libm::exp(-share * self.length / ROUNDING[1]);
@@ -89,14 +107,11 @@ impl Shape {
         let along = (share / FAN_FROM * SEGMENTS).min(SEGMENTS);
         // Each segment swells towards its rear edge, which overlaps the next.
         let within = along - libm::floor(along);
-        let groove = if share < FAN_FROM {
-            1.0 - GROOVE * libm::pow(1.0 - libm::sin(PI * libm::pow(within, 1.4)), 2.0)
-        } else {
-            1.0
-        };
+        let groove = if share < FAN_FROM { GROOVE * (1.0 - libm::sin(PI * libm::pow(within, 1.4))) } else { 0.0 };
         let swollen = 1.0 + bump * (self.swelling[0] * (0.6 - share) + self.swelling[1] * (share - 0.4))
             - 0.2 * bump * bump * libm::fabs(self.swelling[0]);
-        [DEPTH, BREADTH].map(|table| interpolate(&DEPTH_AT, &table, share) * rounded * groove * swollen.min(1.0))
+        [DEPTH, BREADTH]
+            .map(|table| interpolate(&DEPTH_AT, &table, share) * rounded * (1.0 - groove) * swollen.min(1.0))
     }
 
     /// Direction of the spine at a share of the length [rad]: the body bends, more towards the tail; the fan is straight.

@@ -25,7 +25,10 @@ impl Station {
         points: Vec<[f64; 2]>,
     ) -> Result<Self, MeshError> {
         let rim = Outline { points: section.rim().iter().map(|&i| points[i as usize]).collect() };
-        Ok(Self { centre, across, section: Section::triangulate(points, |p| rim.contains(p))? })
+        // Areas follow the triangles of the section itself, so that they pass smoothly from station to station.
+        let areas = section.areas_at(&points);
+        let standing = Section::triangulate(points, |p| rim.contains(p))?;
+        Ok(Self { centre, across, section: Section { areas, ..standing } })
     }
 
     /// The section scaled along its two coordinates.

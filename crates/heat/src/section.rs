@@ -140,6 +140,16 @@ impl Section {
         rim
     }
 
+    /// Area of each node where the nodes lie at other points, by the same triangles [m²].
+    pub(crate) fn areas_at(&self, points: &[[f64; 2]]) -> Vec<f64> {
+        let mut areas = vec![0.0; points.len()];
+        for t in &self.triangles {
+            let [a, b, c] = t.map(|i| points[i as usize]);
+            t.iter().for_each(|&i| areas[i as usize] += twice_area(a, b, c) / 6.0);
+        }
+        areas
+    }
+
     /// Total area [m²].
     pub fn area(&self) -> f64 {
         self.areas.iter().sum()

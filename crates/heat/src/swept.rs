@@ -7,6 +7,9 @@ use crate::rule::{Rule, segment_shape};
 use crate::section::Section;
 use crate::voronoi::CellMesh;
 
+/// Least share of the way between two nodes that counts as along the path [-] (chosen: reached by folded paths alone).
+const SLIVER: f64 = 1e-3;
+
 /// A swept body: node `level · n + i` is node `i` of the section at `level` of the path.
 #[derive(Clone, Debug)]
 pub struct SweptMesh {
@@ -49,9 +52,9 @@ impl SweptMesh {
         mesh
     }
 
-    /// Carries a section along stations. A node's volume is that of the frusta of its own areas and its own chords to
-    /// the levels beside it; along the path it conducts by the geometric mean of its areas over the chord (exact for
-    /// a cone), in its plane by the cotangent weights of the section as it stands there times its layer height.
+    /// Carries a section along stations. A node's volume is that of the frusta of its own areas and its own runs to the
+    /// levels beside it; along the path it conducts by the geometric mean of its areas over the run (exact for sections
+    /// of a cone in series), in its plane by the cotangent weights of the section as it stands there times its height.
     pub fn along(section: Section, path: Vec<Station>, rule: Rule) -> Self {
         let mut levels = vec![0.0];
         for (level, pair) in path.windows(2).enumerate() {
@@ -99,7 +102,11 @@ impl SweptMesh {
                 push(a, b, self.length(a, b));
             }
             if level + 1 < self.levels.len() {
-                (0..n).for_each(|i| push(level * n + i, (level + 1) * n + i, self.chord(level, i)));
+                (0..n).for_each(|i| {
+                    let (a, b) = (level * n + i, (level + 1) * n + i);
+                    let upright = !matches!(self.path, Path::Stations(_));
+                    push(a, b, if upright { self.run(level, i) } else { self.length(a, b) });
+                });
             }
         }
         graph
@@ -115,12 +122,18 @@ impl SweptMesh {
         distance(self.position(a), self.position(b))
     }
 
-    /// Distance of node `i` of a level from the same node of the next [m].
-    pub fn chord(&self, level: usize, i: usize) -> f64 {
-        match &self.path {
-            Path::Stations(_) => distance(self.position(self.node(level, i)), self.position(self.node(level + 1, i))),
-            path => (self.levels[level + 1] - self.levels[level]) * path.column(i),
-        }
+    /// How far along the path node `i` of a level is from the same node of the next [m]; where the section tapers, less
+    /// than the slanted way between them.
+    pub fn run(&self, level: usize, i: usize) -> f64 {
+        let Path::Stations(stations) = &self.path else {
+            return (self.levels[level + 1] - self.levels[level]) * self.path.column(i);
+        };
+        let [p, q] = [level, level + 1].map(|l| self.position(self.node(l, i)));
+        let [a, b] = [level, level + 1].map(|l| cross(stations[l].across[0], stations[l].across[1]));
+        let along = [0, 1, 2].map(|k| a[k] + b[k]);
+        let way = [0, 1, 2].map(|k| q[k] - p[k]);
+        // A path so sharply bent that it folds keeps a sliver: no volume or conductance is negative.
+        (dot(way, along) / libm::sqrt(dot(along, along))).max(SLIVER * libm::sqrt(dot(way, way)))
     }
 
     fn upright_graph(&self) -> Graph {
@@ -136,7 +149,7 @@ impl SweptMesh {
             }
             if level + 1 < levels.len() {
                 for (i, area) in section.areas.iter().enumerate() {
-                    graph.push(base + i as u32, base + (n + i) as u32, area / self.chord(level, i));
+                    graph.push(base + i as u32, base + (n + i) as u32, area / self.run(level, i));
                 }
             }
         }
@@ -150,12 +163,12 @@ impl SweptMesh {
         for level in 0..last {
             for i in 0..n {
                 let (a, b) = (self.node(level, i), self.node(level + 1, i));
-                let (chord, areas) = (self.chord(level, i), [self.node_area(level, i), self.node_area(level + 1, i)]);
-                graph.push(a as u32, b as u32, libm::sqrt(areas[0] * areas[1]) / chord);
+                let (run, areas) = (self.run(level, i), [self.node_area(level, i), self.node_area(level + 1, i)]);
+                graph.push(a as u32, b as u32, libm::sqrt(areas[0] * areas[1]) / run);
                 let halves = frustum_halves(areas);
                 for (node, mean) in [(a, halves[0]), (b, halves[1])] {
-                    graph.volume[node] += 0.5 * chord * mean;
-                    thick[node] += 0.5 * chord;
+                    graph.volume[node] += 0.5 * run * mean;
+                    thick[node] += 0.5 * run;
                 }
             }
         }
@@ -219,8 +232,8 @@ impl SweptMesh {
     pub fn between(&self, level: usize, i: usize) -> f64 {
         let areas = [self.node_area(level, i), self.node_area(level + 1, i)];
         match self.path {
-            Path::Stations(_) => 0.5 * self.chord(level, i) * frustum_halves(areas).iter().sum::<f64>(),
-            _ => areas[0] * self.chord(level, i),
+            Path::Stations(_) => 0.5 * self.run(level, i) * frustum_halves(areas).iter().sum::<f64>(),
+            _ => areas[0] * self.run(level, i),
         }
     }
 
