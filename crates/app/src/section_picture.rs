@@ -134,11 +134,9 @@ impl Picture {
                 let weights = [cross(p, b, c), cross(a, p, c), cross(a, b, p)].map(|w| w / whole);
                 if weights.iter().all(|w| *w >= -1e-9) {
                     let at = 4 * (row * self.width + column);
-                    for k in 0..3 {
-                        let value: f64 = (0..3).map(|i| weights[i] * colours[i][k]).sum();
-                        self.rgba[at + k] = value.round().clamp(0.0, 255.0) as u8;
-                    }
-                    self.rgba[at + 3] = 255;
+                    let [r, g, b] =
+                        [0, 1, 2].map(|k| (0..3).map(|i| weights[i] * colours[i][k]).sum::<f64>().round() as u8);
+                    self.rgba[at..at + 4].copy_from_slice(&[r, g, b, 255]);
                 }
             }
         }
