@@ -9,6 +9,7 @@ use saute_kitchen::food::noise::{fractal, mix};
 use saute_kitchen::food::readings::changed_at;
 use saute_kitchen::food::{FoodModel, FoodState};
 
+use crate::cell_look::CellLook;
 use crate::colour_map::ColourMap;
 use crate::scene::input::{FatVolume, FoodMesh, FoodVertex, SliceLook};
 use crate::view::View;
@@ -48,6 +49,11 @@ impl Skin {
     /// with a sharp rim between; of any other body its smooth surface.
     pub fn new(piece: &Piece) -> Self {
         let model = &piece.model;
+        if let Some(cells) = model.cells() {
+            // Its vertices read several nodes each: see [`CellLook`].
+            let mesh = FoodMesh { key: key(piece), triangles: cells.skin.triangles.clone(), fat: fat_volume(model) };
+            return Self { mesh: Arc::new(mesh), nodes: Vec::new(), positions: Vec::new(), normals: Vec::new() };
+        }
         if !model.is_slice() {
             return Self::smooth(piece);
         }
@@ -147,6 +153,9 @@ impl Skin {
         view: View,
         map: Option<&ColourMap>,
     ) -> Vec<FoodVertex> {
+        if let Some(cells) = model.cells() {
+            return CellLook { cells, model, state, view, map }.skin();
+        }
         let shape = PresentShape::new(model, state);
         let vertex = |k: usize| {
             let node = self.nodes[k] as usize;
@@ -168,6 +177,9 @@ impl Skin {
 /// that is no slice is cut along its middle plane, its upper half hidden.
 pub fn slice(piece: &Piece, x: f64, view: View, map: Option<&ColourMap>) -> Option<SliceLook> {
     let (model, state) = (&*piece.model, &piece.state);
+    if let Some(cells) = model.cells() {
+        return CellLook { cells, model, state, view, map }.slice(x);
+    }
     let cut = model.cut_across(x);
     if cut.points.len() < 2 {
         return None;
@@ -277,12 +289,19 @@ impl PresentShape {
 
 /// A point in the rest shape and in the present one [m].
 #[derive(Clone, Copy)]
-struct Place {
-    rest: [f32; 3],
-    now: [f32; 3],
+pub(crate) struct Place {
+    pub(crate) rest: [f32; 3],
+    pub(crate) now: [f32; 3],
 }
 
-fn vertex(model: &FoodModel, a: Appearance, moisture: f64, field: f32, place: Place, normal: [f32; 3]) -> FoodVertex {
+pub(crate) fn vertex(
+    model: &FoodModel,
+    a: Appearance,
+    moisture: f64,
+    field: f32,
+    place: Place,
+    normal: [f32; 3],
+) -> FoodVertex {
     let mottled = Appearance { browning: mottled(a.browning), ..a };
     let linear = |lab: saute_kitchen::food::Lab| lab.linear_srgb().map(|v| v as f32);
     let (lean, fat) = model.colours(a);
@@ -339,7 +358,9 @@ fn key(piece: &Piece) -> u64 {
 
 fn fat_volume(model: &FoodModel) -> FatVolume {
     let reach = model.outline.points.iter().fold([0.0f64; 2], |r, p| [r[0].max(p[0].abs()), r[1].max(p[1].abs())]);
-    let extent = [2.0 * reach[0], 2.0 * reach[1], model.mesh.thickness()];
+    // The rest frame of a body of cells has its origin in the middle.
+    let (height, below) = model.cells().map_or((model.mesh.thickness(), 0.0), |_| (model.size[2], 0.5 * model.size[2]));
+    let extent = [2.0 * reach[0], 2.0 * reach[1], height];
     let origin = Vec3::new(-reach[0] as f32, -reach[1] as f32, -0.5 * extent[2] as f32);
     let shape =
         |size: [u32; 3], cells| FatVolume { size, origin, extent: Vec3::from_array(extent.map(|v| v as f32)), cells };
@@ -353,7 +374,7 @@ fn fat_volume(model: &FoodModel) -> FatVolume {
     for k in 0..size[2] {
         for j in 0..size[1] {
             for i in 0..size[0] {
-                let p = [centre(i, 0) - reach[0], centre(j, 1) - reach[1], centre(k, 2)];
+                let p = [centre(i, 0) - reach[0], centre(j, 1) - reach[1], centre(k, 2) - below];
                 cells.push((255.0 * model.marbling.at(p)).round() as u8);
             }
         }

@@ -4,6 +4,7 @@ pub mod act;
 pub mod app;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod bench_frame;
+mod cell_look;
 pub mod colour_map;
 pub mod food_look;
 #[cfg(not(target_arch = "wasm32"))]

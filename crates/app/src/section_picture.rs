@@ -6,7 +6,9 @@ use saute_kitchen::food::noise::fractal;
 use saute_kitchen::food::readings::changed_at;
 use saute_kitchen::food::{FoodModel, FoodState, Lab};
 use saute_kitchen::heat::Cut;
+use saute_kitchen::heat::voronoi::CellSlice;
 
+use crate::cell_look::{CellLook, longest_axis};
 use crate::colour_map::ColourMap;
 use crate::view::View;
 
@@ -32,6 +34,10 @@ struct Sample {
 /// a millimetre, with the view's colours where it has any; transparent outside the piece.
 pub fn section_picture(piece: &Piece, x: f64, view: View, colours: Option<&ColourMap>, per_mm: f64) -> Picture {
     let (model, state) = (&*piece.model, &piece.state);
+    if let Some(cells) = model.cells() {
+        let look = CellLook { cells, model, state, view, map: colours };
+        return cell_picture(&look, x, piece.upside_down(), per_mm);
+    }
     let cut = model.cut_across(x);
     let thickness = model.mesh.thickness();
     let (Some(first), Some(last)) = (cut.points.first(), cut.points.last()) else {
@@ -76,6 +82,65 @@ fn sample(model: &FoodModel, state: &FoodState, cut: &Cut, view: View) -> Vec<Sa
         }
     }
     samples
+}
+
+/// A cut through a body of cells: its triangles are painted with the mean of their corners' colours, weighted.
+fn cell_picture(look: &CellLook, x: f64, flipped: bool, per_mm: f64) -> Picture {
+    let axis = longest_axis(look.model);
+    let Ok(cut) = look.cells.slice(axis, x) else { return Picture { width: 1, height: 1, rgba: vec![0; 4] } };
+    let colours: Vec<[f64; 3]> = (0..cut.points.len()).map(|i| cell_colour(look, &cut, i)).collect();
+    // Turning over about the long axis mirrors the cut and turns it upside down.
+    let sign = if flipped { -1.0 } else { 1.0 };
+    let pixels = 1e3 * per_mm * look.state.stretch.lateral;
+    let across = |p: &[f64; 3]| sign * if axis == 0 { p[1] } else { -p[0] } * pixels;
+    let flat: Vec<[f64; 2]> = cut.points.iter().map(|p| [across(p), -sign * p[2] * pixels]).collect();
+    let low = [0, 1].map(|k| flat.iter().map(|p| p[k]).fold(f64::INFINITY, f64::min));
+    let high = [0, 1].map(|k| flat.iter().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max));
+    let [width, height] = [0, 1].map(|k| ((high[k] - low[k]).round() as usize).max(1));
+    let mut picture = Picture { width, height, rgba: vec![0; 4 * width * height] };
+    for t in &cut.triangles {
+        let corners = t.map(|i| [0, 1].map(|k| flat[i as usize][k] - low[k]));
+        picture.paint(corners, t.map(|i| colours[i as usize]));
+    }
+    picture
+}
+
+/// Colour of a point of a cut [0…255].
+fn cell_colour(look: &CellLook, cut: &CellSlice, point: usize) -> [f64; 3] {
+    let (appearance, celsius) = look.appearance(&|f| cut.read(point, f));
+    let rgb = match look.map {
+        Some(map) => map.colour(celsius),
+        None => {
+            let (lean, fat) = look.model.colours(appearance);
+            lean.lerp(fat, look.model.marbling.at(cut.points[point])).srgb8()
+        }
+    };
+    rgb.map(f64::from)
+}
+
+impl Picture {
+    /// Paints a triangle whose corners have colours.
+    fn paint(&mut self, [a, b, c]: [[f64; 2]; 3], colours: [[f64; 3]; 3]) {
+        let cross =
+            |o: [f64; 2], p: [f64; 2], q: [f64; 2]| (p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0]);
+        let whole = cross(a, b, c);
+        let range = |k: usize, most: usize| {
+            let (low, high) = (a[k].min(b[k]).min(c[k]), a[k].max(b[k]).max(c[k]));
+            (low.max(0.0) as usize)..(high.ceil().max(0.0) as usize).min(most)
+        };
+        for row in range(1, self.height) {
+            for column in range(0, self.width) {
+                let p = [column as f64 + 0.5, row as f64 + 0.5];
+                let weights = [cross(p, b, c), cross(a, p, c), cross(a, b, p)].map(|w| w / whole);
+                if weights.iter().all(|w| *w >= -1e-9) {
+                    let at = 4 * (row * self.width + column);
+                    let [r, g, b] =
+                        [0, 1, 2].map(|k| (0..3).map(|i| weights[i] * colours[i][k]).sum::<f64>().round() as u8);
+                    self.rgba[at..at + 4].copy_from_slice(&[r, g, b, 255]);
+                }
+            }
+        }
+    }
 }
 
 struct Painter<'a> {

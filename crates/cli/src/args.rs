@@ -45,6 +45,9 @@ pub enum Command {
     Bench(Bench),
     /// Lists what there is to cook with.
     List(ListArgs),
+    /// Helps with foods of one's own.
+    #[command(subcommand)]
+    Food(Food),
     /// Prints the schema of a file format.
     #[command(subcommand)]
     Schema(Schema),
@@ -103,6 +106,24 @@ pub enum Bench {
     Frame(BenchFrameArgs),
     /// Times the solver on one thread, checks it against an exact series, and compares it with the machine's memory.
     Heat(BenchHeatArgs),
+}
+
+/// `saute food`.
+#[derive(Debug, Subcommand)]
+pub enum Food {
+    /// Explains what is wrong with a food's file, or what it makes.
+    Check(FoodCheckArgs),
+}
+
+/// `saute food check`.
+#[derive(Debug, clap::Args)]
+pub struct FoodCheckArgs {
+    /// A food's file (.toml), or a surface alone (.stl, .obj, .gltf, .glb).
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Prints the findings and numbers as JSON.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// `saute list`.

@@ -5,6 +5,7 @@ mod args;
 mod bench_heat;
 mod cook_command;
 mod error;
+mod food_check;
 mod lab;
 mod list;
 mod out_dir;
@@ -18,6 +19,7 @@ mod section_files;
 mod shelf;
 mod stderr;
 mod stdout;
+mod surface_file;
 mod text_file;
 mod text_summary;
 mod validate;
@@ -29,7 +31,7 @@ use std::time::Instant;
 
 use clap::Parser;
 
-use crate::args::{Args, Bench, Command};
+use crate::args::{Args, Bench, Command, Food};
 use crate::error::CliError;
 use crate::shelf::Shelf;
 
@@ -53,8 +55,11 @@ fn main() -> ExitCode {
 }
 
 fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
-    if let Some(Command::Schema(which)) = args.command {
-        return schema::run(which);
+    match args.command {
+        Some(Command::Schema(which)) => return schema::run(which),
+        // The file under examination may lie in the --data folder, which as a whole could not be read then.
+        Some(Command::Food(Food::Check(check))) => return food_check::run(&check, args.data.as_deref()),
+        _ => {}
     }
     let shelf = Shelf::open(args.data.as_deref())?;
     match args.command {
@@ -71,5 +76,6 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         Some(Command::Validate(args)) => validate::validate(&args, &shelf),
         Some(Command::List(args)) => list::run(&args, &shelf),
         Some(Command::Schema(which)) => schema::run(which),
+        Some(Command::Food(Food::Check(check))) => food_check::run(&check, args.data.as_deref()),
     }
 }

@@ -1,14 +1,16 @@
 //! The shipped foods, pans and recipes with those of the user's folder.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use saute_kitchen::food::Scale;
+use saute_kitchen::heat::Soup;
+use saute_kitchen::library;
 use saute_kitchen::{Library, LibraryError};
 
 use crate::error::CliError;
-use crate::text_file;
+use crate::{surface_file, text_file};
 
 /// Folders that are read from `--data`.
 const FOLDERS: [&str; 6] = ["foods", "pans", "recipes", "kinetics", "coatings", "oils"];
@@ -48,7 +50,8 @@ impl Shelf {
         let files = dir.map_or(Ok(Vec::new()), read_folders)?;
         let names = files.iter().map(|(name, _)| name.clone()).collect();
         let own = Own { dir: dir.map_or_else(PathBuf::new, Path::to_owned), names };
-        let library = Library::with(&files).map_err(|e| own.error(e))?;
+        let surfaces = dir.map_or(Ok(BTreeMap::new()), |dir| surfaces(dir, &files))?;
+        let library = Library::with_surfaces(&files, &surfaces).map_err(|e| own.error(e))?;
         Ok(Self { library, own })
     }
 
@@ -87,6 +90,26 @@ fn read_folders(dir: &Path) -> Result<Vec<(String, String)>, CliError> {
         }
     }
     Ok(files)
+}
+
+/// The surfaces that the foods among the files name, by the path of the food's file.
+fn surfaces(dir: &Path, files: &[(String, String)]) -> Result<BTreeMap<String, Soup>, CliError> {
+    let foods = files.iter().filter(|(path, _)| path.starts_with("foods/"));
+    let named = foods.filter_map(|(path, text)| Some((path, library::surface_file(text)?)));
+    named.map(|(path, file)| Ok((path.clone(), surface_file::read(&dir.join(path).with_file_name(file))?))).collect()
+}
+
+/// The kinetics that a food may name: the shipped ones and those of a folder.
+pub fn kinetics(dir: Option<&Path>) -> Result<Library, CliError> {
+    let folder = dir.map(|d| d.join("kinetics")).filter(|f| f.is_dir());
+    let mut files = Vec::new();
+    for name in folder.as_deref().map_or(Ok(Vec::new()), toml_names)? {
+        let path = folder.as_deref().unwrap_or(Path::new("")).join(&name);
+        files.push((format!("kinetics/{name}"), text_file::read(&path)?));
+    }
+    let own =
+        Own { dir: dir.map_or_else(PathBuf::new, Path::to_owned), names: files.iter().map(|f| f.0.clone()).collect() };
+    Library::with(&files).map_err(|e| own.error(e))
 }
 
 /// Names of the .toml files in a folder, in order.

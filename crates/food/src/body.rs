@@ -48,6 +48,7 @@ impl Body {
             Form::Steak | Form::Patty | Form::Coin | Form::Ring => Self::slice(description, piece),
             Form::Stick => Self::stick(description, piece),
             Form::Shrimp => Self::shrimp(description, piece),
+            Form::Mesh => Self::inside_surface(description, piece),
         }
     }
 

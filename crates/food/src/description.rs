@@ -1,6 +1,7 @@
 //! Foods as they are described in files.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use serde::Deserialize;
 
@@ -79,6 +80,43 @@ sourced_table! {
         /// Amplitude of the gentle bumps of a cut over the mean thickness [-].
         #[serde(default)]
         bumps: f64,
+    }
+}
+
+sourced_table! {
+    /// A file that holds a closed surface.
+    SurfaceFile {
+        /// Path beside the food's own file.
+        file: String,
+        /// Millimetres in one unit of that file [mm].
+        scale_mm: Option<f64>,
+        /// Direction of the fibres, along which juice moves; it takes the shortest way to the skin unless told [-].
+        fibres: Option<[f64; 3]>,
+    }
+}
+
+impl SizeRange {
+    /// No sizes: the file does not give them.
+    fn unset() -> Self {
+        let source = String::new();
+        Self { default_mm: Vec::new(), min_mm: Vec::new(), max_mm: Vec::new(), source, confidence: Confidence::Low }
+    }
+
+    /// Whether the file gives sizes.
+    pub fn is_set(&self) -> bool {
+        !self.default_mm.is_empty()
+    }
+}
+
+impl OutlineShape {
+    /// No outline: the file does not give one.
+    fn unset() -> Self {
+        Self { exponent: 2.0, ripple: 0.0, wedge: 0.0, bumps: 0.0, source: String::new(), confidence: Confidence::Low }
+    }
+
+    /// Whether the file gives an outline.
+    pub fn is_set(&self) -> bool {
+        !self.source.is_empty()
     }
 }
 
@@ -439,10 +477,17 @@ pub struct FoodDescription {
     pub kinetics: String,
     /// Shape.
     pub form: Form,
-    /// Allowed sizes.
+    /// Allowed sizes; of a surface of the user's those of its file unless told.
+    #[serde(default = "SizeRange::unset")]
     pub size: SizeRange,
-    /// Outline: of slices as seen from above, of sticks and shrimps across them.
+    /// Outline: of slices as seen from above, of sticks and shrimps across them; bodies of cells have none.
+    #[serde(default = "OutlineShape::unset")]
     pub outline: OutlineShape,
+    /// Closed surface that is meshed inside; absent where the form is swept.
+    pub mesh: Option<SurfaceFile>,
+    /// What that file encloses; whoever reads the files puts it here.
+    #[serde(skip)]
+    pub body: Option<Arc<saute_heat::Surface>>,
     /// Curve of a shrimp; other forms have none.
     pub spine: Option<Spine>,
     /// Core of a root; absent where there is none.

@@ -18,6 +18,8 @@ pub enum Form {
     Stick,
     /// A tapering body on a curved spine that ends in a tail fan; it lies on its side, fibres run along it.
     Shrimp,
+    /// Whatever a closed surface of the user's encloses.
+    Mesh,
 }
 
 impl Form {
@@ -27,6 +29,7 @@ impl Form {
             Self::Steak | Self::Stick => &["length", "width", "thickness"],
             Self::Coin | Self::Ring | Self::Patty => &["diameter", "thickness"],
             Self::Shrimp => &["curve length", "thickest diameter"],
+            Self::Mesh => &["longest edge"],
         }
     }
 
@@ -36,6 +39,7 @@ impl Form {
             (Self::Steak | Self::Stick, &[length, width, thickness]) => Some([length, width, thickness]),
             (Self::Coin | Self::Ring | Self::Patty, &[diameter, thickness]) => Some([diameter, diameter, thickness]),
             (Self::Shrimp, &[length, diameter]) => Some([length, diameter, diameter]),
+            (Self::Mesh, &[longest]) => Some([longest; 3]),
             _ => None,
         }
     }
@@ -46,7 +50,21 @@ impl Form {
         match self {
             Self::Coin | Self::Ring | Self::Patty => names[axis / 2],
             Self::Shrimp => names[axis.min(1)],
+            Self::Mesh => names[0],
             Self::Steak | Self::Stick => names[axis],
+        }
+    }
+
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Steak => "steak",
+            Self::Patty => "patty",
+            Self::Coin => "coin",
+            Self::Ring => "ring",
+            Self::Stick => "stick",
+            Self::Shrimp => "shrimp",
+            Self::Mesh => "mesh",
         }
     }
 

@@ -18,7 +18,8 @@ impl FoodModel {
     /// Water beyond what is held at the peak temperature and after the changes becomes free with first order. Free juice moves along the
     /// fibres towards the nearer face at a speed v: dF/dt = −F v/Δz, and takes its heat along. On its way flesh that
     /// has dried below what it can hold takes it up; what reaches a face gathers as a film there, then runs off. A body that
-    /// is no slice has its fibres along it, and what its skin squeezes out runs off there.
+    /// is no slice has its fibres along it, and what its skin squeezes out runs off there; in a body of cells juice takes
+    /// the shortest way to the skin.
     pub fn release_juice(&self, state: &mut FoodState, dt: f64) -> Runoff {
         let reach = 1e-6 * self.kinetics.water_holding.juice_speed_um_s * dt;
         let mut runoff = Runoff::default();
@@ -26,6 +27,7 @@ impl FoodModel {
             self.free(state, column, dt);
             self.drain(state, column, reach);
         }
+        self.drain_cells(state, reach);
         for &(node, area) in &self.outlets {
             self.run_off(state, node as usize, area, &mut runoff);
         }
@@ -94,7 +96,7 @@ impl FoodModel {
     }
 
     /// Carries a share of a node's free juice to another with its heat.
-    fn carry(&self, state: &mut FoodState, [from, to]: [usize; 2], share: f64) {
+    pub(crate) fn carry(&self, state: &mut FoodState, [from, to]: [usize; 2], share: f64) {
         let mass = share * state.juice[from];
         if mass <= 0.0 {
             return;

@@ -1,15 +1,15 @@
 //! What never changes in a piece of food: rest mesh, composition, tables.
 
-use saute_heat::{Located, Locator, MeshError, Outline, Path, Station, SweptMesh};
+use saute_heat::{CellMeshError, Located, Locator, MeshError, Outline, Path, Station, SweptMesh};
 
 use crate::body::Body;
 use crate::browning::Browning;
+use crate::cell_body::CellReadings;
 use crate::changes::{ChangeRates, arrhenius};
 use crate::colour::{Appearance, Palette};
 use crate::components::{Components, Masses, Properties};
 use crate::description::{FoodDescription, Kinetics, Lethality, MOST_CHANGES, NoSuchChange, PerChange, WaterHolding};
 use crate::fat::FatRates;
-use crate::hull::HullCorner;
 use crate::marbling::MarblingField;
 use crate::paper_2013::{BOILING, MeshSize, Rules, simplified};
 use crate::patch::{Face, Patch};
@@ -55,6 +55,9 @@ pub enum BuildError {
     /// The mesh failed.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+    /// The cells inside a surface failed.
+    #[error(transparent)]
+    Cells(#[from] CellMeshError),
     /// A table names a change that the kinetics lack.
     #[error(transparent)]
     Change(#[from] NoSuchChange),
@@ -94,8 +97,6 @@ pub struct FoodModel {
     pub surface: Surface,
     /// Outward normal of each patch of the rest shape, in the body frame [-].
     pub rest_normals: Vec<[f64; 3]>,
-    /// Corners of the hulls that stand for a curved body.
-    pub(crate) hulls: Vec<Vec<HullCorner>>,
     /// Nodes from which juice runs off, with their area [m²].
     pub(crate) outlets: Vec<(u32, f64)>,
     /// Thermal properties of water, lean solids and fat.
@@ -158,6 +159,8 @@ pub struct FoodModel {
     pub kinetics: Kinetics,
     /// Where the core is in the section, and how far along the path [m].
     core: (Located, f64),
+    /// What a body of cells reads instead.
+    pub(crate) cell_readings: CellReadings,
 }
 
 impl FoodModel {
@@ -216,12 +219,15 @@ impl FoodModel {
             ],
             curl: kinetics.curl.as_ref().map_or(Ok([0.0; MOST_CHANGES]), |c| kinetics.in_order("curl", &c.change))?,
             palette: Palette::new(&description.colour, description.second_colour(), kinetics)?,
+            cell_readings: {
+                let fibres = description.mesh.as_ref().and_then(|m| m.fibres);
+                mesh.cells().map(|cells| CellReadings::of(cells, fibres)).unwrap_or_default()
+            },
             core: (locator.locate_or_nearest(&mesh.section, [0.0, 0.0]), core_height(&mesh, closed_below)),
             marbling: MarblingField::new(description.marbling.as_ref(), seed),
             tissues: TissueField::new(description, size, seed),
             tissue: Vec::new(),
             outlets: Vec::new(),
-            hulls: Vec::new(),
             rest_normals: Vec::new(),
             description: description.clone(),
             kinetics: kinetics.clone(),
@@ -244,7 +250,6 @@ impl FoodModel {
         model.part_sheaths();
         model.outlets = model.juice_outlets();
         model.rest_normals = model.rest_poses().into_iter().map(|p| p.normal).collect();
-        model.hulls = model.hull_corners();
         Ok(model)
     }
 
@@ -295,12 +300,18 @@ impl FoodModel {
     /// Value of a node field at the core: the rest shape's centroid, or the middle of its thickest section where the
     /// body is curved.
     pub fn at_core(&self, field: &[f64]) -> f64 {
+        if self.cells().is_some() {
+            return self.cell_readings.core.iter().map(|&(node, w)| w * field[node as usize]).sum();
+        }
         self.interpolate(field, &self.core.0, self.core.1)
     }
 
     /// Value of a node field above or below the core: `share` runs from −1 at the lower face to 1 at the upper one, as
     /// the rest mesh stands.
     pub fn above_core(&self, field: &[f64], share: f64) -> f64 {
+        if let Some(cells) = self.cells() {
+            return cells.at(field, [0.0, 0.0, 0.5 * share * self.size[2]]);
+        }
         if self.is_slice() {
             return self.interpolate(field, &self.core.0, 0.5 * (1.0 + share) * self.mesh.thickness());
         }
@@ -311,6 +322,9 @@ impl FoodModel {
     /// Value of a node field at a point of the rest mesh's frame (of a slice the origin is the centroid of the bottom
     /// face), or none outside.
     pub fn at(&self, field: &[f64], p: [f64; 3]) -> Option<f64> {
+        if let Some(cells) = self.cells() {
+            return cells.contains(p).then(|| cells.at(field, p));
+        }
         let (found, height) = self.place_of(p)?;
         Some(self.interpolate(field, &found, height))
     }
@@ -414,19 +428,24 @@ fn held_share(holding: &WaterHolding, celsius: f64) -> f64 {
 /// Mean of a field over each node's volume, from 3 × 3 × 3 samples of its box [-]; zeros where there is no field.
 fn node_means(mesh: &SweptMesh, field: Option<impl Fn([f64; 3]) -> f64>) -> Vec<f64> {
     let Some(field) = field else { return vec![0.0; mesh.node_count()] };
+    if let Some(cells) = mesh.cells() {
+        let size = cells.graph.volume.iter().map(|v| [libm::cbrt(*v); 3]);
+        return cells.positions.iter().zip(size).map(|(p, size)| box_mean(*p, size, &field)).collect();
+    }
     let mut means = Vec::with_capacity(mesh.node_count());
     for (level, height) in mesh.layer_heights().iter().enumerate() {
         for (i, area) in mesh.section_at(level).areas.iter().enumerate() {
-            let half = 0.5 * libm::sqrt(*area);
-            let [x, y, z] = mesh.position(mesh.node(level, i));
-            let mut sum = 0.0;
-            for k in 0..27 {
-                let offset = |v: i32| f64::from(v - 1) * 2.0 / 3.0;
-                sum +=
-                    field([x + half * offset(k % 3), y + half * offset(k / 3 % 3), z + 0.5 * height * offset(k / 9)]);
-            }
-            means.push(sum / 27.0);
+            let side = libm::sqrt(*area);
+            means.push(box_mean(mesh.position(mesh.node(level, i)), [side, side, *height], &field));
         }
     }
     means
+}
+
+/// Mean of a field over a box about a point, from 3 × 3 × 3 samples.
+fn box_mean([x, y, z]: [f64; 3], size: [f64; 3], field: &impl Fn([f64; 3]) -> f64) -> f64 {
+    let half = size.map(|s| 0.5 * s);
+    let offset = |v: i32| f64::from(v - 1) * 2.0 / 3.0;
+    let at = |k: i32| [x + half[0] * offset(k % 3), y + half[1] * offset(k / 3 % 3), z + half[2] * offset(k / 9)];
+    (0..27).map(|k| field(at(k))).sum::<f64>() / 27.0
 }

@@ -50,7 +50,8 @@ pub fn mesh_of(description: &FoodDescription) -> (Rings, usize) {
         Form::Ring => LEEK,
         Form::Shrimp => SHRIMP,
         Form::Steak if description.marbling.is_some() => MARBLED,
-        Form::Steak | Form::Patty => LEAN,
+        // A surface of the user's has no mesh of 2013; it keeps its own.
+        Form::Steak | Form::Patty | Form::Mesh => LEAN,
     }
 }
 

@@ -65,6 +65,7 @@ impl FoodModel {
         positions.resize(self.mesh.node_count(), [0.0; 3]);
         match &self.mesh.path {
             Path::Stations(stations) => self.along_stations(state, stations, positions),
+            Path::Cells(cells) => self.cell_positions(cells, state, positions),
             _ => self.upright(state, positions),
         }
     }
@@ -127,6 +128,10 @@ impl FoodModel {
 
     /// Height of the origin of [`Self::positions`] above the plane on which the piece lies on its flat side [m].
     pub fn rest_height(&self, state: &FoodState) -> f64 {
+        if let Some(cells) = self.cells() {
+            let lowest = cells.surface.vertices.iter().map(|p| p[2]).fold(f64::INFINITY, f64::min);
+            return -lowest * state.stretch.lateral;
+        }
         0.5 * (self.thickness(state) + state.stretch.dome.abs())
     }
 

@@ -143,6 +143,9 @@ impl FoodModel {
 
     /// Doneness by volume.
     pub fn volume_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
+        if self.cells().is_some() {
+            return self.cell_volume_shares(state, scale);
+        }
         let mut sums = [0.0; MOST_CLASSES];
         let n = self.mesh.nodes_per_level();
         for level in 0..self.mesh.levels.len() - 1 {
@@ -165,8 +168,11 @@ impl FoodModel {
         Cut::new(&self.mesh.section, point, direction)
     }
 
-    /// Doneness of a cut by area.
+    /// Doneness of a cut by area; of a body of cells, of its middle cut.
     pub fn cut_shares(&self, state: &FoodState, cut: &Cut, scale: &Scale) -> Shares {
+        if self.cells().is_some() {
+            return self.cell_cut_shares(state, scale);
+        }
         let mut sums = [0.0; MOST_CLASSES];
         let n = self.mesh.nodes_per_level();
         let lengths = cut.lengths();

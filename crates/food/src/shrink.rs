@@ -54,7 +54,14 @@ impl FoodModel {
     /// thickness takes up the rest, so that volumes hold. What differs between levels bends the plate; its own
     /// weight holds it down (simply supported disc with relaxed modulus): w = (5+ν)/(64(1+ν)) p a⁴/D.
     pub fn shrink(&self, state: &mut FoodState) {
-        if self.is_slice() { self.shrink_as_a_plate(state) } else { self.shrink_freely(state) }
+        if self.cells().is_some() {
+            let rest = Rest::of(self);
+            self.shrink_evenly(state, |state, node| rest.relative_volume(self, state, node));
+        } else if self.is_slice() {
+            self.shrink_as_a_plate(state);
+        } else {
+            self.shrink_freely(state);
+        }
     }
 
     /// A body that is no plate takes the stiffness-weighted mean of its contraction across and stays unbent (what

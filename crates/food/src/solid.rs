@@ -34,6 +34,13 @@ pub enum Solid {
     Capsules(Vec<Capsule>),
     /// Convex hulls of points, whose faces have four corners [m].
     Hulls(Vec<Vec<[f64; 3]>>),
+    /// A closed surface that need not be convex.
+    Surface {
+        /// Corners [m].
+        points: Vec<[f64; 3]>,
+        /// Triangles, counter-clockwise seen from outside.
+        triangles: Vec<[u32; 3]>,
+    },
 }
 
 /// Strips into which a slice is cut across its length (chosen: their outline strays from the piece's by half a millimetre).
@@ -47,6 +54,7 @@ impl FoodModel {
         let lateral = state.stretch.lateral;
         let half_height = 0.5 * self.thickness(state);
         match (self.description.form, &self.mesh.path) {
+            (_, Path::Cells(cells)) => self.cell_solid(cells, state),
             (Form::Shrimp, Path::Stations(stations)) => Solid::Capsules(self.rods_along(state, stations)),
             (Form::Stick, Path::Stations(stations)) => {
                 let length = self.present_length(state, stations);

@@ -86,6 +86,11 @@ impl FoodModel {
         poses.clear();
         let at = |p: &Patch| PatchPose { position: positions[p.node as usize], normal: [0.0; 3] };
         poses.extend(self.patches.iter().map(at));
+        if let Some(cells) = self.cells() {
+            // A body that contracts alike in all directions keeps its normals.
+            poses.iter_mut().zip(&cells.patches).for_each(|(pose, patch)| pose.normal = patch.normal);
+            return;
+        }
         for (nodes, patches) in self.surface.triangles.iter().zip(&self.surface.patches) {
             let normal = twice_area(nodes.map(|node| positions[node as usize]));
             for &patch in patches {
@@ -112,7 +117,7 @@ impl FoodModel {
 
     /// Whether the body is a slice: its section carried straight upwards.
     pub fn is_slice(&self) -> bool {
-        !matches!(self.mesh.path, Path::Stations(_))
+        !matches!(self.mesh.path, Path::Stations(_) | Path::Cells(_))
     }
 
     /// Rest position of a node in the body frame, whose origin is that of [`FoodModel::positions`] [m].

@@ -135,6 +135,6 @@ fn smooth_step(x: f64) -> f64 {
 impl Form {
     /// Whether a root's core or a shaft's sheaths can lie in it.
     pub fn may_hold_tissues(self) -> bool {
-        self != Self::Shrimp
+        !matches!(self, Self::Shrimp | Self::Mesh)
     }
 }

@@ -33,7 +33,11 @@ impl Locator {
     /// Sorts a section's triangles into buckets about one triangle wide.
     pub fn new(section: &Section) -> Self {
         let (low, high) = bounds(section.points.iter().copied());
-        let cell = libm::sqrt(section.area() / section.triangles.len() as f64).max(1e-9) * 2.0;
+        // Scattered nodes have no triangles; one bucket of any width holds none of them.
+        let cell = match section.triangles.len() {
+            0 => 1.0,
+            count => libm::sqrt(section.area() / count as f64).max(1e-9) * 2.0,
+        };
         let columns = ((high[0] - low[0]) / cell) as usize + 1;
         let rows = ((high[1] - low[1]) / cell) as usize + 1;
         let mut locator = Self { origin: low, cell, columns, rows, buckets: vec![Vec::new(); columns * rows] };

@@ -1,7 +1,9 @@
-//! How a cross-section is carried into a body: straight up, straight up with uneven height, or along stations.
+//! How a cross-section is carried into a body: straight up, straight up with uneven height, or along stations; or not at
+//! all, where a body is made of cells.
 
 use crate::outline::Outline;
 use crate::section::{MeshError, Section};
+use crate::voronoi::CellMesh;
 
 /// One place of a path: the cross-section as it stands there, in a plane of space.
 #[derive(Clone, Debug)]
@@ -64,6 +66,8 @@ pub enum Path {
     Uneven(Vec<f64>),
     /// A station for each level.
     Stations(Vec<Station>),
+    /// No way at all: one level, whose nodes are those of a mesh of cells.
+    Cells(Box<CellMesh>),
 }
 
 impl Path {

@@ -5,6 +5,7 @@ use crate::outline::Outline;
 use crate::path::{Path, Station, cross, distance, dot};
 use crate::rule::{Rule, segment_shape};
 use crate::section::Section;
+use crate::voronoi::CellMesh;
 
 /// Least share of the way between two nodes that counts as along the path [-] (chosen: reached by folded paths alone).
 const SLIVER: f64 = 1e-3;
@@ -65,6 +66,26 @@ impl SweptMesh {
             mesh.graph = mesh.segments();
         }
         mesh
+    }
+
+    /// A body of cells: one level of nodes without a section between them.
+    pub fn of_cells(cells: CellMesh) -> Self {
+        let points = cells.positions.iter().map(|p| [p[0], p[1]]).collect();
+        let graph = cells.graph.clone();
+        Self { section: Section::scattered(points), levels: vec![0.0], path: Path::Cells(Box::new(cells)), graph }
+    }
+
+    /// The cells, where the body is made of them.
+    pub fn cells(&self) -> Option<&CellMesh> {
+        if let Path::Cells(cells) = &self.path { Some(cells) } else { None }
+    }
+
+    /// Distance of the first nodes below the surface from it [m].
+    pub fn first_layer(&self) -> f64 {
+        match &self.path {
+            Path::Cells(cells) => cells.fineness.first,
+            _ => self.levels.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min),
+        }
     }
 
     fn segments(&self) -> Graph {
@@ -160,9 +181,12 @@ impl SweptMesh {
         graph
     }
 
-    /// Whether the edge between two nodes runs along the path.
+    /// Whether the edge between two nodes runs along the path; in a body of cells, rather inwards than along the skin.
     #[inline]
     pub fn is_along(&self, a: usize, b: usize) -> bool {
+        if let Path::Cells(cells) = &self.path {
+            return cells.is_inward(a, b);
+        }
         a.abs_diff(b) == self.section.points.len()
     }
 
@@ -258,6 +282,9 @@ impl SweptMesh {
 
     /// Position of a node [m]: of an upright body from the bottom centre, else in the frame of the stations.
     pub fn position(&self, node: usize) -> [f64; 3] {
+        if let Path::Cells(cells) = &self.path {
+            return cells.positions[node];
+        }
         let n = self.nodes_per_level();
         let (level, i) = (node / n, node % n);
         if let Path::Stations(stations) = &self.path {
@@ -269,6 +296,9 @@ impl SweptMesh {
 
     /// Depth of a node below the nearer end of the path, or on stations below the skin if that is nearer [m].
     pub fn depth(&self, node: usize) -> f64 {
+        if let Path::Cells(cells) = &self.path {
+            return cells.depth[node];
+        }
         let (level, i) = (node / self.nodes_per_level(), node % self.nodes_per_level());
         let z = self.levels[level];
         let below_ends = z.min(self.thickness() - z) * self.path.column(i);

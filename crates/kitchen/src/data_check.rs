@@ -126,10 +126,66 @@ pub fn food(food: &FoodDescription, file: &str, text: &str) -> Result<(), Librar
     if let Some(anisotropy) = &food.anisotropy {
         check(file, text, &[ranged("anisotropy", "across", anisotropy.across, 0.05, 5.0)])?;
     }
+    shape(food, file, text)?;
     tissues(food, file, text)?;
+    colours(food, file, text)?;
     sizes(food, file, text)?;
     composition("lean", &food.lean, file, text)?;
     food.adipose.iter().try_for_each(|adipose| composition("adipose", adipose, file, text))
+}
+
+/// Sizes and outline belong to all forms but surfaces of the user's, which have a table of their own.
+fn shape(food: &FoodDescription, file: &str, text: &str) -> Result<(), LibraryError> {
+    let error = |table: &str, message: &str| {
+        let line = line_of(text, place(text, "", table));
+        Err(LibraryError { file: file.to_owned(), line, message: message.to_owned() })
+    };
+    if food.form != Form::Mesh {
+        return match (&food.mesh, food.size.is_set(), food.outline.is_set()) {
+            (Some(_), ..) => {
+                error("[mesh]", "[mesh] belongs to form = \"mesh\": leave it out, or write form = \"mesh\"")
+            }
+            (_, false, _) => error("form", "a table [size] is missing: write default_mm, min_mm and max_mm"),
+            (.., false) => error("form", "a table [outline] is missing: write exponent and ripple"),
+            _ => Ok(()),
+        };
+    }
+    let Some(mesh) = &food.mesh else {
+        return error("form", "form = \"mesh\" needs a table [mesh]: write file = \"my-piece.obj\"");
+    };
+    if food.outline.is_set() {
+        return error("[outline]", "[outline] does not go with form = \"mesh\": leave it out");
+    }
+    if mesh.fibres.is_some_and(|f| f.iter().all(|v| *v == 0.0) || f.iter().any(|v| !v.is_finite())) {
+        let line = line_of(text, place(text, "mesh", "fibres"));
+        let message = "fibres has no direction: write [x, y, z], for instance [0.0, 0.0, 1.0]".to_owned();
+        return Err(LibraryError { file: file.to_owned(), line, message });
+    }
+    mesh.scale_mm.map_or(Ok(()), |scale| check(file, text, &[ranged("mesh", "scale_mm", scale, 1e-6, 1e6)]))
+}
+
+/// L* from 0 to 100, a* and b* from −128 to 127.
+fn colours(food: &FoodDescription, file: &str, text: &str) -> Result<(), LibraryError> {
+    let c = &food.colour;
+    let mut all = vec![
+        ("colour", "raw", c.raw),
+        ("colour", "golden", c.golden),
+        ("colour", "crust", c.crust),
+        ("colour", "char", c.char),
+        ("colour", "fat_raw", c.fat_raw),
+        ("colour", "fat_cooked", c.fat_cooked),
+        ("colour", "fat_brown", c.fat_brown),
+    ];
+    all.extend(food.core.iter().map(|core| ("core", "colour", core.colour)));
+    all.extend(food.sheaths.iter().map(|sheaths| ("sheaths", "colour", sheaths.colour)));
+    for (table, key, lab) in all {
+        if !(0.0..=100.0).contains(&lab[0]) || lab[1..].iter().any(|v| !(-128.0..=127.0).contains(v)) {
+            let line = line_of(text, place(text, table, key));
+            let message = format!("{key} = {lab:?} is no colour: use L* 0 to 100, a* and b* -128 to 127");
+            return Err(LibraryError { file: file.to_owned(), line, message });
+        }
+    }
+    check(file, text, &[ranged("colour", "golden_at", c.golden_at, 0.01, 0.99)])
 }
 
 /// Tables that belong to some forms alone.
@@ -187,6 +243,9 @@ fn tissues(food: &FoodDescription, file: &str, text: &str) -> Result<(), Library
 
 /// As many sizes as the form has dimensions, ascending from smallest to largest.
 fn sizes(food: &FoodDescription, file: &str, text: &str) -> Result<(), LibraryError> {
+    if food.form == Form::Mesh && !food.size.is_set() {
+        return Ok(());
+    }
     let names = food.form.dimensions();
     let range = &food.size;
     let mut low = vec![2.0; names.len()];
@@ -401,7 +460,7 @@ fn check(file: &str, text: &str, numbers: &[Ranged]) -> Result<(), LibraryError>
 }
 
 /// Where a key of a table stands in a file, or its start.
-fn place(text: &str, table: &str, key: &str) -> usize {
+pub(crate) fn place(text: &str, table: &str, key: &str) -> usize {
     let start = if table.is_empty() { 0 } else { text.find(&format!("[{table}]")).unwrap_or(0) };
     let found = text[start..].match_indices(key).find(|(at, _)| text[..start + at].ends_with('\n') || start + at == 0);
     start + found.map_or(0, |(at, _)| at)

@@ -20,6 +20,7 @@ pub mod energy;
 pub mod group_summary;
 pub mod event;
 pub mod film_flow;
+pub mod food_check;
 pub mod hob;
 mod food_contact;
 mod heat_tick;

@@ -6,6 +6,8 @@ use std::sync::Arc;
 use include_dir::{Dir, include_dir};
 use saute_food::components::Components;
 use saute_food::{FoodDescription, Kinetics, Scale};
+use saute_heat::surface::EXTENT;
+use saute_heat::{Soup, Surface};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use toml::Spanned;
@@ -45,6 +47,10 @@ pub(crate) struct DonenessFile {
     pub(crate) scale: Vec<Spanned<Scale>>,
 }
 
+/// How far a body may be scaled where its file does not say [-] (chosen: a small one and a large one of a kind).
+const LEAST_SCALE: f64 = 0.5;
+const MOST_SCALE: f64 = 2.0;
+
 /// Everything a kitchen can be built from.
 #[derive(Clone, Debug)]
 pub struct Library {
@@ -79,13 +85,18 @@ impl Library {
     /// Each entry is a path like `foods/my-steak.toml`, `pans/…`, `recipes/…`, `kinetics/…` or `doneness.toml`, and its
     /// text.
     pub fn with(own: &[(String, String)]) -> Result<Self, LibraryError> {
+        Self::with_surfaces(own, &BTreeMap::new())
+    }
+
+    /// As [`Self::with`], with the triangles of the surfaces that foods name, by the path of the food's file.
+    pub fn with_surfaces(own: &[(String, String)], surfaces: &BTreeMap<String, Soup>) -> Result<Self, LibraryError> {
         let mut files: BTreeMap<String, String> = BTreeMap::new();
         collect(&DATA, "", &mut files);
         collect(&RECIPES, "recipes/", &mut files);
         files.extend(own.iter().cloned());
         let bare = parse_folder(&files, "pans/", data_check::pan)?;
         let coatings = parse_folder(&files, "coatings/", data_check::coating)?;
-        let library = Self {
+        let mut library = Self {
             foods: parse_folder(&files, "foods/", data_check::food)?,
             kinetics: parse_folder(&files, "kinetics/", data_check::kinetics)?,
             pans: with_coatings(bare, &coatings),
@@ -96,30 +107,29 @@ impl Library {
             room: parse(&files, "kitchen.toml")?,
             hob: parse(&files, "hobs/induction.toml")?,
         };
-        library.check_references()?;
+        for (id, food) in std::mem::take(&mut library.foods) {
+            let file = format!("foods/{id}.toml");
+            let food = with_body(food, surfaces.get(&file), &file, files.get(&file).map_or("", String::as_str))?;
+            library.foods.insert(id, food);
+        }
+        for (id, food) in &library.foods {
+            let file = format!("foods/{id}.toml");
+            library.check_kinetics(food, &file, files.get(&file).map_or("", String::as_str))?;
+        }
+        library.check_oils()?;
         Ok(library)
     }
 
-    fn check_references(&self) -> Result<(), LibraryError> {
-        for (id, food) in &self.foods {
-            if !self.kinetics.contains_key(&food.kinetics) {
-                return Err(LibraryError {
-                    file: format!("foods/{id}.toml"),
-                    line: 1,
-                    message: format!(
-                        "kinetics = \"{}\" is unknown; there are: {}",
-                        food.kinetics,
-                        Self::names(&self.kinetics)
-                    ),
-                });
-            }
-            self.kinetics[&food.kinetics].in_order("colour", &food.colour.change).map_err(|e| LibraryError {
-                file: format!("foods/{id}.toml"),
-                line: 1,
-                message: e.to_string(),
-            })?;
-        }
-        self.check_oils()
+    /// Checks that a food's kinetics are there and change what the food colours.
+    pub(crate) fn check_kinetics(&self, food: &FoodDescription, file: &str, text: &str) -> Result<(), LibraryError> {
+        let error = |line, message| LibraryError { file: file.to_owned(), line, message };
+        let Some(kinetics) = self.kinetics.get(&food.kinetics) else {
+            let known = Self::names(&self.kinetics);
+            let message = format!("kinetics = \"{}\" is unknown; there are: {known}", food.kinetics);
+            return Err(error(line_of(text, data_check::place(text, "", "kinetics")), message));
+        };
+        let line = || line_of(text, data_check::place(text, "colour", "change"));
+        kinetics.in_order("colour", &food.colour.change).map(|_| ()).map_err(|e| error(line(), e.to_string()))
     }
 
     /// The kitchen names oils that are there, and butter that melts.
@@ -217,6 +227,42 @@ fn parse_text<T: DeserializeOwned>(text: &str, file: &str) -> Result<T, LibraryE
 /// Line number, from 1, of a byte offset.
 pub(crate) fn line_of(text: &str, offset: usize) -> usize {
     1 + text.as_bytes()[..offset.min(text.len())].iter().filter(|&&b| b == b'\n').count()
+}
+
+/// The surface file that a food's text names, where it names one.
+pub fn surface_file(text: &str) -> Option<String> {
+    let parsed: toml::Table = text.parse().ok()?;
+    Some(parsed.get("mesh")?.as_table()?.get("file")?.as_str()?.to_owned())
+}
+
+/// A food with the body that its surface encloses, and with the sizes of that unless its file gives others.
+pub(crate) fn with_body(
+    mut food: FoodDescription,
+    soup: Option<&Soup>,
+    file: &str,
+    text: &str,
+) -> Result<FoodDescription, LibraryError> {
+    let Some(mesh) = food.mesh.clone() else { return Ok(food) };
+    let line = line_of(text, data_check::place(text, "mesh", "file"));
+    let error = |message| LibraryError { file: file.to_owned(), line, message };
+    let soup = soup.ok_or_else(|| error(format!("the surface \"{}\" was not read", mesh.file)))?;
+    let surface = close_surface(soup, &mesh.file, mesh.scale_mm).map_err(error)?;
+    if !food.size.is_set() {
+        let longest = 1e3 * surface.extent().into_iter().fold(0.0, f64::max);
+        food.size.default_mm = vec![longest];
+        food.size.min_mm = vec![(LEAST_SCALE * longest).max(1e3 * EXTENT[0])];
+        food.size.max_mm = vec![(MOST_SCALE * longest).min(1e3 * EXTENT[1])];
+        food.size.source = format!("as in {}", mesh.file);
+    }
+    food.body = Some(Arc::new(surface));
+    Ok(food)
+}
+
+/// Closes the triangles of a surface file, given the millimetres in one of its units; else says what is wrong and what
+/// to do.
+pub fn close_surface(soup: &Soup, name: &str, scale_mm: Option<f64>) -> Result<Surface, String> {
+    Surface::close(soup, 1e-3 * scale_mm.unwrap_or(soup.unit_mm))
+        .map_err(|defect| format!("{name} is not sound: {defect}; {}", defect.remedy()))
 }
 
 fn with_coatings(

@@ -7,6 +7,7 @@ mod bad_input;
 mod cooked;
 mod data_folder;
 mod doneness;
+mod food_check;
 mod groups;
 mod layers;
 mod lists;

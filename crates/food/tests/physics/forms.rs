@@ -142,6 +142,7 @@ fn support(solid: &Solid, d: [f64; 3]) -> f64 {
         Solid::Cylinder { radius, half_height } => radius * d[0].hypot(d[1]) + half_height * d[2].abs(),
         Solid::Cuboid { half } => (0..3).map(|k| half[k] * d[k].abs()).sum(),
         Solid::Hulls(hulls) => hulls.iter().map(|h| of(h)).fold(f64::NEG_INFINITY, f64::max),
+        Solid::Surface { points, .. } => of(points),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Promise: a piece of food keeps its energy and water in balance, obeys the maximum principle, stays wet at 100 °C,
 //! and never un-cooks.
 
+mod cells;
 mod forms;
 mod run;
 mod shrinking;

@@ -19,9 +19,15 @@ pub fn model(kind: &str, coarseness: f64, size: [f64; 3]) -> FoodModel {
 }
 
 pub fn piece(kind: &str, spec: &PieceSpec) -> FoodModel {
+    shaped(kind, spec, |_| {})
+}
+
+/// A piece of a food whose description is changed first.
+pub fn shaped(kind: &str, spec: &PieceSpec, change: impl Fn(&mut FoodDescription)) -> FoodModel {
     let data = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
     let read = |path: String| std::fs::read_to_string(data.join(path)).expect("data file");
-    let food: FoodDescription = toml::from_str(&read(format!("foods/{kind}.toml"))).expect("food");
+    let mut food: FoodDescription = toml::from_str(&read(format!("foods/{kind}.toml"))).expect("food");
+    change(&mut food);
     let kinetics: Kinetics = toml::from_str(&read(format!("kinetics/{}.toml", food.kinetics))).expect("kinetics");
     let components: Components = toml::from_str(&read("components.toml".into())).expect("components");
     FoodModel::build(&food, &kinetics, &components, spec).expect("builds")

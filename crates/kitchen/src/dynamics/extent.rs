@@ -15,6 +15,7 @@ pub fn reach(solid: &Solid, along: DVec3) -> f64 {
             .iter()
             .flat_map(|c| c.ends.map(|e| DVec3::from_array(e).dot(along) + c.radius))
             .fold(f64::NEG_INFINITY, f64::max),
+        Solid::Surface { points, .. } => farthest(&mut points.iter().map(|p| DVec3::from_array(*p))),
         Solid::Hulls(hulls) => farthest(&mut hulls.iter().flatten().map(|p| DVec3::from_array(*p))),
     }
 }
@@ -28,6 +29,7 @@ pub fn radius(solid: &Solid) -> f64 {
         Solid::Capsules(capsules) => {
             capsules.iter().flat_map(|c| c.ends.map(|e| far(&e) + c.radius)).fold(0.0, f64::max)
         }
+        Solid::Surface { points, .. } => points.iter().map(far).fold(0.0, f64::max),
         Solid::Hulls(hulls) => hulls.iter().flatten().map(far).fold(0.0, f64::max),
     }
 }
@@ -63,6 +65,7 @@ pub fn outline(solid: &Solid, rotation: DQuat) -> Vec<[f64; 2]> {
                 })
             })
             .collect(),
+        Solid::Surface { points, .. } => points.iter().map(|p| seen(DVec3::from_array(*p))).collect(),
         Solid::Hulls(hulls) => hulls.iter().flatten().map(|p| seen(DVec3::from_array(*p))).collect(),
     }
 }

@@ -23,6 +23,10 @@ pub fn shapes(solid: &Solid) -> Vec<(SolverPose, SharedShape)> {
             .iter()
             .map(|c| (here, SharedShape::capsule(point(&c.ends[0]), point(&c.ends[1]), length(c.radius))))
             .collect(),
+        Solid::Surface { points, triangles } => {
+            let points: Vec<Vector> = points.iter().map(point).collect();
+            convex_parts(&points, triangles).into_iter().map(|hull| (here, hull)).collect()
+        }
         Solid::Hulls(hulls) => hulls
             .iter()
             .filter_map(|points| SharedShape::convex_hull(&points.iter().map(point).collect::<Vec<Vector>>()))
@@ -31,12 +35,22 @@ pub fn shapes(solid: &Solid) -> Vec<(SolverPose, SharedShape)> {
     }
 }
 
+/// Convex parts of a closed surface; its hull where it cannot be taken apart.
+fn convex_parts(points: &[Vector], triangles: &[[u32; 3]]) -> Vec<SharedShape> {
+    let whole = SharedShape::convex_decomposition(points, triangles);
+    if let Some(compound) = whole.as_compound() {
+        return compound.shapes().iter().map(|(_, shape)| shape.clone()).collect();
+    }
+    SharedShape::convex_hull(points).into_iter().collect()
+}
+
 /// Name of what a solid collides as, for tables.
 pub fn name(solid: &Solid) -> &'static str {
     match solid {
         Solid::Cylinder { .. } => "cylinder",
         Solid::Cuboid { .. } => "cuboid",
         Solid::Capsules(_) => "capsules",
+        Solid::Surface { .. } => "convex decomposition",
         Solid::Hulls(_) => "convex hulls",
     }
 }

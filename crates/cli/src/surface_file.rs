@@ -1,0 +1,30 @@
+//! Surface files of the user's.
+
+use std::path::Path;
+
+use saute_kitchen::heat::Soup;
+
+use crate::error::CliError;
+
+/// Larger files are not read [bytes] (chosen: 100,000 triangles take 20 MB as text).
+const LARGEST: u64 = 128 << 20;
+
+/// Reads the triangles of a surface file, or says why not.
+pub fn read(path: &Path) -> Result<Soup, CliError> {
+    let bytes = bytes(path).map_err(|e| {
+        CliError::place(path.display(), format!("cannot be read: {e}"), "check the path of the surface")
+    })?;
+    if bytes.len() as u64 > LARGEST {
+        return Err(CliError::place(path.display(), "is larger than 128 MiB", "reduce it in your modeller (decimate)"));
+    }
+    let beside = |name: &str| self::bytes(&path.with_file_name(name)).ok();
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    saute_surface::read(&name, &bytes, beside).map_err(|e| CliError::place(path.display(), e.message, e.remedy))
+}
+
+fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
+    use std::io::Read;
+    let mut bytes = Vec::new();
+    std::fs::File::open(path)?.take(LARGEST + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}

@@ -1,0 +1,98 @@
+//! A tree of boxes around a surface's triangles.
+
+use super::Surface;
+use crate::vector::{Vec3, bounds};
+
+/// Triangles in a leaf (chosen: fewer make more boxes than they spare tests).
+const LEAF: usize = 4;
+
+/// A box, and what lies in it.
+#[derive(Clone, Debug)]
+struct Node {
+    low: Vec3,
+    high: Vec3,
+    /// First of its triangles in the order, and their number; for a branch the number is 0 and the children are the
+    /// next node and `first`.
+    first: u32,
+    count: u32,
+}
+
+/// Boxes within boxes.
+#[derive(Clone, Debug)]
+pub struct TriangleTree {
+    nodes: Vec<Node>,
+    order: Vec<u32>,
+}
+
+impl TriangleTree {
+    /// Sorts a surface's triangles into boxes.
+    pub fn new(surface: &Surface) -> Self {
+        let boxes: Vec<[Vec3; 2]> = (0..surface.triangles.len()).map(|t| bounds(surface.corners(t))).collect();
+        let mut tree = Self { nodes: Vec::new(), order: (0..boxes.len() as u32).collect() };
+        tree.split(&boxes, 0, boxes.len());
+        tree
+    }
+
+    fn split(&mut self, boxes: &[[Vec3; 2]], from: usize, to: usize) {
+        let inside = self.order[from..to].iter().flat_map(|&t| boxes[t as usize]);
+        let [low, high] = bounds(inside);
+        let here = self.nodes.len();
+        self.nodes.push(Node { low, high, first: from as u32, count: (to - from) as u32 });
+        if to - from <= LEAF {
+            return;
+        }
+        let axis = (0..3).max_by(|&a, &b| (high[a] - low[a]).total_cmp(&(high[b] - low[b]))).unwrap_or(0);
+        let middle = (from + to) / 2;
+        let centre = |t: &u32| boxes[*t as usize][0][axis] + boxes[*t as usize][1][axis];
+        self.order[from..to]
+            .select_nth_unstable_by(middle - from, |a, b| centre(a).total_cmp(&centre(b)).then(a.cmp(b)));
+        self.split(boxes, from, middle);
+        self.nodes[here].first = self.nodes.len() as u32;
+        self.nodes[here].count = 0;
+        self.split(boxes, middle, to);
+    }
+
+    /// Visits the triangles whose boxes overlap a box.
+    pub fn overlapping(&self, low: Vec3, high: Vec3, mut visit: impl FnMut(u32)) {
+        let mut stack = vec![0usize];
+        while let Some(at) = stack.pop() {
+            let node = &self.nodes[at];
+            if (0..3).any(|k| node.low[k] > high[k] || node.high[k] < low[k]) {
+                continue;
+            }
+            if node.count == 0 {
+                stack.extend([at + 1, node.first as usize]);
+            } else {
+                self.order[node.first as usize..(node.first + node.count) as usize].iter().for_each(|&t| visit(t));
+            }
+        }
+    }
+
+    /// Visits triangles near a point, nearer boxes first; `visit` returns the square of the distance within which it
+    /// still wants any.
+    pub fn nearest(&self, p: Vec3, mut visit: impl FnMut(u32) -> f64) {
+        let mut stack = vec![(0usize, self.gap(0, p))];
+        let mut within = f64::INFINITY;
+        while let Some((at, gap)) = stack.pop() {
+            if gap > within {
+                continue;
+            }
+            let node = &self.nodes[at];
+            if node.count == 0 {
+                let (a, b) = (at + 1, node.first as usize);
+                let (ga, gb) = (self.gap(a, p), self.gap(b, p));
+                stack.extend(if ga < gb { [(b, gb), (a, ga)] } else { [(a, ga), (b, gb)] });
+            } else {
+                for &t in &self.order[node.first as usize..(node.first + node.count) as usize] {
+                    within = visit(t);
+                }
+            }
+        }
+    }
+
+    /// Square of the distance of a point from a box.
+    fn gap(&self, node: usize, p: Vec3) -> f64 {
+        let Node { low, high, .. } = &self.nodes[node];
+        (0..3).map(|k| (low[k] - p[k]).max(p[k] - high[k]).max(0.0)).map(|d| d * d).sum()
+    }
+}

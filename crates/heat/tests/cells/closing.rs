@@ -1,0 +1,123 @@
+//! Promise: what is wrong with a surface is told with its number, place and remedy, and nothing wrong is meshed.
+
+use saute_heat::{Defect, Soup, Surface};
+
+use crate::bodies::{ball, brick, loose, prism, soup};
+
+const MM: f64 = 1e-3;
+
+fn close(soup: &Soup) -> Result<Surface, Defect> {
+    Surface::close(soup, MM)
+}
+
+fn cube() -> Soup {
+    brick([0.0; 3], [20.0; 3])
+}
+
+fn joined(parts: &[Soup]) -> Soup {
+    soup(&parts.iter().flat_map(loose).collect::<Vec<_>>())
+}
+
+#[test]
+fn loose_corners_are_joined_and_measured() {
+    let surface = close(&cube()).unwrap();
+    assert_eq!((surface.vertices.len(), surface.triangles.len()), (8, 12));
+    assert!((surface.volume() / 8e-6 - 1.0).abs() < 1e-12 && (surface.area() / 24e-4 - 1.0).abs() < 1e-12);
+    for (c, expected) in surface.centroid().iter().zip([0.01; 3]) {
+        assert!((c - expected).abs() < 1e-12);
+    }
+    assert_eq!(close(&ball(10.0, 3)).unwrap().vertices.len(), 642);
+}
+
+#[test]
+fn a_body_inside_out_is_turned() {
+    let mut inverted = cube();
+    inverted.triangles.iter_mut().for_each(|t| t.swap(0, 1));
+    assert!(close(&inverted).unwrap().volume() > 0.0);
+}
+
+#[test]
+fn a_hole_is_told_with_its_edges() {
+    let mut open = cube();
+    open.triangles.remove(3);
+    let defect = close(&open).unwrap_err();
+    assert!(matches!(defect, Defect::Open(t) if t.count == 3), "{defect}");
+    assert!(defect.to_string().contains("not closed: edges with one triangle alone: 3, the first at ("), "{defect}");
+    assert!(defect.remedy().contains("fill the holes"));
+}
+
+#[test]
+fn a_turned_triangle_is_told() {
+    let mut turned = cube();
+    turned.triangles[5].swap(0, 1);
+    assert!(matches!(close(&turned), Err(Defect::Orientation(t)) if t.count == 3));
+}
+
+#[test]
+fn bodies_that_share_an_edge_or_a_corner_are_told() {
+    let edge = joined(&[cube(), brick([20.0, 20.0, 0.0], [20.0; 3])]);
+    assert!(matches!(close(&edge), Err(Defect::NonManifold(t)) if t.count == 1), "{:?}", close(&edge));
+    let corner = joined(&[cube(), brick([20.0, 20.0, 20.0], [20.0; 3])]);
+    assert!(matches!(close(&corner), Err(Defect::Bodies(t)) if t.count == 2), "{:?}", close(&corner));
+}
+
+#[test]
+fn separate_bodies_and_hollows_are_told() {
+    let apart = joined(&[cube(), brick([50.0, 0.0, 0.0], [10.0; 3])]);
+    assert!(matches!(close(&apart), Err(Defect::Bodies(t)) if t.count == 2));
+    let mut hollow = brick([5.0; 3], [5.0; 3]);
+    hollow.triangles.iter_mut().for_each(|t| t.swap(0, 1));
+    assert!(matches!(close(&joined(&[cube(), hollow])), Err(Defect::Bodies(_))));
+}
+
+#[test]
+fn triangles_without_area_are_told() {
+    let mut sliver = loose(&cube());
+    // The first triangle's first edge gets a corner in its middle that leaves a triangle without height.
+    let [a, b, c] = sliver[0];
+    let middle = [0, 1, 2].map(|k| 0.5 * (a[k] + b[k]));
+    sliver[0] = [a, b, middle];
+    sliver.extend([[a, middle, c], [middle, b, c]]);
+    assert!(matches!(close(&soup(&sliver)), Err(Defect::Degenerate(t)) if t.count == 1));
+}
+
+#[test]
+fn sizes_out_of_range_are_told_with_the_remedy() {
+    let thin = close(&brick([0.0; 3], [20.0, 20.0, 1.0])).unwrap_err();
+    assert!(matches!(thin, Defect::TooSmall(_)) && thin.remedy().contains("scale_mm"), "{thin}");
+    let metres = Surface::close(&cube(), 1.0).unwrap_err();
+    assert!(metres.to_string().contains("20000 mm long"), "{metres}");
+}
+
+#[test]
+fn a_body_that_crosses_itself_is_told() {
+    // A long prism bent back through itself: its top is pushed down through its bottom.
+    let square = [[-10.0, -10.0], [10.0, -10.0], [10.0, 10.0], [-10.0, 10.0]];
+    let mut pushed = prism(&square, 20.0);
+    pushed.vertices.iter_mut().filter(|p| p[0] == 0.0 && p[2] == 20.0).for_each(|p| p[2] = -7.0);
+    let defect = close(&pushed).unwrap_err();
+    assert!(matches!(defect, Defect::Crossing(t) if t.count >= 4), "{defect}");
+    let mut sound = prism(&square, 20.0);
+    sound.vertices.iter_mut().filter(|p| p[0] == 0.0 && p[2] == 20.0).for_each(|p| p[2] = 7.0);
+    assert!(close(&sound).is_ok(), "a dent that ends inside crosses nothing");
+}
+
+#[test]
+fn folded_faces_that_lie_on_each_other_are_told() {
+    // A flat fold: the top's middle pulled sideways in the top's plane beyond an edge.
+    let square = [[-10.0, -10.0], [10.0, -10.0], [10.0, 10.0], [-10.0, 10.0]];
+    let mut folded = prism(&square, 20.0);
+    folded.vertices.iter_mut().filter(|p| p[0] == 0.0 && p[2] == 20.0).for_each(|p| p[0] = 14.0);
+    assert!(matches!(close(&folded), Err(Defect::Crossing(_))), "{:?}", close(&folded));
+}
+
+#[test]
+fn what_is_no_surface_is_told() {
+    assert_eq!(close(&Soup::default()), Err(Defect::Empty));
+    let mut broken = cube();
+    broken.vertices[4][1] = f64::NAN;
+    assert_eq!(close(&broken), Err(Defect::NotFinite(1)));
+    broken = cube();
+    broken.triangles[0][0] = 99;
+    assert_eq!(close(&broken), Err(Defect::NoSuchVertex(99)));
+}

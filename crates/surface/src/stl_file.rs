@@ -1,0 +1,46 @@
+//! STL files.
+
+use std::borrow::Cow;
+use std::io::Cursor;
+
+use crate::{DAMAGED, ReadError, Soup};
+
+/// Bytes before the triangles of a binary file, and of each triangle.
+const HEAD: usize = 84;
+const TRIANGLE: usize = 50;
+
+/// Reads a binary or ASCII file.
+pub fn read(bytes: &[u8]) -> Result<Soup, ReadError> {
+    let prepared = prepare(bytes)?;
+    let error = |e: std::io::Error| ReadError::new(format!("is no sound STL file: {e}"), DAMAGED);
+    let mut cursor = Cursor::new(prepared.as_ref());
+    let mut soup = Soup::default();
+    for triangle in stl_io::create_stl_reader(&mut cursor).map_err(error)? {
+        let first = soup.vertices.len() as u32;
+        soup.vertices.extend(triangle.map_err(error)?.vertices.map(|v| v.0.map(f64::from)));
+        soup.triangles.push([first, first + 1, first + 2]);
+    }
+    Ok(soup)
+}
+
+/// Tells binary from ASCII by the length, not by the first word: many binary files begin with "solid" too.
+fn prepare(bytes: &[u8]) -> Result<Cow<'_, [u8]>, ReadError> {
+    let told = bytes.get(HEAD - 4..HEAD).and_then(|b| b.try_into().ok()).map(u32::from_le_bytes);
+    let needed = told.map(|n| HEAD as u64 + TRIANGLE as u64 * u64::from(n));
+    let is_text = bytes.starts_with(b"solid");
+    match needed {
+        Some(needed) if bytes.len() as u64 == needed => {
+            let mut plain = bytes.to_vec();
+            plain[..5].fill(0);
+            Ok(Cow::Owned(plain))
+        }
+        Some(needed) if !is_text => {
+            let message = format!("is cut short or too long: {} bytes instead of {needed}", bytes.len());
+            Err(ReadError::new(message, DAMAGED))
+        }
+        None if !is_text => Err(ReadError::new("is no STL file", DAMAGED)),
+        // A body without a name is legal and frequent.
+        _ if bytes.get(5) != Some(&b' ') => Ok(Cow::Owned([b"solid ", &bytes[5..]].concat())),
+        _ => Ok(Cow::Borrowed(bytes)),
+    }
+}
