@@ -71,7 +71,7 @@ impl Kitchen {
             let legs = task.legs(&self.world);
             if !legs.is_empty() {
                 let spared = matches!(task, Task::Flip { .. }).then(|| task.key());
-                self.hand.begin(task.tool(), legs, spared, &self.world);
+                self.hand.begin(task.tool(&self.world), legs, spared, &self.world);
                 self.at_work = Some(task);
             }
         }

@@ -23,6 +23,10 @@ const LAY: f64 = 0.2e-3;
 /// The same for one that is dropped onto others [m] (chosen).
 const HEAP: f64 = 4.0e-3;
 
+/// Distances that food on the board keeps from its edge and from other food [m] (chosen: fingers need them).
+const MARGIN: f64 = 0.015;
+const BESIDE: f64 = 0.005;
+
 impl Kitchen {
     /// Carries out a command, or says why not.
     pub fn apply(&mut self, command: &Command) -> Result<(), Refused> {
@@ -146,14 +150,14 @@ impl Kitchen {
         let taken: Vec<([f64; 2], f64)> = self.on_board();
         let own = self.world.solid(piece.key).map_or(0.0, radius);
         let (nx, ny) = (17, 13);
-        let along = |i: usize, n: usize, half: f64| (half - own).max(0.0) * (2.0 * i as f64 / (n - 1) as f64 - 1.0);
+        let along = |i: usize, n: usize, half: f64| (half - own - MARGIN).max(0.0) * (2.0 * i as f64 / (n - 1) as f64 - 1.0);
         let places = (0..nx).flat_map(|i| (0..ny).map(move |j| (i, j)));
         let places = places.map(|(i, j)| {
             [BOARD_AT.x + along(i, nx, BOARD_HALF.x), BOARD_AT.y + along(j, ny, BOARD_HALF.y)]
         });
         let room = |p: &[f64; 2]| {
             let gaps = taken.iter().map(|(q, r)| libm::hypot(p[0] - q[0], p[1] - q[1]) - r - own);
-            gaps.fold(f64::INFINITY, f64::min)
+            gaps.fold(f64::INFINITY, f64::min) - BESIDE
         };
         let mut best = ([BOARD_AT.x, BOARD_AT.y], room(&[BOARD_AT.x, BOARD_AT.y]));
         for place in places {

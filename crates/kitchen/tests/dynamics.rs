@@ -53,7 +53,6 @@ fn fastest(kitchen: &Kitchen) -> f64 {
 #[test]
 fn forty_pieces_come_to_rest_within_two_seconds_and_sink_nowhere() {
     let (mut kitchen, ids) = kitchen(&[("carrot-coin", 15), ("leek-ring", 10), ("shrimp", 15)]);
-    kitchen.let_sleep(false);
     put_heaped(&mut kitchen, &ids);
     (0..20).for_each(|_| kitchen.step());
     let (mut speed, mut depth) = (0.0f64, 0.0f64);

@@ -354,12 +354,14 @@ fn a_group_lies_side_by_side_is_turned_and_taken_out_as_one() {
         "end = true",
     ];
     let cook = cook_through(&with(&steps)).unwrap();
+    let places: Vec<_> = cook.kitchen.pieces().iter().map(|p| (p.id.clone(), p.place.name(), p.up()[2])).collect();
+    println!("{places:?}");
     let names: Vec<(&str, usize)> = cook.steps.iter().map(|s| (s.action, s.foods.len())).collect();
     assert_eq!(names, [("put", 11), ("flip", 11), ("rest", 1), ("rest", 10), ("end", 0)]);
     assert_eq!(cook.steps[0].target.as_deref(), Some("carrots"));
     let pieces = cook.kitchen.pieces();
-    assert!(pieces[1..].iter().all(|p| p.flipped_at == Some(1.0)));
-    assert!(pieces[0].flipped_at.is_none());
+    assert!(pieces[1..].iter().all(saute_kitchen::Piece::upside_down));
+    assert!(!pieces[0].upside_down());
 }
 
 /// The moment at which the group's condition holds is that of its last piece, not of its first.

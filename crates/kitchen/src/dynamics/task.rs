@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::extent::reach;
+use super::extent::{radius, reach};
 use super::hand::{Act, Frame, Leg, Tool};
 use super::pose::{Pose, turn};
 use super::world::{BOARD_AT, World};
@@ -51,6 +51,8 @@ pub enum Task {
 
 /// How high food is carried above the table, over the pan's rim [m] (chosen).
 const CARRY: f64 = 0.12;
+/// Radius up to which a piece is turned with tongs [m] (chosen: a blade would catch its neighbours).
+const SMALL: f64 = 0.035;
 /// Height from which a tool lets go [m] (chosen: a millimetre).
 const DROP: f64 = 0.001;
 
@@ -66,10 +68,12 @@ impl Task {
         }
     }
 
-    /// The tool it is done with.
-    pub fn tool(&self) -> Tool {
+    /// The tool it is done with: the turner for what fills its blade, tongs for small pieces among others.
+    pub fn tool(&self, world: &World) -> Tool {
+        let large = world.solid(self.key()).is_some_and(|s| radius(s) > SMALL);
         match self {
-            Self::Flip { .. } | Self::Press { .. } => Tool::Turner,
+            Self::Flip { .. } if large => Tool::Turner,
+            Self::Press { .. } => Tool::Turner,
             _ => Tool::Tongs,
         }
     }

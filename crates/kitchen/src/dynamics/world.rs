@@ -45,6 +45,9 @@ const RECYCLING: f32 = 0.01;
 /// Mass change after which a body is weighed anew [-] (chosen).
 const NEW_MASS: f64 = 0.01;
 
+/// Speed below which a body may go to rest [TYPICAL/s] (chosen: a centimetre a second; wet food sticks where it creeps).
+const RESTING: f32 = 0.5;
+
 const FOOD_INSIDE: Group = Group::GROUP_1;
 const FOOD_OUTSIDE: Group = Group::GROUP_2;
 const PAN_FLOOR: Group = Group::GROUP_3;
@@ -549,7 +552,7 @@ fn met_by(collider: ColliderBuilder, group: Group, by: Group, against: Against) 
 fn set_sleep(body: &mut RigidBody, may_sleep: bool) {
     let activation = body.activation_mut();
     let default = rapier3d::dynamics::RigidBodyActivation::active();
-    activation.normalized_linear_threshold = if may_sleep { default.normalized_linear_threshold } else { -1.0 };
+    activation.normalized_linear_threshold = if may_sleep { RESTING } else { -1.0 };
     activation.angular_threshold = if may_sleep { default.angular_threshold } else { -1.0 };
 }
 
