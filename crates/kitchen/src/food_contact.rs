@@ -1,7 +1,6 @@
 //! Heat between foods that touch: patches of one that face patches of another.
 
-use glam::DVec3;
-use saute_food::PatchPose;
+use glam::{DMat3, DVec3};
 
 use crate::dynamics::Pose;
 use crate::piece::Piece;
@@ -51,34 +50,92 @@ impl Touching {
     }
 }
 
+/// A patch of the second piece that may be touched, seen from the first.
+#[derive(Clone, Copy, Debug)]
+struct Candidate {
+    patch: u32,
+    position: DVec3,
+    normal: DVec3,
+    area: f64,
+}
+
 /// For each patch of `a` the nearest patch of `b` that faces it within reach; `b`'s pose is seen from `a`.
 fn links(a: &Piece, b: &Piece, relative: &Pose) -> Vec<Link> {
-    let seen = |p: &PatchPose| {
-        (relative.to_world(DVec3::from_array(p.position)), relative.rotation * DVec3::from_array(p.normal))
+    let places = |piece: &Piece| -> Vec<DVec3> {
+        piece.patch_poses().iter().map(|p| DVec3::from_array(p.position)).collect()
     };
-    let others: Vec<(DVec3, DVec3)> = b.patch_poses().iter().map(seen).collect();
-    let (low, high) = bounds(a.patch_poses().iter().map(|p| DVec3::from_array(p.position)));
-    let near: Vec<usize> = (0..others.len()).filter(|&i| within(others[i].0, low, high)).collect();
-    let (low, high) = bounds(near.iter().map(|&i| others[i].0));
+    let (own, turn) = (places(a), DMat3::from_quat(relative.rotation));
+    let (candidates, widest) = candidates(b, bounds(own.iter().copied()), relative.position, turn);
+    let (low, high) = bounds(candidates.iter().map(|c| c.position));
+    let sorted = Sorted::along_longest(candidates);
     let mut links = Vec::new();
-    for (i, pose) in a.patch_poses().iter().enumerate() {
-        let (p, n) = (DVec3::from_array(pose.position), DVec3::from_array(pose.normal));
-        let area = a.patch_area(i);
-        if area <= 0.0 || !within(p, low, high) {
+    for (i, (p, pose)) in own.iter().zip(a.patch_poses()).enumerate() {
+        if !within(*p, low, high) {
             continue;
         }
-        let facing = near.iter().copied().filter(|&j| others[j].1.dot(n) < FACING && b.patch_area(j) > 0.0);
-        let nearest = facing.min_by(|&j, &k| (others[j].0 - p).length_squared().total_cmp(&(others[k].0 - p).length_squared()));
-        let Some(j) = nearest else { continue };
-        let way = others[j].0 - p;
-        let off = way.dot(n);
-        let beside = (way - off * n).length_squared();
-        if off.abs() < TOUCHING && beside < area + b.patch_area(j) {
-            links.push(Link { a: i as u32, b: j as u32, area });
+        let (area, n) = (a.patch_area(i), DVec3::from_array(pose.normal));
+        // What lies farther off is not touched.
+        let reach = libm::sqrt(TOUCHING * TOUCHING + area + widest);
+        if area > 0.0
+            && let Some(other) = sorted.nearest_facing(*p, n, reach)
+            && touches(other.position - *p, n, area + other.area)
+        {
+            links.push(Link { a: i as u32, b: other.patch, area });
         }
     }
     share_out(&mut links, |j| b.patch_area(j as usize));
     links
+}
+
+fn touches(way: DVec3, normal: DVec3, areas: f64) -> bool {
+    let off = way.dot(normal);
+    off.abs() < TOUCHING && (way - off * normal).length_squared() < areas
+}
+
+/// Patches of a piece within a box of the other's frame, and the largest of their areas [m²].
+fn candidates(b: &Piece, (low, high): (DVec3, DVec3), at: DVec3, turn: DMat3) -> (Vec<Candidate>, f64) {
+    let mut found = Vec::new();
+    let mut widest = 0.0f64;
+    for (j, pose) in b.patch_poses().iter().enumerate() {
+        let position = at + turn * DVec3::from_array(pose.position);
+        let area = if within(position, low, high) { b.patch_area(j) } else { 0.0 };
+        if area > 0.0 {
+            widest = widest.max(area);
+            found.push(Candidate { patch: j as u32, position, normal: turn * DVec3::from_array(pose.normal), area });
+        }
+    }
+    (found, widest)
+}
+
+/// Candidates in the order of one coordinate, so that a few of them need to be looked at for each place.
+struct Sorted {
+    axis: usize,
+    candidates: Vec<Candidate>,
+}
+
+impl Sorted {
+    fn along_longest(mut candidates: Vec<Candidate>) -> Self {
+        let (low, high) = bounds(candidates.iter().map(|c| c.position));
+        let axis = (high - low).to_array().into_iter().enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |m| m.0);
+        candidates.sort_by(|p, q| p.position[axis].total_cmp(&q.position[axis]));
+        Self { axis, candidates }
+    }
+
+    /// The nearest candidate within `reach` of a place that faces a normal.
+    fn nearest_facing(&self, place: DVec3, normal: DVec3, reach: f64) -> Option<&Candidate> {
+        let from = self.candidates.partition_point(|c| c.position[self.axis] < place[self.axis] - reach);
+        let mut nearest = (reach * reach, None);
+        for candidate in &self.candidates[from..] {
+            if candidate.position[self.axis] > place[self.axis] + reach {
+                break;
+            }
+            let distance = (candidate.position - place).length_squared();
+            if distance < nearest.0 && candidate.normal.dot(normal) < FACING {
+                nearest = (distance, Some(candidate));
+            }
+        }
+        nearest.1
+    }
 }
 
 /// No patch of the second piece touches over more than its own area.
