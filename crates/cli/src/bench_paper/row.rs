@@ -142,7 +142,24 @@ fn colliders(kitchen: &Kitchen) -> String {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used)]
     use super::*;
+
+    #[test]
+    fn a_row_tells_every_number() {
+        let case = cases().into_iter().find(|c| c.table == "4" && c.scene.shaking).unwrap();
+        let row = measure(&case, &Library::embedded().unwrap()).unwrap();
+        let row = serde_json::to_value(row).unwrap();
+        for key in ["max_penetration_mm", "core_rise_k", "cycles_per_s", "ratio", "runs"] {
+            assert!(!row[key].is_null(), "{key}: {row}");
+        }
+        // A carrot of 54 and a shrimp of 119 vertices.
+        assert_eq!((&row["nodes"], &row["carrots"], &row["shrimps"]), (&173.into(), &1.into(), &1.into()));
+        assert_eq!((&row["table"], &row["mesh"], &row["rule"]), (&"4".into(), &"2013".into(), &"segments".into()));
+        assert_eq!((&row["collider"], &row["lost"]), (&"capsules, cylinder".into(), &0.into()));
+        assert_eq!((&row["published"], &row["goal"], &row["shaking"]), (&333.0.into(), &3330.0.into(), &true.into()));
+        assert!(row["rigid_hz"].as_u64().unwrap() >= 120 && row["cycles_per_s"].as_f64().unwrap() > 0.0);
+    }
 
     #[test]
     fn thirty_five_shrimps_are_wanted_at_1200_at_rest_600_shaken_and_240_at_our_meshes() {

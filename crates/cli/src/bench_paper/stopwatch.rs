@@ -8,9 +8,9 @@ use super::scene::Scene;
 use crate::error::CliError;
 
 /// Runs of which the median counts.
-pub const RUNS: usize = 5;
+pub const RUNS: usize = 7;
 /// Stretches of a run, between which the clock stands and bodies are looked at.
-const STRETCHES: usize = 5;
+const STRETCHES: usize = 10;
 /// Frames in a stretch: two ticks of heat.
 const FRAMES: usize = 12;
 

@@ -13,7 +13,7 @@ const HEAD: &str = "table  carrots  shrimps    nodes  pan     cycles/s  publishe
 /// A table for people.
 pub fn text(bench: &PaperBench) -> String {
     let mut text = String::from(
-        "Cycles a second: rigid bodies, contacts, heat and changes of 1/60 s; medians of 5 runs, bodies never asleep.\n\
+        "Cycles a second: rigid bodies, contacts, heat and changes of 1/60 s; medians of 7 runs, bodies never asleep.\n\
          Published figures come from hardware of 2009.\n",
     );
     for (mesh, title) in [
