@@ -6,6 +6,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 use saute_kitchen::library::DEFAULT_SCALE;
 
 use crate::bench_heat::BenchHeatArgs;
+use crate::bench_paper::BenchPaperArgs;
 use crate::picture::{BenchFrameArgs, ShotArgs};
 
 /// A frying pan, what lies in it, and your hands on it. Without a command the window opens.
@@ -21,7 +22,7 @@ pub struct Args {
     pub command: Option<Command>,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done, 1 the recipe was stopped by its max_s or a validation case falls short, 2 something was wrong.";
+const EXIT_CODES: &str = "Exit codes: 0 done, 1 the recipe was stopped by its max_s, a validation case falls short or a goal of `bench paper` is missed, 2 something was wrong.";
 
 /// What to do.
 #[derive(Debug, Subcommand)]
@@ -106,6 +107,9 @@ pub enum Bench {
     Frame(BenchFrameArgs),
     /// Times the solver on one thread, checks it against an exact series, and compares it with the machine's memory.
     Heat(BenchHeatArgs),
+    /// Runs the tables of the 2013 paper anew: cycles a second of pans full of carrots and shrimps; exit code 1 where a
+    /// goal is missed.
+    Paper(BenchPaperArgs),
 }
 
 /// `saute food`.

@@ -3,6 +3,7 @@
 mod action_list;
 mod args;
 mod bench_heat;
+mod bench_paper;
 mod cook_command;
 mod error;
 mod food_check;
@@ -72,6 +73,7 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         Some(Command::Shot(args)) => picture::shot(&args, &shelf),
         Some(Command::Bench(Bench::Frame(args))) => picture::bench_frame(&args, &shelf, process_start),
         Some(Command::Bench(Bench::Heat(args))) => bench_heat::run(&args, &shelf),
+        Some(Command::Bench(Bench::Paper(args))) => bench_paper::run(&args, &shelf),
         Some(Command::Lab(args)) => lab::lab(&args, &shelf),
         Some(Command::Validate(args)) => validate::validate(&args, &shelf),
         Some(Command::List(args)) => list::run(&args, &shelf),

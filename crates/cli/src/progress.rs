@@ -1,4 +1,4 @@
-//! How far a cook is, on a terminal.
+//! How far a cook or a bench is, on a terminal.
 
 use std::io::IsTerminal;
 
@@ -10,17 +10,30 @@ use crate::wording::duration;
 /// Ticks between two looks: often enough to move, seldom enough to cost nothing.
 const EVERY: u64 = 50;
 
-/// A bar over the simulated time; nothing where stderr is no terminal.
+/// A bar over simulated time or parts; nothing where stderr is no terminal.
 #[derive(Debug)]
 pub struct Progress(Option<ProgressBar>);
 
 impl Progress {
-    /// Starts the bar.
+    /// Starts the bar of a cook.
     pub fn start(max_s: f64) -> Self {
+        Self::over(max_s.ceil() as u64)
+    }
+
+    /// Starts a bar over so many parts.
+    pub fn over(parts: u64) -> Self {
         let style =
             ProgressStyle::with_template("{bar:24} {wide_msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
-        let bar = || ProgressBar::new(max_s.ceil() as u64).with_style(style);
+        let bar = || ProgressBar::new(parts).with_style(style);
         Self(std::io::stderr().is_terminal().then(bar))
+    }
+
+    /// One part more is done; `what` comes now.
+    pub fn next(&self, what: String) {
+        if let Some(bar) = &self.0 {
+            bar.inc(1);
+            bar.set_message(what);
+        }
     }
 
     /// Shows where the cook is and what it waits for.

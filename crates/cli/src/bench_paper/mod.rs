@@ -1,0 +1,56 @@
+//! `saute bench paper`: the tables of the 2013 Interactive Cooking Simulator, run anew.
+
+mod original;
+mod row;
+mod scaling;
+mod scene;
+mod stopwatch;
+mod table;
+
+use std::process::ExitCode;
+
+use serde::Serialize;
+
+use crate::error::CliError;
+use crate::progress::Progress;
+use crate::shelf::Shelf;
+use crate::stdout;
+
+/// `saute bench paper`.
+#[derive(Debug, clap::Args)]
+pub struct BenchPaperArgs {
+    /// Prints the numbers as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// All numbers, as `--json` prints them.
+#[derive(Debug, Serialize)]
+struct PaperBench {
+    rows: Vec<row::Row>,
+    original_engine: original::OriginalEngine,
+    scaling: scaling::Scaling,
+    /// Whether every goal is met.
+    goals_met: bool,
+}
+
+/// Measures and tells.
+pub fn run(args: &BenchPaperArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+    let cases = row::cases();
+    let progress = Progress::over((cases.len() + scaling::SCENES) as u64);
+    let mut rows = Vec::new();
+    for case in &cases {
+        progress.next(case.scene.in_words());
+        rows.push(row::measure(case, &shelf.library)?);
+    }
+    let scaling = scaling::measure(&shelf.library, &progress)?;
+    drop(progress);
+    let goals_met = rows.iter().all(|r| r.met != Some(false)) && scaling.met;
+    let bench = PaperBench { rows, original_engine: original::MEASURED, scaling, goals_met };
+    stdout::print(&if args.json {
+        format!("{}\n", serde_json::to_string_pretty(&bench)?)
+    } else {
+        table::text(&bench)
+    })?;
+    Ok(if goals_met { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}

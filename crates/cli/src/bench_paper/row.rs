@@ -1,0 +1,170 @@
+//! The rows of the tables: which scenes, what was published, what is wanted.
+
+use std::collections::BTreeSet;
+
+use saute_kitchen::dynamics::{RIGID_HZ, solid_shape};
+use saute_kitchen::{Kitchen, Library, MeshSize};
+use serde::Serialize;
+
+use super::scene::{PAN, Scene};
+use super::stopwatch;
+use crate::error::CliError;
+
+/// The published tables: name, carrots, shrimps, cycles a second, measured on hardware of 2009; of the last "more than 60"
+/// (source: Kato, Hasegawa, "Interactive Cooking Simulator", SIGGRAPH Asia 2013).
+const PUBLISHED: [(&str, usize, usize, f64); 15] = [
+    ("3", 5, 0, 310.0),
+    ("3", 10, 0, 205.0),
+    ("3", 15, 0, 155.0),
+    ("3", 20, 0, 127.0),
+    ("3", 0, 5, 310.0),
+    ("3", 0, 10, 190.0),
+    ("3", 0, 15, 145.0),
+    ("3", 0, 20, 110.0),
+    ("4", 1, 1, 333.0),
+    ("4", 3, 3, 293.0),
+    ("4", 5, 5, 200.0),
+    ("4", 7, 7, 161.0),
+    ("4", 9, 9, 139.0),
+    ("4", 11, 11, 116.0),
+    ("35", 0, 35, 60.0),
+];
+/// Wanted over published at the meshes of 2013, at rest and while the pan is shaken [-].
+const WANTED: [f64; 2] = [20.0, 10.0];
+/// Wanted with 35 shrimps at the default meshes [cycles/s].
+const WANTED_DEFAULT: f64 = 240.0;
+
+/// A scene of a table.
+#[derive(Clone, Debug)]
+pub struct Case {
+    table: &'static str,
+    published: f64,
+    /// What is timed.
+    pub scene: Scene,
+}
+
+/// A row, as `--json` prints it.
+#[derive(Debug, Serialize)]
+pub struct Row {
+    /// "3", "4" or "35".
+    pub table: &'static str,
+    /// Carrot coins.
+    pub carrots: usize,
+    /// Shrimps.
+    pub shrimps: usize,
+    /// "2013" or "default".
+    pub mesh: MeshSize,
+    /// "segments" or "shape functions".
+    pub rule: &'static str,
+    /// Whether the pan is shaken.
+    pub shaking: bool,
+    /// Nodes of all pieces.
+    pub nodes: usize,
+    /// Rigid steps in a second of simulated time [1/s].
+    pub rigid_hz: u32,
+    /// As what the pieces collide.
+    pub collider: String,
+    /// Deepest overlap that was seen [mm].
+    pub max_penetration_mm: f64,
+    /// How far cores rose over the timed part, mean of the pieces [K].
+    pub core_rise_k: f64,
+    /// Median of the runs [cycles/s].
+    pub cycles_per_s: f64,
+    /// As published [cycles/s].
+    pub published: Option<f64>,
+    /// Measured over published [-].
+    pub ratio: Option<f64>,
+    /// What is wanted [cycles/s].
+    pub goal: Option<f64>,
+    /// Whether that is reached.
+    pub met: Option<bool>,
+    /// Pieces that fell out of the pan.
+    pub lost: usize,
+    /// Each run [cycles/s].
+    pub runs: Vec<f64>,
+}
+
+/// All rows: at the meshes of 2013, then at the default ones, each at rest and shaken.
+pub fn cases() -> Vec<Case> {
+    let sorts = [MeshSize::Paper2013, MeshSize::Default].into_iter().flat_map(|m| [(m, false), (m, true)]);
+    let rows = |(mesh, shaking): (MeshSize, bool)| {
+        PUBLISHED.map(|(table, carrots, shrimps, published)| Case {
+            table,
+            published,
+            scene: Scene { carrots, shrimps, mesh, shaking, pan: PAN.to_owned() },
+        })
+    };
+    sorts.flat_map(rows).collect()
+}
+
+impl Case {
+    fn goal(&self) -> Option<f64> {
+        match self.scene.mesh {
+            MeshSize::Paper2013 => Some(WANTED[usize::from(self.scene.shaking)] * self.published),
+            MeshSize::Default => (self.table == "35").then_some(WANTED_DEFAULT),
+        }
+    }
+}
+
+/// Times a row.
+pub fn measure(case: &Case, library: &Library) -> Result<Row, CliError> {
+    let timed = stopwatch::time(&case.scene, library)?;
+    let (scene, goal, kitchen) = (&case.scene, case.goal(), &timed.kitchen);
+    let paper = scene.mesh == MeshSize::Paper2013;
+    Ok(Row {
+        table: case.table,
+        carrots: scene.carrots,
+        shrimps: scene.shrimps,
+        mesh: scene.mesh,
+        rule: if paper { "segments" } else { "shape functions" },
+        shaking: scene.shaking,
+        nodes: kitchen.pieces().iter().map(|p| p.model.mesh.node_count()).sum(),
+        rigid_hz: RIGID_HZ,
+        collider: colliders(kitchen),
+        max_penetration_mm: timed.max_penetration_mm,
+        core_rise_k: timed.core_rise_k,
+        cycles_per_s: timed.cycles_per_s,
+        published: Some(case.published),
+        ratio: Some(timed.cycles_per_s / case.published),
+        goal,
+        met: goal.map(|g| timed.cycles_per_s >= g && timed.lost == 0),
+        lost: timed.lost,
+        runs: timed.runs,
+    })
+}
+
+/// Names of what the pieces collide as.
+fn colliders(kitchen: &Kitchen) -> String {
+    let solids = kitchen.pieces().iter().filter_map(|p| kitchen.world().solid(p.key));
+    let names: BTreeSet<&str> = solids.map(solid_shape::name).collect();
+    names.into_iter().collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    #[test]
+    fn a_row_tells_every_number() {
+        let case = cases().into_iter().find(|c| c.table == "4" && c.scene.shaking).unwrap();
+        let row = measure(&case, &Library::embedded().unwrap()).unwrap();
+        let row = serde_json::to_value(row).unwrap();
+        for key in ["max_penetration_mm", "core_rise_k", "cycles_per_s", "ratio", "runs"] {
+            assert!(!row[key].is_null(), "{key}: {row}");
+        }
+        // A carrot of 54 and a shrimp of 119 vertices.
+        assert_eq!((&row["nodes"], &row["carrots"], &row["shrimps"]), (&173.into(), &1.into(), &1.into()));
+        assert_eq!((&row["table"], &row["mesh"], &row["rule"]), (&"4".into(), &"2013".into(), &"segments".into()));
+        assert_eq!((&row["collider"], &row["lost"]), (&"capsules, cylinder".into(), &0.into()));
+        assert_eq!((&row["published"], &row["goal"], &row["shaking"]), (&333.0.into(), &3330.0.into(), &true.into()));
+        assert!(row["rigid_hz"].as_u64().unwrap() >= 120 && row["cycles_per_s"].as_f64().unwrap() > 0.0);
+    }
+
+    #[test]
+    fn thirty_five_shrimps_are_wanted_at_1200_at_rest_600_shaken_and_240_at_our_meshes() {
+        let goals: Vec<Option<f64>> = cases().iter().filter(|c| c.table == "35").map(Case::goal).collect();
+        assert_eq!(goals, [Some(1200.0), Some(600.0), Some(240.0), Some(240.0)]);
+        assert_eq!(cases().len(), 60);
+    }
+}
