@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::dynamics::{Pose, Tool};
+
 /// Where food rests.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -90,6 +92,22 @@ pub enum Command {
         /// Where its centroid goes, relative to the pan's centre [m].
         to: [f64; 2],
     },
+    /// Leads a tool freely to a pose; what it grips follows it by force.
+    Lead {
+        /// Which tool.
+        tool: Tool,
+        /// Where its tip shall be, in the kitchen.
+        to: Pose,
+        /// Which piece it takes hold of, once within reach.
+        grip: Option<String>,
+    },
+    /// Lowers what a led tool grips until it lies, lets it go and puts the tool away.
+    LetGo,
+    /// Holds the pan at a pose of the middle of its floor, within reach and above the glass; ends a gesture.
+    HoldPan {
+        /// Where.
+        pose: Pose,
+    },
     /// Pours oil into the pan.
     Oil {
         /// Which oil; the kitchen's own unless given.
@@ -137,6 +155,9 @@ pub enum Refused {
         /// What is in the way.
         other: String,
     },
+    /// Waits outside of the world of bodies.
+    #[error("\"{0}\" waits to be put in: no tool can lead it yet")]
+    Waiting(String),
     /// Nothing to toss.
     #[error("there is nothing in the pan to toss: put a food in first")]
     EmptyPan,
