@@ -153,6 +153,11 @@ impl SauteApp {
         self.slice
     }
 
+    /// Chooses how many pieces the pantry adds at once.
+    pub fn set_count(&mut self, count: usize) {
+        self.count = count;
+    }
+
     /// Whether the list of keys is open.
     pub fn help_is_open(&self) -> bool {
         self.help
