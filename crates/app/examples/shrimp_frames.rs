@@ -43,6 +43,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let library = Library::embedded()?;
     let recipe = Recipe::parse(SHRIMPS, "shrimps", &library)?;
     println!("frame, frame with tick, scene [ms]: {:?}", split(&library, recipe.clone())?);
+    let plain = std::env::args().nth(1);
+    let recipe = match &plain {
+        Some(id) => Recipe::parse(&library.recipes[id], id, &library)?,
+        None => recipe,
+    };
     let start = Start { library: Some(std::sync::Arc::new(library)), recipe: Some(recipe) };
     println!("{}", serde_json::to_string_pretty(&bench_frame(start, [1280, 720], 4.0, Instant::now())?)?);
     Ok(())

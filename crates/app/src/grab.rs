@@ -7,6 +7,7 @@ use saute_kitchen::{Command, Piece, Place};
 
 use crate::app::SauteApp;
 use crate::picking::{GRAB, TOUCH};
+use crate::scene::props::BOARD_CENTRE;
 use crate::scene_view::{meet_height, ndc};
 use crate::stage::Pose;
 
@@ -140,7 +141,7 @@ impl SauteApp {
         self.scene.carried.insert(id, Pose { position, rotation });
     }
 
-    /// Leads the tongs to the pointer: low within the pan, over its rim elsewhere.
+    /// Leads the tongs to above the place that the pointer shows: low within the pan, over its rim elsewhere.
     fn lead(&mut self, id: String, at: Pos2, rect: Rect) {
         if self.session.paused {
             self.notice.say("Time stands still: let it go on (Space) to move things.");
@@ -148,9 +149,10 @@ impl SauteApp {
         }
         let pan = self.session.kitchen.world().motion.pose.position.as_vec3();
         let floor = self.session.kitchen.world().pan_shape().floor as f32;
-        let low = self.pointed(at, rect, pan.z + LOW_HEIGHT);
-        let within = low.filter(|p| (*p - pan).truncate().length() < floor);
-        let Some(hit) = within.or_else(|| self.pointed(at, rect, pan.z.max(0.0) + CARRY_HEIGHT)) else { return };
+        let low = self.pointed(at, rect, pan.z);
+        let within = low.filter(|p| (*p - pan).truncate().length() < floor).map(|p| p + Vec3::Z * LOW_HEIGHT);
+        let beside = || Some(self.pointed(at, rect, BOARD_CENTRE.z)?.with_z(pan.z.max(0.0) + CARRY_HEIGHT));
+        let Some(hit) = within.or_else(beside) else { return };
         let Some(piece) = self.session.kitchen.piece(&id) else { return };
         let held = self.session.kitchen.hand().gripped() == Some(piece.key);
         let position = hit.as_dvec3().clamp(DVec3::new(-0.55, -0.45, 0.0), DVec3::new(0.6, 0.5, 0.4));

@@ -76,7 +76,7 @@ fn sizes(ui: &mut Ui, food: &FoodDescription, size_mm: &mut Vec<f64>) {
 
 fn set_out(app: &mut SauteApp, ui: &mut Ui) {
     ui.horizontal(|ui| {
-        let half = 0.5 * (ui.available_width() - ui.spacing().item_spacing.x);
+        let half = 0.5 * (ui.available_width() - ui.spacing().item_spacing.x) - 4.0;
         let button = |text: &str, on| theme::button(text, on).min_size(egui::vec2(half, theme::TOUCH));
         let choice = app.settings.choice.clone();
         if ui.add(button("Set out", true)).clicked() {

@@ -13,6 +13,8 @@ use crate::theme;
 /// What a line says.
 struct Line {
     name: String,
+    /// Whether a group is unfolded; none for a piece.
+    fold: Option<bool>,
     core: String,
     mass: String,
     state: String,
@@ -23,7 +25,8 @@ const LINE: f32 = 42.0;
 
 /// Shows the list; a click selects the piece that the other panels are about.
 pub fn show(app: &mut SauteApp, ui: &mut Ui) {
-    ui.heading(format!("{} pieces", app.session.kitchen.pieces().len()));
+    let count = app.session.kitchen.pieces().len();
+    ui.heading(format!("{count} {}", if count == 1 { "piece" } else { "pieces" }));
     ui.label(RichText::new("click one to see inside it").size(12.5).color(theme::QUIET));
     all_at_once(app, ui);
     ui.spacing_mut().item_spacing.y = 3.0;
@@ -70,6 +73,7 @@ fn piece_line(app: &mut SauteApp, ui: &mut Ui, id: &str, indent: f32) {
     let Some(piece) = app.session.kitchen.piece(id) else { return };
     let line = Line {
         name: if indent > 0.0 { id.trim_start_matches(group_of(id)).trim_start_matches('.').to_owned() } else { id.to_owned() },
+        fold: None,
         core: app.settings.temperature(celsius(piece.core())),
         mass: grams(piece),
         state: format!("{} · {}", doneness(app, piece), place(piece)),
@@ -133,11 +137,19 @@ fn means(app: &SauteApp, group: &str, members: &[String], open: bool) -> Line {
     }
     let states: Vec<String> = states.iter().map(|(word, count)| format!("{count} {word}")).collect();
     Line {
-        name: format!("{} {group} × {}", if open { "⏷" } else { "⏵" }, pieces.len()),
+        name: format!("{group} × {}", pieces.len()),
+        fold: Some(open),
         core: app.settings.temperature(celsius(mean(&Piece::core))),
-        mass: format!("Ø {:.1} g", 1e3 * mean(&Piece::mass)),
+        mass: format!("mean {:.1} g", 1e3 * mean(&Piece::mass)),
         state: states.join(" · "),
     }
+}
+
+/// A triangle that points at what it unfolds.
+fn fold_mark(painter: &egui::Painter, at: egui::Pos2, open: bool) {
+    let ends = if open { [[-4.0, -2.5], [4.0, -2.5], [0.0, 3.5]] } else { [[-2.5, -4.0], [3.5, 0.0], [-2.5, 4.0]] };
+    let points = ends.map(|[x, y]| at + vec2(x, y)).to_vec();
+    painter.add(egui::Shape::convex_polygon(points, theme::QUIET, egui::Stroke::NONE));
 }
 
 /// Draws a line; tells whether it was clicked.
@@ -155,7 +167,11 @@ fn shown(ui: &mut Ui, line: &Line, indent: f32, selected: bool, spoken: &str) ->
     painter.rect_filled(rect, 6.0, ground);
     let at = |x: f32, y: f32| rect.min + vec2(x, y);
     let (large, small) = (egui::FontId::proportional(14.5), egui::FontId::proportional(12.0));
-    let (left, right) = (8.0 + indent, rect.width() - 8.0);
+    let (mut left, right) = (8.0 + indent, rect.width() - 8.0);
+    if let Some(open) = line.fold {
+        fold_mark(&painter, at(left + 5.0, 13.0), open);
+        left += 16.0;
+    }
     let ink = if selected { theme::ACCENT } else { theme::TEXT };
     painter.text(at(left, 5.0), egui::Align2::LEFT_TOP, &line.name, large.clone(), ink);
     painter.text(at(right, 5.0), egui::Align2::RIGHT_TOP, &line.core, large, theme::TEXT);

@@ -104,9 +104,23 @@ pub(super) struct Moved {
 pub(super) struct Foods {
     meshes: HashMap<u64, MeshBuffers>,
     pub slots: Vec<FoodBuffers>,
+    /// Slots from the nearest to the farthest: what is hidden is then not shaded.
+    order: Vec<usize>,
 }
 
 impl Foods {
+    /// The foods, the nearest first.
+    pub fn nearest_first(&self) -> impl Iterator<Item = &FoodBuffers> {
+        self.order.iter().filter_map(|slot| self.slots.get(*slot))
+    }
+
+    /// Sorts the foods by their distance from the eye.
+    pub fn sort(&mut self, foods: &[FoodLook], eye: Vec3) {
+        let away = |slot: &usize| foods[*slot].world_from_rest.transform_point3(Vec3::ZERO).distance_squared(eye);
+        self.order = (0..foods.len()).collect();
+        self.order.sort_by(|a, b| away(a).total_cmp(&away(b)));
+    }
+
     /// Uploads the states; tells what moved far enough to show.
     pub fn update(
         &mut self,

@@ -148,7 +148,7 @@ pub(super) fn draw_lively(
     foods: &Foods,
 ) {
     groups.set(pass);
-    for food in &foods.slots {
+    for food in foods.nearest_first() {
         if food.has_cut() {
             pass.set_pipeline(&pipelines.cut_face);
             food.draw_cut(pass);

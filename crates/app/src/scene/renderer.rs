@@ -220,6 +220,7 @@ impl SceneRenderer {
         let view = input.camera.view_projection(aspect);
         queue.write_buffer(&self.camera_view.buffer, 0, bytemuck::bytes_of(&view));
         self.moved = self.foods.update(device, queue, &self.factory.layouts, &input.foods);
+        self.foods.sort(&input.foods, input.camera.eye());
         if self.moved.shadow {
             self.shadow_of = None;
         }

@@ -15,7 +15,7 @@ const JOINT: Vec3 = Vec3::new(0.02, -0.10, 0.17);
 const STEPS: u32 = 14;
 
 fn steel() -> Finish {
-    Finish { colour: Vec3::splat(0.52), roughness: 0.34, metalness: 1.0, material: Material::Plain }
+    Finish { colour: Vec3::splat(0.55), roughness: 0.40, metalness: 0.45, material: Material::Plain }
 }
 
 fn wood() -> Finish {
