@@ -39,9 +39,19 @@ fn split(library: &Library, recipe: Recipe) -> Result<[f64; 3], Box<dyn std::err
     Ok([0, 1, 2].map(|k| 1e3 * spent[k] / count[k]))
 }
 
+fn picture(library: &Library, recipe: Recipe) -> Result<(), Box<dyn std::error::Error>> {
+    let options = saute_app::shot::ShotOptions { view: View::Look, slice: false, flat: false, scale: library.scales[0].clone() };
+    for at in [1.0, 8.0] {
+        let picture = saute_app::shot::shot(recipe.clone(), library, at, options.clone(), [1280, 720])?;
+        std::fs::write(format!("/tmp/shrimps-{at}.png"), saute_app::png_file::png_bytes(&picture)?)?;
+    }
+    Ok(())
+}
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let library = Library::embedded()?;
     let recipe = Recipe::parse(SHRIMPS, "shrimps", &library)?;
+    picture(&library, recipe.clone())?;
     println!("frame, frame with tick, scene [ms]: {:?}", split(&library, recipe.clone())?);
     let plain = std::env::args().nth(1);
     let recipe = match &plain {
