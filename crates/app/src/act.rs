@@ -25,6 +25,12 @@ pub enum Act {
     Flip,
     /// Onto the board.
     Out,
+    /// Tosses what is in the pan.
+    Toss,
+    /// The panels show the next piece.
+    NextPiece,
+    /// List of the pieces.
+    Pieces,
     /// Start over.
     Restart,
     /// What the colours mean.
@@ -76,10 +82,13 @@ const fn bind(key: Key, written: &'static str, act: Act, words: &'static str) ->
 }
 
 /// All keys, in the order in which the help lists them.
-pub const BINDINGS: [Binding; 34] = [
+pub const BINDINGS: [Binding; 37] = [
     bind(Key::P, "P", Act::Put, "food into the pan"),
-    bind(Key::F, "F", Act::Flip, "flip the food"),
+    bind(Key::F, "F", Act::Flip, "flip it: selected, or middle of the pan"),
     bind(Key::O, "O", Act::Out, "food onto the board"),
+    bind(Key::T, "T", Act::Toss, "toss what is in the pan"),
+    bind(Key::I, "I", Act::NextPiece, "select the next piece"),
+    bind(Key::B, "B", Act::Pieces, "list of the pieces"),
     bind(Key::E, "E", Act::Hob(1), "hob one step up"),
     bind(Key::Q, "Q", Act::Hob(-1), "hob one step down"),
     bind(Key::W, "W", Act::Cloth, "pan onto the wet cloth"),
@@ -126,6 +135,7 @@ mod tests {
     fn no_key_does_two_things() {
         for (i, a) in BINDINGS.iter().enumerate() {
             assert!(BINDINGS[i + 1..].iter().all(|b| b.key != a.key), "{}", a.written);
+            assert!(a.key != Key::K, "held keys are theirs alone");
         }
     }
 }

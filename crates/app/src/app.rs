@@ -1,5 +1,6 @@
 //! The program's window.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use egui::{Rect, Ui};
@@ -11,6 +12,7 @@ use crate::colour_map::TemperatureMap;
 use crate::layout::Layout;
 use crate::motion::Motions;
 use crate::notice::Notice;
+use crate::pan_keys::PanKeys;
 use crate::panels;
 use crate::scene::callback::SceneCallback;
 use crate::scene::camera::Camera;
@@ -25,6 +27,11 @@ use crate::theme;
 const SETTINGS_KEY: &str = "saute.settings";
 /// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
 const STEP_BUDGET_MS: u64 = 20;
+
+/// Height of a toss by key [m] (chosen: over the rim, within reach).
+const TOSS_M: f64 = 0.12;
+/// Held keys move the pan no further at once than in this time [s] (chosen: a slow frame makes no leap).
+const LONGEST_FRAME_S: f64 = 0.1;
 
 /// Where the eye goes when the cut is opened [rad] (chosen: the face is seen at a slant, the pan stays in view).
 pub const CUT_YAW: f32 = 0.62;
@@ -53,6 +60,11 @@ pub struct SauteApp {
     pub(crate) scene: SceneView,
     pub(crate) inside: panels::inside::Inside,
     pub(crate) drawer: panels::Drawer,
+    /// Groups of which the list shows every piece.
+    pub(crate) unfolded: BTreeSet<String>,
+    /// How many pieces the pantry adds at once.
+    pub(crate) count: usize,
+    pub(crate) pan_keys: PanKeys,
     last_time: Option<f64>,
     /// Whether the scene can be drawn (a graphics device is there).
     drawable: bool,
@@ -112,6 +124,9 @@ impl SauteApp {
             scene: SceneView::default(),
             inside: Default::default(),
             drawer: Default::default(),
+            unfolded: BTreeSet::new(),
+            count: 1,
+            pan_keys: PanKeys::default(),
             last_time: None,
             drawable: graphics.is_some(),
             software,
@@ -138,6 +153,11 @@ impl SauteApp {
         self.slice
     }
 
+    /// Chooses how many pieces the pantry adds at once.
+    pub fn set_count(&mut self, count: usize) {
+        self.count = count;
+    }
+
     /// Whether the list of keys is open.
     pub fn help_is_open(&self) -> bool {
         self.help
@@ -160,9 +180,12 @@ impl SauteApp {
                 let for_s = self.session.kitchen.room().cloth.default_s;
                 self.command(&Command::Cool { for_s });
             }
-            Act::Put => self.command(&Command::Put { food: self.steak_id(), at: [0.0, 0.0], heap: false }),
-            Act::Flip => self.command(&Command::Flip { food: self.steak_id() }),
-            Act::Out => self.command(&Command::Rest { food: self.steak_id(), on: RestOn::Board }),
+            Act::Put => self.lay_in(&self.its_group()),
+            Act::Flip => self.command(&Command::Flip { food: self.handled_id() }),
+            Act::Out => self.command(&Command::Rest { food: self.handled_id(), on: RestOn::Board }),
+            Act::Toss => self.command(&Command::Toss { height: TOSS_M }),
+            Act::NextPiece => self.select_next(),
+            Act::Pieces => self.open_left(false, !self.settings.pieces_open),
             Act::Restart => self.restart(),
             Act::View(view) => self.settings.view = view,
             Act::Map => self.next_map(),
@@ -173,13 +196,30 @@ impl SauteApp {
             Act::Camera => self.next_camera(),
             Act::Zoom(factor) => self.camera.zoom(factor),
             Act::Orbit(dx, dy) => self.camera.orbit(dx, dy),
-            Act::Pantry => self.settings.pantry_open = !self.settings.pantry_open,
+            Act::Pantry => self.open_left(!self.settings.pantry_open, false),
             Act::Curves => self.settings.curves_open = !self.settings.curves_open,
             Act::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
             Act::Picture => crate::save_picture::save_picture(ctx, &self.notice),
             Act::Help => self.help = !self.help,
             Act::Close => self.help = false,
         }
+    }
+
+    /// Opens one of the panels on the left, or none.
+    fn open_left(&mut self, pantry: bool, pieces: bool) {
+        (self.settings.pantry_open, self.settings.pieces_open) = (pantry, pieces);
+        match (pantry, pieces) {
+            (true, _) => self.drawer = panels::Drawer::Food,
+            (_, true) => self.drawer = panels::Drawer::Pieces,
+            _ => {}
+        }
+    }
+
+    fn select_next(&mut self) {
+        let pieces = self.session.kitchen.pieces();
+        let next = if self.session.selected().is_some() { self.session.steak_index() + 1 } else { 0 };
+        let id = pieces.get(next).or(pieces.first()).map(|p| p.id.clone());
+        self.session.select(id);
     }
 
     pub(crate) fn steak_id(&self) -> String {
@@ -257,7 +297,7 @@ impl SauteApp {
         }
         let on_board = matches!(self.session.steak().map(|p| p.place), Some(Place::Rest(_) | Place::Waiting));
         if self.camera_preset == 2 && on_board {
-            self.camera.target = crate::stage::FIRST_ON_BOARD;
+            self.camera.target = crate::waiting::FIRST_ON_BOARD;
         }
     }
 
@@ -276,7 +316,8 @@ impl SauteApp {
             return;
         }
         let pressed: Vec<Act> = ctx.input(|i| {
-            let plain = !i.modifiers.command && !i.modifiers.alt;
+            // With Shift, letters move the pan.
+            let plain = !i.modifiers.command && !i.modifiers.alt && !i.modifiers.shift;
             let times = |b: &crate::act::Binding| if plain { i.num_presses(b.key) } else { 0 };
             BINDINGS.iter().flat_map(|b| std::iter::repeat_n(b.act, times(b))).collect()
         });
@@ -307,6 +348,7 @@ impl SauteApp {
         let now = ctx.input(|i| i.time);
         let wall = now - self.last_time.unwrap_or(now);
         self.last_time = Some(now);
+        self.take_held_keys(ctx, wall.clamp(0.0, LONGEST_FRAME_S));
         let passed =
             self.session.advance(Duration::from_secs_f64(wall.max(0.0)), Duration::from_millis(STEP_BUDGET_MS));
         if let Err(error) = passed {
@@ -341,7 +383,7 @@ impl SauteApp {
 
     /// The eye as the scene is drawn with it.
     pub(crate) fn eye(&self) -> Camera {
-        following(&self.camera, self.places().pan(&self.session.kitchen))
+        following(&self.camera, self.places().followed(&self.session.kitchen))
     }
 
     /// One frame: takes input, lets time pass, shows everything.
@@ -360,6 +402,7 @@ impl SauteApp {
         if !self.settings.panels_hidden {
             panels::show(self, ui, &layout);
         }
+        panels::read_out::show(self, ui, whole);
         panels::badge::show(self, ui, &layout);
         if self.help {
             panels::help::show(self, ui, whole);

@@ -8,10 +8,57 @@ use serde::Serialize;
 use crate::app::Start;
 use crate::offscreen::{Offscreen, OffscreenError};
 
-/// Simulated time from which frames are measured [s].
-const FROM_S: f64 = 60.0;
+/// Simulated time from which frames are measured, as a rule [s].
+pub const FROM_S: f64 = 60.0;
 /// How long they are measured [s].
 const FOR_S: f64 = 30.0;
+
+/// A full pan: 35 shrimps of the default mesh, in five small heaps.
+pub const SHRIMPS: &str = r#"
+title = "35 shrimps"
+[pan]
+initial_c = 190
+[[food]]
+id = "middle"
+kind = "shrimp"
+count = 7
+seed = 1
+[[food]]
+id = "left"
+kind = "shrimp"
+count = 7
+seed = 2
+[[food]]
+id = "right"
+kind = "shrimp"
+count = 7
+seed = 3
+[[food]]
+id = "far"
+kind = "shrimp"
+count = 7
+seed = 4
+[[food]]
+id = "near"
+kind = "shrimp"
+count = 7
+seed = 5
+[[step]]
+hob_w = 1100
+[[step]]
+put = { food = "middle", at_mm = [0, 0], heap = true }
+[[step]]
+put = { food = "left", at_mm = [-50, 0], heap = true }
+[[step]]
+put = { food = "right", at_mm = [50, 0], heap = true }
+[[step]]
+put = { food = "far", at_mm = [0, 50], heap = true }
+[[step]]
+put = { food = "near", at_mm = [0, -50], heap = true }
+[[step]]
+after_s = 900
+end = true
+"#;
 
 /// What was measured.
 #[derive(Clone, Debug, Serialize)]
@@ -43,13 +90,18 @@ pub struct FrameRates {
     pub p5: f64,
 }
 
-/// Plays seconds 60–90 of a recipe at 1× and draws frames as fast as they come.
-pub fn bench_frame(start: Start, size: [u32; 2], process_start: Instant) -> Result<FrameBench, OffscreenError> {
+/// Plays a recipe from a time on, half a minute long at 1×, and draws frames as fast as they come.
+pub fn bench_frame(
+    start: Start,
+    size: [u32; 2],
+    from_s: f64,
+    process_start: Instant,
+) -> Result<FrameBench, OffscreenError> {
     let recipe = start.recipe.as_ref().map(|r: &Recipe| r.title.clone()).unwrap_or_default();
     let mut window = Offscreen::open(start, size)?;
     window.frame(0.0);
     let first_frame_s = process_start.elapsed().as_secs_f64();
-    while window.app.session().kitchen.time_s() < FROM_S && !window.app.session().paused {
+    while window.app.session().kitchen.time_s() < from_s && !window.app.session().paused {
         // A recipe that goes wrong shows as frames of a standing kitchen; its title and times are reported.
         if window.app.session_mut().tick().is_err() {
             break;

@@ -20,7 +20,7 @@ pub struct Layout {
     pub whole: Rect,
     /// View chips and legend.
     pub top: Rect,
-    /// Steak and pan, where open.
+    /// Food and pan, or the list of the pieces, where open.
     pub left: Option<Rect>,
     /// What is inside now.
     pub right: Rect,
@@ -38,20 +38,20 @@ impl Layout {
         let narrow = whole.width() < NARROW;
         let inner = whole.shrink(GAP);
         let mut layout =
-            if narrow { Self::narrow(whole, inner) } else { Self::wide(whole, inner, settings.pantry_open) };
+            if narrow { Self::narrow(whole, inner) } else { Self::wide(whole, inner, settings.pantry_open || settings.pieces_open) };
         if settings.panels_hidden {
             layout.free = whole;
         }
         layout
     }
 
-    fn wide(whole: Rect, inner: Rect, pantry: bool) -> Self {
+    fn wide(whole: Rect, inner: Rect, open: bool) -> Self {
         let right = Rect::from_min_max(pos2(inner.right() - RIGHT_WIDTH, inner.top()), inner.max);
         let rest = right.left() - GAP;
         let top = Rect::from_min_max(inner.min, pos2(rest, inner.top() + TOP_HEIGHT));
         let bottom = Rect::from_min_max(pos2(inner.left(), inner.bottom() - BOTTOM_HEIGHT), pos2(rest, inner.bottom()));
         let middle = Rect::from_min_max(pos2(inner.left(), top.bottom() + GAP), pos2(rest, bottom.top() - GAP));
-        let left = pantry.then(|| Rect::from_min_size(middle.min, vec2(LEFT_WIDTH, middle.height())));
+        let left = open.then(|| Rect::from_min_size(middle.min, vec2(LEFT_WIDTH, middle.height())));
         let free_left = left.map_or(whole.left(), |l| l.right());
         let free = Rect::from_min_max(pos2(free_left, top.bottom() - 0.4 * TOP_HEIGHT), pos2(rest, bottom.top()));
         Self { whole, top, left, right, bottom, free, narrow: false }

@@ -9,13 +9,18 @@ pub mod colour_map;
 pub mod food_look;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod headless;
+mod grab;
 pub mod layout;
 pub mod motion;
 pub mod notice;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod offscreen;
 pub mod panels;
+mod picking;
+mod piece_words;
 pub mod png_file;
+mod pan_keys;
+mod put_in;
 mod save_picture;
 mod scale_choice;
 pub mod scene;
@@ -28,6 +33,7 @@ pub mod shot;
 pub mod stage;
 pub mod theme;
 pub mod view;
+pub mod waiting;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;
 

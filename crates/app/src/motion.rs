@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use glam::Vec3;
 use saute_kitchen::Kitchen;
 
-use crate::stage::{Places, Pose, pan_position};
+use crate::stage::{Places, Pose, pan_pose, poses};
 
 /// Time of a move in the picture [s] (chosen).
 const MOVE_S: f32 = 0.45;
@@ -28,14 +28,21 @@ struct Motion {
 pub struct Motions {
     moving: BTreeMap<String, Motion>,
     pan: Option<Motion>,
+    /// The point that the eye has followed the pan to, and whether it is on its way.
+    followed: Option<(Vec3, bool)>,
     generation: u64,
 }
+
+/// How far the pan moves before the eye follows, and how near the eye then comes [m] (chosen: a shake leaves it at rest).
+const EYE_SLACK: [f32; 2] = [0.06, 0.004];
+/// Time constant with which the eye follows [s] (chosen: gently).
+const EYE_S: f32 = 0.35;
 
 impl Motions {
     /// Forgets everything.
     pub fn clear(&mut self) {
         self.moving.clear();
-        self.pan = None;
+        (self.pan, self.followed) = (None, None);
     }
 
     /// Follows the kitchen through `wall` seconds; a new `generation` starts at rest.
@@ -44,12 +51,24 @@ impl Motions {
             self.clear();
             self.generation = generation;
         }
-        for piece in kitchen.pieces() {
-            let target = Pose::of(kitchen, piece);
+        self.moving.retain(|id, _| kitchen.piece(id).is_some());
+        for (piece, target) in kitchen.pieces().iter().zip(poses(kitchen)) {
             self.moving.entry(piece.id.clone()).or_insert(Motion::resting(target)).advance(target, wall);
         }
-        let target = Pose { position: pan_position(kitchen), rotation: glam::Quat::IDENTITY };
+        let target = pan_pose(kitchen);
         self.pan.get_or_insert(Motion::resting(target)).advance(target, wall);
+        self.follow(target.position, wall);
+    }
+
+    /// Lets the eye follow the pan once that has gone far.
+    fn follow(&mut self, pan: Vec3, wall: f32) {
+        let (at, chasing) = self.followed.unwrap_or((pan, false));
+        let away = at.distance(pan);
+        if away > EYE_SLACK[usize::from(chasing)] {
+            self.followed = Some((at.lerp(pan, 1.0 - (-wall / EYE_S).exp()), true));
+        } else {
+            self.followed = Some((at, false));
+        }
     }
 
     /// Starts a piece's next move from where a hand let it go.
@@ -61,7 +80,8 @@ impl Motions {
 
     /// Whether anything is on its way.
     pub fn moving(&self) -> bool {
-        self.moving.values().chain(&self.pan).any(|m| m.progress < 1.0)
+        let eye = self.followed.is_some_and(|(_, chasing)| chasing);
+        eye || self.moving.values().chain(&self.pan).any(|m| m.progress < 1.0)
     }
 
     /// Where things are that are on their way.
@@ -69,7 +89,8 @@ impl Motions {
         let moving = |m: &&Motion| m.progress < 1.0;
         Places {
             pieces: self.moving.iter().filter(|(_, m)| moving(m)).map(|(id, m)| (id.clone(), at(m))).collect(),
-            pan: self.pan.as_ref().filter(moving).map(|m| at(m).position),
+            pan: self.pan.as_ref().filter(moving).map(at),
+            followed: self.followed.map(|(point, _)| point),
         }
     }
 }

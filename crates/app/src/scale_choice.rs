@@ -5,7 +5,7 @@ use std::sync::Arc;
 use saute_kitchen::food::Scale;
 
 use crate::app::SauteApp;
-use crate::stage::fitting;
+use crate::stage::fitting_piece;
 
 impl SauteApp {
     /// The scale that was chosen; where the data no longer knows it, the first.
@@ -16,7 +16,7 @@ impl SauteApp {
 
     /// The chosen scale of doneness, where it says anything about the food.
     pub fn scale(&self) -> Option<Arc<Scale>> {
-        fitting(&self.session.kitchen, self.chosen_scale()?)
+        fitting_piece(self.session.steak(), self.chosen_scale()?)
     }
 
     pub(crate) fn choose_scale(&mut self, scale: &Scale) {

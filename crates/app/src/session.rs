@@ -1,5 +1,6 @@
 //! A cook in the window: the kitchen, its clock, and a recipe that may be playing.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use saute_kitchen::carry_over::foreseen_peak;
@@ -7,7 +8,7 @@ use saute_kitchen::food::Form;
 use saute_kitchen::food::Rules;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{
-    Command, Kitchen, Library, MeshSize, PieceOrder, Recipe, Recorder, Runner, TICK_S, celsius, kelvin,
+    Command, FRAME_S, Kitchen, Library, MeshSize, Piece, PieceOrder, Recipe, Recorder, Runner, TICK_S, celsius, kelvin,
 };
 use web_time::{Duration, Instant};
 
@@ -85,10 +86,16 @@ pub struct Session {
     pub generation: u64,
     choice: SteakChoice,
     recipe: Option<Recipe>,
+    /// What was set out beside the first choice.
+    added: Vec<(SteakChoice, usize)>,
     owed_s: f64,
-    start_mass_g: f64,
-    forecast: Option<(u64, Forecast)>,
+    selected: Option<String>,
+    start_mass_g: BTreeMap<String, f64>,
+    forecast: Option<(String, u64, Forecast)>,
 }
+
+/// Time closer than this to a whole step counts as reached [s] (chosen: far above rounding, far below a frame).
+const SAME_TIME: f64 = 1e-9;
 
 impl Session {
     /// Sets out what was chosen.
@@ -105,8 +112,10 @@ impl Session {
             generation: 0,
             choice: choice.clone(),
             recipe: None,
+            added: Vec::new(),
             owed_s: 0.0,
-            start_mass_g: 0.0,
+            selected: None,
+            start_mass_g: BTreeMap::new(),
             forecast: None,
         };
         session.begin();
@@ -117,10 +126,20 @@ impl Session {
         self.recorder = Recorder::default();
         self.recorder.observe(&self.kitchen);
         self.marks.clear();
+        self.added.clear();
         self.owed_s = 0.0;
         self.forecast = None;
         self.generation += 1;
-        self.start_mass_g = self.kitchen.pieces().first().map_or(0.0, |p| 1e3 * p.mass());
+        self.selected = None;
+        self.start_mass_g.clear();
+        self.weigh_new();
+    }
+
+    /// Remembers what new pieces weigh.
+    fn weigh_new(&mut self) {
+        for piece in self.kitchen.pieces() {
+            self.start_mass_g.entry(piece.id.clone()).or_insert_with(|| 1e3 * piece.mass());
+        }
     }
 
     /// Starts over with a choice.
@@ -146,7 +165,11 @@ impl Session {
     pub fn restart(&mut self) -> Result<(), SetupError> {
         match self.recipe.clone() {
             Some(recipe) => self.play(recipe),
-            None => self.set_out(&self.choice.clone()),
+            None => {
+                let added = std::mem::take(&mut self.added);
+                self.set_out(&self.choice.clone())?;
+                added.iter().try_for_each(|(choice, count)| self.add(choice, *count).map(drop))
+            }
         }
     }
 
@@ -160,9 +183,25 @@ impl Session {
         &self.choice
     }
 
-    /// The first piece.
-    pub fn steak(&self) -> Option<&saute_kitchen::Piece> {
-        self.kitchen.pieces().first()
+    /// The piece that the panels are about: the selected one, else the first.
+    pub fn steak(&self) -> Option<&Piece> {
+        self.selected().or_else(|| self.kitchen.pieces().first())
+    }
+
+    /// The piece that was selected, while it is there.
+    pub fn selected(&self) -> Option<&Piece> {
+        self.kitchen.piece(self.selected.as_deref()?)
+    }
+
+    /// Selects a piece, or none.
+    pub fn select(&mut self, id: Option<String>) {
+        self.selected = id;
+    }
+
+    /// Where the piece of the panels stands among all pieces.
+    pub fn steak_index(&self) -> usize {
+        let id = self.steak().map(|p| &p.id);
+        self.kitchen.pieces().iter().position(|p| Some(&p.id) == id).unwrap_or(0)
     }
 
     /// What the food is called in a sentence: "steak", "carrot coin".
@@ -172,7 +211,60 @@ impl Session {
 
     /// Its mass when it was set out [g].
     pub fn start_mass_g(&self) -> f64 {
-        self.start_mass_g
+        self.steak().and_then(|p| self.start_mass_g.get(&p.id)).copied().unwrap_or(0.0)
+    }
+
+    /// Sets more food out, beside what is there: waiting pieces under one name.
+    pub fn add(&mut self, choice: &SteakChoice, count: usize) -> Result<String, SetupError> {
+        let group = self.free_name(&base_name(&self.library, &choice.kind));
+        for order in orders(&self.library, choice, &group, count) {
+            self.kitchen.add(&self.library, &order)?;
+        }
+        self.weigh_new();
+        self.runner = None;
+        self.added.push((choice.clone(), count));
+        Ok(group)
+    }
+
+    /// A group's name that is not taken: the base, or the base with the first free number.
+    fn free_name(&self, base: &str) -> String {
+        let taken = |name: &str| self.kitchen.pieces().iter().any(|p| group_of(&p.id) == name);
+        let numbered = (2..).map(|n| format!("{base}-{n}"));
+        std::iter::once(base.to_owned()).chain(numbered).find(|name| !taken(name)).unwrap_or_else(|| base.to_owned())
+    }
+
+    /// Takes pieces away altogether.
+    pub fn remove(&mut self, ids: &[String]) {
+        for id in ids {
+            self.kitchen.remove(id);
+            self.start_mass_g.remove(id);
+        }
+        self.runner = None;
+    }
+
+    /// Pieces of a group, in their order.
+    pub fn members(&self, group: &str) -> Vec<String> {
+        let ids = self.kitchen.pieces().iter().map(|p| &p.id);
+        ids.filter(|id| group_of(id) == group).cloned().collect()
+    }
+
+    /// Lays pieces that are not in the pan onto its floor, side by side, as many as fit; tells how many.
+    pub fn lay(&mut self, ids: &[String]) -> Result<usize, String> {
+        let places = self.kitchen.free_places(ids, [0.0, 0.0]);
+        for (food, at) in ids.iter().zip(&places) {
+            self.command(&Command::Put { food: food.clone(), at: *at, heap: false })?;
+        }
+        Ok(places.len())
+    }
+
+    /// Drops pieces into the pan in a loose heap.
+    pub fn heap(&mut self, ids: &[String]) -> Result<(), String> {
+        let floor = self.kitchen.world().pan_shape().floor;
+        for (k, food) in ids.iter().enumerate() {
+            let at = on_spiral(k, ids.len(), HEAP_SHARE * floor);
+            self.command(&Command::Put { food: food.clone(), at, heap: true })?;
+        }
+        Ok(())
     }
 
     /// Carries out a person's command: from then on the recipe no longer plays.
@@ -182,7 +274,9 @@ impl Session {
         if matches!(command, Command::Put { .. }) {
             self.recorder.on_put(&self.kitchen);
         }
-        self.mark(label(command));
+        if let Some(label) = label(command) {
+            self.mark(label);
+        }
         Ok(())
     }
 
@@ -200,9 +294,12 @@ impl Session {
         }
         self.owed_s += wall.as_secs_f64() * self.speed;
         let start = Instant::now();
-        while self.owed_s >= TICK_S && start.elapsed() < budget {
-            self.tick()?;
-            self.owed_s -= TICK_S;
+        // At the pace of a wall clock every frame is shown; faster, only ticks are.
+        let step = if self.speed > 1.0 { TICK_S } else { FRAME_S };
+        while self.owed_s >= step - SAME_TIME && start.elapsed() < budget {
+            let before = self.kitchen.time_s();
+            if self.speed > 1.0 { self.tick()? } else { self.frame().map(drop)? };
+            self.owed_s -= self.kitchen.time_s() - before;
             if self.paused {
                 break;
             }
@@ -210,23 +307,39 @@ impl Session {
         Ok(())
     }
 
-    /// One tick, with the recipe's steps that are due.
+    /// To the end of the tick, with the recipe's steps that are due.
     pub fn tick(&mut self) -> Result<(), String> {
-        if let Some(mut runner) = self.runner.take() {
-            let fired = runner.poll(&mut self.kitchen).map_err(|e| e.to_string())?;
-            self.recorder.on_steps(&self.kitchen, &fired);
-            let time_s = self.kitchen.time_s();
-            self.marks.extend(fired.iter().map(|step| Mark { time_s, label: step_label(step) }));
-            if runner.stopped().is_some() {
-                self.paused = true;
-                self.owed_s = 0.0;
-                return Ok(());
-            }
-            self.runner = Some(runner);
-        }
-        self.kitchen.step();
-        self.recorder.observe(&self.kitchen);
+        while !self.frame()? {}
         Ok(())
+    }
+
+    /// One frame; at the start of a tick with the recipe's steps that are due. Tells whether a tick, or the recipe, has
+    /// ended.
+    fn frame(&mut self) -> Result<bool, String> {
+        if self.kitchen.is_between_ticks() && !self.poll()? {
+            return Ok(true);
+        }
+        let ticked = self.kitchen.advance_frame();
+        if ticked {
+            self.recorder.observe(&self.kitchen);
+        }
+        Ok(ticked)
+    }
+
+    /// Lets the recipe do what is due; tells whether time goes on.
+    fn poll(&mut self) -> Result<bool, String> {
+        let Some(mut runner) = self.runner.take() else { return Ok(true) };
+        let fired = runner.poll(&mut self.kitchen).map_err(|e| e.to_string())?;
+        self.recorder.on_steps(&self.kitchen, &fired);
+        let time_s = self.kitchen.time_s();
+        self.marks.extend(fired.iter().map(|step| Mark { time_s, label: step_label(step) }));
+        if runner.stopped().is_some() {
+            self.paused = true;
+            self.owed_s = 0.0;
+            return Ok(false);
+        }
+        self.runner = Some(runner);
+        Ok(true)
     }
 
     /// Chooses a speed; time owed at another speed is no longer asked for.
@@ -248,16 +361,13 @@ impl Session {
 
     /// What would happen if the food were taken out now; reckoned anew every simulated second.
     pub fn forecast(&mut self) -> Option<Forecast> {
-        let piece = self.kitchen.pieces().first()?;
-        if !piece.in_pan() {
-            return None;
-        }
+        let piece = self.steak().filter(|p| p.in_pan())?;
         let second = self.kitchen.tick() / 10;
-        if self.forecast.is_none_or(|(at, _)| at != second) {
+        if self.forecast.as_ref().is_none_or(|(id, at, _)| *at != second || *id != piece.id) {
             let (peak, in_s) = foreseen_peak(&piece.model, &piece.state, self.kitchen.room());
-            self.forecast = Some((second, Forecast { peak_c: celsius(peak), in_s }));
+            self.forecast = Some((piece.id.clone(), second, Forecast { peak_c: celsius(peak), in_s }));
         }
-        self.forecast.map(|(_, f)| f)
+        self.forecast.as_ref().map(|(.., f)| *f)
     }
 }
 
@@ -267,29 +377,61 @@ pub fn noun(library: &Library, kind: &str) -> String {
     if name.contains(STEAK) { STEAK.to_owned() } else { name }
 }
 
+/// The group that a piece belongs to: its name up to the number, its own name where there is none.
+pub fn group_of(id: &str) -> &str {
+    match id.rsplit_once('.') {
+        Some((group, number)) if number.parse::<u32>().is_ok() => group,
+        _ => id,
+    }
+}
+
+/// Share of the floor's radius over which a heap is dropped [-] (chosen: clear of the wall).
+const HEAP_SHARE: f64 = 0.62;
+
+/// Places spread evenly over a disc, the first in its middle [m].
+fn on_spiral(k: usize, count: usize, radius: f64) -> [f64; 2] {
+    /// The golden angle [rad]: no two turns of the spiral meet.
+    const TURN: f64 = 2.399_963_229_728_653;
+    let (share, angle) = ((k as f64 / count.max(1) as f64).sqrt(), TURN * k as f64);
+    [radius * share * angle.cos(), radius * share * angle.sin()]
+}
+
+/// Name of a food that is set out: that of a steak, or of its kind.
+fn base_name(library: &Library, kind: &str) -> String {
+    if noun(library, kind) == STEAK { STEAK.into() } else { kind.into() }
+}
+
 fn set_out(library: &Library, choice: &SteakChoice) -> Result<Kitchen, SetupError> {
     let mut kitchen = Kitchen::new(library, &choice.pan, kelvin(choice.preheat_c))?;
+    for order in orders(library, choice, &base_name(library, &choice.kind), 1) {
+        kitchen.add(library, &order)?;
+    }
+    Ok(kitchen)
+}
+
+/// Orders of pieces under one name; each has a seed of its own, so that no two are the same.
+fn orders(library: &Library, choice: &SteakChoice, group: &str, count: usize) -> Vec<PieceOrder> {
     let food = library.foods.get(&choice.kind);
     let form = food.map_or(Form::Steak, |f| f.form);
     let default = || food.and_then(|f| form.extent(&f.size.default_mm)).unwrap_or_default();
     let size = form.extent(&choice.size_mm).unwrap_or_else(default);
-    let is_steak = noun(library, &choice.kind) == STEAK;
-    let order = PieceOrder {
-        id: if is_steak { STEAK.into() } else { choice.kind.clone() },
+    let order = |k: usize| PieceOrder {
+        id: if count == 1 { group.to_owned() } else { format!("{group}.{}", k + 1) },
         kind: choice.kind.clone(),
         size: size.map(|mm| mm * 1e-3),
         temperature: kelvin(choice.initial_c),
-        seed: 1,
+        seed: k as u64 + 1,
         coarseness: 1.0,
         rules: Rules::Full,
         mesh: MeshSize::Default,
     };
-    kitchen.add(library, &order)?;
-    Ok(kitchen)
+    (0..count).map(order).collect()
 }
 
-fn label(command: &Command) -> String {
-    match command {
+/// How a command is called beside the curves; none for what a hand does all the time.
+fn label(command: &Command) -> Option<String> {
+    Some(match command {
+        Command::Lead { .. } | Command::LetGo | Command::HoldPan { .. } => return None,
         Command::Hob(w) => format!("{w:.0} W"),
         Command::Put { .. } => "in".into(),
         Command::Flip { .. } => "flip".into(),
@@ -305,7 +447,7 @@ fn label(command: &Command) -> String {
         Command::Butter(_) => "butter".into(),
         Command::Water(_) => "water".into(),
         Command::Lid(on) => if *on { "lid on" } else { "lid off" }.into(),
-    }
+    })
 }
 
 fn step_label(step: &saute_kitchen::Fired) -> String {

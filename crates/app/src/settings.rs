@@ -26,6 +26,8 @@ pub struct Settings {
     pub goal_c: f64,
     /// Whether the panel with the food's choices is open.
     pub pantry_open: bool,
+    /// Whether the list of the pieces is open.
+    pub pieces_open: bool,
     /// Whether the curves are shown.
     pub curves_open: bool,
     /// Whether all panels are hidden.
@@ -43,6 +45,7 @@ impl Default for Settings {
             choice: SteakChoice::default(),
             goal_c: 60.0,
             pantry_open: false,
+            pieces_open: false,
             curves_open: true,
             panels_hidden: false,
         }

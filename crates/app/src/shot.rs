@@ -11,7 +11,8 @@ use crate::colour_map::TemperatureMap;
 use crate::headless::{Gpu, GpuError, still};
 use crate::scene::camera::Camera;
 use crate::section_picture::Picture;
-use crate::stage::{FIRST_ON_BOARD, StageOptions, fitting};
+use crate::stage::{StageOptions, fitting};
+use crate::waiting::FIRST_ON_BOARD;
 use crate::view::View;
 
 /// Why there is no picture.
@@ -86,7 +87,7 @@ impl ShotOptions {
         }
         let slice = self.slice.then_some(0.0);
         let scale = fitting(kitchen, &self.scale);
-        StageOptions { camera, view: self.view, map: TemperatureMap::default(), scale, slice, flat: self.flat }
+        StageOptions { camera, view: self.view, map: TemperatureMap::default(), scale, slice, cut: None, flat: self.flat }
     }
 }
 

@@ -3,18 +3,21 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use glam::{Mat4, Quat, Vec3};
+use glam::{Mat4, Quat, Vec2, Vec3};
+use saute_kitchen::dynamics::Tool;
 use saute_kitchen::food::Scale;
-use saute_kitchen::{Kitchen, Piece, Place, RestOn, celsius};
+use saute_kitchen::{FRAMES_PER_TICK, Kitchen, Piece, Place, RestOn, celsius};
 
 use crate::colour_map::{ColourMap, TemperatureMap};
 use crate::food_look::{Skin, slice};
 use crate::scene::camera::Camera;
 use crate::scene::input::{
-    Colouring, FLOOR_FIELD_RINGS, FoodLook, HobLook, PanLook, RACK_HEIGHT, RestKind, RestLook, SceneInput, SteamSource,
+    Colouring, FLOOR_FIELD_RINGS, FoodLook, FoodVertex, HobLook, PanLook, RACK_HEIGHT, RestKind, RestLook, SceneInput,
+    SteamSource, ToolKind, ToolLook,
 };
 use crate::scene::props::{BOARD_CENTRE, CLOTH_PLACE};
 use crate::view::View;
+use crate::waiting::waiting_places;
 
 /// How the picture is wanted.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,12 +32,14 @@ pub struct StageOptions {
     pub scale: Option<Arc<Scale>>,
     /// The cut: distance along the longest axis from the centroid over half the length (−1…1); none for no cut.
     pub slice: Option<f64>,
+    /// The piece that is cut; all of them unless one is named.
+    pub cut: Option<String>,
     /// Unlit, exactly decodable colours.
     pub flat: bool,
 }
 
 /// Where a piece is and how it is turned.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose {
     /// Origin of its body [m].
     pub position: Vec3,
@@ -43,34 +48,46 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// The pose that the kitchen says; what waits lies on the board.
-    pub fn of(kitchen: &Kitchen, piece: &Piece) -> Self {
-        if piece.place == Place::Waiting {
-            let half = piece.model.rest_height(&piece.state) as f32;
-            let rotation = Quat::from_rotation_z(-std::f32::consts::FRAC_PI_2);
-            return Self { position: board_place(kitchen, piece) + Vec3::Z * half, rotation };
-        }
-        let rotation = piece.pose.rotation.as_quat();
+    /// The pose that the kitchen's bodies say.
+    fn of(piece: &Piece) -> Self {
         // The bodies know no rack: it lifts what lies on it in the picture.
         let lift = if piece.place == Place::Rest(RestOn::Rack) { RACK_HEIGHT } else { 0.0 };
         let bent = 0.5 * piece.state.stretch.dome.abs() as f32;
-        Self { position: piece.pose.position.as_vec3() + Vec3::Z * (lift + bent), rotation }
+        let raised = piece.pose.position.as_vec3() + Vec3::Z * (lift + bent);
+        Self { position: raised, rotation: piece.pose.rotation.as_quat() }
+    }
+
+    /// The pose of a rigid body of the kitchen.
+    pub fn of_body(pose: &saute_kitchen::dynamics::Pose) -> Self {
+        Self { position: pose.position.as_vec3(), rotation: pose.rotation.as_quat() }
     }
 
     /// Maps the rest frame to the world.
     pub fn matrix(&self) -> Mat4 {
         Mat4::from_rotation_translation(self.rotation, self.position)
     }
+
+    /// This pose carried along with a frame that goes from one pose to another.
+    fn carried(&self, from: &Self, to: &Self) -> Self {
+        let turn = to.rotation * from.rotation.inverse();
+        Self {
+            position: to.position + turn * (self.position - from.position),
+            rotation: (turn * self.rotation).normalize(),
+        }
+    }
 }
 
-/// Where the first piece on the board lies: near the pan, in view [m].
-pub const FIRST_ON_BOARD: Vec3 = Vec3::new(BOARD_CENTRE.x - 0.07, BOARD_CENTRE.y, BOARD_CENTRE.z);
-
-/// Pieces lie across the board, the first one nearest to the pan.
-fn board_place(kitchen: &Kitchen, piece: &Piece) -> Vec3 {
-    let waiting = |p: &&Piece| p.place == Place::Waiting;
-    let index = kitchen.pieces().iter().filter(waiting).position(|p| p.id == piece.id).unwrap_or(0);
-    FIRST_ON_BOARD + Vec3::X * (0.09 * index as f32)
+/// Where every piece is, in their order: as the kitchen's bodies lie; what waits lies on the board, and what is in a pan on
+/// the cloth lies there.
+pub fn poses(kitchen: &Kitchen) -> Vec<Pose> {
+    let waiting = waiting_places(kitchen);
+    let (bodies, drawn) = (body_of_pan(kitchen), pan_pose(kitchen));
+    let pose = |(index, piece): (usize, &Piece)| match piece.place {
+        Place::Waiting => waiting.get(&index).copied().unwrap_or_default(),
+        Place::Pan(_) if bodies != drawn => Pose::of(piece).carried(&bodies, &drawn),
+        _ => Pose::of(piece),
+    };
+    kitchen.pieces().iter().enumerate().map(pose).collect()
 }
 
 /// Where things are in the picture while they are on their way; elsewhere the kitchen tells.
@@ -78,87 +95,193 @@ fn board_place(kitchen: &Kitchen, piece: &Piece) -> Vec3 {
 pub struct Places {
     /// Pieces, by id.
     pub pieces: BTreeMap<String, Pose>,
-    /// The pan [m].
-    pub pan: Option<Vec3>,
+    /// The pan: the centre of its underside.
+    pub pan: Option<Pose>,
+    /// The point of the hob's plane that the eye has followed the pan to [m]; where the pan is unless given.
+    pub followed: Option<Vec3>,
 }
 
 impl Places {
     /// Where a piece is.
     pub fn piece(&self, kitchen: &Kitchen, piece: &Piece) -> Pose {
-        self.pieces.get(&piece.id).copied().unwrap_or_else(|| Pose::of(kitchen, piece))
+        let index = kitchen.pieces().iter().position(|p| p.id == piece.id);
+        index.and_then(|i| self.all(kitchen).get(i).copied()).unwrap_or_default()
     }
 
-    /// Where the pan is [m].
-    pub fn pan(&self, kitchen: &Kitchen) -> Vec3 {
-        self.pan.unwrap_or_else(|| pan_position(kitchen))
+    /// Where all pieces are, in their order; what lies in the pan is carried along with it.
+    pub fn all(&self, kitchen: &Kitchen) -> Vec<Pose> {
+        let (stands, drawn) = (pan_pose(kitchen), self.pan(kitchen));
+        let pose = |(piece, pose): (&Piece, Pose)| match self.pieces.get(&piece.id) {
+            Some(moving) => *moving,
+            None if piece.in_pan() && stands != drawn => pose.carried(&stands, &drawn),
+            None => pose,
+        };
+        kitchen.pieces().iter().zip(poses(kitchen)).map(pose).collect()
+    }
+
+    /// Where the pan is.
+    pub fn pan(&self, kitchen: &Kitchen) -> Pose {
+        self.pan.unwrap_or_else(|| pan_pose(kitchen))
+    }
+
+    /// Where the eye goes along to [m].
+    pub fn followed(&self, kitchen: &Kitchen) -> Vec3 {
+        self.followed.unwrap_or_else(|| self.pan(kitchen).position)
     }
 }
 
-/// How much of the pan's way to the cloth the eye goes along [-] (chosen: hob and pan stay in view).
+/// How much of the pan's way the eye goes along [-] (chosen: hob and pan stay in view), and of its lift.
 const EYE_FOLLOWS: f32 = 0.62;
+const EYE_RISES: f32 = 0.35;
 
-/// The eye follows the pan to the cloth.
+/// The eye follows the pan.
 pub fn following(camera: &Camera, pan: Vec3) -> Camera {
-    Camera { target: camera.target + pan.with_z(0.0) * EYE_FOLLOWS, ..camera.clone() }
+    let share = Vec3::new(EYE_FOLLOWS, EYE_FOLLOWS, EYE_RISES);
+    Camera { target: camera.target + pan.with_z(pan.z.max(0.0)) * share, ..camera.clone() }
 }
 
-/// Where the pan stands [m].
-pub fn pan_position(kitchen: &Kitchen) -> Vec3 {
+/// Where the pan stands in the picture: the centre of its underside.
+pub fn pan_pose(kitchen: &Kitchen) -> Pose {
     if kitchen.cloth().is_some() {
-        return CLOTH_PLACE;
+        return Pose { position: CLOTH_PLACE, rotation: Quat::IDENTITY };
     }
-    let pan = kitchen.world().motion.pose.position.as_vec3();
-    pan - Vec3::Z * kitchen.world().pan_shape().thickness as f32
+    body_of_pan(kitchen)
+}
+
+fn body_of_pan(kitchen: &Kitchen) -> Pose {
+    let floor = Pose::of_body(&kitchen.world().motion.pose);
+    let thickness = kitchen.world().pan_shape().thickness as f32;
+    Pose { position: floor.position - floor.rotation * Vec3::Z * thickness, ..floor }
 }
 
 /// Keeps the skins of the pieces between frames.
 #[derive(Clone, Debug, Default)]
 pub struct Stage {
-    skins: BTreeMap<String, (u64, Skin)>,
+    skins: BTreeMap<String, Worn>,
+    /// Where the next round of refreshing begins.
+    round: usize,
 }
+
+/// A skin with the vertices it has now.
+#[derive(Clone, Debug)]
+struct Worn {
+    model: usize,
+    skin: Skin,
+    vertices: Arc<Vec<FoodVertex>>,
+    /// What the vertices were made for.
+    fresh_for: Option<Fresh>,
+}
+
+/// State and view that vertices show.
+#[derive(Clone, Debug, PartialEq)]
+struct Fresh {
+    ticks: u64,
+    view: View,
+    map: TemperatureMap,
+    scale: Option<String>,
+}
+
+/// A state this much older than shown is not yet worth new vertices, where there are many pieces [ticks] (chosen: 0.5 s).
+const STALE_TICKS: u64 = 5;
+/// Pieces of which every one is shown as it is in every frame (chosen).
+const ALWAYS_FRESH: usize = 6;
 
 impl Stage {
     /// Describes one frame.
     pub fn scene(&mut self, kitchen: &Kitchen, options: &StageOptions, places: &Places) -> SceneInput {
         let pan = places.pan(kitchen);
         let map = options.view.colour_map(options.map, options.scale.as_deref());
-        self.skins.retain(|id, _| kitchen.piece(id).is_some());
-        let foods = kitchen.pieces().iter().map(|p| self.food(kitchen, p, options, map.as_ref(), places)).collect();
+        self.refresh(kitchen, options, map.as_ref());
+        let poses = places.all(kitchen);
+        let looks = kitchen.pieces().iter().zip(&poses);
         SceneInput {
-            camera: following(&options.camera, pan),
+            camera: following(&options.camera, places.followed(kitchen)),
             hob: HobLook { power: (kitchen.drawn_w() / 2000.0).min(1.0) as f32 },
-            pan: PanLook { position: pan, ..pan_look(kitchen, options.view, map.as_ref()) },
-            foods,
+            pan: PanLook { position: pan.position, rotation: pan.rotation, ..pan_look(kitchen, options.view, map.as_ref()) },
+            foods: looks.filter_map(|(piece, pose)| self.food(piece, pose, options, map.as_ref())).collect(),
+            tool: tool(kitchen),
             rest: kitchen.pieces().iter().find_map(rest_look),
-            steam: steam(kitchen, places),
+            steam: steam(kitchen, &pan, &poses),
             time_s: kitchen.time_s() as f32,
             colouring: map.map_or(Colouring::Look, |m| Colouring::Field { table: m.table, stepped: m.stepped }),
             flat: options.flat,
         }
     }
 
-    fn food(
-        &mut self,
-        kitchen: &Kitchen,
-        piece: &Piece,
-        options: &StageOptions,
-        map: Option<&ColourMap>,
-        places: &Places,
-    ) -> FoodLook {
-        let identity = Arc::as_ptr(&piece.model) as u64;
-        let entry = self.skins.entry(piece.id.clone()).or_insert_with(|| (identity, Skin::new(piece)));
-        if entry.0 != identity {
-            *entry = (identity, Skin::new(piece));
-        }
-        let skin = &entry.1;
-        let pose = places.piece(kitchen, piece);
-        FoodLook {
-            mesh: skin.mesh.clone(),
-            vertices: skin.vertices(&piece.model, &piece.state, options.view, map),
-            world_from_rest: pose.matrix(),
-            slice: options.slice.and_then(|s| slice(piece, s * half_length(piece), options.view, map)),
+    /// The drawn points of a piece in its body's frame [m], as far as it has been drawn.
+    pub fn points(&self, id: &str) -> &[FoodVertex] {
+        self.skins.get(id).map_or(&[], |worn| worn.vertices.as_slice())
+    }
+
+    /// Brings vertices up to date: of a few pieces all, of many a part in each frame, those that have waited longest first.
+    fn refresh(&mut self, kitchen: &Kitchen, options: &StageOptions, map: Option<&ColourMap>) {
+        self.skins.retain(|id, _| kitchen.piece(id).is_some());
+        let count = kitchen.pieces().len();
+        let mut left = ALWAYS_FRESH.max(count.div_ceil(2 * FRAMES_PER_TICK as usize));
+        let scale = options.scale.as_ref().map(|s| s.id.clone());
+        let first = if count > ALWAYS_FRESH { self.round } else { 0 };
+        for piece in kitchen.pieces().iter().cycle().skip(first % count.max(1)).take(count) {
+            let ticks = piece.state.ticks;
+            let wanted = Fresh { ticks, view: options.view, map: options.map, scale: scale.clone() };
+            let worn = self.worn(piece);
+            let patient = count > ALWAYS_FRESH && worn.is_nearly(&wanted);
+            if worn.fresh_for.as_ref() == Some(&wanted) || (patient && left == 0) {
+                continue;
+            }
+            if patient {
+                left -= 1;
+            }
+            worn.vertices = Arc::new(worn.skin.vertices(&piece.model, &piece.state, options.view, map));
+            worn.fresh_for = Some(wanted);
+            self.round += usize::from(patient);
         }
     }
+
+    fn worn(&mut self, piece: &Piece) -> &mut Worn {
+        let model = Arc::as_ptr(&piece.model) as usize;
+        if self.skins.get(&piece.id).is_none_or(|worn| worn.model != model) {
+            let worn = Worn { model, skin: Skin::new(piece), vertices: Arc::default(), fresh_for: None };
+            self.skins.insert(piece.id.clone(), worn);
+        }
+        self.skins.entry(piece.id.clone()).or_insert_with(|| Worn {
+            model,
+            skin: Skin::new(piece),
+            vertices: Arc::default(),
+            fresh_for: None,
+        })
+    }
+
+    fn food(&self, piece: &Piece, pose: &Pose, options: &StageOptions, map: Option<&ColourMap>) -> Option<FoodLook> {
+        let worn = self.skins.get(&piece.id)?;
+        let cut = options.cut.as_ref().is_none_or(|id| *id == piece.id);
+        let place = options.slice.filter(|_| cut);
+        Some(FoodLook {
+            mesh: worn.skin.mesh.clone(),
+            vertices: Arc::clone(&worn.vertices),
+            world_from_rest: pose.matrix(),
+            slice: place.and_then(|s| slice(piece, s * half_length(piece), options.view, map)),
+        })
+    }
+}
+
+impl Worn {
+    /// Whether what is shown may wait a little.
+    fn is_nearly(&self, wanted: &Fresh) -> bool {
+        self.fresh_for.as_ref().is_some_and(|shown| {
+            let same = Fresh { ticks: wanted.ticks, ..shown.clone() } == *wanted;
+            same && wanted.ticks.abs_diff(shown.ticks) < STALE_TICKS
+        })
+    }
+}
+
+/// The tool in the cook's hand.
+fn tool(kitchen: &Kitchen) -> Option<ToolLook> {
+    let hand = kitchen.hand();
+    let kind = match hand.tool {
+        Tool::Turner => ToolKind::Turner,
+        Tool::Tongs => ToolKind::Tongs { open: hand.gripped().is_none() },
+    };
+    hand.is_active().then(|| ToolLook { kind, world_from_tool: Pose::of_body(&hand.pose).matrix() })
 }
 
 /// Rack or foil where a piece rests on or under one.
@@ -168,15 +291,21 @@ fn rest_look(piece: &Piece) -> Option<RestLook> {
         Place::Rest(RestOn::Foil) => RestKind::Foil,
         _ => return None,
     };
-    // Pieces lie across the board: their length runs along y.
     let [length, width, thickness] = piece.model.size.map(|v| v as f32);
-    Some(RestLook { kind, centre: FIRST_ON_BOARD, half: 0.5 * glam::Vec2::new(width, length), height: thickness })
+    let turn = Vec2::from_angle(piece.pose.rotation.as_quat().to_euler(glam::EulerRot::ZYX).0);
+    let half = 0.5 * (turn.abs() * length + turn.perp().abs() * width);
+    let centre = piece.pose.position.as_vec3().with_z(BOARD_CENTRE.z);
+    Some(RestLook { kind, centre, half, height: thickness })
 }
 
 /// The scale, where it says anything about what is cooked: about the first piece.
 pub fn fitting(kitchen: &Kitchen, scale: &Arc<Scale>) -> Option<Arc<Scale>> {
-    let first = kitchen.pieces().first();
-    first.is_none_or(|p| scale.fits(&p.model.kinetics)).then(|| Arc::clone(scale))
+    fitting_piece(kitchen.pieces().first(), scale)
+}
+
+/// The scale, where it says anything about a piece.
+pub fn fitting_piece(piece: Option<&Piece>, scale: &Arc<Scale>) -> Option<Arc<Scale>> {
+    piece.is_none_or(|p| scale.fits(&p.model.kinetics)).then(|| Arc::clone(scale))
 }
 
 /// How much nearer the eye goes to a small piece [-]: it fills as much of the picture as a steak of 120 mm, and never
@@ -206,7 +335,8 @@ fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
         metalness: look.metalness as f32,
         roughness: look.roughness as f32,
         oil: 0.6,
-        position: pan_position(kitchen),
+        position: Vec3::ZERO,
+        rotation: Quat::IDENTITY,
         on_cloth: kitchen.cloth().is_some(),
         floor_field: floor_field(kitchen, map.filter(|_| view == View::Temperature)),
     }
@@ -230,14 +360,15 @@ fn floor_field(kitchen: &Kitchen, map: Option<&ColourMap>) -> [f32; FLOOR_FIELD_
     sums.map(|(t, w)| map.coordinate(if w > 0.0 { celsius(t / w) } else { mean }))
 }
 
-/// Vapour leaves round the lower rim of a frying piece and from its upper face.
-fn steam(kitchen: &Kitchen, places: &Places) -> Vec<SteamSource> {
+/// Vapour leaves round the lower rim of a frying piece and from its upper face; of many pieces each has fewer sources.
+fn steam(kitchen: &Kitchen, pan: &Pose, poses: &[Pose]) -> Vec<SteamSource> {
     let mut sources = Vec::new();
-    for piece in kitchen.pieces().iter().filter(|p| p.place != Place::Waiting && p.vapour_flow > 0.0) {
-        let pose = places.piece(kitchen, piece);
+    let frying = kitchen.pieces().iter().zip(poses).filter(|(p, _)| p.place != Place::Waiting && p.vapour_flow > 0.0);
+    let around = if kitchen.pieces().len() > ALWAYS_FRESH { 1u8 } else { 6 };
+    for (piece, pose) in frying {
         let [a, b] = [0.45 * piece.model.size[0] as f32, 0.45 * piece.model.size[1] as f32];
-        let share = 1e3 * piece.vapour_flow as f32 / 7.0;
-        for k in 0..6u8 {
+        let share = 1e3 * piece.vapour_flow as f32 / f32::from(around + 1);
+        for k in 0..around {
             let angle = f32::from(k) * std::f32::consts::TAU / 6.0 + 0.4;
             let position = pose.position + Vec3::new(a * angle.cos(), b * angle.sin(), 0.0);
             sources.push(SteamSource { position, radius: 0.015f32.min(0.5 * b), flow_g_s: share });
@@ -248,7 +379,7 @@ fn steam(kitchen: &Kitchen, places: &Places) -> Vec<SteamSource> {
     let (puddle, cloth) = kitchen.other_vapour();
     if puddle + cloth > 1e-6 {
         let flow_g_s = 1e3 * (puddle + 0.3 * cloth) as f32;
-        sources.push(SteamSource { position: places.pan(kitchen) + Vec3::Z * 0.01, radius: 0.09, flow_g_s });
+        sources.push(SteamSource { position: pan.position + Vec3::Z * 0.01, radius: 0.09, flow_g_s });
     }
     sources
 }

@@ -3,7 +3,7 @@
 use saute_app::headless::{Gpu, still};
 use saute_app::scene::camera::Camera;
 use saute_app::shot::{ShotError, cook_until};
-use saute_app::stage::{Pose, StageOptions, half_length};
+use saute_app::stage::{Pose, StageOptions, half_length, poses};
 use saute_app::{Picture, TemperatureMap, View};
 use saute_kitchen::food::noise::uniform;
 use saute_kitchen::{Cook, Library, Piece, Recipe, celsius};
@@ -22,7 +22,7 @@ fn cook(at_s: f64) -> Cook {
 
 fn options(view: View, slice: Option<f64>, flat: bool) -> StageOptions {
     let camera = Camera { yaw: saute_app::app::CUT_YAW, ..Camera::three_quarter() };
-    StageOptions { camera, view, map: TemperatureMap::Uniform, scale: None, slice, flat }
+    StageOptions { camera, view, map: TemperatureMap::Uniform, scale: None, slice, cut: None, flat }
 }
 
 fn pixel(picture: &Picture, [x, y]: [usize; 2]) -> [u8; 3] {
@@ -78,12 +78,12 @@ fn the_flat_temperature_view_decodes_to_the_cores_field_within_a_kelvin() {
     let gpu = Gpu::open().expect("an adapter");
     let cook = cook(300.0);
     let piece = &cook.kitchen.pieces()[0];
-    let pose = Pose::of(&cook.kitchen, piece);
+    let pose = poses(&cook.kitchen)[0];
     let options = options(View::Temperature, Some(0.2), true);
     let picture = still(&gpu, &cook.kitchen, &options, SIZE);
     let map = TemperatureMap::Uniform.map();
     let (thickness, cut) = (piece.model.mesh.thickness(), 0.2 * half_length(piece));
-    let upper = if pose.turn > 1.0 { 0.0 } else { thickness };
+    let upper = if piece.upside_down() { 0.0 } else { thickness };
     for i in 0..40u64 {
         let random = |k: u64| uniform(2013, 10 * i + k);
         let (plane, near) = if i % 2 == 0 {
@@ -115,8 +115,8 @@ fn a_burnt_face_is_far_darker_than_a_raw_one() {
         let cook = cook_until(recipe, &library, at_s).expect("cooks");
         let picture = still(&gpu, &cook.kitchen, &options(View::Look, None, false), SIZE);
         let piece = &cook.kitchen.pieces()[0];
-        let pose = Pose::of(&cook.kitchen, piece);
-        let upper = if pose.turn > 1.0 { 0.0 } else { piece.model.mesh.thickness() };
+        let pose = poses(&cook.kitchen)[0];
+        let upper = if piece.upside_down() { 0.0 } else { piece.model.mesh.thickness() };
         let mut sum = 0.0;
         for i in 0..400u64 {
             let near = [(uniform(5, 2 * i) - 0.5) * 0.08, (uniform(5, 2 * i + 1) - 0.5) * 0.05, upper];

@@ -113,7 +113,7 @@ pub fn shot(args: &ShotArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
 pub fn bench_frame(args: &BenchFrameArgs, shelf: &Shelf, process_start: Instant) -> Result<ExitCode, CliError> {
     let recipe = recipe_source::load(&args.recipe, shelf)?;
     let start = Start { library: Some(Arc::new(shelf.library.clone())), recipe: Some(recipe) };
-    let bench = saute_app::bench_frame::bench_frame(start, args.size, process_start)?;
+    let bench = saute_app::bench_frame::bench_frame(start, args.size, 0.0, process_start)?;
     if args.json {
         stdout::print(&format!("{}\n", serde_json::to_string_pretty(&bench)?))?;
         return Ok(ExitCode::SUCCESS);

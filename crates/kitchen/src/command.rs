@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::dynamics::{Pose, Tool};
+
 /// Where food rests.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -90,6 +92,22 @@ pub enum Command {
         /// Where its centroid goes, relative to the pan's centre [m].
         to: [f64; 2],
     },
+    /// Leads a tool freely to a pose; what it grips follows it by force.
+    Lead {
+        /// Which tool.
+        tool: Tool,
+        /// Where its tip shall be, in the kitchen.
+        to: Pose,
+        /// Which piece it takes hold of, once within reach.
+        grip: Option<String>,
+    },
+    /// Lowers what a led tool grips until it lies, lets it go and puts the tool away.
+    LetGo,
+    /// Holds the pan at a pose of the middle of its floor, within reach and above the glass; ends a gesture.
+    HoldPan {
+        /// Where.
+        pose: Pose,
+    },
     /// Pours oil into the pan.
     Oil {
         /// Which oil; the kitchen's own unless given.
@@ -112,7 +130,8 @@ impl Command {
             Self::Put { .. } | Self::Flip { .. } | Self::Rest { .. } => true,
             Self::Press { .. } | Self::Move { .. } | Self::Toss { .. } => true,
             Self::Oil { .. } | Self::Butter(_) | Self::Water(_) => true,
-            Self::Shake { .. } | Self::Tilt { .. } => false,
+            Self::Shake { .. } | Self::Tilt { .. } | Self::HoldPan { .. } | Self::LetGo => false,
+            Self::Lead { .. } => true,
             Self::Hob(_) | Self::MovePan { .. } | Self::Cool { .. } | Self::Lid(_) => false,
         }
     }
@@ -150,12 +169,12 @@ pub enum Refused {
         /// What is in the way.
         other: String,
     },
+    /// Waits outside of the world of bodies.
+    #[error("\"{0}\" waits to be put in: no tool can lead it yet")]
+    Waiting(String),
     /// Nothing to toss.
     #[error("there is nothing in the pan to toss: put a food in first")]
     EmptyPan,
-    /// Not built yet.
-    #[error("this kitchen cannot {0} yet")]
-    NotYet(&'static str),
     /// The pan would be out of reach.
     #[error("the pan can be moved and lifted by up to {farthest_mm} mm")]
     PanPlace {

@@ -13,6 +13,7 @@ use crate::event::EventLog;
 use crate::food_contact::Touching;
 use crate::hob::HobDescription;
 use crate::layout::{Floor, Footprint};
+use crate::lead::Led;
 use crate::library::Library;
 use crate::pan::{PanModel, PanSolver, PanState};
 use crate::piece::{Piece, Place};
@@ -83,6 +84,8 @@ pub struct Kitchen {
     pub(crate) hand: Hand,
     pub(crate) tasks: VecDeque<Task>,
     pub(crate) at_work: Option<Task>,
+    /// A tool that a person leads.
+    pub(crate) led: Option<Led>,
     /// Foods that touch each other.
     pub(crate) touching: Vec<Touching>,
     /// Tasks that failed because something was in the way.
@@ -121,6 +124,7 @@ impl Kitchen {
             hand: Hand::default(),
             tasks: VecDeque::new(),
             at_work: None,
+            led: None,
             touching: Vec::new(),
             blocked: Vec::new(),
             next_key: 0,
@@ -216,6 +220,21 @@ impl Kitchen {
     /// The hand with its tool.
     pub fn hand(&self) -> &Hand {
         &self.hand
+    }
+
+    /// Where the hand holds the pan when it makes no gesture.
+    pub fn held_pan(&self) -> Pose {
+        self.held_at
+    }
+
+    /// The pan's gesture, while it lasts.
+    pub fn gesture(&self) -> Option<Gesture> {
+        self.gesture.map(|(gesture, _)| gesture)
+    }
+
+    /// Whether the last frame ended a tick: what a recipe does, it does then.
+    pub fn is_between_ticks(&self) -> bool {
+        self.frame == 0
     }
 
     /// Whether bodies at rest stop being computed until something stirs them; they do unless told otherwise.

@@ -28,6 +28,7 @@ mod input_error;
 pub mod kitchen;
 pub mod lab;
 pub mod layout;
+mod lead;
 pub mod library;
 mod motion;
 mod near_pan;

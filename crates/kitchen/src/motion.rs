@@ -38,6 +38,7 @@ impl Kitchen {
 
     fn rigid_step(&mut self) {
         let target = self.pan_target();
+        self.follow_lead();
         if let Some(ended) = self.hand.step(&mut self.world) {
             self.end_task(ended);
         }

@@ -59,6 +59,12 @@ impl Kitchen {
                 self.order(food, |key| Task::Press { key, newtons: *newtons, for_s: *for_s })
             }
             Command::Move { food, to } => self.order(food, |key| Task::Move { key, to: *to }),
+            Command::Lead { tool, to, grip } => self.lead(*tool, to, grip.as_deref()),
+            Command::LetGo => {
+                self.let_go();
+                Ok(())
+            }
+            Command::HoldPan { pose } => self.hold_pan(pose),
             Command::Oil { .. } | Command::Butter(_) | Command::Water(_) | Command::Lid(_) => self.pour(command),
         }
     }
@@ -102,6 +108,15 @@ impl Kitchen {
             return Err(Refused::PanPlace { farthest_mm: libm::round(FARTHEST_PAN * 1e3) as i64 });
         }
         self.held_at.position = DVec3::new(at[0], at[1], self.world.pan_shape().thickness + lift);
+        Ok(())
+    }
+
+    fn hold_pan(&mut self, pose: &Pose) -> Result<(), Refused> {
+        if !pose.position.is_finite() || !pose.rotation.is_finite() {
+            return Err(Refused::PanPlace { farthest_mm: libm::round(FARTHEST_PAN * 1e3) as i64 });
+        }
+        self.gesture = None;
+        self.held_at = self.world.pan_shape().within_reach(pose, FARTHEST_PAN);
         Ok(())
     }
 

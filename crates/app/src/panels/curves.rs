@@ -18,10 +18,11 @@ pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
         let shown = rows.iter().step_by(step).chain(rows.last());
         shown.filter_map(|r| Some([r.time_s / 60.0, settings.degrees(pick(r)?)])).collect()
     };
+    let piece = app.session.steak_index();
     let lines = [
         ("pan", series(&|r| Some(r.pan_c))),
-        ("core", series(&|r| r.foods.first().map(|f| f[0]))),
-        ("underside", series(&|r| r.foods.first().map(|f| f[2]))),
+        ("core", series(&|r| r.foods.get(piece).map(|f| f[0]))),
+        ("underside", series(&|r| r.foods.get(piece).map(|f| f[2]))),
     ];
     let unit = settings.unit();
     ui.horizontal(|ui| {

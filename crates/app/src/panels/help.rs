@@ -4,6 +4,7 @@ use egui::{Id, Modal, Rect, RichText, Ui};
 
 use crate::act::BINDINGS;
 use crate::app::SauteApp;
+use crate::pan_keys::HELD;
 use crate::theme;
 
 /// Shows the list over everything; Esc, F1 or a click beside it closes it.
@@ -11,19 +12,21 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
     let modal = Modal::new(Id::unique("help")).frame(theme::panel().fill(theme::SOLID)).show(ui.ctx(), |ui| {
         ui.set_width((whole.width() - 60.0).min(760.0));
         ui.heading("Keys");
-        ui.label("Mouse: drag to look around, wheel to zoom. Click the food to put it in or to flip it; drag it between board and pan. Drag the knob to move the cut.");
+        ui.label("Mouse: drag to look around, wheel to zoom. Click food to put it in or to flip it; drag it and tongs lead it. Drag the pan by its handle or rim, with Shift to lift it. Drag the knob to move the cut.");
         ui.add_space(6.0);
         let height = whole.height() - 190.0;
         egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
             let columns = if whole.width() > 700.0 { 3 } else { 1 };
-            let rows = BINDINGS.len().div_ceil(columns);
+            let single = BINDINGS.iter().map(|b| (b.written, b.words));
+            let lines: Vec<(&str, &str)> = single.chain(HELD).collect();
+            let rows = lines.len().div_ceil(columns);
             ui.columns(columns, |uis| {
-                for (i, binding) in BINDINGS.iter().enumerate() {
+                for (i, (written, words)) in lines.into_iter().enumerate() {
                     let ui = &mut uis[i / rows];
                     ui.horizontal(|ui| {
-                        let key = RichText::new(binding.written).monospace().strong().color(theme::ACCENT);
+                        let key = RichText::new(written).monospace().strong().color(theme::ACCENT);
                         ui.add_sized([90.0, 20.0], egui::Label::new(key));
-                        ui.label(binding.words);
+                        ui.label(words);
                     });
                 }
             });

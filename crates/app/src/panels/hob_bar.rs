@@ -59,13 +59,15 @@ fn hob(app: &mut SauteApp, ui: &mut Ui) {
 fn hands(app: &mut SauteApp, ui: &mut Ui) {
     let place = app.session.steak().map(|p| p.place);
     let in_pan = matches!(place, Some(Place::Pan(_)));
+    let outside = |id: &String| app.session.kitchen.piece(id).is_some_and(|p| !p.in_pan());
+    let some_outside = app.its_group().iter().any(outside);
     let next_is_put = matches!(place, Some(Place::Waiting));
     button(
         app,
         ui,
         &capitalised(&format!("{} in", app.session.noun())),
         next_is_put,
-        place.is_some() && !in_pan,
+        some_outside,
         Act::Put,
     );
     button(app, ui, "Flip", false, in_pan, Act::Flip);

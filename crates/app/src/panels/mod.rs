@@ -8,6 +8,8 @@ pub mod hob_bar;
 pub mod inside;
 pub mod legend;
 pub mod pantry;
+pub mod pieces;
+pub mod read_out;
 pub mod top;
 
 use egui::{Rect, ScrollArea, Ui, UiBuilder};
@@ -27,16 +29,19 @@ pub enum Drawer {
     Inside,
     /// Food and pan.
     Food,
+    /// List of the pieces.
+    Pieces,
 }
 
 impl Drawer {
-    const ALL: [Self; 3] = [Self::Cook, Self::Inside, Self::Food];
+    const ALL: [Self; 4] = [Self::Cook, Self::Inside, Self::Food, Self::Pieces];
 
     fn name(self, app: &SauteApp) -> &'static str {
         match self {
             Self::Cook => "Cook",
             Self::Inside => "Inside",
             Self::Food => top::food_word(app),
+            Self::Pieces => "Pieces",
         }
     }
 }
@@ -51,12 +56,17 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui, layout: &Layout) {
     floating(ui, layout.right, 2, "inside", |ui| scrolled(ui, |ui| inside::show(app, ui)));
     floating(ui, layout.bottom, 3, "cook", |ui| hob_bar::show(app, ui, false));
     if let Some(left) = layout.left {
-        floating(ui, left, 4, "food", |ui| scrolled(ui, |ui| pantry::show(app, ui)));
+        if app.settings.pieces_open {
+            floating(ui, left, 4, "pieces", |ui| scrolled(ui, |ui| pieces::show(app, ui)));
+        } else {
+            floating(ui, left, 4, "food", |ui| scrolled(ui, |ui| pantry::show(app, ui)));
+        }
     }
 }
 
 fn drawer(app: &mut SauteApp, ui: &mut Ui) {
     ui.horizontal(|ui| {
+        (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (5.0, 7.0);
         for part in Drawer::ALL {
             if ui.add(theme::button(part.name(app), app.drawer == part)).clicked() {
                 app.drawer = part;
@@ -69,6 +79,7 @@ fn drawer(app: &mut SauteApp, ui: &mut Ui) {
         Drawer::Cook => hob_bar::show(app, ui, true),
         Drawer::Inside => inside::show(app, ui),
         Drawer::Food => pantry::show(app, ui),
+        Drawer::Pieces => pieces::show(app, ui),
     });
 }
 

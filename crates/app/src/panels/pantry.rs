@@ -8,19 +8,25 @@ use crate::app::SauteApp;
 use crate::session::{SteakChoice, noun};
 use crate::theme;
 
+/// Most pieces that are added at once, and that the kitchen holds (chosen: a full pan; what a machine still computes).
+const MOST_AT_ONCE: usize = 35;
+const MOST_PIECES: usize = 100;
+
 /// Shows the choices; they take effect with "Set out".
 pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     let library = std::sync::Arc::clone(&app.session.library);
     let noun = noun(&library, &app.settings.choice.kind);
     ui.heading(format!("My {noun}"));
     set_out(app, ui);
-    let starts = format!("a raw {noun} and this pan; the clock starts anew");
+    crate::panels::pieces::all_at_once(app, ui);
+    let starts = format!("\"Set out\": a raw {noun} and this pan; the clock starts anew. \"Add\": more beside what is there.");
     ui.label(RichText::new(starts).size(12.5).color(theme::QUIET));
     let choice = &mut app.settings.choice;
     ui.scope(|ui| kinds(ui, &library, choice));
     if let Some(food) = library.foods.get(&choice.kind) {
         sizes(ui, food, &mut choice.size_mm);
     }
+    count(app, ui);
     let fahrenheit = app.settings.fahrenheit;
     temperature(ui, "start temperature", &mut app.settings.choice.initial_c, 0.0, 30.0, fahrenheit);
     ui.separator();
@@ -69,14 +75,44 @@ fn sizes(ui: &mut Ui, food: &FoodDescription, size_mm: &mut Vec<f64>) {
 }
 
 fn set_out(app: &mut SauteApp, ui: &mut Ui) {
-    let button = theme::button("Set out", true).min_size(egui::vec2(ui.available_width(), theme::TOUCH));
-    if ui.add(button).clicked() {
+    ui.horizontal(|ui| {
+        let half = 0.5 * (ui.available_width() - ui.spacing().item_spacing.x) - 4.0;
+        let button = |text: &str, on| theme::button(text, on).min_size(egui::vec2(half, theme::TOUCH));
         let choice = app.settings.choice.clone();
-        match app.session.set_out(&choice) {
-            Ok(()) => app.motions.clear(),
-            Err(error) => app.notice.say(error.to_string()),
+        if ui.add(button("Set out", true)).clicked() {
+            match app.session.set_out(&choice) {
+                Ok(()) => app.motions.clear(),
+                Err(error) => app.notice.say(error.to_string()),
+            }
         }
+        if ui.add(button(&format!("Add {}", app.count), false)).clicked() {
+            add(app, &choice);
+        }
+    });
+}
+
+/// Sets more food out; nothing of it is in the pan yet.
+fn add(app: &mut SauteApp, choice: &SteakChoice) {
+    let here = app.session.kitchen.pieces().len();
+    if here + app.count > MOST_PIECES {
+        let room = MOST_PIECES.saturating_sub(here);
+        app.notice.say(format!("The kitchen holds {MOST_PIECES} pieces: {room} more have room."));
+        return;
     }
+    match app.session.add(choice, app.count) {
+        Ok(group) => {
+            let first = app.session.members(&group).into_iter().next();
+            app.session.select(first);
+            app.notice.say(format!("{} × {group} on the board. P lays them into the pan, B lists them.", app.count));
+        }
+        Err(error) => app.notice.say(error.to_string()),
+    }
+}
+
+fn count(app: &mut SauteApp, ui: &mut Ui) {
+    let mut count = app.count as f64;
+    slider(ui, "count to add", &mut count, 1.0, MOST_AT_ONCE as f64, "");
+    app.count = (count.round() as usize).clamp(1, MOST_AT_ONCE);
 }
 
 fn recipes(app: &mut SauteApp, ui: &mut Ui) {

@@ -33,6 +33,9 @@ pub fn units_and_help(app: &mut SauteApp, ui: &mut Ui) {
         if ui.available_width() > 90.0 {
             chip(app, ui, &format!("{}…", food_word(app)), app.settings.pantry_open, Act::Pantry);
         }
+        if ui.available_width() > 90.0 {
+            chip(app, ui, "Pieces", app.settings.pieces_open, Act::Pieces);
+        }
     });
 }
 

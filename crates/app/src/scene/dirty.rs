@@ -23,8 +23,8 @@ impl DirtyRect {
     pub const WHOLE: Self = Self { low: Vec2::NEG_INFINITY, high: Vec2::INFINITY };
     const NOTHING: Self = Self { low: Vec2::INFINITY, high: Vec2::NEG_INFINITY };
 
-    /// What the pan, the foods and the steam of a scene cover.
-    pub fn of(input: &SceneInput, puffs: &[PuffVertex], size: [u32; 2]) -> Self {
+    /// What the pan's floor, the foods, the steam and the tool of a scene cover.
+    pub fn of(input: &SceneInput, puffs: &[PuffVertex], tool: &[Vec3], size: [u32; 2]) -> Self {
         let size = Vec2::new(size[0] as f32, size[1] as f32);
         let clip_from_world = input.camera.view_projection(size.x / size.y);
         // Pixels a metre covers at a distance of one metre.
@@ -33,12 +33,13 @@ impl DirtyRect {
         let mut cover = |point: Vec3, radius: f32| {
             rect = rect.union(covered(&clip_from_world, size, scale, point, radius));
         };
-        let pan = &input.pan;
+        let (pan, world_from_pan) = (&input.pan, input.pan.world_from_pan());
         for step in 0..24 {
             let around = Vec2::from_angle(std::f32::consts::TAU * step as f32 / 24.0);
             let floor = (around * pan.floor_radius * 1.01).extend(pan.thickness);
-            cover(pan.position + floor, 0.0);
+            cover(world_from_pan.transform_point3(floor), 0.0);
         }
+        tool.iter().for_each(|point| cover(*point, 0.0));
         input.foods.iter().flat_map(world_positions).for_each(|point| cover(point, 0.0));
         puffs.iter().for_each(|puff| cover(Vec3::from(puff.position), 1.7 * puff.half_size));
         rect
@@ -77,7 +78,7 @@ mod tests {
     fn the_rectangle_holds_every_food_vertex() {
         let scene = steak_in_pan(Doneness::Raw);
         let size = [960, 540];
-        let [left, top, width, height] = DirtyRect::of(&scene, &[], size).scissor(size);
+        let [left, top, width, height] = DirtyRect::of(&scene, &[], &[], size).scissor(size);
         for point in scene.foods.iter().flat_map(world_positions) {
             let ndc = scene.camera.project(point, 960.0 / 540.0).expect("in front of the eye");
             let x = (ndc[0] * 0.5 + 0.5) * 960.0;
@@ -89,7 +90,7 @@ mod tests {
 
     #[test]
     fn an_empty_pan_leaves_most_of_the_picture_alone() {
-        let [.., width, height] = DirtyRect::of(&empty_pan(), &[], [960, 540]).scissor([960, 540]);
+        let [.., width, height] = DirtyRect::of(&empty_pan(), &[], &[], [960, 540]).scissor([960, 540]);
         assert!(width * height < 960 * 540 / 2 && width * height > 10_000);
     }
 

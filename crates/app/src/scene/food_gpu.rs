@@ -1,6 +1,7 @@
 //! Buffers of the foods: topology and marbling by key, states uploaded every frame.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use glam::Vec3;
 use wgpu::util::DeviceExt;
@@ -103,9 +104,23 @@ pub(super) struct Moved {
 pub(super) struct Foods {
     meshes: HashMap<u64, MeshBuffers>,
     pub slots: Vec<FoodBuffers>,
+    /// Slots from the nearest to the farthest: what is hidden is then not shaded.
+    order: Vec<usize>,
 }
 
 impl Foods {
+    /// The foods, the nearest first.
+    pub fn nearest_first(&self) -> impl Iterator<Item = &FoodBuffers> {
+        self.order.iter().filter_map(|slot| self.slots.get(*slot))
+    }
+
+    /// Sorts the foods by their distance from the eye.
+    pub fn sort(&mut self, foods: &[FoodLook], eye: Vec3) {
+        let away = |slot: &usize| foods[*slot].world_from_rest.transform_point3(Vec3::ZERO).distance_squared(eye);
+        self.order = (0..foods.len()).collect();
+        self.order.sort_by(|a, b| away(a).total_cmp(&away(b)));
+    }
+
     /// Uploads the states; tells what moved far enough to show.
     pub fn update(
         &mut self,
@@ -175,7 +190,7 @@ impl FoodBuffers {
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
             key: food.mesh.key,
-            vertices: buffer(device, bytemuck::cast_slice(&food.vertices), usage),
+            vertices: buffer(device, bytemuck::cast_slice(food.vertices.as_slice()), usage),
             bind_group: group(&layouts.food, &[whole.clone(), fat]),
             pose_group: group(&layouts.pose, &[whole]),
             uniform,
@@ -196,14 +211,16 @@ impl FoodBuffers {
     fn shows(&self, food: &FoodLook) -> bool {
         self.shown.as_ref().is_some_and(|shown| {
             shown.world_from_rest == food.world_from_rest
-                && shown.vertices == food.vertices
+                && same_vertices(shown, food)
                 && shown.slice == food.slice
         })
     }
 
     fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, food: &FoodLook) {
+        if !self.shown.as_ref().is_some_and(|shown| same_vertices(shown, food)) {
+            queue.write_buffer(&self.vertices, 0, bytemuck::cast_slice(food.vertices.as_slice()));
+        }
         self.shown = Some(food.clone());
-        queue.write_buffer(&self.vertices, 0, bytemuck::cast_slice(&food.vertices));
         queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&uniform(food)));
         self.cut = food.slice.as_ref().map(|slice| CutBuffers::new(device, food, slice));
     }
@@ -253,6 +270,10 @@ impl FoodBuffers {
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..self.count, 0, 0..1);
     }
+}
+
+fn same_vertices(a: &FoodLook, b: &FoodLook) -> bool {
+    Arc::ptr_eq(&a.vertices, &b.vertices) || a.vertices == b.vertices
 }
 
 /// True when some vertex is further than the tolerance from where it was.

@@ -2,9 +2,8 @@
 
 use std::f32::consts::TAU;
 
-use glam::{Vec2, Vec3};
+use glam::{Mat4, Vec2, Vec3};
 
-use super::food_gpu::world_positions;
 use super::input::{FoodLook, SceneInput};
 use super::steam::PuffVertex;
 
@@ -25,6 +24,8 @@ const UNDER: f32 = 1.0e-3;
 const ABOVE: f32 = 4e-4;
 /// A food whose underside is further above the floor does not fry [m].
 const TOUCHING: f32 = 2.5e-3;
+/// The middle of a food that fries is at most this far from the floor [m] (chosen: twice a thick steak's).
+const TALLEST: f32 = 0.03;
 /// Bubbles for each g/s of vapour (chosen).
 const BUBBLES_PER_FLOW: f32 = 400.0;
 /// Life of a bubble [s] (chosen).
@@ -49,22 +50,29 @@ pub(super) fn fry(input: &SceneInput) -> Vec<PuffVertex> {
 
 /// Where a food meets the floor: its reach in every direction from its middle.
 struct Foot {
+    /// In the pan's frame [m].
     middle: Vec3,
+    world_from_pan: Mat4,
     reach: [f32; DIRECTIONS],
 }
 
 impl Foot {
     fn of(food: &FoodLook, input: &SceneInput) -> Option<Self> {
-        let floor = input.pan.position + Vec3::Z * input.pan.thickness;
-        let bottom = world_positions(food).fold(f32::INFINITY, |low, p| low.min(p.z));
-        let middle = food.world_from_rest.transform_point3(Vec3::ZERO);
-        let inside = (middle - floor).truncate().length() < input.pan.floor_radius;
-        if !inside || (bottom - floor.z).abs() > TOUCHING {
+        let world_from_pan = input.pan.world_from_pan();
+        let pan_from_rest = world_from_pan.inverse() * food.world_from_rest;
+        let points = || food.vertices.iter().map(|v| pan_from_rest.transform_point3(Vec3::from(v.position)));
+        let middle = pan_from_rest.transform_point3(Vec3::ZERO);
+        let floor = input.pan.thickness;
+        if middle.truncate().length() > input.pan.floor_radius || (middle.z - floor).abs() > TALLEST {
             return None;
         }
-        let middle = middle.with_z(floor.z + ABOVE);
+        let bottom = points().fold(f32::INFINITY, |low, p| low.min(p.z));
+        if (bottom - floor).abs() > TOUCHING {
+            return None;
+        }
+        let middle = middle.with_z(floor + ABOVE);
         let mut reach = [0.0f32; DIRECTIONS];
-        for point in world_positions(food) {
+        for point in points() {
             let away = (point - middle).truncate();
             let turn = away.to_angle().rem_euclid(TAU) / TAU * DIRECTIONS as f32;
             let slot = &mut reach[turn as usize % DIRECTIONS];
@@ -74,7 +82,7 @@ impl Foot {
             let [a, b, c] = [DIRECTIONS - 1, 0, 1].map(|step| reach[(k + step) % DIRECTIONS]);
             0.25 * a + 0.5 * b + 0.25 * c
         };
-        Some(Self { middle, reach: std::array::from_fn(smooth) })
+        Some(Self { middle, world_from_pan, reach: std::array::from_fn(smooth) })
     }
 
     /// Outward direction and reach at a turn (0–1).
@@ -86,11 +94,15 @@ impl Foot {
         (Vec2::from_angle(turn * TAU), reach)
     }
 
+    fn in_world(&self, point: Vec3) -> [f32; 3] {
+        self.world_from_pan.transform_point3(point).to_array()
+    }
+
     fn ring(&self, vertices: &mut Vec<PuffVertex>, opacity: f32) {
         let vertex = |k: usize, across: f32| {
             let (out, reach) = self.edge(k as f32 / DIRECTIONS as f32);
             let distance = reach - UNDER + across * (RING + UNDER);
-            let position = (self.middle + (out * distance).extend(0.0)).to_array();
+            let position = self.in_world(self.middle + (out * distance).extend(0.0));
             PuffVertex { position, corner: out.to_array(), half_size: 0.0, opacity, random: -1.0 - across }
         };
         for k in 0..DIRECTIONS {
@@ -107,7 +119,7 @@ impl Foot {
         let (out, reach) = self.edge(random(1.0));
         let half_size = (0.7e-3 + 1.8e-3 * random(2.0) * random(2.0)) * (0.5 + 0.5 * age);
         let distance = reach + 0.6 * half_size + 3.0e-3 * random(3.0) * random(3.0);
-        let position = (self.middle + (out * distance).extend(0.2e-3)).to_array();
+        let position = self.in_world(self.middle + (out * distance).extend(0.2e-3));
         let opacity = (age * 8.0).min(1.0) * ((1.0 - age) * 12.0).min(1.0);
         let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
         vertices.extend(corners.map(|corner| PuffVertex { position, corner, half_size, opacity, random: random(4.0) }));

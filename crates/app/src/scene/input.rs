@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use glam::{Mat4, Vec3};
+use glam::{Mat4, Quat, Vec3};
 
 use super::camera::Camera;
 
@@ -20,6 +20,8 @@ pub struct SceneInput {
     pub pan: PanLook,
     /// Foods, wherever they lie.
     pub foods: Vec<FoodLook>,
+    /// The tool in the cook's hand.
+    pub tool: Option<ToolLook>,
     /// What food on the board rests on or under.
     pub rest: Option<RestLook>,
     /// Places where water vapour leaves.
@@ -43,6 +45,27 @@ pub enum Colouring {
         table: Arc<[[u8; 3]; 256]>,
         /// True: take the nearest entry (classes); false: interpolate.
         stepped: bool,
+    },
+}
+
+/// A tool in the cook's hand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ToolLook {
+    /// Which tool.
+    pub kind: ToolKind,
+    /// Pose: maps the tool's frame to the world; its origin is the middle of the blade, or between the fingers' tips.
+    pub world_from_tool: Mat4,
+}
+
+/// Which tool.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ToolKind {
+    /// A blade that goes under food along +x.
+    Turner,
+    /// Two fingers that hold food from above.
+    Tongs {
+        /// Whether they hold nothing.
+        open: bool,
     },
 }
 
@@ -99,10 +122,19 @@ pub struct PanLook {
     pub oil: f32,
     /// Centre of the pan's underside, relative to the hob centre [m]; the cooking surface is `thickness` above it.
     pub position: Vec3,
+    /// How it is turned about that point.
+    pub rotation: Quat,
     /// True: a folded wet cloth lies under the pan (else it lies folded at the left of the hob).
     pub on_cloth: bool,
     /// Field coordinate (0–1) on `FLOOR_FIELD_RINGS` equidistant radii from the centre to `floor_radius`.
     pub floor_field: [f32; FLOOR_FIELD_RINGS],
+}
+
+impl PanLook {
+    /// Maps the pan's frame to the world; its origin is the centre of the underside.
+    pub fn world_from_pan(&self) -> Mat4 {
+        Mat4::from_rotation_translation(self.rotation, self.position)
+    }
 }
 
 /// Radii at which the pan's field is given.
@@ -113,8 +145,8 @@ pub const FLOOR_FIELD_RINGS: usize = 16;
 pub struct FoodLook {
     /// Shape and what never changes.
     pub mesh: Arc<FoodMesh>,
-    /// State of every vertex of `mesh`.
-    pub vertices: Vec<FoodVertex>,
+    /// State of every vertex of `mesh`; the same allocation as long as nothing in it has changed.
+    pub vertices: Arc<Vec<FoodVertex>>,
     /// Pose: maps the rest frame (origin at the rest shape's centroid) to the world.
     pub world_from_rest: Mat4,
     /// A cut that shows the inside; the food stays whole for everything else.

@@ -38,7 +38,7 @@ pub(super) struct Finish {
 }
 
 /// A growing triangle mesh.
-#[derive(Default, Debug)]
+#[derive(Clone, Default, Debug)]
 pub(super) struct Mesh {
     pub vertices: Vec<SolidVertex>,
     pub indices: Vec<u32>,
@@ -136,6 +136,13 @@ impl Mesh {
             let position = centre + around * run * radius + normal * rise * height;
             (position, (around * run * height + normal * rise * radius).normalize(), 0.9)
         });
+    }
+
+    /// The same elsewhere.
+    pub fn posed(&self, pose: Mat4) -> Self {
+        let mut mesh = self.clone();
+        mesh.transform_from(0, pose);
+        mesh
     }
 
     /// Moves the vertices added since `first`.

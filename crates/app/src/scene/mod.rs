@@ -11,7 +11,7 @@ pub mod input;
 mod mesh;
 mod noise;
 mod overlay;
-mod pan_mesh;
+pub(crate) mod pan_mesh;
 mod passes;
 mod pipelines;
 pub mod props;
@@ -28,4 +28,5 @@ mod targets;
 #[cfg(test)]
 mod tests;
 mod textures;
+mod tool_mesh;
 mod uniforms;

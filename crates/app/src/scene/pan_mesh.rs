@@ -11,8 +11,10 @@ const WALL: f32 = 0.0025;
 const LIP: f32 = 0.0022;
 const SEGMENTS: u32 = 96;
 /// Direction of the handle, seen from above [rad]: towards the cook's right (chosen).
-const HANDLE_ANGLE: f32 = -0.98;
+pub(crate) const HANDLE_ANGLE: f32 = -0.98;
 const HANDLE_LENGTH: f32 = 0.205;
+/// How far the handle's tip is from the pan's middle, about [m]: where it is grabbed.
+pub(crate) const HANDLE_REACH: f32 = 0.32;
 
 /// The floor is separate from the rest, because its colour changes every frame.
 pub(super) struct PanMesh {

@@ -75,10 +75,11 @@ pub(super) fn draw_shadow(
 ) {
     pass.set_bind_group(0, view, &[]);
     pass.set_pipeline(&pipelines.solid);
-    for solid in [&solids.surroundings, &solids.board, &solids.hob, &solids.cloth, &solids.pan_body, &solids.pan_floor]
+    for solid in [&solids.surroundings, &solids.board, &solids.hob, &solids.cloth, solids.pan_body(), solids.pan_floor()]
     {
         solid.draw(pass);
     }
+    solids.turner().into_iter().chain(solids.tool()).for_each(|tool| tool.draw(pass));
     draw_food_depth(pass, pipelines, view, foods);
 }
 
@@ -105,9 +106,10 @@ pub(super) fn draw_still_depth(
 ) {
     pass.set_bind_group(0, view, &[]);
     pass.set_pipeline(&pipelines.still);
-    for solid in [&solids.pan_body, &solids.cloth, &solids.hob, &solids.board, &solids.surroundings, &solids.room] {
+    for solid in [solids.pan_body(), &solids.cloth, &solids.hob, &solids.board, &solids.surroundings, &solids.room] {
         solid.draw(pass);
     }
+    solids.turner().into_iter().for_each(|turner| turner.draw(pass));
 }
 
 /// What does not move, nearest first. The pan's floor is drawn with the foods; a picture that is kept needs it all the
@@ -121,9 +123,9 @@ pub(super) fn draw_still(
 ) {
     groups.set(pass);
     pass.set_pipeline(&pipelines.metal);
-    solids.pan_body.draw(pass);
+    solids.pan_body().draw(pass);
     if with_floor {
-        solids.pan_floor.draw(pass);
+        solids.pan_floor().draw(pass);
     }
     pass.set_pipeline(&pipelines.solid);
     solids.cloth.draw(pass);
@@ -133,10 +135,11 @@ pub(super) fn draw_still(
     solids.board.draw(pass);
     pass.set_pipeline(&pipelines.solid);
     solids.surroundings.draw(pass);
+    solids.turner().into_iter().for_each(|turner| turner.draw(pass));
     solids.room.draw(pass);
 }
 
-/// Foods, cut faces and the floor of the pan.
+/// Foods, cut faces, the tool in the hand and the floor of the pan.
 pub(super) fn draw_lively(
     pass: &mut wgpu::RenderPass<'_>,
     pipelines: &ColourPipelines,
@@ -145,7 +148,7 @@ pub(super) fn draw_lively(
     foods: &Foods,
 ) {
     groups.set(pass);
-    for food in &foods.slots {
+    for food in foods.nearest_first() {
         if food.has_cut() {
             pass.set_pipeline(&pipelines.cut_face);
             food.draw_cut(pass);
@@ -153,8 +156,12 @@ pub(super) fn draw_lively(
         pass.set_pipeline(if food.has_cut() { &pipelines.food_cut } else { &pipelines.food });
         food.draw(pass);
     }
+    if let Some(tool) = solids.tool() {
+        pass.set_pipeline(&pipelines.solid);
+        tool.draw(pass);
+    }
     pass.set_pipeline(&pipelines.floor);
-    solids.pan_floor.draw(pass);
+    solids.pan_floor().draw(pass);
 }
 
 /// Sprites in one buffer: what lies round frying foods first, then steam.
@@ -231,6 +238,6 @@ pub(super) fn draw_flat(
         food.draw_cut(pass);
     }
     pass.set_pipeline(&pipelines.solid);
-    solids.pan_floor.draw(pass);
-    solids.pan_body.draw(pass);
+    solids.pan_floor().draw(pass);
+    solids.pan_body().draw(pass);
 }

@@ -31,7 +31,6 @@ pub(super) fn room() -> Mesh {
 pub(super) fn surroundings() -> Mesh {
     let mut mesh = Mesh::default();
     bottle(&mut mesh, Vec3::new(-0.205, 0.275, COUNTER_Z));
-    turner(&mut mesh);
     mesh
 }
 
@@ -142,8 +141,8 @@ fn bottle(mesh: &mut Mesh, base: Vec3) {
 }
 
 /// A slotted steel turner that lies behind the hob.
-fn turner(mesh: &mut Mesh) {
-    let first = mesh.vertices.len();
+pub(super) fn turner() -> Mesh {
+    let mut mesh = Mesh::default();
     let steel = Finish { colour: Vec3::splat(0.52), roughness: 0.34, metalness: 1.0, material: Material::Plain };
     let grip =
         Finish { colour: Vec3::new(0.10, 0.055, 0.030), roughness: 0.5, metalness: 0.0, material: Material::Plain };
@@ -162,7 +161,8 @@ fn turner(mesh: &mut Mesh) {
         &grip,
     );
     let pose = Mat4::from_translation(Vec3::new(0.05, 0.265, COUNTER_Z)) * Mat4::from_rotation_z(-0.10);
-    mesh.transform_from(first, pose);
+    mesh.transform_from(0, pose);
+    mesh
 }
 
 /// Stations of a bar along +x in the xz-plane; `section` gives half width and half thickness by fraction of length.

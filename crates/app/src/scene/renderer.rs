@@ -5,7 +5,7 @@ use wgpu::util::DeviceExt;
 use super::dirty::DirtyRect;
 use super::food_gpu::{Foods, Moved};
 use super::fry::{FRY_VERTICES_MAX, fry};
-use super::input::{Colouring, SceneInput};
+use super::input::{Colouring, SceneInput, ToolLook};
 use super::passes::{self, Groups, Sprites, Subject};
 use super::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines, PipelineFactory};
 use super::shadow::{ContactMap, light_from_world};
@@ -68,7 +68,7 @@ pub struct SceneRenderer {
     moved: Moved,
     /// Counts the moves of foods that pan wall and board show.
     disturbances: u64,
-    shadow_pan: Option<MovableKey>,
+    shadow_of: Option<(MovableKey, Option<ToolLook>)>,
     table: Option<std::sync::Arc<[[u8; 3]; 256]>>,
 }
 
@@ -137,7 +137,7 @@ impl SceneRenderer {
             drawn: DirtyRect::WHOLE,
             moved: Moved::default(),
             disturbances: 0,
-            shadow_pan: None,
+            shadow_of: None,
             table: None,
         }
     }
@@ -207,11 +207,11 @@ impl SceneRenderer {
         }
         if self.textures.shadow_size != self.quality.shadow_size() {
             self.textures.resize_shadow(device, self.quality.shadow_size());
-            self.shadow_pan = None;
+            self.shadow_of = None;
         }
         match &mut self.solids {
-            Some(solids) => solids.update(device, input),
-            None => self.solids = Some(Solids::new(device, input)),
+            Some(solids) => solids.update(device, queue, input),
+            None => self.solids.insert(Solids::new(device, input)).update(device, queue, input),
         }
         let coloured = self.update_table(device, queue, &input.colouring);
         let aspect = size[0] as f32 / size[1] as f32;
@@ -220,13 +220,15 @@ impl SceneRenderer {
         let view = input.camera.view_projection(aspect);
         queue.write_buffer(&self.camera_view.buffer, 0, bytemuck::bytes_of(&view));
         self.moved = self.foods.update(device, queue, &self.factory.layouts, &input.foods);
+        self.foods.sort(&input.foods, input.camera.eye());
         if self.moved.shadow {
-            self.shadow_pan = None;
+            self.shadow_of = None;
         }
         self.disturbances += u64::from(self.moved.still);
         let sprites = self.update_sprites(queue, input);
-        self.dirty = DirtyRect::of(input, &sprites, size);
-        let pan_moved = self.shadow_pan != Some(MovableKey::of(input));
+        let tool: Vec<_> = self.solids.iter().flat_map(Solids::tool_points).collect();
+        self.dirty = DirtyRect::of(input, &sprites, &tool, size);
+        let pan_moved = self.shadow_of != Some((MovableKey::of(input), input.tool));
         let sight = Sight { frame, sprites, quality: self.quality };
         (sight, resized || coloured || pan_moved || self.moved.look)
     }
@@ -263,8 +265,8 @@ impl SceneRenderer {
     /// Redraws shadow and contact map when something moved.
     fn update_shadow(&mut self, encoder: &mut wgpu::CommandEncoder, input: &SceneInput) {
         let Some(solids) = &self.solids else { return };
-        let pan = MovableKey::of(input);
-        if self.shadow_pan == Some(pan) {
+        let solid = (MovableKey::of(input), input.tool);
+        if self.shadow_of == Some(solid) {
             return;
         }
         let mut pass = passes::begin_depth(encoder, &self.textures.shadow_map);
@@ -273,7 +275,7 @@ impl SceneRenderer {
         let mut pass = passes::begin_depth(encoder, &self.textures.contact_map);
         passes::draw_food_depth(&mut pass, &self.depth, &self.contact_view.group, &self.foods);
         drop(pass);
-        self.shadow_pan = Some(pan);
+        self.shadow_of = Some(solid);
     }
 
     fn draw_flat(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {

@@ -40,6 +40,7 @@ pub fn empty_pan() -> SceneInput {
         roughness: 0.42,
         oil: 0.45,
         position: Vec3::ZERO,
+        rotation: glam::Quat::IDENTITY,
         on_cloth: false,
         floor_field: std::array::from_fn(|ring| 0.75 - 0.25 * ring as f32 / FLOOR_FIELD_RINGS as f32),
     };
@@ -48,6 +49,7 @@ pub fn empty_pan() -> SceneInput {
         hob: HobLook { power: 0.6 },
         pan,
         foods: Vec::new(),
+        tool: None,
         rest: None,
         steam: Vec::new(),
         time_s: 3.0,
@@ -74,7 +76,7 @@ pub fn steak(doneness: Doneness, world_from_rest: Mat4) -> FoodLook {
     let (places, triangles) = body();
     let vertices = places.iter().map(|&(rest, normal)| painted(doneness, rest, normal)).collect();
     let mesh = Arc::new(FoodMesh { key: 1, triangles, fat: marbling() });
-    FoodLook { mesh, vertices, world_from_rest, slice: None }
+    FoodLook { mesh, vertices: Arc::new(vertices), world_from_rest, slice: None }
 }
 
 /// Cuts a steak across its middle; the half towards the cook is hidden.

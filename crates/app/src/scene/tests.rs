@@ -23,7 +23,7 @@ fn flat_field(coordinate: f32, sliced: bool) -> SceneInput {
     if sliced {
         cut(&mut scene.foods[0], Doneness::HalfWay);
     }
-    scene.foods[0].vertices.iter_mut().for_each(|vertex| vertex.field = coordinate);
+    std::sync::Arc::make_mut(&mut scene.foods[0].vertices).iter_mut().for_each(|vertex| vertex.field = coordinate);
     scene.pan.floor_field = [coordinate; 16];
     scene.colouring = Colouring::Field { table: heat_table(), stepped: false };
     scene.flat = true;

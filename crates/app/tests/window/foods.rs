@@ -147,7 +147,7 @@ fn the_hob_says_why_it_gives_no_power() {
     let mut harness = window(WIDE);
     let command = |h: &mut Harness<'static, SauteApp>, c: Command| {
         h.state_mut().session_mut().command(&c).expect("is done");
-        steps(h, 3);
+        cook(h, 1.0);
     };
     command(&mut harness, Command::Hob(1100.0));
     assert!(harness.query_by_label_contains("No power").is_none());

@@ -1,6 +1,6 @@
 //! The window without a screen: steps, simulated time, pictures.
 
-use egui::Key;
+use egui::{Key, Pos2, Rect, pos2};
 use egui_kittest::Harness;
 use saute_app::{SauteApp, Start};
 
@@ -40,4 +40,28 @@ pub fn save(harness: &mut Harness<'static, SauteApp>, name: &str) {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("window");
     std::fs::create_dir_all(&folder).expect("folder");
     image.save(folder.join(format!("{name}.png"))).expect("saves");
+}
+
+/// The usual window.
+pub const WINDOW: Rect = Rect { min: Pos2::ZERO, max: pos2(1280.0, 720.0) };
+
+/// Clicks at a place.
+pub fn click(harness: &mut Harness<'static, SauteApp>, at: Pos2) {
+    drag(harness, at, at);
+}
+
+/// Drags from one place to another, a good second long.
+pub fn drag(harness: &mut Harness<'static, SauteApp>, from: Pos2, to: Pos2) {
+    harness.hover_at(from);
+    harness.step();
+    harness.drag_at(from);
+    harness.step();
+    if from != to {
+        for k in 1..=16u8 {
+            harness.hover_at(from + (to - from) * (f32::from(k) / 16.0));
+            harness.step();
+        }
+    }
+    harness.drop_at(to);
+    steps(harness, 14);
 }

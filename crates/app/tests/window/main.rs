@@ -2,4 +2,5 @@
 
 mod foods;
 mod harness;
+mod pan;
 mod steak;

@@ -1,6 +1,6 @@
 //! Promise: the window is usable: everything can be done by its controls and keys, and it looks as it should.
 
-use egui::{Key, Pos2, Rect, pos2, vec2};
+use egui::{Key, Pos2, pos2, vec2};
 use egui_kittest::{
     Harness,
     kittest::{NodeT, Queryable},
@@ -8,7 +8,7 @@ use egui_kittest::{
 use saute_app::{SauteApp, Start, View};
 use saute_kitchen::{Command, Place};
 
-use crate::harness::{cook, save, steps, window};
+use crate::harness::{WINDOW, click, cook, drag, save, steps, window};
 
 #[test]
 fn a_first_cook_by_buttons_alone() {
@@ -25,7 +25,12 @@ fn a_first_cook_by_buttons_alone() {
     save(&mut harness, "one-minute");
     cook(&mut harness, 180.0);
     harness.get_by_label("Flip").click();
-    steps(&mut harness, 14);
+    for moment in ["under", "lifted", "over"] {
+        steps(&mut harness, 8);
+        save(&mut harness, &format!("flip-{moment}"));
+    }
+    cook(&mut harness, 2.0);
+    assert!(harness.state().session().steak().expect("steak").upside_down());
     save(&mut harness, "flipped");
     harness.get_by_label("Cut").click();
     cook(&mut harness, 120.0);
@@ -40,6 +45,8 @@ fn a_first_cook_by_buttons_alone() {
     harness.get_by_label("Look").click();
     harness.get_by_label("Take out").click();
     steps(&mut harness, 14);
+    save(&mut harness, "tongs");
+    cook(&mut harness, 2.0);
     assert!(matches!(harness.state().session().steak().expect("steak").place, Place::Rest(_)));
     save(&mut harness, "resting");
 }
@@ -57,10 +64,12 @@ fn every_operation_has_a_key() {
     assert_eq!(harness.state().session().kitchen.hob_w(), 0.0);
     press(&mut harness, Key::P);
     assert!(harness.state().session().steak().expect("steak").in_pan());
-    let before = harness.state().session().steak().expect("steak").up;
+    let before = harness.state().session().steak().expect("steak").upside_down();
     press(&mut harness, Key::F);
-    assert_ne!(harness.state().session().steak().expect("steak").up, before);
+    cook(&mut harness, 2.0);
+    assert_ne!(harness.state().session().steak().expect("steak").upside_down(), before);
     press(&mut harness, Key::O);
+    cook(&mut harness, 2.0);
     assert!(!harness.state().session().steak().expect("steak").in_pan());
     press(&mut harness, Key::W);
     assert!(harness.state().session().kitchen.cloth().is_some());
@@ -174,27 +183,6 @@ fn the_scene_is_never_drawn_small_on_a_usual_window() {
     assert!(w >= 960 && h >= 540, "{w} × {h}");
 }
 
-const WINDOW: Rect = Rect { min: Pos2::ZERO, max: pos2(1280.0, 720.0) };
-
-fn click(harness: &mut Harness<'static, SauteApp>, at: Pos2) {
-    drag(harness, at, at);
-}
-
-fn drag(harness: &mut Harness<'static, SauteApp>, from: Pos2, to: Pos2) {
-    harness.hover_at(from);
-    harness.step();
-    harness.drag_at(from);
-    harness.step();
-    if from != to {
-        for k in 1..=4u8 {
-            harness.hover_at(from + (to - from) * (f32::from(k) / 4.0));
-            harness.step();
-        }
-    }
-    harness.drop_at(to);
-    steps(harness, 14);
-}
-
 fn steak(harness: &Harness<'static, SauteApp>) -> Pos2 {
     harness.state().steak_on_screen(WINDOW).expect("steak in view")
 }
@@ -205,13 +193,17 @@ fn the_mouse_puts_flips_carries_and_orbits() {
     let on_board = steak(&harness);
     click(&mut harness, on_board);
     assert!(harness.state().session().steak().expect("steak").in_pan(), "a click puts it in");
-    let (in_pan, down) = (steak(&harness), harness.state().session().steak().expect("steak").up);
+    let (in_pan, down) = (steak(&harness), harness.state().session().steak().expect("steak").upside_down());
     click(&mut harness, in_pan);
-    assert_ne!(harness.state().session().steak().expect("steak").up, down, "a click flips it");
+    cook(&mut harness, 2.0);
+    assert_ne!(harness.state().session().steak().expect("steak").upside_down(), down, "a click flips it");
+    let in_pan = steak(&harness);
     drag(&mut harness, in_pan, on_board);
+    cook(&mut harness, 2.0);
     assert!(!harness.state().session().steak().expect("steak").in_pan(), "it is dragged onto the board");
     let lying = steak(&harness);
     drag(&mut harness, lying, in_pan);
+    cook(&mut harness, 2.0);
     assert!(harness.state().session().steak().expect("steak").in_pan(), "it is dragged into the pan");
     let before = steak(&harness);
     drag(&mut harness, pos2(90.0, 480.0), pos2(240.0, 440.0));

@@ -65,18 +65,22 @@ fn shake(home: &Pose, amplitude: f64, hz: f64, for_s: f64, t: f64) -> PanTarget 
     }
 }
 
-/// The moments of a toss: the pan is drawn back, driven forwards so that the food runs up the far wall, jerked up and
-/// back, and meets the food as it falls (chosen by trial on coins, shrimps and a steak; see the tests).
+/// Height to which [`toss`] throws unless it is scaled [m] (measured on coins, shrimps and a steak: 0.20 to 0.39 m).
+const TOSSED: f64 = 0.25;
+
+/// The moments of a toss: the pan is drawn back with its far edge up, pushed forwards, jerked up and tilted back, and drawn
+/// under the food as it falls (found by a random search for the way that turns over most of eleven coins, twelve shrimps
+/// and a steak and loses none: 100 %, 83 % and 100 % at that height).
 fn toss(height: f64) -> Vec<Moment> {
-    let lift = libm::sqrt(height / 0.12);
+    let lift = libm::sqrt(height / TOSSED).clamp(0.4, 1.5);
     vec![
-        [0.00, 0.0, 0.0, 0.0],
-        [0.20, -0.05, 0.01, -0.05],
-        [0.36, 0.09, 0.01, -0.12],
-        [0.46, 0.06, 0.01 + 0.07 * lift, 0.35],
-        [0.62, -0.02, 0.03, 0.05],
-        [0.80, -0.01, 0.01, 0.0],
-        [1.10, 0.0, 0.0, 0.0],
+        [0.000, 0.000, 0.000, 0.00],
+        [0.241, -0.023, 0.019, 0.17],
+        [0.409, 0.065, 0.000, 0.05],
+        [0.523, 0.027, 0.166 * lift, 0.69 * lift],
+        [0.721, -0.106, 0.080, 0.41],
+        [0.971, 0.000, 0.004, 0.00],
+        [1.221, 0.000, 0.000, 0.00],
     ]
 }
 

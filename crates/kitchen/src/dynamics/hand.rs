@@ -146,6 +146,13 @@ impl Hand {
         self.spared
     }
 
+    /// How far what it grips hangs below where it is pulled to; negative where something holds it up [m].
+    pub fn hanging_below(&self, world: &World) -> Option<f64> {
+        let grip = self.grip?;
+        let body = world.pose(grip.key)?;
+        Some(self.pose.then(&grip.hold).position.z - body.position.z)
+    }
+
     /// Takes hold of a body within reach, as it lies.
     pub fn grip(&mut self, key: u32, world: &World) -> bool {
         let Some(body) = world.pose(key) else { return false };

@@ -8,12 +8,16 @@ use rapier3d::prelude::{ColliderBuilder, SharedShape};
 use crate::pan_description::PanDescription;
 
 use super::scale;
-use glam::DVec3;
+use super::pose::{Pose, about, rotation_between};
+use glam::{DQuat, DVec3};
 
 /// Flat pieces that the wall is made of (chosen: they depart from the cone by half a millimetre).
 const WALL_PIECES: usize = 32;
 /// How far the wall's solid reaches out below its rim [m] (chosen: fast food must not pass it within a step).
 const WALL_DEPTH: f64 = 0.02;
+
+/// Steepest tilt at which a hand holds the pan [rad] (chosen: about 60°, food falls out).
+const STEEPEST: f64 = 1.0;
 
 /// Floor and wall of a pan: a disc and a truncated cone, in the pan's frame; its origin is the middle of the floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +53,17 @@ impl PanShape {
             height: mm(pan.wall.height_mm),
             thickness: mm(pan.floor.thickness_mm),
         }
+    }
+
+    /// The pose nearest to a wanted one at which the pan is within `farthest` of its ring and clears the glass [m].
+    pub fn within_reach(&self, wanted: &Pose, farthest: f64) -> Pose {
+        let mut turn = rotation_between(DQuat::IDENTITY, wanted.rotation);
+        turn.z = 0.0;
+        let rotation = about(turn.clamp_length_max(STEEPEST));
+        let sine = (rotation * DVec3::Z).truncate().length();
+        let at = wanted.position.truncate().clamp_length_max(farthest);
+        let lowest = self.thickness + self.floor * sine;
+        Pose { position: at.extend(wanted.position.z.clamp(lowest, lowest + farthest)), rotation }
     }
 
     /// Length of the wall from floor to rim [m].

@@ -104,10 +104,10 @@ pub struct Contact {
     pub force: f64,
 }
 
-/// The board on which food rests: where it lies and its half sizes [m] (chosen: an ordinary board beside the hob).
-pub const BOARD_AT: DVec3 = DVec3::new(0.44, 0.0, 0.01);
+/// The board on which food rests: where it lies and its half sizes [m] (chosen: an ordinary board beside the hob, within view).
+pub const BOARD_AT: DVec3 = DVec3::new(0.335, 0.03, 0.008);
 /// Half sizes of the board [m].
-pub const BOARD_HALF: DVec3 = DVec3::new(0.20, 0.16, 0.01);
+pub const BOARD_HALF: DVec3 = DVec3::new(0.13, 0.18, 0.008);
 /// Half the side of the hob's glass [m] (chosen: one zone with its frame).
 pub const GLASS_HALF: f64 = 0.2;
 

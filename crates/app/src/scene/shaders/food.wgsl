@@ -122,8 +122,9 @@ fn flesh(in: FoodOut, rest_normal: vec3<f32>) -> Flesh {
 
 // Height of what the food lies on.
 fn support(position: vec3<f32>) -> f32 {
-    let local = position.xy - frame.pan_place.xy;
-    if (dot(local, local) < frame.pan_shape.y * frame.pan_shape.y) { return frame.pan_place.z + frame.pan_place.w; }
+    let local = in_pan(position);
+    let over_pan = local.z > 0.0 && dot(local.xy, local.xy) < frame.pan_shape.y * frame.pan_shape.y;
+    if (over_pan) { return position.z - (local.z - frame.pan_place.w); }
     let on_board = position.x > frame.board.x && position.x < frame.board.z && position.y > frame.board.y && position.y < frame.board.w;
     return select(0.0, frame.mode.w, on_board);
 }

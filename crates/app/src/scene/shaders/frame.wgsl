@@ -10,6 +10,8 @@ struct Frame {
     key: vec4<f32>,
     // Unit vector towards the lamp; w = levels of the environment - 1.
     lamp: vec4<f32>,
+    // The pan's frame: its origin is the centre of the underside.
+    pan_from_world: mat4x4<f32>,
     // Contact map: lowest corner x, y, then 1 / extent.
     contact_rect: vec4<f32>,
     // Contact map: lowest height, 1 / range; sample step.
@@ -27,6 +29,11 @@ struct Frame {
 };
 
 @group(0) @binding(0) var<uniform> frame: Frame;
+
+// A point of the world in the pan's frame.
+fn in_pan(position: vec3<f32>) -> vec3<f32> {
+    return (frame.pan_from_world * vec4<f32>(position, 1.0)).xyz;
+}
 
 fn srgb_from_linear(linear: vec3<f32>) -> vec3<f32> {
     let c = max(linear, vec3<f32>(0.0));

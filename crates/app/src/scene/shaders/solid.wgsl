@@ -128,7 +128,7 @@ fn oil_cover(local: vec3<f32>, noise: f32) -> f32 {
 fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
     var n = facing(in.normal, view);
-    let local = in.position - frame.pan_place.xyz;
+    let local = in_pan(in.position);
     let radius = length(local.xy);
     let is_floor = in.surface.z > 1.5;
     let field = floor_field(radius);
@@ -155,7 +155,7 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let corner = smoothstep(0.035, 0.0, abs(radius - frame.pan_shape.x)) * depth;
     s.visibility *= open * (1.0 - inside * (0.22 * depth + 0.25 * corner));
     let towards = reflect(-view, n);
-    let leaves = mix(1.0, mix(0.30, 1.0, escapes_pan(local, towards)), inside);
+    let leaves = mix(1.0, mix(0.30, 1.0, escapes_pan(local, (frame.pan_from_world * vec4<f32>(towards, 0.0)).xyz)), inside);
     // Under oil the metal's own highlight fades: the film takes its place.
     let cover = select(0.0, oil_cover(local, coarse.a), is_floor);
     var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * (0.62 - 0.38 * cover);
@@ -167,13 +167,13 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
 
 // A clear film: golden where light passes it, mirror-smooth on top, with slow waves.
 fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit: f32, open: f32, cover: f32, slope: vec3<f32>) -> vec3<f32> {
-    let local = in.position - frame.pan_place.xyz;
+    let local = in_pan(in.position);
     let wave = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(local.xy * 9.0, frame.eye.w * 0.05), 0.0).rgb - 0.5;
     let rim = (slope.xy - 0.5) * (1.0 - cover) * 0.12;
     let film = normalize(n + vec3<f32>(wave.xy * 0.05 + rim, 0.0));
     let s = Surface(vec3<f32>(0.0), vec3<f32>(0.036), mix(0.30, 0.06, cover), film, open, vec3<f32>(0.0));
     let towards = reflect(-view, film);
-    let leaves = mix(0.15, 1.0, escapes_pan(local, towards));
+    let leaves = mix(0.15, 1.0, escapes_pan(local, (frame.pan_from_world * vec4<f32>(towards, 0.0)).xyz));
     let mirror = specular(s, in.position, view, lit) * leaves * 0.7;
     return mix(below, below * vec3<f32>(0.80, 0.73, 0.55) + mirror, cover);
 }
@@ -182,7 +182,7 @@ fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit:
 @fragment
 fn fs_flat_solid(in: SolidOut) -> @location(0) vec4<f32> {
     let is_floor = in.surface.z > 1.5 && in.surface.z < 2.5;
-    let field = floor_field(length(in.position.xy - frame.pan_place.xy));
+    let field = floor_field(length(in_pan(in.position).xy));
     if (is_floor && frame.mode.y > 0.5 && field >= 0.0) {
         return vec4<f32>(table_colour(field), 1.0);
     }

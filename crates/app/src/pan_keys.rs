@@ -1,0 +1,85 @@
+//! Keys that are held: they move and tilt the pan and shake it.
+
+use egui::{Context, Key};
+use glam::{DQuat, DVec2, DVec3};
+use saute_kitchen::Command;
+use saute_kitchen::dynamics::{Gesture, Pose};
+
+use crate::app::SauteApp;
+
+/// How fast keys move the pan [m/s] and tilt it [rad/s] (chosen: a calm arm).
+const SPEED: f64 = 0.30;
+const TILT_SPEED: f64 = 1.6;
+/// How far keys tilt the pan [rad] (chosen: oil runs, food slides).
+const TILT: f64 = 0.45;
+/// How far and how often the pan is shaken [m, 1/s] (chosen: as in the benchmark of 2013).
+const AMPLITUDE: f64 = 0.02;
+const HZ: f64 = 3.0;
+/// A shake goes on while its key is held, but no longer than this [s] (chosen).
+const SHAKE_S: f64 = 60.0;
+
+/// Held keys, as the help lists them.
+pub const HELD: [(&str, &str); 5] = [
+    ("Shift+WASD", "move the pan (hold)"),
+    ("Shift+E/Q", "lift, lower the pan (hold)"),
+    ("Shift+R/F", "tilt away, to the cook (hold)"),
+    ("Shift+Z/C", "tilt left, right (hold)"),
+    ("K", "shake the pan (hold)"),
+];
+
+/// What the keys do to the pan between frames.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct PanKeys {
+    tilt: DVec2,
+    shaking: bool,
+}
+
+impl SauteApp {
+    /// Moves the pan as held keys say, over `wall` seconds.
+    pub(crate) fn take_held_keys(&mut self, ctx: &Context, wall: f64) {
+        if self.session.paused || ctx.egui_wants_keyboard_input() {
+            return;
+        }
+        let (down, shift) = ctx.input(|i| (i.keys_down.clone(), i.modifiers.shift));
+        let held = |key: Key| f64::from(u8::from(down.contains(&key)));
+        let push = |plus: Key, minus: Key| if shift { held(plus) - held(minus) } else { 0.0 };
+        let way = DVec3::new(push(Key::D, Key::A), push(Key::W, Key::S), push(Key::E, Key::Q));
+        let lean = DVec2::new(push(Key::Z, Key::C), push(Key::F, Key::R)) * TILT;
+        self.shake_while(down.contains(&Key::K) && !shift);
+        let before = self.pan_keys.tilt;
+        let tilt = before + (lean - before).clamp_length_max(TILT_SPEED * wall);
+        self.pan_keys.tilt = tilt;
+        if way != DVec3::ZERO || tilt != before {
+            let held = self.session.kitchen.held_pan();
+            let raised = |tilt: DVec2| self.session.kitchen.world().pan_shape().floor * tilt.length().sin();
+            let level = held.position - DVec3::Z * raised(before);
+            // Seen from the eye: away from it is forwards.
+            let turned = DQuat::from_rotation_z(f64::from(self.camera.yaw)) * (way * SPEED * wall);
+            let position = level + turned + DVec3::Z * raised(tilt);
+            self.hold_pan(Pose { position, rotation: tilted(tilt) });
+        }
+    }
+
+    fn shake_while(&mut self, down: bool) {
+        let shaking = matches!(self.session.kitchen.gesture(), Some(Gesture::Shake { .. }));
+        match (down, self.pan_keys.shaking) {
+            (true, false) if !shaking => {
+                self.command(&Command::Shake { amplitude: AMPLITUDE, hz: HZ, for_s: SHAKE_S });
+                self.pan_keys.shaking = true;
+            }
+            (false, true) => {
+                self.pan_keys.shaking = false;
+                if shaking {
+                    let pose = self.session.kitchen.held_pan();
+                    self.command(&Command::HoldPan { pose });
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Leaning to the left and towards the cook [rad].
+fn tilted(lean: DVec2) -> DQuat {
+    DQuat::from_scaled_axis(DVec3::new(lean.y, -lean.x, 0.0))
+}

@@ -1,0 +1,32 @@
+//! What is known of the piece under the pointer, beside the pointer.
+
+use egui::{Area, Id, Order, Rect, RichText, Ui, vec2};
+use saute_kitchen::celsius;
+
+use crate::app::SauteApp;
+use crate::piece_words::{doneness, grams, place};
+use crate::theme;
+
+/// Shows the read-out while the pointer rests on a piece.
+pub fn show(app: &SauteApp, ui: &Ui, whole: Rect) {
+    let piece = app.scene.hovered.as_ref().and_then(|id| app.session.kitchen.piece(id));
+    let (Some(piece), Some(at)) = (piece, ui.ctx().pointer_hover_pos()) else { return };
+    let shown = |kelvin: f64| app.settings.temperature(celsius(kelvin));
+    let (above, below) = (shown(piece.face(false)), shown(piece.face(true)));
+    let lines = [
+        format!("core {}", shown(piece.core())),
+        format!("surface {above} above, {below} below"),
+        format!("{} · {}", grams(piece), doneness(app, piece)),
+        place(piece).to_owned(),
+    ];
+    let area = Area::new(Id::unique("read-out")).order(Order::Tooltip).interactable(false);
+    area.fixed_pos(at + vec2(18.0, 14.0)).constrain_to(whole.shrink(6.0)).show(ui.ctx(), |ui| {
+        theme::panel().fill(theme::SOLID).inner_margin(9).show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 2.0;
+            ui.label(RichText::new(&piece.id).size(14.5).strong().color(theme::ACCENT));
+            for line in lines {
+                ui.add(egui::Label::new(RichText::new(line).size(13.0)).extend());
+            }
+        });
+    });
+}
