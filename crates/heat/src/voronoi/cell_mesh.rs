@@ -94,7 +94,7 @@ pub struct CellMesh {
 
 /// How much the cells may miss the surface's volume and area [-].
 const MISFIT: f64 = 0.05;
-/// Finer meshes that are tried where the first does not fit.
+/// Meshes that are tried, each finer than the one before.
 const TRIALS: usize = 3;
 /// Factor of the spacing from trial to trial [-] (chosen).
 const FINER: f64 = 0.75;
@@ -103,18 +103,19 @@ impl CellMesh {
     /// Meshes the inside of a surface; goes finer where cells of the asked size do not fit it.
     pub fn new(surface: Surface, mut fineness: Fineness) -> Result<Self, CellMeshError> {
         let finder = DepthFinder::new(&surface);
-        for trial in 1.. {
+        let mut left = TRIALS;
+        loop {
             let cells = Cells::fill(&finder, fineness);
             let fit = [cells.volume() / surface.volume(), cells.area() / surface.area()];
             if fit.iter().all(|f| (f - 1.0).abs() <= MISFIT) {
                 return Ok(cells.finish(&surface, fineness, fit));
             }
-            if trial == TRIALS {
+            left -= 1;
+            if left == 0 {
                 return Err(CellMeshError::Misfit { volume: fit[0], area: fit[1] });
             }
             fineness.spacing *= FINER;
         }
-        unreachable!("the last trial returns")
     }
 
     /// Whether the edge between two nodes runs rather inwards (within 45°) than along the skin.
