@@ -61,9 +61,8 @@ struct Candidate {
 
 /// For each patch of `a` the nearest patch of `b` that faces it within reach; `b`'s pose is seen from `a`.
 fn links(a: &Piece, b: &Piece, relative: &Pose) -> Vec<Link> {
-    let places = |piece: &Piece| -> Vec<DVec3> {
-        piece.patch_poses().iter().map(|p| DVec3::from_array(p.position)).collect()
-    };
+    let places =
+        |piece: &Piece| -> Vec<DVec3> { piece.patch_poses().iter().map(|p| DVec3::from_array(p.position)).collect() };
     let (own, turn) = (places(a), DMat3::from_quat(relative.rotation));
     // What lies farther off is not touched.
     let reach = libm::sqrt(TOUCHING * TOUCHING + widest(a) + widest(b));
@@ -120,7 +119,8 @@ struct Sorted {
 impl Sorted {
     fn along_longest(mut candidates: Vec<Candidate>) -> Self {
         let (low, high) = bounds(candidates.iter().map(|c| c.position), 0.0);
-        let axis = (high - low).to_array().into_iter().enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |m| m.0);
+        let axis =
+            (high - low).to_array().into_iter().enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |m| m.0);
         candidates.sort_by(|p, q| p.position[axis].total_cmp(&q.position[axis]));
         Self { axis, candidates }
     }
@@ -154,8 +154,7 @@ fn share_out(links: &mut [Link], area: impl Fn(u32) -> f64) {
 /// The box about points, with a margin [m].
 fn bounds(points: impl Iterator<Item = DVec3>, margin: f64) -> (DVec3, DVec3) {
     let margin = DVec3::splat(margin);
-    let (low, high) = points
-        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
+    let (low, high) = points.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
     (low - margin, high + margin)
 }
 
@@ -225,7 +224,8 @@ mod tests {
             let relative = b.pose.seen_from(&a.pose);
             let linked = |i: usize| {
                 let (j, way) = nearest(&a.patch_poses()[i], b, &relative)?;
-                let (n, areas) = (DVec3::from_array(a.patch_poses()[i].normal), a.patch_area(i) + b.patch_area(j as usize));
+                let (n, areas) =
+                    (DVec3::from_array(a.patch_poses()[i].normal), a.patch_area(i) + b.patch_area(j as usize));
                 (a.patch_area(i) > 0.0 && touches(way, n, areas)).then_some((i as u32, j))
             };
             let expected: Vec<(u32, u32)> = (0..a.patch_poses().len()).filter_map(linked).collect();

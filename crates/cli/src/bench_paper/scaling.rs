@@ -51,7 +51,8 @@ pub struct Scaling {
 
 /// Times both pans.
 pub fn measure(library: &Library, progress: &Progress) -> Result<Scaling, CliError> {
-    let series = |grows: bool| PIECES.iter().map(|n| point(*n, grows, library, progress)).collect::<Result<Vec<_>, _>>();
+    let series =
+        |grows: bool| PIECES.iter().map(|n| point(*n, grows, library, progress)).collect::<Result<Vec<_>, _>>();
     let (growing, fixed) = (series(true)?, series(false)?);
     let exponent = exponent(&growing);
     Ok(Scaling { growing, exponent, goal: WANTED, met: exponent <= WANTED, fixed })
@@ -68,8 +69,7 @@ fn point(pieces: usize, grows: bool, library: &Library, progress: &Progress) -> 
     let floor_radius_mm = pan.floor.radius_mm;
     library.pans.insert(GROWING.to_owned(), pan);
     let (carrots, shrimps) = (pieces / 2, pieces - pieces / 2);
-    let scene =
-        Scene { carrots, shrimps, mesh: MeshSize::Paper2013, shaking: false, pan: GROWING.to_owned() };
+    let scene = Scene { carrots, shrimps, mesh: MeshSize::Paper2013, shaking: false, pan: GROWING.to_owned() };
     progress.next(scene.in_words());
     let timed = stopwatch::time(&scene, &library)?;
     let (cycles_per_s, max_penetration_mm, lost) = (timed.cycles_per_s, timed.max_penetration_mm, timed.lost);

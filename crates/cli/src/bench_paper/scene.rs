@@ -56,7 +56,8 @@ impl Scene {
         for (id, kind, count) in [("carrots", "carrot-coin", self.carrots), ("shrimps", "shrimp", self.shrimps)] {
             if count > 0 {
                 let mesh = if paper { "2013" } else { "default" };
-                let _ = writeln!(text, "[[food]]\nid = \"{id}\"\nkind = \"{kind}\"\ncount = {count}\nmesh = \"{mesh}\"");
+                let _ =
+                    writeln!(text, "[[food]]\nid = \"{id}\"\nkind = \"{kind}\"\ncount = {count}\nmesh = \"{mesh}\"");
             }
         }
         text.push_str("[[step]]\nhob_w = 900\n");

@@ -8,7 +8,8 @@ use super::PaperBench;
 use super::row::Row;
 use super::scaling::{Point, Scaling};
 
-const HEAD: &str = "table  carrots  shrimps    nodes  pan     cycles/s  published    ratio    goal            overlap  core\n";
+const HEAD: &str =
+    "table  carrots  shrimps    nodes  pan     cycles/s  published    ratio    goal            overlap  core\n";
 
 /// A table for people.
 pub fn text(bench: &PaperBench) -> String {
@@ -34,7 +35,9 @@ fn mark(met: bool) -> &'static str {
 }
 
 fn row(text: &mut String, row: &Row) {
-    let published = row.published.map_or_else(|| "–".to_owned(), |p| format!("{}{p:.0}", if row.table == "35" { "> " } else { "" }));
+    let published = row
+        .published
+        .map_or_else(|| "–".to_owned(), |p| format!("{}{p:.0}", if row.table == "35" { "> " } else { "" }));
     let ratio = row.ratio.map_or_else(|| "–".to_owned(), |r| format!("{r:.1} ×"));
     let goal = row.goal.map_or_else(|| "–".to_owned(), |g| format!("{g:.0}"));
     let _ = write!(
@@ -56,15 +59,15 @@ fn row(text: &mut String, row: &Row) {
 
 fn original(text: &mut String, bench: &PaperBench) {
     let engine = &bench.original_engine;
-    let steps = engine.heat_step_ms.map(|(vertices, ms)| format!("{ms} ms at {vertices} vertices"));
+    let steps = engine.heat_step_ms.map(|(vertices, ms)| format!("{ms} ms at {vertices}"));
     let _ = writeln!(
         text,
         "\nThe original's engine on a machine of two cores (one thread, steps of 1/60 s): rigid bodies alone {:.0} steps/s\n\
-         with 20 mixed pieces, {:.0} with 35 shrimps of three hulls each; a step of heat {}.\n\
+         with 20 mixed pieces, {:.0} with 35 shrimps of three hulls each; a step of heat\n{}.\n\
          That makes about {:.0} cycles/s with 35 shrimps.",
         engine.rigid_20_mixed_per_s,
         engine.rigid_35_shrimps_per_s,
-        steps.join(", "),
+        format!("{} vertices", steps.join(", ")),
         engine.cycles_35_shrimps_per_s
     );
 }
