@@ -84,7 +84,7 @@ const fn bind(key: Key, written: &'static str, act: Act, words: &'static str) ->
 /// All keys, in the order in which the help lists them.
 pub const BINDINGS: [Binding; 37] = [
     bind(Key::P, "P", Act::Put, "food into the pan"),
-    bind(Key::F, "F", Act::Flip, "flip it: selected, or middle of the pan"),
+    bind(Key::F, "F", Act::Flip, "flip: selected or middle one"),
     bind(Key::O, "O", Act::Out, "food onto the board"),
     bind(Key::T, "T", Act::Toss, "toss what is in the pan"),
     bind(Key::I, "I", Act::NextPiece, "select the next piece"),
@@ -109,7 +109,7 @@ pub const BINDINGS: [Binding; 37] = [
     bind(Key::C, "C", Act::Units, "°C, °F"),
     bind(Key::G, "G", Act::Curves, "curves on, off"),
     bind(Key::H, "H", Act::Panels, "panels on, off"),
-    bind(Key::V, "V", Act::Camera, "next camera: cook, above, close"),
+    bind(Key::V, "V", Act::Camera, "camera: cook, above, close"),
     bind(Key::ArrowLeft, "←", Act::Orbit(-0.08, 0.0), "turn the view"),
     bind(Key::ArrowRight, "→", Act::Orbit(0.08, 0.0), "turn the view"),
     bind(Key::ArrowUp, "↑", Act::Orbit(0.0, 0.06), "look from higher"),

@@ -60,6 +60,9 @@ after_s = 900
 end = true
 "#;
 
+/// When the shrimps of that scene lie [s].
+pub const SHRIMPS_FROM_S: f64 = 8.0;
+
 /// What was measured.
 #[derive(Clone, Debug, Serialize)]
 pub struct FrameBench {

@@ -37,8 +37,11 @@ impl Layout {
     pub fn new(whole: Rect, settings: &Settings) -> Self {
         let narrow = whole.width() < NARROW;
         let inner = whole.shrink(GAP);
-        let mut layout =
-            if narrow { Self::narrow(whole, inner) } else { Self::wide(whole, inner, settings.pantry_open || settings.pieces_open) };
+        let mut layout = if narrow {
+            Self::narrow(whole, inner)
+        } else {
+            Self::wide(whole, inner, settings.pantry_open || settings.pieces_open)
+        };
         if settings.panels_hidden {
             layout.free = whole;
         }

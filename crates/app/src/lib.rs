@@ -7,19 +7,19 @@ pub mod bench_frame;
 mod cell_look;
 pub mod colour_map;
 pub mod food_look;
+mod grab;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod headless;
-mod grab;
 pub mod layout;
 pub mod motion;
 pub mod notice;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod offscreen;
+mod pan_keys;
 pub mod panels;
 mod picking;
 mod piece_words;
 pub mod png_file;
-mod pan_keys;
 mod put_in;
 mod save_picture;
 mod scale_choice;

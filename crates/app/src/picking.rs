@@ -37,7 +37,8 @@ impl SauteApp {
         let points = self.stage.points(&piece.id);
         let step = points.len().div_ceil(LOOKED_AT).max(1);
         let matrix = *clip * pose.matrix();
-        let seen: Option<Vec<Pos2>> = points.iter().step_by(step).map(|v| seen(&matrix, v.position.into(), rect)).collect();
+        let seen: Option<Vec<Pos2>> =
+            points.iter().step_by(step).map(|v| seen(&matrix, v.position.into(), rect)).collect();
         let hull = hull(seen?);
         (!hull.is_empty()).then(|| distance(&hull, at))
     }
@@ -70,10 +71,7 @@ fn seen(clip: &Mat4, point: Vec3, rect: Rect) -> Option<Pos2> {
     let p = *clip * point.extend(1.0);
     let at = |v: f32| v / p.w;
     (p.w > 0.01).then(|| {
-        pos2(
-            rect.left() + 0.5 * (at(p.x) + 1.0) * rect.width(),
-            rect.top() + 0.5 * (1.0 - at(p.y)) * rect.height(),
-        )
+        pos2(rect.left() + 0.5 * (at(p.x) + 1.0) * rect.width(), rect.top() + 0.5 * (1.0 - at(p.y)) * rect.height())
     })
 }
 

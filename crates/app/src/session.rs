@@ -298,7 +298,11 @@ impl Session {
         let step = if self.speed > 1.0 { TICK_S } else { FRAME_S };
         while self.owed_s >= step - SAME_TIME && start.elapsed() < budget {
             let before = self.kitchen.time_s();
-            if self.speed > 1.0 { self.tick()? } else { self.frame().map(drop)? };
+            if self.speed > 1.0 {
+                self.tick()?
+            } else {
+                self.frame().map(drop)?
+            };
             self.owed_s -= self.kitchen.time_s() - before;
             if self.paused {
                 break;

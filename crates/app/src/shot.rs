@@ -12,8 +12,8 @@ use crate::headless::{Gpu, GpuError, still};
 use crate::scene::camera::Camera;
 use crate::section_picture::Picture;
 use crate::stage::{StageOptions, fitting};
-use crate::waiting::FIRST_ON_BOARD;
 use crate::view::View;
+use crate::waiting::FIRST_ON_BOARD;
 
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
@@ -87,7 +87,15 @@ impl ShotOptions {
         }
         let slice = self.slice.then_some(0.0);
         let scale = fitting(kitchen, &self.scale);
-        StageOptions { camera, view: self.view, map: TemperatureMap::default(), scale, slice, cut: None, flat: self.flat }
+        StageOptions {
+            camera,
+            view: self.view,
+            map: TemperatureMap::default(),
+            scale,
+            slice,
+            cut: None,
+            flat: self.flat,
+        }
     }
 }
 

@@ -197,7 +197,11 @@ impl Stage {
         SceneInput {
             camera: following(&options.camera, places.followed(kitchen)),
             hob: HobLook { power: (kitchen.drawn_w() / 2000.0).min(1.0) as f32 },
-            pan: PanLook { position: pan.position, rotation: pan.rotation, ..pan_look(kitchen, options.view, map.as_ref()) },
+            pan: PanLook {
+                position: pan.position,
+                rotation: pan.rotation,
+                ..pan_look(kitchen, options.view, map.as_ref())
+            },
             foods: looks.filter_map(|(piece, pose)| self.food(piece, pose, options, map.as_ref())).collect(),
             tool: tool(kitchen),
             rest: kitchen.pieces().iter().find_map(rest_look),

@@ -6,9 +6,11 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use clap::ValueEnum;
+use saute_app::bench_frame::{FROM_S, SHRIMPS, SHRIMPS_FROM_S};
 use saute_app::png_file::png_bytes;
 use saute_app::shot::ShotOptions;
 use saute_app::{Start, View};
+use saute_kitchen::Recipe;
 use saute_kitchen::library::DEFAULT_SCALE;
 
 use crate::error::CliError;
@@ -51,12 +53,22 @@ pub struct BenchFrameArgs {
     /// A recipe file, or the id of a shipped recipe.
     #[arg(value_name = "RECIPE", default_value = "medium")]
     pub recipe: String,
+    /// A made-up scene instead of a recipe.
+    #[arg(long, value_enum)]
+    pub scene: Option<SceneName>,
     /// Size of the frame in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
     pub size: [u32; 2],
     /// Prints the numbers as JSON.
     #[arg(long)]
     pub json: bool,
+}
+
+/// Scenes to measure that are no recipes.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum SceneName {
+    /// 35 shrimps of the default mesh in the pan.
+    Shrimps,
 }
 
 /// The views by their names on the command line.
@@ -111,9 +123,12 @@ pub fn shot(args: &ShotArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
 
 /// Measures frames.
 pub fn bench_frame(args: &BenchFrameArgs, shelf: &Shelf, process_start: Instant) -> Result<ExitCode, CliError> {
-    let recipe = recipe_source::load(&args.recipe, shelf)?;
+    let (recipe, from_s) = match args.scene {
+        Some(SceneName::Shrimps) => (Recipe::parse(SHRIMPS, "shrimps", &shelf.library)?, SHRIMPS_FROM_S),
+        None => (recipe_source::load(&args.recipe, shelf)?, FROM_S),
+    };
     let start = Start { library: Some(Arc::new(shelf.library.clone())), recipe: Some(recipe) };
-    let bench = saute_app::bench_frame::bench_frame(start, args.size, 0.0, process_start)?;
+    let bench = saute_app::bench_frame::bench_frame(start, args.size, from_s, process_start)?;
     if args.json {
         stdout::print(&format!("{}\n", serde_json::to_string_pretty(&bench)?))?;
         return Ok(ExitCode::SUCCESS);

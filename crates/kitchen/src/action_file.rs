@@ -29,7 +29,7 @@ pub const WATER_G: [f64; 2] = [0.0, 1000.0];
 /// Least and most tilt of the pan [°] (chosen: beyond 80° everything falls out).
 pub const TILT_DEG: [f64; 2] = [0.0, 80.0];
 /// Height of a toss [mm] (chosen: a cook's toss clears the rim by a hand; half a metre is a show).
-pub const TOSS_HEIGHT_MM: Limits = limits(20.0, 500.0, 120.0);
+pub const TOSS_HEIGHT_MM: Limits = limits(50.0, 500.0, 250.0);
 /// Amplitude of shaking [mm] (chosen: an arm shakes a pan by ± 20 mm at ease; 100 mm leaves the hob).
 pub const SHAKE_AMPLITUDE_MM: Limits = limits(0.0, 100.0, 20.0);
 /// Frequency of shaking [Hz] (chosen: a cook shakes three times a second; nobody faster than eight times).
@@ -156,7 +156,7 @@ pub struct WaterTable {
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TossTable {
-    /// How high the foods shall fly [mm]; 120 by default.
+    /// How high the foods shall fly [mm]; 250 by default, which turns most of them over.
     #[schemars(with = "Option<f64>", range(min = TOSS_HEIGHT_MM.low, max = TOSS_HEIGHT_MM.high), extend("default" = TOSS_HEIGHT_MM.default))]
     pub height_mm: Option<Spanned<f64>>,
 }

@@ -10,7 +10,7 @@ use crate::theme;
 /// Shows the list over everything; Esc, F1 or a click beside it closes it.
 pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
     let modal = Modal::new(Id::unique("help")).frame(theme::panel().fill(theme::SOLID)).show(ui.ctx(), |ui| {
-        ui.set_width((whole.width() - 60.0).min(760.0));
+        ui.set_width((whole.width() - 60.0).min(900.0));
         ui.heading("Keys");
         ui.label("Mouse: drag to look around, wheel to zoom. Click food to put it in or to flip it; drag it and tongs lead it. Drag the pan by its handle or rim, with Shift to lift it. Drag the knob to move the cut.");
         ui.add_space(6.0);

@@ -62,14 +62,7 @@ fn hands(app: &mut SauteApp, ui: &mut Ui) {
     let outside = |id: &String| app.session.kitchen.piece(id).is_some_and(|p| !p.in_pan());
     let some_outside = app.its_group().iter().any(outside);
     let next_is_put = matches!(place, Some(Place::Waiting));
-    button(
-        app,
-        ui,
-        &capitalised(&format!("{} in", app.session.noun())),
-        next_is_put,
-        some_outside,
-        Act::Put,
-    );
+    button(app, ui, &capitalised(&format!("{} in", app.session.noun())), next_is_put, some_outside, Act::Put);
     button(app, ui, "Flip", false, in_pan, Act::Flip);
     button(app, ui, "Take out", false, in_pan, Act::Out);
     let on_cloth = app.session.kitchen.cloth().is_some();

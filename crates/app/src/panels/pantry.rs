@@ -18,15 +18,16 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     let noun = noun(&library, &app.settings.choice.kind);
     ui.heading(format!("My {noun}"));
     set_out(app, ui);
+    count(app, ui);
     crate::panels::pieces::all_at_once(app, ui);
-    let starts = format!("\"Set out\": a raw {noun} and this pan; the clock starts anew. \"Add\": more beside what is there.");
+    let starts =
+        format!("\"Set out\": a raw {noun} and this pan; the clock starts anew. \"Add\": more beside what is there.");
     ui.label(RichText::new(starts).size(12.5).color(theme::QUIET));
     let choice = &mut app.settings.choice;
     ui.scope(|ui| kinds(ui, &library, choice));
     if let Some(food) = library.foods.get(&choice.kind) {
         sizes(ui, food, &mut choice.size_mm);
     }
-    count(app, ui);
     let fahrenheit = app.settings.fahrenheit;
     temperature(ui, "start temperature", &mut app.settings.choice.initial_c, 0.0, 30.0, fahrenheit);
     ui.separator();

@@ -72,7 +72,11 @@ fn groups(app: &SauteApp) -> Vec<(String, Vec<String>)> {
 fn piece_line(app: &mut SauteApp, ui: &mut Ui, id: &str, indent: f32) {
     let Some(piece) = app.session.kitchen.piece(id) else { return };
     let line = Line {
-        name: if indent > 0.0 { id.trim_start_matches(group_of(id)).trim_start_matches('.').to_owned() } else { id.to_owned() },
+        name: if indent > 0.0 {
+            id.trim_start_matches(group_of(id)).trim_start_matches('.').to_owned()
+        } else {
+            id.to_owned()
+        },
         fold: None,
         core: app.settings.temperature(celsius(piece.core())),
         mass: grams(piece),
@@ -90,7 +94,11 @@ fn group_lines(app: &mut SauteApp, ui: &mut Ui, group: &str, members: &[String])
     let selected = !open && app.session.steak().is_some_and(|p| members.contains(&p.id));
     let spoken = format!("{} {group}", if open { "Fold" } else { "Unfold" });
     if shown(ui, &line, 0.0, selected, &spoken) {
-        if open { app.unfolded.remove(group) } else { app.unfolded.insert(group.to_owned()) };
+        if open {
+            app.unfolded.remove(group)
+        } else {
+            app.unfolded.insert(group.to_owned())
+        };
     }
     if !open {
         return;
@@ -130,7 +138,8 @@ impl Deed {
 /// A group in one line: means over its pieces, and how many are where.
 fn means(app: &SauteApp, group: &str, members: &[String], open: bool) -> Line {
     let pieces: Vec<&Piece> = members.iter().filter_map(|id| app.session.kitchen.piece(id)).collect();
-    let mean = |value: &dyn Fn(&Piece) -> f64| pieces.iter().map(|p| value(p)).sum::<f64>() / pieces.len().max(1) as f64;
+    let mean =
+        |value: &dyn Fn(&Piece) -> f64| pieces.iter().map(|p| value(p)).sum::<f64>() / pieces.len().max(1) as f64;
     let mut states: BTreeMap<String, usize> = BTreeMap::new();
     for piece in &pieces {
         *states.entry(place(piece).to_owned()).or_default() += 1;
@@ -163,7 +172,13 @@ fn shown(ui: &mut Ui, line: &Line, indent: f32, selected: bool, spoken: &str) ->
         return response.clicked();
     }
     let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
-    let ground = if selected { theme::RAISED } else if response.hovered() { theme::SOLID } else { egui::Color32::TRANSPARENT };
+    let ground = if selected {
+        theme::RAISED
+    } else if response.hovered() {
+        theme::SOLID
+    } else {
+        egui::Color32::TRANSPARENT
+    };
     painter.rect_filled(rect, 6.0, ground);
     let at = |x: f32, y: f32| rect.min + vec2(x, y);
     let (large, small) = (egui::FontId::proportional(14.5), egui::FontId::proportional(12.0));

@@ -210,9 +210,7 @@ impl FoodBuffers {
 
     fn shows(&self, food: &FoodLook) -> bool {
         self.shown.as_ref().is_some_and(|shown| {
-            shown.world_from_rest == food.world_from_rest
-                && same_vertices(shown, food)
-                && shown.slice == food.slice
+            shown.world_from_rest == food.world_from_rest && same_vertices(shown, food) && shown.slice == food.slice
         })
     }
 

@@ -75,7 +75,8 @@ pub(super) fn draw_shadow(
 ) {
     pass.set_bind_group(0, view, &[]);
     pass.set_pipeline(&pipelines.solid);
-    for solid in [&solids.surroundings, &solids.board, &solids.hob, &solids.cloth, solids.pan_body(), solids.pan_floor()]
+    for solid in
+        [&solids.surroundings, &solids.board, &solids.hob, &solids.cloth, solids.pan_body(), solids.pan_floor()]
     {
         solid.draw(pass);
     }

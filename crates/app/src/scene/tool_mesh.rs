@@ -55,7 +55,8 @@ fn tongs(mesh: &mut Mesh, pose: &Mat4, half: f32) {
     for side in [-1.0, 1.0] {
         let tip = origin + across * (side * half) - Vec3::Z * 0.004;
         let bow = across * (side * (half + 0.016));
-        let arm = bent([tip, tip + Vec3::Z * 0.03, origin + bow + 0.5 * JOINT, origin + JOINT + across * (side * 0.006)]);
+        let arm =
+            bent([tip, tip + Vec3::Z * 0.03, origin + bow + 0.5 * JOINT, origin + JOINT + across * (side * 0.006)]);
         // Broad, flat fingers at the tips.
         mesh.sweep(&rod(&arm, JOINT.cross(across), |t| Vec2::new(0.0085 - 0.003 * t, 0.0011)), &steel());
     }
