@@ -217,6 +217,12 @@ impl Kitchen {
         &self.world
     }
 
+    /// Names of the pieces with which the other hand failed because something was in the way, in order.
+    pub fn blocked(&self) -> Vec<String> {
+        let name = |task: &Task| self.pieces.iter().find(|p| p.key == task.key()).map(|p| p.id.clone());
+        self.blocked.iter().filter_map(name).collect()
+    }
+
     /// The hand with its tool.
     pub fn hand(&self) -> &Hand {
         &self.hand

@@ -114,3 +114,66 @@ fn a_rest_carries_the_food_to_the_board_and_back() {
     assert!(kitchen.pieces()[0].in_pan());
     let _ = (Pose::default(), RIGID_S, TICK_S);
 }
+
+#[test]
+fn a_toss_turns_most_foods_over_and_loses_none() {
+    for (foods, least) in [(("carrot-coin", 11), 0.6), (("shrimp", 8), 0.3), (("beef-patty", 1), 1.0)] {
+        let (mut kitchen, ids) = kitchen(&[foods]);
+        let places = kitchen.free_places(&ids, [0.0; 2]);
+        for (id, at) in ids.iter().zip(places) {
+            kitchen.apply(&Command::Put { food: id.clone(), at, heap: false }).expect("put");
+        }
+        settle(&mut kitchen);
+        let before: Vec<f64> = kitchen.pieces().iter().map(|p| p.up()[2]).collect();
+        kitchen.apply(&Command::Toss { height: 0.25 }).expect("toss");
+        settle(&mut kitchen);
+        let turned = kitchen.pieces().iter().zip(&before).filter(|(p, up)| p.up()[2] * **up < 0.0).count();
+        println!("{foods:?}: {turned} of {} turned over", before.len());
+        assert!(kitchen.pieces().iter().all(saute_kitchen::Piece::in_pan), "{foods:?}");
+        assert!(turned as f64 >= least * before.len() as f64, "{foods:?}: {turned}");
+    }
+}
+
+/// Under what is too heavy for a hand the turner fails, says so, and the food stays as it lies.
+#[test]
+fn a_blocked_turner_fails_to_flip() {
+    let library = library();
+    let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(20.0)).expect("a pan");
+    let mut ids = vec!["patty".to_owned()];
+    kitchen.add(&library, &order("patty", "beef-patty", &library, 1)).expect("a patty");
+    for i in 0..3 {
+        let id = format!("steak{i}");
+        let steak = PieceOrder { size: [0.15, 0.11, 0.04], ..order(&id, "beef-lean", &library, i) };
+        kitchen.add(&library, &steak).expect("a steak");
+        ids.push(id);
+    }
+    for (i, id) in ids.iter().enumerate() {
+        kitchen.apply(&Command::Put { food: id.clone(), at: [0.0; 2], heap: i > 0 }).expect("put");
+        settle(&mut kitchen);
+    }
+    let up = kitchen.pieces()[0].up()[2];
+    kitchen.apply(&Command::Flip { food: ids[0].clone() }).expect("flip");
+    settle(&mut kitchen);
+    println!("blocked: {:?} up {} -> {}", kitchen.blocked(), up, kitchen.pieces()[0].up()[2]);
+    assert_eq!(kitchen.blocked(), [ids[0].clone()]);
+    assert!(kitchen.pieces()[0].up()[2] * up > 0.0);
+}
+
+/// Nothing passes through the pan: foods thrown down at 3 m/s, and a pan jerked at its limits.
+#[test]
+fn nothing_tunnels_at_three_metres_a_second() {
+    let (mut kitchen, ids) = kitchen(&[("shrimp", 6), ("carrot-coin", 6)]);
+    put_heaped(&mut kitchen, &ids);
+    kitchen.apply(&Command::Tilt { angle: 0.0, towards: 0.0 }).expect("level");
+    for (at, lift) in [([0.0, 0.0], 0.46), ([0.0, 0.0], 0.0), ([0.3, 0.0], 0.2), ([-0.3, 0.0], 0.0)] {
+        kitchen.apply(&Command::MovePan { at, lift }).expect("moves");
+        (0..8).for_each(|_| kitchen.step());
+    }
+    settle(&mut kitchen);
+    let pan = kitchen.world().motion.pose;
+    for piece in kitchen.pieces() {
+        let seen = pan.to_body(piece.pose.position);
+        assert!(seen.z > 0.0 || !kitchen.world().pan_shape().holds(seen), "{} is under the floor", piece.id);
+        assert!(piece.pose.position.z > 0.0, "{} is under the table", piece.id);
+    }
+}

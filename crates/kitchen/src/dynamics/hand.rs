@@ -22,7 +22,7 @@ pub enum Tool {
 /// Stiffness of the grip as a natural frequency [rad/s] (chosen: food hangs 4 mm low without the weight's compensation).
 const GRIP: f64 = 50.0;
 /// Largest force [N] and torque [N·m] of the grip (chosen: what a hand holds with a turner without effort).
-pub const GRIP_FORCE: f64 = 20.0;
+pub const GRIP_FORCE: f64 = 12.0;
 const GRIP_TORQUE: f64 = 1.5;
 /// Distance [m] and angle [rad] beyond which the grip is lost, and for how long [s] (chosen).
 const SLIP: f64 = 0.03;
