@@ -329,14 +329,24 @@ impl FoodModel {
         Some(self.interpolate(field, &found, height))
     }
 
+    /// Height of a slice's upper face above a point of its bottom face [m], or none outside.
+    pub fn height_above(&self, p: [f64; 2]) -> Option<f64> {
+        let found = self.locator.locate(&self.mesh.section, p)?;
+        Some(self.mesh.thickness() * self.column_of(&found))
+    }
+
+    /// Height of the column through a point of the section over the mean one [-].
+    fn column_of(&self, found: &Located) -> f64 {
+        (0..3).map(|k| found.weights[k] * self.mesh.path.column(found.nodes[k] as usize)).sum()
+    }
+
     /// Where a point of the rest mesh's frame lies in the section and along the path [m].
     fn place_of(&self, p: [f64; 3]) -> Option<(Located, f64)> {
         if let Path::Stations(stations) = &self.mesh.path {
             return place_among(&self.mesh, stations, p);
         }
         let found = self.locator.locate(&self.mesh.section, [p[0], p[1]])?;
-        let column: f64 = (0..3).map(|k| found.weights[k] * self.mesh.path.column(found.nodes[k] as usize)).sum();
-        let height = p[2] / column;
+        let height = p[2] / self.column_of(&found);
         (0.0..=self.mesh.thickness()).contains(&height).then_some((found, height))
     }
 

@@ -30,6 +30,9 @@ const DEPTH: [f64; 11] = [0.97, 1.0, 0.98, 0.90, 0.78, 0.66, 0.53, 0.42, 0.66, 0
 const BREADTH: [f64; 11] = [0.97, 1.0, 0.98, 0.91, 0.81, 0.70, 0.57, 0.43, 0.28, 0.18, 0.16];
 /// How far the head end is rounded [-] and over which run [m] (chosen: where the head was twisted off).
 const ROUNDING: [f64; 2] = [0.16, 1.2e-3];
+/// Most turn over length per thickness [rad] (chosen: the belly of a short, thick shrimp stays half as far from the
+/// centre of its curve as the spine, so that it does not fold).
+const MOST_TURN: f64 = 0.9;
 /// Depth of the grooves between segments over the radius [-] (chosen: gently visible without the shell).
 const GROOVE: f64 = 0.11;
 
@@ -78,7 +81,9 @@ impl Shape {
         Self {
             length: piece.size[0],
             half: [0.5 * piece.size[1], 0.5 * piece.size[1] * spine.flattening * (1.0 + 0.5 * ripple * varied(301))],
-            turn: (spine.turn_deg + spine.turn_varies_deg * varied(302)).to_radians(),
+            turn: (spine.turn_deg + spine.turn_varies_deg * varied(302))
+                .to_radians()
+                .min(MOST_TURN * piece.size[0] / piece.size[1]),
             swelling: [ripple * varied(303), ripple * varied(304)],
         }
     }

@@ -63,12 +63,15 @@ impl Section {
         Self::triangulate(points, |_| true)
     }
 
-    /// Rings of nodes along an outline drawn towards its centroid: `(count, share)`, a share of 1 is the outline itself.
+    /// Rings of nodes along an outline drawn towards its centroid: `(count, share)`, the outline itself, of share 1, first.
     pub fn concentric(outline: &Outline, rings: &[(usize, f64)]) -> Result<Self, MeshError> {
         let ring = |&(count, share): &(usize, f64)| {
             outline.evenly(count).into_iter().map(move |(p, _)| [share * p[0], share * p[1]])
         };
-        Self::triangulate(rings.iter().flat_map(ring).collect(), |_| true)
+        let points: Vec<[f64; 2]> = rings.iter().flat_map(ring).collect();
+        // Where the outline is not quite convex, slivers between it and the convex hull are no part of the section.
+        let rim = Outline { points: points[..rings.first().map_or(0, |r| r.0)].to_vec() };
+        Self::triangulate(points, |p| rim.contains(p))
     }
 
     /// Delaunay triangulation of given nodes, keeping triangles whose centroid `inside` accepts.

@@ -11,7 +11,7 @@ const FOODS: [(&str, [f64; 3], usize); 7] = [
     ("carrot-coin", [0.03, 0.03, 0.008], 54),
     ("carrot-stick", [0.06, 0.01, 0.01], 54),
     ("leek-ring", [0.028, 0.028, 0.012], 85),
-    ("shrimp", [0.075, 0.0155, 0.0155], 119),
+    ("shrimp", [0.075, 0.016, 0.016], 119),
 ];
 
 fn spec(size: [f64; 3], seed: u64, mesh: MeshSize, rules: Rules) -> PieceSpec {
@@ -52,7 +52,7 @@ fn conductances_are_never_negative_and_every_node_has_a_volume() {
 /// A shrimp of 75 mm weighs 8 to 12 g, has 2,000 nodes or more and layers of 0.4 mm below its skin.
 #[test]
 fn a_shrimp_has_its_mass_its_nodes_and_its_layers() {
-    let shrimp = model("shrimp", 1.0, [0.075, 0.0155, 0.0155]);
+    let shrimp = model("shrimp", 1.0, [0.075, 0.016, 0.016]);
     assert!((8e-3..12e-3).contains(&shrimp.raw_mass), "{}", shrimp.raw_mass);
     assert!(shrimp.mesh.node_count() >= 2000, "{}", shrimp.mesh.node_count());
     let mut depths: Vec<f64> = (0..shrimp.mesh.node_count()).map(|n| shrimp.mesh.depth(n)).collect();
@@ -105,7 +105,7 @@ fn what_lies_below_is_what_looks_down() {
     let n = steak.mesh.nodes_per_level();
     assert!(steak.patches_below(UP).eq(0..n));
     assert!(steak.patches_below(FLIPPED).eq(n..2 * n));
-    for (kind, size) in [("shrimp", [0.075, 0.0155, 0.0155]), ("carrot-stick", [0.06, 0.01, 0.01])] {
+    for (kind, size) in [("shrimp", [0.075, 0.016, 0.016]), ("carrot-stick", [0.06, 0.01, 0.01])] {
         let body = model(kind, 1.0, size);
         let below: Vec<usize> = body.patches_below(UP).collect();
         assert!(below.len() > 20 && below.iter().all(|p| body.rest_normals[*p][2] < -0.7), "{kind}");
@@ -191,7 +191,7 @@ fn solids_follow_the_mesh() {
 /// The rods of a shrimp follow its bow: every node of its body lies within 2.5 mm of one of them.
 #[test]
 fn rods_of_a_shrimp_follow_its_bow() {
-    let shrimp = model("shrimp", 1.0, [0.075, 0.0155, 0.0155]);
+    let shrimp = model("shrimp", 1.0, [0.075, 0.016, 0.016]);
     let state = FoodState::raw(&shrimp, ZERO_C + 5.0);
     let Solid::Capsules(rods) = shrimp.solid(&state) else { panic!("rods") };
     let off = |p: [f64; 3]| {
@@ -215,7 +215,7 @@ fn rods_of_a_shrimp_follow_its_bow() {
 /// A cooked shrimp is more curled: its ends come nearer to each other, and its volume's centre stays the origin.
 #[test]
 fn a_shrimp_curls_in_its_present_shape() {
-    let shrimp = model("shrimp", 1.6, [0.075, 0.0155, 0.0155]);
+    let shrimp = model("shrimp", 1.6, [0.075, 0.016, 0.016]);
     let mut state = FoodState::raw(&shrimp, ZERO_C + 5.0);
     let gap = |state: &FoodState| {
         let positions = shrimp.positions(state);
@@ -238,11 +238,9 @@ fn a_shrimp_curls_in_its_present_shape() {
 /// Energy and water balance of a shrimp and a stick on a plate, as of a steak.
 #[test]
 fn curved_bodies_keep_their_energy_and_water() {
-    for (kind, size) in [
-        ("shrimp", [0.075, 0.0155, 0.0155]),
-        ("carrot-stick", [0.06, 0.01, 0.01]),
-        ("leek-ring", [0.028, 0.028, 0.012]),
-    ] {
+    for (kind, size) in
+        [("shrimp", [0.075, 0.016, 0.016]), ("carrot-stick", [0.06, 0.01, 0.01]), ("leek-ring", [0.028, 0.028, 0.012])]
+    {
         let body = model(kind, 1.6, size);
         let mut run = Run::new(&body, 5.0);
         let (heat, water) = (run.state.total_enthalpy(), run.state.water.iter().sum::<f64>());
@@ -289,4 +287,38 @@ fn sheath_borders_lower_the_conductivity_across_to_the_measured_range() {
     }
     let across = plain * free / through;
     assert!((0.34..0.47).contains(&across), "{across}");
+}
+
+/// Whatever size is allowed, no mesh has a sliver: every node can be stepped by 20 ms at least, raw.
+#[test]
+fn meshes_of_all_sizes_allow_long_steps() {
+    for (kind, default, _) in FOODS {
+        let range = model(kind, 2.5, default).description.size.clone();
+        let form = model(kind, 2.5, default).description.form;
+        for corner in 0..8usize {
+            let pick = |axis: usize| if corner >> axis & 1 == 0 { range.min_mm[axis] } else { range.max_mm[axis] };
+            let mm: Vec<f64> = (0..range.min_mm.len()).map(pick).collect();
+            let size = form.extent(&mm).expect("dimensions").map(|v| 1e-3 * v);
+            for (seed, mesh, coarseness) in
+                [(1, MeshSize::Paper2013, 1.0), (2, MeshSize::Default, 2.5), (3, MeshSize::Default, 2.5)]
+            {
+                let piece = piece(kind, &PieceSpec { size, seed, coarseness, mesh, rules: Rules::Full });
+                assert!(shortest_step(&piece) > 0.02, "{kind} {size:?} {mesh:?}: {}", shortest_step(&piece));
+            }
+        }
+    }
+    // The sizes that once folded or left slivers on the hull of a wavy outline.
+    let once = [("carrot-stick", [0.0403, 0.0044, 0.0273], 20), ("shrimp", [0.0388, 0.0238, 0.0238], 51)];
+    for (kind, size, seed) in once {
+        let piece = piece(kind, &spec(size, seed, MeshSize::Default, Rules::Full));
+        assert!(shortest_step(&piece) > 0.02, "{kind}: {}", shortest_step(&piece));
+    }
+}
+
+/// Heat capacity over conductances of the node where that is least [s], with 3.7 MJ/(m³·K) and 0.52 W/(m·K).
+fn shortest_step(model: &FoodModel) -> f64 {
+    let mut conduction = saute_heat::Conduction::default();
+    let graph = &model.mesh.graph;
+    conduction.refresh(graph, &vec![0.52; graph.volume.len()]);
+    conduction.stable_step(&graph.volume.iter().map(|v| 3.7e6 * v).collect::<Vec<_>>())
 }
