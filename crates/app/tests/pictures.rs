@@ -116,7 +116,7 @@ fn a_burnt_face_is_far_darker_than_a_raw_one() {
         let picture = still(&gpu, &cook.kitchen, &options(View::Look, None, false), SIZE);
         let piece = &cook.kitchen.pieces()[0];
         let pose = poses(&cook.kitchen)[0];
-        let upper = if piece.upside_down() { 0.0 } else { piece.model.mesh.thickness() };
+        let upper = if piece.upside_down() { 0.0 } else { 0.9 * piece.model.mesh.thickness() };
         let mut sum = 0.0;
         for i in 0..400u64 {
             let near = [(uniform(5, 2 * i) - 0.5) * 0.08, (uniform(5, 2 * i + 1) - 0.5) * 0.05, upper];
@@ -149,7 +149,9 @@ fn board_rack_and_foil_are_told_apart() {
         let library = Library::embedded().expect("embedded data");
         let recipe = Recipe::parse(&text, "rest.toml", &library).expect("parses");
         let cook = cook_until(recipe, &library, 6.0).expect("cooks");
-        still(&gpu, &cook.kitchen, &options(View::Look, None, false), [640, 360])
+        let mut options = options(View::Look, None, false);
+        options.camera.target = poses(&cook.kitchen)[0].position;
+        still(&gpu, &cook.kitchen, &options, [640, 360])
     };
     let pictures = ["board", "rack", "foil"].map(resting);
     for (a, b) in [(0, 1), (0, 2), (1, 2)] {
