@@ -151,7 +151,9 @@ fn board_rack_and_foil_are_told_apart() {
         let library = Library::embedded().expect("embedded data");
         let recipe = Recipe::parse(&text, "rest.toml", &library).expect("parses");
         let cook = cook_until(recipe, &library, 6.0).expect("cooks");
-        still(&gpu, &cook.kitchen, &options(View::Look, None, false), [640, 360])
+        let mut options = options(View::Look, None, false);
+        options.camera.target = poses(&cook.kitchen)[0].position;
+        still(&gpu, &cook.kitchen, &options, [640, 360])
     };
     let pictures = ["board", "rack", "foil"].map(resting);
     for (a, b) in [(0, 1), (0, 2), (1, 2)] {

@@ -83,9 +83,11 @@ impl FoodModel {
     fn strips(&self, state: &FoodState) -> Vec<Vec<[f64; 3]>> {
         let mut flat = Vec::new();
         self.flat_positions_into(state, &mut flat);
-        let (low, high) = self.outline.points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
-            (low.min(p[0]), high.max(p[0]))
-        });
+        let (low, high) = self
+            .outline
+            .points
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p[0]), high.max(p[0])));
         // Narrower towards the ends, where the outline turns.
         let cut = |i: usize| {
             let share = 0.5 - 0.5 * libm::cos(core::f64::consts::PI * (i as f64 + 0.25) / (STRIPS as f64 + 0.5));
@@ -129,18 +131,19 @@ impl FoodModel {
         let lateral = state.stretch.lateral;
         let standing: Vec<_> = self.spine(state, stations).collect();
         let origin = self.spine_origin(state);
-        let half_height = |level: usize| {
-            lateral * stations[level].section.points.iter().map(|p| p[1]).fold(0.0, f64::max)
-        };
+        let half_height =
+            |level: usize| lateral * stations[level].section.points.iter().map(|p| p[1]).fold(0.0, f64::max);
         let centre = |level: usize| [0, 1, 2].map(|k| standing[level].centre[k] - origin[k]);
         let cuts: Vec<usize> = (0..=RODS).map(|i| self.level_near(i as f64 / RODS as f64)).collect();
         let rod = |pair: &[usize]| {
-            let middle = self.level_near(0.5 * (self.mesh.levels[pair[0]] + self.mesh.levels[pair[1]]) / self.mesh.thickness());
+            let middle =
+                self.level_near(0.5 * (self.mesh.levels[pair[0]] + self.mesh.levels[pair[1]]) / self.mesh.thickness());
             let radius = half_height(middle);
             let (a, b) = (centre(pair[0]), centre(pair[1]));
             let length = libm::sqrt((0..3).map(|k| (b[k] - a[k]) * (b[k] - a[k])).sum::<f64>());
             // Outer ends are as far out as the body; inner ones meet.
-            let inset = |level: usize| if level == cuts[0] || level == cuts[RODS] { (radius / length).min(0.4) } else { 0.0 };
+            let inset =
+                |level: usize| if level == cuts[0] || level == cuts[RODS] { (radius / length).min(0.4) } else { 0.0 };
             let (s, e) = (inset(pair[0]), 1.0 - inset(pair[1]));
             let at = |share: f64| [0, 1, 2].map(|k| a[k] + share * (b[k] - a[k]));
             Capsule { ends: [at(s), at(e)], radius }

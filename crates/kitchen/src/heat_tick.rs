@@ -70,7 +70,8 @@ impl Kitchen {
     /// Gravity less the pan's mean acceleration since the last tick, in the pan's frame [m/s²].
     fn felt_gravity(&mut self) -> [f64; 3] {
         let motion = &self.world.motion;
-        if motion.is_still() && motion.velocity == self.pan_velocity && motion.pose.rotation == Pose::default().rotation {
+        if motion.is_still() && motion.velocity == self.pan_velocity && motion.pose.rotation == Pose::default().rotation
+        {
             return LEVEL;
         }
         let acceleration = (motion.velocity - self.pan_velocity) / TICK_S;

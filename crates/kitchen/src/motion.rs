@@ -1,8 +1,8 @@
 //! Time in frames: bodies move, tools work, gestures run, and at every tick heat flows.
 
+use crate::FRAMES_PER_TICK;
 use crate::dynamics::{Ended, PanTarget, RIGID_HZ, RIGID_S, Task};
 use crate::kitchen::Kitchen;
-use crate::FRAMES_PER_TICK;
 
 /// Rigid steps in a frame.
 const STEPS_PER_FRAME: u32 = RIGID_HZ / 60;

@@ -165,11 +165,11 @@ impl Kitchen {
         let taken: Vec<([f64; 2], f64)> = self.on_board();
         let own = self.world.solid(piece.key).map_or(0.0, radius);
         let (nx, ny) = (17, 13);
-        let along = |i: usize, n: usize, half: f64| (half - own - MARGIN).max(0.0) * (2.0 * i as f64 / (n - 1) as f64 - 1.0);
+        let along =
+            |i: usize, n: usize, half: f64| (half - own - MARGIN).max(0.0) * (2.0 * i as f64 / (n - 1) as f64 - 1.0);
         let places = (0..nx).flat_map(|i| (0..ny).map(move |j| (i, j)));
-        let places = places.map(|(i, j)| {
-            [BOARD_AT.x + along(i, nx, BOARD_HALF.x), BOARD_AT.y + along(j, ny, BOARD_HALF.y)]
-        });
+        let places =
+            places.map(|(i, j)| [BOARD_AT.x + along(i, nx, BOARD_HALF.x), BOARD_AT.y + along(j, ny, BOARD_HALF.y)]);
         let room = |p: &[f64; 2]| {
             let gaps = taken.iter().map(|(q, r)| libm::hypot(p[0] - q[0], p[1] - q[1]) - r - own);
             gaps.fold(f64::INFINITY, f64::min) - BESIDE
@@ -251,7 +251,8 @@ impl Kitchen {
         let tops = self.pieces.iter().filter(|p| p.in_pan()).filter_map(|p| {
             let (seen, solid) = (p.pose.seen_from(&pan), self.world.solid(p.key)?);
             let apart = libm::hypot(seen.position.x - at[0], seen.position.y - at[1]);
-            (apart < within + radius(solid)).then(|| seen.position.z + reach(solid, seen.rotation.conjugate() * DVec3::Z))
+            (apart < within + radius(solid))
+                .then(|| seen.position.z + reach(solid, seen.rotation.conjugate() * DVec3::Z))
         });
         tops.fold(floor, f64::max)
     }

@@ -47,7 +47,7 @@ impl PanModel {
         match what {
             Command::Oil { kind, mass } => {
                 self.pour_oil(state, kind.as_deref().unwrap_or(&at.room.oil.default), *mass, at)?;
-            },
+            }
             Command::Butter(mass) => self.lay_butter(state, self.liquids.butter_kind(), *mass, at)?,
             Command::Water(mass) => self.throw_water(state, *mass, at)?,
             _ => return Ok(Brought::default()),

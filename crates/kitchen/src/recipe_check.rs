@@ -1,6 +1,6 @@
 //! Checks a recipe as it is written and turns it into SI units.
 
-use saute_food::{MeshSize, FoodDescription, Rules};
+use saute_food::{FoodDescription, MeshSize, Rules};
 use toml::Spanned;
 
 use crate::input_error::{InputError, InputText};

@@ -318,7 +318,8 @@ impl Summary {
         let dangers = kitchen.events().tallies().filter(|t| t.kind.endangers()).filter_map(|t| t.kind.advice());
         let dangers = dangers.map(str::to_owned);
         let blocked = kitchen.blocked().into_iter();
-        let blocked = blocked.map(|id| format!("{id} could not be moved as asked: something was in the way, or it is too heavy"));
+        let blocked =
+            blocked.map(|id| format!("{id} could not be moved as asked: something was in the way, or it is too heavy"));
         let unhealthy = kitchen.pieces().iter().filter(|p| !p.state.healthy);
         Self {
             title: runner.recipe().title.clone(),
@@ -339,7 +340,11 @@ impl Summary {
             events: kitchen.events().tallies().copied().collect(),
             energy_j: kitchen.energy(),
             steps: steps.to_vec(),
-            warnings: unhealthy.map(|p| format!("{} became non-finite and was frozen", p.id)).chain(dangers).chain(blocked).collect(),
+            warnings: unhealthy
+                .map(|p| format!("{} became non-finite and was frozen", p.id))
+                .chain(dangers)
+                .chain(blocked)
+                .collect(),
         }
     }
 }

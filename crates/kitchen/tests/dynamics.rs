@@ -93,7 +93,13 @@ fn a_flip_turns_every_food_over_where_it_lies() {
             assert!(kitchen.time_s() < 30.0, "{kind} never settles {:?}", now);
         }
         let after = &kitchen.pieces()[0];
-        println!("{kind} {:?} -> {:?} up {:?} t {}", before.position, after.pose.position, after.up(), kitchen.time_s());
+        println!(
+            "{kind} {:?} -> {:?} up {:?} t {}",
+            before.position,
+            after.pose.position,
+            after.up(),
+            kitchen.time_s()
+        );
         assert!(after.up()[2] < -0.9, "{kind} {:?}", after.up());
         assert!((after.pose.position - before.position).truncate().length() < 0.02, "{kind}");
         assert!(after.in_pan());

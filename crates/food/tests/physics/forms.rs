@@ -163,7 +163,13 @@ fn solids_follow_the_mesh() {
             let (solid, mut positions) = (model.solid(&state), Vec::new());
             model.flat_positions_into(&state, &mut positions);
             let steak = matches!(solid, Solid::Hulls(_));
-            let within = if kind == "shrimp" { 4.0e-3 } else if steak { 1.5e-3 } else { 0.3e-3 };
+            let within = if kind == "shrimp" {
+                4.0e-3
+            } else if steak {
+                1.5e-3
+            } else {
+                0.3e-3
+            };
             let lying = if kind == "shrimp" { 0.5e-3 } else { 0.3e-3 };
             for up in [UP, FLIPPED] {
                 let low = positions.iter().map(|p| p[2] * up[2]).fold(f64::NEG_INFINITY, f64::max);

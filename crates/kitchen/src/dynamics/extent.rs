@@ -5,11 +5,10 @@ use saute_food::Solid;
 
 /// How far a solid reaches from its origin along a unit direction of its own frame [m].
 pub fn reach(solid: &Solid, along: DVec3) -> f64 {
-    let farthest = |points: &mut dyn Iterator<Item = DVec3>| points.map(|p| p.dot(along)).fold(f64::NEG_INFINITY, f64::max);
+    let farthest =
+        |points: &mut dyn Iterator<Item = DVec3>| points.map(|p| p.dot(along)).fold(f64::NEG_INFINITY, f64::max);
     match solid {
-        Solid::Cylinder { radius, half_height } => {
-            radius * libm::hypot(along.x, along.y) + half_height * along.z.abs()
-        }
+        Solid::Cylinder { radius, half_height } => radius * libm::hypot(along.x, along.y) + half_height * along.z.abs(),
         Solid::Cuboid { half } => DVec3::from_array(*half).dot(along.abs()),
         Solid::Capsules(capsules) => capsules
             .iter()

@@ -101,7 +101,10 @@ fn along(home: &Pose, moments: &[Moment], t: f64) -> PanTarget {
         let (m, n) = (slope(i, axis) * span, slope(i + 1, axis) * span);
         let (s2, s3) = (s * s, s * s * s);
         let at = p * (2.0 * s3 - 3.0 * s2 + 1.0) + m * (s3 - 2.0 * s2 + s) + q * (3.0 * s2 - 2.0 * s3) + n * (s3 - s2);
-        let speed = p * (6.0 * s2 - 6.0 * s) + m * (3.0 * s2 - 4.0 * s + 1.0) + q * (6.0 * s - 6.0 * s2) + n * (3.0 * s2 - 2.0 * s);
+        let speed = p * (6.0 * s2 - 6.0 * s)
+            + m * (3.0 * s2 - 4.0 * s + 1.0)
+            + q * (6.0 * s - 6.0 * s2)
+            + n * (3.0 * s2 - 2.0 * s);
         let bend = p * (12.0 * s - 6.0) + m * (6.0 * s - 4.0) + q * (6.0 - 12.0 * s) + n * (6.0 * s - 2.0);
         [at, speed / span, bend / (span * span)]
     };
@@ -123,10 +126,7 @@ pub fn tilted(home: &Pose, floor_radius: f64, angle: f64, towards: f64) -> Pose 
     // Downwards in the direction: a turn about the horizontal axis to its right.
     let axis = DVec3::new(-sin, cos, 0.0);
     let raise = floor_radius * libm::sin(angle.clamp(0.0, 0.5 * PI));
-    Pose {
-        position: home.position + DVec3::Z * raise,
-        rotation: (turn(axis, angle) * home.rotation).normalize(),
-    }
+    Pose { position: home.position + DVec3::Z * raise, rotation: (turn(axis, angle) * home.rotation).normalize() }
 }
 
 #[cfg(test)]

@@ -62,8 +62,7 @@ impl PanMotion {
         self.pose.position += self.velocity * dt;
         let error = rotation_between(self.pose.rotation, target.pose.rotation);
         let twist = STIFFNESS * STIFFNESS * error + 2.0 * STIFFNESS * (target.turning - self.turning);
-        self.turning =
-            (self.turning + twist.clamp_length_max(STRONGEST_TURN) * dt).clamp_length_max(FASTEST_TURN);
+        self.turning = (self.turning + twist.clamp_length_max(STRONGEST_TURN) * dt).clamp_length_max(FASTEST_TURN);
         self.pose.rotation = (about(self.turning * dt) * self.pose.rotation).normalize();
     }
 

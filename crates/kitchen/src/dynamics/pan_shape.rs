@@ -7,8 +7,8 @@ use rapier3d::prelude::{ColliderBuilder, SharedShape};
 
 use crate::pan_description::PanDescription;
 
-use super::scale;
 use super::pose::{Pose, about, rotation_between};
+use super::scale;
 use glam::{DQuat, DVec3};
 
 /// Flat pieces that the wall is made of (chosen: they depart from the cone by half a millimetre).
@@ -111,8 +111,12 @@ impl PanShape {
             let mut points = Vec::new();
             for k in [i, i + 1] {
                 let (sin, cos) = libm::sincos(angle(k));
-                let corners =
-                    [(self.floor, 0.0), (self.rim, self.height), (self.rim + WALL_DEPTH, 0.0), (self.floor, -self.thickness)];
+                let corners = [
+                    (self.floor, 0.0),
+                    (self.rim, self.height),
+                    (self.rim + WALL_DEPTH, 0.0),
+                    (self.floor, -self.thickness),
+                ];
                 points.extend(corners.map(|(r, z)| scale::vector(DVec3::new(r * cos, r * sin, z))));
             }
             ColliderBuilder::convex_hull(&points)

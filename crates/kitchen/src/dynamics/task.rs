@@ -88,9 +88,7 @@ impl Task {
                 let low = world.motion.pose.to_world(DVec3::new(to[0], to[1], 0.0));
                 carry(world, key, &at, low, matches!(self, Self::Move { .. }))
             }
-            Self::TakeOut { to, .. } => {
-                carry(world, key, &at, DVec3::new(to[0], to[1], 2.0 * BOARD_AT.z), false)
-            }
+            Self::TakeOut { to, .. } => carry(world, key, &at, DVec3::new(to[0], to[1], 2.0 * BOARD_AT.z), false),
             Self::Press { newtons, for_s, .. } => press(world, key, &at, newtons, for_s),
         }
     }
@@ -125,7 +123,8 @@ fn flip(world: &World, key: u32, at: &Pose) -> Vec<Leg> {
     let under = DVec3::new(body.position.x, body.position.y, body.position.z - below);
     let outside = under - along * (length + 0.05);
     let lift = DVec3::Z * (width + 0.012 - below).max(0.02);
-    let over = Leg { turn: along * PI, ..leg(Frame::Pan, blade(under + lift + DVec3::Z * (2.0 * below)), 0.22, Act::Pass) };
+    let over =
+        Leg { turn: along * PI, ..leg(Frame::Pan, blade(under + lift + DVec3::Z * (2.0 * below)), 0.22, Act::Pass) };
     // Turned over about its own way, the blade lies on top: as high above the middle as it was below.
     let flipped = Pose { position: DVec3::ZERO, rotation: (turn(along, PI) * facing).normalize() };
     let on_top = |p: DVec3| Pose { position: p, ..flipped };
@@ -166,8 +165,5 @@ fn press(world: &World, key: u32, at: &Pose, newtons: f64, for_s: f64) -> Vec<Le
     let top = at.position + DVec3::Z * (reach_of(world, key, at, DVec3::Z) + 0.001);
     let on_top = Pose { position: top, ..Pose::default() }.seen_from(&world.motion.pose);
     let away = Pose { position: on_top.position + DVec3::Z * 0.05, ..on_top };
-    vec![
-        leg(Frame::Pan, on_top, 0.2, Act::Press { key, newtons, for_s }),
-        leg(Frame::Pan, away, 0.12, Act::Pass),
-    ]
+    vec![leg(Frame::Pan, on_top, 0.2, Act::Press { key, newtons, for_s }), leg(Frame::Pan, away, 0.12, Act::Pass)]
 }

@@ -8,7 +8,8 @@ use rapier3d::dynamics::{
     RigidBody, RigidBodyBuilder, RigidBodyHandle, RigidBodySet, SoftBodySet,
 };
 use rapier3d::geometry::{
-    BroadPhaseBvh, Collider, ColliderBuilder, ColliderHandle, ColliderSet, Group, InteractionGroups, InteractionTestMode, NarrowPhase,
+    BroadPhaseBvh, Collider, ColliderBuilder, ColliderHandle, ColliderSet, Group, InteractionGroups,
+    InteractionTestMode, NarrowPhase,
 };
 use rapier3d::math::Vector;
 use rapier3d::pipeline::PhysicsPipeline;
@@ -366,7 +367,8 @@ impl World {
         for own in &food.colliders {
             for pair in self.narrow_phase.contact_pairs_with(*own).filter(|p| p.has_any_active_contact()) {
                 let other = if pair.collider1 == *own { pair.collider2 } else { pair.collider1 };
-                let Some(other) = self.colliders.get(other).filter(|o| o.user_data != Against::Piece(key).code()) else {
+                let Some(other) = self.colliders.get(other).filter(|o| o.user_data != Against::Piece(key).code())
+                else {
                     continue;
                 };
                 let force = newtons(pair.total_impulse_magnitude());
