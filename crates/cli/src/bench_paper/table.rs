@@ -63,11 +63,11 @@ fn original(text: &mut String, bench: &PaperBench) {
     let _ = writeln!(
         text,
         "\nThe original's engine on a machine of two cores (one thread, steps of 1/60 s): rigid bodies alone {:.0} steps/s\n\
-         with 20 mixed pieces, {:.0} with 35 shrimps of three hulls each; a step of heat\n{}.\n\
+         with 20 mixed pieces, {:.0} with 35 shrimps of three hulls each; a step of heat\n{} vertices.\n\
          That makes about {:.0} cycles/s with 35 shrimps.",
         engine.rigid_20_mixed_per_s,
         engine.rigid_35_shrimps_per_s,
-        format!("{} vertices", steps.join(", ")),
+        steps.join(", "),
         engine.cycles_35_shrimps_per_s
     );
 }
