@@ -107,7 +107,8 @@ pub struct StepEntry {
     /// Trigger: time from the start [s].
     #[schemars(with = "Option<f64>")]
     pub at_s: Option<Spanned<f64>>,
-    /// Trigger: time from the end of the step before [s]; 0 where no trigger is given.
+    /// Trigger: time from the step before [s], or from its end where it says how long it takes, at the earliest when the
+    /// hands are done with it; 0 where no trigger is given.
     #[schemars(with = "Option<f64>")]
     pub after_s: Option<Spanned<f64>>,
     /// Trigger: a temperature crosses a value, in either direction.

@@ -97,9 +97,10 @@ impl Runner {
 
     fn due(&mut self, kitchen: &Kitchen) -> Result<bool, InputError> {
         let now = kitchen.time_s();
-        if kitchen.busy() {
-            // The step before ends when the tools are done, at the next tick at the earliest.
-            self.ready_at = self.ready_at.max(now + TICK_S);
+        // A step at a time of its own fires then; all others wait until the hands are done with the step before.
+        let at_its_time = matches!(self.recipe.steps[self.next].trigger, Trigger::At(_));
+        if kitchen.busy() && !at_its_time {
+            return Ok(false);
         }
         if now < self.ready_at - SAME_TIME {
             return Ok(false);

@@ -94,6 +94,8 @@ struct Grip {
     key: u32,
     /// Pose of the body in the tool's frame.
     hold: Pose,
+    /// Where the body was wanted in the last step.
+    wanted: Pose,
     slipping_s: f64,
 }
 
@@ -159,7 +161,7 @@ impl Hand {
         if world.distance(key, self.pose.position) > REACH {
             return false;
         }
-        self.grip = Some(Grip { key, hold: body.seen_from(&self.pose), slipping_s: 0.0 });
+        self.grip = Some(Grip { key, hold: body.seen_from(&self.pose), wanted: body, slipping_s: 0.0 });
         true
     }
 
@@ -269,6 +271,10 @@ impl Hand {
             return true;
         };
         let wanted = self.pose.then(&grip.hold);
+        // What is led moves along with the tool; the spring only mends what is left.
+        let led = (wanted.position - grip.wanted.position) / RIGID_S;
+        let spun = rotation_between(grip.wanted.rotation, wanted.rotation) / RIGID_S;
+        grip.wanted = wanted;
         let (off, twist) = (wanted.position - body.position, rotation_between(body.rotation, wanted.rotation));
         let far = off.length() > SLIP || twist.length() > SLIP_ANGLE;
         grip.slipping_s = if far { grip.slipping_s + RIGID_S } else { 0.0 };
@@ -277,8 +283,8 @@ impl Hand {
             return true;
         }
         let mass = world.mass(grip.key);
-        let force = mass * (GRIP * GRIP * off - 2.0 * GRIP * velocity + DVec3::Z * GRAVITY);
-        let spin = GRIP * GRIP * twist - 2.0 * GRIP * turning;
+        let force = mass * (GRIP * GRIP * off - 2.0 * GRIP * (velocity - led) + DVec3::Z * GRAVITY);
+        let spin = GRIP * GRIP * twist - 2.0 * GRIP * (turning - spun);
         let torque = world.inertia_times(grip.key, spin);
         world.push(grip.key, force.clamp_length_max(GRIP_FORCE), torque.clamp_length_max(GRIP_TORQUE));
         false
