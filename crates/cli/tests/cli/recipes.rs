@@ -1,6 +1,7 @@
 //! The shipped recipes reach what their titles say.
 
 use crate::cooked::{Cooked, SHIPPED, cook, cooked};
+use crate::running::run;
 
 const CORE: &str = "/foods/0/core_c/peak";
 const WELL_DONE: &str = "/foods/0/section_pct/well_done";
@@ -78,4 +79,24 @@ fn a_steak_that_is_flipped_every_30_s_is_never_left_longer() {
 #[test]
 fn the_same_recipe_gives_the_same_series_byte_for_byte() {
     assert_eq!(cook("rare").files["series.csv"], cooked("rare").files["series.csv"]);
+}
+
+/// The paper's dish and the shrimps: most of what was put in is still in the pan or on the board, and done.
+#[test]
+fn the_dishes_with_many_foods_end_done_and_lose_hardly_anything() {
+    for (id, most_lost, cores) in [("shrimp", 1, 45.0..=90.0), ("steak-carrots-leeks", 3, 50.0..=100.0)] {
+        let said = run(&["cook", id, "--json"]);
+        assert_eq!(said.code, Some(0), "{id}: {}", said.err);
+        let summary: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+        assert_eq!(summary["stopped_by"], "end", "{id}");
+        let foods = summary["foods"].as_array().unwrap();
+        let lost = foods.iter().filter(|f| ["table", "glass"].contains(&f["place"].as_str().unwrap())).count();
+        assert!(lost <= most_lost, "{id}: {lost} fell out");
+        for food in foods {
+            let core = food["core_c"]["peak"].as_f64().unwrap();
+            assert!(cores.contains(&core), "{id}: {} {core}", food["id"]);
+        }
+        let share = summary["energy_j"]["imbalance"].as_f64().unwrap() / summary["energy_j"]["hob"].as_f64().unwrap();
+        assert!(share.abs() < 0.005, "{id}: {share}");
+    }
 }

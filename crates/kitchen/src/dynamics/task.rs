@@ -52,7 +52,7 @@ pub enum Task {
 /// How high food is carried above the table, over the pan's rim [m] (chosen).
 const CARRY: f64 = 0.12;
 /// Radius up to which a piece is turned with tongs [m] (chosen: a blade would catch its neighbours).
-const SMALL: f64 = 0.035;
+const SMALL: f64 = 0.045;
 /// Height from which a tool lets go [m] (chosen: a millimetre).
 const DROP: f64 = 0.001;
 
