@@ -81,20 +81,30 @@ impl FoodModel {
     }
 
     fn along_stations(&self, state: &FoodState, stations: &[Station], positions: &mut [[f64; 3]]) {
-        let n = self.mesh.nodes_per_level();
-        let lateral = state.stretch.lateral;
-        for (level, standing) in self.spine(state, stations).enumerate() {
-            let station = &stations[level];
-            for (i, p) in station.section.points.iter().enumerate() {
-                positions[level * n + i] = standing.place(station, *p, lateral);
-            }
-        }
-        let centre = self.centre_of(positions);
+        let standing = self.spine(state, stations);
+        let centre = self.stand(state, stations, standing, positions);
         positions.iter_mut().for_each(|p| (0..3).for_each(|k| p[k] -= centre[k]));
     }
 
+    /// Puts the nodes where the stations stand; returns the centre of their volume, which [`Self::positions`] takes off [m].
+    pub(crate) fn stand(
+        &self,
+        state: &FoodState,
+        stations: &[Station],
+        standing: impl Iterator<Item = Standing>,
+        positions: &mut [[f64; 3]],
+    ) -> [f64; 3] {
+        let n = self.mesh.nodes_per_level();
+        for (level, (standing, station)) in standing.zip(stations).enumerate() {
+            for (i, p) in station.section.points.iter().enumerate() {
+                positions[level * n + i] = standing.place(station, *p, state.stretch.lateral);
+            }
+        }
+        self.centre_of(positions)
+    }
+
     /// Centre of the rest volumes where the nodes are [m].
-    pub(crate) fn centre_of(&self, positions: &[[f64; 3]]) -> [f64; 3] {
+    fn centre_of(&self, positions: &[[f64; 3]]) -> [f64; 3] {
         volume_centre(self.mesh.graph.volume.iter().copied(), |node| positions[node])
     }
 

@@ -130,7 +130,8 @@ impl FoodModel {
     fn rods_along(&self, state: &FoodState, stations: &[Station]) -> Vec<Capsule> {
         let lateral = state.stretch.lateral;
         let standing: Vec<_> = self.spine(state, stations).collect();
-        let origin = self.spine_origin(state);
+        let mut places = vec![[0.0; 3]; self.mesh.node_count()];
+        let origin = self.stand(state, stations, standing.iter().copied(), &mut places);
         let half_height =
             |level: usize| lateral * stations[level].section.points.iter().map(|p| p[1]).fold(0.0, f64::max);
         let centre = |level: usize| [0, 1, 2].map(|k| standing[level].centre[k] - origin[k]);
@@ -156,17 +157,5 @@ impl FoodModel {
         let at = share * self.mesh.thickness();
         let distance = |l: &usize| libm::fabs(self.mesh.levels[*l] - at);
         (0..self.mesh.levels.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
-    }
-
-    /// What [`Self::positions`] takes off the places along the spine [m].
-    fn spine_origin(&self, state: &FoodState) -> [f64; 3] {
-        let (n, Path::Stations(stations)) = (self.mesh.nodes_per_level(), &self.mesh.path) else { return [0.0; 3] };
-        let mut places = vec![[0.0; 3]; self.mesh.node_count()];
-        for (level, standing) in self.spine(state, stations).enumerate() {
-            for (i, p) in stations[level].section.points.iter().enumerate() {
-                places[level * n + i] = standing.place(&stations[level], *p, state.stretch.lateral);
-            }
-        }
-        self.centre_of(&places)
     }
 }

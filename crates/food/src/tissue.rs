@@ -8,9 +8,8 @@ use crate::noise::{fractal, uniform};
 #[derive(Clone, Debug)]
 pub struct TissueField {
     seed: u64,
-    /// The two axes of the body frame across which the plant grew, and half the piece's extent along them [m].
+    /// The two axes of the body frame across which the plant grew.
     across: [usize; 2],
-    half: [f64; 2],
     kind: Kind,
 }
 
@@ -49,7 +48,7 @@ impl TissueField {
             (None, Some(sheaths)) => sheaths_of(sheaths, radius, seed),
             (None, None) => Kind::Plain,
         };
-        Self { seed, across, half, kind }
+        Self { seed, across, kind }
     }
 
     /// Whether there is a second tissue.
@@ -91,11 +90,6 @@ impl TissueField {
     fn ripple(&self, [x, y]: [f64; 2]) -> f64 {
         let r = libm::hypot(x, y).max(1e-9);
         fractal(self.seed ^ 0x71_55ce, [1.9 * x / r, 1.9 * y / r, 0.5])
-    }
-
-    /// Half the piece's extent across the axis along which it grew [m].
-    pub fn half_extent(&self) -> [f64; 2] {
-        self.half
     }
 }
 

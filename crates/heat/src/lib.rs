@@ -14,7 +14,6 @@ pub mod levels;
 pub mod locate;
 pub mod outline;
 pub mod path;
-pub mod polygon;
 pub mod product;
 pub mod rule;
 pub mod section;

@@ -1,6 +1,9 @@
 //! Promise: conduction agrees with closed-form solutions, converges at second order in space, loses no energy and
 //! never leaves the range of the data. Solutions: Carslaw & Jaeger, Conduction of Heat in Solids (1959), ch. 3.
 
+mod bath;
+
+use bath::Bath;
 use saute_heat::{Conduction, Locator, Outline, Section, SweptMesh, graded_levels};
 
 const K: f64 = 0.48;
@@ -32,22 +35,8 @@ impl Body {
 
     /// Runs to `until` and returns the heat taken up [J].
     fn run(&mut self, until: f64, ambient: f64) -> f64 {
-        let limit = 0.9 * self.conduction.stable_step_with(&self.capacity, &self.exchange);
-        let steps = (until / limit).ceil();
-        let dt = until / steps;
-        let mut taken = 0.0;
-        let mut power = vec![0.0; self.t.len()];
-        for _ in 0..steps as usize {
-            for ((p, e), t) in power.iter_mut().zip(&self.exchange).zip(&self.t) {
-                *p = e * (ambient - t);
-                taken += *p * dt;
-            }
-            self.conduction.add_power(&self.mesh.graph, &self.t, &mut power);
-            for ((t, p), c) in self.t.iter_mut().zip(&power).zip(&self.capacity) {
-                *t += p * dt / c;
-            }
-        }
-        taken
+        let Self { mesh, capacity, exchange, conduction, t } = self;
+        Bath { graph: &mesh.graph, conduction, capacity, exchange }.soak(t, ambient, until)
     }
 
     fn at(&self, p: [f64; 2], z: f64) -> f64 {

@@ -24,6 +24,11 @@ impl Kitchen {
         self.covered.fill(0.0);
         self.steam.fill(0.0);
         self.follow_pan(&fixed);
+        if !self.world.is_settled() {
+            for piece in self.pieces.iter_mut().filter(|p| p.is_out()) {
+                piece.contacts = self.world.contacts(piece.key);
+            }
+        }
         self.find_places();
         self.follow_shapes();
         self.exchange_between_foods(&fixed.room);
@@ -103,7 +108,7 @@ impl Kitchen {
             } else if self.world.is_settled() {
                 continue;
             } else {
-                ground(piece, &self.world.contacts(piece.key))
+                ground(piece)
             };
             if piece.in_pan() && !matches!(place, Place::Pan(_)) {
                 piece.leave_pan();
@@ -116,15 +121,13 @@ impl Kitchen {
     }
 
     fn follow_shapes(&mut self) {
-        for index in 0..self.pieces.len() {
-            let film = match self.pieces[index].place {
-                Place::Waiting => continue,
-                Place::Pan(at) => self.film_at(at),
-                _ => 0.0,
-            };
-            let piece = &mut self.pieces[index];
+        for piece in self.pieces.iter_mut().filter(|p| p.is_out()) {
             piece.free_all();
             if piece.follow_shape() {
+                let film = match piece.place {
+                    Place::Pan(at) => self.fixed.pan.film_at(&self.pan, at),
+                    _ => 0.0,
+                };
                 self.world.set_solid(piece.key, piece.model.solid(&piece.state));
                 self.world.set_mass(piece.key, piece.state.mass_left(&piece.model));
                 self.world.set_friction(piece.key, piece.friction(film, &self.fixed.room));
@@ -140,8 +143,9 @@ impl Kitchen {
         for touching in &self.touching {
             let index = |key: u32| self.pieces.iter().position(|p| p.key == key);
             let [Some(i), Some(j)] = touching.pair.map(index) else { continue };
-            let (first, rest) = self.pieces.split_at_mut(i.max(j));
-            let (a, b) = (&mut first[i.min(j)], &mut rest[0]);
+            // Keys ascend with the pieces: the first of a pair comes first.
+            let (first, rest) = self.pieces.split_at_mut(j);
+            let (a, b) = (&mut first[i], &mut rest[0]);
             food_contact::exchange(&room.food_contact, a, b, &touching.links, TICK_S);
             for link in &touching.links {
                 a.close(link.a);
@@ -153,7 +157,7 @@ impl Kitchen {
     fn find_touching(&mut self) {
         let mut before = core::mem::take(&mut self.touching);
         for (i, a) in self.pieces.iter().enumerate().filter(|(_, p)| p.is_out()) {
-            for contact in self.world.contacts(a.key) {
+            for contact in &a.contacts {
                 let Against::Piece(other) = contact.against else { continue };
                 let Some(b) = self.pieces[i..].iter().find(|b| b.key == other) else { continue };
                 let known = before.iter().position(|t| t.pair == [a.key, other]).map(|k| before.swap_remove(k));
@@ -265,7 +269,7 @@ impl Kitchen {
             return piece.pan_force;
         }
         let on_pan = |c: &Contact| matches!(c.against, Against::Floor | Against::Wall);
-        self.world.contacts(piece.key).iter().filter(|c| on_pan(c)).map(|c| c.force).sum()
+        piece.contacts.iter().filter(|c| on_pan(c)).map(|c| c.force).sum()
     }
 }
 
@@ -273,8 +277,8 @@ impl Kitchen {
 const STANDING: f64 = 1e-6;
 
 /// Where a piece is that is not over the pan.
-fn ground(piece: &Piece, contacts: &[Contact]) -> Place {
-    let on = |against: Against| contacts.iter().any(|c| c.against == against);
+fn ground(piece: &Piece) -> Place {
+    let on = |against: Against| piece.contacts.iter().any(|c| c.against == against);
     let p = piece.pose.position;
     if on(Against::Board) {
         Place::Rest(piece.resting_on)

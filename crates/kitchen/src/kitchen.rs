@@ -206,12 +206,6 @@ impl Kitchen {
         self.stored_at_start += stored;
     }
 
-    /// Thickness of the oil at a place of the pan [m].
-    pub(crate) fn film_at(&self, at: [f64; 2]) -> f64 {
-        let pan = &self.fixed.pan;
-        self.pan.oil_film(&pan.locator.locate_or_nearest(&pan.section, at))
-    }
-
     /// The rigid bodies.
     pub fn world(&self) -> &World {
         &self.world

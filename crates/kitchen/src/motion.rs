@@ -17,11 +17,16 @@ impl Kitchen {
     /// whether that was a tick.
     pub fn advance_frame(&mut self) -> bool {
         self.take_up_task();
+        let mut moved = false;
         for _ in 0..STEPS_PER_FRAME {
             if self.world.is_settled() && self.gesture.is_none() && !self.hand.is_active() && self.is_home() {
                 break;
             }
             self.rigid_step();
+            moved = true;
+        }
+        if moved {
+            self.follow_bodies();
         }
         self.frame += 1;
         if self.frame < FRAMES_PER_TICK {
@@ -44,6 +49,10 @@ impl Kitchen {
         }
         self.world.set_blade(self.hand.blade().as_ref(), self.hand.spared());
         self.world.step(&target);
+    }
+
+    /// Tells every piece where its body is.
+    fn follow_bodies(&mut self) {
         for piece in self.pieces.iter_mut().filter(|p| p.is_out()) {
             if let Some(pose) = self.world.pose(piece.key) {
                 piece.pose = pose;

@@ -8,7 +8,7 @@ use saute_food::Rules;
 use crate::cloth::Cloth;
 use crate::command::{Command, Refused, RestOn};
 use crate::dynamics::extent::{radius, reach};
-use crate::dynamics::gesture::tilted;
+use crate::dynamics::gesture::tilt;
 use crate::dynamics::world::{BOARD_AT, BOARD_HALF};
 use crate::dynamics::{Gesture, Pose, Task};
 use crate::kelvin;
@@ -51,8 +51,9 @@ impl Kitchen {
                 self.begin(Gesture::Shake { amplitude: *amplitude, hz: *hz, for_s: *for_s })
             }
             Command::Tilt { angle, towards } => {
-                let level = Pose { rotation: Pose::default().rotation, ..self.level_at() };
-                self.held_at = tilted(&level, self.world.pan_shape().floor, *angle, *towards);
+                let [x, y, lift] = self.stands_at();
+                let floor = *self.world.pan_shape();
+                self.held_at = floor.standing([x, y], lift, tilt(*angle, *towards));
                 Ok(())
             }
             Command::Press { food, newtons, for_s } => {
@@ -107,7 +108,7 @@ impl Kitchen {
         if !reach.contains(&lift) || !reach.contains(&libm::hypot(at[0], at[1])) {
             return Err(Refused::PanPlace { farthest_mm: libm::round(FARTHEST_PAN * 1e3) as i64 });
         }
-        self.held_at.position = DVec3::new(at[0], at[1], self.world.pan_shape().thickness + lift);
+        self.held_at = self.world.pan_shape().standing(at, lift, self.held_at.rotation);
         Ok(())
     }
 
@@ -120,11 +121,10 @@ impl Kitchen {
         Ok(())
     }
 
-    /// Where the pan is held, as if it were level [m].
-    fn level_at(&self) -> Pose {
-        let down = DVec3::from_array(self.held_at.up());
-        let tilt = libm::hypot(down.x, down.y);
-        Pose { position: self.held_at.position - DVec3::Z * tilt * self.world.pan_shape().floor, ..self.held_at }
+    /// Where the pan is held and how high its lowest edge is above the glass [m].
+    fn stands_at(&self) -> [f64; 3] {
+        let (shape, held) = (self.world.pan_shape(), &self.held_at);
+        [held.position.x, held.position.y, held.position.z - shape.thickness - shape.raise(held.rotation)]
     }
 
     fn begin(&mut self, gesture: Gesture) -> Result<(), Refused> {
@@ -215,7 +215,7 @@ impl Kitchen {
         let pan = self.world.motion.pose;
         let pose = pan.then(&Pose::at(at[0], at[1], height + below));
         let (key, mass) = (piece.key, piece.mass());
-        let friction = piece.friction(self.film_at(at), &self.fixed.room);
+        let friction = piece.friction(self.fixed.pan.film_at(&self.pan, at), &self.fixed.room);
         self.world.add(key, solid, mass, &pose);
         self.world.set_friction(key, friction);
         let piece = &mut self.pieces[index];

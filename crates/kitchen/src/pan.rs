@@ -180,6 +180,11 @@ impl PanModel {
         state.pose = pose;
     }
 
+    /// Thickness of the oil at a place of the floor [m].
+    pub(crate) fn film_at(&self, state: &PanState, at: [f64; 2]) -> f64 {
+        state.oil_film(&self.locator.locate_or_nearest(&self.section, at))
+    }
+
     /// Area mean of the flat floor [K].
     pub fn floor_temperature(&self, state: &PanState) -> f64 {
         let sum: f64 = state.temperature[..self.floor_nodes].iter().zip(&self.section.areas).map(|(t, a)| t * a).sum();

@@ -11,7 +11,7 @@ use crate::board::Board;
 use crate::command::RestOn;
 use crate::contact::{FaceContact, steam_share};
 use crate::dynamics::extent::outline;
-use crate::dynamics::{PanShape, Pose};
+use crate::dynamics::{Contact, PanShape, Pose};
 use crate::layout::Footprint;
 use crate::near_pan::{NearPan, NearPatch, unevenness};
 use crate::pan::{PanModel, PanState};
@@ -93,6 +93,8 @@ pub struct Piece {
     /// Onto what it was put to rest.
     pub(crate) resting_on: RestOn,
     pub(crate) near: NearPan,
+    /// What its body touched at the last tick at which anything moved.
+    pub(crate) contacts: Vec<Contact>,
     pub(crate) solver: FoodSolver,
     geometry: PatchGeometry,
     shape_count: u64,
@@ -136,6 +138,7 @@ impl Piece {
             pan_force: 0.0,
             resting_on: RestOn::Board,
             near: NearPan::default(),
+            contacts: Vec::new(),
             solver: FoodSolver::default(),
             geometry,
             shape_count: 0,

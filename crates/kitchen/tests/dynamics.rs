@@ -183,3 +183,18 @@ fn nothing_tunnels_at_three_metres_a_second() {
         assert!(piece.pose.position.z > 0.0, "{} is under the table", piece.id);
     }
 }
+
+/// A tilt is undone wherever the pan has been moved to since: it stands on the glass again.
+#[test]
+fn a_tilted_pan_that_is_moved_and_levelled_stands_on_the_glass() {
+    let (mut kitchen, _) = kitchen(&[]);
+    let stands = kitchen.held_pan().position.z;
+    for angle in [0.5, 1.2, -0.4] {
+        kitchen.apply(&Command::Tilt { angle, towards: 0.7 }).expect("tilts");
+        kitchen.apply(&Command::MovePan { at: [0.1, -0.05], lift: 0.0 }).expect("moves");
+        assert!(kitchen.held_pan().position.z > stands + 0.03, "its edge would be in the glass");
+        kitchen.apply(&Command::Tilt { angle: 0.0, towards: 0.0 }).expect("levels");
+        assert!((kitchen.held_pan().position.z - stands).abs() < 1e-12, "{angle}");
+        assert!((kitchen.held_pan().position.x - 0.1).abs() < 1e-12);
+    }
+}

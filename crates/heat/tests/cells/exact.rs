@@ -3,6 +3,7 @@
 
 use saute_heat::{CellMesh, Conduction, Soup};
 
+use crate::bath::Bath;
 use crate::bodies::{ball, brick, cylinder};
 use crate::filling::meshed;
 
@@ -35,22 +36,8 @@ impl Body {
 
     /// Runs for some time and returns the heat taken up [J].
     fn run(&mut self, duration: f64) -> f64 {
-        let limit = 0.9 * self.conduction.stable_step_with(&self.capacity, &self.exchange);
-        let steps = (duration / limit).ceil();
-        let dt = duration / steps;
-        let mut taken = 0.0;
-        let mut power = vec![0.0; self.t.len()];
-        for _ in 0..steps as usize {
-            for ((p, e), t) in power.iter_mut().zip(&self.exchange).zip(&self.t) {
-                *p = e * (AMBIENT - t);
-                taken += *p * dt;
-            }
-            self.conduction.add_power(&self.mesh.graph, &self.t, &mut power);
-            for ((t, p), c) in self.t.iter_mut().zip(&power).zip(&self.capacity) {
-                *t += p * dt / c;
-            }
-        }
-        taken
+        let Self { mesh, capacity, exchange, conduction, t } = self;
+        Bath { graph: &mesh.graph, conduction, capacity, exchange }.soak(t, AMBIENT, duration)
     }
 
     fn mean(&self) -> f64 {

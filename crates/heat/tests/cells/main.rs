@@ -3,6 +3,8 @@
 // A test that unwraps in vain says where.
 #![allow(clippy::unwrap_used)]
 
+#[path = "../bath/mod.rs"]
+mod bath;
 mod bodies;
 mod closing;
 mod exact;

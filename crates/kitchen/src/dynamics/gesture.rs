@@ -1,8 +1,8 @@
 //! Motions of the pan that a cook makes by habit: shaking and tossing.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::TAU;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use super::pan_motion::PanTarget;
 use super::pose::{Pose, turn};
@@ -120,18 +120,19 @@ fn along(home: &Pose, moments: &[Moment], t: f64) -> PanTarget {
     }
 }
 
-/// The pose of a pan that is tilted by an angle towards a direction [rad], raised so that its edge clears the glass [m].
-pub fn tilted(home: &Pose, floor_radius: f64, angle: f64, towards: f64) -> Pose {
+/// How a pan is turned that is tilted by an angle towards a direction, from +x over +y [rad].
+pub fn tilt(angle: f64, towards: f64) -> DQuat {
     let (sin, cos) = libm::sincos(towards);
     // Downwards in the direction: a turn about the horizontal axis to its right.
-    let axis = DVec3::new(-sin, cos, 0.0);
-    let raise = floor_radius * libm::sin(angle.clamp(0.0, 0.5 * PI));
-    Pose { position: home.position + DVec3::Z * raise, rotation: (turn(axis, angle) * home.rotation).normalize() }
+    turn(DVec3::new(-sin, cos, 0.0), angle)
 }
 
 #[cfg(test)]
 mod tests {
+    use core::f64::consts::PI;
+
     use super::*;
+    use crate::dynamics::PanShape;
 
     #[test]
     fn a_shake_starts_and_ends_at_home_and_reaches_its_amplitude() {
@@ -150,7 +151,8 @@ mod tests {
 
     #[test]
     fn a_tilted_pan_is_lower_on_the_side_it_is_tilted_to() {
-        let pan = tilted(&Pose::default(), 0.1, 0.3, 0.5 * PI);
+        let shape = PanShape { floor: 0.1, rim: 0.13, height: 0.04, thickness: 0.0 };
+        let pan = shape.standing([0.0; 2], 0.0, tilt(0.3, 0.5 * PI));
         let far = pan.to_world(DVec3::new(0.0, 0.1, 0.0));
         let near = pan.to_world(DVec3::new(0.0, -0.1, 0.0));
         assert!(far.z.abs() < 1e-12 && near.z > 0.05, "{far} {near}");

@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use super::pose::{Pose, rotation_between, turn};
-use super::world::{Against, RIGID_S, World};
+use super::world::{RIGID_S, World};
 use crate::piece::GRAVITY;
 
 /// Which tool the hand holds.
@@ -293,11 +293,6 @@ impl Hand {
     /// Pose of the blade for collisions: none for tongs.
     pub fn blade(&self) -> Option<Pose> {
         (self.active && self.tool == Tool::Turner).then_some(self.pose)
-    }
-
-    /// Whether a contact is with what the hand works on.
-    pub fn works_on(&self, against: Against) -> bool {
-        matches!(against, Against::Piece(key) if Some(key) == self.gripped() || Some(key) == self.spared)
     }
 }
 

@@ -60,10 +60,9 @@ impl PanShape {
         let mut turn = rotation_between(DQuat::IDENTITY, wanted.rotation);
         turn.z = 0.0;
         let rotation = about(turn.clamp_length_max(STEEPEST));
-        let sine = (rotation * DVec3::Z).truncate().length();
         let at = wanted.position.truncate().clamp_length_max(farthest);
-        let lowest = self.thickness + self.floor * sine;
-        Pose { position: at.extend(wanted.position.z.clamp(lowest, lowest + farthest)), rotation }
+        let lift = wanted.position.z - self.thickness - self.raise(rotation);
+        self.standing(at.to_array(), lift.clamp(0.0, farthest), rotation)
     }
 
     /// Length of the wall from floor to rim [m].
@@ -97,6 +96,18 @@ impl PanShape {
     /// Whether a point lies over the pan: within the rim, not under the floor.
     pub fn holds(&self, p: DVec3) -> bool {
         libm::hypot(p.x, p.y) < self.rim && p.z > -self.thickness - 0.01
+    }
+
+    /// How far a turned pan is raised so that the edge of its floor clears the glass [m].
+    pub fn raise(&self, rotation: DQuat) -> f64 {
+        let up = rotation * DVec3::Z;
+        self.floor * libm::hypot(up.x, up.y)
+    }
+
+    /// The pose of a pan whose lowest edge is so high above the glass [m].
+    pub fn standing(&self, at: [f64; 2], lift: f64, rotation: DQuat) -> Pose {
+        let z = self.thickness + lift + self.raise(rotation);
+        Pose { position: DVec3::new(at[0], at[1], z), rotation }
     }
 
     /// The floor: a half space, so that nothing passes it however fast; foods outside of the pan do not meet it.

@@ -267,11 +267,6 @@ impl World {
         }
     }
 
-    /// Whether a body is in the world.
-    pub fn has(&self, key: u32) -> bool {
-        self.foods.contains_key(&key)
-    }
-
     /// Weighs a body anew [kg].
     pub fn set_mass(&mut self, key: u32, mass: f64) {
         let Some(food) = self.foods.get_mut(&key) else { return };
