@@ -71,7 +71,8 @@ impl CellLook<'_> {
         let moisture = moist * reads(&|i| self.state.water[i] / self.model.initial_water[i]);
         let field = self.map.map_or(0.0, |m| m.coordinate(celsius));
         let single = |v: [f64; 3]| v.map(|x| x as f32);
-        let place = Place { rest: single(rest), now: single(rest.map(|v| v * self.state.stretch.lateral)) };
+        let place =
+            Place { rest: single(rest), now: single(rest.map(|v| v * self.state.stretch.lateral)), body: [0.0; 2] };
         vertex(self.model, appearance, moisture, field, place, single(normal))
     }
 }

@@ -8,10 +8,12 @@ use saute_kitchen::food::colour::Appearance;
 use saute_kitchen::food::noise::{fractal, mix};
 use saute_kitchen::food::readings::changed_at;
 use saute_kitchen::food::{FoodModel, FoodState};
+use saute_kitchen::heat::Path;
 
 use crate::cell_look::CellLook;
 use crate::colour_map::ColourMap;
-use crate::scene::input::{FatVolume, FoodMesh, FoodVertex, SliceLook};
+use crate::flesh_grain::{browning_palette, flesh_texture, grain_volume};
+use crate::scene::input::{FoodMesh, FoodVertex, SliceLook};
 use crate::view::View;
 
 /// Radius of the rounded rim between a big face and the side of a steak [m] (chosen; only the picture is rounded).
@@ -20,8 +22,6 @@ const RIM_RADIUS: f32 = 1.6e-3;
 const UNEVEN: [f64; 2] = [0.7e-3, 11.0e-3];
 /// Least extent of a piece to which both apply; with a smaller one they shrink [m] (chosen: a thick steak).
 const TUNED_FOR: f64 = 0.022;
-/// Largest number of cells of the marbling volume (chosen: 0.9 mm cells in a default steak).
-const FAT_CELLS: f64 = 3.2e5;
 
 /// The drawn surface of one piece: which node feeds each vertex, and where it lies.
 #[derive(Clone, Debug)]
@@ -31,6 +31,8 @@ pub struct Skin {
     nodes: Vec<u32>,
     positions: Vec<[f32; 3]>,
     normals: Vec<[f32; 3]>,
+    /// Where on the body each vertex lies; empty where that does not matter.
+    bodies: Vec<[f32; 2]>,
 }
 
 /// How much smaller rim and unevenness are than those of a steak [-].
@@ -51,17 +53,18 @@ impl Skin {
         let model = &piece.model;
         if let Some(cells) = model.cells() {
             // Its vertices read several nodes each: see [`CellLook`].
-            let mesh = FoodMesh { key: key(piece), triangles: cells.skin.triangles.clone(), fat: fat_volume(model) };
-            return Self { mesh: Arc::new(mesh), nodes: Vec::new(), positions: Vec::new(), normals: Vec::new() };
+            let mesh = food_mesh(piece, cells.skin.triangles.clone());
+            return Self { mesh, nodes: Vec::new(), positions: Vec::new(), normals: Vec::new(), bodies: Vec::new() };
         }
         if !model.is_slice() {
             return Self::smooth(piece);
         }
         let mut skin = Self {
-            mesh: Arc::new(FoodMesh { key: key(piece), triangles: Vec::new(), fat: fat_volume(model) }),
+            mesh: food_mesh(piece, Vec::new()),
             nodes: Vec::new(),
             positions: Vec::new(),
             normals: Vec::new(),
+            bodies: Vec::new(),
         };
         let mut triangles = Vec::new();
         let outward = outward_normals(model);
@@ -94,8 +97,9 @@ impl Skin {
             *place
         };
         let triangles = model.surface.triangles.iter().map(|t| t.map(&mut vertex)).collect();
-        let mesh = Arc::new(FoodMesh { key: key(piece), triangles, fat: fat_volume(model) });
-        Self { mesh, nodes, positions, normals }
+        let mesh = food_mesh(piece, triangles);
+        let bodies = nodes.iter().map(|node| on_body(model, *node as usize)).collect();
+        Self { mesh, nodes, positions, normals, bodies }
     }
 
     fn add_face(&mut self, model: &FoodModel, level: usize, outward: &[Option<Vec3>], triangles: &mut Vec<[u32; 3]>) {
@@ -165,7 +169,11 @@ impl Skin {
                 model.appearance(state, node),
                 state.water[node] / model.initial_water[node],
                 field,
-                Place { rest: self.positions[k], now: shape.moved(self.positions[k], |f| f(node)) },
+                Place {
+                    rest: self.positions[k],
+                    now: shape.moved(self.positions[k], |f| f(node)),
+                    body: self.bodies.get(k).copied().unwrap_or_default(),
+                },
                 self.normals[k],
             )
         };
@@ -223,7 +231,9 @@ pub fn slice(piece: &Piece, x: f64, view: View, map: Option<&ColourMap>) -> Opti
                 let (from, to) = (f(a), f(b));
                 std::array::from_fn(|axis| from[axis] * (1.0 - p.share) + to[axis] * p.share)
             });
-            let place = Place { rest: position, now };
+            let (from, to, share) = (on_body(model, a), on_body(model, b), p.share as f32);
+            let body = std::array::from_fn(|i| from[i] * (1.0 - share) + to[i] * share);
+            let place = Place { rest: position, now, body };
             vertices.push(vertex(model, appearance, 0.75 * moisture, field, place, normal.to_array()));
         }
     }
@@ -287,11 +297,13 @@ impl PresentShape {
     }
 }
 
-/// A point in the rest shape and in the present one [m].
+/// A point in the rest shape and in the present one [m], and where on the body that is.
 #[derive(Clone, Copy)]
 pub(crate) struct Place {
     pub(crate) rest: [f32; 3],
     pub(crate) now: [f32; 3],
+    /// Share of the body's length, and belly to back: see [`FoodVertex`].
+    pub(crate) body: [f32; 2],
 }
 
 pub(crate) fn vertex(
@@ -302,9 +314,8 @@ pub(crate) fn vertex(
     place: Place,
     normal: [f32; 3],
 ) -> FoodVertex {
-    let mottled = Appearance { browning: mottled(a.browning), ..a };
-    let linear = |lab: saute_kitchen::food::Lab| lab.linear_srgb().map(|v| v as f32);
-    let (lean, fat) = model.colours(a);
+    let first_tissue = Appearance { tissue: 0.0, ..a };
+    let lab = |lab: saute_kitchen::food::Lab| lab.0.map(|v| 0.01 * v as f32);
     // A film of water stands on raw flesh; cooked flesh is matt, and fried flesh sheds it (chosen).
     let done = a.changed[model.changes.count() - 1];
     let matt = (1.0 - 0.5 * done) * (1.0 - 0.9 * (2.5 * a.browning).min(1.0));
@@ -313,13 +324,26 @@ pub(crate) fn vertex(
         rest: place.rest,
         position: place.now,
         normal,
-        lean: linear(lean),
-        browner: linear(model.colours(mottled).0),
-        fat: linear(fat),
+        lean: lab(model.palette.lean_unbrowned(first_tissue)),
+        fat: lab(model.palette.fat_unbrowned(a)),
+        browning: a.browning as f32,
+        charring: a.charring as f32,
         wetness: wet as f32,
-        crust: (a.browning * (1.2 - moisture)).clamp(0.0, 1.0) as f32,
+        cooked: a.opaque() as f32,
         field,
+        along: place.body[0],
+        dorsal: place.body[1],
     }
+}
+
+/// Where a node of a body that is carried along stations lies: share of the length, and belly (−1) to back (1).
+fn on_body(model: &FoodModel, node: usize) -> [f32; 2] {
+    let Path::Stations(stations) = &model.mesh.path else { return [0.0; 2] };
+    let n = model.mesh.nodes_per_level();
+    let (level, i) = (node / n, node % n);
+    let points = &stations[level].section.points;
+    let reach = points.iter().fold(1e-9f64, |most, p| most.max(p[0].abs()));
+    [model.mesh.levels[level] / model.mesh.thickness(), points[i][0] / reach].map(|v| v as f32)
 }
 
 /// A hand-cut surface: faces undulate, and the side with them. Where both meet, both give the same.
@@ -328,13 +352,6 @@ fn uneven(p: Vec3, model: &FoodModel) -> Vec3 {
     let wave = |seed: u64| (height * fractal(seed, p.to_array().map(|v| f64::from(v) / run))) as f32;
     let face = (2.0 * p.z.abs() / thickness).powi(8);
     Vec3::new(wave(21), wave(22), wave(23) * face)
-}
-
-/// Browning of the other half of the mottled pattern, finer than the nodes: ahead where browning has begun, behind
-/// where it is far on, so that patches of good and poor contact run into one another as on a fried face (chosen).
-fn mottled(browning: f64) -> f64 {
-    let begun = ((browning - 0.02) / 0.16).clamp(0.0, 1.0);
-    browning + 0.80 * begun * (0.84 - browning)
 }
 
 /// Mean outward direction at each boundary node of the section.
@@ -356,28 +373,13 @@ fn key(piece: &Piece) -> u64 {
     bits.chain(text).fold(0x5a07e, |hash, v| mix(hash ^ mix(v)))
 }
 
-fn fat_volume(model: &FoodModel) -> FatVolume {
-    let reach = model.outline.points.iter().fold([0.0f64; 2], |r, p| [r[0].max(p[0].abs()), r[1].max(p[1].abs())]);
-    // The rest frame of a body of cells has its origin in the middle.
-    let (height, below) = model.cells().map_or((model.mesh.thickness(), 0.0), |_| (model.size[2], 0.5 * model.size[2]));
-    let extent = [2.0 * reach[0], 2.0 * reach[1], height];
-    let origin = Vec3::new(-reach[0] as f32, -reach[1] as f32, -0.5 * extent[2] as f32);
-    let shape =
-        |size: [u32; 3], cells| FatVolume { size, origin, extent: Vec3::from_array(extent.map(|v| v as f32)), cells };
-    if model.marbling.mean_share() <= 0.0 {
-        return shape([1, 1, 1], vec![0]);
-    }
-    let cell = (extent.iter().product::<f64>() / FAT_CELLS).cbrt();
-    let size = extent.map(|v| ((v / cell).ceil() as u32).clamp(1, 256));
-    let mut cells = Vec::with_capacity(size.iter().product::<u32>() as usize);
-    let centre = |i: u32, axis: usize| (f64::from(i) + 0.5) / f64::from(size[axis]) * extent[axis];
-    for k in 0..size[2] {
-        for j in 0..size[1] {
-            for i in 0..size[0] {
-                let p = [centre(i, 0) - reach[0], centre(j, 1) - reach[1], centre(k, 2) - below];
-                cells.push((255.0 * model.marbling.at(p)).round() as u8);
-            }
-        }
-    }
-    shape(size, cells)
+fn food_mesh(piece: &Piece, triangles: Vec<[u32; 3]>) -> Arc<FoodMesh> {
+    let model = &piece.model;
+    Arc::new(FoodMesh {
+        key: key(piece),
+        triangles,
+        texture: flesh_texture(model),
+        palette: browning_palette(model),
+        grain: grain_volume(model),
+    })
 }

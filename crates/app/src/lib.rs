@@ -6,6 +6,7 @@ pub mod app;
 pub mod bench_frame;
 mod cell_look;
 pub mod colour_map;
+mod flesh_grain;
 pub mod food_look;
 mod grab;
 #[cfg(not(target_arch = "wasm32"))]
@@ -15,6 +16,7 @@ pub mod motion;
 pub mod notice;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod offscreen;
+mod pan_film;
 mod pan_keys;
 pub mod panels;
 mod picking;

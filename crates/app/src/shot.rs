@@ -83,7 +83,10 @@ impl ShotOptions {
             let in_pan = kitchen.pieces().iter().any(Piece::in_pan);
             camera.zoom(CUT_DISTANCE);
             camera.target.x = 0.0;
-            if in_pan { camera.yaw = CUT_YAW } else { camera.target = FIRST_ON_BOARD }
+            camera.yaw = CUT_YAW;
+            if !in_pan {
+                camera.target = FIRST_ON_BOARD;
+            }
         }
         let slice = self.slice.then_some(0.0);
         let scale = fitting(kitchen, &self.scale);

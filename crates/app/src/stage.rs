@@ -10,10 +10,11 @@ use saute_kitchen::{FRAMES_PER_TICK, Kitchen, Piece, Place, RestOn, celsius};
 
 use crate::colour_map::{ColourMap, TemperatureMap};
 use crate::food_look::{Skin, slice};
+use crate::pan_film::PanFilm;
 use crate::scene::camera::Camera;
 use crate::scene::input::{
-    Colouring, FLOOR_FIELD_RINGS, FoodLook, FoodVertex, HobLook, PanLook, RACK_HEIGHT, RestKind, RestLook, SceneInput,
-    SteamSource, ToolKind, ToolLook,
+    Colouring, FLOOR_FIELD_RINGS, FilmPicture, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RACK_HEIGHT, RestKind,
+    RestLook, SceneInput, SteamSource, ToolKind, ToolLook, Vapour,
 };
 use crate::scene::props::{BOARD_CENTRE, CLOTH_PLACE};
 use crate::view::View;
@@ -158,6 +159,7 @@ fn body_of_pan(kitchen: &Kitchen) -> Pose {
 #[derive(Clone, Debug, Default)]
 pub struct Stage {
     skins: BTreeMap<String, Worn>,
+    film: PanFilm,
     /// Where the next round of refreshing begins.
     round: usize,
 }
@@ -200,7 +202,7 @@ impl Stage {
             pan: PanLook {
                 position: pan.position,
                 rotation: pan.rotation,
-                ..pan_look(kitchen, options.view, map.as_ref())
+                ..pan_look(kitchen, self.film.picture(kitchen), options.view, map.as_ref())
             },
             foods: looks.filter_map(|(piece, pose)| self.food(piece, pose, options, map.as_ref())).collect(),
             tool: tool(kitchen),
@@ -323,27 +325,37 @@ pub fn half_length(piece: &Piece) -> f64 {
     0.5 * piece.model.size[0].max(piece.model.size[1])
 }
 
-fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
+fn pan_look(kitchen: &Kitchen, film: Arc<FilmPicture>, view: View, map: Option<&ColourMap>) -> PanLook {
     let description = &kitchen.pan_model().description;
     let look = &description.look;
-    let linear = |v: u8| {
-        let v = f32::from(v) / 255.0;
+    let linear = |v: f32| {
+        let v = v / 255.0;
         if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
     };
+    let oil_colour = kitchen.pan_model().liquids.colour(&kitchen.pan_state().liquids);
     PanLook {
         floor_radius: description.floor.radius_mm as f32 * 1e-3,
         rim_radius: description.wall.rim_radius_mm as f32 * 1e-3,
         rim_height: description.wall.height_mm as f32 * 1e-3,
         thickness: description.floor.thickness_mm as f32 * 1e-3,
-        colour: Vec3::from_array(look.colour_srgb.map(linear)),
+        colour: Vec3::from_array(look.colour_srgb.map(|v| linear(f32::from(v)))),
         metalness: look.metalness as f32,
         roughness: look.roughness as f32,
-        oil: 0.6,
+        film,
+        oil_colour: oil_colour.map_or(Vec3::ONE, |srgb| Vec3::from_array(srgb.map(|v| linear(v as f32)))),
+        lid: kitchen.pan_state().lid.as_ref().map(|lid| LidLook { fog: fog(lid) }),
         position: Vec3::ZERO,
         rotation: Quat::IDENTITY,
         on_cloth: kitchen.cloth().is_some(),
         floor_field: floor_field(kitchen, map.filter(|_| view == View::Temperature)),
     }
+}
+
+/// How far a lid's glass is fogged: with the vapour under it, until it is as hot as that [-] (chosen).
+fn fog(lid: &saute_kitchen::lid::Lid) -> f32 {
+    let damp = (lid.vapour_density() / 0.10).clamp(0.0, 1.0);
+    let cold = ((celsius(lid.air_temperature()) - celsius(lid.temperature)) / 12.0).clamp(0.25, 1.0);
+    (damp * cold) as f32
 }
 
 /// Mean temperature of the floor in rings, as map coordinates; −1 where the view does not colour the pan.
@@ -375,15 +387,36 @@ fn steam(kitchen: &Kitchen, pan: &Pose, poses: &[Pose]) -> Vec<SteamSource> {
         for k in 0..around {
             let angle = f32::from(k) * std::f32::consts::TAU / 6.0 + 0.4;
             let position = pose.position + Vec3::new(a * angle.cos(), b * angle.sin(), 0.0);
-            sources.push(SteamSource { position, radius: 0.015f32.min(0.5 * b), flow_g_s: share });
+            sources.push(SteamSource { kind: Vapour::Steam, position, radius: 0.015f32.min(0.5 * b), flow_g_s: share });
         }
         let top = pose.position + Vec3::Z * 0.5 * piece.model.thickness(&piece.state) as f32;
-        sources.push(SteamSource { position: top, radius: 0.5 * b, flow_g_s: share });
+        sources.push(SteamSource { kind: Vapour::Steam, position: top, radius: 0.5 * b, flow_g_s: share });
     }
     let (puddle, cloth) = kitchen.other_vapour();
     if puddle + cloth > 1e-6 {
         let flow_g_s = 1e3 * (puddle + 0.3 * cloth) as f32;
-        sources.push(SteamSource { position: pan.position + Vec3::Z * 0.01, radius: 0.09, flow_g_s });
+        sources.push(SteamSource {
+            kind: Vapour::Steam,
+            position: pan.position + Vec3::Z * 0.01,
+            radius: 0.09,
+            flow_g_s,
+        });
     }
+    sources.extend(smoke(kitchen, pan));
     sources
+}
+
+/// Smoke and flames rise from the whole film of oil.
+fn smoke(kitchen: &Kitchen, pan: &Pose) -> Vec<SteamSource> {
+    let state = kitchen.pan_state();
+    let rate = 1e-3 * state.smoke_mg_s() as f32;
+    let radius = 0.4e-3 * kitchen.pan_model().description.floor.radius_mm as f32;
+    let kind = if state.liquids.smoke.burning { Vapour::Flame } else { Vapour::Smoke };
+    let place = |k: u8| {
+        let around = Vec2::from_angle(f32::from(k) * std::f32::consts::TAU / 4.0 + 0.7) * radius * 1.3;
+        let position = pan.position + pan.rotation * around.extend(0.012);
+        SteamSource { kind, position, radius, flow_g_s: 0.25 * rate }
+    };
+    let rising = rate > 1e-5 || kind == Vapour::Flame;
+    (0..if rising { 4 } else { 0 }).map(place).collect()
 }

@@ -82,15 +82,34 @@ impl Palette {
 
     /// Lean flesh: raw colour shifted by the changes, then along golden to crust and char.
     pub fn lean(&self, a: Appearance) -> Lab {
+        self.browned(self.lean_unbrowned(a), Lab(self.colours.golden), Lab(self.colours.crust), a)
+    }
+
+    /// Lean flesh before it browns.
+    pub fn lean_unbrowned(&self, a: Appearance) -> Lab {
         let shifted = |i: usize| a.changed.iter().zip(&self.shifts).map(|(x, shift)| x * shift[i]).sum::<f64>();
-        let raw = |i: usize| self.colours.raw[i] + a.tissue * (self.second[i] - self.colours.raw[i]);
-        let base = Lab([0, 1, 2].map(|i| raw(i) + shifted(i)));
-        self.browned(base, Lab(self.colours.golden), Lab(self.colours.crust), a)
+        let second = self.second_tissue();
+        Lab([0, 1, 2].map(|i| self.colours.raw[i] + a.tissue * second[i] + shifted(i)))
+    }
+
+    /// What pure second tissue adds to the colour of flesh that has not browned, in L*, a*, b*.
+    pub fn second_tissue(&self) -> [f64; 3] {
+        [0, 1, 2].map(|i| self.second[i] - self.colours.raw[i])
+    }
+
+    /// The colours that browning goes through.
+    pub fn colours(&self) -> &Colours {
+        &self.colours
+    }
+
+    /// Fat before it browns: waxy when raw, translucent when molten.
+    pub fn fat_unbrowned(&self, a: Appearance) -> Lab {
+        Lab(self.colours.fat_raw).lerp(Lab(self.colours.fat_cooked), a.opaque())
     }
 
     /// Fat: waxy when raw, translucent when molten, crisp and brown, charred.
     pub fn fat(&self, a: Appearance) -> Lab {
-        let base = Lab(self.colours.fat_raw).lerp(Lab(self.colours.fat_cooked), a.opaque());
+        let base = self.fat_unbrowned(a);
         let brown = Lab(self.colours.fat_brown);
         self.browned(base, base.lerp(brown, 0.6), brown, a)
     }

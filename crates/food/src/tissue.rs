@@ -72,9 +72,30 @@ impl TissueField {
     /// Which sheath a point of the rest frame lies in, counted from the middle; 0 where there are none.
     pub fn sheath(&self, p: [f64; 3]) -> usize {
         let Kind::Sheaths { radii, .. } = &self.kind else { return 0 };
-        let q = self.across.map(|axis| p[axis]);
-        let distance = libm::hypot(q[0], q[1]) / (1.0 + SHEATH_WAVE * self.ripple(q));
+        let distance = self.from_axis(p);
         radii.partition_point(|r| *r < distance).min(radii.len() - 1)
+    }
+
+    /// Distance from the nearest border between sheaths, or from the edge of a core, within and without [m]; far away
+    /// where there is neither.
+    pub fn border(&self, p: [f64; 3]) -> f64 {
+        match &self.kind {
+            Kind::Plain => f64::INFINITY,
+            Kind::Core { radius, wave, centre, .. } => {
+                let q = [p[self.across[0]] - centre[0], p[self.across[1]] - centre[1]];
+                libm::fabs(radius * (1.0 + wave * self.ripple(q)) - libm::hypot(q[0], q[1]))
+            }
+            Kind::Sheaths { radii, .. } => {
+                let distance = self.from_axis(p);
+                radii.iter().map(|r| libm::fabs(r - distance)).fold(f64::INFINITY, f64::min)
+            }
+        }
+    }
+
+    /// Distance from the axis that the plant grew along, as its sheaths are pressed out of round [m].
+    fn from_axis(&self, p: [f64; 3]) -> f64 {
+        let q = self.across.map(|axis| p[axis]);
+        libm::hypot(q[0], q[1]) / (1.0 + SHEATH_WAVE * self.ripple(q))
     }
 
     /// Share of the conductance that the borders between two points leave to flesh of conductivity `k` [W/(m·K)]: as

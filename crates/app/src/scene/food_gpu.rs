@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::Vec3;
 use wgpu::util::DeviceExt;
 
-use super::input::{FatVolume, FoodLook, FoodMesh, FoodVertex, SliceLook};
+use super::input::{BORDER_RANGE, FleshTexture, FoodLook, FoodMesh, FoodVertex, GrainVolume, SliceLook, WITHIN_RANGE};
 use super::pipelines::Layouts;
 use super::textures::sampled_texture_of;
 use super::uniforms::{FoodUniform, NO_CUT, reciprocal};
@@ -20,13 +20,14 @@ const STILL_TOLERANCE: f32 = 2e-3;
 struct MeshBuffers {
     indices: wgpu::Buffer,
     count: u32,
-    fat: wgpu::TextureView,
+    grain: wgpu::TextureView,
     used: bool,
 }
 
 /// One food on the device.
 pub(super) struct FoodBuffers {
     key: u64,
+    pub texture: FleshTexture,
     vertices: wgpu::Buffer,
     uniform: wgpu::Buffer,
     bind_group: wgpu::BindGroup,
@@ -114,6 +115,11 @@ impl Foods {
         self.order.iter().filter_map(|slot| self.slots.get(*slot))
     }
 
+    /// What their flesh is made of.
+    pub fn textures(&self) -> impl Iterator<Item = FleshTexture> {
+        self.slots.iter().map(|slot| slot.texture)
+    }
+
     /// Sorts the foods by their distance from the eye.
     pub fn sort(&mut self, foods: &[FoodLook], eye: Vec3) {
         let away = |slot: &usize| foods[*slot].world_from_rest.transform_point3(Vec3::ZERO).distance_squared(eye);
@@ -168,7 +174,7 @@ impl MeshBuffers {
         Self {
             indices: buffer(device, bytemuck::cast_slice(&mesh.triangles), wgpu::BufferUsages::INDEX),
             count: mesh.triangles.len() as u32 * 3,
-            fat: fat_texture(device, queue, &mesh.fat),
+            grain: grain_texture(device, queue, &mesh.grain),
             used: true,
         }
     }
@@ -183,15 +189,16 @@ impl FoodBuffers {
             mapped_at_creation: false,
         });
         let whole = wgpu::BindGroupEntry { binding: 0, resource: uniform.as_entire_binding() };
-        let fat = wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&mesh.fat) };
+        let grain = wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&mesh.grain) };
         let group = |layout, entries: &[wgpu::BindGroupEntry<'_>]| {
             device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("food"), layout, entries })
         };
         let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
         Self {
             key: food.mesh.key,
+            texture: food.mesh.texture,
             vertices: buffer(device, bytemuck::cast_slice(food.vertices.as_slice()), usage),
-            bind_group: group(&layouts.food, &[whole.clone(), fat]),
+            bind_group: group(&layouts.food, &[whole.clone(), grain]),
             pose_group: group(&layouts.pose, &[whole]),
             uniform,
             indices: mesh.indices.clone(),
@@ -285,12 +292,18 @@ pub(super) fn world_positions(food: &FoodLook) -> impl Iterator<Item = Vec3> {
 }
 
 fn uniform(food: &FoodLook) -> FoodUniform {
-    let fat = &food.mesh.fat;
+    let (grain, palette) = (&food.mesh.grain, &food.mesh.palette);
+    let lab = |colour: [f32; 3], w: f32| (Vec3::from(colour) * 0.01).extend(w);
     FoodUniform {
         world_from_rest: food.world_from_rest,
         cut: food.slice.as_ref().map_or(NO_CUT, |slice| slice.normal.extend(slice.normal.dot(slice.point))),
-        fat_origin: fat.origin.extend(0.0),
-        fat_scale: reciprocal(fat.extent).extend(0.0),
+        grain_origin: grain.origin.extend(WITHIN_RANGE),
+        grain_scale: reciprocal(grain.extent).extend(BORDER_RANGE),
+        golden: lab(palette.golden, palette.golden_at.max(1e-3)),
+        crust: lab(palette.crust, 0.0),
+        char: lab(palette.char, 0.0),
+        fat_brown: lab(palette.fat_brown, 0.0),
+        second: lab(palette.second, 0.0),
     }
 }
 
@@ -298,12 +311,12 @@ fn buffer(device: &wgpu::Device, contents: &[u8], usage: wgpu::BufferUsages) -> 
     device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some("food"), contents, usage })
 }
 
-/// The marbling; a volume that does not hold what it says is taken as lean.
-fn fat_texture(device: &wgpu::Device, queue: &wgpu::Queue, fat: &FatVolume) -> wgpu::TextureView {
+/// What grew in the flesh; a volume that does not hold what it says is taken as even and lean.
+fn grain_texture(device: &wgpu::Device, queue: &wgpu::Queue, grain: &GrainVolume) -> wgpu::TextureView {
     let limit = device.limits().max_texture_dimension_3d;
-    let full = fat.size.iter().map(|&n| n as usize).product::<usize>() == fat.cells.len();
-    let sound = full && fat.size.iter().all(|&n| n > 0 && n <= limit);
-    let (size, cells) = if sound { (fat.size, fat.cells.as_slice()) } else { ([1; 3], [0].as_slice()) };
-    let format = wgpu::TextureFormat::R8Unorm;
-    sampled_texture_of(device, queue, size, 1, format, wgpu::TextureDimension::D3, cells)
+    let full = grain.size.iter().map(|&n| n as usize).product::<usize>() == grain.cells.len();
+    let sound = full && grain.size.iter().all(|&n| n > 0 && n <= limit);
+    let (size, cells) = if sound { (grain.size, grain.cells.as_slice()) } else { ([1; 3], [[0; 4]].as_slice()) };
+    let format = wgpu::TextureFormat::Rgba8Unorm;
+    sampled_texture_of(device, queue, size, 1, format, wgpu::TextureDimension::D3, bytemuck::cast_slice(cells))
 }

@@ -4,7 +4,7 @@ use std::f32::consts::TAU;
 
 use glam::{Mat4, Vec2, Vec3};
 
-use super::input::{FoodLook, SceneInput};
+use super::input::{FoodLook, SceneInput, Vapour};
 use super::steam::PuffVertex;
 
 /// Directions in which the foot of a food is looked up.
@@ -34,7 +34,8 @@ const LIFE: f32 = 0.8;
 /// Sprites round the foods that lie in the pan, lowest first.
 pub(super) fn fry(input: &SceneInput) -> Vec<PuffVertex> {
     let feet: Vec<Foot> = input.foods.iter().filter_map(|food| Foot::of(food, input)).take(RINGS_MAX).collect();
-    let flow: f32 = input.steam.iter().map(|source| source.flow_g_s).sum();
+    let steam = input.steam.iter().filter(|source| source.kind == Vapour::Steam);
+    let flow: f32 = steam.map(|source| source.flow_g_s).sum();
     let mut vertices = Vec::new();
     for foot in &feet {
         foot.ring(&mut vertices, 0.45 + 0.55 * (flow * 12.0).min(1.0));

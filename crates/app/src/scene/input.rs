@@ -118,8 +118,12 @@ pub struct PanLook {
     pub metalness: f32,
     /// Microfacet roughness of the surface under the oil (0–1).
     pub roughness: f32,
-    /// Oil film over the floor (0 none – 1 glossy pool).
-    pub oil: f32,
+    /// What lies on the floor; the same allocation as long as nothing in it has changed.
+    pub film: Arc<FilmPicture>,
+    /// Colour of light that has passed through a millimetre of the oil, linear sRGB.
+    pub oil_colour: Vec3,
+    /// The lid, while it is on.
+    pub lid: Option<LidLook>,
     /// Centre of the pan's underside, relative to the hob centre [m]; the cooking surface is `thickness` above it.
     pub position: Vec3,
     /// How it is turned about that point.
@@ -128,6 +132,28 @@ pub struct PanLook {
     pub on_cloth: bool,
     /// Field coordinate (0–1) on `FLOOR_FIELD_RINGS` equidistant radii from the centre to `floor_radius`.
     pub floor_field: [f32; FLOOR_FIELD_RINGS],
+}
+
+/// Liquids and what they left on the floor of the pan, seen from above: `FILM_SIZE` squared texels over the square round
+/// the floor, x fastest.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FilmPicture {
+    /// Square roots of the thickness of oil over [`OIL_RANGE`] and of water over [`WATER_RANGE`]; browned fond; foam.
+    pub texels: Vec<[u8; 4]>,
+}
+
+/// Texels along each side of a film picture.
+pub const FILM_SIZE: u32 = 64;
+/// Thickness of oil that byte 255 stands for [m] (chosen: a puddle on one side of a tilted pan).
+pub const OIL_RANGE: f32 = 1.0e-3;
+/// Thickness of water that byte 255 stands for [m] (chosen: thicker puddles look the same).
+pub const WATER_RANGE: f32 = 2.0e-3;
+
+/// A glass lid on the pan.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LidLook {
+    /// How far its inside is fogged (0–1).
+    pub fog: f32,
 }
 
 impl PanLook {
@@ -156,26 +182,70 @@ pub struct FoodLook {
 /// The rest shape of a food; shared between frames.
 #[derive(Clone, Debug)]
 pub struct FoodMesh {
-    /// Changes when the mesh or the marbling changes; renderers cache by it.
+    /// Changes when the mesh or what grew in it changes; renderers cache by it.
     pub key: u64,
     /// Triangles, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// Fat seen in the flesh: fraction (0–255 for 0–1) on a regular grid over the rest box, x fastest.
-    pub fat: FatVolume,
+    /// What its flesh is made of finer than the mesh.
+    pub texture: FleshTexture,
+    /// Colours that browning goes through.
+    pub palette: BrowningPalette,
+    /// Fat, second tissue and borders in the flesh on a regular grid over the rest box.
+    pub grain: GrainVolume,
 }
 
-/// Fat fraction on a regular grid, for the marbling that is seen.
+/// What flesh is made of finer than the mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum FleshTexture {
+    /// Muscle whose fibres run along z.
+    Muscle,
+    /// Ground meat: strands pressed together.
+    Ground,
+    /// A root: core, cortex and rays between.
+    Root,
+    /// A shaft of sheaths, one in the other.
+    Sheaths,
+    /// The segments of a shrimp.
+    Shrimp,
+    /// Even flesh.
+    Plain,
+}
+
+/// Colours that browning goes through, L*a*b*.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BrowningPalette {
+    /// Lean flesh at `golden_at`.
+    pub golden: [f32; 3],
+    /// Browning at which lean flesh is golden (0–1).
+    pub golden_at: f32,
+    /// Lean flesh wholly browned.
+    pub crust: [f32; 3],
+    /// Charred.
+    pub char: [f32; 3],
+    /// Fat wholly browned.
+    pub fat_brown: [f32; 3],
+    /// What the second tissue adds to flesh that has not browned.
+    pub second: [f32; 3],
+}
+
+/// What grew in the flesh, on a regular grid.
 #[derive(Clone, Debug)]
-pub struct FatVolume {
+pub struct GrainVolume {
     /// Cells along x, y, z.
     pub size: [u32; 3],
     /// Lowest corner in the rest frame [m].
     pub origin: Vec3,
     /// Extent in the rest frame [m].
     pub extent: Vec3,
-    /// One byte a cell, x fastest, 255 = pure fat.
-    pub cells: Vec<u8>,
+    /// Four bytes a cell, x fastest: depth within a seam of fat (see [`WITHIN_RANGE`]), share of the second tissue
+    /// (255 = all), distance from the nearest border of a tissue (see [`BORDER_RANGE`]), a free tone of its sheath.
+    pub cells: Vec<[u8; 4]>,
 }
+
+/// Depth within a seam of fat that the bytes 0 and 255 stand for, below and above its edge, in widths of the edge (chosen).
+pub const WITHIN_RANGE: f32 = 3.0;
+/// Distance from a border that byte 255 stands for [m] (chosen: half of a thick sheath).
+pub const BORDER_RANGE: f32 = 1.5e-3;
 
 /// A vertical cut through a food.
 #[derive(Clone, Debug, PartialEq)]
@@ -190,7 +260,7 @@ pub struct SliceLook {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// State of one vertex of a food, colours already computed by the core (linear sRGB reflectance).
+/// State of one vertex of a food; the colours before browning come from the core (L*a*b* over 100).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct FoodVertex {
@@ -198,29 +268,48 @@ pub struct FoodVertex {
     pub rest: [f32; 3],
     /// Outward unit normal in the rest frame.
     pub normal: [f32; 3],
-    /// Colour of lean flesh in this state.
+    /// Colour of lean flesh of the first tissue before it browns.
     pub lean: [f32; 3],
-    /// Colour of lean flesh in this state, browned somewhat further: the shader mixes towards it in a mottled pattern.
-    pub browner: [f32; 3],
-    /// Colour of fat in this state.
+    /// Colour of fat before it browns.
     pub fat: [f32; 3],
+    /// Browning (0–1).
+    pub browning: f32,
+    /// Charring (0–1).
+    pub charring: f32,
     /// Liquid on the surface (0 dry crust – 1 glistening).
     pub wetness: f32,
-    /// Crust (0 none – 1 thick): roughness, relief.
-    pub crust: f32,
+    /// How far it is cooked (0 raw – 1 done): opaque, matt.
+    pub cooked: f32,
     /// Coordinate into the colour table (0–1), linear between vertices.
     pub field: f32,
+    /// Place along the body (0–1), where that matters: a shrimp's segments.
+    pub along: f32,
+    /// Belly (−1) to back (1), likewise.
+    pub dorsal: f32,
     /// Position in the present shape, in the same frame [m].
     pub position: [f32; 3],
+}
+
+/// What rises from the pan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Vapour {
+    /// Water.
+    Steam,
+    /// Oil that smokes.
+    Smoke,
+    /// Oil that burns.
+    Flame,
 }
 
 /// A place where vapour leaves.
 #[derive(Clone, Copy, Debug)]
 pub struct SteamSource {
+    /// What it is.
+    pub kind: Vapour,
     /// Where, world frame [m].
     pub position: Vec3,
     /// Radius of the patch [m].
     pub radius: f32,
-    /// Vapour [g/s].
+    /// How much of it [g/s].
     pub flow_g_s: f32,
 }

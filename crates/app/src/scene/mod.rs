@@ -8,6 +8,7 @@ mod food_gpu;
 mod fry;
 pub mod ground;
 pub mod input;
+mod lid_mesh;
 mod mesh;
 mod noise;
 mod overlay;

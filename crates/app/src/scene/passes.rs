@@ -80,7 +80,7 @@ pub(super) fn draw_shadow(
     {
         solid.draw(pass);
     }
-    solids.turner().into_iter().chain(solids.tool()).for_each(|tool| tool.draw(pass));
+    solids.turner().into_iter().chain(solids.tool()).chain(solids.lid_steel()).for_each(|tool| tool.draw(pass));
     draw_food_depth(pass, pipelines, view, foods);
 }
 
@@ -150,17 +150,16 @@ pub(super) fn draw_lively(
 ) {
     groups.set(pass);
     for food in foods.nearest_first() {
+        let Some(own) = pipelines.of(food.texture) else { continue };
         if food.has_cut() {
-            pass.set_pipeline(&pipelines.cut_face);
+            pass.set_pipeline(&own.cut_face);
             food.draw_cut(pass);
         }
-        pass.set_pipeline(if food.has_cut() { &pipelines.food_cut } else { &pipelines.food });
+        pass.set_pipeline(if food.has_cut() { &own.food_cut } else { &own.food });
         food.draw(pass);
     }
-    if let Some(tool) = solids.tool() {
-        pass.set_pipeline(&pipelines.solid);
-        tool.draw(pass);
-    }
+    pass.set_pipeline(&pipelines.solid);
+    solids.tool().into_iter().chain(solids.lid_steel()).for_each(|solid| solid.draw(pass));
     pass.set_pipeline(&pipelines.floor);
     solids.pan_floor().draw(pass);
 }
@@ -190,14 +189,15 @@ pub(super) fn draw_whole(
     let mut pass = begin(encoder, to, true);
     draw_lively(&mut pass, pipelines, groups, subject.solids, subject.foods);
     draw_still(&mut pass, pipelines, groups, subject.solids, false);
-    draw_veils(&mut pass, pipelines, groups, subject.foods, &subject.sprites);
+    draw_veils(&mut pass, pipelines, groups, subject.solids, subject.foods, &subject.sprites);
 }
 
-/// What lies round frying foods, the veils of cut foods, then steam.
+/// What lies round frying foods, the veils of cut foods, the glass of the lid, then steam.
 pub(super) fn draw_veils(
     pass: &mut wgpu::RenderPass<'_>,
     pipelines: &ColourPipelines,
     groups: &Groups<'_>,
+    solids: &Solids,
     foods: &Foods,
     sprites: &Sprites<'_>,
 ) {
@@ -207,6 +207,10 @@ pub(super) fn draw_veils(
     pass.set_pipeline(&pipelines.ghost);
     for food in &foods.slots {
         food.draw_hidden(pass);
+    }
+    if let Some(glass) = solids.lid_glass() {
+        pass.set_pipeline(&pipelines.lid);
+        glass.draw(pass);
     }
     draw_sprites(pass, &pipelines.steam, sprites.buffer, fry..all);
 }

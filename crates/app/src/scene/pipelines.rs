@@ -1,14 +1,18 @@
 //! Shader modules, bind group layouts and render pipelines.
 
+use std::collections::BTreeMap;
+
 use super::mesh::SolidVertex;
 use super::steam::PuffVertex;
 use super::targets::{COLOUR_FORMAT, MSAA_SAMPLES};
 use super::textures::{DEPTH_FORMAT, fragment_entry};
-use crate::scene::input::FoodVertex;
+use crate::scene::input::{FleshTexture, FoodVertex};
 
 const FRAME: &str = include_str!("shaders/frame.wgsl");
 const LIGHT: &str = include_str!("shaders/light.wgsl");
 const SOLID: &str = include_str!("shaders/solid.wgsl");
+const FLESH: &str = include_str!("shaders/flesh.wgsl");
+const GRAIN: &str = include_str!("shaders/grain.wgsl");
 const FOOD: &str = include_str!("shaders/food.wgsl");
 const STEAM: &str = include_str!("shaders/steam.wgsl");
 const FRY: &str = include_str!("shaders/fry.wgsl");
@@ -18,7 +22,7 @@ const RESTORE: &str = include_str!("shaders/restore.wgsl");
 const SOLID_ATTRIBUTES: [wgpu::VertexAttribute; 4] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x4];
 const FOOD_ATTRIBUTES: [wgpu::VertexAttribute; 7] = wgpu::vertex_attr_array![
-    0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3, 4 => Float32x3, 5 => Float32x3,
+    0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3, 4 => Float32x4, 5 => Float32x3,
     6 => Float32x3];
 const STEAM_ATTRIBUTES: [wgpu::VertexAttribute; 3] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x2, 2 => Float32x3];
@@ -39,14 +43,29 @@ pub(super) struct ColourPipelines {
     pub metal: wgpu::RenderPipeline,
     /// The pan's floor, which is drawn with the foods.
     pub floor: wgpu::RenderPipeline,
+    /// The glass of the lid.
+    pub lid: wgpu::RenderPipeline,
     /// What lies round frying foods.
     pub fry: wgpu::RenderPipeline,
+    /// By what the flesh is made of: made when such a food is first drawn.
+    foods: BTreeMap<FleshTexture, FoodPipelines>,
+    pub ghost: wgpu::RenderPipeline,
+    pub steam: wgpu::RenderPipeline,
+}
+
+/// Pipelines that draw one kind of flesh.
+pub(super) struct FoodPipelines {
     pub food: wgpu::RenderPipeline,
     /// A cut food's outside: its inside faces show too.
     pub food_cut: wgpu::RenderPipeline,
     pub cut_face: wgpu::RenderPipeline,
-    pub ghost: wgpu::RenderPipeline,
-    pub steam: wgpu::RenderPipeline,
+}
+
+impl ColourPipelines {
+    /// Those of one kind of flesh; none before [`PipelineFactory::stock`] has made them.
+    pub fn of(&self, texture: FleshTexture) -> Option<&FoodPipelines> {
+        self.foods.get(&texture)
+    }
 }
 
 /// Pipelines of the exact pictures.
@@ -88,7 +107,7 @@ impl PipelineFactory {
         let food_layout = pipeline_layout(device, &[&layouts.frame, textures, &layouts.food]);
         Self {
             solid: module("solid", &[FRAME, LIGHT, SOLID]),
-            food: module("food", &[FRAME, LIGHT, FOOD]),
+            food: module("food", &[FRAME, LIGHT, FLESH, GRAIN, FOOD]),
             sprites: module("sprites", &[FRAME, LIGHT, STEAM, FRY]),
             depth: module("depth", &[DEPTH]),
             restore: module("restore", &[RESTORE]),
@@ -102,28 +121,44 @@ impl PipelineFactory {
         // At one sample what does not move is only drawn while the eye moves.
         let (still, lively) = if samples > 1 { (Detail::Fine, Detail::Fine) } else { (Detail::Quick, Detail::Usual) };
         let solid = |entry| self.solid_pipeline(device, entry, still);
-        let food = |entry, cull, veil| self.food_pipeline(device, entry, cull, veil, lively);
-        let back = Some(wgpu::Face::Back);
         ColourPipelines {
             solid: solid("fs_solid"),
             wood: solid("fs_wood"),
             glass: solid("fs_glass"),
             metal: solid("fs_metal"),
             floor: self.solid_pipeline(device, "fs_metal", lively),
+            lid: self.lid_pipeline(device, lively),
             fry: self.sprite_pipeline(device, ["vs_fry", "fs_fry"], lively),
-            food: food("fs_food", back, false),
-            food_cut: food("fs_food_cut", None, false),
-            cut_face: food("fs_cut_face", None, false),
+            foods: BTreeMap::new(),
             // The ghost has no thickness: only the side that faces the eye is drawn.
-            ghost: food("fs_ghost", back, true),
+            ghost: self.food_pipeline(device, "fs_ghost", Some(wgpu::Face::Back), true, lively, None),
             steam: self.sprite_pipeline(device, ["vs_steam", "fs_steam"], lively),
+        }
+    }
+
+    /// Makes the pipelines of the kinds of flesh that are to be drawn, where there are none yet.
+    pub fn stock(
+        &self,
+        device: &wgpu::Device,
+        pipelines: &mut ColourPipelines,
+        samples: u32,
+        textures: impl Iterator<Item = FleshTexture>,
+    ) {
+        let detail = if samples > 1 { Detail::Fine } else { Detail::Usual };
+        let make = |entry, cull, texture| self.food_pipeline(device, entry, cull, false, detail, Some(texture));
+        for texture in textures {
+            pipelines.foods.entry(texture).or_insert_with(|| FoodPipelines {
+                food: make("fs_food", Some(wgpu::Face::Back), texture),
+                food_cut: make("fs_food_cut", None, texture),
+                cut_face: make("fs_cut_face", None, texture),
+            });
         }
     }
 
     pub fn flat(&self, device: &wgpu::Device) -> FlatPipelines {
         FlatPipelines {
             solid: self.solid_pipeline(device, "fs_flat_solid", Detail::Usual),
-            food: self.food_pipeline(device, "fs_flat_food", None, false, Detail::Usual),
+            food: self.food_pipeline(device, "fs_flat_food", None, false, Detail::Usual, None),
         }
     }
 
@@ -154,6 +189,12 @@ impl PipelineFactory {
         build(device, &self.solid_layout, vertex, Some((&self.solid, entry, None)), depth_state(true), None, detail)
     }
 
+    fn lid_pipeline(&self, device: &wgpu::Device, detail: Detail) -> wgpu::RenderPipeline {
+        let vertex = (&self.solid, "vs_solid", Some(solid_buffer()));
+        let fragment = Some((&self.solid, "fs_lid", Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING)));
+        build(device, &self.solid_layout, vertex, fragment, depth_state(false), Some(wgpu::Face::Back), detail)
+    }
+
     fn food_pipeline(
         &self,
         device: &wgpu::Device,
@@ -161,7 +202,9 @@ impl PipelineFactory {
         cull: Option<wgpu::Face>,
         veil: bool,
         detail: Detail,
+        texture: Option<FleshTexture>,
     ) -> wgpu::RenderPipeline {
+        let detail = Worth { detail, texture };
         let vertex = (&self.food, "vs_food", Some(food_buffer()));
         let blend = veil.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
         build(device, &self.food_layout, vertex, Some((&self.food, entry, blend)), depth_state(!veil), cull, detail)
@@ -282,16 +325,33 @@ impl Detail {
     fn samples(self) -> u32 {
         if self == Self::Fine { MSAA_SAMPLES } else { 1 }
     }
+}
 
-    fn options(self) -> wgpu::PipelineCompilationOptions<'static> {
-        const FINE: [(&str, f64); 1] = [("fine", 1.0)];
-        const QUICK: [(&str, f64); 1] = [("quick", 1.0)];
-        let constants: &[(&str, f64)] = match self {
-            Self::Quick => &QUICK,
-            Self::Usual => &[],
-            Self::Fine => &FINE,
+/// What a pipeline is made for.
+#[derive(Clone, Copy, Debug)]
+struct Worth {
+    detail: Detail,
+    /// Which solid texture, of those pipelines that have one.
+    texture: Option<FleshTexture>,
+}
+
+impl From<Detail> for Worth {
+    fn from(detail: Detail) -> Self {
+        Self { detail, texture: None }
+    }
+}
+
+impl Worth {
+    /// Values of the constants that the shaders leave open.
+    fn constants(self) -> Vec<(&'static str, f64)> {
+        let mut constants = match self.detail {
+            Detail::Quick => vec![("quick", 1.0)],
+            Detail::Usual => Vec::new(),
+            Detail::Fine => vec![("fine", 1.0)],
         };
-        wgpu::PipelineCompilationOptions { constants, ..Default::default() }
+        // The numbers in `grain.wgsl`.
+        constants.extend(self.texture.map(|texture| ("texture_kind", f64::from(texture as u8))));
+        constants
     }
 }
 
@@ -305,8 +365,10 @@ fn build(
     fragment: Option<FragmentStage<'_>>,
     depth: wgpu::DepthStencilState,
     cull_mode: Option<wgpu::Face>,
-    detail: Detail,
+    worth: impl Into<Worth>,
 ) -> wgpu::RenderPipeline {
+    let worth = worth.into();
+    let constants = worth.constants();
     let buffers = buffer.map(Some);
     let target = fragment.as_ref().map(|(_, _, blend)| {
         [Some(wgpu::ColorTargetState { format: COLOUR_FORMAT, blend: *blend, write_mask: wgpu::ColorWrites::ALL })]
@@ -322,11 +384,11 @@ fn build(
         },
         primitive: wgpu::PrimitiveState { cull_mode, ..Default::default() },
         depth_stencil: Some(depth),
-        multisample: wgpu::MultisampleState { count: detail.samples(), ..Default::default() },
+        multisample: wgpu::MultisampleState { count: worth.detail.samples(), ..Default::default() },
         fragment: fragment.as_ref().zip(target.as_ref()).map(|((module, entry, _), target)| wgpu::FragmentState {
             module,
             entry_point: Some(entry),
-            compilation_options: detail.options(),
+            compilation_options: wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() },
             targets: target,
         }),
         multiview_mask: None,

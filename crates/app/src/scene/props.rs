@@ -88,7 +88,7 @@ fn cloth_layer(mesh: &mut Mesh, top: f32, finish: &Finish) {
 
 fn counter_and_wall(mesh: &mut Mesh) {
     let stone =
-        Finish { colour: Vec3::new(0.215, 0.190, 0.160), roughness: 0.50, metalness: 0.0, material: Material::Counter };
+        Finish { colour: Vec3::new(0.225, 0.222, 0.216), roughness: 0.42, metalness: 0.0, material: Material::Counter };
     mesh.grid(8, 8, &stone, |i, j| {
         let at = Vec3::new(i as f32 * 0.5 - 2.0, j as f32 * 0.325 - 2.0, COUNTER_Z);
         (at, Vec3::Z, 1.0)

@@ -1,11 +1,13 @@
 //! Draws the scene into a texture of its own.
 
+use std::sync::Arc;
+
 use wgpu::util::DeviceExt;
 
 use super::dirty::DirtyRect;
 use super::food_gpu::{Foods, Moved};
 use super::fry::{FRY_VERTICES_MAX, fry};
-use super::input::{Colouring, SceneInput, ToolLook};
+use super::input::{Colouring, FilmPicture, SceneInput, ToolLook};
 use super::passes::{self, Groups, Sprites, Subject};
 use super::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines, PipelineFactory};
 use super::shadow::{ContactMap, light_from_world};
@@ -68,8 +70,23 @@ pub struct SceneRenderer {
     moved: Moved,
     /// Counts the moves of foods that pan wall and board show.
     disturbances: u64,
-    shadow_of: Option<(MovableKey, Option<ToolLook>)>,
-    table: Option<std::sync::Arc<[[u8; 3]; 256]>>,
+    shadow_of: Option<Casting>,
+    table: Option<Arc<[[u8; 3]; 256]>>,
+    film: Option<Arc<FilmPicture>>,
+}
+
+/// What besides the foods casts a shadow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Casting {
+    movable: MovableKey,
+    tool: Option<ToolLook>,
+    lidded: bool,
+}
+
+impl Casting {
+    fn of(input: &SceneInput) -> Self {
+        Self { movable: MovableKey::of(input), tool: input.tool, lidded: input.pan.lid.is_some() }
+    }
 }
 
 /// A uniform buffer with its bind group.
@@ -139,6 +156,7 @@ impl SceneRenderer {
             disturbances: 0,
             shadow_of: None,
             table: None,
+            film: None,
         }
     }
 
@@ -213,7 +231,7 @@ impl SceneRenderer {
             Some(solids) => solids.update(device, queue, input),
             None => self.solids.insert(Solids::new(device, input)).update(device, queue, input),
         }
-        let coloured = self.update_table(device, queue, &input.colouring);
+        let coloured = self.update_table(device, queue, &input.colouring) | self.update_film(queue, &input.pan.film);
         let aspect = size[0] as f32 / size[1] as f32;
         let frame = FrameUniform::new(input, aspect, self.textures.shadow_size, &self.contact);
         queue.write_buffer(&self.frame.buffer, 0, bytemuck::bytes_of(&frame));
@@ -226,9 +244,9 @@ impl SceneRenderer {
         }
         self.disturbances += u64::from(self.moved.still);
         let sprites = self.update_sprites(queue, input);
-        let tool: Vec<_> = self.solids.iter().flat_map(Solids::tool_points).collect();
+        let tool: Vec<_> = self.solids.iter().flat_map(Solids::moving_points).collect();
         self.dirty = DirtyRect::of(input, &sprites, &tool, size);
-        let pan_moved = self.shadow_of != Some((MovableKey::of(input), input.tool));
+        let pan_moved = self.shadow_of != Some(Casting::of(input));
         let sight = Sight { frame, sprites, quality: self.quality };
         (sight, resized || coloured || pan_moved || self.moved.look)
     }
@@ -253,7 +271,7 @@ impl SceneRenderer {
         let Colouring::Field { table, stepped } = colouring else {
             return false;
         };
-        let same = self.table.as_ref().is_some_and(|old| std::sync::Arc::ptr_eq(old, table));
+        let same = self.table.as_ref().is_some_and(|old| Arc::ptr_eq(old, table));
         let other = !same || *stepped != self.textures.stepped();
         if other {
             self.textures.set_table(device, queue, table, *stepped);
@@ -262,10 +280,20 @@ impl SceneRenderer {
         other
     }
 
+    /// Takes another picture of the pan's floor; tells whether it is another.
+    fn update_film(&mut self, queue: &wgpu::Queue, film: &Arc<FilmPicture>) -> bool {
+        let same = self.film.as_ref().is_some_and(|old| Arc::ptr_eq(old, film));
+        if !same {
+            self.textures.set_film(queue, film);
+            self.film = Some(Arc::clone(film));
+        }
+        !same
+    }
+
     /// Redraws shadow and contact map when something moved.
     fn update_shadow(&mut self, encoder: &mut wgpu::CommandEncoder, input: &SceneInput) {
         let Some(solids) = &self.solids else { return };
-        let solid = (MovableKey::of(input), input.tool);
+        let solid = Casting::of(input);
         if self.shadow_of == Some(solid) {
             return;
         }
@@ -290,6 +318,7 @@ impl SceneRenderer {
 
     fn draw_fine(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
         let pipelines = self.fine.get_or_insert_with(|| self.factory.colour(device, MSAA_SAMPLES));
+        self.factory.stock(device, pipelines, MSAA_SAMPLES, self.foods.textures());
         let Some(solids) = &self.solids else { return };
         self.targets.msaa(device);
         let to = self.targets.multisampled(&self.targets.picture);
@@ -307,6 +336,7 @@ impl SceneRenderer {
             StillStep::Keep => {}
         }
         let pipelines = self.fast.get_or_insert_with(|| self.factory.colour(device, 1));
+        self.factory.stock(device, pipelines, 1, self.foods.textures());
         let Some(solids) = &self.solids else { return };
         let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
         let mut pass = passes::begin(encoder, &self.targets.picture.attachments(), false);
@@ -317,7 +347,7 @@ impl SceneRenderer {
         pass.draw(0..3, 0..1);
         passes::draw_lively(&mut pass, pipelines, &groups, solids, &self.foods);
         let sprites = Sprites { buffer: &self.sprites, ends: self.sprite_ends };
-        passes::draw_veils(&mut pass, pipelines, &groups, &self.foods, &sprites);
+        passes::draw_veils(&mut pass, pipelines, &groups, solids, &self.foods, &sprites);
         drop(pass);
         self.drawn = self.dirty;
     }
@@ -335,6 +365,7 @@ impl SceneRenderer {
     /// While the eye moves nothing is worth keeping: everything is drawn at once with one sample a pixel.
     fn draw_direct(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey) {
         let pipelines = self.fast.get_or_insert_with(|| self.factory.colour(device, 1));
+        self.factory.stock(device, pipelines, 1, self.foods.textures());
         let Some(solids) = &self.solids else { return };
         let to = self.targets.picture.attachments();
         let subject =

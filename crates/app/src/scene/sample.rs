@@ -7,8 +7,8 @@ use glam::{Mat4, Vec2, Vec3};
 
 use super::camera::Camera;
 use super::input::{
-    Colouring, FLOOR_FIELD_RINGS, FatVolume, FoodLook, FoodMesh, FoodVertex, HobLook, PanLook, SceneInput, SliceLook,
-    SteamSource,
+    BrowningPalette, Colouring, FILM_SIZE, FLOOR_FIELD_RINGS, FilmPicture, FleshTexture, FoodLook, FoodMesh,
+    FoodVertex, GrainVolume, HobLook, PanLook, SceneInput, SliceLook, SteamSource, Vapour,
 };
 use super::noise::gradient_noise;
 
@@ -38,7 +38,9 @@ pub fn empty_pan() -> SceneInput {
         colour: Vec3::new(0.105, 0.115, 0.135),
         metalness: 0.85,
         roughness: 0.42,
-        oil: 0.45,
+        film: Arc::new(FilmPicture { texels: vec![[110, 0, 0, 0]; (FILM_SIZE * FILM_SIZE) as usize] }),
+        oil_colour: Vec3::new(0.75, 0.62, 0.22),
+        lid: None,
         position: Vec3::ZERO,
         rotation: glam::Quat::IDENTITY,
         on_cloth: false,
@@ -65,7 +67,12 @@ pub fn steak_in_pan(doneness: Doneness) -> SceneInput {
     let pose = Mat4::from_translation(Vec3::new(-0.008, 0.004, lift)) * Mat4::from_rotation_z(0.35);
     scene.foods.push(steak(doneness, pose));
     if doneness != Doneness::Raw {
-        let place = |x: f32, y: f32| SteamSource { position: Vec3::new(x, y, 0.02), radius: 0.02, flow_g_s: 0.12 };
+        let place = |x: f32, y: f32| SteamSource {
+            kind: Vapour::Steam,
+            position: Vec3::new(x, y, 0.02),
+            radius: 0.02,
+            flow_g_s: 0.12,
+        };
         scene.steam = vec![place(-0.05, 0.03), place(0.04, 0.02), place(0.0, -0.03)];
     }
     scene
@@ -75,7 +82,15 @@ pub fn steak_in_pan(doneness: Doneness) -> SceneInput {
 pub fn steak(doneness: Doneness, world_from_rest: Mat4) -> FoodLook {
     let (places, triangles) = body();
     let vertices = places.iter().map(|&(rest, normal)| painted(doneness, rest, normal)).collect();
-    let mesh = Arc::new(FoodMesh { key: 1, triangles, fat: marbling() });
+    let palette = BrowningPalette {
+        golden: [45.0, 13.0, 24.0],
+        golden_at: 0.4,
+        crust: [31.0, 5.0, 6.0],
+        char: [14.0, 1.0, 1.0],
+        fat_brown: [48.0, 12.0, 32.0],
+        second: [0.0; 3],
+    };
+    let mesh = Arc::new(FoodMesh { key: 1, triangles, texture: FleshTexture::Muscle, palette, grain: marbling() });
     FoodLook { mesh, vertices: Arc::new(vertices), world_from_rest, slice: None }
 }
 
@@ -195,7 +210,7 @@ fn smooth_normals(places: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
 }
 
 /// Marbling: thin wandering sheets, and a cap of fat along one side.
-fn marbling() -> FatVolume {
+fn marbling() -> GrainVolume {
     let size = [96u32, 64, 24];
     let origin = -HALF * 1.15;
     let extent = HALF * 2.3;
@@ -204,9 +219,9 @@ fn marbling() -> FatVolume {
         let cell =
             Vec3::new((index % size[0]) as f32, (index / size[0] % size[1]) as f32, (index / size[0] / size[1]) as f32);
         let at = origin + extent * (cell + 0.5) / Vec3::new(size[0] as f32, size[1] as f32, size[2] as f32);
-        cells.push((fat_at(at) * 255.0) as u8);
+        cells.push([(fat_at(at) * 255.0) as u8, 0, 255, 128]);
     }
-    FatVolume { size, origin, extent, cells }
+    GrainVolume { size, origin, extent, cells }
 }
 
 fn fat_at(at: Vec3) -> f32 {
@@ -258,43 +273,28 @@ fn painted_inside(doneness: Doneness, rest: Vec3) -> FoodVertex {
 }
 
 fn coloured(rest: Vec3, normal: Vec3, cooked: f32, browning: f32) -> FoodVertex {
-    let lean = [(38.0, 20.0, 11.0), (50.0, 15.0, 12.0), (53.0, 8.0, 14.0)].map(reflectance);
-    let brown = [(45.0, 13.0, 24.0), (30.0, 8.0, 10.0), (19.0, 4.0, 4.0)].map(reflectance);
-    let fat = [(76.0, 4.0, 11.0), (62.0, 5.0, 22.0), (48.0, 12.0, 32.0)].map(reflectance);
-    let flesh = ramp(lean, cooked);
-    let blend = |amount: f32| {
-        let amount = amount.clamp(0.0, 1.0);
-        flesh.lerp(ramp(brown, amount), (amount * 2.5).min(1.0))
-    };
+    let lean = [[38.0, 20.0, 11.0], [50.0, 15.0, 12.0], [53.0, 8.0, 14.0]];
+    let fat = [[76.0, 4.0, 11.0], [70.0, 3.0, 14.0], [62.0, 5.0, 22.0]];
     FoodVertex {
         rest: rest.to_array(),
         position: rest.to_array(),
         normal: normal.to_array(),
-        lean: blend(browning * 0.70).to_array(),
-        browner: blend(browning * 1.40).to_array(),
-        fat: ramp(fat, (0.5 * cooked + 0.5 * browning).min(1.0)).to_array(),
+        lean: ramp(lean, cooked),
+        fat: ramp(fat, cooked),
+        browning,
+        charring: 0.0,
         wetness: 1.0,
-        crust: browning,
+        cooked,
         field: 0.15 + 0.3 * cooked + 0.5 * browning,
+        along: 0.0,
+        dorsal: 0.0,
     }
 }
 
-fn ramp(colours: [Vec3; 3], t: f32) -> Vec3 {
+/// A colour between three, L*a*b* over 100.
+fn ramp(colours: [[f32; 3]; 3], t: f32) -> [f32; 3] {
+    let colours = colours.map(Vec3::from);
     let t = t.clamp(0.0, 1.0) * 2.0;
-    if t < 1.0 { colours[0].lerp(colours[1], t) } else { colours[1].lerp(colours[2], t - 1.0) }
-}
-
-/// Linear sRGB of CIE L*a*b* (D65).
-fn reflectance((lightness, a, b): (f32, f32, f32)) -> Vec3 {
-    let y = (lightness + 16.0) / 116.0;
-    let decode = |t: f32| {
-        if t > 6.0 / 29.0 { t * t * t } else { (t - 4.0 / 29.0) * 0.128_419 }
-    };
-    let (x, y, z) = (0.950_47 * decode(y + a / 500.0), decode(y), 1.088_83 * decode(y - b / 200.0));
-    Vec3::new(
-        3.240_45 * x - 1.537_14 * y - 0.498_53 * z,
-        -0.969_27 * x + 1.876_01 * y + 0.041_56 * z,
-        0.055_64 * x - 0.204_03 * y + 1.057_23 * z,
-    )
-    .max(Vec3::ZERO)
+    let lab = if t < 1.0 { colours[0].lerp(colours[1], t) } else { colours[1].lerp(colours[2], t - 1.0) };
+    (0.01 * lab).to_array()
 }

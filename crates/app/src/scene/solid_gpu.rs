@@ -4,7 +4,8 @@ use glam::{Mat4, Quat, Vec3};
 use wgpu::util::DeviceExt;
 
 use super::input::{RestLook, SceneInput, ToolKind, ToolLook};
-use super::mesh::Mesh;
+use super::lid_mesh::lid_mesh;
+use super::mesh::{Mesh, SolidVertex};
 use super::pan_mesh::pan_mesh;
 use super::props::{self, CLOTH_PLACE, COUNTER_Z};
 use super::rest_mesh::rest_mesh;
@@ -84,18 +85,21 @@ impl MovableKey {
 /// A mesh that keeps its shape and moves.
 struct Posed {
     local: Mesh,
+    /// As it stands now.
+    posed: Vec<SolidVertex>,
     buffers: SolidBuffers,
 }
 
 impl Posed {
     fn new(device: &wgpu::Device, local: Mesh, pose: Mat4) -> Self {
-        let buffers = SolidBuffers::new(device, &local.posed(pose));
-        Self { local, buffers }
+        let posed = local.posed(pose);
+        let buffers = SolidBuffers::new(device, &posed);
+        Self { local, posed: posed.vertices, buffers }
     }
 
-    fn place(&self, queue: &wgpu::Queue, pose: Mat4) {
-        let vertices = self.local.posed(pose).vertices;
-        queue.write_buffer(&self.buffers.vertices, 0, bytemuck::cast_slice(&vertices));
+    fn place(&mut self, queue: &wgpu::Queue, pose: Mat4) {
+        self.posed = self.local.posed(pose).vertices;
+        queue.write_buffer(&self.buffers.vertices, 0, bytemuck::cast_slice(&self.posed));
     }
 }
 
@@ -109,6 +113,8 @@ pub(super) struct Solids {
     turner: SolidBuffers,
     pan_body: Posed,
     pan_floor: Posed,
+    /// Glass and steel of the lid, while it is on.
+    lid: Option<[Posed; 2]>,
     tool: Option<(ToolLook, Mesh, SolidBuffers)>,
     key: MovableKey,
 }
@@ -125,6 +131,7 @@ impl Solids {
             turner: SolidBuffers::new(device, &props::turner()),
             pan_body,
             pan_floor,
+            lid: lid(device, input),
             tool: None,
             key: MovableKey::of(input),
         }
@@ -139,6 +146,10 @@ impl Solids {
             let pose = input.pan.world_from_pan();
             self.pan_body.place(queue, pose);
             self.pan_floor.place(queue, pose);
+            self.lid.iter_mut().flatten().for_each(|part| part.place(queue, pose));
+        }
+        if key.pan != self.key.pan || self.lid.is_some() != input.pan.lid.is_some() {
+            self.lid = lid(device, input);
         }
         if key.cloth() != self.key.cloth() {
             self.cloth = cloth(device, input);
@@ -166,9 +177,21 @@ impl Solids {
         self.tool.as_ref().map(|(.., buffers)| buffers)
     }
 
-    /// Where the tool in the hand is to be seen [m].
-    pub fn tool_points(&self) -> impl Iterator<Item = Vec3> {
-        self.tool.iter().flat_map(|(_, mesh, _)| mesh.vertices.iter().map(|v| Vec3::from(v.position)))
+    /// The glass of the lid.
+    pub fn lid_glass(&self) -> Option<&SolidBuffers> {
+        self.lid.as_ref().map(|[glass, _]| &glass.buffers)
+    }
+
+    /// The steel of the lid.
+    pub fn lid_steel(&self) -> Option<&SolidBuffers> {
+        self.lid.as_ref().map(|[_, steel]| &steel.buffers)
+    }
+
+    /// Where the tool in the hand and the lid are to be seen [m].
+    pub fn moving_points(&self) -> impl Iterator<Item = Vec3> {
+        let place = |v: &SolidVertex| Vec3::from(v.position);
+        let tool = self.tool.iter().flat_map(move |(_, mesh, _)| mesh.vertices.iter().map(place));
+        tool.chain(self.lid.iter().flatten().flat_map(move |part| part.posed.iter().map(place)))
     }
 
     /// The turner behind the hob, while no hand holds it.
@@ -181,6 +204,12 @@ impl Solids {
 fn pan(device: &wgpu::Device, input: &SceneInput) -> [Posed; 2] {
     let meshes = pan_mesh(&input.pan);
     [meshes.body, meshes.floor].map(|mesh| Posed::new(device, mesh, input.pan.world_from_pan()))
+}
+
+/// Glass and steel of the lid where the pan stands.
+fn lid(device: &wgpu::Device, input: &SceneInput) -> Option<[Posed; 2]> {
+    input.pan.lid?;
+    Some(lid_mesh(&input.pan).map(|mesh| Posed::new(device, mesh, input.pan.world_from_pan())))
 }
 
 /// The cloth, with rack or foil.

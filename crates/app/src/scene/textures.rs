@@ -3,6 +3,7 @@
 use wgpu::util::{DeviceExt, TextureDataOrder};
 
 use super::environment::{self, ENVIRONMENT_LEVELS, ENVIRONMENT_SIZE};
+use super::input::{FILM_SIZE, FilmPicture};
 use super::noise::{BUNDLE_SIZE, NOISE_SIZE, bundles, halve_picture, halve_volume, solid_noise};
 use super::shadow::CONTACT_SIZE;
 
@@ -23,6 +24,7 @@ pub(super) struct SceneTextures {
     noise: wgpu::TextureView,
     bundles: wgpu::TextureView,
     table: wgpu::Texture,
+    film: wgpu::Texture,
     stepped: bool,
     samplers: Samplers,
 }
@@ -43,9 +45,10 @@ impl SceneTextures {
         let environment = environment_texture(device, queue);
         let noise = noise_texture(device, queue);
         let bundles = bundle_texture(device, queue);
-        let table = table_texture(device);
+        let table = plain_texture(device, "colour table", [256, 1]);
+        let film = plain_texture(device, "pan film", [FILM_SIZE; 2]);
         let views = [&shadow_map, &contact_map, &environment, &noise, &bundles];
-        let bind_group = bind(device, &layout, views, &table, &samplers, false);
+        let bind_group = bind(device, &layout, views, [&table, &film], &samplers, false);
         Self {
             layout,
             bind_group,
@@ -56,6 +59,7 @@ impl SceneTextures {
             noise,
             bundles,
             table,
+            film,
             stepped: false,
             samplers,
         }
@@ -84,9 +88,23 @@ impl SceneTextures {
         }
     }
 
+    /// Takes another picture of what lies in the pan.
+    pub fn set_film(&mut self, queue: &wgpu::Queue, film: &FilmPicture) {
+        if film.texels.len() == (FILM_SIZE * FILM_SIZE) as usize {
+            let layout =
+                wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * FILM_SIZE), rows_per_image: None };
+            queue.write_texture(
+                self.film.as_image_copy(),
+                bytemuck::cast_slice(&film.texels),
+                layout,
+                self.film.size(),
+            );
+        }
+    }
+
     fn rebind(&mut self, device: &wgpu::Device) {
         let views = [&self.shadow_map, &self.contact_map, &self.environment, &self.noise, &self.bundles];
-        self.bind_group = bind(device, &self.layout, views, &self.table, &self.samplers, self.stepped);
+        self.bind_group = bind(device, &self.layout, views, [&self.table, &self.film], &self.samplers, self.stepped);
     }
 }
 
@@ -136,6 +154,7 @@ fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
         filtering,
         texture(float, TextureViewDimension::D2),
         filtering,
+        texture(float, TextureViewDimension::D2),
     ];
     let entries: Vec<_> = (0..).zip(types).map(|(binding, ty)| fragment_entry(binding, ty)).collect();
     device
@@ -151,12 +170,12 @@ fn bind(
     device: &wgpu::Device,
     layout: &wgpu::BindGroupLayout,
     [shadow, contact, environment, noise, bundles]: [&wgpu::TextureView; 5],
-    table: &wgpu::Texture,
+    [table, film]: [&wgpu::Texture; 2],
     samplers: &Samplers,
     stepped: bool,
 ) -> wgpu::BindGroup {
     use wgpu::BindingResource::{Sampler, TextureView};
-    let table = table.create_view(&wgpu::TextureViewDescriptor::default());
+    let [table, film] = [table, film].map(|t| t.create_view(&wgpu::TextureViewDescriptor::default()));
     let table_sampler = if stepped { &samplers.nearest } else { &samplers.clamp };
     let resources = [
         TextureView(shadow),
@@ -169,6 +188,7 @@ fn bind(
         Sampler(&samplers.tile),
         TextureView(&table),
         Sampler(table_sampler),
+        TextureView(&film),
     ];
     let entries: Vec<_> =
         (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
@@ -254,10 +274,11 @@ fn bundle_texture(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureVi
     sampled_texture(device, queue, size, BUNDLE_LEVELS, wgpu::TextureFormat::Rg8Unorm, &texels)
 }
 
-fn table_texture(device: &wgpu::Device) -> wgpu::Texture {
+/// A texture that is written now and then.
+fn plain_texture(device: &wgpu::Device, label: &str, [width, height]: [u32; 2]) -> wgpu::Texture {
     device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("colour table"),
-        size: wgpu::Extent3d { width: 256, height: 1, depth_or_array_layers: 1 },
+        label: Some(label),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,

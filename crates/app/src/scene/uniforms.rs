@@ -26,6 +26,7 @@ pub(super) struct FrameUniform {
     pan_shape: Vec4,
     mode: Vec4,
     board: Vec4,
+    oil: Vec4,
     floor_field: [f32; FLOOR_FIELD_RINGS],
 }
 
@@ -49,9 +50,10 @@ impl FrameUniform {
             contact_rect: contact.rect(),
             contact_height: contact.height(),
             pan_place: pan.position.extend(pan.thickness),
-            pan_shape: Vec4::new(pan.floor_radius, pan.rim_radius, pan.rim_height, pan.oil),
+            pan_shape: Vec4::new(pan.floor_radius, pan.rim_radius, pan.rim_height, pan.lid.map_or(0.0, |lid| lid.fog)),
             mode: Vec4::new(input.hob.power, f32::from(field), f32::from(input.flat), BOARD_CENTRE.z),
             board: Vec4::new(low.x, low.y, high.x, high.y),
+            oil: pan.oil_colour.extend(0.0),
             floor_field: pan.floor_field,
         }
     }
@@ -63,8 +65,13 @@ impl FrameUniform {
 pub(super) struct FoodUniform {
     pub world_from_rest: Mat4,
     pub cut: Vec4,
-    pub fat_origin: Vec4,
-    pub fat_scale: Vec4,
+    pub grain_origin: Vec4,
+    pub grain_scale: Vec4,
+    pub golden: Vec4,
+    pub crust: Vec4,
+    pub char: Vec4,
+    pub fat_brown: Vec4,
+    pub second: Vec4,
 }
 
 /// A cut so far away that nothing is hidden.

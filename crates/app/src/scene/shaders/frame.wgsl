@@ -18,12 +18,14 @@ struct Frame {
     contact_height: vec4<f32>,
     // Centre of the pan's underside; w = thickness of the floor.
     pan_place: vec4<f32>,
-    // Floor radius, rim radius, rim height, oil.
+    // Floor radius, rim radius, rim height, fog on the lid.
     pan_shape: vec4<f32>,
     // x = hob power, y = 1 for field colours, z = 1 for flat, w = top of the board.
     mode: vec4<f32>,
     // Left, front, right, back edge of the board.
     board: vec4<f32>,
+    // Colour of light through a millimetre of oil.
+    oil: vec4<f32>,
     // Rings of the pan floor's field.
     floor_field: array<vec4<f32>, 4>,
 };
@@ -42,7 +44,7 @@ fn srgb_from_linear(linear: vec3<f32>) -> vec3<f32> {
 
 // Exposure and white balance (chosen): a white patch that lies flat in the full light of window, lamp and room comes
 // out a touch brighter than 1 and a little warm, as a kitchen in the evening sun.
-const WHITE = vec3<f32>(0.428, 0.446, 0.462);
+const WHITE = vec3<f32>(0.446, 0.458, 0.466);
 // Below this the curve is straight, so that flesh keeps its own colour; above it highlights roll off (chosen).
 const SHOULDER = 0.62;
 

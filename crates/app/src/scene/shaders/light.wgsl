@@ -10,6 +10,8 @@
 @group(1) @binding(7) var tile_sampler: sampler;
 @group(1) @binding(8) var colour_table: texture_2d<f32>;
 @group(1) @binding(9) var table_sampler: sampler;
+// Oil, water, fond, foam on the floor of the pan.
+@group(1) @binding(10) var pan_film: texture_2d<f32>;
 
 // Irradiance / pi of window, lamp and fill (chosen; the window matches the radiance in the environment picture).
 const KEY = vec3<f32>(2.15, 2.12, 2.05);

@@ -49,7 +49,9 @@ fn fs_solid(in: SolidOut) -> @location(0) vec4<f32> {
     var coarse = 0.5;
     if (!quick) { coarse = textureSampleLevel(solid_noise, tile_sampler, in.position * select(15.0, 5.3, kind > 5.5), 0.0).a; }
     // Stone has faint flecks, cloth a weave.
-    let stone = 0.93 + 0.14 * coarse;
+    var speckle = 0.5;
+    if (!quick && kind > 5.5) { speckle = textureSampleLevel(solid_noise, tile_sampler, in.position * 95.0, 0.0).a; }
+    let stone = 0.90 + 0.20 * coarse + 0.22 * smoothstep(0.55, 0.75, speckle) - 0.16 * smoothstep(0.42, 0.28, speckle);
     let weave = 0.92 + 0.05 * sin(in.position.x * 2600.0) * sin(in.position.y * 2600.0) + 0.12 * (coarse - 0.5);
     s.albedo *= select(1.0, select(weave, stone, kind > 5.5), kind > 4.5);
     s.visibility *= pan_foot(in.position);
@@ -58,23 +60,29 @@ fn fs_solid(in: SolidOut) -> @location(0) vec4<f32> {
     return pixel_from_radiance(radiance, in.clip.xy);
 }
 
-// Planed wood: long grain along the board, worn paler in places.
+// Planed staves, glued edge to edge: each with a tone and a grain of its own, oiled, worn paler where knives pass.
 @fragment
 fn fs_wood(in: SolidOut) -> @location(0) vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
     let n = facing(in.normal, view);
     var s = plain_surface(in, n);
-    let along = textureSampleLevel(solid_noise, tile_sampler, in.position * vec3<f32>(26.0, 1.9, 22.0), 0.0).a;
+    let across = in.position.x / 0.0425;
+    let stave = floor(across);
+    let tone = fract(sin(stave * 12.9898 + 4.1) * 43758.547);
+    let shifted = in.position + vec3<f32>(stave * 0.37, stave * 0.173, 0.0);
+    let along = textureSampleLevel(solid_noise, tile_sampler, shifted * vec3<f32>(26.0, 1.9, 22.0), 0.0).a;
     var pores = 0.5;
     var worn = 0.5;
     if (!quick) {
-        pores = textureSampleLevel(solid_noise, tile_sampler, in.position * vec3<f32>(120.0, 6.0, 90.0), 0.0).a;
-        worn = textureSampleLevel(solid_noise, tile_sampler, in.position * vec3<f32>(4.0, 3.0, 4.0), 0.0).a;
+        pores = textureSampleLevel(solid_noise, tile_sampler, shifted * vec3<f32>(210.0, 9.0, 150.0), 0.0).a;
+        worn = textureSampleLevel(solid_noise, tile_sampler, in.position * vec3<f32>(5.0, 4.0, 5.0), 0.0).a;
     }
-    let rings = sin((along * 5.0 + in.position.x * 55.0) * 3.0) * 0.5 + 0.5;
-    let tone = 0.82 + 0.14 * rings + 0.22 * (pores - 0.5);
-    s.albedo *= tone * mix(vec3<f32>(0.96, 0.95, 0.94), vec3<f32>(1.10, 1.11, 1.13), smoothstep(0.4, 0.7, worn));
-    s.roughness += 0.2 * (pores - 0.5);
+    let rings = sin((along * 4.2 + shifted.x * 48.0) * 3.6) * 0.5 + 0.5;
+    let joint = smoothstep(0.0, 0.012, min(fract(across), 1.0 - fract(across)));
+    let light = (0.76 + 0.20 * rings + 0.34 * (pores - 0.5)) * (0.84 + 0.34 * tone) * mix(0.62, 1.0, joint);
+    s.albedo *= light * mix(vec3<f32>(1.0, 0.97, 0.93), vec3<f32>(1.0, 1.02, 1.06), rings);
+    s.albedo *= mix(vec3<f32>(0.95), vec3<f32>(1.10, 1.10, 1.11), smoothstep(0.4, 0.7, worn));
+    s.roughness += 0.25 * (pores - 0.5);
     let lit = shadow(in.position, n);
     s.visibility *= openness(in.position);
     let radiance = diffuse(s, lit) + specular(s, in.position, view, lit);
@@ -116,12 +124,19 @@ fn escapes_pan(local: vec3<f32>, towards: vec3<f32>) -> f32 {
     return smoothstep(top - 0.012, top + 0.012, height);
 }
 
-// How much oil covers a place of the floor: droplets and streaks at first, a pool at last.
-fn oil_cover(local: vec3<f32>, noise: f32) -> f32 {
-    let oil = frame.pan_shape.w;
-    let edge = length(local.xy) / frame.pan_shape.x;
-    let level = oil * 2.4 - 0.9 * edge * edge * (1.0 - oil) + (noise - 0.5) * 1.5 * (1.0 - oil) - 0.10;
-    return smoothstep(0.0, 0.55, level) * smoothstep(0.0, 0.02, oil);
+// What lies on a place of the floor.
+struct Film {
+    // Thickness of oil and of water [mm].
+    oil: f32,
+    water: f32,
+    fond: f32,
+    foam: f32,
+};
+
+fn film_on(local: vec3<f32>) -> Film {
+    let uv = local.xy / frame.pan_shape.x * 0.5 + 0.5;
+    let film = textureSampleLevel(pan_film, clamp_sampler, uv, 0.0);
+    return Film(film.r * film.r * 1.0, film.g * film.g * 2.0, film.b, film.a);
 }
 
 @fragment
@@ -157,25 +172,87 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let towards = reflect(-view, n);
     let leaves = mix(1.0, mix(0.30, 1.0, escapes_pan(local, (frame.pan_from_world * vec4<f32>(towards, 0.0)).xyz)), inside);
     // Under oil the metal's own highlight fades: the film takes its place.
-    let cover = select(0.0, oil_cover(local, coarse.a), is_floor);
-    var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * (0.62 - 0.38 * cover);
-    if (is_floor) {
-        radiance = under_oil(radiance, in, n, view, lit, open, cover, coarse.rgb);
+    if (!is_floor) {
+        let bare = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * 0.62;
+        return pixel_from_radiance(bare, in.clip.xy);
     }
+    let film = film_on(local);
+    // A thin film beads: droplets and streaks, then a sheet.
+    let beads = coarse.a - 0.5 + 0.5 * (fine - 0.5);
+    let cover = smoothstep(0.004, 0.030, film.oil + 0.030 * beads) * smoothstep(0.0, 0.004, film.oil);
+    s.albedo = mix(s.albedo, vec3<f32>(0.042, 0.020, 0.009), film.fond);
+    s.f0 *= 1.0 - 0.8 * film.fond;
+    var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * (0.62 - 0.38 * cover);
+    radiance = under_oil(radiance, in, n, view, lit, open, cover, film.oil, coarse.rgb);
+    radiance = under_water(radiance, in, n, view, lit, open, film.water, beads);
+    radiance = under_foam(radiance, local, lit, open, film.foam);
     return pixel_from_radiance(radiance, in.clip.xy);
 }
 
-// A clear film: golden where light passes it, mirror-smooth on top, with slow waves.
-fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit: f32, open: f32, cover: f32, slope: vec3<f32>) -> vec3<f32> {
+// A mirror over the floor: what leaves the pan above its rim is seen in it, and the wall elsewhere.
+fn liquid_mirror(in: SolidOut, surface: vec3<f32>, roughness: f32, view: vec3<f32>, lit: f32, open: f32) -> vec3<f32> {
+    let s = Surface(vec3<f32>(0.0), vec3<f32>(0.036), roughness, surface, open, vec3<f32>(0.0));
+    let towards = reflect(-view, surface);
+    let leaves = mix(0.15, 1.0, escapes_pan(in_pan(in.position), (frame.pan_from_world * vec4<f32>(towards, 0.0)).xyz));
+    return specular(s, in.position, view, lit) * leaves * 0.7;
+}
+
+// A clear film: the colour of the oil where light passes it twice, mirror-smooth on top, with slow waves.
+fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit: f32, open: f32, cover: f32, thickness: f32, slope: vec3<f32>) -> vec3<f32> {
     let local = in_pan(in.position);
     let wave = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(local.xy * 9.0, frame.eye.w * 0.05), 0.0).rgb - 0.5;
     let rim = (slope.xy - 0.5) * (1.0 - cover) * 0.12;
     let film = normalize(n + vec3<f32>(wave.xy * 0.05 + rim, 0.0));
-    let s = Surface(vec3<f32>(0.0), vec3<f32>(0.036), mix(0.30, 0.06, cover), film, open, vec3<f32>(0.0));
-    let towards = reflect(-view, film);
-    let leaves = mix(0.15, 1.0, escapes_pan(local, (frame.pan_from_world * vec4<f32>(towards, 0.0)).xyz));
-    let mirror = specular(s, in.position, view, lit) * leaves * 0.7;
-    return mix(below, below * vec3<f32>(0.80, 0.73, 0.55) + mirror, cover);
+    let mirror = liquid_mirror(in, film, mix(0.30, 0.06, cover), view, lit, open);
+    // Light scattered in the film itself: a thick golden pool is brighter than the metal below it.
+    let deep = 1.0 - exp(-3.0 * thickness);
+    let passed = pow(frame.oil.rgb, vec3<f32>(0.4 + 3.0 * thickness));
+    let glow = frame.oil.rgb * vec3<f32>(0.075, 0.058, 0.030) * deep * (0.35 + 0.65 * lit) * open;
+    return mix(below, below * passed + glow + mirror, cover);
+}
+
+// Juice and water: puddles with a round edge, a little cloudy, trembling while they boil.
+fn under_water(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit: f32, open: f32, thickness: f32, beads: f32) -> vec3<f32> {
+    let depth = thickness + 0.35 * beads * smoothstep(0.0, 0.05, thickness);
+    let cover = smoothstep(0.06, 0.22, depth);
+    if (cover <= 0.0) { return below; }
+    let local = in_pan(in.position);
+    let at = vec3<f32>(local.xy * 34.0, frame.eye.w * 0.9);
+    let tremble = textureSampleLevel(solid_noise, tile_sampler, at, 0.0).rgb - 0.5;
+    let surface = normalize(n + vec3<f32>(tremble.xy * (0.25 + 0.6 * (1.0 - cover)), 0.0));
+    let juice = vec3<f32>(0.105, 0.070, 0.040) * (0.4 + 0.6 * lit) * open;
+    let cloudy = 1.0 - exp(-0.9 * max(depth, 0.0));
+    return mix(below, mix(below, juice, 0.75 * cloudy) + liquid_mirror(in, surface, 0.08, view, lit, open), cover);
+}
+
+// Foam of butter: pale bubbles in patches that drift.
+fn under_foam(below: vec3<f32>, local: vec3<f32>, lit: f32, open: f32, foam: f32) -> vec3<f32> {
+    if (foam <= 0.004) { return below; }
+    let drift = vec2<f32>(sin(frame.eye.w * 0.7), cos(frame.eye.w * 0.5)) * 0.012;
+    let patchy = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(local.xy * 11.0 + drift, frame.eye.w * 0.06), 0.0).a;
+    let large = textureSampleLevel(bundle_picture, tile_sampler, local.xy * 14.0 + drift, 0.0);
+    let small = textureSampleLevel(bundle_picture, tile_sampler, local.yx * 37.0 - drift, 0.0);
+    let cover = smoothstep(1.0 - foam - 0.18, 1.0 - foam + 0.18, patchy * 1.35 - 0.18);
+    let round = 0.80 + 0.10 * smoothstep(0.0, 0.6, small.r) + 0.14 * smoothstep(0.0, 0.7, large.r) + 0.08 * (large.g - 0.5);
+    let colour = mix(frame.oil.rgb, vec3<f32>(1.0, 0.93, 0.74), 0.62) * round * 0.85;
+    let light = KEY * (0.25 + 0.75 * lit) * 0.40 + LAMP * 0.5 + FILL_SKY;
+    return mix(below, colour * light * open, cover * (0.82 + 0.18 * smoothstep(0.0, 0.3, small.r)));
+}
+
+// Glass: mirrors the window, fogs with the vapour under it; drops gather where it fogs.
+@fragment
+fn fs_lid(in: SolidOut) -> @location(0) vec4<f32> {
+    let view = normalize(frame.eye.xyz - in.position);
+    let n = facing(in.normal, view);
+    let s = Surface(vec3<f32>(0.0), vec3<f32>(0.04), 0.05, n, 1.0, vec3<f32>(0.0));
+    let mirror = specular(s, in.position, view, 1.0);
+    let local = in_pan(in.position);
+    let drops = textureSampleLevel(bundle_picture, tile_sampler, local.xy * 24.0, 0.0);
+    let beaded = 0.55 + 0.45 * smoothstep(0.1, 0.5, drops.r) * step(0.35, drops.g);
+    let fog = frame.pan_shape.w * beaded * 0.72;
+    let veil = vec3<f32>(0.62, 0.64, 0.65) * (0.5 + 0.5 * n.z);
+    let alpha = clamp(0.06 + fog, 0.0, 0.9);
+    return vec4<f32>(pixel_from_radiance(veil * 1.4, in.clip.xy).rgb * alpha + srgb_from_linear(filmic(mirror)) * 0.75, alpha);
 }
 
 // Flat: the bare table or base colour, nothing else.

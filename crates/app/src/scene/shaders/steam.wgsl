@@ -1,4 +1,4 @@
-// Puffs of steam: soft sprites that face the eye.
+// Puffs of steam, smoke and flame: soft sprites that face the eye.
 
 struct PuffIn {
     @location(0) position: vec3<f32>,
@@ -29,5 +29,11 @@ fn fs_steam(in: PuffOut) -> @location(0) vec4<f32> {
     let wisp = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(in.corner * vec2<f32>(0.16, 0.10), in.look.y), 0.0).a;
     let body = max(1.0 - away, 0.0);
     let alpha = body * body * smoothstep(0.30, 0.75, wisp + 0.12) * in.look.x;
+    if (in.look.y >= 4.0) {
+        // A flame gives light: yellow at its heart, orange at its edge, and hides little.
+        let heart = smoothstep(0.0, 0.6, body * (0.6 + 0.8 * wisp));
+        return vec4<f32>(mix(vec3<f32>(0.95, 0.30, 0.04), vec3<f32>(1.0, 0.82, 0.36), heart) * alpha, 0.35 * alpha);
+    }
+    if (in.look.y >= 2.0) { return vec4<f32>(vec3<f32>(0.56, 0.60, 0.68) * alpha, alpha); }
     return vec4<f32>(vec3<f32>(0.86, 0.87, 0.88) * alpha, alpha);
 }

@@ -1,0 +1,167 @@
+// What the flesh of each food looks like finer than its mesh: a solid texture in the rest frame, the same outside and in
+// any cut. One of them is chosen when the pipeline is made.
+
+const MUSCLE = 0u;
+const GROUND = 1u;
+const ROOT = 2u;
+const SHEATHS = 3u;
+const SHRIMP = 4u;
+override texture_kind: u32 = 5u;
+
+// Free values of a place (0-1, mean 0.5) on lattices of 8 mm, 2.3 mm, 0.5 mm and 0.2 mm; rgb are slopes.
+struct Noise {
+    region: vec4<f32>,
+    broad: vec4<f32>,
+    grain: vec4<f32>,
+    fine: vec4<f32>,
+};
+
+// What a solid texture says of a place.
+struct Grain {
+    // Added to L*a*b* / 100 before browning.
+    shade: vec3<f32>,
+    // Where browning is ahead or behind, about -1 to 1, mean 0.
+    uneven: f32,
+    // Slope of the relief, rest frame, and of the film that lies over it.
+    slope: vec3<f32>,
+    film_slope: vec3<f32>,
+    // Where a film stands on ridges (0-1).
+    ridges: f32,
+    // Share of the light that crevices keep (0-1).
+    crevice: f32,
+    // Share of light that the flesh lets creep round its edges: translucent flesh.
+    clear: f32,
+};
+
+fn noise_at(rest: vec3<f32>, stretch: vec3<f32>) -> Noise {
+    return Noise(
+        textureSample(solid_noise, tile_sampler, rest.zxy * 15.6 + 0.61),
+        textureSample(solid_noise, tile_sampler, rest * 54.0),
+        textureSample(solid_noise, tile_sampler, rest * 250.0 * stretch + 0.37),
+        textureSample(solid_noise, tile_sampler, rest.yxz * 610.0 * stretch.yxz + 0.11));
+}
+
+fn relief(noise: Noise, crust: f32) -> vec3<f32> {
+    return (noise.region.brg - 0.5) * 0.10 + (noise.broad.rgb - 0.5) * (0.16 + 0.45 * crust)
+        + (noise.grain.rgb - 0.5) * (0.40 + 0.50 * crust) + (noise.fine.grb - 0.5) * (0.20 + 0.50 * crust);
+}
+
+fn film_relief(noise: Noise) -> vec3<f32> {
+    return (noise.broad.rgb - 0.5) * 0.75 + (noise.grain.rgb - 0.5) * 0.40;
+}
+
+fn ridges_of(noise: Noise) -> f32 {
+    return smoothstep(0.49, 0.62, 0.55 * noise.broad.a + 0.45 * noise.grain.a);
+}
+
+// Uneven contact: large patches, then the scale of bubbles, then the grain.
+fn patches(noise: Noise) -> f32 {
+    return 1.5 * (noise.region.a - 0.5) + 1.5 * (noise.broad.a - 0.5) + 0.8 * (noise.grain.a - 0.5);
+}
+
+// Fibres along z in bundles of 0.8 mm, in fascicles of 3.6 mm with pale tissue between some of them.
+fn muscle(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
+    let noise = noise_at(rest, vec3<f32>(1.0, 1.0, 0.17));
+    let warped = rest.xy + (noise.broad.rg - 0.5) * 0.0022 + rest.z * vec2<f32>(0.06, -0.04);
+    let bundle = textureSample(bundle_picture, tile_sampler, warped * 78.0);
+    let fascicle = textureSample(bundle_picture, tile_sampler, warped.yx * 17.3 + 0.29);
+    let strand = 1.0 - smoothstep(0.0, 0.35, bundle.r);
+    let seam = (1.0 - smoothstep(0.04, 0.20, fascicle.r)) * smoothstep(0.44, 0.62, noise.broad.a);
+    let tone = 0.5 * (bundle.g - 0.5) + 0.45 * (fascicle.g - 0.5) + 0.9 * (noise.grain.a - 0.5) + 0.5 * (noise.fine.a - 0.5);
+    let mottled = 0.8 * (noise.region.a - 0.5) + 0.5 * (noise.broad.a - 0.5);
+    // Where flesh is darker it is also redder: less light comes back out of it.
+    var light = 0.10 * tone + 0.09 * mottled * (1.0 - cooked) - 0.03 * strand;
+    var shade = vec3<f32>(light, -0.10 * light * (1.0 - cooked), 0.05 * light);
+    // Tissue between the bundles: pale in raw flesh, a thin shadow where cooked bundles part.
+    shade += seam * mix(vec3<f32>(0.11, -0.06, 0.0), vec3<f32>(-0.03, 0.0, 0.0), cooked);
+    // A seared face is deep and even from afar, and varied near by.
+    let uneven = 0.55 * (noise.region.a - 0.5) + 0.9 * (noise.broad.a - 0.5) + 0.9 * (noise.grain.a - 0.5) + 0.5 * (noise.fine.a - 0.5) + 0.4 * tone;
+    let crevice = 1.0 - crust * (0.25 * (1.0 - smoothstep(0.0, 0.30, fascicle.r)) + 0.30 * smoothstep(0.50, 0.30, noise.grain.a));
+    return Grain(shade, uneven, relief(noise, crust), film_relief(noise), ridges_of(noise), crevice, 0.0);
+}
+
+// Strands of ground meat, some 3 mm thick and pressed together, with crumbs of fat and dark gaps.
+fn ground(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
+    let noise = noise_at(rest, vec3<f32>(1.0));
+    let warped = rest * 1.0 + (noise.broad.rgb - 0.5) * 0.0030;
+    let strand = textureSample(bundle_picture, tile_sampler, warped.xy * 21.0 + warped.z * vec2<f32>(17.0, -9.0));
+    let crumb = textureSample(bundle_picture, tile_sampler, warped.yx * 47.0 + warped.z * vec2<f32>(31.0, 23.0) + 0.37);
+    let gap = 1.0 - smoothstep(0.02, 0.22, strand.r);
+    let fat = smoothstep(0.80, 0.86, crumb.g) * smoothstep(0.05, 0.30, crumb.r);
+    let light = 0.09 * (strand.g - 0.5) + 0.06 * (crumb.g - 0.5) + 0.09 * (noise.grain.a - 0.5) + 0.05 * (noise.fine.a - 0.5);
+    var shade = vec3<f32>(light - 0.07 * gap, -0.06 * light, 0.02 * light);
+    shade += fat * mix(vec3<f32>(0.20, -0.12, 0.0), vec3<f32>(0.06, -0.01, 0.03), cooked);
+    let round = (noise.broad.rgb - 0.5) * 0.55 * (0.4 + gap);
+    let crevice = 1.0 - gap * (0.35 + 0.30 * crust);
+    return Grain(shade, patches(noise) + 0.5 * (strand.g - 0.5) - 0.5 * gap, relief(noise, 0.5 + 0.5 * crust) + round, film_relief(noise), ridges_of(noise), crevice, 0.0);
+}
+
+// A root cut across its axis: rays from the core, a thin line where both meet, a rougher skin at the side.
+fn root(rest: vec3<f32>, grew: Grown, cooked: f32, crust: f32) -> Grain {
+    let noise = noise_at(rest, vec3<f32>(1.0));
+    let away = max(length(rest.xy), 1e-4);
+    let turn = atan2(rest.y, rest.x);
+    // Fine rays, stronger in the cortex; the picture tiles once around.
+    let ray = textureSample(bundle_picture, tile_sampler, vec2<f32>(turn * 0.4775, away * 26.0));
+    let rays = (ray.g - 0.5) * smoothstep(0.001, 0.004, away);
+    let line = 1.0 - smoothstep(0.00008, 0.00042, grew.border);
+    let light = 0.055 * rays * (1.3 - grew.second) + 0.05 * (noise.grain.a - 0.5) + 0.03 * (noise.fine.a - 0.5) + 0.05 * (noise.region.a - 0.5);
+    var shade = vec3<f32>(light, 0.25 * light, 0.35 * light);
+    shade += line * vec3<f32>(-0.035, 0.02, 0.01);
+    // Cells at the heart of the core are pale.
+    shade += vec3<f32>(0.035, -0.03, 0.015) * smoothstep(0.0022, 0.0006, away) * grew.second;
+    let uneven = patches(noise) + 0.9 * rays - 0.4 * grew.second;
+    let crevice = 1.0 - crust * 0.30 * smoothstep(0.52, 0.30, noise.grain.a);
+    return Grain(shade, uneven, relief(noise, 0.5 * crust) * 0.75, film_relief(noise) * 0.6, ridges_of(noise), crevice, 0.35);
+}
+
+// Sheaths of a shaft: each with a tone of its own, dark gaps between, fine veins along the axis.
+fn sheaths(rest: vec3<f32>, grew: Grown, upright: f32, cooked: f32, crust: f32) -> Grain {
+    let noise = noise_at(rest, vec3<f32>(1.0, 1.0, 0.25));
+    let turn = atan2(rest.y, rest.x);
+    let vein = textureSample(bundle_picture, tile_sampler, vec2<f32>(turn * 1.2732, 0.31 + rest.z * 4.0));
+    let gap = 1.0 - smoothstep(0.00006, 0.00034, grew.border);
+    let glow = smoothstep(0.0002, 0.0010, grew.border);
+    let side = 1.0 - upright;
+    let light = 0.07 * (grew.tone - 0.5) + 0.045 * (vein.g - 0.5) * (0.4 + side) + 0.03 * (noise.grain.a - 0.5) + 0.03 * (noise.region.a - 0.5);
+    var shade = vec3<f32>(light, -0.25 * light, 0.2 * light);
+    // Flesh near a gap is thin and lets light through; the gap itself is in shadow.
+    shade += vec3<f32>(-0.05, -0.015, 0.045) * (1.0 - glow) * upright;
+    shade += vec3<f32>(-0.11, 0.0, 0.05) * gap * upright * (0.5 + 0.8 * grew.tone);
+    let uneven = patches(noise) + 1.1 * (1.0 - glow) * upright - 0.3;
+    let crevice = 1.0 - gap * upright * (0.40 + 0.2 * crust);
+    let step = (noise.broad.rgb - 0.5) * 0.2 * gap;
+    return Grain(shade, uneven, relief(noise, 0.4 * crust) * 0.6 + step, film_relief(noise) * 0.5, ridges_of(noise), crevice, 0.5);
+}
+
+// Six segments: red-orange bands over the back once cooked, grey specks and clear flesh before; a white belly.
+fn shrimp(rest: vec3<f32>, along: f32, dorsal: f32, cooked: f32, crust: f32) -> Grain {
+    let noise = noise_at(rest, vec3<f32>(0.8, 0.8, 0.8));
+    let waver = 0.22 * (noise.broad.a - 0.5) + 0.10 * (noise.grain.a - 0.5);
+    let segments = along / 0.83 * 6.0 + waver;
+    let within = fract(segments);
+    let fan = smoothstep(0.80, 0.87, along);
+    // The band lies on the rear half of each segment and thins out towards the belly.
+    let band = smoothstep(0.20, 0.55, within) * (1.0 - smoothstep(0.90, 1.0, within));
+    let back = smoothstep(-0.75, 0.55, dorsal + 0.5 * (noise.region.a - 0.5));
+    let red = mix(band * (0.25 + 0.75 * back), 0.9, fan);
+    let specks = smoothstep(0.60, 0.70, noise.fine.a + 0.35 * (noise.grain.a - 0.5));
+    let joint = (smoothstep(0.90, 0.98, within) + 1.0 - smoothstep(0.0, 0.06, within)) * (1.0 - fan) * step(0.05, segments);
+    let pearl = (noise.grain.a - 0.5) * 0.05 + (noise.fine.a - 0.5) * 0.03;
+    let done = vec3<f32>(0.085, -0.115, -0.10) * (1.0 - red) + vec3<f32>(-0.115, 0.135, 0.13) * red;
+    let raw = vec3<f32>(-0.045, 0.0, 0.0) * red - vec3<f32>(0.16, 0.0, 0.02) * specks * (0.35 + 0.65 * back) * 0.7;
+    var shade = mix(raw, done, smoothstep(0.15, 0.85, cooked)) + vec3<f32>(pearl, 0.0, 0.0);
+    shade += vec3<f32>(-0.05, 0.01, 0.02) * joint;
+    // The tail fan keeps its shell: darker and redder.
+    shade += fan * mix(vec3<f32>(-0.14, 0.02, 0.02), vec3<f32>(-0.06, 0.10, 0.06), cooked);
+    let fibre = (noise.grain.rgb - 0.5) * 0.20;
+    let crevice = 1.0 - 0.22 * joint;
+    return Grain(shade, patches(noise) - 0.3 * fan, relief(noise, 0.5 * crust) * 0.55 + fibre, film_relief(noise) * 0.7, ridges_of(noise), crevice, 0.75 * (1.0 - cooked) + 0.25);
+}
+
+fn plain(rest: vec3<f32>, crust: f32) -> Grain {
+    let noise = noise_at(rest, vec3<f32>(1.0));
+    let light = 0.06 * (noise.grain.a - 0.5) + 0.05 * (noise.region.a - 0.5) + 0.03 * (noise.fine.a - 0.5);
+    let crevice = 1.0 - crust * 0.30 * smoothstep(0.52, 0.30, noise.grain.a);
+    return Grain(vec3<f32>(light, 0.0, 0.2 * light), patches(noise), relief(noise, crust) * 0.8, film_relief(noise), ridges_of(noise), crevice, 0.2);
+}
