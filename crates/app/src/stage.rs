@@ -380,7 +380,11 @@ fn floor_field(kitchen: &Kitchen, map: Option<&ColourMap>) -> [f32; FLOOR_FIELD_
 fn steam(kitchen: &Kitchen, pan: &Pose, poses: &[Pose]) -> Vec<SteamSource> {
     let mut sources = Vec::new();
     let frying = kitchen.pieces().iter().zip(poses).filter(|(p, _)| p.place != Place::Waiting && p.vapour_flow > 0.0);
-    let around = if kitchen.pieces().len() > ALWAYS_FRESH { 1u8 } else { 6 };
+    let around = match kitchen.pieces().len() {
+        0..=ALWAYS_FRESH => 6u8,
+        7..=20 => 1,
+        _ => 0,
+    };
     for (piece, pose) in frying {
         let [a, b] = [0.45 * piece.model.size[0] as f32, 0.45 * piece.model.size[1] as f32];
         let share = 1e3 * piece.vapour_flow as f32 / f32::from(around + 1);
@@ -415,7 +419,9 @@ fn smoke(kitchen: &Kitchen, pan: &Pose) -> Vec<SteamSource> {
     let place = |k: u8| {
         let around = Vec2::from_angle(f32::from(k) * std::f32::consts::TAU / 4.0 + 0.7) * radius * 1.3;
         let position = pan.position + pan.rotation * around.extend(0.012);
-        SteamSource { kind, position, radius, flow_g_s: 0.25 * rate }
+        // How high flames stand does not follow from the smoke.
+        let flow_g_s = if kind == Vapour::Flame { 1.0 } else { 0.25 * rate };
+        SteamSource { kind, position, radius, flow_g_s }
     };
     let rising = rate > 1e-5 || kind == Vapour::Flame;
     (0..if rising { 4 } else { 0 }).map(place).collect()

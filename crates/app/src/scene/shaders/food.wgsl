@@ -129,7 +129,7 @@ const OILED = 0.85;
 // Water on raw flesh, oil on a crust: a thin film that breaks the window into small glints.
 fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {
     let crust = clamp(1.4 * look.browning, 0.0, 1.0);
-    let oily = 0.75 * crust * (1.0 - look.charring) * look.ridges;
+    let oily = 0.55 * crust * (1.0 - look.charring) * look.ridges;
     let film = max(wetness * (0.06 + 0.94 * look.ridges), oily);
     let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), mix(0.26, 0.15, wetness), world_normal(bent), visibility, vec3<f32>(0.0));
     // Only the bright parts of the room show as glints; the rest would lie on the flesh like milk.
@@ -145,7 +145,8 @@ fn lit_cut(in: FoodOut) -> vec4<f32> {
     let bent = world_normal(rest_normal - slope * 0.35);
     let shape = 0.95 + 0.17 * clamp(dot(bent, normalize(view + vec3<f32>(-0.3, 0.1, 0.9))), 0.0, 1.0);
     let moist = specular(Surface(vec3<f32>(0.0), vec3<f32>(0.024), 0.30, bent, 1.0, vec3<f32>(0.0)), in.position, view, 1.0);
-    return pixel_from_radiance(look.colour * shape / WHITE + moist * 0.5 * in.state.z, in.clip.xy);
+    let glints = max(moist - GLINT, vec3<f32>(0.0));
+    return pixel_from_radiance(look.colour * shape / WHITE + glints * 0.5 * in.state.z, in.clip.xy);
 }
 
 fn food_pixel(in: FoodOut) -> vec4<f32> {

@@ -50,8 +50,8 @@ fn fs_solid(in: SolidOut) -> @location(0) vec4<f32> {
     if (!quick) { coarse = textureSampleLevel(solid_noise, tile_sampler, in.position * select(15.0, 5.3, kind > 5.5), 0.0).a; }
     // Stone has faint flecks, cloth a weave.
     var speckle = 0.5;
-    if (!quick && kind > 5.5) { speckle = textureSampleLevel(solid_noise, tile_sampler, in.position * 95.0, 0.0).a; }
-    let stone = 0.90 + 0.20 * coarse + 0.22 * smoothstep(0.55, 0.75, speckle) - 0.16 * smoothstep(0.42, 0.28, speckle);
+    if (!quick && kind > 5.5) { speckle = textureSampleLevel(solid_noise, tile_sampler, in.position * 150.0, 0.0).a; }
+    let stone = 0.90 + 0.20 * coarse + 0.10 * smoothstep(0.62, 0.80, speckle) - 0.09 * smoothstep(0.36, 0.22, speckle);
     let weave = 0.92 + 0.05 * sin(in.position.x * 2600.0) * sin(in.position.y * 2600.0) + 0.12 * (coarse - 0.5);
     s.albedo *= select(1.0, select(weave, stone, kind > 5.5), kind > 4.5);
     s.visibility *= pan_foot(in.position);
