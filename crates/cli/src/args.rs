@@ -7,6 +7,7 @@ use saute_kitchen::library::DEFAULT_SCALE;
 
 use crate::bench_heat::BenchHeatArgs;
 use crate::bench_paper::BenchPaperArgs;
+use crate::gallery::GalleryArgs;
 use crate::picture::{BenchFrameArgs, ShotArgs};
 
 /// A frying pan, what lies in it, and your hands on it. Without a command the window opens.
@@ -41,6 +42,8 @@ pub enum Command {
     Validate(ValidateArgs),
     /// Draws one picture of a recipe at one moment.
     Shot(ShotArgs),
+    /// Draws the figures of the 2013 paper with this simulator's foods, each with its numbers.
+    Gallery(GalleryArgs),
     /// Measures the program.
     #[command(subcommand)]
     Bench(Bench),

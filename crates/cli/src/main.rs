@@ -7,6 +7,7 @@ mod bench_paper;
 mod cook_command;
 mod error;
 mod food_check;
+mod gallery;
 mod lab;
 mod list;
 mod out_dir;
@@ -71,6 +72,7 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         }
         Some(Command::Cook(args)) => cook_command::run(&args, &shelf),
         Some(Command::Shot(args)) => picture::shot(&args, &shelf),
+        Some(Command::Gallery(args)) => gallery::run(&args, &shelf),
         Some(Command::Bench(Bench::Frame(args))) => picture::bench_frame(&args, &shelf, process_start),
         Some(Command::Bench(Bench::Heat(args))) => bench_heat::run(&args, &shelf),
         Some(Command::Bench(Bench::Paper(args))) => bench_paper::run(&args, &shelf),

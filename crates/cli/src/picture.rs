@@ -95,7 +95,7 @@ impl From<ViewName> for View {
 /// Sides that a picture may have [pixels] (chosen: every graphics adapter can draw 8192).
 const SIDES: std::ops::RangeInclusive<u32> = 64..=8192;
 
-fn size(text: &str) -> Result<[u32; 2], String> {
+pub(crate) fn size(text: &str) -> Result<[u32; 2], String> {
     let sides = text.split_once('x').and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
     match sides {
         Some(sides) if sides.iter().all(|s| SIDES.contains(s)) => Ok(sides),

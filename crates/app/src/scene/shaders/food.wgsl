@@ -129,11 +129,11 @@ const OILED = 0.85;
 // Water on raw flesh, oil on a crust: a thin film that breaks the window into small glints.
 fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {
     let crust = clamp(1.4 * look.browning, 0.0, 1.0);
-    let oily = 0.55 * crust * (1.0 - look.charring) * look.ridges;
+    let oily = 0.28 * crust * (1.0 - look.charring) * look.ridges;
     let film = max(wetness * (0.06 + 0.94 * look.ridges), oily);
     let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), mix(0.26, 0.15, wetness), world_normal(bent), visibility, vec3<f32>(0.0));
     // Only the bright parts of the room show as glints; the rest would lie on the flesh like milk.
-    return max(specular(coat, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (1.35 * film);
+    return max(specular(coat, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (0.70 * film);
 }
 
 // A fresh cut is shown, not lit by the room: a soft light of its own lets crust, band, gradient and centre be read.

@@ -47,11 +47,11 @@ fn relief(noise: Noise, crust: f32) -> vec3<f32> {
 }
 
 fn film_relief(noise: Noise) -> vec3<f32> {
-    return (noise.broad.rgb - 0.5) * 0.75 + (noise.grain.rgb - 0.5) * 0.40;
+    return (noise.broad.rgb - 0.5) * 0.60 + (noise.grain.rgb - 0.5) * 0.95 + (noise.fine.grb - 0.5) * 0.55;
 }
 
 fn ridges_of(noise: Noise) -> f32 {
-    return smoothstep(0.49, 0.62, 0.55 * noise.broad.a + 0.45 * noise.grain.a);
+    return smoothstep(0.36, 0.74, 0.4 * noise.broad.a + 0.6 * noise.grain.a);
 }
 
 // Uneven contact: large patches, then the scale of bubbles, then the grain.
@@ -127,7 +127,7 @@ fn sheaths(rest: vec3<f32>, grew: Grown, upright: f32, cooked: f32, crust: f32) 
     var shade = vec3<f32>(light, -0.25 * light, 0.2 * light);
     // Flesh near a gap is thin and lets light through; the gap itself is in shadow.
     shade += vec3<f32>(-0.05, -0.015, 0.045) * (1.0 - glow) * upright;
-    shade += vec3<f32>(-0.11, 0.0, 0.05) * gap * upright * (0.5 + 0.8 * grew.tone);
+    shade += vec3<f32>(-0.11, 0.0, 0.05) * gap * upright * (0.2 + 1.0 * grew.tone);
     let uneven = patches(noise) + 1.1 * (1.0 - glow) * upright - 0.3;
     let crevice = 1.0 - gap * upright * (0.40 + 0.2 * crust);
     let step = (noise.broad.rgb - 0.5) * 0.2 * gap;

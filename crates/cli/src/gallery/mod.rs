@@ -1,0 +1,60 @@
+//! `saute gallery`: the figures of the 2013 paper with our own foods, each with its numbers.
+
+mod figure;
+mod moment;
+mod page;
+mod plate;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use saute_app::headless::Gpu;
+use saute_app::png_file::png_bytes;
+use saute_app::shot::ShotError;
+use saute_kitchen::library::DEFAULT_SCALE;
+
+use crate::error::CliError;
+use crate::out_dir::OutDir;
+use crate::picture::size;
+use crate::progress::Progress;
+use crate::shelf::Shelf;
+use crate::stderr;
+
+/// `saute gallery`.
+#[derive(Debug, clap::Args)]
+pub struct GalleryArgs {
+    /// Folder for the figures (PNG) and the page with their numbers (gallery.md); made if it is missing.
+    #[arg(long, value_name = "DIR", default_value = "gallery-out")]
+    pub out: PathBuf,
+    /// Size of one panel in pixels.
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "800x450", value_parser = size)]
+    pub size: [u32; 2],
+}
+
+/// Room that the files of a gallery need at most, per pixel of a panel [bytes] (chosen: 26 panels, 3 bytes a pixel).
+const BYTES_PER_PIXEL: u64 = 26 * 3;
+
+/// Cooks, draws and writes the gallery.
+pub fn run(args: &GalleryArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+    let figures = figure::figures();
+    let scale = shelf.scale(DEFAULT_SCALE)?;
+    let out = OutDir::prepare(&args.out, BYTES_PER_PIXEL * u64::from(args.size[0]) * u64::from(args.size[1]))?;
+    let gpu = Gpu::open().map_err(ShotError::from)?;
+    let progress = Progress::over((figure::COOKS.len() + figures.len()) as u64);
+    let mut moments = Vec::new();
+    for (cook, _) in figure::COOKS {
+        progress.next(format!("cooking {cook}"));
+        moments.extend(moment::moments(cook, &figures, &shelf.library)?);
+    }
+    let mut files = Vec::new();
+    for figure in &figures {
+        progress.next(format!("drawing {}", figure.title));
+        let picture = plate::plate(&gpu, figure, &moments, &scale, args.size);
+        files.push((format!("{}.png", figure.name), png_bytes(&picture)?));
+    }
+    files.push(("gallery.md".to_owned(), page::page(&figures, &moments).into_bytes()));
+    let (count, place) = (figures.len(), out.place());
+    out.fill(files)?;
+    stderr::say(format!("{count} figures and gallery.md are in {place}"));
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,61 @@
+//! Draws the panels of a figure and lays them side by side.
+
+use std::sync::Arc;
+
+use saute_app::Picture;
+use saute_app::headless::{Gpu, still};
+use saute_app::scene::camera::Camera;
+use saute_app::shot::ShotOptions;
+use saute_app::stage::nearness;
+use saute_kitchen::Kitchen;
+use saute_kitchen::food::Scale;
+
+use super::figure::{Eye, Figure, Panel};
+use super::moment::Moment;
+
+/// Pixels between two panels (chosen).
+const GAP: usize = 8;
+/// Grey between them (chosen: that of a dark page).
+const GROUND: [u8; 4] = [24, 24, 24, 255];
+/// Distance from one steak, and from the pan [m] (chosen: they fill the picture).
+const NEAR: f32 = 0.215;
+const OVER_PAN: f32 = 0.36;
+
+/// The moment that a panel shows.
+pub fn moment_of<'a>(panel: &Panel, moments: &'a [Moment]) -> Option<&'a Moment> {
+    moments.iter().find(|m| m.cook == panel.cook && m.after_s == panel.after_s)
+}
+
+/// Draws a figure; `size` is that of one panel in pixels.
+pub fn plate(gpu: &Gpu, figure: &Figure, moments: &[Moment], scale: &Arc<Scale>, size: [u32; 2]) -> Picture {
+    let [width, height] = size.map(|n| n as usize);
+    let rows = figure.panels.len().div_ceil(figure.columns);
+    let across = figure.columns * (width + GAP) - GAP;
+    let mut whole = Picture { width: across, height: rows * (height + GAP) - GAP, rgba: Vec::new() };
+    whole.rgba = GROUND.repeat(whole.width * whole.height);
+    for (index, panel) in figure.panels.iter().enumerate() {
+        let Some(moment) = moment_of(panel, moments) else { continue };
+        let picture = draw(gpu, panel, &moment.kitchen, scale, size);
+        let (left, top) = (index % figure.columns * (width + GAP), index / figure.columns * (height + GAP));
+        for row in 0..height {
+            let to = 4 * ((top + row) * whole.width + left);
+            whole.rgba[to..to + 4 * width].copy_from_slice(&picture.rgba[4 * row * width..4 * (row + 1) * width]);
+        }
+    }
+    whole
+}
+
+fn draw(gpu: &Gpu, panel: &Panel, kitchen: &Kitchen, scale: &Arc<Scale>, size: [u32; 2]) -> Picture {
+    let slice = panel.eye == Eye::Cut;
+    let options = ShotOptions { view: panel.view, slice, flat: false, scale: Arc::clone(scale) };
+    let mut stage = options.stage(kitchen);
+    let place = kitchen.pieces().first().map(|piece| (piece.pose.position.as_vec3(), nearness(piece)));
+    if let (Eye::Piece | Eye::Cut, Some((target, nearness))) = (panel.eye, place) {
+        let pitch = if slice { 0.60 } else { 0.78 };
+        stage.camera = Camera { pitch, distance: NEAR * nearness, target, ..stage.camera };
+    } else {
+        stage.camera.distance = OVER_PAN;
+        stage.camera.target = kitchen.world().motion.pose.position.as_vec3();
+    }
+    still(gpu, kitchen, &stage, size)
+}
