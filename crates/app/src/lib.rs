@@ -7,6 +7,9 @@ pub mod bench_frame;
 mod cell_look;
 pub mod colour_map;
 pub mod food_look;
+pub mod gamepad;
+#[cfg(not(target_arch = "wasm32"))]
+mod gamepad_device;
 mod grab;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod headless;
@@ -15,11 +18,13 @@ pub mod motion;
 pub mod notice;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod offscreen;
+mod pad_input;
 mod pan_keys;
 pub mod panels;
 mod picking;
 mod piece_words;
 pub mod png_file;
+pub mod pouring;
 mod put_in;
 mod save_picture;
 mod scale_choice;
@@ -32,6 +37,7 @@ pub mod settings;
 pub mod shot;
 pub mod stage;
 pub mod theme;
+mod tool_hand;
 pub mod view;
 pub mod waiting;
 #[cfg(not(target_arch = "wasm32"))]
