@@ -2,6 +2,7 @@
 
 use egui::Key;
 
+use crate::pouring::Pourable;
 use crate::view::View;
 
 /// One thing to do.
@@ -27,6 +28,22 @@ pub enum Act {
     Out,
     /// Tosses what is in the pan.
     Toss,
+    /// Adds a portion of oil, butter or water.
+    Pour(Pourable),
+    /// The next portion.
+    Portion,
+    /// Lid on or off.
+    Lid,
+    /// The other tool.
+    Tool,
+    /// Raises the turner [m].
+    ToolBy(f64),
+    /// Rolls the turner to the right [rad].
+    RollBy(f64),
+    /// Levels the turner.
+    LevelTool,
+    /// Lays the tool down.
+    PutAway,
     /// The panels show the next piece.
     NextPiece,
     /// List of the pieces.
@@ -81,12 +98,29 @@ const fn bind(key: Key, written: &'static str, act: Act, words: &'static str) ->
     Binding { key, written, act, words }
 }
 
+/// How far a key raises the turner [m] (chosen: a pan's wall in four).
+pub const TOOL_STEP: f64 = 0.01;
+/// How far a key rolls the turner [rad] (chosen: six presses turn it over).
+pub const ROLL_STEP: f64 = std::f64::consts::PI / 6.0;
+
 /// All keys, in the order in which the help lists them.
-pub const BINDINGS: [Binding; 37] = [
+pub const BINDINGS: [Binding; 49] = [
     bind(Key::P, "P", Act::Put, "food into the pan"),
     bind(Key::F, "F", Act::Flip, "flip: selected or middle one"),
     bind(Key::O, "O", Act::Out, "food onto the board"),
     bind(Key::T, "T", Act::Toss, "toss what is in the pan"),
+    bind(Key::Num4, "4", Act::Pour(Pourable::Oil), "oil into the pan"),
+    bind(Key::Num5, "5", Act::Pour(Pourable::Butter), "butter into the pan"),
+    bind(Key::Num6, "6", Act::Pour(Pourable::Water), "water into the pan"),
+    bind(Key::Num7, "7", Act::Portion, "portion: little, some, much"),
+    bind(Key::Num0, "0", Act::Lid, "lid on, off"),
+    bind(Key::U, "U", Act::Tool, "tool: tongs, turner"),
+    bind(Key::Home, "Home", Act::ToolBy(TOOL_STEP), "raise the turner 1 cm"),
+    bind(Key::End, "End", Act::ToolBy(-TOOL_STEP), "lower the turner 1 cm"),
+    bind(Key::Insert, "Ins", Act::RollBy(-ROLL_STEP), "roll the turner left"),
+    bind(Key::Delete, "Del", Act::RollBy(ROLL_STEP), "roll the turner right"),
+    bind(Key::Y, "Y", Act::LevelTool, "level the turner"),
+    bind(Key::Backspace, "⌫", Act::PutAway, "lay the tool down"),
     bind(Key::I, "I", Act::NextPiece, "select the next piece"),
     bind(Key::B, "B", Act::Pieces, "list of the pieces"),
     bind(Key::E, "E", Act::Hob(1), "hob one step up"),

@@ -12,8 +12,10 @@ use crate::colour_map::TemperatureMap;
 use crate::layout::Layout;
 use crate::motion::Motions;
 use crate::notice::Notice;
+use crate::pad_input::Pad;
 use crate::pan_keys::PanKeys;
 use crate::panels;
+use crate::pouring::Portion;
 use crate::scene::callback::SceneCallback;
 use crate::scene::camera::Camera;
 use crate::scene::ground::GroundCallback;
@@ -22,6 +24,7 @@ use crate::session::{SPEEDS, STEAK, Session};
 use crate::settings::Settings;
 use crate::stage::{Places, Stage, following, nearness};
 use crate::theme;
+use crate::tool_hand::{ToolHand, TurnerPose};
 
 /// Where settings are remembered.
 const SETTINGS_KEY: &str = "saute.settings";
@@ -65,6 +68,10 @@ pub struct SauteApp {
     /// How many pieces the pantry adds at once.
     pub(crate) count: usize,
     pub(crate) pan_keys: PanKeys,
+    pub(crate) tool_hand: ToolHand,
+    /// How much is poured at once.
+    pub(crate) portion: Portion,
+    pub(crate) pad: Pad,
     last_time: Option<f64>,
     /// Whether the scene can be drawn (a graphics device is there).
     drawable: bool,
@@ -86,7 +93,9 @@ impl SauteApp {
     /// Sets out the remembered food, or plays the given recipe.
     pub fn new(cc: &eframe::CreationContext<'_>, start: Start) -> Result<Self, StartError> {
         let stored = cc.storage.and_then(|s| s.get_string(SETTINGS_KEY));
-        Self::start(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), stored, start)
+        let mut app = Self::start(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), stored, start)?;
+        app.pad = Pad::connected();
+        Ok(app)
     }
 
     /// As [`Self::new`], with any egui context and graphics state, and remembered settings as JSON.
@@ -127,6 +136,9 @@ impl SauteApp {
             unfolded: BTreeSet::new(),
             count: 1,
             pan_keys: PanKeys::default(),
+            tool_hand: ToolHand::default(),
+            portion: Portion::default(),
+            pad: Pad::default(),
             last_time: None,
             drawable: graphics.is_some(),
             software,
@@ -184,6 +196,14 @@ impl SauteApp {
             Act::Flip => self.command(&Command::Flip { food: self.handled_id() }),
             Act::Out => self.command(&Command::Rest { food: self.handled_id(), on: RestOn::Board }),
             Act::Toss => self.command(&Command::Toss { height: TOSS_M }),
+            Act::Pour(what) => self.pour(what),
+            Act::Portion => self.next_portion(),
+            Act::Lid => self.turn_lid(),
+            Act::Tool => self.choose_tool(),
+            Act::ToolBy(by) => self.with_turner(|turner| turner.shift(glam::DVec3::Z * by)),
+            Act::RollBy(by) => self.with_turner(|turner| turner.tilt(by, 0.0)),
+            Act::LevelTool => self.with_turner(TurnerPose::level),
+            Act::PutAway => self.put_tool_away(),
             Act::NextPiece => self.select_next(),
             Act::Pieces => self.open_left(false, !self.settings.pieces_open),
             Act::Restart => self.restart(),
@@ -348,7 +368,7 @@ impl SauteApp {
         let now = ctx.input(|i| i.time);
         let wall = now - self.last_time.unwrap_or(now);
         self.last_time = Some(now);
-        self.take_held_keys(ctx, wall.clamp(0.0, LONGEST_FRAME_S));
+        self.take_hands(ctx, wall.clamp(0.0, LONGEST_FRAME_S));
         let passed =
             self.session.advance(Duration::from_secs_f64(wall.max(0.0)), Duration::from_millis(STEP_BUDGET_MS));
         if let Err(error) = passed {

@@ -23,6 +23,8 @@ pub(crate) enum Hold {
     Waiting(String),
     /// It leads the tongs that hold a piece.
     Piece(String),
+    /// It leads the turner.
+    Turner,
     /// It holds the pan: from the pointer's place in a level plane to the pan's middle [m].
     Pan {
         /// From pointer to middle.
@@ -41,14 +43,26 @@ const LOW_HEIGHT: f32 = 0.045;
 const HOME: f64 = 0.04;
 /// Metres a point of drag lifts the pan (chosen: a hand's breadth across a third of the window).
 const LIFT_PER_POINT: f64 = 4e-4;
+/// Radians a point of drag tilts the turner (chosen: half a turn across a third of the window), metres a point of the wheel
+/// raises it (chosen: a notch is half a centimetre).
+const TILT_PER_POINT: f64 = 0.0075;
+const RAISE_PER_SCROLL: f64 = 1e-4;
+/// How near to the turner's blade a pointer takes it [points] (chosen: forgiving).
+const TOOL_GRAB: f32 = 44.0;
 
 impl SauteApp {
     /// Takes the mouse in the scene.
     pub(crate) fn take_mouse(&mut self, ui: &Ui, response: &egui::Response, rect: Rect) {
         if response.hovered() {
-            let scroll = ui.input(|i| i.smooth_scroll_delta().y);
+            // With Shift, which moves the pan, the wheel scrolls sideways.
+            let wheel = ui.input(|i| i.smooth_scroll_delta());
+            let scroll = wheel.x + wheel.y;
             let pinch = ui.input(|i| i.zoom_delta());
-            self.camera.zoom((-0.0015 * scroll).exp() / pinch);
+            if self.scene.hold == Hold::Turner && scroll != 0.0 {
+                self.with_turner(|turner| turner.shift(DVec3::Z * (RAISE_PER_SCROLL * f64::from(scroll))));
+            } else if self.scene.hold != Hold::Turner {
+                self.camera.zoom((-0.0015 * scroll).exp() / pinch);
+            }
         }
         if let Some(at) = response.interact_pointer_pos() {
             if response.drag_started() {
@@ -81,6 +95,9 @@ impl SauteApp {
     /// What a drag from a place takes hold of: a piece on it, else the pan, else a piece beside it.
     fn grabbed(&mut self, at: Pos2, rect: Rect) -> Hold {
         let piece = self.piece_near(at, rect, TOUCH);
+        if self.takes_turner(piece.as_deref(), at, rect) {
+            return Hold::Turner;
+        }
         if piece.is_none() && self.pan_near(at, rect) && self.session.kitchen.cloth().is_none() {
             return self.grab_pan(at, rect);
         }
@@ -88,6 +105,25 @@ impl SauteApp {
         let waits = self.session.kitchen.piece(&id).is_some_and(|p| p.place == Place::Waiting);
         self.session.select(Some(id.clone()));
         if waits { Hold::Waiting(id) } else { Hold::Piece(id) }
+    }
+
+    /// With the turner chosen a drag from what is in the pan, or from the blade, leads it.
+    fn takes_turner(&self, piece: Option<&str>, at: Pos2, rect: Rect) -> bool {
+        if self.tool_hand.tool != Tool::Turner {
+            return false;
+        }
+        let kitchen = &self.session.kitchen;
+        let blade = kitchen.hand().tool_pose(kitchen.world()).position.as_vec3();
+        let on_blade = self.on_screen(blade, rect).is_some_and(|seen| seen.distance(at) < TOOL_GRAB);
+        if self.tool_hand.turner.is_some() && on_blade {
+            return true;
+        }
+        if let Some(id) = piece {
+            return kitchen.piece(id).is_some_and(Piece::is_out);
+        }
+        let pan = kitchen.world().motion.pose.position.as_vec3();
+        let floor = kitchen.world().pan_shape().floor as f32;
+        self.pointed(at, rect, pan.z).is_some_and(|hit| (hit - pan).truncate().length() < floor)
     }
 
     fn grab_pan(&self, at: Pos2, rect: Rect) -> Hold {
@@ -111,6 +147,7 @@ impl SauteApp {
             }
             Hold::Waiting(id) => self.carry(id, at, rect),
             Hold::Piece(id) => self.lead(id, at, rect),
+            Hold::Turner => self.drag_turner(ui, response, at, rect),
             Hold::Pan { .. } if ui.input(|i| i.modifiers.shift) => {
                 let mut pose = self.session.kitchen.held_pan();
                 pose.position.z -= LIFT_PER_POINT * f64::from(response.drag_delta().y);
@@ -143,8 +180,7 @@ impl SauteApp {
 
     /// Leads the tongs to above the place that the pointer shows: low within the pan, over its rim elsewhere.
     fn lead(&mut self, id: String, at: Pos2, rect: Rect) {
-        if self.session.paused {
-            self.notice.say("Time stands still: let it go on (Space) to move things.");
+        if self.stands_still() {
             return;
         }
         let pan = self.session.kitchen.world().motion.pose.position.as_vec3();
@@ -153,13 +189,32 @@ impl SauteApp {
         let within = low.filter(|p| (*p - pan).truncate().length() < floor).map(|p| p + Vec3::Z * LOW_HEIGHT);
         let beside = || Some(self.pointed(at, rect, BOARD_CENTRE.z)?.with_z(pan.z.max(0.0) + CARRY_HEIGHT));
         let Some(hit) = within.or_else(beside) else { return };
-        let Some(piece) = self.session.kitchen.piece(&id) else { return };
-        let held = self.session.kitchen.hand().gripped() == Some(piece.key);
         let position = hit.as_dvec3().clamp(DVec3::new(-0.55, -0.45, 0.0), DVec3::new(0.6, 0.5, 0.4));
-        // The tongs first go to where the piece is, then lead it.
-        let to = if held { position } else { grip_point(piece) };
-        let to = BodyPose { position: to, ..BodyPose::default() };
-        self.command(&Command::Lead { tool: Tool::Tongs, to, grip: Some(id) });
+        self.lead_tongs(&id, position);
+    }
+
+    /// Leads the turner to the place that the pointer shows at its height; the right button or Ctrl tilts it, Alt turns
+    /// and raises it.
+    fn drag_turner(&mut self, ui: &Ui, response: &egui::Response, at: Pos2, rect: Rect) {
+        let by = response.drag_delta();
+        let [dx, dy] = [by.x, by.y].map(f64::from);
+        let keys = ui.input(|i| i.modifiers);
+        if keys.command || response.dragged_by(egui::PointerButton::Secondary) {
+            return self.with_turner(|turner| turner.tilt(TILT_PER_POINT * dx, -TILT_PER_POINT * dy));
+        }
+        if keys.alt {
+            return self.with_turner(|turner| {
+                turner.facing -= TILT_PER_POINT * dx;
+                turner.shift(DVec3::Z * (-LIFT_PER_POINT * dy));
+            });
+        }
+        let height = self.tool_hand.turner.map_or(0.0, |turner| turner.height);
+        let plane = self.session.kitchen.world().motion.pose.position.z + height;
+        let Some(hit) = self.pointed(at, rect, plane as f32) else { return };
+        self.with_turner(|turner| {
+            turner.at = hit.truncate().as_dvec2();
+            turner.shift(DVec3::ZERO);
+        });
     }
 
     /// A click puts a piece that waits into the pan, flips one that is in it, and puts back one that lies elsewhere.
@@ -180,7 +235,14 @@ impl SauteApp {
             Hold::Piece(_) => self.command(&Command::LetGo),
             Hold::Pan { .. } => self.release_pan(),
             Hold::Waiting(_) => self.drop_waiting(),
+            Hold::Turner => self.settle_turner(),
             Hold::Nothing | Hold::Eye => {}
+        }
+    }
+
+    fn settle_turner(&mut self) {
+        if self.tool_hand.turner.is_some() && !self.session.paused {
+            self.with_turner(crate::tool_hand::TurnerPose::settle);
         }
     }
 
@@ -213,9 +275,4 @@ impl SauteApp {
             self.command(&Command::Put { food, at, heap });
         }
     }
-}
-
-/// Where tongs take hold of a piece: a little above its middle.
-fn grip_point(piece: &Piece) -> DVec3 {
-    piece.pose.position + DVec3::Z * (0.3 * piece.model.size[2])
 }

@@ -10,7 +10,7 @@ const NARROW: f32 = 720.0;
 pub const GAP: f32 = 10.0;
 const RIGHT_WIDTH: f32 = 318.0;
 const LEFT_WIDTH: f32 = 276.0;
-const BOTTOM_HEIGHT: f32 = 121.0;
+const BOTTOM_HEIGHT: f32 = 172.0;
 const TOP_HEIGHT: f32 = 62.0;
 
 /// Rectangles of the window's parts.

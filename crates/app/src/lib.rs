@@ -8,6 +8,9 @@ mod cell_look;
 pub mod colour_map;
 mod flesh_grain;
 pub mod food_look;
+pub mod gamepad;
+#[cfg(not(target_arch = "wasm32"))]
+mod gamepad_device;
 mod grab;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod headless;
@@ -16,12 +19,14 @@ pub mod motion;
 pub mod notice;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod offscreen;
+mod pad_input;
 mod pan_film;
 mod pan_keys;
 pub mod panels;
 mod picking;
 mod piece_words;
 pub mod png_file;
+pub mod pouring;
 mod put_in;
 mod save_picture;
 mod scale_choice;
@@ -34,6 +39,7 @@ pub mod settings;
 pub mod shot;
 pub mod stage;
 pub mod theme;
+mod tool_hand;
 pub mod view;
 pub mod waiting;
 #[cfg(not(target_arch = "wasm32"))]

@@ -1,4 +1,4 @@
-//! Keys that are held: they move and tilt the pan and shake it.
+//! Keys that are held, and the gamepad's left hand: they move and tilt the pan and shake it.
 
 use egui::{Context, Key};
 use glam::{DQuat, DVec2, DVec3};
@@ -35,19 +35,32 @@ pub(crate) struct PanKeys {
 }
 
 impl SauteApp {
-    /// Moves the pan as held keys say, over `wall` seconds.
-    pub(crate) fn take_held_keys(&mut self, ctx: &Context, wall: f64) {
-        if self.session.paused || ctx.egui_wants_keyboard_input() {
+    /// Moves pan and tool as held keys and the gamepad say, over `wall` seconds.
+    pub(crate) fn take_hands(&mut self, ctx: &Context, wall: f64) {
+        self.look_at_tool();
+        let pad = self.take_pad(ctx);
+        if self.session.paused {
             return;
         }
+        let (way, lean) = if ctx.egui_wants_keyboard_input() { Default::default() } else { self.take_held_keys(ctx) };
+        self.move_pan((way + pad.pan).clamp_length_max(1.0), (lean + pad.lean).clamp_length_max(1.0), wall);
+        self.move_tool(pad.tool, pad.twist, wall);
+    }
+
+    /// Way and lean of the pan that held keys ask for (−1…1).
+    fn take_held_keys(&mut self, ctx: &Context) -> (DVec3, DVec2) {
         let (down, shift) = ctx.input(|i| (i.keys_down.clone(), i.modifiers.shift));
         let held = |key: Key| f64::from(u8::from(down.contains(&key)));
         let push = |plus: Key, minus: Key| if shift { held(plus) - held(minus) } else { 0.0 };
         let way = DVec3::new(push(Key::D, Key::A), push(Key::W, Key::S), push(Key::E, Key::Q));
-        let lean = DVec2::new(push(Key::Z, Key::C), push(Key::F, Key::R)) * TILT;
+        let lean = DVec2::new(push(Key::Z, Key::C), push(Key::F, Key::R));
         self.shake_while(down.contains(&Key::K) && !shift);
+        (way, lean)
+    }
+
+    fn move_pan(&mut self, way: DVec3, lean: DVec2, wall: f64) {
         let before = self.pan_keys.tilt;
-        let tilt = before + (lean - before).clamp_length_max(TILT_SPEED * wall);
+        let tilt = before + (lean * TILT - before).clamp_length_max(TILT_SPEED * wall);
         self.pan_keys.tilt = tilt;
         if way != DVec3::ZERO || tilt != before {
             let held = self.session.kitchen.held_pan();

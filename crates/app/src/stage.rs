@@ -287,7 +287,8 @@ fn tool(kitchen: &Kitchen) -> Option<ToolLook> {
         Tool::Turner => ToolKind::Turner,
         Tool::Tongs => ToolKind::Tongs { open: hand.gripped().is_none() },
     };
-    hand.is_active().then(|| ToolLook { kind, world_from_tool: Pose::of_body(&hand.pose).matrix() })
+    hand.is_active()
+        .then(|| ToolLook { kind, world_from_tool: Pose::of_body(&hand.tool_pose(kitchen.world())).matrix() })
 }
 
 /// Rack or foil where a piece rests on or under one.

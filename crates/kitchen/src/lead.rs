@@ -39,7 +39,7 @@ impl Kitchen {
             }
             None => None,
         };
-        if self.led.is_none() {
+        if self.led.is_none_or(|led| led.tool != tool) {
             self.hand.withdraw();
             self.tasks.clear();
             self.at_work = None;
@@ -49,6 +49,11 @@ impl Kitchen {
         // The hand is active at once, so that even a world at rest is looked at.
         self.hand.lead(tool, to);
         Ok(())
+    }
+
+    /// The tool that a person leads; none once it is laid down.
+    pub fn led_tool(&self) -> Option<Tool> {
+        self.led.filter(|led| led.laying_s.is_none()).map(|led| led.tool)
     }
 
     /// Lays down what is gripped; a hand that grips nothing is put away at once.
@@ -82,6 +87,9 @@ impl Kitchen {
         self.hand.lead(led.tool, &led.to);
         if let (Some(key), None, None) = (led.grip, self.hand.gripped(), led.laying_s) {
             self.hand.grip(key, &self.world);
+        }
+        if (led.tool, led.grip, led.laying_s) == (Tool::Turner, None, None) {
+            self.hand.scoop(&led.to, &self.world);
         }
         self.led = Some(led);
     }

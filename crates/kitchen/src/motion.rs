@@ -47,7 +47,7 @@ impl Kitchen {
         if let Some(ended) = self.hand.step(&mut self.world) {
             self.end_task(ended);
         }
-        self.world.set_blade(self.hand.blade().as_ref(), self.hand.spared());
+        self.hand.place_blade(&mut self.world);
         self.world.step(&target);
     }
 

@@ -139,8 +139,14 @@ impl Kitchen {
             return Err(Refused::NotInPan(food.into()));
         }
         let task = task(piece.key);
-        self.tasks.push_back(task);
+        self.hand_over(task);
         Ok(())
+    }
+
+    /// Gives the other hand a task; a tool that a person leads is laid down for it.
+    fn hand_over(&mut self, task: Task) {
+        self.let_go();
+        self.tasks.push_back(task);
     }
 
     fn rest(&mut self, food: &str, on: RestOn) -> Result<(), Refused> {
@@ -156,7 +162,7 @@ impl Kitchen {
             self.pieces[index].place = Place::Rest(on);
             return Ok(());
         }
-        self.tasks.push_back(Task::TakeOut { key, to });
+        self.hand_over(Task::TakeOut { key, to });
         Ok(())
     }
 
@@ -206,7 +212,8 @@ impl Kitchen {
             self.check_room(piece, at)?;
         }
         if piece.place != Place::Waiting {
-            self.tasks.push_back(Task::PutBack { key: piece.key, to: at });
+            let key = piece.key;
+            self.hand_over(Task::PutBack { key, to: at });
             return Ok(());
         }
         let solid = piece.model.solid(&piece.state);

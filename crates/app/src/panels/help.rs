@@ -1,24 +1,33 @@
-//! The list of keys.
+//! The list of keys, of what the mouse does and of what a gamepad does.
 
 use egui::{Id, Modal, Rect, RichText, Ui};
 
 use crate::act::BINDINGS;
 use crate::app::SauteApp;
+use crate::gamepad::PAD;
 use crate::pan_keys::HELD;
 use crate::theme;
+
+/// What the mouse does.
+const MOUSE: &str = "Mouse: drag to look around, wheel to zoom. Click food to put it in or to flip it; drag it and tongs lead it. With the turner (U) drag in the pan: it slides under food, stays where you leave it; meanwhile the wheel lifts and lowers it (onto food: it presses), right button or Ctrl tilts and rolls it, Alt turns and lifts it; on its edge it pushes. Drag the pan by its handle or rim, with Shift to lift it. Drag the knob to move the cut.";
+
+/// What a gamepad does; browsers' gamepads are not read.
+fn pad() -> impl Iterator<Item = (&'static str, &'static str)> {
+    PAD.into_iter().filter(|_| cfg!(not(target_arch = "wasm32")))
+}
 
 /// Shows the list over everything; Esc, F1 or a click beside it closes it.
 pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
     let modal = Modal::new(Id::unique("help")).frame(theme::panel().fill(theme::SOLID)).show(ui.ctx(), |ui| {
         ui.set_width((whole.width() - 60.0).min(900.0));
         ui.heading("Keys");
-        ui.label("Mouse: drag to look around, wheel to zoom. Click food to put it in or to flip it; drag it and tongs lead it. Drag the pan by its handle or rim, with Shift to lift it. Drag the knob to move the cut.");
+        ui.label(MOUSE);
         ui.add_space(6.0);
-        let height = whole.height() - 190.0;
+        let height = whole.height() - 250.0;
         egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
             let columns = if whole.width() > 700.0 { 3 } else { 1 };
             let single = BINDINGS.iter().map(|b| (b.written, b.words));
-            let lines: Vec<(&str, &str)> = single.chain(HELD).collect();
+            let lines: Vec<(&str, &str)> = single.chain(HELD).chain(pad()).collect();
             let rows = lines.len().div_ceil(columns);
             ui.columns(columns, |uis| {
                 for (i, (written, words)) in lines.into_iter().enumerate() {

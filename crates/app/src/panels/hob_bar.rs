@@ -3,16 +3,18 @@
 use egui::{RichText, Ui};
 use saute_kitchen::{Kitchen, Place, celsius};
 
-use crate::act::{Act, key_of};
+use crate::act::{Act, BINDINGS};
 use crate::app::SauteApp;
 use crate::panels::inside::clock;
+use crate::panels::pour;
 use crate::session::SPEEDS;
 use crate::theme;
 
-/// Shows the controls: in two rows, or wrapped where it is narrow.
+/// Shows the controls: in three rows, or wrapped where it is narrow.
 pub fn show(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     if narrow {
         ui.horizontal_wrapped(|ui| hands(app, ui));
+        ui.horizontal_wrapped(|ui| pour::show(app, ui));
         ui.horizontal_wrapped(|ui| hob(app, ui));
         ui.horizontal_wrapped(|ui| time(app, ui));
         ui.separator();
@@ -25,6 +27,7 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| time_right_to_left(app, ui));
     });
     ui.horizontal(|ui| hands(app, ui));
+    ui.horizontal(|ui| pour::show(app, ui));
 }
 
 /// Core and pan at a glance, where the panel with all readings is not open.
@@ -74,8 +77,6 @@ fn hands(app: &mut SauteApp, ui: &mut Ui) {
     if let Some(runner) = &app.session.runner {
         let text = format!("{} – next: {}", runner.recipe().title, runner.waiting_for());
         ui.add(egui::Label::new(RichText::new(text).size(13.0).color(theme::QUIET)).truncate());
-    } else if app.session.recipe_title().is_none() {
-        ui.label(RichText::new("A thin oil film covers the pan.").size(13.0).color(theme::QUIET));
     }
 }
 
@@ -124,10 +125,15 @@ fn speed_button(app: &mut SauteApp, ui: &mut Ui, speed: f64) {
     }
 }
 
-fn button(app: &mut SauteApp, ui: &mut Ui, text: &str, on: bool, enabled: bool, act: Act) {
-    if press(ui, text, on, enabled, key_of(act)) {
+pub(crate) fn button(app: &mut SauteApp, ui: &mut Ui, text: &str, on: bool, enabled: bool, act: Act) {
+    if press(ui, text, on, enabled, &hint(act)) {
         app.act(act, &ui.ctx().clone());
     }
+}
+
+/// What a button does, and its key.
+fn hint(act: Act) -> String {
+    BINDINGS.iter().find(|b| b.act == act).map_or_else(String::new, |b| format!("{} ({})", b.words, b.written))
 }
 
 fn press(ui: &mut Ui, text: &str, on: bool, enabled: bool, hint: &str) -> bool {

@@ -204,3 +204,144 @@ fn the_list_is_reachable_on_a_phone_and_nothing_overlaps() {
         assert!(rects[i + 1..].iter().all(|b| !a.shrink(0.5).intersects(*b)), "{} overlaps", tabs[i]);
     }
 }
+
+fn pan_state(harness: &Harness<'static, SauteApp>) -> &saute_kitchen::pan::PanState {
+    harness.state().session().kitchen.pan_state()
+}
+
+#[test]
+fn oil_butter_and_water_are_poured_by_button_and_key_and_the_lid_refuses_them() {
+    for (size, name) in [(WIDE, "pour"), (PHONE, "phone-pour")] {
+        let mut harness = window(size);
+        let film = pan_state(&harness).oil_mass();
+        harness.get_by_label("Oil 5 g").click();
+        steps(&mut harness, 3);
+        assert!((pan_state(&harness).oil_mass() - film - 0.005).abs() < 1e-9);
+        harness.get_by_label("little").click();
+        steps(&mut harness, 3);
+        harness.get_by_label("Water 100 g").click();
+        press(&mut harness, Key::Num5);
+        let liquids = &pan_state(&harness).liquids;
+        assert!((liquids.butter.lump.as_ref().expect("a lump").mass - 0.025).abs() < 1e-9);
+        assert!((pan_state(&harness).water_mass() - 0.1).abs() < 1e-3);
+        harness.get_by_label_contains("25 g butter");
+        save(&mut harness, name);
+        press(&mut harness, Key::Num0);
+        assert!(pan_state(&harness).lid.is_some());
+        let oil = pan_state(&harness).oil_mass();
+        press(&mut harness, Key::Num4);
+        harness.get_by_label_contains("the lid is on: take it off first");
+        assert_eq!(pan_state(&harness).oil_mass(), oil);
+        save(&mut harness, &format!("{name}-lid"));
+        harness.get_by_label("Lid").click();
+        steps(&mut harness, 3);
+        assert!(pan_state(&harness).lid.is_none());
+    }
+}
+
+#[test]
+fn the_controls_of_the_bottom_bar_lie_within_the_window() {
+    for size in [WIDE, PHONE] {
+        let mut harness = window(size);
+        press(&mut harness, Key::U);
+        let labels = ["Oil 5 g", "Butter 10 g", "Water 30 g", "little", "Lid", "Turner"];
+        for label in labels {
+            let rect = harness.get_by_label(label).rect();
+            assert!(rect.left() >= 0.0 && rect.right() <= size.x - 10.0, "{label} {rect:?} in {size}");
+            assert!(rect.bottom() <= size.y, "{label} {rect:?} in {size}");
+        }
+        save(&mut harness, &format!("bar-{}", size.x));
+    }
+}
+
+#[test]
+fn oil_past_its_smoke_point_is_warned_of() {
+    let mut harness = window(WIDE);
+    press(&mut harness, Key::Num4);
+    harness.state_mut().session_mut().command(&saute_kitchen::Command::Hob(1800.0)).expect("hob");
+    let mut seconds = 0.0;
+    while pan_state(&harness).smoke_mg_s() == 0.0 && seconds < 300.0 {
+        cook(&mut harness, 5.0);
+        seconds += 5.0;
+    }
+    harness.get_by_label_contains("of smoke: the oil smokes: turn the hob down");
+    save(&mut harness, "smoke-warning");
+}
+
+/// Moves the pointer in steps.
+fn move_pointer(harness: &mut Harness<'static, SauteApp>, from: egui::Pos2, to: egui::Pos2) {
+    for k in 1..=12u8 {
+        harness.hover_at(from + (to - from) * (f32::from(k) / 12.0));
+        harness.step();
+    }
+}
+
+#[test]
+fn the_mouse_leads_the_turner_under_the_steak_lifts_it_and_the_pan_moves_meanwhile() {
+    let mut harness = window(WIDE);
+    press(&mut harness, Key::P);
+    cook(&mut harness, 1.0);
+    press(&mut harness, Key::U);
+    let before = harness.state().session().kitchen.pieces()[0].pose.position;
+    let start = harness.state().on_screen(Vec3::new(0.0, -0.085, 0.003), WINDOW).expect("in view");
+    let under = harness.state().on_screen(Vec3::new(0.0, -0.02, 0.003), WINDOW).expect("in view");
+    harness.hover_at(start);
+    harness.step();
+    harness.drag_at(start);
+    harness.step();
+    move_pointer(&mut harness, start, under);
+    steps(&mut harness, 10);
+    let kitchen = &harness.state().session().kitchen;
+    assert_eq!(kitchen.led_tool(), Some(saute_kitchen::dynamics::Tool::Turner));
+    assert!((kitchen.pieces()[0].pose.position - before).length() < 0.02, "it slides under");
+    save(&mut harness, "turner-under");
+    for _ in 0..14 {
+        let delta = vec2(0.0, 50.0);
+        let (unit, phase) = (egui::MouseWheelUnit::Point, egui::TouchPhase::Move);
+        harness.event(Event::MouseWheel { unit, delta, phase, modifiers: Modifiers::NONE });
+        harness.step();
+    }
+    hold(&mut harness, Key::D, Modifiers::SHIFT, true);
+    steps(&mut harness, 10);
+    hold(&mut harness, Key::D, Modifiers::SHIFT, false);
+    steps(&mut harness, 6);
+    save(&mut harness, "turner-lifts");
+    let kitchen = &harness.state().session().kitchen;
+    let height = kitchen.pieces()[0].pose.position.z - before.z;
+    assert!(height > 0.03, "lifted by {height}");
+    assert!(pan_at(&harness).x > 0.05, "{}", pan_at(&harness));
+    harness.drop_at(under);
+    steps(&mut harness, 10);
+    assert!(harness.state().session().kitchen.hand().is_active(), "the turner stays where it is left");
+    press(&mut harness, Key::Backspace);
+    cook(&mut harness, 3.0);
+    assert!(!harness.state().session().kitchen.hand().is_active());
+}
+
+#[test]
+fn a_gamepad_moves_pan_and_tool_together_and_its_buttons_act() {
+    use saute_app::gamepad::{PadButton, PadState};
+    let mut harness = window(WIDE);
+    press(&mut harness, Key::P);
+    cook(&mut harness, 1.0);
+    press(&mut harness, Key::U);
+    harness.state_mut().set_pad(PadState { left: [-1.0, 0.0], right: [0.0, 1.0], ..PadState::default() });
+    steps(&mut harness, 8);
+    harness.state_mut().set_pad(PadState::default());
+    steps(&mut harness, 8);
+    assert!(pan_at(&harness).x < -0.05, "{}", pan_at(&harness));
+    assert!(harness.state().session().kitchen.hand().is_active());
+    save(&mut harness, "gamepad");
+    let mut down = PadState::default();
+    for button in [PadButton::Up, PadButton::East, PadButton::Start] {
+        down.down[button as usize] = true;
+    }
+    let hob = harness.state().session().kitchen.hob_w();
+    harness.state_mut().set_pad(down);
+    steps(&mut harness, 3);
+    assert!(harness.state().session().kitchen.hob_w() > hob && harness.state().session().paused);
+    harness.state_mut().set_pad(PadState::default());
+    press(&mut harness, Key::F1);
+    harness.get_by_label_contains("move the tool");
+    save(&mut harness, "help");
+}

@@ -6,6 +6,8 @@
 use glam::DVec3;
 
 use super::pose::{Pose, rotation_between, turn};
+use super::scoop::Under;
+use super::spring::Spring;
 use super::world::{RIGID_S, World};
 use crate::piece::GRAVITY;
 
@@ -19,8 +21,6 @@ pub enum Tool {
     Tongs,
 }
 
-/// Stiffness of the grip as a natural frequency [rad/s] (chosen: food hangs 4 mm low without the weight's compensation).
-const GRIP: f64 = 50.0;
 /// Largest force [N] and torque [N·m] of the grip (chosen: what a hand holds with a turner without effort).
 pub const GRIP_FORCE: f64 = 12.0;
 const GRIP_TORQUE: f64 = 1.5;
@@ -94,8 +94,7 @@ struct Grip {
     key: u32,
     /// Pose of the body in the tool's frame.
     hold: Pose,
-    /// Where the body was wanted in the last step.
-    wanted: Pose,
+    spring: Spring,
     slipping_s: f64,
 }
 
@@ -104,7 +103,7 @@ struct Grip {
 pub struct Hand {
     /// What it holds.
     pub tool: Tool,
-    /// Pose of the tool's tip.
+    /// Pose of the tool's tip, as the hand wants it.
     pub pose: Pose,
     legs: Vec<Leg>,
     leg: usize,
@@ -113,6 +112,10 @@ pub struct Hand {
     waited: f64,
     grip: Option<Grip>,
     spared: Option<u32>,
+    /// What a led turner is under.
+    pub(super) under: Option<Under>,
+    /// What pulls a led turner.
+    spring: Option<Spring>,
     /// Whether it is at work; else it is out of the way.
     active: bool,
 }
@@ -143,9 +146,14 @@ impl Hand {
         self.grip.map(|g| g.key)
     }
 
-    /// Which body it is about to slide under.
-    pub fn spared(&self) -> Option<u32> {
-        self.spared
+    /// Whether it goes where a person leads it.
+    pub(super) fn is_free(&self) -> bool {
+        self.legs.is_empty()
+    }
+
+    /// Where its tool is: a led turner may be held up on its way.
+    pub fn tool_pose(&self, world: &World) -> Pose {
+        world.blade_pose().filter(|_| self.leads_turner()).unwrap_or(self.pose)
     }
 
     /// How far what it grips hangs below where it is pulled to; negative where something holds it up [m].
@@ -157,12 +165,18 @@ impl Hand {
 
     /// Takes hold of a body within reach, as it lies.
     pub fn grip(&mut self, key: u32, world: &World) -> bool {
-        let Some(body) = world.pose(key) else { return false };
         if world.distance(key, self.pose.position) > REACH {
             return false;
         }
-        self.grip = Some(Grip { key, hold: body.seen_from(&self.pose), wanted: body, slipping_s: 0.0 });
-        true
+        let tool = self.pose;
+        self.hold(key, &tool, world);
+        self.gripped().is_some()
+    }
+
+    /// Holds a body as it lies to a pose of the tool.
+    pub(super) fn hold(&mut self, key: u32, tool: &Pose, world: &World) {
+        let grip = |body: Pose| Grip { key, hold: body.seen_from(tool), spring: Spring::at(body), slipping_s: 0.0 };
+        self.grip = world.pose(key).map(grip);
     }
 
     /// Lets go of what it holds.
@@ -191,8 +205,16 @@ impl Hand {
             return None;
         }
         let ended = if self.legs.is_empty() { None } else { self.go(world) };
-        self.keep_above_pan(world);
+        if self.leads_turner() {
+            self.keep_blade_above(world);
+        } else {
+            self.keep_above_pan(world);
+        }
         let slipped = self.pull(world);
+        if slipped && self.leads_turner() {
+            // What slipped off was held: so is the blade under it.
+            self.pose = self.tool_pose(world);
+        }
         let ended = if slipped { Some(Ended::Blocked) } else { ended };
         if ended.is_some() && !self.legs.is_empty() {
             self.withdraw();
@@ -271,10 +293,6 @@ impl Hand {
             return true;
         };
         let wanted = self.pose.then(&grip.hold);
-        // What is led moves along with the tool; the spring only mends what is left.
-        let led = (wanted.position - grip.wanted.position) / RIGID_S;
-        let spun = rotation_between(grip.wanted.rotation, wanted.rotation) / RIGID_S;
-        grip.wanted = wanted;
         let (off, twist) = (wanted.position - body.position, rotation_between(body.rotation, wanted.rotation));
         let far = off.length() > SLIP || twist.length() > SLIP_ANGLE;
         grip.slipping_s = if far { grip.slipping_s + RIGID_S } else { 0.0 };
@@ -282,24 +300,31 @@ impl Hand {
             self.grip = None;
             return true;
         }
-        let mass = world.mass(grip.key);
-        let force = mass * (GRIP * GRIP * off - 2.0 * GRIP * (velocity - led) + DVec3::Z * GRAVITY);
-        let spin = GRIP * GRIP * twist - 2.0 * GRIP * (turning - spun);
+        let [pull, spin] = grip.spring.pull(&wanted, &body, [velocity, turning]);
+        let force = world.mass(grip.key) * (pull + DVec3::Z * GRAVITY);
         let torque = world.inertia_times(grip.key, spin);
         world.push(grip.key, force.clamp_length_max(GRIP_FORCE), torque.clamp_length_max(GRIP_TORQUE));
         false
     }
 
-    /// Pose of the blade for collisions: none for tongs.
-    pub fn blade(&self) -> Option<Pose> {
-        (self.active && self.tool == Tool::Turner).then_some(self.pose)
+    /// Brings the blade to where the turner is, or pulls it there; there is none for tongs.
+    pub(crate) fn place_blade(&mut self, world: &mut World) {
+        if !self.leads_turner() {
+            let blade = (self.active && self.tool == Tool::Turner).then_some(self.pose);
+            return world.set_blade(blade.as_ref(), self.spared);
+        }
+        // Food on the blade carries it along.
+        let lying = self.grip.and_then(|grip| Some(world.pose(grip.key)?.then(&Pose::default().seen_from(&grip.hold))));
+        let wanted = lying.unwrap_or(self.pose);
+        let spring = self.spring.get_or_insert(Spring::at(wanted));
+        world.lead_blade(&wanted, spring, self.under.map(|under| under.key()));
     }
 }
 
 /// How high above its way a tool comes in [m] (chosen).
 const HOVER: f64 = 0.06;
 /// Distance that a tool keeps from the pan [m] (chosen: a blade's thickness).
-const TOOL_CLEARANCE: f64 = 0.0015;
+pub(super) const TOOL_CLEARANCE: f64 = 0.0015;
 /// How quickly a free hand leads a tool [m/s] and turns it [rad/s] (chosen).
 const LEAD_SPEED: f64 = 1.0;
 const LEAD_TURN: f64 = 10.0;

@@ -1,5 +1,6 @@
 //! Rigid bodies: the pan that follows a hand, foods that slide, pile up and fly, tools.
 
+mod blade;
 pub mod extent;
 pub mod gesture;
 pub mod hand;
@@ -7,7 +8,9 @@ pub mod pan_motion;
 pub mod pan_shape;
 pub mod pose;
 mod scale;
+mod scoop;
 pub mod solid_shape;
+mod spring;
 pub mod task;
 pub mod world;
 

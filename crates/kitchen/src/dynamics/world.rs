@@ -15,6 +15,7 @@ use rapier3d::math::Vector;
 use rapier3d::pipeline::PhysicsPipeline;
 use saute_food::Solid;
 
+use super::blade::insert_blade;
 use super::pan_motion::{PanMotion, PanTarget};
 use super::pan_shape::PanShape;
 use super::pose::Pose;
@@ -53,7 +54,9 @@ const FOOD_INSIDE: Group = Group::GROUP_1;
 const FOOD_OUTSIDE: Group = Group::GROUP_2;
 const PAN_FLOOR: Group = Group::GROUP_3;
 const KITCHEN: Group = Group::GROUP_4;
-const BLADE: Group = Group::GROUP_5;
+pub(super) const BLADE: Group = Group::GROUP_5;
+/// Foods wherever they are.
+pub(super) const FOODS: Group = Group::GROUP_1.union(Group::GROUP_2);
 
 /// What a body touches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -113,13 +116,13 @@ pub const BOARD_HALF: DVec3 = DVec3::new(0.13, 0.18, 0.008);
 pub const GLASS_HALF: f64 = 0.2;
 
 #[derive(Clone, Debug)]
-struct FoodBody {
+pub(super) struct FoodBody {
     body: RigidBodyHandle,
     colliders: Vec<ColliderHandle>,
     solid: Solid,
     mass: f64,
     friction: f64,
-    inside: bool,
+    pub(super) inside: bool,
 }
 
 /// All rigid bodies.
@@ -128,8 +131,8 @@ pub struct World {
     parameters: IntegrationParameters,
     islands: IslandManager,
     broad_phase: BroadPhaseBvh,
-    narrow_phase: NarrowPhase,
-    bodies: RigidBodySet,
+    pub(super) narrow_phase: NarrowPhase,
+    pub(super) bodies: RigidBodySet,
     colliders: ColliderSet,
     joints: ImpulseJointSet,
     multibody_joints: MultibodyJointSet,
@@ -137,13 +140,13 @@ pub struct World {
     ccd: CCDSolver,
     shape: PanShape,
     pan: RigidBodyHandle,
-    blade: RigidBodyHandle,
-    spared: Option<u32>,
-    foods: BTreeMap<u32, FoodBody>,
+    pub(super) blade: RigidBodyHandle,
+    pub(super) spared: Option<u32>,
+    pub(super) foods: BTreeMap<u32, FoodBody>,
     /// How the pan moves.
     pub motion: PanMotion,
     may_sleep: bool,
-    settled: bool,
+    pub(super) settled: bool,
 }
 
 impl Clone for World {
@@ -317,6 +320,11 @@ impl World {
         self.foods.get(&key).map(|f| &f.solid)
     }
 
+    /// All bodies.
+    pub fn keys(&self) -> impl Iterator<Item = u32> + '_ {
+        self.foods.keys().copied()
+    }
+
     fn body(&self, key: u32) -> Option<&RigidBody> {
         self.foods.get(&key).and_then(|f| self.bodies.get(f.body))
     }
@@ -387,39 +395,6 @@ impl World {
             }
         }
         f64::from(deepest) / scale::PER_METRE
-    }
-
-    /// Moves the blade, or takes it away; the body that is `spared` it does not meet.
-    pub fn set_blade(&mut self, pose: Option<&Pose>, spared: Option<u32>) {
-        let Some(body) = self.bodies.get_mut(self.blade) else { return };
-        let there = body.is_enabled();
-        match pose {
-            Some(pose) if there => body.set_next_kinematic_position(scale::solver_pose(pose)),
-            Some(pose) => {
-                body.set_enabled(true);
-                body.set_position(scale::solver_pose(pose), true);
-            }
-            None if there => body.set_enabled(false),
-            None => {}
-        }
-        if pose.is_some() {
-            self.settled = false;
-        }
-        if spared != self.spared {
-            let before = core::mem::replace(&mut self.spared, spared);
-            for key in [before, spared].into_iter().flatten() {
-                let inside = self.foods.get(&key).is_some_and(|f| f.inside);
-                self.set_groups(key, inside);
-            }
-        }
-    }
-
-    /// Force with which foods hold up the blade [N].
-    pub fn blade_force(&self) -> f64 {
-        let blade = self.bodies.get(self.blade).filter(|b| b.is_enabled());
-        let colliders = blade.into_iter().flat_map(|b| b.colliders().iter());
-        let pairs = colliders.flat_map(|c| self.narrow_phase.contact_pairs_with(*c));
-        pairs.map(|p| newtons(p.total_impulse_magnitude())).sum()
     }
 
     /// Distance from a point to a body; 0 inside [m].
@@ -503,7 +478,7 @@ impl World {
     }
 
     /// Foods over the pan meet its floor; foods elsewhere meet table and board.
-    fn set_groups(&mut self, key: u32, inside: bool) {
+    pub(super) fn set_groups(&mut self, key: u32, inside: bool) {
         let Some(food) = self.foods.get_mut(&key) else { return };
         food.inside = inside;
         let group = if inside { FOOD_INSIDE } else { FOOD_OUTSIDE };
@@ -520,23 +495,12 @@ impl World {
 const DEFAULT_FRICTION: f64 = 0.3;
 /// Restitution of food [-] (chosen: wet flesh hardly bounces).
 const RESTITUTION: f32 = 0.05;
-/// Half sizes of the turner's blade [m] (chosen: a fish slice).
-pub const BLADE_HALF: DVec3 = DVec3::new(0.045, 0.04, 0.001);
-
 /// Force [N] that makes an impulse of the solver in one step.
-fn newtons(impulse: f32) -> f64 {
+pub(super) fn newtons(impulse: f32) -> f64 {
     f64::from(impulse) / (RIGID_S * scale::PER_METRE * scale::PER_KILOGRAM)
 }
 
-fn insert_blade(bodies: &mut RigidBodySet, colliders: &mut ColliderSet) -> RigidBodyHandle {
-    let blade = bodies.insert(RigidBodyBuilder::kinematic_position_based().enabled(false).build());
-    let half = scale::vector(BLADE_HALF);
-    let shape = ColliderBuilder::cuboid(half.x, half.y, half.z);
-    colliders.insert_with_parent(met_by(shape, BLADE, FOOD_INSIDE | FOOD_OUTSIDE, Against::Blade), blade, bodies);
-    blade
-}
-
-fn met_by(collider: ColliderBuilder, group: Group, by: Group, against: Against) -> Collider {
+pub(super) fn met_by(collider: ColliderBuilder, group: Group, by: Group, against: Against) -> Collider {
     collider
         .collision_groups(InteractionGroups::new(group, by, InteractionTestMode::And))
         .friction(1.0)
