@@ -35,6 +35,10 @@ pub enum Act {
     Restart,
     /// What the colours mean.
     View(View),
+    /// The look beside the view, or the view alone.
+    Split,
+    /// A probe where the pointer is.
+    Probe,
     /// The other colour map.
     Map,
     /// The next scale of doneness.
@@ -82,8 +86,8 @@ const fn bind(key: Key, written: &'static str, act: Act, words: &'static str) ->
 }
 
 /// All keys, in the order in which the help lists them.
-pub const BINDINGS: [Binding; 37] = [
-    bind(Key::P, "P", Act::Put, "food into the pan"),
+pub const BINDINGS: [Binding; 43] = [
+    bind(Key::A, "A", Act::Put, "food into the pan"),
     bind(Key::F, "F", Act::Flip, "flip: selected or middle one"),
     bind(Key::O, "O", Act::Out, "food onto the board"),
     bind(Key::T, "T", Act::Toss, "toss what is in the pan"),
@@ -100,7 +104,13 @@ pub const BINDINGS: [Binding; 37] = [
     bind(Key::N, "N", Act::Pantry, "choose food and pan"),
     bind(Key::Num1, "1", Act::View(View::Look), "natural look"),
     bind(Key::Num2, "2", Act::View(View::Temperature), "temperature"),
-    bind(Key::Num3, "3", Act::View(View::Doneness), "doneness"),
+    bind(Key::Num3, "3", Act::View(View::Moisture), "moisture"),
+    bind(Key::Num4, "4", Act::View(View::Doneness), "doneness"),
+    bind(Key::Num5, "5", Act::View(View::Browning), "browning"),
+    bind(Key::Num6, "6", Act::View(View::Lethality), "pathogens killed"),
+    bind(Key::Num7, "7", Act::View(View::Marbling), "fat"),
+    bind(Key::Y, "Y", Act::Split, "look beside the view"),
+    bind(Key::P, "P", Act::Probe, "probe where the pointer is"),
     bind(Key::M, "M", Act::Map, "other temperature colours"),
     bind(Key::D, "D", Act::Scale, "other scale of doneness"),
     bind(Key::X, "X", Act::Slice, "cut on, off"),

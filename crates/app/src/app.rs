@@ -188,6 +188,8 @@ impl SauteApp {
             Act::Pieces => self.open_left(false, !self.settings.pieces_open),
             Act::Restart => self.restart(),
             Act::View(view) => self.settings.view = view,
+            Act::Split => self.toggle_split(),
+            Act::Probe => self.place_probe(),
             Act::Map => self.next_map(),
             Act::Scale => self.next_scale(),
             Act::Slice => self.toggle_slice(),
@@ -398,6 +400,7 @@ impl SauteApp {
     fn show(&mut self, ui: &mut Ui) {
         let whole = ui.max_rect();
         let layout = Layout::new(whole, &self.settings);
+        self.session.probes.forget_gone(&self.session.kitchen);
         self.show_scene(ui, &layout);
         if !self.settings.panels_hidden {
             panels::show(self, ui, &layout);

@@ -6,7 +6,7 @@ use saute_kitchen::{Piece, Place, celsius};
 
 use crate::app::SauteApp;
 use crate::colour_map::TemperatureMap;
-use crate::panels::{curves, doneness_bar};
+use crate::panels::{curves, doneness_bar, probes};
 use crate::section_picture::section_picture;
 use crate::settings::Settings;
 use crate::theme;
@@ -67,6 +67,7 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     readings(app, ui);
     ui.separator();
     goal(app, ui);
+    probes::show(app, ui);
     if app.settings.curves_open {
         ui.separator();
         let height = (ui.available_height() - 32.0).clamp(112.0, 260.0);

@@ -9,6 +9,7 @@ pub mod inside;
 pub mod legend;
 pub mod pantry;
 pub mod pieces;
+pub mod probes;
 pub mod read_out;
 pub mod top;
 

@@ -10,6 +10,7 @@ const FRAME: &str = include_str!("shaders/frame.wgsl");
 const LIGHT: &str = include_str!("shaders/light.wgsl");
 const SOLID: &str = include_str!("shaders/solid.wgsl");
 const FOOD: &str = include_str!("shaders/food.wgsl");
+const HATCH: &str = include_str!("shaders/hatch.wgsl");
 const STEAM: &str = include_str!("shaders/steam.wgsl");
 const FRY: &str = include_str!("shaders/fry.wgsl");
 const DEPTH: &str = include_str!("shaders/depth.wgsl");
@@ -88,7 +89,7 @@ impl PipelineFactory {
         let food_layout = pipeline_layout(device, &[&layouts.frame, textures, &layouts.food]);
         Self {
             solid: module("solid", &[FRAME, LIGHT, SOLID]),
-            food: module("food", &[FRAME, LIGHT, FOOD]),
+            food: module("food", &[FRAME, LIGHT, HATCH, FOOD]),
             sprites: module("sprites", &[FRAME, LIGHT, STEAM, FRY]),
             depth: module("depth", &[DEPTH]),
             restore: module("restore", &[RESTORE]),

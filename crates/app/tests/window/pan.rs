@@ -45,7 +45,7 @@ fn several_kinds_are_added_laid_in_and_taken_away() {
     assert_eq!(ids[0], "steak");
     assert_eq!((ids[1].as_str(), ids[9].as_str(), ids.len()), ("carrot-coin.1", "carrot-coin.9", 10));
     save(&mut harness, "pantry-added");
-    press(&mut harness, Key::P);
+    press(&mut harness, Key::A);
     steps(&mut harness, 14);
     assert_eq!(in_pan(&harness), 9, "P lays the whole group in");
     press(&mut harness, Key::B);
@@ -65,7 +65,7 @@ fn several_kinds_are_added_laid_in_and_taken_away() {
 #[test]
 fn what_does_not_fit_is_counted_and_can_be_heaped() {
     let mut harness = with_more("Carrot coin", 35);
-    press(&mut harness, Key::P);
+    press(&mut harness, Key::A);
     let lying = in_pan(&harness);
     assert!(lying > 10 && lying < 35, "{lying}");
     harness.get_by_label_contains(&format!("{lying} of 35 fit beside each other"));
@@ -107,7 +107,7 @@ fn the_pan_is_dragged_by_its_rim_and_slides_home_when_let_go_near_its_ring() {
 #[test]
 fn held_keys_move_tilt_and_shake_the_pan() {
     let mut harness = window(WIDE);
-    press(&mut harness, Key::P);
+    press(&mut harness, Key::A);
     hold(&mut harness, Key::D, Modifiers::SHIFT, true);
     steps(&mut harness, 8);
     hold(&mut harness, Key::D, Modifiers::SHIFT, false);
@@ -137,7 +137,7 @@ fn a_toss_throws_what_is_in_the_pan_and_an_empty_pan_says_so() {
     let mut harness = with_more("Carrot coin", 7);
     press(&mut harness, Key::T);
     harness.get_by_label_contains("nothing in the pan to toss");
-    press(&mut harness, Key::P);
+    press(&mut harness, Key::A);
     press(&mut harness, Key::N);
     cook(&mut harness, 1.0);
     press(&mut harness, Key::T);
@@ -156,7 +156,7 @@ fn a_toss_throws_what_is_in_the_pan_and_an_empty_pan_says_so() {
 #[test]
 fn tongs_lead_a_piece_that_is_dragged_and_lay_it_down() {
     let mut harness = with_more("Shrimp", 2);
-    press(&mut harness, Key::P);
+    press(&mut harness, Key::A);
     cook(&mut harness, 1.0);
     let id = "shrimp.1";
     let from = harness.state().piece_on_screen(id, WINDOW).expect("in view");
@@ -183,7 +183,7 @@ fn tongs_lead_a_piece_that_is_dragged_and_lay_it_down() {
 #[test]
 fn a_click_selects_the_piece_that_the_panels_show() {
     let mut harness = with_more("Shrimp", 3);
-    press(&mut harness, Key::P);
+    press(&mut harness, Key::A);
     cook(&mut harness, 1.0);
     let at = harness.state().piece_on_screen("shrimp.2", WINDOW).expect("in view");
     click(&mut harness, at);
