@@ -30,7 +30,6 @@ impl SauteApp {
         let piece = point.piece.clone();
         match self.session.probes.place(&self.session.kitchen, point) {
             Ok(number) => {
-                self.session.probes.selected = Some(number);
                 self.session.select(Some(piece.clone()));
                 self.notice.say(format!("Probe {number} is in {piece}."));
             }

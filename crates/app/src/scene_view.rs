@@ -99,7 +99,7 @@ impl SauteApp {
             ui.painter().add(egui_wgpu::Callback::new_paint_callback(pane.rect, callback));
         }
         if let [_, field] = panes {
-            let line = [field.rect.left_top(), field.rect.left_bottom()];
+            let line = [field.free.left_top(), field.free.left_bottom()];
             ui.painter().line_segment(line, Stroke::new(2.0, theme::SOLID));
         }
     }

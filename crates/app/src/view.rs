@@ -92,7 +92,8 @@ impl View {
             Self::Moisture => 100.0 * state.water[node] / model.initial_water[node],
             Self::Doneness => celsius(state.peak[node].max(state.temperature[node])),
             Self::Browning => state.browning[node],
-            Self::Lethality => state.lethality[node],
+            // Grows tenfold every few kelvin: beyond the end of the map it would drown its neighbours.
+            Self::Lethality => state.lethality[node].min(MOST_KILLED),
             Self::Marbling => {
                 let [water, solids, fat] = model.masses(state, node);
                 100.0 * fat / (water + solids + fat)
@@ -111,7 +112,7 @@ impl View {
                 class.map_or_else(|| format!("highest {peak}"), |class| format!("{class} · highest {peak}"))
             }
             Self::Browning => format!("browning {value:.2}"),
-            Self::Lethality if value > MOST_KILLED => format!("killed > {MOST_KILLED:.0} log₁₀"),
+            Self::Lethality if value > MOST_KILLED - 0.05 => format!("killed ≥ {MOST_KILLED:.0} log₁₀"),
             Self::Lethality => format!("killed {value:.1} log₁₀"),
             Self::Marbling => format!("{value:.0} % fat"),
         }

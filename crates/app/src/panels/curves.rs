@@ -1,6 +1,6 @@
 //! Pan, underside, core and probes against time, with what happened.
 
-use egui::{Align2, Color32, FontId, Rect, RichText, Sense, Shape, Stroke, Ui, pos2, vec2};
+use egui::{Align2, Area, Color32, FontId, Id, Order, Rect, RichText, Sense, Shape, Stroke, Ui, pos2, vec2};
 use egui_plot::{HLine, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotTransform, VLine};
 
 use crate::app::SauteApp;
@@ -30,6 +30,8 @@ pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
     let curves = curves(app);
     let settings = &app.settings;
     legend(app, ui, &curves);
+    // The axis leaves numbers away that stand closer than this.
+    let levels = ((f64::from(height) - 36.0) / 24.0).clamp(2.0, 6.0);
     let plot = Plot::new("curves")
         .height(height)
         .allow_drag(false)
@@ -44,7 +46,7 @@ pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
         .include_x(2.0)
         .y_axis_min_width(28.0)
         .x_grid_spacer(egui_plot::uniform_grid_spacer(|input| spacing(input.bounds.1 - input.bounds.0, 3.0)))
-        .y_grid_spacer(egui_plot::uniform_grid_spacer(|input| spacing(input.bounds.1 - input.bounds.0, 6.0)))
+        .y_grid_spacer(egui_plot::uniform_grid_spacer(|input| spacing(input.bounds.1 - input.bounds.0, levels)))
         .x_axis_label(format!("minutes · {}", settings.unit()));
     let shown = plot.show(ui, |plot| {
         for curve in &curves {
@@ -149,14 +151,17 @@ fn sample(ui: &mut Ui, colour: Color32, style: LineStyle, width: f32) {
 /// What happened, written along the lines; what would cover the label before it is left to the pointer.
 fn events(ui: &Ui, transform: &PlotTransform, marks: &[Mark]) {
     let painter = ui.painter().with_clip_rect(transform.frame().intersect(ui.clip_rect()));
-    let mut free_from = f32::NEG_INFINITY;
+    let mut written: Vec<(f32, String)> = Vec::new();
     for mark in marks {
         let x = transform.position_from_point_x(mark.time_s / 60.0);
-        if x < free_from {
-            continue;
+        match written.last_mut() {
+            Some((before, words)) if x - *before < 1.0 => *words = format!("{words}, {}", mark.label),
+            Some((before, _)) if x - *before < EVENT_APART => {}
+            _ => written.push((x, mark.label.clone())),
         }
-        free_from = x + EVENT_APART;
-        let text = painter.layout_no_wrap(mark.label.clone(), FontId::proportional(10.5), theme::QUIET);
+    }
+    for (x, words) in written {
+        let text = painter.layout_no_wrap(words, FontId::proportional(10.5), theme::QUIET);
         let at = pos2(x + 1.0, transform.frame().top() + 3.0 + text.size().x);
         painter.add(egui::epaint::TextShape::new(at, text, theme::QUIET).with_angle(-std::f32::consts::FRAC_PI_2));
     }
@@ -192,16 +197,21 @@ fn read_off(app: &SauteApp, ui: &Ui, response: &egui::Response, transform: &Plot
     }
     let near = |mark: &&Mark| (transform.position_from_point_x(mark.time_s / 60.0) - at.x).abs() < EVENT_NEAR;
     let events: Vec<String> = app.session.marks.iter().filter(near).map(|m| m.label.clone()).collect();
-    response.clone().on_hover_ui_at_pointer(|ui| {
-        ui.spacing_mut().item_spacing.y = 1.0;
-        ui.label(RichText::new(clock(60.0 * minutes)).size(13.0).strong());
-        for (curve, value) in &values {
-            let text = format!("{} {value:.0} {}", curve.name, app.settings.unit());
-            ui.label(RichText::new(text).size(13.0).color(curve.colour));
-        }
-        if !events.is_empty() {
-            ui.label(RichText::new(events.join(", ")).size(13.0).color(theme::ACCENT));
-        }
+    let area = Area::new(Id::unique("curve-values")).order(Order::Tooltip).interactable(false);
+    // Left of the pointer: what comes next stays in sight.
+    area.fixed_pos(at + vec2(-12.0, -8.0)).pivot(Align2::RIGHT_BOTTOM).show(ui.ctx(), |ui| {
+        theme::panel().fill(theme::SOLID).inner_margin(8).show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 1.0;
+            let line = |ui: &mut Ui, text: RichText| ui.add(egui::Label::new(text.size(13.0)).extend());
+            line(ui, RichText::new(clock(60.0 * minutes)).strong());
+            for (curve, value) in &values {
+                let text = format!("{} {value:.0} {}", curve.name, app.settings.unit());
+                line(ui, RichText::new(text).color(curve.colour));
+            }
+            if !events.is_empty() {
+                line(ui, RichText::new(events.join(", ")).color(theme::ACCENT));
+            }
+        });
     });
 }
 

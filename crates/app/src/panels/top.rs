@@ -15,7 +15,7 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
         return;
     }
     ui.horizontal_centered(|ui| {
-        views(app, ui, 8.0);
+        views(app, ui, 7.0);
         units_and_help(app, ui);
     });
 }
@@ -38,7 +38,7 @@ pub fn units_and_help(app: &mut SauteApp, ui: &mut Ui) {
         if ui.available_width() > 90.0 {
             chip(app, ui, &format!("{}…", food_word(app)), app.settings.pantry_open, Act::Pantry);
         }
-        if ui.available_width() > 90.0 {
+        if ui.available_width() > 76.0 {
             chip(app, ui, "Pieces", app.settings.pieces_open, Act::Pieces);
         }
     });
