@@ -65,7 +65,7 @@ pub enum Act {
     Picture,
     /// This list.
     Help,
-    /// Closes this list.
+    /// Closes this list; no probe is put in.
     Close,
 }
 

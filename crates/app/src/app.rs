@@ -203,7 +203,7 @@ impl SauteApp {
             Act::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
             Act::Picture => crate::save_picture::save_picture(ctx, &self.notice),
             Act::Help => self.help = !self.help,
-            Act::Close => self.help = false,
+            Act::Close => (self.help, self.scene.placing) = (false, false),
         }
     }
 

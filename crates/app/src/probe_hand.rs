@@ -60,10 +60,9 @@ impl SauteApp {
                 ui.interact(Rect::from_center_size(at, Vec2::splat(2.6 * NUMBER)), id, Sense::click_and_drag());
             let name = format!("Marker of probe {number}");
             response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, &name));
-            if let (true, Some(to)) = (response.dragged(), response.interact_pointer_pos()) {
-                if let Some(point) = self.seen_point(to - NUMBER_AT, pane.rect) {
-                    self.session.probes.shift(&self.session.kitchen, number, point);
-                }
+            let dragged = response.interact_pointer_pos().filter(|_| response.dragged());
+            if let Some(point) = dragged.and_then(|to| self.seen_point(to - NUMBER_AT, pane.rect)) {
+                self.session.probes.shift(&self.session.kitchen, number, point);
             }
             if response.clicked() || response.drag_started() {
                 self.session.probes.selected = Some(number);

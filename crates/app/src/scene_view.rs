@@ -53,7 +53,10 @@ impl SauteApp {
             self.take_mouse(ui, &response, rect);
         }
         self.draw_scene(ui, layout, &panes);
-        let hover = response.hover_pos().filter(|_| self.scene.hold == Hold::Nothing);
+        if self.scene.placing {
+            ui.ctx().set_cursor_icon(egui::CursorIcon::Crosshair);
+        }
+        let hover = response.hover_pos().filter(|_| self.scene.hovered.is_some());
         self.scene.pointed = hover.and_then(|at| self.seen_point(at, rect));
         if let (true, Some(at)) = (placed, response.interact_pointer_pos()) {
             match self.seen_point(at, rect) {

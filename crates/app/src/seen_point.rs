@@ -5,6 +5,8 @@ use std::sync::Arc;
 use egui::{Pos2, Rect};
 use glam::Vec3;
 use saute_kitchen::food::FoodModel;
+use saute_kitchen::heat::Cut;
+use saute_kitchen::heat::voronoi::CellSlice;
 use saute_kitchen::{Kitchen, Piece};
 
 use crate::app::SauteApp;
@@ -80,13 +82,13 @@ impl crate::stage::Stage {
             Some((met, on_cut, piece))
         });
         let (met, on_cut, piece) = met.min_by(|a, b| a.0.away.total_cmp(&b.0.away))?;
+        let vertices = match cut {
+            Some(place) if on_cut => Vertices::of_cut(piece, place)?,
+            _ => Vertices::Skin(self.skin(&piece.id)?),
+        };
         let mut shares = NodeShares::default();
         for (corner, weight) in met.corners.into_iter().zip(met.weights) {
-            let of = match (on_cut, cut) {
-                (true, Some(place)) => cut_shares(piece, place, corner as usize)?,
-                _ => self.skin(&piece.id)?.shares(&piece.model, corner as usize),
-            };
-            shares.add(&of, f64::from(weight));
+            shares.add(&vertices.shares(&piece.model, corner as usize)?, f64::from(weight));
         }
         Some(SeenPoint { piece: piece.id.clone(), shares, model: Arc::clone(&piece.model) })
     }
@@ -140,16 +142,34 @@ impl Skin {
     }
 }
 
-/// The nodes that a vertex of the drawn cut reads; the cut lies at `place` (−1…1) along the piece.
-fn cut_shares(piece: &Piece, place: f64, vertex: usize) -> Option<NodeShares> {
-    let (model, x) = (&piece.model, place * crate::stage::half_length(piece));
-    if let Some(cells) = model.cells() {
-        let cut = cells.slice(longest_axis(model), x).ok()?;
-        return Some(NodeShares(cut.weights.get(vertex)?.to_vec()));
+/// Where the drawn vertices of a piece or of its cut come from.
+enum Vertices<'a> {
+    Skin(&'a Skin),
+    Cut(Cut),
+    CellCut(CellSlice),
+}
+
+impl Vertices<'_> {
+    /// Those of the cut at `place` (−1…1) along a piece.
+    fn of_cut(piece: &Piece, place: f64) -> Option<Self> {
+        let (model, x) = (&piece.model, place * crate::stage::half_length(piece));
+        match model.cells() {
+            Some(cells) => cells.slice(longest_axis(model), x).ok().map(Self::CellCut),
+            None => Some(Self::Cut(model.cut_across(x))),
+        }
     }
-    let cut = model.cut_across(x);
-    let level = vertex / cut.points.len().max(1);
-    let point = cut.points.get(vertex % cut.points.len().max(1))?;
-    let node = |k: usize| model.mesh.node(level, point.nodes[k] as usize) as u32;
-    Some(NodeShares(vec![(node(0), 1.0 - point.share), (node(1), point.share)]))
+
+    /// The nodes that a vertex reads.
+    fn shares(&self, model: &FoodModel, vertex: usize) -> Option<NodeShares> {
+        Some(match self {
+            Self::Skin(skin) => skin.shares(model, vertex),
+            Self::CellCut(cut) => NodeShares(cut.weights.get(vertex)?.clone()),
+            Self::Cut(cut) => {
+                let point = cut.points.get(vertex % cut.points.len().max(1))?;
+                let level = vertex / cut.points.len();
+                let node = |k: usize| model.mesh.node(level, point.nodes[k] as usize) as u32;
+                NodeShares(vec![(node(0), 1.0 - point.share), (node(1), point.share)])
+            }
+        })
+    }
 }

@@ -238,7 +238,7 @@ fn the_curves_tell_values_and_events_under_the_pointer() {
     }
     steps(&mut harness, 14);
     save(&mut harness, "curves");
-    harness.get_by_label_contains("3:2");
+    harness.get_by_label_contains("3:1");
     harness.get_by_label("flip");
     let pan = harness.get_by_label_contains("pan 2");
     assert!(pan.accesskit_node().value().unwrap_or_default().contains("°C"));
