@@ -52,6 +52,10 @@ pub enum Act {
     Restart,
     /// What the colours mean.
     View(View),
+    /// The look beside the view, or the view alone.
+    Split,
+    /// A probe where the pointer is.
+    Probe,
     /// The other colour map.
     Map,
     /// The next scale of doneness.
@@ -78,7 +82,7 @@ pub enum Act {
     Picture,
     /// This list.
     Help,
-    /// Closes this list.
+    /// Closes this list; no probe is put in.
     Close,
 }
 
@@ -104,22 +108,22 @@ pub const TOOL_STEP: f64 = 0.01;
 pub const ROLL_STEP: f64 = std::f64::consts::PI / 6.0;
 
 /// All keys, in the order in which the help lists them.
-pub const BINDINGS: [Binding; 49] = [
-    bind(Key::P, "P", Act::Put, "food into the pan"),
+pub const BINDINGS: [Binding; 55] = [
+    bind(Key::A, "A", Act::Put, "food into the pan"),
     bind(Key::F, "F", Act::Flip, "flip: selected or middle one"),
     bind(Key::O, "O", Act::Out, "food onto the board"),
     bind(Key::T, "T", Act::Toss, "toss what is in the pan"),
-    bind(Key::Num4, "4", Act::Pour(Pourable::Oil), "oil into the pan"),
-    bind(Key::Num5, "5", Act::Pour(Pourable::Butter), "butter into the pan"),
-    bind(Key::Num6, "6", Act::Pour(Pourable::Water), "water into the pan"),
-    bind(Key::Num7, "7", Act::Portion, "portion: little, some, much"),
-    bind(Key::Num0, "0", Act::Lid, "lid on, off"),
+    bind(Key::Num8, "8", Act::Pour(Pourable::Oil), "oil into the pan"),
+    bind(Key::Num9, "9", Act::Pour(Pourable::Butter), "butter into the pan"),
+    bind(Key::Num0, "0", Act::Pour(Pourable::Water), "water into the pan"),
+    bind(Key::Minus, "-", Act::Portion, "portion: little, some, much"),
+    bind(Key::Z, "Z", Act::Lid, "lid on, off"),
     bind(Key::U, "U", Act::Tool, "tool: tongs, turner"),
     bind(Key::Home, "Home", Act::ToolBy(TOOL_STEP), "raise the turner 1 cm"),
     bind(Key::End, "End", Act::ToolBy(-TOOL_STEP), "lower the turner 1 cm"),
     bind(Key::Insert, "Ins", Act::RollBy(-ROLL_STEP), "roll the turner left"),
     bind(Key::Delete, "Del", Act::RollBy(ROLL_STEP), "roll the turner right"),
-    bind(Key::Y, "Y", Act::LevelTool, "level the turner"),
+    bind(Key::Slash, "/", Act::LevelTool, "level the turner"),
     bind(Key::Backspace, "⌫", Act::PutAway, "lay the tool down"),
     bind(Key::I, "I", Act::NextPiece, "select the next piece"),
     bind(Key::B, "B", Act::Pieces, "list of the pieces"),
@@ -134,7 +138,13 @@ pub const BINDINGS: [Binding; 49] = [
     bind(Key::N, "N", Act::Pantry, "choose food and pan"),
     bind(Key::Num1, "1", Act::View(View::Look), "natural look"),
     bind(Key::Num2, "2", Act::View(View::Temperature), "temperature"),
-    bind(Key::Num3, "3", Act::View(View::Doneness), "doneness"),
+    bind(Key::Num3, "3", Act::View(View::Moisture), "moisture"),
+    bind(Key::Num4, "4", Act::View(View::Doneness), "doneness"),
+    bind(Key::Num5, "5", Act::View(View::Browning), "browning"),
+    bind(Key::Num6, "6", Act::View(View::Lethality), "pathogens killed"),
+    bind(Key::Num7, "7", Act::View(View::Marbling), "fat"),
+    bind(Key::Y, "Y", Act::Split, "look beside the view"),
+    bind(Key::P, "P", Act::Probe, "probe where the pointer is"),
     bind(Key::M, "M", Act::Map, "other temperature colours"),
     bind(Key::D, "D", Act::Scale, "other scale of doneness"),
     bind(Key::X, "X", Act::Slice, "cut on, off"),

@@ -208,6 +208,8 @@ impl SauteApp {
             Act::Pieces => self.open_left(false, !self.settings.pieces_open),
             Act::Restart => self.restart(),
             Act::View(view) => self.settings.view = view,
+            Act::Split => self.toggle_split(),
+            Act::Probe => self.place_probe(),
             Act::Map => self.next_map(),
             Act::Scale => self.next_scale(),
             Act::Slice => self.toggle_slice(),
@@ -221,7 +223,7 @@ impl SauteApp {
             Act::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
             Act::Picture => crate::save_picture::save_picture(ctx, &self.notice),
             Act::Help => self.help = !self.help,
-            Act::Close => self.help = false,
+            Act::Close => (self.help, self.scene.placing) = (false, false),
         }
     }
 
@@ -418,6 +420,7 @@ impl SauteApp {
     fn show(&mut self, ui: &mut Ui) {
         let whole = ui.max_rect();
         let layout = Layout::new(whole, &self.settings);
+        self.session.probes.forget_gone(&self.session.kitchen);
         self.show_scene(ui, &layout);
         if !self.settings.panels_hidden {
             panels::show(self, ui, &layout);

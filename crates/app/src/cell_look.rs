@@ -54,7 +54,7 @@ impl CellLook<'_> {
         Some(SliceLook { point: normal * x as f32, normal, vertices, triangles: cut.triangles })
     }
 
-    /// What colours a point, and its temperature [°C].
+    /// What colours a point, and the value of the view's field there.
     pub(crate) fn appearance(&self, reads: Reads) -> (Appearance, f64) {
         let state = self.state;
         let appearance = Appearance {
@@ -63,13 +63,13 @@ impl CellLook<'_> {
             charring: reads(&|i| state.charring[i]),
             tissue: reads(&|i| self.model.tissue[i]),
         };
-        (appearance, reads(&|i| self.view.celsius(state, i)))
+        (appearance, reads(&|i| self.view.value(self.model, state, i)))
     }
 
     fn vertex(&self, reads: Reads, rest: [f64; 3], normal: [f64; 3], moist: f64) -> FoodVertex {
-        let (appearance, celsius) = self.appearance(reads);
+        let (appearance, value) = self.appearance(reads);
         let moisture = moist * reads(&|i| self.state.water[i] / self.model.initial_water[i]);
-        let field = self.map.map_or(0.0, |m| m.coordinate(celsius));
+        let field = self.map.map_or(0.0, |m| m.coordinate(value));
         let single = |v: [f64; 3]| v.map(|x| x as f32);
         let place =
             Place { rest: single(rest), now: single(rest.map(|v| v * self.state.stretch.lateral)), body: [0.0; 2] };

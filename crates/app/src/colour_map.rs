@@ -1,20 +1,25 @@
-//! Colour maps for temperatures and classes.
+//! Colour maps: what colour a value has.
 
 use std::sync::Arc;
 
-use saute_kitchen::food::{Lab, Scale, ZERO_C};
+use saute_kitchen::food::{Scale, ZERO_C};
 
-/// A table of 256 sRGB colours over a range of temperatures.
+use crate::colour_path::ColourPath;
+use crate::hatch::{self, Pattern};
+
+/// A table of 256 sRGB colours over a range of values, in the unit of the field that they show.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColourMap {
-    /// Colours from the coldest to the hottest.
+    /// Colours from the lowest to the highest value.
     pub table: Arc<[[u8; 3]; 256]>,
-    /// Coldest temperature [°C].
-    pub from_c: f64,
-    /// Hottest temperature [°C].
-    pub to_c: f64,
+    /// Lowest value.
+    pub from: f64,
+    /// Highest value.
+    pub to: f64,
     /// Whether colours are classes, not to be mixed.
     pub stepped: bool,
+    /// Patterns of the table's entries, by their numbers.
+    patterns: [u8; 256],
 }
 
 /// Which map shows temperatures.
@@ -26,18 +31,6 @@ pub enum TemperatureMap {
     /// The seven colours of the 2013 system, −50 to 250 °C.
     Paper2013,
 }
-
-/// Way-points of the uniform map in L*a*b*: lightness rises evenly from ink blue over teal and ochre to pale pink, and
-/// blue–yellow carries the hue, which the common colour-vision deficiencies keep (chosen).
-const UNIFORM_PATH: [[f64; 3]; 7] = [
-    [12.0, 12.0, -30.0],
-    [26.0, 2.0, -34.0],
-    [40.0, -14.0, -20.0],
-    [54.0, -16.0, 14.0],
-    [67.0, 4.0, 52.0],
-    [79.0, 24.0, 46.0],
-    [93.0, 10.0, 12.0],
-];
 
 /// Anchors of the 2013 map: temperature [°C] and sRGB, as that laboratory's public code states them.
 const PAPER_ANCHORS: [(f64, [u8; 3]); 7] = [
@@ -51,11 +44,11 @@ const PAPER_ANCHORS: [(f64, [u8; 3]); 7] = [
 ];
 
 impl TemperatureMap {
-    /// The map's table and range.
+    /// The map's table and range [°C].
     pub fn map(self) -> ColourMap {
         match self {
-            Self::Uniform => ColourMap { table: Arc::new(uniform_table()), from_c: 0.0, to_c: 240.0, stepped: false },
-            Self::Paper2013 => ColourMap { table: Arc::new(paper_table()), from_c: -50.0, to_c: 250.0, stepped: false },
+            Self::Uniform => ColourMap::along(ColourPath::Heat, 0.0, 240.0),
+            Self::Paper2013 => ColourMap::new(Arc::new(paper_table()), -50.0, 250.0, false),
         }
     }
 }
@@ -102,88 +95,78 @@ impl Tone {
             Self::WellDone => [142, 108, 86],
         }
     }
+
+    /// The pattern that goes with it.
+    pub fn pattern(self) -> Pattern {
+        match self {
+            Self::Raw => Pattern::Plain,
+            Self::Rare => Pattern::Dots,
+            Self::MediumRare => Pattern::Levels,
+            Self::Medium => Pattern::Diagonal,
+            Self::WellDone => Pattern::Cross,
+        }
+    }
 }
 
 /// The map of a scale's classes over peak temperatures, in steps of half a kelvin.
 pub fn doneness_map(scale: &Scale) -> ColourMap {
-    let (from_c, to_c) = (0.0, 127.5);
-    let class = |i: usize| scale.class_of(ZERO_C + from_c + (to_c - from_c) * (i as f64 + 0.01) / 255.0);
+    let (from, to) = (0.0, 127.5);
+    let class = |i: usize| scale.class_of(ZERO_C + from + (to - from) * (i as f64 + 0.01) / 255.0);
     let table = std::array::from_fn(|i| Tone::of(scale, class(i)).colour());
-    ColourMap { table: Arc::new(table), from_c, to_c, stepped: true }
+    ColourMap::new(Arc::new(table), from, to, true)
 }
 
 impl ColourMap {
-    /// Coordinate of a temperature [°C] in the table (0–1).
-    pub fn coordinate(&self, celsius: f64) -> f32 {
-        ((celsius - self.from_c) / (self.to_c - self.from_c)).clamp(0.0, 1.0) as f32
+    /// A continuous map along a path.
+    pub fn along(path: ColourPath, from: f64, to: f64) -> Self {
+        Self::new(path.table(), from, to, false)
     }
 
-    /// Colour of a temperature [°C].
-    pub fn colour(&self, celsius: f64) -> [u8; 3] {
-        let position = self.coordinate(celsius) * 255.0;
-        let low = (position as usize).min(254);
-        let share = position - low as f32;
+    fn new(table: Arc<[[u8; 3]; 256]>, from: f64, to: f64, stepped: bool) -> Self {
+        Self { patterns: hatch::patterns(&table, stepped), table, from, to, stepped }
+    }
+
+    /// Coordinate of a value in the table (0–1).
+    pub fn coordinate(&self, value: f64) -> f32 {
+        ((value - self.from) / (self.to - self.from)).clamp(0.0, 1.0) as f32
+    }
+
+    /// Colour of a value.
+    pub fn colour(&self, value: f64) -> [u8; 3] {
+        let position = f64::from(self.coordinate(value)) * 255.0;
         if self.stepped {
             return self.table[(position as usize).min(255)];
         }
-        let mix = |k: usize| {
-            f32::from(self.table[low][k]) + share * (f32::from(self.table[low + 1][k]) - f32::from(self.table[low][k]))
-        };
-        [0, 1, 2].map(|k| mix(k).round() as u8)
+        self.between(position).map(|v| v.round() as u8)
     }
 
-    /// Temperature whose colour is nearest to the given one [°C], and the distance in 8-bit units.
+    /// Colour of a value at a place of a picture [pixels], with the pattern of its class.
+    pub fn hatched(&self, value: f64, x: f64, y: f64) -> [u8; 3] {
+        let entry = (f64::from(self.coordinate(value)) * 255.0) as usize;
+        Pattern::of_number(self.patterns[entry.min(255)]).over(self.colour(value), x, y)
+    }
+
+    /// Value whose colour is nearest to the given one, and the distance in 8-bit units.
     pub fn decode(&self, colour: [u8; 3]) -> (f64, f64) {
         let steps = 255 * 8;
         let mut best = (0.0, f64::INFINITY);
         for i in 0..=steps {
-            let celsius = self.from_c + (self.to_c - self.from_c) * f64::from(i) / f64::from(steps);
-            let near = self.exact(celsius);
+            let value = self.from + (self.to - self.from) * f64::from(i) / f64::from(steps);
+            let near = self.between(f64::from(self.coordinate(value)) * 255.0);
             let distance = (0..3).map(|k| (near[k] - f64::from(colour[k])).powi(2)).sum::<f64>().sqrt();
             if distance < best.1 {
-                best = (celsius, distance);
+                best = (value, distance);
             }
         }
         best
     }
 
-    fn exact(&self, celsius: f64) -> [f64; 3] {
-        let position = f64::from(self.coordinate(celsius)) * 255.0;
+    /// The colour between two entries of the table.
+    fn between(&self, position: f64) -> [f64; 3] {
         let low = (position as usize).min(254);
         let share = position - low as f64;
         [0, 1, 2].map(|k| f64::from(self.table[low][k]) * (1.0 - share) + f64::from(self.table[low + 1][k]) * share)
     }
-}
-
-/// Walks the path in steps of equal ΔE*ab.
-fn uniform_table() -> [[u8; 3]; 256] {
-    let smooth: Vec<Lab> = (0..=600).map(|i| along_spline(f64::from(i) / 600.0)).collect();
-    let mut walked = vec![0.0];
-    for pair in smooth.windows(2) {
-        walked.push(walked[walked.len() - 1] + pair[0].difference(pair[1]));
-    }
-    let whole = walked[walked.len() - 1];
-    std::array::from_fn(|i| {
-        let wanted = whole * i as f64 / 255.0;
-        let upper = walked.partition_point(|&w| w < wanted).clamp(1, walked.len() - 1);
-        let share = (wanted - walked[upper - 1]) / (walked[upper] - walked[upper - 1]);
-        smooth[upper - 1].lerp(smooth[upper], share).srgb8()
-    })
-}
-
-/// Catmull–Rom curve through the way-points.
-fn along_spline(t: f64) -> Lab {
-    let position = t * (UNIFORM_PATH.len() - 1) as f64;
-    let cell = (position as usize).min(UNIFORM_PATH.len() - 2);
-    let u = position - cell as f64;
-    let at = |i: isize| UNIFORM_PATH[(cell as isize + i).clamp(0, UNIFORM_PATH.len() as isize - 1) as usize];
-    let [a, b, c, d] = [at(-1), at(0), at(1), at(2)];
-    Lab([0, 1, 2].map(|k| {
-        b[k] + 0.5
-            * u
-            * (c[k] - a[k]
-                + u * (2.0 * a[k] - 5.0 * b[k] + 4.0 * c[k] - d[k] + u * (3.0 * (b[k] - c[k]) + d[k] - a[k])))
-    }))
 }
 
 fn paper_table() -> [[u8; 3]; 256] {
@@ -207,14 +190,6 @@ mod tests {
         };
         let y = 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
         116.0 * y.cbrt() - 16.0
-    }
-
-    #[test]
-    fn the_uniform_map_gets_lighter_with_every_step() {
-        let map = TemperatureMap::Uniform.map();
-        let l: Vec<f64> = map.table.iter().map(|&c| lightness(c)).collect();
-        assert!(l.windows(8).all(|w| w[7] > w[0]), "{l:?}");
-        assert!(l[255] - l[0] > 70.0);
     }
 
     #[test]

@@ -149,6 +149,11 @@ impl Skin {
         self.normals.push(normal.to_array());
     }
 
+    /// The node that feeds a vertex, where one alone does.
+    pub(crate) fn node(&self, vertex: usize) -> u32 {
+        self.nodes[vertex]
+    }
+
     /// State of every vertex.
     pub fn vertices(
         &self,
@@ -163,7 +168,7 @@ impl Skin {
         let shape = PresentShape::new(model, state);
         let vertex = |k: usize| {
             let node = self.nodes[k] as usize;
-            let field = map.map_or(0.0, |m| m.coordinate(view.celsius(state, node)));
+            let field = map.map_or(0.0, |m| m.coordinate(view.value(model, state, node)));
             vertex(
                 model,
                 model.appearance(state, node),
@@ -213,7 +218,7 @@ pub fn slice(piece: &Piece, x: f64, view: View, map: Option<&ColourMap>) -> Opti
                 charring: mix(&|i| state.charring[i]),
                 tissue: mix(&|i| model.tissue[i]),
             };
-            let field = map.map_or(0.0, |m| m.coordinate(mix(&|i| view.celsius(state, i))));
+            let field = map.map_or(0.0, |m| m.coordinate(mix(&|i| view.value(model, state, i))));
             let moisture = mix(&|i| state.water[i] / model.initial_water[i]);
             let rest: [f32; 3] = std::array::from_fn(|axis| mix(&|i| model.rest_position(i)[axis]) as f32);
             let mut position = Vec3::from_array(rest);

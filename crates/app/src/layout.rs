@@ -12,6 +12,30 @@ const RIGHT_WIDTH: f32 = 318.0;
 const LEFT_WIDTH: f32 = 276.0;
 const BOTTOM_HEIGHT: f32 = 172.0;
 const TOP_HEIGHT: f32 = 62.0;
+/// Two rows of chips.
+const NARROW_TOP_HEIGHT: f32 = 106.0;
+
+/// A part of the window in which the scene is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pane {
+    /// What the scene covers.
+    pub rect: Rect,
+    /// The part of it that no panel covers.
+    pub free: Rect,
+    /// Whether it shows the look, whatever the view is.
+    pub look: bool,
+}
+
+impl Pane {
+    /// The lens shift that centres the pan in the free part [normalised device coordinates].
+    pub fn lens_shift(&self) -> [f32; 2] {
+        let centre: Pos2 = self.free.center();
+        [
+            2.0 * (centre.x - self.rect.center().x) / self.rect.width(),
+            -2.0 * (centre.y - self.rect.center().y) / self.rect.height(),
+        ]
+    }
+}
 
 /// Rectangles of the window's parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,26 +85,51 @@ impl Layout {
     }
 
     fn narrow(whole: Rect, inner: Rect) -> Self {
-        let split = whole.top() + (0.44 * whole.height()).max(200.0);
-        let top = Rect::from_min_max(inner.min, pos2(inner.right(), inner.top() + TOP_HEIGHT));
+        let split = whole.top() + (0.48 * whole.height()).max(240.0);
+        let top = Rect::from_min_max(inner.min, pos2(inner.right(), inner.top() + NARROW_TOP_HEIGHT));
         let bottom = Rect::from_min_max(pos2(inner.left(), split), inner.max);
         let free = Rect::from_min_max(pos2(whole.left(), top.bottom()), pos2(whole.right(), split));
         Self { whole, top, left: None, right: bottom, bottom, free, narrow: true }
     }
 
-    /// The lens shift that centres the pan in the free part [normalised device coordinates].
-    pub fn lens_shift(&self) -> [f32; 2] {
-        let centre: Pos2 = self.free.center();
-        [
-            2.0 * (centre.x - self.whole.center().x) / self.whole.width(),
-            -2.0 * (centre.y - self.whole.center().y) / self.whole.height(),
-        ]
+    /// Where the scene is drawn: over the whole window, or, split, in two panes of one size that share what no panel
+    /// covers, the look at the left. Both see the same with the same eye.
+    pub fn panes(&self, split: bool) -> Vec<Pane> {
+        if !split {
+            return vec![Pane { rect: self.whole, free: self.free, look: false }];
+        }
+        let width = 0.5 * self.free.width();
+        let half = |k: f32, look: bool| {
+            let left = self.free.left() + k * width;
+            let of = |rect: Rect| Rect::from_min_max(pos2(left, rect.top()), pos2(left + width, rect.bottom()));
+            Pane { rect: of(self.whole), free: of(self.free), look }
+        };
+        vec![half(0.0, true), half(1.0, false)]
+    }
+
+    /// The pane that shows the view.
+    pub fn field_pane(&self, split: bool) -> Pane {
+        let panes = self.panes(split);
+        panes[panes.len() - 1]
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn split_panes_are_of_one_size_side_by_side_and_seen_with_one_eye() {
+        for size in [vec2(1280.0, 720.0), vec2(390.0, 844.0)] {
+            let l = Layout::new(Rect::from_min_size(Pos2::ZERO, size), &Settings::default());
+            let [look, field] = l.panes(true)[..] else { panic!("two panes") };
+            assert!(look.look && !field.look && (look.rect.right() - field.rect.left()).abs() < 0.01);
+            assert!((look.rect.size() - field.rect.size()).length() < 0.01);
+            let (a, b) = (look.lens_shift(), field.lens_shift());
+            assert!((a[0] - b[0]).abs() < 1e-4 && (a[1] - b[1]).abs() < 1e-4, "{a:?} {b:?}");
+            assert!(l.panes(false).len() == 1 && l.panes(false)[0].rect == l.whole);
+        }
+    }
 
     #[test]
     fn panels_do_not_overlap_at_any_size() {

@@ -6,12 +6,14 @@ pub mod app;
 pub mod bench_frame;
 mod cell_look;
 pub mod colour_map;
+pub mod colour_path;
 mod flesh_grain;
 pub mod food_look;
 pub mod gamepad;
 #[cfg(not(target_arch = "wasm32"))]
 mod gamepad_device;
 mod grab;
+pub mod hatch;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod headless;
 pub mod layout;
@@ -27,16 +29,20 @@ mod picking;
 mod piece_words;
 pub mod png_file;
 pub mod pouring;
+pub mod probe;
+mod probe_hand;
 mod put_in;
 mod save_picture;
 mod scale_choice;
 pub mod scene;
 pub mod scene_view;
 pub mod section_picture;
+pub mod seen_point;
 pub mod session;
 pub mod settings;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod shot;
+mod split;
 pub mod stage;
 pub mod theme;
 mod tool_hand;

@@ -9,8 +9,11 @@ use saute_kitchen::Piece;
 
 use crate::app::SauteApp;
 use crate::grab::Hold;
-use crate::layout::Layout;
+use crate::layout::{Layout, Pane};
 use crate::scene::callback::SceneCallback;
+use crate::scene::input::SceneInput;
+use crate::seen_point::SeenPoint;
+use crate::split;
 use crate::stage::{Pose, StageOptions, half_length};
 use crate::theme;
 
@@ -24,21 +27,57 @@ pub struct SceneView {
     pub(crate) hold: Hold,
     /// The piece under the pointer.
     pub(crate) hovered: Option<String>,
+    /// What the pointer is on.
+    pub(crate) pointed: Option<SeenPoint>,
+    /// Whether the next click puts a probe in.
+    pub(crate) placing: bool,
+    /// The scene as it was drawn last.
+    pub(crate) shown: Option<Arc<SceneInput>>,
 }
 
 /// Height of the cut's knob above the steak [m] (chosen: clear of the crust, near enough to belong to it).
 const KNOB_HEIGHT: f32 = 0.028;
 
 impl SauteApp {
-    /// Draws the scene over the whole window and takes the mouse there.
+    /// Draws the scene over the whole window, or split in two, and takes the mouse there.
     pub(crate) fn show_scene(&mut self, ui: &mut Ui, layout: &Layout) {
-        let rect = layout.whole;
-        self.camera.shift = layout.lens_shift();
-        let response = ui.interact(rect, ui.scope_id().with("scene"), Sense::click_and_drag());
+        let panes = layout.panes(self.settings.is_split());
+        self.camera.shift = panes[0].lens_shift();
+        let response = ui.interact(layout.whole, ui.scope_id().with("scene"), Sense::click_and_drag());
         response.widget_info(|| {
             egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, "Pan and food; drag to look around")
         });
-        self.take_mouse(ui, &response, rect);
+        let rect = self.used_pane(ui, &panes).rect;
+        let placed = self.scene.placing && response.clicked();
+        if !placed {
+            self.take_mouse(ui, &response, rect);
+        }
+        self.draw_scene(ui, layout, &panes);
+        if self.scene.placing {
+            ui.ctx().set_cursor_icon(egui::CursorIcon::Crosshair);
+        }
+        let hover = response.hover_pos().filter(|_| self.scene.hovered.is_some());
+        self.scene.pointed = hover.and_then(|at| self.seen_point(at, rect));
+        if let (true, Some(at)) = (placed, response.interact_pointer_pos()) {
+            match self.seen_point(at, rect) {
+                Some(point) => self.place_probe_at(point),
+                None => self.scene.placing = false,
+            }
+        }
+        for pane in &panes {
+            self.show_slice_handle(ui, pane);
+            self.show_probes(ui, pane);
+        }
+    }
+
+    /// The pane that the pointer is in, or was when it was pressed.
+    fn used_pane(&self, ui: &Ui, panes: &[Pane]) -> Pane {
+        let at = ui.input(|i| i.pointer.press_origin().or(i.pointer.latest_pos()));
+        let used = panes.iter().find(|pane| at.is_some_and(|at| pane.rect.contains(at)));
+        *used.unwrap_or(&panes[panes.len() - 1])
+    }
+
+    fn draw_scene(&mut self, ui: &Ui, layout: &Layout, panes: &[Pane]) {
         let options = StageOptions {
             camera: self.camera.clone(),
             view: self.settings.view,
@@ -49,14 +88,23 @@ impl SauteApp {
             flat: false,
         };
         let input = self.stage.scene(&self.session.kitchen, &options, &self.places());
-        self.scene.drawn_size = self.scene_pixels(rect, ui.ctx().pixels_per_point());
-        if self.drawable() {
-            let callback = SceneCallback { input: Arc::new(input), size: self.scene.drawn_size };
-            ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, callback));
-        } else {
-            ui.painter().rect_filled(rect, 0.0, Color32::from_gray(40));
+        let scenes = split::scenes(input, panes.len() > 1);
+        self.scene.shown = scenes.last().cloned();
+        self.scene.drawn_size = self.scene_pixels(layout.whole, ui.ctx().pixels_per_point());
+        let fineness = self.scene.drawn_size[0] as f32 / layout.whole.width();
+        ui.painter().rect_filled(layout.whole, 0.0, Color32::from_gray(if self.drawable() { 18 } else { 40 }));
+        if !self.drawable() {
+            return;
         }
-        self.show_slice_handle(ui, rect);
+        for (place, (pane, input)) in panes.iter().zip(scenes).enumerate() {
+            let size = [pane.rect.width(), pane.rect.height()].map(|v| (v * fineness).round().max(1.0) as u32);
+            let callback = SceneCallback { input, size, pane: place };
+            ui.painter().add(egui_wgpu::Callback::new_paint_callback(pane.rect, callback));
+        }
+        if let [_, field] = panes {
+            let line = [field.free.left_top(), field.free.left_bottom()];
+            ui.painter().line_segment(line, Stroke::new(2.0, theme::SOLID));
+        }
     }
 
     pub(crate) fn steak_pose(&self) -> Option<(Pose, &Piece)> {
@@ -95,11 +143,12 @@ impl SauteApp {
     }
 
     /// The cut's handle: a knob above the cut that is dragged along the steak.
-    fn show_slice_handle(&mut self, ui: &mut Ui, rect: Rect) {
+    fn show_slice_handle(&mut self, ui: &mut Ui, pane: &Pane) {
+        let rect = pane.rect;
         let (Some(slice), Some([foot, knob])) = (self.slice, self.cut_handle_on_screen(rect)) else { return };
         let response = ui.interact(
             Rect::from_center_size(knob, vec2(44.0, 44.0)),
-            ui.scope_id().with("cut"),
+            ui.scope_id().with(("cut", pane.look)),
             Sense::click_and_drag(),
         );
         response.widget_info(|| egui::WidgetInfo::slider(true, slice, "Place of the cut"));

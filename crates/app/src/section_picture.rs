@@ -26,7 +26,7 @@ pub struct Picture {
 /// What is sampled at each crossing of the cut and each level.
 #[derive(Clone, Copy, Default)]
 struct Sample {
-    celsius: f64,
+    value: f64,
     appearance: Appearance,
 }
 
@@ -56,7 +56,8 @@ pub fn section_picture(piece: &Piece, x: f64, view: View, colours: Option<&Colou
         let up = 1.0 - (row as f64 + 0.5) / height as f64;
         for column in 0..width {
             let across = (column as f64 + 0.5) / width as f64;
-            let [r, g, b] = painter.pixel(first.along + across * (last.along - first.along), up * thickness);
+            let along = first.along + across * (last.along - first.along);
+            let [r, g, b] = painter.pixel(along, up * thickness, [column, row]);
             rgba.extend([r, g, b, 255]);
         }
     }
@@ -71,7 +72,7 @@ fn sample(model: &FoodModel, state: &FoodState, cut: &Cut, view: View) -> Vec<Sa
             let [a, b] = p.nodes.map(|i| level * n + i as usize);
             let mix = |f: &[f64]| f[a] * (1.0 - p.share) + f[b] * p.share;
             samples.push(Sample {
-                celsius: view.celsius(state, a) * (1.0 - p.share) + view.celsius(state, b) * p.share,
+                value: view.value(model, state, a) * (1.0 - p.share) + view.value(model, state, b) * p.share,
                 appearance: Appearance {
                     changed: changed_at(state, mix),
                     browning: mix(&state.browning),
@@ -84,11 +85,11 @@ fn sample(model: &FoodModel, state: &FoodState, cut: &Cut, view: View) -> Vec<Sa
     samples
 }
 
-/// A cut through a body of cells: its triangles are painted with the mean of their corners' colours, weighted.
+/// A cut through a body of cells: its triangles are painted with what their corners read, weighted.
 fn cell_picture(look: &CellLook, x: f64, flipped: bool, per_mm: f64) -> Picture {
     let axis = longest_axis(look.model);
     let Ok(cut) = look.cells.slice(axis, x) else { return Picture { width: 1, height: 1, rgba: vec![0; 4] } };
-    let colours: Vec<[f64; 3]> = (0..cut.points.len()).map(|i| cell_colour(look, &cut, i)).collect();
+    let points: Vec<(Lab, f64)> = (0..cut.points.len()).map(|i| cell_point(look, &cut, i)).collect();
     // Turning over about the long axis mirrors the cut and turns it upside down.
     let sign = if flipped { -1.0 } else { 1.0 };
     let pixels = 1e3 * per_mm * look.state.stretch.lateral;
@@ -100,27 +101,30 @@ fn cell_picture(look: &CellLook, x: f64, flipped: bool, per_mm: f64) -> Picture 
     let mut picture = Picture { width, height, rgba: vec![0; 4 * width * height] };
     for t in &cut.triangles {
         let corners = t.map(|i| [0, 1].map(|k| flat[i as usize][k] - low[k]));
-        picture.paint(corners, t.map(|i| colours[i as usize]));
+        let corner = t.map(|i| points[i as usize]);
+        picture.paint(corners, |weights, place| match look.map {
+            Some(map) => hatched(map, (0..3).map(|i| weights[i] * corner[i].1).sum(), place),
+            None => Lab([0, 1, 2].map(|k| (0..3).map(|i| weights[i] * corner[i].0.0[k]).sum())).srgb8(),
+        });
     }
     picture
 }
 
-/// Colour of a point of a cut [0…255].
-fn cell_colour(look: &CellLook, cut: &CellSlice, point: usize) -> [f64; 3] {
-    let (appearance, celsius) = look.appearance(&|f| cut.read(point, f));
-    let rgb = match look.map {
-        Some(map) => map.colour(celsius),
-        None => {
-            let (lean, fat) = look.model.colours(appearance);
-            lean.lerp(fat, look.model.marbling.at(cut.points[point])).srgb8()
-        }
-    };
-    rgb.map(f64::from)
+/// Colour of the flesh at a point of a cut, and the value of the view's field.
+fn cell_point(look: &CellLook, cut: &CellSlice, point: usize) -> (Lab, f64) {
+    let (appearance, value) = look.appearance(&|f| cut.read(point, f));
+    let (lean, fat) = look.model.colours(appearance);
+    (lean.lerp(fat, look.model.marbling.at(cut.points[point])), value)
+}
+
+/// A map's colour at a pixel, with the pattern of its class.
+fn hatched(map: &ColourMap, value: f64, [column, row]: [usize; 2]) -> [u8; 3] {
+    map.hatched(value, column as f64 + 0.5, row as f64 + 0.5)
 }
 
 impl Picture {
-    /// Paints a triangle whose corners have colours.
-    fn paint(&mut self, [a, b, c]: [[f64; 2]; 3], colours: [[f64; 3]; 3]) {
+    /// Paints a triangle: the colour of a pixel from the weights of the corners and its place.
+    fn paint(&mut self, [a, b, c]: [[f64; 2]; 3], colour: impl Fn([f64; 3], [usize; 2]) -> [u8; 3]) {
         let cross =
             |o: [f64; 2], p: [f64; 2], q: [f64; 2]| (p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0]);
         let whole = cross(a, b, c);
@@ -134,8 +138,7 @@ impl Picture {
                 let weights = [cross(p, b, c), cross(a, p, c), cross(a, b, p)].map(|w| w / whole);
                 if weights.iter().all(|w| *w >= -1e-9) {
                     let at = 4 * (row * self.width + column);
-                    let [r, g, b] =
-                        [0, 1, 2].map(|k| (0..3).map(|i| weights[i] * colours[i][k]).sum::<f64>().round() as u8);
+                    let [r, g, b] = colour(weights, [column, row]);
                     self.rgba[at..at + 4].copy_from_slice(&[r, g, b, 255]);
                 }
             }
@@ -169,21 +172,21 @@ impl Painter<'_> {
                 let (level, up) = self.model.mesh.bracket(z);
                 let along = across / (breadths[level] * (1.0 - up) + breadths[level + 1] * up);
                 let inside = (first..=last).contains(&along);
-                let [r, g, b] = if inside { self.pixel(along, z) } else { [0; 3] };
+                let [r, g, b] = if inside { self.pixel(along, z, [column, row]) } else { [0; 3] };
                 rgba.extend([r, g, b, if inside { 255 } else { 0 }]);
             }
         }
         Picture { width, height, rgba }
     }
 
-    fn pixel(&self, along: f64, up: f64) -> [u8; 3] {
+    fn pixel(&self, along: f64, up: f64, place: [usize; 2]) -> [u8; 3] {
         // Flipping turns a slice about its long axis, so the cut is mirrored as well.
         let flipped = self.flipped && self.model.is_slice();
         let z = if flipped { self.model.mesh.thickness() - up } else { up };
         let along = if flipped { self.mirrored(along) } else { along };
         let s = self.interpolate(along, z);
         match self.colours {
-            Some(map) => map.colour(s.celsius),
+            Some(map) => hatched(map, s.value, place),
             None => self.flesh(s.appearance, along, z).srgb8(),
         }
     }
@@ -210,7 +213,7 @@ impl Painter<'_> {
         for (s, w) in
             [corner(level, right - 1), corner(level, right), corner(level + 1, right - 1), corner(level + 1, right)]
         {
-            sum.celsius += w * s.celsius;
+            sum.value += w * s.value;
             sum.appearance.changed.iter_mut().zip(s.appearance.changed).for_each(|(c, x)| *c += w * x);
             sum.appearance.browning += w * s.appearance.browning;
             sum.appearance.charring += w * s.appearance.charring;

@@ -12,6 +12,8 @@ use saute_kitchen::{
 };
 use web_time::{Duration, Instant};
 
+use crate::probe::Probes;
+
 /// What the person chooses before putting the food in.
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
 #[serde(default)]
@@ -76,6 +78,8 @@ pub struct Session {
     pub runner: Option<Runner>,
     /// Series for the plot.
     pub recorder: Recorder,
+    /// Points in the food whose temperature is remembered.
+    pub probes: Probes,
     /// What happened.
     pub marks: Vec<Mark>,
     /// Simulated seconds a wall second.
@@ -106,6 +110,7 @@ impl Session {
             kitchen,
             runner: None,
             recorder: Recorder::default(),
+            probes: Probes::default(),
             marks: Vec::new(),
             speed: 1.0,
             paused: false,
@@ -125,6 +130,7 @@ impl Session {
     fn begin(&mut self) {
         self.recorder = Recorder::default();
         self.recorder.observe(&self.kitchen);
+        self.probes = Probes::default();
         self.marks.clear();
         self.added.clear();
         self.owed_s = 0.0;
@@ -326,6 +332,7 @@ impl Session {
         let ticked = self.kitchen.advance_frame();
         if ticked {
             self.recorder.observe(&self.kitchen);
+            self.probes.observe(&self.kitchen);
         }
         Ok(ticked)
     }

@@ -16,6 +16,8 @@ pub struct Settings {
     pub map: TemperatureMap,
     /// What the colours mean.
     pub view: View,
+    /// Whether the look stands beside the view.
+    pub split: bool,
     /// Id of the scale of doneness.
     pub scale: String,
     /// Simulated seconds a wall second.
@@ -40,6 +42,7 @@ impl Default for Settings {
             fahrenheit: false,
             map: TemperatureMap::default(),
             view: View::default(),
+            split: false,
             scale: DEFAULT_SCALE.to_owned(),
             speed: 1.0,
             choice: SteakChoice::default(),
@@ -53,9 +56,19 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Whether the look and a view of a field stand side by side.
+    pub fn is_split(&self) -> bool {
+        self.split && self.view != View::Look
+    }
+
     /// A temperature in the chosen unit, with its unit, never broken over two lines.
     pub fn temperature(&self, celsius: f64) -> String {
         format!("{:.0}\u{a0}{}", self.degrees(celsius), self.unit())
+    }
+
+    /// As [`Self::temperature`], to a tenth.
+    pub fn fine_temperature(&self, celsius: f64) -> String {
+        format!("{:.1}\u{a0}{}", self.degrees(celsius), self.unit())
     }
 
     /// A temperature in the chosen unit.

@@ -10,8 +10,10 @@ use crate::app::CUT_YAW;
 use crate::colour_map::TemperatureMap;
 use crate::headless::{Gpu, GpuError, still};
 use crate::scene::camera::Camera;
+use crate::scene::renderer::SceneRenderer;
 use crate::section_picture::Picture;
-use crate::stage::{StageOptions, fitting};
+use crate::split::scenes;
+use crate::stage::{Stage, StageOptions, fitting};
 use crate::view::View;
 use crate::waiting::FIRST_ON_BOARD;
 
@@ -67,6 +69,8 @@ pub fn cook_until(recipe: Recipe, library: &Library, at_s: f64) -> Result<Cook, 
 pub struct ShotOptions {
     /// What the colours mean.
     pub view: View,
+    /// Whether the look stands beside it, at the left.
+    pub split: bool,
     /// Whether the food is cut open.
     pub slice: bool,
     /// Unlit, exactly decodable colours.
@@ -105,6 +109,9 @@ impl ShotOptions {
 /// How much nearer a cut is looked at [-] (chosen: the pan fills the picture).
 const CUT_DISTANCE: f32 = 0.62;
 
+/// Width of the line between the halves of a split picture at least [pixels].
+const LINE: u32 = 2;
+
 /// Cooks up to a time and draws.
 pub fn shot(
     recipe: Recipe,
@@ -114,5 +121,24 @@ pub fn shot(
     size: [u32; 2],
 ) -> Result<Picture, ShotError> {
     let cook = cook_until(recipe, library, at_s)?;
-    Ok(still(&Gpu::open()?, &cook.kitchen, &options.stage(&cook.kitchen), size))
+    let (gpu, stage) = (Gpu::open()?, options.stage(&cook.kitchen));
+    Ok(if options.split { pair(&gpu, &cook.kitchen, &stage, size) } else { still(&gpu, &cook.kitchen, &stage, size) })
+}
+
+/// The look and the view of one instant side by side, each in half the width, with a dark line between.
+fn pair(gpu: &Gpu, kitchen: &Kitchen, options: &StageOptions, [width, height]: [u32; 2]) -> Picture {
+    let half = [(width - LINE) / 2, height];
+    let input = Stage::default().scene(kitchen, options, &Default::default());
+    let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
+    let scenes = scenes(input, true);
+    let halves = scenes.iter().map(|scene| renderer.render_to_image(&gpu.device, &gpu.queue, scene, half));
+    let [row, all] = [half[0], width].map(|pixels| 4 * pixels as usize);
+    let mut rgba = [24, 24, 24, 255].repeat((width * height) as usize);
+    for (side, picture) in halves.enumerate() {
+        let left = side * (all - row);
+        for (from, to) in picture.chunks(row).zip(rgba.chunks_mut(all)) {
+            to[left..left + row].copy_from_slice(from);
+        }
+    }
+    Picture { width: width as usize, height: height as usize, rgba }
 }

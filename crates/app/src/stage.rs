@@ -162,7 +162,12 @@ pub struct Stage {
     film: PanFilm,
     /// Where the next round of refreshing begins.
     round: usize,
+    /// The colours of the view, and what they were made for.
+    colours: Option<(Shades, ColourMap)>,
 }
+
+/// View, colour map of temperatures and id of the scale of doneness.
+type Shades = (View, TemperatureMap, Option<String>);
 
 /// A skin with the vertices it has now.
 #[derive(Clone, Debug)]
@@ -192,7 +197,7 @@ impl Stage {
     /// Describes one frame.
     pub fn scene(&mut self, kitchen: &Kitchen, options: &StageOptions, places: &Places) -> SceneInput {
         let pan = places.pan(kitchen);
-        let map = options.view.colour_map(options.map, options.scale.as_deref());
+        let map = self.colours(options);
         self.refresh(kitchen, options, map.as_ref());
         let poses = places.all(kitchen);
         let looks = kitchen.pieces().iter().zip(&poses);
@@ -212,6 +217,21 @@ impl Stage {
             colouring: map.map_or(Colouring::Look, |m| Colouring::Field { table: m.table, stepped: m.stepped }),
             flat: options.flat,
         }
+    }
+
+    /// The colours of the view: the same table as long as they are the same, so that it is not sent anew.
+    fn colours(&mut self, options: &StageOptions) -> Option<ColourMap> {
+        let wanted = (options.view, options.map, options.scale.as_ref().map(|s| s.id.clone()));
+        if self.colours.as_ref().is_none_or(|(made_for, _)| *made_for != wanted) {
+            let map = options.view.colour_map(options.map, options.scale.as_deref());
+            self.colours = map.map(|map| (wanted, map));
+        }
+        self.colours.as_ref().map(|(_, map)| map.clone())
+    }
+
+    /// What is drawn of a piece.
+    pub(crate) fn skin(&self, id: &str) -> Option<&Skin> {
+        self.skins.get(id).map(|worn| &worn.skin)
     }
 
     /// The drawn points of a piece in its body's frame [m], as far as it has been drawn.

@@ -19,6 +19,21 @@ pub const QUIET: Color32 = Color32::from_rgb(173, 166, 157);
 /// Curves: pan, core, surface.
 pub const CURVES: [Color32; 3] =
     [Color32::from_rgb(236, 138, 60), Color32::from_rgb(226, 86, 104), Color32::from_rgb(224, 200, 120)];
+/// Probes 1 to 6: lightness differs as well as hue (chosen: apart on the dark ground with and without red or green).
+const PROBES: [Color32; 6] = [
+    Color32::from_rgb(122, 192, 255),
+    Color32::from_rgb(250, 236, 150),
+    Color32::from_rgb(92, 158, 120),
+    Color32::from_rgb(214, 162, 240),
+    Color32::from_rgb(236, 236, 236),
+    Color32::from_rgb(196, 132, 92),
+];
+
+/// Colour of a probe, by its number from 1.
+pub fn probe(number: usize) -> Color32 {
+    PROBES[number.saturating_sub(1) % PROBES.len()]
+}
+
 /// Corner radius of a panel [points].
 pub const CORNER: u8 = 12;
 /// Height of a control that a finger can hit [points].

@@ -102,6 +102,65 @@ fn the_flat_temperature_view_decodes_to_the_cores_field_within_a_kelvin() {
     }
 }
 
+#[test]
+fn flat_views_of_every_field_decode_to_the_cores_values() {
+    let gpu = Gpu::open().expect("an adapter");
+    let cook = cook(300.0);
+    let piece = &cook.kitchen.pieces()[0];
+    let (model, state) = (&*piece.model, &piece.state);
+    let pose = poses(&cook.kitchen)[0];
+    let (thickness, cut) = (model.mesh.thickness(), 0.2 * half_length(piece));
+    for view in [View::Moisture, View::Browning, View::Lethality, View::Marbling] {
+        let options = options(view, Some(0.2), true);
+        let picture = still(&gpu, &cook.kitchen, &options, SIZE);
+        let map = view.colour_map(TemperatureMap::Uniform, None).expect("a field");
+        let field: Vec<f64> = (0..model.mesh.node_count()).map(|node| view.value(model, state, node)).collect();
+        for i in 0..30u64 {
+            let random = |k: u64| uniform(77, 10 * i + k);
+            let near = [cut, (random(0) - 0.5) * 0.06, 0.004 + random(1) * (thickness - 0.008)];
+            let (at, point) = seen(piece, &pose, &options.camera, &Plane::Cut(cut), near);
+            let truth = model.at(&field, point).expect("inside").min(map.to);
+            let (decoded, distance) = map.decode(pixel(&picture, at));
+            let off = (decoded - truth).abs() / (map.to - map.from);
+            assert!(distance < 4.0 && off < 0.02, "{view:?} {i}: {decoded} in the picture, {truth} in the core");
+        }
+    }
+}
+
+/// Classes are told by patterns as well as by colours, but a picture for measuring holds nothing but its classes' colours.
+#[test]
+fn lit_doneness_is_hatched_and_flat_doneness_is_not() {
+    let gpu = Gpu::open().expect("an adapter");
+    let cook = cook(300.0);
+    let library = Library::embedded().expect("embedded data");
+    let scale = library.scales[0].clone();
+    let picture = |flat: bool| {
+        let options = StageOptions { scale: Some(scale.clone()), ..options(View::Doneness, Some(0.2), flat) };
+        still(&gpu, &cook.kitchen, &options, SIZE)
+    };
+    let table = View::Doneness.colour_map(TemperatureMap::Uniform, Some(&scale)).expect("a field").table;
+    let (flat, lit) = (picture(true), picture(false));
+    let of_class = |p: &[u8]| table.iter().any(|c| (0..3).all(|k| p[k].abs_diff(c[k]) <= 1));
+    let count = flat.rgba.chunks(4).filter(|p| of_class(p)).count();
+    assert!(count > 5_000, "{count} pixels in the colours of the classes");
+    // In the light the upper face, all of one class, is inked in places and not in others.
+    let piece = &cook.kitchen.pieces()[0];
+    let upper = if piece.upside_down() { 0.0 } else { 0.999 * piece.model.mesh.thickness() };
+    let camera = options(View::Doneness, None, false).camera;
+    let (at, _) = seen(piece, &poses(&cook.kitchen)[0], &camera, &Plane::Upper, [-0.03, 0.0, upper]);
+    let level = |picture: &Picture, dx: usize, dy: usize| -> f64 {
+        pixel(picture, [at[0] + dx, at[1] + dy]).map(f64::from).iter().sum::<f64>()
+    };
+    let spread = |picture: &Picture| {
+        let levels: Vec<f64> = (0..144).map(|i| level(picture, i % 12, i / 12)).collect();
+        let (low, high) =
+            (levels.iter().copied().fold(f64::INFINITY, f64::min), levels.iter().copied().fold(0.0, f64::max));
+        low / high
+    };
+    assert!(spread(&flat) > 0.99, "{}", spread(&flat));
+    assert!(spread(&lit) < 0.75, "{}", spread(&lit));
+}
+
 const BURNT: &str = "[pan]\ninitial_c = 300\n[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\n\
     [[step]]\nhob_w = 2000\n[[step]]\nput = \"steak\"\n[[step]]\nafter_s = 900\nflip = \"steak\"\n\
     [[step]]\nafter_s = 20\nend = true\n";

@@ -154,6 +154,8 @@ pub enum Listed {
     Recipes,
     /// Scales of doneness, for `--doneness`.
     Scales,
+    /// Views, for `--view` and `--split`, with what their colours say.
+    Views,
     /// Actions of a recipe's steps, with the keys of their tables and the defaults.
     Actions,
 }

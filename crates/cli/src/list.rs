@@ -3,12 +3,16 @@
 use std::process::ExitCode;
 use std::sync::Arc;
 
+use clap::ValueEnum;
+use saute_app::View;
+use saute_app::settings::Settings;
 use saute_kitchen::food::{FoodDescription, Scale};
 use saute_kitchen::{Library, Recipe};
 use serde::Serialize;
 
 use crate::args::{ListArgs, Listed};
 use crate::error::CliError;
+use crate::picture::ViewName;
 use crate::shelf::Shelf;
 use crate::{action_list, stdout, wording};
 
@@ -57,6 +61,7 @@ pub fn run(args: &ListArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
         Listed::Pans => pans(&shelf.library),
         Listed::Recipes => recipes(shelf)?,
         Listed::Scales => scales(&shelf.library),
+        Listed::Views => views(),
         Listed::Actions => return action_list::run(args.json),
     };
     let text = if args.json { serde_json::to_string_pretty(&entries)? + "\n" } else { table(&entries) };
@@ -97,6 +102,12 @@ fn scales(library: &Library) -> Vec<Entry> {
         ..Entry::new(&scale.id, &scale.name)
     };
     library.scales.iter().map(entry).collect()
+}
+
+fn views() -> Vec<Entry> {
+    let (names, settings) = (ViewName::value_variants(), Settings::default());
+    let id = |name: &ViewName| name.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
+    names.iter().map(|name| Entry::new(&id(name), &View::from(*name).meaning(&settings))).collect()
 }
 
 fn table(entries: &[Entry]) -> String {

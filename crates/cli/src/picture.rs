@@ -28,8 +28,11 @@ pub struct ShotArgs {
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_hyphen_values = true)]
     pub at: f64,
     /// What the colours mean.
-    #[arg(long, value_enum, default_value_t = ViewName::Look)]
+    #[arg(long, value_enum, default_value_t = ViewName::Look, conflicts_with = "split")]
     pub view: ViewName,
+    /// Draws the look at the left and this view of the same instant at the right: see `saute list views`.
+    #[arg(long, value_name = "VIEW", value_parser = field)]
+    pub split: Option<View>,
     /// Cuts the food open.
     #[arg(long)]
     pub slice: bool,
@@ -78,8 +81,16 @@ pub enum ViewName {
     Look,
     /// Temperature now.
     Temperature,
+    /// Water left, of what the raw food held there.
+    Moisture,
     /// Doneness by the highest temperature so far.
     Doneness,
+    /// Browning index.
+    Browning,
+    /// How far pathogens were killed.
+    Lethality,
+    /// Fat in the flesh.
+    Marbling,
 }
 
 impl From<ViewName> for View {
@@ -87,7 +98,11 @@ impl From<ViewName> for View {
         match name {
             ViewName::Look => Self::Look,
             ViewName::Temperature => Self::Temperature,
+            ViewName::Moisture => Self::Moisture,
             ViewName::Doneness => Self::Doneness,
+            ViewName::Browning => Self::Browning,
+            ViewName::Lethality => Self::Lethality,
+            ViewName::Marbling => Self::Marbling,
         }
     }
 }
@@ -103,6 +118,16 @@ pub(crate) fn size(text: &str) -> Result<[u32; 2], String> {
     }
 }
 
+/// A view of a field, which can stand beside the look.
+fn field(text: &str) -> Result<View, String> {
+    let names = ViewName::value_variants().iter().filter_map(ValueEnum::to_possible_value).skip(1);
+    let fields: Vec<String> = names.map(|name| name.get_name().to_owned()).collect();
+    match ViewName::from_str(text, false) {
+        Ok(name) if View::from(name) != View::Look => Ok(name.into()),
+        _ => Err(format!("write the view that stands beside the look: {}", fields.join(", "))),
+    }
+}
+
 fn seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(s) if s.is_finite() && s >= 0.0 => Ok(s),
@@ -115,7 +140,13 @@ pub fn shot(args: &ShotArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
     let recipe = recipe_source::load(&args.recipe, shelf)?;
     let out = OutFile::prepare(&args.out)?;
     let scale = shelf.scale(&args.doneness)?;
-    let options = ShotOptions { view: args.view.into(), slice: args.slice, flat: args.flat, scale };
+    let options = ShotOptions {
+        view: args.split.unwrap_or(args.view.into()),
+        split: args.split.is_some(),
+        slice: args.slice,
+        flat: args.flat,
+        scale,
+    };
     let picture = saute_app::shot::shot(recipe, &shelf.library, args.at, options, args.size)?;
     out.fill(&png_bytes(&picture)?)?;
     Ok(ExitCode::SUCCESS)

@@ -10,7 +10,7 @@ use crate::theme;
 use crate::view::View;
 
 /// Shows the badges and the notice where there is something to say.
-pub fn show(app: &SauteApp, ui: &Ui, layout: &Layout) {
+pub fn show(app: &mut SauteApp, ui: &Ui, layout: &Layout) {
     standing(app, ui, layout);
     if let Some(behind) = app.session.behind_s() {
         let text = format!("This machine cannot hold {:.0}×: {behind:.0} s behind, none lost", app.session.speed);
@@ -21,21 +21,20 @@ pub fn show(app: &SauteApp, ui: &Ui, layout: &Layout) {
     }
 }
 
-/// What holds all the time: simplified rules, and the legend of doneness where no panel shows it.
-fn standing(app: &SauteApp, ui: &Ui, layout: &Layout) {
+/// What holds all the time: the legend of the view, and simplified rules.
+fn standing(app: &mut SauteApp, ui: &Ui, layout: &Layout) {
     let simple = app.session.kitchen.rules() == Rules::Paper2013;
-    let unlabelled = app.settings.view == View::Doneness && (layout.narrow || app.settings.panels_hidden);
-    let scale = app.scale().filter(|_| unlabelled);
-    if !simple && scale.is_none() {
+    let coloured = app.settings.view != View::Look;
+    if !simple && !coloured {
         return;
     }
-    let at = layout.free.left_bottom() + egui::vec2(GAP, -GAP);
-    let area = Area::new(Id::unique("standing")).fixed_pos(at).pivot(Align2::LEFT_BOTTOM).interactable(false);
+    let pane = layout.field_pane(app.settings.is_split());
+    let at = pane.free.left_bottom() + egui::vec2(GAP, -GAP);
+    let width = layout.whole.right().min(layout.free.right()) - at.x - 2.0 * GAP - 16.0;
+    let area = Area::new(Id::unique("standing")).fixed_pos(at).pivot(Align2::LEFT_BOTTOM);
     area.show(ui.ctx(), |ui| {
         theme::panel().inner_margin(8).show(ui, |ui| {
-            if let Some(scale) = &scale {
-                legend::classes(ui, scale);
-            }
+            legend::show(app, ui, width);
             if simple {
                 ui.label(RichText::new("rules of 2013").size(15.0).strong().color(theme::ACCENT));
             }

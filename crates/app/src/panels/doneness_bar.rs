@@ -1,6 +1,6 @@
 //! The stacked bar of the classes of doneness: colour, pattern, words and numbers; or what else has changed.
 
-use egui::{Color32, ComboBox, Painter, Rect, RichText, Sense, Stroke, Ui, pos2, vec2};
+use egui::{Color32, ComboBox, Painter, Rect, RichText, Sense, Ui, pos2, vec2};
 use saute_kitchen::food::Scale;
 
 use crate::app::SauteApp;
@@ -124,48 +124,6 @@ fn changes(app: &SauteApp, ui: &mut Ui) {
 /// A patch in a class's colour and pattern, so that nothing is told by hue alone.
 pub fn swatch(painter: &Painter, rect: Rect, tone: Tone) {
     let [r, g, b] = tone.colour();
-    let painter = painter.with_clip_rect(rect.intersect(painter.clip_rect()));
     painter.rect_filled(rect, 2.0, Color32::from_rgb(r, g, b));
-    let ink = Stroke::new(1.2, Color32::from_black_alpha(90));
-    let run = rect.width() + rect.height();
-    let lines = |slope: f32, gap: f32| {
-        let mut x = rect.left() - rect.height();
-        while x < rect.left() + run {
-            let (low, high) = if slope > 0.0 { (x, x + rect.height()) } else { (x + rect.height(), x) };
-            painter.line_segment([pos2(low, rect.bottom()), pos2(high, rect.top())], ink);
-            x += gap;
-        }
-    };
-    match tone {
-        Tone::Raw => {}
-        Tone::Rare => dots(&painter, rect),
-        Tone::MediumRare => level_lines(&painter, rect, ink),
-        Tone::Medium => lines(1.0, 8.0),
-        Tone::WellDone => {
-            lines(1.0, 7.0);
-            lines(-1.0, 7.0);
-        }
-    }
-}
-
-fn level_lines(painter: &Painter, rect: Rect, ink: Stroke) {
-    let mut y = rect.top() + 3.0;
-    while y < rect.bottom() {
-        painter.line_segment([pos2(rect.left(), y), pos2(rect.right(), y)], ink);
-        y += 5.0;
-    }
-}
-
-fn dots(painter: &Painter, rect: Rect) {
-    let mut y = rect.top() + 4.0;
-    let mut row = 0;
-    while y < rect.bottom() {
-        let mut x = rect.left() + if row % 2 == 0 { 4.0 } else { 8.0 };
-        while x < rect.right() {
-            painter.circle_filled(pos2(x, y), 1.3, Color32::from_black_alpha(100));
-            x += 8.0;
-        }
-        y += 6.0;
-        row += 1;
-    }
+    tone.pattern().paint(painter, rect);
 }

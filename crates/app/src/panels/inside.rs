@@ -6,7 +6,7 @@ use saute_kitchen::{Piece, Place, celsius};
 
 use crate::app::SauteApp;
 use crate::colour_map::TemperatureMap;
-use crate::panels::{curves, doneness_bar};
+use crate::panels::{curves, doneness_bar, probes};
 use crate::section_picture::section_picture;
 use crate::settings::Settings;
 use crate::theme;
@@ -67,6 +67,7 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     readings(app, ui);
     ui.separator();
     goal(app, ui);
+    probes::show(app, ui);
     if app.settings.curves_open {
         ui.separator();
         let height = (ui.available_height() - 32.0).clamp(112.0, 260.0);
@@ -142,7 +143,8 @@ fn cut(app: &mut SauteApp, ui: &mut Ui) {
     let mut place = app.slice.unwrap_or(0.0);
     ui.horizontal(|ui| {
         ui.label(RichText::new("cut at").size(13.0).color(theme::QUIET));
-        ui.spacing_mut().slider_width = ui.available_width() - 16.0;
+        let beside = if app.scene.placing { 124.0 } else { 84.0 };
+        ui.spacing_mut().slider_width = ui.available_width() - beside - 16.0;
         let slider = egui::Slider::new(&mut place, -0.95..=0.95).show_value(false);
         let response = ui.add(slider);
         let name = format!("Place of the cut along the {}", app.session.noun());
@@ -150,6 +152,7 @@ fn cut(app: &mut SauteApp, ui: &mut Ui) {
         if response.changed() {
             app.slice = Some(place);
         }
+        probes::add_button(app, ui);
     });
 }
 

@@ -1,100 +1,98 @@
 //! The legend of the present view.
 
-use egui::{Align2, Color32, FontId, Rect, Sense, Ui, pos2, vec2};
+use egui::{Align2, Color32, FontId, Painter, Rect, RichText, Sense, Stroke, Ui, pos2, vec2};
 use saute_kitchen::food::Scale;
 
+use crate::act::Act;
 use crate::app::SauteApp;
 use crate::colour_map::{ColourMap, Tone};
 use crate::theme;
-use crate::view::View;
 
-/// Temperatures worth a mark in a kitchen [°C].
-const TICKS: [f64; 8] = [0.0, 50.0, 60.0, 70.0, 100.0, 140.0, 180.0, 220.0];
+/// Size of the bar with its marks at most [points].
+const BAR: egui::Vec2 = vec2(300.0, 34.0);
+/// Height of the bar alone, and room left free between two marks [points].
+const BAR_HEIGHT: f32 = 14.0;
+const BETWEEN_MARKS: f32 = 5.0;
 
-/// Shows what the colours mean: nothing for the natural look.
-pub fn show(app: &mut SauteApp, ui: &mut Ui) {
-    match app.settings.view {
-        View::Look => {}
-        View::Doneness => {
-            if let Some(scale) = app.scale() {
-                classes(ui, &scale);
-            } else {
-                ui.label(egui::RichText::new("highest\nso far").size(12.5).color(theme::QUIET));
-                temperatures(app, ui);
-            }
+/// Shows what the colours mean, at most `width` points wide: nothing for the natural look.
+pub fn show(app: &mut SauteApp, ui: &mut Ui, width: f32) {
+    let (view, scale) = (app.settings.view, app.scale());
+    let Some(map) = view.colour_map(app.settings.map, scale.as_deref()) else { return };
+    ui.spacing_mut().item_spacing.y = 4.0;
+    match scale.filter(|_| map.stepped) {
+        Some(scale) => classes(ui, &scale, width),
+        None => {
+            ui.label(RichText::new(view.meaning(&app.settings)).size(12.5).color(theme::QUIET));
+            bar(app, ui, &map, width);
         }
-        View::Temperature => temperatures(app, ui),
     }
 }
 
-fn temperatures(app: &mut SauteApp, ui: &mut Ui) {
-    let map = app.settings.map.map();
-    let (rect, response) = ui.allocate_exact_size(vec2(250.0, 36.0), Sense::click());
-    response.widget_info(|| {
-        egui::WidgetInfo::labeled(
-            egui::accesskit::Role::Button,
-            true,
-            "Legend of temperatures; click for the other colour map",
-        )
-    });
-    if response.on_hover_text("Click for the other colour map (M)").clicked() {
-        app.act(crate::act::Act::Map, &ui.ctx().clone());
+fn bar(app: &mut SauteApp, ui: &mut Ui, map: &ColourMap, width: f32) {
+    let view = app.settings.view;
+    let changes = view.is_of_temperature(app.scale().as_deref());
+    let sense = if changes { Sense::click() } else { Sense::hover() };
+    let (rect, response) = ui.allocate_exact_size(vec2(BAR.x.min(width), BAR.y), sense);
+    let spoken = format!("Legend: {}", view.meaning(&app.settings));
+    let (role, more) = if changes {
+        (egui::accesskit::Role::Button, "; click for the other colour map")
+    } else {
+        (egui::accesskit::Role::Label, "")
+    };
+    response.widget_info(|| egui::WidgetInfo::labeled(role, true, format!("{spoken}{more}")));
+    paint_table(ui.painter(), Rect::from_min_size(rect.min, vec2(rect.width(), BAR_HEIGHT)), map);
+    marks(app, ui, rect, map);
+    if changes && response.on_hover_text("Click for the other colour map (M)").clicked() {
+        app.act(Act::Map, &ui.ctx().clone());
     }
-    scale(app, ui, rect, &map);
 }
 
-fn scale(app: &SauteApp, ui: &Ui, rect: Rect, map: &ColourMap) {
-    let bar = Rect::from_min_max(rect.min, pos2(rect.right(), rect.top() + 14.0));
-    let painter = ui.painter();
+fn paint_table(painter: &Painter, bar: Rect, map: &ColourMap) {
     let columns = bar.width() as usize;
     for i in 0..columns {
-        let celsius = map.from_c + (map.to_c - map.from_c) * i as f64 / columns as f64;
-        let [r, g, b] = map.colour(celsius);
+        let value = map.from + (map.to - map.from) * i as f64 / columns as f64;
+        let [r, g, b] = map.colour(value);
         let left = bar.left() + i as f32;
-        painter.rect_filled(
-            Rect::from_min_max(pos2(left, bar.top()), pos2(left + 1.5, bar.bottom())),
-            0.0,
-            Color32::from_rgb(r, g, b),
-        );
+        let column = Rect::from_min_max(pos2(left, bar.top()), pos2(left + 1.5, bar.bottom()));
+        painter.rect_filled(column, 0.0, Color32::from_rgb(r, g, b));
     }
-    let mut free_from = bar.left() - 20.0;
-    for tick in TICKS.into_iter().filter(|t| (map.from_c..=map.to_c).contains(t)) {
-        let x = bar.left() + map.coordinate(tick) * bar.width();
-        painter
-            .line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 4.0)], egui::Stroke::new(1.0, theme::QUIET));
-        if x - free_from >= 20.0 {
-            let text = format!("{:.0}", app.settings.degrees(tick));
-            painter.text(
-                pos2(x, bar.bottom() + 4.0),
-                Align2::CENTER_TOP,
-                text,
-                FontId::proportional(11.5),
-                theme::TEXT,
-            );
-            free_from = x + 8.0;
-        }
-    }
-    painter.text(
-        rect.right_bottom() + vec2(2.0, 1.0),
-        Align2::RIGHT_BOTTOM,
-        app.settings.unit(),
-        FontId::proportional(11.5),
-        theme::QUIET,
-    );
 }
 
-/// The classes of a scale under its label.
-pub fn classes(ui: &mut Ui, scale: &Scale) {
-    ui.vertical(|ui| {
-        ui.spacing_mut().item_spacing.y = 2.0;
-        let label = egui::RichText::new(format!("doneness by {}", scale.name)).size(12.0).color(theme::QUIET);
-        ui.label(label);
-        ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = 5.0;
+/// A tick at every telling value, a number where there is room for one.
+fn marks(app: &SauteApp, ui: &Ui, rect: Rect, map: &ColourMap) {
+    let (view, font) = (app.settings.view, FontId::proportional(11.5));
+    let (painter, bottom) = (ui.painter(), rect.top() + BAR_HEIGHT);
+    let mut free_from = f32::NEG_INFINITY;
+    for &value in view.marks().iter().filter(|v| (map.from..=map.to).contains(*v)) {
+        let x = rect.left() + map.coordinate(value) * rect.width();
+        painter.line_segment([pos2(x, bottom), pos2(x, bottom + 4.0)], Stroke::new(1.0, theme::QUIET));
+        let text = painter.layout_no_wrap(view.mark(value, &app.settings), font.clone(), theme::TEXT);
+        // The first and the last number stay within the bar.
+        let half = 0.5 * text.size().x;
+        let left = (x - half).clamp(rect.left(), rect.right() - 2.0 * half);
+        if left >= free_from {
+            free_from = left + 2.0 * half + BETWEEN_MARKS;
+            painter.galley(pos2(left, bottom + 4.0), text, theme::TEXT);
+        }
+    }
+}
+
+/// The classes of a scale with their patterns, under its label.
+fn classes(ui: &mut Ui, scale: &Scale, width: f32) {
+    let label = RichText::new(format!("Doneness by {}", scale.name)).size(12.5).color(theme::QUIET);
+    ui.label(label);
+    ui.allocate_ui(vec2(width.min(2.0 * BAR.x), 0.0), |ui| {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = vec2(10.0, 4.0);
             for (place, class) in scale.class.iter().enumerate() {
-                let (rect, _) = ui.allocate_exact_size(vec2(15.0, 15.0), Sense::hover());
-                super::doneness_bar::swatch(ui.painter(), rect, Tone::of(scale, place));
-                ui.label(egui::RichText::new(&class.name).size(12.5));
+                let text = ui.painter().layout_no_wrap(class.name.clone(), FontId::proportional(13.0), theme::TEXT);
+                let size = vec2(28.0 + text.size().x, 18.0);
+                let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+                response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &class.name));
+                let mark = Rect::from_min_size(rect.min, vec2(22.0, 18.0));
+                super::doneness_bar::swatch(ui.painter(), mark, Tone::of(scale, place));
+                let at = Align2::LEFT_CENTER.anchor_size(mark.right_center() + vec2(6.0, 0.0), text.size()).min;
+                ui.painter().galley(at, text, theme::TEXT);
             }
         });
     });

@@ -10,6 +10,7 @@ pub mod legend;
 pub mod pantry;
 pub mod pieces;
 pub mod pour;
+pub mod probes;
 pub mod read_out;
 pub mod top;
 

@@ -1,10 +1,11 @@
-//! What is known of the piece under the pointer, beside the pointer.
+//! What is known of the piece under the pointer, and of the very point, beside the pointer.
 
 use egui::{Area, Id, Order, Rect, RichText, Ui, vec2};
-use saute_kitchen::celsius;
+use saute_kitchen::{Piece, celsius};
 
 use crate::app::SauteApp;
 use crate::piece_words::{doneness, grams, place};
+use crate::stage::fitting_piece;
 use crate::theme;
 
 /// Shows the read-out while the pointer rests on a piece.
@@ -24,9 +25,22 @@ pub fn show(app: &SauteApp, ui: &Ui, whole: Rect) {
         theme::panel().fill(theme::SOLID).inner_margin(9).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 2.0;
             ui.label(RichText::new(&piece.id).size(14.5).strong().color(theme::ACCENT));
+            if let Some(here) = here(app, piece) {
+                ui.add(egui::Label::new(RichText::new(here).size(14.5).strong()).extend());
+            }
             for line in lines {
                 ui.add(egui::Label::new(RichText::new(line).size(13.0)).extend());
             }
         });
     });
+}
+
+/// The value of the view at the point under the pointer, with its unit.
+fn here(app: &SauteApp, piece: &Piece) -> Option<String> {
+    let point = app.scene.pointed.as_ref().filter(|p| p.piece == piece.id)?;
+    let piece = point.piece(&app.session.kitchen)?;
+    let view = app.settings.view;
+    let value = point.shares.read(|node| view.value(&piece.model, &piece.state, node));
+    let scale = app.chosen_scale().and_then(|scale| fitting_piece(Some(piece), scale));
+    Some(format!("here: {}", view.words(value, &app.settings, scale.as_deref())))
 }

@@ -1,28 +1,33 @@
-//! View chips and what the colours mean.
+//! View chips and the switches of the picture.
 
 use egui::Ui;
 
 use crate::act::{Act, key_of};
 use crate::app::SauteApp;
-use crate::panels::legend;
 use crate::session::STEAK;
 use crate::theme;
 use crate::view::View;
 
-/// Shows the chips, the cut's switch and the legend.
+/// Shows the chips of the views, the switches of cut and split, and what stands at the right.
 pub fn show(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
+    if narrow {
+        ui.horizontal_wrapped(|ui| views(app, ui, 6.0));
+        return;
+    }
     ui.horizontal_centered(|ui| {
-        for view in View::ALL {
-            chip(app, ui, view.name(), app.settings.view == view, Act::View(view));
-        }
-        chip(app, ui, "Cut", app.slice.is_some(), Act::Slice);
-        if narrow {
-            return;
-        }
-        ui.add_space(6.0);
-        legend::show(app, ui);
+        views(app, ui, 7.0);
         units_and_help(app, ui);
     });
+}
+
+fn views(app: &mut SauteApp, ui: &mut Ui, padding: f32) {
+    ui.spacing_mut().item_spacing = egui::vec2(4.0, 5.0);
+    ui.spacing_mut().button_padding.x = padding;
+    for view in View::ALL {
+        chip(app, ui, view.name(), app.settings.view == view, Act::View(view));
+    }
+    chip(app, ui, "Cut", app.slice.is_some(), Act::Slice);
+    chip(app, ui, "Split", app.settings.is_split(), Act::Split);
 }
 
 /// Shows the unit, the help and, where there is room, the switch of the food's panel, from the right.
@@ -33,7 +38,7 @@ pub fn units_and_help(app: &mut SauteApp, ui: &mut Ui) {
         if ui.available_width() > 90.0 {
             chip(app, ui, &format!("{}…", food_word(app)), app.settings.pantry_open, Act::Pantry);
         }
-        if ui.available_width() > 90.0 {
+        if ui.available_width() > 76.0 {
             chip(app, ui, "Pieces", app.settings.pieces_open, Act::Pieces);
         }
     });

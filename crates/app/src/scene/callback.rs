@@ -18,9 +18,17 @@ pub struct SceneCallback {
     pub input: Arc<SceneInput>,
     /// Size drawn at [pixels]; scaled to the rectangle.
     pub size: [u32; 2],
+    /// Which part of a split window, from 0: each has a renderer of its own, made when it is first used.
+    pub pane: usize,
 }
 
-/// The renderer and what copies its picture to the window; lives in egui's callback resources.
+/// A presenter for each part of the window; lives in egui's callback resources.
+struct Presenters {
+    panes: Vec<ScenePresenter>,
+    target: wgpu::TextureFormat,
+}
+
+/// The renderer and what copies its picture to the window.
 pub struct ScenePresenter {
     /// The renderer; its quality may be set between frames.
     pub renderer: SceneRenderer,
@@ -86,7 +94,8 @@ impl SceneCallback {
     /// Makes the renderer, for the device and the format egui draws with. Called once, when the app starts.
     pub fn install(state: &egui_wgpu::RenderState) {
         let presenter = ScenePresenter::new(&state.device, &state.queue, state.target_format);
-        state.renderer.write().callback_resources.insert(presenter);
+        let presenters = Presenters { panes: vec![presenter], target: state.target_format };
+        state.renderer.write().callback_resources.insert(presenters);
     }
 }
 
@@ -99,8 +108,11 @@ impl CallbackTrait for SceneCallback {
         encoder: &mut wgpu::CommandEncoder,
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
-        if let Some(presenter) = resources.get_mut::<ScenePresenter>() {
-            presenter.prepare(device, queue, encoder, self);
+        if let Some(Presenters { panes, target }) = resources.get_mut::<Presenters>() {
+            while panes.len() <= self.pane {
+                panes.push(ScenePresenter::new(device, queue, *target));
+            }
+            panes[self.pane].prepare(device, queue, encoder, self);
         }
         Vec::new()
     }
@@ -111,7 +123,7 @@ impl CallbackTrait for SceneCallback {
         pass: &mut wgpu::RenderPass<'static>,
         resources: &CallbackResources,
     ) {
-        if let Some(presenter) = resources.get::<ScenePresenter>() {
+        if let Some(presenter) = resources.get::<Presenters>().and_then(|p| p.panes.get(self.pane)) {
             presenter.paint(pass);
         }
     }

@@ -14,6 +14,7 @@ const SOLID: &str = include_str!("shaders/solid.wgsl");
 const FLESH: &str = include_str!("shaders/flesh.wgsl");
 const GRAIN: &str = include_str!("shaders/grain.wgsl");
 const FOOD: &str = include_str!("shaders/food.wgsl");
+const HATCH: &str = include_str!("shaders/hatch.wgsl");
 const STEAM: &str = include_str!("shaders/steam.wgsl");
 const FRY: &str = include_str!("shaders/fry.wgsl");
 const DEPTH: &str = include_str!("shaders/depth.wgsl");
@@ -107,7 +108,7 @@ impl PipelineFactory {
         let food_layout = pipeline_layout(device, &[&layouts.frame, textures, &layouts.food]);
         Self {
             solid: module("solid", &[FRAME, LIGHT, SOLID]),
-            food: module("food", &[FRAME, LIGHT, FLESH, GRAIN, FOOD]),
+            food: module("food", &[FRAME, LIGHT, HATCH, FLESH, GRAIN, FOOD]),
             sprites: module("sprites", &[FRAME, LIGHT, STEAM, FRY]),
             depth: module("depth", &[DEPTH]),
             restore: module("restore", &[RESTORE]),

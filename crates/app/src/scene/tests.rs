@@ -85,7 +85,7 @@ fn a_resting_scene_is_drawn_alike_fast_and_fine() {
 
 /// The scene as a window of the given format shows it, as stored bytes.
 fn presented(device: &wgpu::Device, queue: &wgpu::Queue, format: wgpu::TextureFormat) -> Vec<u8> {
-    let callback = SceneCallback { input: Arc::new(steak_in_pan(Doneness::Raw)), size: SIZE };
+    let callback = SceneCallback { input: Arc::new(steak_in_pan(Doneness::Raw)), size: SIZE, pane: 0 };
     let mut presenter = ScenePresenter::new(device, queue, format);
     let window = device.create_texture(&wgpu::TextureDescriptor {
         label: None,

@@ -79,7 +79,8 @@ impl SceneTextures {
 
     /// Takes another colour table.
     pub fn set_table(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, table: &[[u8; 3]; 256], stepped: bool) {
-        let texels: Vec<u8> = table.iter().flat_map(|c| [c[0], c[1], c[2], 255]).collect();
+        let hatch = crate::hatch::patterns(table, stepped);
+        let texels: Vec<u8> = table.iter().zip(hatch).flat_map(|(c, pattern)| [c[0], c[1], c[2], pattern]).collect();
         let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(1024), rows_per_image: None };
         queue.write_texture(self.table.as_image_copy(), &texels, layout, self.table.size());
         if stepped != self.stepped {

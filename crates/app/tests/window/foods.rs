@@ -34,8 +34,8 @@ fn the_scale_of_doneness_is_cycled_by_key_and_always_labelled() {
         assert_eq!(harness.state().settings().scale, id);
         harness.get_by_label(&format!("Scale of doneness: {label}"));
         harness.get_by_label_contains(&format!("Cross-section by {label}: raw"));
-        press(&mut harness, Key::Num3);
-        harness.get_by_label(&format!("doneness by {label}"));
+        press(&mut harness, Key::Num4);
+        harness.get_by_label(&format!("Doneness by {label}"));
         save(&mut harness, &format!("scale-{id}"));
         let right = harness.get_by_label("Goal for the core").rect().right();
         assert!(right < WIDE.x - 20.0, "the goals stay in their panel: {right}");
@@ -67,14 +67,14 @@ fn a_scale_that_is_no_longer_there_gives_way_to_the_first() {
 #[test]
 fn the_view_of_doneness_is_labelled_without_panels_and_on_a_phone() {
     let mut harness = window(WIDE);
-    press(&mut harness, Key::Num3);
+    press(&mut harness, Key::Num4);
     press(&mut harness, Key::H);
-    harness.get_by_label("doneness by Kato & Hasegawa 2013");
+    harness.get_by_label("Doneness by Kato & Hasegawa 2013");
     let mut phone = playing(PHONE, &frying("beef-lean", "steak", ""), 200.0);
     press(&mut phone, Key::D);
-    press(&mut phone, Key::Num3);
+    press(&mut phone, Key::Num4);
     steps(&mut phone, 60);
-    phone.get_by_label("doneness by Chefs");
+    phone.get_by_label("Doneness by Chefs");
     save(&mut phone, "phone-doneness");
     phone.get_by_label("Inside").click();
     steps(&mut phone, 12);
@@ -112,10 +112,10 @@ fn a_vegetable_shows_its_changes_instead_of_the_doneness_of_meat() {
     harness.get_by_label_contains("pectin");
     harness.get_by_label("Juiciness");
     assert!(harness.query_by_label_contains("Scale of doneness").is_none());
-    press(&mut harness, Key::Num3);
+    press(&mut harness, Key::Num4);
     steps(&mut harness, 10);
     assert_eq!(harness.state().settings().view, View::Doneness);
-    assert!(harness.query_by_label_contains("doneness by").is_none());
+    assert!(harness.query_by_label_contains("Doneness by").is_none());
     save(&mut harness, "carrot-doneness");
     press(&mut harness, Key::Num1);
     press(&mut harness, Key::V);

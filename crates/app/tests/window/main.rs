@@ -4,3 +4,4 @@ mod foods;
 mod harness;
 mod pan;
 mod steak;
+mod views;

@@ -62,7 +62,7 @@ fn every_operation_has_a_key() {
     assert_eq!(harness.state().session().kitchen.hob_w(), 400.0);
     press(&mut harness, Key::Q);
     assert_eq!(harness.state().session().kitchen.hob_w(), 0.0);
-    press(&mut harness, Key::P);
+    press(&mut harness, Key::A);
     assert!(harness.state().session().steak().expect("steak").in_pan());
     let before = harness.state().session().steak().expect("steak").upside_down();
     press(&mut harness, Key::F);
@@ -84,7 +84,7 @@ fn every_operation_has_a_key() {
     assert_eq!(harness.state().session().speed, 1.0);
     press(&mut harness, Key::Num2);
     assert_eq!(harness.state().settings().view, View::Temperature);
-    press(&mut harness, Key::Num3);
+    press(&mut harness, Key::Num4);
     assert_eq!(harness.state().settings().view, View::Doneness);
     press(&mut harness, Key::Num1);
     assert_eq!(harness.state().settings().view, View::Look);
@@ -213,7 +213,7 @@ fn the_mouse_puts_flips_carries_and_orbits() {
 #[test]
 fn the_cut_is_dragged_by_its_knob() {
     let mut harness = window(vec2(1280.0, 720.0));
-    harness.key_press(Key::P);
+    harness.key_press(Key::A);
     steps(&mut harness, 14);
     harness.key_press(Key::X);
     steps(&mut harness, 2);

@@ -64,7 +64,7 @@ fn legend() -> String {
     let map = TemperatureMap::Uniform.map();
     let stops: Vec<String> = map.table.iter().step_by(15).map(|[r, g, b]| format!("rgb({r} {g} {b})")).collect();
     let ticks: String = (0..=4)
-        .map(|i| map.from_c + (map.to_c - map.from_c) * f64::from(i) / 4.0)
+        .map(|i| map.from + (map.to - map.from) * f64::from(i) / 4.0)
         .map(|c| format!("<span>{c:.0} °C</span>"))
         .collect();
     format!(

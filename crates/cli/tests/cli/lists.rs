@@ -28,6 +28,14 @@ fn the_foods_are_beef_shrimp_carrot_and_leek() {
 }
 
 #[test]
+fn every_view_is_listed_with_the_unit_of_its_colours() {
+    let expected = ["look", "temperature", "moisture", "doneness", "browning", "lethality", "marbling"];
+    assert_eq!(ids("views"), expected);
+    let text = run(&["list", "views"]).out;
+    assert!(["°C", "% of the raw food's", "log₁₀", "% of the mass"].iter().all(|unit| text.contains(unit)), "{text}");
+}
+
+#[test]
 fn the_scales_of_doneness_are_listed_with_their_classes_and_sources() {
     assert_eq!(ids("scales"), ["paper-2013", "chefs", "academic"]);
     let scales: Value = serde_json::from_str(&run(&["list", "scales", "--json"]).out).unwrap();

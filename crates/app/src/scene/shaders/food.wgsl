@@ -151,7 +151,7 @@ fn lit_cut(in: FoodOut) -> vec4<f32> {
 
 fn food_pixel(in: FoodOut) -> vec4<f32> {
     if (frame.mode.y > 0.5) {
-        return vec4<f32>(lightly_lit(table_colour(in.place.x), world_normal(in.normal), 1.0), 1.0);
+        return vec4<f32>(lightly_lit(hatched_colour(in.place.x, in.clip.xy), world_normal(in.normal), 1.0), 1.0);
     }
     return lit_food(in);
 }
