@@ -124,7 +124,7 @@ pub const BINDINGS: [Binding; 55] = [
     bind(Key::Insert, "Ins", Act::RollBy(-ROLL_STEP), "roll the turner left"),
     bind(Key::Delete, "Del", Act::RollBy(ROLL_STEP), "roll the turner right"),
     bind(Key::Slash, "/", Act::LevelTool, "level the turner"),
-    bind(Key::Backspace, "⌫", Act::PutAway, "lay the tool down"),
+    bind(Key::Backspace, "Bksp", Act::PutAway, "lay the tool down"),
     bind(Key::I, "I", Act::NextPiece, "select the next piece"),
     bind(Key::B, "B", Act::Pieces, "list of the pieces"),
     bind(Key::E, "E", Act::Hob(1), "hob one step up"),

@@ -98,11 +98,11 @@ pub const PAD: [(&str, &str); 12] = [
     ("R stick", "move the tool"),
     ("RT+stick", "roll and tilt the turner"),
     ("LB, RB", "lower, raise the tool"),
-    ("A / ✕", "flip"),
-    ("X / □", "toss"),
-    ("Y / △", "tongs, turner"),
-    ("B / ○", "lay the tool down"),
-    ("D-pad", "hob up, down; ← in, → next"),
+    ("A / cross", "flip"),
+    ("X / square", "toss"),
+    ("Y / triangle", "tongs, turner"),
+    ("B / circle", "lay the tool down"),
+    ("D-pad", "hob up, down; left: in, right: next"),
     ("Start", "pause; Select: this list"),
 ];
 

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use glam::{DQuat, DVec2, DVec3};
-use saute_kitchen::dynamics::{Pose, Tool};
+use saute_kitchen::dynamics::{BLADE_HALF, Pose, Tool};
 use saute_kitchen::{Command, Piece};
 
 use crate::app::SauteApp;
@@ -48,8 +48,8 @@ const STEEPEST: f64 = FRAC_PI_2;
 const SETTLES: f64 = 0.35;
 /// Height at least at which food on the blade is rolled [m] (chosen: a steak clears the pan).
 const ROLL_HEIGHT: f64 = 0.07;
-/// How far inside of the floor's edge the turner comes in [m] (chosen: its blade lies on the floor).
-const COMES_IN: f64 = 0.015;
+/// How far inside of the floor's edge the front of the turner comes in [m] (chosen: food in the middle is not met yet).
+const COMES_IN: f64 = 0.025;
 /// How fast the right stick moves a tool [m/s] and turns it [rad/s] (chosen: a calm arm).
 const STICK_SPEED: f64 = 0.25;
 const STICK_TURN: f64 = 3.0;
@@ -131,7 +131,7 @@ impl SauteApp {
         }
         let facing = f64::from(self.camera.yaw) + FRAC_PI_2;
         let world = self.session.kitchen.world();
-        let away = DVec2::from_angle(facing) * (world.pan_shape().floor - COMES_IN);
+        let away = DVec2::from_angle(facing) * (world.pan_shape().floor - COMES_IN + BLADE_HALF.x);
         let at = world.motion.pose.position.truncate() - away;
         let turner = TurnerPose { at, height: 0.0, facing, roll: 0.0, pitch: 0.0 };
         self.lead_turner(turner);

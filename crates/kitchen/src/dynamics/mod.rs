@@ -14,6 +14,7 @@ mod spring;
 pub mod task;
 pub mod world;
 
+pub use blade::BLADE_HALF;
 pub use gesture::Gesture;
 pub use hand::{Ended, Hand, Tool};
 pub use pan_motion::{PanMotion, PanTarget};

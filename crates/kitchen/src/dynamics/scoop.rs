@@ -53,7 +53,8 @@ impl Hand {
     /// One rigid step of a turner that is led to a pose: slides under food, takes it up, leaves it.
     pub(crate) fn scoop(&mut self, to: &Pose, world: &World) {
         let Some(blade) = world.blade_pose() else { return };
-        let (up, height) = (self.pose.rotation * DVec3::Z, front_height(world, &self.pose));
+        // A front edge that dips while the blade tilts over the wall lies no lower than one that lies on the floor.
+        let (up, height) = (self.pose.rotation * DVec3::Z, front_height(world, &self.pose).max(TOOL_CLEARANCE));
         match (self.gripped(), self.under) {
             (Some(key), _) => {
                 let high = self.hanging_below(world).is_some_and(|low| low < -HELD_UP);
