@@ -37,6 +37,8 @@ mod scale_choice;
 pub mod scene;
 pub mod scene_view;
 pub mod section_picture;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod seen_colour;
 pub mod seen_point;
 pub mod session;
 pub mod settings;

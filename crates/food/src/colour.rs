@@ -49,6 +49,22 @@ impl Lab {
         .map(|v| v.clamp(0.0, 1.0))
     }
 
+    /// The colour of 8-bit sRGB values: the inverse of [`Lab::srgb8`] within the gamut.
+    pub fn from_srgb8(srgb: [u8; 3]) -> Self {
+        let [r, g, b] = srgb.map(|v| {
+            let v = f64::from(v) / 255.0;
+            if v <= 0.040_45 { v / 12.92 } else { libm::pow((v + 0.055) / 1.055, 2.4) }
+        });
+        let f = |t: f64| {
+            let knee = 6.0 / 29.0;
+            if t > knee * knee * knee { libm::cbrt(t) } else { t / (3.0 * knee * knee) + 4.0 / 29.0 }
+        };
+        let x = f((0.412_456 * r + 0.357_576 * g + 0.180_437 * b) / 0.950_47);
+        let y = f(0.212_673 * r + 0.715_152 * g + 0.072_175 * b);
+        let z = f((0.019_334 * r + 0.119_192 * g + 0.950_304 * b) / 1.088_83);
+        Self([116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)])
+    }
+
     /// sRGB as 8-bit values.
     pub fn srgb8(self) -> [u8; 3] {
         self.linear_srgb().map(|v| {
@@ -136,5 +152,9 @@ mod tests {
         // sRGB red is L*a*b* 53.24, 80.09, 67.20.
         let red = Lab([53.24, 80.09, 67.20]).srgb8();
         assert!(red[0] >= 254 && red[1] <= 2 && red[2] <= 2, "{red:?}");
+        for lab in [[37.0, 24.0, 12.0], [31.0, 5.0, 6.0], [84.0, -5.0, 17.0], [57.0, 31.0, 42.0]].map(Lab) {
+            // Half a step of 8 bits in each channel.
+            assert!(Lab::from_srgb8(lab.srgb8()).difference(lab) < 0.6, "{lab:?}");
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! Cooks with an answer from outside: a recipe and the bands in which its numbers should lie.
 
+use saute_food::Lab;
 use serde::Deserialize;
 use toml::Spanned;
 
@@ -18,7 +19,34 @@ struct CookCaseFile {
     recipe: Spanned<String>,
     /// A second recipe with which numbers are compared.
     against: Option<Spanned<String>>,
+    #[serde(default)]
     expect: Vec<Spanned<BandEntry>>,
+    #[serde(default)]
+    seen: Vec<Seen>,
+}
+
+/// A colour that a picture should show, at the end of the cook.
+#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields)]
+pub struct Seen {
+    /// What it is.
+    pub quantity: String,
+    /// Where it is looked for.
+    pub place: SeenAt,
+    /// L*, a*, b*.
+    pub lab: [f64; 3],
+    /// Largest ΔE*ab from it.
+    pub delta_e: f64,
+}
+
+/// Where a colour is looked for on the first food.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+pub enum SeenAt {
+    /// The middle of the face that lies above.
+    Top,
+    /// The middle of the cut.
+    Cut,
 }
 
 /// A band: a number of the summary by its JSON pointer, as in `/foods/0/core_c/peak`, from `low` to `high`.
@@ -56,7 +84,7 @@ impl CookCase {
     /// Reads and checks a case. `file` is its name in messages.
     pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, InputError> {
         let input = InputText { text, file };
-        let raw: CookCaseFile = input.parse("a cook case has name, source, recipe and [[expect]]")?;
+        let raw: CookCaseFile = input.parse("a cook case has name, source, recipe, [[expect]] and [[seen]]")?;
         for band in &raw.expect {
             let b = band.get_ref();
             if b.compare.is_some() && raw.against.is_none() {
@@ -71,6 +99,32 @@ impl CookCase {
         let recipe = Recipe::parse(raw.recipe.get_ref(), &format!("{file}, recipe"), library)?;
         let second = |text: &Spanned<String>| Recipe::parse(text.get_ref(), &format!("{file}, against"), library);
         Ok(Self { against: raw.against.as_ref().map(second).transpose()?, file: raw, recipe })
+    }
+
+    /// The colours that a picture should show.
+    pub fn seen(&self) -> &[Seen] {
+        &self.file.seen
+    }
+
+    /// The verdict on a colour that a picture shows: its ΔE*ab from the expected one.
+    pub fn verdict_on_colour(&self, seen: &Seen, shown: Lab) -> Verdict {
+        let apart = shown.difference(Lab(seen.lab));
+        Verdict {
+            name: self.file.name.clone(),
+            source: self.file.source.clone(),
+            quantity: seen.quantity.clone(),
+            unit: "ΔE".into(),
+            expected: 0.0,
+            tolerance: seen.delta_e,
+            got: Some(apart),
+            error: Some(apart),
+            pass: apart <= seen.delta_e,
+        }
+    }
+
+    /// Plays the recipe to its end.
+    pub fn cook(&self, library: &Library) -> Result<Cook, InputError> {
+        played(&self.recipe, library)
     }
 
     /// Whether a text is a cook case rather than a lab case.
@@ -112,15 +166,20 @@ impl CookCase {
 
 /// The summary of a recipe as JSON.
 fn cooked(recipe: &Recipe, library: &Library) -> Result<serde_json::Value, InputError> {
-    let line_one = |message: String| InputError {
-        file: recipe.file.clone(),
-        line: 1,
-        message,
-        remedy: "choose another size or kind of food or pan".into(),
-    };
-    let mut cook = Cook::new(recipe.clone(), library).map_err(|e| line_one(e.to_string()))?;
+    let summary = played(recipe, library)?.summary(0.0);
+    serde_json::to_value(summary).map_err(|e| line_one(recipe, e.to_string()))
+}
+
+/// A recipe played to its end.
+fn played(recipe: &Recipe, library: &Library) -> Result<Cook, InputError> {
+    let mut cook = Cook::new(recipe.clone(), library).map_err(|e| line_one(recipe, e.to_string()))?;
     while cook.stopped().is_none() {
         cook.advance()?;
     }
-    serde_json::to_value(cook.summary(0.0)).map_err(|e| line_one(e.to_string()))
+    Ok(cook)
+}
+
+fn line_one(recipe: &Recipe, message: String) -> InputError {
+    let remedy = "choose another size or kind of food or pan".into();
+    InputError { file: recipe.file.clone(), line: 1, message, remedy }
 }

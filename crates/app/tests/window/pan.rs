@@ -294,7 +294,11 @@ fn the_mouse_leads_the_turner_under_the_steak_lifts_it_and_the_pan_moves_meanwhi
     save(&mut harness, "turner-under");
     let kitchen = &harness.state().session().kitchen;
     assert_eq!(kitchen.led_tool(), Some(saute_kitchen::dynamics::Tool::Turner));
-    assert!((kitchen.pieces()[0].pose.position - before).length() < 0.02, "{before} {}", kitchen.pieces()[0].pose.position);
+    assert!(
+        (kitchen.pieces()[0].pose.position - before).length() < 0.02,
+        "{before} {}",
+        kitchen.pieces()[0].pose.position
+    );
     for _ in 0..14 {
         let delta = vec2(0.0, 50.0);
         let (unit, phase) = (egui::MouseWheelUnit::Point, egui::TouchPhase::Move);

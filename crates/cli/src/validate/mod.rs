@@ -1,5 +1,6 @@
 //! `saute validate`.
 
+mod colour;
 mod page;
 mod picture;
 mod segments;
@@ -10,6 +11,7 @@ use std::time::Instant;
 use saute_kitchen::Library;
 use saute_kitchen::cook_case::CookCase;
 use saute_kitchen::lab::{Case, LabReport, Verdict, run, verdicts};
+use saute_kitchen::library::DEFAULT_SCALE;
 use serde::Serialize;
 
 use crate::args::ValidateArgs;
@@ -63,15 +65,18 @@ fn run_cases(only: Option<&str>, shelf: &Shelf) -> Result<Vec<CaseRun>, CliError
     let chosen: Vec<_> = cases.iter().filter(|(id, _)| only.is_none_or(|o| o == *id)).collect();
     let run = |(i, (id, text)): (usize, &(&String, &String))| {
         stderr::say(format!("{} of {}: {id}", i + 1, chosen.len()));
-        run_case(id, text, &shelf.library)
+        run_case(id, text, shelf)
     };
     chosen.iter().enumerate().map(run).collect()
 }
 
-fn run_case(id: &str, text: &str, library: &Library) -> Result<CaseRun, CliError> {
+fn run_case(id: &str, text: &str, shelf: &Shelf) -> Result<CaseRun, CliError> {
     let file = format!("validation/{id}.toml");
+    let library = &shelf.library;
     if CookCase::is_one(text) {
-        let verdicts = CookCase::parse(text, &file, library)?.verdicts(library)?;
+        let case = CookCase::parse(text, &file, library)?;
+        let mut verdicts = case.verdicts(library)?;
+        verdicts.extend(colour::verdicts(&case, library, &shelf.scale(DEFAULT_SCALE)?)?);
         return Ok(CaseRun { id: id.to_owned(), lab: None, verdicts });
     }
     let case = Case::parse(text, &file, library)?;

@@ -8,6 +8,7 @@ mod cooked;
 mod data_folder;
 mod doneness;
 mod food_check;
+mod gallery;
 mod groups;
 mod layers;
 mod lists;

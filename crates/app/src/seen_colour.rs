@@ -1,0 +1,78 @@
+//! Colours measured on pictures: a flat still, read where the eye would look.
+
+use std::sync::Arc;
+
+use glam::{DVec3, Vec3};
+use saute_kitchen::cook_case::SeenAt;
+use saute_kitchen::food::{Lab, Scale};
+use saute_kitchen::{Kitchen, Piece};
+
+use crate::headless::{Gpu, still};
+use crate::scene::camera::Camera;
+use crate::section_picture::Picture;
+use crate::shot::ShotOptions;
+use crate::stage::{StageOptions, following};
+use crate::view::View;
+
+/// Size of the pictures [pixels], and distance of the eye [m] (chosen: three pixels a millimetre).
+const SIZE: [u32; 2] = [800, 600];
+const DISTANCE: f32 = 0.25;
+/// Half the field that is read over half the piece's length and width, and half its height in a cut [m] (chosen: the
+/// middle, where the colour is even, as a colorimeter's opening of some 20 mm).
+const FIELD: f64 = 0.25;
+const CUT_HALF_HEIGHT: f64 = 0.002;
+/// Readings across the field (chosen).
+const READINGS: i32 = 15;
+
+/// Mean colour of a piece as a flat picture shows it, in the middle of its upper face or of its cut.
+pub fn seen_colour(gpu: &Gpu, kitchen: &Kitchen, piece: &Piece, at: SeenAt, scale: &Arc<Scale>) -> Lab {
+    let options =
+        ShotOptions { view: View::Look, slice: at == SeenAt::Cut, flat: true, scale: Arc::clone(scale), split: false };
+    let normal = piece.pose.rotation * DVec3::X;
+    // The eye looks at the cut from the side to which it faces, at the top from straight above.
+    let (yaw, pitch) = match at {
+        SeenAt::Cut => (normal.x.atan2(-normal.y) as f32, 0.35),
+        SeenAt::Top => (0.0, 1.55),
+    };
+    let target = piece.pose.position.as_vec3();
+    let camera = Camera { yaw, pitch, distance: DISTANCE, target, shift: [0.0; 2] };
+    let stage = StageOptions { camera: camera.clone(), ..options.stage(kitchen) };
+    let picture = still(gpu, kitchen, &stage, SIZE);
+    let aspect = SIZE[0] as f32 / SIZE[1] as f32;
+    let eye = following(&camera, kitchen.world().motion.pose.position.as_vec3());
+    let read = |point: Vec3| eye.project(point, aspect).and_then(|ndc| pixel(&picture, ndc));
+    mean(field(piece, at).into_iter().filter_map(read))
+}
+
+/// Places of the field in the world [m].
+fn field(piece: &Piece, at: SeenAt) -> Vec<Vec3> {
+    let half = piece.model.size.map(|v| 0.5 * v);
+    let top = 0.5 * piece.model.thickness(&piece.state) * if piece.upside_down() { -1.0 } else { 1.0 };
+    let step = |k: i32| f64::from(k) / f64::from(READINGS);
+    let range = || -READINGS..=READINGS;
+    let place = |i: i32, j: i32| {
+        let seen = match at {
+            SeenAt::Top => DVec3::new(FIELD * half[0] * step(i), FIELD * half[1] * step(j), top),
+            SeenAt::Cut => DVec3::new(0.0, FIELD * half[1] * step(i), CUT_HALF_HEIGHT * step(j)),
+        };
+        piece.pose.to_world(seen).as_vec3()
+    };
+    range().flat_map(|i| range().map(move |j| (i, j))).map(|(i, j)| place(i, j)).collect()
+}
+
+fn pixel(picture: &Picture, [x, y]: [f32; 2]) -> Option<Lab> {
+    let column = (0.5 + 0.5 * x) * picture.width as f32;
+    let row = (0.5 - 0.5 * y) * picture.height as f32;
+    let inside = column >= 0.0 && row >= 0.0 && (column as usize) < picture.width && (row as usize) < picture.height;
+    let at = 4 * (row as usize * picture.width + column as usize);
+    inside.then(|| Lab::from_srgb8([picture.rgba[at], picture.rgba[at + 1], picture.rgba[at + 2]]))
+}
+
+fn mean(colours: impl Iterator<Item = Lab>) -> Lab {
+    let (mut sum, mut count) = ([0.0; 3], 0.0f64);
+    for Lab(lab) in colours {
+        (0..3).for_each(|k| sum[k] += lab[k]);
+        count += 1.0;
+    }
+    Lab(sum.map(|v| v / count.max(1.0)))
+}
