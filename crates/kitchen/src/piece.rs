@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
+use saute_food::halving::{Cut, CutError};
 use saute_food::{
     Exchange, FoodModel, FoodSolver, FoodState, FreeAir, PatchGeometry, PatchPose, Rules, Surroundings, Touch,
     present_area,
 };
 
 use crate::board::Board;
-use crate::command::RestOn;
+use crate::command::{Refused, RestOn};
 use crate::contact::{FaceContact, steam_share};
 use crate::dynamics::extent::outline;
 use crate::dynamics::{Contact, PanShape, Pose};
@@ -162,6 +163,33 @@ impl Piece {
         matches!(self.place, Place::Pan(_))
     }
 
+    /// Whether it lies on the board, foil over it or not.
+    pub fn lies_on_board(&self) -> bool {
+        matches!(self.place, Place::Rest(RestOn::Board | RestOn::Foil))
+    }
+
+    /// Where a knife cut it in halves; its halves lie opened side by side, as one body.
+    pub fn halved(&self) -> Option<Cut> {
+        self.model.halved_at()
+    }
+
+    /// Cuts it in halves at a distance from the middle of its long axis [m]; foil over it is taken off.
+    pub(crate) fn halve(&mut self, at: f64) -> Result<(), Refused> {
+        let model = self.model.halved(at).map_err(|e| match e {
+            CutError::Halved => Refused::AlreadyHalved(self.id.clone()),
+            CutError::Beside { most } => {
+                Refused::BesideFood { food: self.id.clone(), most_mm: libm::floor(most * 1e3) as i64 }
+            }
+        })?;
+        Arc::make_mut(&mut self.uneven).resize(model.patches.len(), 0.0);
+        self.model = Arc::new(model);
+        self.solver = FoodSolver::default();
+        self.model.patch_geometry_into(&self.state, &mut self.geometry);
+        self.shape_count += 1;
+        (self.resting_on, self.place) = (RestOn::Board, Place::Rest(RestOn::Board));
+        Ok(())
+    }
+
     /// Whether it is a body among others: no longer waiting.
     pub fn is_out(&self) -> bool {
         self.place != Place::Waiting
@@ -235,6 +263,11 @@ impl Piece {
     /// Node of a patch.
     pub(crate) fn node_of(&self, patch: u32) -> usize {
         self.model.patches[patch as usize].node as usize
+    }
+
+    /// Whether the face at a node is wet.
+    pub(crate) fn is_wet(&self, node: usize) -> bool {
+        self.state.water[node] > WET_SHARE * self.model.initial_water[node]
     }
 
     /// Brings the geometry up to date with the shape; tells whether it has changed.
@@ -313,7 +346,7 @@ impl Piece {
         let located = &near.located;
         let face = FaceContact { film: pan.oil_film(located), ..*face };
         let temperature = (0..3).map(|k| located.weights[k] * pan.temperature[located.nodes[k] as usize]).sum::<f64>();
-        let wet = self.state.water[node] > WET_SHARE * self.model.initial_water[node];
+        let wet = self.is_wet(node);
         let dome = self.dome_gap(near.patch as usize);
         let distance = mean + self.uneven[near.patch as usize] + near.gap + dome;
         let conductance = if self.model.rules == Rules::Paper2013 {
