@@ -42,6 +42,16 @@ pub fn pan(pan: &PanDescription, file: &str, text: &str) -> Result<(), LibraryEr
             ranged("look", "metalness", pan.look.metalness, 0.0, 1.0),
             ranged("look", "roughness", pan.look.roughness, 0.0, 1.0),
         ],
+    )?;
+    let Some(ridges) = &pan.ridges else { return Ok(()) };
+    check(
+        file,
+        text,
+        &[
+            ranged("ridges", "pitch_mm", ridges.pitch_mm, 2.0, 50.0),
+            ranged("ridges", "width_mm", ridges.width_mm, 0.5, 0.95 * ridges.pitch_mm),
+            ranged("ridges", "height_mm", ridges.height_mm, 0.5, 20.0),
+        ],
     )
 }
 

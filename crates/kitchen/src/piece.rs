@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
+use saute_food::advance::REFRESH_TICKS;
 use saute_food::halving::{Cut, CutError};
 use saute_food::{
-    Exchange, FoodModel, FoodSolver, FoodState, FreeAir, PatchGeometry, PatchPose, Rules, Surroundings, Touch,
+    Exchange, Face, FoodModel, FoodSolver, FoodState, FreeAir, PatchGeometry, PatchPose, Rules, Surroundings, Touch,
     present_area,
 };
 
@@ -16,7 +17,9 @@ use crate::dynamics::{Contact, PanShape, Pose};
 use crate::layout::Footprint;
 use crate::near_pan::{NearPan, NearPatch, unevenness};
 use crate::pan::{PanModel, PanState};
+use crate::ridges::{AcrossGroove, Ridges};
 use crate::room::Room;
+use crate::sear_lines::{SearLines, SearRecord};
 
 /// Where a piece is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,6 +100,7 @@ pub struct Piece {
     /// What its body touched at the last tick at which anything moved.
     pub(crate) contacts: Vec<Contact>,
     pub(crate) solver: FoodSolver,
+    sear: SearRecord,
     geometry: PatchGeometry,
     shape_count: u64,
     shaped_at: u64,
@@ -141,6 +145,7 @@ impl Piece {
             near: NearPan::default(),
             contacts: Vec::new(),
             solver: FoodSolver::default(),
+            sear: SearRecord::default(),
             geometry,
             shape_count: 0,
             shaped_at: 0,
@@ -314,10 +319,48 @@ impl Piece {
             self.lay_up = up;
         }
         self.pan_force += (force - self.pan_force) * dt / (dt + PRESSURE_S);
+        if let Some(ridges) = &pan.ridges {
+            self.note_ridges(ridges, seen);
+        }
+    }
+
+    /// Remembers where ridges touch it.
+    fn note_ridges(&mut self, ridges: &Ridges, seen: &Pose) {
+        match SearRecord::face_below(seen.up()) {
+            Some(face) if !self.near.patches.is_empty() => {
+                if self.state.ticks.is_multiple_of(REFRESH_TICKS) {
+                    let browning = self.face_browning(face);
+                    self.sear.look(ridges, (face, browning), seen, self.state.stretch.lateral);
+                }
+            }
+            _ => self.sear.leave(),
+        }
+    }
+
+    /// Mean browning of the lower or the upper face of the rest shape [-].
+    fn face_browning(&self, face: Face) -> f64 {
+        let up = [0.0, 0.0, if face == Face::Top { -1.0 } else { 1.0 }];
+        let (mut sum, mut area) = (0.0, 0.0);
+        for patch in self.model.patches_below(up).map(|i| &self.model.patches[i]) {
+            sum += patch.area * self.state.browning[patch.node as usize];
+            area += patch.area;
+        }
+        sum / area
+    }
+
+    /// The strongest lines that ridges seared into the lower ([`Face::Bottom`]) or the upper face of the rest shape.
+    pub fn sear_lines(&self, face: Face) -> Option<SearLines> {
+        self.all_sear_lines(face).into_iter().next()
+    }
+
+    /// All sets of such lines, crossed ones too, the strongest first; none on a side.
+    pub fn all_sear_lines(&self, face: Face) -> Vec<SearLines> {
+        if face == Face::Side { Vec::new() } else { self.sear.lines(face, self.face_browning(face)) }
     }
 
     /// Takes leave of the pan.
     pub(crate) fn leave_pan(&mut self) {
+        self.sear.leave();
         self.near.forget();
         self.since_contact = 0.0;
         self.pan_force = 0.0;
@@ -329,18 +372,26 @@ impl Piece {
         let area: f64 = near.iter().map(|n| self.patch_area(n.patch as usize)).sum();
         let face = FaceContact {
             since: self.since_contact,
-            pressure: self.pan_force / area.max(1e-6),
+            // Ridges carry the weight on their tops alone.
+            pressure: self.pan_force / (area * pan.ridges.map_or(1.0, |r| r.share())).max(1e-6),
             film: 0.0,
             coating: pan.description.coating_w_m2k.unwrap_or(f64::INFINITY),
         };
         let mean = face.mean_gap(&room.contact);
         for n in &near {
-            self.touch[n.patch as usize] = self.pan_touch(n, &face, mean, pan_state, room);
+            self.touch[n.patch as usize] = self.pan_touch(n, &face, mean, (pan, pan_state), room);
         }
         self.near.patches = near;
     }
 
-    fn pan_touch(&self, near: &NearPatch, face: &FaceContact, mean: f64, pan: &PanState, room: &Room) -> Touch {
+    fn pan_touch(
+        &self,
+        near: &NearPatch,
+        face: &FaceContact,
+        mean: f64,
+        (pan_model, pan): (&PanModel, &PanState),
+        room: &Room,
+    ) -> Touch {
         let (contact, rules) = (&room.contact, &room.rules_2013);
         let node = self.node_of(near.patch);
         let located = &near.located;
@@ -349,13 +400,20 @@ impl Piece {
         let wet = self.is_wet(node);
         let dome = self.dome_gap(near.patch as usize);
         let distance = mean + self.uneven[near.patch as usize] + near.gap + dome;
-        let conductance = if self.model.rules == Rules::Paper2013 {
-            rules.conductance_w_m2k * f64::from(u8::from(distance <= rules.contact_distance_mm * 1e-3))
-        } else {
-            let share = self.model.description.surface.contact_share;
-            face.conductance(contact, distance) * steam_share(contact, temperature, wet) * share
+        let ridges = pan_model.ridges.filter(|_| located.nodes.iter().all(|n| (*n as usize) < pan_model.floor_nodes));
+        let surface = &self.model.description.surface;
+        if self.model.rules == Rules::Paper2013 {
+            let near = f64::from(u8::from(distance <= rules.contact_distance_mm * 1e-3));
+            let share = ridges.map_or(1.0, |r| r.share());
+            return Touch { conductance: rules.conductance_w_m2k * near * share, temperature };
+        }
+        let top = face.conductance(contact, distance) * steam_share(contact, temperature, wet) * surface.contact_share;
+        let Some(ridges) = ridges else { return Touch { conductance: top, temperature } };
+        let over = AcrossGroove {
+            emissivity: [pan_model.description.surface.emissivity, surface.emissivity],
+            temperature: [temperature, self.state.temperature[node]],
         };
-        Touch { conductance, temperature }
+        Touch { conductance: ridges.mixed(top, contact, &face, distance, &over), temperature }
     }
 
     /// How far a patch of a bent slice stands off [m]; 0 where the slice does not lie flat.
