@@ -73,7 +73,7 @@ impl FoodModel {
             return Err(CutError::Halved);
         }
         let most = 0.5 * self.size[self.long_axis()] - LEAST_SLICE;
-        if !(libm::fabs(at) <= most) {
+        if !(-most..=most).contains(&at) {
             return Err(CutError::Beside { most });
         }
         let beyond: Vec<bool> = (0..self.mesh.node_count()).map(|node| self.along(node) > at).collect();

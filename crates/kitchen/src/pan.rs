@@ -8,7 +8,6 @@ use saute_heat::{Conduction, Graph, Located, Locator, MeshError, Section};
 use crate::bed::Bed;
 use crate::cloth::Cloth;
 use crate::event::EventLog;
-use crate::fond::FondReading;
 use crate::hob::{HobDescription, PanPose};
 use crate::library::Library;
 use crate::lid::Lid;
@@ -444,20 +443,6 @@ impl PanState {
     /// Browning of butter's milk solids, 0–1 [-].
     pub fn milk_solids_browning(&self) -> f64 {
         self.liquids.butter.browning
-    }
-
-    /// What juice has left at a place on the pan's mesh.
-    pub fn fond(&self, at: &Located) -> FondReading {
-        let fond = &self.liquids.fond;
-        let mean = |field: &[f64]| (0..3).map(|k| at.weights[k] * field[at.nodes[k] as usize]).sum::<f64>();
-        let mass = mean(&fond.dried.mass);
-        let extent = |field: &[f64]| if mass > 0.0 { mean(field) / mass } else { 0.0 };
-        FondReading {
-            mass_kg_m2: mass,
-            browning: extent(&fond.dried.browned),
-            charring: extent(&fond.dried.charred),
-            share: mean(&fond.share),
-        }
     }
 
     /// Thickness of the oil film at a place on the pan's mesh [m].

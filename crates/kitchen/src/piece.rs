@@ -2,10 +2,9 @@
 
 use std::sync::Arc;
 
-use saute_food::advance::REFRESH_TICKS;
 use saute_food::halving::{Cut, CutError};
 use saute_food::{
-    Exchange, Face, FoodModel, FoodSolver, FoodState, FreeAir, PatchGeometry, PatchPose, Rules, Surroundings, Touch,
+    Exchange, FoodModel, FoodSolver, FoodState, FreeAir, PatchGeometry, PatchPose, Rules, Surroundings, Touch,
     present_area,
 };
 
@@ -17,9 +16,9 @@ use crate::dynamics::{Contact, PanShape, Pose};
 use crate::layout::Footprint;
 use crate::near_pan::{NearPan, NearPatch, unevenness};
 use crate::pan::{PanModel, PanState};
-use crate::ridges::{AcrossGroove, Ridges};
+use crate::ridges::AcrossGroove;
 use crate::room::Room;
-use crate::sear_lines::{SearLines, SearRecord};
+use crate::sear_lines::SearRecord;
 
 /// Where a piece is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,7 +99,7 @@ pub struct Piece {
     /// What its body touched at the last tick at which anything moved.
     pub(crate) contacts: Vec<Contact>,
     pub(crate) solver: FoodSolver,
-    sear: SearRecord,
+    pub(crate) sear: SearRecord,
     geometry: PatchGeometry,
     shape_count: u64,
     shaped_at: u64,
@@ -322,40 +321,6 @@ impl Piece {
         if let Some(ridges) = &pan.ridges {
             self.note_ridges(ridges, seen);
         }
-    }
-
-    /// Remembers where ridges touch it.
-    fn note_ridges(&mut self, ridges: &Ridges, seen: &Pose) {
-        match SearRecord::face_below(seen.up()) {
-            Some(face) if !self.near.patches.is_empty() => {
-                if self.state.ticks.is_multiple_of(REFRESH_TICKS) {
-                    let browning = self.face_browning(face);
-                    self.sear.look(ridges, (face, browning), seen, self.state.stretch.lateral);
-                }
-            }
-            _ => self.sear.leave(),
-        }
-    }
-
-    /// Mean browning of the lower or the upper face of the rest shape [-].
-    fn face_browning(&self, face: Face) -> f64 {
-        let up = [0.0, 0.0, if face == Face::Top { -1.0 } else { 1.0 }];
-        let (mut sum, mut area) = (0.0, 0.0);
-        for patch in self.model.patches_below(up).map(|i| &self.model.patches[i]) {
-            sum += patch.area * self.state.browning[patch.node as usize];
-            area += patch.area;
-        }
-        sum / area
-    }
-
-    /// The strongest lines that ridges seared into the lower ([`Face::Bottom`]) or the upper face of the rest shape.
-    pub fn sear_lines(&self, face: Face) -> Option<SearLines> {
-        self.all_sear_lines(face).into_iter().next()
-    }
-
-    /// All sets of such lines, crossed ones too, the strongest first; none on a side.
-    pub fn all_sear_lines(&self, face: Face) -> Vec<SearLines> {
-        if face == Face::Side { Vec::new() } else { self.sear.lines(face, self.face_browning(face)) }
     }
 
     /// Takes leave of the pan.

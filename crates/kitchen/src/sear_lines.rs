@@ -2,8 +2,10 @@
 
 use glam::DVec3;
 use saute_food::Face;
+use saute_food::advance::REFRESH_TICKS;
 
 use crate::dynamics::Pose;
+use crate::piece::Piece;
 use crate::ridges::Ridges;
 
 /// Sets of lines that a face keeps (chosen: crossed lines and one more; what is browned beyond counts as even).
@@ -66,7 +68,7 @@ pub struct SearRecord {
 
 impl SearRecord {
     /// Which big face lies below where `up` points up, a direction of the body frame.
-    pub(crate) fn face_below(up: [f64; 3]) -> Option<Face> {
+    fn face_below(up: [f64; 3]) -> Option<Face> {
         if up[2] > FLAT {
             Some(Face::Bottom)
         } else if up[2] < -FLAT {
@@ -77,7 +79,7 @@ impl SearRecord {
     }
 
     /// Looks at a face with a mean browning that lies on ridges; the piece is seen at a pose in the pan's frame.
-    pub(crate) fn look(&mut self, ridges: &Ridges, (face, browning): (Face, f64), seen: &Pose, lateral: f64) {
+    fn look(&mut self, ridges: &Ridges, (face, browning): (Face, f64), seen: &Pose, lateral: f64) {
         let index = index(face);
         let gained = match self.seen {
             Some((before, browned)) if before == index => (browning - browned).max(0.0),
@@ -102,11 +104,47 @@ impl SearRecord {
     }
 
     /// All sets of lines of a face whose mean browning is now so much, the strongest first.
-    pub(crate) fn lines(&self, face: Face, browning: f64) -> Vec<SearLines> {
+    fn lines(&self, face: Face, browning: f64) -> Vec<SearLines> {
         let of = |set: &SearLines| SearLines { share: (set.share / browning).min(1.0), ..*set };
         let mut lines: Vec<SearLines> = self.faces[index(face)].iter().map(of).collect();
         lines.sort_by(|a, b| b.share.total_cmp(&a.share));
         lines
+    }
+}
+
+impl Piece {
+    /// Remembers where ridges touch it.
+    pub(crate) fn note_ridges(&mut self, ridges: &Ridges, seen: &Pose) {
+        match SearRecord::face_below(seen.up()) {
+            Some(face) if !self.near.patches.is_empty() => {
+                if self.state.ticks.is_multiple_of(REFRESH_TICKS) {
+                    let browning = self.face_browning(face);
+                    self.sear.look(ridges, (face, browning), seen, self.state.stretch.lateral);
+                }
+            }
+            _ => self.sear.leave(),
+        }
+    }
+
+    /// Mean browning of the lower or the upper face of the rest shape [-].
+    fn face_browning(&self, face: Face) -> f64 {
+        let up = [0.0, 0.0, if face == Face::Top { -1.0 } else { 1.0 }];
+        let (mut sum, mut area) = (0.0, 0.0);
+        for patch in self.model.patches_below(up).map(|i| &self.model.patches[i]) {
+            sum += patch.area * self.state.browning[patch.node as usize];
+            area += patch.area;
+        }
+        sum / area
+    }
+
+    /// The strongest lines that ridges seared into the lower ([`Face::Bottom`]) or the upper face of the rest shape.
+    pub fn sear_lines(&self, face: Face) -> Option<SearLines> {
+        self.all_sear_lines(face).into_iter().next()
+    }
+
+    /// All sets of such lines, crossed ones too, the strongest first; none on a side.
+    pub fn all_sear_lines(&self, face: Face) -> Vec<SearLines> {
+        if face == Face::Side { Vec::new() } else { self.sear.lines(face, self.face_browning(face)) }
     }
 }
 

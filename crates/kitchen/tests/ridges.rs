@@ -146,6 +146,16 @@ fn ridges_that_cannot_be_are_refused_where_they_stand() {
     }
 }
 
+/// The file that the documentation shows is sound.
+#[test]
+fn the_documented_pan_can_be_used() {
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/your-own-pan.md");
+    let page = std::fs::read_to_string(page).expect("the page");
+    let file = page.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).expect("a file");
+    let library = Library::with(&[("pans/own.toml".into(), file.into())]).expect("sound");
+    assert!(library.pans["own"].ridges.is_some() && library.pans.contains_key("own-nonstick"));
+}
+
 #[test]
 fn the_shipped_grill_pan_recipe_rests_up_to_a_pink_centre_with_lines_on_both_faces() {
     let library = library();
