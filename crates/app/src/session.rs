@@ -447,6 +447,7 @@ fn label(command: &Command) -> Option<String> {
         Command::Put { .. } => "in".into(),
         Command::Flip { .. } => "flip".into(),
         Command::Rest { .. } => "out".into(),
+        Command::Halve { .. } => "halve".into(),
         Command::MovePan { .. } => "pan".into(),
         Command::Cool { .. } => "cloth".into(),
         Command::Toss { .. } => "toss".into(),

@@ -98,15 +98,17 @@ impl FoodSolver {
         if !state.healthy {
             return total;
         }
-        if state.ticks.is_multiple_of(REFRESH_TICKS) {
-            if state.ticks > 0 {
-                change(model, state, dt * REFRESH_TICKS as f64);
-                total.drip = model.release_juice(state, dt * REFRESH_TICKS as f64);
-                total.rendered = model.release_fat(state, dt * REFRESH_TICKS as f64);
-                if model.contracts && state.ticks.is_multiple_of(SHAPE_TICKS) {
-                    model.shrink(state);
-                }
+        let due = state.ticks.is_multiple_of(REFRESH_TICKS);
+        if due && state.ticks > 0 {
+            change(model, state, dt * REFRESH_TICKS as f64);
+            total.drip = model.release_juice(state, dt * REFRESH_TICKS as f64);
+            total.rendered = model.release_fat(state, dt * REFRESH_TICKS as f64);
+            if model.contracts && state.ticks.is_multiple_of(SHAPE_TICKS) {
+                model.shrink(state);
             }
+        }
+        // A solver that has seen nothing of the piece as it is now looks at once.
+        if due || self.films.len() != model.patches.len() {
             self.refresh(model, state, dt);
             self.refresh_films(model, state, around);
             if !self.keep_or_restore(state) {

@@ -89,8 +89,12 @@ impl FoodModel {
         }
     }
 
-    /// Share of a level's free juice that passes to the next in the time in which it moves by `reach` [-].
+    /// Share of a level's free juice that passes to the next in the time in which it moves by `reach` [-]; none across
+    /// a cut, where it gathers and runs off.
     fn share(&self, from: usize, to: usize, reach: f64) -> f64 {
+        if self.parts_levels(from, to) {
+            return 0.0;
+        }
         let spacing = libm::fabs(self.mesh.levels[from] - self.mesh.levels[to]);
         1.0 - 1.0 / (1.0 + reach / spacing)
     }

@@ -15,6 +15,7 @@ pub mod description;
 pub mod doneness;
 pub mod fat;
 pub mod form;
+pub mod halving;
 pub mod juice;
 mod juice_way;
 pub mod marbling;

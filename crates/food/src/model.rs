@@ -10,6 +10,7 @@ use crate::colour::{Appearance, Palette};
 use crate::components::{Components, Masses, Properties};
 use crate::description::{FoodDescription, Kinetics, Lethality, MOST_CHANGES, NoSuchChange, PerChange, WaterHolding};
 use crate::fat::FatRates;
+use crate::halving::Halving;
 use crate::marbling::MarblingField;
 use crate::paper_2013::{BOILING, MeshSize, Rules, simplified};
 use crate::patch::{Face, Patch};
@@ -159,6 +160,8 @@ pub struct FoodModel {
     pub kinetics: Kinetics,
     /// Where the core is in the section, and how far along the path [m].
     core: (Located, f64),
+    /// The cut that parts it, if there is one.
+    pub(crate) halving: Option<Halving>,
     /// What a body of cells reads instead.
     pub(crate) cell_readings: CellReadings,
 }
@@ -227,6 +230,7 @@ impl FoodModel {
             marbling: MarblingField::new(description.marbling.as_ref(), seed),
             tissues: TissueField::new(description, size, seed),
             tissue: Vec::new(),
+            halving: None,
             outlets: Vec::new(),
             rest_normals: Vec::new(),
             description: description.clone(),
@@ -278,12 +282,15 @@ impl FoodModel {
 
     /// Lowers the conductance of the edges that cross borders of sheaths, by the conductivity of the raw flesh.
     fn part_sheaths(&mut self) {
+        let shares: Vec<f64> = (0..self.mesh.graph.ends.len()).map(|edge| self.sheath_share(edge)).collect();
+        self.mesh.graph.shape.iter_mut().zip(shares).for_each(|(shape, share)| *shape *= share);
+    }
+
+    /// What borders of sheaths leave of an edge's conductance [-].
+    pub(crate) fn sheath_share(&self, edge: usize) -> f64 {
         let lean = &self.description.lean;
         let k = self.properties.conductivity(&[lean.water, lean.lean_solids(), lean.fat], ZERO_C + 20.0);
-        let place = |node: u32| self.mesh.position(node as usize);
-        let across = |ends: &[u32; 2]| self.tissues.share_across(ends.map(place), k);
-        let shares: Vec<f64> = self.mesh.graph.ends.iter().map(across).collect();
-        self.mesh.graph.shape.iter_mut().zip(shares).for_each(|(shape, share)| *shape *= share);
+        self.tissues.share_across(self.mesh.graph.ends[edge].map(|node| self.mesh.position(node as usize)), k)
     }
 
     /// Share of the second tissue (a root's core, a shaft's green) at a point of the rest mesh's frame [-].

@@ -91,9 +91,10 @@ impl FoodModel {
         field.iter().zip(volume).map(|(f, v)| f * v).sum::<f64>() / volume.iter().sum::<f64>()
     }
 
-    /// Log₁₀ reduction of pathogens at the core and at the least heated point of the surface [-].
+    /// Log₁₀ reduction of pathogens at the core and at the least heated point of the surface that it was cooked
+    /// with [-].
     pub fn log_reduction(&self, state: &FoodState) -> (f64, f64) {
-        let surface = self.patches.iter().filter(|p| p.area > 0.0);
+        let surface = self.patches[..self.fresh_faces().start].iter().filter(|p| p.area > 0.0);
         let least = surface.map(|p| state.lethality[p.node as usize]).fold(f64::INFINITY, f64::min);
         (self.at_core(&state.lethality), least)
     }

@@ -89,6 +89,7 @@ impl FoodModel {
         if let Some(cells) = self.cells() {
             // A body that contracts alike in all directions keeps its normals.
             poses.iter_mut().zip(&cells.patches).for_each(|(pose, patch)| pose.normal = patch.normal);
+            self.pose_fresh_faces(positions, poses);
             return;
         }
         for (nodes, patches) in self.surface.triangles.iter().zip(&self.surface.patches) {
@@ -100,19 +101,22 @@ impl FoodModel {
         for (pose, patch) in poses.iter_mut().zip(&self.patches) {
             pose.normal = unit(pose.normal).unwrap_or_else(|| plain_normal(patch.face, pose.position));
         }
+        self.pose_fresh_faces(positions, poses);
     }
 
     /// Patches that lie below where `up` points up in the world, a direction of the body frame: those that look down
-    /// (n·up < −0.7), or where none does those that do so most. Their order is that of the patches.
+    /// (n·up < −0.7), or where none does those that do so most. Their order is that of the patches. The fresh faces of a
+    /// cut are open to the air and lie on nothing.
     pub fn patches_below(&self, up: [f64; 3]) -> impl Iterator<Item = usize> + '_ {
         let height = move |i: usize| {
             let n = self.rest_normals[i];
             n[0] * up[0] + n[1] * up[1] + n[2] * up[2]
         };
         let there = move |i: &usize| self.patches[*i].area > 0.0;
-        let lowest = (0..self.patches.len()).filter(there).map(height).fold(f64::INFINITY, f64::min);
+        let skin = self.fresh_faces().start;
+        let lowest = (0..skin).filter(there).map(height).fold(f64::INFINITY, f64::min);
         let bound = if lowest < BELOW { BELOW } else { lowest + 1e-9 };
-        (0..self.patches.len()).filter(there).filter(move |i| height(*i) < bound)
+        (0..skin).filter(there).filter(move |i| height(*i) < bound)
     }
 
     /// Whether the body is a slice: its section carried straight upwards.
@@ -142,7 +146,7 @@ fn twice_area([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
     [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 }
 
-fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
+pub(crate) fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
     let length = libm::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     (length > 0.0).then(|| v.map(|x| x / length))
 }

@@ -72,7 +72,7 @@ impl TissueField {
     /// Which sheath a point of the rest frame lies in, counted from the middle; 0 where there are none.
     pub fn sheath(&self, p: [f64; 3]) -> usize {
         let Kind::Sheaths { radii, .. } = &self.kind else { return 0 };
-        let distance = self.from_axis(p);
+        let distance = self.off_axis(p);
         radii.partition_point(|r| *r < distance).min(radii.len() - 1)
     }
 
@@ -86,14 +86,14 @@ impl TissueField {
                 libm::fabs(radius * (1.0 + wave * self.ripple(q)) - libm::hypot(q[0], q[1]))
             }
             Kind::Sheaths { radii, .. } => {
-                let distance = self.from_axis(p);
+                let distance = self.off_axis(p);
                 radii.iter().map(|r| libm::fabs(r - distance)).fold(f64::INFINITY, f64::min)
             }
         }
     }
 
     /// Distance from the axis that the plant grew along, as its sheaths are pressed out of round [m].
-    fn from_axis(&self, p: [f64; 3]) -> f64 {
+    fn off_axis(&self, p: [f64; 3]) -> f64 {
         let q = self.across.map(|axis| p[axis]);
         libm::hypot(q[0], q[1]) / (1.0 + SHEATH_WAVE * self.ripple(q))
     }

@@ -3,9 +3,9 @@
 use toml::Spanned;
 
 use crate::action_file::{
-    ButterTable, COOL_S, CoolTable, FAT_G, FOR_S, HobTable, LIFT_MM, Limits, MovePanTable, MoveTable, OilTable,
-    PRESS_N, PressTable, PutTable, SHAKE_AMPLITUDE_MM, SHAKE_HZ, ShakeTable, TILT_DEG, TOSS_HEIGHT_MM, TOWARDS_DEG,
-    TiltTable, TossTable, WATER_G, WaterTable,
+    ButterTable, COOL_S, CoolTable, FAT_G, FOR_S, HALVE_AT_MM, HalveTable, HobTable, LIFT_MM, Limits, MovePanTable,
+    MoveTable, OilTable, PRESS_N, PressTable, PutTable, SHAKE_AMPLITUDE_MM, SHAKE_HZ, ShakeTable, TILT_DEG,
+    TOSS_HEIGHT_MM, TOWARDS_DEG, TiltTable, TossTable, WATER_G, WaterTable,
 };
 use crate::command::Command;
 use crate::input_error::InputError;
@@ -16,7 +16,7 @@ use crate::shorthand::Entry;
 
 /// Actions that a step may have, in words.
 const ACTIONS: &str =
-    "hob_w, put, flip, rest, move_pan, cool, oil_g, butter_g, water_g, toss, shake, tilt, press, move, lid, end";
+    "hob_w, put, flip, rest, halve, move_pan, cool, oil_g, butter_g, water_g, toss, shake, tilt, press, move, lid, end";
 
 impl Check<'_> {
     pub(crate) fn action(&self, at: usize, step: &StepEntry, cast: &Cast) -> Checked<Action> {
@@ -60,6 +60,7 @@ impl Check<'_> {
                 let on = e.table.on.or(step.on.as_ref().map(|on| *on.get_ref()));
                 each(&e.table.food, "rest", Ok(Deed::Rest(on.unwrap_or_default())))
             }),
+            step.halve.as_ref().map(|e| each(&e.table.food, "halve", self.halve(&e.table))),
             step.press.as_ref().map(|e| each(&e.table.food, "press", self.press(&e.table))),
             step.move_to.as_ref().map(|e| each(&e.table.food, "move", self.move_to(&e.table))),
         ];
@@ -128,6 +129,10 @@ impl Check<'_> {
     fn put(&self, put: &PutTable, beside: Option<&Spanned<Vec<f64>>>) -> Checked<Deed> {
         let at = self.place("at_mm", put.at_mm.as_ref().or(beside), 200.0, "of the pan's centre")?;
         Ok(Deed::Put { at, heap: put.heap.unwrap_or(false) })
+    }
+
+    fn halve(&self, halve: &HalveTable) -> Checked<Deed> {
+        Ok(Deed::Halve { at: 1e-3 * self.limited("halve.at_mm", halve.at_mm.as_ref(), HALVE_AT_MM)? })
     }
 
     fn press(&self, press: &PressTable) -> Checked<Deed> {

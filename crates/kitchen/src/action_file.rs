@@ -40,6 +40,8 @@ pub const FOR_S: Limits = limits(0.1, 600.0, 5.0);
 pub const TOWARDS_DEG: Limits = limits(-360.0, 360.0, 0.0);
 /// Force of pressing [N] (chosen: the weight of one kilogram; a hand on a turner hardly gives more than 100 N).
 pub const PRESS_N: Limits = limits(0.0, 100.0, 10.0);
+/// Place of the knife's cut from the middle of a food [mm] (chosen: half of the longest food).
+pub const HALVE_AT_MM: Limits = limits(-150.0, 150.0, 0.0);
 /// Height of the pan above the glass [mm] (chosen: within reach; it stands).
 pub const LIFT_MM: Limits = limits(0.0, 500.0, 0.0);
 /// How long the pan stands on the cloth [s]; its default stands in `kitchen.toml`.
@@ -88,6 +90,19 @@ pub struct RestTable {
     /// Onto what; the board by default.
     #[schemars(extend("default" = "board"))]
     pub on: Option<RestOn>,
+}
+
+/// Cuts foods that lie on the board in halves across their long axis, once, and opens them; foil is
+/// taken off.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HalveTable {
+    /// A food, a group, or "all"; of several those that lie on the board whole.
+    #[schemars(with = "String")]
+    pub food: Spanned<String>,
+    /// Place of the cut along the long axis, from the middle [mm]; 0 by default.
+    #[schemars(with = "Option<f64>", range(min = HALVE_AT_MM.low, max = HALVE_AT_MM.high), extend("default" = HALVE_AT_MM.default))]
+    pub at_mm: Option<Spanned<f64>>,
 }
 
 /// Moves the pan over the hob, or lifts it, until it is moved again: back onto its ring by default. More than 15 mm above the
@@ -272,6 +287,7 @@ shorthand! {
     PutTable: String = |food| Ok(Self { food, at_mm: None, heap: None });
     FlipTable: String = |food| Ok(Self { food });
     RestTable: String = |food| Ok(Self { food, on: None });
+    HalveTable: String = |food| Ok(Self { food, at_mm: None });
     MovePanTable: bool = |yes| yes.into_inner().then(Self::default).ok_or(SAYS_NOTHING);
     CoolTable: CoolBy = |by| Ok(Self { by: by.into_inner(), for_s: None });
     OilTable: f64 = |g| Ok(Self { g, kind: None });

@@ -3,6 +3,7 @@
 use saute_heat::Section;
 
 use crate::pan_description::PanDescription;
+use crate::ridges::Ridges;
 
 /// What liquid passes through.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +23,8 @@ pub struct BedEdge {
     pub b: u32,
     /// Face between them.
     pub mouth: Mouth,
+    /// Between nodes of a ridged floor: share of the direction that runs across the ridges, squared cosine [-].
+    pub across: Option<f64>,
 }
 
 /// A face through which liquid runs over the rim.
@@ -50,6 +53,8 @@ pub struct Bed {
     pub edges: Vec<BedEdge>,
     /// Faces over the rim.
     pub rim: Vec<RimFace>,
+    /// Ridges on the floor.
+    pub ridges: Option<Ridges>,
 }
 
 impl Bed {
@@ -74,6 +79,7 @@ impl Bed {
                 narrower,
             )
         };
+        let ridges = pan.ridges.as_ref().map(Ridges::of);
         let placed: Vec<_> = section.points.iter().map(|p| place(p, 0.0)).collect();
         let distance = |a: u32, b: u32| {
             let (p, q) = (section.points[a as usize], section.points[b as usize]);
@@ -82,7 +88,11 @@ impl Bed {
         let edges = section.edges.iter().map(|&(a, b, weight)| {
             let length = distance(a, b);
             let narrower = 0.5 * (placed[a as usize].2 + placed[b as usize].2);
-            BedEdge { a, b, mouth: Mouth { face: weight * length * narrower, length } }
+            let mouth = Mouth { face: weight * length * narrower, length };
+            let flat = |i: u32| placed[i as usize].0[2] <= 0.0;
+            let rise = section.points[b as usize][0] - section.points[a as usize][0];
+            let across = (ridges.is_some() && flat(a) && flat(b)).then(|| rise * rise / (length * length));
+            BedEdge { a, b, mouth, across }
         });
         let lengths = section.boundary_lengths();
         let rim = lengths.iter().enumerate().filter(|(_, length)| **length > 0.0).map(|(node, &length)| {
@@ -93,6 +103,7 @@ impl Bed {
         });
         let areas: Vec<f64> = section.areas.iter().zip(&placed).map(|(area, p)| area * p.2).collect();
         Self {
+            ridges,
             edges: edges.collect(),
             rim: rim.collect(),
             per_area: areas.iter().map(|area| 1.0 / area).collect(),

@@ -1,15 +1,13 @@
 //! Butter: a piece melts, its water boils off in foam, its milk solids brown and then char.
 
 use saute_food::ZERO_C;
-use saute_food::browning::BROWNING_FROM;
-use saute_food::changes::arrhenius;
 use saute_food::sourced_table;
-use saute_food::table::Table;
 
 use crate::bed::Bed;
 use crate::kelvin;
-use crate::oil::{Emulsion, Oil, SolidsChange};
+use crate::oil::{Emulsion, Oil};
 use crate::oil_film::OilFilm;
+use crate::solids_rates::SolidsRates;
 use crate::water_film::{WATER_SPECIFIC_HEAT, WaterFilm, WaterModel};
 
 sourced_table! {
@@ -22,9 +20,6 @@ sourced_table! {
     }
 }
 
-/// Milk solids under water are no hotter than this [K] (105 °C: boiling brine, chosen).
-const HOTTEST_WET: f64 = 378.15;
-
 /// What never changes about butter.
 #[derive(Clone, Debug)]
 pub struct ButterModel {
@@ -34,8 +29,7 @@ pub struct ButterModel {
     /// Specific heat of the whole [J/(kg·K)].
     specific_heat: f64,
     density: f64,
-    browning: Table,
-    charring: Table,
+    rates: SolidsRates,
     foam: FoamData,
 }
 
@@ -85,16 +79,11 @@ impl ButterModel {
     pub fn new(oils: &[Oil], kind: usize, foam: &FoamData) -> Option<Self> {
         let oil = oils.get(kind)?;
         let emulsion = oil.description.emulsion.clone()?;
-        let rate = |c: &SolidsChange| {
-            let at = arrhenius(c.activation_energy_kj_mol, c.anchor_c, c.anchor_rate_per_s);
-            Table::new(BROWNING_FROM, kelvin(400.0), 1.0, at)
-        };
         Some(Self {
             kind,
             specific_heat: (1.0 - emulsion.water) * oil.specific_heat + emulsion.water * WATER_SPECIFIC_HEAT,
             density: oil.density(kelvin(20.0)),
-            browning: rate(&emulsion.browning),
-            charring: rate(&emulsion.charring),
+            rates: SolidsRates::new(&emulsion.browning, &emulsion.charring),
             foam: foam.clone(),
             emulsion,
         })
@@ -209,13 +198,10 @@ impl Butter {
         let (mut whole, mut brown, mut char) = (0.0, 0.0, 0.0);
         for (i, &mass) in fat.mass.iter().enumerate().filter(|(_, mass)| **mass > 0.0) {
             let wet = water_model.coverage(water.mass[i], bed.areas[i]);
-            let t = temperature[i];
-            let t = t - wet * (t - t.min(HOTTEST_WET));
+            let rates = model.rates.at(temperature[i], wet);
             whole += mass;
-            if t > BROWNING_FROM {
-                brown += mass * model.browning.at(t);
-                char += mass * model.charring.at(t);
-            }
+            brown += mass * rates[0];
+            char += mass * rates[1];
         }
         if whole > 0.0 {
             self.browning = 1.0 - (1.0 - self.browning) / (1.0 + brown / whole * dt);

@@ -43,6 +43,13 @@ pub enum Command {
         /// Onto what.
         on: RestOn,
     },
+    /// Cuts a piece that lies on the board in halves, across its long axis, and opens it.
+    Halve {
+        /// Which piece.
+        food: String,
+        /// Distance of the cut from the middle along the long axis [m].
+        at: f64,
+    },
     /// Moves the pan over the hob; what lies in it moves along.
     MovePan {
         /// Centre of the pan relative to the ring's [m].
@@ -132,6 +139,7 @@ impl Command {
             Self::Oil { .. } | Self::Butter(_) | Self::Water(_) => true,
             Self::Shake { .. } | Self::Tilt { .. } | Self::HoldPan { .. } | Self::LetGo => false,
             Self::Lead { .. } => true,
+            Self::Halve { .. } => false,
             Self::Hob(_) | Self::MovePan { .. } | Self::Cool { .. } | Self::Lid(_) => false,
         }
     }
@@ -146,6 +154,20 @@ pub enum Refused {
     /// Not in the pan.
     #[error("\"{0}\" is not in the pan: put it in first")]
     NotInPan(String),
+    /// Not on the board.
+    #[error("\"{0}\" does not lie on the board, where the knife works: rest it on the board first")]
+    NotOnBoard(String),
+    /// In halves already.
+    #[error("\"{0}\" is cut in halves already: it can be cut once")]
+    AlreadyHalved(String),
+    /// The knife would miss it.
+    #[error("the knife would miss \"{food}\": cut within {most_mm} mm of its middle")]
+    BesideFood {
+        /// Which piece.
+        food: String,
+        /// Farthest from the middle [mm].
+        most_mm: i64,
+    },
     /// In the pan already.
     #[error("\"{0}\" is in the pan already")]
     AlreadyInPan(String),

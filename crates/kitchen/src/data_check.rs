@@ -5,8 +5,9 @@ use saute_food::doneness::MOST_CLASSES;
 use saute_food::{FoodDescription, Form, Kinetics, Scale};
 use toml::Spanned;
 
+use crate::fond::FondData;
 use crate::library::{DEFAULT_SCALE, LibraryError, line_of};
-use crate::oil::OilDescription;
+use crate::oil::{OilDescription, SolidsChange};
 use crate::pan_description::{CoatingDescription, PanDescription};
 
 /// A number with its place in the file and the range in which it makes sense.
@@ -40,6 +41,16 @@ pub fn pan(pan: &PanDescription, file: &str, text: &str) -> Result<(), LibraryEr
             ranged("surface", "emissivity", pan.surface.emissivity, 0.0, 1.0),
             ranged("look", "metalness", pan.look.metalness, 0.0, 1.0),
             ranged("look", "roughness", pan.look.roughness, 0.0, 1.0),
+        ],
+    )?;
+    let Some(ridges) = &pan.ridges else { return Ok(()) };
+    check(
+        file,
+        text,
+        &[
+            ranged("ridges", "pitch_mm", ridges.pitch_mm, 2.0, 50.0),
+            ranged("ridges", "width_mm", ridges.width_mm, 0.5, 0.95 * ridges.pitch_mm),
+            ranged("ridges", "height_mm", ridges.height_mm, 0.5, 20.0),
         ],
     )
 }
@@ -90,12 +101,35 @@ pub fn oil(oil: &OilDescription, file: &str, text: &str) -> Result<(), LibraryEr
             ranged("emulsion", "lump_mm", emulsion.lump_mm, 1.0, 100.0),
         ],
     )?;
-    let changes = [("emulsion.browning", &emulsion.browning), ("emulsion.charring", &emulsion.charring)];
-    changes.into_iter().try_for_each(|(table, change)| {
+    solids(&[("emulsion.browning", &emulsion.browning), ("emulsion.charring", &emulsion.charring)], file, text)
+}
+
+/// Checks how solids brown and char.
+fn solids(changes: &[(&'static str, &SolidsChange)], file: &str, text: &str) -> Result<(), LibraryError> {
+    changes.iter().try_for_each(|(table, change)| {
         let energy = ranged(table, "activation_energy_kj_mol", change.activation_energy_kj_mol, 1.0, 1000.0);
         let anchor = ranged(table, "anchor_c", change.anchor_c, 0.0, 400.0);
         check(file, text, &[energy, anchor, ranged(table, "anchor_rate_per_s", change.anchor_rate_per_s, 1e-9, 10.0)])
     })
+}
+
+/// Checks the numbers of fond.
+pub fn fond(fond: &FondData, file: &str, text: &str) -> Result<(), LibraryError> {
+    let dissolving = &fond.dissolving;
+    check(
+        file,
+        text,
+        &[
+            ranged("juice", "solids", fond.juice.solids, 0.0, 0.5),
+            ranged("juice", "sticking", fond.juice.sticking, 0.0, 1.0),
+            ranged("cover", "full_kg_m2", fond.cover.full_kg_m2, 1e-5, 10.0),
+            ranged("dissolving", "activation_energy_kj_mol", dissolving.activation_energy_kj_mol, 1.0, 1000.0),
+            ranged("dissolving", "anchor_c", dissolving.anchor_c, 0.0, 150.0),
+            ranged("dissolving", "anchor_rate_per_s", dissolving.anchor_rate_per_s, 0.0, 100.0),
+            ranged("dissolving", "saturation", dissolving.saturation, 1e-3, 10.0),
+        ],
+    )?;
+    solids(&[("browning", &fond.browning), ("charring", &fond.charring)], file, text)
 }
 
 /// Checks a food's numbers.

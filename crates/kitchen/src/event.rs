@@ -22,11 +22,13 @@ pub enum EventKind {
     WaterInHotOil,
     /// The lid is taken off; amount: steam that rises [kg].
     SteamReleased,
+    /// A food is cut in halves on the board; amount: its mass [kg].
+    Halved,
 }
 
 impl EventKind {
     /// All kinds, in their order.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Spatter,
         Self::Pop,
         Self::SmokeBegins,
@@ -34,6 +36,7 @@ impl EventKind {
         Self::Fire,
         Self::WaterInHotOil,
         Self::SteamReleased,
+        Self::Halved,
     ];
 
     /// Whether its amounts add up, as masses do and temperatures do not.
@@ -53,7 +56,7 @@ impl EventKind {
             Self::FlashPoint => Some("the oil passed its flash point: turn the hob off and take the pan off it"),
             Self::Fire => Some("the oil burned: take the pan off the hob and put the lid on, never water"),
             Self::WaterInHotOil => Some("water went into hot oil: it spatters and can burn you"),
-            Self::Spatter | Self::Pop | Self::SteamReleased => None,
+            Self::Spatter | Self::Pop | Self::SteamReleased | Self::Halved => None,
         }
     }
 }

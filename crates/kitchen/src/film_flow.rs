@@ -7,7 +7,7 @@
 //! passes more than lets their surfaces meet, and never more than its donor has: whatever the step, masses are kept to
 //! rounding, no thickness becomes negative, and no surface leaves the range of those around it by levelling.
 
-use crate::bed::{Bed, Mouth};
+use crate::bed::{Bed, BedEdge, Mouth};
 
 /// Gravity that presses a film onto the pan is reckoned with at least this [m/s²] (chosen: keeps levelling defined on a
 /// pan that is tossed or stands on edge).
@@ -128,10 +128,19 @@ impl FilmFlow {
         let drop = self.surface(manner, a) - self.surface(manner, b);
         let (from, to) = if drop > 0.0 { (a, b) } else { (b, a) };
         let stiffness = self.stiffness[a] + self.stiffness[b];
-        let (share, volume) =
-            self.give(bed, manner, from, Driven { drop: libm::fabs(drop), stiffness, dt }, edge.mouth);
+        let drive = Driven { drop: libm::fabs(drop), stiffness, dt };
+        let (share, volume) = self.give(bed, manner, from, drive, self.mouth(bed, edge, from));
         self.thickness[to] += volume * bed.per_area[to];
         self.passed[e] = if drop > 0.0 { share } else { -share };
+    }
+
+    /// The face between two nodes as liquid passes it; among ridges it runs in the grooves.
+    #[inline]
+    fn mouth(&self, bed: &Bed, edge: &BedEdge, from: usize) -> Mouth {
+        let (Some(across), Some(ridges)) = (edge.across, &bed.ridges) else { return edge.mouth };
+        let lean = libm::fabs(self.potential[edge.a as usize] - self.potential[edge.b as usize]);
+        let slope = lean / (self.pressing[from] * edge.mouth.length);
+        Mouth { face: edge.mouth.face * ridges.widening(across, self.thickness[from], slope), ..edge.mouth }
     }
 
     /// Passes liquid over the rim, where it falls away.

@@ -166,6 +166,7 @@ fn mean_food(group: &Group, pieces: &[FoodSummary], scales: &[Arc<Scale>]) -> Fo
             peak: all.mean(|p| p.core_c.peak),
             peak_at_s: all.mean(|p| p.core_c.peak_at_s),
         },
+        halved_at_mm: pieces.iter().map(|p| p.halved_at_mm).sum::<Option<f64>>().map(|sum| sum / pieces.len() as f64),
         section_pct: all.doneness(|p| p.section_pct),
         volume_pct: all.doneness(|p| p.volume_pct),
         doneness: all.by_scale(scales),

@@ -223,14 +223,21 @@ impl Kitchen {
         for near in &piece.near.patches {
             let (patch, located) = (near.patch as usize, &near.located);
             let (heat, area) = (piece.solver.contact_heat[patch], piece.patch_area(patch));
+            let wet = piece.is_wet(piece.node_of(near.patch));
             for k in 0..3 {
                 let (node, weight) = (located.nodes[k] as usize, located.weights[k]);
                 self.pan_flow[node] += weight * heat / TICK_S;
                 self.covered[node] += weight * area / fixed.pan.section.areas[node];
-                self.steam[node] += weight * area / whole * boiled;
+                let steam = weight * area / whole * boiled;
+                self.steam[node] += steam;
+                if wet {
+                    let model = &fixed.pan.liquids;
+                    self.pan.liquids.fond.stick(&model.bed, node, steam * model.fond.left_by_steam);
+                }
                 if exchange.drip.mass > 0.0 {
                     let share = weight * area / whole;
-                    self.pan.liquids.drip(node, share * exchange.drip.mass, share * exchange.drip.enthalpy);
+                    let [mass, enthalpy] = [exchange.drip.mass, exchange.drip.enthalpy].map(|v| share * v);
+                    self.pan.liquids.drip(node, mass, enthalpy, mass * fixed.pan.liquids.fond.juice_solids);
                 }
             }
         }
@@ -246,7 +253,8 @@ impl Kitchen {
         let Place::Pan(at) = self.pieces[index].place else { return };
         let located = fixed.pan.locator.locate_or_nearest(&fixed.pan.section, at);
         for (node, share) in located.nodes.into_iter().zip(located.weights) {
-            self.pan.liquids.drip(node as usize, share * exchange.drip.mass, share * exchange.drip.enthalpy);
+            let [mass, enthalpy] = [exchange.drip.mass, exchange.drip.enthalpy].map(|v| share * v);
+            self.pan.liquids.drip(node as usize, mass, enthalpy, mass * fixed.pan.liquids.fond.juice_solids);
         }
     }
 

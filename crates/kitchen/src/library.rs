@@ -13,6 +13,7 @@ use serde::de::DeserializeOwned;
 use toml::Spanned;
 
 use crate::data_check;
+use crate::fond::FondData;
 use crate::hob::HobDescription;
 use crate::oil::OilDescription;
 use crate::pan_description::{CoatingDescription, PanDescription};
@@ -20,6 +21,9 @@ use crate::room::Room;
 
 /// The file of the scales of doneness.
 const DONENESS_FILE: &str = "doneness.toml";
+
+/// The file of what juice leaves on the pan.
+const FOND_FILE: &str = "fond.toml";
 
 static DATA: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../data");
 static VALIDATION: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../validation");
@@ -72,6 +76,8 @@ pub struct Library {
     pub room: Room,
     /// The hob.
     pub hob: HobDescription,
+    /// What juice leaves on the pan.
+    pub fond: FondData,
 }
 
 impl Library {
@@ -106,6 +112,7 @@ impl Library {
             components: parse(&files, "components.toml")?,
             room: parse(&files, "kitchen.toml")?,
             hob: parse(&files, "hobs/induction.toml")?,
+            fond: parse(&files, FOND_FILE)?,
         };
         for (id, food) in std::mem::take(&mut library.foods) {
             let file = format!("foods/{id}.toml");
@@ -117,6 +124,7 @@ impl Library {
             library.check_kinetics(food, &file, files.get(&file).map_or("", String::as_str))?;
         }
         library.check_oils()?;
+        data_check::fond(&library.fond, FOND_FILE, files.get(FOND_FILE).map_or("", String::as_str))?;
         Ok(library)
     }
 

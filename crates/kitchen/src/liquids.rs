@@ -6,6 +6,7 @@ use crate::bed::Bed;
 use crate::butter::{Butter, ButterModel};
 use crate::event::{Event, EventLog};
 use crate::film_flow::FilmFlow;
+use crate::fond::{Fond, FondBed, FondModel};
 use crate::library::Library;
 use crate::oil::Oil;
 use crate::oil_film::{Dose, Ground, OilFilm};
@@ -26,6 +27,8 @@ pub struct LiquidModel {
     pub water: WaterModel,
     /// Butter.
     pub butter: Option<ButterModel>,
+    /// What juice leaves.
+    pub fond: FondModel,
     /// Volume up to the rim [m³].
     pub volume: f64,
     /// Nodes of the floor.
@@ -46,6 +49,8 @@ pub struct Liquids {
     pub water: WaterFilm,
     /// Butter.
     pub butter: Butter,
+    /// What juice left: dried on the pan, or dissolved in its water.
+    pub fond: Fond,
     /// Smoke and fire.
     pub smoke: Smoke,
     /// Spatter.
@@ -126,6 +131,7 @@ impl LiquidModel {
         Self {
             butter: ButterModel::new(&oils, kind(&use_of.butter), &library.room.foam),
             water: WaterModel::new(&library.room.puddle),
+            fond: FondModel::new(&library.fond),
             volume: core::f64::consts::PI / 3.0 * height * (floor * floor + floor * rim + rim * rim),
             floor_area: bed.areas[..floor_nodes].iter().sum(),
             clinging: 1e-3 * use_of.clinging_mm,
@@ -149,6 +155,7 @@ impl LiquidModel {
             oil: OilFilm::none(nodes),
             water: WaterFilm::none(nodes),
             butter: Butter::default(),
+            fond: Fond::none(nodes),
             smoke: Smoke::default(),
             spatter: Spatter::seeded(SPATTER_SEED),
             spilled: 0.0,
@@ -240,7 +247,8 @@ impl LiquidModel {
         }
         let due = liquids.water_pace.due(gravity, dt);
         if due > 0.0 {
-            let run = liquids.water.run(&mut solver.water, &self.water, &self.bed, gravity, due);
+            let Liquids { water, fond, .. } = liquids;
+            let run = water.run(&mut solver.water, fond, (&self.water, &self.bed), gravity, due);
             liquids.spilled += run.spilled;
             liquids.water_pace.choose(due, run.moved);
             lost += run.spilled_heat;
@@ -301,6 +309,11 @@ impl LiquidModel {
             heat += smoke.advance(&over, oil, dt * SLOW_TICKS as f64, tell);
         }
         self.froth_and_brown(liquids, &solver.steam, temperature, dt);
+        if liquids.ticks.is_multiple_of(SLOW_TICKS) {
+            let Liquids { fond, water, .. } = liquids;
+            let on = FondBed { bed: &self.bed, water, water_model: &self.water, metal: temperature };
+            fond.advance(&self.fond, &on, dt * SLOW_TICKS as f64);
+        }
         self.refresh_film(liquids, room);
         (vapour, heat)
     }
@@ -380,9 +393,11 @@ pub struct Around<'a> {
 }
 
 impl Liquids {
-    /// Adds water with its enthalpy [kg], [J] at one node, as juice does.
-    pub fn drip(&mut self, node: usize, mass: f64, enthalpy: f64) {
+    /// Adds water with its enthalpy [kg], [J] at one node, as juice does, and the solids that are dissolved in it beside
+    /// that [kg].
+    pub fn drip(&mut self, node: usize, mass: f64, enthalpy: f64, solids: f64) {
         self.water.add(node, mass, enthalpy);
+        self.fond.shed(node, solids);
         self.water_pace.stir();
     }
 

@@ -38,6 +38,7 @@ impl Kitchen {
             Command::Put { food, at, heap } => self.put(food, *at, *heap),
             Command::Flip { food } => self.order(food, |key| Task::Flip { key }),
             Command::Rest { food, on } => self.rest(food, *on),
+            Command::Halve { food, at } => self.halve(food, *at),
             Command::MovePan { at, lift } => self.move_pan(*at, *lift),
             Command::Cool { for_s } => {
                 self.cool_at_once();

@@ -13,6 +13,7 @@ use crate::library::Library;
 use crate::lid::Lid;
 use crate::liquids::{Around, LiquidModel, LiquidSolver, Liquids};
 use crate::pan_description::PanDescription;
+use crate::ridges::Ridges;
 use crate::room::Room;
 use crate::water_film::Vapour;
 
@@ -32,6 +33,8 @@ pub struct PanModel {
     pub floor_nodes: usize,
     /// Area of the floor [m²].
     pub floor_area: f64,
+    /// Ridges on the floor of a grill pan.
+    pub ridges: Option<Ridges>,
     /// Liquids on it.
     pub liquids: LiquidModel,
     pub(crate) capacity: Vec<f64>,
@@ -130,9 +133,14 @@ impl PanModel {
         };
         let metal = &description.metal;
         let areas = &section.areas;
-        let capacity = (0..areas.len())
-            .map(|i| areas[i] * thickness(i) * metal.density_kg_m3 * metal.specific_heat_j_kgk)
-            .collect();
+        let ridges = description.ridges.as_ref().map(Ridges::of);
+        // Ridges store heat; along the floor the plate between them conducts.
+        let storing = |i: usize| {
+            let on_top = ridges.filter(|_| i < floor_nodes).map_or(0.0, |r| r.spread_out());
+            thickness(i) + on_top
+        };
+        let capacity =
+            (0..areas.len()).map(|i| areas[i] * storing(i) * metal.density_kg_m3 * metal.specific_heat_j_kgk).collect();
         let mut graph =
             Graph { volume: (0..areas.len()).map(|i| areas[i] * thickness(i)).collect(), ..Graph::default() };
         for &(a, b, weight) in &section.edges {
@@ -147,6 +155,7 @@ impl PanModel {
             floor_area: areas[..floor_nodes].iter().sum(),
             locator: Locator::new(&section),
             description: description.clone(),
+            ridges,
             floor_nodes,
             capacity,
             graph,

@@ -8,8 +8,20 @@ sourced_table! {
     Floor {
         /// Radius [mm].
         radius_mm: f64,
-        /// Thickness [mm].
+        /// Thickness, of a pan with ridges that of the plate between them [mm].
         thickness_mm: f64,
+    }
+}
+
+sourced_table! {
+    /// Ridges of a grill pan, on the tops of which food lies.
+    RidgesData {
+        /// From the middle of one to that of the next [mm].
+        pitch_mm: f64,
+        /// Width of their tops [mm].
+        width_mm: f64,
+        /// Height of their tops above the plate between them [mm].
+        height_mm: f64,
     }
 }
 
@@ -18,7 +30,7 @@ sourced_table! {
     Wall {
         /// Radius at the rim [mm].
         rim_radius_mm: f64,
-        /// Height of the rim above the floor [mm].
+        /// Height of the rim above the floor, of a pan with ridges above their tops [mm].
         height_mm: f64,
         /// Thickness [mm].
         thickness_mm: f64,
@@ -65,6 +77,8 @@ pub struct PanDescription {
     pub name: String,
     /// Floor.
     pub floor: Floor,
+    /// Ridges; absent where the floor is plain.
+    pub ridges: Option<RidgesData>,
     /// Wall.
     pub wall: Wall,
     /// Metal.

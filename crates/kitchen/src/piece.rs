@@ -2,20 +2,23 @@
 
 use std::sync::Arc;
 
+use saute_food::halving::{Cut, CutError};
 use saute_food::{
     Exchange, FoodModel, FoodSolver, FoodState, FreeAir, PatchGeometry, PatchPose, Rules, Surroundings, Touch,
     present_area,
 };
 
 use crate::board::Board;
-use crate::command::RestOn;
+use crate::command::{Refused, RestOn};
 use crate::contact::{FaceContact, steam_share};
 use crate::dynamics::extent::outline;
 use crate::dynamics::{Contact, PanShape, Pose};
 use crate::layout::Footprint;
 use crate::near_pan::{NearPan, NearPatch, unevenness};
 use crate::pan::{PanModel, PanState};
+use crate::ridges::AcrossGroove;
 use crate::room::Room;
+use crate::sear_lines::SearRecord;
 
 /// Where a piece is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,6 +99,7 @@ pub struct Piece {
     /// What its body touched at the last tick at which anything moved.
     pub(crate) contacts: Vec<Contact>,
     pub(crate) solver: FoodSolver,
+    pub(crate) sear: SearRecord,
     geometry: PatchGeometry,
     shape_count: u64,
     shaped_at: u64,
@@ -140,6 +144,7 @@ impl Piece {
             near: NearPan::default(),
             contacts: Vec::new(),
             solver: FoodSolver::default(),
+            sear: SearRecord::default(),
             geometry,
             shape_count: 0,
             shaped_at: 0,
@@ -160,6 +165,33 @@ impl Piece {
     /// Whether it lies in the pan.
     pub fn in_pan(&self) -> bool {
         matches!(self.place, Place::Pan(_))
+    }
+
+    /// Whether it lies on the board, foil over it or not.
+    pub fn lies_on_board(&self) -> bool {
+        matches!(self.place, Place::Rest(RestOn::Board | RestOn::Foil))
+    }
+
+    /// Where a knife cut it in halves; its halves lie opened side by side, as one body.
+    pub fn halved(&self) -> Option<Cut> {
+        self.model.halved_at()
+    }
+
+    /// Cuts it in halves at a distance from the middle of its long axis [m]; foil over it is taken off.
+    pub(crate) fn halve(&mut self, at: f64) -> Result<(), Refused> {
+        let model = self.model.halved(at).map_err(|e| match e {
+            CutError::Halved => Refused::AlreadyHalved(self.id.clone()),
+            CutError::Beside { most } => {
+                Refused::BesideFood { food: self.id.clone(), most_mm: libm::floor(most * 1e3) as i64 }
+            }
+        })?;
+        Arc::make_mut(&mut self.uneven).resize(model.patches.len(), 0.0);
+        self.model = Arc::new(model);
+        self.solver = FoodSolver::default();
+        self.model.patch_geometry_into(&self.state, &mut self.geometry);
+        self.shape_count += 1;
+        (self.resting_on, self.place) = (RestOn::Board, Place::Rest(RestOn::Board));
+        Ok(())
     }
 
     /// Whether it is a body among others: no longer waiting.
@@ -237,6 +269,11 @@ impl Piece {
         self.model.patches[patch as usize].node as usize
     }
 
+    /// Whether the face at a node is wet.
+    pub(crate) fn is_wet(&self, node: usize) -> bool {
+        self.state.water[node] > WET_SHARE * self.model.initial_water[node]
+    }
+
     /// Brings the geometry up to date with the shape; tells whether it has changed.
     pub(crate) fn follow_shape(&mut self) -> bool {
         if self.state.ticks < self.shaped_at + SHAPE_TICKS {
@@ -281,10 +318,14 @@ impl Piece {
             self.lay_up = up;
         }
         self.pan_force += (force - self.pan_force) * dt / (dt + PRESSURE_S);
+        if let Some(ridges) = &pan.ridges {
+            self.note_ridges(ridges, seen);
+        }
     }
 
     /// Takes leave of the pan.
     pub(crate) fn leave_pan(&mut self) {
+        self.sear.leave();
         self.near.forget();
         self.since_contact = 0.0;
         self.pan_force = 0.0;
@@ -296,33 +337,48 @@ impl Piece {
         let area: f64 = near.iter().map(|n| self.patch_area(n.patch as usize)).sum();
         let face = FaceContact {
             since: self.since_contact,
-            pressure: self.pan_force / area.max(1e-6),
+            // Ridges carry the weight on their tops alone.
+            pressure: self.pan_force / (area * pan.ridges.map_or(1.0, |r| r.share())).max(1e-6),
             film: 0.0,
             coating: pan.description.coating_w_m2k.unwrap_or(f64::INFINITY),
         };
         let mean = face.mean_gap(&room.contact);
         for n in &near {
-            self.touch[n.patch as usize] = self.pan_touch(n, &face, mean, pan_state, room);
+            self.touch[n.patch as usize] = self.pan_touch(n, &face, mean, (pan, pan_state), room);
         }
         self.near.patches = near;
     }
 
-    fn pan_touch(&self, near: &NearPatch, face: &FaceContact, mean: f64, pan: &PanState, room: &Room) -> Touch {
+    fn pan_touch(
+        &self,
+        near: &NearPatch,
+        face: &FaceContact,
+        mean: f64,
+        (pan_model, pan): (&PanModel, &PanState),
+        room: &Room,
+    ) -> Touch {
         let (contact, rules) = (&room.contact, &room.rules_2013);
         let node = self.node_of(near.patch);
         let located = &near.located;
         let face = FaceContact { film: pan.oil_film(located), ..*face };
         let temperature = (0..3).map(|k| located.weights[k] * pan.temperature[located.nodes[k] as usize]).sum::<f64>();
-        let wet = self.state.water[node] > WET_SHARE * self.model.initial_water[node];
+        let wet = self.is_wet(node);
         let dome = self.dome_gap(near.patch as usize);
         let distance = mean + self.uneven[near.patch as usize] + near.gap + dome;
-        let conductance = if self.model.rules == Rules::Paper2013 {
-            rules.conductance_w_m2k * f64::from(u8::from(distance <= rules.contact_distance_mm * 1e-3))
-        } else {
-            let share = self.model.description.surface.contact_share;
-            face.conductance(contact, distance) * steam_share(contact, temperature, wet) * share
+        let ridges = pan_model.ridges.filter(|_| located.nodes.iter().all(|n| (*n as usize) < pan_model.floor_nodes));
+        let surface = &self.model.description.surface;
+        if self.model.rules == Rules::Paper2013 {
+            let near = f64::from(u8::from(distance <= rules.contact_distance_mm * 1e-3));
+            let share = ridges.map_or(1.0, |r| r.share());
+            return Touch { conductance: rules.conductance_w_m2k * near * share, temperature };
+        }
+        let top = face.conductance(contact, distance) * steam_share(contact, temperature, wet) * surface.contact_share;
+        let Some(ridges) = ridges else { return Touch { conductance: top, temperature } };
+        let over = AcrossGroove {
+            emissivity: [pan_model.description.surface.emissivity, surface.emissivity],
+            temperature: [temperature, self.state.temperature[node]],
         };
-        Touch { conductance, temperature }
+        Touch { conductance: ridges.mixed(top, contact, &face, distance, &over), temperature }
     }
 
     /// How far a patch of a bent slice stands off [m]; 0 where the slice does not lie flat.

@@ -138,6 +138,11 @@ pub enum Deed {
     Flip,
     /// Takes it out of the pan.
     Rest(RestOn),
+    /// Cuts it in halves on the board.
+    Halve {
+        /// Distance of the cut from the middle along the long axis [m].
+        at: f64,
+    },
     /// Presses it onto the floor.
     Press {
         /// With what force [N].
@@ -156,14 +161,19 @@ impl Deed {
             Self::Put { heap, .. } => Command::Put { food, at, heap },
             Self::Flip => Command::Flip { food },
             Self::Rest(on) => Command::Rest { food, on },
+            Self::Halve { at } => Command::Halve { food, at },
             Self::Press { newtons, for_s } => Command::Press { food, newtons, for_s },
             Self::Move(_) => Command::Move { food, to: at },
         }
     }
 
-    /// Whether the food must be in the pan before; otherwise it must not.
-    pub fn needs_pan(self) -> bool {
-        !matches!(self, Self::Put { .. })
+    /// Whether it can be done to a piece as it lies now.
+    pub fn concerns(self, piece: &Piece) -> bool {
+        match self {
+            Self::Put { .. } => !piece.in_pan(),
+            Self::Halve { .. } => piece.lies_on_board() && piece.halved().is_none(),
+            Self::Flip | Self::Rest(_) | Self::Press { .. } | Self::Move(_) => piece.in_pan(),
+        }
     }
 }
 

@@ -5,8 +5,8 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use crate::action_file::{
-    ButterTable, CoolTable, FlipTable, HobTable, LidTable, MovePanTable, MoveTable, OilTable, PressTable, PutTable,
-    RestTable, ShakeTable, TiltTable, TossTable, WaterTable,
+    ButterTable, CoolTable, FlipTable, HalveTable, HobTable, LidTable, MovePanTable, MoveTable, OilTable, PressTable,
+    PutTable, RestTable, ShakeTable, TiltTable, TossTable, WaterTable,
 };
 use crate::command::RestOn;
 use crate::shorthand::Entry;
@@ -128,6 +128,8 @@ pub struct StepEntry {
     /// With a bare `rest`: onto what; the board by default.
     #[schemars(with = "Option<RestOn>")]
     pub on: Option<Spanned<RestOn>>,
+    /// Action: cuts foods that lie on the board in halves.
+    pub halve: Option<Entry<HalveTable>>,
     /// Action: moves the pan over the hob, or lifts it, until it is moved again; true sets it back onto its ring.
     pub move_pan: Option<Entry<MovePanTable>>,
     /// Action: sets the pan on a wet cloth, off the hob.

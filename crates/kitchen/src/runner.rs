@@ -190,7 +190,7 @@ impl Runner {
         }
         let message = format!("not all of \"{name}\" find room on the floor of the pan: {fit} of {all} fit");
         let heap = format!("write put = {{ food = \"{name}\", heap = true }} to drop them onto each other");
-        let other = if deed.needs_pan() { "take something out before this step" } else { &heap };
+        let other = if matches!(deed, Deed::Move(_)) { "take something out before this step" } else { &heap };
         Err(self.error(step, message, &format!("choose fewer or smaller pieces, or {other}")))
     }
 
@@ -229,10 +229,10 @@ fn expected(target: &Target, quantity: Quantity, value: f64) -> String {
     }
 }
 
-/// The foods that a deed can concern: of a group those that are in the pan, or not, as the deed needs. Where there is none,
+/// The foods that a deed can concern: of a group those that lie where the deed needs them. Where there is none,
 /// all of them, so that the kitchen says why.
 fn concerned(kitchen: &Kitchen, target: &Target, deed: Deed) -> Vec<String> {
-    let fits = |id: &&String| kitchen.piece(id).is_some_and(|p| p.in_pan() == deed.needs_pan());
+    let fits = |id: &&String| kitchen.piece(id).is_some_and(|p| deed.concerns(p));
     let fitting: Vec<String> = target.foods.iter().filter(fits).cloned().collect();
     if target.group && !fitting.is_empty() { fitting } else { target.foods.clone() }
 }

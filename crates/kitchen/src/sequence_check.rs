@@ -2,21 +2,58 @@
 
 use std::collections::BTreeMap;
 
-use crate::command::Command;
+use crate::command::{Command, RestOn};
 use crate::input_error::{InputError, InputText};
 use crate::recipe::{Action, Deed, Step, Target, Trigger};
+
+/// Where a food is as the steps go by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum At {
+    Waiting,
+    Pan,
+    Resting(RestOn),
+}
+
+/// How a food lies as the steps go by.
+#[derive(Clone, Copy, Debug)]
+struct Lies {
+    at: At,
+    halved: bool,
+}
+
+impl Lies {
+    /// Whether a deed can be done to it.
+    fn fits(self, deed: Deed) -> bool {
+        match deed {
+            Deed::Put { .. } => self.at != At::Pan,
+            Deed::Halve { .. } => matches!(self.at, At::Resting(RestOn::Board | RestOn::Foil)) && !self.halved,
+            Deed::Flip | Deed::Rest(_) | Deed::Press { .. } | Deed::Move(_) => self.at == At::Pan,
+        }
+    }
+
+    /// How it lies after a deed.
+    fn after(self, deed: Deed) -> Self {
+        match deed {
+            Deed::Put { .. } => Self { at: At::Pan, ..self },
+            Deed::Rest(on) => Self { at: At::Resting(on), ..self },
+            Deed::Halve { .. } => Self { halved: true, ..self },
+            Deed::Flip | Deed::Press { .. } | Deed::Move(_) => self,
+        }
+    }
+}
 
 /// What holds as the steps go by.
 pub(crate) struct Sequence<'a> {
     input: InputText<'a>,
-    in_pan: BTreeMap<&'a str, bool>,
+    lies: BTreeMap<&'a str, Lies>,
     earliest: f64,
 }
 
 impl<'a> Sequence<'a> {
     /// Before the first step.
     pub(crate) fn new(input: InputText<'a>, foods: impl Iterator<Item = &'a str>) -> Self {
-        Self { input, in_pan: foods.map(|id| (id, false)).collect(), earliest: 0.0 }
+        let raw = Lies { at: At::Waiting, halved: false };
+        Self { input, lies: foods.map(|id| (id, raw)).collect(), earliest: 0.0 }
     }
 
     /// Checks all steps, each with its place in the text.
@@ -59,7 +96,7 @@ impl<'a> Sequence<'a> {
     fn check_place(&mut self, at: usize, action: &'a Action) -> Result<(), InputError> {
         match action {
             Action::Each(target, deed) => self.check_target(at, target, *deed),
-            Action::Do(Command::Toss { .. }) if !self.in_pan.values().any(|in_pan| *in_pan) => self.input.error(
+            Action::Do(Command::Toss { .. }) if !self.lies.values().any(|l| l.at == At::Pan) => self.input.error(
                 at,
                 "there is nothing in the pan to toss at this step",
                 "put a food into the pan before it",
@@ -71,18 +108,21 @@ impl<'a> Sequence<'a> {
     /// A single food must be where the action needs it; of a group, one at least.
     fn check_target(&mut self, at: usize, target: &'a Target, deed: Deed) -> Result<(), InputError> {
         let name = &target.name;
-        let fits = |id: &&String| self.in_pan.get(id.as_str()) == Some(&deed.needs_pan());
+        let fits = |id: &&String| self.lies.get(id.as_str()).is_some_and(|l| l.fits(deed));
         if !target.foods.iter().any(|id| fits(&id)) {
-            let (place, remedy) = if deed.needs_pan() {
-                ("is not in the pan", "put it into the pan before this step")
-            } else {
-                ("is in the pan already", "a food in the pan cannot be put in again: rest it first")
+            let halved = target.foods.iter().any(|id| self.lies.get(id.as_str()).is_some_and(|l| l.halved));
+            let (place, remedy) = match deed {
+                Deed::Put { .. } => {
+                    ("is in the pan already", "a food in the pan cannot be put in again: rest it first")
+                }
+                Deed::Halve { .. } if halved => ("is cut in halves already", "leave this step out: a food is cut once"),
+                Deed::Halve { .. } => ("does not lie on the board", "rest it on the board before this step"),
+                _ => ("is not in the pan", "put it into the pan before this step"),
             };
             return self.input.error(at, format!("\"{name}\" {place} at this step"), remedy);
         }
-        if matches!(deed, Deed::Put { .. } | Deed::Rest(_)) {
-            let then = matches!(deed, Deed::Put { .. });
-            self.in_pan.extend(target.foods.iter().map(|id| (id.as_str(), then)));
+        for id in &target.foods {
+            self.lies.entry(id.as_str()).and_modify(|l| *l = l.after(deed));
         }
         Ok(())
     }

@@ -58,6 +58,7 @@ fn command_parts(command: &Command) -> (&'static str, Value) {
         Command::Put { at, heap, .. } => deed_parts(Deed::Put { at: *at, heap: *heap }),
         Command::Flip { .. } => deed_parts(Deed::Flip),
         Command::Rest { on, .. } => deed_parts(Deed::Rest(*on)),
+        Command::Halve { at, .. } => deed_parts(Deed::Halve { at: *at }),
         Command::Press { newtons, for_s, .. } => deed_parts(Deed::Press { newtons: *newtons, for_s: *for_s }),
         Command::Move { to, .. } => deed_parts(Deed::Move(*to)),
     }
@@ -69,6 +70,7 @@ fn deed_parts(deed: Deed) -> (&'static str, Value) {
         Deed::Put { at, heap: true } => ("put", json!({ "at_mm": at.map(mm), "heap": true })),
         Deed::Flip => ("flip", Value::Null),
         Deed::Rest(on) => ("rest", json!(on)),
+        Deed::Halve { at } => ("halve", json!({ "at_mm": mm(at) })),
         Deed::Press { newtons, for_s } => ("press", json!({ "n": newtons, "for_s": for_s })),
         Deed::Move(to) => ("move", json!(to.map(mm))),
     }
@@ -80,7 +82,7 @@ pub(crate) fn record(action: &Action, foods: Vec<String>, time_s: f64) -> StepRe
 }
 
 /// A length in millimetres from metres, or a mass in grams from kilograms.
-fn mm(si: f64) -> f64 {
+pub(crate) fn mm(si: f64) -> f64 {
     tidy(si * 1e3)
 }
 

@@ -17,7 +17,7 @@ use crate::library::DEFAULT_SCALE;
 use crate::piece::Piece;
 use crate::recorder::Recorder;
 use crate::runner::{Runner, StoppedBy};
-use crate::step_record::{StepRecord, rounded};
+use crate::step_record::{StepRecord, mm, rounded};
 
 /// Everything about one cook.
 #[derive(Clone, Debug, Serialize)]
@@ -82,11 +82,20 @@ pub struct LiquidsSummary {
     pub spattered: f64,
     /// What ran over the rim.
     pub spilled: f64,
+    /// Solids that juice left dried on the pan.
+    pub fond: f64,
+    /// The part of them that is browned, mass × browning.
+    pub fond_browned: f64,
+    /// The part of them that is charred, mass × charring.
+    pub fond_charred: f64,
+    /// Solids of juice that are dissolved in the pan's water, beside its mass.
+    pub dissolved: f64,
 }
 
 impl LiquidsSummary {
     fn new(kitchen: &Kitchen) -> Self {
         let (model, liquids) = (&kitchen.pan_model().liquids, &kitchen.pan_state().liquids);
+        let [dried, browned, charred] = liquids.fond.dried_kg(&model.bed);
         let fat = |b: &ButterModel| liquids.oil.total_of(b.kind) * (1.0 - b.solids_share());
         Self {
             oil: 1e3 * liquids.oil.total(),
@@ -96,6 +105,10 @@ impl LiquidsSummary {
             burnt: 1e3 * liquids.smoke.burnt,
             spattered: 1e3 * liquids.spatter.spattered,
             spilled: 1e3 * liquids.spilled,
+            fond: 1e3 * dried,
+            fond_browned: 1e3 * browned,
+            fond_charred: 1e3 * charred,
+            dissolved: 1e3 * liquids.fond.dissolved_kg(),
         }
     }
 }
@@ -123,6 +136,9 @@ pub struct FoodSummary {
     pub fat_rendered_g: f64,
     /// Core temperature [°C].
     pub core_c: CoreSummary,
+    /// Where a knife cut it in halves, from the middle of its long axis [mm]; null of a whole piece; of a group where all
+    /// pieces were cut, their mean.
+    pub halved_at_mm: Option<f64>,
     /// Doneness of the section by area, by the scale of 2013 [%].
     pub section_pct: Doneness,
     /// Doneness by volume, by the scale of 2013 [%].
@@ -409,6 +425,7 @@ impl FoodSummary {
                 peak: celsius(piece.core_peak.0),
                 peak_at_s: rounded(piece.core_peak.1),
             },
+            halved_at_mm: piece.halved().map(|cut| mm(cut.at)),
             section_pct: default.map(|s| model.cut_shares(state, &model.cut_across(0.0), s).into()).unwrap_or_default(),
             volume_pct: default.map(|s| model.volume_shares(state, s).into()).unwrap_or_default(),
             doneness: ByScale(fitting.map(|s| (s.id.clone(), ScaleReading::new(piece, s))).collect()),

@@ -6,6 +6,7 @@ use saute_food::{FreeAir, ZERO_C, sourced_table};
 
 use crate::bed::Bed;
 use crate::film_flow::{FilmFlow, Manner, Run, Sweep};
+use crate::fond::Fond;
 use crate::{celsius, kelvin};
 
 sourced_table! {
@@ -163,8 +164,15 @@ impl WaterFilm {
         Vapour { mass: gone, enthalpy }
     }
 
-    /// Moves the water through `dt` [s] under a gravity in the pan's frame [m/s²].
-    pub fn run(&mut self, flow: &mut FilmFlow, model: &WaterModel, bed: &Bed, gravity: [f64; 3], dt: f64) -> Run {
+    /// Moves the water with what is dissolved in it through `dt` [s] under a gravity in the pan's frame [m/s²].
+    pub fn run(
+        &mut self,
+        flow: &mut FilmFlow,
+        fond: &mut Fond,
+        (model, bed): (&WaterModel, &Bed),
+        gravity: [f64; 3],
+        dt: f64,
+    ) -> Run {
         let mut run = Run::default();
         if self.mass.iter().all(|m| *m <= 0.0) {
             return run;
@@ -178,6 +186,7 @@ impl WaterFilm {
             run.moved = run.moved.max(flow.sweep(bed, &manner, &self.mass, sweep, 0.5 * dt));
             run.spilled += flow.carry(bed, sweep, &mut self.mass);
             run.spilled_heat += flow.carry(bed, sweep, &mut self.enthalpy);
+            fond.carry(flow, bed, sweep);
         }
         run
     }

@@ -10,8 +10,8 @@ use crate::running::{Said, names_in, run};
 /// Ids of the shipped recipes with one steak.
 pub const SHIPPED: [&str; 4] = ["flip-every-30-s", "medium", "rare", "well-done"];
 
-/// Ids of the shipped recipes with many foods.
-pub const DISHES: [&str; 2] = ["shrimp", "steak-carrots-leeks"];
+/// Ids of the shipped recipes with many foods or a pan of their own.
+pub const DISHES: [&str; 3] = ["grill-pan-steak", "shrimp", "steak-carrots-leeks"];
 
 /// What came of a cook with `--json --out`.
 #[derive(Debug)]

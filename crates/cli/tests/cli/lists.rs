@@ -50,8 +50,8 @@ fn the_scales_of_doneness_are_listed_with_their_classes_and_sources() {
 }
 
 #[test]
-fn there_are_four_pans_each_also_with_a_nonstick_coating() {
-    let bare = ["aluminium-26", "carbon-steel-26", "cast-iron-26", "stainless-clad-26"];
+fn there_are_five_pans_each_also_with_a_nonstick_coating() {
+    let bare = ["aluminium-26", "carbon-steel-26", "cast-iron-26", "cast-iron-grill-26", "stainless-clad-26"];
     let expected: Vec<String> = bare.iter().flat_map(|p| [(*p).to_owned(), format!("{p}-nonstick")]).collect();
     assert_eq!(ids("pans"), expected);
 }
@@ -64,9 +64,9 @@ fn the_shipped_recipes_are_listed_by_id_and_title() {
 }
 
 /// Every action of a step.
-pub const ACTIONS: [&str; 16] = [
-    "butter_g", "cool", "end", "flip", "hob_w", "lid", "move", "move_pan", "oil_g", "press", "put", "rest", "shake",
-    "tilt", "toss", "water_g",
+pub const ACTIONS: [&str; 17] = [
+    "butter_g", "cool", "end", "flip", "halve", "hob_w", "lid", "move", "move_pan", "oil_g", "press", "put", "rest",
+    "shake", "tilt", "toss", "water_g",
 ];
 
 #[test]

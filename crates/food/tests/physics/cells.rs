@@ -23,7 +23,7 @@ fn brick() -> Surface {
 }
 
 /// A brick of beef whose surface is meshed inside, its fibres upright as a steak's.
-fn cells(coarseness: f64) -> FoodModel {
+pub fn cells(coarseness: f64) -> FoodModel {
     shaped("beef-lean", &spec([SIZE[0]; 3], coarseness), |food| {
         food.form = Form::Mesh;
         food.body = Some(Arc::new(brick()));

@@ -3,6 +3,7 @@
 
 mod cells;
 mod forms;
+mod halving;
 mod run;
 mod shrinking;
 

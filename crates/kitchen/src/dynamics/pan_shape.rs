@@ -28,7 +28,7 @@ pub struct PanShape {
     pub rim: f64,
     /// Height of the rim above the floor [m].
     pub height: f64,
-    /// Thickness of the floor [m].
+    /// Thickness of the floor, ridges included [m].
     pub thickness: f64,
 }
 
@@ -51,7 +51,8 @@ impl PanShape {
             floor: mm(pan.floor.radius_mm),
             rim: mm(pan.wall.rim_radius_mm),
             height: mm(pan.wall.height_mm),
-            thickness: mm(pan.floor.thickness_mm),
+            // Food lies on the tops of ridges.
+            thickness: mm(pan.floor.thickness_mm + pan.ridges.as_ref().map_or(0.0, |r| r.height_mm)),
         }
     }
 
