@@ -51,7 +51,7 @@ impl CellLook<'_> {
         };
         let vertices = (0..cut.points.len()).map(of).collect();
         let normal = Vec3::from_array(normal.map(|v| v as f32));
-        Some(SliceLook { point: normal * x as f32, normal, vertices, triangles: cut.triangles })
+        Some(SliceLook { point: normal * x as f32, normal, vertices, triangles: cut.triangles, ghost: true })
     }
 
     /// What colours a point, and the value of the view's field there.

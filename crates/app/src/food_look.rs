@@ -80,7 +80,7 @@ impl Skin {
     fn smooth(piece: &Piece) -> Self {
         let model = &piece.model;
         let mut normal_of = vec![Vec3::ZERO; model.mesh.node_count()];
-        for (patch, normal) in model.patches.iter().zip(&model.rest_normals) {
+        for (patch, normal) in model.patches.iter().zip(&model.rest_normals).take(model.fresh_faces().start) {
             let normal = Vec3::from_array(normal.map(|v| v as f32));
             normal_of[patch.node as usize] += normal * patch.area as f32;
         }
@@ -247,7 +247,7 @@ pub fn slice(piece: &Piece, x: f64, view: View, map: Option<&ColourMap>) -> Opti
         // Across and along the path come in the other order, seen from above.
         triangles.iter_mut().for_each(|t| t.swap(1, 2));
     }
-    Some(SliceLook { point, normal, vertices, triangles })
+    Some(SliceLook { point, normal, vertices, triangles, ghost: true })
 }
 
 /// The ends of the cut follow the rounded rim [m].

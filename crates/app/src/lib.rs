@@ -13,6 +13,7 @@ pub mod gamepad;
 #[cfg(not(target_arch = "wasm32"))]
 mod gamepad_device;
 mod grab;
+mod halves;
 pub mod hatch;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod headless;

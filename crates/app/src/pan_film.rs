@@ -48,7 +48,8 @@ impl PanFilm {
                 |f: &dyn Fn(usize) -> f64| -> f64 { (0..3).map(|k| at.weights[k] * f(at.nodes[k] as usize)).sum() };
             let oil = (state.oil_film(at) / f64::from(OIL_RANGE)).sqrt();
             let wet = (mixed(&water) / f64::from(WATER_RANGE)).sqrt();
-            [byte(oil), byte(wet), 0, byte(foam * (4.0 * oil).min(1.0))]
+            let fond = mixed(&|node| state.liquids.fond.share[node]);
+            [byte(oil), byte(wet), byte(fond), byte(foam * (4.0 * oil).min(1.0))]
         };
         self.places.iter().map(texel).collect()
     }

@@ -5,16 +5,18 @@ use std::sync::Arc;
 
 use glam::{Mat4, Quat, Vec2, Vec3};
 use saute_kitchen::dynamics::Tool;
-use saute_kitchen::food::Scale;
+use saute_kitchen::food::{Face, Scale};
+use saute_kitchen::sear_lines::SearLines;
 use saute_kitchen::{FRAMES_PER_TICK, Kitchen, Piece, Place, RestOn, celsius};
 
 use crate::colour_map::{ColourMap, TemperatureMap};
 use crate::food_look::{Skin, slice};
+use crate::halves::opened;
 use crate::pan_film::PanFilm;
 use crate::scene::camera::Camera;
 use crate::scene::input::{
     Colouring, FLOOR_FIELD_RINGS, FilmPicture, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RACK_HEIGHT, RestKind,
-    RestLook, SceneInput, SteamSource, ToolKind, ToolLook, Vapour,
+    RestLook, SceneInput, SearLook, SteamSource, ToolKind, ToolLook, Vapour,
 };
 use crate::scene::props::{BOARD_CENTRE, CLOTH_PLACE};
 use crate::view::View;
@@ -209,7 +211,7 @@ impl Stage {
                 rotation: pan.rotation,
                 ..pan_look(kitchen, self.film.picture(kitchen), options.view, map.as_ref())
             },
-            foods: looks.filter_map(|(piece, pose)| self.food(piece, pose, options, map.as_ref())).collect(),
+            foods: looks.flat_map(|(piece, pose)| self.food(piece, pose, options, map.as_ref())).collect(),
             tool: tool(kitchen),
             rest: kitchen.pieces().iter().find_map(rest_look),
             steam: steam(kitchen, &pan, &poses),
@@ -277,16 +279,35 @@ impl Stage {
         })
     }
 
-    fn food(&self, piece: &Piece, pose: &Pose, options: &StageOptions, map: Option<&ColourMap>) -> Option<FoodLook> {
-        let worn = self.skins.get(&piece.id)?;
-        let cut = options.cut.as_ref().is_none_or(|id| *id == piece.id);
-        let place = options.slice.filter(|_| cut);
-        Some(FoodLook {
+    /// A piece as it is to be seen; two looks of one that a knife has halved.
+    fn food(&self, piece: &Piece, pose: &Pose, options: &StageOptions, map: Option<&ColourMap>) -> Vec<FoodLook> {
+        let Some(worn) = self.skins.get(&piece.id) else { return Vec::new() };
+        let sear = [Face::Bottom, Face::Top].map(|face| piece.sear_lines(face).map(sear_look));
+        let whole = FoodLook {
             mesh: worn.skin.mesh.clone(),
             vertices: Arc::clone(&worn.vertices),
             world_from_rest: pose.matrix(),
-            slice: place.and_then(|s| slice(piece, s * half_length(piece), options.view, map)),
-        })
+            slice: None,
+            sear,
+        };
+        // A curved body is halved across its path; its picture stays whole.
+        let parted = piece.halved().filter(|_| piece.model.is_slice() || piece.model.cells().is_some());
+        if let Some(cut) = parted.and_then(|cut| slice(piece, cut.at, options.view, map)) {
+            return opened(piece, whole, cut).into();
+        }
+        let cut = options.cut.as_ref().is_none_or(|id| *id == piece.id);
+        let place = options.slice.filter(|_| cut);
+        vec![FoodLook { slice: place.and_then(|s| slice(piece, s * half_length(piece), options.view, map)), ..whole }]
+    }
+}
+
+fn sear_look(lines: SearLines) -> SearLook {
+    SearLook {
+        direction: Vec2::from_array(lines.direction.map(|v| v as f32)),
+        phase: lines.phase as f32,
+        pitch: lines.pitch as f32,
+        width: lines.width as f32,
+        share: lines.share as f32,
     }
 }
 
@@ -358,12 +379,13 @@ fn pan_look(kitchen: &Kitchen, film: Arc<FilmPicture>, view: View, map: Option<&
         floor_radius: description.floor.radius_mm as f32 * 1e-3,
         rim_radius: description.wall.rim_radius_mm as f32 * 1e-3,
         rim_height: description.wall.height_mm as f32 * 1e-3,
-        thickness: description.floor.thickness_mm as f32 * 1e-3,
+        thickness: kitchen.world().pan_shape().thickness as f32,
         colour: Vec3::from_array(look.colour_srgb.map(|v| linear(f32::from(v)))),
         metalness: look.metalness as f32,
         roughness: look.roughness as f32,
         film,
         oil_colour: oil_colour.map_or(Vec3::ONE, |srgb| Vec3::from_array(srgb.map(|v| linear(v as f32)))),
+        ridges: kitchen.pan_model().ridges.map(|r| [r.pitch, r.width, r.height].map(|v| v as f32)),
         lid: kitchen.pan_state().lid.as_ref().map(|lid| LidLook { fog: fog(lid) }),
         position: Vec3::ZERO,
         rotation: Quat::IDENTITY,

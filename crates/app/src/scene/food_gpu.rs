@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 use wgpu::util::DeviceExt;
 
 use super::input::{BORDER_RANGE, FleshTexture, FoodLook, FoodMesh, FoodVertex, GrainVolume, SliceLook, WITHIN_RANGE};
@@ -86,7 +86,7 @@ impl CutBuffers {
             vertices: buffer(device, bytemuck::cast_slice(&slice.vertices), wgpu::BufferUsages::VERTEX),
             face: Indices::new(device, &slice.triangles),
             kept: Indices::new(device, &kept),
-            hidden: Indices::new(device, &hidden),
+            hidden: Indices::new(device, if slice.ghost { &hidden } else { &[] }),
         }
     }
 }
@@ -217,7 +217,10 @@ impl FoodBuffers {
 
     fn shows(&self, food: &FoodLook) -> bool {
         self.shown.as_ref().is_some_and(|shown| {
-            shown.world_from_rest == food.world_from_rest && same_vertices(shown, food) && shown.slice == food.slice
+            shown.world_from_rest == food.world_from_rest
+                && same_vertices(shown, food)
+                && shown.slice == food.slice
+                && shown.sear == food.sear
         })
     }
 
@@ -304,6 +307,11 @@ fn uniform(food: &FoodLook) -> FoodUniform {
         char: lab(palette.char, 0.0),
         fat_brown: lab(palette.fat_brown, 0.0),
         second: lab(palette.second, 0.0),
+        sear: food.sear.map(|lines| {
+            lines.map_or([Vec4::ZERO; 2], |l| {
+                [l.direction.extend(l.phase).extend(l.pitch), Vec4::new(l.width, l.share, 0.0, 0.0)]
+            })
+        }),
     }
 }
 

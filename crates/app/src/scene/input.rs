@@ -122,6 +122,8 @@ pub struct PanLook {
     pub film: Arc<FilmPicture>,
     /// Colour of light that has passed through a millimetre of the oil, linear sRGB.
     pub oil_colour: Vec3,
+    /// Ridges on the floor, along the pan's y, one through the centre: pitch, width and height [m].
+    pub ridges: Option<[f32; 3]>,
     /// The lid, while it is on.
     pub lid: Option<LidLook>,
     /// Centre of the pan's underside, relative to the hob centre [m]; the cooking surface is `thickness` above it.
@@ -177,6 +179,23 @@ pub struct FoodLook {
     pub world_from_rest: Mat4,
     /// A cut that shows the inside; the food stays whole for everything else.
     pub slice: Option<SliceLook>,
+    /// Lines that ridges seared into the lower and the upper face of the rest shape.
+    pub sear: [Option<SearLook>; 2],
+}
+
+/// Parallel lines on which a face browned ahead of the rest, in the rest frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SearLook {
+    /// Unit vector along the lines.
+    pub direction: glam::Vec2,
+    /// Distance across, towards (d_y, −d_x), of the middle of one line from the origin [m].
+    pub phase: f32,
+    /// From line to line [m].
+    pub pitch: f32,
+    /// Width of a line [m].
+    pub width: f32,
+    /// Share of the browning that came on the lines.
+    pub share: f32,
 }
 
 /// The rest shape of a food; shared between frames.
@@ -258,6 +277,8 @@ pub struct SliceLook {
     pub vertices: Vec<FoodVertex>,
     /// Triangles of the cut face, facing along `normal`.
     pub triangles: Vec<[u32; 3]>,
+    /// Whether the hidden side is to be seen as a ghost; it is not where a knife has parted it.
+    pub ghost: bool,
 }
 
 /// State of one vertex of a food; the colours before browning come from the core (L*a*b* over 100).

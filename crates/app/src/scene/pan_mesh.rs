@@ -31,9 +31,40 @@ pub(super) fn pan_mesh(pan: &PanLook) -> PanMesh {
     body.lathe(&outside_profile(pan), SEGMENTS, &metal);
     handle(&mut body, pan, &metal);
     let mut floor = Mesh::default();
-    let rings: Vec<Vec2> = (0..=8).map(|i| Vec2::new(pan.floor_radius * i as f32 / 8.0, pan.thickness)).collect();
+    let mut rings: Vec<Vec2> = (0..=8)
+        .map(|i| {
+            Vec2::new(pan.floor_radius * i as f32 / 8.0, pan.thickness - pan.ridges.map_or(0.0, |[.., height]| height))
+        })
+        .collect();
+    if pan.ridges.is_some() {
+        // The plate between ridges lies lower than the foot of the wall.
+        rings.push(Vec2::new(pan.floor_radius, pan.thickness));
+    }
     floor.lathe(&with_normals(&rings), SEGMENTS, &Finish { material: Material::PanFloor, ..metal });
+    if let Some(ridges) = pan.ridges {
+        raise(&mut body, pan, ridges, &Finish { roughness: pan.roughness * 0.85, ..metal });
+    }
     PanMesh { body, floor }
+}
+
+/// Ridges across the floor: rounded bars along y whose tops stand `height` above the plate.
+fn raise(mesh: &mut Mesh, pan: &PanLook, [pitch, width, height]: [f32; 3], finish: &Finish) {
+    let reach = 0.97 * pan.floor_radius;
+    let count = (reach / pitch) as i32;
+    for k in -count..=count {
+        let x = k as f32 * pitch;
+        let half_length = (reach * reach - x * x).max(0.0).sqrt();
+        // Stations crowd towards the ends, which slope down to the plate.
+        let station = |t: f32| {
+            let end = (1.0 - ((t.abs() - 0.94) / 0.06).max(0.0).powi(2)).max(0.0).sqrt();
+            let half = Vec2::new(0.5 * width * (0.6 + 0.4 * end), 0.5 * height * end + 1e-5);
+            let centre =
+                Vec3::new(x, t * half_length, pan.thickness - 0.5 * height + half.y - 0.5 * height * (1.0 - end));
+            Station { centre, side: Vec3::NEG_X, up: Vec3::Z, half }
+        };
+        let stations: Vec<Station> = [-1.0, -0.97, -0.94, -0.5, 0.0, 0.5, 0.94, 0.97, 1.0].map(station).into();
+        mesh.sweep(&stations, finish);
+    }
 }
 
 /// Inner wall from the floor's edge upwards; tangent to the floor, so that the fillet is round.

@@ -40,6 +40,7 @@ pub fn empty_pan() -> SceneInput {
         roughness: 0.42,
         film: Arc::new(FilmPicture { texels: vec![[110, 0, 0, 0]; (FILM_SIZE * FILM_SIZE) as usize] }),
         oil_colour: Vec3::new(0.75, 0.62, 0.22),
+        ridges: None,
         lid: None,
         position: Vec3::ZERO,
         rotation: glam::Quat::IDENTITY,
@@ -91,7 +92,7 @@ pub fn steak(doneness: Doneness, world_from_rest: Mat4) -> FoodLook {
         second: [0.0; 3],
     };
     let mesh = Arc::new(FoodMesh { key: 1, triangles, texture: FleshTexture::Muscle, palette, grain: marbling() });
-    FoodLook { mesh, vertices: Arc::new(vertices), world_from_rest, slice: None }
+    FoodLook { mesh, vertices: Arc::new(vertices), world_from_rest, slice: None, sear: [None; 2] }
 }
 
 /// Cuts a steak across its middle; the half towards the cook is hidden.
@@ -117,7 +118,7 @@ pub fn cut(steak: &mut FoodLook, doneness: Doneness) {
             triangles.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
         }
     }
-    steak.slice = Some(SliceLook { point: Vec3::ZERO, normal, vertices, triangles });
+    steak.slice = Some(SliceLook { point: Vec3::ZERO, normal, vertices, triangles, ghost: true });
 }
 
 /// A table from dark blue over purple and orange to pale yellow, sRGB.

@@ -46,6 +46,7 @@ struct PanKey {
     shape: [f32; 4],
     colour: Vec3,
     finish: [f32; 2],
+    ridges: Option<[f32; 3]>,
 }
 
 /// The pan with its place, and what else moves now and then, compared to know when to draw them anew.
@@ -67,6 +68,7 @@ impl MovableKey {
                 shape: [pan.floor_radius, pan.rim_radius, pan.rim_height, pan.thickness],
                 colour: pan.colour,
                 finish: [pan.metalness, pan.roughness],
+                ridges: pan.ridges,
             },
             position: pan.position,
             rotation: pan.rotation,

@@ -72,6 +72,7 @@ pub(super) struct FoodUniform {
     pub char: Vec4,
     pub fat_brown: Vec4,
     pub second: Vec4,
+    pub sear: [[Vec4; 2]; 2],
 }
 
 /// A cut so far away that nothing is hidden.

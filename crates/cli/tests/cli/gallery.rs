@@ -9,7 +9,8 @@ fn every_figure_of_the_gallery_is_drawn_with_its_numbers() {
     let said = run(&["gallery", "--size", "96x64", "--out", out.to_str().unwrap()]);
     assert_eq!(said.code, Some(0), "{}", said.err);
     let page = std::fs::read_to_string(out.join("gallery.md")).unwrap();
-    let figures: Vec<&str> = page.lines().filter_map(|l| l.strip_prefix("![")?.split("](").nth(1)?.strip_suffix(")")).collect();
+    let figures: Vec<&str> =
+        page.lines().filter_map(|l| l.strip_prefix("![")?.split("](").nth(1)?.strip_suffix(")")).collect();
     assert_eq!(figures.len(), 6, "{page}");
     for figure in figures {
         let png = std::fs::read(out.join(figure)).unwrap();

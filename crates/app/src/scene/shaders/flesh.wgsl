@@ -15,6 +15,8 @@ struct Food {
     char: vec4<f32>,
     fat_brown: vec4<f32>,
     second: vec4<f32>,
+    // Lines of the lower and the upper face: direction, phase, pitch; width, share of the browning that came on them.
+    sear: array<vec4<f32>, 4>,
 };
 
 @group(2) @binding(0) var<uniform> food: Food;
@@ -72,4 +74,21 @@ fn grown(rest: vec3<f32>, blur: f32) -> Grown {
     let within = (cell.r * 2.0 - 1.0) * food.grain_origin.w;
     let fatty = smoothstep(-0.5 - blur, 0.5 + blur, within);
     return Grown(fatty, cell.g, cell.b * food.grain_scale.w, cell.a);
+}
+
+// Browning of a face whose ridges seared lines into it: ahead on the lines, behind between them, its mean kept.
+fn on_lines(browning: f32, rest: vec3<f32>, normal: vec3<f32>, waver: f32) -> f32 {
+    let face = select(0u, 2u, normal.z > 0.0);
+    let lines = food.sear[face];
+    let width = food.sear[face + 1u].x;
+    let share = food.sear[face + 1u].y * smoothstep(0.45, 0.85, abs(normal.z));
+    if (lines.w <= 0.0 || share <= 0.0) { return browning; }
+    let across = rest.x * lines.y - rest.y * lines.x - lines.z + waver;
+    let away = abs(fract(across / lines.w + 0.5) - 0.5) * lines.w;
+    let duty = clamp(width / lines.w, 0.05, 1.0);
+    let on = 1.0 - smoothstep(0.35 * width, 0.70 * width, away);
+    // As much as fits onto the lines lies on them; the rest lies between.
+    let line = min(browning / duty, 1.0);
+    let between = max(browning - duty * line, 0.0) / max(1.0 - duty, 0.05);
+    return mix(browning, mix(between, line, on), share);
 }
