@@ -221,7 +221,7 @@ impl SauteApp {
             Act::Pantry => self.open_left(!self.settings.pantry_open, false),
             Act::Curves => self.settings.curves_open = !self.settings.curves_open,
             Act::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
-            Act::Picture => crate::save_picture::save_picture(ctx, &self.notice),
+            Act::Picture => crate::save_picture::save_picture(ctx, &self.notice, self.settings.language),
             Act::Help => self.help = !self.help,
             Act::Close => (self.help, self.scene.placing) = (false, false),
         }
@@ -252,17 +252,32 @@ impl SauteApp {
     pub(crate) fn command(&mut self, command: &Command) {
         let played = self.session.runner.is_some();
         match self.session.command(command) {
-            Ok(()) if played => self.notice.say("You have taken over; the recipe no longer plays."),
+            Ok(()) if played => self.say("notice.taken_over"),
             Ok(()) => {}
-            Err(refused) => self.notice.say(refused),
+            Err(refused) => self.say_refused(&refused),
         }
     }
 
     fn single_step(&mut self) {
         self.session.set_paused(true);
         if let Err(error) = self.session.tick() {
-            self.notice.say(error);
+            self.say_trouble(&error);
         }
+    }
+
+    /// Says a text that leaves nothing open.
+    pub(crate) fn say(&self, key: &'static str) {
+        self.notice.say(self.settings.language.text(key));
+    }
+
+    /// Says why the kitchen refused.
+    pub(crate) fn say_refused(&self, refused: &saute_kitchen::Refused) {
+        self.notice.say(crate::refusal::words(refused, self.settings.language));
+    }
+
+    /// Says what the core could not do; recipes and data have their own words, with file and line.
+    pub(crate) fn say_trouble(&self, error: &dyn std::fmt::Display) {
+        self.notice.say(self.settings.language.fill("notice.trouble", &[("error", error)]));
     }
 
     fn change_speed(&mut self, by: i8) {
@@ -290,7 +305,7 @@ impl SauteApp {
 
     fn restart(&mut self) {
         if let Err(error) = self.session.restart() {
-            self.notice.say(error.to_string());
+            self.say_trouble(&error);
         }
         self.motions.clear();
     }
@@ -328,8 +343,12 @@ impl SauteApp {
         let recipe = Recipe::parse(text, file, &self.session.library);
         let played = recipe.map_err(|e| e.to_string()).and_then(|r| self.session.play(r).map_err(|e| e.to_string()));
         match played {
-            Ok(()) => self.notice.say(format!("Playing {}.", self.session.recipe_title().unwrap_or(file))),
-            Err(error) => self.notice.say(error),
+            Ok(()) => {
+                let l = self.settings.language;
+                let title = l.called("recipe", self.session.recipe_title().unwrap_or(file));
+                self.notice.say(l.fill("notice.playing", &[("title", &title)]));
+            }
+            Err(error) => self.say_trouble(&error),
         }
     }
 
@@ -352,8 +371,11 @@ impl SauteApp {
             let name = file.path().display().to_string();
             match file.bytes().map(String::from_utf8) {
                 Ok(Ok(text)) => self.open_recipe(&text, &name),
-                Ok(Err(_)) => self.notice.say(format!("{name} is not a text file; drop a recipe (.toml).")),
-                Err(error) => self.notice.say(format!("{name} could not be read: {error}")),
+                Ok(Err(_)) => self.notice.say(self.settings.language.fill("notice.not_text", &[("file", &name)])),
+                Err(error) => {
+                    let open: [(&str, &dyn std::fmt::Display); 2] = [("file", &name), ("error", &error)];
+                    self.notice.say(self.settings.language.fill("notice.not_read", &open));
+                }
             }
         }
     }
@@ -362,7 +384,7 @@ impl SauteApp {
     #[cfg(target_arch = "wasm32")]
     fn take_dropped_files(&mut self, ctx: &egui::Context) {
         if ctx.input(|i| !i.raw.dropped_files.is_empty()) {
-            self.notice.say("Files cannot be dropped on the page yet; choose one in the list beside the food.");
+            self.say("notice.no_drop");
         }
     }
 
@@ -374,7 +396,7 @@ impl SauteApp {
         let passed =
             self.session.advance(Duration::from_secs_f64(wall.max(0.0)), Duration::from_millis(STEP_BUDGET_MS));
         if let Err(error) = passed {
-            self.notice.say(error);
+            self.say_trouble(&error);
         }
         self.motions.advance(&self.session.kitchen, self.session.generation, wall as f32);
         if !self.session.paused || self.motions.moving() {

@@ -16,8 +16,11 @@ mod grab;
 pub mod hatch;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod headless;
+mod japanese_font;
+pub mod language;
 pub mod layout;
 pub mod motion;
+mod next_step;
 pub mod notice;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod offscreen;
@@ -32,6 +35,7 @@ pub mod pouring;
 pub mod probe;
 mod probe_hand;
 mod put_in;
+mod refusal;
 mod save_picture;
 mod scale_choice;
 pub mod scene;
@@ -52,6 +56,7 @@ pub mod waiting;
 pub mod window;
 
 pub use app::{SauteApp, Start, StartError};
+pub use language::Language;
 pub use colour_map::TemperatureMap;
 pub use section_picture::{Picture, section_picture};
 pub use view::View;

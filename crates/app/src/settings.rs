@@ -3,6 +3,7 @@
 use saute_kitchen::library::DEFAULT_SCALE;
 
 use crate::colour_map::TemperatureMap;
+use crate::language::Language;
 use crate::session::SteakChoice;
 use crate::view::View;
 
@@ -10,6 +11,9 @@ use crate::view::View;
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
 #[serde(default)]
 pub struct Settings {
+    /// Language of the window; that of the system where none was ever chosen.
+    #[serde(default = "Language::of_system")]
+    pub language: Language,
     /// Show °F instead of °C.
     pub fahrenheit: bool,
     /// Colour map of temperatures.
@@ -39,6 +43,7 @@ pub struct Settings {
 impl Default for Settings {
     fn default() -> Self {
         Self {
+            language: Language::English,
             fahrenheit: false,
             map: TemperatureMap::default(),
             view: View::default(),

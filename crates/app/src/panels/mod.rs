@@ -40,10 +40,10 @@ impl Drawer {
 
     fn name(self, app: &SauteApp) -> &'static str {
         match self {
-            Self::Cook => "Cook",
-            Self::Inside => "Inside",
+            Self::Cook => app.settings.language.text("drawer.cook"),
+            Self::Inside => app.settings.language.text("drawer.inside"),
             Self::Food => top::food_word(app),
-            Self::Pieces => "Pieces",
+            Self::Pieces => app.settings.language.text("top.pieces"),
         }
     }
 }
