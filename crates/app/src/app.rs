@@ -9,6 +9,7 @@ use web_time::Duration;
 
 use crate::act::{Act, BINDINGS};
 use crate::colour_map::TemperatureMap;
+use crate::language::Language;
 use crate::layout::Layout;
 use crate::motion::Motions;
 use crate::notice::Notice;
@@ -28,6 +29,8 @@ use crate::tool_hand::{ToolHand, TurnerPose};
 
 /// Where settings are remembered.
 const SETTINGS_KEY: &str = "saute.settings";
+/// What is remembered at the first start: nothing.
+const FIRST_START: &str = "{}";
 /// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
 const STEP_BUDGET_MS: u64 = 20;
 
@@ -73,6 +76,10 @@ pub struct SauteApp {
     pub(crate) portion: Portion,
     pub(crate) pad: Pad,
     last_time: Option<f64>,
+    /// Whether the card of the first steps is shown.
+    pub(crate) first_steps: bool,
+    /// Whether the system has a font with kana and kanji.
+    pub(crate) japanese_font: bool,
     /// Whether the scene can be drawn (a graphics device is there).
     drawable: bool,
     software: bool,
@@ -92,13 +99,15 @@ pub enum StartError {
 impl SauteApp {
     /// Sets out the remembered food, or plays the given recipe.
     pub fn new(cc: &eframe::CreationContext<'_>, start: Start) -> Result<Self, StartError> {
-        let stored = cc.storage.and_then(|s| s.get_string(SETTINGS_KEY));
+        let stored = cc.storage.map(|s| s.get_string(SETTINGS_KEY).unwrap_or_else(|| FIRST_START.to_owned()));
         let mut app = Self::start(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), stored, start)?;
         app.pad = Pad::connected();
         Ok(app)
     }
 
-    /// As [`Self::new`], with any egui context and graphics state, and remembered settings as JSON.
+    /// As [`Self::new`], with any egui context and graphics state, and remembered settings as JSON: `{}` at the first
+    /// start, when the system's language holds and the card of the first steps is shown; none where nothing is ever
+    /// remembered, as for pictures: then the window speaks English.
     pub fn start(
         context: &egui::Context,
         graphics: Option<&egui_wgpu::RenderState>,
@@ -106,6 +115,8 @@ impl SauteApp {
         start: Start,
     ) -> Result<Self, StartError> {
         theme::apply(context);
+        let japanese_font = crate::japanese_font::install(context);
+        let remembers = stored.is_some() && start.recipe.is_none();
         let settings: Settings = stored.and_then(|s| serde_json::from_str(&s).ok()).unwrap_or_default();
         let library = start.library.map_or_else(|| Library::embedded().map(Arc::new), Ok)?;
         let mut session = Session::new(Arc::clone(&library), &settings.choice)
@@ -120,7 +131,9 @@ impl SauteApp {
             GroundCallback::install(state);
             software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
         }
-        Ok(Self {
+        let language = settings.language;
+        let first_steps = remembers && !settings.introduced;
+        let mut app = Self {
             session,
             settings,
             stage: Stage::default(),
@@ -142,7 +155,12 @@ impl SauteApp {
             last_time: None,
             drawable: graphics.is_some(),
             software,
-        })
+            first_steps,
+            japanese_font,
+        };
+        app.settings.language = Language::English;
+        app.set_language(language);
+        Ok(app)
     }
 
     /// The world behind the window.
@@ -168,6 +186,25 @@ impl SauteApp {
     /// Chooses how many pieces the pantry adds at once.
     pub fn set_count(&mut self, count: usize) {
         self.count = count;
+    }
+
+    /// Chooses the window's language; without a font for Japanese it stays English and says what is missing.
+    pub fn set_language(&mut self, language: Language) {
+        if language == Language::Japanese && !self.japanese_font {
+            self.say("notice.no_font");
+            return;
+        }
+        self.settings.language = language;
+    }
+
+    /// Whether the card of the first steps is shown.
+    pub fn first_steps_are_open(&self) -> bool {
+        self.first_steps
+    }
+
+    pub(crate) fn close_first_steps(&mut self) {
+        self.first_steps = false;
+        self.settings.introduced = true;
     }
 
     /// Whether the list of keys is open.
@@ -451,6 +488,8 @@ impl SauteApp {
         panels::badge::show(self, ui, &layout);
         if self.help {
             panels::help::show(self, ui, whole);
+        } else if self.first_steps {
+            panels::first_steps::show(self, ui, whole);
         }
     }
 }

@@ -56,7 +56,7 @@ pub mod waiting;
 pub mod window;
 
 pub use app::{SauteApp, Start, StartError};
-pub use language::Language;
 pub use colour_map::TemperatureMap;
+pub use language::Language;
 pub use section_picture::{Picture, section_picture};
 pub use view::View;

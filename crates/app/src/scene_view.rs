@@ -45,8 +45,7 @@ impl SauteApp {
         self.camera.shift = panes[0].lens_shift();
         let response = ui.interact(layout.whole, ui.scope_id().with("scene"), Sense::click_and_drag());
         let l = self.settings.language;
-        response
-            .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, l.text("scene.spoken")));
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, l.text("scene.spoken")));
         let rect = self.used_pane(ui, &panes).rect;
         let placed = self.scene.placing && response.clicked();
         if !placed {

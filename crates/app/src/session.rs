@@ -8,7 +8,8 @@ use saute_kitchen::food::Form;
 use saute_kitchen::food::Rules;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{
-    Command, FRAME_S, Kitchen, Library, MeshSize, Piece, PieceOrder, Recipe, Recorder, Refused, Runner, TICK_S, celsius, kelvin,
+    Command, FRAME_S, Kitchen, Library, MeshSize, Piece, PieceOrder, Recipe, Recorder, Refused, Runner, TICK_S,
+    celsius, kelvin,
 };
 use web_time::{Duration, Instant};
 

@@ -14,6 +14,8 @@ pub struct Settings {
     /// Language of the window; that of the system where none was ever chosen.
     #[serde(default = "Language::of_system")]
     pub language: Language,
+    /// Whether the card of the first start was closed.
+    pub introduced: bool,
     /// Show °F instead of °C.
     pub fahrenheit: bool,
     /// Colour map of temperatures.
@@ -44,6 +46,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             language: Language::English,
+            introduced: false,
             fahrenheit: false,
             map: TemperatureMap::default(),
             view: View::default(),

@@ -39,7 +39,12 @@ fn standing(app: &mut SauteApp, ui: &Ui, layout: &Layout) {
         theme::panel().inner_margin(8).show(ui, |ui| {
             legend::show(app, ui, width);
             if simple {
-                ui.label(RichText::new(app.settings.language.text("scene.rules_2013")).size(15.0).strong().color(theme::ACCENT));
+                ui.label(
+                    RichText::new(app.settings.language.text("scene.rules_2013"))
+                        .size(15.0)
+                        .strong()
+                        .color(theme::ACCENT),
+                );
             }
         });
     });

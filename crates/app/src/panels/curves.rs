@@ -94,7 +94,13 @@ fn curves(app: &SauteApp) -> Vec<Curve> {
     let mut curves = vec![
         curve(0, l.text("curves.pan"), LineStyle::Solid, 1.6, series(&|r| Some(r.pan_c))),
         curve(1, l.text("curves.core"), LineStyle::Solid, 2.4, series(&|r| r.foods.get(piece).map(|f| f[0]))),
-        curve(2, l.text("curves.underside"), LineStyle::dashed_loose(), 1.6, series(&|r| r.foods.get(piece).map(|f| f[2]))),
+        curve(
+            2,
+            l.text("curves.underside"),
+            LineStyle::dashed_loose(),
+            1.6,
+            series(&|r| r.foods.get(piece).map(|f| f[2])),
+        ),
     ];
     curves.extend(app.session.steak().into_iter().flat_map(|p| app.session.probes.of(p)).map(|probe| {
         let step = probe.series.len().div_ceil(MOST_POINTS).max(1);
@@ -163,7 +169,7 @@ fn events(ui: &Ui, transform: &PlotTransform, marks: &[Mark], l: Language) {
         match written.last_mut() {
             Some((before, words)) if x - *before < 1.0 => {
                 *words = format!("{words}{}{}", l.text("doneness.list_joint"), mark_words(mark, l));
-            },
+            }
             Some((before, _)) if x - *before < EVENT_APART => {}
             _ => written.push((x, mark_words(mark, l))),
         }

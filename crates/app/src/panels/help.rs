@@ -18,7 +18,15 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
     let modal = Modal::new(Id::unique("help")).frame(theme::panel().fill(theme::SOLID)).show(ui.ctx(), |ui| {
         ui.set_width((whole.width() - 60.0).min(900.0));
         let l = app.settings.language;
-        ui.heading(l.text("help.title"));
+        ui.horizontal(|ui| {
+            ui.heading(l.text("help.title"));
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                crate::panels::language::chip(app, ui);
+                if ui.add(theme::button(l.text("help.first_steps"), false)).clicked() {
+                    (app.help, app.first_steps) = (false, true);
+                }
+            });
+        });
         ui.label(l.text("help.mouse"));
         ui.add_space(6.0);
         let height = whole.height() - 250.0;

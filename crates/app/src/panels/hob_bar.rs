@@ -129,13 +129,7 @@ fn pause_word(app: &SauteApp) -> &'static str {
 }
 
 fn speed_button(app: &mut SauteApp, ui: &mut Ui, speed: f64) {
-    if press(
-        ui,
-        &format!("{speed:.0}×"),
-        app.session.speed == speed,
-        true,
-        app.settings.language.text("hob.speed"),
-    ) {
+    if press(ui, &format!("{speed:.0}×"), app.session.speed == speed, true, app.settings.language.text("hob.speed")) {
         app.set_speed(speed);
     }
 }

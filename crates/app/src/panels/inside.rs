@@ -173,7 +173,10 @@ fn readings(app: &SauteApp, ui: &mut Ui) {
         [("inside.core", temperature(piece.core())), ("inside.pan", temperature(kitchen.pan_temperature()))],
         [("inside.underside", temperature(piece.face(true))), ("inside.upper_side", temperature(piece.face(false)))],
         [("inside.mass", grams(mass)), ("inside.lost", format!("{:.1} %", tidy(lost)))],
-        [("inside.hardness", settings.language.fill("inside.hardness_value", &[("value", &hardness)])), ("inside.juiciness", format!("{juiciness:.0} %"))],
+        [
+            ("inside.hardness", settings.language.fill("inside.hardness_value", &[("value", &hardness)])),
+            ("inside.juiciness", format!("{juiciness:.0} %")),
+        ],
         [("inside.time", clock(kitchen.time_s())), ("inside.since_flip", since.map_or_else(|| "–".into(), clock))],
     ];
     ui.spacing_mut().interact_size.y = 21.0;
@@ -221,8 +224,9 @@ fn goal(app: &mut SauteApp, ui: &mut Ui) {
         let drag =
             egui::DragValue::new(&mut degrees).range(range).speed(0.2).max_decimals(0).suffix(app.settings.unit());
         let response = ui.add(drag);
-        response
-            .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::SpinButton, true, l.text("inside.goal_spoken")));
+        response.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::accesskit::Role::SpinButton, true, l.text("inside.goal_spoken"))
+        });
         if response.changed() {
             app.settings.goal_c = app.settings.celsius(degrees);
         }
@@ -234,7 +238,11 @@ fn goal(app: &mut SauteApp, ui: &mut Ui) {
 fn goals(settings: &mut Settings, ui: &mut Ui, scale: &Scale) {
     for class in scale.class.iter().skip(1) {
         let goal = class.from_c + GOAL_INTO_CLASS;
-        let name = RichText::new(settings.language.called("class", &class.name)).size(if scale.class.len() > 4 { 11.5 } else { 15.0 });
+        let name = RichText::new(settings.language.called("class", &class.name)).size(if scale.class.len() > 4 {
+            11.5
+        } else {
+            15.0
+        });
         if ui.selectable_label((settings.goal_c - goal).abs() < 0.5, name).clicked() {
             settings.goal_c = goal;
         }
@@ -262,22 +270,12 @@ fn advice(app: &mut SauteApp) -> (String, bool) {
         (Place::Waiting, _) if pan < 160.0 && app.session.kitchen.hob_w() == 0.0 => {
             (l.text("advice.turn_on").to_owned(), false)
         }
-        (Place::Waiting, _) if pan < 160.0 => {
-            (at("advice.heating", 180.0), false)
-        }
-        (Place::Waiting | Place::Pan(_), _) if pan > TOO_HOT_C => {
-            (l.text("advice.too_hot").to_owned(), true)
-        }
+        (Place::Waiting, _) if pan < 160.0 => (at("advice.heating", 180.0), false),
+        (Place::Waiting | Place::Pan(_), _) if pan > TOO_HOT_C => (l.text("advice.too_hot").to_owned(), true),
         (Place::Waiting, _) => (l.fill("advice.put_in", &[("food", &l.called("noun", &app.session.noun()))]), true),
-        (Place::Pan(_), _) if app.scale().is_none() && wet_below(piece) => {
-            (l.text("advice.wet").to_owned(), false)
-        }
-        (Place::Pan(_), _) if app.scale().is_none() => {
-            (l.text("advice.browns").to_owned(), false)
-        }
-        (Place::Pan(_), Some(f)) if f.peak_c >= goal => {
-            (at("advice.take_out", f.peak_c), true)
-        }
+        (Place::Pan(_), _) if app.scale().is_none() && wet_below(piece) => (l.text("advice.wet").to_owned(), false),
+        (Place::Pan(_), _) if app.scale().is_none() => (l.text("advice.browns").to_owned(), false),
+        (Place::Pan(_), Some(f)) if f.peak_c >= goal => (at("advice.take_out", f.peak_c), true),
         (Place::Pan(_), Some(f)) => {
             (at(if wet_below(piece) { "advice.would_peak_wet" } else { "advice.would_peak" }, f.peak_c), false)
         }

@@ -3,9 +3,11 @@
 pub mod badge;
 pub mod curves;
 pub mod doneness_bar;
+pub mod first_steps;
 pub mod help;
 pub mod hob_bar;
 pub mod inside;
+pub mod language;
 pub mod legend;
 pub mod pantry;
 pub mod pieces;

@@ -43,9 +43,9 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
             ui.selectable_value(&mut choice.pan, id.clone(), l.called("pan", &pan.name));
         }
     });
-    response
-        .response
-        .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, l.fill("pantry.pan_spoken", &[("pan", &name)])));
+    response.response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, l.fill("pantry.pan_spoken", &[("pan", &name)]))
+    });
     temperature(ui, l.text("pantry.preheated"), &mut app.settings.choice.preheat_c, 20.0, 260.0, fahrenheit);
     ui.separator();
     recipes(app, ui);
@@ -74,7 +74,14 @@ fn sizes(ui: &mut Ui, food: &FoodDescription, size_mm: &mut Vec<f64>, l: Languag
         // stands on edge: no piece is thicker than long.
         let longest = size_mm[..thickness].iter().copied().fold(0.0, f64::max);
         let most = if axis == thickness { longest.min(60.0) } else { 150.0 };
-        slider(ui, l.called("dimension", names[axis]), &mut size_mm[axis], range.min_mm[axis], range.max_mm[axis].min(most), " mm");
+        slider(
+            ui,
+            l.called("dimension", names[axis]),
+            &mut size_mm[axis],
+            range.min_mm[axis],
+            range.max_mm[axis].min(most),
+            " mm",
+        );
     }
 }
 
@@ -128,8 +135,7 @@ fn recipes(app: &mut SauteApp, ui: &mut Ui) {
     for (id, text) in &library.recipes {
         let plain = id.replace('-', " ");
         let title = l.called("recipe_file", &plain);
-        let clicked =
-            ui.add(egui::Button::new(title).min_size(egui::vec2(ui.available_width(), 34.0))).clicked();
+        let clicked = ui.add(egui::Button::new(title).min_size(egui::vec2(ui.available_width(), 34.0))).clicked();
         if clicked {
             app.open_recipe(text, &format!("{id}.toml"));
         }

@@ -51,7 +51,8 @@ pub fn all_at_once(app: &mut SauteApp, ui: &mut Ui) {
         if ui.add(theme::button(l.text("piece.lay_all"), true)).on_hover_text(l.text("piece.lay_all_hint")).clicked() {
             app.lay_in(&waiting);
         }
-        if ui.add(theme::button(l.text("piece.heap_all"), false)).on_hover_text(l.text("piece.heap_all_hint")).clicked() {
+        if ui.add(theme::button(l.text("piece.heap_all"), false)).on_hover_text(l.text("piece.heap_all_hint")).clicked()
+        {
             app.heap_in(&waiting);
         }
     });
@@ -180,9 +181,7 @@ fn spoken(line: &Line, what: String, l: Language) -> String {
 /// Draws a line; tells whether it was clicked.
 fn shown(ui: &mut Ui, line: &Line, indent: f32, selected: bool, spoken: &str) -> bool {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::click());
-    response.widget_info(|| {
-        egui::WidgetInfo::selected(egui::accesskit::Role::Button, true, selected, spoken)
-    });
+    response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::Button, true, selected, spoken));
     if !ui.is_rect_visible(rect) {
         return response.clicked();
     }

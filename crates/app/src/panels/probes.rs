@@ -11,10 +11,7 @@ pub fn add_button(app: &mut SauteApp, ui: &mut Ui) {
     let l = app.settings.language;
     let text = RichText::new(l.text(if app.scene.placing { "probe.click" } else { "probe.add" })).size(13.0);
     let add = ui.add(egui::Button::new(text).selected(app.scene.placing));
-    if add
-        .on_hover_text(l.fill("probe.add_hint", &[("key", &key_of(Act::Probe))]))
-        .clicked()
-    {
+    if add.on_hover_text(l.fill("probe.add_hint", &[("key", &key_of(Act::Probe))])).clicked() {
         app.scene.placing = !app.scene.placing;
     }
 }

@@ -44,6 +44,10 @@ pub fn units_and_help(app: &mut SauteApp, ui: &mut Ui) {
         if ui.available_width() > 76.0 {
             chip(app, ui, l.text("top.pieces"), app.settings.pieces_open, Act::Pieces);
         }
+        // Always in the help as well.
+        if ui.available_width() > 68.0 {
+            super::language::chip(app, ui);
+        }
     });
 }
 
