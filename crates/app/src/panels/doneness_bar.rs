@@ -88,7 +88,7 @@ fn columns(app: &SauteApp, ui: &mut Ui, scale: &Scale) {
     // As many letters as its name or its range needs, at least.
     let l = app.settings.language;
     let name = |c: usize| l.called("class", &scale.class[c].name);
-    let letters = |c: usize| width_in_letters(name(c)).max(6) as f32;
+    let letters = |c: usize| width_in_letters(name(c)).max(6.0);
     let all: f32 = (0..scale.class.len()).map(letters).sum();
     ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = gap;
@@ -100,7 +100,8 @@ fn columns(app: &SauteApp, ui: &mut Ui, scale: &Scale) {
                 let (mark, _) = ui.allocate_exact_size(vec2(18.0, 10.0), Sense::hover());
                 swatch(ui.painter(), mark, Tone::of(scale, class));
                 let small = if scale.class.len() > 4 { 11.0 } else { 12.5 };
-                ui.label(RichText::new(format!("{:.0} %", app.inside.shares.0[class])).size(16.0).strong());
+                let share = RichText::new(format!("{:.0} %", app.inside.shares.0[class])).size(16.0).strong();
+                ui.add(egui::Label::new(share).extend());
                 ui.add(egui::Label::new(RichText::new(name(class)).size(small)).extend());
                 let range = RichText::new(range(&app.settings, scale, class)).size(11.0).color(theme::QUIET);
                 ui.add(egui::Label::new(range).extend());
@@ -109,9 +110,9 @@ fn columns(app: &SauteApp, ui: &mut Ui, scale: &Scale) {
     });
 }
 
-/// How many Latin letters wide a name is; kana and kanji count twice.
-fn width_in_letters(name: &str) -> usize {
-    name.chars().map(|c| if c.is_ascii() { 1 } else { 2 }).sum()
+/// How many Latin letters wide a name is; a kana or kanji is as wide as 1.6 of them in the fonts of the panel.
+fn width_in_letters(name: &str) -> f32 {
+    name.chars().map(|c| if c.is_ascii() { 1.0 } else { 1.6 }).sum()
 }
 
 /// What heat has changed in a food that no scale of doneness knows: name and mean share of each change.
