@@ -125,7 +125,7 @@ pub const BINDINGS: [Binding; 55] = [
     bind(Key::Insert, "Ins", Act::RollBy(-ROLL_STEP), "key.roll_left"),
     bind(Key::Delete, "Del", Act::RollBy(ROLL_STEP), "key.roll_right"),
     bind(Key::Slash, "/", Act::LevelTool, "key.level"),
-    bind(Key::Backspace, "Backspace", Act::PutAway, "key.put_away"),
+    bind(Key::Backspace, "Bksp", Act::PutAway, "key.put_away"),
     bind(Key::I, "I", Act::NextPiece, "key.next_piece"),
     bind(Key::B, "B", Act::Pieces, "key.pieces"),
     bind(Key::E, "E", Act::Hob(1), "key.hob_up"),

@@ -9,7 +9,7 @@ use saute_kitchen::{Library, Recipe};
 type Texts = BTreeMap<String, BTreeMap<String, String>>;
 
 /// Sections of names that come from the core's data: found by the English text, not by a key in the code.
-const NAMES: [&str; 14] = [
+const NAMES: [&str; 15] = [
     "food",
     "noun",
     "id",
@@ -24,6 +24,7 @@ const NAMES: [&str; 14] = [
     "event",
     "mark",
     "deed",
+    "button",
 ];
 
 fn texts(l: Language) -> Texts {

@@ -39,7 +39,7 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
                 for (i, (written, words)) in lines.into_iter().enumerate() {
                     let ui = &mut uis[i / rows];
                     ui.horizontal(|ui| {
-                        let key = RichText::new(written).monospace().strong().color(theme::ACCENT);
+                        let key = RichText::new(l.called("button", written)).monospace().strong().color(theme::ACCENT);
                         ui.add_sized([90.0, 20.0], egui::Label::new(key));
                         ui.label(l.text(words));
                     });
