@@ -1,7 +1,8 @@
 # What run.sh and test.sh need from the system, and how it is installed. Sourced, not run.
 
-# Commands that build C parts, libraries that the window loads, a software Vulkan driver for machines without a GPU.
-RUN_PACKAGES=(gcc libc6-dev pkg-config libxkbcommon0 libxkbcommon-x11-0 libudev-dev libwayland-client0 libx11-6 libx11-xcb1 libxcursor1 libxi6 libxrandr2 libvulkan1 mesa-vulkan-drivers)
+# Commands that build C parts, libraries that the window loads, a software Vulkan driver for machines without a GPU,
+# a font with kana and kanji for the window in Japanese.
+RUN_PACKAGES=(gcc libc6-dev pkg-config libxkbcommon0 libxkbcommon-x11-0 libudev-dev libwayland-client0 libx11-6 libx11-xcb1 libxcursor1 libxi6 libxrandr2 libvulkan1 mesa-vulkan-drivers fonts-ipafont-gothic)
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -2,6 +2,7 @@
 
 use egui::Key;
 
+use crate::language::Language;
 use crate::pouring::Pourable;
 use crate::view::View;
 
@@ -94,7 +95,7 @@ pub struct Binding {
     pub written: &'static str,
     /// What it does.
     pub act: Act,
-    /// In words.
+    /// Key of the words for it.
     pub words: &'static str,
 }
 
@@ -109,6 +110,7 @@ pub const ROLL_STEP: f64 = std::f64::consts::PI / 6.0;
 
 /// All keys, in the order in which the help lists them.
 pub const BINDINGS: [Binding; 55] = [
+<<<<<<< HEAD
     bind(Key::A, "A", Act::Put, "food into the pan"),
     bind(Key::F, "F", Act::Flip, "flip: selected or middle one"),
     bind(Key::O, "O", Act::Out, "food onto the board"),
@@ -164,9 +166,71 @@ pub const BINDINGS: [Binding; 55] = [
     bind(Key::F12, "F12", Act::Picture, "save a picture"),
     bind(Key::F1, "F1", Act::Help, "this list"),
     bind(Key::Escape, "Esc", Act::Close, "close this list"),
+=======
+    bind(Key::A, "A", Act::Put, "key.put"),
+    bind(Key::F, "F", Act::Flip, "key.flip"),
+    bind(Key::O, "O", Act::Out, "key.out"),
+    bind(Key::T, "T", Act::Toss, "key.toss"),
+    bind(Key::Num8, "8", Act::Pour(Pourable::Oil), "key.oil"),
+    bind(Key::Num9, "9", Act::Pour(Pourable::Butter), "key.butter"),
+    bind(Key::Num0, "0", Act::Pour(Pourable::Water), "key.water"),
+    bind(Key::Minus, "-", Act::Portion, "key.portion"),
+    bind(Key::Z, "Z", Act::Lid, "key.lid"),
+    bind(Key::U, "U", Act::Tool, "key.tool"),
+    bind(Key::Home, "Home", Act::ToolBy(TOOL_STEP), "key.tool_up"),
+    bind(Key::End, "End", Act::ToolBy(-TOOL_STEP), "key.tool_down"),
+    bind(Key::Insert, "Ins", Act::RollBy(-ROLL_STEP), "key.roll_left"),
+    bind(Key::Delete, "Del", Act::RollBy(ROLL_STEP), "key.roll_right"),
+    bind(Key::Slash, "/", Act::LevelTool, "key.level"),
+    bind(Key::Backspace, "Bksp", Act::PutAway, "key.put_away"),
+    bind(Key::I, "I", Act::NextPiece, "key.next_piece"),
+    bind(Key::B, "B", Act::Pieces, "key.pieces"),
+    bind(Key::E, "E", Act::Hob(1), "key.hob_up"),
+    bind(Key::Q, "Q", Act::Hob(-1), "key.hob_down"),
+    bind(Key::W, "W", Act::Cloth, "key.cloth"),
+    bind(Key::Space, "Space", Act::Pause, "key.pause"),
+    bind(Key::Period, ".", Act::Step, "key.step"),
+    bind(Key::CloseBracket, "]", Act::Speed(1), "key.faster"),
+    bind(Key::OpenBracket, "[", Act::Speed(-1), "key.slower"),
+    bind(Key::R, "R", Act::Restart, "key.restart"),
+    bind(Key::N, "N", Act::Pantry, "key.pantry"),
+    bind(Key::Num1, "1", Act::View(View::Look), "key.look"),
+    bind(Key::Num2, "2", Act::View(View::Temperature), "key.temperature"),
+    bind(Key::Num3, "3", Act::View(View::Moisture), "key.moisture"),
+    bind(Key::Num4, "4", Act::View(View::Doneness), "key.doneness"),
+    bind(Key::Num5, "5", Act::View(View::Browning), "key.browning"),
+    bind(Key::Num6, "6", Act::View(View::Lethality), "key.lethality"),
+    bind(Key::Num7, "7", Act::View(View::Marbling), "key.marbling"),
+    bind(Key::Y, "Y", Act::Split, "key.split"),
+    bind(Key::P, "P", Act::Probe, "key.probe"),
+    bind(Key::M, "M", Act::Map, "key.map"),
+    bind(Key::D, "D", Act::Scale, "key.scale"),
+    bind(Key::X, "X", Act::Slice, "key.cut"),
+    bind(Key::J, "J", Act::SliceBy(-0.05), "key.cut_left"),
+    bind(Key::L, "L", Act::SliceBy(0.05), "key.cut_right"),
+    bind(Key::C, "C", Act::Units, "key.units"),
+    bind(Key::G, "G", Act::Curves, "key.curves"),
+    bind(Key::H, "H", Act::Panels, "key.panels"),
+    bind(Key::V, "V", Act::Camera, "key.camera"),
+    bind(Key::ArrowLeft, "←", Act::Orbit(-0.08, 0.0), "key.turn_view"),
+    bind(Key::ArrowRight, "→", Act::Orbit(0.08, 0.0), "key.turn_view"),
+    bind(Key::ArrowUp, "↑", Act::Orbit(0.0, 0.06), "key.look_higher"),
+    bind(Key::ArrowDown, "↓", Act::Orbit(0.0, -0.06), "key.look_lower"),
+    bind(Key::PageUp, "Page up", Act::Zoom(0.9), "key.nearer"),
+    bind(Key::PageDown, "Page down", Act::Zoom(1.1), "key.farther"),
+    bind(Key::S, "S", Act::Picture, "key.picture"),
+    bind(Key::F12, "F12", Act::Picture, "key.picture"),
+    bind(Key::F1, "F1", Act::Help, "key.help"),
+    bind(Key::Escape, "Esc", Act::Close, "key.close"),
+>>>>>>> language
 ];
 
-/// The key of an act, for tooltips.
+/// What an act does, and its key: for tooltips.
+pub fn hint(act: Act, l: Language) -> String {
+    BINDINGS.iter().find(|b| b.act == act).map_or_else(String::new, |b| format!("{} ({})", l.text(b.words), b.written))
+}
+
+/// The key of an act.
 pub fn key_of(act: Act) -> &'static str {
     BINDINGS.iter().find(|b| b.act == act).map_or("", |b| b.written)
 }

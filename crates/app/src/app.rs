@@ -9,6 +9,7 @@ use web_time::Duration;
 
 use crate::act::{Act, BINDINGS};
 use crate::colour_map::TemperatureMap;
+use crate::language::Language;
 use crate::layout::Layout;
 use crate::motion::Motions;
 use crate::notice::Notice;
@@ -28,6 +29,8 @@ use crate::tool_hand::{ToolHand, TurnerPose};
 
 /// Where settings are remembered.
 const SETTINGS_KEY: &str = "saute.settings";
+/// What is remembered at the first start: nothing.
+const FIRST_START: &str = "{}";
 /// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
 const STEP_BUDGET_MS: u64 = 20;
 
@@ -73,6 +76,10 @@ pub struct SauteApp {
     pub(crate) portion: Portion,
     pub(crate) pad: Pad,
     last_time: Option<f64>,
+    /// Whether the card of the first steps is shown.
+    pub(crate) first_steps: bool,
+    /// Whether the system has a font with kana and kanji.
+    pub(crate) japanese_font: bool,
     /// Whether the scene can be drawn (a graphics device is there).
     drawable: bool,
     software: bool,
@@ -92,13 +99,15 @@ pub enum StartError {
 impl SauteApp {
     /// Sets out the remembered food, or plays the given recipe.
     pub fn new(cc: &eframe::CreationContext<'_>, start: Start) -> Result<Self, StartError> {
-        let stored = cc.storage.and_then(|s| s.get_string(SETTINGS_KEY));
+        let stored = cc.storage.map(|s| s.get_string(SETTINGS_KEY).unwrap_or_else(|| FIRST_START.to_owned()));
         let mut app = Self::start(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), stored, start)?;
         app.pad = Pad::connected();
         Ok(app)
     }
 
-    /// As [`Self::new`], with any egui context and graphics state, and remembered settings as JSON.
+    /// As [`Self::new`], with any egui context and graphics state, and remembered settings as JSON: `{}` at the first
+    /// start, when the system's language holds and the card of the first steps is shown; none where nothing is ever
+    /// remembered, as for pictures: then the window speaks English.
     pub fn start(
         context: &egui::Context,
         graphics: Option<&egui_wgpu::RenderState>,
@@ -106,6 +115,8 @@ impl SauteApp {
         start: Start,
     ) -> Result<Self, StartError> {
         theme::apply(context);
+        let japanese_font = crate::japanese_font::install(context);
+        let remembers = stored.is_some() && start.recipe.is_none();
         let settings: Settings = stored.and_then(|s| serde_json::from_str(&s).ok()).unwrap_or_default();
         let library = start.library.map_or_else(|| Library::embedded().map(Arc::new), Ok)?;
         let mut session = Session::new(Arc::clone(&library), &settings.choice)
@@ -120,7 +131,9 @@ impl SauteApp {
             GroundCallback::install(state);
             software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
         }
-        Ok(Self {
+        let language = settings.language;
+        let first_steps = remembers && !settings.introduced;
+        let mut app = Self {
             session,
             settings,
             stage: Stage::default(),
@@ -142,7 +155,12 @@ impl SauteApp {
             last_time: None,
             drawable: graphics.is_some(),
             software,
-        })
+            first_steps,
+            japanese_font,
+        };
+        app.settings.language = Language::English;
+        app.set_language(language);
+        Ok(app)
     }
 
     /// The world behind the window.
@@ -168,6 +186,25 @@ impl SauteApp {
     /// Chooses how many pieces the pantry adds at once.
     pub fn set_count(&mut self, count: usize) {
         self.count = count;
+    }
+
+    /// Chooses the window's language; without a font for Japanese it stays English and says what is missing.
+    pub fn set_language(&mut self, language: Language) {
+        if language == Language::Japanese && !self.japanese_font {
+            self.say("notice.no_font");
+            return;
+        }
+        self.settings.language = language;
+    }
+
+    /// Whether the card of the first steps is shown.
+    pub fn first_steps_are_open(&self) -> bool {
+        self.first_steps
+    }
+
+    pub(crate) fn close_first_steps(&mut self) {
+        self.first_steps = false;
+        self.settings.introduced = true;
     }
 
     /// Whether the list of keys is open.
@@ -221,7 +258,7 @@ impl SauteApp {
             Act::Pantry => self.open_left(!self.settings.pantry_open, false),
             Act::Curves => self.settings.curves_open = !self.settings.curves_open,
             Act::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
-            Act::Picture => crate::save_picture::save_picture(ctx, &self.notice),
+            Act::Picture => crate::save_picture::save_picture(ctx, &self.notice, self.settings.language),
             Act::Help => self.help = !self.help,
             Act::Close => (self.help, self.scene.placing) = (false, false),
         }
@@ -252,17 +289,32 @@ impl SauteApp {
     pub(crate) fn command(&mut self, command: &Command) {
         let played = self.session.runner.is_some();
         match self.session.command(command) {
-            Ok(()) if played => self.notice.say("You have taken over; the recipe no longer plays."),
+            Ok(()) if played => self.say("notice.taken_over"),
             Ok(()) => {}
-            Err(refused) => self.notice.say(refused),
+            Err(refused) => self.say_refused(&refused),
         }
     }
 
     fn single_step(&mut self) {
         self.session.set_paused(true);
         if let Err(error) = self.session.tick() {
-            self.notice.say(error);
+            self.say_trouble(&error);
         }
+    }
+
+    /// Says a text that leaves nothing open.
+    pub(crate) fn say(&self, key: &'static str) {
+        self.notice.say(self.settings.language.text(key));
+    }
+
+    /// Says why the kitchen refused.
+    pub(crate) fn say_refused(&self, refused: &saute_kitchen::Refused) {
+        self.notice.say(crate::refusal::words(refused, self.settings.language));
+    }
+
+    /// Says what the core could not do; recipes and data have their own words, with file and line.
+    pub(crate) fn say_trouble(&self, error: &dyn std::fmt::Display) {
+        self.notice.say(self.settings.language.fill("notice.trouble", &[("error", error)]));
     }
 
     fn change_speed(&mut self, by: i8) {
@@ -290,7 +342,7 @@ impl SauteApp {
 
     fn restart(&mut self) {
         if let Err(error) = self.session.restart() {
-            self.notice.say(error.to_string());
+            self.say_trouble(&error);
         }
         self.motions.clear();
     }
@@ -328,8 +380,12 @@ impl SauteApp {
         let recipe = Recipe::parse(text, file, &self.session.library);
         let played = recipe.map_err(|e| e.to_string()).and_then(|r| self.session.play(r).map_err(|e| e.to_string()));
         match played {
-            Ok(()) => self.notice.say(format!("Playing {}.", self.session.recipe_title().unwrap_or(file))),
-            Err(error) => self.notice.say(error),
+            Ok(()) => {
+                let l = self.settings.language;
+                let title = l.called("recipe", self.session.recipe_title().unwrap_or(file));
+                self.notice.say(l.fill("notice.playing", &[("title", &title)]));
+            }
+            Err(error) => self.say_trouble(&error),
         }
     }
 
@@ -352,8 +408,11 @@ impl SauteApp {
             let name = file.path().display().to_string();
             match file.bytes().map(String::from_utf8) {
                 Ok(Ok(text)) => self.open_recipe(&text, &name),
-                Ok(Err(_)) => self.notice.say(format!("{name} is not a text file; drop a recipe (.toml).")),
-                Err(error) => self.notice.say(format!("{name} could not be read: {error}")),
+                Ok(Err(_)) => self.notice.say(self.settings.language.fill("notice.not_text", &[("file", &name)])),
+                Err(error) => {
+                    let open: [(&str, &dyn std::fmt::Display); 2] = [("file", &name), ("error", &error)];
+                    self.notice.say(self.settings.language.fill("notice.not_read", &open));
+                }
             }
         }
     }
@@ -362,7 +421,7 @@ impl SauteApp {
     #[cfg(target_arch = "wasm32")]
     fn take_dropped_files(&mut self, ctx: &egui::Context) {
         if ctx.input(|i| !i.raw.dropped_files.is_empty()) {
-            self.notice.say("Files cannot be dropped on the page yet; choose one in the list beside the food.");
+            self.say("notice.no_drop");
         }
     }
 
@@ -374,7 +433,7 @@ impl SauteApp {
         let passed =
             self.session.advance(Duration::from_secs_f64(wall.max(0.0)), Duration::from_millis(STEP_BUDGET_MS));
         if let Err(error) = passed {
-            self.notice.say(error);
+            self.say_trouble(&error);
         }
         self.motions.advance(&self.session.kitchen, self.session.generation, wall as f32);
         if !self.session.paused || self.motions.moving() {
@@ -429,6 +488,8 @@ impl SauteApp {
         panels::badge::show(self, ui, &layout);
         if self.help {
             panels::help::show(self, ui, whole);
+        } else if self.first_steps {
+            panels::first_steps::show(self, ui, whole);
         }
     }
 }

@@ -92,18 +92,18 @@ const PULLED: f64 = 0.5;
 
 /// Sticks and buttons, as the help lists them.
 pub const PAD: [(&str, &str); 12] = [
-    ("L stick", "move the pan"),
-    ("LT+stick", "tilt the pan"),
-    ("LT+LB/RB", "lower, lift the pan"),
-    ("R stick", "move the tool"),
-    ("RT+stick", "roll and tilt the turner"),
-    ("LB, RB", "lower, raise the tool"),
-    ("A / cross", "flip"),
-    ("X / square", "toss"),
-    ("Y / triangle", "tongs, turner"),
-    ("B / circle", "lay the tool down"),
-    ("D-pad", "hob up, down; left: in, right: next"),
-    ("Start", "pause; Select: this list"),
+    ("L stick", "pad.move_pan"),
+    ("LT+stick", "pad.tilt_pan"),
+    ("LT+LB/RB", "pad.lift_pan"),
+    ("R stick", "pad.move_tool"),
+    ("RT+stick", "pad.roll_turner"),
+    ("LB, RB", "pad.raise_tool"),
+    ("A / cross", "pad.flip"),
+    ("X / square", "pad.toss"),
+    ("Y / triangle", "pad.tool"),
+    ("B / circle", "pad.put_away"),
+    ("D-pad", "pad.cross"),
+    ("Start", "pad.start"),
 ];
 
 /// What each button does when it goes down.

@@ -17,8 +17,11 @@ mod halves;
 pub mod hatch;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod headless;
+mod japanese_font;
+pub mod language;
 pub mod layout;
 pub mod motion;
+mod next_step;
 pub mod notice;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod offscreen;
@@ -33,6 +36,7 @@ pub mod pouring;
 pub mod probe;
 mod probe_hand;
 mod put_in;
+mod refusal;
 mod save_picture;
 mod scale_choice;
 pub mod scene;
@@ -56,5 +60,6 @@ pub mod window;
 
 pub use app::{SauteApp, Start, StartError};
 pub use colour_map::TemperatureMap;
+pub use language::Language;
 pub use section_picture::{Picture, section_picture};
 pub use view::View;

@@ -18,13 +18,13 @@ const HZ: f64 = 3.0;
 /// A shake goes on while its key is held, but no longer than this [s] (chosen).
 const SHAKE_S: f64 = 60.0;
 
-/// Held keys, as the help lists them.
+/// Held keys, as the help lists them, with the keys of the words for them.
 pub const HELD: [(&str, &str); 5] = [
-    ("Shift+WASD", "move the pan (hold)"),
-    ("Shift+E/Q", "lift, lower the pan (hold)"),
-    ("Shift+R/F", "tilt away, to the cook (hold)"),
-    ("Shift+Z/C", "tilt left, right (hold)"),
-    ("K", "shake the pan (hold)"),
+    ("Shift+WASD", "held.move_pan"),
+    ("Shift+E/Q", "held.lift_pan"),
+    ("Shift+R/F", "held.tilt_away"),
+    ("Shift+Z/C", "held.tilt_side"),
+    ("K", "held.shake"),
 ];
 
 /// What the keys do to the pan between frames.

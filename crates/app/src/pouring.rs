@@ -3,6 +3,7 @@
 use saute_kitchen::{Command, EventKind, Kitchen};
 
 use crate::app::SauteApp;
+use crate::language::Language;
 
 /// What can be poured or laid into the pan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,12 +21,12 @@ impl Pourable {
     pub const ALL: [Self; 3] = [Self::Oil, Self::Butter, Self::Water];
 
     /// Its name on a button.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Oil => "Oil",
-            Self::Butter => "Butter",
-            Self::Water => "Water",
-        }
+    pub fn name(self, l: Language) -> &'static str {
+        l.text(match self {
+            Self::Oil => "pour.oil",
+            Self::Butter => "pour.butter",
+            Self::Water => "pour.water",
+        })
     }
 }
 
@@ -43,12 +44,12 @@ pub enum Portion {
 
 impl Portion {
     /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Little => "little",
-            Self::Some => "some",
-            Self::Much => "much",
-        }
+    pub fn name(self, l: Language) -> &'static str {
+        l.text(match self {
+            Self::Little => "pour.little",
+            Self::Some => "pour.some",
+            Self::Much => "pour.much",
+        })
     }
 
     /// How much that is [g] (chosen: what cooks take).
@@ -100,13 +101,13 @@ impl SauteApp {
 const NAMED_G: f64 = 0.1;
 
 /// What liquid lies in the pan.
-pub(crate) fn in_the_pan(kitchen: &Kitchen) -> String {
+pub(crate) fn in_the_pan(kitchen: &Kitchen, l: Language) -> String {
     let pan = kitchen.pan_state();
     let lump = pan.liquids.butter.lump.as_ref().map_or(0.0, |lump| lump.mass);
-    let parts = [("oil and fat", pan.oil_mass()), ("butter", lump), ("water", pan.water_mass())];
-    let named = parts.into_iter().map(|(name, mass)| (name, 1e3 * mass)).filter(|(_, g)| *g >= NAMED_G);
-    let words: Vec<String> = named.map(|(name, g)| format!("{} {name}", grams(g))).collect();
-    if words.is_empty() { "no oil, no water".to_owned() } else { words.join(" · ") }
+    let parts = [("pour.of_oil", pan.oil_mass()), ("pour.of_butter", lump), ("pour.of_water", pan.water_mass())];
+    let named = parts.into_iter().map(|(key, mass)| (key, 1e3 * mass)).filter(|(_, g)| *g >= NAMED_G);
+    let words: Vec<String> = named.map(|(key, g)| l.fill(key, &[("mass", &grams(g))])).collect();
+    if words.is_empty() { l.text("pour.nothing").to_owned() } else { words.join(" · ") }
 }
 
 fn grams(g: f64) -> String {
@@ -114,14 +115,14 @@ fn grams(g: f64) -> String {
 }
 
 /// What threatens: oil on fire, or smoking.
-pub(crate) fn danger(kitchen: &Kitchen) -> Option<String> {
+pub(crate) fn danger(kitchen: &Kitchen, l: Language) -> Option<String> {
     let pan = kitchen.pan_state();
     if pan.liquids.smoke.burning {
-        return Some("Fire! Lid on, hob off, never water.".to_owned());
+        return Some(l.text("pour.fire").to_owned());
     }
     let smoke = pan.smoke_mg_s();
-    let advice = EventKind::SmokeBegins.advice().unwrap_or_default();
-    (smoke > 0.0).then(|| format!("{smoke:.1} mg/s of smoke: {advice}"))
+    let advice = l.called("event", EventKind::SmokeBegins.advice().unwrap_or_default());
+    (smoke > 0.0).then(|| l.fill("pour.smoke", &[("rate", &format!("{smoke:.1}")), ("advice", &advice)]))
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use glam::Vec3;
 use saute_kitchen::food::FoodModel;
 use saute_kitchen::{Kitchen, Piece, celsius};
 
+use crate::language::Language;
 use crate::seen_point::{NodeShares, SeenPoint};
 
 /// Probes at most (chosen: as many as line styles can be told apart).
@@ -65,7 +66,7 @@ pub struct Probes {
 
 /// All probes are in use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("All {MOST_PROBES} probes are in use: take one out first (click its number).")]
+#[error("all {MOST_PROBES} probes are in use")]
 pub struct NoProbeLeft;
 
 impl Probes {
@@ -84,12 +85,12 @@ impl Probes {
         self.list.iter_mut().find(|p| p.number == number)
     }
 
-    /// Puts a new one in; tells its number.
-    pub fn place(&mut self, kitchen: &Kitchen, point: SeenPoint) -> Result<usize, NoProbeLeft> {
+    /// Puts a new one in, with a name in a language; tells its number.
+    pub fn place(&mut self, kitchen: &Kitchen, point: SeenPoint, l: Language) -> Result<usize, NoProbeLeft> {
         let taken = |number: &usize| self.list.iter().any(|p| p.number == *number);
         let number = (1..=MOST_PROBES).find(|n| !taken(n)).ok_or(NoProbeLeft)?;
         let SeenPoint { piece, shares, model } = point;
-        let name = format!("Probe {number}");
+        let name = l.fill("probe.name", &[("number", &number)]);
         let mut probe = Probe { number, name, piece, shares, series: Vec::new(), model };
         probe.remember(kitchen);
         self.list.push(probe);

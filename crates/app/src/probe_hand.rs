@@ -4,6 +4,8 @@ use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, vec2};
 
 use crate::app::SauteApp;
 use crate::layout::Pane;
+use crate::piece_words::name;
+use crate::probe::{MOST_PROBES, NoProbeLeft};
 use crate::seen_point::SeenPoint;
 use crate::theme;
 
@@ -20,7 +22,7 @@ impl SauteApp {
             Some(point) => self.place_probe_at(point),
             None => {
                 self.scene.placing = true;
-                self.notice.say("Point at the food, on its surface or on the cut, and click: a probe goes in there.");
+                self.say("probe.point");
             }
         }
     }
@@ -28,12 +30,13 @@ impl SauteApp {
     pub(crate) fn place_probe_at(&mut self, point: SeenPoint) {
         self.scene.placing = false;
         let piece = point.piece.clone();
-        match self.session.probes.place(&self.session.kitchen, point) {
+        let l = self.settings.language;
+        match self.session.probes.place(&self.session.kitchen, point, l) {
             Ok(number) => {
                 self.session.select(Some(piece.clone()));
-                self.notice.say(format!("Probe {number} is in {piece}."));
+                self.notice.say(l.fill("probe.is_in", &[("number", &number), ("food", &name(&piece, l))]));
             }
-            Err(full) => self.notice.say(full.to_string()),
+            Err(NoProbeLeft) => self.notice.say(l.fill("probe.none_left", &[("most", &MOST_PROBES)])),
         }
     }
 
@@ -58,7 +61,7 @@ impl SauteApp {
             let id = ui.scope_id().with(("probe", number, pane.look));
             let response =
                 ui.interact(Rect::from_center_size(at, Vec2::splat(2.6 * NUMBER)), id, Sense::click_and_drag());
-            let name = format!("Marker of probe {number}");
+            let name = self.settings.language.fill("probe.marker", &[("number", &number)]);
             response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, &name));
             let dragged = response.interact_pointer_pos().filter(|_| response.dragged());
             if let Some(point) = dragged.and_then(|to| self.seen_point(to - NUMBER_AT, pane.rect)) {

@@ -15,12 +15,13 @@ impl SauteApp {
                 let played = self.session.runner.is_some();
                 match self.session.lay(&wanted) {
                     Ok(0) if all == 1 => self.put_at_middle(wanted[0].clone()),
-                    Ok(fit) if fit < all => self.notice.say(format!(
-                        "{fit} of {all} fit beside each other on the floor of the pan. Drop the others in a heap, or take something out."
-                    )),
-                    Ok(_) if played => self.notice.say("You have taken over; the recipe no longer plays."),
+                    Ok(fit) if fit < all => {
+                        let l = self.settings.language;
+                        self.notice.say(l.fill("notice.some_fit", &[("fit", &fit), ("all", &all)]));
+                    }
+                    Ok(_) if played => self.say("notice.taken_over"),
                     Ok(_) => {}
-                    Err(refused) => self.notice.say(refused),
+                    Err(refused) => self.say_refused(&refused),
                 }
             }
         }
@@ -30,7 +31,7 @@ impl SauteApp {
     pub(crate) fn heap_in(&mut self, ids: &[String]) {
         let wanted = self.outside(ids);
         if let Err(refused) = self.session.heap(&wanted) {
-            self.notice.say(refused);
+            self.say_refused(&refused);
         }
     }
 
@@ -70,7 +71,7 @@ impl SauteApp {
     fn say_what_is_in(&mut self, ids: &[String]) {
         match ids.first() {
             Some(id) => self.put_at_middle(id.clone()),
-            None => self.notice.say("No food is set out. Choose one (N)."),
+            None => self.say("inside.no_food"),
         }
     }
 }

@@ -1,10 +1,11 @@
 //! Saves what the window shows.
 
+use crate::language::Language;
 use crate::notice::Notice;
 
 /// Asks for a picture of the window; it is written beside the program's working folder as `saute-N.png`.
 #[cfg(not(target_arch = "wasm32"))]
-pub fn save_picture(ctx: &egui::Context, notice: &Notice) {
+pub fn save_picture(ctx: &egui::Context, notice: &Notice, l: Language) {
     let (notice, repaint) = (notice.clone(), ctx.clone());
     ctx.request_screenshot(move |image| {
         let picture = crate::section_picture::Picture {
@@ -13,8 +14,8 @@ pub fn save_picture(ctx: &egui::Context, notice: &Notice) {
             rgba: image.pixels.iter().flat_map(|p| p.to_array()).collect(),
         };
         notice.say(match write(&picture) {
-            Ok(path) => format!("Saved {path}."),
-            Err(error) => format!("The picture could not be saved: {error}"),
+            Ok(path) => l.fill("notice.saved", &[("path", &path)]),
+            Err(error) => l.fill("notice.not_saved", &[("error", &error)]),
         });
         repaint.request_repaint();
     });
@@ -22,8 +23,8 @@ pub fn save_picture(ctx: &egui::Context, notice: &Notice) {
 
 /// Browsers save pages themselves.
 #[cfg(target_arch = "wasm32")]
-pub fn save_picture(_ctx: &egui::Context, notice: &Notice) {
-    notice.say("Use the browser's own way to save a picture of the page.");
+pub fn save_picture(_ctx: &egui::Context, notice: &Notice, l: Language) {
+    notice.say(l.text("notice.save_in_browser"));
 }
 
 #[cfg(not(target_arch = "wasm32"))]

@@ -21,10 +21,9 @@ impl SauteApp {
 
     pub(crate) fn choose_scale(&mut self, scale: &Scale) {
         self.settings.scale.clone_from(&scale.id);
-        self.notice.say(match self.scale() {
-            Some(_) => format!("Scale of doneness: {}.", scale.name),
-            None => format!("Scale of doneness for meat: {}.", scale.name),
-        });
+        let key = if self.scale().is_some() { "notice.scale" } else { "notice.scale_meat" };
+        let l = self.settings.language;
+        self.notice.say(l.fill(key, &[("scale", &l.called("scale", &scale.name))]));
     }
 
     pub(crate) fn next_scale(&mut self) {

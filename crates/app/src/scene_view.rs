@@ -44,9 +44,8 @@ impl SauteApp {
         let panes = layout.panes(self.settings.is_split());
         self.camera.shift = panes[0].lens_shift();
         let response = ui.interact(layout.whole, ui.scope_id().with("scene"), Sense::click_and_drag());
-        response.widget_info(|| {
-            egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, "Pan and food; drag to look around")
-        });
+        let l = self.settings.language;
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, l.text("scene.spoken")));
         let rect = self.used_pane(ui, &panes).rect;
         let placed = self.scene.placing && response.clicked();
         if !placed {
@@ -151,7 +150,7 @@ impl SauteApp {
             ui.scope_id().with(("cut", pane.look)),
             Sense::click_and_drag(),
         );
-        response.widget_info(|| egui::WidgetInfo::slider(true, slice, "Place of the cut"));
+        response.widget_info(|| egui::WidgetInfo::slider(true, slice, self.settings.language.text("scene.cut")));
         if let (true, Some(at)) = (response.dragged(), response.interact_pointer_pos()) {
             self.drag_cut(at, rect);
         }

@@ -8,7 +8,8 @@ use saute_kitchen::food::Form;
 use saute_kitchen::food::Rules;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{
-    Command, FRAME_S, Kitchen, Library, MeshSize, Piece, PieceOrder, Recipe, Recorder, Runner, TICK_S, celsius, kelvin,
+    Command, FRAME_S, Kitchen, Library, MeshSize, Piece, PieceOrder, Recipe, Recorder, Refused, Runner, TICK_S,
+    celsius, kelvin,
 };
 use web_time::{Duration, Instant};
 
@@ -255,7 +256,7 @@ impl Session {
     }
 
     /// Lays pieces that are not in the pan onto its floor, side by side, as many as fit; tells how many.
-    pub fn lay(&mut self, ids: &[String]) -> Result<usize, String> {
+    pub fn lay(&mut self, ids: &[String]) -> Result<usize, Refused> {
         let places = self.kitchen.free_places(ids, [0.0, 0.0]);
         for (food, at) in ids.iter().zip(&places) {
             self.command(&Command::Put { food: food.clone(), at: *at, heap: false })?;
@@ -264,7 +265,7 @@ impl Session {
     }
 
     /// Drops pieces into the pan in a loose heap.
-    pub fn heap(&mut self, ids: &[String]) -> Result<(), String> {
+    pub fn heap(&mut self, ids: &[String]) -> Result<(), Refused> {
         let floor = self.kitchen.world().pan_shape().floor;
         for (k, food) in ids.iter().enumerate() {
             let at = on_spiral(k, ids.len(), HEAP_SHARE * floor);
@@ -274,8 +275,8 @@ impl Session {
     }
 
     /// Carries out a person's command: from then on the recipe no longer plays.
-    pub fn command(&mut self, command: &Command) -> Result<(), String> {
-        self.kitchen.apply(command).map_err(|refused| refused.to_string())?;
+    pub fn command(&mut self, command: &Command) -> Result<(), Refused> {
+        self.kitchen.apply(command)?;
         self.runner = None;
         if matches!(command, Command::Put { .. }) {
             self.recorder.on_put(&self.kitchen);

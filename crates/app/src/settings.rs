@@ -3,6 +3,7 @@
 use saute_kitchen::library::DEFAULT_SCALE;
 
 use crate::colour_map::TemperatureMap;
+use crate::language::Language;
 use crate::session::SteakChoice;
 use crate::view::View;
 
@@ -10,6 +11,11 @@ use crate::view::View;
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
 #[serde(default)]
 pub struct Settings {
+    /// Language of the window; that of the system where none was ever chosen.
+    #[serde(default = "Language::of_system")]
+    pub language: Language,
+    /// Whether the card of the first start was closed.
+    pub introduced: bool,
     /// Show °F instead of °C.
     pub fahrenheit: bool,
     /// Colour map of temperatures.
@@ -39,6 +45,8 @@ pub struct Settings {
 impl Default for Settings {
     fn default() -> Self {
         Self {
+            language: Language::English,
+            introduced: false,
             fahrenheit: false,
             map: TemperatureMap::default(),
             view: View::default(),

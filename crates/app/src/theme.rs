@@ -34,6 +34,25 @@ pub fn probe(number: usize) -> Color32 {
     PROBES[number.saturating_sub(1) % PROBES.len()]
 }
 
+/// Colours of the pictures on the card of the first start.
+pub const STEAK_RAW: Color32 = Color32::from_rgb(186, 52, 58);
+/// Warm, not yet grey.
+pub const STEAK_PINK: Color32 = Color32::from_rgb(206, 112, 104);
+/// Grey-brown.
+pub const STEAK_DONE: Color32 = Color32::from_rgb(160, 118, 98);
+/// Browned.
+pub const STEAK_CRUST: Color32 = Color32::from_rgb(98, 56, 32);
+/// The rim of fat.
+pub const STEAK_FAT: Color32 = Color32::from_rgb(238, 214, 190);
+/// The shaded side.
+pub const STEAK_SIDE: Color32 = Color32::from_rgb(122, 34, 40);
+/// A board, and its edge.
+pub const WOOD: Color32 = Color32::from_rgb(196, 150, 98);
+/// Its edge.
+pub const WOOD_SIDE: Color32 = Color32::from_rgb(140, 100, 60);
+/// A pan.
+pub const IRON: Color32 = Color32::from_rgb(22, 22, 24);
+
 /// Corner radius of a panel [points].
 pub const CORNER: u8 = 12;
 /// Height of a control that a finger can hit [points].

@@ -96,14 +96,11 @@ impl SauteApp {
     pub(crate) fn choose_tool(&mut self) {
         self.put_tool_away();
         let (tool, words) = match self.tool_hand.tool {
-            Tool::Tongs => (
-                Tool::Turner,
-                "Turner: drag in the pan to slide it under food, wheel lifts and lowers, right button tilts and rolls.",
-            ),
-            Tool::Turner => (Tool::Tongs, "Tongs: drag a piece and they lead it."),
+            Tool::Tongs => (Tool::Turner, "notice.turner"),
+            Tool::Turner => (Tool::Tongs, "notice.tongs"),
         };
         self.tool_hand.tool = tool;
-        self.notice.say(words);
+        self.say(words);
     }
 
     /// Lays down what a led tool holds and puts it away.
@@ -163,7 +160,7 @@ impl SauteApp {
     /// Whether time stands still, which it says.
     pub(crate) fn stands_still(&self) -> bool {
         if self.session.paused {
-            self.notice.say("Time stands still: let it go on (Space) to move things.");
+            self.say("notice.paused");
         }
         self.session.paused
     }

@@ -5,6 +5,7 @@ use saute_kitchen::food::{FoodModel, FoodState, Scale};
 
 use crate::colour_map::{ColourMap, TemperatureMap, doneness_map};
 use crate::colour_path::ColourPath;
+use crate::language::Language;
 use crate::settings::Settings;
 
 /// A way to look at the food.
@@ -46,29 +47,30 @@ impl View {
     ];
 
     /// Name for people.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Look => "Look",
-            Self::Temperature => "Temperature",
-            Self::Moisture => "Moisture",
-            Self::Doneness => "Doneness",
-            Self::Browning => "Browning",
-            Self::Lethality => "Lethality",
-            Self::Marbling => "Marbling",
-        }
+    pub fn name(self, l: Language) -> &'static str {
+        l.text(match self {
+            Self::Look => "view.look",
+            Self::Temperature => "view.temperature",
+            Self::Moisture => "view.moisture",
+            Self::Doneness => "view.doneness",
+            Self::Browning => "view.browning",
+            Self::Lethality => "view.lethality",
+            Self::Marbling => "view.marbling",
+        })
     }
 
     /// What its colours say, with the unit; for the look what it shows.
     pub fn meaning(self, settings: &Settings) -> String {
-        match self {
-            Self::Look => "As the eye sees it".into(),
-            Self::Temperature => format!("Temperature, {}", settings.unit()),
-            Self::Moisture => "Water left, % of the raw food's".into(),
-            Self::Doneness => format!("Highest temperature so far, {}", settings.unit()),
-            Self::Browning => "Browning index, 0 pale – 1 dark crust".into(),
-            Self::Lethality => "Pathogens killed, log₁₀ (1 = 90 %)".into(),
-            Self::Marbling => "Fat, % of the mass".into(),
-        }
+        let key = match self {
+            Self::Look => "meaning.look",
+            Self::Temperature => "meaning.temperature",
+            Self::Moisture => "meaning.moisture",
+            Self::Doneness => "meaning.doneness",
+            Self::Browning => "meaning.browning",
+            Self::Lethality => "meaning.lethality",
+            Self::Marbling => "meaning.marbling",
+        };
+        settings.language.fill(key, &[("unit", &settings.unit())])
     }
 
     /// The map that colours this view; none for the look. Doneness of a food about which no scale says anything is the
@@ -103,18 +105,23 @@ impl View {
 
     /// A value of its field in words, with the unit.
     pub fn words(self, value: f64, settings: &Settings, scale: Option<&Scale>) -> String {
+        let l = settings.language;
+        let number = |key, places: usize, value: f64| l.fill(key, &[("value", &format!("{value:.places$}"))]);
         match self {
             Self::Look | Self::Temperature => settings.fine_temperature(value),
-            Self::Moisture => format!("{value:.0} % of the raw water"),
+            Self::Moisture => number("value.moisture", 0, value),
             Self::Doneness => {
                 let peak = settings.fine_temperature(value);
-                let class = scale.map(|s| s.name_of(saute_kitchen::kelvin(value)));
-                class.map_or_else(|| format!("highest {peak}"), |class| format!("{class} · highest {peak}"))
+                let class = scale.map(|s| l.called("class", s.name_of(saute_kitchen::kelvin(value))));
+                class.map_or_else(
+                    || l.fill("value.peak", &[("peak", &peak)]),
+                    |class| l.fill("value.class_and_peak", &[("class", &class), ("peak", &peak)]),
+                )
             }
-            Self::Browning => format!("browning {value:.2}"),
-            Self::Lethality if value > MOST_KILLED - 0.05 => format!("killed ≥ {MOST_KILLED:.0} log₁₀"),
-            Self::Lethality => format!("killed {value:.1} log₁₀"),
-            Self::Marbling => format!("{value:.0} % fat"),
+            Self::Browning => number("value.browning", 2, value),
+            Self::Lethality if value > MOST_KILLED - 0.05 => number("value.lethality_at_least", 0, MOST_KILLED),
+            Self::Lethality => number("value.lethality", 1, value),
+            Self::Marbling => number("value.marbling", 0, value),
         }
     }
 

@@ -57,6 +57,17 @@ impl Runner {
         self.next
     }
 
+    /// What the step that is waited for does, as recipes write it, and to which food or group.
+    pub fn waiting_deed(&self) -> Option<(&'static str, Option<&str>)> {
+        let (key, target, _) = parts(&self.recipe.steps.get(self.next)?.action);
+        Some((key, target))
+    }
+
+    /// When the action before has ended, from which `after_s` counts [s].
+    pub fn ready_at_s(&self) -> f64 {
+        self.ready_at
+    }
+
     /// Fires every step that is due now and returns what was done; call it between ticks.
     pub fn poll(&mut self, kitchen: &mut Kitchen) -> Result<Vec<StepRecord>, InputError> {
         if !self.begun {

@@ -13,7 +13,10 @@ use crate::view::View;
 pub fn show(app: &mut SauteApp, ui: &Ui, layout: &Layout) {
     standing(app, ui, layout);
     if let Some(behind) = app.session.behind_s() {
-        let text = format!("This machine cannot hold {:.0}×: {behind:.0} s behind, none lost", app.session.speed);
+        let text = app.settings.language.fill(
+            "scene.behind",
+            &[("speed", &format!("{:.0}", app.session.speed)), ("seconds", &format!("{behind:.0}"))],
+        );
         message(ui, layout, "behind", 12.0, &text);
     }
     if let Some(text) = app.notice.current() {
@@ -36,7 +39,12 @@ fn standing(app: &mut SauteApp, ui: &Ui, layout: &Layout) {
         theme::panel().inner_margin(8).show(ui, |ui| {
             legend::show(app, ui, width);
             if simple {
-                ui.label(RichText::new("rules of 2013").size(15.0).strong().color(theme::ACCENT));
+                ui.label(
+                    RichText::new(app.settings.language.text("scene.rules_2013"))
+                        .size(15.0)
+                        .strong()
+                        .color(theme::ACCENT),
+                );
             }
         });
     });

@@ -4,6 +4,7 @@ use egui::{Align2, Area, Color32, FontId, Id, Order, Rect, RichText, Sense, Shap
 use egui_plot::{HLine, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotTransform, VLine};
 
 use crate::app::SauteApp;
+use crate::language::Language;
 use crate::panels::inside::clock;
 use crate::session::Mark;
 use crate::theme;
@@ -47,26 +48,31 @@ pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
         .y_axis_min_width(28.0)
         .x_grid_spacer(egui_plot::uniform_grid_spacer(|input| spacing(input.bounds.1 - input.bounds.0, 3.0)))
         .y_grid_spacer(egui_plot::uniform_grid_spacer(|input| spacing(input.bounds.1 - input.bounds.0, levels)))
-        .x_axis_label(format!("minutes · {}", settings.unit()));
+        .x_axis_label(settings.language.fill("curves.minutes", &[("unit", &settings.unit())]));
     let shown = plot.show(ui, |plot| {
         for curve in &curves {
             let line = Line::new(curve.name.clone(), PlotPoints::from(curve.points.clone()));
             plot.line(line.color(curve.colour).style(curve.style).width(curve.width));
         }
         if app.scale().is_some() {
-            let goal = HLine::new("goal", settings.degrees(settings.goal_c));
+            let goal = HLine::new(settings.language.text("curves.goal"), settings.degrees(settings.goal_c));
             plot.hline(goal.color(theme::QUIET).style(LineStyle::dotted_dense()).width(1.0));
         }
         for mark in &app.session.marks {
-            let line = VLine::new(mark.label.clone(), mark.time_s / 60.0);
+            let line = VLine::new(mark_words(mark, settings.language), mark.time_s / 60.0);
             plot.vline(line.color(Color32::from_white_alpha(46)).width(1.0));
         }
     });
-    events(ui, &shown.transform, &app.session.marks);
+    events(ui, &shown.transform, &app.session.marks, settings.language);
     ends(ui, &shown.transform, &curves);
-    let spoken = "Curves of pan, core, underside and probes; hover for values";
+    let spoken = settings.language.text("curves.spoken");
     shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, spoken));
     read_off(app, ui, &shown.response, &shown.transform, &curves);
+}
+
+/// What happened, in a language; a power is a number and needs none.
+fn mark_words(mark: &Mark, l: Language) -> String {
+    l.find(&format!("mark.{}", mark.label.replace(' ', "_"))).unwrap_or(&mark.label).to_owned()
 }
 
 fn curves(app: &SauteApp) -> Vec<Curve> {
@@ -76,7 +82,7 @@ fn curves(app: &SauteApp) -> Vec<Curve> {
         let shown = rows.iter().step_by(step).chain(rows.last());
         shown.filter_map(|r| Some([r.time_s / 60.0, settings.degrees(pick(r)?)])).collect()
     };
-    let piece = app.session.steak_index();
+    let (piece, l) = (app.session.steak_index(), settings.language);
     let curve = |place: usize, name: &str, style, width, points| Curve {
         name: name.to_owned(),
         mark: String::new(),
@@ -86,9 +92,15 @@ fn curves(app: &SauteApp) -> Vec<Curve> {
         points,
     };
     let mut curves = vec![
-        curve(0, "pan", LineStyle::Solid, 1.6, series(&|r| Some(r.pan_c))),
-        curve(1, "core", LineStyle::Solid, 2.4, series(&|r| r.foods.get(piece).map(|f| f[0]))),
-        curve(2, "underside", LineStyle::dashed_loose(), 1.6, series(&|r| r.foods.get(piece).map(|f| f[2]))),
+        curve(0, l.text("curves.pan"), LineStyle::Solid, 1.6, series(&|r| Some(r.pan_c))),
+        curve(1, l.text("curves.core"), LineStyle::Solid, 2.4, series(&|r| r.foods.get(piece).map(|f| f[0]))),
+        curve(
+            2,
+            l.text("curves.underside"),
+            LineStyle::dashed_loose(),
+            1.6,
+            series(&|r| r.foods.get(piece).map(|f| f[2])),
+        ),
     ];
     curves.extend(app.session.steak().into_iter().flat_map(|p| app.session.probes.of(p)).map(|probe| {
         let step = probe.series.len().div_ceil(MOST_POINTS).max(1);
@@ -127,7 +139,7 @@ fn legend(app: &SauteApp, ui: &mut Ui, curves: &[Curve]) {
         }
         if app.scale().is_some() {
             sample(ui, theme::QUIET, LineStyle::dotted_dense(), 1.0);
-            ui.label(RichText::new("goal").size(13.0).color(theme::TEXT));
+            ui.label(RichText::new(app.settings.language.text("curves.goal")).size(13.0).color(theme::TEXT));
         }
     });
 }
@@ -149,15 +161,17 @@ fn sample(ui: &mut Ui, colour: Color32, style: LineStyle, width: f32) {
 }
 
 /// What happened, written along the lines; what would cover the label before it is left to the pointer.
-fn events(ui: &Ui, transform: &PlotTransform, marks: &[Mark]) {
+fn events(ui: &Ui, transform: &PlotTransform, marks: &[Mark], l: Language) {
     let painter = ui.painter().with_clip_rect(transform.frame().intersect(ui.clip_rect()));
     let mut written: Vec<(f32, String)> = Vec::new();
     for mark in marks {
         let x = transform.position_from_point_x(mark.time_s / 60.0);
         match written.last_mut() {
-            Some((before, words)) if x - *before < 1.0 => *words = format!("{words}, {}", mark.label),
+            Some((before, words)) if x - *before < 1.0 => {
+                *words = format!("{words}{}{}", l.text("doneness.list_joint"), mark_words(mark, l));
+            }
             Some((before, _)) if x - *before < EVENT_APART => {}
-            _ => written.push((x, mark.label.clone())),
+            _ => written.push((x, mark_words(mark, l))),
         }
     }
     for (x, words) in written {
@@ -195,8 +209,9 @@ fn read_off(app: &SauteApp, ui: &Ui, response: &egui::Response, transform: &Plot
         let point = transform.position_from_point(&PlotPoint::new(minutes, *value));
         ui.painter().circle(point, 3.0, curve.colour, Stroke::new(1.0, theme::ON_ACCENT));
     }
+    let l = app.settings.language;
     let near = |mark: &&Mark| (transform.position_from_point_x(mark.time_s / 60.0) - at.x).abs() < EVENT_NEAR;
-    let events: Vec<String> = app.session.marks.iter().filter(near).map(|m| m.label.clone()).collect();
+    let events: Vec<String> = app.session.marks.iter().filter(near).map(|m| mark_words(m, l)).collect();
     let area = Area::new(Id::unique("curve-values")).order(Order::Tooltip).interactable(false);
     // Left of the pointer: what comes next stays in sight.
     area.fixed_pos(at + vec2(-12.0, -8.0)).pivot(Align2::RIGHT_BOTTOM).show(ui.ctx(), |ui| {
@@ -205,11 +220,14 @@ fn read_off(app: &SauteApp, ui: &Ui, response: &egui::Response, transform: &Plot
             let line = |ui: &mut Ui, text: RichText| ui.add(egui::Label::new(text.size(13.0)).extend());
             line(ui, RichText::new(clock(60.0 * minutes)).strong());
             for (curve, value) in &values {
-                let text = format!("{} {value:.0} {}", curve.name, app.settings.unit());
+                let value = format!("{value:.0}");
+                let open: [(&str, &dyn std::fmt::Display); 3] =
+                    [("name", &curve.name), ("value", &value), ("unit", &app.settings.unit())];
+                let text = l.fill("curves.value", &open);
                 line(ui, RichText::new(text).color(curve.colour));
             }
             if !events.is_empty() {
-                line(ui, RichText::new(events.join(", ")).color(theme::ACCENT));
+                line(ui, RichText::new(events.join(l.text("doneness.list_joint"))).color(theme::ACCENT));
             }
         });
     });

@@ -5,6 +5,7 @@ use saute_kitchen::food::Scale;
 
 use crate::app::SauteApp;
 use crate::colour_map::Tone;
+use crate::piece_words::change;
 use crate::settings::Settings;
 use crate::theme;
 
@@ -32,23 +33,25 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
 
 /// The scale's label; a click chooses another.
 fn selector(app: &mut SauteApp, ui: &mut Ui, scale: &Scale) {
+    let l = app.settings.language;
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = 22.0;
         ui.spacing_mut().button_padding = vec2(8.0, 2.0);
-        ui.label(RichText::new("Doneness by").size(12.5).color(theme::QUIET));
-        let text = RichText::new(&scale.name).size(13.0);
+        ui.label(RichText::new(l.text("doneness.by")).size(12.5).color(theme::QUIET));
+        let own = l.called("scale", &scale.name);
+        let text = RichText::new(own).size(13.0);
         let combo = ComboBox::from_id_salt("scale").selected_text(text).width(ui.available_width() - 4.0);
         let mut chosen = None;
         let shown = combo.show_ui(ui, |ui| {
             for other in &app.session.library.scales {
-                if ui.selectable_label(other.id == scale.id, &other.name).clicked() {
+                if ui.selectable_label(other.id == scale.id, l.called("scale", &other.name)).clicked() {
                     chosen = Some(other.clone());
                 }
             }
         });
-        let name = format!("Scale of doneness: {}", scale.name);
+        let name = l.fill("doneness.scale", &[("scale", &own)]);
         shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &name));
-        shown.response.on_hover_text("another scale (D)");
+        shown.response.on_hover_text(l.text("doneness.another"));
         if let Some(other) = chosen {
             app.choose_scale(&other);
         }
@@ -58,10 +61,15 @@ fn selector(app: &mut SauteApp, ui: &mut Ui, scale: &Scale) {
 fn bar(app: &SauteApp, ui: &mut Ui, scale: &Scale) {
     let shares = app.inside.shares.0;
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 24.0), Sense::hover());
-    let spoken: Vec<String> = scale.class.iter().zip(shares).map(|(c, s)| format!("{} {s:.0} %", c.name)).collect();
-    let spoken = format!("Cross-section by {}: {}", scale.name, spoken.join(", "));
+    let l = app.settings.language;
+    let share = |name: &str, share: f64| {
+        l.fill("doneness.share", &[("class", &l.called("class", name)), ("percent", &format!("{share:.0}"))])
+    };
+    let spoken: Vec<String> = scale.class.iter().zip(shares).map(|(c, s)| share(&c.name, s)).collect();
+    let spoken = spoken.join(l.text("doneness.list_joint"));
+    let spoken = l.fill("doneness.section", &[("scale", &l.called("scale", &scale.name)), ("shares", &spoken)]);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &spoken));
-    response.on_hover_text("cut through the centre, by highest temperature so far");
+    response.on_hover_text(l.text("doneness.section_hint"));
     let mut left = rect.left();
     for (class, share) in (0..scale.class.len()).zip(shares) {
         let width = rect.width() * share as f32 / 100.0;
@@ -78,7 +86,9 @@ fn columns(app: &SauteApp, ui: &mut Ui, scale: &Scale) {
     let gap = 4.0;
     let room = ui.available_width() - gap * (scale.class.len() - 1) as f32;
     // As many letters as its name or its range needs, at least.
-    let letters = |c: usize| scale.class[c].name.chars().count().max(6) as f32;
+    let l = app.settings.language;
+    let name = |c: usize| l.called("class", &scale.class[c].name);
+    let letters = |c: usize| width_in_letters(name(c)).max(6.0);
     let all: f32 = (0..scale.class.len()).map(letters).sum();
     ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = gap;
@@ -90,8 +100,9 @@ fn columns(app: &SauteApp, ui: &mut Ui, scale: &Scale) {
                 let (mark, _) = ui.allocate_exact_size(vec2(18.0, 10.0), Sense::hover());
                 swatch(ui.painter(), mark, Tone::of(scale, class));
                 let small = if scale.class.len() > 4 { 11.0 } else { 12.5 };
-                ui.label(RichText::new(format!("{:.0} %", app.inside.shares.0[class])).size(16.0).strong());
-                ui.add(egui::Label::new(RichText::new(&scale.class[class].name).size(small)).extend());
+                let share = RichText::new(format!("{:.0} %", app.inside.shares.0[class])).size(16.0).strong();
+                ui.add(egui::Label::new(share).extend());
+                ui.add(egui::Label::new(RichText::new(name(class)).size(small)).extend());
                 let range = RichText::new(range(&app.settings, scale, class)).size(11.0).color(theme::QUIET);
                 ui.add(egui::Label::new(range).extend());
             });
@@ -99,13 +110,20 @@ fn columns(app: &SauteApp, ui: &mut Ui, scale: &Scale) {
     });
 }
 
+/// How many Latin letters wide a name is; a kana or kanji is as wide as 1.6 of them in the fonts of the panel.
+fn width_in_letters(name: &str) -> f32 {
+    name.chars().map(|c| if c.is_ascii() { 1.0 } else { 1.6 }).sum()
+}
+
 /// What heat has changed in a food that no scale of doneness knows: name and mean share of each change.
 fn changes(app: &SauteApp, ui: &mut Ui) {
-    let caption = "Changed by heat so far, mean of the whole";
+    let l = app.settings.language;
+    let caption = l.text("doneness.changed");
     ui.label(RichText::new(caption).size(12.5).color(theme::QUIET));
     for (name, share) in &app.inside.changed {
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
-        let text = format!("{name} {:.0} %", 100.0 * share);
+        let text = change(l, name, *share);
+        let name = l.called("change", name);
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &text));
         let track = Rect::from_min_max(
             pos2(rect.left() + 92.0, rect.top() + 4.0),

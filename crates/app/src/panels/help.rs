@@ -8,9 +8,6 @@ use crate::gamepad::PAD;
 use crate::pan_keys::HELD;
 use crate::theme;
 
-/// What the mouse does.
-const MOUSE: &str = "Mouse: drag to look around, wheel to zoom. Click food to put it in or to flip it; drag it and tongs lead it. With the turner (U) drag in the pan: it slides under food, stays where you leave it; meanwhile the wheel lifts and lowers it (onto food: it presses), right button or Ctrl tilts and rolls it, Alt turns and lifts it; on its edge it pushes. Drag the pan by its handle or rim, with Shift to lift it. Drag the knob to move the cut.";
-
 /// What a gamepad does; browsers' gamepads are not read.
 fn pad() -> impl Iterator<Item = (&'static str, &'static str)> {
     PAD.into_iter().filter(|_| cfg!(not(target_arch = "wasm32")))
@@ -20,8 +17,17 @@ fn pad() -> impl Iterator<Item = (&'static str, &'static str)> {
 pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
     let modal = Modal::new(Id::unique("help")).frame(theme::panel().fill(theme::SOLID)).show(ui.ctx(), |ui| {
         ui.set_width((whole.width() - 60.0).min(900.0));
-        ui.heading("Keys");
-        ui.label(MOUSE);
+        let l = app.settings.language;
+        ui.horizontal(|ui| {
+            ui.heading(l.text("help.title"));
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                crate::panels::language::chip(app, ui);
+                if ui.add(theme::button(l.text("help.first_steps"), false)).clicked() {
+                    (app.help, app.first_steps) = (false, true);
+                }
+            });
+        });
+        ui.label(l.text("help.mouse"));
         ui.add_space(6.0);
         let height = whole.height() - 250.0;
         egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
@@ -33,9 +39,9 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
                 for (i, (written, words)) in lines.into_iter().enumerate() {
                     let ui = &mut uis[i / rows];
                     ui.horizontal(|ui| {
-                        let key = RichText::new(written).monospace().strong().color(theme::ACCENT);
+                        let key = RichText::new(l.called("button", written)).monospace().strong().color(theme::ACCENT);
                         ui.add_sized([90.0, 20.0], egui::Label::new(key));
-                        ui.label(words);
+                        ui.label(l.text(words));
                     });
                 }
             });

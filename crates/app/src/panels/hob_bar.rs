@@ -3,7 +3,7 @@
 use egui::{RichText, Ui};
 use saute_kitchen::{Kitchen, Place, celsius};
 
-use crate::act::{Act, BINDINGS};
+use crate::act::{Act, hint};
 use crate::app::SauteApp;
 use crate::panels::inside::clock;
 use crate::panels::pour;
@@ -33,23 +33,26 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
 /// Core and pan at a glance, where the panel with all readings is not open.
 fn temperatures(app: &SauteApp, ui: &mut Ui) {
     let Some(piece) = app.session.steak() else { return };
+    let l = app.settings.language;
     let shown = |kelvin: f64| app.settings.temperature(celsius(kelvin));
     let (core, pan) = (shown(piece.core()), shown(app.session.kitchen.pan_temperature()));
-    ui.label(RichText::new(format!("core {core}   ·   pan {pan}")).size(18.0).strong());
+    ui.label(RichText::new(l.fill("hob.core_and_pan", &[("core", &core), ("pan", &pan)])).size(18.0).strong());
     if let Some(scale) = app.scale() {
-        let class = format!("core so far: {} (scale: {})", scale.name_of(piece.core_peak.0), scale.name);
+        let class = l.called("class", scale.name_of(piece.core_peak.0));
+        let class = l.fill("hob.class_so_far", &[("class", &class), ("scale", &l.called("scale", &scale.name))]);
         ui.label(RichText::new(class).size(13.0).color(theme::QUIET));
     }
 }
 
 fn hob(app: &mut SauteApp, ui: &mut Ui) {
-    ui.label(RichText::new("Hob").color(theme::QUIET));
+    let l = app.settings.language;
+    ui.label(RichText::new(l.text("hob.hob")).color(theme::QUIET));
     let settings = app.session.kitchen.hob().coil.settings_w.clone();
     let now = app.session.kitchen.hob_w();
     for w in settings {
-        let text = if w == 0.0 { "off".to_owned() } else { format!("{w:.0} W") };
+        let text = if w == 0.0 { l.text("hob.off").to_owned() } else { format!("{w:.0} W") };
         let on = (w - now).abs() < 0.5;
-        if press(ui, &text, on, true, "hob power (Q lower, E higher)") {
+        if press(ui, &text, on, true, l.text("hob.power")) {
             app.act(Act::HobSet(w), &ui.ctx().clone());
         }
     }
@@ -60,35 +63,43 @@ fn hob(app: &mut SauteApp, ui: &mut Ui) {
 }
 
 fn hands(app: &mut SauteApp, ui: &mut Ui) {
+    let l = app.settings.language;
     let place = app.session.steak().map(|p| p.place);
     let in_pan = matches!(place, Some(Place::Pan(_)));
     let outside = |id: &String| app.session.kitchen.piece(id).is_some_and(|p| !p.in_pan());
     let some_outside = app.its_group().iter().any(outside);
     let next_is_put = matches!(place, Some(Place::Waiting));
-    button(app, ui, &capitalised(&format!("{} in", app.session.noun())), next_is_put, some_outside, Act::Put);
-    button(app, ui, "Flip", false, in_pan, Act::Flip);
-    button(app, ui, "Take out", false, in_pan, Act::Out);
+    let food_in = l.fill("hob.food_in", &[("food", &capitalised(l.called("noun", &app.session.noun())))]);
+    button(app, ui, &food_in, next_is_put, some_outside, Act::Put);
+    button(app, ui, l.text("hob.flip"), false, in_pan, Act::Flip);
+    button(app, ui, l.text("hob.take_out"), false, in_pan, Act::Out);
     let on_cloth = app.session.kitchen.cloth().is_some();
-    button(app, ui, "Wet cloth", on_cloth, true, Act::Cloth);
-    button(app, ui, "Start over", false, true, Act::Restart);
+    button(app, ui, l.text("hob.cloth"), on_cloth, true, Act::Cloth);
+    button(app, ui, l.text("hob.restart"), false, true, Act::Restart);
     if let Some(text) = no_power(&app.session.kitchen) {
-        ui.label(RichText::new(text).size(13.0).color(theme::ACCENT).strong());
+        ui.label(RichText::new(l.text(text)).size(13.0).color(theme::ACCENT).strong());
     }
     if let Some(runner) = &app.session.runner {
-        let text = format!("{} – next: {}", runner.recipe().title, runner.waiting_for());
+        let text = l.fill(
+            "hob.next_step",
+            &[
+                ("title", &l.called("recipe", &runner.recipe().title)),
+                ("step", &crate::next_step::words(runner, &app.settings)),
+            ],
+        );
         ui.add(egui::Label::new(RichText::new(text).size(13.0).color(theme::QUIET)).truncate());
     }
 }
 
-/// Why the hob gives no power although it is on.
+/// Key of why the hob gives no power although it is on.
 fn no_power(kitchen: &Kitchen) -> Option<&'static str> {
     let (pan, on) = (kitchen.pan_state(), kitchen.hob_w() > 0.0);
     match () {
         () if !on || kitchen.drawn_w() > 0.0 => None,
-        () if kitchen.cloth().is_some() => Some("No power: the pan is on the cloth"),
-        () if pan.limited => Some("No power: the hob's limit holds"),
-        () if pan.pose.lift > 0.0 => Some("No power: the pan is lifted"),
-        () => Some("No power: the pan is off its ring"),
+        () if kitchen.cloth().is_some() => Some("hob.no_power_cloth"),
+        () if pan.limited => Some("hob.no_power_limit"),
+        () if pan.pose.lift > 0.0 => Some("hob.no_power_lifted"),
+        () => Some("hob.no_power_off_ring"),
     }
 }
 
@@ -98,42 +109,35 @@ fn capitalised(text: &str) -> String {
 }
 
 fn time(app: &mut SauteApp, ui: &mut Ui) {
-    let pause = if app.session.paused { "Go on" } else { "Pause" };
+    let pause = pause_word(app);
     ui.label(RichText::new(clock(app.session.kitchen.time_s())).size(20.0).strong());
     button(app, ui, pause, app.session.paused, true, Act::Pause);
-    button(app, ui, "Step", false, true, Act::Step);
+    button(app, ui, app.settings.language.text("hob.step"), false, true, Act::Step);
     SPEEDS.into_iter().for_each(|speed| speed_button(app, ui, speed));
 }
 
 fn time_right_to_left(app: &mut SauteApp, ui: &mut Ui) {
     SPEEDS.into_iter().rev().for_each(|speed| speed_button(app, ui, speed));
-    button(app, ui, "Step", false, true, Act::Step);
-    let pause = if app.session.paused { "Go on" } else { "Pause" };
+    button(app, ui, app.settings.language.text("hob.step"), false, true, Act::Step);
+    let pause = pause_word(app);
     button(app, ui, pause, app.session.paused, true, Act::Pause);
     ui.label(RichText::new(clock(app.session.kitchen.time_s())).size(20.0).strong());
 }
 
+fn pause_word(app: &SauteApp) -> &'static str {
+    app.settings.language.text(if app.session.paused { "hob.go_on" } else { "hob.pause" })
+}
+
 fn speed_button(app: &mut SauteApp, ui: &mut Ui, speed: f64) {
-    if press(
-        ui,
-        &format!("{speed:.0}×"),
-        app.session.speed == speed,
-        true,
-        "simulated seconds a second ([ slower, ] faster)",
-    ) {
+    if press(ui, &format!("{speed:.0}×"), app.session.speed == speed, true, app.settings.language.text("hob.speed")) {
         app.set_speed(speed);
     }
 }
 
 pub(crate) fn button(app: &mut SauteApp, ui: &mut Ui, text: &str, on: bool, enabled: bool, act: Act) {
-    if press(ui, text, on, enabled, &hint(act)) {
+    if press(ui, text, on, enabled, &hint(act, app.settings.language)) {
         app.act(act, &ui.ctx().clone());
     }
-}
-
-/// What a button does, and its key.
-fn hint(act: Act) -> String {
-    BINDINGS.iter().find(|b| b.act == act).map_or_else(String::new, |b| format!("{} ({})", b.words, b.written))
 }
 
 fn press(ui: &mut Ui, text: &str, on: bool, enabled: bool, hint: &str) -> bool {

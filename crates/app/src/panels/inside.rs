@@ -57,7 +57,7 @@ const GOAL_INTO_CLASS: f64 = 2.0;
 /// Shows the panel.
 pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     if app.session.steak().is_none() {
-        ui.label("No food is set out. Choose one (N).");
+        ui.label(app.settings.language.text("inside.no_food"));
         return;
     }
     refresh(app, ui);
@@ -136,18 +136,21 @@ fn cut(app: &mut SauteApp, ui: &mut Ui) {
     let width = ui.available_width();
     let size = texture.size_vec2();
     let scale = (width / size.x).min(CUT_HEIGHT / size.y);
-    let alt = format!("Cross-section of the {}", app.session.noun());
+    let l = app.settings.language;
+    let noun = app.session.noun();
+    let food = l.called("noun", &noun);
+    let alt = l.fill("inside.section", &[("food", &food)]);
     ui.vertical_centered(|ui| {
         ui.add(egui::Image::new((texture.id(), size * scale)).corner_radius(5).alt_text(alt));
     });
     let mut place = app.slice.unwrap_or(0.0);
     ui.horizontal(|ui| {
-        ui.label(RichText::new("cut at").size(13.0).color(theme::QUIET));
+        ui.label(RichText::new(l.text("inside.cut_at")).size(13.0).color(theme::QUIET));
         let beside = if app.scene.placing { 124.0 } else { 84.0 };
         ui.spacing_mut().slider_width = ui.available_width() - beside - 16.0;
         let slider = egui::Slider::new(&mut place, -0.95..=0.95).show_value(false);
         let response = ui.add(slider);
-        let name = format!("Place of the cut along the {}", app.session.noun());
+        let name = l.fill("inside.place_of_cut", &[("food", &food)]);
         response.widget_info(|| egui::WidgetInfo::slider(true, place, &name));
         if response.changed() {
             app.slice = Some(place);
@@ -163,20 +166,24 @@ fn readings(app: &SauteApp, ui: &mut Ui) {
     let mass = 1e3 * piece.mass();
     let lost = 100.0 * (1.0 - mass / app.session.start_mass_g());
     let since = piece.flipped_at.map(|t| kitchen.time_s() - t);
-    let [hardness, juiciness] = app.inside.bite;
+    let hardness = format!("{:.1}", app.inside.bite[0]);
+    let juiciness = app.inside.bite[1];
     let temperature = |kelvin: f64| settings.temperature(celsius(kelvin));
     let rows = [
-        [("Core", temperature(piece.core())), ("Pan", temperature(kitchen.pan_temperature()))],
-        [("Underside", temperature(piece.face(true))), ("Upper side", temperature(piece.face(false)))],
-        [("Mass", grams(mass)), ("Lost", format!("{:.1} %", tidy(lost)))],
-        [("Hardness", format!("{hardness:.1} × raw")), ("Juiciness", format!("{juiciness:.0} %"))],
-        [("Time", clock(kitchen.time_s())), ("Since flip", since.map_or_else(|| "–".into(), clock))],
+        [("inside.core", temperature(piece.core())), ("inside.pan", temperature(kitchen.pan_temperature()))],
+        [("inside.underside", temperature(piece.face(true))), ("inside.upper_side", temperature(piece.face(false)))],
+        [("inside.mass", grams(mass)), ("inside.lost", format!("{:.1} %", tidy(lost)))],
+        [
+            ("inside.hardness", settings.language.fill("inside.hardness_value", &[("value", &hardness)])),
+            ("inside.juiciness", format!("{juiciness:.0} %")),
+        ],
+        [("inside.time", clock(kitchen.time_s())), ("inside.since_flip", since.map_or_else(|| "–".into(), clock))],
     ];
     ui.spacing_mut().interact_size.y = 21.0;
     egui::Grid::new("readings").num_columns(4).min_col_width(56.0).spacing(vec2(10.0, 3.0)).show(ui, |ui| {
         for row in rows {
             for (name, value) in row {
-                ui.label(RichText::new(name).size(12.5).color(theme::QUIET));
+                ui.label(RichText::new(settings.language.text(name)).size(12.5).color(theme::QUIET));
                 ui.label(RichText::new(value).size(15.0).strong());
             }
             ui.end_row();
@@ -205,19 +212,21 @@ fn goal(app: &mut SauteApp, ui: &mut Ui) {
         show_advice(app, ui);
         return;
     };
+    let l = app.settings.language;
     ui.horizontal(|ui| {
         let many = scale.class.len() > 4;
         (ui.spacing_mut().button_padding.x, ui.spacing_mut().item_spacing.x) =
             if many { (4.0, 2.0) } else { (7.0, 8.0) };
-        ui.label(RichText::new("Goal").size(if many { 11.0 } else { 12.5 }).color(theme::QUIET));
+        ui.label(RichText::new(l.text("inside.goal")).size(if many { 11.0 } else { 12.5 }).color(theme::QUIET));
         goals(&mut app.settings, ui, &scale);
         let mut degrees = app.settings.degrees(app.settings.goal_c);
         let range = app.settings.degrees(45.0)..=app.settings.degrees(85.0);
         let drag =
             egui::DragValue::new(&mut degrees).range(range).speed(0.2).max_decimals(0).suffix(app.settings.unit());
         let response = ui.add(drag);
-        response
-            .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::SpinButton, true, "Goal for the core"));
+        response.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::accesskit::Role::SpinButton, true, l.text("inside.goal_spoken"))
+        });
         if response.changed() {
             app.settings.goal_c = app.settings.celsius(degrees);
         }
@@ -229,7 +238,11 @@ fn goal(app: &mut SauteApp, ui: &mut Ui) {
 fn goals(settings: &mut Settings, ui: &mut Ui, scale: &Scale) {
     for class in scale.class.iter().skip(1) {
         let goal = class.from_c + GOAL_INTO_CLASS;
-        let name = RichText::new(&class.name).size(if scale.class.len() > 4 { 11.5 } else { 15.0 });
+        let name = RichText::new(settings.language.called("class", &class.name)).size(if scale.class.len() > 4 {
+            11.5
+        } else {
+            15.0
+        });
         if ui.selectable_label((settings.goal_c - goal).abs() < 0.5, name).clicked() {
             settings.goal_c = goal;
         }
@@ -248,38 +261,33 @@ pub fn show_advice(app: &mut SauteApp, ui: &mut Ui) {
 
 /// What to do next, in the cook's words, and whether it is to be done now.
 fn advice(app: &mut SauteApp) -> (String, bool) {
-    let goal = app.settings.goal_c;
+    let (goal, l) = (app.settings.goal_c, app.settings.language);
     let forecast = app.session.forecast();
+    let at = |key, celsius: f64| l.fill(key, &[("temperature", &app.settings.temperature(celsius))]);
     let Some(piece) = app.session.steak() else { return (String::new(), false) };
     let pan = celsius(app.session.kitchen.pan_temperature());
     match (piece.place, forecast) {
         (Place::Waiting, _) if pan < 160.0 && app.session.kitchen.hob_w() == 0.0 => {
-            ("Turn the hob on and let the pan get hot.".into(), false)
+            (l.text("advice.turn_on").to_owned(), false)
         }
-        (Place::Waiting, _) if pan < 160.0 => {
-            (format!("The pan is heating; a drop of water should dance at {}.", app.settings.temperature(180.0)), false)
-        }
-        (Place::Waiting | Place::Pan(_), _) if pan > TOO_HOT_C => {
-            ("The pan is too hot and the oil smokes: turn the hob down, or use the wet cloth.".into(), true)
-        }
-        (Place::Waiting, _) => (format!("The pan is hot. Put the {} in.", app.session.noun()), true),
-        (Place::Pan(_), _) if app.scale().is_none() && wet_below(piece) => {
-            ("The underside is wet; it browns once dry.".into(), false)
-        }
-        (Place::Pan(_), _) if app.scale().is_none() => {
-            ("It browns below: flip it, or take it out, when you like it.".into(), false)
-        }
-        (Place::Pan(_), Some(f)) if f.peak_c >= goal => {
-            (format!("Take it out now: resting will bring the core to {}.", app.settings.temperature(f.peak_c)), true)
-        }
+        (Place::Waiting, _) if pan < 160.0 => (at("advice.heating", 180.0), false),
+        (Place::Waiting | Place::Pan(_), _) if pan > TOO_HOT_C => (l.text("advice.too_hot").to_owned(), true),
+        (Place::Waiting, _) => (l.fill("advice.put_in", &[("food", &l.called("noun", &app.session.noun()))]), true),
+        (Place::Pan(_), _) if app.scale().is_none() && wet_below(piece) => (l.text("advice.wet").to_owned(), false),
+        (Place::Pan(_), _) if app.scale().is_none() => (l.text("advice.browns").to_owned(), false),
+        (Place::Pan(_), Some(f)) if f.peak_c >= goal => (at("advice.take_out", f.peak_c), true),
         (Place::Pan(_), Some(f)) => {
-            let later = format!("Taken out now, the core would peak at {}.", app.settings.temperature(f.peak_c));
-            (if wet_below(piece) { format!("{later} The underside is wet; it browns once dry.") } else { later }, false)
+            (at(if wet_below(piece) { "advice.would_peak_wet" } else { "advice.would_peak" }, f.peak_c), false)
         }
         (Place::Rest(_), _) => {
-            let peak = app.settings.temperature(celsius(piece.core_peak.0));
-            let class = app.scale().map(|s| format!(": {} ({})", s.name_of(piece.core_peak.0), s.name));
-            (format!("Resting. The core has reached {peak}{}.", class.unwrap_or_default()), false)
+            let peak = celsius(piece.core_peak.0);
+            let Some(scale) = app.scale() else { return (at("advice.resting", peak), false) };
+            let class = l.called("class", scale.name_of(piece.core_peak.0));
+            let temperature = app.settings.temperature(peak);
+            let scale = l.called("scale", &scale.name);
+            let open: [(&str, &dyn std::fmt::Display); 3] =
+                [("temperature", &temperature), ("class", &class), ("scale", &scale)];
+            (l.fill("advice.resting_class", &open), false)
         }
         _ => (String::new(), false),
     }

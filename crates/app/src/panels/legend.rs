@@ -6,6 +6,7 @@ use saute_kitchen::food::Scale;
 use crate::act::Act;
 use crate::app::SauteApp;
 use crate::colour_map::{ColourMap, Tone};
+use crate::language::Language;
 use crate::theme;
 
 /// Size of the bar with its marks at most [points].
@@ -20,7 +21,7 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui, width: f32) {
     let Some(map) = view.colour_map(app.settings.map, scale.as_deref()) else { return };
     ui.spacing_mut().item_spacing.y = 4.0;
     match scale.filter(|_| map.stepped) {
-        Some(scale) => classes(ui, &scale, width),
+        Some(scale) => classes(ui, &scale, app.settings.language, width),
         None => {
             ui.label(RichText::new(view.meaning(&app.settings)).size(12.5).color(theme::QUIET));
             bar(app, ui, &map, width);
@@ -33,16 +34,17 @@ fn bar(app: &mut SauteApp, ui: &mut Ui, map: &ColourMap, width: f32) {
     let changes = view.is_of_temperature(app.scale().as_deref());
     let sense = if changes { Sense::click() } else { Sense::hover() };
     let (rect, response) = ui.allocate_exact_size(vec2(BAR.x.min(width), BAR.y), sense);
-    let spoken = format!("Legend: {}", view.meaning(&app.settings));
-    let (role, more) = if changes {
-        (egui::accesskit::Role::Button, "; click for the other colour map")
+    let l = app.settings.language;
+    let (role, key) = if changes {
+        (egui::accesskit::Role::Button, "legend.spoken_change")
     } else {
-        (egui::accesskit::Role::Label, "")
+        (egui::accesskit::Role::Label, "legend.spoken")
     };
-    response.widget_info(|| egui::WidgetInfo::labeled(role, true, format!("{spoken}{more}")));
+    let spoken = l.fill(key, &[("meaning", &view.meaning(&app.settings))]);
+    response.widget_info(|| egui::WidgetInfo::labeled(role, true, &spoken));
     paint_table(ui.painter(), Rect::from_min_size(rect.min, vec2(rect.width(), BAR_HEIGHT)), map);
     marks(app, ui, rect, map);
-    if changes && response.on_hover_text("Click for the other colour map (M)").clicked() {
+    if changes && response.on_hover_text(l.text("legend.change")).clicked() {
         app.act(Act::Map, &ui.ctx().clone());
     }
 }
@@ -78,17 +80,19 @@ fn marks(app: &SauteApp, ui: &Ui, rect: Rect, map: &ColourMap) {
 }
 
 /// The classes of a scale with their patterns, under its label.
-fn classes(ui: &mut Ui, scale: &Scale, width: f32) {
-    let label = RichText::new(format!("Doneness by {}", scale.name)).size(12.5).color(theme::QUIET);
+fn classes(ui: &mut Ui, scale: &Scale, l: Language, width: f32) {
+    let label = l.fill("doneness.by_scale", &[("scale", &l.called("scale", &scale.name))]);
+    let label = RichText::new(label).size(12.5).color(theme::QUIET);
     ui.label(label);
     ui.allocate_ui(vec2(width.min(2.0 * BAR.x), 0.0), |ui| {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = vec2(10.0, 4.0);
             for (place, class) in scale.class.iter().enumerate() {
-                let text = ui.painter().layout_no_wrap(class.name.clone(), FontId::proportional(13.0), theme::TEXT);
+                let name = l.called("class", &class.name);
+                let text = ui.painter().layout_no_wrap(name.to_owned(), FontId::proportional(13.0), theme::TEXT);
                 let size = vec2(28.0 + text.size().x, 18.0);
                 let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-                response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &class.name));
+                response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, name));
                 let mark = Rect::from_min_size(rect.min, vec2(22.0, 18.0));
                 super::doneness_bar::swatch(ui.painter(), mark, Tone::of(scale, place));
                 let at = Align2::LEFT_CENTER.anchor_size(mark.right_center() + vec2(6.0, 0.0), text.size()).min;

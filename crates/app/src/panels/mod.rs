@@ -3,9 +3,11 @@
 pub mod badge;
 pub mod curves;
 pub mod doneness_bar;
+pub mod first_steps;
 pub mod help;
 pub mod hob_bar;
 pub mod inside;
+pub mod language;
 pub mod legend;
 pub mod pantry;
 pub mod pieces;
@@ -40,10 +42,10 @@ impl Drawer {
 
     fn name(self, app: &SauteApp) -> &'static str {
         match self {
-            Self::Cook => "Cook",
-            Self::Inside => "Inside",
+            Self::Cook => app.settings.language.text("drawer.cook"),
+            Self::Inside => app.settings.language.text("drawer.inside"),
             Self::Food => top::food_word(app),
-            Self::Pieces => "Pieces",
+            Self::Pieces => app.settings.language.text("top.pieces"),
         }
     }
 }

@@ -5,6 +5,8 @@ use saute_kitchen::Library;
 use saute_kitchen::food::FoodDescription;
 
 use crate::app::SauteApp;
+use crate::language::Language;
+use crate::piece_words::name;
 use crate::session::{SteakChoice, noun};
 use crate::theme;
 
@@ -15,44 +17,45 @@ const MOST_PIECES: usize = 100;
 /// Shows the choices; they take effect with "Set out".
 pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     let library = std::sync::Arc::clone(&app.session.library);
+    let l = app.settings.language;
     let noun = noun(&library, &app.settings.choice.kind);
-    ui.heading(format!("My {noun}"));
+    let food = l.called("noun", &noun);
+    ui.heading(l.fill("pantry.mine", &[("food", &food)]));
     set_out(app, ui);
     count(app, ui);
     crate::panels::pieces::all_at_once(app, ui);
-    let starts =
-        format!("\"Set out\": a raw {noun} and this pan; the clock starts anew. \"Add\": more beside what is there.");
+    let starts = l.fill("pantry.starts", &[("food", &food)]);
     ui.label(RichText::new(starts).size(12.5).color(theme::QUIET));
     let choice = &mut app.settings.choice;
-    ui.scope(|ui| kinds(ui, &library, choice));
+    ui.scope(|ui| kinds(ui, &library, choice, l));
     if let Some(food) = library.foods.get(&choice.kind) {
-        sizes(ui, food, &mut choice.size_mm);
+        sizes(ui, food, &mut choice.size_mm, l);
     }
     let fahrenheit = app.settings.fahrenheit;
-    temperature(ui, "start temperature", &mut app.settings.choice.initial_c, 0.0, 30.0, fahrenheit);
+    temperature(ui, l.text("pantry.start_temperature"), &mut app.settings.choice.initial_c, 0.0, 30.0, fahrenheit);
     ui.separator();
-    ui.heading("Pan");
+    ui.heading(l.text("pantry.pan"));
     let choice = &mut app.settings.choice;
-    let name = library.pans.get(&choice.pan).map_or_else(|| choice.pan.clone(), |p| p.name.clone());
+    let name = l.called("pan", library.pans.get(&choice.pan).map_or(choice.pan.as_str(), |p| &p.name)).to_owned();
     let combo = egui::ComboBox::from_id_salt("pan").selected_text(&name).width(ui.available_width() - 8.0);
     let response = combo.show_ui(ui, |ui| {
         for (id, pan) in &library.pans {
-            ui.selectable_value(&mut choice.pan, id.clone(), &pan.name);
+            ui.selectable_value(&mut choice.pan, id.clone(), l.called("pan", &pan.name));
         }
     });
-    response
-        .response
-        .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, format!("Pan: {name}")));
-    temperature(ui, "preheated to", &mut app.settings.choice.preheat_c, 20.0, 260.0, fahrenheit);
+    response.response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, l.fill("pantry.pan_spoken", &[("pan", &name)]))
+    });
+    temperature(ui, l.text("pantry.preheated"), &mut app.settings.choice.preheat_c, 20.0, 260.0, fahrenheit);
     ui.separator();
     recipes(app, ui);
 }
 
 /// One button for each kind of food; another kind begins with its own size.
-fn kinds(ui: &mut Ui, library: &Library, choice: &mut SteakChoice) {
+fn kinds(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, l: Language) {
     (ui.spacing_mut().interact_size.y, ui.spacing_mut().item_spacing.y) = (24.0, 3.0);
     for (id, food) in &library.foods {
-        if ui.radio(choice.kind == *id, &food.name).clicked() && choice.kind != *id {
+        if ui.radio(choice.kind == *id, l.called("food", &food.name)).clicked() && choice.kind != *id {
             choice.kind.clone_from(id);
             choice.size_mm.clone_from(&food.size.default_mm);
         }
@@ -60,7 +63,7 @@ fn kinds(ui: &mut Ui, library: &Library, choice: &mut SteakChoice) {
 }
 
 /// A slider for each dimension of the form, the thickness first.
-fn sizes(ui: &mut Ui, food: &FoodDescription, size_mm: &mut Vec<f64>) {
+fn sizes(ui: &mut Ui, food: &FoodDescription, size_mm: &mut Vec<f64>, l: Language) {
     let (names, range) = (food.form.dimensions(), &food.size);
     if size_mm.len() != names.len() {
         size_mm.clone_from(&range.default_mm);
@@ -71,22 +74,30 @@ fn sizes(ui: &mut Ui, food: &FoodDescription, size_mm: &mut Vec<f64>) {
         // stands on edge: no piece is thicker than long.
         let longest = size_mm[..thickness].iter().copied().fold(0.0, f64::max);
         let most = if axis == thickness { longest.min(60.0) } else { 150.0 };
-        slider(ui, names[axis], &mut size_mm[axis], range.min_mm[axis], range.max_mm[axis].min(most), " mm");
+        slider(
+            ui,
+            l.called("dimension", names[axis]),
+            &mut size_mm[axis],
+            range.min_mm[axis],
+            range.max_mm[axis].min(most),
+            " mm",
+        );
     }
 }
 
 fn set_out(app: &mut SauteApp, ui: &mut Ui) {
+    let l = app.settings.language;
     ui.horizontal(|ui| {
         let half = 0.5 * (ui.available_width() - ui.spacing().item_spacing.x) - 4.0;
         let button = |text: &str, on| theme::button(text, on).min_size(egui::vec2(half, theme::TOUCH));
         let choice = app.settings.choice.clone();
-        if ui.add(button("Set out", true)).clicked() {
+        if ui.add(button(l.text("pantry.set_out"), true)).clicked() {
             match app.session.set_out(&choice) {
                 Ok(()) => app.motions.clear(),
-                Err(error) => app.notice.say(error.to_string()),
+                Err(error) => app.say_trouble(&error),
             }
         }
-        if ui.add(button(&format!("Add {}", app.count), false)).clicked() {
+        if ui.add(button(&l.fill("pantry.add", &[("count", &app.count)]), false)).clicked() {
             add(app, &choice);
         }
     });
@@ -94,35 +105,37 @@ fn set_out(app: &mut SauteApp, ui: &mut Ui) {
 
 /// Sets more food out; nothing of it is in the pan yet.
 fn add(app: &mut SauteApp, choice: &SteakChoice) {
-    let here = app.session.kitchen.pieces().len();
+    let (here, l) = (app.session.kitchen.pieces().len(), app.settings.language);
     if here + app.count > MOST_PIECES {
         let room = MOST_PIECES.saturating_sub(here);
-        app.notice.say(format!("The kitchen holds {MOST_PIECES} pieces: {room} more have room."));
+        app.notice.say(l.fill("pantry.full", &[("most", &MOST_PIECES), ("room", &room)]));
         return;
     }
     match app.session.add(choice, app.count) {
         Ok(group) => {
             let first = app.session.members(&group).into_iter().next();
             app.session.select(first);
-            app.notice.say(format!("{} × {group} on the board. P lays them into the pan, B lists them.", app.count));
+            app.notice.say(l.fill("pantry.added", &[("count", &app.count), ("food", &name(&group, l))]));
         }
-        Err(error) => app.notice.say(error.to_string()),
+        Err(error) => app.say_trouble(&error),
     }
 }
 
 fn count(app: &mut SauteApp, ui: &mut Ui) {
     let mut count = app.count as f64;
-    slider(ui, "count to add", &mut count, 1.0, MOST_AT_ONCE as f64, "");
+    slider(ui, app.settings.language.text("pantry.count"), &mut count, 1.0, MOST_AT_ONCE as f64, "");
     app.count = (count.round() as usize).clamp(1, MOST_AT_ONCE);
 }
 
 fn recipes(app: &mut SauteApp, ui: &mut Ui) {
-    ui.heading("Play a recipe");
-    ui.label(RichText::new("or drop a recipe file on the window").size(12.5).color(theme::QUIET));
+    let l = app.settings.language;
+    ui.heading(l.text("pantry.play"));
+    ui.label(RichText::new(l.text("pantry.drop")).size(12.5).color(theme::QUIET));
     let library = std::sync::Arc::clone(&app.session.library);
     for (id, text) in &library.recipes {
-        let clicked =
-            ui.add(egui::Button::new(id.replace('-', " ")).min_size(egui::vec2(ui.available_width(), 34.0))).clicked();
+        let plain = id.replace('-', " ");
+        let title = l.called("recipe_file", &plain);
+        let clicked = ui.add(egui::Button::new(title).min_size(egui::vec2(ui.available_width(), 34.0))).clicked();
         if clicked {
             app.open_recipe(text, &format!("{id}.toml"));
         }

@@ -6,7 +6,8 @@ use egui::{RichText, Sense, Ui, vec2};
 use saute_kitchen::{Piece, celsius};
 
 use crate::app::SauteApp;
-use crate::piece_words::{doneness, grams, place};
+use crate::language::Language;
+use crate::piece_words::{doneness, grams, name, place};
 use crate::session::group_of;
 use crate::theme;
 
@@ -26,8 +27,9 @@ const LINE: f32 = 42.0;
 /// Shows the list; a click selects the piece that the other panels are about.
 pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     let count = app.session.kitchen.pieces().len();
-    ui.heading(format!("{count} {}", if count == 1 { "piece" } else { "pieces" }));
-    ui.label(RichText::new("click one to see inside it").size(12.5).color(theme::QUIET));
+    let l = app.settings.language;
+    ui.heading(if count == 1 { l.text("piece.one").to_owned() } else { l.fill("piece.many", &[("count", &count)]) });
+    ui.label(RichText::new(l.text("piece.click")).size(12.5).color(theme::QUIET));
     all_at_once(app, ui);
     ui.spacing_mut().item_spacing.y = 3.0;
     for (group, members) in groups(app) {
@@ -41,14 +43,16 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
 /// Puts in what waits.
 pub fn all_at_once(app: &mut SauteApp, ui: &mut Ui) {
     let waiting = app.waiting();
+    let l = app.settings.language;
     if waiting.len() < 2 {
         return;
     }
     ui.horizontal(|ui| {
-        if ui.add(theme::button("Lay all in", true)).on_hover_text("beside each other, as many as fit").clicked() {
+        if ui.add(theme::button(l.text("piece.lay_all"), true)).on_hover_text(l.text("piece.lay_all_hint")).clicked() {
             app.lay_in(&waiting);
         }
-        if ui.add(theme::button("In a heap", false)).on_hover_text("dropped onto each other").clicked() {
+        if ui.add(theme::button(l.text("piece.heap_all"), false)).on_hover_text(l.text("piece.heap_all_hint")).clicked()
+        {
             app.heap_in(&waiting);
         }
     });
@@ -71,19 +75,21 @@ fn groups(app: &SauteApp) -> Vec<(String, Vec<String>)> {
 
 fn piece_line(app: &mut SauteApp, ui: &mut Ui, id: &str, indent: f32) {
     let Some(piece) = app.session.kitchen.piece(id) else { return };
+    let l = app.settings.language;
     let line = Line {
         name: if indent > 0.0 {
             id.trim_start_matches(group_of(id)).trim_start_matches('.').to_owned()
         } else {
-            id.to_owned()
+            name(id, l)
         },
         fold: None,
         core: app.settings.temperature(celsius(piece.core())),
         mass: grams(piece),
-        state: format!("{} · {}", doneness(app, piece), place(piece)),
+        state: format!("{} · {}", doneness(app, piece), place(piece, l)),
     };
     let selected = app.session.steak().is_some_and(|p| p.id == id);
-    if shown(ui, &line, indent, selected, &format!("Select {id}")) {
+    let spoken = spoken(&line, l.fill("piece.select", &[("name", &name(id, l))]), l);
+    if shown(ui, &line, indent, selected, &spoken) {
         app.session.select(Some(id.to_owned()));
     }
 }
@@ -92,7 +98,9 @@ fn group_lines(app: &mut SauteApp, ui: &mut Ui, group: &str, members: &[String])
     let open = app.unfolded.contains(group);
     let line = means(app, group, members, open);
     let selected = !open && app.session.steak().is_some_and(|p| members.contains(&p.id));
-    let spoken = format!("{} {group}", if open { "Fold" } else { "Unfold" });
+    let l = app.settings.language;
+    let what = l.fill(if open { "piece.fold" } else { "piece.unfold" }, &[("name", &name(group, l))]);
+    let spoken = spoken(&line, what, l);
     if shown(ui, &line, 0.0, selected, &spoken) {
         if open {
             app.unfolded.remove(group)
@@ -105,8 +113,8 @@ fn group_lines(app: &mut SauteApp, ui: &mut Ui, group: &str, members: &[String])
     }
     ui.horizontal(|ui| {
         ui.add_space(14.0);
-        for (text, act) in [("Lay in", Deed::Lay), ("Heap", Deed::Heap), ("Take away", Deed::Remove)] {
-            let button = egui::Button::new(RichText::new(text).size(13.0)).min_size(vec2(0.0, 30.0));
+        for (key, act) in [("piece.lay", Deed::Lay), ("piece.heap", Deed::Heap), ("piece.take_away", Deed::Remove)] {
+            let button = egui::Button::new(RichText::new(l.text(key)).size(13.0)).min_size(vec2(0.0, 30.0));
             if ui.add(button).clicked() {
                 act.done(app, members);
             }
@@ -140,16 +148,18 @@ fn means(app: &SauteApp, group: &str, members: &[String], open: bool) -> Line {
     let pieces: Vec<&Piece> = members.iter().filter_map(|id| app.session.kitchen.piece(id)).collect();
     let mean =
         |value: &dyn Fn(&Piece) -> f64| pieces.iter().map(|p| value(p)).sum::<f64>() / pieces.len().max(1) as f64;
+    let l = app.settings.language;
     let mut states: BTreeMap<String, usize> = BTreeMap::new();
     for piece in &pieces {
-        *states.entry(place(piece).to_owned()).or_default() += 1;
+        *states.entry(place(piece, l).to_owned()).or_default() += 1;
     }
-    let states: Vec<String> = states.iter().map(|(word, count)| format!("{count} {word}")).collect();
+    let states = states.iter().map(|(word, count)| l.fill("piece.count_of", &[("count", count), ("place", word)]));
+    let states: Vec<String> = states.collect();
     Line {
-        name: format!("{group} × {}", pieces.len()),
+        name: l.fill("piece.group", &[("name", &name(group, l)), ("count", &pieces.len())]),
         fold: Some(open),
         core: app.settings.temperature(celsius(mean(&Piece::core))),
-        mass: format!("mean {:.1} g", 1e3 * mean(&Piece::mass)),
+        mass: l.fill("piece.mean_mass", &[("mass", &format!("{:.1} g", 1e3 * mean(&Piece::mass)))]),
         state: states.join(" · "),
     }
 }
@@ -161,13 +171,17 @@ fn fold_mark(painter: &egui::Painter, at: egui::Pos2, open: bool) {
     painter.add(egui::Shape::convex_polygon(points, theme::QUIET, egui::Stroke::NONE));
 }
 
+/// A line as it is read out, after what a click does.
+fn spoken(line: &Line, what: String, l: Language) -> String {
+    let open: [(&str, &dyn std::fmt::Display); 4] =
+        [("what", &what), ("name", &line.name), ("core", &line.core), ("state", &line.state)];
+    l.fill("piece.spoken", &open)
+}
+
 /// Draws a line; tells whether it was clicked.
 fn shown(ui: &mut Ui, line: &Line, indent: f32, selected: bool, spoken: &str) -> bool {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::click());
-    response.widget_info(|| {
-        let text = format!("{spoken}: {}, core {}, {}", line.name, line.core, line.state);
-        egui::WidgetInfo::selected(egui::accesskit::Role::Button, true, selected, text)
-    });
+    response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::Button, true, selected, spoken));
     if !ui.is_rect_visible(rect) {
         return response.clicked();
     }

@@ -11,33 +11,36 @@ use crate::theme;
 
 /// Shows the controls and what is in the pan.
 pub fn show(app: &mut SauteApp, ui: &mut Ui) {
+    let l = app.settings.language;
     let lid = app.session.kitchen.pan_state().lid.is_some();
     for what in Pourable::ALL {
-        let text = format!("{} {:.0} g", what.name(), app.portion.grams(what));
+        let grams = format!("{:.0}", app.portion.grams(what));
+        let text = l.fill("pour.portion_of", &[("what", &what.name(l)), ("grams", &grams)]);
         button(app, ui, &text, false, true, Act::Pour(what));
     }
-    let portion = app.portion.name();
+    let portion = app.portion.name(l);
     button(app, ui, portion, false, true, Act::Portion);
-    button(app, ui, "Lid", lid, true, Act::Lid);
+    button(app, ui, l.text("pour.lid"), lid, true, Act::Lid);
     let tool = match app.tool_hand.tool {
-        Tool::Tongs => "Tongs",
-        Tool::Turner => "Turner",
+        Tool::Tongs => "pour.tongs",
+        Tool::Turner => "pour.turner",
     };
-    button(app, ui, tool, app.tool_hand.turner.is_some(), true, Act::Tool);
+    button(app, ui, l.text(tool), app.tool_hand.turner.is_some(), true, Act::Tool);
     if app.tool_hand.turner.is_some() {
         // Fingers have no wheel and no right button.
         let by_hand = [
-            ("Up", Act::ToolBy(TOOL_STEP)),
-            ("Down", Act::ToolBy(-TOOL_STEP)),
-            ("Roll", Act::RollBy(ROLL_STEP)),
-            ("Put away", Act::PutAway),
+            ("pour.up", Act::ToolBy(TOOL_STEP)),
+            ("pour.down", Act::ToolBy(-TOOL_STEP)),
+            ("pour.roll", Act::RollBy(ROLL_STEP)),
+            ("pour.put_away", Act::PutAway),
         ];
-        by_hand.into_iter().for_each(|(text, act)| button(app, ui, text, false, true, act));
+        by_hand.into_iter().for_each(|(key, act)| button(app, ui, l.text(key), false, true, act));
     }
-    match danger(&app.session.kitchen) {
+    match danger(&app.session.kitchen, l) {
         Some(text) => line(ui, RichText::new(text).color(theme::ACCENT).strong()),
         None => {
-            line(ui, RichText::new(format!("In the pan: {}", in_the_pan(&app.session.kitchen))).color(theme::QUIET))
+            let text = l.fill("pour.in_the_pan", &[("what", &in_the_pan(&app.session.kitchen, l))]);
+            line(ui, RichText::new(text).color(theme::QUIET));
         }
     }
 }

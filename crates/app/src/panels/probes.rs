@@ -8,12 +8,10 @@ use crate::theme;
 
 /// A button after which the next click on the food puts a probe in.
 pub fn add_button(app: &mut SauteApp, ui: &mut Ui) {
-    let text = RichText::new(if app.scene.placing { "click the food" } else { "+ Probe" }).size(13.0);
+    let l = app.settings.language;
+    let text = RichText::new(l.text(if app.scene.placing { "probe.click" } else { "probe.add" })).size(13.0);
     let add = ui.add(egui::Button::new(text).selected(app.scene.placing));
-    if add
-        .on_hover_text(format!("a probe where you click next, or where the pointer is ({})", key_of(Act::Probe)))
-        .clicked()
-    {
+    if add.on_hover_text(l.fill("probe.add_hint", &[("key", &key_of(Act::Probe))])).clicked() {
         app.scene.placing = !app.scene.placing;
     }
 }
@@ -35,7 +33,7 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
             let on = app.session.probes.selected == Some(number);
             let text = RichText::new(text).size(13.0).color(theme::probe(number));
             let chip = ui.add(egui::Button::new(text).stroke(egui::Stroke::new(f32::from(u8::from(on)), theme::TEXT)));
-            if chip.on_hover_text("name it, or take it out").clicked() {
+            if chip.on_hover_text(app.settings.language.text("probe.chip_hint")).clicked() {
                 app.session.probes.selected = (!on).then_some(number);
             }
         }
@@ -45,16 +43,16 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
 
 /// Name and end of the chosen probe.
 fn edit(app: &mut SauteApp, ui: &mut Ui) {
-    let id = app.steak_id();
+    let (id, l) = (app.steak_id(), app.settings.language);
     let Some(number) = app.session.probes.selected else { return };
     let Some(probe) = app.session.probes.get_mut(number).filter(|p| p.piece == id) else { return };
     let mut taken_out = false;
     ui.horizontal(|ui| {
         let edit =
             egui::TextEdit::singleline(&mut probe.name).char_limit(24).desired_width(ui.available_width() - 90.0);
-        let name = format!("Name of probe {number}");
+        let name = l.fill("probe.name_of", &[("number", &number)]);
         ui.add(edit).widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::TextInput, true, &name));
-        taken_out = ui.button("Remove").on_hover_text("the probe, with its curve").clicked();
+        taken_out = ui.button(l.text("probe.remove")).on_hover_text(l.text("probe.remove_hint")).clicked();
     });
     if taken_out {
         app.session.probes.remove(number);

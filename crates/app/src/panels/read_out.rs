@@ -4,7 +4,7 @@ use egui::{Area, Id, Order, Rect, RichText, Ui, vec2};
 use saute_kitchen::{Piece, celsius};
 
 use crate::app::SauteApp;
-use crate::piece_words::{doneness, grams, place};
+use crate::piece_words::{doneness, grams, name, place};
 use crate::stage::fitting_piece;
 use crate::theme;
 
@@ -12,19 +12,20 @@ use crate::theme;
 pub fn show(app: &SauteApp, ui: &Ui, whole: Rect) {
     let piece = app.scene.hovered.as_ref().and_then(|id| app.session.kitchen.piece(id));
     let (Some(piece), Some(at)) = (piece, ui.ctx().pointer_hover_pos()) else { return };
+    let l = app.settings.language;
     let shown = |kelvin: f64| app.settings.temperature(celsius(kelvin));
     let (above, below) = (shown(piece.face(false)), shown(piece.face(true)));
     let lines = [
-        format!("core {}", shown(piece.core())),
-        format!("surface {above} above, {below} below"),
+        l.fill("piece.core", &[("core", &shown(piece.core()))]),
+        l.fill("piece.surface", &[("above", &above), ("below", &below)]),
         format!("{} · {}", grams(piece), doneness(app, piece)),
-        place(piece).to_owned(),
+        place(piece, l).to_owned(),
     ];
     let area = Area::new(Id::unique("read-out")).order(Order::Tooltip).interactable(false);
     area.fixed_pos(at + vec2(18.0, 14.0)).constrain_to(whole.shrink(6.0)).show(ui.ctx(), |ui| {
         theme::panel().fill(theme::SOLID).inner_margin(9).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 2.0;
-            ui.label(RichText::new(&piece.id).size(14.5).strong().color(theme::ACCENT));
+            ui.label(RichText::new(name(&piece.id, l)).size(14.5).strong().color(theme::ACCENT));
             if let Some(here) = here(app, piece) {
                 ui.add(egui::Label::new(RichText::new(here).size(14.5).strong()).extend());
             }
@@ -42,5 +43,5 @@ fn here(app: &SauteApp, piece: &Piece) -> Option<String> {
     let view = app.settings.view;
     let value = point.shares.read(|node| view.value(&piece.model, &piece.state, node));
     let scale = app.chosen_scale().and_then(|scale| fitting_piece(Some(piece), scale));
-    Some(format!("here: {}", view.words(value, &app.settings, scale.as_deref())))
+    Some(app.settings.language.fill("value.here", &[("value", &view.words(value, &app.settings, scale.as_deref()))]))
 }

@@ -2,6 +2,7 @@
 
 mod foods;
 mod harness;
+mod japanese;
 mod pan;
 mod steak;
 mod views;
