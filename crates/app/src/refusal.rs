@@ -11,6 +11,11 @@ pub fn words(refused: &Refused, l: Language) -> String {
     match refused {
         Refused::NoSuchFood(food) => of("refused.no_such_food", food),
         Refused::NotInPan(food) => of("refused.not_in_pan", food),
+        Refused::NotOnBoard(food) => of("refused.not_on_board", food),
+        Refused::AlreadyHalved(food) => of("refused.already_halved", food),
+        Refused::BesideFood { food, most_mm } => {
+            l.fill("refused.beside_food", &[("food", &name(food, l)), ("most", most_mm)])
+        }
         Refused::AlreadyInPan(food) => of("refused.already_in_pan", food),
         Refused::DoesNotFit { food, reach_mm, floor_mm } => {
             l.fill("refused.does_not_fit", &[("food", &name(food, l)), ("reach", reach_mm), ("floor", floor_mm)])
