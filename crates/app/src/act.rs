@@ -27,6 +27,8 @@ pub enum Act {
     Flip,
     /// Onto the board.
     Out,
+    /// The knife halves what was taken out.
+    Halve,
     /// Tosses what is in the pan.
     Toss,
     /// Adds a portion of oil, butter or water.
@@ -109,10 +111,11 @@ pub const TOOL_STEP: f64 = 0.01;
 pub const ROLL_STEP: f64 = std::f64::consts::PI / 6.0;
 
 /// All keys, in the order in which the help lists them.
-pub const BINDINGS: [Binding; 55] = [
+pub const BINDINGS: [Binding; 56] = [
     bind(Key::A, "A", Act::Put, "key.put"),
     bind(Key::F, "F", Act::Flip, "key.flip"),
     bind(Key::O, "O", Act::Out, "key.out"),
+    bind(Key::Comma, ",", Act::Halve, "key.halve"),
     bind(Key::T, "T", Act::Toss, "key.toss"),
     bind(Key::Num8, "8", Act::Pour(Pourable::Oil), "key.oil"),
     bind(Key::Num9, "9", Act::Pour(Pourable::Butter), "key.butter"),

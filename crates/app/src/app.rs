@@ -231,6 +231,7 @@ impl SauteApp {
             }
             Act::Put => self.lay_in(&self.its_group()),
             Act::Flip => self.command(&Command::Flip { food: self.handled_id() }),
+            Act::Halve => self.command(&Command::Halve { food: self.handled_id(), at: 0.0 }),
             Act::Out => self.command(&Command::Rest { food: self.handled_id(), on: RestOn::Board }),
             Act::Toss => self.command(&Command::Toss { height: TOSS_M }),
             Act::Pour(what) => self.pour(what),

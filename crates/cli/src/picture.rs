@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use clap::ValueEnum;
-use saute_app::bench_frame::{FROM_S, SHRIMPS, SHRIMPS_FROM_S};
+use saute_app::bench_frame::{DISH, DISH_FROM_S, FROM_S, SHRIMPS, SHRIMPS_FROM_S};
 use saute_app::png_file::png_bytes;
 use saute_app::shot::ShotOptions;
 use saute_app::{Start, View};
@@ -72,6 +72,8 @@ pub struct BenchFrameArgs {
 pub enum SceneName {
     /// 35 shrimps of the default mesh in the pan.
     Shrimps,
+    /// A steak, 11 carrots and 11 leeks that fry.
+    Dish,
 }
 
 /// The views by their names on the command line.
@@ -155,6 +157,7 @@ pub fn shot(args: &ShotArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
 /// Measures frames.
 pub fn bench_frame(args: &BenchFrameArgs, shelf: &Shelf, process_start: Instant) -> Result<ExitCode, CliError> {
     let (recipe, from_s) = match args.scene {
+        Some(SceneName::Dish) => (Recipe::parse(DISH, "dish", &shelf.library)?, DISH_FROM_S),
         Some(SceneName::Shrimps) => (Recipe::parse(SHRIMPS, "shrimps", &shelf.library)?, SHRIMPS_FROM_S),
         None => (recipe_source::load(&args.recipe, shelf)?, FROM_S),
     };

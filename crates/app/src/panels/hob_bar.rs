@@ -72,7 +72,13 @@ fn hands(app: &mut SauteApp, ui: &mut Ui) {
     let food_in = l.fill("hob.food_in", &[("food", &capitalised(l.called("noun", &app.session.noun())))]);
     button(app, ui, &food_in, next_is_put, some_outside, Act::Put);
     button(app, ui, l.text("hob.flip"), false, in_pan, Act::Flip);
-    button(app, ui, l.text("hob.take_out"), false, in_pan, Act::Out);
+    if matches!(place, Some(Place::Rest(_))) {
+        // What lies on the board cannot be taken out, but cut.
+        let whole = app.session.steak().is_some_and(|p| p.halved().is_none());
+        button(app, ui, l.text("hob.halve"), false, whole, Act::Halve);
+    } else {
+        button(app, ui, l.text("hob.take_out"), false, in_pan, Act::Out);
+    }
     let on_cloth = app.session.kitchen.cloth().is_some();
     button(app, ui, l.text("hob.cloth"), on_cloth, true, Act::Cloth);
     button(app, ui, l.text("hob.restart"), false, true, Act::Restart);
