@@ -35,6 +35,10 @@ pub struct LoopState {
     pub command: HapticCommand,
     /// Lowest value of the passivity observer's account [J].
     pub passivity_j: f64,
+    /// Gaps of more than 10 ms without a fresh sample.
+    pub dropouts: u64,
+    /// Largest force that the device reported [N].
+    pub max_force_n: f64,
 }
 
 /// One step, for comparisons afterwards.
@@ -191,6 +195,8 @@ impl Beat {
             sample,
             command: self.command,
             passivity_j: self.renderer.passivity().lowest(),
+            dropouts: self.dropouts,
+            max_force_n: self.max_force,
         };
         self.state
     }

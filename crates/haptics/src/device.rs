@@ -121,6 +121,8 @@ pub struct HapticSample {
     pub fresh: bool,
     /// Buttons, one bit each.
     pub buttons: u32,
+    /// Messages that were thrown away because they were damaged, old or meant nothing.
+    pub rejected: u32,
 }
 
 /// A device that a hand holds.

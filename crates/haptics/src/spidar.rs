@@ -60,7 +60,6 @@ pub struct Spidar<L> {
     engaged: f64,
     last: Option<Sample>,
     answer: HapticSample,
-    rejected: u64,
 }
 
 impl<L: Link> Spidar<L> {
@@ -87,7 +86,6 @@ impl<L: Link> Spidar<L> {
             engaged: 0.0,
             last: None,
             answer: HapticSample { pose: home, ..HapticSample::default() },
-            rejected: 0,
             geometry,
         }
     }
@@ -101,11 +99,6 @@ impl<L: Link> Spidar<L> {
     pub fn calibrate(&mut self, calibration: Calibration) {
         self.estimator = PoseEstimator::new(calibration.rig, self.geometry.home());
         self.calibration = Some(calibration);
-    }
-
-    /// Frames that were thrown away because they were damaged or meant nothing.
-    pub fn rejected(&self) -> u64 {
-        self.rejected
     }
 
     fn send(&mut self, message: Message) {
@@ -122,7 +115,7 @@ impl<L: Link> Spidar<L> {
                 None => break,
                 Some(Ok(frame)) if frame.session == self.session => fresh |= self.hear(&frame.message),
                 Some(Err(FrameError::Version(_))) => self.refuse(Health::WrongUnits),
-                Some(_) => self.rejected += 1,
+                Some(_) => self.answer.rejected += 1,
             }
         }
         fresh
@@ -134,7 +127,7 @@ impl<L: Link> Spidar<L> {
             Message::Refused(Refusal::WrongCode) => self.refuse(Health::WrongCode),
             Message::Refused(_) => self.refuse(Health::Connecting),
             Message::Sample(sample) if self.talk != Talk::Seeking => return self.take(sample),
-            _ => self.rejected += 1,
+            _ => self.answer.rejected += 1,
         }
         false
     }
@@ -165,7 +158,7 @@ impl<L: Link> Spidar<L> {
     fn take(&mut self, sample: &Sample) -> bool {
         let passed = self.last.map(|last| sample.time_us.wrapping_sub(last.time_us) as i32);
         if passed.is_some_and(|us| us <= 0) {
-            self.rejected += 1;
+            self.answer.rejected += 1;
             return false;
         }
         match sample.state {

@@ -73,6 +73,7 @@ impl HapticDevice for WeightOnSpring {
             health: if self.stopped { Health::Stopped } else { Health::Running },
             fresh: true,
             buttons: 0,
+            rejected: 0,
         }
     }
 

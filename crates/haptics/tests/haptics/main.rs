@@ -3,7 +3,9 @@
 // A test that unwraps in vain says where.
 #![allow(clippy::unwrap_used)]
 
+mod bench_device;
 mod calibration;
+mod driver;
 mod feel;
 mod geometry_file;
 mod kitchen;

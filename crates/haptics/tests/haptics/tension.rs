@@ -26,8 +26,9 @@ fn by_gradient(lines: &Lines, wanted: &Wrench, rule: &TensionRule) -> [f64; STRI
     let step = 0.5 / (trace + rule.regularisation);
     let (mut t, mut ahead, mut momentum) = ([rule.min; STRINGS], [rule.min; STRINGS], 1.0f64);
     for _ in 0..200_000 {
-        let next: [f64; STRINGS] =
-            std::array::from_fn(|i| (ahead[i] - step * slope(lines, wanted, rule, &ahead, i)).clamp(rule.min, rule.max));
+        let next: [f64; STRINGS] = std::array::from_fn(|i| {
+            (ahead[i] - step * slope(lines, wanted, rule, &ahead, i)).clamp(rule.min, rule.max)
+        });
         let grown = 0.5 * (1.0 + (1.0 + 4.0 * momentum * momentum).sqrt());
         let uphill: f64 = (0..STRINGS).map(|i| (ahead[i] - next[i]) * (next[i] - t[i])).sum();
         let share = if uphill > 0.0 { 0.0 } else { (momentum - 1.0) / grown };
@@ -48,7 +49,8 @@ fn tensions_are_optimal_to_1e_6_against_a_long_projected_gradient() {
         for k in 0..12 {
             let lines = geometry.rig().lines(&somewhere(&geometry, &mut random));
             let size = if k % 3 == 0 { 30.0 } else { 5.0 };
-            let wanted = geometry.preload() + Wrench { force: random.vector() * size, torque: random.vector() * 0.03 * size };
+            let wanted =
+                geometry.preload() + Wrench { force: random.vector() * size, torque: random.vector() * 0.03 * size };
             let found = solver.solve(&lines, &wanted).tension;
             assert!(found.iter().all(|t| (rule.min..=rule.max).contains(t)), "{found:?}");
             let other = by_gradient(&lines, &wanted, &rule);
