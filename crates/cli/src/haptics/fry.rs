@@ -1,12 +1,15 @@
 //! A steak that fries in real time on one thread, in a pan that the device holds.
 
+use std::sync::mpsc::Receiver;
 use std::time::{Duration, Instant};
 
 use saute_haptics::control_loop::{ControlLoop, LoopState};
 use saute_haptics::{Health, KitchenWatch};
 use saute_kitchen::{Command, Cook, FRAME_S, Library, Recipe};
 
+use super::stop_key;
 use crate::error::CliError;
+use crate::stderr;
 
 const DISH: &str = include_str!("dish.toml");
 /// Frames that are owed at most; older ones are let go, and counted (chosen: a third of a second).
@@ -23,6 +26,7 @@ pub struct Fry {
     skipped: f64,
     is_silent: bool,
     recipe_goes_on: bool,
+    stop_key: Receiver<()>,
 }
 
 impl Fry {
@@ -40,6 +44,7 @@ impl Fry {
             skipped: 0.0,
             is_silent: false,
             recipe_goes_on: true,
+            stop_key: stop_key::listen(),
         })
     }
 
@@ -47,6 +52,10 @@ impl Fry {
     pub fn until(&mut self, seconds: f64, mut enough: impl FnMut(&LoopState) -> bool) -> bool {
         let end = Instant::now() + Duration::from_secs_f64(seconds);
         while Instant::now() < end {
+            if self.stop_key.try_recv().is_ok() {
+                stderr::say("stopped: the device has let go");
+                self.control.emergency_stop();
+            }
             let state = self.control.state();
             if enough(&state) {
                 return true;

@@ -7,6 +7,7 @@ mod fry;
 mod list;
 mod report;
 mod simulator;
+mod stop_key;
 mod truth;
 
 pub use check::{CheckArgs, check};

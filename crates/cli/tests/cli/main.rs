@@ -9,6 +9,7 @@ mod data_folder;
 mod doneness;
 mod food_check;
 mod groups;
+mod haptics;
 mod layers;
 mod lists;
 mod out_folder;

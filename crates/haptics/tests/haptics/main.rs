@@ -5,6 +5,7 @@
 
 mod bench_device;
 mod calibration;
+mod control_loop;
 mod driver;
 mod feel;
 mod geometry_file;
