@@ -73,6 +73,7 @@ fn measure(args: &CheckArgs, named: &Named, shelf: &Shelf) -> Result<CheckReport
     stderr::say(format!("measuring for {} s", args.for_s));
     fry.until(args.for_s, |_| false);
     let after = fry.control.state();
+    let contents_kg = fry.contents_kg();
     let force_limit_n = named.geometry.limits.force_n;
     let faults = match (&mut simulator, args.faults) {
         (Some(simulator), true) => {
@@ -104,6 +105,7 @@ fn measure(args: &CheckArgs, named: &Named, shelf: &Shelf) -> Result<CheckReport
         passivity_j: run.passivity_j,
         dropouts: after.dropouts - before.dropouts,
         kitchen_hz,
+        contents_kg,
         faults,
         missed: Vec::new(),
     })

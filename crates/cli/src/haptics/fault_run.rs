@@ -13,6 +13,8 @@ use super::simulator::Simulator;
 const LASTS_S: f64 = 3.0;
 /// How long the cable is out [s] (chosen).
 const UNPLUGGED_S: f64 = 1.5;
+/// Time in which forces have grown again [s] (chosen: twice the soft start).
+const SOFT_START_S: f64 = 1.0;
 /// How long to wait for the device to come back [s] (chosen: a refused device is asked again after one).
 const BACK_S: f64 = 5.0;
 
@@ -120,6 +122,7 @@ impl Bench<'_> {
     }
 
     fn silent_kitchen(&mut self) -> FaultOutcome {
+        self.fry.until(SOFT_START_S, |_| false);
         self.fry.silence(true);
         let faded = self.wait(2.0, |s| !s.command.enabled);
         self.fry.silence(false);

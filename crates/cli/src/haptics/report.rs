@@ -41,6 +41,8 @@ pub struct CheckReport {
     pub dropouts: u64,
     /// Frames a second of the kitchen beside the loop [Hz].
     pub kitchen_hz: f64,
+    /// Food in the pan at the end of the measurement [kg].
+    pub contents_kg: f64,
     /// Faults.
     pub faults: Vec<FaultOutcome>,
     /// Goals that are missed, in words.
@@ -91,7 +93,11 @@ impl CheckReport {
             format!("force         {:.1} N at most, limit {} N", self.max_force_n, self.force_limit_n),
             format!("passivity     {:.2} mJ at the lowest, of 5 mJ", self.passivity_j * 1e3),
             format!("dropouts      {}", self.dropouts),
-            format!("kitchen       {:.1} frames a second beside the loop", self.kitchen_hz),
+            format!(
+                "kitchen       {:.1} frames a second beside the loop, {:.0} g of food in the pan",
+                self.kitchen_hz,
+                self.contents_kg * 1e3
+            ),
         ];
         lines.extend(self.faults.iter().map(|f| format!("fault         {}: {}", f.kind, f.outcome)));
         lines.extend(self.missed.iter().map(|m| format!("missed        {m}")));

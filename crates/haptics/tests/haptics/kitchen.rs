@@ -3,7 +3,7 @@
 use glam::DVec3;
 use saute_haptics::contact_model::ContactModel;
 use saute_haptics::control_loop::Beat;
-use saute_haptics::{Feel, KitchenWatch, Renderer, Spidar, Wrench, shelf};
+use saute_haptics::{Feel, Handover, KitchenWatch, Pose, Renderer, Spidar, Wrench, shelf};
 use saute_kitchen::food::Rules;
 use saute_kitchen::{Command, FRAME_S, Kitchen, Library, MeshSize, PieceOrder};
 
@@ -122,4 +122,24 @@ fn sizzle_oil_and_water_are_told() {
     assert!(frying[89].vapour > 1e-5, "{} kg/s", frying[89].vapour);
     let own = frying[89].own;
     assert!((1.0..2.0).contains(&own.mass) && own.centre.z > 0.0, "{own:?}");
+}
+
+#[test]
+fn a_pan_that_comes_into_the_hand_does_not_lose_its_food() {
+    let mut kitchen = kitchen(20.0);
+    put(&mut kitchen, 0.0);
+    (0..30).for_each(|_| drop(kitchen.advance_frame()));
+    let hand = Pose::at(0.06, -0.05, 0.14).turned(DVec3::X, 0.15);
+    let mut handover = Handover::default();
+    for _ in 0..90 {
+        let held = kitchen.held_pan();
+        let pose = handover.pose(&held, &hand, FRAME_S);
+        kitchen.apply(&Command::HoldPan { pose }).unwrap();
+        kitchen.advance_frame();
+    }
+    let there = kitchen.world().motion.pose;
+    assert!((there.position - hand.position).length() < 1e-3, "{there:?}");
+    let steak = kitchen.piece("steak").unwrap();
+    let seen = there.to_body(steak.pose.position);
+    assert!(steak.in_pan() && seen.truncate().length() < 0.03, "{seen}");
 }
