@@ -5,7 +5,7 @@ use saute_kitchen::dynamics::Pose;
 use saute_kitchen::dynamics::pose::{about, rotation_between};
 
 use crate::contact_model::Payload;
-use crate::device::Limits;
+use crate::device::Capabilities;
 use crate::feel::PayloadFeel;
 use crate::kitchen_watch::GRAVITY;
 use crate::wrench::{Twist, Wrench};
@@ -17,16 +17,20 @@ const ROUNDEST: f64 = 1e-6;
 /// Stretch of the spring beyond which the body is set down anew [m] (chosen: a jump of the pan, not a swing).
 const TORN: f64 = 0.1;
 
+/// Radius of gyration of what the hand really holds [m] (chosen: between a grip and a pan).
+const GYRATION: f64 = 0.05;
+
 /// A virtual body, coupled to the pan.
 ///
 /// m dv/dt = −F + m g, F = K (x − x_pan) + B (v − v_pan); the hand feels F at the contents' centre, and likewise the
-/// torque of turning. K = m (2πf)², no stiffer than the device allows: at rest F is the weight, exactly; in motion the
+/// torque of turning. K = m (2πf)² and B = 2ζ√(K m), no stiffer and no more damped than the device allows: at rest F is the weight, exactly; in motion the
 /// inertia, without acceleration ever being measured. Passive for steps shorter than 1/(πf).
 #[derive(Clone, Copy, Debug)]
 pub struct CoupledPayload {
     frequency: f64,
     damping: f64,
     stiffness: [f64; 2],
+    most_damping: [f64; 2],
     body: Option<Body>,
     mass: f64,
 }
@@ -50,11 +54,13 @@ pub struct PayloadWrench {
 
 impl CoupledPayload {
     /// Nothing yet.
-    pub fn new(feel: &PayloadFeel, limits: &Limits) -> Self {
+    pub fn new(feel: &PayloadFeel, device: &Capabilities) -> Self {
+        let damping = device.most_damping();
         Self {
             frequency: feel.frequency_hz * std::f64::consts::TAU,
             damping: feel.damping,
-            stiffness: [limits.stiffness_n_m, limits.stiffness_nm_rad],
+            stiffness: [device.limits.stiffness_n_m, device.limits.stiffness_nm_rad],
+            most_damping: [damping, damping * GYRATION * GYRATION],
             body: None,
             mass: 0.0,
         }
@@ -70,7 +76,7 @@ impl CoupledPayload {
         let (place, speed) = (pose.position + arm, twist.at(arm));
         let gravity = DVec3::new(0.0, 0.0, -GRAVITY);
         let stiffness = (payload.mass * self.frequency * self.frequency).min(self.stiffness[0]);
-        let damping = 2.0 * self.damping * libm::sqrt(stiffness * payload.mass);
+        let damping = (2.0 * self.damping * libm::sqrt(stiffness * payload.mass)).min(self.most_damping[0]);
         let hanging = gravity * (payload.mass / stiffness);
         let fresh =
             Body { position: place + hanging, velocity: speed, rotation: pose.rotation, turning: twist.angular };
@@ -97,7 +103,7 @@ impl CoupledPayload {
             return DVec3::ZERO;
         }
         let stiffness = (inertia * self.frequency * self.frequency).min(self.stiffness[1]);
-        let damping = 2.0 * self.damping * libm::sqrt(stiffness * inertia);
+        let damping = (2.0 * self.damping * libm::sqrt(stiffness * inertia)).min(self.most_damping[1]);
         let torque =
             rotation_between(pose.rotation, body.rotation) * stiffness + (body.turning - twist.angular) * damping;
         body.turning -= torque * (dt / inertia);

@@ -88,6 +88,8 @@ pub enum Health {
     Connecting,
     /// There, but its encoders count from an unknown place: put it on its jig.
     Uncalibrated,
+    /// What was measured on the jig fits no device near the drawing.
+    Misfit,
     /// At work.
     Running,
     /// It has fallen silent.
@@ -138,7 +140,16 @@ pub trait HapticDevice: Send {
     fn stop(&mut self);
 }
 
+/// Most damping over what the hand really holds [1/s] (chosen: a third of the delay of 6 ms with which velocity is known; more
+/// would shake a light grip).
+const DAMPING_RATE: f64 = 50.0;
+
 impl Capabilities {
+    /// Most damping that the delay of the measured velocity allows [N·s/m].
+    pub fn most_damping(&self) -> f64 {
+        DAMPING_RATE * self.real_mass_kg
+    }
+
     /// What of a wrench the device can show, by the stated rule: torques need 6 moved degrees of freedom, forces 3.
     pub fn shown(&self, wrench: &Wrench) -> Wrench {
         match self.dof_actuated {

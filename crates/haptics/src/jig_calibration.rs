@@ -58,10 +58,22 @@ pub enum CalibrationError {
         /// Root mean square [mm].
         residual_mm: f64,
     },
+    /// What was measured fits, but only a device far from the drawing.
+    #[error(
+        "string {string} was found {off_mm:.1} mm from where it is drawn; check that this is the device's geometry file"
+    )]
+    NotAsDrawn {
+        /// Which string, from 1.
+        string: usize,
+        /// How far one of its ends is off [mm].
+        off_mm: f64,
+    },
 }
 
 /// Readings that are needed: seven unknowns a string, and one to check (chosen).
 const FEWEST: usize = 8;
+/// Distance from the drawing above which it is another device's [m] (chosen: ten times a workshop's half a millimetre).
+const FARTHEST: f64 = 5e-3;
 /// Gauss–Newton steps (chosen: from a drawing half a millimetre off three suffice).
 const STEPS: usize = 8;
 /// Residual above which something is broken [m] (chosen: ten times what encoders and jig explain).
@@ -89,6 +101,10 @@ impl Calibration {
             let rms = fit.rms(readings);
             if rms > WORST || !rms.is_finite() {
                 return Err(CalibrationError::DoesNotFit { string: i + 1, residual_mm: rms * 1e3 });
+            }
+            let off = (fit.motor - fit.drawn.0).length().max((fit.attachment - fit.drawn.1).length());
+            if off > FARTHEST {
+                return Err(CalibrationError::NotAsDrawn { string: i + 1, off_mm: off * 1e3 });
             }
             (found.rig.motor[i], found.rig.attachment[i], found.offset[i]) = (fit.motor, fit.attachment, fit.offset);
             squares += rms * rms;

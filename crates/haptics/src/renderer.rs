@@ -41,11 +41,11 @@ impl Renderer {
         let limits = &capabilities.limits;
         let timing = &feel.timing;
         Self {
-            payload: CoupledPayload::new(&feel.payload, limits),
+            payload: CoupledPayload::new(&feel.payload, capabilities),
             guard: GuardPlanes::new(&feel.guard, limits),
             impulses: ImpulseTrain::new(&feel.impulse),
             vibration: Vibration::new(&feel.sizzle, &feel.slide),
-            passivity: Passivity::new(timing.reserve_mj * 1e-3),
+            passivity: Passivity::new(timing.reserve_mj * 1e-3, capabilities.most_damping()),
             limits: SafetyLimits::new(*limits),
             timing: Timing { soft_start: timing.soft_start_s, timeout: timing.model_timeout_s, fade: timing.fade_s },
             model: ContactModel::default(),

@@ -12,7 +12,7 @@ use crate::strings::{Lines, STRINGS};
 use crate::tension::{TensionSolver, Tensions};
 use crate::wire::{Caps, Command, DeviceState, Frame, FrameError, Hello, Link, Message, Refusal, Sample, Units};
 use crate::wrench::Wrench;
-use jig_log::JigLog;
+use jig_log::{JigLog, Noted};
 
 /// Silence after which a device counts as lost [s] (chosen: a hundred samples).
 const SILENCE_S: f64 = 0.1;
@@ -48,6 +48,7 @@ pub struct Spidar<L> {
     solver: TensionSolver,
     calibration: Option<Calibration>,
     jig: JigLog,
+    misfit: bool,
     talk: Talk,
     health: Health,
     caps: Option<Caps>,
@@ -74,6 +75,7 @@ impl<L: Link> Spidar<L> {
             solver: TensionSolver::new(geometry.tension_rule()),
             calibration: None,
             jig: JigLog::new(&geometry.jig()),
+            misfit: false,
             talk: Talk::Seeking,
             health: Health::Connecting,
             caps: None,
@@ -146,6 +148,7 @@ impl<L: Link> Spidar<L> {
         }
         if self.caps.is_some_and(|before| before.boot != caps.boot) {
             self.calibration = None;
+            self.misfit = false;
             self.jig = JigLog::new(&self.geometry.jig());
         }
         self.caps = Some(*caps);
@@ -177,8 +180,10 @@ impl<L: Link> Spidar<L> {
         let by_count = self.by_count(sample);
         if self.calibration.is_none() {
             let rig = self.geometry.rig();
-            if let Some(calibration) = self.jig.note(sample.jig, &by_count, &rig) {
-                self.calibrate(calibration);
+            match self.jig.note(sample.jig, &by_count, &rig) {
+                Noted::More => {}
+                Noted::Found(calibration) => self.calibrate(calibration),
+                Noted::Misfit => self.misfit = true,
             }
         }
         self.device_us = unwrapped(self.device_us, sample.time_us);
@@ -282,7 +287,11 @@ impl<L: Link> HapticDevice for Spidar<L> {
             }
             Talk::Arming => {}
             Talk::Linked => {
-                self.health = if self.calibration.is_some() { Health::Running } else { Health::Uncalibrated };
+                self.health = match (&self.calibration, self.misfit) {
+                    (Some(_), _) => Health::Running,
+                    (None, true) => Health::Misfit,
+                    (None, false) => Health::Uncalibrated,
+                };
                 self.pull(command, dt);
             }
         }

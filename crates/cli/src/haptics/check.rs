@@ -119,9 +119,18 @@ fn calibrate(fry: &mut Fry, named: &Named) -> Result<(), CliError> {
         return Err(not_there(fry.control.state().sample.health));
     }
     stderr::say(format!("found; put the pan into each of the {} places of its jig", named.geometry.jig.pose.len()));
-    if !fry.until(jig, |s| s.sample.health == Health::Running) {
-        let remedy = "leave the pan in each place until all have been measured, or mend the geometry file";
-        return Err(CliError::place(&named.name, "was not calibrated", remedy));
+    let settled = |s: &LoopState| matches!(s.sample.health, Health::Running | Health::Misfit);
+    fry.until(jig, settled);
+    match fry.control.state().sample.health {
+        Health::Running => {}
+        Health::Misfit => {
+            let remedy = "check how its strings are led, and that this is its geometry file";
+            return Err(CliError::place(&named.name, "what was measured on the jig does not fit the drawing", remedy));
+        }
+        _ => {
+            let remedy = "leave the pan in each place of the jig until all have been measured";
+            return Err(CliError::place(&named.name, "was not calibrated in time", remedy));
+        }
     }
     fry.until(SETTLING_S, |_| false);
     Ok(())

@@ -12,6 +12,16 @@ const SAMPLES: u32 = 50;
 /// Samples that are left out when a contact has just closed (chosen: the pan comes to rest).
 const SETTLING: u32 = 50;
 
+/// What came of a reading.
+pub enum Noted {
+    /// More are needed.
+    More,
+    /// All places are known, and the device with them.
+    Found(Calibration),
+    /// All places are known, and fit no device near the drawing; they are gone through again.
+    Misfit,
+}
+
 /// Sums of lengths at each place.
 #[derive(Clone, Copy, Debug)]
 pub struct JigLog {
@@ -31,33 +41,32 @@ impl JigLog {
         Self { poses, places, sum: [[0.0; STRINGS]; PLACES], count: [0; PLACES], at: 0, since: 0 }
     }
 
-    /// Notes lengths by count [m] at a place of the jig, from 1; gives the calibration once all places are known.
-    pub fn note(&mut self, place: u8, by_count: &[f64; STRINGS], drawn: &StringRig) -> Option<Calibration> {
+    /// Notes lengths by count [m] at a place of the jig, from 1.
+    pub fn note(&mut self, place: u8, by_count: &[f64; STRINGS], drawn: &StringRig) -> Noted {
         self.since = if place == self.at { self.since.saturating_add(1) } else { 0 };
         self.at = place;
-        let index = (place as usize).checked_sub(1).filter(|i| *i < self.places)?;
+        let Some(index) = (place as usize).checked_sub(1).filter(|i| *i < self.places) else { return Noted::More };
         if self.since < SETTLING || self.count[index] >= SAMPLES {
-            return None;
+            return Noted::More;
         }
         (0..STRINGS).for_each(|i| self.sum[index][i] += by_count[i]);
         self.count[index] += 1;
         let whole = self.count[..self.places].iter().all(|c| *c >= SAMPLES);
-        if whole { self.fit(drawn) } else { None }
+        if whole { self.fit(drawn) } else { Noted::More }
     }
 
-    fn fit(&mut self, drawn: &StringRig) -> Option<Calibration> {
+    fn fit(&mut self, drawn: &StringRig) -> Noted {
         let empty = JigReading { pose: Pose::default(), length: [0.0; STRINGS] };
         let mut readings = [empty; PLACES];
         for (i, reading) in readings[..self.places].iter_mut().enumerate() {
             let mean = |s: f64| s / f64::from(self.count[i]);
             *reading = JigReading { pose: self.poses[i], length: self.sum[i].map(mean) };
         }
-        let fitted = Calibration::fit(drawn, &readings[..self.places], Accuracy::default()).ok();
-        if fitted.is_none() {
-            // Something moved while it was measured: the jig is gone through again.
-            self.count = [0; PLACES];
-            self.sum = [[0.0; STRINGS]; PLACES];
+        if let Ok(found) = Calibration::fit(drawn, &readings[..self.places], Accuracy::default()) {
+            return Noted::Found(found);
         }
-        fitted
+        self.count = [0; PLACES];
+        self.sum = [[0.0; STRINGS]; PLACES];
+        Noted::Misfit
     }
 }

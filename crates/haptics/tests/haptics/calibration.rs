@@ -62,4 +62,9 @@ fn too_few_places_and_a_wrong_drawing_are_refused_with_what_to_do() {
     let wrong = readings(&geometry, &rig, &offset);
     let error = Calibration::fit(&geometry.rig(), &wrong, Accuracy::default()).unwrap_err();
     assert!(matches!(error, CalibrationError::DoesNotFit { string: 3, .. }), "{error}");
+    // The whole device is another one.
+    let (other, offset) = built(&device("spidar-pan"), &mut random);
+    let wrong = readings(&geometry, &other, &offset);
+    let error = Calibration::fit(&geometry.rig(), &wrong, Accuracy::default()).unwrap_err();
+    assert!(matches!(error, CalibrationError::NotAsDrawn { .. } | CalibrationError::DoesNotFit { .. }), "{error}");
 }

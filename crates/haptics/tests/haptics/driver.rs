@@ -111,3 +111,12 @@ fn stopped_it_lets_go_and_stays_so() {
     assert!(bench.is_stopped() && sample.health == Health::Stopped);
     assert_eq!(bench.tensions(), [0.0; 8]);
 }
+
+#[test]
+fn a_device_that_is_not_as_drawn_is_told_apart_from_one_that_waits_for_its_jig() {
+    let bench = Bench::new(&device("spidar-pan-crossed"));
+    let mut spidar = Spidar::new(bench.link(), device("spidar-pan"), 42);
+    assert_eq!(after(&mut spidar, &HapticCommand::default(), 100).health, Health::Uncalibrated);
+    assert_eq!(after(&mut spidar, &pull(glam::DVec3::NEG_Z), 4000).health, Health::Misfit);
+    assert!(bench.tensions().iter().all(|t| (t - 0.3).abs() < 1e-9), "no force without a pose");
+}

@@ -97,14 +97,14 @@ fn tossed_food_weighs_nothing_in_the_air_and_lands_with_its_momentum() {
     let lying = *watch(&mut kitchen, &mut watching, 60).last().unwrap();
     let mass = kitchen.piece("steak").unwrap().mass();
     assert!((lying.payload.mass - oil - mass).abs() < 1e-3, "{} kg", lying.payload.mass);
-    kitchen.apply(&Command::Toss { height: 0.1 }).unwrap();
+    kitchen.apply(&Command::Toss { height: 0.2 }).unwrap();
     let tossed = watch(&mut kitchen, &mut watching, 120);
     let in_the_air = tossed.iter().filter(|m| m.payload.mass < 1.5 * oil && m.loose.force.length() < 0.01).count();
-    assert!(in_the_air > 6, "{in_the_air} frames in the air");
+    assert!(in_the_air > 8, "{in_the_air} frames in the air");
     let hits: Vec<DVec3> = tossed.last().unwrap().impulses.iter().filter(|i| i.number > 0).map(|i| i.impulse).collect();
     let hardest = hits.iter().map(|i| -i.z).fold(0.0, f64::max);
-    // 10 cm of fall are 1.4 m/s; the landing may take two frames.
-    assert!(hardest > 0.3 * mass * 1.4 && hardest < 3.0 * mass * 1.4, "{hits:?}");
+    // 20 cm of fall are 2 m/s; the landing may take some frames.
+    assert!(hardest > 0.3 * mass * 2.0 && hardest < 2.0 * mass * 2.0, "{hits:?}");
     let down = tossed.last().unwrap();
     assert!((down.payload.mass - oil - mass).abs() < 1e-3, "it lies again: {} kg", down.payload.mass);
 }
@@ -118,9 +118,11 @@ fn sizzle_oil_and_water_are_told() {
     let oiled = watch(&mut kitchen, &mut KitchenWatch::default(), 12);
     assert!((oiled[11].payload.mass - before - 0.02).abs() < 1e-3, "{} kg", oiled[11].payload.mass);
     put(&mut kitchen, 0.0);
-    let frying = watch(&mut kitchen, &mut KitchenWatch::default(), 90);
-    assert!(frying[89].vapour > 1e-5, "{} kg/s", frying[89].vapour);
-    let own = frying[89].own;
+    kitchen.apply(&Command::Hob(1500.0)).unwrap();
+    let fried = watch(&mut kitchen, &mut KitchenWatch::default(), 3600);
+    let frying = *fried.last().unwrap();
+    assert!(frying.vapour > 2e-5, "{:?} kg/s", fried.iter().step_by(200).map(|m| m.vapour).collect::<Vec<_>>());
+    let own = frying.own;
     assert!((1.0..2.0).contains(&own.mass) && own.centre.z > 0.0, "{own:?}");
 }
 
@@ -128,7 +130,7 @@ fn sizzle_oil_and_water_are_told() {
 fn a_pan_that_comes_into_the_hand_does_not_lose_its_food() {
     let mut kitchen = kitchen(20.0);
     put(&mut kitchen, 0.0);
-    (0..30).for_each(|_| drop(kitchen.advance_frame()));
+    watch(&mut kitchen, &mut KitchenWatch::default(), 30);
     let hand = Pose::at(0.06, -0.05, 0.14).turned(DVec3::X, 0.15);
     let mut handover = Handover::default();
     for _ in 0..90 {
