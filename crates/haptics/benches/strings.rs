@@ -22,7 +22,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         };
         let mut estimator = PoseEstimator::new(rig, home);
         let begun = Instant::now();
-        (0..ROUNDS).for_each(|k| drop(black_box(estimator.update(&rig.lengths(&at(k)), 1e-3))));
+        for k in 0..ROUNDS {
+            black_box(estimator.update(&rig.lengths(&at(k)), 1e-3));
+        }
         let pose_us = begun.elapsed().as_secs_f64() * 1e6 / f64::from(ROUNDS);
         let mut solver = TensionSolver::new(geometry.tension_rule());
         let (begun, mut rounds, mut worst) = (Instant::now(), 0, 0.0f64);

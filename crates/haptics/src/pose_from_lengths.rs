@@ -71,16 +71,16 @@ impl PoseEstimator {
     /// One damped step: (AᵀA + σ) x = Aᵀ e, with the rows [direction, lever] and the errors predicted − measured.
     fn step(&self, lines: &Lines, lengths: &[f64; STRINGS]) -> Option<(DVec3, DVec3)> {
         let (mut a, mut b) = ([[0.0; 6]; 6], [0.0; 6]);
-        for i in 0..STRINGS {
-            let (row, error) = (lines.column(i), lines.length[i] - lengths[i] - self.drift[i]);
+        for (i, measured) in lengths.iter().enumerate() {
+            let (row, error) = (lines.column(i), lines.length[i] - measured - self.drift[i]);
             for r in 0..6 {
                 b[r] += row[r] * error;
                 (0..6).for_each(|c| a[r][c] += row[r] * row[c]);
             }
         }
         let (force, torque) = (a[0][0] + a[1][1] + a[2][2], a[3][3] + a[4][4] + a[5][5]);
-        for r in 0..6 {
-            a[r][r] += DAMPING / 3.0 * if r < 3 { force } else { torque };
+        for (r, row) in a.iter_mut().enumerate() {
+            row[r] += DAMPING / 3.0 * if r < 3 { force } else { torque };
         }
         solve_symmetric(&mut a, &mut b, 6).then(|| (DVec3::new(b[0], b[1], b[2]), DVec3::new(b[3], b[4], b[5])))
     }

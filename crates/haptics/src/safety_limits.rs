@@ -38,7 +38,7 @@ impl SafetyLimits {
         let wanted = if wanted.is_finite() { *wanted } else { Wrench::ZERO };
         let wanted = wanted.clamped(self.limits.force_n, self.limits.torque_nm);
         let change = (wanted - self.last).clamped(self.limits.slew_n_s * dt, self.limits.slew_nm_s * dt);
-        self.last = self.last + change;
+        self.last += change;
         self.last
     }
 

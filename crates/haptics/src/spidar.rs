@@ -12,7 +12,7 @@ use crate::strings::{Lines, STRINGS};
 use crate::tension::{TensionSolver, Tensions};
 use crate::wire::{Caps, Command, DeviceState, Frame, FrameError, Hello, Link, Message, Refusal, Sample, Units};
 use crate::wrench::Wrench;
-use jig_log::{JigLog, Noted};
+use jig_log::JigLog;
 
 /// Silence after which a device counts as lost [s] (chosen: a hundred samples).
 const SILENCE_S: f64 = 0.1;
@@ -181,9 +181,9 @@ impl<L: Link> Spidar<L> {
         if self.calibration.is_none() {
             let rig = self.geometry.rig();
             match self.jig.note(sample.jig, &by_count, &rig) {
-                Noted::More => {}
-                Noted::Found(calibration) => self.calibrate(calibration),
-                Noted::Misfit => self.misfit = true,
+                None => {}
+                Some(Ok(calibration)) => self.calibrate(calibration),
+                Some(Err(_)) => self.misfit = true,
             }
         }
         self.device_us = unwrapped(self.device_us, sample.time_us);

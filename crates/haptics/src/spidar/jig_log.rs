@@ -2,7 +2,7 @@
 
 use saute_kitchen::dynamics::Pose;
 
-use crate::jig_calibration::{Accuracy, Calibration, JigReading};
+use crate::jig_calibration::{Accuracy, Calibration, CalibrationError, JigReading};
 use crate::strings::{STRINGS, StringRig};
 
 /// Places of a jig at most (chosen).
@@ -11,16 +11,6 @@ const PLACES: usize = 64;
 const SAMPLES: u32 = 50;
 /// Samples that are left out when a contact has just closed (chosen: the pan comes to rest).
 const SETTLING: u32 = 50;
-
-/// What came of a reading.
-pub enum Noted {
-    /// More are needed.
-    More,
-    /// All places are known, and the device with them.
-    Found(Calibration),
-    /// All places are known, and fit no device near the drawing; they are gone through again.
-    Misfit,
-}
 
 /// Sums of lengths at each place.
 #[derive(Clone, Copy, Debug)]
@@ -41,32 +31,38 @@ impl JigLog {
         Self { poses, places, sum: [[0.0; STRINGS]; PLACES], count: [0; PLACES], at: 0, since: 0 }
     }
 
-    /// Notes lengths by count [m] at a place of the jig, from 1.
-    pub fn note(&mut self, place: u8, by_count: &[f64; STRINGS], drawn: &StringRig) -> Noted {
+    /// Notes lengths by count [m] at a place of the jig, from 1. Once all are known it gives what they tell; where
+    /// they fit no device near the drawing, they are gone through again.
+    pub fn note(
+        &mut self,
+        place: u8,
+        by_count: &[f64; STRINGS],
+        drawn: &StringRig,
+    ) -> Option<Result<Calibration, CalibrationError>> {
         self.since = if place == self.at { self.since.saturating_add(1) } else { 0 };
         self.at = place;
-        let Some(index) = (place as usize).checked_sub(1).filter(|i| *i < self.places) else { return Noted::More };
+        let index = (place as usize).checked_sub(1).filter(|i| *i < self.places)?;
         if self.since < SETTLING || self.count[index] >= SAMPLES {
-            return Noted::More;
+            return None;
         }
         (0..STRINGS).for_each(|i| self.sum[index][i] += by_count[i]);
         self.count[index] += 1;
         let whole = self.count[..self.places].iter().all(|c| *c >= SAMPLES);
-        if whole { self.fit(drawn) } else { Noted::More }
+        whole.then(|| self.fit(drawn))
     }
 
-    fn fit(&mut self, drawn: &StringRig) -> Noted {
+    fn fit(&mut self, drawn: &StringRig) -> Result<Calibration, CalibrationError> {
         let empty = JigReading { pose: Pose::default(), length: [0.0; STRINGS] };
         let mut readings = [empty; PLACES];
         for (i, reading) in readings[..self.places].iter_mut().enumerate() {
             let mean = |s: f64| s / f64::from(self.count[i]);
             *reading = JigReading { pose: self.poses[i], length: self.sum[i].map(mean) };
         }
-        if let Ok(found) = Calibration::fit(drawn, &readings[..self.places], Accuracy::default()) {
-            return Noted::Found(found);
+        let fitted = Calibration::fit(drawn, &readings[..self.places], Accuracy::default());
+        if fitted.is_err() {
+            self.count = [0; PLACES];
+            self.sum = [[0.0; STRINGS]; PLACES];
         }
-        self.count = [0; PLACES];
-        self.sum = [[0.0; STRINGS]; PLACES];
-        Noted::Misfit
+        fitted
     }
 }

@@ -132,7 +132,7 @@ fn a_world_that_feeds_energy_is_held_at_the_reserve() {
         command = renderer.step(&HapticSample { health: Health::Running, ..sample }, &model, DT);
     }
     let lowest = renderer.passivity().lowest();
-    assert!(lowest >= 0.0 && lowest < 0.005, "lowest {lowest} J");
+    assert!((0.0..0.005).contains(&lowest), "lowest {lowest} J");
     assert!(given < 0.006, "{given} J given to the hand from a reserve of 5 mJ");
 }
 
