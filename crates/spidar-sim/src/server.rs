@@ -30,6 +30,10 @@ pub enum ServeError {
     Bind(SocketAddr, std::io::Error),
     #[error("{0} cannot be written: {1}\n  remedy: choose another place for --truth")]
     Truth(String, std::io::Error),
+    #[error(
+        "--pairing 0 would let anyone on the network pull the strings\n  remedy: give a code, or bind to 127.0.0.1"
+    )]
+    Open,
     #[error("--error-mm {0} and --hand {1} may be 0 to 5 and 0 to 2")]
     Range(f64, f64),
 }
@@ -62,6 +66,9 @@ struct Device {
 pub fn serve(args: &Args, scene: Scene, file: &RigFile, pairing: u32) -> Result<(), ServeError> {
     if !(0.0..=5.0).contains(&args.error_mm) || !(0.0..=2.0).contains(&args.hand) {
         return Err(ServeError::Range(args.error_mm, args.hand));
+    }
+    if pairing == 0 && !args.bind.ip().is_loopback() {
+        return Err(ServeError::Open);
     }
     let bind = |e| ServeError::Bind(args.bind, e);
     let socket = UdpSocket::bind(args.bind).map_err(bind)?;

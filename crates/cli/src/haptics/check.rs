@@ -113,10 +113,12 @@ fn measure(args: &CheckArgs, named: &Named, shelf: &Shelf) -> Result<CheckReport
 
 /// Waits until the device is found and calibrated.
 fn calibrate(fry: &mut Fry, named: &Named) -> Result<(), CliError> {
-    let there = |s: &LoopState| matches!(s.sample.health, Health::Running | Health::Uncalibrated);
+    let answered = |s: &LoopState| !matches!(s.sample.health, Health::Connecting | Health::Lost);
     let [find, jig] = PATIENCE_S;
-    if !fry.until(find, there) {
-        return Err(not_there(fry.control.state().sample.health));
+    fry.until(find, answered);
+    let health = fry.control.state().sample.health;
+    if !matches!(health, Health::Running | Health::Uncalibrated | Health::Misfit) {
+        return Err(not_there(health));
     }
     stderr::say(format!("found; put the pan into each of the {} places of its jig", named.geometry.jig.pose.len()));
     let settled = |s: &LoopState| matches!(s.sample.health, Health::Running | Health::Misfit);

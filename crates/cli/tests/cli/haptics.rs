@@ -1,7 +1,8 @@
 //! `saute haptics`: what devices can do, and the control loop closed through a simulated one in its own process.
 
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Child, Command, Stdio};
 
 use serde_json::Value;
 
@@ -104,4 +105,44 @@ fn a_missing_simulator_is_named_with_the_remedy() {
         "{}",
         said.err
     );
+}
+
+/// The simulator as a device that somebody else has switched on, and where it listens.
+fn switched_on(pairing: &str) -> (Child, String) {
+    build_simulator();
+    let program = Path::new(env!("CARGO_BIN_EXE_saute")).with_file_name("saute-spidar-sim");
+    let args = ["--device", "spidar-pan", "--quiet", "--end-with-stdin", "--pairing", pairing];
+    let mut child = Command::new(program).args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    let lines = BufReader::new(child.stdout.take().unwrap()).lines().map_while(Result::ok);
+    let address = lines.take(2).last().unwrap().strip_prefix("listening on ").unwrap().to_owned();
+    (child, address)
+}
+
+#[test]
+fn a_device_at_an_address_is_used_with_its_pairing_code_and_only_with_it() {
+    let (mut child, address) = switched_on("424242");
+    let device = format!("spidar-pan@{address}");
+    let check =
+        |code: &str| run(&["haptics", "check", "--device", &device, "--pairing", code, "--for-s", "1", "--json"]);
+    let stranger = check("1");
+    assert_eq!(stranger.code, Some(2));
+    assert!(
+        stranger.err.contains("refuses the pairing code") && stranger.err.contains("--pairing CODE"),
+        "{}",
+        stranger.err
+    );
+    let report: Value = serde_json::from_str(&check("424242").out).unwrap();
+    assert_eq!((&report["simulated"], &report["pose_error"]), (&false.into(), &Value::Null));
+    assert!(report["max_force_n"].as_f64() > Some(3.0), "{report}");
+    drop(child.stdin.take());
+    child.wait().unwrap();
+}
+
+#[test]
+fn the_simulator_does_not_open_itself_to_the_network_without_a_code() {
+    build_simulator();
+    let program = Path::new(env!("CARGO_BIN_EXE_saute")).with_file_name("saute-spidar-sim");
+    let said: Said = Command::new(program).args(["--bind", "0.0.0.0:0", "--pairing", "0"]).output().unwrap().into();
+    assert_eq!(said.code, Some(2));
+    assert!(said.err.contains("remedy: give a code"), "{}", said.err);
 }
