@@ -12,8 +12,8 @@ use crate::wrench::{Twist, Wrench};
 
 /// Lightest contents that are felt [kg] (chosen: a gram).
 const LIGHTEST: f64 = 1e-3;
-/// Largest moment of inertia over smallest that is kept apart (chosen: smaller ones would need shorter steps).
-const ROUNDEST: f64 = 1e-6;
+/// Smallest moment of inertia that is felt [kg·m²] (chosen: a coin of carrot; less would need shorter steps).
+const LEAST_INERTIA: f64 = 1e-6;
 /// Stretch of the spring beyond which the body is set down anew [m] (chosen: a jump of the pan, not a swing).
 const TORN: f64 = 0.1;
 
@@ -98,7 +98,7 @@ impl CoupledPayload {
     /// The torque with which the contents resist turning [N·m].
     fn turn(&self, body: &mut Body, payload: &Payload, pose: &Pose, twist: &Twist, dt: f64) -> DVec3 {
         let inertia = (payload.inertia.x_axis.x + payload.inertia.y_axis.y + payload.inertia.z_axis.z) / 3.0;
-        if inertia < ROUNDEST {
+        if inertia < LEAST_INERTIA {
             (body.rotation, body.turning) = (pose.rotation, twist.angular);
             return DVec3::ZERO;
         }

@@ -59,8 +59,6 @@ sourced_table! {
     GuardFeel {
         /// Damping [N·s/m].
         damping_n_s_m: f64,
-        /// Damping of turning [N·m·s/rad].
-        damping_nm_s_rad: f64,
     }
 }
 
