@@ -73,8 +73,10 @@ pub struct ContactModel {
     pub payload: Payload,
     /// The pan itself, for devices without a real one.
     pub own: Payload,
-    /// Weight and friction of what moves about in the pan: wrench on the pan about its origin [N, N·m].
+    /// Friction and push of what moves about in the pan, its weight left out: wrench on the pan about its origin [N, N·m].
     pub loose: Wrench,
+    /// Weight of what moves about in the pan [N, N·m].
+    pub loose_weight: Wrench,
     /// The latest collisions.
     pub impulses: [Impulse; IMPULSES],
     /// Walls.

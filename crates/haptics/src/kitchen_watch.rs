@@ -35,6 +35,7 @@ pub struct KitchenWatch {
 struct Sum {
     payload: Payload,
     loose: Wrench,
+    loose_weight: Wrench,
     sliding: Rubbing,
     vapour: f64,
 }
@@ -67,6 +68,7 @@ impl KitchenWatch {
             payload: sum.payload.with(&liquids(kitchen)),
             own: pan_itself(kitchen),
             loose: sum.loose,
+            loose_weight: sum.loose_weight,
             impulses: self.impulses,
             planes: walls(kitchen),
             vapour: sum.vapour + kitchen.other_vapour().0,
@@ -104,10 +106,10 @@ impl KitchenWatch {
         let blow = (seen.force - weight) * dt;
         if blow.length() > BLOW * seen.mass * GRAVITY * dt {
             self.collide(seen, pan, blow);
-            sum.loose += Wrench::at(weight, seen.arm);
         } else {
-            sum.loose += Wrench::at(seen.force, seen.arm);
+            sum.loose += Wrench::at(seen.force - weight, seen.arm);
         }
+        sum.loose_weight += Wrench::at(weight, seen.arm);
         let up = pan.rotation * DVec3::Z;
         let normal = -seen.force.dot(up);
         let speed = (seen.past_pan - up * seen.past_pan.dot(up)).length();

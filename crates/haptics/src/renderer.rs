@@ -91,7 +91,7 @@ impl Renderer {
         active += self.impulses.step(pose, dt);
         active += self.vibration.step(model, pose, dt);
         let active = self.capabilities.shown(&(active * self.share));
-        let weight = self.capabilities.shown(&(payload.weight * self.share));
+        let weight = self.capabilities.shown(&((payload.weight + model.loose_weight) * self.share));
         self.passivity.observe(twist, dt);
         let active = self.limits.within_energy(&active, twist, dt);
         let active = self.passivity.control(&active, twist, dt);
