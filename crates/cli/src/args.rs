@@ -7,7 +7,11 @@ use saute_kitchen::library::DEFAULT_SCALE;
 
 use crate::bench_heat::BenchHeatArgs;
 use crate::bench_paper::BenchPaperArgs;
+<<<<<<< HEAD
 use crate::gallery::GalleryArgs;
+=======
+use crate::haptics::{CheckArgs, DevicesArgs};
+>>>>>>> haptics
 use crate::picture::{BenchFrameArgs, ShotArgs};
 
 /// A frying pan, what lies in it, and your hands on it. Without a command the window opens.
@@ -23,7 +27,7 @@ pub struct Args {
     pub command: Option<Command>,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done, 1 the recipe was stopped by its max_s, a validation case falls short or a goal of `bench paper` is missed, 2 something was wrong.";
+const EXIT_CODES: &str = "Exit codes: 0 done, 1 the recipe was stopped by its max_s, a validation case falls short or a goal of `bench paper` or `haptics check` is missed, 2 something was wrong.";
 
 /// What to do.
 #[derive(Debug, Subcommand)]
@@ -55,6 +59,19 @@ pub enum Command {
     /// Prints the schema of a file format.
     #[command(subcommand)]
     Schema(Schema),
+    /// Devices that hands hold.
+    #[command(subcommand)]
+    Haptics(Haptics),
+}
+
+/// `saute haptics`.
+#[derive(Debug, Subcommand)]
+pub enum Haptics {
+    /// Lists devices with what they can do.
+    List(DevicesArgs),
+    /// Closes the control loop through a device, or through a simulated one in a process of its own, while a steak fries;
+    /// exit code 1 where a goal is missed.
+    Check(CheckArgs),
 }
 
 /// `saute cook`.

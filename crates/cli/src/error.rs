@@ -56,6 +56,9 @@ pub enum CliError {
     /// A picture that could not be encoded.
     #[error("{0}\n  remedy: leave --out away and report this as a bug")]
     Png(#[from] PngError),
+    /// A control loop that could not be run.
+    #[error("{0}\n  remedy: close other programs and try again")]
+    Loop(#[from] saute_haptics::control_loop::LoopError),
     /// Numbers that could not be written as JSON.
     #[error(
         "the numbers could not be written as JSON: {0}\n  remedy: leave --json and --out away and report this as a bug"

@@ -7,7 +7,11 @@ mod bench_paper;
 mod cook_command;
 mod error;
 mod food_check;
+<<<<<<< HEAD
 mod gallery;
+=======
+mod haptics;
+>>>>>>> haptics
 mod lab;
 mod list;
 mod out_dir;
@@ -33,7 +37,7 @@ use std::time::Instant;
 
 use clap::Parser;
 
-use crate::args::{Args, Bench, Command, Food};
+use crate::args::{Args, Bench, Command, Food, Haptics};
 use crate::error::CliError;
 use crate::shelf::Shelf;
 
@@ -61,6 +65,7 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         Some(Command::Schema(which)) => return schema::run(which),
         // The file under examination may lie in the --data folder, which as a whole could not be read then.
         Some(Command::Food(Food::Check(check))) => return food_check::run(&check, args.data.as_deref()),
+        Some(Command::Haptics(Haptics::List(list))) => return haptics::list(&list),
         _ => {}
     }
     let shelf = Shelf::open(args.data.as_deref())?;
@@ -81,5 +86,7 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         Some(Command::List(args)) => list::run(&args, &shelf),
         Some(Command::Schema(which)) => schema::run(which),
         Some(Command::Food(Food::Check(check))) => food_check::run(&check, args.data.as_deref()),
+        Some(Command::Haptics(Haptics::List(list))) => haptics::list(&list),
+        Some(Command::Haptics(Haptics::Check(check))) => haptics::check(&check, &shelf),
     }
 }

@@ -56,3 +56,9 @@ fn food_knows_no_kitchen_and_no_shell() {
 fn the_kitchen_knows_no_shell() {
     reaches("saute-kitchen", &["wgpu", "egui", "eframe", "winit", "clap", "tokio", "rayon", "saute-app", "saute"]);
 }
+
+#[test]
+fn haptics_know_no_shell_and_the_simulator_shares_no_code_with_its_driver() {
+    reaches("saute-haptics", &["wgpu", "egui", "eframe", "winit", "clap", "tokio", "rayon", "saute-app", "saute"]);
+    reaches("saute-spidar-sim", &["saute-haptics", "saute-kitchen", "saute-food", "saute-heat"]);
+}

@@ -10,6 +10,7 @@ mod doneness;
 mod food_check;
 mod gallery;
 mod groups;
+mod haptics;
 mod layers;
 mod lists;
 mod out_folder;

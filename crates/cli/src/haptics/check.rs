@@ -1,0 +1,167 @@
+//! `saute haptics check`.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use saute_haptics::control_loop::{ControlLoop, LoopState};
+use saute_haptics::{Health, shelf};
+
+use super::device::Named;
+use super::fault_run;
+use super::fry::Fry;
+use super::report::CheckReport;
+use super::simulator::Simulator;
+use super::truth;
+use crate::error::CliError;
+use crate::shelf::Shelf;
+use crate::{stderr, stdout};
+
+/// How long a device may take to be found and to pass its jig [s] (chosen: a person with a jig of 17 places).
+const PATIENCE_S: [f64; 2] = [30.0, 300.0];
+/// Time after the jig that is left out: the hand begins to move, forces grow [s] (chosen).
+const SETTLING_S: f64 = 1.0;
+/// Time for which there is room in the log beyond the check itself [s] (chosen: jig and faults).
+const MORE_LOG_S: f64 = 60.0;
+
+/// `saute haptics check`.
+#[derive(Debug, clap::Args)]
+pub struct CheckArgs {
+    /// A device of `saute haptics list` or a geometry file: simulated; with @HOST:PORT or @SERIAL-PORT the real one there.
+    #[arg(long, value_name = "NAME", default_value = shelf::DEFAULT_DEVICE)]
+    pub device: String,
+    /// Pairing code that the real device shows.
+    #[arg(long, value_name = "CODE", default_value_t = 0)]
+    pub pairing: u32,
+    /// How long to measure [s].
+    #[arg(long, value_name = "S", default_value_t = 60.0)]
+    pub for_s: f64,
+    /// Lets things go wrong afterwards; needs the simulator.
+    #[arg(long)]
+    pub faults: bool,
+    /// Prints the numbers as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Runs the loop, measures, tells.
+pub fn check(args: &CheckArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+    if !(1.0..=3600.0).contains(&args.for_s) {
+        return Err(CliError::place(format!("--for-s {}", args.for_s), "is out of range", "give 1 to 3600 seconds"));
+    }
+    let named = Named::parse(&args.device)?;
+    if args.faults && !named.is_simulated() {
+        let remedy = "leave --faults away, or the @ADDRESS to check the simulated device";
+        return Err(CliError::place("--faults", "a real device cannot be told to fail", remedy));
+    }
+    let report = measure(args, &named, shelf)?.judged();
+    stdout::print(&if args.json { serde_json::to_string_pretty(&report)? + "\n" } else { report.text() })?;
+    Ok(if report.missed.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn measure(args: &CheckArgs, named: &Named, shelf: &Shelf) -> Result<CheckReport, CliError> {
+    let truth_file = TruthFile::new();
+    let mut simulator = named.is_simulated().then(|| Simulator::start(&named.name, &truth_file.0)).transpose()?;
+    let device = match &simulator {
+        Some(simulator) => named.over_udp(simulator.address, simulator.pairing)?,
+        None => named.driver(args.pairing)?,
+    };
+    let feel = shelf::feel()?;
+    let rows = (args.for_s + MORE_LOG_S) * named.geometry.drive.rate_hz;
+    let mut fry = Fry::new(&shelf.library, ControlLoop::start(device, &feel, rows as usize)?)?;
+    calibrate(&mut fry, named)?;
+    let before = fry.control.state();
+    stderr::say(format!("measuring for {} s", args.for_s));
+    fry.until(args.for_s, |_| false);
+    let after = fry.control.state();
+    let contents_kg = fry.contents_kg();
+    let force_limit_n = named.geometry.limits.force_n;
+    let faults = match (&mut simulator, args.faults) {
+        (Some(simulator), true) => {
+            stderr::say("letting things go wrong");
+            fault_run::run(&mut fry, simulator, force_limit_n)
+        }
+        _ => Vec::new(),
+    };
+    let kitchen_hz = fry.rate_hz();
+    let run = fry.control.end()?;
+    let errors = match &mut simulator {
+        Some(simulator) => {
+            simulator.end();
+            truth::compare(&truth_file.0, &run.log, after.sample.time_s, &named.geometry.preload())?
+        }
+        None => None,
+    };
+    Ok(CheckReport {
+        device: args.device.clone(),
+        simulated: named.is_simulated(),
+        rate_hz: run.rate_hz,
+        scheduler: run.scheduler,
+        jitter_us: run.lateness,
+        missed_ticks: run.missed,
+        pose_error: errors.map(|e| e.0),
+        wrench_error: errors.map(|e| e.1),
+        max_force_n: run.max_force_n,
+        force_limit_n,
+        passivity_j: run.passivity_j,
+        dropouts: after.dropouts - before.dropouts,
+        kitchen_hz,
+        contents_kg,
+        faults,
+        missed: Vec::new(),
+    })
+}
+
+/// Waits until the device is found and calibrated.
+fn calibrate(fry: &mut Fry, named: &Named) -> Result<(), CliError> {
+    let answered = |s: &LoopState| !matches!(s.sample.health, Health::Connecting | Health::Lost);
+    let [find, jig] = PATIENCE_S;
+    fry.until(find, answered);
+    let health = fry.control.state().sample.health;
+    if !matches!(health, Health::Running | Health::Uncalibrated | Health::Misfit) {
+        return Err(not_there(health));
+    }
+    stderr::say(format!("found; put the pan into each of the {} places of its jig", named.geometry.jig.pose.len()));
+    let settled = |s: &LoopState| matches!(s.sample.health, Health::Running | Health::Misfit);
+    fry.until(jig, settled);
+    match fry.control.state().sample.health {
+        Health::Running => {}
+        Health::Misfit => {
+            let remedy = "check how its strings are led, and that this is its geometry file";
+            return Err(CliError::place(&named.name, "what was measured on the jig does not fit the drawing", remedy));
+        }
+        _ => {
+            let remedy = "leave the pan in each place of the jig until all have been measured";
+            return Err(CliError::place(&named.name, "was not calibrated in time", remedy));
+        }
+    }
+    fry.until(SETTLING_S, |_| false);
+    Ok(())
+}
+
+fn not_there(health: Health) -> CliError {
+    let (message, remedy) = match health {
+        Health::WrongCode => ("refuses the pairing code", "give the code that the device shows: --pairing CODE"),
+        Health::WrongUnits => (
+            "states units, strings or a version that this program does not speak",
+            "see docs/spidar-protocol.md; it must speak nanometres, millinewtons and microseconds",
+        ),
+        Health::Fault => ("reports a fault", "look at the device"),
+        _ => ("does not answer", "switch it on, and check its address"),
+    };
+    CliError::place("the device", message, remedy)
+}
+
+/// A temporary file that goes away with this.
+struct TruthFile(PathBuf);
+
+impl TruthFile {
+    fn new() -> Self {
+        Self(std::env::temp_dir().join(format!("saute-haptics-{}.csv", std::process::id())))
+    }
+}
+
+impl Drop for TruthFile {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_file(&self.0);
+    }
+}

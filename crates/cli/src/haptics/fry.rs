@@ -1,0 +1,118 @@
+//! A steak that fries in real time on one thread, in a pan that the device holds.
+
+use std::sync::mpsc::Receiver;
+use std::time::{Duration, Instant};
+
+use saute_haptics::control_loop::{ControlLoop, LoopState};
+use saute_haptics::{Handover, Health, KitchenWatch};
+use saute_kitchen::{Command, Cook, FRAME_S, Library, Piece, Recipe};
+
+use super::stop_key;
+use crate::error::CliError;
+use crate::stderr;
+
+const DISH: &str = include_str!("dish.toml");
+/// Frames that are owed at most; older ones are let go, and counted (chosen: a third of a second).
+const MOST_OWED: f64 = 20.0;
+
+/// A cook beside a control loop.
+pub struct Fry {
+    cook: Cook,
+    watch: KitchenWatch,
+    handover: Handover,
+    /// The loop.
+    pub control: ControlLoop,
+    started: Instant,
+    frames: f64,
+    skipped: f64,
+    is_silent: bool,
+    recipe_goes_on: bool,
+    stop_key: Receiver<()>,
+}
+
+impl Fry {
+    /// Sets everything out.
+    pub fn new(library: &Library, control: ControlLoop) -> Result<Self, CliError> {
+        let file = "dish.toml";
+        let recipe = Recipe::parse(DISH, file, library)?;
+        let cook = Cook::new(recipe, library).map_err(|source| CliError::Setup { file: file.into(), source })?;
+        Ok(Self {
+            cook,
+            watch: KitchenWatch::default(),
+            handover: Handover::default(),
+            control,
+            started: Instant::now(),
+            frames: 0.0,
+            skipped: 0.0,
+            is_silent: false,
+            recipe_goes_on: true,
+            stop_key: stop_key::listen(),
+        })
+    }
+
+    /// Fries on until `enough` says so or the time is over; tells whether it said so.
+    pub fn until(&mut self, seconds: f64, mut enough: impl FnMut(&LoopState) -> bool) -> bool {
+        let end = Instant::now() + Duration::from_secs_f64(seconds);
+        while Instant::now() < end {
+            if self.stop_key.try_recv().is_ok() {
+                stderr::say("stopped: the device has let go");
+                self.control.emergency_stop();
+            }
+            let state = self.control.state();
+            if enough(&state) {
+                return true;
+            }
+            self.keep_up(&state);
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        false
+    }
+
+    /// Falls silent: no contact model is published, as when the program hangs; or speaks again.
+    pub fn silence(&mut self, is_silent: bool) {
+        self.is_silent = is_silent;
+    }
+
+    /// One frame where one is due.
+    fn keep_up(&mut self, state: &LoopState) {
+        let due = self.started.elapsed().as_secs_f64() / FRAME_S;
+        if due - self.frames > MOST_OWED {
+            self.skipped += due - self.frames;
+            self.frames = due;
+        }
+        if due - self.frames < 1.0 {
+            return;
+        }
+        self.frames += 1.0;
+        if self.recipe_goes_on && self.cook.kitchen.is_between_ticks() {
+            // A steak that the hand has thrown out of the pan ends the recipe, not the check.
+            self.recipe_goes_on = self.cook.fire().is_ok();
+        }
+        self.hold(state);
+        self.cook.kitchen.advance_frame();
+        if !self.is_silent {
+            self.control.publish(self.watch.look(&self.cook.kitchen, FRAME_S));
+        }
+    }
+
+    /// Holds the kitchen's pan where the hand holds the device.
+    fn hold(&mut self, state: &LoopState) {
+        if state.sample.health != Health::Running {
+            return self.handover.let_go();
+        }
+        let held = self.cook.kitchen.held_pan();
+        let pose = self.handover.pose(&held, &state.sample.pose, FRAME_S);
+        // Refused only for poses that are no numbers, and the driver gives none.
+        let _ = self.cook.kitchen.apply(&Command::HoldPan { pose });
+    }
+
+    /// Mass of what lies in the pan [kg].
+    pub fn contents_kg(&self) -> f64 {
+        self.cook.kitchen.pieces().iter().filter(|p| p.in_pan()).map(Piece::mass).sum()
+    }
+
+    /// Frames a second that were really cooked [Hz].
+    pub fn rate_hz(&self) -> f64 {
+        (self.frames - self.skipped) / self.started.elapsed().as_secs_f64()
+    }
+}

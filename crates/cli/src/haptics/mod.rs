@@ -1,0 +1,14 @@
+//! `saute haptics`: devices that hands hold.
+
+mod check;
+mod device;
+mod fault_run;
+mod fry;
+mod list;
+mod report;
+mod simulator;
+mod stop_key;
+mod truth;
+
+pub use check::{CheckArgs, check};
+pub use list::{DevicesArgs, list};

@@ -1,0 +1,148 @@
+//! `saute haptics`: what devices can do, and the control loop closed through a simulated one in its own process.
+
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+
+use serde_json::Value;
+
+use crate::running::{Said, run};
+
+/// Builds the simulator beside the command, as ./run.sh does.
+fn build_simulator() {
+    let beside = Path::new(env!("CARGO_BIN_EXE_saute")).parent().unwrap();
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["build", "--offline", "--quiet", "--package", "saute-spidar-sim", "--target-dir"]);
+    cargo.arg(beside.parent().unwrap()).current_dir(env!("CARGO_MANIFEST_DIR"));
+    if beside.ends_with("release") {
+        cargo.arg("--release");
+    }
+    assert!(cargo.status().unwrap().success(), "the simulator was not built");
+}
+
+#[test]
+fn devices_are_listed_with_their_capabilities_and_what_they_can_show() {
+    let list: Value = serde_json::from_str(&run(&["haptics", "list", "--json"]).out).unwrap();
+    let ids: Vec<&str> = list.as_array().unwrap().iter().map(|d| d["id"].as_str().unwrap()).collect();
+    assert_eq!(ids, ["spidar-frame", "spidar-pan", "spidar-pan-crossed"]);
+    let pan = &list[2];
+    assert_eq!(pan["capabilities"]["dof_actuated"], 6);
+    assert_eq!(pan["capabilities"]["holds_real_pan"], true);
+    let (up, down) = (&pan["workspace"]["home"]["plus"][2], &pan["workspace"]["home"]["minus"][2]);
+    assert!(up.as_f64() < Some(4.0) && down.as_f64() > Some(15.0), "motors below pull down: {up} {down}");
+    assert!((0..3).all(|i| list[i]["workspace"]["singular_poses"] == 0), "{list}");
+    assert!(run(&["haptics", "list"]).out.contains("spidar-frame  Eight strings in a frame"));
+}
+
+#[test]
+fn the_loop_holds_through_the_real_socket_and_survives_every_fault() {
+    build_simulator();
+    let said = run(&["haptics", "check", "--for-s", "5", "--faults", "--json"]);
+    let report: Value = serde_json::from_str(&said.out).unwrap_or_else(|e| panic!("{e}: {}", said.err));
+    let number =
+        |path: &str| report.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("{path}: {report}"));
+    // How punctual a thread is depends on the machine; that it is measured does not.
+    assert!(number("/rate_hz") > 800.0 && number("/jitter_us/p50") > 0.0 && number("/jitter_us/max") > 0.0, "{report}");
+    assert!(number("/jitter_us/p99") >= number("/jitter_us/p50"));
+    assert!(report["scheduler"].as_str().unwrap().len() > 4);
+    assert!(number("/pose_error/mm") < 0.5 && number("/pose_error/deg") < 0.2, "{report}");
+    assert!(number("/wrench_error/n") < 1.0 && number("/wrench_error/nm") < 0.1, "{report}");
+    assert!(number("/max_force_n") <= number("/force_limit_n") + 0.01 && number("/max_force_n") > 5.0, "{report}");
+    assert!(number("/passivity_j") >= 0.0 && number("/passivity_j") <= 0.005, "{report}");
+    assert!(number("/contents_kg") > 0.25, "the steak is still in the pan: {report}");
+    assert!(report["dropouts"].is_u64());
+    let faults = report["faults"].as_array().unwrap();
+    let kinds: Vec<&str> = faults.iter().map(|f| f["kind"].as_str().unwrap()).collect();
+    let expected = [
+        "packet loss 1 %",
+        "delay 5 ms",
+        "malformed packets 5 %",
+        "unplugged and plugged in",
+        "wrong units",
+        "no contact model",
+    ];
+    assert_eq!(kinds, expected);
+    let outcome = |i: usize| faults[i]["outcome"].as_str().unwrap();
+    assert!((0..3).all(|i| outcome(i).starts_with("ran on")), "{report}");
+    assert!(outcome(3).contains("after it was plugged in") && outcome(4).starts_with("refused"), "{report}");
+    assert!(outcome(5).starts_with("faded"), "{report}");
+}
+
+#[test]
+fn an_uncrossed_device_is_checked_by_name_in_words() {
+    build_simulator();
+    let said = run(&["haptics", "check", "--device", "spidar-pan", "--for-s", "1"]);
+    for word in ["rate", "lateness", "pose error", "wrench error", "passivity", "simulated in its own process"] {
+        assert!(said.out.contains(word), "{word}: {} {}", said.out, said.err);
+    }
+}
+
+#[test]
+fn bad_orders_are_refused_with_what_to_do() {
+    let refused = |args: &[&str], words: &[&str]| {
+        let said = run(&[&["haptics", "check"], args].concat());
+        assert_eq!(said.code, Some(2), "{args:?}: {}", said.err);
+        assert!(words.iter().all(|w| said.err.contains(w)), "{args:?}: {}", said.err);
+    };
+    refused(&["--device", "spidar-pot"], &["spidar-pot", "there is no such device", "spidar-pan-crossed"]);
+    refused(&["--for-s", "0"], &["--for-s 0", "1 to 3600"]);
+    refused(&["--faults", "--device", "spidar-pan@127.0.0.1:9"], &["--faults", "cannot be told to fail"]);
+    refused(&["--device", "spidar-pan@/dev/no-such-port"], &["/dev/no-such-port", "serial port", "HOST:PORT"]);
+}
+
+#[test]
+fn a_missing_simulator_is_named_with_the_remedy() {
+    let folder = tempfile::tempdir().unwrap();
+    let lonely: PathBuf = folder.path().join("saute");
+    let own = env!("CARGO_BIN_EXE_saute");
+    if std::fs::hard_link(own, &lonely).is_err() {
+        std::fs::copy(own, &lonely).unwrap();
+    }
+    let said: Said = Command::new(&lonely).args(["haptics", "check", "--for-s", "1"]).output().unwrap().into();
+    assert_eq!(said.code, Some(2));
+    assert!(
+        said.err.contains("the simulator is not there") && said.err.contains("cargo build --release"),
+        "{}",
+        said.err
+    );
+}
+
+/// The simulator as a device that somebody else has switched on, and where it listens.
+fn switched_on(pairing: &str) -> (Child, String) {
+    build_simulator();
+    let program = Path::new(env!("CARGO_BIN_EXE_saute")).with_file_name("saute-spidar-sim");
+    let args = ["--device", "spidar-pan", "--quiet", "--end-with-stdin", "--pairing", pairing];
+    let mut child = Command::new(program).args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    let lines = BufReader::new(child.stdout.take().unwrap()).lines().map_while(Result::ok);
+    let address = lines.take(2).last().unwrap().strip_prefix("listening on ").unwrap().to_owned();
+    (child, address)
+}
+
+#[test]
+fn a_device_at_an_address_is_used_with_its_pairing_code_and_only_with_it() {
+    let (mut child, address) = switched_on("424242");
+    let device = format!("spidar-pan@{address}");
+    let check =
+        |code: &str| run(&["haptics", "check", "--device", &device, "--pairing", code, "--for-s", "1", "--json"]);
+    let stranger = check("1");
+    assert_eq!(stranger.code, Some(2));
+    assert!(
+        stranger.err.contains("refuses the pairing code") && stranger.err.contains("--pairing CODE"),
+        "{}",
+        stranger.err
+    );
+    let report: Value = serde_json::from_str(&check("424242").out).unwrap();
+    assert_eq!((&report["simulated"], &report["pose_error"]), (&false.into(), &Value::Null));
+    assert!(report["max_force_n"].as_f64() > Some(3.0), "{report}");
+    drop(child.stdin.take());
+    child.wait().unwrap();
+}
+
+#[test]
+fn the_simulator_does_not_open_itself_to_the_network_without_a_code() {
+    build_simulator();
+    let program = Path::new(env!("CARGO_BIN_EXE_saute")).with_file_name("saute-spidar-sim");
+    let said: Said = Command::new(program).args(["--bind", "0.0.0.0:0", "--pairing", "0"]).output().unwrap().into();
+    assert_eq!(said.code, Some(2));
+    assert!(said.err.contains("remedy: give a code"), "{}", said.err);
+}

@@ -1,0 +1,161 @@
+//! What every haptic device is to the control loop: capabilities as data, and one exchange.
+
+use saute_kitchen::dynamics::Pose;
+use serde::Serialize;
+
+use crate::wrench::{Twist, Wrench};
+
+/// What a device may do to a hand.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Limits {
+    /// Force [N].
+    pub force_n: f64,
+    /// Torque [N·m].
+    pub torque_nm: f64,
+    /// Change of force [N/s].
+    pub slew_n_s: f64,
+    /// Change of torque [N·m/s].
+    pub slew_nm_s: f64,
+    /// Energy given to the hand within a second, the work of weights left out [J].
+    pub energy_j: f64,
+    /// Stiffest spring that stays stable [N/m].
+    pub stiffness_n_m: f64,
+    /// Stiffest spring of turning that stays stable [N·m/rad].
+    pub stiffness_nm_rad: f64,
+}
+
+/// Where a device may be moved.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Workspace {
+    /// Middle, in the kitchen [m].
+    pub home_m: [f64; 3],
+    /// Reach to either side [m].
+    pub half_m: [f64; 3],
+    /// Tilt to either side [rad].
+    pub tilt_rad: f64,
+}
+
+/// How a device vibrates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Vibration {
+    /// Not at all: sizzle is heard and seen.
+    None,
+    /// By rumble motors.
+    Rumble,
+    /// By its forces.
+    Wrench,
+}
+
+/// What a device can do.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Capabilities {
+    /// Name for people.
+    pub name: String,
+    /// Degrees of freedom that it senses: 6 pose, 3 place alone, 0 none.
+    pub dof_sensed: u8,
+    /// Degrees of freedom that it moves: 6 wrench, 3 force alone, 0 none.
+    pub dof_actuated: u8,
+    /// What it may do to a hand.
+    pub limits: Limits,
+    /// Where it may be moved.
+    pub workspace: Workspace,
+    /// Rate of exchanges [Hz].
+    pub rate_hz: f64,
+    /// How it vibrates.
+    pub vibration: Vibration,
+    /// Whether the hand holds a real pan; else the pan's own weight is rendered too.
+    pub holds_real_pan: bool,
+    /// Mass of what the hand really holds [kg].
+    pub real_mass_kg: f64,
+}
+
+/// What the hand shall feel beyond the empty device.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct HapticCommand {
+    /// Wrench on the hand [N, N·m].
+    pub wrench: Wrench,
+    /// Whether forces may be shown at all; else the device goes to its rest.
+    pub enabled: bool,
+}
+
+/// How a device is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Health {
+    /// Looked for.
+    #[default]
+    Connecting,
+    /// There, but its encoders count from an unknown place: put it on its jig.
+    Uncalibrated,
+    /// What was measured on the jig fits no device near the drawing.
+    Misfit,
+    /// At work.
+    Running,
+    /// It has fallen silent.
+    Lost,
+    /// It refused the pairing code.
+    WrongCode,
+    /// It states units, strings or a version that this program does not speak.
+    WrongUnits,
+    /// It reports a fault of its own.
+    Fault,
+    /// It was stopped and stays so.
+    Stopped,
+}
+
+/// What a device said last.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct HapticSample {
+    /// The device's own time [s].
+    pub time_s: f64,
+    /// Pose of the pan in the kitchen.
+    pub pose: Pose,
+    /// Its velocity [m/s, rad/s].
+    pub twist: Twist,
+    /// The wrench that its last command really makes beyond the empty device [N, N·m].
+    pub achieved: Wrench,
+    /// Force with which the device really pulls, rest included [N].
+    pub total_force_n: f64,
+    /// How it is.
+    pub health: Health,
+    /// Whether it said something new since the last exchange.
+    pub fresh: bool,
+    /// Buttons, one bit each.
+    pub buttons: u32,
+    /// Messages that were thrown away because they were damaged, old or meant nothing.
+    pub rejected: u32,
+}
+
+/// A device that a hand holds.
+///
+/// `exchange` is called from the control loop: it neither blocks, nor allocates, nor locks; a device that is away answers with
+/// its [`Health`] and goes on looking.
+pub trait HapticDevice: Send {
+    /// What it can do.
+    fn capabilities(&self) -> &Capabilities;
+    /// Tells it what the hand shall feel, `dt` after the last exchange [s], and takes what it said last.
+    fn exchange(&mut self, command: &HapticCommand, dt: f64) -> HapticSample;
+    /// Lets go of the hand at once.
+    fn stop(&mut self);
+}
+
+/// Most damping over what the hand really holds [1/s] (chosen: a third of the delay of 6 ms with which velocity is known; more
+/// would shake a light grip).
+const DAMPING_RATE: f64 = 50.0;
+
+impl Capabilities {
+    /// Most damping that the delay of the measured velocity allows [N·s/m].
+    pub fn most_damping(&self) -> f64 {
+        DAMPING_RATE * self.real_mass_kg
+    }
+
+    /// What of a wrench the device can show, by the stated rule: torques need 6 moved degrees of freedom, forces 3.
+    pub fn shown(&self, wrench: &Wrench) -> Wrench {
+        match self.dof_actuated {
+            6 => *wrench,
+            3..6 => Wrench { force: wrench.force, ..Wrench::ZERO },
+            _ => Wrench::ZERO,
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! From where the pan is and what the kitchen last said, what the hand shall feel.
+
+use crate::contact_model::ContactModel;
+use crate::coupled_payload::CoupledPayload;
+use crate::device::{Capabilities, HapticCommand, HapticSample, Health};
+use crate::feel::Feel;
+use crate::guard_planes::GuardPlanes;
+use crate::impulse_train::ImpulseTrain;
+use crate::passivity::Passivity;
+use crate::safety_limits::SafetyLimits;
+use crate::vibration::Vibration;
+use crate::wrench::Wrench;
+
+/// One step after the other of what a hand feels: no clock, no thread, no allocation.
+#[derive(Clone, Debug)]
+pub struct Renderer {
+    capabilities: Capabilities,
+    payload: CoupledPayload,
+    guard: GuardPlanes,
+    impulses: ImpulseTrain,
+    vibration: Vibration,
+    passivity: Passivity,
+    limits: SafetyLimits,
+    timing: Timing,
+    model: ContactModel,
+    model_age: f64,
+    /// How much of the forces is shown: 0 to 1.
+    share: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Timing {
+    soft_start: f64,
+    timeout: f64,
+    fade: f64,
+}
+
+impl Renderer {
+    /// Nothing is felt until a model and a sample have come.
+    pub fn new(capabilities: &Capabilities, feel: &Feel) -> Self {
+        let limits = &capabilities.limits;
+        let timing = &feel.timing;
+        Self {
+            payload: CoupledPayload::new(&feel.payload, capabilities),
+            guard: GuardPlanes::new(&feel.guard, limits),
+            impulses: ImpulseTrain::new(&feel.impulse),
+            vibration: Vibration::new(&feel.sizzle, &feel.slide),
+            passivity: Passivity::new(timing.reserve_mj * 1e-3, capabilities.most_damping()),
+            limits: SafetyLimits::new(*limits),
+            timing: Timing { soft_start: timing.soft_start_s, timeout: timing.model_timeout_s, fade: timing.fade_s },
+            model: ContactModel::default(),
+            model_age: f64::INFINITY,
+            share: 0.0,
+            capabilities: capabilities.clone(),
+        }
+    }
+
+    /// What to command after a sample; `model` is the newest one, `dt` the time since the last step [s].
+    pub fn step(&mut self, sample: &HapticSample, model: &ContactModel, dt: f64) -> HapticCommand {
+        self.take(model, dt);
+        let running = sample.health == Health::Running;
+        let lively = running && self.model_age < self.timing.timeout;
+        let change = if lively { dt / self.timing.soft_start.max(dt) } else { -dt / self.timing.fade };
+        self.share = if running { (self.share + change).clamp(0.0, 1.0) } else { 0.0 };
+        if self.share == 0.0 {
+            self.limits.rest();
+            self.passivity.shown(&Wrench::ZERO);
+            return HapticCommand { wrench: Wrench::ZERO, enabled: lively };
+        }
+        HapticCommand { wrench: self.wrench(sample, dt), enabled: true }
+    }
+
+    fn take(&mut self, model: &ContactModel, dt: f64) {
+        if model.number == self.model.number {
+            self.model_age += dt;
+            return;
+        }
+        self.model = *model;
+        self.model_age = 0.0;
+        let energy = self.impulses.take(&model.impulses);
+        self.passivity.credit(energy);
+    }
+
+    fn wrench(&mut self, sample: &HapticSample, dt: f64) -> Wrench {
+        let (model, pose, twist) = (&self.model, &sample.pose, &sample.twist);
+        let carried = if self.capabilities.holds_real_pan { model.payload } else { model.payload.with(&model.own) };
+        let payload = self.payload.step(&carried, pose, twist, dt);
+        let mut active = payload.felt - payload.weight;
+        active += model.loose;
+        active += self.guard.wrench(&model.planes, pose, twist);
+        active += self.impulses.step(pose, dt);
+        active += self.vibration.step(model, pose, dt);
+        let active = self.capabilities.shown(&(active * self.share));
+        let weight = self.capabilities.shown(&((payload.weight + model.loose_weight) * self.share));
+        self.passivity.observe(twist, dt);
+        let active = self.limits.within_energy(&active, twist, dt);
+        let active = self.passivity.control(&active, twist, dt);
+        let shown = self.limits.bounded(&(active + weight), dt);
+        self.passivity.shown(&(shown - weight));
+        shown
+    }
+
+    /// The passivity observer.
+    pub fn passivity(&self) -> &Passivity {
+        &self.passivity
+    }
+
+    /// How much of the forces is shown: grows from 0 to 1 at the start, fades when no fresh model comes [-].
+    pub fn share(&self) -> f64 {
+        self.share
+    }
+}

@@ -1,0 +1,75 @@
+//! Promise: the control loop allocates nothing, whatever the kitchen says and whether the device is there or not.
+
+// A test that unwraps in vain says where.
+#![allow(clippy::unwrap_used)]
+
+use std::net::UdpSocket;
+
+use glam::DVec3;
+use saute_haptics::contact_model::{ContactModel, Impulse, Payload};
+use saute_haptics::control_loop::Beat;
+use saute_haptics::wire::{Caps, DeviceState, Frame, Message, Sample, UdpLink, Units};
+use saute_haptics::{Pose, Renderer, Spidar, shelf};
+
+/// Answers as a device does, through the real socket.
+fn answer(socket: &UdpSocket, time_us: u32, count: [i32; 8], jig: u8) {
+    let mut bytes = [0; 80];
+    while let Ok((length, from)) = socket.recv_from(&mut bytes) {
+        let Ok(frame) = Frame::decode(&bytes[..length]) else { continue };
+        let message = match frame.message {
+            Message::Hello(_) => Message::Caps(Caps {
+                strings: 8,
+                units: Units::SPOKEN,
+                pitch_nm: 20_000,
+                min_mn: 300,
+                max_mn: 12_000,
+                rate_hz: 1000,
+                watchdog_ms: 100,
+                boot: 1,
+                name: [0; 16],
+            }),
+            Message::Arm | Message::Command(_) => {
+                Message::Sample(Sample { state: DeviceState::Running, time_us, count, jig, ..Sample::default() })
+            }
+            _ => continue,
+        };
+        let bytes = Frame { message, ..frame }.encode();
+        socket.send_to(&bytes, from).unwrap();
+        socket.send_to(&bytes[..40], from).unwrap();
+    }
+}
+
+#[test]
+fn a_beat_allocates_nothing() {
+    let geometry = shelf::devices().unwrap().remove(shelf::DEFAULT_DEVICE).unwrap();
+    let socket = UdpSocket::bind("127.0.0.1:0").unwrap();
+    socket.set_nonblocking(true).unwrap();
+    let link = UdpLink::connect(socket.local_addr().unwrap()).unwrap();
+    let feel = shelf::feel().unwrap();
+    let renderer = Renderer::new(&geometry.capabilities(), &feel);
+    let mut beat = Beat::new(Box::new(Spidar::new(link, geometry.clone(), 0)), renderer, 10_000);
+    let (rig, jig) = (geometry.rig(), geometry.jig());
+    let mut calibrated = false;
+    for k in 0..6000u32 {
+        let place = (k as usize) / 150;
+        let wobble = Pose {
+            position: geometry.home().position + DVec3::X * 0.02 * (f64::from(k) * 0.01).sin(),
+            ..geometry.home()
+        };
+        let pose = jig.get(place).copied().unwrap_or(wobble);
+        let count = rig.lengths(&pose).map(|l| (l / 20e-6) as i32);
+        let mut model = ContactModel { number: u64::from(k / 16) + 1, vapour: 1e-4, ..ContactModel::default() };
+        model.payload = Payload::point(0.3, DVec3::X * 0.05);
+        model.impulses[0] =
+            Impulse { number: u64::from(k / 500), impulse: DVec3::NEG_Z * 0.1, at: DVec3::ZERO, energy: 0.1 };
+        // Half a second unplugged.
+        if !(4000..4500).contains(&k) {
+            answer(&socket, k * 1000 + 1, count, if place < jig.len() { place as u8 + 1 } else { 0 });
+        }
+        let mut health = None;
+        let counted = allocation_counter::measure(|| health = Some(beat.step(&model, 1e-3).sample.health));
+        assert_eq!(counted.count_total, 0, "step {k} ({health:?})");
+        calibrated |= health == Some(saute_haptics::Health::Running);
+    }
+    assert!(calibrated, "the whole way was gone");
+}

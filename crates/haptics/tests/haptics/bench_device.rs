@@ -1,0 +1,159 @@
+//! A device on the bench: it speaks the protocol in memory, stands where it is told, and shows what was pulled.
+
+use std::collections::VecDeque;
+use std::io;
+use std::sync::{Arc, Mutex};
+
+use saute_haptics::strings::Lines;
+use saute_haptics::wire::{Caps, DeviceState, Frame, FrameError, Link, Message, Refusal, Sample, Units};
+use saute_haptics::{Geometry, Pose, Wrench};
+
+/// What the test sees and moves.
+#[derive(Clone)]
+pub struct Bench(Arc<Mutex<State>>);
+
+struct State {
+    geometry: Geometry,
+    pose: Pose,
+    tension_mn: [u16; 8],
+    offset: [f64; 8],
+    units: Units,
+    boot: u32,
+    pairing: u32,
+    plugged: bool,
+    jigging: Option<u32>,
+    time_us: u32,
+    stopped: bool,
+    coming: VecDeque<Frame>,
+}
+
+pub struct BenchLink(Bench);
+
+impl Bench {
+    /// A device exactly as drawn, whose encoders count from elsewhere.
+    pub fn new(geometry: &Geometry) -> Self {
+        Self(Arc::new(Mutex::new(State {
+            geometry: geometry.clone(),
+            pose: geometry.home(),
+            tension_mn: [0; 8],
+            offset: std::array::from_fn(|i| 0.01 * i as f64 - 0.03),
+            units: Units::SPOKEN,
+            boot: 1,
+            pairing: 42,
+            plugged: true,
+            jigging: Some(0),
+            time_us: 0,
+            stopped: false,
+            coming: VecDeque::new(),
+        })))
+    }
+
+    pub fn link(&self) -> BenchLink {
+        BenchLink(self.clone())
+    }
+
+    pub fn put(&self, pose: Pose) {
+        self.0.lock().unwrap().pose = pose;
+    }
+
+    pub fn plug(&self, plugged: bool) {
+        self.0.lock().unwrap().plugged = plugged;
+    }
+
+    pub fn speak(&self, units: Units) {
+        self.0.lock().unwrap().units = units;
+    }
+
+    /// The encoders lose their count; the pan goes to the jig.
+    pub fn power_cycle(&self) {
+        let mut state = self.0.lock().unwrap();
+        state.boot += 1;
+        state.offset[3] += 0.02;
+        state.jigging = Some(0);
+    }
+
+    pub fn is_stopped(&self) -> bool {
+        self.0.lock().unwrap().stopped
+    }
+
+    pub fn tensions(&self) -> [f64; 8] {
+        self.0.lock().unwrap().tension_mn.map(|t| f64::from(t) * 1e-3)
+    }
+
+    /// What the strings do to the pan [N, N·m].
+    pub fn wrench(&self) -> Wrench {
+        let state = self.0.lock().unwrap();
+        let lines: Lines = state.geometry.rig().lines(&state.pose);
+        lines.wrench(&state.tension_mn.map(|t| f64::from(t) * 1e-3))
+    }
+}
+
+impl State {
+    fn hear(&mut self, frame: &Frame) {
+        self.time_us += 1000;
+        let answer = match frame.message {
+            Message::Hello(hello) if hello.pairing != self.pairing => Message::Refused(Refusal::WrongCode),
+            Message::Hello(_) => Message::Caps(self.caps()),
+            Message::Arm => self.sample(DeviceState::Armed),
+            Message::Command(command) => {
+                self.tension_mn = command.tension_mn;
+                self.sample(DeviceState::Running)
+            }
+            Message::Stop => {
+                (self.stopped, self.tension_mn) = (true, [0; 8]);
+                return;
+            }
+            _ => return,
+        };
+        self.coming.push_back(Frame { message: answer, ..*frame });
+    }
+
+    fn caps(&self) -> Caps {
+        Caps {
+            strings: 8,
+            units: self.units,
+            pitch_nm: 20_000,
+            min_mn: 300,
+            max_mn: 12_000,
+            rate_hz: 1000,
+            watchdog_ms: 100,
+            boot: self.boot,
+            name: *b"bench\0\0\0\0\0\0\0\0\0\0\0",
+        }
+    }
+
+    fn sample(&mut self, state: DeviceState) -> Message {
+        let jig = self.geometry.jig();
+        let place = self.jigging.map(|t| (t / 150) as usize).filter(|p| *p < jig.len());
+        self.jigging = place.and(self.jigging.map(|t| t + 1));
+        let pose = place.map_or(self.pose, |p| jig[p]);
+        let lengths = self.geometry.rig().lengths(&pose);
+        let unstretched = |i: usize| {
+            lengths[i] / (1.0 + f64::from(self.tension_mn[i]) * 1e-3 / self.geometry.drive.axial_stiffness_n)
+        };
+        let count = std::array::from_fn(|i| ((unstretched(i) - self.offset[i]) / 20e-6).floor() as i32);
+        Message::Sample(Sample {
+            state,
+            jig: place.map_or(0, |p| p as u8 + 1),
+            time_us: self.time_us,
+            count,
+            tension_mn: self.tension_mn,
+            ..Sample::default()
+        })
+    }
+}
+
+impl Link for BenchLink {
+    fn send(&mut self, frame: &Frame) -> io::Result<()> {
+        let mut state = self.0.0.lock().unwrap();
+        if state.plugged {
+            state.hear(frame);
+        }
+        Ok(())
+    }
+
+    fn receive(&mut self) -> Option<Result<Frame, FrameError>> {
+        let mut state = self.0.0.lock().unwrap();
+        if state.plugged { state.coming.pop_front().map(Ok) } else { None }
+    }
+}

@@ -1,0 +1,53 @@
+//! Promise: a device's file that cannot be used is refused with its line, key and remedy.
+
+use saute_haptics::device::HapticDevice;
+use saute_haptics::{Feel, Geometry, WeightOnSpring, Wrench, shelf};
+
+fn refused(change: impl Fn(&str) -> String) -> String {
+    let text = shelf::device_texts().remove(shelf::DEFAULT_DEVICE).unwrap();
+    let changed = change(&text);
+    assert_ne!(text, changed, "the change did nothing");
+    Geometry::parse(&changed, "mine.toml").unwrap_err().to_string()
+}
+
+#[test]
+fn three_devices_are_shipped() {
+    let names: Vec<String> = shelf::devices().unwrap().into_keys().collect();
+    assert_eq!(names, ["spidar-frame", "spidar-pan", "spidar-pan-crossed"]);
+}
+
+#[test]
+fn what_is_wrong_is_said_with_line_key_and_remedy() {
+    let said = refused(|t| t.replace("max_tension_n = 12", "max_tension_n = 900"));
+    assert!(
+        said.starts_with("mine.toml:") && said.contains("max_tension_n = 900") && said.contains("0.1 to 60"),
+        "{said}"
+    );
+    let said = refused(|t| t.replace("[60, 350, -200], [-60, 350, -200],", ""));
+    assert!(said.contains("motor_mm has 6 places") && said.contains("give eight"), "{said}");
+    let said = refused(|t| t.replace("max_tension_n = 12", "max_tension_n = 0.2"));
+    assert!(said.contains("no more than min_tension_n"), "{said}");
+    let said = refused(|t| t.replace("preload_n", "preloud_n"));
+    assert!(said.contains("preloud_n") && said.contains("remedy"), "{said}");
+    let said = refused(|t| t.replacen("source = ", "sauce = ", 1));
+    assert!(said.contains("sauce"), "{said}");
+}
+
+#[test]
+fn a_feel_out_of_range_is_refused() {
+    let text = saute_kitchen::Library::embedded_files().remove("haptics/feel.toml").unwrap();
+    let said =
+        Feel::parse(&text.replace("frequency_hz = 12", "frequency_hz = 400"), "feel.toml").unwrap_err().to_string();
+    assert!(said.contains("frequency_hz = 400") && said.contains("0.5 to 40"), "{said}");
+}
+
+#[test]
+fn what_a_device_lacks_is_left_out_by_rule() {
+    let wrench = Wrench { force: glam::DVec3::X, torque: glam::DVec3::Y };
+    let three = WeightOnSpring::default();
+    assert_eq!(three.capabilities().shown(&wrench), Wrench { force: glam::DVec3::X, ..Wrench::ZERO });
+    let none = saute_haptics::Capabilities { dof_actuated: 0, ..three.capabilities().clone() };
+    assert_eq!(none.shown(&wrench), Wrench::ZERO);
+    let six = saute_haptics::Capabilities { dof_actuated: 6, ..none };
+    assert_eq!(six.shown(&wrench), wrench);
+}

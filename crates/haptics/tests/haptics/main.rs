@@ -1,0 +1,16 @@
+//! What the driver of string devices promises: poses, tensions, calibration, protocol, and what a hand feels.
+
+// A test that unwraps in vain says where.
+#![allow(clippy::unwrap_used)]
+
+mod bench_device;
+mod calibration;
+mod control_loop;
+mod driver;
+mod feel;
+mod geometry_file;
+mod kitchen;
+mod pose;
+mod random;
+mod tension;
+mod wire;

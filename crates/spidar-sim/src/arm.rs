@@ -1,0 +1,92 @@
+//! A person's arm: an impedance that follows a wish.
+
+use glam::{DQuat, DVec3};
+
+use crate::pan_body::PanBody;
+use crate::random::Random;
+use crate::rig::Pose;
+use crate::rig_file::Workspace;
+
+/// Stiffness and damping of an arm that holds something [N/m, N·s/m, N·m/rad, N·m·s/rad] (chosen: published arms have
+/// 200–600 N/m and 5–40 N·s/m).
+const STIFFNESS: f64 = 350.0;
+const DAMPING: f64 = 20.0;
+const TURN_STIFFNESS: f64 = 8.0;
+const TURN_DAMPING: f64 = 0.35;
+/// How quickly a person makes up for a steady load [1/s] (chosen).
+const ADAPTATION: f64 = 2.0;
+/// Waves of which a motion is made, and their lowest and highest frequency [Hz] (chosen: from moving about to shaking).
+const WAVES: usize = 4;
+const SLOWEST: f64 = 0.15;
+const FASTEST: f64 = 1.6;
+/// How long the hand takes to begin moving [s] (chosen).
+const BEGINNING_S: f64 = 1.0;
+
+#[derive(Clone, Copy, Debug)]
+struct Wave {
+    linear: DVec3,
+    turn: DVec3,
+    rate: f64,
+    phase: f64,
+}
+
+/// An arm with a seeded motion in mind.
+#[derive(Clone, Debug)]
+pub struct Arm {
+    home: DVec3,
+    waves: [Wave; WAVES],
+    since: f64,
+    load: DVec3,
+}
+
+impl Arm {
+    /// An arm that roams a share of the workspace.
+    pub fn new(workspace: &Workspace, liveliness: f64, random: &mut Random) -> Self {
+        let half = DVec3::from_array(workspace.half_mm) * 1e-3;
+        let tilt = workspace.tilt_deg.to_radians();
+        let mut vector = || DVec3::new(random.signed(), random.signed(), random.signed());
+        let waves = std::array::from_fn(|i| {
+            let share = i as f64 / (WAVES - 1) as f64;
+            let rate = SLOWEST * libm::pow(FASTEST / SLOWEST, share) * std::f64::consts::TAU;
+            // Slow waves are wide, fast ones narrow, as hands are.
+            let size = liveliness * 0.45 / (1.0 + 3.0 * share);
+            let (linear, turn) = (vector() * half * size, vector() * DVec3::new(1.0, 1.0, 0.5) * tilt * size);
+            Wave { linear, turn, rate, phase: std::f64::consts::PI * vector().x }
+        });
+        Self { home: DVec3::from_array(workspace.home_mm) * 1e-3, waves, since: 0.0, load: DVec3::ZERO }
+    }
+
+    /// Where it wants the pan now.
+    fn wish(&self) -> (DVec3, DVec3) {
+        let begun = (self.since / BEGINNING_S).min(1.0);
+        let (mut linear, mut turn) = (DVec3::ZERO, DVec3::ZERO);
+        for wave in &self.waves {
+            let s = begun * libm::sin(wave.rate * self.since + wave.phase);
+            linear += wave.linear * s;
+            turn += wave.turn * s;
+        }
+        (self.home + linear, turn)
+    }
+
+    /// Force and torque on the pan; what the pan weighs is carried without thinking [N, N·m].
+    pub fn pull(&mut self, pan: &PanBody, dt: f64) -> (DVec3, DVec3) {
+        let (place, turn) = self.wish();
+        self.since += dt;
+        let off = place - pan.pose.position;
+        self.load = (self.load + off * (STIFFNESS * ADAPTATION * dt)).clamp_length_max(40.0);
+        let twist = (DQuat::from_scaled_axis(turn) * pan.pose.rotation.conjugate()).to_scaled_axis();
+        let twist = if twist.length() > std::f64::consts::PI { DVec3::ZERO } else { twist };
+        (off * STIFFNESS - pan.velocity * DAMPING + self.load, twist * TURN_STIFFNESS - pan.turning * TURN_DAMPING)
+    }
+
+    /// Begins anew from where it is.
+    pub fn begin(&mut self) {
+        self.since = 0.0;
+        self.load = DVec3::ZERO;
+    }
+
+    /// Where it begins.
+    pub fn home(&self) -> Pose {
+        Pose { position: self.home, rotation: DQuat::IDENTITY }
+    }
+}

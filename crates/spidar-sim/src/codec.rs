@@ -1,0 +1,199 @@
+//! The device's side of docs/spidar-protocol.md, version 1.
+
+/// Bytes of a frame.
+pub const FRAME: usize = 80;
+const PAYLOAD: std::ops::Range<usize> = 12..76;
+
+/// What a host asks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Request {
+    Hello { pairing: u32 },
+    Arm,
+    Command { tension_mn: [u16; 8] },
+    Stop,
+}
+
+/// A request with its number and session.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Asked {
+    pub sequence: u32,
+    pub session: u32,
+    pub request: Request,
+}
+
+/// The checksum of IEEE 802.3, bit by bit.
+fn crc(bytes: &[u8]) -> u32 {
+    let mut crc = u32::MAX;
+    for byte in bytes {
+        crc ^= u32::from(*byte);
+        for _ in 0..8 {
+            let carry = crc & 1;
+            crc >>= 1;
+            if carry == 1 {
+                crc ^= 0xedb8_8320;
+            }
+        }
+    }
+    !crc
+}
+
+fn u32_at(bytes: &[u8], at: usize) -> u32 {
+    (0..4).fold(0, |sum, i| sum | u32::from(bytes[at + i]) << (8 * i))
+}
+
+fn u16_at(bytes: &[u8], at: usize) -> u16 {
+    u16::from(bytes[at]) | u16::from(bytes[at + 1]) << 8
+}
+
+/// Reads a request; none where the bytes are no whole frame of a host's.
+pub fn parse(bytes: &[u8]) -> Option<Asked> {
+    let sound = bytes.len() == FRAME && bytes[0] == b'S' && bytes[1] == b'P' && bytes[2] == 1;
+    if !sound || u32_at(bytes, PAYLOAD.end) != crc(&bytes[..PAYLOAD.end]) {
+        return None;
+    }
+    let payload = &bytes[PAYLOAD];
+    let request = match bytes[3] {
+        1 => Request::Hello { pairing: u32_at(payload, 0) },
+        3 => Request::Arm,
+        4 => Request::Command { tension_mn: std::array::from_fn(|i| u16_at(payload, 4 + 2 * i)) },
+        6 => Request::Stop,
+        _ => return None,
+    };
+    Some(Asked { sequence: u32_at(bytes, 4), session: u32_at(bytes, 8), request })
+}
+
+/// What a device answers, as bytes that grow.
+struct Answer {
+    bytes: Vec<u8>,
+}
+
+impl Answer {
+    fn new(kind: u8, sequence: u32, session: u32) -> Self {
+        let mut bytes = vec![b'S', b'P', 1, kind];
+        bytes.extend(sequence.to_le_bytes());
+        bytes.extend(session.to_le_bytes());
+        Self { bytes }
+    }
+
+    fn finish(mut self) -> Vec<u8> {
+        self.bytes.resize(PAYLOAD.end, 0);
+        let check = crc(&self.bytes);
+        self.bytes.extend(check.to_le_bytes());
+        self.bytes
+    }
+}
+
+/// What a device says of itself.
+#[derive(Clone, Debug)]
+pub struct Identity {
+    pub tension_unit: u8,
+    pub pitch_nm: u32,
+    pub min_mn: u16,
+    pub max_mn: u16,
+    pub rate_hz: u16,
+    pub watchdog_ms: u16,
+    pub boot: u32,
+    pub name: String,
+}
+
+/// Capabilities.
+pub fn caps(identity: &Identity, sequence: u32, session: u32) -> Vec<u8> {
+    let mut answer = Answer::new(2, sequence, session);
+    answer.bytes.extend([8, 1, identity.tension_unit, 1]);
+    answer.bytes.extend(identity.pitch_nm.to_le_bytes());
+    for value in [identity.min_mn, identity.max_mn, identity.rate_hz, identity.watchdog_ms] {
+        answer.bytes.extend(value.to_le_bytes());
+    }
+    answer.bytes.extend(identity.boot.to_le_bytes());
+    answer.bytes.extend(identity.name.bytes().filter(u8::is_ascii).take(16));
+    answer.finish()
+}
+
+/// Where the device is.
+#[derive(Clone, Copy, Debug)]
+pub struct Reading {
+    pub state: u8,
+    pub jig: u8,
+    pub time_us: u32,
+    pub obeyed: u32,
+    pub count: [i32; 8],
+    pub tension_mn: [u16; 8],
+}
+
+/// A sample.
+pub fn sample(reading: &Reading, sequence: u32, session: u32) -> Vec<u8> {
+    let mut answer = Answer::new(5, sequence, session);
+    answer.bytes.extend([reading.state, 0, reading.jig, 0]);
+    answer.bytes.extend(reading.time_us.to_le_bytes());
+    answer.bytes.extend(reading.obeyed.to_le_bytes());
+    reading.count.iter().for_each(|c| answer.bytes.extend(c.to_le_bytes()));
+    reading.tension_mn.iter().for_each(|t| answer.bytes.extend(t.to_le_bytes()));
+    answer.finish()
+}
+
+/// A refusal: 0 wrong code, 1 busy, 2 out of order.
+pub fn refused(reason: u8, sequence: u32, session: u32) -> Vec<u8> {
+    let mut answer = Answer::new(7, sequence, session);
+    answer.bytes.push(reason);
+    answer.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DOCUMENT: &str = include_str!("../../../docs/spidar-protocol.md");
+
+    /// The frame of a test vector of the document.
+    fn vector(name: &str) -> Vec<u8> {
+        let after = DOCUMENT.split(&format!("vector {name}\n")).nth(1).expect("the vector is in the document");
+        let hex: String = after.split("```").next().expect("text").split_whitespace().collect();
+        (0..hex.len() / 2).map(|i| u8::from_str_radix(&hex[2 * i..2 * i + 2], 16).expect("hex")).collect()
+    }
+
+    #[test]
+    fn requests_are_read_as_the_document_says() {
+        let asked = |name| parse(&vector(name)).expect(name);
+        assert_eq!(asked("hello"), Asked { sequence: 1, session: 7, request: Request::Hello { pairing: 123_456 } });
+        assert_eq!(asked("arm"), Asked { sequence: 2, session: 7, request: Request::Arm });
+        let tension_mn = [300, 400, 500, 600, 700, 800, 900, 12_000];
+        assert_eq!(asked("command"), Asked { sequence: 3, session: 7, request: Request::Command { tension_mn } });
+        assert_eq!(asked("stop"), Asked { sequence: 4, session: 7, request: Request::Stop });
+    }
+
+    #[test]
+    fn answers_are_written_as_the_document_says() {
+        let identity = Identity {
+            tension_unit: 1,
+            pitch_nm: 20_000,
+            min_mn: 300,
+            max_mn: 12_000,
+            rate_hz: 1000,
+            watchdog_ms: 100,
+            boot: 0xb007,
+            name: "bench".into(),
+        };
+        assert_eq!(caps(&identity, 1, 7), vector("caps"));
+        let reading = Reading {
+            state: 3,
+            jig: 0,
+            time_us: 1_000_000,
+            obeyed: 3,
+            count: [0, 1, -1, 1000, -1000, 20_000, -20_000, i32::MAX],
+            tension_mn: [300, 400, 500, 600, 700, 800, 900, 12_000],
+        };
+        assert_eq!(sample(&reading, 2, 7), vector("sample"));
+        assert_eq!(refused(0, 1, 7), vector("refused"));
+    }
+
+    #[test]
+    fn damaged_frames_are_no_requests() {
+        let sound = vector("command");
+        for bit in 0..8 * FRAME {
+            let mut damaged = sound.clone();
+            damaged[bit / 8] ^= 1 << (bit % 8);
+            assert_eq!(parse(&damaged), None, "bit {bit}");
+        }
+        assert_eq!(parse(&sound[..79]), None);
+    }
+}

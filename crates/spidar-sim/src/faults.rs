@@ -1,0 +1,84 @@
+//! What can go wrong on the way, on request.
+
+use std::collections::VecDeque;
+use std::net::SocketAddr;
+use std::time::{Duration, Instant};
+
+use crate::random::Random;
+
+/// Faults that are on, and frames that are still on their way.
+#[derive(Debug)]
+pub struct Faults {
+    loss: f64,
+    malformed: f64,
+    delay: Duration,
+    silent_until: Option<Instant>,
+    random: Random,
+    waiting: VecDeque<(Instant, SocketAddr, Vec<u8>)>,
+}
+
+impl Faults {
+    /// None.
+    pub fn new(seed: u64) -> Self {
+        Self {
+            loss: 0.0,
+            malformed: 0.0,
+            delay: Duration::ZERO,
+            silent_until: None,
+            random: Random::seeded(seed ^ 0xfa17),
+            waiting: VecDeque::new(),
+        }
+    }
+
+    /// Turns a fault on; tells whether the words mean one.
+    pub fn order(&mut self, words: &[&str]) -> bool {
+        let number = words.get(1).and_then(|w| w.parse::<f64>().ok()).filter(|v| (0.0..=3600e3).contains(v));
+        match (words.first().copied(), number) {
+            (Some("loss"), Some(share)) => self.loss = share,
+            (Some("malformed"), Some(share)) => self.malformed = share,
+            (Some("delay"), Some(ms)) => self.delay = Duration::from_secs_f64(ms * 1e-3),
+            (Some("silence"), Some(s)) => self.silent_until = Some(Instant::now() + Duration::from_secs_f64(s)),
+            (Some("clear"), _) => (self.loss, self.malformed, self.delay) = (0.0, 0.0, Duration::ZERO),
+            _ => return false,
+        }
+        true
+    }
+
+    /// Whether the cable is out.
+    pub fn is_silent(&self) -> bool {
+        self.silent_until.is_some_and(|until| Instant::now() < until)
+    }
+
+    /// Whether a frame that has come is lost or not heard.
+    pub fn loses(&mut self) -> bool {
+        self.is_silent() || self.random.happens(self.loss)
+    }
+
+    /// Puts an answer on its way.
+    pub fn send(&mut self, to: SocketAddr, mut bytes: Vec<u8>) {
+        if self.loses() {
+            return;
+        }
+        if self.random.happens(self.malformed) {
+            self.damage(&mut bytes);
+        }
+        self.waiting.push_back((Instant::now() + self.delay, to, bytes));
+    }
+
+    /// Cuts, lengthens or garbles a frame.
+    fn damage(&mut self, bytes: &mut Vec<u8>) {
+        let random = self.random.bits();
+        let at = (random >> 8) as usize % bytes.len();
+        match random % 3 {
+            0 => bytes.truncate(at),
+            1 => bytes.extend_from_within(..at),
+            _ => bytes[at] ^= (random >> 40) as u8 | 1,
+        }
+    }
+
+    /// An answer that has arrived, and at whom.
+    pub fn arrived(&mut self) -> Option<(SocketAddr, Vec<u8>)> {
+        let due = self.waiting.front().is_some_and(|(at, ..)| *at <= Instant::now());
+        if due { self.waiting.pop_front().map(|(_, to, bytes)| (to, bytes)) } else { None }
+    }
+}

@@ -1,0 +1,38 @@
+//! Numbers that look random and are the same for the same seed (SplitMix64, Steele et al. 2014).
+
+/// A stream of random numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Random(u64);
+
+impl Random {
+    /// A stream of a seed.
+    pub fn seeded(seed: u64) -> Self {
+        Self(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ 0x6a09_e667_f3bc_c909)
+    }
+
+    /// 64 bits.
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// Evenly between −1 and 1.
+    pub fn signed(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+
+    /// Whether something of this probability happens.
+    pub fn happens(&mut self, probability: f64) -> bool {
+        0.5 * (self.signed() + 1.0) < probability
+    }
+}
+
+/// A pairing code of six digits that nobody can foresee without the clock.
+pub fn code_from_clock() -> u32 {
+    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap_or_default();
+    let mixed = Random::seeded(now.as_nanos() as u64 ^ (u64::from(std::process::id()) << 40)).bits();
+    100_000 + (mixed % 900_000) as u32
+}

@@ -1,0 +1,131 @@
+//! Strings, pan and hand together: first on the jig, then free.
+
+use glam::{DQuat, DVec3};
+
+use crate::arm::Arm;
+use crate::pan_body::PanBody;
+use crate::random::Random;
+use crate::rig::{Pose, Rig};
+use crate::rig_file::RigFile;
+use crate::string_drive::StringDrive;
+
+/// Length of a step [s] (chosen: a sixth of the currents' time constant).
+const STEP_S: f64 = 2e-4;
+/// How long the pan stands in each place of the jig, and how long it takes to get there [s] (chosen).
+const STANDING_S: f64 = 0.2;
+const MOVING_S: f64 = 0.05;
+/// How well the jig's pins place the pan [m] (chosen: reamed holes).
+const JIG_ERROR: f64 = 10e-6;
+/// Steps that are made up for at once at most (chosen: a second; after a longer sleep the world has stood still).
+const MOST_STEPS: u32 = 5000;
+
+/// The physical side of the device.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    rig: Rig,
+    pub drives: [StringDrive; 8],
+    pub pan: PanBody,
+    arm: Arm,
+    jig: Vec<Pose>,
+    /// Time on the jig; none once it is left [s].
+    jigging: Option<f64>,
+    waiting: bool,
+    random: Random,
+    owed: f64,
+}
+
+impl Scene {
+    /// A device that stands on the first place of its jig until it is armed.
+    pub fn new(file: &RigFile, seed: u64, error: f64, liveliness: f64) -> Self {
+        let mut random = Random::seeded(seed);
+        let rig = Rig::built(file, error, &mut random);
+        let arm = Arm::new(&file.workspace, liveliness, &mut random);
+        let jig: Vec<Pose> = file.jig.pose.iter().map(|p| placed(p, &mut random)).collect();
+        let start = jig.first().copied().unwrap_or(arm.home());
+        let drives =
+            std::array::from_fn(|i| StringDrive::new(&file.drive, rig.string(i, &start).length(), &mut random));
+        let pan = PanBody::new(file.grip.real_mass_kg, start);
+        Self { rig, drives, pan, arm, jig, jigging: Some(0.0), waiting: true, random, owed: 0.0 }
+    }
+
+    /// The host has come: the calibration begins.
+    pub fn armed(&mut self) {
+        self.waiting = false;
+    }
+
+    /// The encoders have lost their count; the pan is put on the jig again.
+    pub fn power_cycle(&mut self) {
+        self.drives.iter_mut().for_each(|d| d.lose_count(&mut self.random));
+        self.jigging = Some(0.0);
+        self.waiting = true;
+    }
+
+    /// Place of the jig whose contact is closed, from 1; 0 for none.
+    pub fn jig_contact(&self) -> u8 {
+        let Some(time) = self.jigging else { return 0 };
+        let (place, within) = (time / (STANDING_S + MOVING_S), time % (STANDING_S + MOVING_S));
+        if within < STANDING_S { place as u8 + 1 } else { 0 }
+    }
+
+    /// Lets time pass [s].
+    pub fn advance(&mut self, seconds: f64) {
+        self.owed += seconds;
+        let mut steps = 0;
+        while self.owed >= STEP_S && steps < MOST_STEPS {
+            self.owed -= STEP_S;
+            steps += 1;
+            self.step();
+        }
+        if steps == MOST_STEPS {
+            self.owed = 0.0;
+        }
+    }
+
+    fn step(&mut self) {
+        match self.jigging {
+            Some(time) => self.stand(time),
+            None => {
+                let (mut force, mut torque) = self.arm.pull(&self.pan, STEP_S);
+                let (strings, twist) = self.wrench();
+                force += strings;
+                torque += twist;
+                self.pan.step(force, torque, STEP_S);
+            }
+        }
+        for i in 0..8 {
+            let length = self.rig.string(i, &self.pan.pose).length();
+            self.drives[i].step(length, STEP_S);
+        }
+    }
+
+    fn stand(&mut self, time: f64) {
+        let place = (time / (STANDING_S + MOVING_S)) as usize;
+        if let Some(pose) = self.jig.get(place) {
+            self.pan.pose = *pose;
+            self.jigging = Some(if self.waiting { time } else { time + STEP_S });
+        } else {
+            self.pan.pose = self.arm.home();
+            (self.pan.velocity, self.pan.turning) = (DVec3::ZERO, DVec3::ZERO);
+            self.arm.begin();
+            self.jigging = None;
+        }
+    }
+
+    /// What the strings really do to the pan, about its origin [N, N·m].
+    pub fn wrench(&self) -> (DVec3, DVec3) {
+        let pulls = (0..8).map(|i| self.rig.pull(i, &self.pan.pose, self.drives[i].tension()));
+        pulls.fold((DVec3::ZERO, DVec3::ZERO), |(f, t), (force, torque)| (f + force, t + torque))
+    }
+
+    /// Whether the pan is in the hand.
+    pub fn is_free(&self) -> bool {
+        self.jigging.is_none()
+    }
+}
+
+/// A place of the jig as it was really drilled.
+fn placed(p: &[f64; 6], random: &mut Random) -> Pose {
+    let off = DVec3::new(random.signed(), random.signed(), random.signed()) * JIG_ERROR;
+    let turn = DVec3::new(p[3], p[4], p[5]) * (std::f64::consts::PI / 180.0);
+    Pose { position: DVec3::new(p[0], p[1], p[2]) * 1e-3 + off, rotation: DQuat::from_scaled_axis(turn) }
+}

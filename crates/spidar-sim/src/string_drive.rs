@@ -1,0 +1,92 @@
+//! One motor with its encoder and string.
+
+use crate::random::Random;
+use crate::rig_file::Drive;
+
+/// Time constant of the current [s] (chosen: a small coreless motor behind a current controller).
+const CURRENT_LAG_S: f64 = 1.2e-3;
+/// Coulomb friction of pulley and guide, as tension [N] (chosen: a ball-bearing pulley and a ceramic eye).
+const FRICTION_N: f64 = 0.02;
+/// Speed over which friction changes its sign [m/s] (chosen).
+const REVERSAL: f64 = 0.01;
+/// How far strings differ from their data sheet in stiffness [-] (chosen: a tenth).
+const STIFFNESS_ERROR: f64 = 0.1;
+
+/// A motor that winds up a string.
+#[derive(Clone, Copy, Debug)]
+pub struct StringDrive {
+    min: f64,
+    max: f64,
+    pitch: f64,
+    stiffness: f64,
+    wanted: f64,
+    motor: f64,
+    tension: f64,
+    /// Unstretched length at which the encoder counts 0 [m].
+    zero: f64,
+    unstretched: f64,
+    length: f64,
+}
+
+impl StringDrive {
+    /// At rest with a length [m]; the encoder counts from an arbitrary place.
+    pub fn new(drive: &Drive, length: f64, random: &mut Random) -> Self {
+        let stiffness = drive.axial_stiffness_n * (1.0 + STIFFNESS_ERROR * random.signed());
+        Self {
+            min: drive.min_tension_n,
+            max: drive.max_tension_n,
+            pitch: drive.encoder_pitch_um * 1e-6,
+            stiffness,
+            wanted: 0.0,
+            motor: 0.0,
+            tension: 0.0,
+            zero: length + 0.05 * random.signed(),
+            unstretched: length,
+            length,
+        }
+    }
+
+    /// What the motor shall pull [N].
+    pub fn want(&mut self, tension: f64) {
+        self.wanted = tension.clamp(0.0, self.max);
+    }
+
+    /// Pulls with the least tension.
+    pub fn idle(&mut self) {
+        self.wanted = self.min;
+    }
+
+    /// Pulls with nothing.
+    pub fn release(&mut self) {
+        self.wanted = 0.0;
+    }
+
+    /// The encoder has lost its count.
+    pub fn lose_count(&mut self, random: &mut Random) {
+        self.zero = self.unstretched + 0.05 * random.signed();
+    }
+
+    /// One step of `dt` [s] after which the string has a length [m].
+    pub fn step(&mut self, length: f64, dt: f64) {
+        self.motor += (self.wanted - self.motor) * (1.0 - libm::exp(-dt / CURRENT_LAG_S));
+        let winding_in = (self.length - length) / dt;
+        self.tension = (self.motor - FRICTION_N * libm::tanh(winding_in / REVERSAL)).max(0.0);
+        self.length = length;
+        self.unstretched = length / (1.0 + self.tension / self.stiffness);
+    }
+
+    /// Tension at the pan [N].
+    pub fn tension(&self) -> f64 {
+        self.tension
+    }
+
+    /// Tension as the motor's current tells it [N].
+    pub fn by_current(&self) -> f64 {
+        self.motor
+    }
+
+    /// What the encoder counts.
+    pub fn count(&self) -> i32 {
+        libm::floor((self.unstretched - self.zero) / self.pitch) as i32
+    }
+}
