@@ -7,11 +7,8 @@ use saute_kitchen::library::DEFAULT_SCALE;
 
 use crate::bench_heat::BenchHeatArgs;
 use crate::bench_paper::BenchPaperArgs;
-<<<<<<< HEAD
 use crate::gallery::GalleryArgs;
-=======
 use crate::haptics::{CheckArgs, DevicesArgs};
->>>>>>> haptics
 use crate::picture::{BenchFrameArgs, ShotArgs};
 
 /// A frying pan, what lies in it, and your hands on it. Without a command the window opens.

@@ -7,11 +7,8 @@ mod bench_paper;
 mod cook_command;
 mod error;
 mod food_check;
-<<<<<<< HEAD
 mod gallery;
-=======
 mod haptics;
->>>>>>> haptics
 mod lab;
 mod list;
 mod out_dir;
