@@ -422,13 +422,17 @@ fn floor_field(kitchen: &Kitchen, map: Option<&ColourMap>) -> [f32; FLOOR_FIELD_
 /// Vapour leaves round the lower rim of a frying piece and from its upper face; of many pieces each has fewer sources.
 fn steam(kitchen: &Kitchen, pan: &Pose, poses: &[Pose]) -> Vec<SteamSource> {
     let mut sources = Vec::new();
-    let frying = kitchen.pieces().iter().zip(poses).filter(|(p, _)| p.place != Place::Waiting && p.vapour_flow > 0.0);
-    let around = match kitchen.pieces().len() {
+    let fries = |p: &Piece| p.place != Place::Waiting && p.vapour_flow > 0.0;
+    let frying = kitchen.pieces().iter().zip(poses).filter(|(p, _)| fries(p));
+    // Pieces that give off next to nothing need no places of their own.
+    let most = kitchen.pieces().iter().map(|p| p.vapour_flow).fold(0.0, f64::max);
+    let around = match kitchen.pieces().iter().filter(|p| fries(p) && p.vapour_flow > 0.1 * most).count() {
         0..=ALWAYS_FRESH => 6u8,
         7..=20 => 1,
         _ => 0,
     };
     for (piece, pose) in frying {
+        let around = if piece.vapour_flow > 0.1 * most { around } else { 0 };
         let [a, b] = [0.45 * piece.model.size[0] as f32, 0.45 * piece.model.size[1] as f32];
         let share = 1e3 * piece.vapour_flow as f32 / f32::from(around + 1);
         for k in 0..around {

@@ -68,7 +68,9 @@ fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     // The edge between face and side browns first: there the pan's heat comes from two sides.
     let upright = abs(rest_normal.z);
     let rim = smoothstep(0.10, 0.55, upright) * (1.0 - smoothstep(0.75, 0.995, upright));
-    let room = min(1.7 * browning, 0.62);
+    // Ridges press evenly: what they sear is less mottled.
+    let ridged = food.sear[select(1u, 3u, rest_normal.z > 0.0)].y;
+    let room = min(1.7 * browning, 0.62) * (1.0 - 0.65 * ridged);
     let uneven = clamp(browning + room * (grain.uneven + 0.5 * rim), 0.0, 1.0);
     let charring = clamp(in.state.y + min(1.5 * in.state.y, 0.7) * (grain.uneven + 0.3 * rim), 0.0, 1.0);
     let shade = grain.shade * (1.0 - 0.45 * uneven) * (1.0 - charring);
