@@ -17,7 +17,7 @@ use crate::library::DEFAULT_SCALE;
 use crate::piece::Piece;
 use crate::recorder::Recorder;
 use crate::runner::{Runner, StoppedBy};
-use crate::step_record::{StepRecord, mm, rounded};
+use crate::step_record::{self, StepRecord, rounded};
 
 /// Everything about one cook.
 #[derive(Clone, Debug, Serialize)]
@@ -425,7 +425,7 @@ impl FoodSummary {
                 peak: celsius(piece.core_peak.0),
                 peak_at_s: rounded(piece.core_peak.1),
             },
-            halved_at_mm: piece.halved().map(|cut| mm(cut.at)),
+            halved_at_mm: piece.halved().map(|cut| step_record::mm(cut.at)),
             section_pct: default.map(|s| model.cut_shares(state, &model.cut_across(0.0), s).into()).unwrap_or_default(),
             volume_pct: default.map(|s| model.volume_shares(state, s).into()).unwrap_or_default(),
             doneness: ByScale(fitting.map(|s| (s.id.clone(), ScaleReading::new(piece, s))).collect()),
