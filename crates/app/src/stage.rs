@@ -464,12 +464,12 @@ fn smoke(kitchen: &Kitchen, pan: &Pose) -> Vec<SteamSource> {
     let radius = 0.4e-3 * kitchen.pan_model().description.floor.radius_mm as f32;
     let kind = if state.liquids.smoke.burning { Vapour::Flame } else { Vapour::Smoke };
     let place = |k: u8| {
-        let around = Vec2::from_angle(f32::from(k) * std::f32::consts::TAU / 4.0 + 0.7) * radius * 1.3;
+        let around = Vec2::from_angle(f32::from(k) * std::f32::consts::TAU / 3.0 + 0.7) * radius * 1.3;
         let position = pan.position + pan.rotation * around.extend(0.012);
         // How high flames stand does not follow from the smoke.
-        let flow_g_s = if kind == Vapour::Flame { 1.0 } else { 0.25 * rate };
+        let flow_g_s = if kind == Vapour::Flame { 1.0 } else { rate / 3.0 };
         SteamSource { kind, position, radius, flow_g_s }
     };
     let rising = rate > 1e-5 || kind == Vapour::Flame;
-    (0..if rising { 4 } else { 0 }).map(place).collect()
+    (0..if rising { 3 } else { 0 }).map(place).collect()
 }

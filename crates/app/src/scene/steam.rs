@@ -7,10 +7,10 @@ use glam::Vec3;
 use super::input::{SteamSource, Vapour};
 
 /// Puffs in the whole picture, at most.
-pub(super) const PUFFS_MAX: usize = 56;
+pub(super) const PUFFS_MAX: usize = 30;
 
 /// Puffs of one source, at most.
-const PUFFS_PER_SOURCE: usize = 6;
+const PUFFS_PER_SOURCE: usize = 2;
 
 /// How what rises looks (chosen by eye: steam thin and quick, smoke slow and blue, flames short).
 struct Manner {
@@ -34,7 +34,7 @@ impl Manner {
                 Self { life: 0.9, rise: 0.20, dense: 0.022, half_size: [0.012, 0.042], opacity: 0.28, mark: 0.0 }
             }
             Vapour::Smoke => {
-                Self { life: 2.2, rise: 0.30, dense: 0.004, half_size: [0.014, 0.070], opacity: 0.30, mark: 2.0 }
+                Self { life: 2.2, rise: 0.30, dense: 0.004, half_size: [0.014, 0.048], opacity: 0.30, mark: 2.0 }
             }
             Vapour::Flame => {
                 Self { life: 0.55, rise: 0.16, dense: 1e-6, half_size: [0.030, 0.012], opacity: 0.85, mark: 4.0 }
@@ -49,8 +49,8 @@ impl Manner {
     }
 }
 
-/// Puffs fainter than this are not drawn: no eye sees them (chosen: a step of 8-bit colour).
-const FAINTEST: f32 = 0.004;
+/// Puffs fainter than this are not drawn: no eye sees them (chosen: two steps of 8-bit colour).
+const FAINTEST: f32 = 0.008;
 
 /// Corner of a puff's sprite.
 #[repr(C)]

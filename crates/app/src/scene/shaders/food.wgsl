@@ -109,7 +109,7 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
     let roughness = mix(mix(0.60, 0.80, crust), 0.45, wetness) - 0.12 * look.fatty + 0.15 * look.charring;
     // Fat and oil that fill the pores of a crust make it deeper and warmer.
     let oiled = OILED * crust * (1.0 - look.charring);
-    let colour = pow(look.colour, vec3<f32>(1.0 + 0.5 * oiled)) * (1.0 - 0.05 * oiled);
+    let colour = look.colour * mix(vec3<f32>(1.0), sqrt(look.colour), oiled) * (1.0 - 0.05 * oiled);
     let body = Surface(colour, vec3<f32>(0.03), roughness, bumpy, visibility, wrap);
     var radiance = diffuse(body, lit) + colour * side_fill(smooth_normal) * visibility;
     let tint = mix(vec3<f32>(1.0), vec3<f32>(1.0, 0.82, 0.58), crust);

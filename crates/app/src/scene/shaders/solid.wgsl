@@ -205,8 +205,8 @@ fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit:
     let film = normalize(n + vec3<f32>(wave.xy * 0.05 + rim, 0.0));
     let mirror = liquid_mirror(in, film, mix(0.30, 0.06, cover), view, lit, open);
     // Light scattered in the film itself: a thick golden pool is brighter than the metal below it.
-    let deep = 1.0 - exp(-3.0 * thickness);
-    let passed = pow(frame.oil.rgb, vec3<f32>(0.4 + 3.0 * thickness));
+    let deep = 3.0 * thickness / (1.0 + 3.0 * thickness);
+    let passed = mix(vec3<f32>(1.0), frame.oil.rgb, clamp(0.4 + 3.0 * thickness, 0.0, 1.6));
     let glow = frame.oil.rgb * vec3<f32>(0.075, 0.058, 0.030) * deep * (0.35 + 0.65 * lit) * open;
     return mix(below, below * passed + glow + mirror, cover);
 }
