@@ -91,8 +91,8 @@ impl SauteApp {
         self.scene.shown = scenes.last().cloned();
         self.scene.drawn_size = self.scene_pixels(layout.whole, ui.ctx().pixels_per_point());
         let fineness = self.scene.drawn_size[0] as f32 / layout.whole.width();
-        ui.painter().rect_filled(layout.whole, 0.0, Color32::from_gray(if self.drawable() { 18 } else { 40 }));
         if !self.drawable() {
+            ui.painter().rect_filled(layout.whole, 0.0, Color32::from_gray(40));
             return;
         }
         for (place, (pane, input)) in panes.iter().zip(scenes).enumerate() {

@@ -7,7 +7,7 @@ use glam::{Mat4, Quat, Vec2, Vec3};
 use saute_kitchen::dynamics::Tool;
 use saute_kitchen::food::{Face, Scale};
 use saute_kitchen::sear_lines::SearLines;
-use saute_kitchen::{FRAMES_PER_TICK, Kitchen, Piece, Place, RestOn, celsius};
+use saute_kitchen::{Kitchen, Piece, Place, RestOn, celsius};
 
 use crate::colour_map::{ColourMap, TemperatureMap};
 use crate::food_look::{Skin, slice};
@@ -164,6 +164,8 @@ pub struct Stage {
     film: PanFilm,
     /// Where the next round of refreshing begins.
     round: usize,
+    /// The kitchen's tick of the last round.
+    refreshed: Option<u64>,
     /// The colours of the view, and what they were made for.
     colours: Option<(Shades, ColourMap)>,
 }
@@ -241,11 +243,13 @@ impl Stage {
         self.skins.get(id).map_or(&[], |worn| worn.vertices.as_slice())
     }
 
-    /// Brings vertices up to date: of a few pieces all, of many a part in each frame, those that have waited longest first.
+    /// Brings vertices up to date: of a few pieces all, of many a part at each tick, those that have waited longest first.
     fn refresh(&mut self, kitchen: &Kitchen, options: &StageOptions, map: Option<&ColourMap>) {
         self.skins.retain(|id, _| kitchen.piece(id).is_some());
         let count = kitchen.pieces().len();
-        let mut left = ALWAYS_FRESH.max(count.div_ceil(2 * FRAMES_PER_TICK as usize));
+        let ticked = self.refreshed != Some(kitchen.tick());
+        self.refreshed = Some(kitchen.tick());
+        let mut left = if ticked { ALWAYS_FRESH.max(count.div_ceil(STALE_TICKS as usize)) } else { 0 };
         let scale = options.scale.as_ref().map(|s| s.id.clone());
         let first = if count > ALWAYS_FRESH { self.round } else { 0 };
         for piece in kitchen.pieces().iter().cycle().skip(first % count.max(1)).take(count) {

@@ -1,5 +1,7 @@
 //! Colour from state, in L*a*b* under D65 and in linear sRGB.
 
+use std::sync::LazyLock;
+
 use crate::description::{Colours, Kinetics, MOST_CHANGES, NoSuchChange, PerChange};
 
 /// A colour in CIE L*a*b* (D65, 2°).
@@ -51,10 +53,7 @@ impl Lab {
 
     /// The colour of 8-bit sRGB values: the inverse of [`Lab::srgb8`] within the gamut.
     pub fn from_srgb8(srgb: [u8; 3]) -> Self {
-        let [r, g, b] = srgb.map(|v| {
-            let v = f64::from(v) / 255.0;
-            if v <= 0.040_45 { v / 12.92 } else { libm::pow((v + 0.055) / 1.055, 2.4) }
-        });
+        let [r, g, b] = srgb.map(|v| decoded(f64::from(v) / 255.0));
         let f = |t: f64| {
             let knee = 6.0 / 29.0;
             if t > knee * knee * knee { libm::cbrt(t) } else { t / (3.0 * knee * knee) + 4.0 / 29.0 }
@@ -67,12 +66,17 @@ impl Lab {
 
     /// sRGB as 8-bit values.
     pub fn srgb8(self) -> [u8; 3] {
-        self.linear_srgb().map(|v| {
-            let encoded = if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * libm::pow(v, 1.0 / 2.4) - 0.055 };
-            libm::round(encoded * 255.0) as u8
-        })
+        self.linear_srgb().map(|v| STEPS.partition_point(|step| *step <= v) as u8)
     }
 }
+
+/// Linear light of an sRGB value, both 0–1 (IEC 61966-2-1).
+fn decoded(v: f64) -> f64 {
+    if v <= 0.040_45 { v / 12.92 } else { libm::pow((v + 0.055) / 1.055, 2.4) }
+}
+
+/// Linear light from which on each 8-bit value but 0 is the nearest: looking it up is faster than the power of 1/2.4.
+static STEPS: LazyLock<[f64; 255]> = LazyLock::new(|| std::array::from_fn(|i| decoded((i as f64 + 0.5) / 255.0)));
 
 impl Appearance {
     /// The change that makes fat and muscle look opaque: the first one [-].

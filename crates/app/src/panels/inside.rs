@@ -127,7 +127,10 @@ fn paint(app: &mut SauteApp, ui: &Ui, wanted: &Painted) {
 
 /// Fineness at which the cut of a piece is sharp in the panel [pixels/mm].
 fn per_mm(piece: &Piece) -> f64 {
-    let across = 1e3 * piece.model.size[0].min(piece.model.size[1]);
+    let model = &piece.model;
+    // A cut that follows a curved body shows all of its length.
+    let lengthwise = !model.is_slice() && model.cells().is_none();
+    let across = 1e3 * if lengthwise { model.mesh.thickness() } else { model.size[0].min(model.size[1]) };
     (PANEL_WIDTH / across).clamp(PER_MM, 8.0 * PER_MM)
 }
 

@@ -23,16 +23,11 @@ impl DirtyRect {
     pub const WHOLE: Self = Self { low: Vec2::NEG_INFINITY, high: Vec2::INFINITY };
     const NOTHING: Self = Self { low: Vec2::INFINITY, high: Vec2::NEG_INFINITY };
 
-    /// What the pan's floor, the foods, the steam and the tool of a scene cover.
-    pub fn of(input: &SceneInput, puffs: &[PuffVertex], tool: &[Vec3], size: [u32; 2]) -> Self {
-        let size = Vec2::new(size[0] as f32, size[1] as f32);
-        let clip_from_world = input.camera.view_projection(size.x / size.y);
-        // Pixels a metre covers at a distance of one metre.
-        let scale = 0.5 * size.y * clip_from_world.row(1).truncate().length();
+    /// What the pan's floor, the foods and the tool of a scene cover.
+    pub fn of_lively(input: &SceneInput, tool: &[Vec3], size: [u32; 2]) -> Self {
         let mut rect = Self::NOTHING;
-        let mut cover = |point: Vec3, radius: f32| {
-            rect = rect.union(covered(&clip_from_world, size, scale, point, radius));
-        };
+        let eye = Eye::new(input, size);
+        let mut cover = |point: Vec3, radius: f32| rect = rect.union(eye.covered(point, radius));
         let (pan, world_from_pan) = (&input.pan, input.pan.world_from_pan());
         for step in 0..24 {
             let around = Vec2::from_angle(std::f32::consts::TAU * step as f32 / 24.0);
@@ -41,8 +36,14 @@ impl DirtyRect {
         }
         tool.iter().for_each(|point| cover(*point, 0.0));
         input.foods.iter().flat_map(world_positions).for_each(|point| cover(point, 0.0));
-        puffs.iter().for_each(|puff| cover(Vec3::from(puff.position), 1.7 * puff.half_size));
         rect
+    }
+
+    /// What the steam of a scene covers.
+    pub fn of_sprites(input: &SceneInput, puffs: &[PuffVertex], size: [u32; 2]) -> Self {
+        let eye = Eye::new(input, size);
+        let cover = |puff: &PuffVertex| eye.covered(Vec3::from(puff.position), 1.7 * puff.half_size);
+        puffs.iter().map(cover).fold(Self::NOTHING, Self::union)
     }
 
     pub fn union(self, other: Self) -> Self {
@@ -58,15 +59,31 @@ impl DirtyRect {
     }
 }
 
-/// Pixels that a sphere covers, y downwards.
-fn covered(clip_from_world: &Mat4, size: Vec2, scale: f32, point: Vec3, radius: f32) -> DirtyRect {
-    let clip = *clip_from_world * point.extend(1.0);
-    if clip.w - radius < NEAR {
-        return DirtyRect::WHOLE;
+/// Tells where on the picture something is.
+struct Eye {
+    clip_from_world: Mat4,
+    size: Vec2,
+    /// Pixels a metre covers at a distance of one metre.
+    scale: f32,
+}
+
+impl Eye {
+    fn new(input: &SceneInput, size: [u32; 2]) -> Self {
+        let size = Vec2::new(size[0] as f32, size[1] as f32);
+        let clip_from_world = input.camera.view_projection(size.x / size.y);
+        Self { clip_from_world, size, scale: 0.5 * size.y * clip_from_world.row(1).truncate().length() }
     }
-    let centre = (clip.xy() / clip.w * Vec2::new(0.5, -0.5) + 0.5) * size;
-    let reach = Vec2::splat(radius * scale / (clip.w - radius));
-    DirtyRect { low: centre - reach, high: centre + reach }
+
+    /// Pixels that a sphere covers, y downwards.
+    fn covered(&self, point: Vec3, radius: f32) -> DirtyRect {
+        let clip = self.clip_from_world * point.extend(1.0);
+        if clip.w - radius < NEAR {
+            return DirtyRect::WHOLE;
+        }
+        let centre = (clip.xy() / clip.w * Vec2::new(0.5, -0.5) + 0.5) * self.size;
+        let reach = Vec2::splat(radius * self.scale / (clip.w - radius));
+        DirtyRect { low: centre - reach, high: centre + reach }
+    }
 }
 
 #[cfg(test)]
@@ -78,7 +95,7 @@ mod tests {
     fn the_rectangle_holds_every_food_vertex() {
         let scene = steak_in_pan(Doneness::Raw);
         let size = [960, 540];
-        let [left, top, width, height] = DirtyRect::of(&scene, &[], &[], size).scissor(size);
+        let [left, top, width, height] = DirtyRect::of_lively(&scene, &[], size).scissor(size);
         for point in scene.foods.iter().flat_map(world_positions) {
             let ndc = scene.camera.project(point, 960.0 / 540.0).expect("in front of the eye");
             let x = (ndc[0] * 0.5 + 0.5) * 960.0;
@@ -90,7 +107,7 @@ mod tests {
 
     #[test]
     fn an_empty_pan_leaves_most_of_the_picture_alone() {
-        let [.., width, height] = DirtyRect::of(&empty_pan(), &[], &[], [960, 540]).scissor([960, 540]);
+        let [.., width, height] = DirtyRect::of_lively(&empty_pan(), &[], [960, 540]).scissor([960, 540]);
         assert!(width * height < 960 * 540 / 2 && width * height > 10_000);
     }
 

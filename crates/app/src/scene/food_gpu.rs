@@ -11,6 +11,10 @@ use super::pipelines::Layouts;
 use super::textures::sampled_texture_of;
 use super::uniforms::{FoodUniform, NO_CUT, reciprocal};
 
+/// A piece of which no point has moved by more than this looks the same [m] (chosen: a seventh of a pixel).
+const LOOK_TOLERANCE: f32 = 1e-4;
+/// No point of a food is further from its origin than this [m] (chosen: half a large steak's diagonal).
+const LEVER: f32 = 0.15;
 /// A shape that has moved by less than this still casts the same shadow [m].
 const SHADOW_TOLERANCE: f32 = 3e-4;
 /// A shape that has moved by less than this leaves the look of pan wall and board as it was [m].
@@ -94,7 +98,7 @@ impl CutBuffers {
 /// What a change of the foods makes stale.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Moved {
-    /// Any state or pose.
+    /// Any state or pose, by as much as can be seen.
     pub look: bool,
     pub shadow: bool,
     pub still: bool,
@@ -217,10 +221,7 @@ impl FoodBuffers {
 
     fn shows(&self, food: &FoodLook) -> bool {
         self.shown.as_ref().is_some_and(|shown| {
-            shown.world_from_rest == food.world_from_rest
-                && same_vertices(shown, food)
-                && shown.slice == food.slice
-                && shown.sear == food.sear
+            same_pose(shown, food) && same_vertices(shown, food) && shown.slice == food.slice && shown.sear == food.sear
         })
     }
 
@@ -278,6 +279,14 @@ impl FoodBuffers {
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..self.count, 0, 0..1);
     }
+}
+
+/// True when the poses put no point of a food further apart than the eye sees.
+fn same_pose(a: &FoodLook, b: &FoodLook) -> bool {
+    let (a, b) = (a.world_from_rest, b.world_from_rest);
+    let turned = [a.x_axis - b.x_axis, a.y_axis - b.y_axis, a.z_axis - b.z_axis];
+    let turn = turned.iter().map(|axis| axis.length_squared()).sum::<f32>().sqrt();
+    (a.w_axis - b.w_axis).length() + turn * LEVER < LOOK_TOLERANCE
 }
 
 fn same_vertices(a: &FoodLook, b: &FoodLook) -> bool {

@@ -3,7 +3,7 @@
 use super::food_gpu::Foods;
 use super::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines};
 use super::solid_gpu::Solids;
-use super::targets::Attachments;
+use super::targets::{Attachments, Kept};
 
 /// Colour around the subject in flat pictures, sRGB.
 pub const FLAT_BACKGROUND: [u8; 3] = [24, 24, 24];
@@ -41,6 +41,22 @@ pub(super) fn begin<'e>(
         depth_stencil_attachment: Some(depth_attachment(to.depth, clear, store)),
         ..Default::default()
     })
+}
+
+/// Begins a pass with a rectangle of a kept picture brought back; nothing is drawn outside of it.
+pub(super) fn begin_restored<'e>(
+    encoder: &'e mut wgpu::CommandEncoder,
+    restore: &wgpu::RenderPipeline,
+    to: &Attachments<'_>,
+    from: &Kept,
+    [left, top, width, height]: [u32; 4],
+) -> wgpu::RenderPass<'e> {
+    let mut pass = begin(encoder, to, false);
+    pass.set_pipeline(restore);
+    pass.set_bind_group(0, &from.restore, &[]);
+    pass.set_scissor_rect(left, top, width, height);
+    pass.draw(0..3, 0..1);
+    pass
 }
 
 /// Begins a pass that only writes depth.

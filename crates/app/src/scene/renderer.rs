@@ -64,15 +64,32 @@ pub struct SceneRenderer {
     shown: Shown,
     targets: Targets,
     still: Option<Still>,
+    /// The frame as it is now but for the time.
+    timeless: FrameUniform,
+    /// That of the kept picture with the foods; none where it does not stand.
+    lively: Option<FrameUniform>,
     /// What moves covers this in the new frame, and covered that in the picture as it stands.
-    dirty: DirtyRect,
-    drawn: DirtyRect,
+    dirty: Touched,
+    drawn: Touched,
     moved: Moved,
     /// Counts the moves of foods that pan wall and board show.
     disturbances: u64,
     shadow_of: Option<Casting>,
     table: Option<Arc<[[u8; 3]; 256]>>,
     film: Option<Arc<FilmPicture>>,
+}
+
+/// What is drawn anew covers this much.
+#[derive(Clone, Copy, Debug)]
+struct Touched {
+    /// Foods, the pan's floor, the tool.
+    lively: DirtyRect,
+    /// Steam and what lies round frying foods.
+    sprites: DirtyRect,
+}
+
+impl Touched {
+    const WHOLE: Self = Self { lively: DirtyRect::WHOLE, sprites: DirtyRect::WHOLE };
 }
 
 /// What besides the foods casts a shadow.
@@ -150,8 +167,10 @@ impl SceneRenderer {
             sprite_ends: [0; 2],
             shown: Shown::default(),
             still: None,
-            dirty: DirtyRect::WHOLE,
-            drawn: DirtyRect::WHOLE,
+            timeless: bytemuck::Zeroable::zeroed(),
+            lively: None,
+            dirty: Touched::WHOLE,
+            drawn: Touched::WHOLE,
             moved: Moved::default(),
             disturbances: 0,
             shadow_of: None,
@@ -222,6 +241,7 @@ impl SceneRenderer {
         if resized {
             self.targets = Targets::new(device, size, &self.factory.layouts.restore);
             self.still = None;
+            self.lively = None;
         }
         if self.textures.shadow_size != self.quality.shadow_size() {
             self.textures.resize_shadow(device, self.quality.shadow_size());
@@ -234,6 +254,7 @@ impl SceneRenderer {
         let coloured = self.update_table(device, queue, &input.colouring) | self.update_film(queue, &input.pan.film);
         let aspect = size[0] as f32 / size[1] as f32;
         let frame = FrameUniform::new(input, aspect, self.textures.shadow_size, &self.contact);
+        self.timeless = frame.timeless();
         queue.write_buffer(&self.frame.buffer, 0, bytemuck::bytes_of(&frame));
         let view = input.camera.view_projection(aspect);
         queue.write_buffer(&self.camera_view.buffer, 0, bytemuck::bytes_of(&view));
@@ -245,10 +266,19 @@ impl SceneRenderer {
         self.disturbances += u64::from(self.moved.still);
         let sprites = self.update_sprites(queue, input);
         let tool: Vec<_> = self.solids.iter().flat_map(Solids::moving_points).collect();
-        self.dirty = DirtyRect::of(input, &sprites, &tool, size);
+        self.dirty = Touched {
+            lively: DirtyRect::of_lively(input, &tool, size),
+            sprites: DirtyRect::of_sprites(input, &sprites, size),
+        };
         let pan_moved = self.shadow_of != Some(Casting::of(input));
+        let changed = resized || coloured || pan_moved || self.moved.look;
+        // What is kept stands as long as only time has passed: oil and water ripple when the state is read anew.
+        let same = |kept: &FrameUniform| bytemuck::bytes_of(kept) == bytemuck::bytes_of(&self.timeless);
+        if changed || !self.lively.as_ref().is_some_and(same) {
+            self.lively = None;
+        }
         let sight = Sight { frame, sprites, quality: self.quality };
-        (sight, resized || coloured || pan_moved || self.moved.look)
+        (sight, changed)
     }
 
     /// Steam and frying fat; none where they would falsify the colours of a field.
@@ -313,7 +343,8 @@ impl SceneRenderer {
         let mut pass = passes::begin(encoder, &self.targets.picture.attachments(), true);
         passes::draw_flat(&mut pass, pipelines, &groups, solids, &self.foods);
         drop(pass);
-        self.drawn = DirtyRect::WHOLE;
+        self.lively = None;
+        self.drawn = Touched::WHOLE;
     }
 
     fn draw_fine(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
@@ -326,7 +357,8 @@ impl SceneRenderer {
             Subject { solids, foods: &self.foods, sprites: Sprites { buffer: &self.sprites, ends: self.sprite_ends } };
         let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
         passes::draw_whole(encoder, &to, pipelines, &groups, &subject);
-        self.drawn = DirtyRect::WHOLE;
+        self.lively = None;
+        self.drawn = Touched::WHOLE;
     }
 
     fn draw_fast(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey, size: [u32; 2]) {
@@ -339,16 +371,21 @@ impl SceneRenderer {
         self.factory.stock(device, pipelines, 1, self.foods.textures());
         let Some(solids) = &self.solids else { return };
         let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
-        let mut pass = passes::begin(encoder, &self.targets.picture.attachments(), false);
-        pass.set_pipeline(&self.restore);
-        pass.set_bind_group(0, &self.targets.restore, &[]);
-        let [left, top, width, height] = self.dirty.union(self.drawn).scissor(size);
-        pass.set_scissor_rect(left, top, width, height);
-        pass.draw(0..3, 0..1);
-        passes::draw_lively(&mut pass, pipelines, &groups, solids, &self.foods);
+        let mut touched = self.dirty.sprites.union(self.drawn.sprites);
+        if self.lively.is_none() {
+            let lively = self.dirty.lively.union(self.drawn.lively);
+            let to = self.targets.lively.layer.attachments();
+            let mut pass =
+                passes::begin_restored(encoder, &self.restore, &to, &self.targets.still, lively.scissor(size));
+            passes::draw_lively(&mut pass, pipelines, &groups, solids, &self.foods);
+            touched = touched.union(lively);
+        }
+        let to = self.targets.picture.attachments();
+        let mut pass = passes::begin_restored(encoder, &self.restore, &to, &self.targets.lively, touched.scissor(size));
         let sprites = Sprites { buffer: &self.sprites, ends: self.sprite_ends };
         passes::draw_veils(&mut pass, pipelines, &groups, solids, &self.foods, &sprites);
         drop(pass);
+        self.lively = Some(self.timeless);
         self.drawn = self.dirty;
     }
 
@@ -373,7 +410,8 @@ impl SceneRenderer {
         let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
         passes::draw_whole(encoder, &to, pipelines, &groups, &subject);
         self.still = Some(Still { key, drawn: false });
-        self.drawn = DirtyRect::WHOLE;
+        self.lively = None;
+        self.drawn = Touched::WHOLE;
     }
 
     /// Draws the still things smoothly, as soon as they rest.
@@ -382,14 +420,15 @@ impl SceneRenderer {
         let Some(solids) = &self.solids else { return };
         let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
         self.targets.msaa(device);
-        let mut pass = passes::begin(encoder, &self.targets.multisampled(&self.targets.still), true);
+        let mut pass = passes::begin(encoder, &self.targets.multisampled(&self.targets.still.layer), true);
         passes::draw_still(&mut pass, pipelines, &groups, solids, true);
         drop(pass);
-        let mut pass = passes::begin_depth(encoder, &self.targets.still.depth);
+        let mut pass = passes::begin_depth(encoder, &self.targets.still.layer.depth);
         passes::draw_still_depth(&mut pass, &self.depth, &self.camera_view.group, solids);
         drop(pass);
         self.still = Some(Still { key, drawn: true });
-        self.drawn = DirtyRect::WHOLE;
+        self.lively = None;
+        self.drawn = Touched::WHOLE;
     }
 }
 

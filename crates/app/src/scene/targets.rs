@@ -13,6 +13,27 @@ pub(super) struct Layer {
     pub depth: wgpu::TextureView,
 }
 
+/// A picture that is kept, and what brings it back.
+pub(super) struct Kept {
+    pub layer: Layer,
+    pub restore: wgpu::BindGroup,
+}
+
+impl Kept {
+    fn new(device: &wgpu::Device, size: [u32; 2], restore_layout: &wgpu::BindGroupLayout) -> Self {
+        let layer = layer(device, size, 1);
+        let restore = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("restore"),
+            layout: restore_layout,
+            entries: &[
+                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&layer.colour) },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&layer.depth) },
+            ],
+        });
+        Self { layer, restore }
+    }
+}
+
 /// Everything drawn into.
 pub(super) struct Targets {
     pub size: [u32; 2],
@@ -20,25 +41,18 @@ pub(super) struct Targets {
     /// The finished picture.
     pub picture: Layer,
     /// What does not move, kept between frames.
-    pub still: Layer,
-    pub restore: wgpu::BindGroup,
+    pub still: Kept,
+    /// That with the foods and the pan's floor, kept as long as they look the same.
+    pub lively: Kept,
     msaa: Option<Layer>,
 }
 
 impl Targets {
     pub fn new(device: &wgpu::Device, size: [u32; 2], restore_layout: &wgpu::BindGroupLayout) -> Self {
         let texture = texture(device, size, COLOUR_FORMAT, 1);
-        let still = layer(device, size, 1);
-        let restore = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("restore"),
-            layout: restore_layout,
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&still.colour) },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&still.depth) },
-            ],
-        });
+        let [still, lively] = [(); 2].map(|()| Kept::new(device, size, restore_layout));
         let picture = Layer { colour: view(&texture), depth: view(&self::texture(device, size, DEPTH_FORMAT, 1)) };
-        Self { size, texture, picture, still, restore, msaa: None }
+        Self { size, texture, picture, still, lively, msaa: None }
     }
 
     /// The multisampled layer, made when first needed.

@@ -148,6 +148,22 @@ fn a_moved_food_leaves_no_trace() {
 }
 
 #[test]
+fn steam_leaves_no_trace_on_what_is_kept() {
+    let Some((device, queue)) = device() else {
+        return;
+    };
+    let mut renderer = SceneRenderer::new(&device, &queue);
+    renderer.never_smooth();
+    let at = |time_s: f32| SceneInput { time_s, ..steak_in_pan(Doneness::Browned) };
+    let mut draw = |time_s: f32| renderer.read_as_is(&device, &queue, &at(time_s), SIZE);
+    draw(3.0);
+    let before = draw(3.0);
+    let later = draw(3.4);
+    assert!(later != before, "the steam moves");
+    assert!(draw(3.0) == before);
+}
+
+#[test]
 fn a_pan_without_a_field_is_not_coloured() {
     let Some((device, queue)) = device() else {
         return;

@@ -36,6 +36,12 @@ impl FrameUniform {
         self.mode.z > 0.5
     }
 
+    /// The same at time 0: what is seen of things that only the clock moves is left out.
+    pub fn timeless(mut self) -> Self {
+        self.eye.w = 0.0;
+        self
+    }
+
     pub fn new(input: &SceneInput, aspect: f32, shadow_size: u32, contact: &ContactMap) -> Self {
         let pan = &input.pan;
         let field = matches!(input.colouring, Colouring::Field { .. });
