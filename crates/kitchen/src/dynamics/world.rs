@@ -30,12 +30,13 @@ pub const RIGID_S: f64 = 1.0 / RIGID_HZ as f64;
 const TYPICAL: f32 = 2.0;
 /// Natural frequency [Hz] and damping ratio [-] of contacts (chosen: stiff enough for 0.1 mm at rest, damped enough not to
 /// ring at the step's length).
-const CONTACT_HZ: f32 = 140.0;
+const CONTACT_HZ: f32 = 230.0;
 const CONTACT_DAMPING: f32 = 4.0;
-/// Solver iterations (chosen: with them a pile of 35 shrimps comes to rest).
-const ITERATIONS: usize = 3;
+/// Solver iterations (chosen: with them and these contacts a pile of 35 shrimps comes to rest, and shaken sinks into itself
+/// by 0.3 mm).
+const ITERATIONS: usize = 2;
 /// Relaxations in each iteration (chosen: with fewer, coins that lean against each other rattle).
-const RELAXATIONS: usize = 3;
+const RELAXATIONS: usize = 2;
 /// Speed below which a body counts as creeping [solver units/s] (chosen: 5 cm/s), and the damping of such a body's speed
 /// and turning [1/s] (chosen: soft, wet food loses what little motion it has within hundredths of a second).
 const CREEPING: f32 = 5.0;
