@@ -114,7 +114,7 @@ impl SauteApp {
         stored: Option<String>,
         start: Start,
     ) -> Result<Self, StartError> {
-        theme::apply(context);
+        theme::install(context);
         let japanese_font = crate::japanese_font::install(context);
         let remembers = stored.is_some() && start.recipe.is_none();
         let settings: Settings = stored.and_then(|s| serde_json::from_str(&s).ok()).unwrap_or_default();
@@ -471,6 +471,7 @@ impl SauteApp {
     /// One frame: takes input, lets time pass, shows everything.
     pub fn frame(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
+        self.settings.display(&ctx);
         self.take_keys(&ctx);
         self.take_dropped_files(&ctx);
         self.let_time_pass(&ctx);

@@ -26,6 +26,7 @@ pub mod notice;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod offscreen;
 mod pad_input;
+pub mod palette;
 mod pan_film;
 mod pan_keys;
 pub mod panels;

@@ -5,6 +5,7 @@ use saute_kitchen::library::DEFAULT_SCALE;
 use crate::colour_map::TemperatureMap;
 use crate::language::Language;
 use crate::session::SteakChoice;
+use crate::theme::Theme;
 use crate::view::View;
 
 /// Remembered settings.
@@ -14,6 +15,8 @@ pub struct Settings {
     /// Language of the window; that of the system where none was ever chosen.
     #[serde(default = "Language::of_system")]
     pub language: Language,
+    /// Dark or light panels.
+    pub theme: Theme,
     /// Whether the card of the first start was closed.
     pub introduced: bool,
     /// Show °F instead of °C.
@@ -46,6 +49,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             language: Language::English,
+            theme: Theme::default(),
             introduced: false,
             fahrenheit: false,
             map: TemperatureMap::default(),
@@ -64,6 +68,11 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Gives the interface the chosen theme.
+    pub fn display(&self, ctx: &egui::Context) {
+        ctx.set_theme(self.theme.preference());
+    }
+
     /// Whether the look and a view of a field stand side by side.
     pub fn is_split(&self) -> bool {
         self.split && self.view != View::Look

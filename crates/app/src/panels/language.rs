@@ -11,7 +11,8 @@ pub fn chip(app: &mut SauteApp, ui: &mut Ui) {
     let other = app.settings.language.other();
     let name = name(app, other);
     let hint = app.settings.language.fill("top.language", &[("name", &name)]);
-    if ui.add(theme::button(name, false).min_size(egui::vec2(theme::TOUCH, 38.0))).on_hover_text(hint).clicked() {
+    if ui.add(theme::of(ui).button(name, false).min_size(egui::vec2(theme::TOUCH, 38.0))).on_hover_text(hint).clicked()
+    {
         app.set_language(other);
     }
 }

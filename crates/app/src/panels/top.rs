@@ -58,7 +58,7 @@ pub fn food_word(app: &SauteApp) -> &'static str {
 }
 
 fn chip(app: &mut SauteApp, ui: &mut Ui, text: &str, on: bool, act: Act) {
-    let response = ui.add(theme::button(text, on).min_size(egui::vec2(theme::TOUCH, 38.0)));
+    let response = ui.add(theme::of(ui).button(text, on).min_size(egui::vec2(theme::TOUCH, 38.0)));
     let response = response.on_hover_text(hint(act, app.settings.language));
     if response.clicked() {
         app.act(act, &ui.ctx().clone());
