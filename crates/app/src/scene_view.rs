@@ -84,6 +84,7 @@ impl SauteApp {
             scale: self.scale(),
             slice: self.slice,
             cut: self.session.steak().map(|p| p.id.clone()),
+            white_balance: self.settings.white_balance,
             flat: false,
         };
         let input = self.stage.scene(&self.session.kitchen, &options, &self.places());

@@ -4,6 +4,7 @@ use saute_kitchen::library::DEFAULT_SCALE;
 
 use crate::colour_map::TemperatureMap;
 use crate::language::Language;
+use crate::scene::white_balance::WhiteBalance;
 use crate::session::SteakChoice;
 use crate::theme::Theme;
 use crate::view::View;
@@ -17,6 +18,8 @@ pub struct Settings {
     pub language: Language,
     /// Dark or light panels.
     pub theme: Theme,
+    /// What the look calls white.
+    pub white_balance: WhiteBalance,
     /// Whether the card of the first start was closed.
     pub introduced: bool,
     /// Show °F instead of °C.
@@ -50,6 +53,7 @@ impl Default for Settings {
         Self {
             language: Language::English,
             theme: Theme::default(),
+            white_balance: WhiteBalance::default(),
             introduced: false,
             fahrenheit: false,
             map: TemperatureMap::default(),

@@ -11,6 +11,7 @@ use crate::colour_map::TemperatureMap;
 use crate::headless::{Gpu, GpuError, still};
 use crate::scene::camera::Camera;
 use crate::scene::renderer::SceneRenderer;
+use crate::scene::white_balance::WhiteBalance;
 use crate::section_picture::Picture;
 use crate::split::scenes;
 use crate::stage::{Stage, StageOptions, fitting};
@@ -73,6 +74,8 @@ pub struct ShotOptions {
     pub split: bool,
     /// Whether the food is cut open.
     pub slice: bool,
+    /// What the look calls white.
+    pub white_balance: WhiteBalance,
     /// Unlit, exactly decodable colours.
     pub flat: bool,
     /// The scale of doneness.
@@ -101,6 +104,7 @@ impl ShotOptions {
             scale,
             slice,
             cut: None,
+            white_balance: self.white_balance,
             flat: self.flat,
         }
     }

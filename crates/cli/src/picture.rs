@@ -8,6 +8,7 @@ use std::time::Instant;
 use clap::ValueEnum;
 use saute_app::bench_frame::{DISH, DISH_FROM_S, FROM_S, SHRIMPS, SHRIMPS_FROM_S};
 use saute_app::png_file::png_bytes;
+use saute_app::scene::white_balance::WhiteBalance;
 use saute_app::shot::ShotOptions;
 use saute_app::{Start, View};
 use saute_kitchen::Recipe;
@@ -36,6 +37,9 @@ pub struct ShotArgs {
     /// Cuts the food open.
     #[arg(long)]
     pub slice: bool,
+    /// What the look calls white.
+    #[arg(long, value_enum, default_value_t = WhiteName::AsShot)]
+    pub white_balance: WhiteName,
     /// Writes unlit colours without tone mapping, for measuring.
     #[arg(long)]
     pub flat: bool,
@@ -109,6 +113,30 @@ impl From<ViewName> for View {
     }
 }
 
+/// The white balances by their names on the command line.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum WhiteName {
+    /// A kitchen in the evening sun (5750 K).
+    AsShot,
+    /// White is white (6500 K).
+    Neutral,
+    /// As under an overcast sky (8000 K).
+    Cool,
+    /// As under a lamp (4500 K).
+    Warm,
+}
+
+impl From<WhiteName> for WhiteBalance {
+    fn from(name: WhiteName) -> Self {
+        match name {
+            WhiteName::AsShot => Self::AsShot,
+            WhiteName::Neutral => Self::Neutral,
+            WhiteName::Cool => Self::Cool,
+            WhiteName::Warm => Self::Warm,
+        }
+    }
+}
+
 /// Sides that a picture may have [pixels] (chosen: every graphics adapter can draw 8192).
 const SIDES: std::ops::RangeInclusive<u32> = 64..=8192;
 
@@ -146,6 +174,7 @@ pub fn shot(args: &ShotArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
         view: args.split.unwrap_or(args.view.into()),
         split: args.split.is_some(),
         slice: args.slice,
+        white_balance: args.white_balance.into(),
         flat: args.flat,
         scale,
     };

@@ -3,9 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::mesh::SolidVertex;
+use super::room_light;
 use super::steam::PuffVertex;
 use super::targets::{COLOUR_FORMAT, MSAA_SAMPLES};
 use super::textures::{DEPTH_FORMAT, fragment_entry};
+use super::white_balance;
 use crate::scene::input::{FleshTexture, FoodVertex};
 
 const FRAME: &str = include_str!("shaders/frame.wgsl");
@@ -104,12 +106,13 @@ impl PipelineFactory {
                 source: wgpu::ShaderSource::Wgsl(parts.concat().into()),
             })
         };
+        let light = room_light::wgsl() + &white_balance::wgsl();
         let solid_layout = pipeline_layout(device, &[&layouts.frame, textures]);
         let food_layout = pipeline_layout(device, &[&layouts.frame, textures, &layouts.food]);
         Self {
-            solid: module("solid", &[FRAME, LIGHT, SOLID]),
-            food: module("food", &[FRAME, LIGHT, HATCH, FLESH, GRAIN, FOOD]),
-            sprites: module("sprites", &[FRAME, LIGHT, STEAM, FRY]),
+            solid: module("solid", &[FRAME, &light, LIGHT, SOLID]),
+            food: module("food", &[FRAME, &light, LIGHT, HATCH, FLESH, GRAIN, FOOD]),
+            sprites: module("sprites", &[FRAME, &light, LIGHT, STEAM, FRY]),
             depth: module("depth", &[DEPTH]),
             restore: module("restore", &[RESTORE]),
             layouts,

@@ -3,10 +3,12 @@
 use std::sync::Arc;
 
 use super::callback::{SceneCallback, ScenePresenter};
+use super::camera::Camera;
 use super::input::{Colouring, SceneInput};
 use super::readback::read_picture;
 use super::renderer::{FLAT_BACKGROUND, Quality, SceneRenderer};
-use super::sample::{Doneness, cut, heat_table, steak_in_pan};
+use super::sample::{Doneness, cut, empty_pan, heat_table, steak_in_pan};
+use super::white_balance::WhiteBalance;
 
 const SIZE: [u32; 2] = [320, 180];
 
@@ -173,4 +175,72 @@ fn a_pan_without_a_field_is_not_coloured() {
     scene.pan.floor_field = [-1.0; 16];
     let pixels = SceneRenderer::new(&device, &queue).render_to_image(&device, &queue, &scene, SIZE);
     assert!(pixels.chunks(4).all(|pixel| pixel[..3] == FLAT_BACKGROUND));
+}
+
+/// Mean colour of the floor of a grey, matt, dry pan seen from above, 0–255.
+fn grey_floor(
+    renderer: &mut SceneRenderer,
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    white: WhiteBalance,
+) -> [f64; 3] {
+    let mut scene = SceneInput { camera: Camera::above(), white_balance: white, ..empty_pan() };
+    // Dark enough to stay on the straight part of the tone curve.
+    (scene.pan.colour, scene.pan.metalness, scene.pan.roughness) = (glam::Vec3::splat(0.3), 0.0, 1.0);
+    scene.pan.film = Default::default();
+    let pixels = renderer.render_to_image(device, queue, &scene, SIZE);
+    let size = SIZE.map(|side| side as usize);
+    let middle =
+        (size[1] / 2 - 10..size[1] / 2 + 10).flat_map(|y| (size[0] / 2 - 10..size[0] / 2 + 10).map(move |x| (x, y)));
+    let seen: Vec<&[u8]> = middle.map(|(x, y)| &pixels[4 * (y * size[0] + x)..][..3]).collect();
+    std::array::from_fn(|c| seen.iter().map(|p| f64::from(p[c])).sum::<f64>() / seen.len() as f64)
+}
+
+#[test]
+fn grey_looks_grey_under_the_neutral_balance_redder_below_and_bluer_above() {
+    let Some((device, queue)) = device() else {
+        return;
+    };
+    let mut renderer = SceneRenderer::new(&device, &queue);
+    let mut at = |white| grey_floor(&mut renderer, &device, &queue, white);
+    let neutral = at(WhiteBalance::Neutral);
+    // The wall shades the floor from some of the room, whose light is not all of one colour.
+    assert!((neutral[0] - neutral[1]).abs() < 4.0 && (neutral[2] - neutral[1]).abs() < 4.0, "{neutral:?}");
+    let [cool, as_shot, warm] = [WhiteBalance::Cool, WhiteBalance::AsShot, WhiteBalance::Warm].map(at);
+    let redness = [cool, neutral, as_shot, warm].map(|c| c[0] - c[2]);
+    assert!(redness.windows(2).all(|pair| pair[1] > pair[0] + 3.0), "{redness:?}");
+}
+
+#[test]
+fn the_white_balance_leaves_fields_and_flat_pictures_as_they_are() {
+    let Some((device, queue)) = device() else {
+        return;
+    };
+    let flat = flat_field(0.5, true);
+    let lit = SceneInput { flat: false, ..flat.clone() };
+    let flat_look = SceneInput { colouring: Colouring::Look, ..flat.clone() };
+    for scene in [flat, lit, flat_look] {
+        let draw = |white_balance| {
+            let scene = SceneInput { white_balance, ..scene.clone() };
+            SceneRenderer::new(&device, &queue).render_to_image(&device, &queue, &scene, SIZE)
+        };
+        assert!(draw(WhiteBalance::AsShot) == draw(WhiteBalance::Warm));
+    }
+}
+
+#[test]
+fn what_is_kept_follows_the_white_balance() {
+    let Some((device, queue)) = device() else {
+        return;
+    };
+    let draw = |renderer: &mut SceneRenderer, white_balance| {
+        renderer.never_smooth();
+        let scene = SceneInput { white_balance, ..steak_in_pan(Doneness::Browned) };
+        (0..4).map(|_| renderer.read_as_is(&device, &queue, &scene, SIZE)).last().unwrap_or_default()
+    };
+    let mut renderer = SceneRenderer::new(&device, &queue);
+    let as_shot = draw(&mut renderer, WhiteBalance::AsShot);
+    let cool = draw(&mut renderer, WhiteBalance::Cool);
+    assert!(as_shot != cool);
+    assert!(cool == draw(&mut SceneRenderer::new(&device, &queue), WhiteBalance::Cool));
 }

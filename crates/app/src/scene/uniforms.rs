@@ -6,6 +6,7 @@ use super::environment::{ENVIRONMENT_LEVELS, LAMP_DIRECTION, WINDOW_DIRECTION};
 use super::input::{Colouring, FLOOR_FIELD_RINGS, SceneInput};
 use super::props::{BOARD_CENTRE, BOARD_SIZE};
 use super::shadow::{ContactMap, light_from_world};
+use super::white_balance::WhiteBalance;
 
 /// After this the time in the shaders starts again, so that single precision stays fine [s].
 const TIME_WRAP: f32 = 1000.0;
@@ -27,6 +28,7 @@ pub(super) struct FrameUniform {
     mode: Vec4,
     board: Vec4,
     oil: Vec4,
+    white: Vec4,
     floor_field: [f32; FLOOR_FIELD_RINGS],
 }
 
@@ -60,9 +62,15 @@ impl FrameUniform {
             mode: Vec4::new(input.hob.power, f32::from(field), f32::from(input.flat), BOARD_CENTRE.z),
             board: Vec4::new(low.x, low.y, high.x, high.y),
             oil: pan.oil_colour.extend(0.0),
+            white: balance(input).gains().extend(0.0),
             floor_field: pan.floor_field,
         }
     }
+}
+
+/// The balance of the look; what stands round the colours of a field stays as it is.
+pub(super) fn balance(input: &SceneInput) -> WhiteBalance {
+    if matches!(input.colouring, Colouring::Look) { input.white_balance } else { WhiteBalance::default() }
 }
 
 /// Mirrors `Food` in `food.wgsl`; its head is `Pose` in `depth.wgsl`.

@@ -47,7 +47,14 @@ pub fn plate(gpu: &Gpu, figure: &Figure, moments: &[Moment], scale: &Arc<Scale>,
 
 fn draw(gpu: &Gpu, panel: &Panel, kitchen: &Kitchen, scale: &Arc<Scale>, size: [u32; 2]) -> Picture {
     let slice = panel.eye == Eye::Cut;
-    let options = ShotOptions { view: panel.view, slice, flat: false, scale: Arc::clone(scale), split: false };
+    let options = ShotOptions {
+        view: panel.view,
+        slice,
+        white_balance: Default::default(),
+        flat: false,
+        scale: Arc::clone(scale),
+        split: false,
+    };
     let mut stage = options.stage(kitchen);
     let place = kitchen.pieces().first().map(|piece| (piece.pose.position.as_vec3(), nearness(piece)));
     if let (Eye::Piece | Eye::Cut, Some((target, nearness))) = (panel.eye, place) {

@@ -13,14 +13,7 @@
 // Oil, water, fond, foam on the floor of the pan.
 @group(1) @binding(10) var pan_film: texture_2d<f32>;
 
-// Irradiance / pi of window, lamp and fill (chosen; the window matches the radiance in the environment picture).
-const KEY = vec3<f32>(2.15, 2.12, 2.05);
-const LAMP = vec3<f32>(0.80, 0.55, 0.30);
-const FILL_SKY = vec3<f32>(0.33, 0.32, 0.31);
-const FILL_GROUND = vec3<f32>(0.13, 0.12, 0.11);
-// Light that comes back from the room behind the cook.
-const FILL_FRONT = vec3<f32>(0.52, 0.49, 0.44);
-const FRONT = vec3<f32>(0.12, -0.84, 0.53);
+// KEY, LAMP, FILL_… and FRONT are those of `room_light.rs`.
 
 struct Surface {
     albedo: vec3<f32>,
@@ -92,7 +85,7 @@ fn lobe(f0: vec3<f32>, roughness: f32, n_dot_v: f32) -> vec3<f32> {
 fn diffuse(s: Surface, lit: f32) -> vec3<f32> {
     let n_dot_l = dot(s.normal, frame.key.xyz);
     let key = max((vec3<f32>(n_dot_l) + s.wrap) / (1.0 + s.wrap), vec3<f32>(0.0)) * (lit + s.wrap * 0.2 * (1.0 - lit));
-    let n_dot_lamp = max(dot(s.normal, frame.lamp.xyz) * 0.75 + 0.25, 0.0);
+    let n_dot_lamp = max(dot(s.normal, frame.lamp.xyz) * (1.0 - LAMP_WRAP) + LAMP_WRAP, 0.0);
     let fill = mix(FILL_GROUND, FILL_SKY, s.normal.z * 0.5 + 0.5) + FILL_FRONT * max(dot(s.normal, FRONT), 0.0);
     return s.albedo * (KEY * key + (LAMP * n_dot_lamp + fill) * s.visibility);
 }
