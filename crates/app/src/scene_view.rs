@@ -98,7 +98,7 @@ impl SauteApp {
         }
         for (place, (pane, input)) in panes.iter().zip(scenes).enumerate() {
             let size = [pane.rect.width(), pane.rect.height()].map(|v| (v * fineness).round().max(1.0) as u32);
-            let callback = SceneCallback { input, size, pane: place };
+            let callback = SceneCallback { input, size, quality: self.quality(), pane: place };
             ui.painter().add(egui_wgpu::Callback::new_paint_callback(pane.rect, callback));
         }
         if let [_, field] = panes {

@@ -9,6 +9,7 @@ use saute_kitchen::{Kitchen, Piece};
 
 use crate::headless::{Gpu, still};
 use crate::scene::camera::Camera;
+use crate::scene::quality::Quality;
 use crate::section_picture::Picture;
 use crate::shot::ShotOptions;
 use crate::stage::{StageOptions, following};
@@ -30,6 +31,7 @@ pub fn seen_colour(gpu: &Gpu, kitchen: &Kitchen, piece: &Piece, at: SeenAt, scal
         view: View::Look,
         slice: at == SeenAt::Cut,
         white_balance: Default::default(),
+        quality: Quality::Smooth,
         flat: true,
         scale: Arc::clone(scale),
         split: false,

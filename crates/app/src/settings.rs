@@ -3,7 +3,9 @@
 use saute_kitchen::library::DEFAULT_SCALE;
 
 use crate::colour_map::TemperatureMap;
+use crate::interface_size::InterfaceSize;
 use crate::language::Language;
+use crate::quality_choice::QualityChoice;
 use crate::scene::white_balance::WhiteBalance;
 use crate::session::SteakChoice;
 use crate::theme::Theme;
@@ -18,8 +20,12 @@ pub struct Settings {
     pub language: Language,
     /// Dark or light panels.
     pub theme: Theme,
+    /// Size of the interface.
+    pub size: InterfaceSize,
     /// What the look calls white.
     pub white_balance: WhiteBalance,
+    /// How much work the picture is worth.
+    pub quality: QualityChoice,
     /// Whether the card of the first start was closed.
     pub introduced: bool,
     /// Show °F instead of °C.
@@ -53,7 +59,9 @@ impl Default for Settings {
         Self {
             language: Language::English,
             theme: Theme::default(),
+            size: InterfaceSize::default(),
             white_balance: WhiteBalance::default(),
+            quality: QualityChoice::default(),
             introduced: false,
             fahrenheit: false,
             map: TemperatureMap::default(),
@@ -72,9 +80,10 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Gives the interface the chosen theme.
+    /// Gives the interface the chosen theme and size.
     pub fn display(&self, ctx: &egui::Context) {
         ctx.set_theme(self.theme.preference());
+        ctx.set_zoom_factor(self.size.fitting(ctx));
     }
 
     /// Whether the look and a view of a field stand side by side.

@@ -44,6 +44,8 @@ pub fn of(ui: &Ui) -> &'static Palette {
 
 /// Sets up both themes; [`Theme::preference`] then chooses.
 pub fn install(ctx: &egui::Context) {
+    // The size of the interface is a setting, which has those keys.
+    ctx.options_mut(|options| options.zoom_with_keyboard = false);
     for theme in [egui::Theme::Dark, egui::Theme::Light] {
         ctx.style_mut_of(theme, |style| {
             style.visuals = visuals(Palette::of(theme == egui::Theme::Dark));

@@ -22,7 +22,6 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
             ui.horizontal(|ui| {
                 ui.heading(l.text("help.title"));
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    crate::panels::language::chip(app, ui);
                     if ui.add(theme::of(ui).button(l.text("help.first_steps"), false)).clicked() {
                         (app.help, app.first_steps) = (false, true);
                     }

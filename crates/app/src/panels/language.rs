@@ -17,7 +17,8 @@ pub fn chip(app: &mut SauteApp, ui: &mut Ui) {
     }
 }
 
-fn name(app: &SauteApp, language: Language) -> &'static str {
+/// A language's own name; where its letters cannot be drawn, its code.
+pub fn name(app: &SauteApp, language: Language) -> &'static str {
     match language {
         Language::English => "EN",
         Language::Japanese if app.japanese_font => "日本語",

@@ -14,6 +14,7 @@ pub mod pieces;
 pub mod pour;
 pub mod probes;
 pub mod read_out;
+pub mod settings_card;
 pub mod top;
 
 use egui::{Rect, ScrollArea, Ui, UiBuilder};
@@ -76,7 +77,7 @@ fn drawer(app: &mut SauteApp, ui: &mut Ui) {
                 app.drawer = part;
             }
         }
-        top::units_and_help(app, ui);
+        top::help_and_settings(app, ui);
     });
     ui.separator();
     scrolled(ui, |ui| match app.drawer {

@@ -16,6 +16,7 @@ pub(crate) mod pan_mesh;
 mod passes;
 mod pipelines;
 pub mod props;
+pub mod quality;
 mod readback;
 pub mod renderer;
 mod rest_mesh;

@@ -5,6 +5,7 @@ use glam::{Mat4, Vec3, Vec4};
 use super::environment::{ENVIRONMENT_LEVELS, LAMP_DIRECTION, WINDOW_DIRECTION};
 use super::input::{Colouring, FLOOR_FIELD_RINGS, SceneInput};
 use super::props::{BOARD_CENTRE, BOARD_SIZE};
+use super::quality::{Quality, SOFT_SHADOW_SIZE};
 use super::shadow::{ContactMap, light_from_world};
 use super::white_balance::WhiteBalance;
 
@@ -44,7 +45,8 @@ impl FrameUniform {
         self
     }
 
-    pub fn new(input: &SceneInput, aspect: f32, shadow_size: u32, contact: &ContactMap) -> Self {
+    pub fn new(input: &SceneInput, aspect: f32, quality: Quality, contact: &ContactMap) -> Self {
+        let softness = 1.15 / quality.map_sizes()[0].min(SOFT_SHADOW_SIZE) as f32;
         let pan = &input.pan;
         let field = matches!(input.colouring, Colouring::Field { .. });
         let [low, high] = [BOARD_CENTRE - BOARD_SIZE * 0.5, BOARD_CENTRE + BOARD_SIZE * 0.5];
@@ -52,7 +54,7 @@ impl FrameUniform {
             clip_from_world: input.camera.view_projection(aspect),
             light_from_world: light_from_world(),
             eye: input.camera.eye().extend(input.time_s.rem_euclid(TIME_WRAP)),
-            key: WINDOW_DIRECTION.normalize().extend(1.15 / shadow_size as f32),
+            key: WINDOW_DIRECTION.normalize().extend(softness),
             lamp: LAMP_DIRECTION.normalize().extend((ENVIRONMENT_LEVELS - 1) as f32),
             pan_from_world: pan.world_from_pan().inverse(),
             contact_rect: contact.rect(),

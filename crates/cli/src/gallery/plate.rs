@@ -5,6 +5,7 @@ use std::sync::Arc;
 use saute_app::Picture;
 use saute_app::headless::{Gpu, still};
 use saute_app::scene::camera::Camera;
+use saute_app::scene::quality::Quality;
 use saute_app::shot::ShotOptions;
 use saute_app::stage::nearness;
 use saute_kitchen::Kitchen;
@@ -51,6 +52,7 @@ fn draw(gpu: &Gpu, panel: &Panel, kitchen: &Kitchen, scale: &Arc<Scale>, size: [
         view: panel.view,
         slice,
         white_balance: Default::default(),
+        quality: Quality::Smooth,
         flat: false,
         scale: Arc::clone(scale),
         split: false,
