@@ -269,9 +269,9 @@ fn beside_steak(
         <[u8; 3]>::try_from(&pixels[4 * (y * PICTURE[0] as usize + x)..][..3]).expect("three bytes").map(f64::from)
     };
     let edge = |angle: f32| {
-        let reaches = (20..80).map(|mm| 1e-3 * mm as f32);
+        let mut reaches = (20..80).map(|mm| 1e-3 * mm as f32);
         let grey = |c: [f64; 3]| c[0] < 1.3 * c[2];
-        reaches.filter(|reach| !grey(seen(angle, *reach))).last().unwrap_or(0.0)
+        reaches.rfind(|reach| !grey(seen(angle, *reach))).unwrap_or(0.0)
     };
     let angles: Vec<f32> = (0..64).map(|k| std::f32::consts::TAU * k as f32 / 64.0).collect();
     [0.007, 0.030]
