@@ -3,7 +3,8 @@
 use std::time::Instant;
 
 use saute_app::scene::input::{Colouring, SceneInput};
-use saute_app::scene::renderer::{Quality, SceneRenderer};
+use saute_app::scene::quality::Quality;
+use saute_app::scene::renderer::SceneRenderer;
 use saute_app::scene::sample::{Doneness, cut, heat_table, steak_in_pan};
 
 type Failure = Box<dyn std::error::Error>;
@@ -30,12 +31,13 @@ fn main() -> Result<(), Failure> {
         let median = median(&mut renderer, &device, &queue, scene, change);
         println!("{name:15}{median:7.1} ms");
     };
-    bench("at rest", Quality::Fast, &scene, |_, _| ());
-    bench("sliced", Quality::Fast, &sliced, |_, _| ());
-    bench("field", Quality::Fast, &coloured, |_, _| ());
-    bench("food moves", Quality::Fast, &scene, |scene, i| scene.foods[0].world_from_rest.w_axis.z += 0.001 * i as f32);
-    bench("eye moves", Quality::Fast, &scene, |scene, i| scene.camera.orbit(0.01 * i as f32, 0.0));
-    bench("fine", Quality::Fine, &scene, |_, _| ());
+    bench("at rest", Quality::Quick, &scene, |_, _| ());
+    bench("sliced", Quality::Quick, &sliced, |_, _| ());
+    bench("field", Quality::Quick, &coloured, |_, _| ());
+    bench("food moves", Quality::Quick, &scene, |scene, i| scene.foods[0].world_from_rest.w_axis.z += 0.001 * i as f32);
+    bench("eye moves", Quality::Quick, &scene, |scene, i| scene.camera.orbit(0.01 * i as f32, 0.0));
+    bench("smooth", Quality::Smooth, &scene, |_, _| ());
+    bench("best", Quality::Best, &scene, |_, _| ());
     Ok(())
 }
 

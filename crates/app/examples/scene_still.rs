@@ -8,7 +8,8 @@ use glam::{Mat4, Vec3};
 use saute_app::scene::camera::Camera;
 use saute_app::scene::input::{Colouring, SceneInput};
 use saute_app::scene::props::{BOARD_CENTRE, CLOTH_PLACE};
-use saute_app::scene::renderer::{Quality, SceneRenderer};
+use saute_app::scene::quality::Quality;
+use saute_app::scene::renderer::SceneRenderer;
 use saute_app::scene::sample::{Doneness, cut, empty_pan, heat_table, steak, steak_in_pan};
 
 type Failure = Box<dyn std::error::Error>;
@@ -19,9 +20,8 @@ fn main() -> Result<(), Failure> {
     std::fs::create_dir_all(&directory)?;
     let (device, queue) = pollster::block_on(open_device())?;
     let mut renderer = SceneRenderer::new(&device, &queue);
-    renderer.quality = Quality::Fine;
     for (name, scene, size) in pictures().into_iter().filter(|(name, ..)| name.contains(&only)) {
-        let pixels = renderer.render_to_image(&device, &queue, &scene, size);
+        let pixels = renderer.render_to_image(&device, &queue, &scene, size, Quality::Smooth);
         write_png(&directory.join(name).with_extension("png"), &pixels, size)?;
     }
     Ok(())

@@ -83,9 +83,11 @@ pub enum Act {
     Panels,
     /// Saves a picture.
     Picture,
+    /// The card of the settings.
+    Settings,
     /// This list.
     Help,
-    /// Closes this list; no probe is put in.
+    /// Closes list and card; no probe is put in.
     Close,
 }
 
@@ -111,7 +113,7 @@ pub const TOOL_STEP: f64 = 0.01;
 pub const ROLL_STEP: f64 = std::f64::consts::PI / 6.0;
 
 /// All keys, in the order in which the help lists them.
-pub const BINDINGS: [Binding; 56] = [
+pub const BINDINGS: [Binding; 57] = [
     bind(Key::A, "A", Act::Put, "key.put"),
     bind(Key::F, "F", Act::Flip, "key.flip"),
     bind(Key::O, "O", Act::Out, "key.out"),
@@ -167,6 +169,7 @@ pub const BINDINGS: [Binding; 56] = [
     bind(Key::S, "S", Act::Picture, "key.picture"),
     bind(Key::F12, "F12", Act::Picture, "key.picture"),
     bind(Key::F1, "F1", Act::Help, "key.help"),
+    bind(Key::F2, "F2", Act::Settings, "key.settings"),
     bind(Key::Escape, "Esc", Act::Close, "key.close"),
 ];
 

@@ -5,10 +5,11 @@ use std::sync::Arc;
 
 use egui::{Rect, Ui};
 use saute_kitchen::{Command, Library, Place, Recipe, RestOn};
-use web_time::Duration;
+use web_time::{Duration, Instant};
 
 use crate::act::{Act, BINDINGS};
 use crate::colour_map::TemperatureMap;
+use crate::governor::Governor;
 use crate::language::Language;
 use crate::layout::Layout;
 use crate::motion::Motions;
@@ -20,6 +21,7 @@ use crate::pouring::Portion;
 use crate::scene::callback::SceneCallback;
 use crate::scene::camera::Camera;
 use crate::scene::ground::GroundCallback;
+use crate::scene::quality::Quality;
 use crate::scene_view::SceneView;
 use crate::session::{SPEEDS, STEAK, Session};
 use crate::settings::Settings;
@@ -61,6 +63,8 @@ pub struct SauteApp {
     /// Place of the cut (−1…1), or none.
     pub(crate) slice: Option<f64>,
     pub(crate) help: bool,
+    /// Whether the card of the settings is open.
+    pub(crate) settings_open: bool,
     pub(crate) notice: Notice,
     pub(crate) motions: Motions,
     pub(crate) scene: SceneView,
@@ -83,6 +87,8 @@ pub struct SauteApp {
     /// Whether the scene can be drawn (a graphics device is there).
     drawable: bool,
     software: bool,
+    /// Chooses the quality of the picture where that is left to the program.
+    pub(crate) governor: Governor,
 }
 
 /// Why the window cannot start.
@@ -114,7 +120,7 @@ impl SauteApp {
         stored: Option<String>,
         start: Start,
     ) -> Result<Self, StartError> {
-        theme::apply(context);
+        theme::install(context);
         let japanese_font = crate::japanese_font::install(context);
         let remembers = stored.is_some() && start.recipe.is_none();
         let settings: Settings = stored.and_then(|s| serde_json::from_str(&s).ok()).unwrap_or_default();
@@ -141,6 +147,7 @@ impl SauteApp {
             camera_preset: 0,
             slice: None,
             help: false,
+            settings_open: false,
             notice: Notice::default(),
             motions: Motions::default(),
             scene: SceneView::default(),
@@ -155,6 +162,7 @@ impl SauteApp {
             last_time: None,
             drawable: graphics.is_some(),
             software,
+            governor: Governor::new(Quality::Best),
             first_steps,
             japanese_font,
         };
@@ -212,6 +220,11 @@ impl SauteApp {
         self.help
     }
 
+    /// Whether the card of the settings is open.
+    pub fn settings_are_open(&self) -> bool {
+        self.settings_open
+    }
+
     /// Size at which the scene was drawn last [pixels].
     pub fn scene_size(&self) -> [u32; 2] {
         self.scene.drawn_size
@@ -260,8 +273,9 @@ impl SauteApp {
             Act::Curves => self.settings.curves_open = !self.settings.curves_open,
             Act::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
             Act::Picture => crate::save_picture::save_picture(ctx, &self.notice, self.settings.language),
-            Act::Help => self.help = !self.help,
-            Act::Close => (self.help, self.scene.placing) = (false, false),
+            Act::Help => (self.help, self.settings_open) = (!self.help, false),
+            Act::Settings => (self.settings_open, self.help) = (!self.settings_open, false),
+            Act::Close => (self.help, self.settings_open, self.scene.placing) = (false, false, false),
         }
     }
 
@@ -391,6 +405,7 @@ impl SauteApp {
     }
 
     fn take_keys(&mut self, ctx: &egui::Context) {
+        self.settings.size = self.settings.size.by_keys(ctx);
         if ctx.egui_wants_keyboard_input() {
             return;
         }
@@ -431,8 +446,13 @@ impl SauteApp {
         let wall = now - self.last_time.unwrap_or(now);
         self.last_time = Some(now);
         self.take_hands(ctx, wall.clamp(0.0, LONGEST_FRAME_S));
+        let begun = Instant::now();
         let passed =
             self.session.advance(Duration::from_secs_f64(wall.max(0.0)), Duration::from_millis(STEP_BUDGET_MS));
+        // While time stands still frames come when there is something to see.
+        if !self.session.paused {
+            self.governor.frame(wall, begun.elapsed().as_secs_f64());
+        }
         if let Err(error) = passed {
             self.say_trouble(&error);
         }
@@ -444,13 +464,20 @@ impl SauteApp {
         }
     }
 
-    /// Size at which to draw the scene [pixels]: in full, or on a software rasteriser scaled down to 960 × 540 at least.
+    /// Size at which to draw the scene [pixels]: in full, or on a software rasteriser, unless the best is asked for,
+    /// scaled down to 960 × 540 at least.
     pub(crate) fn scene_pixels(&self, rect: Rect, pixels_per_point: f32) -> [u32; 2] {
         let (w, h) = (rect.width() * pixels_per_point, rect.height() * pixels_per_point);
-        let least = if self.software { (960.0 / w).max(540.0 / h).clamp(0.1, 1.0) } else { 1.0 };
+        let scaled = self.software && self.quality() < Quality::Best;
+        let least = if scaled { (960.0 / w).max(540.0 / h).clamp(0.1, 1.0) } else { 1.0 };
         let most = 2048.0 / w.max(h);
         let scale = least.min(most);
         [(w * scale).round().max(1.0) as u32, (h * scale).round().max(1.0) as u32]
+    }
+
+    /// Whether the graphics are software.
+    pub(crate) fn software(&self) -> bool {
+        self.software
     }
 
     pub(crate) fn drawable(&self) -> bool {
@@ -471,6 +498,7 @@ impl SauteApp {
     /// One frame: takes input, lets time pass, shows everything.
     pub fn frame(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
+        self.settings.display(&ctx);
         self.take_keys(&ctx);
         self.take_dropped_files(&ctx);
         self.let_time_pass(&ctx);
@@ -489,6 +517,8 @@ impl SauteApp {
         panels::badge::show(self, ui, &layout);
         if self.help {
             panels::help::show(self, ui, whole);
+        } else if self.settings_open {
+            panels::settings_card::show(self, ui, whole);
         } else if self.first_steps {
             panels::first_steps::show(self, ui, whole);
         }

@@ -7,6 +7,8 @@ use serde::Serialize;
 
 use crate::app::Start;
 use crate::offscreen::{Offscreen, OffscreenError};
+use crate::quality_choice::QualityChoice;
+use crate::scene::quality::Quality;
 
 /// Simulated time from which frames are measured, as a rule [s].
 pub const FROM_S: f64 = 60.0;
@@ -109,6 +111,8 @@ pub struct FrameBench {
     pub size: [u32; 2],
     /// Size at which the scene was drawn [pixels].
     pub scene_size: [u32; 2],
+    /// Quality at which the last frame was drawn.
+    pub quality: Quality,
     /// Title of the recipe.
     pub recipe: String,
     /// Frames that were measured.
@@ -131,10 +135,12 @@ pub fn bench_frame(
     start: Start,
     size: [u32; 2],
     from_s: f64,
+    quality: QualityChoice,
     process_start: Instant,
 ) -> Result<FrameBench, OffscreenError> {
     let recipe = start.recipe.as_ref().map(|r: &Recipe| r.title.clone()).unwrap_or_default();
     let mut window = Offscreen::open(start, size)?;
+    window.app.set_quality(quality);
     window.frame(0.0);
     let first_frame_s = process_start.elapsed().as_secs_f64();
     while window.app.session().kitchen.time_s() < from_s && !window.app.session().paused {
@@ -159,6 +165,7 @@ pub fn bench_frame(
         adapter: window.adapter(),
         size,
         scene_size: window.app.scene_size(),
+        quality: window.app.quality(),
         recipe,
         frames: durations.len(),
         simulated_s: [simulated_from, window.app.session().kitchen.time_s()],

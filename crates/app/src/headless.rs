@@ -2,6 +2,7 @@
 
 use saute_kitchen::Kitchen;
 
+use crate::scene::quality::Quality;
 use crate::scene::renderer::SceneRenderer;
 use crate::section_picture::Picture;
 use crate::stage::{Stage, StageOptions};
@@ -54,10 +55,15 @@ async fn adapter(backends: wgpu::Backends) -> Result<wgpu::Adapter, wgpu::Reques
     wgpu::Instance::new(descriptor).request_adapter(&wgpu::RequestAdapterOptions::default()).await
 }
 
-/// Draws a kitchen once, at the best quality.
+/// Draws a kitchen once, with smooth edges.
 pub fn still(gpu: &Gpu, kitchen: &Kitchen, options: &StageOptions, size: [u32; 2]) -> Picture {
+    still_at(gpu, kitchen, options, size, Quality::Smooth)
+}
+
+/// Draws a kitchen once, at a quality.
+pub fn still_at(gpu: &Gpu, kitchen: &Kitchen, options: &StageOptions, size: [u32; 2], quality: Quality) -> Picture {
     let input = Stage::default().scene(kitchen, options, &Default::default());
     let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
-    let rgba = renderer.render_to_image(&gpu.device, &gpu.queue, &input, size);
+    let rgba = renderer.render_to_image(&gpu.device, &gpu.queue, &input, size, quality);
     Picture { width: size[0] as usize, height: size[1] as usize, rgba }
 }

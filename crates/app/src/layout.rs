@@ -4,8 +4,10 @@ use egui::{Pos2, Rect, pos2, vec2};
 
 use crate::settings::Settings;
 
-/// Below this width the panels gather in one drawer at the bottom [points].
-const NARROW: f32 = 720.0;
+/// Below this width the panels gather in one drawer [points] (chosen: hob and clock still stand in one row).
+const NARROW: f32 = 1080.0;
+/// Width of the drawer beside the scene [points].
+const DRAWER_WIDTH: f32 = 366.0;
 /// Space around panels [points].
 pub const GAP: f32 = 10.0;
 const RIGHT_WIDTH: f32 = 318.0;
@@ -61,8 +63,10 @@ impl Layout {
     pub fn new(whole: Rect, settings: &Settings) -> Self {
         let narrow = whole.width() < NARROW;
         let inner = whole.shrink(GAP);
-        let mut layout = if narrow {
-            Self::narrow(whole, inner)
+        let mut layout = if narrow && whole.width() > whole.height() {
+            Self::beside(whole, inner)
+        } else if narrow {
+            Self::below(whole, inner)
         } else {
             Self::wide(whole, inner, settings.pantry_open || settings.pieces_open)
         };
@@ -84,7 +88,17 @@ impl Layout {
         Self { whole, top, left, right, bottom, free, narrow: false }
     }
 
-    fn narrow(whole: Rect, inner: Rect) -> Self {
+    /// The drawer at the right, over the whole height.
+    fn beside(whole: Rect, inner: Rect) -> Self {
+        let drawer = Rect::from_min_max(pos2(inner.right() - DRAWER_WIDTH, inner.top()), inner.max);
+        let left = drawer.left() - GAP;
+        let top = Rect::from_min_max(inner.min, pos2(left, inner.top() + NARROW_TOP_HEIGHT));
+        let free = Rect::from_min_max(pos2(whole.left(), top.bottom()), pos2(left, whole.bottom()));
+        Self { whole, top, left: None, right: drawer, bottom: drawer, free, narrow: true }
+    }
+
+    /// The drawer at the bottom.
+    fn below(whole: Rect, inner: Rect) -> Self {
         let split = whole.top() + (0.48 * whole.height()).max(240.0);
         let top = Rect::from_min_max(inner.min, pos2(inner.right(), inner.top() + NARROW_TOP_HEIGHT));
         let bottom = Rect::from_min_max(pos2(inner.left(), split), inner.max);
@@ -133,11 +147,14 @@ mod tests {
 
     #[test]
     fn panels_do_not_overlap_at_any_size() {
-        for size in [vec2(1280.0, 720.0), vec2(1920.0, 1080.0), vec2(900.0, 640.0)] {
+        for size in [vec2(1280.0, 720.0), vec2(1920.0, 1080.0), vec2(900.0, 640.0), vec2(853.0, 480.0)] {
             for pantry_open in [false, true] {
                 let settings = Settings { pantry_open, ..Settings::default() };
                 let l = Layout::new(Rect::from_min_size(Pos2::ZERO, size), &settings);
-                let mut parts = vec![l.top, l.right, l.bottom];
+                let mut parts = vec![l.top, l.right];
+                // One drawer has both.
+                assert_eq!(l.narrow, l.bottom == l.right);
+                parts.extend((!l.narrow).then_some(l.bottom));
                 parts.extend(l.left);
                 for (i, a) in parts.iter().enumerate() {
                     assert!(parts[i + 1..].iter().all(|b| !a.intersects(*b)), "{size:?} {l:?}");

@@ -12,11 +12,13 @@ pub mod food_look;
 pub mod gamepad;
 #[cfg(not(target_arch = "wasm32"))]
 mod gamepad_device;
+pub mod governor;
 mod grab;
 mod halves;
 pub mod hatch;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod headless;
+pub mod interface_size;
 mod japanese_font;
 pub mod language;
 pub mod layout;
@@ -26,6 +28,7 @@ pub mod notice;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod offscreen;
 mod pad_input;
+pub mod palette;
 mod pan_film;
 mod pan_keys;
 pub mod panels;
@@ -36,6 +39,7 @@ pub mod pouring;
 pub mod probe;
 mod probe_hand;
 mod put_in;
+pub mod quality_choice;
 mod refusal;
 mod save_picture;
 mod scale_choice;

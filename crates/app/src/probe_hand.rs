@@ -1,6 +1,6 @@
 //! Probes in the scene: put where the pointer is, shown as numbered markers, dragged.
 
-use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, vec2};
+use egui::{Align2, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, vec2};
 
 use crate::app::SauteApp;
 use crate::layout::Pane;
@@ -81,11 +81,12 @@ impl SauteApp {
 /// A point, and its number beside it.
 fn marker(ui: &Ui, point: Pos2, number: usize, chosen: bool) {
     let (painter, at) = (ui.painter(), point + NUMBER_AT);
-    let fill = theme::probe(number);
-    let rim = if chosen { Color32::WHITE } else { theme::ON_ACCENT };
-    painter.line_segment([point, at], Stroke::new(3.5, theme::ON_ACCENT));
+    let palette = theme::of(ui);
+    let fill = palette.probe(number);
+    let rim = if chosen { palette.text } else { palette.on_accent };
+    painter.line_segment([point, at], Stroke::new(3.5, palette.on_accent));
     painter.line_segment([point, at], Stroke::new(1.5, fill));
-    painter.circle(point, POINT, fill, Stroke::new(1.2, theme::ON_ACCENT));
+    painter.circle(point, POINT, fill, Stroke::new(1.2, palette.on_accent));
     painter.circle(at, NUMBER, fill, Stroke::new(if chosen { 2.0 } else { 1.2 }, rim));
-    painter.text(at, Align2::CENTER_CENTER, number.to_string(), FontId::proportional(13.0), theme::ON_ACCENT);
+    painter.text(at, Align2::CENTER_CENTER, number.to_string(), FontId::proportional(13.0), palette.on_accent);
 }

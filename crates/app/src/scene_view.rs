@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use egui::{Color32, Pos2, Rect, Sense, Stroke, Ui, pos2, vec2};
+use egui::{Pos2, Rect, Sense, Stroke, Ui, pos2, vec2};
 use glam::{Mat4, Vec3};
 use saute_kitchen::Piece;
 
@@ -84,6 +84,7 @@ impl SauteApp {
             scale: self.scale(),
             slice: self.slice,
             cut: self.session.steak().map(|p| p.id.clone()),
+            white_balance: self.settings.white_balance,
             flat: false,
         };
         let input = self.stage.scene(&self.session.kitchen, &options, &self.places());
@@ -92,17 +93,17 @@ impl SauteApp {
         self.scene.drawn_size = self.scene_pixels(layout.whole, ui.ctx().pixels_per_point());
         let fineness = self.scene.drawn_size[0] as f32 / layout.whole.width();
         if !self.drawable() {
-            ui.painter().rect_filled(layout.whole, 0.0, Color32::from_gray(40));
+            ui.painter().rect_filled(layout.whole, 0.0, theme::of(ui).sunken);
             return;
         }
         for (place, (pane, input)) in panes.iter().zip(scenes).enumerate() {
             let size = [pane.rect.width(), pane.rect.height()].map(|v| (v * fineness).round().max(1.0) as u32);
-            let callback = SceneCallback { input, size, pane: place };
+            let callback = SceneCallback { input, size, quality: self.quality(), pane: place };
             ui.painter().add(egui_wgpu::Callback::new_paint_callback(pane.rect, callback));
         }
         if let [_, field] = panes {
             let line = [field.free.left_top(), field.free.left_bottom()];
-            ui.painter().line_segment(line, Stroke::new(2.0, theme::SOLID));
+            ui.painter().line_segment(line, Stroke::new(2.0, theme::of(ui).solid));
         }
     }
 
@@ -154,14 +155,14 @@ impl SauteApp {
         if let (true, Some(at)) = (response.dragged(), response.interact_pointer_pos()) {
             self.drag_cut(at, rect);
         }
-        let fill = if response.hovered() || response.dragged() { theme::ACCENT } else { theme::TEXT };
+        let fill = if response.hovered() || response.dragged() { theme::of(ui).accent } else { theme::of(ui).text };
         ui.painter().line_segment([foot, knob], Stroke::new(2.0, fill));
-        ui.painter().circle(knob, 11.0, fill, Stroke::new(2.0, theme::GROUND));
+        ui.painter().circle(knob, 11.0, fill, Stroke::new(2.0, theme::of(ui).ground));
         for side in [-1.0, 1.0] {
             let tip = knob + vec2(side * 6.0, 0.0);
             let back = |dy: f32| knob + vec2(side * 2.0, dy);
-            ui.painter().line_segment([tip, back(-3.5)], Stroke::new(1.5, theme::ON_ACCENT));
-            ui.painter().line_segment([tip, back(3.5)], Stroke::new(1.5, theme::ON_ACCENT));
+            ui.painter().line_segment([tip, back(-3.5)], Stroke::new(1.5, theme::of(ui).on_accent));
+            ui.painter().line_segment([tip, back(3.5)], Stroke::new(1.5, theme::of(ui).on_accent));
         }
     }
 }

@@ -9,6 +9,7 @@ use saute_kitchen::{Kitchen, Piece};
 
 use crate::headless::{Gpu, still};
 use crate::scene::camera::Camera;
+use crate::scene::quality::Quality;
 use crate::section_picture::Picture;
 use crate::shot::ShotOptions;
 use crate::stage::{StageOptions, following};
@@ -26,8 +27,15 @@ const READINGS: i32 = 15;
 
 /// Mean colour of a piece as a flat picture shows it, in the middle of its upper face or of its cut.
 pub fn seen_colour(gpu: &Gpu, kitchen: &Kitchen, piece: &Piece, at: SeenAt, scale: &Arc<Scale>) -> Lab {
-    let options =
-        ShotOptions { view: View::Look, slice: at == SeenAt::Cut, flat: true, scale: Arc::clone(scale), split: false };
+    let options = ShotOptions {
+        view: View::Look,
+        slice: at == SeenAt::Cut,
+        white_balance: Default::default(),
+        quality: Quality::Smooth,
+        flat: true,
+        scale: Arc::clone(scale),
+        split: false,
+    };
     let normal = piece.pose.rotation * DVec3::X;
     // The eye looks at the cut from the side to which it faces, at the top from straight above.
     let (yaw, pitch) = match at {

@@ -3,8 +3,12 @@
 use saute_kitchen::library::DEFAULT_SCALE;
 
 use crate::colour_map::TemperatureMap;
+use crate::interface_size::InterfaceSize;
 use crate::language::Language;
+use crate::quality_choice::QualityChoice;
+use crate::scene::white_balance::WhiteBalance;
 use crate::session::SteakChoice;
+use crate::theme::Theme;
 use crate::view::View;
 
 /// Remembered settings.
@@ -14,6 +18,14 @@ pub struct Settings {
     /// Language of the window; that of the system where none was ever chosen.
     #[serde(default = "Language::of_system")]
     pub language: Language,
+    /// Dark or light panels.
+    pub theme: Theme,
+    /// Size of the interface.
+    pub size: InterfaceSize,
+    /// What the look calls white.
+    pub white_balance: WhiteBalance,
+    /// How much work the picture is worth.
+    pub quality: QualityChoice,
     /// Whether the card of the first start was closed.
     pub introduced: bool,
     /// Show °F instead of °C.
@@ -46,6 +58,10 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             language: Language::English,
+            theme: Theme::default(),
+            size: InterfaceSize::default(),
+            white_balance: WhiteBalance::default(),
+            quality: QualityChoice::default(),
             introduced: false,
             fahrenheit: false,
             map: TemperatureMap::default(),
@@ -64,6 +80,12 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Gives the interface the chosen theme and size.
+    pub fn display(&self, ctx: &egui::Context) {
+        ctx.set_theme(self.theme.preference());
+        ctx.set_zoom_factor(self.size.fitting(ctx));
+    }
+
     /// Whether the look and a view of a field stand side by side.
     pub fn is_split(&self) -> bool {
         self.split && self.view != View::Look

@@ -8,9 +8,11 @@ use saute_kitchen::{Cook, InputError, Kitchen, Library, Piece, Recipe, TICK_S};
 
 use crate::app::CUT_YAW;
 use crate::colour_map::TemperatureMap;
-use crate::headless::{Gpu, GpuError, still};
+use crate::headless::{Gpu, GpuError, still_at};
 use crate::scene::camera::Camera;
+use crate::scene::quality::Quality;
 use crate::scene::renderer::SceneRenderer;
+use crate::scene::white_balance::WhiteBalance;
 use crate::section_picture::Picture;
 use crate::split::scenes;
 use crate::stage::{Stage, StageOptions, fitting};
@@ -73,6 +75,10 @@ pub struct ShotOptions {
     pub split: bool,
     /// Whether the food is cut open.
     pub slice: bool,
+    /// What the look calls white.
+    pub white_balance: WhiteBalance,
+    /// How much work the picture is worth.
+    pub quality: Quality,
     /// Unlit, exactly decodable colours.
     pub flat: bool,
     /// The scale of doneness.
@@ -101,6 +107,7 @@ impl ShotOptions {
             scale,
             slice,
             cut: None,
+            white_balance: self.white_balance,
             flat: self.flat,
         }
     }
@@ -122,16 +129,17 @@ pub fn shot(
 ) -> Result<Picture, ShotError> {
     let cook = cook_until(recipe, library, at_s)?;
     let (gpu, stage) = (Gpu::open()?, options.stage(&cook.kitchen));
-    Ok(if options.split { pair(&gpu, &cook.kitchen, &stage, size) } else { still(&gpu, &cook.kitchen, &stage, size) })
+    let draw = if options.split { pair } else { still_at };
+    Ok(draw(&gpu, &cook.kitchen, &stage, size, options.quality))
 }
 
 /// The look and the view of one instant side by side, each in half the width, with a dark line between.
-fn pair(gpu: &Gpu, kitchen: &Kitchen, options: &StageOptions, [width, height]: [u32; 2]) -> Picture {
+fn pair(gpu: &Gpu, kitchen: &Kitchen, options: &StageOptions, [width, height]: [u32; 2], quality: Quality) -> Picture {
     let half = [(width - LINE) / 2, height];
     let input = Stage::default().scene(kitchen, options, &Default::default());
     let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
     let scenes = scenes(input, true);
-    let halves = scenes.iter().map(|scene| renderer.render_to_image(&gpu.device, &gpu.queue, scene, half));
+    let halves = scenes.iter().map(|scene| renderer.render_to_image(&gpu.device, &gpu.queue, scene, half, quality));
     let [row, all] = [half[0], width].map(|pixels| 4 * pixels as usize);
     let mut rgba = [24, 24, 24, 255].repeat((width * height) as usize);
     for (side, picture) in halves.enumerate() {

@@ -19,6 +19,7 @@ use crate::scene::input::{
     RestLook, SceneInput, SearLook, SteamSource, ToolKind, ToolLook, Vapour,
 };
 use crate::scene::props::{BOARD_CENTRE, CLOTH_PLACE};
+use crate::scene::white_balance::WhiteBalance;
 use crate::view::View;
 use crate::waiting::waiting_places;
 
@@ -37,6 +38,8 @@ pub struct StageOptions {
     pub slice: Option<f64>,
     /// The piece that is cut; all of them unless one is named.
     pub cut: Option<String>,
+    /// What the look calls white.
+    pub white_balance: WhiteBalance,
     /// Unlit, exactly decodable colours.
     pub flat: bool,
 }
@@ -219,6 +222,7 @@ impl Stage {
             steam: steam(kitchen, &pan, &poses),
             time_s: kitchen.time_s() as f32,
             colouring: map.map_or(Colouring::Look, |m| Colouring::Field { table: m.table, stepped: m.stepped }),
+            white_balance: options.white_balance,
             flat: options.flat,
         }
     }

@@ -22,7 +22,16 @@ fn cook(at_s: f64) -> Cook {
 
 fn options(view: View, slice: Option<f64>, flat: bool) -> StageOptions {
     let camera = Camera { yaw: saute_app::app::CUT_YAW, ..Camera::three_quarter() };
-    StageOptions { camera, view, map: TemperatureMap::Uniform, scale: None, slice, cut: None, flat }
+    StageOptions {
+        camera,
+        view,
+        map: TemperatureMap::Uniform,
+        scale: None,
+        slice,
+        cut: None,
+        white_balance: Default::default(),
+        flat,
+    }
 }
 
 fn pixel(picture: &Picture, [x, y]: [usize; 2]) -> [u8; 3] {

@@ -8,6 +8,9 @@ use std::time::Instant;
 use clap::ValueEnum;
 use saute_app::bench_frame::{DISH, DISH_FROM_S, FROM_S, SHRIMPS, SHRIMPS_FROM_S};
 use saute_app::png_file::png_bytes;
+use saute_app::quality_choice::QualityChoice;
+use saute_app::scene::quality::Quality;
+use saute_app::scene::white_balance::WhiteBalance;
 use saute_app::shot::ShotOptions;
 use saute_app::{Start, View};
 use saute_kitchen::Recipe;
@@ -36,6 +39,12 @@ pub struct ShotArgs {
     /// Cuts the food open.
     #[arg(long)]
     pub slice: bool,
+    /// What the look calls white.
+    #[arg(long, value_enum, default_value_t = WhiteName::AsShot)]
+    pub white_balance: WhiteName,
+    /// How much work the picture is worth.
+    #[arg(long, value_enum, default_value_t = QualityName::Smooth)]
+    pub quality: QualityName,
     /// Writes unlit colours without tone mapping, for measuring.
     #[arg(long)]
     pub flat: bool,
@@ -62,6 +71,9 @@ pub struct BenchFrameArgs {
     /// Size of the frame in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
     pub size: [u32; 2],
+    /// How much work a picture is worth; automatic unless given.
+    #[arg(long, value_enum)]
+    pub quality: Option<QualityName>,
     /// Prints the numbers as JSON.
     #[arg(long)]
     pub json: bool,
@@ -109,6 +121,51 @@ impl From<ViewName> for View {
     }
 }
 
+/// The white balances by their names on the command line.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum WhiteName {
+    /// A kitchen in the evening sun (5750 K).
+    AsShot,
+    /// White is white (6500 K).
+    Neutral,
+    /// As under an overcast sky (8000 K).
+    Cool,
+    /// As under a lamp (4500 K).
+    Warm,
+}
+
+impl From<WhiteName> for WhiteBalance {
+    fn from(name: WhiteName) -> Self {
+        match name {
+            WhiteName::AsShot => Self::AsShot,
+            WhiteName::Neutral => Self::Neutral,
+            WhiteName::Cool => Self::Cool,
+            WhiteName::Warm => Self::Warm,
+        }
+    }
+}
+
+/// The qualities by their names on the command line.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum QualityName {
+    /// As the window draws without a graphics card.
+    Quick,
+    /// Smooth edges everywhere.
+    Smooth,
+    /// Besides, shadows where food touches the ground, and finer maps and textures.
+    Best,
+}
+
+impl From<QualityName> for Quality {
+    fn from(name: QualityName) -> Self {
+        match name {
+            QualityName::Quick => Self::Quick,
+            QualityName::Smooth => Self::Smooth,
+            QualityName::Best => Self::Best,
+        }
+    }
+}
+
 /// Sides that a picture may have [pixels] (chosen: every graphics adapter can draw 8192).
 const SIDES: std::ops::RangeInclusive<u32> = 64..=8192;
 
@@ -146,6 +203,8 @@ pub fn shot(args: &ShotArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
         view: args.split.unwrap_or(args.view.into()),
         split: args.split.is_some(),
         slice: args.slice,
+        white_balance: args.white_balance.into(),
+        quality: args.quality.into(),
         flat: args.flat,
         scale,
     };
@@ -161,19 +220,21 @@ pub fn bench_frame(args: &BenchFrameArgs, shelf: &Shelf, process_start: Instant)
         Some(SceneName::Shrimps) => (Recipe::parse(SHRIMPS, "shrimps", &shelf.library)?, SHRIMPS_FROM_S),
         None => (recipe_source::load(&args.recipe, shelf)?, FROM_S),
     };
+    let quality = args.quality.map_or(QualityChoice::Automatic, |name| QualityChoice::Always(name.into()));
     let start = Start { library: Some(Arc::new(shelf.library.clone())), recipe: Some(recipe) };
-    let bench = saute_app::bench_frame::bench_frame(start, args.size, from_s, process_start)?;
+    let bench = saute_app::bench_frame::bench_frame(start, args.size, from_s, quality, process_start)?;
     if args.json {
         stdout::print(&format!("{}\n", serde_json::to_string_pretty(&bench)?))?;
         return Ok(ExitCode::SUCCESS);
     }
     let [w, h] = bench.scene_size;
     stdout::print(&format!(
-        "{}, {}\nwindow {} × {}, scene {w} × {h}, {} frames\nmedian {:.1} frames/s, 5th percentile {:.1} frames/s, first frame after {:.2} s\n",
+        "{}, {}\nwindow {} × {}, scene {w} × {h}, quality {}, {} frames\nmedian {:.1} frames/s, 5th percentile {:.1} frames/s, first frame after {:.2} s\n",
         bench.recipe,
         bench.adapter,
         bench.size[0],
         bench.size[1],
+        format!("{:?}", bench.quality).to_lowercase(),
         bench.frames,
         bench.frames_per_s.median,
         bench.frames_per_s.p5,

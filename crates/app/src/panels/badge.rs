@@ -36,14 +36,14 @@ fn standing(app: &mut SauteApp, ui: &Ui, layout: &Layout) {
     let width = layout.whole.right().min(layout.free.right()) - at.x - 2.0 * GAP - 16.0;
     let area = Area::new(Id::unique("standing")).fixed_pos(at).pivot(Align2::LEFT_BOTTOM);
     area.show(ui.ctx(), |ui| {
-        theme::panel().inner_margin(8).show(ui, |ui| {
+        theme::of(ui).panel().inner_margin(8).show(ui, |ui| {
             legend::show(app, ui, width);
             if simple {
                 ui.label(
                     RichText::new(app.settings.language.text("scene.rules_2013"))
                         .size(15.0)
                         .strong()
-                        .color(theme::ACCENT),
+                        .color(theme::of(ui).accent),
                 );
             }
         });
@@ -55,7 +55,7 @@ fn message(ui: &Ui, layout: &Layout, name: &str, drop: f32, text: &str) {
     Area::new(Id::unique(("message", name))).fixed_pos(at).pivot(Align2::CENTER_TOP).interactable(false).show(
         ui.ctx(),
         |ui| {
-            theme::panel().show(ui, |ui| {
+            theme::of(ui).panel().show(ui, |ui| {
                 ui.set_max_width(layout.free.width() - 40.0);
                 ui.label(RichText::new(text).font(FontId::proportional(14.5)));
             });

@@ -5,6 +5,7 @@ use egui_plot::{HLine, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotTransfo
 
 use crate::app::SauteApp;
 use crate::language::Language;
+use crate::palette::Palette;
 use crate::panels::inside::clock;
 use crate::session::Mark;
 use crate::theme;
@@ -14,6 +15,8 @@ const MOST_POINTS: usize = 400;
 /// Events nearer to the pointer than this are told [points]; labels of events keep a line of type between them.
 const EVENT_NEAR: f32 = 6.0;
 const EVENT_APART: f32 = 12.0;
+/// How strongly the lines of events are drawn [-] (chosen: behind the curves).
+const EVENT_SEEN: f32 = 0.35;
 
 /// One curve: minutes and degrees in the chosen unit.
 struct Curve {
@@ -28,7 +31,8 @@ struct Curve {
 
 /// Shows the curves with what happened.
 pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
-    let curves = curves(app);
+    let palette = theme::of(ui);
+    let curves = curves(app, palette);
     let settings = &app.settings;
     legend(app, ui, &curves);
     // The axis leaves numbers away that stand closer than this.
@@ -56,11 +60,11 @@ pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
         }
         if app.scale().is_some() {
             let goal = HLine::new(settings.language.text("curves.goal"), settings.degrees(settings.goal_c));
-            plot.hline(goal.color(theme::QUIET).style(LineStyle::dotted_dense()).width(1.0));
+            plot.hline(goal.color(palette.quiet).style(LineStyle::dotted_dense()).width(1.0));
         }
         for mark in &app.session.marks {
             let line = VLine::new(mark_words(mark, settings.language), mark.time_s / 60.0);
-            plot.vline(line.color(Color32::from_white_alpha(46)).width(1.0));
+            plot.vline(line.color(palette.quiet.gamma_multiply(EVENT_SEEN)).width(1.0));
         }
     });
     events(ui, &shown.transform, &app.session.marks, settings.language);
@@ -75,7 +79,7 @@ fn mark_words(mark: &Mark, l: Language) -> String {
     l.find(&format!("mark.{}", mark.label.replace(' ', "_"))).unwrap_or(&mark.label).to_owned()
 }
 
-fn curves(app: &SauteApp) -> Vec<Curve> {
+fn curves(app: &SauteApp, palette: &Palette) -> Vec<Curve> {
     let (settings, rows) = (&app.settings, &app.session.recorder.rows);
     let step = rows.len().div_ceil(MOST_POINTS).max(1);
     let series = |pick: &dyn Fn(&saute_kitchen::recorder::Row) -> Option<f64>| -> Vec<[f64; 2]> {
@@ -86,7 +90,7 @@ fn curves(app: &SauteApp) -> Vec<Curve> {
     let curve = |place: usize, name: &str, style, width, points| Curve {
         name: name.to_owned(),
         mark: String::new(),
-        colour: theme::CURVES[place],
+        colour: palette.curves[place],
         style,
         width,
         points,
@@ -108,7 +112,7 @@ fn curves(app: &SauteApp) -> Vec<Curve> {
         Curve {
             name: probe.name.clone(),
             mark: probe.number.to_string(),
-            colour: theme::probe(probe.number),
+            colour: palette.probe(probe.number),
             style: probe_style(probe.number),
             width: 1.8,
             points: shown.map(|[t, c]| [t / 60.0, settings.degrees(*c)]).collect(),
@@ -134,12 +138,12 @@ fn legend(app: &SauteApp, ui: &mut Ui, curves: &[Curve]) {
         ui.spacing_mut().item_spacing = vec2(5.0, 2.0);
         for curve in curves.iter().filter(|c| c.mark.is_empty()) {
             sample(ui, curve.colour, curve.style, curve.width);
-            ui.label(RichText::new(&curve.name).size(13.0).color(theme::TEXT));
+            ui.label(RichText::new(&curve.name).size(13.0).color(theme::of(ui).text));
             ui.add_space(5.0);
         }
         if app.scale().is_some() {
-            sample(ui, theme::QUIET, LineStyle::dotted_dense(), 1.0);
-            ui.label(RichText::new(app.settings.language.text("curves.goal")).size(13.0).color(theme::TEXT));
+            sample(ui, theme::of(ui).quiet, LineStyle::dotted_dense(), 1.0);
+            ui.label(RichText::new(app.settings.language.text("curves.goal")).size(13.0).color(theme::of(ui).text));
         }
     });
 }
@@ -175,9 +179,10 @@ fn events(ui: &Ui, transform: &PlotTransform, marks: &[Mark], l: Language) {
         }
     }
     for (x, words) in written {
-        let text = painter.layout_no_wrap(words, FontId::proportional(10.5), theme::QUIET);
+        let text = painter.layout_no_wrap(words, FontId::proportional(10.5), theme::of(ui).quiet);
         let at = pos2(x + 1.0, transform.frame().top() + 3.0 + text.size().x);
-        painter.add(egui::epaint::TextShape::new(at, text, theme::QUIET).with_angle(-std::f32::consts::FRAC_PI_2));
+        painter
+            .add(egui::epaint::TextShape::new(at, text, theme::of(ui).quiet).with_angle(-std::f32::consts::FRAC_PI_2));
     }
 }
 
@@ -203,11 +208,11 @@ fn read_off(app: &SauteApp, ui: &Ui, response: &egui::Response, transform: &Plot
     let minutes = transform.value_from_position(at).x;
     let frame = transform.frame();
     let line = [pos2(at.x, frame.top()), pos2(at.x, frame.bottom())];
-    ui.painter().line_segment(line, Stroke::new(1.0, theme::QUIET));
+    ui.painter().line_segment(line, Stroke::new(1.0, theme::of(ui).quiet));
     let values: Vec<(&Curve, f64)> = curves.iter().filter_map(|c| Some((c, value_at(&c.points, minutes)?))).collect();
     for (curve, value) in &values {
         let point = transform.position_from_point(&PlotPoint::new(minutes, *value));
-        ui.painter().circle(point, 3.0, curve.colour, Stroke::new(1.0, theme::ON_ACCENT));
+        ui.painter().circle(point, 3.0, curve.colour, Stroke::new(1.0, theme::of(ui).on_accent));
     }
     let l = app.settings.language;
     let near = |mark: &&Mark| (transform.position_from_point_x(mark.time_s / 60.0) - at.x).abs() < EVENT_NEAR;
@@ -215,7 +220,7 @@ fn read_off(app: &SauteApp, ui: &Ui, response: &egui::Response, transform: &Plot
     let area = Area::new(Id::unique("curve-values")).order(Order::Tooltip).interactable(false);
     // Left of the pointer: what comes next stays in sight.
     area.fixed_pos(at + vec2(-12.0, -8.0)).pivot(Align2::RIGHT_BOTTOM).show(ui.ctx(), |ui| {
-        theme::panel().fill(theme::SOLID).inner_margin(8).show(ui, |ui| {
+        theme::of(ui).panel().fill(theme::of(ui).solid).inner_margin(8).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 1.0;
             let line = |ui: &mut Ui, text: RichText| ui.add(egui::Label::new(text.size(13.0)).extend());
             line(ui, RichText::new(clock(60.0 * minutes)).strong());
@@ -227,7 +232,7 @@ fn read_off(app: &SauteApp, ui: &Ui, response: &egui::Response, transform: &Plot
                 line(ui, RichText::new(text).color(curve.colour));
             }
             if !events.is_empty() {
-                line(ui, RichText::new(events.join(l.text("doneness.list_joint"))).color(theme::ACCENT));
+                line(ui, RichText::new(events.join(l.text("doneness.list_joint"))).color(theme::of(ui).accent));
             }
         });
     });

@@ -37,7 +37,7 @@ fn selector(app: &mut SauteApp, ui: &mut Ui, scale: &Scale) {
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = 22.0;
         ui.spacing_mut().button_padding = vec2(8.0, 2.0);
-        ui.label(RichText::new(l.text("doneness.by")).size(12.5).color(theme::QUIET));
+        ui.label(RichText::new(l.text("doneness.by")).size(12.5).color(theme::of(ui).quiet));
         let own = l.called("scale", &scale.name);
         let text = RichText::new(own).size(13.0);
         let combo = ComboBox::from_id_salt("scale").selected_text(text).width(ui.available_width() - 4.0);
@@ -103,7 +103,7 @@ fn columns(app: &SauteApp, ui: &mut Ui, scale: &Scale) {
                 let share = RichText::new(format!("{:.0} %", app.inside.shares.0[class])).size(16.0).strong();
                 ui.add(egui::Label::new(share).extend());
                 ui.add(egui::Label::new(RichText::new(name(class)).size(small)).extend());
-                let range = RichText::new(range(&app.settings, scale, class)).size(11.0).color(theme::QUIET);
+                let range = RichText::new(range(&app.settings, scale, class)).size(11.0).color(theme::of(ui).quiet);
                 ui.add(egui::Label::new(range).extend());
             });
         }
@@ -119,7 +119,7 @@ fn width_in_letters(name: &str) -> f32 {
 fn changes(app: &SauteApp, ui: &mut Ui) {
     let l = app.settings.language;
     let caption = l.text("doneness.changed");
-    ui.label(RichText::new(caption).size(12.5).color(theme::QUIET));
+    ui.label(RichText::new(caption).size(12.5).color(theme::of(ui).quiet));
     for (name, share) in &app.inside.changed {
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
         let text = change(l, name, *share);
@@ -131,11 +131,11 @@ fn changes(app: &SauteApp, ui: &mut Ui) {
         );
         let full = Rect::from_min_size(track.min, vec2(track.width() * *share as f32, track.height()));
         let (painter, font) = (ui.painter(), egui::FontId::proportional(14.0));
-        painter.text(rect.left_center(), egui::Align2::LEFT_CENTER, name, font.clone(), theme::TEXT);
-        painter.rect_filled(track, 3.0, theme::RAISED);
-        painter.rect_filled(full, 3.0, theme::CURVES[2]);
+        painter.text(rect.left_center(), egui::Align2::LEFT_CENTER, name, font.clone(), theme::of(ui).text);
+        painter.rect_filled(track, 3.0, theme::of(ui).raised);
+        painter.rect_filled(full, 3.0, theme::of(ui).curves[2]);
         let percent = format!("{:.0} %", 100.0 * share);
-        painter.text(rect.right_center(), egui::Align2::RIGHT_CENTER, percent, font, theme::TEXT);
+        painter.text(rect.right_center(), egui::Align2::RIGHT_CENTER, percent, font, theme::of(ui).text);
     }
 }
 

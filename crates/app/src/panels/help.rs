@@ -15,38 +15,41 @@ fn pad() -> impl Iterator<Item = (&'static str, &'static str)> {
 
 /// Shows the list over everything; Esc, F1 or a click beside it closes it.
 pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
-    let modal = Modal::new(Id::unique("help")).frame(theme::panel().fill(theme::SOLID)).show(ui.ctx(), |ui| {
-        ui.set_width((whole.width() - 60.0).min(900.0));
-        let l = app.settings.language;
-        ui.horizontal(|ui| {
-            ui.heading(l.text("help.title"));
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                crate::panels::language::chip(app, ui);
-                if ui.add(theme::button(l.text("help.first_steps"), false)).clicked() {
-                    (app.help, app.first_steps) = (false, true);
-                }
+    let modal =
+        Modal::new(Id::unique("help")).frame(theme::of(ui).panel().fill(theme::of(ui).solid)).show(ui.ctx(), |ui| {
+            ui.set_width((whole.width() - 60.0).min(900.0));
+            let l = app.settings.language;
+            ui.horizontal(|ui| {
+                ui.heading(l.text("help.title"));
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    if ui.add(theme::of(ui).button(l.text("help.first_steps"), false)).clicked() {
+                        (app.help, app.first_steps) = (false, true);
+                    }
+                });
+            });
+            ui.label(l.text("help.mouse"));
+            ui.add_space(6.0);
+            let height = whole.height() - 250.0;
+            egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
+                let columns = if whole.width() > 700.0 { 3 } else { 1 };
+                let single = BINDINGS.iter().map(|b| (b.written, b.words));
+                let lines: Vec<(&str, &str)> = single.chain(HELD).chain(pad()).collect();
+                let rows = lines.len().div_ceil(columns);
+                ui.columns(columns, |uis| {
+                    for (i, (written, words)) in lines.into_iter().enumerate() {
+                        let ui = &mut uis[i / rows];
+                        ui.horizontal(|ui| {
+                            let key = RichText::new(l.called("button", written))
+                                .monospace()
+                                .strong()
+                                .color(theme::of(ui).accent);
+                            ui.add_sized([90.0, 20.0], egui::Label::new(key));
+                            ui.label(l.text(words));
+                        });
+                    }
+                });
             });
         });
-        ui.label(l.text("help.mouse"));
-        ui.add_space(6.0);
-        let height = whole.height() - 250.0;
-        egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
-            let columns = if whole.width() > 700.0 { 3 } else { 1 };
-            let single = BINDINGS.iter().map(|b| (b.written, b.words));
-            let lines: Vec<(&str, &str)> = single.chain(HELD).chain(pad()).collect();
-            let rows = lines.len().div_ceil(columns);
-            ui.columns(columns, |uis| {
-                for (i, (written, words)) in lines.into_iter().enumerate() {
-                    let ui = &mut uis[i / rows];
-                    ui.horizontal(|ui| {
-                        let key = RichText::new(l.called("button", written)).monospace().strong().color(theme::ACCENT);
-                        ui.add_sized([90.0, 20.0], egui::Label::new(key));
-                        ui.label(l.text(words));
-                    });
-                }
-            });
-        });
-    });
     if modal.should_close() {
         app.help = false;
     }

@@ -40,13 +40,13 @@ fn temperatures(app: &SauteApp, ui: &mut Ui) {
     if let Some(scale) = app.scale() {
         let class = l.called("class", scale.name_of(piece.core_peak.0));
         let class = l.fill("hob.class_so_far", &[("class", &class), ("scale", &l.called("scale", &scale.name))]);
-        ui.label(RichText::new(class).size(13.0).color(theme::QUIET));
+        ui.label(RichText::new(class).size(13.0).color(theme::of(ui).quiet));
     }
 }
 
 fn hob(app: &mut SauteApp, ui: &mut Ui) {
     let l = app.settings.language;
-    ui.label(RichText::new(l.text("hob.hob")).color(theme::QUIET));
+    ui.label(RichText::new(l.text("hob.hob")).color(theme::of(ui).quiet));
     let settings = app.session.kitchen.hob().coil.settings_w.clone();
     let now = app.session.kitchen.hob_w();
     for w in settings {
@@ -58,7 +58,7 @@ fn hob(app: &mut SauteApp, ui: &mut Ui) {
     }
     let custom = !app.session.kitchen.hob().coil.settings_w.iter().any(|w| (w - now).abs() < 0.5);
     if custom {
-        ui.label(RichText::new(format!("{now:.0} W")).color(theme::ACCENT));
+        ui.label(RichText::new(format!("{now:.0} W")).color(theme::of(ui).accent));
     }
 }
 
@@ -83,7 +83,7 @@ fn hands(app: &mut SauteApp, ui: &mut Ui) {
     button(app, ui, l.text("hob.cloth"), on_cloth, true, Act::Cloth);
     button(app, ui, l.text("hob.restart"), false, true, Act::Restart);
     if let Some(text) = no_power(&app.session.kitchen) {
-        ui.label(RichText::new(l.text(text)).size(13.0).color(theme::ACCENT).strong());
+        ui.label(RichText::new(l.text(text)).size(13.0).color(theme::of(ui).accent).strong());
     }
     if let Some(runner) = &app.session.runner {
         let text = l.fill(
@@ -93,7 +93,7 @@ fn hands(app: &mut SauteApp, ui: &mut Ui) {
                 ("step", &crate::next_step::words(runner, &app.settings)),
             ],
         );
-        ui.add(egui::Label::new(RichText::new(text).size(13.0).color(theme::QUIET)).truncate());
+        ui.add(egui::Label::new(RichText::new(text).size(13.0).color(theme::of(ui).quiet)).truncate());
     }
 }
 
@@ -147,6 +147,6 @@ pub(crate) fn button(app: &mut SauteApp, ui: &mut Ui, text: &str, on: bool, enab
 }
 
 fn press(ui: &mut Ui, text: &str, on: bool, enabled: bool, hint: &str) -> bool {
-    let response = ui.add_enabled(enabled, theme::button(text, on));
+    let response = ui.add_enabled(enabled, theme::of(ui).button(text, on));
     response.on_hover_text(hint).clicked()
 }

@@ -148,7 +148,7 @@ fn cut(app: &mut SauteApp, ui: &mut Ui) {
     });
     let mut place = app.slice.unwrap_or(0.0);
     ui.horizontal(|ui| {
-        ui.label(RichText::new(l.text("inside.cut_at")).size(13.0).color(theme::QUIET));
+        ui.label(RichText::new(l.text("inside.cut_at")).size(13.0).color(theme::of(ui).quiet));
         let beside = if app.scene.placing { 124.0 } else { 84.0 };
         ui.spacing_mut().slider_width = ui.available_width() - beside - 16.0;
         let slider = egui::Slider::new(&mut place, -0.95..=0.95).show_value(false);
@@ -186,7 +186,7 @@ fn readings(app: &SauteApp, ui: &mut Ui) {
     egui::Grid::new("readings").num_columns(4).min_col_width(56.0).spacing(vec2(10.0, 3.0)).show(ui, |ui| {
         for row in rows {
             for (name, value) in row {
-                ui.label(RichText::new(settings.language.text(name)).size(12.5).color(theme::QUIET));
+                ui.label(RichText::new(settings.language.text(name)).size(12.5).color(theme::of(ui).quiet));
                 ui.label(RichText::new(value).size(15.0).strong());
             }
             ui.end_row();
@@ -220,7 +220,7 @@ fn goal(app: &mut SauteApp, ui: &mut Ui) {
         let many = scale.class.len() > 4;
         (ui.spacing_mut().button_padding.x, ui.spacing_mut().item_spacing.x) =
             if many { (4.0, 2.0) } else { (7.0, 8.0) };
-        ui.label(RichText::new(l.text("inside.goal")).size(if many { 11.0 } else { 12.5 }).color(theme::QUIET));
+        ui.label(RichText::new(l.text("inside.goal")).size(if many { 11.0 } else { 12.5 }).color(theme::of(ui).quiet));
         goals(&mut app.settings, ui, &scale);
         let mut degrees = app.settings.degrees(app.settings.goal_c);
         let range = app.settings.degrees(45.0)..=app.settings.degrees(85.0);
@@ -256,7 +256,7 @@ fn goals(settings: &mut Settings, ui: &mut Ui, scale: &Scale) {
 pub fn show_advice(app: &mut SauteApp, ui: &mut Ui) {
     let (text, now) = advice(app);
     let text = RichText::new(text).size(14.5);
-    let label = egui::Label::new(if now { text.color(theme::ACCENT).strong() } else { text });
+    let label = egui::Label::new(if now { text.color(theme::of(ui).accent).strong() } else { text });
     // Always the same height, so that the curves below stay where they are.
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ADVICE_HEIGHT), egui::Sense::hover());
     ui.scope_builder(egui::UiBuilder::new().max_rect(rect), |ui| ui.add(label));

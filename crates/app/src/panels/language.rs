@@ -11,12 +11,14 @@ pub fn chip(app: &mut SauteApp, ui: &mut Ui) {
     let other = app.settings.language.other();
     let name = name(app, other);
     let hint = app.settings.language.fill("top.language", &[("name", &name)]);
-    if ui.add(theme::button(name, false).min_size(egui::vec2(theme::TOUCH, 38.0))).on_hover_text(hint).clicked() {
+    if ui.add(theme::of(ui).button(name, false).min_size(egui::vec2(theme::TOUCH, 38.0))).on_hover_text(hint).clicked()
+    {
         app.set_language(other);
     }
 }
 
-fn name(app: &SauteApp, language: Language) -> &'static str {
+/// A language's own name; where its letters cannot be drawn, its code.
+pub fn name(app: &SauteApp, language: Language) -> &'static str {
     match language {
         Language::English => "EN",
         Language::Japanese if app.japanese_font => "日本語",

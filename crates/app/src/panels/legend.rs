@@ -23,7 +23,7 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui, width: f32) {
     match scale.filter(|_| map.stepped) {
         Some(scale) => classes(ui, &scale, app.settings.language, width),
         None => {
-            ui.label(RichText::new(view.meaning(&app.settings)).size(12.5).color(theme::QUIET));
+            ui.label(RichText::new(view.meaning(&app.settings)).size(12.5).color(theme::of(ui).quiet));
             bar(app, ui, &map, width);
         }
     }
@@ -67,14 +67,14 @@ fn marks(app: &SauteApp, ui: &Ui, rect: Rect, map: &ColourMap) {
     let mut free_from = f32::NEG_INFINITY;
     for &value in view.marks().iter().filter(|v| (map.from..=map.to).contains(*v)) {
         let x = rect.left() + map.coordinate(value) * rect.width();
-        painter.line_segment([pos2(x, bottom), pos2(x, bottom + 4.0)], Stroke::new(1.0, theme::QUIET));
-        let text = painter.layout_no_wrap(view.mark(value, &app.settings), font.clone(), theme::TEXT);
+        painter.line_segment([pos2(x, bottom), pos2(x, bottom + 4.0)], Stroke::new(1.0, theme::of(ui).quiet));
+        let text = painter.layout_no_wrap(view.mark(value, &app.settings), font.clone(), theme::of(ui).text);
         // The first and the last number stay within the bar.
         let half = 0.5 * text.size().x;
         let left = (x - half).clamp(rect.left(), rect.right() - 2.0 * half);
         if left >= free_from {
             free_from = left + 2.0 * half + BETWEEN_MARKS;
-            painter.galley(pos2(left, bottom + 4.0), text, theme::TEXT);
+            painter.galley(pos2(left, bottom + 4.0), text, theme::of(ui).text);
         }
     }
 }
@@ -82,21 +82,21 @@ fn marks(app: &SauteApp, ui: &Ui, rect: Rect, map: &ColourMap) {
 /// The classes of a scale with their patterns, under its label.
 fn classes(ui: &mut Ui, scale: &Scale, l: Language, width: f32) {
     let label = l.fill("doneness.by_scale", &[("scale", &l.called("scale", &scale.name))]);
-    let label = RichText::new(label).size(12.5).color(theme::QUIET);
+    let label = RichText::new(label).size(12.5).color(theme::of(ui).quiet);
     ui.label(label);
     ui.allocate_ui(vec2(width.min(2.0 * BAR.x), 0.0), |ui| {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = vec2(10.0, 4.0);
             for (place, class) in scale.class.iter().enumerate() {
                 let name = l.called("class", &class.name);
-                let text = ui.painter().layout_no_wrap(name.to_owned(), FontId::proportional(13.0), theme::TEXT);
+                let text = ui.painter().layout_no_wrap(name.to_owned(), FontId::proportional(13.0), theme::of(ui).text);
                 let size = vec2(28.0 + text.size().x, 18.0);
                 let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
                 response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, name));
                 let mark = Rect::from_min_size(rect.min, vec2(22.0, 18.0));
                 super::doneness_bar::swatch(ui.painter(), mark, Tone::of(scale, place));
                 let at = Align2::LEFT_CENTER.anchor_size(mark.right_center() + vec2(6.0, 0.0), text.size()).min;
-                ui.painter().galley(at, text, theme::TEXT);
+                ui.painter().galley(at, text, theme::of(ui).text);
             }
         });
     });

@@ -14,6 +14,7 @@ pub mod pieces;
 pub mod pour;
 pub mod probes;
 pub mod read_out;
+pub mod settings_card;
 pub mod top;
 
 use egui::{Rect, ScrollArea, Ui, UiBuilder};
@@ -72,11 +73,11 @@ fn drawer(app: &mut SauteApp, ui: &mut Ui) {
     ui.horizontal(|ui| {
         (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (5.0, 7.0);
         for part in Drawer::ALL {
-            if ui.add(theme::button(part.name(app), app.drawer == part)).clicked() {
+            if ui.add(theme::of(ui).button(part.name(app), app.drawer == part)).clicked() {
                 app.drawer = part;
             }
         }
-        top::units_and_help(app, ui);
+        top::help_and_settings(app, ui);
     });
     ui.separator();
     scrolled(ui, |ui| match app.drawer {
@@ -93,13 +94,13 @@ fn floating(ui: &mut Ui, rect: Rect, index: u32, name: &str, content: impl FnOnc
     let points = ui.ctx().pixels_per_point();
     let ground = GroundCallback {
         index,
-        colour: theme::GROUND.to_normalized_gamma_f32(),
+        colour: theme::of(ui).ground.to_normalized_gamma_f32(),
         size: [rect.width() * points, rect.height() * points],
         radius: f32::from(theme::CORNER) * points,
     };
     ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, ground));
     let mut child = ui.new_child(UiBuilder::new().id_salt(name).max_rect(rect));
-    theme::panel().fill(egui::Color32::TRANSPARENT).show(&mut child, |ui| {
+    theme::of(ui).panel().fill(egui::Color32::TRANSPARENT).show(&mut child, |ui| {
         let inner = ui.available_size();
         ui.set_min_size(inner);
         ui.set_max_size(inner);

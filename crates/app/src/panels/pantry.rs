@@ -25,7 +25,7 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     count(app, ui);
     crate::panels::pieces::all_at_once(app, ui);
     let starts = l.fill("pantry.starts", &[("food", &food)]);
-    ui.label(RichText::new(starts).size(12.5).color(theme::QUIET));
+    ui.label(RichText::new(starts).size(12.5).color(theme::of(ui).quiet));
     let choice = &mut app.settings.choice;
     ui.scope(|ui| kinds(ui, &library, choice, l));
     if let Some(food) = library.foods.get(&choice.kind) {
@@ -89,7 +89,8 @@ fn set_out(app: &mut SauteApp, ui: &mut Ui) {
     let l = app.settings.language;
     ui.horizontal(|ui| {
         let half = 0.5 * (ui.available_width() - ui.spacing().item_spacing.x) - 4.0;
-        let button = |text: &str, on| theme::button(text, on).min_size(egui::vec2(half, theme::TOUCH));
+        let palette = theme::of(ui);
+        let button = |text: &str, on| palette.button(text, on).min_size(egui::vec2(half, theme::TOUCH));
         let choice = app.settings.choice.clone();
         if ui.add(button(l.text("pantry.set_out"), true)).clicked() {
             match app.session.set_out(&choice) {
@@ -130,7 +131,7 @@ fn count(app: &mut SauteApp, ui: &mut Ui) {
 fn recipes(app: &mut SauteApp, ui: &mut Ui) {
     let l = app.settings.language;
     ui.heading(l.text("pantry.play"));
-    ui.label(RichText::new(l.text("pantry.drop")).size(12.5).color(theme::QUIET));
+    ui.label(RichText::new(l.text("pantry.drop")).size(12.5).color(theme::of(ui).quiet));
     let library = std::sync::Arc::clone(&app.session.library);
     for (id, text) in &library.recipes {
         let plain = id.replace('-', " ");
@@ -143,7 +144,7 @@ fn recipes(app: &mut SauteApp, ui: &mut Ui) {
 }
 
 fn slider(ui: &mut Ui, name: &str, value: &mut f64, low: f64, high: f64, suffix: &str) {
-    ui.label(RichText::new(name).size(13.0).color(theme::QUIET));
+    ui.label(RichText::new(name).size(13.0).color(theme::of(ui).quiet));
     let response = ui.add(egui::Slider::new(value, low..=high).fixed_decimals(0).suffix(suffix));
     let shown = *value;
     response.widget_info(|| egui::WidgetInfo::slider(true, shown, name));

@@ -29,7 +29,7 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     let count = app.session.kitchen.pieces().len();
     let l = app.settings.language;
     ui.heading(if count == 1 { l.text("piece.one").to_owned() } else { l.fill("piece.many", &[("count", &count)]) });
-    ui.label(RichText::new(l.text("piece.click")).size(12.5).color(theme::QUIET));
+    ui.label(RichText::new(l.text("piece.click")).size(12.5).color(theme::of(ui).quiet));
     all_at_once(app, ui);
     ui.spacing_mut().item_spacing.y = 3.0;
     for (group, members) in groups(app) {
@@ -48,10 +48,17 @@ pub fn all_at_once(app: &mut SauteApp, ui: &mut Ui) {
         return;
     }
     ui.horizontal(|ui| {
-        if ui.add(theme::button(l.text("piece.lay_all"), true)).on_hover_text(l.text("piece.lay_all_hint")).clicked() {
+        if ui
+            .add(theme::of(ui).button(l.text("piece.lay_all"), true))
+            .on_hover_text(l.text("piece.lay_all_hint"))
+            .clicked()
+        {
             app.lay_in(&waiting);
         }
-        if ui.add(theme::button(l.text("piece.heap_all"), false)).on_hover_text(l.text("piece.heap_all_hint")).clicked()
+        if ui
+            .add(theme::of(ui).button(l.text("piece.heap_all"), false))
+            .on_hover_text(l.text("piece.heap_all_hint"))
+            .clicked()
         {
             app.heap_in(&waiting);
         }
@@ -165,10 +172,10 @@ fn means(app: &SauteApp, group: &str, members: &[String], open: bool) -> Line {
 }
 
 /// A triangle that points at what it unfolds.
-fn fold_mark(painter: &egui::Painter, at: egui::Pos2, open: bool) {
+fn fold_mark(painter: &egui::Painter, at: egui::Pos2, open: bool, ink: egui::Color32) {
     let ends = if open { [[-4.0, -2.5], [4.0, -2.5], [0.0, 3.5]] } else { [[-2.5, -4.0], [3.5, 0.0], [-2.5, 4.0]] };
     let points = ends.map(|[x, y]| at + vec2(x, y)).to_vec();
-    painter.add(egui::Shape::convex_polygon(points, theme::QUIET, egui::Stroke::NONE));
+    painter.add(egui::Shape::convex_polygon(points, ink, egui::Stroke::NONE));
 }
 
 /// A line as it is read out, after what a click does.
@@ -187,9 +194,9 @@ fn shown(ui: &mut Ui, line: &Line, indent: f32, selected: bool, spoken: &str) ->
     }
     let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
     let ground = if selected {
-        theme::RAISED
+        theme::of(ui).raised
     } else if response.hovered() {
-        theme::SOLID
+        theme::of(ui).solid
     } else {
         egui::Color32::TRANSPARENT
     };
@@ -198,13 +205,13 @@ fn shown(ui: &mut Ui, line: &Line, indent: f32, selected: bool, spoken: &str) ->
     let (large, small) = (egui::FontId::proportional(14.5), egui::FontId::proportional(12.0));
     let (mut left, right) = (8.0 + indent, rect.width() - 8.0);
     if let Some(open) = line.fold {
-        fold_mark(&painter, at(left + 5.0, 13.0), open);
+        fold_mark(&painter, at(left + 5.0, 13.0), open, theme::of(ui).quiet);
         left += 16.0;
     }
-    let ink = if selected { theme::ACCENT } else { theme::TEXT };
+    let ink = if selected { theme::of(ui).accent } else { theme::of(ui).text };
     painter.text(at(left, 5.0), egui::Align2::LEFT_TOP, &line.name, large.clone(), ink);
-    painter.text(at(right, 5.0), egui::Align2::RIGHT_TOP, &line.core, large, theme::TEXT);
-    painter.text(at(left, 23.0), egui::Align2::LEFT_TOP, &line.state, small.clone(), theme::QUIET);
-    painter.text(at(right, 23.0), egui::Align2::RIGHT_TOP, &line.mass, small, theme::QUIET);
+    painter.text(at(right, 5.0), egui::Align2::RIGHT_TOP, &line.core, large, theme::of(ui).text);
+    painter.text(at(left, 23.0), egui::Align2::LEFT_TOP, &line.state, small.clone(), theme::of(ui).quiet);
+    painter.text(at(right, 23.0), egui::Align2::RIGHT_TOP, &line.mass, small, theme::of(ui).quiet);
     response.clicked()
 }

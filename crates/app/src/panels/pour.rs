@@ -37,10 +37,10 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
         by_hand.into_iter().for_each(|(key, act)| button(app, ui, l.text(key), false, true, act));
     }
     match danger(&app.session.kitchen, l) {
-        Some(text) => line(ui, RichText::new(text).color(theme::ACCENT).strong()),
+        Some(text) => line(ui, RichText::new(text).color(theme::of(ui).accent).strong()),
         None => {
             let text = l.fill("pour.in_the_pan", &[("what", &in_the_pan(&app.session.kitchen, l))]);
-            line(ui, RichText::new(text).color(theme::QUIET));
+            line(ui, RichText::new(text).color(theme::of(ui).quiet));
         }
     }
 }

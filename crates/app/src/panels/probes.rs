@@ -31,8 +31,9 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
         ui.spacing_mut().button_padding = vec2(7.0, 3.0);
         for (number, text) in shown {
             let on = app.session.probes.selected == Some(number);
-            let text = RichText::new(text).size(13.0).color(theme::probe(number));
-            let chip = ui.add(egui::Button::new(text).stroke(egui::Stroke::new(f32::from(u8::from(on)), theme::TEXT)));
+            let text = RichText::new(text).size(13.0).color(theme::of(ui).probe(number));
+            let chip =
+                ui.add(egui::Button::new(text).stroke(egui::Stroke::new(f32::from(u8::from(on)), theme::of(ui).text)));
             if chip.on_hover_text(app.settings.language.text("probe.chip_hint")).clicked() {
                 app.session.probes.selected = (!on).then_some(number);
             }

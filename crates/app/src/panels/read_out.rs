@@ -23,9 +23,9 @@ pub fn show(app: &SauteApp, ui: &Ui, whole: Rect) {
     ];
     let area = Area::new(Id::unique("read-out")).order(Order::Tooltip).interactable(false);
     area.fixed_pos(at + vec2(18.0, 14.0)).constrain_to(whole.shrink(6.0)).show(ui.ctx(), |ui| {
-        theme::panel().fill(theme::SOLID).inner_margin(9).show(ui, |ui| {
+        theme::of(ui).panel().fill(theme::of(ui).solid).inner_margin(9).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 2.0;
-            ui.label(RichText::new(name(&piece.id, l)).size(14.5).strong().color(theme::ACCENT));
+            ui.label(RichText::new(name(&piece.id, l)).size(14.5).strong().color(theme::of(ui).accent));
             if let Some(here) = here(app, piece) {
                 ui.add(egui::Label::new(RichText::new(here).size(14.5).strong()).extend());
             }

@@ -16,7 +16,7 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     }
     ui.horizontal_centered(|ui| {
         views(app, ui, 7.0);
-        units_and_help(app, ui);
+        help_and_settings(app, ui);
     });
 }
 
@@ -31,12 +31,12 @@ fn views(app: &mut SauteApp, ui: &mut Ui, padding: f32) {
     chip(app, ui, l.text("top.split"), app.settings.is_split(), Act::Split);
 }
 
-/// Shows the unit, the help and, where there is room, the switch of the food's panel, from the right.
-pub fn units_and_help(app: &mut SauteApp, ui: &mut Ui) {
+/// Shows the help, the settings and, where there is room, the switches of the panels at the left, from the right.
+pub fn help_and_settings(app: &mut SauteApp, ui: &mut Ui) {
     let l = app.settings.language;
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         chip(app, ui, "?", app.help, Act::Help);
-        chip(app, ui, app.settings.unit(), false, Act::Units);
+        gear(app, ui);
         if ui.available_width() > 90.0 {
             let food = l.fill("top.more", &[("what", &food_word(app))]);
             chip(app, ui, &food, app.settings.pantry_open, Act::Pantry);
@@ -44,11 +44,29 @@ pub fn units_and_help(app: &mut SauteApp, ui: &mut Ui) {
         if ui.available_width() > 76.0 {
             chip(app, ui, l.text("top.pieces"), app.settings.pieces_open, Act::Pieces);
         }
-        // Always in the help as well.
-        if ui.available_width() > 68.0 {
-            super::language::chip(app, ui);
-        }
     });
+}
+
+/// A gear, which needs no language.
+fn gear(app: &mut SauteApp, ui: &mut Ui) {
+    let name = app.settings.language.text("settings.title");
+    let palette = theme::of(ui);
+    let response = ui.add(palette.button("", app.settings_open).min_size(egui::vec2(theme::TOUCH, 38.0)));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, name));
+    let ink = if app.settings_open { palette.on_accent } else { palette.text };
+    paint_gear(ui.painter(), response.rect.center(), ink);
+    if response.on_hover_text(hint(Act::Settings, app.settings.language)).clicked() {
+        app.act(Act::Settings, &ui.ctx().clone());
+    }
+}
+
+/// Eight teeth round a ring.
+fn paint_gear(painter: &egui::Painter, at: egui::Pos2, ink: egui::Color32) {
+    painter.circle_stroke(at, 5.5, egui::Stroke::new(2.6, ink));
+    for tooth in 0..8u8 {
+        let along = egui::Vec2::angled(std::f32::consts::TAU * f32::from(tooth) / 8.0);
+        painter.line_segment([at + 6.0 * along, at + 9.0 * along], egui::Stroke::new(2.6, ink));
+    }
 }
 
 /// The word for what is cooked, where there is room for one only.
@@ -58,7 +76,7 @@ pub fn food_word(app: &SauteApp) -> &'static str {
 }
 
 fn chip(app: &mut SauteApp, ui: &mut Ui, text: &str, on: bool, act: Act) {
-    let response = ui.add(theme::button(text, on).min_size(egui::vec2(theme::TOUCH, 38.0)));
+    let response = ui.add(theme::of(ui).button(text, on).min_size(egui::vec2(theme::TOUCH, 38.0)));
     let response = response.on_hover_text(hint(act, app.settings.language));
     if response.clicked() {
         app.act(act, &ui.ctx().clone());

@@ -6,6 +6,7 @@ use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
 
 use super::input::SceneInput;
 use super::overlay::Overlay;
+use super::quality::Quality;
 use super::renderer::SceneRenderer;
 
 const PRESENT: &str = include_str!("shaders/present.wgsl");
@@ -18,6 +19,8 @@ pub struct SceneCallback {
     pub input: Arc<SceneInput>,
     /// Size drawn at [pixels]; scaled to the rectangle.
     pub size: [u32; 2],
+    /// How much work the picture is worth.
+    pub quality: Quality,
     /// Which part of a split window, from 0: each has a renderer of its own, made when it is first used.
     pub pane: usize,
 }
@@ -61,6 +64,7 @@ impl ScenePresenter {
         encoder: &mut wgpu::CommandEncoder,
         callback: &SceneCallback,
     ) {
+        self.renderer.quality = callback.quality;
         self.renderer.render(device, queue, encoder, &callback.input, callback.size);
         if self.group.is_some() && self.size == self.renderer.size() {
             return;

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use glam::{Mat4, Quat, Vec3};
 
 use super::camera::Camera;
+use super::white_balance::WhiteBalance;
 
 /// One frame of the scene.
 #[derive(Clone, Debug)]
@@ -30,6 +31,8 @@ pub struct SceneInput {
     pub time_s: f32,
     /// What the colours mean.
     pub colouring: Colouring,
+    /// What the look calls white.
+    pub white_balance: WhiteBalance,
     /// True writes the colours unlit, without tone mapping, shadow, dither or anti-aliasing, so that they decode exactly.
     pub flat: bool,
 }

@@ -2,22 +2,26 @@
 
 use glam::{IVec3, Vec2, Vec3};
 
-/// Texels along each side of the solid noise.
-pub(super) const NOISE_SIZE: u32 = 32;
 /// Lattice cells along each side of the solid noise.
 const NOISE_CELLS: i32 = 8;
-/// Texels along each side of the bundle texture.
-pub(super) const BUNDLE_SIZE: u32 = 256;
 /// Bundles along each side of the bundle texture.
 const BUNDLE_CELLS: i32 = 16;
+/// Texels a cell in the coarsest of the textures, of which the first texel's middle is the pattern's origin: finer ones
+/// lie on the same places.
+const NOISE_ORIGIN: f32 = 4.0;
+const BUNDLE_ORIGIN: f32 = 16.0;
+
+/// Where the middle of a texel lies in the pattern [cells].
+fn place(index: u32, size: u32, cells: i32, origin: f32) -> f32 {
+    (index as f32 + 0.5) * cells as f32 / size as f32 - 0.5 / origin
+}
 
 /// Tiling gradient noise, RGBA8: direction of the slope (128 = none) and value (mean 128); x fastest.
-pub(super) fn solid_noise() -> Vec<u8> {
-    let step = NOISE_CELLS as f32 / NOISE_SIZE as f32;
-    let mut texels = Vec::with_capacity((NOISE_SIZE.pow(3) * 4) as usize);
-    for index in 0..NOISE_SIZE.pow(3) {
-        let cell = [index, index / NOISE_SIZE, index / NOISE_SIZE.pow(2)].map(|i| (i % NOISE_SIZE) as f32 * step);
-        let (value, slope) = gradient_noise(Vec3::from(cell));
+pub(super) fn solid_noise(size: u32) -> Vec<u8> {
+    let mut texels = Vec::with_capacity((size.pow(3) * 4) as usize);
+    for index in 0..size.pow(3) {
+        let at = [index, index / size, index / size.pow(2)];
+        let (value, slope) = gradient_noise(Vec3::from(at.map(|i| place(i % size, size, NOISE_CELLS, NOISE_ORIGIN))));
         texels.extend([slope.x * 0.5, slope.y * 0.5, slope.z * 0.5, value].map(signed_byte));
     }
     texels
@@ -43,12 +47,11 @@ pub(super) fn halve_volume(texels: &[u8], size: u32) -> Vec<u8> {
 }
 
 /// Bundles of fibres in cross-section, RG8: distance from the seam between bundles, and a random value a bundle.
-pub(super) fn bundles() -> Vec<u8> {
-    let step = BUNDLE_CELLS as f32 / BUNDLE_SIZE as f32;
-    let mut texels = Vec::with_capacity((BUNDLE_SIZE.pow(2) * 2) as usize);
-    for index in 0..BUNDLE_SIZE.pow(2) {
-        let at = Vec2::new((index % BUNDLE_SIZE) as f32, (index / BUNDLE_SIZE) as f32) * step;
-        let (seam, id) = nearest_bundle(at);
+pub(super) fn bundles(size: u32) -> Vec<u8> {
+    let mut texels = Vec::with_capacity((size.pow(2) * 2) as usize);
+    for index in 0..size.pow(2) {
+        let at = [index % size, index / size].map(|i| place(i, size, BUNDLE_CELLS, BUNDLE_ORIGIN));
+        let (seam, id) = nearest_bundle(Vec2::from(at));
         texels.extend([(seam.min(1.0) * 255.0) as u8, id]);
     }
     texels
@@ -130,4 +133,20 @@ fn nearest_bundle(at: Vec2) -> (f32, u8) {
         }
     }
     ((second - first) * 1.6, id)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finer_patterns_lie_where_the_coarse_ones_do() {
+        let (coarse, fine) = (solid_noise(32), solid_noise(64));
+        let halved = halve_volume(&fine, 64);
+        let off = coarse.iter().zip(&halved).map(|(a, b)| u64::from(a.abs_diff(*b))).sum::<u64>() as f64;
+        assert!(off / (coarse.len() as f64) < 3.0, "noise: {}", off / coarse.len() as f64);
+        let (coarse, fine) = (bundles(256), halve_picture(&halve_picture(&bundles(1024), 1024), 512));
+        let off = coarse.iter().zip(&fine).map(|(a, b)| u64::from(a.abs_diff(*b))).sum::<u64>() as f64;
+        assert!(off / (coarse.len() as f64) < 3.0, "bundles: {}", off / coarse.len() as f64);
+    }
 }

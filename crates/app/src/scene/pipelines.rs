@@ -3,9 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::mesh::SolidVertex;
+use super::room_light;
 use super::steam::PuffVertex;
 use super::targets::{COLOUR_FORMAT, MSAA_SAMPLES};
 use super::textures::{DEPTH_FORMAT, fragment_entry};
+use super::white_balance;
 use crate::scene::input::{FleshTexture, FoodVertex};
 
 const FRAME: &str = include_str!("shaders/frame.wgsl");
@@ -36,8 +38,9 @@ pub(super) struct Layouts {
     pub restore: wgpu::BindGroupLayout,
 }
 
-/// Pipelines that draw colours at one sample count.
+/// Pipelines that draw colours in one detail.
 pub(super) struct ColourPipelines {
+    detail: Detail,
     pub solid: wgpu::RenderPipeline,
     pub wood: wgpu::RenderPipeline,
     pub glass: wgpu::RenderPipeline,
@@ -104,12 +107,13 @@ impl PipelineFactory {
                 source: wgpu::ShaderSource::Wgsl(parts.concat().into()),
             })
         };
+        let light = room_light::wgsl() + &white_balance::wgsl();
         let solid_layout = pipeline_layout(device, &[&layouts.frame, textures]);
         let food_layout = pipeline_layout(device, &[&layouts.frame, textures, &layouts.food]);
         Self {
-            solid: module("solid", &[FRAME, LIGHT, SOLID]),
-            food: module("food", &[FRAME, LIGHT, HATCH, FLESH, GRAIN, FOOD]),
-            sprites: module("sprites", &[FRAME, LIGHT, STEAM, FRY]),
+            solid: module("solid", &[FRAME, &light, LIGHT, SOLID]),
+            food: module("food", &[FRAME, &light, LIGHT, HATCH, FLESH, GRAIN, FOOD]),
+            sprites: module("sprites", &[FRAME, &light, LIGHT, STEAM, FRY]),
             depth: module("depth", &[DEPTH]),
             restore: module("restore", &[RESTORE]),
             layouts,
@@ -118,11 +122,12 @@ impl PipelineFactory {
         }
     }
 
-    pub fn colour(&self, device: &wgpu::Device, samples: u32) -> ColourPipelines {
+    pub fn colour(&self, device: &wgpu::Device, lively: Detail) -> ColourPipelines {
         // At one sample what does not move is only drawn while the eye moves.
-        let (still, lively) = if samples > 1 { (Detail::Fine, Detail::Fine) } else { (Detail::Quick, Detail::Usual) };
+        let still = if lively == Detail::Usual { Detail::Quick } else { lively };
         let solid = |entry| self.solid_pipeline(device, entry, still);
         ColourPipelines {
+            detail: lively,
             solid: solid("fs_solid"),
             wood: solid("fs_wood"),
             glass: solid("fs_glass"),
@@ -142,10 +147,9 @@ impl PipelineFactory {
         &self,
         device: &wgpu::Device,
         pipelines: &mut ColourPipelines,
-        samples: u32,
         textures: impl Iterator<Item = FleshTexture>,
     ) {
-        let detail = if samples > 1 { Detail::Fine } else { Detail::Usual };
+        let detail = pipelines.detail;
         let make = |entry, cull, texture| self.food_pipeline(device, entry, cull, false, detail, Some(texture));
         for texture in textures {
             pipelines.foods.entry(texture).or_insert_with(|| FoodPipelines {
@@ -313,18 +317,20 @@ fn pipeline_layout(device: &wgpu::Device, groups: &[&wgpu::BindGroupLayout]) -> 
 }
 
 /// How much work a pixel is worth.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Detail {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Detail {
     /// Without the patterns of the surroundings.
     Quick,
     Usual,
     /// Anti-aliased, with more samples of the depth maps.
     Fine,
+    /// Besides, with still more of them, and shadows where food touches the ground.
+    Best,
 }
 
 impl Detail {
     fn samples(self) -> u32 {
-        if self == Self::Fine { MSAA_SAMPLES } else { 1 }
+        if self >= Self::Fine { MSAA_SAMPLES } else { 1 }
     }
 }
 
@@ -349,6 +355,7 @@ impl Worth {
             Detail::Quick => vec![("quick", 1.0)],
             Detail::Usual => Vec::new(),
             Detail::Fine => vec![("fine", 1.0)],
+            Detail::Best => vec![("fine", 1.0), ("contact", 1.0)],
         };
         // The numbers in `grain.wgsl`.
         constants.extend(self.texture.map(|texture| ("texture_kind", f64::from(texture as u8))));

@@ -1,21 +1,27 @@
 //! Pictures as bytes, for stills and tests.
 
 use super::input::SceneInput;
-use super::renderer::{Quality, SceneRenderer};
+use super::quality::Quality;
+use super::renderer::SceneRenderer;
 
 impl SceneRenderer {
-    /// Draws a scene as well as it can and reads it back: tight RGBA8 rows from the top, sRGB-encoded, opaque. Waits
-    /// for the device, so it is of no use in a browser.
+    /// Draws a scene at a quality and reads it back: tight RGBA8 rows from the top, sRGB-encoded, opaque. Waits for the
+    /// device, so it is of no use in a browser.
     pub fn render_to_image(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         input: &SceneInput,
         size: [u32; 2],
+        quality: Quality,
     ) -> Vec<u8> {
-        let quality = std::mem::replace(&mut self.quality, Quality::Fine);
-        let pixels = self.read_as_is(device, queue, input, size);
-        self.quality = quality;
+        let before = std::mem::replace(&mut self.quality, quality);
+        let mut pixels = self.read_as_is(device, queue, input, size);
+        if quality == Quality::Quick {
+            // What does not move gets its patterns and smooth edges in the second frame.
+            pixels = self.read_as_is(device, queue, input, size);
+        }
+        self.quality = before;
         pixels
     }
 

@@ -1,5 +1,6 @@
 //! Draws the scene into a texture of its own.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use wgpu::util::DeviceExt;
@@ -9,36 +10,18 @@ use super::food_gpu::{Foods, Moved};
 use super::fry::{FRY_VERTICES_MAX, fry};
 use super::input::{Colouring, FilmPicture, SceneInput, ToolLook};
 use super::passes::{self, Groups, Sprites, Subject};
-use super::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines, PipelineFactory};
+use super::pipelines::{ColourPipelines, DepthPipelines, Detail, FlatPipelines, PipelineFactory};
+use super::quality::Quality;
 use super::shadow::{ContactMap, light_from_world};
 use super::shown::{Shown, Sight, Work};
 use super::solid_gpu::{MovableKey, Solids};
 use super::steam::{PUFFS_MAX, PuffVertex, puffs};
 use super::still::{Still, StillKey};
-use super::targets::{MSAA_SAMPLES, Targets};
+use super::targets::Targets;
 use super::textures::SceneTextures;
 use super::uniforms::FrameUniform;
 
 pub use super::passes::FLAT_BACKGROUND;
-
-/// How much work a picture is worth.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Quality {
-    /// Keeps what does not move between frames; one sample a pixel while things move.
-    #[default]
-    Fast,
-    /// Draws everything at four samples a pixel with a finer shadow map.
-    Fine,
-}
-
-impl Quality {
-    fn shadow_size(self) -> u32 {
-        match self {
-            Self::Fast => 640,
-            Self::Fine => 1024,
-        }
-    }
-}
 
 /// Draws scenes. Pictures of one renderer must be submitted one after another: they share its buffers.
 pub struct SceneRenderer {
@@ -48,8 +31,8 @@ pub struct SceneRenderer {
     textures: SceneTextures,
     depth: DepthPipelines,
     restore: wgpu::RenderPipeline,
-    fast: Option<ColourPipelines>,
-    fine: Option<ColourPipelines>,
+    /// Made when they are first needed.
+    colour: BTreeMap<Detail, ColourPipelines>,
     flat: Option<FlatPipelines>,
     frame: Uniform,
     camera_view: Uniform,
@@ -132,7 +115,7 @@ impl SceneRenderer {
     /// Compiles the shaders and generates the textures.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Self {
         let quality = Quality::default();
-        let textures = SceneTextures::new(device, queue, quality.shadow_size());
+        let textures = SceneTextures::new(device, queue, quality);
         let factory = PipelineFactory::new(device, &textures.layout);
         let contact = ContactMap::default();
         let uniform = |contents: &[u8]| Uniform::new(device, &factory.layouts.frame, contents);
@@ -150,8 +133,7 @@ impl SceneRenderer {
             quality,
             depth: factory.depth(device),
             restore: factory.restore(device),
-            fast: None,
-            fine: None,
+            colour: BTreeMap::new(),
             flat: None,
             targets: Targets::new(device, [16, 16], &factory.layouts.restore),
             textures,
@@ -222,7 +204,7 @@ impl SceneRenderer {
             return;
         }
         self.update_shadow(encoder, input);
-        if self.quality == Quality::Fine || work == Work::Smooth {
+        if self.quality != Quality::Quick || work == Work::Smooth {
             self.draw_fine(device, encoder);
         } else {
             self.draw_fast(device, encoder, key, size);
@@ -243,8 +225,7 @@ impl SceneRenderer {
             self.still = None;
             self.lively = None;
         }
-        if self.textures.shadow_size != self.quality.shadow_size() {
-            self.textures.resize_shadow(device, self.quality.shadow_size());
+        if self.textures.set_quality(device, queue, self.quality) {
             self.shadow_of = None;
         }
         match &mut self.solids {
@@ -253,7 +234,7 @@ impl SceneRenderer {
         }
         let coloured = self.update_table(device, queue, &input.colouring) | self.update_film(queue, &input.pan.film);
         let aspect = size[0] as f32 / size[1] as f32;
-        let frame = FrameUniform::new(input, aspect, self.textures.shadow_size, &self.contact);
+        let frame = FrameUniform::new(input, aspect, self.quality, &self.contact);
         self.timeless = frame.timeless();
         queue.write_buffer(&self.frame.buffer, 0, bytemuck::bytes_of(&frame));
         let view = input.camera.view_projection(aspect);
@@ -348,8 +329,9 @@ impl SceneRenderer {
     }
 
     fn draw_fine(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
-        let pipelines = self.fine.get_or_insert_with(|| self.factory.colour(device, MSAA_SAMPLES));
-        self.factory.stock(device, pipelines, MSAA_SAMPLES, self.foods.textures());
+        let detail = if self.quality == Quality::Best { Detail::Best } else { Detail::Fine };
+        let pipelines = self.colour.entry(detail).or_insert_with(|| self.factory.colour(device, detail));
+        self.factory.stock(device, pipelines, self.foods.textures());
         let Some(solids) = &self.solids else { return };
         self.targets.msaa(device);
         let to = self.targets.multisampled(&self.targets.picture);
@@ -367,8 +349,9 @@ impl SceneRenderer {
             StillStep::Refine => self.refine_still(device, encoder, key),
             StillStep::Keep => {}
         }
-        let pipelines = self.fast.get_or_insert_with(|| self.factory.colour(device, 1));
-        self.factory.stock(device, pipelines, 1, self.foods.textures());
+        let detail = Detail::Usual;
+        let pipelines = self.colour.entry(detail).or_insert_with(|| self.factory.colour(device, detail));
+        self.factory.stock(device, pipelines, self.foods.textures());
         let Some(solids) = &self.solids else { return };
         let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
         let mut touched = self.dirty.sprites.union(self.drawn.sprites);
@@ -401,8 +384,9 @@ impl SceneRenderer {
 
     /// While the eye moves nothing is worth keeping: everything is drawn at once with one sample a pixel.
     fn draw_direct(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey) {
-        let pipelines = self.fast.get_or_insert_with(|| self.factory.colour(device, 1));
-        self.factory.stock(device, pipelines, 1, self.foods.textures());
+        let detail = Detail::Usual;
+        let pipelines = self.colour.entry(detail).or_insert_with(|| self.factory.colour(device, detail));
+        self.factory.stock(device, pipelines, self.foods.textures());
         let Some(solids) = &self.solids else { return };
         let to = self.targets.picture.attachments();
         let subject =
@@ -416,7 +400,8 @@ impl SceneRenderer {
 
     /// Draws the still things smoothly, as soon as they rest.
     fn refine_still(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey) {
-        let pipelines = self.fine.get_or_insert_with(|| self.factory.colour(device, MSAA_SAMPLES));
+        let detail = Detail::Fine;
+        let pipelines = self.colour.entry(detail).or_insert_with(|| self.factory.colour(device, detail));
         let Some(solids) = &self.solids else { return };
         let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
         self.targets.msaa(device);

@@ -57,6 +57,7 @@ pub fn empty_pan() -> SceneInput {
         steam: Vec::new(),
         time_s: 3.0,
         colouring: Colouring::Look,
+        white_balance: Default::default(),
         flat: false,
     }
 }

@@ -2,7 +2,7 @@
 
 use web_time::{Duration, Instant};
 
-use super::renderer::Quality;
+use super::quality::Quality;
 use super::steam::PuffVertex;
 use super::uniforms::FrameUniform;
 
@@ -61,7 +61,7 @@ impl Shown {
     pub fn work(&mut self, sight: Sight, changed: bool, settled: bool) -> Work {
         let same = self.sight.as_ref().is_some_and(|old| old.same(&sight));
         if changed || !same {
-            self.smooth = sight.quality == Quality::Fine || sight.frame.is_flat();
+            self.smooth = sight.quality != Quality::Quick || sight.frame.is_flat();
             self.sight = Some(sight);
             self.since = Some(Instant::now());
             return Work::Draw;

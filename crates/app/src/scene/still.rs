@@ -3,6 +3,8 @@
 use super::camera::Camera;
 use super::input::SceneInput;
 use super::solid_gpu::MovableKey;
+use super::uniforms::balance;
+use super::white_balance::WhiteBalance;
 
 /// What the kept picture of the still things depends on.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +15,7 @@ pub(super) struct StillKey {
     power: u32,
     pan: MovableKey,
     disturbances: u64,
+    white: WhiteBalance,
 }
 
 impl StillKey {
@@ -23,6 +26,7 @@ impl StillKey {
             power: (input.hob.power * 128.0).round() as u32,
             pan: MovableKey::of(input),
             disturbances,
+            white: balance(input),
         }
     }
 

@@ -3,10 +3,13 @@
 use std::sync::Arc;
 
 use super::callback::{SceneCallback, ScenePresenter};
+use super::camera::Camera;
 use super::input::{Colouring, SceneInput};
+use super::quality::Quality;
 use super::readback::read_picture;
-use super::renderer::{FLAT_BACKGROUND, Quality, SceneRenderer};
-use super::sample::{Doneness, cut, heat_table, steak_in_pan};
+use super::renderer::{FLAT_BACKGROUND, SceneRenderer};
+use super::sample::{Doneness, cut, empty_pan, heat_table, steak_in_pan};
+use super::white_balance::WhiteBalance;
 
 const SIZE: [u32; 2] = [320, 180];
 
@@ -56,7 +59,7 @@ fn every_way_of_drawing_fills_the_picture() {
         return;
     };
     let mut renderer = SceneRenderer::new(&device, &queue);
-    for quality in [Quality::Fast, Quality::Fine] {
+    for quality in Quality::ALL {
         renderer.quality = quality;
         for flat in [false, true] {
             let scene = SceneInput { flat, ..flat_field(0.5, true) };
@@ -76,7 +79,7 @@ fn a_resting_scene_is_drawn_alike_fast_and_fine() {
     renderer.never_smooth();
     let scene = steak_in_pan(Doneness::Browned);
     let fast = (0..3).map(|_| renderer.read_as_is(&device, &queue, &scene, SIZE)).last().unwrap_or_default();
-    renderer.quality = Quality::Fine;
+    renderer.quality = Quality::Smooth;
     let fine = renderer.read_as_is(&device, &queue, &scene, SIZE);
     let off: u64 = fast.iter().zip(&fine).map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
     let mean = off as f64 / fast.len() as f64;
@@ -85,7 +88,8 @@ fn a_resting_scene_is_drawn_alike_fast_and_fine() {
 
 /// The scene as a window of the given format shows it, as stored bytes.
 fn presented(device: &wgpu::Device, queue: &wgpu::Queue, format: wgpu::TextureFormat) -> Vec<u8> {
-    let callback = SceneCallback { input: Arc::new(steak_in_pan(Doneness::Raw)), size: SIZE, pane: 0 };
+    let callback =
+        SceneCallback { input: Arc::new(steak_in_pan(Doneness::Raw)), size: SIZE, quality: Quality::Quick, pane: 0 };
     let mut presenter = ScenePresenter::new(device, queue, format);
     let window = device.create_texture(&wgpu::TextureDescriptor {
         label: None,
@@ -171,6 +175,117 @@ fn a_pan_without_a_field_is_not_coloured() {
     let mut scene = flat_field(1.0, false);
     scene.foods.clear();
     scene.pan.floor_field = [-1.0; 16];
-    let pixels = SceneRenderer::new(&device, &queue).render_to_image(&device, &queue, &scene, SIZE);
+    let pixels = SceneRenderer::new(&device, &queue).render_to_image(&device, &queue, &scene, SIZE, Quality::Smooth);
     assert!(pixels.chunks(4).all(|pixel| pixel[..3] == FLAT_BACKGROUND));
+}
+
+/// Mean colour of the floor of a grey, matt, dry pan seen from above, 0–255.
+fn grey_floor(
+    renderer: &mut SceneRenderer,
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    white: WhiteBalance,
+) -> [f64; 3] {
+    let mut scene = SceneInput { camera: Camera::above(), white_balance: white, ..empty_pan() };
+    // Dark enough to stay on the straight part of the tone curve.
+    (scene.pan.colour, scene.pan.metalness, scene.pan.roughness) = (glam::Vec3::splat(0.3), 0.0, 1.0);
+    scene.pan.film = Default::default();
+    let pixels = renderer.render_to_image(device, queue, &scene, SIZE, Quality::Smooth);
+    let size = SIZE.map(|side| side as usize);
+    let middle =
+        (size[1] / 2 - 10..size[1] / 2 + 10).flat_map(|y| (size[0] / 2 - 10..size[0] / 2 + 10).map(move |x| (x, y)));
+    let seen: Vec<&[u8]> = middle.map(|(x, y)| &pixels[4 * (y * size[0] + x)..][..3]).collect();
+    std::array::from_fn(|c| seen.iter().map(|p| f64::from(p[c])).sum::<f64>() / seen.len() as f64)
+}
+
+#[test]
+fn grey_looks_grey_under_the_neutral_balance_redder_below_and_bluer_above() {
+    let Some((device, queue)) = device() else {
+        return;
+    };
+    let mut renderer = SceneRenderer::new(&device, &queue);
+    let mut at = |white| grey_floor(&mut renderer, &device, &queue, white);
+    let neutral = at(WhiteBalance::Neutral);
+    // The wall shades the floor from some of the room, whose light is not all of one colour.
+    assert!((neutral[0] - neutral[1]).abs() < 4.0 && (neutral[2] - neutral[1]).abs() < 4.0, "{neutral:?}");
+    let [cool, as_shot, warm] = [WhiteBalance::Cool, WhiteBalance::AsShot, WhiteBalance::Warm].map(at);
+    let redness = [cool, neutral, as_shot, warm].map(|c| c[0] - c[2]);
+    assert!(redness.windows(2).all(|pair| pair[1] > pair[0] + 3.0), "{redness:?}");
+}
+
+#[test]
+fn the_white_balance_leaves_fields_and_flat_pictures_as_they_are() {
+    let Some((device, queue)) = device() else {
+        return;
+    };
+    let flat = flat_field(0.5, true);
+    let lit = SceneInput { flat: false, ..flat.clone() };
+    let flat_look = SceneInput { colouring: Colouring::Look, ..flat.clone() };
+    for scene in [flat, lit, flat_look] {
+        let draw = |white_balance| {
+            let scene = SceneInput { white_balance, ..scene.clone() };
+            SceneRenderer::new(&device, &queue).render_to_image(&device, &queue, &scene, SIZE, Quality::Smooth)
+        };
+        assert!(draw(WhiteBalance::AsShot) == draw(WhiteBalance::Warm));
+    }
+}
+
+#[test]
+fn what_is_kept_follows_the_white_balance() {
+    let Some((device, queue)) = device() else {
+        return;
+    };
+    let draw = |renderer: &mut SceneRenderer, white_balance| {
+        renderer.never_smooth();
+        let scene = SceneInput { white_balance, ..steak_in_pan(Doneness::Browned) };
+        (0..4).map(|_| renderer.read_as_is(&device, &queue, &scene, SIZE)).last().unwrap_or_default()
+    };
+    let mut renderer = SceneRenderer::new(&device, &queue);
+    let as_shot = draw(&mut renderer, WhiteBalance::AsShot);
+    let cool = draw(&mut renderer, WhiteBalance::Cool);
+    assert!(as_shot != cool);
+    assert!(cool == draw(&mut SceneRenderer::new(&device, &queue), WhiteBalance::Cool));
+}
+
+/// Mean brightness of a grey, matt, dry floor beside a steak, seen from above: 7 mm and 30 mm from its edge.
+fn beside_steak(
+    renderer: &mut SceneRenderer,
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    quality: Quality,
+) -> [f64; 2] {
+    const PICTURE: [u32; 2] = [960, 540];
+    let mut scene = SceneInput { camera: Camera::above(), ..steak_in_pan(Doneness::Raw) };
+    (scene.pan.colour, scene.pan.metalness, scene.pan.roughness) = (glam::Vec3::splat(0.3), 0.0, 1.0);
+    (scene.pan.film, scene.steam) = (Default::default(), Vec::new());
+    let pixels = renderer.render_to_image(device, queue, &scene, PICTURE, quality);
+    let middle = scene.foods[0].world_from_rest.w_axis.truncate();
+    let seen = |angle: f32, reach: f32| {
+        let place =
+            glam::Vec3::new(middle.x + reach * angle.cos(), middle.y + reach * angle.sin(), scene.pan.thickness);
+        let ndc = scene.camera.project(place, 16.0 / 9.0).expect("is seen");
+        let at = [0.5 + 0.5 * ndc[0], 0.5 - 0.5 * ndc[1]];
+        let [x, y] = std::array::from_fn(|i| (at[i] * PICTURE[i] as f32) as usize);
+        <[u8; 3]>::try_from(&pixels[4 * (y * PICTURE[0] as usize + x)..][..3]).expect("three bytes").map(f64::from)
+    };
+    let edge = |angle: f32| {
+        let mut reaches = (20..80).map(|mm| 1e-3 * mm as f32);
+        let grey = |c: [f64; 3]| c[0] < 1.3 * c[2];
+        reaches.rfind(|reach| !grey(seen(angle, *reach))).unwrap_or(0.0)
+    };
+    let angles: Vec<f32> = (0..64).map(|k| std::f32::consts::TAU * k as f32 / 64.0).collect();
+    [0.007, 0.030]
+        .map(|away| angles.iter().map(|&angle| seen(angle, edge(angle) + away)[1]).sum::<f64>() / angles.len() as f64)
+}
+
+#[test]
+fn the_best_level_shades_the_ground_where_food_touches_it_and_nowhere_else() {
+    let Some((device, queue)) = device() else {
+        return;
+    };
+    let mut renderer = SceneRenderer::new(&device, &queue);
+    let [smooth, best] =
+        [Quality::Smooth, Quality::Best].map(|quality| beside_steak(&mut renderer, &device, &queue, quality));
+    assert!(best[0] < 0.98 * smooth[0], "near: {best:?} {smooth:?}");
+    assert!((best[1] / smooth[1] - 1.0).abs() < 0.01, "far: {best:?} {smooth:?}");
 }

@@ -4,11 +4,8 @@ use wgpu::util::{DeviceExt, TextureDataOrder};
 
 use super::environment::{self, ENVIRONMENT_LEVELS, ENVIRONMENT_SIZE};
 use super::input::{FILM_SIZE, FilmPicture};
-use super::noise::{BUNDLE_SIZE, NOISE_SIZE, bundles, halve_picture, halve_volume, solid_noise};
-use super::shadow::CONTACT_SIZE;
-
-const NOISE_LEVELS: u32 = 4;
-const BUNDLE_LEVELS: u32 = 6;
+use super::noise::{bundles, halve_picture, halve_volume, solid_noise};
+use super::quality::Quality;
 
 /// Depth format of every pass.
 pub(super) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
@@ -19,14 +16,32 @@ pub(super) struct SceneTextures {
     pub bind_group: wgpu::BindGroup,
     pub shadow_map: wgpu::TextureView,
     pub contact_map: wgpu::TextureView,
-    pub shadow_size: u32,
+    quality: Quality,
     environment: wgpu::TextureView,
-    noise: wgpu::TextureView,
-    bundles: wgpu::TextureView,
+    plain: Patterns,
+    /// Made when they are first needed.
+    fine: Option<Patterns>,
     table: wgpu::Texture,
     film: wgpu::Texture,
     stepped: bool,
     samplers: Samplers,
+}
+
+/// The generated patterns in one fineness.
+struct Patterns {
+    noise: wgpu::TextureView,
+    bundles: wgpu::TextureView,
+}
+
+/// Texels along each side of noise and bundles, as a rule and at their finest (chosen: the finest shows no facets where
+/// a texel covers many pixels; 1 MiB and 2 MiB).
+const PLAIN: [u32; 2] = [32, 256];
+const FINEST: [u32; 2] = [64, 1024];
+
+impl Patterns {
+    fn new(device: &wgpu::Device, queue: &wgpu::Queue, [noise, bundles]: [u32; 2]) -> Self {
+        Self { noise: noise_texture(device, queue, noise), bundles: bundle_texture(device, queue, bundles) }
+    }
 }
 
 struct Samplers {
@@ -37,27 +52,27 @@ struct Samplers {
 }
 
 impl SceneTextures {
-    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, shadow_size: u32) -> Self {
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, quality: Quality) -> Self {
         let layout = layout(device);
         let samplers = Samplers::new(device);
-        let shadow_map = depth_map(device, shadow_size);
-        let contact_map = depth_map(device, CONTACT_SIZE);
+        let [shadow_map, contact_map] = quality.map_sizes().map(|size| depth_map(device, size));
         let environment = environment_texture(device, queue);
-        let noise = noise_texture(device, queue);
-        let bundles = bundle_texture(device, queue);
+        let plain = Patterns::new(device, queue, PLAIN);
+        let fine = (quality == Quality::Best).then(|| Patterns::new(device, queue, FINEST));
+        let patterns = fine.as_ref().unwrap_or(&plain);
         let table = plain_texture(device, "colour table", [256, 1]);
         let film = plain_texture(device, "pan film", [FILM_SIZE; 2]);
-        let views = [&shadow_map, &contact_map, &environment, &noise, &bundles];
+        let views = [&shadow_map, &contact_map, &environment, &patterns.noise, &patterns.bundles];
         let bind_group = bind(device, &layout, views, [&table, &film], &samplers, false);
         Self {
             layout,
             bind_group,
             shadow_map,
             contact_map,
-            shadow_size,
+            quality,
             environment,
-            noise,
-            bundles,
+            plain,
+            fine,
             table,
             film,
             stepped: false,
@@ -65,11 +80,18 @@ impl SceneTextures {
         }
     }
 
-    /// Takes a shadow map of another size.
-    pub fn resize_shadow(&mut self, device: &wgpu::Device, size: u32) {
-        self.shadow_map = depth_map(device, size);
-        self.shadow_size = size;
+    /// Takes maps and patterns of another quality; tells whether the maps are to be drawn anew.
+    pub fn set_quality(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, quality: Quality) -> bool {
+        if self.quality == quality {
+            return false;
+        }
+        [self.shadow_map, self.contact_map] = quality.map_sizes().map(|size| depth_map(device, size));
+        self.quality = quality;
+        if quality == Quality::Best && self.fine.is_none() {
+            self.fine = Some(Patterns::new(device, queue, FINEST));
+        }
         self.rebind(device);
+        true
     }
 
     /// True when the table is read by nearest entry.
@@ -104,7 +126,9 @@ impl SceneTextures {
     }
 
     fn rebind(&mut self, device: &wgpu::Device) {
-        let views = [&self.shadow_map, &self.contact_map, &self.environment, &self.noise, &self.bundles];
+        let finest = self.fine.as_ref().filter(|_| self.quality == Quality::Best);
+        let patterns = finest.unwrap_or(&self.plain);
+        let views = [&self.shadow_map, &self.contact_map, &self.environment, &patterns.noise, &patterns.bundles];
         self.bind_group = bind(device, &self.layout, views, [&self.table, &self.film], &self.samplers, self.stepped);
     }
 }
@@ -254,25 +278,29 @@ fn environment_texture(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::Text
     sampled_texture(device, queue, size, ENVIRONMENT_LEVELS, format, bytemuck::cast_slice(&texels))
 }
 
-fn noise_texture(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureView {
-    let mut texels = solid_noise();
+/// Side of the coarsest level of noise and of bundles [texels] (chosen: a cell of the pattern still shows).
+const COARSEST: [u32; 2] = [4, 8];
+
+fn noise_texture(device: &wgpu::Device, queue: &wgpu::Queue, size: u32) -> wgpu::TextureView {
+    let levels = (size / COARSEST[0]).ilog2() + 1;
+    let mut texels = solid_noise(size);
     let mut level = texels.clone();
-    for step in 0..NOISE_LEVELS - 1 {
-        level = halve_volume(&level, NOISE_SIZE >> step);
+    for step in 0..levels - 1 {
+        level = halve_volume(&level, size >> step);
         texels.extend_from_slice(&level);
     }
-    sampled_texture(device, queue, [NOISE_SIZE; 3], NOISE_LEVELS, wgpu::TextureFormat::Rgba8Unorm, &texels)
+    sampled_texture(device, queue, [size; 3], levels, wgpu::TextureFormat::Rgba8Unorm, &texels)
 }
 
-fn bundle_texture(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureView {
-    let mut texels = bundles();
+fn bundle_texture(device: &wgpu::Device, queue: &wgpu::Queue, size: u32) -> wgpu::TextureView {
+    let levels = (size / COARSEST[1]).ilog2() + 1;
+    let mut texels = bundles(size);
     let mut level = texels.clone();
-    for step in 0..BUNDLE_LEVELS - 1 {
-        level = halve_picture(&level, BUNDLE_SIZE >> step);
+    for step in 0..levels - 1 {
+        level = halve_picture(&level, size >> step);
         texels.extend_from_slice(&level);
     }
-    let size = [BUNDLE_SIZE, BUNDLE_SIZE, 1];
-    sampled_texture(device, queue, size, BUNDLE_LEVELS, wgpu::TextureFormat::Rg8Unorm, &texels)
+    sampled_texture(device, queue, [size, size, 1], levels, wgpu::TextureFormat::Rg8Unorm, &texels)
 }
 
 /// A texture that is written now and then.

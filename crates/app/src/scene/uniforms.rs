@@ -5,7 +5,9 @@ use glam::{Mat4, Vec3, Vec4};
 use super::environment::{ENVIRONMENT_LEVELS, LAMP_DIRECTION, WINDOW_DIRECTION};
 use super::input::{Colouring, FLOOR_FIELD_RINGS, SceneInput};
 use super::props::{BOARD_CENTRE, BOARD_SIZE};
+use super::quality::{Quality, SOFT_SHADOW_SIZE};
 use super::shadow::{ContactMap, light_from_world};
+use super::white_balance::WhiteBalance;
 
 /// After this the time in the shaders starts again, so that single precision stays fine [s].
 const TIME_WRAP: f32 = 1000.0;
@@ -27,6 +29,7 @@ pub(super) struct FrameUniform {
     mode: Vec4,
     board: Vec4,
     oil: Vec4,
+    white: Vec4,
     floor_field: [f32; FLOOR_FIELD_RINGS],
 }
 
@@ -42,7 +45,8 @@ impl FrameUniform {
         self
     }
 
-    pub fn new(input: &SceneInput, aspect: f32, shadow_size: u32, contact: &ContactMap) -> Self {
+    pub fn new(input: &SceneInput, aspect: f32, quality: Quality, contact: &ContactMap) -> Self {
+        let softness = 1.15 / quality.map_sizes()[0].min(SOFT_SHADOW_SIZE) as f32;
         let pan = &input.pan;
         let field = matches!(input.colouring, Colouring::Field { .. });
         let [low, high] = [BOARD_CENTRE - BOARD_SIZE * 0.5, BOARD_CENTRE + BOARD_SIZE * 0.5];
@@ -50,7 +54,7 @@ impl FrameUniform {
             clip_from_world: input.camera.view_projection(aspect),
             light_from_world: light_from_world(),
             eye: input.camera.eye().extend(input.time_s.rem_euclid(TIME_WRAP)),
-            key: WINDOW_DIRECTION.normalize().extend(1.15 / shadow_size as f32),
+            key: WINDOW_DIRECTION.normalize().extend(softness),
             lamp: LAMP_DIRECTION.normalize().extend((ENVIRONMENT_LEVELS - 1) as f32),
             pan_from_world: pan.world_from_pan().inverse(),
             contact_rect: contact.rect(),
@@ -60,9 +64,15 @@ impl FrameUniform {
             mode: Vec4::new(input.hob.power, f32::from(field), f32::from(input.flat), BOARD_CENTRE.z),
             board: Vec4::new(low.x, low.y, high.x, high.y),
             oil: pan.oil_colour.extend(0.0),
+            white: balance(input).gains().extend(0.0),
             floor_field: pan.floor_field,
         }
     }
+}
+
+/// The balance of the look; what stands round the colours of a field stays as it is.
+pub(super) fn balance(input: &SceneInput) -> WhiteBalance {
+    if matches!(input.colouring, Colouring::Look) { input.white_balance } else { WhiteBalance::default() }
 }
 
 /// Mirrors `Food` in `food.wgsl`; its head is `Pose` in `depth.wgsl`.

@@ -99,6 +99,8 @@ fn panels_notices_and_help_in_japanese_show_no_english() {
         press(&mut harness, Key::F1);
         no_english(&harness, "help");
         save(&mut harness, &format!("ja-{name}-help"));
+        press(&mut harness, Key::F2);
+        no_english(&harness, "settings");
     }
 }
 
@@ -167,11 +169,12 @@ fn first_start(size: egui::Vec2, language: Language) -> Harness<'static, SauteAp
 }
 
 #[test]
-fn the_language_is_chosen_with_a_chip() {
+fn the_language_is_chosen_in_the_settings() {
     let mut harness = window(SIZES[0].0);
-    press(&mut harness, Key::F1);
-    harness.get_all_by_label("日本語").last().expect("a chip").click();
+    harness.get_by_label("Settings").click();
+    steps(&mut harness, 3);
+    harness.get_by_label("Language: 日本語").click();
     steps(&mut harness, 3);
     assert_eq!(harness.state().settings().language, Language::Japanese);
-    harness.get_by_label("操作");
+    harness.get_by_label("閉じる");
 }

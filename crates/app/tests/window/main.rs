@@ -4,5 +4,6 @@ mod foods;
 mod harness;
 mod japanese;
 mod pan;
+mod settings;
 mod steak;
 mod views;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use saute_app::Picture;
 use saute_app::headless::{Gpu, still};
 use saute_app::scene::camera::Camera;
+use saute_app::scene::quality::Quality;
 use saute_app::shot::ShotOptions;
 use saute_app::stage::nearness;
 use saute_kitchen::Kitchen;
@@ -47,7 +48,15 @@ pub fn plate(gpu: &Gpu, figure: &Figure, moments: &[Moment], scale: &Arc<Scale>,
 
 fn draw(gpu: &Gpu, panel: &Panel, kitchen: &Kitchen, scale: &Arc<Scale>, size: [u32; 2]) -> Picture {
     let slice = panel.eye == Eye::Cut;
-    let options = ShotOptions { view: panel.view, slice, flat: false, scale: Arc::clone(scale), split: false };
+    let options = ShotOptions {
+        view: panel.view,
+        slice,
+        white_balance: Default::default(),
+        quality: Quality::Smooth,
+        flat: false,
+        scale: Arc::clone(scale),
+        split: false,
+    };
     let mut stage = options.stage(kitchen);
     let place = kitchen.pieces().first().map(|piece| (piece.pose.position.as_vec3(), nearness(piece)));
     if let (Eye::Piece | Eye::Cut, Some((target, nearness))) = (panel.eye, place) {

@@ -13,6 +13,7 @@ mod groups;
 mod haptics;
 mod layers;
 mod lists;
+mod looks;
 mod out_folder;
 mod output;
 mod recipes;

@@ -148,7 +148,8 @@ fn lit_cut(in: FoodOut) -> vec4<f32> {
     let shape = 0.95 + 0.17 * clamp(dot(bent, normalize(view + vec3<f32>(-0.3, 0.1, 0.9))), 0.0, 1.0);
     let moist = specular(Surface(vec3<f32>(0.0), vec3<f32>(0.024), 0.30, bent, 1.0, vec3<f32>(0.0)), in.position, view, 1.0);
     let glints = max(moist - GLINT, vec3<f32>(0.0));
-    return pixel_from_radiance(look.colour * shape / WHITE + glints * 0.5 * in.state.z, in.clip.xy);
+    // That light is white as shot; another balance tints the cut as it tints the outside.
+    return pixel_from_radiance(look.colour * shape / AS_SHOT + glints * 0.5 * in.state.z, in.clip.xy);
 }
 
 fn food_pixel(in: FoodOut) -> vec4<f32> {

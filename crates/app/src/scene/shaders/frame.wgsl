@@ -26,6 +26,8 @@ struct Frame {
     board: vec4<f32>,
     // Colour of light through a millimetre of oil.
     oil: vec4<f32>,
+    // Exposure and white balance.
+    white: vec4<f32>,
     // Rings of the pan floor's field.
     floor_field: array<vec4<f32>, 4>,
 };
@@ -42,14 +44,11 @@ fn srgb_from_linear(linear: vec3<f32>) -> vec3<f32> {
     return select(1.055 * pow(c, vec3<f32>(1.0 / 2.4)) - 0.055, 12.92 * c, c < vec3<f32>(0.0031308));
 }
 
-// Exposure and white balance (chosen): a white patch that lies flat in the full light of window, lamp and room comes
-// out a touch brighter than 1 and a little warm, as a kitchen in the evening sun.
-const WHITE = vec3<f32>(0.446, 0.458, 0.466);
 // Below this the curve is straight, so that flesh keeps its own colour; above it highlights roll off (chosen).
 const SHOULDER = 0.62;
 
 fn filmic(radiance: vec3<f32>) -> vec3<f32> {
-    let x = max(radiance * WHITE, vec3<f32>(0.0));
+    let x = max(radiance * frame.white.rgb, vec3<f32>(0.0));
     let over = max(x - SHOULDER, vec3<f32>(0.0)) / (1.0 - SHOULDER);
     return min(x, vec3<f32>(SHOULDER)) + (1.0 - SHOULDER) * over / (1.0 + over);
 }

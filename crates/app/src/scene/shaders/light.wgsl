@@ -13,14 +13,7 @@
 // Oil, water, fond, foam on the floor of the pan.
 @group(1) @binding(10) var pan_film: texture_2d<f32>;
 
-// Irradiance / pi of window, lamp and fill (chosen; the window matches the radiance in the environment picture).
-const KEY = vec3<f32>(2.15, 2.12, 2.05);
-const LAMP = vec3<f32>(0.80, 0.55, 0.30);
-const FILL_SKY = vec3<f32>(0.33, 0.32, 0.31);
-const FILL_GROUND = vec3<f32>(0.13, 0.12, 0.11);
-// Light that comes back from the room behind the cook.
-const FILL_FRONT = vec3<f32>(0.52, 0.49, 0.44);
-const FRONT = vec3<f32>(0.12, -0.84, 0.53);
+// KEY, LAMP, FILL_… and FRONT are those of `room_light.rs`.
 
 struct Surface {
     albedo: vec3<f32>,
@@ -38,8 +31,19 @@ struct Surface {
 override fine: bool = false;
 // True leaves the patterns of the surroundings out and takes one sample of the depth maps: the eye is moving.
 override quick: bool = false;
+// True adds shadows where food touches the ground, and takes still more samples: there is a graphics card.
+override contact: bool = false;
 
 fn depth_test(map: texture_depth_2d, uv: vec2<f32>, step: f32, depth: f32) -> f32 {
+    if (contact) {
+        var sum = 0.0;
+        for (var j = -2; j <= 2; j++) {
+            for (var i = -2; i <= 2; i++) {
+                sum += textureSampleCompareLevel(map, depth_sampler, uv + vec2<f32>(f32(i), f32(j)) * step * 0.7, depth);
+            }
+        }
+        return sum / 25.0;
+    }
     if (fine) {
         var sum = 0.0;
         for (var j = -1; j <= 1; j++) {
@@ -62,9 +66,64 @@ fn shadow(position: vec3<f32>, normal: vec3<f32>) -> f32 {
     return depth_test(shadow_map, at.xy * vec2<f32>(0.5, -0.5) + 0.5, frame.key.w, at.z - 0.0009);
 }
 
-// 1 in the open, lower where food hangs just above; never dark, as under a cut food the ground is seen through its
-// ghost (chosen).
+// How thick a food is taken to be, as only its underside is known [m] (chosen: between a coin of carrot and a steak).
+const CONTACT_THICKNESS = 0.010;
+// Steps towards the window and how far they reach [m] (chosen: where the shadow map's bias lets light in under a food).
+const CONTACT_STEPS = 8;
+const CONTACT_REACH = 0.009;
+// Directions round about, their slope, and how far food shades the ground [m] (chosen: under the round edge of a steak
+// nothing is free).
+const ROUND = 12;
+const ROUND_SLOPE = 0.45;
+const ROUND_REACH = 0.022;
+
+// 1 inside a food, by the heights of the undersides; near the ground only, as they tell nothing of the tops.
+fn inside_food(at: vec3<f32>) -> f32 {
+    let uv = (at.xy - frame.contact_rect.xy) * frame.contact_rect.zw;
+    let height = (at.z - frame.contact_height.x) * frame.contact_height.y;
+    let thick = CONTACT_THICKNESS * frame.contact_height.y;
+    let over = 1.0 - textureSampleCompareLevel(contact_map, depth_sampler, uv, height);
+    return over * textureSampleCompareLevel(contact_map, depth_sampler, uv, height - thick);
+}
+
+// Share of the window's light that gets past the foot of the food close by.
+fn past_contact(position: vec3<f32>) -> f32 {
+    if (!contact) { return 1.0; }
+    var dark = 0.0;
+    for (var i = 0; i < CONTACT_STEPS; i++) {
+        let share = (f32(i) + 0.5) / f32(CONTACT_STEPS);
+        let at = position + frame.key.xyz * (CONTACT_REACH * share * share);
+        dark = max(dark, inside_food(at) * (1.0 - share * share));
+    }
+    return 1.0 - dark;
+}
+
+// Share of the room's light that food close by leaves: a wall takes the squared sine of its height above the horizon.
+fn free_round(position: vec3<f32>) -> f32 {
+    var shut = 0.0;
+    for (var k = 0; k < ROUND; k++) {
+        let turn = 6.2831853 * (f32(k) + 0.5) / f32(ROUND);
+        let towards = vec3<f32>(cos(turn), sin(turn), ROUND_SLOPE);
+        var nearest = 0.0;
+        for (var reach = 0.0010; reach < ROUND_REACH; reach *= 1.5) {
+            let wall = CONTACT_THICKNESS * CONTACT_THICKNESS / (CONTACT_THICKNESS * CONTACT_THICKNESS + reach * reach);
+            let fading = 1.0 - smoothstep(0.6, 1.0, reach / ROUND_REACH);
+            nearest = max(nearest, inside_food(position + towards * reach) * wall * fading);
+        }
+        shut += nearest;
+    }
+    return 1.0 - shut / f32(ROUND);
+}
+
+// As `shadow`, on what food lies on.
+fn shadow_on_ground(position: vec3<f32>, normal: vec3<f32>) -> f32 {
+    return min(shadow(position, normal), past_contact(position));
+}
+
+// 1 in the open, lower where food hangs just above or stands beside; never dark, as under a cut food the ground is seen
+// through its ghost (chosen).
 fn openness(position: vec3<f32>) -> f32 {
+    if (contact) { return max(0.3, free_round(position)); }
     let uv = (position.xy - frame.contact_rect.xy) * frame.contact_rect.zw;
     let low = (position.z + 0.006 - frame.contact_height.x) * frame.contact_height.y;
     return mix(0.5, 1.0, depth_test(contact_map, uv, frame.contact_height.z, low));
@@ -92,7 +151,7 @@ fn lobe(f0: vec3<f32>, roughness: f32, n_dot_v: f32) -> vec3<f32> {
 fn diffuse(s: Surface, lit: f32) -> vec3<f32> {
     let n_dot_l = dot(s.normal, frame.key.xyz);
     let key = max((vec3<f32>(n_dot_l) + s.wrap) / (1.0 + s.wrap), vec3<f32>(0.0)) * (lit + s.wrap * 0.2 * (1.0 - lit));
-    let n_dot_lamp = max(dot(s.normal, frame.lamp.xyz) * 0.75 + 0.25, 0.0);
+    let n_dot_lamp = max(dot(s.normal, frame.lamp.xyz) * (1.0 - LAMP_WRAP) + LAMP_WRAP, 0.0);
     let fill = mix(FILL_GROUND, FILL_SKY, s.normal.z * 0.5 + 0.5) + FILL_FRONT * max(dot(s.normal, FRONT), 0.0);
     return s.albedo * (KEY * key + (LAMP * n_dot_lamp + fill) * s.visibility);
 }

@@ -55,7 +55,7 @@ fn fs_solid(in: SolidOut) -> @location(0) vec4<f32> {
     let weave = 0.92 + 0.05 * sin(in.position.x * 2600.0) * sin(in.position.y * 2600.0) + 0.12 * (coarse - 0.5);
     s.albedo *= select(1.0, select(weave, stone, kind > 5.5), kind > 4.5);
     s.visibility *= pan_foot(in.position);
-    let lit = shadow(in.position, n);
+    let lit = shadow_on_ground(in.position, n);
     let radiance = diffuse(s, lit) + specular(s, in.position, view, lit);
     return pixel_from_radiance(radiance, in.clip.xy);
 }
@@ -83,7 +83,7 @@ fn fs_wood(in: SolidOut) -> @location(0) vec4<f32> {
     s.albedo *= light * mix(vec3<f32>(1.0, 0.97, 0.93), vec3<f32>(1.0, 1.02, 1.06), rings);
     s.albedo *= mix(vec3<f32>(0.95), vec3<f32>(1.10, 1.10, 1.11), smoothstep(0.4, 0.7, worn));
     s.roughness += 0.25 * (pores - 0.5);
-    let lit = shadow(in.position, n);
+    let lit = shadow_on_ground(in.position, n);
     s.visibility *= openness(in.position);
     let radiance = diffuse(s, lit) + specular(s, in.position, view, lit);
     return pixel_from_radiance(radiance, in.clip.xy);
@@ -105,7 +105,7 @@ fn fs_glass(in: SolidOut) -> @location(0) vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
     let n = facing(in.normal, view);
     var s = plain_surface(in, n);
-    let lit = shadow(in.position, n);
+    let lit = shadow_on_ground(in.position, n);
     s.visibility *= pan_foot(in.position);
     var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * mix(0.2, 0.7, s.visibility);
     radiance += printed_ring(in.position) * s.visibility;
@@ -164,7 +164,7 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     s.albedo = in.colour * (1.0 - 0.84 * in.surface.y) * (1.0 + 0.35 * patchy);
     s.roughness = clamp(s.roughness + 0.14 * patchy + 0.10 * (fine - 0.5), 0.05, 1.0);
     let inside = step(radius, frame.pan_shape.y - 0.001) * step(frame.pan_place.w - 0.001, local.z);
-    let lit = shadow(in.position, n);
+    let lit = shadow_on_ground(in.position, n);
     let open = openness(in.position);
     let depth = clamp((frame.pan_place.w + frame.pan_shape.z - local.z) / frame.pan_shape.z, 0.0, 1.0);
     let corner = smoothstep(0.035, 0.0, abs(radius - frame.pan_shape.x)) * depth;
