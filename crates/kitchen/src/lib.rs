@@ -15,6 +15,7 @@ pub mod contact;
 pub mod cook;
 pub mod cook_case;
 mod data_check;
+pub mod drop_flight;
 pub mod dynamics;
 pub mod energy;
 pub mod event;

@@ -7,6 +7,8 @@ use saute_heat::{Conduction, Graph, Located, Locator, MeshError, Section};
 
 use crate::bed::Bed;
 use crate::cloth::Cloth;
+use crate::drop_flight::Vessel;
+use crate::dynamics::PanShape;
 use crate::event::EventLog;
 use crate::hob::{HobDescription, PanPose};
 use crate::library::Library;
@@ -277,8 +279,15 @@ impl PanModel {
         total: &mut PanExchange,
     ) {
         let [air, ..] = self.airs(state, load.room, self.floor_temperature(state));
-        let around =
-            Around { room: load.room, air, lidded: state.lid.is_some(), covered: load.covered, time: load.time };
+        let around = Around {
+            room: load.room,
+            air,
+            lidded: state.lid.is_some(),
+            covered: load.covered,
+            vessel: self.vessel(state),
+            middle: state.pose.at,
+            time: load.time,
+        };
         let PanState { liquids, temperature, .. } = state;
         let (vapour, heat) = self.liquids.finish(liquids, &solver.liquids, &around, temperature, events, dt);
         total.other += heat;
@@ -290,6 +299,12 @@ impl PanModel {
             total.vapour.enthalpy += settled.escaped.enthalpy;
             self.liquids.pour_water(&mut state.liquids, settled.condensate);
         }
+    }
+
+    /// The pan as drops fly in and out of it.
+    fn vessel(&self, state: &PanState) -> Vessel {
+        let shape = PanShape::of(&self.description);
+        Vessel { floor: shape.floor, rim: shape.rim, height: shape.height, stands: shape.thickness + state.pose.lift }
     }
 
     /// Vapour from the pan's water rises to the room or under the lid.
