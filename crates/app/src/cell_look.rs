@@ -28,13 +28,14 @@ pub(crate) struct CellLook<'a> {
 }
 
 impl CellLook<'_> {
-    /// State of every vertex of the skin.
-    pub(crate) fn skin(&self) -> Vec<FoodVertex> {
+    /// State of every vertex of the skin; nodes tell how dark seared lines are.
+    pub(crate) fn skin(&self, seared: &dyn Fn(usize) -> f64) -> Vec<FoodVertex> {
         let skin = &self.cells.skin;
         let of = |v: usize| {
             let corner = |f: &dyn Fn(usize) -> f64, k: usize| skin.weights[v][k] * f(skin.nodes[v][k] as usize);
             let reads = |f: &dyn Fn(usize) -> f64| (0..4).map(|k| corner(f, k)).sum();
-            self.vertex(&reads, skin.vertices[v], skin.normals[v], 1.0)
+            let seen = self.vertex(&reads, skin.vertices[v], skin.normals[v], 1.0);
+            FoodVertex { seared: reads(seared) as f32, ..seen }
         };
         (0..skin.vertices.len()).map(of).collect()
     }

@@ -155,32 +155,25 @@ impl Skin {
     }
 
     /// State of every vertex.
-    pub fn vertices(
-        &self,
-        model: &FoodModel,
-        state: &FoodState,
-        view: View,
-        map: Option<&ColourMap>,
-    ) -> Vec<FoodVertex> {
+    pub fn vertices(&self, piece: &Piece, view: View, map: Option<&ColourMap>) -> Vec<FoodVertex> {
+        let (model, state) = (&*piece.model, &piece.state);
+        let strength = piece.sear_strength();
+        let seared = |node: usize| strength.get(node).copied().unwrap_or(0.0);
         if let Some(cells) = model.cells() {
-            return CellLook { cells, model, state, view, map }.skin();
+            return CellLook { cells, model, state, view, map }.skin(&seared);
         }
         let shape = PresentShape::new(model, state);
         let vertex = |k: usize| {
             let node = self.nodes[k] as usize;
             let field = map.map_or(0.0, |m| m.coordinate(view.value(model, state, node)));
-            vertex(
-                model,
-                model.appearance(state, node),
-                state.water[node] / model.initial_water[node],
-                field,
-                Place {
-                    rest: self.positions[k],
-                    now: shape.moved(self.positions[k], |f| f(node)),
-                    body: self.bodies.get(k).copied().unwrap_or_default(),
-                },
-                self.normals[k],
-            )
+            let moisture = state.water[node] / model.initial_water[node];
+            let place = Place {
+                rest: self.positions[k],
+                now: shape.moved(self.positions[k], |f| f(node)),
+                body: self.bodies.get(k).copied().unwrap_or_default(),
+            };
+            let seen = vertex(model, model.appearance(state, node), moisture, field, place, self.normals[k]);
+            FoodVertex { seared: seared(node) as f32, ..seen }
         };
         (0..self.nodes.len()).map(vertex).collect()
     }
@@ -338,6 +331,7 @@ pub(crate) fn vertex(
         field,
         along: place.body[0],
         dorsal: place.body[1],
+        seared: 0.0,
     }
 }
 

@@ -49,6 +49,7 @@ pub mod session;
 pub mod settings;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod shot;
+mod spatter_look;
 mod split;
 pub mod stage;
 pub mod theme;

@@ -16,9 +16,10 @@ use crate::pan_film::PanFilm;
 use crate::scene::camera::Camera;
 use crate::scene::input::{
     Colouring, FLOOR_FIELD_RINGS, FilmPicture, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RACK_HEIGHT, RestKind,
-    RestLook, SceneInput, SearLook, SteamSource, ToolKind, ToolLook, Vapour,
+    RestLook, SEAR_SETS, SceneInput, SearLook, SpotLook, SteamSource, ToolKind, ToolLook, Vapour,
 };
 use crate::scene::props::{BOARD_CENTRE, CLOTH_PLACE};
+use crate::spatter_look::spatter_look;
 use crate::view::View;
 use crate::waiting::waiting_places;
 
@@ -162,6 +163,8 @@ fn body_of_pan(kitchen: &Kitchen) -> Pose {
 pub struct Stage {
     skins: BTreeMap<String, Worn>,
     film: PanFilm,
+    /// Spots of oil as they were last.
+    spots: Arc<Vec<SpotLook>>,
     /// Where the next round of refreshing begins.
     round: usize,
     /// The kitchen's tick of the last round.
@@ -205,18 +208,22 @@ impl Stage {
         self.refresh(kitchen, options, map.as_ref());
         let poses = places.all(kitchen);
         let looks = kitchen.pieces().iter().zip(&poses);
+        let look = PanLook {
+            position: pan.position,
+            rotation: pan.rotation,
+            ..pan_look(kitchen, self.film.picture(kitchen), options.view, map.as_ref())
+        };
+        let spatter = spatter_look(kitchen, &look, &self.spots);
+        self.spots = Arc::clone(&spatter.spots);
         SceneInput {
             camera: following(&options.camera, places.followed(kitchen)),
             hob: HobLook { power: (kitchen.drawn_w() / 2000.0).min(1.0) as f32 },
-            pan: PanLook {
-                position: pan.position,
-                rotation: pan.rotation,
-                ..pan_look(kitchen, self.film.picture(kitchen), options.view, map.as_ref())
-            },
+            pan: look,
             foods: looks.flat_map(|(piece, pose)| self.food(piece, pose, options, map.as_ref())).collect(),
             tool: tool(kitchen),
             rest: kitchen.pieces().iter().find_map(rest_look),
             steam: steam(kitchen, &pan, &poses),
+            spatter,
             time_s: kitchen.time_s() as f32,
             colouring: map.map_or(Colouring::Look, |m| Colouring::Field { table: m.table, stepped: m.stepped }),
             flat: options.flat,
@@ -263,7 +270,7 @@ impl Stage {
             if patient {
                 left -= 1;
             }
-            worn.vertices = Arc::new(worn.skin.vertices(&piece.model, &piece.state, options.view, map));
+            worn.vertices = Arc::new(worn.skin.vertices(piece, options.view, map));
             worn.fresh_for = Some(wanted);
             self.round += usize::from(patient);
         }
@@ -286,7 +293,7 @@ impl Stage {
     /// A piece as it is to be seen; two looks of one that a knife has halved.
     fn food(&self, piece: &Piece, pose: &Pose, options: &StageOptions, map: Option<&ColourMap>) -> Vec<FoodLook> {
         let Some(worn) = self.skins.get(&piece.id) else { return Vec::new() };
-        let sear = [Face::Bottom, Face::Top].map(|face| piece.sear_lines(face).map(sear_look));
+        let sear = [Face::Bottom, Face::Top].map(|face| sear_looks(piece, face));
         let whole = FoodLook {
             mesh: worn.skin.mesh.clone(),
             vertices: Arc::clone(&worn.vertices),
@@ -305,6 +312,12 @@ impl Stage {
     }
 }
 
+/// The strongest sets of lines that ridges seared into a face.
+fn sear_looks(piece: &Piece, face: Face) -> [Option<SearLook>; SEAR_SETS] {
+    let mut sets = piece.all_sear_lines(face).into_iter().map(sear_look);
+    std::array::from_fn(|_| sets.next())
+}
+
 fn sear_look(lines: SearLines) -> SearLook {
     SearLook {
         direction: Vec2::from_array(lines.direction.map(|v| v as f32)),
@@ -312,6 +325,8 @@ fn sear_look(lines: SearLines) -> SearLook {
         pitch: lines.pitch as f32,
         width: lines.width as f32,
         share: lines.share as f32,
+        browning: lines.browning.map(|v| v as f32),
+        charring: lines.charring.map(|v| v as f32),
     }
 }
 

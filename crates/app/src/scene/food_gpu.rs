@@ -6,7 +6,9 @@ use std::sync::Arc;
 use glam::{Vec3, Vec4};
 use wgpu::util::DeviceExt;
 
-use super::input::{BORDER_RANGE, FleshTexture, FoodLook, FoodMesh, FoodVertex, GrainVolume, SliceLook, WITHIN_RANGE};
+use super::input::{
+    BORDER_RANGE, FleshTexture, FoodLook, FoodMesh, FoodVertex, GrainVolume, SearLook, SliceLook, WITHIN_RANGE,
+};
 use super::pipelines::Layouts;
 use super::textures::sampled_texture_of;
 use super::uniforms::{FoodUniform, NO_CUT, reciprocal};
@@ -316,12 +318,18 @@ fn uniform(food: &FoodLook) -> FoodUniform {
         char: lab(palette.char, 0.0),
         fat_brown: lab(palette.fat_brown, 0.0),
         second: lab(palette.second, 0.0),
-        sear: food.sear.map(|lines| {
-            lines.map_or([Vec4::ZERO; 2], |l| {
-                [l.direction.extend(l.phase).extend(l.pitch), Vec4::new(l.width, l.share, 0.0, 0.0)]
-            })
-        }),
+        sear: food.sear.map(|face| face.map(|lines| lines.map_or([Vec4::ZERO; 3], seared))),
     }
+}
+
+/// A set of seared lines as the shader reads it.
+fn seared(lines: SearLook) -> [Vec4; 3] {
+    let [on, between] = lines.browning;
+    [
+        lines.direction.extend(lines.phase).extend(lines.pitch),
+        Vec4::new(lines.width, lines.share, on, between),
+        Vec4::new(lines.charring[0], lines.charring[1], 0.0, 0.0),
+    ]
 }
 
 fn buffer(device: &wgpu::Device, contents: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {

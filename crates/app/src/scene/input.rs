@@ -26,6 +26,8 @@ pub struct SceneInput {
     pub rest: Option<RestLook>,
     /// Places where water vapour leaves.
     pub steam: Vec<SteamSource>,
+    /// Oil that spatters.
+    pub spatter: SpatterLook,
     /// Simulated time [s]; moves steam and the shimmer of the oil, nothing else.
     pub time_s: f32,
     /// What the colours mean.
@@ -179,9 +181,12 @@ pub struct FoodLook {
     pub world_from_rest: Mat4,
     /// A cut that shows the inside; the food stays whole for everything else.
     pub slice: Option<SliceLook>,
-    /// Lines that ridges seared into the lower and the upper face of the rest shape.
-    pub sear: [Option<SearLook>; 2],
+    /// Lines that ridges seared into the lower and the upper face of the rest shape, the strongest first.
+    pub sear: [[Option<SearLook>; SEAR_SETS]; 2],
 }
+
+/// Sets of seared lines that are drawn on each face (chosen: crossed lines).
+pub const SEAR_SETS: usize = 2;
 
 /// Parallel lines on which a face browned ahead of the rest, in the rest frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -194,8 +199,12 @@ pub struct SearLook {
     pub pitch: f32,
     /// Width of a line [m].
     pub width: f32,
-    /// Share of the browning that came on the lines.
+    /// Share of the face's browning that came while it lay on these ridges.
     pub share: f32,
+    /// Browning that came then, on the lines and between them.
+    pub browning: [f32; 2],
+    /// Charring likewise.
+    pub charring: [f32; 2],
 }
 
 /// The rest shape of a food; shared between frames.
@@ -307,8 +316,41 @@ pub struct FoodVertex {
     pub along: f32,
     /// Belly (−1) to back (1), likewise.
     pub dorsal: f32,
+    /// How dark seared lines are here over their mean on the face.
+    pub seared: f32,
     /// Position in the present shape, in the same frame [m].
     pub position: [f32; 3],
+}
+
+/// Oil that spatters.
+#[derive(Clone, Debug, Default)]
+pub struct SpatterLook {
+    /// Drops in the air.
+    pub drops: Vec<DropLook>,
+    /// Spots where drops have landed; the same allocation as long as nothing in it has changed.
+    pub spots: Arc<Vec<SpotLook>>,
+}
+
+/// A drop of oil in the air, world frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DropLook {
+    /// Where [m].
+    pub position: Vec3,
+    /// How fast [m/s].
+    pub velocity: Vec3,
+    /// Its radius [m].
+    pub radius: f32,
+}
+
+/// A spot of oil on the pan's wall or beside the pan, world frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpotLook {
+    /// Its middle [m].
+    pub position: Vec3,
+    /// Unit normal of what it lies on.
+    pub normal: Vec3,
+    /// Its radius [m].
+    pub radius: f32,
 }
 
 /// What rises from the pan.

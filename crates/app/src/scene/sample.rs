@@ -55,6 +55,7 @@ pub fn empty_pan() -> SceneInput {
         tool: None,
         rest: None,
         steam: Vec::new(),
+        spatter: Default::default(),
         time_s: 3.0,
         colouring: Colouring::Look,
         flat: false,
@@ -92,7 +93,7 @@ pub fn steak(doneness: Doneness, world_from_rest: Mat4) -> FoodLook {
         second: [0.0; 3],
     };
     let mesh = Arc::new(FoodMesh { key: 1, triangles, texture: FleshTexture::Muscle, palette, grain: marbling() });
-    FoodLook { mesh, vertices: Arc::new(vertices), world_from_rest, slice: None, sear: [None; 2] }
+    FoodLook { mesh, vertices: Arc::new(vertices), world_from_rest, slice: None, sear: Default::default() }
 }
 
 /// Cuts a steak across its middle; the half towards the cook is hidden.
@@ -289,6 +290,7 @@ fn coloured(rest: Vec3, normal: Vec3, cooked: f32, browning: f32) -> FoodVertex 
         field: 0.15 + 0.3 * cooked + 0.5 * browning,
         along: 0.0,
         dorsal: 0.0,
+        seared: 0.0,
     }
 }
 

@@ -7,8 +7,8 @@ struct FoodIn {
     @location(3) fat: vec3<f32>,
     // Browning, charring, wetness, cooked.
     @location(4) state: vec4<f32>,
-    // Field, place along the body, belly to back.
-    @location(5) place: vec3<f32>,
+    // Field, place along the body, belly to back, strength of seared lines.
+    @location(5) place: vec4<f32>,
     // In the present shape; rest is in the shape before cooking.
     @location(6) position: vec3<f32>,
 };
@@ -21,7 +21,7 @@ struct FoodOut {
     @location(3) lean: vec3<f32>,
     @location(4) fat: vec3<f32>,
     @location(5) state: vec4<f32>,
-    @location(6) place: vec3<f32>,
+    @location(6) place: vec4<f32>,
 };
 
 @vertex
@@ -64,15 +64,15 @@ fn grain_of(in: FoodOut, grew: Grown, rest_normal: vec3<f32>) -> Grain {
 fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     let grew = grown(in.rest, 0.35);
     let grain = grain_of(in, grew, rest_normal);
-    let browning = on_lines(in.state.x, in.rest, rest_normal, 0.0006 * grain.uneven);
+    let seared = on_lines(in.state.x, in.state.y, in.place.w, in.rest, rest_normal, 0.0006 * grain.uneven);
+    let browning = seared.browning;
     // The edge between face and side browns first: there the pan's heat comes from two sides.
     let upright = abs(rest_normal.z);
     let rim = smoothstep(0.10, 0.55, upright) * (1.0 - smoothstep(0.75, 0.995, upright));
     // Ridges press evenly: what they sear is less mottled.
-    let ridged = food.sear[select(1u, 3u, rest_normal.z > 0.0)].y;
-    let room = min(1.7 * browning, 0.62) * (1.0 - 0.65 * ridged);
+    let room = min(1.7 * browning, 0.62) * (1.0 - 0.65 * seared.share);
     let uneven = clamp(browning + room * (grain.uneven + 0.5 * rim), 0.0, 1.0);
-    let charring = clamp(in.state.y + min(1.5 * in.state.y, 0.7) * (grain.uneven + 0.3 * rim), 0.0, 1.0);
+    let charring = clamp(seared.charring + min(1.5 * seared.charring, 0.7) * (grain.uneven + 0.3 * rim), 0.0, 1.0);
     let shade = grain.shade * (1.0 - 0.45 * uneven) * (1.0 - charring);
     let flesh = Flesh(in.lean + food.second.xyz * grew.second + shade, in.fat + 0.35 * shade, uneven, charring, grew.fatty);
     // A crust that browned deeply is redder before it is dark.
