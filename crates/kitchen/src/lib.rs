@@ -25,6 +25,7 @@ pub mod food_check;
 mod food_contact;
 pub mod group_summary;
 mod heat_tick;
+pub mod heat_tint;
 pub mod hob;
 mod input_error;
 pub mod kitchen;

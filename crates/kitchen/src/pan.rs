@@ -51,6 +51,8 @@ pub struct PanModel {
 pub struct PanState {
     /// Metal [K].
     pub temperature: Vec<f64>,
+    /// Highest temperature that the metal has had at each node [K].
+    pub peak: Vec<f64>,
     /// Hob glass under the floor [K].
     pub glass: Vec<f64>,
     /// Oil, water and butter in the pan.
@@ -171,6 +173,7 @@ impl PanModel {
         let pose = PanPose::default();
         PanState {
             temperature: vec![pan; self.capacity.len()],
+            peak: vec![pan; self.capacity.len()],
             glass: vec![room.temperature(); self.floor_nodes],
             liquids: self.liquids.fresh(pan, room),
             lid: None,
@@ -265,6 +268,7 @@ impl PanModel {
             self.step(state, solver, load, cloth, dt / steps, &mut total);
         }
         self.finish(state, solver, load, events, dt, &mut total);
+        state.peak.iter_mut().zip(&state.temperature).for_each(|(peak, t)| *peak = peak.max(*t));
         total
     }
 
@@ -435,6 +439,11 @@ impl PanModel {
 }
 
 impl PanState {
+    /// Highest temperature that the metal has had at a place on the pan's mesh [K].
+    pub fn peak_at(&self, at: &Located) -> f64 {
+        (0..3).map(|k| at.weights[k] * self.peak[at.nodes[k] as usize]).sum()
+    }
+
     /// Mass of oil and fat [kg].
     pub fn oil_mass(&self) -> f64 {
         self.liquids.oil.total()
