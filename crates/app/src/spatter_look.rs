@@ -61,3 +61,61 @@ fn spot_look(spot: &Spot, pan: &PanLook, world_from_floor: &Mat4) -> Option<Spot
 fn single(v: [f64; 3]) -> Vec3 {
     Vec3::from_array(v.map(|x| x as f32))
 }
+
+#[cfg(test)]
+mod tests {
+    use saute_kitchen::food::Rules;
+    use saute_kitchen::{Command, EventKind, Library, MeshSize, PieceOrder, kelvin};
+
+    use super::*;
+    use crate::colour_map::TemperatureMap;
+    use crate::scene::camera::Camera;
+    use crate::stage::{Stage, StageOptions};
+    use crate::view::View;
+
+    /// Every event is one drop: those in the air are drawn, those that fell on wall or glass are spots.
+    #[test]
+    fn as_many_drops_are_drawn_as_the_kitchen_throws() {
+        let library = Library::embedded().expect("data");
+        let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(190.0)).expect("pan");
+        let order = PieceOrder {
+            id: "steak".into(),
+            kind: "beef-lean".into(),
+            size: [0.10, 0.07, 0.02],
+            temperature: kelvin(5.0),
+            seed: 1,
+            coarseness: 2.0,
+            rules: Rules::Full,
+            mesh: MeshSize::Default,
+        };
+        kitchen.add(&library, &order).expect("food");
+        for command in [
+            Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false },
+            Command::Oil { kind: Some("canola".into()), mass: 0.015 },
+            Command::Hob(1200.0),
+        ] {
+            kitchen.apply(&command).expect("accepted");
+        }
+        let options = StageOptions {
+            camera: Camera::three_quarter(),
+            view: View::Look,
+            map: TemperatureMap::default(),
+            scale: None,
+            slice: None,
+            cut: None,
+            flat: false,
+        };
+        let mut stage = Stage::default();
+        let (mut in_air, mut told) = (0, 0);
+        for _ in 0..300 {
+            kitchen.step();
+            let scene = stage.scene(&kitchen, &options, &Default::default());
+            let spatter = &kitchen.pan_state().liquids.spatter;
+            assert_eq!(scene.spatter.drops.len(), spatter.flights.len());
+            assert_eq!(scene.spatter.spots.len(), spatter.spots.len());
+            in_air = in_air.max(scene.spatter.drops.len());
+            told = [EventKind::Spatter, EventKind::Pop].map(|k| kitchen.events().tally(k).count).iter().sum();
+        }
+        assert!(in_air > 1 && told > 30, "{in_air} {told}");
+    }
+}

@@ -13,10 +13,12 @@ use crate::colour_map::{ColourMap, TemperatureMap};
 use crate::food_look::{Skin, slice};
 use crate::halves::opened;
 use crate::pan_film::PanFilm;
+use crate::pan_tint::PanTint;
+use crate::path_cut::path_cut;
 use crate::scene::camera::Camera;
 use crate::scene::input::{
-    Colouring, FLOOR_FIELD_RINGS, FilmPicture, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RACK_HEIGHT, RestKind,
-    RestLook, SEAR_SETS, SceneInput, SearLook, SpotLook, SteamSource, ToolKind, ToolLook, Vapour,
+    Colouring, FLOOR_FIELD_RINGS, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RACK_HEIGHT, RestKind, RestLook,
+    SEAR_SETS, SceneInput, SearLook, SpotLook, SteamSource, ToolKind, ToolLook, Vapour,
 };
 use crate::scene::props::{BOARD_CENTRE, CLOTH_PLACE};
 use crate::spatter_look::spatter_look;
@@ -163,6 +165,7 @@ fn body_of_pan(kitchen: &Kitchen) -> Pose {
 pub struct Stage {
     skins: BTreeMap<String, Worn>,
     film: PanFilm,
+    tint: PanTint,
     /// Spots of oil as they were last.
     spots: Arc<Vec<SpotLook>>,
     /// Where the next round of refreshing begins.
@@ -211,7 +214,9 @@ impl Stage {
         let look = PanLook {
             position: pan.position,
             rotation: pan.rotation,
-            ..pan_look(kitchen, self.film.picture(kitchen), options.view, map.as_ref())
+            film: self.film.picture(kitchen),
+            tint: self.tint.picture(kitchen),
+            ..pan_look(kitchen, options.view, map.as_ref())
         };
         let spatter = spatter_look(kitchen, &look, &self.spots);
         self.spots = Arc::clone(&spatter.spots);
@@ -301,9 +306,9 @@ impl Stage {
             slice: None,
             sear,
         };
-        // A curved body is halved across its path; its picture stays whole.
-        let parted = piece.halved().filter(|_| piece.model.is_slice() || piece.model.cells().is_some());
-        if let Some(cut) = parted.and_then(|cut| slice(piece, cut.at, options.view, map)) {
+        let curved = !piece.model.is_slice() && piece.model.cells().is_none();
+        let across = if curved { path_cut } else { slice };
+        if let Some(cut) = piece.halved().and_then(|cut| across(piece, cut.at, options.view, map)) {
             return opened(piece, whole, cut).into();
         }
         let cut = options.cut.as_ref().is_none_or(|id| *id == piece.id);
@@ -386,7 +391,7 @@ pub fn half_length(piece: &Piece) -> f64 {
     0.5 * piece.model.size[0].max(piece.model.size[1])
 }
 
-fn pan_look(kitchen: &Kitchen, film: Arc<FilmPicture>, view: View, map: Option<&ColourMap>) -> PanLook {
+fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
     let description = &kitchen.pan_model().description;
     let look = &description.look;
     let linear = |v: f32| {
@@ -402,7 +407,8 @@ fn pan_look(kitchen: &Kitchen, film: Arc<FilmPicture>, view: View, map: Option<&
         colour: Vec3::from_array(look.colour_srgb.map(|v| linear(f32::from(v)))),
         metalness: look.metalness as f32,
         roughness: look.roughness as f32,
-        film,
+        film: Arc::default(),
+        tint: Arc::default(),
         oil_colour: oil_colour.map_or(Vec3::ONE, |srgb| Vec3::from_array(srgb.map(|v| linear(v as f32)))),
         ridges: kitchen.pan_model().ridges.map(|r| [r.pitch, r.width, r.height].map(|v| v as f32)),
         lid: kitchen.pan_state().lid.as_ref().map(|lid| LidLook { fog: fog(lid) }),

@@ -57,6 +57,8 @@ struct CutBuffers {
     kept: Indices,
     /// Triangles of the outside that are not wholly kept.
     hidden: Indices,
+    /// Whether a knife has parted it: then what is hidden is not there.
+    parted: bool,
 }
 
 /// Triangles in a buffer.
@@ -93,6 +95,7 @@ impl CutBuffers {
             face: Indices::new(device, &slice.triangles),
             kept: Indices::new(device, &kept),
             hidden: Indices::new(device, if slice.ghost { &hidden } else { &[] }),
+            parted: !slice.ghost,
         }
     }
 }
@@ -273,7 +276,15 @@ impl FoodBuffers {
     /// Draws the shape into a depth map.
     pub fn draw_depth(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_bind_group(1, &self.pose_group, &[]);
-        self.draw_shape(pass);
+        match self.cut.as_ref().filter(|cut| cut.parted) {
+            Some(cut) => {
+                pass.set_vertex_buffer(0, self.vertices.slice(..));
+                cut.kept.draw(pass);
+                pass.set_vertex_buffer(0, cut.vertices.slice(..));
+                cut.face.draw(pass);
+            }
+            None => self.draw_shape(pass),
+        }
     }
 
     fn draw_shape(&self, pass: &mut wgpu::RenderPass<'_>) {

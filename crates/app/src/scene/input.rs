@@ -122,6 +122,8 @@ pub struct PanLook {
     pub roughness: f32,
     /// What lies on the floor; the same allocation as long as nothing in it has changed.
     pub film: Arc<FilmPicture>,
+    /// What heat has done to its colour; the same allocation as long as nothing in it has changed.
+    pub tint: Arc<TintPicture>,
     /// Colour of light that has passed through a millimetre of the oil, linear sRGB.
     pub oil_colour: Vec3,
     /// Ridges on the floor, along the pan's y, one through the centre: pitch, width and height [m].
@@ -145,6 +147,17 @@ pub struct FilmPicture {
     /// Square roots of the thickness of oil over [`OIL_RANGE`] and of water over [`WATER_RANGE`]; browned fond; foam.
     pub texels: Vec<[u8; 4]>,
 }
+
+/// Reflectance of the pan's inside over that of the new pan: `FILM_SIZE` squared texels over the square round the floor with
+/// the wall unrolled about it, x fastest.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TintPicture {
+    /// Shares of red, green and blue over [`TINT_RANGE`], linear.
+    pub texels: Vec<[u8; 4]>,
+}
+
+/// Share of reflectance that byte 255 stands for [-].
+pub const TINT_RANGE: f32 = 2.0;
 
 /// Texels along each side of a film picture.
 pub const FILM_SIZE: u32 = 64;
@@ -320,6 +333,8 @@ pub struct FoodVertex {
     pub seared: f32,
     /// Position in the present shape, in the same frame [m].
     pub position: [f32; 3],
+    /// Juice that lies on the face over the most that stays there (0–1): it stands in beads.
+    pub juice: f32,
 }
 
 /// Oil that spatters.

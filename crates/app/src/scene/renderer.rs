@@ -6,7 +6,7 @@ use wgpu::util::DeviceExt;
 
 use super::dirty::DirtyRect;
 use super::food_gpu::{Foods, Moved};
-use super::input::{Colouring, FilmPicture, SceneInput, ToolLook};
+use super::input::{Colouring, FilmPicture, SceneInput, TintPicture, ToolLook};
 use super::passes::{self, Groups, Subject};
 use super::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines, PipelineFactory};
 use super::shadow::{ContactMap, light_from_world};
@@ -74,6 +74,7 @@ pub struct SceneRenderer {
     shadow_of: Option<Casting>,
     table: Option<Arc<[[u8; 3]; 256]>>,
     film: Option<Arc<FilmPicture>>,
+    tint: Option<Arc<TintPicture>>,
 }
 
 /// What is drawn anew covers this much.
@@ -166,6 +167,7 @@ impl SceneRenderer {
             shadow_of: None,
             table: None,
             film: None,
+            tint: None,
         }
     }
 
@@ -243,6 +245,7 @@ impl SceneRenderer {
         }
         let coloured = self.update_table(device, queue, &input.colouring)
             | self.update_film(queue, &input.pan.film)
+            | self.update_tint(queue, &input.pan.tint)
             | self.sprites.update_spots(queue, input);
         let aspect = size[0] as f32 / size[1] as f32;
         let frame = FrameUniform::new(input, aspect, self.textures.shadow_size, &self.contact);
@@ -291,8 +294,19 @@ impl SceneRenderer {
     fn update_film(&mut self, queue: &wgpu::Queue, film: &Arc<FilmPicture>) -> bool {
         let same = self.film.as_ref().is_some_and(|old| Arc::ptr_eq(old, film));
         if !same {
-            self.textures.set_film(queue, film);
+            self.textures.set_film(queue, &film.texels);
             self.film = Some(Arc::clone(film));
+        }
+        !same
+    }
+
+    /// Takes another picture of what heat has done to the pan's colour, which its wall shows too; tells whether it is another.
+    fn update_tint(&mut self, queue: &wgpu::Queue, tint: &Arc<TintPicture>) -> bool {
+        let same = self.tint.as_ref().is_some_and(|old| Arc::ptr_eq(old, tint) || old == tint);
+        if !same {
+            self.textures.set_tint(queue, &tint.texels);
+            self.tint = Some(Arc::clone(tint));
+            self.disturbances += 1;
         }
         !same
     }

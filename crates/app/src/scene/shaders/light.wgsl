@@ -12,6 +12,8 @@
 @group(1) @binding(9) var table_sampler: sampler;
 // Oil, water, fond, foam on the floor of the pan.
 @group(1) @binding(10) var pan_film: texture_2d<f32>;
+// Reflectance of the unrolled inside of the pan over that of a new one, halved.
+@group(1) @binding(11) var pan_tint: texture_2d<f32>;
 
 // Irradiance / pi of window, lamp and fill (chosen; the window matches the radiance in the environment picture).
 const KEY = vec3<f32>(2.15, 2.12, 2.05);
