@@ -7,12 +7,9 @@ use saute_kitchen::food::{FoodModel, FoodState};
 use saute_kitchen::heat::CellMesh;
 
 use crate::colour_map::ColourMap;
-use crate::food_look::{Place, vertex};
+use crate::food_look::{CUT_MOISTURE, Place, vertex};
 use crate::scene::input::{FoodVertex, SliceLook};
 use crate::view::View;
-
-/// Moisture that shows on a cut over that of the flesh [-] (chosen: as on the cuts of other bodies).
-const CUT_MOISTURE: f64 = 0.75;
 
 /// Reads a field of the nodes at one point.
 pub(crate) type Reads<'a> = &'a dyn Fn(&dyn Fn(usize) -> f64) -> f64;
@@ -28,13 +25,14 @@ pub(crate) struct CellLook<'a> {
 }
 
 impl CellLook<'_> {
-    /// State of every vertex of the skin.
-    pub(crate) fn skin(&self) -> Vec<FoodVertex> {
+    /// State of every vertex of the skin; nodes tell how dark seared lines are and what juice lies on them.
+    pub(crate) fn skin(&self, seared: &dyn Fn(usize) -> f64, juice: &dyn Fn(usize) -> f64) -> Vec<FoodVertex> {
         let skin = &self.cells.skin;
         let of = |v: usize| {
             let corner = |f: &dyn Fn(usize) -> f64, k: usize| skin.weights[v][k] * f(skin.nodes[v][k] as usize);
             let reads = |f: &dyn Fn(usize) -> f64| (0..4).map(|k| corner(f, k)).sum();
-            self.vertex(&reads, skin.vertices[v], skin.normals[v], 1.0)
+            let seen = self.vertex(&reads, skin.vertices[v], skin.normals[v], 1.0);
+            FoodVertex { seared: reads(seared) as f32, juice: reads(juice) as f32, ..seen }
         };
         (0..skin.vertices.len()).map(of).collect()
     }

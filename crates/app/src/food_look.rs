@@ -20,6 +20,8 @@ use crate::view::View;
 const RIM_RADIUS: f32 = 1.6e-3;
 /// How far the drawn surface of a steak strays from the smooth shape [m], and over which distance [m] (chosen: hand-cut).
 const UNEVEN: [f64; 2] = [0.7e-3, 11.0e-3];
+/// Moisture that shows on a cut over that of the flesh [-] (chosen: the blade wipes it).
+pub(crate) const CUT_MOISTURE: f64 = 0.75;
 /// Least extent of a piece to which both apply; with a smaller one they shrink [m] (chosen: a thick steak).
 const TUNED_FOR: f64 = 0.022;
 
@@ -155,32 +157,26 @@ impl Skin {
     }
 
     /// State of every vertex.
-    pub fn vertices(
-        &self,
-        model: &FoodModel,
-        state: &FoodState,
-        view: View,
-        map: Option<&ColourMap>,
-    ) -> Vec<FoodVertex> {
+    pub fn vertices(&self, piece: &Piece, view: View, map: Option<&ColourMap>) -> Vec<FoodVertex> {
+        let (model, state) = (&*piece.model, &piece.state);
+        let strength = piece.sear_strength();
+        let juice = model.juice_films(state);
+        let seared = |node: usize| strength.get(node).copied().unwrap_or(0.0);
         if let Some(cells) = model.cells() {
-            return CellLook { cells, model, state, view, map }.skin();
+            return CellLook { cells, model, state, view, map }.skin(&seared, &|node| juice[node]);
         }
         let shape = PresentShape::new(model, state);
         let vertex = |k: usize| {
             let node = self.nodes[k] as usize;
             let field = map.map_or(0.0, |m| m.coordinate(view.value(model, state, node)));
-            vertex(
-                model,
-                model.appearance(state, node),
-                state.water[node] / model.initial_water[node],
-                field,
-                Place {
-                    rest: self.positions[k],
-                    now: shape.moved(self.positions[k], |f| f(node)),
-                    body: self.bodies.get(k).copied().unwrap_or_default(),
-                },
-                self.normals[k],
-            )
+            let moisture = state.water[node] / model.initial_water[node];
+            let place = Place {
+                rest: self.positions[k],
+                now: shape.moved(self.positions[k], |f| f(node)),
+                body: self.bodies.get(k).copied().unwrap_or_default(),
+            };
+            let seen = vertex(model, model.appearance(state, node), moisture, field, place, self.normals[k]);
+            FoodVertex { seared: seared(node) as f32, juice: juice[node] as f32, ..seen }
         };
         (0..self.nodes.len()).map(vertex).collect()
     }
@@ -239,7 +235,7 @@ pub fn slice(piece: &Piece, x: f64, view: View, map: Option<&ColourMap>) -> Opti
             let (from, to, share) = (on_body(model, a), on_body(model, b), p.share as f32);
             let body = std::array::from_fn(|i| from[i] * (1.0 - share) + to[i] * share);
             let place = Place { rest: position, now, body };
-            vertices.push(vertex(model, appearance, 0.75 * moisture, field, place, normal.to_array()));
+            vertices.push(vertex(model, appearance, CUT_MOISTURE * moisture, field, place, normal.to_array()));
         }
     }
     let mut triangles = strip_triangles(cut.points.len() as u32, model.mesh.levels.len() as u32);
@@ -281,12 +277,12 @@ fn strip_triangles(across: u32, levels: u32) -> Vec<[u32; 3]> {
 }
 
 /// How far every node has moved from the rest shape [m].
-struct PresentShape {
+pub(crate) struct PresentShape {
     moved: Vec<[f64; 3]>,
 }
 
 impl PresentShape {
-    fn new(model: &FoodModel, state: &FoodState) -> Self {
+    pub(crate) fn new(model: &FoodModel, state: &FoodState) -> Self {
         let mut moved = model.positions(state);
         for (node, shift) in moved.iter_mut().enumerate() {
             let rest = model.rest_position(node);
@@ -296,7 +292,7 @@ impl PresentShape {
     }
 
     /// Where a point of the rest shape is now; `at` reads the shift off its nodes.
-    fn moved(&self, rest: [f32; 3], at: impl Fn(&dyn Fn(usize) -> [f64; 3]) -> [f64; 3]) -> [f32; 3] {
+    pub(crate) fn moved(&self, rest: [f32; 3], at: impl Fn(&dyn Fn(usize) -> [f64; 3]) -> [f64; 3]) -> [f32; 3] {
         let shift = at(&|node| self.moved[node]);
         std::array::from_fn(|axis| rest[axis] + shift[axis] as f32)
     }
@@ -338,11 +334,13 @@ pub(crate) fn vertex(
         field,
         along: place.body[0],
         dorsal: place.body[1],
+        seared: 0.0,
+        juice: 0.0,
     }
 }
 
 /// Where a node of a body that is carried along stations lies: share of the length, and belly (−1) to back (1).
-fn on_body(model: &FoodModel, node: usize) -> [f32; 2] {
+pub(crate) fn on_body(model: &FoodModel, node: usize) -> [f32; 2] {
     let Path::Stations(stations) = &model.mesh.path else { return [0.0; 2] };
     let n = model.mesh.nodes_per_level();
     let (level, i) = (node / n, node % n);

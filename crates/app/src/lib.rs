@@ -31,7 +31,9 @@ mod pad_input;
 pub mod palette;
 mod pan_film;
 mod pan_keys;
+mod pan_tint;
 pub mod panels;
+mod path_cut;
 mod picking;
 mod piece_words;
 pub mod png_file;
@@ -53,6 +55,7 @@ pub mod session;
 pub mod settings;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod shot;
+mod spatter_look;
 mod split;
 pub mod stage;
 pub mod theme;

@@ -13,13 +13,16 @@ use crate::colour_map::{ColourMap, TemperatureMap};
 use crate::food_look::{Skin, slice};
 use crate::halves::opened;
 use crate::pan_film::PanFilm;
+use crate::pan_tint::PanTint;
+use crate::path_cut::path_cut;
 use crate::scene::camera::Camera;
 use crate::scene::input::{
-    Colouring, FLOOR_FIELD_RINGS, FilmPicture, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RACK_HEIGHT, RestKind,
-    RestLook, SceneInput, SearLook, SteamSource, ToolKind, ToolLook, Vapour,
+    Colouring, FLOOR_FIELD_RINGS, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RACK_HEIGHT, RestKind, RestLook,
+    SEAR_SETS, SceneInput, SearLook, SpotLook, SteamSource, ToolKind, ToolLook, Vapour,
 };
 use crate::scene::props::{BOARD_CENTRE, CLOTH_PLACE};
 use crate::scene::white_balance::WhiteBalance;
+use crate::spatter_look::spatter_look;
 use crate::view::View;
 use crate::waiting::waiting_places;
 
@@ -165,6 +168,9 @@ fn body_of_pan(kitchen: &Kitchen) -> Pose {
 pub struct Stage {
     skins: BTreeMap<String, Worn>,
     film: PanFilm,
+    tint: PanTint,
+    /// Spots of oil as they were last.
+    spots: Arc<Vec<SpotLook>>,
     /// Where the next round of refreshing begins.
     round: usize,
     /// The kitchen's tick of the last round.
@@ -208,18 +214,24 @@ impl Stage {
         self.refresh(kitchen, options, map.as_ref());
         let poses = places.all(kitchen);
         let looks = kitchen.pieces().iter().zip(&poses);
+        let look = PanLook {
+            position: pan.position,
+            rotation: pan.rotation,
+            film: self.film.picture(kitchen),
+            tint: self.tint.picture(kitchen),
+            ..pan_look(kitchen, options.view, map.as_ref())
+        };
+        let spatter = spatter_look(kitchen, &look, &self.spots);
+        self.spots = Arc::clone(&spatter.spots);
         SceneInput {
             camera: following(&options.camera, places.followed(kitchen)),
             hob: HobLook { power: (kitchen.drawn_w() / 2000.0).min(1.0) as f32 },
-            pan: PanLook {
-                position: pan.position,
-                rotation: pan.rotation,
-                ..pan_look(kitchen, self.film.picture(kitchen), options.view, map.as_ref())
-            },
+            pan: look,
             foods: looks.flat_map(|(piece, pose)| self.food(piece, pose, options, map.as_ref())).collect(),
             tool: tool(kitchen),
             rest: kitchen.pieces().iter().find_map(rest_look),
             steam: steam(kitchen, &pan, &poses),
+            spatter,
             time_s: kitchen.time_s() as f32,
             colouring: map.map_or(Colouring::Look, |m| Colouring::Field { table: m.table, stepped: m.stepped }),
             white_balance: options.white_balance,
@@ -267,7 +279,7 @@ impl Stage {
             if patient {
                 left -= 1;
             }
-            worn.vertices = Arc::new(worn.skin.vertices(&piece.model, &piece.state, options.view, map));
+            worn.vertices = Arc::new(worn.skin.vertices(piece, options.view, map));
             worn.fresh_for = Some(wanted);
             self.round += usize::from(patient);
         }
@@ -290,7 +302,7 @@ impl Stage {
     /// A piece as it is to be seen; two looks of one that a knife has halved.
     fn food(&self, piece: &Piece, pose: &Pose, options: &StageOptions, map: Option<&ColourMap>) -> Vec<FoodLook> {
         let Some(worn) = self.skins.get(&piece.id) else { return Vec::new() };
-        let sear = [Face::Bottom, Face::Top].map(|face| piece.sear_lines(face).map(sear_look));
+        let sear = [Face::Bottom, Face::Top].map(|face| sear_looks(piece, face));
         let whole = FoodLook {
             mesh: worn.skin.mesh.clone(),
             vertices: Arc::clone(&worn.vertices),
@@ -298,15 +310,21 @@ impl Stage {
             slice: None,
             sear,
         };
-        // A curved body is halved across its path; its picture stays whole.
-        let parted = piece.halved().filter(|_| piece.model.is_slice() || piece.model.cells().is_some());
-        if let Some(cut) = parted.and_then(|cut| slice(piece, cut.at, options.view, map)) {
+        let curved = !piece.model.is_slice() && piece.model.cells().is_none();
+        let across = if curved { path_cut } else { slice };
+        if let Some(cut) = piece.halved().and_then(|cut| across(piece, cut.at, options.view, map)) {
             return opened(piece, whole, cut).into();
         }
         let cut = options.cut.as_ref().is_none_or(|id| *id == piece.id);
         let place = options.slice.filter(|_| cut);
         vec![FoodLook { slice: place.and_then(|s| slice(piece, s * half_length(piece), options.view, map)), ..whole }]
     }
+}
+
+/// The strongest sets of lines that ridges seared into a face.
+fn sear_looks(piece: &Piece, face: Face) -> [Option<SearLook>; SEAR_SETS] {
+    let mut sets = piece.all_sear_lines(face).into_iter().map(sear_look);
+    std::array::from_fn(|_| sets.next())
 }
 
 fn sear_look(lines: SearLines) -> SearLook {
@@ -316,6 +334,8 @@ fn sear_look(lines: SearLines) -> SearLook {
         pitch: lines.pitch as f32,
         width: lines.width as f32,
         share: lines.share as f32,
+        browning: lines.browning.map(|v| v as f32),
+        charring: lines.charring.map(|v| v as f32),
     }
 }
 
@@ -375,7 +395,7 @@ pub fn half_length(piece: &Piece) -> f64 {
     0.5 * piece.model.size[0].max(piece.model.size[1])
 }
 
-fn pan_look(kitchen: &Kitchen, film: Arc<FilmPicture>, view: View, map: Option<&ColourMap>) -> PanLook {
+fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
     let description = &kitchen.pan_model().description;
     let look = &description.look;
     let linear = |v: f32| {
@@ -391,7 +411,8 @@ fn pan_look(kitchen: &Kitchen, film: Arc<FilmPicture>, view: View, map: Option<&
         colour: Vec3::from_array(look.colour_srgb.map(|v| linear(f32::from(v)))),
         metalness: look.metalness as f32,
         roughness: look.roughness as f32,
-        film,
+        film: Arc::default(),
+        tint: Arc::default(),
         oil_colour: oil_colour.map_or(Vec3::ONE, |srgb| Vec3::from_array(srgb.map(|v| linear(v as f32)))),
         ridges: kitchen.pan_model().ridges.map(|r| [r.pitch, r.width, r.height].map(|v| v as f32)),
         lid: kitchen.pan_state().lid.as_ref().map(|lid| LidLook { fog: fog(lid) }),

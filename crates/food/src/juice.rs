@@ -52,6 +52,17 @@ impl FoodModel {
         (0..self.mesh.nodes_per_level()).flat_map(column).collect()
     }
 
+    /// Juice that lies as a film on each node's face, over the most that stays there before it runs off [-]; 0 at nodes from
+    /// which none runs off.
+    pub fn juice_films(&self, state: &FoodState) -> Vec<f64> {
+        let mut films = vec![0.0; state.juice.len()];
+        for &(node, area) in &self.outlets {
+            let most = self.kinetics.water_holding.film_kg_m2 * area;
+            films[node as usize] = (state.juice[node as usize] / most).clamp(0.0, 1.0);
+        }
+        films
+    }
+
     /// Water that a node can hold now [kg]: what the peak temperature leaves, or the changes if they leave less.
     fn capacity(&self, state: &FoodState, node: usize) -> f64 {
         let squeezed: f64 = state.changed.iter().zip(&self.squeeze).map(|(x, s)| s * x[node]).sum();

@@ -6,6 +6,7 @@ use saute_food::{FoodDescription, Form, Kinetics, Scale};
 use toml::Spanned;
 
 use crate::fond::FondData;
+use crate::heat_tint::HeatTint;
 use crate::library::{DEFAULT_SCALE, LibraryError, line_of};
 use crate::oil::{OilDescription, SolidsChange};
 use crate::pan_description::{CoatingDescription, PanDescription};
@@ -43,6 +44,7 @@ pub fn pan(pan: &PanDescription, file: &str, text: &str) -> Result<(), LibraryEr
             ranged("look", "roughness", pan.look.roughness, 0.0, 1.0),
         ],
     )?;
+    heat_tint(pan.heat_tint.as_ref(), file, text)?;
     let Some(ridges) = &pan.ridges else { return Ok(()) };
     check(
         file,
@@ -64,7 +66,15 @@ pub fn coating(coating: &CoatingDescription, file: &str, text: &str) -> Result<(
             ranged("", "conductance_w_m2k", coating.conductance_w_m2k, 10.0, 1e7),
             ranged("", "emissivity", coating.emissivity, 0.0, 1.0),
         ],
-    )
+    )?;
+    heat_tint(coating.heat_tint.as_ref(), file, text)
+}
+
+/// Checks what heat does to a colour.
+fn heat_tint(tint: Option<&HeatTint>, file: &str, text: &str) -> Result<(), LibraryError> {
+    let Some((key, remedy)) = tint.and_then(HeatTint::fault) else { return Ok(()) };
+    let line = line_of(text, place(text, "heat_tint", key));
+    Err(LibraryError { file: file.to_owned(), line, message: format!("{key} makes no heat tint: {remedy}") })
 }
 
 /// Checks the numbers of a kind of oil.

@@ -285,6 +285,7 @@ fn with_coatings(
             coated.coating_w_m2k = Some(coating.conductance_w_m2k);
             coated.surface.emissivity = coating.emissivity;
             coated.look = coating.look.clone();
+            coated.heat_tint = coating.heat_tint.clone();
             pans.entry(format!("{id}-{coating_id}")).or_insert(coated);
         }
     }

@@ -4,6 +4,7 @@ use saute_food::{FreeAir, ZERO_C};
 
 use crate::bed::Bed;
 use crate::butter::{Butter, ButterModel};
+use crate::drop_flight::Vessel;
 use crate::event::{Event, EventLog};
 use crate::film_flow::FilmFlow;
 use crate::fond::{Fond, FondBed, FondModel};
@@ -13,7 +14,7 @@ use crate::oil_film::{Dose, Ground, OilFilm};
 use crate::pan_description::PanDescription;
 use crate::room::Room;
 use crate::smoke::{OilFire, Smoke};
-use crate::spatter::Spatter;
+use crate::spatter::{self, Spatter};
 use crate::water_film::{Vapour, WaterFilm, WaterModel};
 
 /// What never changes about liquids in a pan.
@@ -298,9 +299,17 @@ impl LiquidModel {
             events.push(Event { time_s: around.time, kind, at: self.bed.places[node], amount });
         };
         let Liquids { oil, spatter, smoke, .. } = liquids;
+        let flying = spatter::Around {
+            vessel: around.vessel,
+            middle: around.middle,
+            covered: around.covered,
+            time: [around.time, dt],
+        };
         if !around.lidded {
-            heat += spatter.advance(&room.spatter, &self.bed, oil, temperature, &solver.steam, &mut tell);
+            let pan = (&self.bed, &flying);
+            heat += spatter.advance(&room.spatter, pan, oil, temperature, &solver.steam, &mut tell);
         }
+        spatter.land(&flying, around.time + dt);
         liquids.ticks += 1;
         if liquids.ticks.is_multiple_of(SLOW_TICKS) {
             let (oils, bed, lidded) = (&self.oils, &self.bed, around.lidded);
@@ -388,6 +397,10 @@ pub struct Around<'a> {
     pub lidded: bool,
     /// Share of each node under food [-].
     pub covered: &'a [f64],
+    /// The pan as drops fly in and out of it.
+    pub vessel: Vessel,
+    /// Middle of the pan from that of the ring [m].
+    pub middle: [f64; 2],
     /// Time at the start of the tick [s].
     pub time: f64,
 }

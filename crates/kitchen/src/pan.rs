@@ -7,6 +7,8 @@ use saute_heat::{Conduction, Graph, Located, Locator, MeshError, Section};
 
 use crate::bed::Bed;
 use crate::cloth::Cloth;
+use crate::drop_flight::Vessel;
+use crate::dynamics::PanShape;
 use crate::event::EventLog;
 use crate::hob::{HobDescription, PanPose};
 use crate::library::Library;
@@ -49,6 +51,8 @@ pub struct PanModel {
 pub struct PanState {
     /// Metal [K].
     pub temperature: Vec<f64>,
+    /// Highest temperature that the metal has had at each node [K].
+    pub peak: Vec<f64>,
     /// Hob glass under the floor [K].
     pub glass: Vec<f64>,
     /// Oil, water and butter in the pan.
@@ -169,6 +173,7 @@ impl PanModel {
         let pose = PanPose::default();
         PanState {
             temperature: vec![pan; self.capacity.len()],
+            peak: vec![pan; self.capacity.len()],
             glass: vec![room.temperature(); self.floor_nodes],
             liquids: self.liquids.fresh(pan, room),
             lid: None,
@@ -263,6 +268,7 @@ impl PanModel {
             self.step(state, solver, load, cloth, dt / steps, &mut total);
         }
         self.finish(state, solver, load, events, dt, &mut total);
+        state.peak.iter_mut().zip(&state.temperature).for_each(|(peak, t)| *peak = peak.max(*t));
         total
     }
 
@@ -277,8 +283,15 @@ impl PanModel {
         total: &mut PanExchange,
     ) {
         let [air, ..] = self.airs(state, load.room, self.floor_temperature(state));
-        let around =
-            Around { room: load.room, air, lidded: state.lid.is_some(), covered: load.covered, time: load.time };
+        let around = Around {
+            room: load.room,
+            air,
+            lidded: state.lid.is_some(),
+            covered: load.covered,
+            vessel: self.vessel(state),
+            middle: state.pose.at,
+            time: load.time,
+        };
         let PanState { liquids, temperature, .. } = state;
         let (vapour, heat) = self.liquids.finish(liquids, &solver.liquids, &around, temperature, events, dt);
         total.other += heat;
@@ -290,6 +303,12 @@ impl PanModel {
             total.vapour.enthalpy += settled.escaped.enthalpy;
             self.liquids.pour_water(&mut state.liquids, settled.condensate);
         }
+    }
+
+    /// The pan as drops fly in and out of it.
+    fn vessel(&self, state: &PanState) -> Vessel {
+        let shape = PanShape::of(&self.description);
+        Vessel { floor: shape.floor, rim: shape.rim, height: shape.height, stands: shape.thickness + state.pose.lift }
     }
 
     /// Vapour from the pan's water rises to the room or under the lid.
@@ -420,6 +439,11 @@ impl PanModel {
 }
 
 impl PanState {
+    /// Highest temperature that the metal has had at a place on the pan's mesh [K].
+    pub fn peak_at(&self, at: &Located) -> f64 {
+        (0..3).map(|k| at.weights[k] * self.peak[at.nodes[k] as usize]).sum()
+    }
+
     /// Mass of oil and fat [kg].
     pub fn oil_mass(&self) -> f64 {
         self.liquids.oil.total()

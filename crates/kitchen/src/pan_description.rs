@@ -3,6 +3,8 @@
 use saute_food::sourced_table;
 use serde::Deserialize;
 
+use crate::heat_tint::HeatTint;
+
 sourced_table! {
     /// The flat floor.
     Floor {
@@ -87,6 +89,8 @@ pub struct PanDescription {
     pub surface: PanSurface,
     /// Look.
     pub look: Look,
+    /// What heat does to its colour; absent where nothing is to be seen.
+    pub heat_tint: Option<HeatTint>,
     /// Conductance of a coating [W/(m²·K)]; absent on bare metal.
     #[serde(skip)]
     pub coating_w_m2k: Option<f64>,
@@ -108,4 +112,6 @@ pub struct CoatingDescription {
     pub confidence: saute_food::description::Confidence,
     /// Look.
     pub look: Look,
+    /// What heat does to its colour; absent where nothing is to be seen.
+    pub heat_tint: Option<HeatTint>,
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use saute_food::advance::REFRESH_TICKS;
 use saute_food::halving::{Cut, CutError};
 use saute_food::{
     Exchange, FoodModel, FoodSolver, FoodState, FreeAir, PatchGeometry, PatchPose, Rules, Surroundings, Touch,
@@ -105,7 +106,7 @@ pub struct Piece {
     shaped_at: u64,
     lay_up: [f64; 3],
     lost_contact_s: f64,
-    uneven: Arc<Vec<f64>>,
+    pub(crate) uneven: Arc<Vec<f64>>,
     board: Board,
     touch: Vec<Touch>,
 }
@@ -345,6 +346,9 @@ impl Piece {
         let mean = face.mean_gap(&room.contact);
         for n in &near {
             self.touch[n.patch as usize] = self.pan_touch(n, &face, mean, (pan, pan_state), room);
+            if let Some(ridges) = pan.ridges.filter(|_| self.state.ticks.is_multiple_of(REFRESH_TICKS)) {
+                self.sear_strip(n, &face, mean, (&ridges, pan_state), room);
+            }
         }
         self.near.patches = near;
     }
@@ -382,7 +386,7 @@ impl Piece {
     }
 
     /// How far a patch of a bent slice stands off [m]; 0 where the slice does not lie flat.
-    fn dome_gap(&self, patch: usize) -> f64 {
+    pub(crate) fn dome_gap(&self, patch: usize) -> f64 {
         let flat = self.model.is_slice() && self.lay_up[2].abs() > 0.7;
         if !flat {
             return 0.0;

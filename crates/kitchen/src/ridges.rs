@@ -51,6 +51,12 @@ impl Ridges {
         self.share() * self.height
     }
 
+    /// How deep they press into flesh of an elastic modulus [Pa] under the pressure on their tops [Pa]: that of a flat punch as
+    /// wide as they are, and no deeper than half of their width (chosen: beyond that flesh is no half space) [m].
+    pub fn pressed_in(&self, pressure: f64, modulus: f64) -> f64 {
+        (pressure * self.width / modulus).min(0.5 * self.width)
+    }
+
     /// Mean conductance to a face `distance` above the tops, given that on the tops [W/(m²·K)].
     pub fn mixed(&self, top: f64, gap: &ContactGap, face: &FaceContact, distance: f64, over: &AcrossGroove) -> f64 {
         // Oil lies at the bottom of the groove, and a coating passes more than the gap does.

@@ -1,12 +1,21 @@
 //! Lines that ridges sear into food: where they touched it, in its own frame, and how much of its browning came there.
+//!
+//! The mesh of a piece is as coarse as the ridges: a node browns as the mixture of what lies on them and over the grooves. Of
+//! what a face browned on them as much as fits belongs to the lines. Along these it lies as the strips on the ridges brown,
+//! each between the ridge and the water that boils below it: T_s = (h_top T_pan + g T_boil) / (h_top + g).
 
 use glam::DVec3;
-use saute_food::Face;
 use saute_food::advance::REFRESH_TICKS;
+use saute_food::{Face, FoodModel};
 
+use crate::TICK_S;
+use crate::contact::FaceContact;
 use crate::dynamics::Pose;
+use crate::near_pan::NearPatch;
+use crate::pan::PanState;
 use crate::piece::Piece;
 use crate::ridges::Ridges;
+use crate::room::Room;
 
 /// Sets of lines that a face keeps (chosen: crossed lines and one more; what is browned beyond counts as even).
 const MOST_SETS: usize = 3;
@@ -14,6 +23,12 @@ const MOST_SETS: usize = 3;
 const ALIKE: f64 = 0.14;
 /// Cosine of the lean from which on a piece does not lie on a big face [-] (chosen: 45°).
 const FLAT: f64 = 0.7;
+/// Temperature of the water that boils under a strip's crust [K] (100 °C).
+const BOILING: f64 = 373.15;
+/// Thickness of that crust [m] (chosen: a line that has just turned brown; only ratios between strips follow from it).
+const STRIP: f64 = 0.3e-3;
+/// Water activity of a strip's crust [-] (chosen: where browning is fastest; it cancels in ratios).
+const DRY: f64 = 0.65;
 
 /// Parallel lines on a face, in the rest frame of the body as seen from +z.
 ///
@@ -30,9 +45,31 @@ pub struct SearLines {
     pub width: f64,
     /// Share of the face's mean browning that came while it lay on these ridges [-].
     pub share: f64,
+    /// Browning that came while it lay on these ridges, on the lines and between them; their mean by area is what the face's
+    /// mean gained there [-].
+    pub browning: [f64; 2],
+    /// Charring likewise [-].
+    pub charring: [f64; 2],
 }
 
 impl SearLines {
+    const NONE: Self = Self {
+        direction: [1.0, 0.0],
+        phase: 0.0,
+        pitch: 1.0,
+        width: 0.0,
+        share: 0.0,
+        browning: [0.0; 2],
+        charring: [0.0; 2],
+    };
+
+    /// What of a face's mean came on the lines and what between them [-]: as much as fits on them lies there.
+    fn divided(&self, mean: f64) -> [f64; 2] {
+        let duty = self.width / self.pitch;
+        let on = (mean / duty).min(1.0);
+        [on, (mean - duty * on) / (1.0 - duty)]
+    }
+
     /// The lines that ridges leave on a body whose rest shape has shrunk to `lateral`, seen at a pose in the pan's frame.
     fn at(ridges: &Ridges, seen: &Pose, lateral: f64) -> Self {
         let back = seen.rotation.conjugate();
@@ -43,7 +80,7 @@ impl SearLines {
         let sign = if across.x * direction[1] - across.y * direction[0] < 0.0 { -1.0 } else { 1.0 };
         let pitch = ridges.pitch / lateral;
         let phase = (-sign * seen.position.x / lateral).rem_euclid(pitch);
-        Self { direction, phase, pitch, width: ridges.width / lateral, share: 0.0 }
+        Self { direction, phase, pitch, width: ridges.width / lateral, ..Self::NONE }
     }
 
     /// Whether other lines lie over these.
@@ -64,6 +101,8 @@ pub struct SearRecord {
     faces: [Vec<SearLines>; 2],
     /// The face that lay below at the last look, and its mean browning.
     seen: Option<(usize, f64)>,
+    /// What the strip of each patch that lay on a ridge would have browned so far, were it alone and dry [-].
+    strips: Vec<f64>,
 }
 
 impl SearRecord {
@@ -103,9 +142,21 @@ impl SearRecord {
         self.seen = None;
     }
 
-    /// All sets of lines of a face whose mean browning is now so much, the strongest first.
-    fn lines(&self, face: Face, browning: f64) -> Vec<SearLines> {
-        let of = |set: &SearLines| SearLines { share: (set.share / browning).min(1.0), ..*set };
+    /// Adds what the strip of a patch browned [-].
+    pub(crate) fn brown_strip(&mut self, patch: usize, gained: f64) {
+        if self.strips.len() <= patch {
+            self.strips.resize(patch + 1, 0.0);
+        }
+        self.strips[patch] += gained;
+    }
+
+    /// All sets of lines of a face whose mean browning and charring are now so much, the strongest first.
+    fn lines(&self, face: Face, browning: f64, charring: f64) -> Vec<SearLines> {
+        let of = |set: &SearLines| {
+            let share = (set.share / browning).min(1.0);
+            let [browning, charring] = [browning, charring].map(|mean| set.divided(share * mean));
+            SearLines { share, browning, charring, ..*set }
+        };
         let mut lines: Vec<SearLines> = self.faces[index(face)].iter().map(of).collect();
         lines.sort_by(|a, b| b.share.total_cmp(&a.share));
         lines
@@ -118,7 +169,7 @@ impl Piece {
         match SearRecord::face_below(seen.up()) {
             Some(face) if !self.near.patches.is_empty() => {
                 if self.state.ticks.is_multiple_of(REFRESH_TICKS) {
-                    let browning = self.face_browning(face);
+                    let browning = self.face_mean(face, &self.state.browning);
                     self.sear.look(ridges, (face, browning), seen, self.state.stretch.lateral);
                 }
             }
@@ -126,15 +177,58 @@ impl Piece {
         }
     }
 
-    /// Mean browning of the lower or the upper face of the rest shape [-].
-    fn face_browning(&self, face: Face) -> f64 {
-        let up = [0.0, 0.0, if face == Face::Top { -1.0 } else { 1.0 }];
+    /// Area mean of a field of the nodes over the lower or the upper face of the rest shape.
+    fn face_mean(&self, face: Face, field: &[f64]) -> f64 {
         let (mut sum, mut area) = (0.0, 0.0);
-        for patch in self.model.patches_below(up).map(|i| &self.model.patches[i]) {
-            sum += patch.area * self.state.browning[patch.node as usize];
+        for patch in on_face(&self.model, face).map(|i| &self.model.patches[i]) {
+            sum += patch.area * field[patch.node as usize];
             area += patch.area;
         }
         sum / area
+    }
+
+    /// Browns the strip of a patch that lies on a ridge for the time between two looks.
+    ///
+    /// Where it stands off beyond the face's mean the flesh gives way as ridges press into it.
+    pub(crate) fn sear_strip(
+        &mut self,
+        near: &NearPatch,
+        face: &FaceContact,
+        mean: f64,
+        (ridges, pan): (&Ridges, &PanState),
+        room: &Room,
+    ) {
+        let (patch, located) = (near.patch as usize, &near.located);
+        let off = self.uneven[patch] + near.gap + self.dome_gap(patch);
+        let given = ridges.pressed_in(face.pressure, 1e3 * self.model.kinetics.texture.raw_kpa);
+        let film = FaceContact { film: pan.oil_film(located), ..*face };
+        let share = self.model.description.surface.contact_share;
+        let top = film.conductance(&room.contact, mean + (off - given).max(0.0)) * share;
+        let below = self.model.description.crust.conductivity_w_mk / STRIP;
+        let metal: f64 = (0..3).map(|k| located.weights[k] * pan.temperature[located.nodes[k] as usize]).sum();
+        let strip = (top * metal + below * BOILING) / (top + below);
+        let look = REFRESH_TICKS as f64 * TICK_S;
+        let gained = if strip > BOILING { self.model.browning.advance((0.0, 0.0), strip, DRY, look).0 } else { 0.0 };
+        self.sear.brown_strip(patch, gained);
+    }
+
+    /// How dark the lines are at each node over their mean on its face [-]; empty where no ridge ever seared it.
+    pub fn sear_strength(&self) -> Vec<f64> {
+        let strips = &self.sear.strips;
+        if strips.is_empty() {
+            return Vec::new();
+        }
+        let mut strength = vec![0.0; self.model.mesh.node_count()];
+        for face in [Face::Bottom, Face::Top] {
+            let strip = |patch: usize| strips.get(patch).copied().unwrap_or(0.0);
+            let area = |patch: usize| self.model.patches[patch].area;
+            let (sum, whole) = on_face(&self.model, face)
+                .fold((0.0, 0.0), |(sum, whole), i| (sum + strip(i) * area(i), whole + area(i)));
+            for patch in on_face(&self.model, face).filter(|_| sum > 0.0) {
+                strength[self.node_of(patch as u32)] = strip(patch) * whole / sum;
+            }
+        }
+        strength
     }
 
     /// The strongest lines that ridges seared into the lower ([`Face::Bottom`]) or the upper face of the rest shape.
@@ -144,8 +238,17 @@ impl Piece {
 
     /// All sets of such lines, crossed ones too, the strongest first; none on a side.
     pub fn all_sear_lines(&self, face: Face) -> Vec<SearLines> {
-        if face == Face::Side { Vec::new() } else { self.sear.lines(face, self.face_browning(face)) }
+        if face == Face::Side {
+            return Vec::new();
+        }
+        let [browning, charring] = [&self.state.browning, &self.state.charring].map(|f| self.face_mean(face, f));
+        self.sear.lines(face, browning, charring)
     }
+}
+
+/// Patches of the lower or the upper face of the rest shape.
+fn on_face(model: &FoodModel, face: Face) -> impl Iterator<Item = usize> {
+    model.patches_below([0.0, 0.0, if face == Face::Top { -1.0 } else { 1.0 }])
 }
 
 /// The upper face of the rest shape comes second; a side has no lines of its own and counts to the lower face.
@@ -203,11 +306,11 @@ mod tests {
             record.look(&RIDGES, (Face::Bottom, to), &seen(0.001, turned, false), 1.0);
             record.leave();
         }
-        let lines = record.lines(Face::Bottom, 0.5);
+        let lines = record.lines(Face::Bottom, 0.5, 0.0);
         assert_eq!(lines.len(), 2);
         let cosine = lines[0].direction[0] * lines[1].direction[0] + lines[0].direction[1] * lines[1].direction[1];
         assert!(cosine.abs() < 1e-12 && (lines[0].share - 0.6).abs() < 1e-12 && (lines[1].share - 0.2).abs() < 1e-12);
-        assert!(record.lines(Face::Top, 0.5).is_empty());
+        assert!(record.lines(Face::Top, 0.5, 0.0).is_empty());
     }
 
     #[test]
@@ -216,6 +319,23 @@ mod tests {
         record.look(&RIDGES, (Face::Top, 0.0), &seen(0.0, 0.0, true), 1.0);
         record.leave();
         record.look(&RIDGES, (Face::Top, 0.6), &seen(0.0, 0.0, true), 1.0);
-        assert!(record.lines(Face::Top, 0.6).is_empty());
+        assert!(record.lines(Face::Top, 0.6, 0.0).is_empty());
+    }
+
+    /// What a face gained on ridges is neither more nor less for being divided between lines and the rest.
+    #[test]
+    fn lines_and_what_lies_between_them_hold_the_face_s_mean_browning() {
+        let mut record = SearRecord::default();
+        for browned in [0.0, 0.2, 0.8] {
+            record.look(&RIDGES, (Face::Bottom, browned), &seen(0.001, 0.0, false), 1.0);
+            if browned > 0.0 {
+                let line = record.lines(Face::Bottom, browned, 0.1 * browned)[0];
+                let duty = line.width / line.pitch;
+                for ([on, between], mean) in [(line.browning, browned), (line.charring, 0.1 * browned)] {
+                    assert!((duty * on + (1.0 - duty) * between - mean).abs() < 1e-12, "{line:?}");
+                    assert!(on > between && on <= 1.0, "{line:?}");
+                }
+            }
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! Promise: oil, butter and water in the pan keep their mass and their heat, run to the low side and come back, melt, boil,
 //! foam, brown, smoke, burn and spatter as they should, and a lid keeps what rises.
 
+use saute_kitchen::drop_flight::Landing;
 use saute_kitchen::food::Rules;
 use saute_kitchen::pan::LEVEL;
 use saute_kitchen::water_film::WATER_DENSITY;
@@ -461,4 +462,26 @@ fn every_oil_has_its_points_in_order_and_impossible_oils_are_refused_where_they_
     let room = Library::embedded_files()["kitchen.toml"].replace("rendered = \"beef-fat\"", "rendered = \"whale\"");
     let error = Library::with(&[("kitchen.toml".into(), room)]).expect_err("refused");
     assert!(error.message.contains("whale") && error.message.contains("canola"), "{error}");
+}
+
+/// What is thrown, flies or has landed: exactly as many drops as events are told, at every moment.
+#[test]
+fn as_many_drops_fly_and_land_as_spatter_and_pops_are_told() {
+    let mut kitchen = frying(190.0);
+    pour(&mut kitchen, "canola", 15.0);
+    apply(&mut kitchen, Command::Hob(1200.0));
+    let mut flew = 0;
+    for _ in 0..600 {
+        kitchen.step();
+        let told = [EventKind::Spatter, EventKind::Pop].map(|k| kitchen.events().tally(k).count);
+        let spatter = &kitchen.pan_state().liquids.spatter;
+        assert_eq!(spatter.landed + spatter.flights.len() as u64, told[0] + told[1]);
+        flew = flew.max(spatter.flights.len());
+    }
+    let spots = &kitchen.pan_state().liquids.spatter.spots;
+    assert!(flew > 2 && spots.len() > 20, "{flew} {}", spots.len());
+    for landing in [Landing::Wall, Landing::Outside] {
+        assert!(spots.iter().any(|spot| spot.landing == landing), "{landing:?}");
+    }
+    assert!(spots.iter().all(|spot| spot.radius > 0.0 && spot.radius < 2e-3));
 }

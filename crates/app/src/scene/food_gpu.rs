@@ -6,7 +6,9 @@ use std::sync::Arc;
 use glam::{Vec3, Vec4};
 use wgpu::util::DeviceExt;
 
-use super::input::{BORDER_RANGE, FleshTexture, FoodLook, FoodMesh, FoodVertex, GrainVolume, SliceLook, WITHIN_RANGE};
+use super::input::{
+    BORDER_RANGE, FleshTexture, FoodLook, FoodMesh, FoodVertex, GrainVolume, SearLook, SliceLook, WITHIN_RANGE,
+};
 use super::pipelines::Layouts;
 use super::textures::sampled_texture_of;
 use super::uniforms::{FoodUniform, NO_CUT, reciprocal};
@@ -55,6 +57,8 @@ struct CutBuffers {
     kept: Indices,
     /// Triangles of the outside that are not wholly kept.
     hidden: Indices,
+    /// Whether a knife has parted it: then what is hidden is not there.
+    parted: bool,
 }
 
 /// Triangles in a buffer.
@@ -91,6 +95,7 @@ impl CutBuffers {
             face: Indices::new(device, &slice.triangles),
             kept: Indices::new(device, &kept),
             hidden: Indices::new(device, if slice.ghost { &hidden } else { &[] }),
+            parted: !slice.ghost,
         }
     }
 }
@@ -271,7 +276,15 @@ impl FoodBuffers {
     /// Draws the shape into a depth map.
     pub fn draw_depth(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_bind_group(1, &self.pose_group, &[]);
-        self.draw_shape(pass);
+        match self.cut.as_ref().filter(|cut| cut.parted) {
+            Some(cut) => {
+                pass.set_vertex_buffer(0, self.vertices.slice(..));
+                cut.kept.draw(pass);
+                pass.set_vertex_buffer(0, cut.vertices.slice(..));
+                cut.face.draw(pass);
+            }
+            None => self.draw_shape(pass),
+        }
     }
 
     fn draw_shape(&self, pass: &mut wgpu::RenderPass<'_>) {
@@ -316,12 +329,18 @@ fn uniform(food: &FoodLook) -> FoodUniform {
         char: lab(palette.char, 0.0),
         fat_brown: lab(palette.fat_brown, 0.0),
         second: lab(palette.second, 0.0),
-        sear: food.sear.map(|lines| {
-            lines.map_or([Vec4::ZERO; 2], |l| {
-                [l.direction.extend(l.phase).extend(l.pitch), Vec4::new(l.width, l.share, 0.0, 0.0)]
-            })
-        }),
+        sear: food.sear.map(|face| face.map(|lines| lines.map_or([Vec4::ZERO; 3], seared))),
     }
+}
+
+/// A set of seared lines as the shader reads it.
+fn seared(lines: SearLook) -> [Vec4; 3] {
+    let [on, between] = lines.browning;
+    [
+        lines.direction.extend(lines.phase).extend(lines.pitch),
+        Vec4::new(lines.width, lines.share, on, between),
+        Vec4::new(lines.charring[0], lines.charring[1], 0.0, 0.0),
+    ]
 }
 
 fn buffer(device: &wgpu::Device, contents: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {

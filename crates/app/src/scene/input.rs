@@ -27,6 +27,8 @@ pub struct SceneInput {
     pub rest: Option<RestLook>,
     /// Places where water vapour leaves.
     pub steam: Vec<SteamSource>,
+    /// Oil that spatters.
+    pub spatter: SpatterLook,
     /// Simulated time [s]; moves steam and the shimmer of the oil, nothing else.
     pub time_s: f32,
     /// What the colours mean.
@@ -123,6 +125,8 @@ pub struct PanLook {
     pub roughness: f32,
     /// What lies on the floor; the same allocation as long as nothing in it has changed.
     pub film: Arc<FilmPicture>,
+    /// What heat has done to its colour; the same allocation as long as nothing in it has changed.
+    pub tint: Arc<TintPicture>,
     /// Colour of light that has passed through a millimetre of the oil, linear sRGB.
     pub oil_colour: Vec3,
     /// Ridges on the floor, along the pan's y, one through the centre: pitch, width and height [m].
@@ -146,6 +150,17 @@ pub struct FilmPicture {
     /// Square roots of the thickness of oil over [`OIL_RANGE`] and of water over [`WATER_RANGE`]; browned fond; foam.
     pub texels: Vec<[u8; 4]>,
 }
+
+/// Reflectance of the pan's inside over that of the new pan: `FILM_SIZE` squared texels over the square round the floor with
+/// the wall unrolled about it, x fastest.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TintPicture {
+    /// Shares of red, green and blue over [`TINT_RANGE`], linear.
+    pub texels: Vec<[u8; 4]>,
+}
+
+/// Share of reflectance that byte 255 stands for [-].
+pub const TINT_RANGE: f32 = 2.0;
 
 /// Texels along each side of a film picture.
 pub const FILM_SIZE: u32 = 64;
@@ -182,9 +197,12 @@ pub struct FoodLook {
     pub world_from_rest: Mat4,
     /// A cut that shows the inside; the food stays whole for everything else.
     pub slice: Option<SliceLook>,
-    /// Lines that ridges seared into the lower and the upper face of the rest shape.
-    pub sear: [Option<SearLook>; 2],
+    /// Lines that ridges seared into the lower and the upper face of the rest shape, the strongest first.
+    pub sear: [[Option<SearLook>; SEAR_SETS]; 2],
 }
+
+/// Sets of seared lines that are drawn on each face (chosen: crossed lines).
+pub const SEAR_SETS: usize = 2;
 
 /// Parallel lines on which a face browned ahead of the rest, in the rest frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -197,8 +215,12 @@ pub struct SearLook {
     pub pitch: f32,
     /// Width of a line [m].
     pub width: f32,
-    /// Share of the browning that came on the lines.
+    /// Share of the face's browning that came while it lay on these ridges.
     pub share: f32,
+    /// Browning that came then, on the lines and between them.
+    pub browning: [f32; 2],
+    /// Charring likewise.
+    pub charring: [f32; 2],
 }
 
 /// The rest shape of a food; shared between frames.
@@ -310,8 +332,43 @@ pub struct FoodVertex {
     pub along: f32,
     /// Belly (−1) to back (1), likewise.
     pub dorsal: f32,
+    /// How dark seared lines are here over their mean on the face.
+    pub seared: f32,
     /// Position in the present shape, in the same frame [m].
     pub position: [f32; 3],
+    /// Juice that lies on the face over the most that stays there (0–1): it stands in beads.
+    pub juice: f32,
+}
+
+/// Oil that spatters.
+#[derive(Clone, Debug, Default)]
+pub struct SpatterLook {
+    /// Drops in the air.
+    pub drops: Vec<DropLook>,
+    /// Spots where drops have landed; the same allocation as long as nothing in it has changed.
+    pub spots: Arc<Vec<SpotLook>>,
+}
+
+/// A drop of oil in the air, world frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DropLook {
+    /// Where [m].
+    pub position: Vec3,
+    /// How fast [m/s].
+    pub velocity: Vec3,
+    /// Its radius [m].
+    pub radius: f32,
+}
+
+/// A spot of oil on the pan's wall or beside the pan, world frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpotLook {
+    /// Its middle [m].
+    pub position: Vec3,
+    /// Unit normal of what it lies on.
+    pub normal: Vec3,
+    /// Its radius [m].
+    pub radius: f32,
 }
 
 /// What rises from the pan.

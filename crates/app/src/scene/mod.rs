@@ -25,6 +25,8 @@ pub mod sample;
 mod shadow;
 mod shown;
 mod solid_gpu;
+mod spatter;
+mod sprite_gpu;
 mod steam;
 mod still;
 mod targets;

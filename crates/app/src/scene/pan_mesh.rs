@@ -79,6 +79,17 @@ fn inner_curve(pan: &PanLook) -> [Vec2; 4] {
     ]
 }
 
+/// Point of the inner wall at a height above the floor, as radius and height over the underside [m], and the unit normal there,
+/// into the pan.
+pub(crate) fn on_wall(pan: &PanLook, height: f32) -> (Vec2, Vec2) {
+    let (curve, wanted) = (inner_curve(pan), pan.thickness + height);
+    let points: Vec<Vec2> = bezier(curve, 32).collect();
+    let at = points.windows(2).position(|w| w[1].y >= wanted).unwrap_or(points.len() - 2);
+    let (low, high) = (points[at], points[at + 1]);
+    let share = ((wanted - low.y) / (high.y - low.y).max(1e-9)).clamp(0.0, 1.0);
+    (low.lerp(high, share), (high - low).perp().normalize_or(Vec2::Y))
+}
+
 fn wall_profile(pan: &PanLook) -> Vec<ProfilePoint> {
     let points: Vec<Vec2> = bezier(inner_curve(pan), 18).collect();
     let mut profile = with_normals(&points);

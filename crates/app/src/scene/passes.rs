@@ -3,6 +3,7 @@
 use super::food_gpu::Foods;
 use super::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines};
 use super::solid_gpu::Solids;
+use super::sprite_gpu::SpriteBuffers;
 use super::targets::{Attachments, Kept};
 
 /// Colour around the subject in flat pictures, sRGB.
@@ -180,18 +181,11 @@ pub(super) fn draw_lively(
     solids.pan_floor().draw(pass);
 }
 
-/// Sprites in one buffer: what lies round frying foods first, then steam.
-pub(super) struct Sprites<'a> {
-    pub buffer: &'a wgpu::Buffer,
-    /// Vertices of the first kind, and of both.
-    pub ends: [u32; 2],
-}
-
 /// Everything in a picture.
 pub(super) struct Subject<'a> {
     pub solids: &'a Solids,
     pub foods: &'a Foods,
-    pub sprites: Sprites<'a>,
+    pub sprites: &'a SpriteBuffers,
 }
 
 /// A whole picture in one pass, what is near first.
@@ -205,7 +199,13 @@ pub(super) fn draw_whole(
     let mut pass = begin(encoder, to, true);
     draw_lively(&mut pass, pipelines, groups, subject.solids, subject.foods);
     draw_still(&mut pass, pipelines, groups, subject.solids, false);
-    draw_veils(&mut pass, pipelines, groups, subject.solids, subject.foods, &subject.sprites);
+    draw_spots(&mut pass, pipelines, subject.sprites);
+    draw_veils(&mut pass, pipelines, groups, subject.solids, subject.foods, subject.sprites);
+}
+
+/// Spots of oil on what is drawn already; the pass has the frame and texture groups set.
+pub(super) fn draw_spots(pass: &mut wgpu::RenderPass<'_>, pipelines: &ColourPipelines, sprites: &SpriteBuffers) {
+    draw_sprites(pass, &pipelines.fry, &sprites.spots, 0..sprites.spot_vertices);
 }
 
 /// What lies round frying foods, the veils of cut foods, the glass of the lid, then steam.
@@ -215,11 +215,11 @@ pub(super) fn draw_veils(
     groups: &Groups<'_>,
     solids: &Solids,
     foods: &Foods,
-    sprites: &Sprites<'_>,
+    sprites: &SpriteBuffers,
 ) {
     groups.set(pass);
     let [fry, all] = sprites.ends;
-    draw_sprites(pass, &pipelines.fry, sprites.buffer, 0..fry);
+    draw_sprites(pass, &pipelines.fry, &sprites.moving, 0..fry);
     pass.set_pipeline(&pipelines.ghost);
     for food in &foods.slots {
         food.draw_hidden(pass);
@@ -228,7 +228,7 @@ pub(super) fn draw_veils(
         pass.set_pipeline(&pipelines.lid);
         glass.draw(pass);
     }
-    draw_sprites(pass, &pipelines.steam, sprites.buffer, fry..all);
+    draw_sprites(pass, &pipelines.steam, &sprites.moving, fry..all);
 }
 
 fn draw_sprites(

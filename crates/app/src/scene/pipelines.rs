@@ -15,6 +15,7 @@ const LIGHT: &str = include_str!("shaders/light.wgsl");
 const SOLID: &str = include_str!("shaders/solid.wgsl");
 const FLESH: &str = include_str!("shaders/flesh.wgsl");
 const GRAIN: &str = include_str!("shaders/grain.wgsl");
+const BEADS: &str = include_str!("shaders/beads.wgsl");
 const FOOD: &str = include_str!("shaders/food.wgsl");
 const HATCH: &str = include_str!("shaders/hatch.wgsl");
 const STEAM: &str = include_str!("shaders/steam.wgsl");
@@ -25,8 +26,8 @@ const RESTORE: &str = include_str!("shaders/restore.wgsl");
 const SOLID_ATTRIBUTES: [wgpu::VertexAttribute; 4] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x4];
 const FOOD_ATTRIBUTES: [wgpu::VertexAttribute; 7] = wgpu::vertex_attr_array![
-    0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3, 4 => Float32x4, 5 => Float32x3,
-    6 => Float32x3];
+    0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3, 4 => Float32x4, 5 => Float32x4,
+    6 => Float32x4];
 const STEAM_ATTRIBUTES: [wgpu::VertexAttribute; 3] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x2, 2 => Float32x3];
 
@@ -112,7 +113,7 @@ impl PipelineFactory {
         let food_layout = pipeline_layout(device, &[&layouts.frame, textures, &layouts.food]);
         Self {
             solid: module("solid", &[FRAME, &light, LIGHT, SOLID]),
-            food: module("food", &[FRAME, &light, LIGHT, HATCH, FLESH, GRAIN, FOOD]),
+            food: module("food", &[FRAME, &light, LIGHT, HATCH, FLESH, GRAIN, BEADS, FOOD]),
             sprites: module("sprites", &[FRAME, &light, LIGHT, STEAM, FRY]),
             depth: module("depth", &[DEPTH]),
             restore: module("restore", &[RESTORE]),

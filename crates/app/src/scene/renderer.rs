@@ -7,15 +7,14 @@ use wgpu::util::DeviceExt;
 
 use super::dirty::DirtyRect;
 use super::food_gpu::{Foods, Moved};
-use super::fry::{FRY_VERTICES_MAX, fry};
-use super::input::{Colouring, FilmPicture, SceneInput, ToolLook};
-use super::passes::{self, Groups, Sprites, Subject};
+use super::input::{Colouring, FilmPicture, SceneInput, TintPicture, ToolLook};
+use super::passes::{self, Groups, Subject};
 use super::pipelines::{ColourPipelines, DepthPipelines, Detail, FlatPipelines, PipelineFactory};
 use super::quality::Quality;
 use super::shadow::{ContactMap, light_from_world};
 use super::shown::{Shown, Sight, Work};
 use super::solid_gpu::{MovableKey, Solids};
-use super::steam::{PUFFS_MAX, PuffVertex, puffs};
+use super::sprite_gpu::SpriteBuffers;
 use super::still::{Still, StillKey};
 use super::targets::Targets;
 use super::textures::SceneTextures;
@@ -41,9 +40,7 @@ pub struct SceneRenderer {
     contact: ContactMap,
     solids: Option<Solids>,
     foods: Foods,
-    sprites: wgpu::Buffer,
-    /// Vertices of what lies round frying foods, and those with the steam.
-    sprite_ends: [u32; 2],
+    sprites: SpriteBuffers,
     shown: Shown,
     targets: Targets,
     still: Option<Still>,
@@ -60,6 +57,7 @@ pub struct SceneRenderer {
     shadow_of: Option<Casting>,
     table: Option<Arc<[[u8; 3]; 256]>>,
     film: Option<Arc<FilmPicture>>,
+    tint: Option<Arc<TintPicture>>,
 }
 
 /// What is drawn anew covers this much.
@@ -123,12 +121,6 @@ impl SceneRenderer {
         let camera_view = uniform(&[0; 64]);
         let light_view = uniform(bytemuck::bytes_of(&light_from_world()));
         let contact_view = uniform(bytemuck::bytes_of(&contact.clip_from_world()));
-        let sprites = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("sprites"),
-            size: ((PUFFS_MAX * 6 + FRY_VERTICES_MAX) * size_of::<PuffVertex>()) as u64,
-            usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
         Self {
             quality,
             depth: factory.depth(device),
@@ -145,8 +137,7 @@ impl SceneRenderer {
             contact,
             solids: None,
             foods: Foods::default(),
-            sprites,
-            sprite_ends: [0; 2],
+            sprites: SpriteBuffers::new(device),
             shown: Shown::default(),
             still: None,
             timeless: bytemuck::Zeroable::zeroed(),
@@ -158,6 +149,7 @@ impl SceneRenderer {
             shadow_of: None,
             table: None,
             film: None,
+            tint: None,
         }
     }
 
@@ -232,7 +224,10 @@ impl SceneRenderer {
             Some(solids) => solids.update(device, queue, input),
             None => self.solids.insert(Solids::new(device, input)).update(device, queue, input),
         }
-        let coloured = self.update_table(device, queue, &input.colouring) | self.update_film(queue, &input.pan.film);
+        let coloured = self.update_table(device, queue, &input.colouring)
+            | self.update_film(queue, &input.pan.film)
+            | self.update_tint(queue, &input.pan.tint)
+            | self.sprites.update_spots(queue, input);
         let aspect = size[0] as f32 / size[1] as f32;
         let frame = FrameUniform::new(input, aspect, self.quality, &self.contact);
         self.timeless = frame.timeless();
@@ -245,7 +240,7 @@ impl SceneRenderer {
             self.shadow_of = None;
         }
         self.disturbances += u64::from(self.moved.still);
-        let sprites = self.update_sprites(queue, input);
+        let sprites = self.sprites.update(queue, input);
         let tool: Vec<_> = self.solids.iter().flat_map(Solids::moving_points).collect();
         self.dirty = Touched {
             lively: DirtyRect::of_lively(input, &tool, size),
@@ -260,21 +255,6 @@ impl SceneRenderer {
         }
         let sight = Sight { frame, sprites, quality: self.quality };
         (sight, changed)
-    }
-
-    /// Steam and frying fat; none where they would falsify the colours of a field.
-    fn update_sprites(&mut self, queue: &wgpu::Queue, input: &SceneInput) -> Vec<PuffVertex> {
-        let mut sprites = Vec::new();
-        if matches!(input.colouring, Colouring::Look) {
-            sprites = fry(input);
-            self.sprite_ends[0] = sprites.len() as u32;
-            sprites.extend(puffs(&input.steam, input.time_s));
-        } else {
-            self.sprite_ends[0] = 0;
-        }
-        self.sprite_ends[1] = sprites.len() as u32;
-        queue.write_buffer(&self.sprites, 0, bytemuck::cast_slice(&sprites));
-        sprites
     }
 
     /// Takes another colour table; tells whether it is another.
@@ -295,8 +275,19 @@ impl SceneRenderer {
     fn update_film(&mut self, queue: &wgpu::Queue, film: &Arc<FilmPicture>) -> bool {
         let same = self.film.as_ref().is_some_and(|old| Arc::ptr_eq(old, film));
         if !same {
-            self.textures.set_film(queue, film);
+            self.textures.set_film(queue, &film.texels);
             self.film = Some(Arc::clone(film));
+        }
+        !same
+    }
+
+    /// Takes another picture of what heat has done to the pan's colour, which its wall shows too; tells whether it is another.
+    fn update_tint(&mut self, queue: &wgpu::Queue, tint: &Arc<TintPicture>) -> bool {
+        let same = self.tint.as_ref().is_some_and(|old| Arc::ptr_eq(old, tint) || old == tint);
+        if !same {
+            self.textures.set_tint(queue, &tint.texels);
+            self.tint = Some(Arc::clone(tint));
+            self.disturbances += 1;
         }
         !same
     }
@@ -335,8 +326,7 @@ impl SceneRenderer {
         let Some(solids) = &self.solids else { return };
         self.targets.msaa(device);
         let to = self.targets.multisampled(&self.targets.picture);
-        let subject =
-            Subject { solids, foods: &self.foods, sprites: Sprites { buffer: &self.sprites, ends: self.sprite_ends } };
+        let subject = Subject { solids, foods: &self.foods, sprites: &self.sprites };
         let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
         passes::draw_whole(encoder, &to, pipelines, &groups, &subject);
         self.lively = None;
@@ -361,12 +351,12 @@ impl SceneRenderer {
             let mut pass =
                 passes::begin_restored(encoder, &self.restore, &to, &self.targets.still, lively.scissor(size));
             passes::draw_lively(&mut pass, pipelines, &groups, solids, &self.foods);
+            passes::draw_spots(&mut pass, pipelines, &self.sprites);
             touched = touched.union(lively);
         }
         let to = self.targets.picture.attachments();
         let mut pass = passes::begin_restored(encoder, &self.restore, &to, &self.targets.lively, touched.scissor(size));
-        let sprites = Sprites { buffer: &self.sprites, ends: self.sprite_ends };
-        passes::draw_veils(&mut pass, pipelines, &groups, solids, &self.foods, &sprites);
+        passes::draw_veils(&mut pass, pipelines, &groups, solids, &self.foods, &self.sprites);
         drop(pass);
         self.lively = Some(self.timeless);
         self.drawn = self.dirty;
@@ -389,8 +379,7 @@ impl SceneRenderer {
         self.factory.stock(device, pipelines, self.foods.textures());
         let Some(solids) = &self.solids else { return };
         let to = self.targets.picture.attachments();
-        let subject =
-            Subject { solids, foods: &self.foods, sprites: Sprites { buffer: &self.sprites, ends: self.sprite_ends } };
+        let subject = Subject { solids, foods: &self.foods, sprites: &self.sprites };
         let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
         passes::draw_whole(encoder, &to, pipelines, &groups, &subject);
         self.still = Some(Still { key, drawn: false });

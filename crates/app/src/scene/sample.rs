@@ -8,7 +8,7 @@ use glam::{Mat4, Vec2, Vec3};
 use super::camera::Camera;
 use super::input::{
     BrowningPalette, Colouring, FILM_SIZE, FLOOR_FIELD_RINGS, FilmPicture, FleshTexture, FoodLook, FoodMesh,
-    FoodVertex, GrainVolume, HobLook, PanLook, SceneInput, SliceLook, SteamSource, Vapour,
+    FoodVertex, GrainVolume, HobLook, PanLook, SceneInput, SliceLook, SteamSource, TintPicture, Vapour,
 };
 use super::noise::gradient_noise;
 
@@ -39,6 +39,7 @@ pub fn empty_pan() -> SceneInput {
         metalness: 0.85,
         roughness: 0.42,
         film: Arc::new(FilmPicture { texels: vec![[110, 0, 0, 0]; (FILM_SIZE * FILM_SIZE) as usize] }),
+        tint: Arc::new(TintPicture { texels: vec![[128; 4]; (FILM_SIZE * FILM_SIZE) as usize] }),
         oil_colour: Vec3::new(0.75, 0.62, 0.22),
         ridges: None,
         lid: None,
@@ -55,6 +56,7 @@ pub fn empty_pan() -> SceneInput {
         tool: None,
         rest: None,
         steam: Vec::new(),
+        spatter: Default::default(),
         time_s: 3.0,
         colouring: Colouring::Look,
         white_balance: Default::default(),
@@ -93,7 +95,7 @@ pub fn steak(doneness: Doneness, world_from_rest: Mat4) -> FoodLook {
         second: [0.0; 3],
     };
     let mesh = Arc::new(FoodMesh { key: 1, triangles, texture: FleshTexture::Muscle, palette, grain: marbling() });
-    FoodLook { mesh, vertices: Arc::new(vertices), world_from_rest, slice: None, sear: [None; 2] }
+    FoodLook { mesh, vertices: Arc::new(vertices), world_from_rest, slice: None, sear: Default::default() }
 }
 
 /// Cuts a steak across its middle; the half towards the cook is hidden.
@@ -290,6 +292,8 @@ fn coloured(rest: Vec3, normal: Vec3, cooked: f32, browning: f32) -> FoodVertex 
         field: 0.15 + 0.3 * cooked + 0.5 * browning,
         along: 0.0,
         dorsal: 0.0,
+        seared: 0.0,
+        juice: 0.0,
     }
 }
 

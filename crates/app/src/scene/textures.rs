@@ -3,7 +3,7 @@
 use wgpu::util::{DeviceExt, TextureDataOrder};
 
 use super::environment::{self, ENVIRONMENT_LEVELS, ENVIRONMENT_SIZE};
-use super::input::{FILM_SIZE, FilmPicture};
+use super::input::FILM_SIZE;
 use super::noise::{bundles, halve_picture, halve_volume, solid_noise};
 use super::quality::Quality;
 
@@ -23,6 +23,7 @@ pub(super) struct SceneTextures {
     fine: Option<Patterns>,
     table: wgpu::Texture,
     film: wgpu::Texture,
+    tint: wgpu::Texture,
     stepped: bool,
     samplers: Samplers,
 }
@@ -62,8 +63,9 @@ impl SceneTextures {
         let patterns = fine.as_ref().unwrap_or(&plain);
         let table = plain_texture(device, "colour table", [256, 1]);
         let film = plain_texture(device, "pan film", [FILM_SIZE; 2]);
+        let tint = plain_texture(device, "heat tint", [FILM_SIZE; 2]);
         let views = [&shadow_map, &contact_map, &environment, &patterns.noise, &patterns.bundles];
-        let bind_group = bind(device, &layout, views, [&table, &film], &samplers, false);
+        let bind_group = bind(device, &layout, views, [&table, &film, &tint], &samplers, false);
         Self {
             layout,
             bind_group,
@@ -75,6 +77,7 @@ impl SceneTextures {
             fine,
             table,
             film,
+            tint,
             stepped: false,
             samplers,
         }
@@ -112,24 +115,30 @@ impl SceneTextures {
     }
 
     /// Takes another picture of what lies in the pan.
-    pub fn set_film(&mut self, queue: &wgpu::Queue, film: &FilmPicture) {
-        if film.texels.len() == (FILM_SIZE * FILM_SIZE) as usize {
-            let layout =
-                wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * FILM_SIZE), rows_per_image: None };
-            queue.write_texture(
-                self.film.as_image_copy(),
-                bytemuck::cast_slice(&film.texels),
-                layout,
-                self.film.size(),
-            );
-        }
+    pub fn set_film(&mut self, queue: &wgpu::Queue, texels: &[[u8; 4]]) {
+        write_picture(queue, &self.film, texels);
+    }
+
+    /// Takes another picture of what heat has done to the pan's colour.
+    pub fn set_tint(&mut self, queue: &wgpu::Queue, texels: &[[u8; 4]]) {
+        write_picture(queue, &self.tint, texels);
     }
 
     fn rebind(&mut self, device: &wgpu::Device) {
         let finest = self.fine.as_ref().filter(|_| self.quality == Quality::Best);
         let patterns = finest.unwrap_or(&self.plain);
         let views = [&self.shadow_map, &self.contact_map, &self.environment, &patterns.noise, &patterns.bundles];
-        self.bind_group = bind(device, &self.layout, views, [&self.table, &self.film], &self.samplers, self.stepped);
+        self.bind_group =
+            bind(device, &self.layout, views, [&self.table, &self.film, &self.tint], &self.samplers, self.stepped);
+    }
+}
+
+/// Writes a picture of the pan, if it is whole.
+fn write_picture(queue: &wgpu::Queue, to: &wgpu::Texture, texels: &[[u8; 4]]) {
+    if texels.len() == (FILM_SIZE * FILM_SIZE) as usize {
+        let layout =
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * FILM_SIZE), rows_per_image: None };
+        queue.write_texture(to.as_image_copy(), bytemuck::cast_slice(texels), layout, to.size());
     }
 }
 
@@ -180,6 +189,7 @@ fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
         texture(float, TextureViewDimension::D2),
         filtering,
         texture(float, TextureViewDimension::D2),
+        texture(float, TextureViewDimension::D2),
     ];
     let entries: Vec<_> = (0..).zip(types).map(|(binding, ty)| fragment_entry(binding, ty)).collect();
     device
@@ -195,12 +205,12 @@ fn bind(
     device: &wgpu::Device,
     layout: &wgpu::BindGroupLayout,
     [shadow, contact, environment, noise, bundles]: [&wgpu::TextureView; 5],
-    [table, film]: [&wgpu::Texture; 2],
+    [table, film, tint]: [&wgpu::Texture; 3],
     samplers: &Samplers,
     stepped: bool,
 ) -> wgpu::BindGroup {
     use wgpu::BindingResource::{Sampler, TextureView};
-    let [table, film] = [table, film].map(|t| t.create_view(&wgpu::TextureViewDescriptor::default()));
+    let [table, film, tint] = [table, film, tint].map(|t| t.create_view(&wgpu::TextureViewDescriptor::default()));
     let table_sampler = if stepped { &samplers.nearest } else { &samplers.clamp };
     let resources = [
         TextureView(shadow),
@@ -214,6 +224,7 @@ fn bind(
         TextureView(&table),
         Sampler(table_sampler),
         TextureView(&film),
+        TextureView(&tint),
     ];
     let entries: Vec<_> =
         (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();

@@ -3,7 +3,7 @@
 use glam::{Mat4, Vec3, Vec4};
 
 use super::environment::{ENVIRONMENT_LEVELS, LAMP_DIRECTION, WINDOW_DIRECTION};
-use super::input::{Colouring, FLOOR_FIELD_RINGS, SceneInput};
+use super::input::{Colouring, FLOOR_FIELD_RINGS, SEAR_SETS, SceneInput};
 use super::props::{BOARD_CENTRE, BOARD_SIZE};
 use super::quality::{Quality, SOFT_SHADOW_SIZE};
 use super::shadow::{ContactMap, light_from_world};
@@ -88,7 +88,7 @@ pub(super) struct FoodUniform {
     pub char: Vec4,
     pub fat_brown: Vec4,
     pub second: Vec4,
-    pub sear: [[Vec4; 2]; 2],
+    pub sear: [[[Vec4; 3]; SEAR_SETS]; 2],
 }
 
 /// A cut so far away that nothing is hidden.

@@ -15,8 +15,9 @@ struct Food {
     char: vec4<f32>,
     fat_brown: vec4<f32>,
     second: vec4<f32>,
-    // Lines of the lower and the upper face: direction, phase, pitch; width, share of the browning that came on them.
-    sear: array<vec4<f32>, 4>,
+    // Two sets of lines for the lower and for the upper face: direction, phase, pitch; width, share of the browning that came
+    // on these ridges, browning on the lines and between; charring on the lines and between.
+    sear: array<vec4<f32>, 12>,
 };
 
 @group(2) @binding(0) var<uniform> food: Food;
@@ -76,19 +77,37 @@ fn grown(rest: vec3<f32>, blur: f32) -> Grown {
     return Grown(fatty, cell.g, cell.b * food.grain_scale.w, cell.a);
 }
 
-// Browning of a face whose ridges seared lines into it: ahead on the lines, behind between them, its mean kept.
-fn on_lines(browning: f32, rest: vec3<f32>, normal: vec3<f32>, waver: f32) -> f32 {
-    let face = select(0u, 2u, normal.z > 0.0);
-    let lines = food.sear[face];
-    let width = food.sear[face + 1u].x;
-    let share = food.sear[face + 1u].y * smoothstep(0.45, 0.85, abs(normal.z));
-    if (lines.w <= 0.0 || share <= 0.0) { return browning; }
-    let across = rest.x * lines.y - rest.y * lines.x - lines.z + waver;
-    let away = abs(fract(across / lines.w + 0.5) - 0.5) * lines.w;
-    let duty = clamp(width / lines.w, 0.05, 1.0);
-    let on = 1.0 - smoothstep(0.35 * width, 0.70 * width, away);
-    // As much as fits onto the lines lies on them; the rest lies between.
-    let line = min(browning / duty, 1.0);
-    let between = max(browning - duty * line, 0.0) / max(1.0 - duty, 0.05);
-    return mix(browning, mix(between, line, on), share);
+// Sets of lines on each face, and what tells of a set.
+const SEAR_SETS = 2u;
+const SEAR_ROWS = 3u;
+
+// What ridges seared into a place.
+struct Seared {
+    browning: f32,
+    charring: f32,
+    // Share of the face's browning that came on ridges.
+    share: f32,
+};
+
+// Browning and charring of a face into which ridges seared lines: what came on them lies on the lines, what is more than
+// fits there lies between, and what came elsewhere is as the mesh has it.
+fn on_lines(browning: f32, charring: f32, strength: f32, rest: vec3<f32>, normal: vec3<f32>, waver: f32) -> Seared {
+    let face = select(0u, SEAR_SETS * SEAR_ROWS, normal.z > 0.0);
+    let facing = smoothstep(0.45, 0.85, abs(normal.z));
+    var share = 0.0;
+    var came = vec2<f32>(0.0);
+    for (var k = 0u; k < SEAR_SETS; k++) {
+        let at = face + k * SEAR_ROWS;
+        let lines = food.sear[at];
+        if (lines.w <= 0.0) { break; }
+        let told = food.sear[at + 1u];
+        let across = rest.x * lines.y - rest.y * lines.x - lines.z + waver;
+        let away = abs(fract(across / lines.w + 0.5) - 0.5) * lines.w;
+        let on = 1.0 - smoothstep(0.30 * told.x, 0.70 * told.x, away);
+        share += told.y;
+        came += mix(vec2<f32>(told.w, food.sear[at + 2u].y), vec2<f32>(told.z, food.sear[at + 2u].x), on) * strength;
+    }
+    share *= facing;
+    let seared = vec2<f32>(browning, charring) * max(1.0 - share, 0.0) + came * facing;
+    return Seared(min(seared.x, 1.0), min(seared.y, 1.0), share);
 }

@@ -7,10 +7,10 @@ struct FoodIn {
     @location(3) fat: vec3<f32>,
     // Browning, charring, wetness, cooked.
     @location(4) state: vec4<f32>,
-    // Field, place along the body, belly to back.
-    @location(5) place: vec3<f32>,
-    // In the present shape; rest is in the shape before cooking.
-    @location(6) position: vec3<f32>,
+    // Field, place along the body, belly to back, strength of seared lines.
+    @location(5) place: vec4<f32>,
+    // In the present shape (rest is in the shape before cooking); juice on the face.
+    @location(6) position: vec4<f32>,
 };
 
 struct FoodOut {
@@ -21,14 +21,15 @@ struct FoodOut {
     @location(3) lean: vec3<f32>,
     @location(4) fat: vec3<f32>,
     @location(5) state: vec4<f32>,
-    @location(6) place: vec3<f32>,
+    @location(6) place: vec4<f32>,
+    @location(7) juice: f32,
 };
 
 @vertex
 fn vs_food(in: FoodIn) -> FoodOut {
-    let world = food.world_from_rest * vec4<f32>(in.position, 1.0);
+    let world = food.world_from_rest * vec4<f32>(in.position.xyz, 1.0);
     let clip = frame.clip_from_world * world;
-    return FoodOut(clip, world.xyz, in.rest, in.normal, in.lean, in.fat, in.state, in.place);
+    return FoodOut(clip, world.xyz, in.rest, in.normal, in.lean, in.fat, in.state, in.place, in.position.w);
 }
 
 fn hidden_by_cut(rest: vec3<f32>) -> bool {
@@ -64,15 +65,15 @@ fn grain_of(in: FoodOut, grew: Grown, rest_normal: vec3<f32>) -> Grain {
 fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     let grew = grown(in.rest, 0.35);
     let grain = grain_of(in, grew, rest_normal);
-    let browning = on_lines(in.state.x, in.rest, rest_normal, 0.0006 * grain.uneven);
+    let seared = on_lines(in.state.x, in.state.y, in.place.w, in.rest, rest_normal, 0.0006 * grain.uneven);
+    let browning = seared.browning;
     // The edge between face and side browns first: there the pan's heat comes from two sides.
     let upright = abs(rest_normal.z);
     let rim = smoothstep(0.10, 0.55, upright) * (1.0 - smoothstep(0.75, 0.995, upright));
     // Ridges press evenly: what they sear is less mottled.
-    let ridged = food.sear[select(1u, 3u, rest_normal.z > 0.0)].y;
-    let room = min(1.7 * browning, 0.62) * (1.0 - 0.65 * ridged);
+    let room = min(1.7 * browning, 0.62) * (1.0 - 0.65 * seared.share);
     let uneven = clamp(browning + room * (grain.uneven + 0.5 * rim), 0.0, 1.0);
-    let charring = clamp(in.state.y + min(1.5 * in.state.y, 0.7) * (grain.uneven + 0.3 * rim), 0.0, 1.0);
+    let charring = clamp(seared.charring + min(1.5 * seared.charring, 0.7) * (grain.uneven + 0.3 * rim), 0.0, 1.0);
     let shade = grain.shade * (1.0 - 0.45 * uneven) * (1.0 - charring);
     let flesh = Flesh(in.lean + food.second.xyz * grew.second + shade, in.fat + 0.35 * shade, uneven, charring, grew.fatty);
     // A crust that browned deeply is redder before it is dark.
@@ -109,13 +110,21 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
     let roughness = mix(mix(0.60, 0.80, crust), 0.45, wetness) - 0.12 * look.fatty + 0.15 * look.charring;
     // Fat and oil that fill the pores of a crust make it deeper and warmer.
     let oiled = OILED * crust * (1.0 - look.charring);
-    let colour = look.colour * mix(vec3<f32>(1.0), sqrt(look.colour), oiled) * (1.0 - 0.05 * oiled);
+    let beads = juice_on(in, rest_normal, smooth_normal, look.film_slope);
+    let dry = look.colour * mix(vec3<f32>(1.0), sqrt(look.colour), oiled) * (1.0 - 0.05 * oiled);
+    // A bead gathers the window's light on its far side.
+    let towards = dot((food.world_from_rest * vec4<f32>(beads.bend, 0.0)).xyz, frame.key.xyz);
+    let colour = dry * mix(vec3<f32>(1.0), beads.tint * (1.0 - 0.55 * towards), beads.cover);
     let body = Surface(colour, vec3<f32>(0.03), roughness, bumpy, visibility, wrap);
     var radiance = diffuse(body, lit) + colour * side_fill(smooth_normal) * visibility;
     let tint = mix(vec3<f32>(1.0), vec3<f32>(1.0, 0.82, 0.58), crust);
     radiance += specular(body, in.position, view, lit) * mix(0.34, 0.16, max(wetness, crust)) * (1.0 - 0.6 * look.charring) * tint;
     let film_slope = look.film_slope - rest_normal * dot(look.film_slope, rest_normal);
     radiance += sheen(in, look, rest_normal - film_slope * mix(0.8, 1.2, wetness), view, lit, visibility, wetness) * (0.35 + 0.65 * max(smooth_normal.z, 0.0)) * tint;
+    if (beads.cover > 0.0) {
+        let drop = Surface(vec3<f32>(0.0), vec3<f32>(0.026), 0.07, world_normal(rest_normal + beads.bend), visibility, vec3<f32>(0.0));
+        radiance += specular(drop, in.position, view, lit) * beads.cover * 1.8;
+    }
     return pixel_from_radiance(radiance, in.clip.xy);
 }
 

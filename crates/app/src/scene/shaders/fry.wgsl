@@ -3,9 +3,9 @@
 struct FryOut {
     @builtin(position) clip: vec4<f32>,
     @location(0) position: vec3<f32>,
-    // Bubble: place on the disc. Ring: outward direction.
+    // Bubble, drop and spot: place on the disc. Ring: outward direction.
     @location(1) corner: vec2<f32>,
-    // Opacity, random value; a ring has -1 - (share of its width).
+    // Opacity, random value; a ring has -1 - (share of its width), a drop in the air 2, a spot of oil 4.
     @location(2) look: vec2<f32>,
 };
 
@@ -40,8 +40,29 @@ fn bubble(in: FryOut) -> vec4<f32> {
     return vec4<f32>(pixel_from_radiance(fat + 2.2 * liquid(normalize(normal), in.position), in.clip.xy).rgb * alpha, alpha);
 }
 
+// A drop in the air: amber, bright along its middle where it catches the window.
+fn drop(in: FryOut) -> vec4<f32> {
+    let away = dot(in.corner, in.corner);
+    let body = smoothstep(1.0, 0.45, away);
+    let glint = smoothstep(0.55, 0.05, away);
+    let colour = vec3<f32>(0.55, 0.40, 0.17) + vec3<f32>(1.15, 1.05, 0.85) * glint;
+    let alpha = in.look.x * body * 0.85;
+    return vec4<f32>(pixel_from_radiance(colour, in.clip.xy).rgb * alpha, alpha);
+}
+
+// A low cap of oil that lies still: faint in its middle, a darker edge, the window in it.
+fn spot(in: FryOut) -> vec4<f32> {
+    let away = dot(in.corner, in.corner);
+    let normal = normalize(vec3<f32>(in.corner * 0.45, 1.0));
+    let alpha = smoothstep(1.0, 0.70, away) * mix(0.40, 0.65, away * away);
+    let fat = vec3<f32>(0.185, 0.125, 0.045);
+    return vec4<f32>(pixel_from_radiance(fat + 0.55 * liquid(normal, in.position), in.clip.xy).rgb * alpha, alpha);
+}
+
 @fragment
 fn fs_fry(in: FryOut) -> @location(0) vec4<f32> {
     if (in.look.y < 0.0) { return ring(in); }
+    if (in.look.y >= 4.0) { return spot(in); }
+    if (in.look.y >= 2.0) { return drop(in); }
     return bubble(in);
 }

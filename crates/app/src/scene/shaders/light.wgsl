@@ -12,6 +12,8 @@
 @group(1) @binding(9) var table_sampler: sampler;
 // Oil, water, fond, foam on the floor of the pan.
 @group(1) @binding(10) var pan_film: texture_2d<f32>;
+// Reflectance of the unrolled inside of the pan over that of a new one, halved.
+@group(1) @binding(11) var pan_tint: texture_2d<f32>;
 
 // KEY, LAMP, FILL_… and FRONT are those of `room_light.rs`.
 

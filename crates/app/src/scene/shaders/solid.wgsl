@@ -139,6 +139,17 @@ fn film_on(local: vec3<f32>) -> Film {
     return Film(film.r * film.r * 1.0, film.g * film.g * 2.0, film.b, film.a);
 }
 
+// What heat has done to the colour of the pan at a place of its inside.
+fn heat_tint(local: vec3<f32>) -> vec3<f32> {
+    let radius = length(local.xy);
+    let floor = frame.pan_shape.x;
+    let rise = length(vec2<f32>(frame.pan_shape.y - floor, frame.pan_shape.z));
+    let up = length(vec2<f32>(max(radius - floor, 0.0), max(local.z - frame.pan_place.w, 0.0)));
+    let unrolled = select(radius, floor + min(up, rise), radius > floor);
+    let at = local.xy / max(radius, 1e-5) * unrolled / (floor + rise);
+    return textureSampleLevel(pan_tint, clamp_sampler, at * 0.5 + 0.5, 0.0).rgb * 2.0;
+}
+
 @fragment
 fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
@@ -156,14 +167,17 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
         coarse = textureSampleLevel(solid_noise, tile_sampler, local * 6.5, 0.0);
         fine = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(radius * 110.0, local.z * 60.0, atan2(local.y, local.x) * 0.32), 0.0).a;
     }
+    let inside = step(radius, frame.pan_shape.y - 0.001) * step(frame.pan_place.w - 0.001, local.z);
+    var tint = vec3<f32>(1.0);
+    if (is_floor || inside > 0.0) { tint = heat_tint(local); }
     var s = plain_surface(in, n);
+    s.f0 *= tint;
     // Seasoning is patchy; turning marks are circular.
     let patchy = coarse.a - 0.5;
     s.f0 *= 1.0 + 0.35 * patchy + 0.16 * (fine - 0.5);
     // The patina over the metal scatters a little.
-    s.albedo = in.colour * (1.0 - 0.84 * in.surface.y) * (1.0 + 0.35 * patchy);
+    s.albedo = in.colour * tint * (1.0 - 0.84 * in.surface.y) * (1.0 + 0.35 * patchy);
     s.roughness = clamp(s.roughness + 0.14 * patchy + 0.10 * (fine - 0.5), 0.05, 1.0);
-    let inside = step(radius, frame.pan_shape.y - 0.001) * step(frame.pan_place.w - 0.001, local.z);
     let lit = shadow_on_ground(in.position, n);
     let open = openness(in.position);
     let depth = clamp((frame.pan_place.w + frame.pan_shape.z - local.z) / frame.pan_shape.z, 0.0, 1.0);

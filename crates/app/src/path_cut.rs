@@ -1,0 +1,123 @@
+//! The cut across the path of a body that is carried along stations: a shrimp, a carrot stick.
+
+use glam::Vec3;
+use saute_kitchen::Piece;
+use saute_kitchen::food::colour::Appearance;
+use saute_kitchen::food::readings::changed_at;
+use saute_kitchen::heat::Path;
+
+use crate::colour_map::ColourMap;
+use crate::food_look::{CUT_MOISTURE, Place, PresentShape, on_body, vertex};
+use crate::scene::input::SliceLook;
+use crate::view::View;
+
+/// The cut at a distance from the middle of the path [m], its hidden side towards the path's end.
+pub(crate) fn path_cut(piece: &Piece, at: f64, view: View, map: Option<&ColourMap>) -> Option<SliceLook> {
+    let (model, state) = (&*piece.model, &piece.state);
+    let Path::Stations(stations) = &model.mesh.path else { return None };
+    let (level, share) = model.mesh.bracket(at + 0.5 * model.mesh.thickness());
+    let n = model.mesh.nodes_per_level();
+    let place = |node: usize| Vec3::from_array(model.rest_position(node).map(|v| v as f32));
+    let ends = |i: usize| [level * n + i, (level + 1) * n + i];
+    let points: Vec<Vec3> = (0..n).map(|i| ends(i).map(place)).map(|[a, b]| a.lerp(b, share as f32)).collect();
+    let normal = (0..n).map(|i| ends(i).map(place)).map(|[a, b]| b - a).sum::<Vec3>().try_normalize()?;
+    let shape = PresentShape::new(model, state);
+    let seen = |i: usize| {
+        let [a, b] = ends(i);
+        let mix = |f: &dyn Fn(usize) -> f64| f(a) * (1.0 - share) + f(b) * share;
+        let appearance = Appearance {
+            changed: changed_at(state, |field| mix(&|i| field[i])),
+            browning: mix(&|i| state.browning[i]),
+            charring: mix(&|i| state.charring[i]),
+            tissue: mix(&|i| model.tissue[i]),
+        };
+        let field = map.map_or(0.0, |m| m.coordinate(mix(&|i| view.value(model, state, i))));
+        let moisture = CUT_MOISTURE * mix(&|i| state.water[i] / model.initial_water[i]);
+        let rest = points[i].to_array();
+        let now = shape.moved(rest, |f| {
+            let (from, to) = (f(a), f(b));
+            std::array::from_fn(|axis| from[axis] * (1.0 - share) + to[axis] * share)
+        });
+        let (from, to) = (on_body(model, a), on_body(model, b));
+        let body = std::array::from_fn(|k| from[k] + (to[k] - from[k]) * share as f32);
+        vertex(model, appearance, moisture, field, Place { rest, now, body }, normal.to_array())
+    };
+    let facing = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|i| points[i as usize]);
+        if (b - a).cross(c - a).dot(normal) < 0.0 { [t[0], t[2], t[1]] } else { *t }
+    };
+    Some(SliceLook {
+        point: points.iter().sum::<Vec3>() / n as f32,
+        normal,
+        vertices: (0..n).map(seen).collect(),
+        triangles: stations[level].section.triangles.iter().map(facing).collect(),
+        ghost: false,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use saute_kitchen::food::Rules;
+    use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, RestOn, kelvin};
+
+    use super::*;
+    use crate::colour_map::TemperatureMap;
+    use crate::scene::camera::Camera;
+    use crate::stage::{Stage, StageOptions};
+
+    fn halved(kind: &str, size: [f64; 3]) -> Kitchen {
+        let library = Library::embedded().expect("data");
+        let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(20.0)).expect("pan");
+        let order = PieceOrder {
+            id: "piece".into(),
+            kind: kind.into(),
+            size,
+            temperature: kelvin(20.0),
+            seed: 1,
+            coarseness: 1.0,
+            rules: Rules::Full,
+            mesh: MeshSize::Default,
+        };
+        kitchen.add(&library, &order).expect("food");
+        let food = || "piece".to_owned();
+        for command in [
+            Command::Put { food: food(), at: [0.0, 0.0], heap: false },
+            Command::Rest { food: food(), on: RestOn::Board },
+        ] {
+            kitchen.apply(&command).expect("accepted");
+            (0..80).for_each(|_| kitchen.step());
+        }
+        kitchen.apply(&Command::Halve { food: food(), at: 0.0 }).expect("accepted");
+        kitchen
+    }
+
+    /// Two looks, each with the cut face that belongs to it, as large as the section there, in the plane that parts them.
+    #[test]
+    fn a_halved_curved_body_is_drawn_as_two_halves_with_their_cut_faces() {
+        for (kind, size) in [("shrimp", [0.075, 0.018, 0.016]), ("carrot-stick", [0.060, 0.012, 0.012])] {
+            let kitchen = halved(kind, size);
+            let options = StageOptions {
+                camera: Camera::three_quarter(),
+                view: View::Look,
+                map: TemperatureMap::default(),
+                scale: None,
+                slice: None,
+                cut: None,
+                flat: false,
+            };
+            let scene = Stage::default().scene(&kitchen, &options, &Default::default());
+            assert_eq!(scene.foods.len(), 2, "{kind}");
+            let [near, far] = [0, 1].map(|k| scene.foods[k].slice.clone().expect("a cut face"));
+            assert!((near.normal + far.normal).length() < 1e-6 && !near.ghost && !far.ghost);
+            for cut in [&near, &far] {
+                let place = |i: u32| Vec3::from(cut.vertices[i as usize].rest);
+                let twice = |t: &[u32; 3]| (place(t[1]) - place(t[0])).cross(place(t[2]) - place(t[0])).dot(cut.normal);
+                assert!(cut.triangles.iter().all(|t| twice(t) > 0.0), "{kind}");
+                let area = 0.5 * cut.triangles.iter().map(twice).sum::<f32>();
+                let box_area = (size[1] * size[2]) as f32;
+                assert!((0.4..1.15).contains(&(area / box_area)), "{kind} {}", area / box_area);
+                assert!(cut.vertices.iter().all(|v| (Vec3::from(v.rest) - cut.point).dot(cut.normal).abs() < 2e-4));
+            }
+        }
+    }
+}

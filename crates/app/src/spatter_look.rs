@@ -1,0 +1,121 @@
+//! Oil that spatters as the renderer wants it: drops in the air, and spots where they have landed.
+
+use std::sync::Arc;
+
+use glam::{Mat4, Vec2, Vec3};
+use saute_kitchen::Kitchen;
+use saute_kitchen::drop_flight::{DropFlight, Landing};
+use saute_kitchen::spatter::Spot;
+
+use crate::scene::input::{DropLook, PanLook, SpatterLook, SpotLook};
+use crate::scene::pan_mesh::on_wall;
+
+/// Radius of a spot over that of its drop [-] (chosen: hot oil wets glass and steel and spreads to a low cap).
+const SPREAD: f32 = 2.2;
+/// A spot is drawn this much above what it lies on [m] (chosen: over the bumps of the drawn wall).
+const ABOVE: f32 = 4e-4;
+
+/// What is seen of spatter now; `before` are the spots of the last look, kept while they are the same.
+pub(crate) fn spatter_look(kitchen: &Kitchen, pan: &PanLook, before: &Arc<Vec<SpotLook>>) -> SpatterLook {
+    let spatter = &kitchen.pan_state().liquids.spatter;
+    let now = kitchen.time_s();
+    let world_from_floor = pan.world_from_pan() * Mat4::from_translation(Vec3::Z * pan.thickness);
+    let in_air = |flight: &&DropFlight| (0.0..flight.lasts_s).contains(&(now - flight.thrown_s));
+    let drop = |flight: &DropFlight| {
+        let age = now - flight.thrown_s;
+        let [place, velocity] = [flight.place(age), flight.velocity(age)].map(single);
+        DropLook {
+            position: world_from_floor.transform_point3(place),
+            velocity: world_from_floor.transform_vector3(velocity),
+            radius: flight.radius as f32,
+        }
+    };
+    let spots: Vec<SpotLook> =
+        spatter.spots.iter().filter_map(|spot| spot_look(spot, pan, &world_from_floor)).collect();
+    SpatterLook {
+        drops: spatter.flights.iter().filter(in_air).map(drop).collect(),
+        spots: if spots == **before { Arc::clone(before) } else { Arc::new(spots) },
+    }
+}
+
+fn spot_look(spot: &Spot, pan: &PanLook, world_from_floor: &Mat4) -> Option<SpotLook> {
+    let at = single(spot.at);
+    let radius = SPREAD * spot.radius as f32;
+    match spot.landing {
+        Landing::Floor => None,
+        Landing::Outside => Some(SpotLook { position: at.with_z(ABOVE), normal: Vec3::Z, radius }),
+        Landing::Wall => {
+            let out = at.truncate().normalize_or(Vec2::X);
+            let (curve, inwards) = on_wall(pan, at.z);
+            let place = (out * curve.x).extend(curve.y - pan.thickness);
+            let normal = (out * inwards.x).extend(inwards.y);
+            Some(SpotLook {
+                position: world_from_floor.transform_point3(place + normal * ABOVE),
+                normal: world_from_floor.transform_vector3(normal),
+                radius,
+            })
+        }
+    }
+}
+
+fn single(v: [f64; 3]) -> Vec3 {
+    Vec3::from_array(v.map(|x| x as f32))
+}
+
+#[cfg(test)]
+mod tests {
+    use saute_kitchen::food::Rules;
+    use saute_kitchen::{Command, EventKind, Library, MeshSize, PieceOrder, kelvin};
+
+    use super::*;
+    use crate::colour_map::TemperatureMap;
+    use crate::scene::camera::Camera;
+    use crate::stage::{Stage, StageOptions};
+    use crate::view::View;
+
+    /// Every event is one drop: those in the air are drawn, those that fell on wall or glass are spots.
+    #[test]
+    fn as_many_drops_are_drawn_as_the_kitchen_throws() {
+        let library = Library::embedded().expect("data");
+        let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(190.0)).expect("pan");
+        let order = PieceOrder {
+            id: "steak".into(),
+            kind: "beef-lean".into(),
+            size: [0.10, 0.07, 0.02],
+            temperature: kelvin(5.0),
+            seed: 1,
+            coarseness: 2.0,
+            rules: Rules::Full,
+            mesh: MeshSize::Default,
+        };
+        kitchen.add(&library, &order).expect("food");
+        for command in [
+            Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false },
+            Command::Oil { kind: Some("canola".into()), mass: 0.015 },
+            Command::Hob(1200.0),
+        ] {
+            kitchen.apply(&command).expect("accepted");
+        }
+        let options = StageOptions {
+            camera: Camera::three_quarter(),
+            view: View::Look,
+            map: TemperatureMap::default(),
+            scale: None,
+            slice: None,
+            cut: None,
+            flat: false,
+        };
+        let mut stage = Stage::default();
+        let (mut in_air, mut told) = (0, 0);
+        for _ in 0..300 {
+            kitchen.step();
+            let scene = stage.scene(&kitchen, &options, &Default::default());
+            let spatter = &kitchen.pan_state().liquids.spatter;
+            assert_eq!(scene.spatter.drops.len(), spatter.flights.len());
+            assert_eq!(scene.spatter.spots.len(), spatter.spots.len());
+            in_air = in_air.max(scene.spatter.drops.len());
+            told = [EventKind::Spatter, EventKind::Pop].map(|k| kitchen.events().tally(k).count).iter().sum();
+        }
+        assert!(in_air > 1 && told > 30, "{in_air} {told}");
+    }
+}
