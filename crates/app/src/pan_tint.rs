@@ -8,8 +8,8 @@ use saute_kitchen::{Kitchen, celsius};
 
 use crate::scene::input::{FILM_SIZE, TINT_RANGE, TintPicture};
 
-/// Ticks between two pictures (chosen: two seconds; the wall is drawn anew for each that differs).
-const LOOK_TICKS: u64 = 20;
+/// Ticks between two pictures (chosen: ten seconds; all that stands still is drawn anew for each that differs).
+const LOOK_TICKS: u64 = 100;
 /// Temperatures that differ by less look the same [K] (chosen).
 const SAME: f64 = 2.0;
 

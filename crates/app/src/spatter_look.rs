@@ -15,11 +15,38 @@ const SPREAD: f32 = 2.2;
 /// A spot is drawn this much above what it lies on [m] (chosen: over the bumps of the drawn wall).
 const ABOVE: f32 = 4e-4;
 
-/// What is seen of spatter now; `before` are the spots of the last look, kept while they are the same.
-pub(crate) fn spatter_look(kitchen: &Kitchen, pan: &PanLook, before: &Arc<Vec<SpotLook>>) -> SpatterLook {
-    let spatter = &kitchen.pan_state().liquids.spatter;
-    let now = kitchen.time_s();
-    let world_from_floor = pan.world_from_pan() * Mat4::from_translation(Vec3::Z * pan.thickness);
+/// Ticks between two looks at the spots (chosen: a second, as the picture round the pan is brought up to date for them).
+const LOOK_TICKS: u64 = 10;
+
+/// Keeps the spots between looks.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Spots {
+    spots: Arc<Vec<SpotLook>>,
+    /// The look that they are of, and the pan's pose then.
+    seen: Option<(u64, Mat4)>,
+}
+
+impl Spots {
+    /// What is seen of spatter now.
+    pub(crate) fn look(&mut self, kitchen: &Kitchen, pan: &PanLook) -> SpatterLook {
+        let spatter = &kitchen.pan_state().liquids.spatter;
+        let world_from_floor = pan.world_from_pan() * Mat4::from_translation(Vec3::Z * pan.thickness);
+        let look = (kitchen.tick() / LOOK_TICKS, world_from_floor);
+        if self.seen != Some(look) {
+            let spots: Vec<SpotLook> =
+                spatter.spots.iter().filter_map(|spot| spot_look(spot, pan, &world_from_floor)).collect();
+            if spots != *self.spots {
+                self.spots = Arc::new(spots);
+            }
+            self.seen = Some(look);
+        }
+        let drops = drops(&spatter.flights, kitchen.time_s(), &world_from_floor);
+        SpatterLook { drops, spots: Arc::clone(&self.spots) }
+    }
+}
+
+/// The drops that are in the air at a moment [s].
+fn drops(flights: &[DropFlight], now: f64, world_from_floor: &Mat4) -> Vec<DropLook> {
     let in_air = |flight: &&DropFlight| (0.0..flight.lasts_s).contains(&(now - flight.thrown_s));
     let drop = |flight: &DropFlight| {
         let age = now - flight.thrown_s;
@@ -30,12 +57,7 @@ pub(crate) fn spatter_look(kitchen: &Kitchen, pan: &PanLook, before: &Arc<Vec<Sp
             radius: flight.radius as f32,
         }
     };
-    let spots: Vec<SpotLook> =
-        spatter.spots.iter().filter_map(|spot| spot_look(spot, pan, &world_from_floor)).collect();
-    SpatterLook {
-        drops: spatter.flights.iter().filter(in_air).map(drop).collect(),
-        spots: if spots == **before { Arc::clone(before) } else { Arc::new(spots) },
-    }
+    flights.iter().filter(in_air).map(drop).collect()
 }
 
 fn spot_look(spot: &Spot, pan: &PanLook, world_from_floor: &Mat4) -> Option<SpotLook> {
@@ -112,7 +134,11 @@ mod tests {
             let scene = stage.scene(&kitchen, &options, &Default::default());
             let spatter = &kitchen.pan_state().liquids.spatter;
             assert_eq!(scene.spatter.drops.len(), spatter.flights.len());
-            assert_eq!(scene.spatter.spots.len(), spatter.spots.len());
+            // Spots are looked at once a second.
+            assert!(scene.spatter.spots.len() <= spatter.spots.len());
+            if kitchen.tick().is_multiple_of(LOOK_TICKS) {
+                assert_eq!(scene.spatter.spots.len(), spatter.spots.len());
+            }
             in_air = in_air.max(scene.spatter.drops.len());
             told = [EventKind::Spatter, EventKind::Pop].map(|k| kitchen.events().tally(k).count).iter().sum();
         }

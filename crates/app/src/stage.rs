@@ -18,11 +18,11 @@ use crate::path_cut::path_cut;
 use crate::scene::camera::Camera;
 use crate::scene::input::{
     Colouring, FLOOR_FIELD_RINGS, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RACK_HEIGHT, RestKind, RestLook,
-    SEAR_SETS, SceneInput, SearLook, SpotLook, SteamSource, ToolKind, ToolLook, Vapour,
+    SEAR_SETS, SceneInput, SearLook, SteamSource, ToolKind, ToolLook, Vapour,
 };
 use crate::scene::props::{BOARD_CENTRE, CLOTH_PLACE};
 use crate::scene::white_balance::WhiteBalance;
-use crate::spatter_look::spatter_look;
+use crate::spatter_look::Spots;
 use crate::view::View;
 use crate::waiting::waiting_places;
 
@@ -169,8 +169,7 @@ pub struct Stage {
     skins: BTreeMap<String, Worn>,
     film: PanFilm,
     tint: PanTint,
-    /// Spots of oil as they were last.
-    spots: Arc<Vec<SpotLook>>,
+    spots: Spots,
     /// Where the next round of refreshing begins.
     round: usize,
     /// The kitchen's tick of the last round.
@@ -221,8 +220,7 @@ impl Stage {
             tint: self.tint.picture(kitchen),
             ..pan_look(kitchen, options.view, map.as_ref())
         };
-        let spatter = spatter_look(kitchen, &look, &self.spots);
-        self.spots = Arc::clone(&spatter.spots);
+        let spatter = self.spots.look(kitchen, &look);
         SceneInput {
             camera: following(&options.camera, places.followed(kitchen)),
             hob: HobLook { power: (kitchen.drawn_w() / 2000.0).min(1.0) as f32 },

@@ -3,7 +3,7 @@
 use glam::{Mat4, Vec2, Vec3, Vec4Swizzles};
 
 use super::food_gpu::world_positions;
-use super::input::SceneInput;
+use super::input::{SceneInput, SpotLook};
 use super::steam::PuffVertex;
 
 /// Nearer than this to the eye a point may cover any pixel [m].
@@ -23,7 +23,7 @@ impl DirtyRect {
     pub const WHOLE: Self = Self { low: Vec2::NEG_INFINITY, high: Vec2::INFINITY };
     const NOTHING: Self = Self { low: Vec2::INFINITY, high: Vec2::NEG_INFINITY };
 
-    /// What the pan's floor, the foods, the tool and the spots of oil of a scene cover.
+    /// What the pan's floor, the foods and the tool of a scene cover.
     pub fn of_lively(input: &SceneInput, tool: &[Vec3], size: [u32; 2]) -> Self {
         let mut rect = Self::NOTHING;
         let eye = Eye::new(input, size);
@@ -36,8 +36,14 @@ impl DirtyRect {
         }
         tool.iter().for_each(|point| cover(*point, 0.0));
         input.foods.iter().flat_map(world_positions).for_each(|point| cover(point, 0.0));
-        input.spatter.spots.iter().for_each(|spot| cover(spot.position, spot.radius));
         rect
+    }
+
+    /// What spots of oil cover.
+    pub fn of_spots(input: &SceneInput, spots: &[SpotLook], size: [u32; 2]) -> Self {
+        let eye = Eye::new(input, size);
+        let cover = |spot: &SpotLook| eye.covered(spot.position, spot.radius);
+        spots.iter().map(cover).fold(Self::NOTHING, Self::union)
     }
 
     /// What the steam of a scene covers.

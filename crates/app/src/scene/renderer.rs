@@ -226,8 +226,8 @@ impl SceneRenderer {
         }
         let coloured = self.update_table(device, queue, &input.colouring)
             | self.update_film(queue, &input.pan.film)
-            | self.update_tint(queue, &input.pan.tint)
-            | self.sprites.update_spots(queue, input);
+            | self.update_tint(queue, &input.pan.tint);
+        let spots = self.sprites.update_spots(queue, input);
         let aspect = size[0] as f32 / size[1] as f32;
         let frame = FrameUniform::new(input, aspect, self.quality, &self.contact);
         self.timeless = frame.timeless();
@@ -243,11 +243,12 @@ impl SceneRenderer {
         let sprites = self.sprites.update(queue, input);
         let tool: Vec<_> = self.solids.iter().flat_map(Solids::moving_points).collect();
         self.dirty = Touched {
-            lively: DirtyRect::of_lively(input, &tool, size),
+            // Spots that were there before stay in the kept picture.
+            lively: DirtyRect::of_lively(input, &tool, size).union(DirtyRect::of_spots(input, &spots, size)),
             sprites: DirtyRect::of_sprites(input, &sprites, size),
         };
         let pan_moved = self.shadow_of != Some(Casting::of(input));
-        let changed = resized || coloured || pan_moved || self.moved.look;
+        let changed = resized || coloured || !spots.is_empty() || pan_moved || self.moved.look;
         // What is kept stands as long as only time has passed: oil and water ripple when the state is read anew.
         let same = |kept: &FrameUniform| bytemuck::bytes_of(kept) == bytemuck::bytes_of(&self.timeless);
         if changed || !self.lively.as_ref().is_some_and(same) {

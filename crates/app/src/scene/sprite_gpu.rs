@@ -17,7 +17,7 @@ pub(super) struct SpriteBuffers {
     pub spots: wgpu::Buffer,
     pub spot_vertices: u32,
     /// What they were made for.
-    spots_of: Option<Arc<Vec<SpotLook>>>,
+    spots_of: Arc<Vec<SpotLook>>,
 }
 
 impl SpriteBuffers {
@@ -35,7 +35,7 @@ impl SpriteBuffers {
             ends: [0; 2],
             spots: room_for("spots", SPOTS_MAX * 6),
             spot_vertices: 0,
-            spots_of: None,
+            spots_of: Arc::default(),
         }
     }
 
@@ -55,19 +55,18 @@ impl SpriteBuffers {
         sprites
     }
 
-    /// Takes other spots of oil, likewise; tells whether they are others.
-    pub fn update_spots(&mut self, queue: &wgpu::Queue, input: &SceneInput) -> bool {
-        let wanted = matches!(input.colouring, Colouring::Look).then(|| Arc::clone(&input.spatter.spots));
-        let same = match (&self.spots_of, &wanted) {
-            (Some(old), Some(new)) => Arc::ptr_eq(old, new) || old == new,
-            (old, new) => old.is_none() && new.is_none(),
-        };
-        if !same {
-            let sprites = wanted.as_ref().map_or_else(Vec::new, |looks| spots(looks));
-            queue.write_buffer(&self.spots, 0, bytemuck::cast_slice(&sprites));
-            self.spot_vertices = sprites.len() as u32;
-            self.spots_of = wanted;
+    /// Takes other spots of oil, likewise; returns those that have come or gone.
+    pub fn update_spots(&mut self, queue: &wgpu::Queue, input: &SceneInput) -> Vec<SpotLook> {
+        let seen = matches!(input.colouring, Colouring::Look);
+        let wanted = if seen { Arc::clone(&input.spatter.spots) } else { Arc::default() };
+        if Arc::ptr_eq(&self.spots_of, &wanted) || self.spots_of == wanted {
+            return Vec::new();
         }
-        !same
+        let sprites = spots(&wanted);
+        queue.write_buffer(&self.spots, 0, bytemuck::cast_slice(&sprites));
+        self.spot_vertices = sprites.len() as u32;
+        let old = std::mem::replace(&mut self.spots_of, wanted);
+        let same = old.iter().zip(self.spots_of.iter()).take_while(|(a, b)| a == b).count();
+        [&old[same..], &self.spots_of[same..]].concat()
     }
 }
