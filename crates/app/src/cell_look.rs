@@ -11,8 +11,8 @@ use crate::food_look::{Place, vertex};
 use crate::scene::input::{FoodVertex, SliceLook};
 use crate::view::View;
 
-/// Moisture that shows on a cut over that of the flesh [-] (chosen: as on the cuts of other bodies).
-const CUT_MOISTURE: f64 = 0.75;
+/// Moisture that shows on a cut over that of the flesh [-] (chosen: juice has drained from it).
+pub(crate) const CUT_MOISTURE: f64 = 0.75;
 
 /// Reads a field of the nodes at one point.
 pub(crate) type Reads<'a> = &'a dyn Fn(&dyn Fn(usize) -> f64) -> f64;
