@@ -7,8 +7,6 @@ use saute_kitchen::food::noise::uniform;
 
 use crate::scene::input::{BORDER_RANGE, BrowningPalette, FleshTexture, GrainVolume, WITHIN_RANGE};
 
-/// Largest number of cells of a marbled volume (chosen: 0.9 mm cells in a default steak; seams are smooth between them).
-const FAT_CELLS: f64 = 3.2e5;
 /// Cells across a body whose tissues lie along its axis (chosen: 0.2 mm cells in a leek ring).
 const TISSUE_CELLS: u32 = 112;
 /// Protein from which flesh without a second tissue is muscle (chosen: no plant that is fried has as much).
@@ -41,28 +39,22 @@ pub(crate) fn browning_palette(model: &FoodModel) -> BrowningPalette {
     }
 }
 
-/// Fat, second tissue and borders in the flesh.
+/// Fat, second tissue and borders in the flesh: of marbled flesh the very cells that its nodes' fat is averaged from.
 pub(crate) fn grain_volume(model: &FoodModel) -> GrainVolume {
-    let reach = model.outline.points.iter().fold([0.0f64; 2], |r, p| [r[0].max(p[0].abs()), r[1].max(p[1].abs())]);
-    // The rest frame of a body of cells has its origin in the middle.
-    let (height, below) = model.cells().map_or((model.mesh.thickness(), 0.0), |_| (model.size[2], 0.5 * model.size[2]));
-    let mut extent = [2.0 * reach[0], 2.0 * reach[1], height];
-    let mut low = [-reach[0], -reach[1], -below];
-    let mut size = [1; 3];
-    if model.marbling.mean_share() > 0.0 {
-        let cell = (extent.iter().product::<f64>() / FAT_CELLS).cbrt();
-        size = extent.map(|v| ((v / cell).ceil() as u32).clamp(1, 256));
-    } else if !model.tissues.is_plain() {
-        let grown = model.description.form.grown_along();
-        if grown == 0 {
-            extent = model.size;
-            low = extent.map(|v| -0.5 * v);
-        }
+    let marbling = &model.marbling;
+    let ([mut low, mut extent], mut size) = ([marbling.low, marbling.extent], marbling.size);
+    let grown = model.description.form.grown_along();
+    if marbling.mean_share() <= 0.0 && !model.tissues.is_plain() {
         size = [TISSUE_CELLS; 3];
         size[grown] = 1;
+        // What grew along its length lies in the middle of its frame.
+        if grown == 0 {
+            (low, extent) = (model.size.map(|v| -0.5 * v), model.size);
+        }
     }
-    // What stands upright has its bottom at 0 in the food's own coordinates and its middle at 0 in the body's frame.
-    let origin = Vec3::new(low[0] as f32, low[1] as f32, -0.5 * extent[2] as f32);
+    // The mesh of a slice has its bottom at 0, the rest frame its middle.
+    let lifted = model.rest_position(0)[2] - model.mesh.position(0)[2];
+    let origin = Vec3::new(low[0] as f32, low[1] as f32, (low[2] + lifted) as f32);
     let mut cells = Vec::with_capacity(size.iter().product::<u32>() as usize);
     for index in 0..size.iter().product::<u32>() {
         let at = [index % size[0], index / size[0] % size[1], index / size[0] / size[1]];

@@ -1,4 +1,4 @@
-//! A piece of food as the renderer wants it: a surface with a state at every vertex, and the cut.
+//! A piece of food as the renderer wants it: a surface with a state at every vertex.
 
 use std::sync::Arc;
 
@@ -6,20 +6,19 @@ use glam::Vec3;
 use saute_kitchen::Piece;
 use saute_kitchen::food::colour::Appearance;
 use saute_kitchen::food::noise::{fractal, mix};
-use saute_kitchen::food::readings::changed_at;
 use saute_kitchen::food::{FoodModel, FoodState};
 use saute_kitchen::heat::Path;
 
 use crate::cell_look::CellLook;
 use crate::colour_map::ColourMap;
 use crate::flesh_grain::{browning_palette, flesh_texture, grain_volume};
-use crate::scene::input::{FoodMesh, FoodVertex, SliceLook};
+use crate::scene::input::{FoodMesh, FoodVertex};
 use crate::view::View;
 
 /// Radius of the rounded rim between a big face and the side of a steak [m] (chosen; only the picture is rounded).
 const RIM_RADIUS: f32 = 1.6e-3;
 /// How far the drawn surface of a steak strays from the smooth shape [m], and over which distance [m] (chosen: hand-cut).
-const UNEVEN: [f64; 2] = [0.7e-3, 11.0e-3];
+pub(crate) const UNEVEN: [f64; 2] = [0.7e-3, 11.0e-3];
 /// Moisture that shows on a cut over that of the flesh [-] (chosen: the blade wipes it).
 pub(crate) const CUT_MOISTURE: f64 = 0.75;
 /// Least extent of a piece to which both apply; with a smaller one they shrink [m] (chosen: a thick steak).
@@ -38,13 +37,13 @@ pub struct Skin {
 }
 
 /// How much smaller rim and unevenness are than those of a steak [-].
-fn fineness(model: &FoodModel) -> f64 {
+pub(crate) fn fineness(model: &FoodModel) -> f64 {
     let least = model.size.iter().fold(f64::INFINITY, |least, v| least.min(*v));
     (least / TUNED_FOR).min(1.0)
 }
 
 /// Radius of the rounded rim of a piece [m].
-fn rim_radius(model: &FoodModel) -> f32 {
+pub(crate) fn rim_radius(model: &FoodModel) -> f32 {
     RIM_RADIUS * fineness(model) as f32
 }
 
@@ -129,8 +128,8 @@ impl Skin {
             for (level, &z) in model.mesh.levels.iter().enumerate() {
                 let [sine, cosine] = rim(model, level);
                 let up = if 2.0 * z as f32 > thickness { 1.0 } else { -1.0 };
-                let inset = *out * (-rim_radius(model) * (1.0 - cosine));
-                self.push(model, level, i, inset, (*out * (cosine + 0.3) + Vec3::Z * (up * sine)).normalize());
+                let normal = (*out * (cosine + 0.3) + Vec3::Z * (up * sine)).normalize();
+                self.push(model, level, i, rim_inset(model, level, *out), normal);
             }
         }
         for &[a, b] in &model.mesh.section.boundary {
@@ -143,11 +142,8 @@ impl Skin {
     }
 
     fn push(&mut self, model: &FoodModel, level: usize, i: usize, shift: Vec3, normal: Vec3) {
-        let node = model.mesh.node(level, i);
-        let p = Vec3::from_array(model.rest_position(node).map(|v| v as f32));
-        let p = p + shift + uneven(p, model);
-        self.nodes.push(node as u32);
-        self.positions.push(p.to_array());
+        self.nodes.push(model.mesh.node(level, i) as u32);
+        self.positions.push(drawn(model, level, i, shift).to_array());
         self.normals.push(normal.to_array());
     }
 
@@ -182,78 +178,15 @@ impl Skin {
     }
 }
 
-/// The cut at `x` [m] along the longest axis, its hidden side away from the origin of that axis or towards +x; a body
-/// that is no slice is cut along its middle plane, its upper half hidden.
-pub fn slice(piece: &Piece, x: f64, view: View, map: Option<&ColourMap>) -> Option<SliceLook> {
-    let (model, state) = (&*piece.model, &piece.state);
-    if let Some(cells) = model.cells() {
-        return CellLook { cells, model, state, view, map }.slice(x);
-    }
-    let cut = model.cut_across(x);
-    if cut.points.len() < 2 {
-        return None;
-    }
-    let (along_x, slice) = (model.size[0] >= model.size[1], model.is_slice());
-    let normal = match (slice, along_x) {
-        (false, _) if piece.upside_down() => Vec3::NEG_Z,
-        (false, _) => Vec3::Z,
-        (true, true) => Vec3::X,
-        (true, false) => Vec3::Y,
-    };
-    let point = if slice { normal * x as f32 } else { Vec3::ZERO };
-    let n = model.mesh.nodes_per_level();
-    let shape = PresentShape::new(model, state);
-    let mut vertices = Vec::new();
-    for (level, _) in model.mesh.levels.iter().enumerate() {
-        for (place_in_row, p) in cut.points.iter().enumerate() {
-            let [a, b] = p.nodes.map(|i| level * n + i as usize);
-            let mix = |f: &dyn Fn(usize) -> f64| f(a) * (1.0 - p.share) + f(b) * p.share;
-            let appearance = Appearance {
-                changed: changed_at(state, |field| mix(&|i| field[i])),
-                browning: mix(&|i| state.browning[i]),
-                charring: mix(&|i| state.charring[i]),
-                tissue: mix(&|i| model.tissue[i]),
-            };
-            let field = map.map_or(0.0, |m| m.coordinate(mix(&|i| view.value(model, state, i))));
-            let moisture = mix(&|i| state.water[i] / model.initial_water[i]);
-            let rest: [f32; 3] = std::array::from_fn(|axis| mix(&|i| model.rest_position(i)[axis]) as f32);
-            let mut position = Vec3::from_array(rest);
-            if slice {
-                let along = p.along + end_inset(model, level, place_in_row, cut.points.len());
-                let [x, y] = if along_x { [x, along] } else { [-along, x] };
-                position = Vec3::new(x as f32, y as f32, position.z);
-                if level == 0 || level + 1 == model.mesh.levels.len() {
-                    // The edge follows the undulating face; within the cut's plane nothing is shifted.
-                    position.z += uneven(position, model).z;
-                }
-            }
-            let position = position.to_array();
-            let now = shape.moved(position, |f| {
-                let (from, to) = (f(a), f(b));
-                std::array::from_fn(|axis| from[axis] * (1.0 - p.share) + to[axis] * p.share)
-            });
-            let (from, to, share) = (on_body(model, a), on_body(model, b), p.share as f32);
-            let body = std::array::from_fn(|i| from[i] * (1.0 - share) + to[i] * share);
-            let place = Place { rest: position, now, body };
-            vertices.push(vertex(model, appearance, CUT_MOISTURE * moisture, field, place, normal.to_array()));
-        }
-    }
-    let mut triangles = strip_triangles(cut.points.len() as u32, model.mesh.levels.len() as u32);
-    if !slice && !piece.upside_down() {
-        // Across and along the path come in the other order, seen from above.
-        triangles.iter_mut().for_each(|t| t.swap(1, 2));
-    }
-    Some(SliceLook { point, normal, vertices, triangles, ghost: true })
+/// Where a node of a slice's surface is drawn in the rest frame, given how far the rounded rim shifts it [m].
+pub(crate) fn drawn(model: &FoodModel, level: usize, i: usize, shift: Vec3) -> Vec3 {
+    let p = Vec3::from_array(model.rest_position(model.mesh.node(level, i)).map(|v| v as f32));
+    p + shift + uneven(p, model)
 }
 
-/// The ends of the cut follow the rounded rim [m].
-fn end_inset(model: &FoodModel, level: usize, place: usize, count: usize) -> f64 {
-    let inset = f64::from(rim_radius(model) * (1.0 - rim(model, level)[1]));
-    match place {
-        0 => inset,
-        _ if place + 1 == count => -inset,
-        _ => 0.0,
-    }
+/// How far the rounded rim shifts the side at a level, given the direction outwards [m].
+pub(crate) fn rim_inset(model: &FoodModel, level: usize, out: Vec3) -> Vec3 {
+    out * (-rim_radius(model) * (1.0 - rim(model, level)[1]))
 }
 
 /// Sine and cosine of the angle at which the rounded rim leans at a level.
@@ -262,18 +195,6 @@ fn rim(model: &FoodModel, level: usize) -> [f32; 2] {
     let radius = rim_radius(model);
     let sine = 1.0 - z.min(thickness - z).min(radius) / radius;
     [sine, (1.0 - sine * sine).sqrt()]
-}
-
-fn strip_triangles(across: u32, levels: u32) -> Vec<[u32; 3]> {
-    let mut triangles = Vec::new();
-    for level in 0..levels - 1 {
-        for i in 0..across - 1 {
-            let a = level * across + i;
-            triangles.push([a, a + 1, a + across + 1]);
-            triangles.push([a, a + across + 1, a + across]);
-        }
-    }
-    triangles
 }
 
 /// How far every node has moved from the rest shape [m].
@@ -350,7 +271,7 @@ pub(crate) fn on_body(model: &FoodModel, node: usize) -> [f32; 2] {
 }
 
 /// A hand-cut surface: faces undulate, and the side with them. Where both meet, both give the same.
-fn uneven(p: Vec3, model: &FoodModel) -> Vec3 {
+pub(crate) fn uneven(p: Vec3, model: &FoodModel) -> Vec3 {
     let (thickness, [height, run]) = (model.mesh.thickness() as f32, UNEVEN.map(|v| v * fineness(model)));
     let wave = |seed: u64| (height * fractal(seed, p.to_array().map(|v| f64::from(v) / run))) as f32;
     let face = (2.0 * p.z.abs() / thickness).powi(8);
@@ -358,7 +279,7 @@ fn uneven(p: Vec3, model: &FoodModel) -> Vec3 {
 }
 
 /// Mean outward direction at each boundary node of the section.
-fn outward_normals(model: &FoodModel) -> Vec<Option<Vec3>> {
+pub(crate) fn outward_normals(model: &FoodModel) -> Vec<Option<Vec3>> {
     let section = &model.mesh.section;
     let mut sums = vec![Vec3::ZERO; section.points.len()];
     for &[a, b] in &section.boundary {

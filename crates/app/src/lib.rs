@@ -7,6 +7,8 @@ pub mod bench_frame;
 mod cell_look;
 pub mod colour_map;
 pub mod colour_path;
+mod cut_face;
+mod cut_rim;
 mod flesh_grain;
 pub mod food_look;
 pub mod gamepad;

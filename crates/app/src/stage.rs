@@ -10,7 +10,8 @@ use saute_kitchen::sear_lines::SearLines;
 use saute_kitchen::{Kitchen, Piece, Place, RestOn, celsius};
 
 use crate::colour_map::{ColourMap, TemperatureMap};
-use crate::food_look::{Skin, slice};
+use crate::cut_face::slice;
+use crate::food_look::Skin;
 use crate::halves::opened;
 use crate::pan_film::PanFilm;
 use crate::pan_tint::PanTint;

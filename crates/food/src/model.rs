@@ -12,6 +12,8 @@ use crate::description::{FoodDescription, Kinetics, Lethality, MOST_CHANGES, NoS
 use crate::fat::FatRates;
 use crate::halving::Halving;
 use crate::marbling::MarblingField;
+use crate::marbling_volume::MarblingVolume;
+use crate::node_means::node_means;
 use crate::paper_2013::{BOILING, MeshSize, Rules, simplified};
 use crate::patch::{Face, Patch};
 use crate::sorption::Isotherm;
@@ -21,6 +23,11 @@ use crate::table::Table;
 use crate::tissue::TissueField;
 use crate::water::saturation_density;
 use crate::{Lab, ZERO_C};
+
+/// Samples of seams and of second tissues in each of the dozen pieces of a node's volume (chosen: seams are finer than nodes,
+/// and a node's fat is right within 2 %; tissues change over many nodes).
+const SEAM_SAMPLES: usize = 256;
+const TISSUE_SAMPLES: usize = 4;
 
 /// Why a piece could not be built.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -113,7 +120,7 @@ pub struct FoodModel {
     /// Raw share of adipose tissue of each node [-].
     pub adipose: Vec<f64>,
     /// Where the fat seams run.
-    pub marbling: MarblingField,
+    pub marbling: MarblingVolume,
     /// Share of the second tissue of each node [-].
     pub tissue: Vec<f64>,
     /// Where the second tissue lies.
@@ -227,7 +234,7 @@ impl FoodModel {
                 mesh.cells().map(|cells| CellReadings::of(cells, fibres)).unwrap_or_default()
             },
             core: (locator.locate_or_nearest(&mesh.section, [0.0, 0.0]), core_height(&mesh, closed_below)),
-            marbling: MarblingField::new(description.marbling.as_ref(), seed),
+            marbling: MarblingVolume::new(&MarblingField::new(description.marbling.as_ref(), seed), &mesh),
             tissues: TissueField::new(description, size, seed),
             tissue: Vec::new(),
             halving: None,
@@ -259,8 +266,10 @@ impl FoodModel {
 
     /// Gives every node the masses that its volume of lean, second and adipose tissue holds at 20 °C.
     fn fill(&mut self) {
-        let seams = node_means(&self.mesh, (self.marbling.mean_share() > 0.0).then_some(|p| self.marbling.at(p)));
-        let second = node_means(&self.mesh, (!self.tissues.is_plain()).then_some(|p| self.tissues.at(p)));
+        let seams =
+            node_means(&self.mesh, (self.marbling.mean_share() > 0.0).then_some(|p| self.marbling.at(p)), SEAM_SAMPLES);
+        let second =
+            node_means(&self.mesh, (!self.tissues.is_plain()).then_some(|p| self.tissues.at(p)), TISSUE_SAMPLES);
         let (lean, other) = (&self.description.lean, self.description.second_tissue());
         let adipose = self.description.adipose.as_ref().unwrap_or(lean);
         for (node, (&s, &t)) in seams.iter().zip(&second).enumerate() {
@@ -440,29 +449,4 @@ fn release(holding: &WaterHolding) -> Table {
 
 fn held_share(holding: &WaterHolding, celsius: f64) -> f64 {
     1.0 - holding.drop / (1.0 + holding.spread * libm::exp(-holding.slope_per_k * (celsius - holding.middle_c)))
-}
-
-/// Mean of a field over each node's volume, from 3 × 3 × 3 samples of its box [-]; zeros where there is no field.
-fn node_means(mesh: &SweptMesh, field: Option<impl Fn([f64; 3]) -> f64>) -> Vec<f64> {
-    let Some(field) = field else { return vec![0.0; mesh.node_count()] };
-    if let Some(cells) = mesh.cells() {
-        let size = cells.graph.volume.iter().map(|v| [libm::cbrt(*v); 3]);
-        return cells.positions.iter().zip(size).map(|(p, size)| box_mean(*p, size, &field)).collect();
-    }
-    let mut means = Vec::with_capacity(mesh.node_count());
-    for (level, height) in mesh.layer_heights().iter().enumerate() {
-        for (i, area) in mesh.section_at(level).areas.iter().enumerate() {
-            let side = libm::sqrt(*area);
-            means.push(box_mean(mesh.position(mesh.node(level, i)), [side, side, *height], &field));
-        }
-    }
-    means
-}
-
-/// Mean of a field over a box about a point, from 3 × 3 × 3 samples.
-fn box_mean([x, y, z]: [f64; 3], size: [f64; 3], field: &impl Fn([f64; 3]) -> f64) -> f64 {
-    let half = size.map(|s| 0.5 * s);
-    let offset = |v: i32| f64::from(v - 1) * 2.0 / 3.0;
-    let at = |k: i32| [x + half[0] * offset(k % 3), y + half[1] * offset(k / 3 % 3), z + half[2] * offset(k / 9)];
-    (0..27).map(|k| field(at(k))).sum::<f64>() / 27.0
 }

@@ -69,10 +69,12 @@ struct Grown {
     tone: f32,
 };
 
-fn grown(rest: vec3<f32>, blur: f32) -> Grown {
+// `footprint`: over how many pixels an edge of fat is smoothed, so that it has no stairs; its mean stays.
+fn grown(rest: vec3<f32>, footprint: f32) -> Grown {
     let at = (rest - food.grain_origin.xyz) * food.grain_scale.xyz;
     let cell = textureSampleLevel(grain_volume, clamp_sampler, at, 0.0);
     let within = (cell.r * 2.0 - 1.0) * food.grain_origin.w;
+    let blur = min(0.5 * footprint * fwidth(within), 1.5);
     let fatty = smoothstep(-0.5 - blur, 0.5 + blur, within);
     return Grown(fatty, cell.g, cell.b * food.grain_scale.w, cell.a);
 }

@@ -63,7 +63,7 @@ fn grain_of(in: FoodOut, grew: Grown, rest_normal: vec3<f32>) -> Grain {
 }
 
 fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
-    let grew = grown(in.rest, 0.35);
+    let grew = grown(in.rest, 1.0);
     let grain = grain_of(in, grew, rest_normal);
     let seared = on_lines(in.state.x, in.state.y, in.place.w, in.rest, rest_normal, 0.0006 * grain.uneven);
     let browning = seared.browning;

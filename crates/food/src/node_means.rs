@@ -1,0 +1,116 @@
+//! Means of a field over the volumes that nodes stand for.
+
+use saute_heat::SweptMesh;
+
+/// After so many samples that differ by less than so much a piece counts as even (chosen: all lean, or all fat).
+const FEW: usize = 64;
+const ALIKE: f64 = 1e-3;
+
+/// Mean of a field over each node's volume [-]; zeros where there is no field. A node stands for the third of each triangle
+/// that is nearest to it, half way to the levels above and below; each such piece is sampled as often as asked for.
+pub(crate) fn node_means(mesh: &SweptMesh, field: Option<impl Fn([f64; 3]) -> f64>, samples: usize) -> Vec<f64> {
+    let Some(field) = field else { return vec![0.0; mesh.node_count()] };
+    if let Some(cells) = mesh.cells() {
+        let size = cells.graph.volume.iter().map(|v| [libm::cbrt(*v); 3]);
+        return cells.positions.iter().zip(size).map(|(p, size)| box_mean(*p, size, &field)).collect();
+    }
+    let mut sums = vec![[0.0; 2]; mesh.node_count()];
+    let mut spread = Spread(0);
+    for level in 0..mesh.levels.len() - 1 {
+        for triangle in &mesh.section.triangles {
+            let nodes = [level, level + 1].map(|l| triangle.map(|i| mesh.node(l, i as usize)));
+            let corners = nodes.map(|nodes| nodes.map(|node| mesh.position(node)));
+            for half in 0..2 {
+                let weight = area(corners[half]) * (mesh.levels[level + 1] - mesh.levels[level]);
+                for (k, node) in nodes[half].into_iter().enumerate() {
+                    let mut at = || field(place(&corners, k, 0.5 * half as f64, spread.next()));
+                    sums[node][0] += weight * mean(samples, &mut at);
+                    sums[node][1] += weight;
+                }
+            }
+        }
+    }
+    sums.into_iter().map(|[sum, weight]| if weight > 0.0 { sum / weight } else { 0.0 }).collect()
+}
+
+/// Mean of samples; where the first few are all alike, of those.
+fn mean(samples: usize, at: &mut impl FnMut() -> f64) -> f64 {
+    let (mut sum, mut low, mut high) = (0.0, f64::INFINITY, f64::NEG_INFINITY);
+    for taken in 1..=samples {
+        let value = at();
+        (sum, low, high) = (sum + value, low.min(value), high.max(value));
+        if taken == FEW && high - low < ALIKE {
+            return sum / FEW as f64;
+        }
+    }
+    sum / samples as f64
+}
+
+/// Points that fill the unit cube ever more evenly: multiples of the powers of 1/g, g⁴ = g + 1 (Roberts 2018).
+struct Spread(u32);
+
+impl Spread {
+    fn next(&mut self) -> [f64; 3] {
+        self.0 = self.0.wrapping_add(1);
+        [0.819_172_513_396_164_5, 0.671_043_606_703_789_3, 0.549_700_477_901_970_2].map(|step| {
+            let v = f64::from(self.0) * step;
+            v - f64::from(v as u32)
+        })
+    }
+}
+
+/// A point of the half of a prism that starts at a share `from` of its height, in the third of its triangle that is nearest
+/// to corner `k`, for a point of the unit cube [m].
+fn place(corners: &[[[f64; 3]; 3]; 2], k: usize, from: f64, [u, v, w]: [f64; 3]) -> [f64; 3] {
+    let share = third(u, v);
+    let upwards = from + 0.5 * w;
+    let on = |level: usize, axis: usize| -> f64 { (0..3).map(|i| share[i] * corners[level][(k + i) % 3][axis]).sum() };
+    [0, 1, 2].map(|axis| (1.0 - upwards) * on(0, axis) + upwards * on(1, axis))
+}
+
+/// A place in the third of a triangle that is nearest to its first corner, as shares of the corners, for a point of the
+/// unit square: the third is two triangles from the corner over the middle of a side to the centroid.
+fn third(u: f64, v: f64) -> [f64; 3] {
+    let (second, u) = if u < 0.5 { (false, 2.0 * u) } else { (true, 2.0 * u - 1.0) };
+    let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
+    let shares = [1.0 - 0.5 * u - 2.0 / 3.0 * v, 0.5 * u + v / 3.0, v / 3.0];
+    if second { [shares[0], shares[2], shares[1]] } else { shares }
+}
+
+fn distance(p: [f64; 3], q: [f64; 3]) -> f64 {
+    libm::sqrt((0..3).map(|k| (p[k] - q[k]) * (p[k] - q[k])).sum())
+}
+
+/// Area of a triangle in space [m²].
+fn area([a, b, c]: [[f64; 3]; 3]) -> f64 {
+    let side = |p: [f64; 3]| [0, 1, 2].map(|k| p[k] - a[k]);
+    let (u, v) = (side(b), side(c));
+    let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    0.5 * distance(cross, [0.0; 3])
+}
+
+/// Mean of a field over a box about a point, from 3 × 3 × 3 samples.
+fn box_mean([x, y, z]: [f64; 3], size: [f64; 3], field: &impl Fn([f64; 3]) -> f64) -> f64 {
+    let half = size.map(|s| 0.5 * s);
+    let offset = |v: i32| f64::from(v - 1) * 2.0 / 3.0;
+    let at = |k: i32| [x + half[0] * offset(k % 3), y + half[1] * offset(k / 3 % 3), z + half[2] * offset(k / 9)];
+    (0..27).map(|k| field(at(k))).sum::<f64>() / 27.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_of_a_third_lie_nearest_to_its_corner_and_fill_it_evenly() {
+        let mut spread = Spread(0);
+        let shares: Vec<[f64; 3]> = (0..4000).map(|_| spread.next()).map(|[u, v, _]| third(u, v)).collect();
+        for share in &shares {
+            assert!((share.iter().sum::<f64>() - 1.0).abs() < 1e-12 && share.iter().all(|s| *s >= 0.0));
+            assert!(share[0] >= share[1] && share[0] >= share[2], "{share:?}");
+        }
+        // The third's own centroid: 11/18, 7/36, 7/36.
+        let mean = |k: usize| shares.iter().map(|s| s[k]).sum::<f64>() / shares.len() as f64;
+        assert!((mean(0) - 11.0 / 18.0).abs() < 1e-3 && (mean(1) - 7.0 / 36.0).abs() < 1e-3, "{}", mean(0));
+    }
+}
