@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Everything that must hold: format, lints, tests (window and pictures on software Vulkan), docs, and the browser build.
+# `./test.sh bless` draws the reference pictures anew instead and tells by how much (ΔE) each of them has changed.
 set -euo pipefail
 cd "$(dirname "$0")"
 source scripts/requirements.sh
@@ -15,6 +16,11 @@ for icd in /usr/share/vulkan/icd.d/lvp_icd*.json; do
     [ -e "$icd" ] && export VK_DRIVER_FILES="$icd"
 done
 export XDG_RUNTIME_DIR="${XDG_RUNTIME_DIR:-$(mktemp -d)}"
+
+if [ "${1:-}" = bless ]; then
+    SAUTE_BLESS=1 cargo test --release --quiet -p saute-app --test pictures looks:: -- --nocapture
+    exit
+fi
 
 step "format"
 cargo fmt --all --check

@@ -104,6 +104,7 @@ mod tests {
         for (kind, size) in [("shrimp", [0.075, 0.018, 0.016]), ("carrot-stick", [0.060, 0.012, 0.012])] {
             let kitchen = halved(kind, size);
             let options = StageOptions {
+                white_balance: Default::default(),
                 camera: Camera::three_quarter(),
                 view: View::Look,
                 map: TemperatureMap::default(),

@@ -1,18 +1,21 @@
 //! Colours measured on pictures: a flat still, read where the eye would look.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
-use glam::{DVec3, Vec3};
+use glam::{DQuat, DVec3, Vec3};
 use saute_kitchen::cook_case::SeenAt;
+use saute_kitchen::dynamics::Pose;
 use saute_kitchen::food::{Lab, Scale};
 use saute_kitchen::{Kitchen, Piece};
 
-use crate::headless::{Gpu, still};
+use crate::headless::Gpu;
 use crate::scene::camera::Camera;
 use crate::scene::quality::Quality;
+use crate::scene::renderer::SceneRenderer;
 use crate::section_picture::Picture;
 use crate::shot::ShotOptions;
-use crate::stage::{StageOptions, following};
+use crate::stage::{Places, Stage, StageOptions};
 use crate::view::View;
 
 /// Size of the pictures [pixels], and distance of the eye [m] (chosen: three pixels a millimetre).
@@ -25,45 +28,81 @@ const CUT_HALF_HEIGHT: f64 = 0.002;
 /// Readings across the field (chosen).
 const READINGS: i32 = 15;
 
-/// Mean colour of a piece as a flat picture shows it, in the middle of its upper face or of its cut.
-pub fn seen_colour(gpu: &Gpu, kitchen: &Kitchen, piece: &Piece, at: SeenAt, scale: &Arc<Scale>) -> Lab {
-    let options = ShotOptions {
-        view: View::Look,
-        slice: at == SeenAt::Cut,
-        white_balance: Default::default(),
-        quality: Quality::Smooth,
-        flat: true,
-        scale: Arc::clone(scale),
-        split: false,
-    };
-    let normal = piece.pose.rotation * DVec3::X;
-    // The eye looks at the cut from the side to which it faces, at the top from straight above.
+/// How far a piece is lifted over where it lies to be looked at from below [m] (chosen: clear of the pan).
+const LIFT: f64 = 0.15;
+
+/// Reads colours off flat pictures.
+pub struct Colorimeter {
+    gpu: Gpu,
+    renderer: SceneRenderer,
+    stage: Stage,
+}
+
+impl Colorimeter {
+    /// Opens one on a graphics adapter.
+    pub fn new(gpu: Gpu) -> Self {
+        let renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
+        Self { gpu, renderer, stage: Stage::default() }
+    }
+
+    /// Mean colour of a piece as a flat picture shows it, in the middle of a face or of its cut.
+    pub fn read(&mut self, kitchen: &Kitchen, piece: &Piece, at: SeenAt, scale: &Arc<Scale>) -> Lab {
+        let options = ShotOptions {
+            view: View::Look,
+            slice: at == SeenAt::Cut,
+            white_balance: Default::default(),
+            quality: Quality::Smooth,
+            flat: true,
+            scale: Arc::clone(scale),
+            split: false,
+        };
+        let pose = held(piece, at);
+        let camera = eye(&pose, at);
+        let stage = StageOptions { camera: camera.clone(), ..options.stage(kitchen) };
+        let drawn = crate::stage::Pose::of_body(&pose);
+        let pieces = if at == SeenAt::Under { [(piece.id.clone(), drawn)].into() } else { Default::default() };
+        let input = self.stage.scene(kitchen, &stage, &Places { pieces, ..Places::default() });
+        let eye = input.camera.clone();
+        let rgba = self.renderer.render_to_image(&self.gpu.device, &self.gpu.queue, &input, SIZE, options.quality);
+        let picture = Picture { width: SIZE[0] as usize, height: SIZE[1] as usize, rgba };
+        let aspect = SIZE[0] as f32 / SIZE[1] as f32;
+        let read = |point: Vec3| eye.project(point, aspect).and_then(|ndc| pixel(&picture, ndc));
+        mean(field(piece, &pose, at).into_iter().filter_map(read))
+    }
+}
+
+/// Where a piece is while it is looked at: the underside is held up and turned towards the eye.
+fn held(piece: &Piece, at: SeenAt) -> Pose {
+    let Pose { position, rotation } = piece.pose;
+    match at {
+        SeenAt::Under => Pose { position: position + LIFT * DVec3::Z, rotation: DQuat::from_rotation_x(PI) * rotation },
+        SeenAt::Top | SeenAt::Cut => piece.pose,
+    }
+}
+
+/// The eye looks at the cut from the side to which it faces, at a face from straight above.
+fn eye(pose: &Pose, at: SeenAt) -> Camera {
+    let normal = pose.rotation * DVec3::X;
     let (yaw, pitch) = match at {
         SeenAt::Cut => (normal.x.atan2(-normal.y) as f32, 0.35),
-        SeenAt::Top => (0.0, 1.55),
+        SeenAt::Top | SeenAt::Under => (0.0, 1.55),
     };
-    let target = piece.pose.position.as_vec3();
-    let camera = Camera { yaw, pitch, distance: DISTANCE, target, shift: [0.0; 2] };
-    let stage = StageOptions { camera: camera.clone(), ..options.stage(kitchen) };
-    let picture = still(gpu, kitchen, &stage, SIZE);
-    let aspect = SIZE[0] as f32 / SIZE[1] as f32;
-    let eye = following(&camera, kitchen.world().motion.pose.position.as_vec3());
-    let read = |point: Vec3| eye.project(point, aspect).and_then(|ndc| pixel(&picture, ndc));
-    mean(field(piece, at).into_iter().filter_map(read))
+    Camera { yaw, pitch, distance: DISTANCE, target: pose.position.as_vec3(), shift: [0.0; 2] }
 }
 
 /// Places of the field in the world [m].
-fn field(piece: &Piece, at: SeenAt) -> Vec<Vec3> {
+fn field(piece: &Piece, pose: &Pose, at: SeenAt) -> Vec<Vec3> {
     let half = piece.model.size.map(|v| 0.5 * v);
-    let top = 0.5 * piece.model.thickness(&piece.state) * if piece.upside_down() { -1.0 } else { 1.0 };
+    let shown_below = piece.upside_down() != (at == SeenAt::Under);
+    let face = 0.5 * piece.model.thickness(&piece.state) * if shown_below { -1.0 } else { 1.0 };
     let step = |k: i32| f64::from(k) / f64::from(READINGS);
     let range = || -READINGS..=READINGS;
     let place = |i: i32, j: i32| {
         let seen = match at {
-            SeenAt::Top => DVec3::new(FIELD * half[0] * step(i), FIELD * half[1] * step(j), top),
             SeenAt::Cut => DVec3::new(0.0, FIELD * half[1] * step(i), CUT_HALF_HEIGHT * step(j)),
+            SeenAt::Top | SeenAt::Under => DVec3::new(FIELD * half[0] * step(i), FIELD * half[1] * step(j), face),
         };
-        piece.pose.to_world(seen).as_vec3()
+        pose.to_world(seen).as_vec3()
     };
     range().flat_map(|i| range().map(move |j| (i, j))).map(|(i, j)| place(i, j)).collect()
 }

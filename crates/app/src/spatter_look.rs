@@ -119,6 +119,7 @@ mod tests {
             kitchen.apply(&command).expect("accepted");
         }
         let options = StageOptions {
+            white_balance: Default::default(),
             camera: Camera::three_quarter(),
             view: View::Look,
             map: TemperatureMap::default(),

@@ -102,9 +102,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn samples_of_a_third_lie_nearest_to_its_corner_and_fill_it_evenly() {
+    fn points_spread_over_the_cube_without_gaps() {
         let mut spread = Spread(0);
-        let shares: Vec<[f64; 3]> = (0..4000).map(|_| spread.next()).map(|[u, v, _]| third(u, v)).collect();
+        let mut held = [[[0u32; 8]; 8]; 8];
+        for _ in 0..8 * 512 {
+            let [x, y, z] = spread.next().map(|v| (8.0 * v) as usize);
+            held[x][y][z] += 1;
+        }
+        let counts = || held.iter().flatten().flatten();
+        assert!(counts().all(|n| (2..=16).contains(n)), "{:?} to {:?}", counts().min(), counts().max());
+    }
+
+    #[test]
+    fn samples_of_a_third_lie_nearest_to_its_corner_and_fill_it_evenly() {
+        let at = |i: u32| (f64::from(i) + 0.5) / 100.0;
+        let shares: Vec<[f64; 3]> = (0..100).flat_map(|i| (0..100).map(move |j| third(at(i), at(j)))).collect();
         for share in &shares {
             assert!((share.iter().sum::<f64>() - 1.0).abs() < 1e-12 && share.iter().all(|s| *s >= 0.0));
             assert!(share[0] >= share[1] && share[0] >= share[2], "{share:?}");

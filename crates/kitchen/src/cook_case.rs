@@ -5,6 +5,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use crate::cook::Cook;
+use crate::course::{Course, largest_rise};
 use crate::input_error::{InputError, InputText};
 use crate::lab::Verdict;
 use crate::library::Library;
@@ -23,6 +24,8 @@ struct CookCaseFile {
     expect: Vec<Spanned<BandEntry>>,
     #[serde(default)]
     seen: Vec<Seen>,
+    #[serde(default)]
+    course: Vec<Course>,
 }
 
 /// A colour that a picture should show, at the end of the cook.
@@ -45,6 +48,8 @@ pub struct Seen {
 pub enum SeenAt {
     /// The middle of the face that lies above.
     Top,
+    /// The middle of the face that lies below.
+    Under,
     /// The middle of the cut.
     Cut,
 }
@@ -84,7 +89,8 @@ impl CookCase {
     /// Reads and checks a case. `file` is its name in messages.
     pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, InputError> {
         let input = InputText { text, file };
-        let raw: CookCaseFile = input.parse("a cook case has name, source, recipe, [[expect]] and [[seen]]")?;
+        let raw: CookCaseFile =
+            input.parse("a cook case has name, source, recipe, [[expect]], [[seen]] and [[course]]")?;
         for band in &raw.expect {
             let b = band.get_ref();
             if b.compare.is_some() && raw.against.is_none() {
@@ -122,9 +128,39 @@ impl CookCase {
         }
     }
 
-    /// Plays the recipe to its end.
-    pub fn cook(&self, library: &Library) -> Result<Cook, InputError> {
-        played(&self.recipe, library)
+    /// The courses that colours should take.
+    pub fn courses(&self) -> &[Course] {
+        &self.file.course
+    }
+
+    /// The verdicts on a course: how far it ever went back, and where it led in all.
+    pub fn verdicts_on_course(&self, course: &Course, read: &[f64]) -> [Verdict; 2] {
+        let verdict = |quantity: String, [low, high]: [f64; 2], got: f64| {
+            let expected = 0.5 * (low + high);
+            let (tolerance, error) = (0.5 * (high - low), got - expected);
+            Verdict {
+                name: self.file.name.clone(),
+                source: self.file.source.clone(),
+                quantity,
+                unit: course.of.unit().into(),
+                expected,
+                tolerance,
+                got: Some(got),
+                error: Some(error),
+                // Not a number is no pass.
+                pass: error.abs() <= tolerance,
+            }
+        };
+        let (rise, fall) = (largest_rise(read), read.first().zip(read.last()).map_or(f64::NAN, |(a, b)| a - b));
+        [
+            verdict(format!("{}: never rises again", course.quantity), [-course.slack, course.slack], rise),
+            verdict(format!("{}: falls in all", course.quantity), course.falls, fall),
+        ]
+    }
+
+    /// Sets the recipe out.
+    pub fn begin(&self, library: &Library) -> Result<Cook, InputError> {
+        begun(&self.recipe, library)
     }
 
     /// Whether a text is a cook case rather than a lab case.
@@ -170,9 +206,13 @@ fn cooked(recipe: &Recipe, library: &Library) -> Result<serde_json::Value, Input
     serde_json::to_value(summary).map_err(|e| line_one(recipe, e.to_string()))
 }
 
+fn begun(recipe: &Recipe, library: &Library) -> Result<Cook, InputError> {
+    Cook::new(recipe.clone(), library).map_err(|e| line_one(recipe, e.to_string()))
+}
+
 /// A recipe played to its end.
 fn played(recipe: &Recipe, library: &Library) -> Result<Cook, InputError> {
-    let mut cook = Cook::new(recipe.clone(), library).map_err(|e| line_one(recipe, e.to_string()))?;
+    let mut cook = begun(recipe, library)?;
     while cook.stopped().is_none() {
         cook.advance()?;
     }

@@ -14,6 +14,7 @@ pub mod command;
 pub mod contact;
 pub mod cook;
 pub mod cook_case;
+pub mod course;
 mod data_check;
 pub mod drop_flight;
 pub mod dynamics;

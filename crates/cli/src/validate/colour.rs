@@ -1,28 +1,39 @@
-//! Colours that a case expects, measured on flat pictures of the end of its cook.
+//! Colours that a case expects, measured on flat pictures of its cook.
 
 use std::sync::Arc;
 
 use saute_app::headless::Gpu;
-use saute_app::seen_colour::seen_colour;
+use saute_app::seen_colour::Colorimeter;
 use saute_app::shot::ShotError;
-use saute_kitchen::Library;
-use saute_kitchen::cook_case::{CookCase, Seen};
-use saute_kitchen::food::Scale;
+use saute_kitchen::cook_case::{CookCase, SeenAt};
+use saute_kitchen::food::{Lab, Scale};
 use saute_kitchen::lab::Verdict;
+use saute_kitchen::{Cook, Library};
 
 use crate::error::CliError;
 
 /// Compares all colours of a case.
 pub fn verdicts(case: &CookCase, library: &Library, scale: &Arc<Scale>) -> Result<Vec<Verdict>, CliError> {
-    if case.seen().is_empty() {
+    if case.seen().is_empty() && case.courses().is_empty() {
         return Ok(Vec::new());
     }
-    let cook = case.cook(library)?;
-    let gpu = Gpu::open().map_err(ShotError::from)?;
-    let Some(piece) = cook.kitchen.pieces().first() else { return Ok(Vec::new()) };
-    let verdict = |seen: &Seen| {
-        let shown = seen_colour(&gpu, &cook.kitchen, piece, seen.place, scale);
-        case.verdict_on_colour(seen, shown)
+    let mut eye = Colorimeter::new(Gpu::open().map_err(ShotError::from)?);
+    let mut look = |cook: &Cook, at: SeenAt| {
+        let shown = cook.kitchen.pieces().first().map(|piece| eye.read(&cook.kitchen, piece, at, scale));
+        shown.unwrap_or(Lab([f64::NAN; 3]))
     };
-    Ok(case.seen().iter().map(verdict).collect())
+    let mut cook = case.begin(library)?;
+    let mut read: Vec<Vec<f64>> = vec![Vec::new(); case.courses().len()];
+    while cook.stopped().is_none() {
+        for (course, read) in case.courses().iter().zip(&mut read) {
+            if course.is_due(cook.kitchen.time_s(), read.len()) {
+                read.push(course.of.read(look(&cook, course.place)));
+            }
+        }
+        cook.advance()?;
+    }
+    let mut verdicts: Vec<Verdict> =
+        case.seen().iter().map(|seen| case.verdict_on_colour(seen, look(&cook, seen.place))).collect();
+    verdicts.extend(case.courses().iter().zip(&read).flat_map(|(course, read)| case.verdicts_on_course(course, read)));
+    Ok(verdicts)
 }
