@@ -105,9 +105,10 @@ fn tossed_food_weighs_nothing_in_the_air_and_lands_with_its_momentum() {
         .count();
     assert!(in_the_air > 8, "{in_the_air} frames in the air");
     let hits: Vec<DVec3> = tossed.last().unwrap().impulses.iter().filter(|i| i.number > 0).map(|i| i.impulse).collect();
-    let hardest = hits.iter().map(|i| -i.z).fold(0.0, f64::max);
+    // A steak lands on an edge, then on its face: the hits together stop it.
+    let landed: f64 = hits.iter().map(|i| -i.z).sum();
     // 20 cm of fall are 2 m/s; the landing may take some frames.
-    assert!(hardest > 0.3 * mass * 2.0 && hardest < 2.0 * mass * 2.0, "{hits:?}");
+    assert!(landed > 0.3 * mass * 2.0 && landed < 2.0 * mass * 2.0, "{hits:?}");
     let down = tossed.last().unwrap();
     assert!((down.payload.mass - oil - mass).abs() < 1e-3, "it lies again: {} kg", down.payload.mass);
 }
