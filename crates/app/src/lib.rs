@@ -44,7 +44,7 @@ pub mod probe;
 mod probe_hand;
 mod put_in;
 pub mod quality_choice;
-mod refusal;
+pub mod refusal;
 mod save_picture;
 mod scale_choice;
 pub mod scene;

@@ -27,7 +27,11 @@ pub fn words(refused: &Refused, l: Language) -> String {
         Refused::EmptyPan => l.text("refused.empty_pan").to_owned(),
         Refused::PanPlace { farthest_mm } => l.fill("refused.pan_place", &[("farthest", farthest_mm)]),
         Refused::Power { largest_w } => l.fill("refused.power", &[("largest", largest_w)]),
-        Refused::NoSuchOil { kind, known } => l.fill("refused.no_such_oil", &[("kind", kind), ("known", known)]),
+        Refused::NoSuchOil { kind, known } => {
+            let known: Vec<&str> = known.split(", ").map(|oil| l.called("oil", oil)).collect();
+            let separator = l.text("refused.separator");
+            l.fill("refused.no_such_oil", &[("kind", &l.called("oil", kind)), ("known", &known.join(separator))])
+        }
         Refused::Amount { what, holds_g } => {
             l.fill("refused.amount", &[("what", &l.called("amount", what)), ("most", holds_g)])
         }

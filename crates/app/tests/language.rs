@@ -4,12 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use saute_app::Language;
-use saute_kitchen::{Library, Recipe};
+use saute_kitchen::{Library, Recipe, Refused};
 
 type Texts = BTreeMap<String, BTreeMap<String, String>>;
 
 /// Sections of names that come from the core's data: found by the English text, not by a key in the code.
-const NAMES: [&str; 15] = [
+const NAMES: [&str; 16] = [
     "food",
     "noun",
     "id",
@@ -21,6 +21,7 @@ const NAMES: [&str; 15] = [
     "change",
     "dimension",
     "amount",
+    "oil",
     "event",
     "mark",
     "deed",
@@ -106,6 +107,7 @@ fn every_name_in_the_data_has_a_japanese_one() {
         known("id", if food.name.contains("steak") { "steak" } else { id });
         food.form.dimensions().iter().for_each(|name| known("dimension", name));
     }
+    library.oils.keys().for_each(|id| known("oil", id));
     library.pans.values().for_each(|pan| known("pan", &pan.name));
     for scale in &library.scales {
         known("scale", &scale.name);
@@ -114,6 +116,42 @@ fn every_name_in_the_data_has_a_japanese_one() {
     for (id, text) in &library.recipes {
         known("recipe_file", &id.replace('-', " "));
         known("recipe", &Recipe::parse(text, id, &library).expect("parses").title);
+    }
+}
+
+/// One of each; a new kind of refusal does not compile until it stands here.
+fn refusals() -> Vec<Refused> {
+    let (food, other) = (|| "steak".to_owned(), || "carrots-2".to_owned());
+    let next = |refused: &Refused| match refused {
+        Refused::NoSuchFood(_) => Some(Refused::NotInPan(food())),
+        Refused::NotInPan(_) => Some(Refused::NotOnBoard(food())),
+        Refused::NotOnBoard(_) => Some(Refused::AlreadyHalved(food())),
+        Refused::AlreadyHalved(_) => Some(Refused::BesideFood { food: food(), most_mm: 30 }),
+        Refused::BesideFood { .. } => Some(Refused::AlreadyInPan(other())),
+        Refused::AlreadyInPan(_) => Some(Refused::DoesNotFit { food: food(), reach_mm: 140, floor_mm: 105 }),
+        Refused::DoesNotFit { .. } => Some(Refused::Occupied { food: food(), other: other() }),
+        Refused::Occupied { .. } => Some(Refused::Waiting(food())),
+        Refused::Waiting(_) => Some(Refused::EmptyPan),
+        Refused::EmptyPan => Some(Refused::PanPlace { farthest_mm: 400 }),
+        Refused::PanPlace { .. } => Some(Refused::Power { largest_w: 3500 }),
+        Refused::Power { .. } => {
+            Some(Refused::NoSuchOil { kind: "butter".into(), known: "olive, clarified-butter".into() })
+        }
+        Refused::NoSuchOil { .. } => Some(Refused::Amount { what: "oil", holds_g: 900 }),
+        Refused::Amount { .. } => Some(Refused::LidIsOn),
+        Refused::LidIsOn => None,
+    };
+    std::iter::successors(Some(Refused::NoSuchFood(food())), next).collect()
+}
+
+#[test]
+fn refusals_in_japanese_hold_no_english_but_units() {
+    for refused in refusals() {
+        let words = saute_app::refusal::words(&refused, Language::Japanese);
+        let latin = words.split(|c: char| !c.is_ascii_alphabetic()).filter(|w| !w.is_empty());
+        let english: Vec<&str> = latin.filter(|w| !["mm", "g", "W"].contains(w)).collect();
+        assert!(english.is_empty() && !words.contains(['{', '}']), "{english:?} in {words}");
+        assert!(!saute_app::refusal::words(&refused, Language::English).contains('{'), "{refused:?}");
     }
 }
 

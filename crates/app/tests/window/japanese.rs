@@ -104,6 +104,30 @@ fn panels_notices_and_help_in_japanese_show_no_english() {
     }
 }
 
+/// Hints show themselves after half a second under a resting pointer; walked on every button of the window and its panels.
+#[test]
+fn hints_under_the_pointer_show_no_english() {
+    let mut harness = japanese(SIZES[0].0);
+    let mut hints = 0;
+    for key in [None, Some(Key::N), Some(Key::B)] {
+        if let Some(key) = key {
+            press(&mut harness, key);
+        }
+        let buttons = harness.root().children_recursive().filter(|n| n.accesskit_node().role() == Role::Button);
+        let centres: Vec<egui::Pos2> = buttons.map(|n| n.rect().center()).collect();
+        for at in centres {
+            let before = said(&harness).len();
+            harness.hover_at(at);
+            steps(&mut harness, 14);
+            hints += usize::from(said(&harness).len() > before);
+            no_english(&harness, &format!("hint at {at:?}"));
+            harness.hover_at(egui::pos2(640.0, 330.0));
+            steps(&mut harness, 3);
+        }
+    }
+    assert!(hints > 8, "only {hints} hints appeared");
+}
+
 #[test]
 fn a_recipe_of_ours_plays_in_japanese() {
     let mut harness = japanese(SIZES[0].0);
