@@ -392,11 +392,21 @@ impl SauteApp {
 
     /// Opens a recipe's text, as from a dropped file.
     pub fn open_recipe(&mut self, text: &str, file: &str) {
-        let recipe = Recipe::parse(text, file, &self.session.library);
-        let played = recipe.map_err(|e| e.to_string()).and_then(|r| self.session.play(r).map_err(|e| e.to_string()));
-        match played {
+        let l = self.settings.language;
+        let recipe = match Recipe::parse(text, file, &self.session.library) {
+            Ok(recipe) => recipe,
+            Err(wrong) => {
+                let parts: [(&str, &dyn std::fmt::Display); 4] = [
+                    ("file", &wrong.file),
+                    ("line", &wrong.line),
+                    ("message", &wrong.message),
+                    ("remedy", &wrong.remedy),
+                ];
+                return self.notice.say(l.fill("notice.wrong_recipe", &parts));
+            }
+        };
+        match self.session.play(recipe) {
             Ok(()) => {
-                let l = self.settings.language;
                 let title = l.called("recipe", self.session.recipe_title().unwrap_or(file));
                 self.notice.say(l.fill("notice.playing", &[("title", &title)]));
             }

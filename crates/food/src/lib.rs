@@ -18,6 +18,7 @@ pub mod form;
 pub mod halving;
 pub mod juice;
 mod juice_way;
+pub mod limp;
 pub mod marbling;
 pub mod marbling_volume;
 pub mod model;

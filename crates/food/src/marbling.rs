@@ -1,16 +1,14 @@
-//! Where the fat seams run: one field that both conducts and shows.
+//! Where the fat seams run: along the ridges of one field.
 
 use crate::description::Marbling;
 use crate::noise::fractal;
 
-/// Share of adipose tissue at every point of a piece [-].
+/// Ridges along which seams of fat run [-].
 #[derive(Clone, Debug)]
 pub struct MarblingField {
     seed: u64,
     wavelength: f64,
     flattening: f64,
-    threshold: f64,
-    share: f64,
 }
 
 /// Width of the transition from lean to fat in units of the noise (chosen: seams about 1 mm wide with soft edges).
@@ -22,44 +20,18 @@ const FINER: f64 = 2.6;
 const FINER_REACH: f64 = 1.15;
 const JOIN: f64 = 0.12;
 const PATCHY: f64 = 0.34;
+/// Beyond all ridges, and halvings until their threshold is known to a thousandth of an edge.
+const RIDGES: (f64, f64) = (-3.0, 3.0);
+const BISECTIONS: usize = 16;
 
 impl MarblingField {
-    /// Seams where ridged noise exceeds the threshold that gives the wanted mean share; no seams without marbling.
-    pub fn new(marbling: Option<&Marbling>, seed: u64) -> Self {
-        let Some(marbling) = marbling else {
-            return Self { seed, wavelength: 1.0, flattening: 1.0, threshold: 2.0, share: 0.0 };
-        };
-        let mut field = Self {
-            seed,
-            wavelength: marbling.seam_mm * 1e-3,
-            flattening: marbling.flattening,
-            threshold: 2.0,
-            share: marbling.adipose_share,
-        };
-        if marbling.adipose_share > 0.0 {
-            field.threshold = field.threshold_for(marbling.adipose_share);
-        }
-        field
+    /// The ridges of a piece.
+    pub fn new(marbling: &Marbling, seed: u64) -> Self {
+        Self { seed, wavelength: marbling.seam_mm * 1e-3, flattening: marbling.flattening }
     }
 
-    /// Mean share asked for [-].
-    pub fn mean_share(&self) -> f64 {
-        self.share
-    }
-
-    /// Share of adipose tissue at a point of the rest frame [-].
-    pub fn at(&self, p: [f64; 3]) -> f64 {
-        share_at(self.within(p))
-    }
-
-    /// How far a point lies within a seam, in widths of the seam's soft edge: [`share_at`] makes the share of it. It is
-    /// smoother than the share, so that a picture keeps its edges sharp between the samples [-].
-    pub fn within(&self, p: [f64; 3]) -> f64 {
-        if self.share <= 0.0 { f64::NEG_INFINITY } else { (self.ridge(p) - self.threshold) / EDGE }
-    }
-
-    /// Ridged noise: large along thin, branching sheets that lie along x and through the thickness.
-    fn ridge(&self, p: [f64; 3]) -> f64 {
+    /// Ridged noise: large along thin, branching sheets that lie along x and through the thickness [-].
+    pub fn ridge(&self, p: [f64; 3]) -> f64 {
         let w = self.wavelength;
         let q = [p[0] / (w * self.flattening), p[1] / w, p[2] / (w * self.flattening)];
         let bend = 0.9 * fractal(self.seed ^ 0xa5, [q[0] * 0.7, q[1] * 0.35, q[2] * 0.7]);
@@ -71,26 +43,25 @@ impl MarblingField {
         let h = (0.5 + 0.5 * (sheet - fleck) / JOIN).clamp(0.0, 1.0);
         fleck + h * (sheet - fleck) + JOIN * h * (1.0 - h) + patch
     }
+}
 
-    /// The threshold whose mean share over a block of 12 × 12 × 6 seams is the wanted one, by bisection.
-    fn threshold_for(&self, wanted: f64) -> f64 {
-        let mut ridges = Vec::new();
-        for i in 0..24 {
-            for j in 0..24 {
-                for k in 0..8 {
-                    let at = |v: i32, n: f64| f64::from(v) / n - 0.5;
-                    ridges.push(self.ridge([at(i, 24.0) * 0.12, at(j, 24.0) * 0.08, at(k, 8.0) * 0.025]));
-                }
-            }
-        }
-        let (mut low, mut high) = (-3.0, 3.0);
-        for _ in 0..40 {
-            let middle = 0.5 * (low + high);
-            let mean = ridges.iter().map(|r| share_at((r - middle) / EDGE)).sum::<f64>() / ridges.len() as f64;
-            if mean > wanted { low = middle } else { high = middle }
-        }
-        0.5 * (low + high)
+/// The height of ridge above which flesh is fat, so that the mean share of adipose tissue over places with these ridges and
+/// weights is the wanted one; by bisection [-].
+pub fn threshold_for(wanted: f64, places: &[(f64, f64)]) -> f64 {
+    let weight = places.iter().map(|place| place.1).sum::<f64>();
+    let (mut low, mut high) = RIDGES;
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (low + high);
+        let fat = places.iter().map(|(ridge, weight)| weight * share_at(within(*ridge, middle))).sum::<f64>();
+        if fat > wanted * weight { low = middle } else { high = middle }
     }
+    0.5 * (low + high)
+}
+
+/// How far a ridge rises above a threshold, in widths of the seam's soft edge: [`share_at`] makes the share of it. It is
+/// smoother than the share, so that a picture keeps its edges sharp between the samples [-].
+pub fn within(ridge: f64, threshold: f64) -> f64 {
+    (ridge - threshold) / EDGE
 }
 
 /// Share of adipose tissue so far within a seam: smooth from −½ to ½ [-].

@@ -2,7 +2,9 @@
 
 use saute_heat::SweptMesh;
 
-use crate::marbling::{MarblingField, share_at};
+use crate::description::Marbling;
+use crate::marbling::{self, MarblingField, share_at};
+use crate::node_means::Grown;
 
 /// Largest number of cells (chosen: 0.9 mm cells in a default steak; seams are smooth between them).
 const CELLS: f64 = 3.2e5;
@@ -31,8 +33,26 @@ pub struct MarblingVolume {
 }
 
 impl MarblingVolume {
-    /// Samples a field over the box of a mesh's nodes; one empty cell where there is no marbling.
-    pub fn new(field: &MarblingField, mesh: &SweptMesh) -> Self {
+    /// The seams in the box of a mesh's nodes, with the asked share of fat in it; one empty cell where there is no marbling.
+    pub fn new(marbling: Option<&Marbling>, seed: u64, mesh: &SweptMesh) -> Self {
+        let marbling = marbling.filter(|m| m.adipose_share > 0.0);
+        let mut volume = Self::empty(mesh, marbling.is_some());
+        let Some(marbling) = marbling else { return volume };
+        volume.share = marbling.adipose_share;
+        let field = MarblingField::new(marbling, seed);
+        let ridges: Vec<f64> = volume.cells().map(|cell| field.ridge(volume.middle(cell))).collect();
+        // Between the middles of cells ridges are lower than the field's: the threshold is that of the cells.
+        volume.within = ridges.into_iter().map(|ridge| ridge as f32).collect();
+        let at = |node: usize| (volume.within(mesh.position(node)), mesh.graph.volume[node]);
+        let threshold = marbling::threshold_for(volume.share, &(0..mesh.node_count()).map(at).collect::<Vec<_>>());
+        let depth =
+            |ridge: f32| (marbling::within(f64::from(ridge), threshold) as f32).clamp(-DEEPEST_WITHIN, DEEPEST_WITHIN);
+        volume.within.iter_mut().for_each(|ridge| *ridge = depth(*ridge));
+        volume
+    }
+
+    /// Lean cells over the box of a mesh's nodes; one cell for all of it where no seams will come.
+    fn empty(mesh: &SweptMesh, marbled: bool) -> Self {
         let mut corners = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
         for p in (0..mesh.node_count()).map(|node| mesh.position(node)) {
             corners[0] = std::array::from_fn(|k| corners[0][k].min(p[k] - MARGIN));
@@ -41,15 +61,12 @@ impl MarblingVolume {
         let low = corners[0];
         let extent: [f64; 3] = std::array::from_fn(|k| corners[1][k] - low[k]);
         let cell = libm::cbrt(extent.iter().product::<f64>() / CELLS);
-        let marbled = field.mean_share() > 0.0;
         let size = extent.map(|v| if marbled { libm::ceil(v / cell).clamp(1.0, MOST_ALONG) as u32 } else { 1 });
         let per_cell = std::array::from_fn(|k| f64::from(size[k]) / extent[k]);
         let strides = [1, size[0] as usize, (size[0] * size[1]) as usize];
         let step = std::array::from_fn(|k| if size[k] > 1 { strides[k] } else { 0 });
-        let mut volume = Self { size, low, extent, per_cell, step, within: Vec::new(), share: field.mean_share() };
-        let depth = |cell| (field.within(volume.middle(cell)) as f32).clamp(-DEEPEST_WITHIN, DEEPEST_WITHIN);
-        volume.within = volume.cells().map(depth).collect();
-        volume
+        let count = size.iter().product::<u32>() as usize;
+        Self { size, low, extent, per_cell, step, within: vec![-DEEPEST_WITHIN; count], share: 0.0 }
     }
 
     /// Its cells, x fastest.
@@ -88,5 +105,29 @@ impl MarblingVolume {
         let row = |at: usize| mix(self.within[at], self.within[at + self.step[0]], share[0]);
         let plane = |at: usize| mix(row(at), row(at + self.step[1]), share[1]);
         f64::from(mix(plane(first), plane(first + self.step[2]), share[2]))
+    }
+}
+
+impl Grown for MarblingVolume {
+    fn at(&self, p: [f64; 3]) -> f64 {
+        Self::at(self, p)
+    }
+
+    /// What lies between the middles of cells is no deeper and no shallower than they are.
+    fn even(&self, low: [f64; 3], high: [f64; 3]) -> Option<f64> {
+        let cell =
+            |p: f64, k: usize| ((p - self.low[k]) * self.per_cell[k] - 0.5).clamp(0.0, f64::from(self.size[k] - 1));
+        let [from, to] =
+            [[0, 1, 2].map(|k| cell(low[k], k) as usize), [0, 1, 2].map(|k| libm::ceil(cell(high[k], k)) as usize)];
+        let row = &|y: usize, z: usize| {
+            let start = self.size[0] as usize * (y + self.size[1] as usize * z);
+            &self.within[start + from[0]..=start + to[0]]
+        };
+        let depths = (from[2]..=to[2]).flat_map(|z| (from[1]..=to[1]).flat_map(move |y| row(y, z)));
+        if depths.clone().all(|depth| *depth <= -0.5) {
+            Some(0.0)
+        } else {
+            depths.clone().all(|depth| *depth >= 0.5).then_some(1.0)
+        }
     }
 }

@@ -11,7 +11,6 @@ use crate::components::{Components, Masses, Properties};
 use crate::description::{FoodDescription, Kinetics, Lethality, MOST_CHANGES, NoSuchChange, PerChange, WaterHolding};
 use crate::fat::FatRates;
 use crate::halving::Halving;
-use crate::marbling::MarblingField;
 use crate::marbling_volume::MarblingVolume;
 use crate::node_means::node_means;
 use crate::paper_2013::{BOILING, MeshSize, Rules, simplified};
@@ -234,7 +233,7 @@ impl FoodModel {
                 mesh.cells().map(|cells| CellReadings::of(cells, fibres)).unwrap_or_default()
             },
             core: (locator.locate_or_nearest(&mesh.section, [0.0, 0.0]), core_height(&mesh, closed_below)),
-            marbling: MarblingVolume::new(&MarblingField::new(description.marbling.as_ref(), seed), &mesh),
+            marbling: MarblingVolume::new(description.marbling.as_ref(), seed, &mesh),
             tissues: TissueField::new(description, size, seed),
             tissue: Vec::new(),
             halving: None,
@@ -266,10 +265,10 @@ impl FoodModel {
 
     /// Gives every node the masses that its volume of lean, second and adipose tissue holds at 20 °C.
     fn fill(&mut self) {
-        let seams =
-            node_means(&self.mesh, (self.marbling.mean_share() > 0.0).then_some(|p| self.marbling.at(p)), SEAM_SAMPLES);
-        let second =
-            node_means(&self.mesh, (!self.tissues.is_plain()).then_some(|p| self.tissues.at(p)), TISSUE_SAMPLES);
+        let marbling = Some(&self.marbling).filter(|marbling| marbling.mean_share() > 0.0);
+        let seams = node_means(&self.mesh, marbling, SEAM_SAMPLES);
+        let tissues = Some(&self.tissues).filter(|tissues| !tissues.is_plain());
+        let second = node_means(&self.mesh, tissues, TISSUE_SAMPLES);
         let (lean, other) = (&self.description.lean, self.description.second_tissue());
         let adipose = self.description.adipose.as_ref().unwrap_or(lean);
         for (node, (&s, &t)) in seams.iter().zip(&second).enumerate() {

@@ -2,17 +2,22 @@
 
 use saute_heat::SweptMesh;
 
-/// After so many samples that differ by less than so much a piece counts as even (chosen: all lean, or all fat).
-const FEW: usize = 64;
-const ALIKE: f64 = 1e-3;
+/// Something between 0 and 1 that grew in a body: a share at every point of its rest mesh's frame [-].
+pub(crate) trait Grown {
+    /// Share at a point [-].
+    fn at(&self, p: [f64; 3]) -> f64;
+
+    /// The share that is the same all over a box between two corners; none where it differs or nobody knows [-].
+    fn even(&self, low: [f64; 3], high: [f64; 3]) -> Option<f64>;
+}
 
 /// Mean of a field over each node's volume [-]; zeros where there is no field. A node stands for the third of each triangle
 /// that is nearest to it, half way to the levels above and below; each such piece is sampled as often as asked for.
-pub(crate) fn node_means(mesh: &SweptMesh, field: Option<impl Fn([f64; 3]) -> f64>, samples: usize) -> Vec<f64> {
+pub(crate) fn node_means(mesh: &SweptMesh, field: Option<&impl Grown>, samples: usize) -> Vec<f64> {
     let Some(field) = field else { return vec![0.0; mesh.node_count()] };
     if let Some(cells) = mesh.cells() {
         let size = cells.graph.volume.iter().map(|v| [libm::cbrt(*v); 3]);
-        return cells.positions.iter().zip(size).map(|(p, size)| box_mean(*p, size, &field)).collect();
+        return cells.positions.iter().zip(size).map(|(p, size)| box_mean(*p, size, field)).collect();
     }
     let mut sums = vec![[0.0; 2]; mesh.node_count()];
     let mut spread = Spread(0);
@@ -22,9 +27,11 @@ pub(crate) fn node_means(mesh: &SweptMesh, field: Option<impl Fn([f64; 3]) -> f6
             let corners = nodes.map(|nodes| nodes.map(|node| mesh.position(node)));
             for half in 0..2 {
                 let weight = area(corners[half]) * (mesh.levels[level + 1] - mesh.levels[level]);
+                let even = even(field, corners.as_flattened());
                 for (k, node) in nodes[half].into_iter().enumerate() {
-                    let mut at = || field(place(&corners, k, 0.5 * half as f64, spread.next()));
-                    sums[node][0] += weight * mean(samples, &mut at);
+                    let mut at = || field.at(place(&corners, k, 0.5 * half as f64, spread.next()));
+                    let mean = even.unwrap_or_else(|| (0..samples).map(|_| at()).sum::<f64>() / samples as f64);
+                    sums[node][0] += weight * mean;
                     sums[node][1] += weight;
                 }
             }
@@ -33,17 +40,11 @@ pub(crate) fn node_means(mesh: &SweptMesh, field: Option<impl Fn([f64; 3]) -> f6
     sums.into_iter().map(|[sum, weight]| if weight > 0.0 { sum / weight } else { 0.0 }).collect()
 }
 
-/// Mean of samples; where the first few are all alike, of those.
-fn mean(samples: usize, at: &mut impl FnMut() -> f64) -> f64 {
-    let (mut sum, mut low, mut high) = (0.0, f64::INFINITY, f64::NEG_INFINITY);
-    for taken in 1..=samples {
-        let value = at();
-        (sum, low, high) = (sum + value, low.min(value), high.max(value));
-        if taken == FEW && high - low < ALIKE {
-            return sum / FEW as f64;
-        }
-    }
-    sum / samples as f64
+/// What a field is all over the box around some points, where it is the same there.
+fn even(field: &impl Grown, points: &[[f64; 3]]) -> Option<f64> {
+    let corner =
+        |start: f64, pick: fn(f64, f64) -> f64| [0, 1, 2].map(|k| points.iter().map(|p| p[k]).fold(start, pick));
+    field.even(corner(f64::INFINITY, f64::min), corner(f64::NEG_INFINITY, f64::max))
 }
 
 /// Points that fill the unit cube ever more evenly: multiples of the powers of 1/g, g⁴ = g + 1 (Roberts 2018).
@@ -90,11 +91,11 @@ fn area([a, b, c]: [[f64; 3]; 3]) -> f64 {
 }
 
 /// Mean of a field over a box about a point, from 3 × 3 × 3 samples.
-fn box_mean([x, y, z]: [f64; 3], size: [f64; 3], field: &impl Fn([f64; 3]) -> f64) -> f64 {
+fn box_mean([x, y, z]: [f64; 3], size: [f64; 3], field: &impl Grown) -> f64 {
     let half = size.map(|s| 0.5 * s);
     let offset = |v: i32| f64::from(v - 1) * 2.0 / 3.0;
     let at = |k: i32| [x + half[0] * offset(k % 3), y + half[1] * offset(k / 3 % 3), z + half[2] * offset(k / 9)];
-    (0..27).map(|k| field(at(k))).sum::<f64>() / 27.0
+    (0..27).map(|k| field.at(at(k))).sum::<f64>() / 27.0
 }
 
 #[cfg(test)]

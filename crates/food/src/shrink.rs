@@ -8,7 +8,7 @@ use crate::model::FoodModel;
 use crate::state::{FoodState, Stretch};
 
 /// Acceleration of gravity [m/s²] (standard).
-const GRAVITY: f64 = 9.806_65;
+pub(crate) const GRAVITY: f64 = 9.806_65;
 /// Poisson's ratio of meat [-] (nearly incompressible: 0.5).
 const POISSON: f64 = 0.5;
 /// Temperature at which rest volumes are reckoned [K].

@@ -2,6 +2,7 @@
 
 use crate::description::{Core, FoodDescription, Sheaths};
 use crate::form::Form;
+use crate::node_means::Grown;
 use crate::noise::{fractal, uniform};
 
 /// Share of the second tissue at every point of a piece [-], and the borders of its sheaths.
@@ -145,6 +146,16 @@ fn sheaths_of(sheaths: &Sheaths, radius: f64, seed: u64) -> Kind {
 fn smooth_step(x: f64) -> f64 {
     let s = x.clamp(0.0, 1.0);
     s * s * (3.0 - 2.0 * s)
+}
+
+impl Grown for TissueField {
+    fn at(&self, p: [f64; 3]) -> f64 {
+        Self::at(self, p)
+    }
+
+    fn even(&self, _: [f64; 3], _: [f64; 3]) -> Option<f64> {
+        None
+    }
 }
 
 impl Form {

@@ -1,9 +1,11 @@
 //! Which patches of a piece are near to the pan, how far they are off, and where on the pan they lie.
 
 use glam::DVec3;
-use saute_food::{FoodModel, PatchPose};
+use saute_food::limp::Limp;
+use saute_food::{FoodModel, Patch, PatchPose};
 use saute_heat::Located;
 
+use crate::dynamics::pan_shape::OverPan;
 use crate::dynamics::{PanShape, Pose};
 use crate::pan::PanModel;
 
@@ -21,6 +23,8 @@ const GIVE: f64 = 0.3e-3;
 /// Patches up to this much farther off than the nearest make up the face on which the piece lies [m] (chosen: above the
 /// bumps of a hand-cut face, which the measured conductances behind the mean gap include).
 const FACE: f64 = 1.0e-3;
+/// How far a limp piece bends down at most [m] (chosen: half a shrimp's thickness; what stands up higher is propped).
+const BEND: f64 = 8.0e-3;
 /// Movement below which everything is as before [m] (chosen: far below the mesh of pan and piece).
 const SAME: f64 = 0.1e-3;
 
@@ -43,44 +47,76 @@ pub struct NearPan {
     seen: Option<(Pose, u64)>,
 }
 
+/// The shape of a piece as its patches stand now.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<'a> {
+    /// Its patches and their poses.
+    pub patches: (&'a [Patch], &'a [PatchPose]),
+    /// How it bends under its weight, if it is long.
+    pub limp: Option<&'a Limp>,
+    /// Counts the changes of its shape.
+    pub count: u64,
+}
+
 impl NearPan {
-    /// Looks again, unless neither pose nor shape have changed; `shape` counts the changes of the piece's shape.
-    pub fn look(&mut self, pan: &PanModel, surface: &PanShape, piece: &Pose, poses: &[PatchPose], shape: u64) {
+    /// Looks again, unless neither pose nor shape have changed.
+    pub fn look(&mut self, pan: &PanModel, surface: &PanShape, piece: &Pose, shape: Seen<'_>) {
         let same = |(pose, count): &(Pose, u64)| {
-            *count == shape
+            *count == shape.count
                 && (pose.position - piece.position).length() < SAME
                 && ((pose.rotation - piece.rotation).length() * 0.1 < SAME)
         };
         if self.seen.as_ref().is_some_and(same) {
             return;
         }
-        self.seen = Some((*piece, shape));
-        self.patches.clear();
-        let mut nearest = f64::INFINITY;
-        for (index, patch) in poses.iter().enumerate() {
-            let place = piece.to_world(DVec3::from_array(patch.position));
-            let Some(over) = surface.over(place) else { continue };
-            let facing = (piece.rotation * DVec3::from_array(patch.normal)).dot(over.normal);
-            if facing < FACING && over.gap < REACH + LYING {
-                nearest = nearest.min(over.gap);
-                let located = pan.locator.locate_or_nearest(&pan.section, over.on_mesh);
-                self.patches.push(NearPatch { patch: index as u32, gap: over.gap, located });
-            }
+        self.seen = Some((*piece, shape.count));
+        let mut facing = facing(surface, piece, shape.patches.1, if shape.limp.is_some() { BEND } else { 0.0 });
+        if let Some(limp) = shape.limp {
+            settle(&mut facing, limp, shape.patches.0);
         }
-        if nearest > LYING {
-            self.patches.clear();
-        }
-        let face = self.patches.iter().map(|p| p.gap).filter(|gap| *gap < nearest + FACE);
+        let nearest = facing.iter().map(|(_, over)| over.gap).fold(f64::INFINITY, f64::min);
+        facing.retain(|(_, over)| nearest <= LYING && over.gap < REACH + LYING);
+        let face = facing.iter().map(|(_, over)| over.gap).filter(|gap| *gap < nearest + FACE);
         let (sum, count) = face.fold((0.0, 0.0), |(sum, count), gap| (sum + gap, count + 1.0));
         let mean = if count > 0.0 { sum / count } else { nearest };
-        self.patches.iter_mut().for_each(|p| p.gap = (p.gap - mean - GIVE).max(0.0));
-        self.patches.retain(|p| p.gap < REACH);
+        let near = |(patch, over): (u32, OverPan)| {
+            let gap = (over.gap - mean - GIVE).max(0.0);
+            let located = pan.locator.locate_or_nearest(&pan.section, over.on_mesh);
+            (gap < REACH).then_some(NearPatch { patch, gap, located })
+        };
+        self.patches.clear();
+        self.patches.extend(facing.into_iter().filter_map(near));
     }
 
     /// Forgets what was seen.
     pub fn forget(&mut self) {
         self.seen = None;
         self.patches.clear();
+    }
+}
+
+/// The patches that face the surface within reach, or as much farther as the piece may bend.
+fn facing(surface: &PanShape, piece: &Pose, poses: &[PatchPose], bend: f64) -> Vec<(u32, OverPan)> {
+    let facing = |(index, patch): (usize, &PatchPose)| {
+        let over = surface.over(piece.to_world(DVec3::from_array(patch.position)))?;
+        let towards = (piece.rotation * DVec3::from_array(patch.normal)).dot(over.normal) < FACING;
+        (towards && over.gap < REACH + LYING + bend).then_some((index as u32, over))
+    };
+    poses.iter().enumerate().filter_map(facing).collect()
+}
+
+/// Bends a limp piece down: each station's patches come as much nearer as the station does.
+fn settle(facing: &mut [(u32, OverPan)], limp: &Limp, patches: &[Patch]) {
+    let station = |patch: u32| limp.station(patches[patch as usize].node);
+    let mut gaps = vec![f64::INFINITY; limp.stations()];
+    for (patch, over) in facing.iter() {
+        let gap = &mut gaps[station(*patch)];
+        *gap = gap.min(over.gap);
+    }
+    let settled = limp.settled(gaps.clone());
+    for (patch, over) in facing {
+        let at = station(*patch);
+        over.gap -= gaps[at] - settled[at];
     }
 }
 
@@ -108,4 +144,34 @@ pub fn unevenness(model: &FoodModel, seed: u64, wavelength: f64, deviation: f64)
         of_face.iter().for_each(|&i| uneven[i] = (uneven[i] - mean) * scale);
     }
     uneven
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Library, Recipe};
+
+    /// Share of its stations with which a piece is near to the pan, ten seconds after it was put there.
+    fn share_that_lies(kind: &str) -> f64 {
+        let library = Library::embedded().expect("embedded data");
+        let text = format!(
+            "[[food]]\nid = \"s\"\nkind = \"{kind}\"\n[[step]]\nat_s = 1\nput = \"s\"\n[[step]]\nafter_s = 60\nend = true\n"
+        );
+        let recipe = Recipe::parse(&text, "lies.toml", &library).expect("parses");
+        let mut cook = crate::Cook::new(recipe, &library).expect("sets out");
+        while cook.kitchen.time_s() < 11.0 {
+            cook.advance().expect("goes on");
+        }
+        let piece = &cook.kitchen.pieces()[0];
+        let limp = piece.model.limp(&piece.state).expect("lies along stations");
+        let near = piece.near.patches.iter().filter(|near| near.gap == 0.0);
+        let stations: std::collections::BTreeSet<usize> =
+            near.map(|near| limp.station(piece.model.patches[near.patch as usize].node)).collect();
+        stations.len() as f64 / limp.stations() as f64
+    }
+
+    #[test]
+    fn a_raw_shrimp_lies_with_nearly_all_its_length() {
+        let share = share_that_lies("shrimp");
+        assert!(share > 0.8, "{share}");
+    }
 }

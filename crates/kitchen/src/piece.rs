@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use saute_food::advance::REFRESH_TICKS;
 use saute_food::halving::{Cut, CutError};
+use saute_food::limp::Limp;
 use saute_food::{
     Exchange, FoodModel, FoodSolver, FoodState, FreeAir, PatchGeometry, PatchPose, Rules, Surroundings, Touch,
     present_area,
@@ -15,7 +16,7 @@ use crate::contact::{FaceContact, steam_share};
 use crate::dynamics::extent::outline;
 use crate::dynamics::{Contact, PanShape, Pose};
 use crate::layout::Footprint;
-use crate::near_pan::{NearPan, NearPatch, unevenness};
+use crate::near_pan::{NearPan, NearPatch, Seen, unevenness};
 use crate::pan::{PanModel, PanState};
 use crate::ridges::AcrossGroove;
 use crate::room::Room;
@@ -102,6 +103,7 @@ pub struct Piece {
     pub(crate) solver: FoodSolver,
     pub(crate) sear: SearRecord,
     geometry: PatchGeometry,
+    limp: Option<Limp>,
     shape_count: u64,
     shaped_at: u64,
     lay_up: [f64; 3],
@@ -133,6 +135,7 @@ impl Piece {
         let uneven = unevenness(&model, seed, 1e-3 * gap.unevenness_scale_mm, 1e-3 * gap.unevenness_mm);
         let mut geometry = PatchGeometry::default();
         model.patch_geometry_into(&state, &mut geometry);
+        let limp = model.limp(&state);
         Self {
             core_peak: (temperature, 0.0),
             place: Place::Waiting,
@@ -147,6 +150,7 @@ impl Piece {
             solver: FoodSolver::default(),
             sear: SearRecord::default(),
             geometry,
+            limp,
             shape_count: 0,
             shaped_at: 0,
             lay_up: [0.0, 0.0, 1.0],
@@ -190,6 +194,7 @@ impl Piece {
         self.model = Arc::new(model);
         self.solver = FoodSolver::default();
         self.model.patch_geometry_into(&self.state, &mut self.geometry);
+        self.limp = self.model.limp(&self.state);
         self.shape_count += 1;
         (self.resting_on, self.place) = (RestOn::Board, Place::Rest(RestOn::Board));
         Ok(())
@@ -283,6 +288,7 @@ impl Piece {
         self.shaped_at = self.state.ticks;
         self.shape_count += 1;
         self.model.patch_geometry_into(&self.state, &mut self.geometry);
+        self.limp = self.model.limp(&self.state);
         true
     }
 
@@ -304,7 +310,9 @@ impl Piece {
 
     /// Looks where it is near to the pan, and for how long; `seen` is its pose in the pan's frame.
     pub(crate) fn meet_pan(&mut self, pan: &PanModel, surface: &PanShape, seen: &Pose, force: f64, now: f64, dt: f64) {
-        self.near.look(pan, surface, seen, &self.geometry.poses, self.shape_count);
+        let patches = (self.model.patches.as_slice(), self.geometry.poses.as_slice());
+        let shape = Seen { patches, limp: self.limp.as_ref(), count: self.shape_count };
+        self.near.look(pan, surface, seen, shape);
         self.lost_contact_s = if self.near.patches.is_empty() { self.lost_contact_s + dt } else { 0.0 };
         let up = seen.up();
         let level: f64 = up.iter().zip(&self.lay_up).map(|(a, b)| a * b).sum();

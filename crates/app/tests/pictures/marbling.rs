@@ -1,5 +1,5 @@
 //! Promise: the marbling that is seen is the marbling that conducts: a node holds as much fat as the picture shows in its
-//! volume.
+//! volume, and a piece as much as its description asks for.
 
 use saute_app::food_look::Skin;
 use saute_app::scene::input::{GrainVolume, WITHIN_RANGE};
@@ -109,5 +109,7 @@ fn each_node_holds_the_fat_that_is_seen_in_its_volume() {
         println!("{kind} {seed}: largest difference {largest:.4}, {held:.4} held, {shown:.4} shown");
         assert!(largest < MOST, "{kind} {seed}: {largest}");
         assert!((held - shown).abs() < 0.002, "{kind} {seed}: {held} held, {shown} shown");
+        let asked = steak(kind, seed).pieces()[0].model.marbling.mean_share();
+        assert!((held - asked).abs() < MOST, "{kind} {seed}: {held} held, {asked} asked for");
     }
 }
