@@ -9,6 +9,7 @@ use serde::Serialize;
 
 use crate::device::{Capabilities, HapticDevice};
 use crate::geometry::Geometry;
+use crate::phone;
 use crate::shelf;
 use crate::spidar::Spidar;
 use crate::wire::{SerialLink, UdpLink};
@@ -19,7 +20,7 @@ const BAUD: u32 = 2_000_000;
 const LARGEST: u64 = 1 << 20;
 
 /// Kinds of devices that are reached over a network. To add one, write its file and name it here.
-pub static NETWORKED: &[Networked] = &[];
+pub static NETWORKED: &[Networked] = &[phone::PHONE];
 
 /// A kind of device that is reached over a network.
 #[derive(Clone, Copy, Debug)]

@@ -5,12 +5,16 @@
 
 mod bench_device;
 mod calibration;
+mod chromium;
 mod control_loop;
 mod degrade;
 mod driver;
 mod feel;
 mod geometry_file;
 mod kitchen;
+mod phone;
+mod phone_client;
+mod phone_page;
 mod pose;
 mod random;
 mod tension;
