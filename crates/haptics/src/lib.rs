@@ -3,6 +3,7 @@
 //! A kitchen publishes a [`ContactModel`] sixty times a second; a [`ControlLoop`] on a thread of its own reads the last one,
 //! asks a [`HapticDevice`] a thousand times a second where the pan is, and tells it what the hand shall feel.
 
+mod allowance;
 pub mod contact_model;
 pub mod control_loop;
 pub mod coupled_payload;
@@ -12,16 +13,19 @@ pub mod feel;
 pub mod geometry;
 pub mod guard_planes;
 pub mod handover;
+pub mod haply;
 pub mod impulse_train;
 pub mod jig_calibration;
 pub mod jitter;
 pub mod kitchen_watch;
 mod linear;
 pub mod open;
+pub mod osc;
 pub mod pairing;
 pub mod passivity;
 pub mod phone;
 pub mod pose_from_lengths;
+mod reachable;
 pub mod renderer;
 pub mod rumble;
 pub mod safety_limits;
@@ -31,6 +35,7 @@ pub mod spidar;
 pub mod strings;
 mod template;
 pub mod tension;
+pub mod tilt;
 pub mod vibration;
 pub mod wire;
 pub mod workspace;

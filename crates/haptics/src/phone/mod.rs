@@ -21,8 +21,8 @@ use crate::device::{
 };
 use crate::open::{Networked, OpenError, Opened};
 use crate::rumble::Rumble;
+use crate::tilt::{eased, within_tilt};
 use crate::wrench::Twist;
-use orientation::{eased, within_tilt};
 use toss::Toss;
 
 /// Silence after which a phone counts as lost [s] (chosen: thirty messages).

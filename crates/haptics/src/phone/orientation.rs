@@ -1,12 +1,11 @@
 //! How a phone lies in the hand, as a browser's angles tell it, and how the pan is turned then.
 
 use glam::{DQuat, DVec3};
-use saute_kitchen::dynamics::pose::{rotation_between, turn};
+use saute_kitchen::dynamics::pose::turn;
 
 use super::message::Measured;
+use crate::kitchen_watch::GRAVITY;
 
-/// Standard gravity [m/s²].
-const GRAVITY: f64 = 9.806_65;
 /// Steepest phone that may be called flat [rad] (chosen: 30°, as it lies in a hand).
 const FLAT: f64 = 0.52;
 
@@ -72,23 +71,4 @@ pub fn acceleration(measured: &Measured, phone: DQuat) -> Option<DVec3> {
         }
         (None, None) => None,
     }
-}
-
-/// The same turn, tilted no further from upright than `most` [rad].
-pub fn within_tilt(rotation: DQuat, most: f64) -> DQuat {
-    let up = rotation * DVec3::Z;
-    let tilt = libm::acos(up.z.clamp(-1.0, 1.0));
-    if tilt <= most {
-        return rotation;
-    }
-    let axis = up.cross(DVec3::Z);
-    let axis = if axis.length() < 1e-9 { DVec3::X } else { axis.normalize() };
-    (turn(axis, tilt - most) * rotation).normalize()
-}
-
-/// One step towards a turn, whose rest shrinks as e^(−t/τ); `dt` [s].
-pub fn eased(from: DQuat, to: DQuat, dt: f64, tau: f64) -> DQuat {
-    let share = 1.0 - libm::exp(-dt / tau);
-    let step = rotation_between(from, to) * share;
-    (saute_kitchen::dynamics::pose::about(step) * from).normalize()
 }

@@ -1,7 +1,7 @@
 //! The thread that waits for phones, and one for each that has come.
 
 use std::io::Write;
-use std::net::{IpAddr, SocketAddr, TcpListener, TcpStream, UdpSocket};
+use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
@@ -13,6 +13,7 @@ use super::session;
 use super::{Heard, Told, certificate};
 use crate::open::{Access, OpenError, Reach};
 use crate::pairing::Pairing;
+use crate::reachable::reachable;
 
 /// Connections at once (chosen: a page, a socket, and some that hang).
 const MOST_CONNECTIONS: usize = 8;
@@ -74,16 +75,6 @@ pub fn start(
     let spawned = std::thread::Builder::new().name("phone".into()).spawn(move || wait_for_phones(&listener, &shared));
     spawned.map_err(|e| failed(format!("no thread: {e}")))?;
     Ok(access)
-}
-
-/// The address by which others reach this machine, where all are listened at.
-pub fn reachable(bound: IpAddr) -> IpAddr {
-    if !bound.is_unspecified() {
-        return bound;
-    }
-    // Nothing is sent: the system only says which of its addresses it would send from (192.0.2.1 is for documentation).
-    let asked = UdpSocket::bind(("0.0.0.0", 0)).and_then(|s| s.connect(("192.0.2.1", 9)).and_then(|()| s.local_addr()));
-    asked.map_or(IpAddr::from([127, 0, 0, 1]), |a| a.ip())
 }
 
 fn wait_for_phones(listener: &TcpListener, shared: &Arc<Shared>) {

@@ -12,6 +12,7 @@ use super::http::is_quiet;
 use super::message::{FromPhone, LONGEST, Measured, ToPhone};
 use super::orientation::{Level, acceleration, from_angles};
 use super::server::Shared;
+use crate::allowance::Allowance;
 use crate::pairing::Verdict;
 
 /// How long a phone may take to be paired (chosen: a person who looks for the code).
@@ -32,8 +33,7 @@ struct Talk<'a, S> {
     number: Option<u64>,
     level: Level,
     phone: DQuat,
-    allowance: f64,
-    counted: Instant,
+    allowance: Allowance,
     bad: u32,
     reported: Instant,
 }
@@ -51,8 +51,7 @@ pub fn run<S: Read + Write>(stream: S, shared: &Shared) {
         number: None,
         level: Level::default(),
         phone: DQuat::IDENTITY,
-        allowance: BURST,
-        counted: now,
+        allowance: Allowance::new(FASTEST_HZ, BURST, now),
         bad: 0,
         reported: now,
     };
@@ -93,12 +92,9 @@ impl<S: Read + Write> Talk<'_, S> {
 
     fn hear(&mut self, text: &str) -> bool {
         let now = Instant::now();
-        self.allowance = (self.allowance + (now - self.counted).as_secs_f64() * FASTEST_HZ).min(BURST);
-        self.counted = now;
-        if self.allowance < 1.0 {
+        if !self.allowance.takes(now) {
             return self.reject();
         }
-        self.allowance -= 1.0;
         match (FromPhone::parse(text), self.number) {
             (Ok(FromPhone::Hello { code }), None) => return self.pair(&code, now),
             (Ok(FromPhone::Motion(measured)), Some(_)) => self.move_pan(&measured),

@@ -8,9 +8,10 @@ use proptest::prelude::*;
 use saute_haptics::device::{HapticCommand, HapticSample};
 use saute_haptics::open::Reach;
 use saute_haptics::phone::message::{FromPhone, Measured};
-use saute_haptics::phone::orientation::{Level, acceleration, from_angles, within_tilt};
+use saute_haptics::phone::orientation::{Level, acceleration, from_angles};
 use saute_haptics::phone::toss::Toss;
 use saute_haptics::rumble::Rumble;
+use saute_haptics::tilt::within_tilt;
 use saute_haptics::{Health, Opened, open};
 
 use crate::phone_client::{PhoneClient, connect, get};
