@@ -8,6 +8,7 @@ use saute_haptics::{Geometry, Health, Named, shelf};
 
 use super::fault_run;
 use super::fry::Fry;
+use super::network_check;
 use super::report::CheckReport;
 use super::simulator::Simulator;
 use super::truth;
@@ -25,12 +26,17 @@ const MORE_LOG_S: f64 = 60.0;
 /// `saute haptics check`.
 #[derive(Debug, clap::Args)]
 pub struct CheckArgs {
-    /// A device of `saute haptics list` or a geometry file: simulated; with @HOST:PORT or @SERIAL-PORT the real one there.
+    /// A device of `saute haptics list` or a geometry file. Strings are simulated; with @HOST:PORT or @SERIAL-PORT the real
+    /// ones there. phone, haply and osc are real, on this machine alone unless @HOST:PORT says otherwise (phone@0.0.0.0:8443:
+    /// the whole network).
     #[arg(long, value_name = "NAME", default_value = shelf::DEFAULT_DEVICE)]
     pub device: String,
     /// Pairing code that the real device shows.
     #[arg(long, value_name = "CODE", default_value_t = 0)]
     pub pairing: u32,
+    /// How long a phone, haply or osc may take to be found [s]; two minutes unless given.
+    #[arg(long, value_name = "S")]
+    pub wait_s: Option<f64>,
     /// How long to measure [s].
     #[arg(long, value_name = "S", default_value_t = 60.0)]
     pub for_s: f64,
@@ -49,16 +55,21 @@ pub fn check(args: &CheckArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
     }
     let named = Named::parse(&args.device)?;
     if args.faults && !named.is_simulated() {
-        let remedy = "leave --faults away, or the @ADDRESS to check the simulated device";
+        let remedy = "leave --faults away, or check a simulated device of strings";
         return Err(CliError::place("--faults", "a real device cannot be told to fail", remedy));
     }
-    let Some(geometry) = named.geometry() else {
-        let remedy = "name a device of strings: saute haptics list";
-        return Err(CliError::place(&named.name, "has no strings to check", remedy));
+    let (json, text, is_met) = match named.geometry() {
+        Some(geometry) => {
+            let report = measure(args, &named, geometry, shelf)?.judged();
+            (serde_json::to_string_pretty(&report)?, report.text(), report.missed.is_empty())
+        }
+        None => {
+            let report = network_check::measure(args, &named, shelf)?;
+            (serde_json::to_string_pretty(&report)?, report.text(), report.missed.is_empty())
+        }
     };
-    let report = measure(args, &named, geometry, shelf)?.judged();
-    stdout::print(&if args.json { serde_json::to_string_pretty(&report)? + "\n" } else { report.text() })?;
-    Ok(if report.missed.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    stdout::print(&if args.json { json + "\n" } else { text })?;
+    Ok(if is_met { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
 fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, shelf: &Shelf) -> Result<CheckReport, CliError> {
@@ -141,7 +152,8 @@ fn calibrate(fry: &mut Fry, named: &Named, geometry: &Geometry) -> Result<(), Cl
     Ok(())
 }
 
-fn not_there(health: Health) -> CliError {
+/// What to do where no device has come.
+pub fn not_there(health: Health) -> CliError {
     let (message, remedy) = match health {
         Health::WrongCode => ("refuses the pairing code", "give the code that the device shows: --pairing CODE"),
         Health::WrongUnits => (
@@ -149,7 +161,8 @@ fn not_there(health: Health) -> CliError {
             "see docs/spidar-protocol.md; it must speak nanometres, millinewtons and microseconds",
         ),
         Health::Fault => ("reports a fault", "look at the device"),
-        _ => ("does not answer", "switch it on, and check its address"),
+        Health::Uncalibrated => ("is not calibrated", "calibrate it as its maker says"),
+        _ => ("does not answer", "switch it on, and check its address, network and pairing code"),
     };
     CliError::place("the device", message, remedy)
 }

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use saute_haptics::control_loop::{ControlLoop, LoopState};
 use saute_haptics::{Handover, Health, KitchenWatch};
+use saute_kitchen::dynamics::Tool;
 use saute_kitchen::{Command, Cook, FRAME_S, Library, Piece, Recipe};
 
 use super::stop_key;
@@ -20,6 +21,8 @@ pub struct Fry {
     cook: Cook,
     watch: KitchenWatch,
     handover: Handover,
+    before: Health,
+    leads_turner: bool,
     /// The loop.
     pub control: ControlLoop,
     started: Instant,
@@ -40,6 +43,8 @@ impl Fry {
             cook,
             watch: KitchenWatch::default(),
             handover: Handover::default(),
+            before: Health::default(),
+            leads_turner: false,
             control,
             started: Instant::now(),
             frames: 0.0,
@@ -95,15 +100,29 @@ impl Fry {
         }
     }
 
-    /// Holds the kitchen's pan where the hand holds the device.
+    /// Holds the kitchen's pan where the hand holds the device, and the turner where the other hand has it; a device that is lost tells
+    /// where its pan goes by itself.
     fn hold(&mut self, state: &LoopState) {
-        if state.sample.health != Health::Running {
-            return self.handover.let_go();
+        let kitchen = &mut self.cook.kitchen;
+        match state.sample.health {
+            Health::Running | Health::Lost => {
+                if state.sample.health != self.before {
+                    self.handover.let_go();
+                }
+                let held = kitchen.held_pan();
+                let pose = self.handover.pose(&held, &state.sample.pose, FRAME_S);
+                // Refused only for poses that are no numbers, and the driver gives none.
+                let _ = kitchen.apply(&Command::HoldPan { pose });
+            }
+            _ => self.handover.let_go(),
         }
-        let held = self.cook.kitchen.held_pan();
-        let pose = self.handover.pose(&held, &state.sample.pose, FRAME_S);
-        // Refused only for poses that are no numbers, and the driver gives none.
-        let _ = self.cook.kitchen.apply(&Command::HoldPan { pose });
+        self.before = state.sample.health;
+        if let Some(to) = state.sample.turner {
+            let _ = kitchen.apply(&Command::Lead { tool: Tool::Turner, to, grip: None });
+        } else if std::mem::take(&mut self.leads_turner) {
+            let _ = kitchen.apply(&Command::LetGo);
+        }
+        self.leads_turner = state.sample.turner.is_some();
     }
 
     /// Mass of what lies in the pan [kg].

@@ -4,6 +4,7 @@ mod check;
 mod fault_run;
 mod fry;
 mod list;
+mod network_check;
 mod report;
 mod simulator;
 mod stop_key;
