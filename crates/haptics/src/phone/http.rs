@@ -114,6 +114,8 @@ pub fn answer(asked: &Asked) -> String {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     fn ask(path: &str, host: &str, origin: &str) -> Asked {
@@ -137,6 +139,16 @@ mod tests {
         assert_eq!(ask("/../etc/passwd", "127.0.0.1", ""), Asked::Refused(404, "Not Found"));
         assert_eq!(asked(b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"), Asked::Refused(405, "Method Not Allowed"));
         assert_eq!(asked(b"\x00\xff\r\n\r\n"), Asked::Refused(400, "Bad Request"));
+    }
+
+    proptest! {
+        #[test]
+        fn no_bytes_open_the_socket_by_chance(bytes in prop::collection::vec(any::<u8>(), 0..400), text in "\\PC{0,60}") {
+            prop_assert!(matches!(asked(&bytes), Asked::Refused(..)));
+            let head = format!("GET /pan HTTP/1.1\r\nHost: {text}\r\nOrigin: https://{text}\r\nUpgrade: websocket\r\nSec-WebSocket-Key: k\r\n\r\n");
+            let plain = text.trim().chars().all(|c| c.is_ascii_hexdigit() || ".:[]".contains(c)) || text.contains("localhost");
+            prop_assert!(plain || matches!(asked(head.as_bytes()), Asked::Refused(..)));
+        }
     }
 
     #[test]

@@ -15,8 +15,8 @@ use super::server::Shared;
 use crate::allowance::Allowance;
 use crate::pairing::Verdict;
 
-/// How long a phone may take to be paired (chosen: a person who looks for the code).
-const PAIRING: Duration = Duration::from_secs(300);
+/// How long a phone may take to be paired (chosen: the page connects when the code has been typed; whoever waits longer only takes up room).
+const PAIRING: Duration = Duration::from_secs(15);
 /// Time between two reports to the phone (chosen: thirty a second).
 const REPORT: Duration = Duration::from_millis(33);
 /// Messages a second that are heard; faster ones are thrown away (chosen: three times what the page sends).
