@@ -4,9 +4,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use saute_haptics::control_loop::{ControlLoop, LoopState};
-use saute_haptics::{Health, shelf};
+use saute_haptics::{Geometry, Health, Named, shelf};
 
-use super::device::Named;
 use super::fault_run;
 use super::fry::Fry;
 use super::report::CheckReport;
@@ -53,28 +52,32 @@ pub fn check(args: &CheckArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
         let remedy = "leave --faults away, or the @ADDRESS to check the simulated device";
         return Err(CliError::place("--faults", "a real device cannot be told to fail", remedy));
     }
-    let report = measure(args, &named, shelf)?.judged();
+    let Some(geometry) = named.geometry() else {
+        let remedy = "name a device of strings: saute haptics list";
+        return Err(CliError::place(&named.name, "has no strings to check", remedy));
+    };
+    let report = measure(args, &named, geometry, shelf)?.judged();
     stdout::print(&if args.json { serde_json::to_string_pretty(&report)? + "\n" } else { report.text() })?;
     Ok(if report.missed.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-fn measure(args: &CheckArgs, named: &Named, shelf: &Shelf) -> Result<CheckReport, CliError> {
+fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, shelf: &Shelf) -> Result<CheckReport, CliError> {
     let truth_file = TruthFile::new();
     let mut simulator = named.is_simulated().then(|| Simulator::start(&named.name, &truth_file.0)).transpose()?;
-    let device = match &simulator {
-        Some(simulator) => named.over_udp(simulator.address, simulator.pairing)?,
-        None => named.driver(args.pairing)?,
+    let opened = match &simulator {
+        Some(simulator) => named.open_at(simulator.address, simulator.pairing)?,
+        None => named.open(args.pairing)?,
     };
     let feel = shelf::feel()?;
-    let rows = (args.for_s + MORE_LOG_S) * named.geometry.drive.rate_hz;
-    let mut fry = Fry::new(&shelf.library, ControlLoop::start(device, &feel, rows as usize)?)?;
-    calibrate(&mut fry, named)?;
+    let rows = (args.for_s + MORE_LOG_S) * geometry.drive.rate_hz;
+    let mut fry = Fry::new(&shelf.library, ControlLoop::start(opened.device, &feel, rows as usize)?)?;
+    calibrate(&mut fry, named, geometry)?;
     let before = fry.control.state();
     stderr::say(format!("measuring for {} s", args.for_s));
     fry.until(args.for_s, |_| false);
     let after = fry.control.state();
     let contents_kg = fry.contents_kg();
-    let force_limit_n = named.geometry.limits.force_n;
+    let force_limit_n = geometry.limits.force_n;
     let faults = match (&mut simulator, args.faults) {
         (Some(simulator), true) => {
             stderr::say("letting things go wrong");
@@ -87,7 +90,7 @@ fn measure(args: &CheckArgs, named: &Named, shelf: &Shelf) -> Result<CheckReport
     let errors = match &mut simulator {
         Some(simulator) => {
             simulator.end();
-            truth::compare(&truth_file.0, &run.log, after.sample.time_s, &named.geometry.preload())?
+            truth::compare(&truth_file.0, &run.log, after.sample.time_s, &geometry.preload())?
         }
         None => None,
     };
@@ -112,7 +115,7 @@ fn measure(args: &CheckArgs, named: &Named, shelf: &Shelf) -> Result<CheckReport
 }
 
 /// Waits until the device is found and calibrated.
-fn calibrate(fry: &mut Fry, named: &Named) -> Result<(), CliError> {
+fn calibrate(fry: &mut Fry, named: &Named, geometry: &Geometry) -> Result<(), CliError> {
     let answered = |s: &LoopState| !matches!(s.sample.health, Health::Connecting | Health::Lost);
     let [find, jig] = PATIENCE_S;
     fry.until(find, answered);
@@ -120,7 +123,7 @@ fn calibrate(fry: &mut Fry, named: &Named) -> Result<(), CliError> {
     if !matches!(health, Health::Running | Health::Uncalibrated | Health::Misfit) {
         return Err(not_there(health));
     }
-    stderr::say(format!("found; put the pan into each of the {} places of its jig", named.geometry.jig.pose.len()));
+    stderr::say(format!("found; put the pan into each of the {} places of its jig", geometry.jig.pose.len()));
     let settled = |s: &LoopState| matches!(s.sample.health, Health::Running | Health::Misfit);
     fry.until(jig, settled);
     match fry.control.state().sample.health {

@@ -51,7 +51,7 @@ impl Entry {
             "{}  {}\n    senses {} and moves {} degrees of freedom, {:.0} Hz; {}\n    force up to {} N, torque {} N·m, stiffness {} N/m; workspace ±{half} mm, ±{:.0}°\n    strings {}–{} N, {} µm a count, preload {} N\n    shows at home towards +  {}\n                  towards −  {}   (N, N·m)\n    smallest singular value {:.2} at home, {:.2} over the workspace; {} of {} poses singular\n",
             self.id,
             c.name,
-            c.dof_sensed,
+            c.sensed.dof(),
             c.dof_actuated,
             c.rate_hz,
             if c.holds_real_pan { "holds a real pan" } else { "renders the pan too" },

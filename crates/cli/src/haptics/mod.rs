@@ -1,7 +1,6 @@
 //! `saute haptics`: devices that hands hold.
 
 mod check;
-mod device;
 mod fault_run;
 mod fry;
 mod list;

@@ -6,6 +6,7 @@
 mod bench_device;
 mod calibration;
 mod control_loop;
+mod degrade;
 mod driver;
 mod feel;
 mod geometry_file;
