@@ -5,7 +5,6 @@ mod fault_run;
 mod fry;
 mod list;
 mod report;
-mod simulator;
 mod stop_key;
 mod truth;
 

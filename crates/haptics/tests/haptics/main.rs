@@ -10,6 +10,8 @@ mod degrade;
 mod driver;
 mod feel;
 mod geometry_file;
+mod hands;
+mod kept_calibration;
 mod kitchen;
 mod pose;
 mod random;
