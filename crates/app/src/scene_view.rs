@@ -66,6 +66,8 @@ impl SauteApp {
         for pane in &panes {
             self.show_slice_handle(ui, pane);
             self.show_probes(ui, pane);
+            #[cfg(not(target_arch = "wasm32"))]
+            self.show_strings(ui, pane);
         }
     }
 
@@ -188,7 +190,7 @@ pub(crate) fn ndc(at: Pos2, rect: Rect) -> [f32; 2] {
     [2.0 * (at.x - rect.left()) / rect.width() - 1.0, 1.0 - 2.0 * (at.y - rect.top()) / rect.height()]
 }
 
-fn on_screen(ndc: [f32; 2], rect: Rect) -> Pos2 {
+pub(crate) fn on_screen(ndc: [f32; 2], rect: Rect) -> Pos2 {
     pos2(rect.left() + 0.5 * (ndc[0] + 1.0) * rect.width(), rect.top() + 0.5 * (1.0 - ndc[1]) * rect.height())
 }
 
