@@ -289,7 +289,7 @@ impl SauteApp {
             #[cfg(not(target_arch = "wasm32"))]
             Act::StopHands => self.stop_hands(),
             #[cfg(not(target_arch = "wasm32"))]
-            Act::Strings => self.session.hands.strings_hidden = !self.session.hands.strings_hidden,
+            Act::Strings => self.toggle_strings(),
             #[cfg(target_arch = "wasm32")]
             Act::StopHands | Act::Strings => {}
             Act::Picture => crate::save_picture::save_picture(ctx, &self.notice, self.settings.language),
@@ -530,6 +530,8 @@ impl SauteApp {
     fn show(&mut self, ui: &mut Ui) {
         let whole = ui.max_rect();
         let layout = Layout::new(whole, &self.settings);
+        #[cfg(not(target_arch = "wasm32"))]
+        let layout = crate::hand::make_room(layout, &self.session.hands);
         self.session.probes.forget_gone(&self.session.kitchen);
         self.show_scene(ui, &layout);
         if !self.settings.panels_hidden {

@@ -22,6 +22,8 @@ use crate::theme;
 pub struct SceneView {
     /// Size drawn last [pixels].
     pub drawn_size: [u32; 2],
+    /// Where it was drawn last.
+    pub(crate) pane: Option<Pane>,
     /// A waiting piece held by the mouse.
     pub(crate) carried: BTreeMap<String, Pose>,
     pub(crate) hold: Hold,
@@ -43,6 +45,7 @@ impl SauteApp {
     pub(crate) fn show_scene(&mut self, ui: &mut Ui, layout: &Layout) {
         let panes = layout.panes(self.settings.is_split());
         self.camera.shift = panes[0].lens_shift();
+        self.scene.pane = Some(panes[0]);
         let response = ui.interact(layout.whole, ui.scope_id().with("scene"), Sense::click_and_drag());
         let l = self.settings.language;
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, l.text("scene.spoken")));
@@ -90,6 +93,8 @@ impl SauteApp {
             flat: false,
         };
         let input = self.stage.scene(&self.session.kitchen, &options, &self.places());
+        #[cfg(not(target_arch = "wasm32"))]
+        let input = SceneInput { strings: self.string_looks(), ..input };
         let scenes = split::scenes(input, panes.len() > 1);
         self.scene.shown = scenes.last().cloned();
         self.scene.drawn_size = self.scene_pixels(layout.whole, ui.ctx().pixels_per_point());

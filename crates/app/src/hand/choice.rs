@@ -1,13 +1,17 @@
 //! The settings' part about hands: which device holds what, and where it is.
 
-use egui::{RichText, TextEdit, Ui};
+use egui::accesskit;
+use egui::{RichText, TextEdit, Ui, WidgetInfo};
 use saute_haptics::open;
 
 use super::hands::Role;
 use crate::app::SauteApp;
 use crate::language::Language;
-use crate::panels::settings_card::{explained, row};
+use crate::panels::settings_card::{explained, named, row};
 use crate::theme;
+
+/// Width of a line to type into at most [points] (chosen: an address and a port).
+const TYPED: f32 = 400.0;
 
 /// What the person has chosen so far.
 #[derive(Clone, Debug)]
@@ -45,15 +49,15 @@ pub(crate) fn section(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     let choice = &app.hand_choice;
     let names: Vec<(&str, bool)> =
         choice.names.iter().enumerate().map(|(i, n)| (n.as_str(), i == choice.name)).collect();
-    let named = row(ui, narrow, l.text("hand.device"), &names);
+    let device = row(ui, narrow, l.text("hand.device"), &names);
     let roles = [Role::Pan, Role::Turner];
     let held = roles.map(|r| (role_word(r, l), r == choice.role));
     let role = row(ui, narrow, l.text("hand.holds"), &held);
     let choice = &mut app.hand_choice;
-    choice.name = named.unwrap_or(choice.name);
+    choice.name = device.unwrap_or(choice.name);
     choice.role = role.map_or(choice.role, |r| roles[r]);
-    typed(ui, l.text("hand.place"), l.text("hand.place_hint"), &mut choice.place);
-    typed(ui, l.text("hand.code"), l.text("hand.code_hint"), &mut choice.code);
+    typed(ui, narrow, l.text("hand.place"), l.text("hand.place_hint"), &mut choice.place);
+    typed(ui, narrow, l.text("hand.code"), l.text("hand.code_hint"), &mut choice.code);
     ui.horizontal(|ui| buttons(app, ui, l));
     for role in roles {
         if let Some(device) = app.session.hands.device(role) {
@@ -78,10 +82,11 @@ fn buttons(app: &mut SauteApp, ui: &mut Ui, l: Language) {
 }
 
 /// A name and a line to type into.
-fn typed(ui: &mut Ui, name: &str, hint: &str, text: &mut String) {
-    ui.horizontal(|ui| {
-        let label = ui.label(name);
-        ui.add(TextEdit::singleline(text).hint_text(hint).desired_width(260.0)).labelled_by(label.id);
+fn typed(ui: &mut Ui, narrow: bool, name: &str, hint: &str, text: &mut String) {
+    named(ui, narrow, name, |ui| {
+        let width = ui.available_width().min(TYPED);
+        let line = ui.add(TextEdit::singleline(text).hint_text(hint).desired_width(width));
+        line.widget_info(|| WidgetInfo::labeled(accesskit::Role::TextInput, true, name));
     });
 }
 

@@ -51,8 +51,8 @@ pub struct Hands {
     /// Whether a gamepad wants to know what is felt.
     listened: bool,
     rumble: Option<RumbleRule>,
-    /// Whether strings are drawn in the scene.
-    pub strings_hidden: bool,
+    /// Distance of the eye before it stepped back to see the strings [m]; none while they are not shown.
+    pub(crate) eye_before: Option<f32>,
     /// Folder of calibrations; none where nothing is remembered.
     pub folder: Option<PathBuf>,
     /// File of the pan's calibration, instead of one in the folder.
@@ -87,7 +87,7 @@ impl Hands {
     /// Ends a device's loop; what it held is laid down.
     pub fn disconnect(&mut self, role: Role) {
         match role {
-            Role::Pan => self.pan = None,
+            Role::Pan => (self.pan, self.eye_before) = (None, None),
             Role::Turner => self.turner = None,
         }
     }
@@ -98,6 +98,11 @@ impl Hands {
             Role::Pan => self.pan.as_ref(),
             Role::Turner => self.turner.as_ref(),
         }
+    }
+
+    /// The device of strings that holds the pan.
+    pub fn strung(&self) -> Option<&Connected> {
+        self.pan.as_ref().filter(|device| device.strings.is_some())
     }
 
     /// Whether any device is connected.

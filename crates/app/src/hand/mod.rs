@@ -7,7 +7,7 @@ mod in_window;
 mod panel;
 mod strings_view;
 
-pub(crate) use choice::Choice;
+pub(crate) use choice::{Choice, section};
 pub use connected::{ConnectError, Connected};
 pub use hands::{Hands, HandsStart, Role};
-pub(crate) use {choice::section, panel::show};
+pub(crate) use panel::{make_room, show};

@@ -5,8 +5,8 @@ use saute_haptics::{Health, Rendering};
 
 use super::choice::role_word;
 use super::connected::Connected;
-use super::hands::Role;
-use crate::act::{Act, hint};
+use super::hands::{Hands, Role};
+use crate::act::{Act, hint, key_of};
 use crate::app::SauteApp;
 use crate::language::Language;
 use crate::layout::{GAP, Layout};
@@ -23,7 +23,10 @@ pub(crate) fn show(app: &mut SauteApp, ui: &Ui, layout: &Layout) {
     if !app.session.hands.any() {
         return;
     }
-    let at = layout.free.left_top() + vec2(GAP, 24.0 + GAP);
+    // Beside what stands at the left; the scene has made room for it.
+    let at =
+        if layout.narrow { layout.free.left_top() } else { layout.free.left_top() - vec2(WIDTH + 24.0 + GAP, -24.0) };
+    let at = at + vec2(if layout.narrow { GAP } else { 0.0 }, GAP);
     Area::new(Id::unique("hands")).fixed_pos(at).pivot(Align2::LEFT_TOP).show(ui.ctx(), |ui| {
         theme::of(ui).panel().show(ui, |ui| {
             ui.set_width(WIDTH);
@@ -52,7 +55,8 @@ fn lines(device: &Connected, role: Role, ui: &mut Ui, l: Language) {
     let whole = |v: f64| format!("{v:.0}");
     let open: [(&str, &dyn std::fmt::Display); 3] =
         [("hz", &whole(state.rate_hz)), ("p50", &whole(late.p50)), ("p99", &whole(late.p99))];
-    quiet(ui, &l.fill("hand.rate", &open));
+    let measured = l.fill("hand.rate", &open);
+    quiet(ui, if state.rate_hz > 0.0 { &measured } else { l.text("hand.measuring") });
     if role == Role::Turner {
         return;
     }
@@ -72,26 +76,33 @@ fn quiet(ui: &mut Ui, text: &str) {
 fn buttons(app: &mut SauteApp, ui: &mut Ui) {
     let l = app.settings.language;
     ui.add_space(4.0);
-    let text = RichText::new(l.text("hand.stop")).size(20.0).strong().color(Color32::WHITE);
-    let stop = egui::Button::new(text).fill(RED).min_size(vec2(WIDTH, STOP));
-    if ui.add(stop).on_hover_text(hint(Act::StopHands, l)).clicked() {
+    let text = format!("{} ({})", l.text("hand.stop"), key_of(Act::StopHands));
+    let stop = egui::Button::new(RichText::new(text).size(20.0).strong().color(Color32::WHITE)).fill(RED);
+    if ui.add_sized([WIDTH, STOP], stop).on_hover_text(hint(Act::StopHands, l)).clicked() {
         app.stop_hands();
     }
     ui.add_space(3.0);
+    let (strung, shown) = (app.session.hands.strung().is_some(), app.strings_are_shown());
     ui.horizontal(|ui| {
-        let with_strings = app.session.hands.device(Role::Pan).is_some_and(|d| d.strings.is_some());
-        let shown = with_strings && !app.session.hands.strings_hidden;
         let strings = theme::of(ui).button(l.text("hand.strings"), shown);
-        if ui.add_enabled(with_strings, strings).on_hover_text(hint(Act::Strings, l)).clicked() {
-            app.session.hands.strings_hidden = shown;
+        if ui.add_enabled(strung, strings).on_hover_text(hint(Act::Strings, l)).clicked() {
+            app.toggle_strings();
         }
         if ui.add(theme::of(ui).button(l.text("hand.disconnect"), false)).clicked() {
             [Role::Pan, Role::Turner].into_iter().for_each(|role| app.session.hands.disconnect(role));
         }
     });
-    if app.session.hands.device(Role::Pan).is_some_and(|d| d.strings.is_some()) && !app.session.hands.strings_hidden {
+    if shown {
         super::strings_view::legend(app, ui);
     }
+}
+
+/// The scene goes on beside the panel, where there is room.
+pub(crate) fn make_room(mut layout: Layout, hands: &Hands) -> Layout {
+    if hands.any() && !layout.narrow {
+        layout.free.min.x += WIDTH + 24.0 + 2.0 * GAP;
+    }
+    layout
 }
 
 fn health_word(health: Health, l: Language) -> &'static str {

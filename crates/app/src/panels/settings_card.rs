@@ -78,9 +78,14 @@ fn choices(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
 
 /// A name and its choices, of which one is on; tells which was clicked.
 pub(crate) fn row(ui: &mut Ui, narrow: bool, name: &str, choices: &[(&str, bool)]) -> Option<usize> {
+    named(ui, narrow, name, |ui| buttons(ui, name, choices))
+}
+
+/// A name and what belongs to it: beside it, or below where it is narrow.
+pub(crate) fn named<R>(ui: &mut Ui, narrow: bool, name: &str, content: impl FnOnce(&mut Ui) -> R) -> R {
     if narrow {
         ui.label(RichText::new(name).size(14.0).color(theme::of(ui).quiet));
-        return ui.horizontal_wrapped(|ui| buttons(ui, name, choices)).inner;
+        return ui.horizontal_wrapped(content).inner;
     }
     ui.horizontal(|ui| {
         let beside = egui::Layout::left_to_right(egui::Align::Center);
@@ -88,7 +93,7 @@ pub(crate) fn row(ui: &mut Ui, narrow: bool, name: &str, choices: &[(&str, bool)
             ui.set_min_size(vec2(NAMES, theme::TOUCH));
             ui.label(name);
         });
-        buttons(ui, name, choices)
+        content(ui)
     })
     .inner
 }
