@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::device::{Capabilities, Vibration};
+use crate::kitchen_watch::GRAVITY;
 use crate::rumble::Rumble;
 use crate::wrench::Wrench;
 
@@ -43,6 +44,12 @@ impl Capabilities {
             Rendering::Force => Wrench { force: wrench.force, ..Wrench::ZERO },
             Rendering::Rumble | Rendering::SoundAndPicture => Wrench::ZERO,
         }
+    }
+
+    /// Whether the weight of the pan itself is rendered too: where the hand holds no real one, and the device can carry twice as
+    /// much; else the pan is weightless, and what lies in it is felt.
+    pub fn renders_pan(&self, pan_kg: f64) -> bool {
+        !self.holds_real_pan && self.limits.force_n >= 2.0 * pan_kg * GRAVITY
     }
 
     /// What of a rumble the device is told: all where it rumbles; a device of forces renders vibration by them.

@@ -3,6 +3,7 @@
 //! A kitchen publishes a [`ContactModel`] sixty times a second; a [`ControlLoop`] on a thread of its own reads the last one,
 //! asks a [`HapticDevice`] a thousand times a second where the pan is, and tells it what the hand shall feel.
 
+mod allowance;
 pub mod contact_model;
 pub mod control_loop;
 pub mod coupled_payload;
@@ -12,6 +13,7 @@ pub mod feel;
 pub mod geometry;
 pub mod guard_planes;
 pub mod handover;
+pub mod haply;
 pub mod impulse_train;
 pub mod jig_calibration;
 pub mod jitter;
@@ -20,9 +22,13 @@ pub mod kitchen_watch;
 pub mod lay_down;
 mod linear;
 pub mod open;
+pub mod osc;
+pub mod pairing;
 pub mod pan_in_hand;
 pub mod passivity;
+pub mod phone;
 pub mod pose_from_lengths;
+mod reachable;
 pub mod renderer;
 pub mod rumble;
 pub mod safety_limits;
@@ -33,6 +39,7 @@ pub mod spidar;
 pub mod strings;
 mod template;
 pub mod tension;
+pub mod tilt;
 pub mod turner_in_hand;
 pub mod vibration;
 pub mod wire;

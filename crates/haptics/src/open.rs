@@ -12,6 +12,7 @@ use crate::geometry::Geometry;
 use crate::shelf;
 use crate::spidar::Spidar;
 use crate::wire::{SerialLink, UdpLink};
+use crate::{haply, osc, phone};
 
 /// Speed of serial lines [baud] (chosen: a thousand frames each way need one million).
 const BAUD: u32 = 2_000_000;
@@ -19,7 +20,7 @@ const BAUD: u32 = 2_000_000;
 const LARGEST: u64 = 1 << 20;
 
 /// Kinds of devices that are reached over a network. To add one, write its file and name it here.
-pub static NETWORKED: &[Networked] = &[];
+pub static NETWORKED: &[Networked] = &[phone::PHONE, haply::HAPLY, osc::OSC];
 
 /// A kind of device that is reached over a network.
 #[derive(Clone, Copy, Debug)]

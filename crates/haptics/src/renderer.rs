@@ -86,7 +86,8 @@ impl Renderer {
 
     fn wrench(&mut self, sample: &HapticSample, dt: f64) -> Wrench {
         let (model, pose, twist) = (&self.model, &sample.pose, &sample.twist);
-        let carried = if self.capabilities.holds_real_pan { model.payload } else { model.payload.with(&model.own) };
+        let renders_pan = self.capabilities.renders_pan(model.own.mass);
+        let carried = if renders_pan { model.payload.with(&model.own) } else { model.payload };
         let payload = self.payload.step(&carried, pose, twist, dt);
         let mut active = payload.felt - payload.weight;
         active += model.loose;

@@ -4,10 +4,13 @@
 #![allow(clippy::unwrap_used)]
 
 use std::net::UdpSocket;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use glam::DVec3;
 use saute_haptics::contact_model::{ContactModel, Impulse, Payload};
 use saute_haptics::control_loop::Beat;
+use saute_haptics::phone::{Heard, Phone, Told};
 use saute_haptics::wire::{Caps, DeviceState, Frame, Message, Sample, UdpLink, Units};
 use saute_haptics::{Pose, Renderer, Spidar, shelf};
 
@@ -72,4 +75,25 @@ fn a_beat_allocates_nothing() {
         calibrated |= health == Some(saute_haptics::Health::Running);
     }
     assert!(calibrated, "the whole way was gone");
+}
+
+#[test]
+fn a_phone_s_exchange_allocates_nothing() {
+    let (mut heard_in, heard) = triple_buffer::triple_buffer(&Heard::default());
+    let (told, _told_out) = triple_buffer::triple_buffer(&Told::default());
+    let phone = Phone::new(heard, told, Arc::new(AtomicBool::new(false)));
+    let renderer = Renderer::new(&saute_haptics::phone::capabilities(), &shelf::feel().unwrap());
+    let mut beat = Beat::new(Box::new(phone), renderer, 1000);
+    let mut ran = false;
+    for k in 0..2000u64 {
+        if k % 4 == 0 && k < 1000 {
+            heard_in.write(Heard { number: k, connected: true, push: DVec3::Z, pushes: k, ..Heard::default() });
+        }
+        let model = ContactModel { number: k / 16 + 1, vapour: 1e-4, ..ContactModel::default() };
+        let mut health = None;
+        let counted = allocation_counter::measure(|| health = Some(beat.step(&model, 4e-3).sample.health));
+        assert_eq!(counted.count_total, 0, "step {k} ({health:?})");
+        ran |= health == Some(saute_haptics::Health::Running);
+    }
+    assert!(ran);
 }

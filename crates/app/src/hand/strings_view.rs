@@ -26,6 +26,7 @@ const CLEAR: f32 = 16.0;
 /// Nearest place to the pan where the number of a motor out of view stands, and steps that look for one [-] (chosen).
 const NEAREST: f32 = 0.3;
 const STEP: f32 = 0.02;
+const APART: usize = 6;
 /// Dash and gap below the worktop, and what a metre there is as a stroke from a metre away [points] (chosen: as wide as the rods).
 const DASH: [f32; 2] = [5.0, 4.0];
 const STROKE: f32 = 1900.0;
@@ -164,8 +165,11 @@ fn number_place(eye: &Camera, pane: &Pane, string: &Seen) -> Option<Pos2> {
     let free = pane.free.shrink(CLEAR);
     let at = |part: f32| project(eye, pane.rect, string.from.lerp(string.to, part));
     let beyond = at(1.0).zip(at(0.0)).map(|(motor, pan)| motor + BEYOND * (motor - pan).normalized());
+    // Strings that cross are told apart where their numbers stand one beyond the other.
+    let skipped = if string.number.is_multiple_of(2) { APART } else { 0 };
     let along = (0..).map(|k| 1.0 - STEP * k as f32).take_while(|part| *part >= NEAREST).filter_map(at);
-    beyond.into_iter().chain(along).find(|place| free.contains(*place))
+    let seen = |place: &Pos2| free.contains(*place);
+    beyond.filter(seen).or_else(|| along.filter(seen).nth(skipped))
 }
 
 /// What thickness and lightness of a string say.

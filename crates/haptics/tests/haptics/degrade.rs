@@ -33,6 +33,17 @@ fn a_wrench_becomes_a_force_then_a_rumble_then_sound_and_picture_alone() {
 }
 
 #[test]
+fn a_weak_device_leaves_the_pan_s_own_weight_out_so_that_its_contents_are_felt() {
+    let held = |force_n: f64, holds_real_pan: bool| {
+        let base = device(3, Vibration::Wrench);
+        Capabilities { limits: saute_haptics::device::Limits { force_n, ..base.limits }, holds_real_pan, ..base }
+    };
+    assert!(
+        held(30.0, false).renders_pan(1.3) && !held(6.0, false).renders_pan(1.3) && !held(30.0, true).renders_pan(1.3)
+    );
+}
+
+#[test]
 fn every_device_meets_a_rule_and_the_last_one_asks_for_nothing() {
     assert_eq!(RULES[RULES.len() - 1], (0, false, Rendering::SoundAndPicture));
     for dof in 0..=6 {
