@@ -3,7 +3,9 @@
 use saute_kitchen::dynamics::Pose;
 use serde::Serialize;
 
+use crate::kept_calibration::CalibrationMemory;
 use crate::rumble::Rumble;
+use crate::strings::{STRINGS, StringRig};
 use crate::wrench::{Twist, Wrench};
 
 /// What a device may do to a hand.
@@ -132,6 +134,8 @@ pub struct HapticSample {
     pub achieved: Wrench,
     /// Force with which the device really pulls, rest included [N].
     pub total_force_n: f64,
+    /// Tension of each string, for a device of strings [N].
+    pub tension_n: Option<[f64; STRINGS]>,
     /// Pose of the turner in the other hand, where the device knows it.
     pub turner: Option<Pose>,
     /// How it is.
@@ -155,6 +159,12 @@ pub trait HapticDevice: Send {
     fn exchange(&mut self, command: &HapticCommand, dt: f64) -> HapticSample;
     /// Lets go of the hand at once.
     fn stop(&mut self);
+    /// Its strings as drawn, for a device of strings.
+    fn strings(&self) -> Option<StringRig> {
+        None
+    }
+    /// Takes over what was found on its jig before, and keeps there what it finds; nothing for a device without a jig.
+    fn remember(&mut self, _memory: CalibrationMemory) {}
 }
 
 impl Sensed {

@@ -96,7 +96,7 @@ impl Renderer {
         active += self.vibration.step(model, pose, dt);
         let active = self.capabilities.shown(&(active * self.share));
         let weight = self.capabilities.shown(&((payload.weight + model.loose_weight) * self.share));
-        self.passivity.observe(twist, dt);
+        self.passivity.observe(twist, self.payload.held() * self.share, dt);
         let active = self.limits.within_energy(&active, twist, dt);
         let active = self.passivity.control(&active, twist, dt);
         let shown = self.limits.bounded(&(active + weight), dt);

@@ -72,6 +72,7 @@ impl HapticDevice for WeightOnSpring {
             twist: crate::wrench::Twist { linear: self.velocity, ..Default::default() },
             achieved: Wrench { force: shown, ..Wrench::ZERO },
             total_force_n: shown.length(),
+            tension_n: None,
             turner: None,
             health: if self.stopped { Health::Stopped } else { Health::Running },
             fresh: true,

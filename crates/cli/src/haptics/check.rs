@@ -4,13 +4,13 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use saute_haptics::control_loop::{ControlLoop, LoopState};
+use saute_haptics::simulator::open_or_simulate;
 use saute_haptics::{Geometry, Health, Named, shelf};
 
 use super::fault_run;
 use super::fry::Fry;
 use super::network_check;
 use super::report::CheckReport;
-use super::simulator::Simulator;
 use super::truth;
 use crate::error::CliError;
 use crate::shelf::Shelf;
@@ -74,11 +74,7 @@ pub fn check(args: &CheckArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
 
 fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, shelf: &Shelf) -> Result<CheckReport, CliError> {
     let truth_file = TruthFile::new();
-    let mut simulator = named.is_simulated().then(|| Simulator::start(&named.name, &truth_file.0)).transpose()?;
-    let opened = match &simulator {
-        Some(simulator) => named.open_at(simulator.address, simulator.pairing)?,
-        None => named.open(args.pairing)?,
-    };
+    let (opened, mut simulator) = open_or_simulate(named, args.pairing, Some(&truth_file.0))?;
     let feel = shelf::feel()?;
     let rows = (args.for_s + MORE_LOG_S) * geometry.drive.rate_hz;
     let mut fry = Fry::new(&shelf.library, ControlLoop::start(opened.device, &feel, rows as usize)?)?;

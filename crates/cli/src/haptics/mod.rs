@@ -6,7 +6,6 @@ mod fry;
 mod list;
 mod network_check;
 mod report;
-mod simulator;
 mod stop_key;
 mod truth;
 
