@@ -10,6 +10,7 @@ step() { printf '\n== %s\n' "$*"; }
 
 need_cargo
 need_packages
+need_test_packages
 
 # Tests draw on the software rasteriser wherever one is, so that pictures do not depend on the machine's GPU.
 for icd in /usr/share/vulkan/icd.d/lvp_icd*.json; do

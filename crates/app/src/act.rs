@@ -81,6 +81,10 @@ pub enum Act {
     Curves,
     /// All panels on or off.
     Panels,
+    /// All devices let go of the hands at once.
+    StopHands,
+    /// The strings of a device.
+    Strings,
     /// Saves a picture.
     Picture,
     /// The card of the settings.
@@ -113,7 +117,7 @@ pub const TOOL_STEP: f64 = 0.01;
 pub const ROLL_STEP: f64 = std::f64::consts::PI / 6.0;
 
 /// All keys, in the order in which the help lists them.
-pub const BINDINGS: [Binding; 57] = [
+pub const BINDINGS: [Binding; 59] = [
     bind(Key::A, "A", Act::Put, "key.put"),
     bind(Key::F, "F", Act::Flip, "key.flip"),
     bind(Key::O, "O", Act::Out, "key.out"),
@@ -166,6 +170,8 @@ pub const BINDINGS: [Binding; 57] = [
     bind(Key::ArrowDown, "↓", Act::Orbit(0.0, -0.06), "key.look_lower"),
     bind(Key::PageUp, "Page up", Act::Zoom(0.9), "key.nearer"),
     bind(Key::PageDown, "Page down", Act::Zoom(1.1), "key.farther"),
+    bind(Key::Enter, "Enter", Act::StopHands, "key.stop_hands"),
+    bind(Key::F7, "F7", Act::Strings, "key.strings"),
     bind(Key::S, "S", Act::Picture, "key.picture"),
     bind(Key::F12, "F12", Act::Picture, "key.picture"),
     bind(Key::F1, "F1", Act::Help, "key.help"),

@@ -51,6 +51,9 @@ pub struct Start {
     pub library: Option<Arc<Library>>,
     /// A recipe to play at once.
     pub recipe: Option<Recipe>,
+    /// Devices that hands hold.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub hands: crate::hand::HandsStart,
 }
 
 /// The window's state.
@@ -79,6 +82,8 @@ pub struct SauteApp {
     /// How much is poured at once.
     pub(crate) portion: Portion,
     pub(crate) pad: Pad,
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) hand_choice: crate::hand::Choice,
     last_time: Option<f64>,
     /// Whether the card of the first steps is shown.
     pub(crate) first_steps: bool,
@@ -106,8 +111,15 @@ impl SauteApp {
     /// Sets out the remembered food, or plays the given recipe.
     pub fn new(cc: &eframe::CreationContext<'_>, start: Start) -> Result<Self, StartError> {
         let stored = cc.storage.map(|s| s.get_string(SETTINGS_KEY).unwrap_or_else(|| FIRST_START.to_owned()));
+        #[cfg(not(target_arch = "wasm32"))]
+        let hands = start.hands.clone();
         let mut app = Self::start(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), stored, start)?;
         app.pad = Pad::connected();
+        #[cfg(not(target_arch = "wasm32"))]
+        {
+            app.session.hands.folder = eframe::storage_dir("saute").map(|folder| folder.join("calibrations"));
+            app.begin_hands(hands);
+        }
         Ok(app)
     }
 
@@ -159,6 +171,8 @@ impl SauteApp {
             tool_hand: ToolHand::default(),
             portion: Portion::default(),
             pad: Pad::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            hand_choice: Default::default(),
             last_time: None,
             drawable: graphics.is_some(),
             software,
@@ -272,6 +286,12 @@ impl SauteApp {
             Act::Pantry => self.open_left(!self.settings.pantry_open, false),
             Act::Curves => self.settings.curves_open = !self.settings.curves_open,
             Act::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
+            #[cfg(not(target_arch = "wasm32"))]
+            Act::StopHands => self.stop_hands(),
+            #[cfg(not(target_arch = "wasm32"))]
+            Act::Strings => self.toggle_strings(),
+            #[cfg(target_arch = "wasm32")]
+            Act::StopHands | Act::Strings => {}
             Act::Picture => crate::save_picture::save_picture(ctx, &self.notice, self.settings.language),
             Act::Help => (self.help, self.settings_open) = (!self.help, false),
             Act::Settings => (self.settings_open, self.help) = (!self.settings_open, false),
@@ -509,6 +529,8 @@ impl SauteApp {
     pub fn frame(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         self.settings.display(&ctx);
+        #[cfg(not(target_arch = "wasm32"))]
+        self.take_devices(&ctx);
         self.take_keys(&ctx);
         self.take_dropped_files(&ctx);
         self.let_time_pass(&ctx);
@@ -518,6 +540,8 @@ impl SauteApp {
     fn show(&mut self, ui: &mut Ui) {
         let whole = ui.max_rect();
         let layout = Layout::new(whole, &self.settings);
+        #[cfg(not(target_arch = "wasm32"))]
+        let layout = crate::hand::make_room(layout, &self.session.hands);
         self.session.probes.forget_gone(&self.session.kitchen);
         self.show_scene(ui, &layout);
         if !self.settings.panels_hidden {
@@ -525,6 +549,8 @@ impl SauteApp {
         }
         panels::read_out::show(self, ui, whole);
         panels::badge::show(self, ui, &layout);
+        #[cfg(not(target_arch = "wasm32"))]
+        crate::hand::show(self, ui, &layout);
         if self.help {
             panels::help::show(self, ui, whole);
         } else if self.settings_open {

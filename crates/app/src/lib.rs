@@ -17,6 +17,8 @@ mod gamepad_device;
 pub mod governor;
 mod grab;
 mod halves;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod hand;
 pub mod hatch;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod headless;

@@ -30,6 +30,19 @@ impl Pad {
     }
 }
 
+#[cfg(not(target_arch = "wasm32"))]
+impl Pad {
+    /// Whether a device is plugged in.
+    pub(crate) fn is_plugged(&self) -> bool {
+        self.plugged
+    }
+
+    /// Lets its motors shake.
+    pub(crate) fn shake(&mut self, rumble: &saute_haptics::Rumble) {
+        self.device.shake(rumble);
+    }
+}
+
 impl SauteApp {
     /// Lets a gamepad say something, until one that is plugged in says otherwise.
     pub fn set_pad(&mut self, state: PadState) {

@@ -22,6 +22,8 @@ use crate::theme;
 pub struct SceneView {
     /// Size drawn last [pixels].
     pub drawn_size: [u32; 2],
+    /// Where it was drawn last.
+    pub(crate) pane: Option<Pane>,
     /// A waiting piece held by the mouse.
     pub(crate) carried: BTreeMap<String, Pose>,
     pub(crate) hold: Hold,
@@ -43,6 +45,7 @@ impl SauteApp {
     pub(crate) fn show_scene(&mut self, ui: &mut Ui, layout: &Layout) {
         let panes = layout.panes(self.settings.is_split());
         self.camera.shift = panes[0].lens_shift();
+        self.scene.pane = Some(panes[0]);
         let response = ui.interact(layout.whole, ui.scope_id().with("scene"), Sense::click_and_drag());
         let l = self.settings.language;
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, l.text("scene.spoken")));
@@ -66,6 +69,8 @@ impl SauteApp {
         for pane in &panes {
             self.show_slice_handle(ui, pane);
             self.show_probes(ui, pane);
+            #[cfg(not(target_arch = "wasm32"))]
+            self.show_strings(ui, pane);
         }
     }
 
@@ -88,6 +93,8 @@ impl SauteApp {
             flat: false,
         };
         let input = self.stage.scene(&self.session.kitchen, &options, &self.places());
+        #[cfg(not(target_arch = "wasm32"))]
+        let input = SceneInput { strings: self.string_looks(), ..input };
         let scenes = split::scenes(input, panes.len() > 1);
         self.scene.shown = scenes.last().cloned();
         self.scene.drawn_size = self.scene_pixels(layout.whole, ui.ctx().pixels_per_point());
@@ -188,7 +195,7 @@ pub(crate) fn ndc(at: Pos2, rect: Rect) -> [f32; 2] {
     [2.0 * (at.x - rect.left()) / rect.width() - 1.0, 1.0 - 2.0 * (at.y - rect.top()) / rect.height()]
 }
 
-fn on_screen(ndc: [f32; 2], rect: Rect) -> Pos2 {
+pub(crate) fn on_screen(ndc: [f32; 2], rect: Rect) -> Pos2 {
     pos2(rect.left() + 0.5 * (ndc[0] + 1.0) * rect.width(), rect.top() + 0.5 * (1.0 - ndc[1]) * rect.height())
 }
 

@@ -89,6 +89,9 @@ pub struct Session {
     pub paused: bool,
     /// Counts worlds: changes with every restart.
     pub generation: u64,
+    /// Hands at devices.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub hands: crate::hand::Hands,
     choice: SteakChoice,
     recipe: Option<Recipe>,
     /// What was set out beside the first choice.
@@ -116,6 +119,8 @@ impl Session {
             speed: 1.0,
             paused: false,
             generation: 0,
+            #[cfg(not(target_arch = "wasm32"))]
+            hands: crate::hand::Hands::default(),
             choice: choice.clone(),
             recipe: None,
             added: Vec::new(),
@@ -139,6 +144,8 @@ impl Session {
         self.generation += 1;
         self.selected = None;
         self.start_mass_g.clear();
+        #[cfg(not(target_arch = "wasm32"))]
+        self.hands.begin();
         self.weigh_new();
     }
 
@@ -330,7 +337,14 @@ impl Session {
         if self.kitchen.is_between_ticks() && !self.poll()? {
             return Ok(true);
         }
+        #[cfg(not(target_arch = "wasm32"))]
+        self.hands.lead(&mut self.kitchen);
         let ticked = self.kitchen.advance_frame();
+        // Faster than the clock no force is true: then forces fade.
+        #[cfg(not(target_arch = "wasm32"))]
+        if self.speed == 1.0 {
+            self.hands.tell(&self.kitchen);
+        }
         if ticked {
             self.recorder.observe(&self.kitchen);
             self.probes.observe(&self.kitchen);

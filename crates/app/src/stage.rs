@@ -228,6 +228,7 @@ impl Stage {
             pan: look,
             foods: looks.flat_map(|(piece, pose)| self.food(piece, pose, options, map.as_ref())).collect(),
             tool: tool(kitchen),
+            strings: Vec::new(),
             rest: kitchen.pieces().iter().find_map(rest_look),
             steam: steam(kitchen, &pan, &poses),
             spatter,

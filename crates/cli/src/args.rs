@@ -19,9 +19,30 @@ pub struct Args {
     /// shipped ones or replaces those of the same name.
     #[arg(long, global = true, value_name = "DIR")]
     pub data: Option<PathBuf>,
+    /// Devices that hands hold.
+    #[command(flatten)]
+    pub hands: HandArgs,
     /// What to do.
     #[command(subcommand)]
     pub command: Option<Command>,
+}
+
+/// Devices for the window.
+#[derive(Clone, Debug, clap::Args)]
+pub struct HandArgs {
+    /// A device of `saute haptics list` or a geometry file that holds the pan in the window: simulated; with @HOST:PORT or
+    /// @SERIAL-PORT the real one there.
+    #[arg(long, value_name = "NAME[@PLACE]")]
+    pub device: Option<String>,
+    /// A device of 6 sensed degrees of freedom that leads the turner in the window.
+    #[arg(long, value_name = "NAME[@PLACE]")]
+    pub turner: Option<String>,
+    /// Pairing code that the real device shows.
+    #[arg(long, value_name = "CODE", default_value_t = 0)]
+    pub pairing: u32,
+    /// Where the calibration of --device is kept; among the settings unless given.
+    #[arg(long, value_name = "FILE", requires = "device")]
+    pub calibration: Option<PathBuf>,
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 done, 1 the recipe was stopped by its max_s, a validation case falls short or a goal of `bench paper` or `haptics check` is missed, 2 something was wrong.";

@@ -44,6 +44,9 @@ pub enum CliError {
         /// What to do instead.
         remedy: String,
     },
+    /// A device that cannot be opened.
+    #[error(transparent)]
+    Device(#[from] saute_haptics::OpenError),
     /// There is no screen to open a window on.
     #[error("{0}")]
     NoDisplay(String),

@@ -67,10 +67,10 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
     }
     let shelf = Shelf::open(args.data.as_deref())?;
     match args.command {
-        None => window::open(&shelf, None),
+        None => window::open(&shelf, None, args.hands),
         Some(Command::Open { recipe }) => {
             let recipe = recipe_source::load(&recipe, &shelf)?;
-            window::open(&shelf, Some(recipe))
+            window::open(&shelf, Some(recipe), args.hands)
         }
         Some(Command::Cook(args)) => cook_command::run(&args, &shelf),
         Some(Command::Shot(args)) => picture::shot(&args, &shelf),

@@ -221,7 +221,7 @@ pub fn bench_frame(args: &BenchFrameArgs, shelf: &Shelf, process_start: Instant)
         None => (recipe_source::load(&args.recipe, shelf)?, FROM_S),
     };
     let quality = args.quality.map_or(QualityChoice::Automatic, |name| QualityChoice::Always(name.into()));
-    let start = Start { library: Some(Arc::new(shelf.library.clone())), recipe: Some(recipe) };
+    let start = Start { library: Some(Arc::new(shelf.library.clone())), recipe: Some(recipe), ..Start::default() };
     let bench = saute_app::bench_frame::bench_frame(start, args.size, from_s, quality, process_start)?;
     if args.json {
         stdout::print(&format!("{}\n", serde_json::to_string_pretty(&bench)?))?;

@@ -19,6 +19,8 @@ use crate::wrench::Wrench;
 const AWAKE: Duration = Duration::from_micros(60);
 /// A step that is later than this is left out (chosen: two steps at once would be one jerk).
 const TOO_LATE: Duration = Duration::from_millis(1);
+/// How often rate and lateness are told anew [s] (chosen: numbers that can be read).
+const TELLING_S: f64 = 1.0;
 /// A gap without a fresh sample from which it counts as a dropout [s] (chosen: ten samples).
 const DROPOUT_S: f64 = 0.01;
 /// Longest step that forces are reckoned with [s] (chosen).
@@ -39,6 +41,12 @@ pub struct LoopState {
     pub dropouts: u64,
     /// Largest force that the device reported [N].
     pub max_force_n: f64,
+    /// Energy that the passivity observer's account holds now [J].
+    pub account_j: f64,
+    /// Steps a second over the last second [Hz].
+    pub rate_hz: f64,
+    /// Lateness of all steps so far.
+    pub lateness: Lateness,
 }
 
 /// One step, for comparisons afterwards.
@@ -89,7 +97,7 @@ pub struct ControlLoop {
     models: triple_buffer::Input<ContactModel>,
     states: triple_buffer::Output<LoopState>,
     orders: Arc<Orders>,
-    thread: JoinHandle<LoopReport>,
+    thread: Option<JoinHandle<LoopReport>>,
 }
 
 #[derive(Debug, Default)]
@@ -119,7 +127,7 @@ impl ControlLoop {
         let beat = Beat::new(device, renderer, log_rows);
         let given = Arc::clone(&orders);
         let run = move || run(beat, model_out, state_in, &given);
-        let thread = std::thread::Builder::new().name("haptics".into()).spawn(run)?;
+        let thread = Some(std::thread::Builder::new().name("haptics".into()).spawn(run)?);
         Ok(Self { models, states, orders, thread })
     }
 
@@ -139,9 +147,19 @@ impl ControlLoop {
     }
 
     /// Ends the loop and lets go of the hand.
-    pub fn end(self) -> Result<LoopReport, LoopError> {
+    pub fn end(mut self) -> Result<LoopReport, LoopError> {
         self.orders.end.store(true, Ordering::Release);
-        self.thread.join().map_err(|_| LoopError::BrokeOff)
+        self.thread.take().and_then(|thread| thread.join().ok()).ok_or(LoopError::BrokeOff)
+    }
+}
+
+impl Drop for ControlLoop {
+    /// Nobody steers any more: the hand is let go before the program goes on.
+    fn drop(&mut self) {
+        self.orders.end.store(true, Ordering::Release);
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
     }
 }
 
@@ -197,8 +215,15 @@ impl Beat {
             passivity_j: self.renderer.passivity().lowest(),
             dropouts: self.dropouts,
             max_force_n: self.max_force,
+            account_j: self.renderer.passivity().account(),
+            ..self.state
         };
         self.state
+    }
+
+    /// Takes over how punctual the last second was.
+    fn tell(&mut self, rate_hz: f64, lateness: Lateness) {
+        (self.state.rate_hz, self.state.lateness) = (rate_hz, lateness);
     }
 
     /// Lets go of the hand.
@@ -245,6 +270,7 @@ fn run(
     let mut jitter = Jitter::default();
     let mut missed = 0;
     let started = Instant::now();
+    let (mut told, mut told_steps) = (started, 0);
     let (mut due, mut last) = (started + period, started);
     while !orders.end.load(Ordering::Acquire) {
         wait_until(due);
@@ -252,6 +278,11 @@ fn run(
         jitter.note((now - due).as_secs_f64() * 1e6);
         if orders.emergency.load(Ordering::Acquire) {
             beat.stop();
+        }
+        let since = (now - told).as_secs_f64();
+        if since > TELLING_S {
+            beat.tell((jitter.count() - told_steps) as f64 / since, jitter.lateness());
+            (told, told_steps) = (now, jitter.count());
         }
         let state = beat.step(models.read(), (now - last).as_secs_f64());
         states.write(state);

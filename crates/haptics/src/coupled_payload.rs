@@ -33,6 +33,8 @@ pub struct CoupledPayload {
     most_damping: [f64; 2],
     body: Option<Body>,
     mass: f64,
+    /// Kinetic and spring energy [J].
+    held: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -63,13 +65,14 @@ impl CoupledPayload {
             most_damping: [damping, damping * GYRATION * GYRATION],
             body: None,
             mass: 0.0,
+            held: 0.0,
         }
     }
 
     /// One step of `dt` [s] with the pan there.
     pub fn step(&mut self, payload: &Payload, pose: &Pose, twist: &Twist, dt: f64) -> PayloadWrench {
         if payload.mass < LIGHTEST || !payload.mass.is_finite() || !payload.centre.is_finite() {
-            self.body = None;
+            (self.body, self.held) = (None, 0.0);
             return PayloadWrench::default();
         }
         let arm = pose.rotation * payload.centre;
@@ -87,6 +90,8 @@ impl CoupledPayload {
         }
         self.mass = payload.mass;
         let force = (body.position - place) * stiffness + (body.velocity - speed) * damping;
+        let stretch = body.position - place - hanging;
+        self.held = 0.5 * (stiffness * stretch.length_squared() + payload.mass * body.velocity.length_squared());
         let torque = self.turn(&mut body, payload, pose, twist, dt);
         body.velocity += (gravity - force / payload.mass) * dt;
         body.position += body.velocity * dt;
@@ -95,8 +100,14 @@ impl CoupledPayload {
         PayloadWrench { felt, weight: Wrench::at(gravity * payload.mass, arm) }
     }
 
+    /// What the hand has put into the contents and gets back when they come to rest: ½ K d² + ½ m v², d from where they
+    /// hang, and likewise of turning [J].
+    pub fn held(&self) -> f64 {
+        self.held
+    }
+
     /// The torque with which the contents resist turning [N·m].
-    fn turn(&self, body: &mut Body, payload: &Payload, pose: &Pose, twist: &Twist, dt: f64) -> DVec3 {
+    fn turn(&mut self, body: &mut Body, payload: &Payload, pose: &Pose, twist: &Twist, dt: f64) -> DVec3 {
         let inertia = (payload.inertia.x_axis.x + payload.inertia.y_axis.y + payload.inertia.z_axis.z) / 3.0;
         if inertia < LEAST_INERTIA {
             (body.rotation, body.turning) = (pose.rotation, twist.angular);
@@ -104,8 +115,9 @@ impl CoupledPayload {
         }
         let stiffness = (inertia * self.frequency * self.frequency).min(self.stiffness[1]);
         let damping = (2.0 * self.damping * libm::sqrt(stiffness * inertia)).min(self.most_damping[1]);
-        let torque =
-            rotation_between(pose.rotation, body.rotation) * stiffness + (body.turning - twist.angular) * damping;
+        let turned = rotation_between(pose.rotation, body.rotation);
+        let torque = turned * stiffness + (body.turning - twist.angular) * damping;
+        self.held += 0.5 * (stiffness * turned.length_squared() + inertia * body.turning.length_squared());
         body.turning -= torque * (dt / inertia);
         body.rotation = (about(body.turning * dt) * body.rotation).normalize();
         torque

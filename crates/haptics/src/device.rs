@@ -3,6 +3,9 @@
 use saute_kitchen::dynamics::Pose;
 use serde::Serialize;
 
+use crate::kept_calibration::CalibrationMemory;
+use crate::rumble::Rumble;
+use crate::strings::{STRINGS, StringRig};
 use crate::wrench::{Twist, Wrench};
 
 /// What a device may do to a hand.
@@ -47,13 +50,25 @@ pub enum Vibration {
     Wrench,
 }
 
+/// What a device knows of the hand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sensed {
+    /// Place and turning.
+    Pose,
+    /// Place alone.
+    Place,
+    /// Turning; place only as far as it tosses.
+    Turning,
+}
+
 /// What a device can do.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Capabilities {
     /// Name for people.
     pub name: String,
-    /// Degrees of freedom that it senses: 6 pose, 3 place alone, 0 none.
-    pub dof_sensed: u8,
+    /// What it knows of the hand; what it does not know stays as it is at home.
+    pub sensed: Sensed,
     /// Degrees of freedom that it moves: 6 wrench, 3 force alone, 0 none.
     pub dof_actuated: u8,
     /// What it may do to a hand.
@@ -77,6 +92,8 @@ pub struct HapticCommand {
     pub wrench: Wrench,
     /// Whether forces may be shown at all; else the device goes to its rest.
     pub enabled: bool,
+    /// What a device shakes with that makes no forces.
+    pub rumble: Rumble,
 }
 
 /// How a device is.
@@ -117,6 +134,10 @@ pub struct HapticSample {
     pub achieved: Wrench,
     /// Force with which the device really pulls, rest included [N].
     pub total_force_n: f64,
+    /// Tension of each string, for a device of strings [N].
+    pub tension_n: Option<[f64; STRINGS]>,
+    /// Pose of the turner in the other hand, where the device knows it.
+    pub turner: Option<Pose>,
     /// How it is.
     pub health: Health,
     /// Whether it said something new since the last exchange.
@@ -138,6 +159,22 @@ pub trait HapticDevice: Send {
     fn exchange(&mut self, command: &HapticCommand, dt: f64) -> HapticSample;
     /// Lets go of the hand at once.
     fn stop(&mut self);
+    /// Its strings as drawn, for a device of strings.
+    fn strings(&self) -> Option<StringRig> {
+        None
+    }
+    /// Takes over what was found on its jig before, and keeps there what it finds; nothing for a device without a jig.
+    fn remember(&mut self, _memory: CalibrationMemory) {}
+}
+
+impl Sensed {
+    /// Degrees of freedom.
+    pub fn dof(self) -> u8 {
+        match self {
+            Self::Pose => 6,
+            Self::Place | Self::Turning => 3,
+        }
+    }
 }
 
 /// Most damping over what the hand really holds [1/s] (chosen: a third of the delay of 6 ms with which velocity is known; more
@@ -148,14 +185,5 @@ impl Capabilities {
     /// Most damping that the delay of the measured velocity allows [N·s/m].
     pub fn most_damping(&self) -> f64 {
         DAMPING_RATE * self.real_mass_kg
-    }
-
-    /// What of a wrench the device can show, by the stated rule: torques need 6 moved degrees of freedom, forces 3.
-    pub fn shown(&self, wrench: &Wrench) -> Wrench {
-        match self.dof_actuated {
-            6 => *wrench,
-            3..6 => Wrench { force: wrench.force, ..Wrench::ZERO },
-            _ => Wrench::ZERO,
-        }
     }
 }

@@ -7,7 +7,7 @@ use saute_kitchen::dynamics::pose::about;
 use saute_kitchen::food::sourced_table;
 use serde::Deserialize;
 
-use crate::device::{Capabilities, Limits, Vibration, Workspace};
+use crate::device::{Capabilities, Limits, Sensed, Vibration, Workspace};
 use crate::shelf::parse_table;
 use crate::strings::{STRINGS, StringRig};
 use crate::tension::TensionRule;
@@ -241,7 +241,7 @@ impl Geometry {
         let (limits, half) = (&self.limits, vector_mm(self.workspace.half_mm));
         Capabilities {
             name: self.name.clone(),
-            dof_sensed: 6,
+            sensed: Sensed::Pose,
             dof_actuated: 6,
             limits: Limits {
                 force_n: limits.force_n,

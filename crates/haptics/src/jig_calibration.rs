@@ -73,7 +73,7 @@ pub enum CalibrationError {
 /// Readings that are needed: seven unknowns a string, and one to check (chosen).
 const FEWEST: usize = 8;
 /// Distance from the drawing above which it is another device's [m] (chosen: ten times a workshop's half a millimetre).
-const FARTHEST: f64 = 5e-3;
+pub(crate) const FARTHEST: f64 = 5e-3;
 /// Gauss–Newton steps (chosen: from a drawing half a millimetre off three suffice).
 const STEPS: usize = 8;
 /// Residual above which something is broken [m] (chosen: ten times what encoders and jig explain).

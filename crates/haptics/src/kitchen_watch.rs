@@ -77,6 +77,12 @@ impl KitchenWatch {
         }
     }
 
+    /// Another kitchen is looked at from now on: how fast foods were there means nothing here.
+    pub fn forget(&mut self) {
+        self.velocity.clear();
+        self.tip = None;
+    }
+
     fn gather(&mut self, kitchen: &Kitchen, piece: &Piece, twist: &Twist, dt: f64, sum: &mut Sum) {
         let Some((velocity, _)) = kitchen.world().velocity(piece.key) else { return };
         let before = self.velocity.insert(piece.key, velocity).unwrap_or(velocity);

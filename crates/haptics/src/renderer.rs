@@ -7,6 +7,7 @@ use crate::feel::Feel;
 use crate::guard_planes::GuardPlanes;
 use crate::impulse_train::ImpulseTrain;
 use crate::passivity::Passivity;
+use crate::rumble::{Rumble, RumbleRule};
 use crate::safety_limits::SafetyLimits;
 use crate::vibration::Vibration;
 use crate::wrench::Wrench;
@@ -19,6 +20,7 @@ pub struct Renderer {
     guard: GuardPlanes,
     impulses: ImpulseTrain,
     vibration: Vibration,
+    rumble: RumbleRule,
     passivity: Passivity,
     limits: SafetyLimits,
     timing: Timing,
@@ -45,6 +47,7 @@ impl Renderer {
             guard: GuardPlanes::new(&feel.guard, limits),
             impulses: ImpulseTrain::new(&feel.impulse),
             vibration: Vibration::new(&feel.sizzle, &feel.slide),
+            rumble: RumbleRule::new(feel),
             passivity: Passivity::new(timing.reserve_mj * 1e-3, capabilities.most_damping()),
             limits: SafetyLimits::new(*limits),
             timing: Timing { soft_start: timing.soft_start_s, timeout: timing.model_timeout_s, fade: timing.fade_s },
@@ -65,9 +68,9 @@ impl Renderer {
         if self.share == 0.0 {
             self.limits.rest();
             self.passivity.shown(&Wrench::ZERO);
-            return HapticCommand { wrench: Wrench::ZERO, enabled: lively };
+            return HapticCommand { enabled: lively, ..HapticCommand::default() };
         }
-        HapticCommand { wrench: self.wrench(sample, dt), enabled: true }
+        HapticCommand { wrench: self.wrench(sample, dt), enabled: true, rumble: self.rumble(dt) }
     }
 
     fn take(&mut self, model: &ContactModel, dt: f64) {
@@ -83,7 +86,8 @@ impl Renderer {
 
     fn wrench(&mut self, sample: &HapticSample, dt: f64) -> Wrench {
         let (model, pose, twist) = (&self.model, &sample.pose, &sample.twist);
-        let carried = if self.capabilities.holds_real_pan { model.payload } else { model.payload.with(&model.own) };
+        let renders_pan = self.capabilities.renders_pan(model.own.mass);
+        let carried = if renders_pan { model.payload.with(&model.own) } else { model.payload };
         let payload = self.payload.step(&carried, pose, twist, dt);
         let mut active = payload.felt - payload.weight;
         active += model.loose;
@@ -92,12 +96,17 @@ impl Renderer {
         active += self.vibration.step(model, pose, dt);
         let active = self.capabilities.shown(&(active * self.share));
         let weight = self.capabilities.shown(&((payload.weight + model.loose_weight) * self.share));
-        self.passivity.observe(twist, dt);
+        self.passivity.observe(twist, self.payload.held() * self.share, dt);
         let active = self.limits.within_energy(&active, twist, dt);
         let active = self.passivity.control(&active, twist, dt);
         let shown = self.limits.bounded(&(active + weight), dt);
         self.passivity.shown(&(shown - weight));
         shown
+    }
+
+    fn rumble(&mut self, dt: f64) -> Rumble {
+        let Rumble { strong, weak } = self.rumble.step(&self.model, dt);
+        self.capabilities.rumbled(&Rumble { strong: strong * self.share, weak: weak * self.share })
     }
 
     /// The passivity observer.

@@ -6,9 +6,10 @@ use saute_kitchen::dynamics::Pose;
 
 use crate::device::{Capabilities, HapticCommand, HapticDevice, HapticSample, Health};
 use crate::geometry::Geometry;
-use crate::jig_calibration::Calibration;
+use crate::jig_calibration::{Calibration, FARTHEST};
+use crate::kept_calibration::{CalibrationMemory, KeptCalibration};
 use crate::pose_from_lengths::PoseEstimator;
-use crate::strings::{Lines, STRINGS};
+use crate::strings::{Lines, STRINGS, StringRig};
 use crate::tension::{TensionSolver, Tensions};
 use crate::wire::{Caps, Command, DeviceState, Frame, FrameError, Hello, Link, Message, Refusal, Sample, Units};
 use crate::wrench::Wrench;
@@ -23,6 +24,9 @@ const RETRY_S: f64 = 1.0;
 /// How long the preload takes to build up and to go [s] (chosen: a gentle pull).
 const PRELOAD_UP_S: f64 = 0.5;
 const PRELOAD_DOWN_S: f64 = 0.2;
+/// Eight lengths that disagree about the pose by more than this tell that a kept calibration holds no longer [m] (chosen: ten times
+/// what strings and jig leave over).
+const FITS: f64 = 0.5e-3;
 /// Frames that are taken in one exchange (chosen: more means that the host was late; the newest counts).
 const MOST_FRAMES: usize = 16;
 
@@ -47,6 +51,9 @@ pub struct Spidar<L> {
     estimator: PoseEstimator,
     solver: TensionSolver,
     calibration: Option<Calibration>,
+    memory: Option<CalibrationMemory>,
+    /// Whether the calibration is one that was kept and has not been tried yet.
+    untried: bool,
     jig: JigLog,
     misfit: bool,
     talk: Talk,
@@ -74,6 +81,8 @@ impl<L: Link> Spidar<L> {
             estimator: PoseEstimator::new(geometry.rig(), home),
             solver: TensionSolver::new(geometry.tension_rule()),
             calibration: None,
+            memory: None,
+            untried: false,
             jig: JigLog::new(&geometry.jig()),
             misfit: false,
             talk: Talk::Seeking,
@@ -153,8 +162,37 @@ impl<L: Link> Spidar<L> {
         }
         self.caps = Some(*caps);
         self.last = None;
+        self.recall(caps);
         (self.talk, self.heard_at) = (Talk::Arming, self.clock);
         self.send(Message::Arm);
+    }
+
+    /// Takes over a calibration that was kept of this device since it was switched on.
+    fn recall(&mut self, caps: &Caps) {
+        let known = self.memory.as_ref().and_then(|m| m.known).filter(|_| self.calibration.is_none());
+        let drawn = self.geometry.rig();
+        let own = |k: &KeptCalibration| {
+            (k.device, k.boot) == (caps.name, caps.boot) && k.calibration.rig.is_near(&drawn, FARTHEST)
+        };
+        if let Some(known) = known.filter(own) {
+            self.calibrate(known.calibration);
+            self.untried = true;
+        }
+    }
+
+    /// A kept calibration must fit the first lengths; else the pan goes to its jig.
+    fn try_kept(&mut self) {
+        if std::mem::take(&mut self.untried) && self.estimator.residual() > FITS {
+            self.calibration = None;
+            self.estimator = PoseEstimator::new(self.geometry.rig(), self.geometry.home());
+        }
+    }
+
+    /// Keeps what the jig told for the next start.
+    fn keep(&mut self, calibration: Calibration) {
+        if let (Some(memory), Some(caps)) = (&mut self.memory, &self.caps) {
+            memory.keep(KeptCalibration { device: caps.name, boot: caps.boot, calibration });
+        }
     }
 
     /// Takes a sample that is newer than the last one.
@@ -182,7 +220,10 @@ impl<L: Link> Spidar<L> {
             let rig = self.geometry.rig();
             match self.jig.note(sample.jig, &by_count, &rig) {
                 None => {}
-                Some(Ok(calibration)) => self.calibrate(calibration),
+                Some(Ok(calibration)) => {
+                    self.calibrate(calibration);
+                    self.keep(calibration);
+                }
                 Some(Err(_)) => self.misfit = true,
             }
         }
@@ -192,8 +233,10 @@ impl<L: Link> Spidar<L> {
         if let Some(calibration) = &self.calibration {
             self.answer.pose = self.estimator.update(&calibration.lengths(&by_count), passed);
             self.answer.twist = self.estimator.twist();
+            self.try_kept();
         }
         let pulled = sample.tension_mn.map(|t| f64::from(t) * 1e-3);
+        self.answer.tension_n = Some(pulled);
         self.answer.total_force_n = self.lines().wrench(&pulled).force.length();
     }
 
@@ -303,6 +346,14 @@ impl<L: Link> HapticDevice for Spidar<L> {
     fn stop(&mut self) {
         self.send(Message::Stop);
         self.health = Health::Stopped;
+    }
+
+    fn strings(&self) -> Option<StringRig> {
+        Some(self.geometry.rig())
+    }
+
+    fn remember(&mut self, memory: CalibrationMemory) {
+        self.memory = Some(memory);
     }
 }
 

@@ -42,6 +42,12 @@ impl StringRig {
         lines
     }
 
+    /// Whether each string begins and ends within a distance of where another rig's does [m].
+    pub fn is_near(&self, other: &Self, distance: f64) -> bool {
+        let ends = |rig: &Self| rig.motor.into_iter().chain(rig.attachment);
+        ends(self).zip(ends(other)).all(|(a, b)| (a - b).length() <= distance)
+    }
+
     /// Lengths at a pose [m].
     pub fn lengths(&self, pose: &Pose) -> [f64; STRINGS] {
         self.lines(pose).length

@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 
-use crate::device::{Capabilities, HapticCommand, HapticDevice, HapticSample, Health, Limits, Vibration, Workspace};
+use crate::device::{
+    Capabilities, HapticCommand, HapticDevice, HapticSample, Health, Limits, Sensed, Vibration, Workspace,
+};
 use crate::wrench::Wrench;
 use saute_kitchen::dynamics::Pose;
 
@@ -25,7 +27,7 @@ impl Default for WeightOnSpring {
     fn default() -> Self {
         let capabilities = Capabilities {
             name: "A weight on a spring, in memory".into(),
-            dof_sensed: 3,
+            sensed: Sensed::Place,
             dof_actuated: 3,
             limits: Limits {
                 force_n: 10.0,
@@ -70,6 +72,8 @@ impl HapticDevice for WeightOnSpring {
             twist: crate::wrench::Twist { linear: self.velocity, ..Default::default() },
             achieved: Wrench { force: shown, ..Wrench::ZERO },
             total_force_n: shown.length(),
+            tension_n: None,
+            turner: None,
             health: if self.stopped { Health::Stopped } else { Health::Running },
             fresh: true,
             buttons: 0,

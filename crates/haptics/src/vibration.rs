@@ -27,16 +27,10 @@ impl Vibration {
 
     /// What is felt in a step of `dt` [s].
     pub fn step(&mut self, model: &ContactModel, pose: &Pose, dt: f64) -> Wrench {
-        let boiling = self.noise(dt) * self.boiling(model.vapour);
+        let boiling = self.noise(dt) * boiling(&self.sizzle, model.vapour);
         let sliding = self.rub(0, &model.sliding, dt);
         let scraping = self.rub(1, &model.scraping, dt);
         Wrench { force: pose.rotation * DVec3::Z * (boiling + sliding + scraping), torque: DVec3::ZERO }
-    }
-
-    /// Amplitude of boiling [N].
-    fn boiling(&self, vapour: f64) -> f64 {
-        let share = (vapour * 1e3 / self.sizzle.at_vapour_g_s).max(0.0);
-        self.sizzle.force_n * libm::sqrt(share).min(2.0)
     }
 
     /// Noise between the band's edges, of about unit amplitude [-].
@@ -51,16 +45,27 @@ impl Vibration {
         self.high - self.low
     }
 
-    fn rub(&mut self, which: usize, rubbing: &Rubbing, dt: f64) -> f64 {
-        if rubbing.speed < self.slide.least_m_s {
+    fn rub(&mut self, which: usize, met: &Rubbing, dt: f64) -> f64 {
+        let amplitude = rubbing(&self.slide, met);
+        if amplitude == 0.0 {
             return 0.0;
         }
         // Above a quarter of the rate a texture would alias; it is felt as its highest tone.
-        let hz = (rubbing.speed / (self.slide.pitch_mm * 1e-3)).min(0.25 / dt.max(1e-6));
+        let hz = (met.speed / (self.slide.pitch_mm * 1e-3)).min(0.25 / dt.max(1e-6));
         self.phase[which] = (self.phase[which] + hz * dt).fract();
-        let amplitude = (self.slide.force_n * rubbing.force).min(self.slide.largest_n);
         amplitude * libm::sin(std::f64::consts::TAU * self.phase[which])
     }
+}
+
+/// Amplitude of boiling at a flow of vapour [kg/s], as a force [N].
+pub fn boiling(feel: &SizzleFeel, vapour: f64) -> f64 {
+    let share = (vapour * 1e3 / feel.at_vapour_g_s).max(0.0);
+    feel.force_n * libm::sqrt(share).min(2.0)
+}
+
+/// Amplitude of what rubs, as a force [N]; none where it is slower than is felt.
+pub fn rubbing(feel: &SlideFeel, rubbing: &Rubbing) -> f64 {
+    if rubbing.speed < feel.least_m_s { 0.0 } else { (feel.force_n * rubbing.force).min(feel.largest_n) }
 }
 
 /// Start of the noise (chosen: any but zero).

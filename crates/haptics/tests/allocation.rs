@@ -4,12 +4,15 @@
 #![allow(clippy::unwrap_used)]
 
 use std::net::UdpSocket;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use glam::DVec3;
 use saute_haptics::contact_model::{ContactModel, Impulse, Payload};
 use saute_haptics::control_loop::Beat;
+use saute_haptics::phone::{Heard, Phone, Told};
 use saute_haptics::wire::{Caps, DeviceState, Frame, Message, Sample, UdpLink, Units};
-use saute_haptics::{Pose, Renderer, Spidar, shelf};
+use saute_haptics::{HapticDevice, Pose, Renderer, Spidar, haply, osc, shelf};
 
 /// Answers as a device does, through the real socket.
 fn answer(socket: &UdpSocket, time_us: u32, count: [i32; 8], jig: u8) {
@@ -72,4 +75,51 @@ fn a_beat_allocates_nothing() {
         calibrated |= health == Some(saute_haptics::Health::Running);
     }
     assert!(calibrated, "the whole way was gone");
+}
+
+#[test]
+fn a_phone_s_exchange_allocates_nothing() {
+    let (mut heard_in, heard) = triple_buffer::triple_buffer(&Heard::default());
+    let (told, _told_out) = triple_buffer::triple_buffer(&Told::default());
+    let phone = Phone::new(heard, told, Arc::new(AtomicBool::new(false)));
+    let hear = |number: u64| {
+        let number = (number / 4).min(250);
+        heard_in.write(Heard { number, connected: true, push: DVec3::Z, pushes: number, ..Heard::default() });
+    };
+    assert!(beats(Box::new(phone), hear));
+}
+
+/// Beats of a device without a link, each with a new message of another thread; nothing is allocated.
+fn beats(device: Box<dyn HapticDevice>, mut hear: impl FnMut(u64)) -> bool {
+    let renderer = Renderer::new(device.capabilities(), &shelf::feel().unwrap());
+    let mut beat = Beat::new(device, renderer, 1000);
+    let mut ran = false;
+    for k in 1..2000u64 {
+        hear(k);
+        let model = ContactModel { number: k / 16 + 1, vapour: 1e-4, ..ContactModel::default() };
+        let mut health = None;
+        let counted = allocation_counter::measure(|| health = Some(beat.step(&model, 1e-3).sample.health));
+        assert_eq!(counted.count_total, 0, "step {k} ({health:?})");
+        ran |= health == Some(saute_haptics::Health::Running);
+    }
+    ran
+}
+
+#[test]
+fn an_inverse3_s_exchange_allocates_nothing() {
+    let (mut heard_in, heard) = triple_buffer::triple_buffer(&haply::Heard::default());
+    let (told, _told_out) = triple_buffer::triple_buffer(&haply::Told::default());
+    let device = haply::Haply::new(heard, told, Arc::new(AtomicBool::new(false)));
+    let hear = |number: u64| {
+        heard_in.write(haply::Heard { number: number.min(1000), link: haply::Link::Up, ..haply::Heard::default() });
+    };
+    assert!(beats(Box::new(device), hear));
+}
+
+#[test]
+fn an_osc_sender_s_exchange_allocates_nothing() {
+    let (mut heard_in, heard) = triple_buffer::triple_buffer(&osc::Heard::default());
+    let device = osc::Osc::new(heard, Arc::new(AtomicBool::new(false)));
+    let hear = |number: u64| heard_in.write(osc::Heard { pans: number.min(1000), ..osc::Heard::default() });
+    assert!(beats(Box::new(device), hear));
 }

@@ -2,7 +2,7 @@
 
 use egui::{Id, Modal, Rect, RichText, Ui};
 
-use crate::act::BINDINGS;
+use crate::act::{Act, BINDINGS};
 use crate::app::SauteApp;
 use crate::gamepad::PAD;
 use crate::pan_keys::HELD;
@@ -11,6 +11,13 @@ use crate::theme;
 /// What a gamepad does; browsers' gamepads are not read.
 fn pad() -> impl Iterator<Item = (&'static str, &'static str)> {
     PAD.into_iter().filter(|_| cfg!(not(target_arch = "wasm32")))
+}
+
+/// What keys do; a browser reaches no haptic device.
+fn keys() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let native = |act: Act| matches!(act, Act::StopHands | Act::Strings);
+    let here = move |b: &&crate::act::Binding| cfg!(not(target_arch = "wasm32")) || !native(b.act);
+    BINDINGS.iter().filter(here).map(|b| (b.written, b.words))
 }
 
 /// Shows the list over everything; Esc, F1 or a click beside it closes it.
@@ -32,8 +39,7 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
             let height = whole.height() - 250.0;
             egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
                 let columns = if whole.width() > 700.0 { 3 } else { 1 };
-                let single = BINDINGS.iter().map(|b| (b.written, b.words));
-                let lines: Vec<(&str, &str)> = single.chain(HELD).chain(pad()).collect();
+                let lines: Vec<(&str, &str)> = keys().chain(HELD).chain(pad()).collect();
                 let rows = lines.len().div_ceil(columns);
                 ui.columns(columns, |uis| {
                     for (i, (written, words)) in lines.into_iter().enumerate() {

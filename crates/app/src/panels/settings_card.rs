@@ -72,13 +72,20 @@ fn choices(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     if let Some(size) = row(ui, narrow, l.text("settings.size"), &sizes) {
         app.settings.size = InterfaceSize::ALL[size];
     }
+    #[cfg(not(target_arch = "wasm32"))]
+    crate::hand::section(app, ui, narrow);
 }
 
 /// A name and its choices, of which one is on; tells which was clicked.
-fn row(ui: &mut Ui, narrow: bool, name: &str, choices: &[(&str, bool)]) -> Option<usize> {
+pub(crate) fn row(ui: &mut Ui, narrow: bool, name: &str, choices: &[(&str, bool)]) -> Option<usize> {
+    named(ui, narrow, name, |ui| buttons(ui, name, choices))
+}
+
+/// A name and what belongs to it: beside it, or below where it is narrow.
+pub(crate) fn named<R>(ui: &mut Ui, narrow: bool, name: &str, content: impl FnOnce(&mut Ui) -> R) -> R {
     if narrow {
         ui.label(RichText::new(name).size(14.0).color(theme::of(ui).quiet));
-        return ui.horizontal_wrapped(|ui| buttons(ui, name, choices)).inner;
+        return ui.horizontal_wrapped(content).inner;
     }
     ui.horizontal(|ui| {
         let beside = egui::Layout::left_to_right(egui::Align::Center);
@@ -86,7 +93,7 @@ fn row(ui: &mut Ui, narrow: bool, name: &str, choices: &[(&str, bool)]) -> Optio
             ui.set_min_size(vec2(NAMES, theme::TOUCH));
             ui.label(name);
         });
-        buttons(ui, name, choices)
+        content(ui)
     })
     .inner
 }
@@ -107,7 +114,7 @@ fn buttons(ui: &mut Ui, name: &str, choices: &[(&str, bool)]) -> Option<usize> {
 }
 
 /// What the choice above amounts to.
-fn explained(ui: &mut Ui, narrow: bool, text: &str) {
+pub(crate) fn explained(ui: &mut Ui, narrow: bool, text: &str) {
     let text = RichText::new(text).size(13.0).color(theme::of(ui).quiet);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().interact_size.y = 16.0;

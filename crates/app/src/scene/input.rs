@@ -8,6 +8,7 @@ use std::sync::Arc;
 use glam::{Mat4, Quat, Vec3};
 
 use super::camera::Camera;
+use super::string_mesh::StringLook;
 use super::white_balance::WhiteBalance;
 
 /// One frame of the scene.
@@ -23,6 +24,8 @@ pub struct SceneInput {
     pub foods: Vec<FoodLook>,
     /// The tool in the cook's hand.
     pub tool: Option<ToolLook>,
+    /// Strings of a device that hold the pan.
+    pub strings: Vec<StringLook>,
     /// What food on the board rests on or under.
     pub rest: Option<RestLook>,
     /// Places where water vapour leaves.

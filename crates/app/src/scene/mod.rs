@@ -29,6 +29,7 @@ mod spatter;
 mod sprite_gpu;
 mod steam;
 mod still;
+pub mod string_mesh;
 mod targets;
 #[cfg(test)]
 mod tests;

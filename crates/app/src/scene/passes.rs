@@ -176,7 +176,8 @@ pub(super) fn draw_lively(
         food.draw(pass);
     }
     pass.set_pipeline(&pipelines.solid);
-    solids.tool().into_iter().chain(solids.lid_steel()).for_each(|solid| solid.draw(pass));
+    let thin = solids.tool().into_iter().chain(solids.strings());
+    thin.chain(solids.lid_steel()).for_each(|solid| solid.draw(pass));
     pass.set_pipeline(&pipelines.floor);
     solids.pan_floor().draw(pass);
 }

@@ -220,6 +220,7 @@ impl SceneRenderer {
         if self.textures.set_quality(device, queue, self.quality) {
             self.shadow_of = None;
         }
+        let pulled = self.solids.as_ref().is_some_and(|solids| !solids.shows(&input.strings));
         match &mut self.solids {
             Some(solids) => solids.update(device, queue, input),
             None => self.solids.insert(Solids::new(device, input)).update(device, queue, input),
@@ -248,7 +249,7 @@ impl SceneRenderer {
             sprites: DirtyRect::of_sprites(input, &sprites, size),
         };
         let pan_moved = self.shadow_of != Some(Casting::of(input));
-        let changed = resized || coloured || !spots.is_empty() || pan_moved || self.moved.look;
+        let changed = resized || coloured || !spots.is_empty() || pan_moved || pulled || self.moved.look;
         // What is kept stands as long as only time has passed: oil and water ripple when the state is read anew.
         let same = |kept: &FrameUniform| bytemuck::bytes_of(kept) == bytemuck::bytes_of(&self.timeless);
         if changed || !self.lively.as_ref().is_some_and(same) {

@@ -54,6 +54,7 @@ pub fn empty_pan() -> SceneInput {
         pan,
         foods: Vec::new(),
         tool: None,
+        strings: Vec::new(),
         rest: None,
         steam: Vec::new(),
         spatter: Default::default(),

@@ -9,6 +9,7 @@ use super::mesh::{Mesh, SolidVertex};
 use super::pan_mesh::pan_mesh;
 use super::props::{self, CLOTH_PLACE, COUNTER_Z};
 use super::rest_mesh::rest_mesh;
+use super::string_mesh::{StringLook, string_mesh};
 use super::tool_mesh::tool_mesh;
 
 /// A mesh in buffers.
@@ -118,6 +119,7 @@ pub(super) struct Solids {
     /// Glass and steel of the lid, while it is on.
     lid: Option<[Posed; 2]>,
     tool: Option<(ToolLook, Mesh, SolidBuffers)>,
+    strings: Option<(Vec<StringLook>, SolidBuffers)>,
     key: MovableKey,
 }
 
@@ -135,6 +137,7 @@ impl Solids {
             pan_floor,
             lid: lid(device, input),
             tool: None,
+            strings: None,
             key: MovableKey::of(input),
         }
     }
@@ -157,6 +160,10 @@ impl Solids {
             self.cloth = cloth(device, input);
         }
         self.key = key;
+        if !self.shows(&input.strings) {
+            let mesh = (!input.strings.is_empty()).then(|| SolidBuffers::new(device, &string_mesh(&input.strings)));
+            self.strings = mesh.map(|buffers| (input.strings.clone(), buffers));
+        }
         if self.tool.as_ref().map(|(look, ..)| *look) != input.tool {
             self.tool = input.tool.map(|look| {
                 let mesh = tool_mesh(&look);
@@ -179,6 +186,16 @@ impl Solids {
         self.tool.as_ref().map(|(.., buffers)| buffers)
     }
 
+    /// The strings of a device.
+    pub fn strings(&self) -> Option<&SolidBuffers> {
+        self.strings.as_ref().map(|(_, buffers)| buffers)
+    }
+
+    /// Whether these strings are the ones in the buffers.
+    pub fn shows(&self, strings: &[StringLook]) -> bool {
+        self.strings.as_ref().map_or(&[][..], |(shown, _)| shown) == strings
+    }
+
     /// The glass of the lid.
     pub fn lid_glass(&self) -> Option<&SolidBuffers> {
         self.lid.as_ref().map(|[glass, _]| &glass.buffers)
@@ -189,11 +206,12 @@ impl Solids {
         self.lid.as_ref().map(|[_, steel]| &steel.buffers)
     }
 
-    /// Where the tool in the hand and the lid are to be seen [m].
+    /// Where the tool in the hand, the strings and the lid are to be seen [m].
     pub fn moving_points(&self) -> impl Iterator<Item = Vec3> {
         let place = |v: &SolidVertex| Vec3::from(v.position);
         let tool = self.tool.iter().flat_map(move |(_, mesh, _)| mesh.vertices.iter().map(place));
-        tool.chain(self.lid.iter().flatten().flat_map(move |part| part.posed.iter().map(place)))
+        let strings = self.strings.iter().flat_map(|(shown, _)| shown.iter().flat_map(|string| string.ends));
+        tool.chain(strings).chain(self.lid.iter().flatten().flat_map(move |part| part.posed.iter().map(place)))
     }
 
     /// The turner behind the hob, while no hand holds it.

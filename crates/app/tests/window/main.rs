@@ -1,6 +1,7 @@
 //! The window, tested through the window.
 
 mod foods;
+mod hand;
 mod harness;
 mod japanese;
 mod pan;

@@ -4,13 +4,13 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use saute_haptics::control_loop::{ControlLoop, LoopState};
-use saute_haptics::{Health, shelf};
+use saute_haptics::simulator::open_or_simulate;
+use saute_haptics::{Geometry, Health, Named, shelf};
 
-use super::device::Named;
 use super::fault_run;
 use super::fry::Fry;
+use super::network_check;
 use super::report::CheckReport;
-use super::simulator::Simulator;
 use super::truth;
 use crate::error::CliError;
 use crate::shelf::Shelf;
@@ -26,12 +26,17 @@ const MORE_LOG_S: f64 = 60.0;
 /// `saute haptics check`.
 #[derive(Debug, clap::Args)]
 pub struct CheckArgs {
-    /// A device of `saute haptics list` or a geometry file: simulated; with @HOST:PORT or @SERIAL-PORT the real one there.
+    /// A device of `saute haptics list` or a geometry file. Strings are simulated; with @HOST:PORT or @SERIAL-PORT the real
+    /// ones there. phone, haply and osc are real, on this machine alone unless @HOST:PORT says otherwise (phone@0.0.0.0:8443:
+    /// the whole network).
     #[arg(long, value_name = "NAME", default_value = shelf::DEFAULT_DEVICE)]
     pub device: String,
     /// Pairing code that the real device shows.
     #[arg(long, value_name = "CODE", default_value_t = 0)]
     pub pairing: u32,
+    /// How long a phone, haply or osc may take to be found [s]; two minutes unless given.
+    #[arg(long, value_name = "S")]
+    pub wait_s: Option<f64>,
     /// How long to measure [s].
     #[arg(long, value_name = "S", default_value_t = 60.0)]
     pub for_s: f64,
@@ -50,31 +55,36 @@ pub fn check(args: &CheckArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
     }
     let named = Named::parse(&args.device)?;
     if args.faults && !named.is_simulated() {
-        let remedy = "leave --faults away, or the @ADDRESS to check the simulated device";
+        let remedy = "leave --faults away, or check a simulated device of strings";
         return Err(CliError::place("--faults", "a real device cannot be told to fail", remedy));
     }
-    let report = measure(args, &named, shelf)?.judged();
-    stdout::print(&if args.json { serde_json::to_string_pretty(&report)? + "\n" } else { report.text() })?;
-    Ok(if report.missed.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    let (json, text, is_met) = match named.geometry() {
+        Some(geometry) => {
+            let report = measure(args, &named, geometry, shelf)?.judged();
+            (serde_json::to_string_pretty(&report)?, report.text(), report.missed.is_empty())
+        }
+        None => {
+            let report = network_check::measure(args, &named, shelf)?;
+            (serde_json::to_string_pretty(&report)?, report.text(), report.missed.is_empty())
+        }
+    };
+    stdout::print(&if args.json { json + "\n" } else { text })?;
+    Ok(if is_met { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-fn measure(args: &CheckArgs, named: &Named, shelf: &Shelf) -> Result<CheckReport, CliError> {
+fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, shelf: &Shelf) -> Result<CheckReport, CliError> {
     let truth_file = TruthFile::new();
-    let mut simulator = named.is_simulated().then(|| Simulator::start(&named.name, &truth_file.0)).transpose()?;
-    let device = match &simulator {
-        Some(simulator) => named.over_udp(simulator.address, simulator.pairing)?,
-        None => named.driver(args.pairing)?,
-    };
+    let (opened, mut simulator) = open_or_simulate(named, args.pairing, Some(&truth_file.0))?;
     let feel = shelf::feel()?;
-    let rows = (args.for_s + MORE_LOG_S) * named.geometry.drive.rate_hz;
-    let mut fry = Fry::new(&shelf.library, ControlLoop::start(device, &feel, rows as usize)?)?;
-    calibrate(&mut fry, named)?;
+    let rows = (args.for_s + MORE_LOG_S) * geometry.drive.rate_hz;
+    let mut fry = Fry::new(&shelf.library, ControlLoop::start(opened.device, &feel, rows as usize)?)?;
+    calibrate(&mut fry, named, geometry)?;
     let before = fry.control.state();
     stderr::say(format!("measuring for {} s", args.for_s));
     fry.until(args.for_s, |_| false);
     let after = fry.control.state();
     let contents_kg = fry.contents_kg();
-    let force_limit_n = named.geometry.limits.force_n;
+    let force_limit_n = geometry.limits.force_n;
     let faults = match (&mut simulator, args.faults) {
         (Some(simulator), true) => {
             stderr::say("letting things go wrong");
@@ -87,7 +97,7 @@ fn measure(args: &CheckArgs, named: &Named, shelf: &Shelf) -> Result<CheckReport
     let errors = match &mut simulator {
         Some(simulator) => {
             simulator.end();
-            truth::compare(&truth_file.0, &run.log, after.sample.time_s, &named.geometry.preload())?
+            truth::compare(&truth_file.0, &run.log, after.sample.time_s, &geometry.preload())?
         }
         None => None,
     };
@@ -112,7 +122,7 @@ fn measure(args: &CheckArgs, named: &Named, shelf: &Shelf) -> Result<CheckReport
 }
 
 /// Waits until the device is found and calibrated.
-fn calibrate(fry: &mut Fry, named: &Named) -> Result<(), CliError> {
+fn calibrate(fry: &mut Fry, named: &Named, geometry: &Geometry) -> Result<(), CliError> {
     let answered = |s: &LoopState| !matches!(s.sample.health, Health::Connecting | Health::Lost);
     let [find, jig] = PATIENCE_S;
     fry.until(find, answered);
@@ -120,7 +130,7 @@ fn calibrate(fry: &mut Fry, named: &Named) -> Result<(), CliError> {
     if !matches!(health, Health::Running | Health::Uncalibrated | Health::Misfit) {
         return Err(not_there(health));
     }
-    stderr::say(format!("found; put the pan into each of the {} places of its jig", named.geometry.jig.pose.len()));
+    stderr::say(format!("found; put the pan into each of the {} places of its jig", geometry.jig.pose.len()));
     let settled = |s: &LoopState| matches!(s.sample.health, Health::Running | Health::Misfit);
     fry.until(jig, settled);
     match fry.control.state().sample.health {
@@ -138,7 +148,8 @@ fn calibrate(fry: &mut Fry, named: &Named) -> Result<(), CliError> {
     Ok(())
 }
 
-fn not_there(health: Health) -> CliError {
+/// What to do where no device has come.
+pub fn not_there(health: Health) -> CliError {
     let (message, remedy) = match health {
         Health::WrongCode => ("refuses the pairing code", "give the code that the device shows: --pairing CODE"),
         Health::WrongUnits => (
@@ -146,7 +157,8 @@ fn not_there(health: Health) -> CliError {
             "see docs/spidar-protocol.md; it must speak nanometres, millinewtons and microseconds",
         ),
         Health::Fault => ("reports a fault", "look at the device"),
-        _ => ("does not answer", "switch it on, and check its address"),
+        Health::Uncalibrated => ("is not calibrated", "calibrate it as its maker says"),
+        _ => ("does not answer", "switch it on, and check its address, network and pairing code"),
     };
     CliError::place("the device", message, remedy)
 }

@@ -2,12 +2,11 @@
 
 use std::time::Instant;
 
-use saute_haptics::Health;
 use saute_haptics::control_loop::LoopState;
+use saute_haptics::{Health, Simulator};
 use serde::Serialize;
 
 use super::fry::Fry;
-use super::simulator::Simulator;
 
 /// How long each fault lasts [s] (chosen: long enough for a loop to run away).
 const LASTS_S: f64 = 3.0;

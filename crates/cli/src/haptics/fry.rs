@@ -4,8 +4,8 @@ use std::sync::mpsc::Receiver;
 use std::time::{Duration, Instant};
 
 use saute_haptics::control_loop::{ControlLoop, LoopState};
-use saute_haptics::{Handover, Health, KitchenWatch};
-use saute_kitchen::{Command, Cook, FRAME_S, Library, Piece, Recipe};
+use saute_haptics::{KitchenWatch, PanInHand, TurnerInHand};
+use saute_kitchen::{Cook, FRAME_S, Library, Piece, Recipe};
 
 use super::stop_key;
 use crate::error::CliError;
@@ -19,7 +19,8 @@ const MOST_OWED: f64 = 20.0;
 pub struct Fry {
     cook: Cook,
     watch: KitchenWatch,
-    handover: Handover,
+    hand: PanInHand,
+    other_hand: TurnerInHand,
     /// The loop.
     pub control: ControlLoop,
     started: Instant,
@@ -39,7 +40,8 @@ impl Fry {
         Ok(Self {
             cook,
             watch: KitchenWatch::default(),
-            handover: Handover::default(),
+            hand: PanInHand::default(),
+            other_hand: TurnerInHand::default(),
             control,
             started: Instant::now(),
             frames: 0.0,
@@ -88,22 +90,12 @@ impl Fry {
             // A steak that the hand has thrown out of the pan ends the recipe, not the check.
             self.recipe_goes_on = self.cook.fire().is_ok();
         }
-        self.hold(state);
+        self.hand.step(Some(&state.sample), &mut self.cook.kitchen, FRAME_S);
+        self.other_hand.step(state.sample.turner.as_ref(), &mut self.cook.kitchen);
         self.cook.kitchen.advance_frame();
         if !self.is_silent {
             self.control.publish(self.watch.look(&self.cook.kitchen, FRAME_S));
         }
-    }
-
-    /// Holds the kitchen's pan where the hand holds the device.
-    fn hold(&mut self, state: &LoopState) {
-        if state.sample.health != Health::Running {
-            return self.handover.let_go();
-        }
-        let held = self.cook.kitchen.held_pan();
-        let pose = self.handover.pose(&held, &state.sample.pose, FRAME_S);
-        // Refused only for poses that are no numbers, and the driver gives none.
-        let _ = self.cook.kitchen.apply(&Command::HoldPan { pose });
     }
 
     /// Mass of what lies in the pan [kg].

@@ -2,8 +2,9 @@
 
 use std::process::ExitCode;
 
+use saute_haptics::open::{NETWORKED, Networked};
 use saute_haptics::workspace::{AXES, WorkspaceReport, report};
-use saute_haptics::{Capabilities, Geometry, shelf};
+use saute_haptics::{Capabilities, Geometry, Rendering, shelf};
 use serde::Serialize;
 
 use crate::error::CliError;
@@ -22,43 +23,41 @@ pub struct DevicesArgs {
 struct Entry {
     id: String,
     capabilities: Capabilities,
+    rendering: Rendering,
+    /// Where it is unless a place is given; none for strings, which are simulated then.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    place: Option<&'static str>,
+    #[serde(flatten)]
+    strings: Option<Strings>,
+}
+
+/// What only devices of strings have.
+#[derive(Debug, Serialize)]
+struct Strings {
     encoder_pitch_um: f64,
     tension_n: [f64; 2],
     preload_n: f64,
     workspace: WorkspaceReport,
 }
 
-impl Entry {
-    fn new((id, geometry): (String, Geometry)) -> Self {
+impl Strings {
+    fn new(geometry: &Geometry) -> Self {
         Self {
-            id,
-            capabilities: geometry.capabilities(),
             encoder_pitch_um: geometry.drive.encoder_pitch_um,
             tension_n: [geometry.drive.min_tension_n, geometry.drive.max_tension_n],
             preload_n: geometry.grip.preload_n,
-            workspace: report(&geometry),
+            workspace: report(geometry),
         }
     }
 
     fn text(&self) -> String {
-        let (c, w) = (&self.capabilities, &self.workspace);
-        let half = c.workspace.half_m.map(|m| format!("{:.0}", m * 1e3)).join(" × ");
+        let w = &self.workspace;
         let reach = |list: &[f64; 6]| {
             let numbers = list.iter().zip(AXES).map(|(v, axis)| format!("{axis} {v:.2}"));
             numbers.collect::<Vec<_>>().join("  ")
         };
         format!(
-            "{}  {}\n    senses {} and moves {} degrees of freedom, {:.0} Hz; {}\n    force up to {} N, torque {} N·m, stiffness {} N/m; workspace ±{half} mm, ±{:.0}°\n    strings {}–{} N, {} µm a count, preload {} N\n    shows at home towards +  {}\n                  towards −  {}   (N, N·m)\n    smallest singular value {:.2} at home, {:.2} over the workspace; {} of {} poses singular\n",
-            self.id,
-            c.name,
-            c.dof_sensed,
-            c.dof_actuated,
-            c.rate_hz,
-            if c.holds_real_pan { "holds a real pan" } else { "renders the pan too" },
-            c.limits.force_n,
-            c.limits.torque_nm,
-            c.limits.stiffness_n_m,
-            c.workspace.tilt_rad.to_degrees(),
+            "    strings {}–{} N, {} µm a count, preload {} N\n    shows at home towards +  {}\n                  towards −  {}   (N, N·m)\n    smallest singular value {:.2} at home, {:.2} over the workspace; {} of {} poses singular\n",
             self.tension_n[0],
             self.tension_n[1],
             self.encoder_pitch_um,
@@ -73,9 +72,55 @@ impl Entry {
     }
 }
 
+impl Entry {
+    fn of_strings((id, geometry): (String, Geometry)) -> Self {
+        let capabilities = geometry.capabilities();
+        let rendering = capabilities.rendering();
+        Self { id, capabilities, rendering, place: None, strings: Some(Strings::new(&geometry)) }
+    }
+
+    fn of_network(networked: &Networked) -> Self {
+        let capabilities = (networked.capabilities)();
+        let rendering = capabilities.rendering();
+        Self { id: networked.id.into(), capabilities, rendering, place: Some(networked.default_place), strings: None }
+    }
+
+    fn text(&self) -> String {
+        let c = &self.capabilities;
+        let mut text = format!(
+            "{}  {}\n    senses {} and moves {} degrees of freedom, {:.0} Hz; {}\n",
+            self.id,
+            c.name,
+            c.sensed.dof(),
+            c.dof_actuated,
+            c.rate_hz,
+            if c.holds_real_pan { "holds a real pan" } else { "the hand holds no pan" },
+        );
+        let half = c.workspace.half_m.map(|m| format!("{:.0}", m * 1e3)).join(" × ");
+        let workspace = format!("workspace ±{half} mm, ±{:.0}°", c.workspace.tilt_rad.to_degrees());
+        let l = &c.limits;
+        text += &match self.rendering {
+            Rendering::Wrench => format!(
+                "    force up to {} N, torque {} N·m, stiffness {} N/m; {workspace}\n",
+                l.force_n, l.torque_nm, l.stiffness_n_m
+            ),
+            Rendering::Force => format!(
+                "    force up to {} N, stiffness {} N/m, torques are seen; {workspace}\n",
+                l.force_n, l.stiffness_n_m
+            ),
+            Rendering::Rumble => format!("    rumbles, weights are seen; {workspace}\n"),
+            Rendering::SoundAndPicture => format!("    nothing is felt, all is heard and seen; {workspace}\n"),
+        };
+        let at = |p: &str| format!("    at {p} unless @HOST:PORT is given: this machine alone\n");
+        text += &self.place.map_or_else(String::new, at);
+        text + &self.strings.as_ref().map_or_else(String::new, Strings::text)
+    }
+}
+
 /// Prints devices and what they can do.
 pub fn list(args: &DevicesArgs) -> Result<ExitCode, CliError> {
-    let entries: Vec<Entry> = shelf::devices()?.into_iter().map(Entry::new).collect();
+    let strings = shelf::devices()?.into_iter().map(Entry::of_strings);
+    let entries: Vec<Entry> = strings.chain(NETWORKED.iter().map(Entry::of_network)).collect();
     let text = if args.json {
         serde_json::to_string_pretty(&entries)? + "\n"
     } else {

@@ -1,12 +1,11 @@
 //! `saute haptics`: devices that hands hold.
 
 mod check;
-mod device;
 mod fault_run;
 mod fry;
 mod list;
+mod network_check;
 mod report;
-mod simulator;
 mod stop_key;
 mod truth;
 

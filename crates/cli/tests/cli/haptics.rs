@@ -24,14 +24,22 @@ fn build_simulator() {
 fn devices_are_listed_with_their_capabilities_and_what_they_can_show() {
     let list: Value = serde_json::from_str(&run(&["haptics", "list", "--json"]).out).unwrap();
     let ids: Vec<&str> = list.as_array().unwrap().iter().map(|d| d["id"].as_str().unwrap()).collect();
-    assert_eq!(ids, ["spidar-frame", "spidar-pan", "spidar-pan-crossed"]);
+    assert_eq!(ids, ["spidar-frame", "spidar-pan", "spidar-pan-crossed", "phone", "haply", "osc"]);
     let pan = &list[2];
     assert_eq!(pan["capabilities"]["dof_actuated"], 6);
     assert_eq!(pan["capabilities"]["holds_real_pan"], true);
     let (up, down) = (&pan["workspace"]["home"]["plus"][2], &pan["workspace"]["home"]["minus"][2]);
     assert!(up.as_f64() < Some(4.0) && down.as_f64() > Some(15.0), "motors below pull down: {up} {down}");
     assert!((0..3).all(|i| list[i]["workspace"]["singular_poses"] == 0), "{list}");
-    assert!(run(&["haptics", "list"]).out.contains("spidar-frame  Eight strings in a frame"));
+    let shown: Vec<&str> = list.as_array().unwrap().iter().map(|d| d["rendering"].as_str().unwrap()).collect();
+    assert_eq!(shown, ["wrench", "wrench", "wrench", "rumble", "force", "sound-and-picture"]);
+    assert!((3..6).all(|i| list[i].get("tension_n").is_none() && list[i]["place"].is_string()), "{list}");
+    let said = run(&["haptics", "list"]).out;
+    assert!(
+        said.contains("spidar-frame  Eight strings in a frame") && said.contains("phone  A phone in the hand"),
+        "{said}"
+    );
+    assert!(said.contains("at 127.0.0.1:8443 unless @HOST:PORT is given: this machine alone"), "{said}");
 }
 
 #[test]
@@ -85,6 +93,13 @@ fn bad_orders_are_refused_with_what_to_do() {
         assert!(words.iter().all(|w| said.err.contains(w)), "{args:?}: {}", said.err);
     };
     refused(&["--device", "spidar-pot"], &["spidar-pot", "there is no such device", "spidar-pan-crossed"]);
+    refused(&["--device", "spidar-pot"], &["phone, haply, osc"]);
+    refused(&["--device", "phone@no-such-host"], &["no-such-host", "is no address", "give HOST:PORT"]);
+    refused(&["--device", "phone", "--faults"], &["--faults", "cannot be told to fail"]);
+    refused(
+        &["--device", "phone@127.0.0.1:0", "--wait-s", "0.3"],
+        &["does not answer", "pairing code", "this machine alone"],
+    );
     refused(&["--for-s", "0"], &["--for-s 0", "1 to 3600"]);
     refused(&["--faults", "--device", "spidar-pan@127.0.0.1:9"], &["--faults", "cannot be told to fail"]);
     refused(&["--device", "spidar-pan@/dev/no-such-port"], &["/dev/no-such-port", "serial port", "HOST:PORT"]);
@@ -145,4 +160,47 @@ fn the_simulator_does_not_open_itself_to_the_network_without_a_code() {
     let said: Said = Command::new(program).args(["--bind", "0.0.0.0:0", "--pairing", "0"]).output().unwrap().into();
     assert_eq!(said.code, Some(2));
     assert!(said.err.contains("remedy: give a code"), "{}", said.err);
+}
+
+/// A check that listens for OSC, and what it says while it waits: where it listens and its code.
+fn listening() -> (Child, String, String) {
+    let args = ["haptics", "check", "--device", "osc@127.0.0.1:0", "--for-s", "2", "--wait-s", "20", "--json"];
+    let mut command = Command::new(env!("CARGO_BIN_EXE_saute"));
+    let mut child =
+        command.args(args).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines().map_while(Result::ok);
+    let place = lines.find_map(|l| Some(l.strip_prefix("at ")?.split(',').next()?.to_owned())).unwrap();
+    let code = lines.find_map(|l| Some(l.strip_prefix("pairing code ")?.to_owned())).unwrap();
+    // The rest must be read, or the child would wait for room.
+    std::thread::spawn(move || lines.count());
+    (child, place, code)
+}
+
+#[test]
+fn a_sender_of_osc_is_checked_with_the_code_that_the_screen_shows() {
+    let (child, place, code) = listening();
+    let socket = std::net::UdpSocket::bind("127.0.0.1:0").unwrap();
+    let send = |addr: &str, args: Vec<rosc::OscType>| {
+        let packet = rosc::OscPacket::Message(rosc::OscMessage { addr: addr.into(), args });
+        // Nobody listens any more when the check is over.
+        let _ = socket.send_to(&rosc::encoder::encode(&packet).unwrap(), &place);
+    };
+    send("/saute/pair", vec![rosc::OscType::String(code)]);
+    let sending = std::sync::atomic::AtomicBool::new(true);
+    let said: Said = std::thread::scope(|scope| {
+        scope.spawn(|| {
+            while sending.load(std::sync::atomic::Ordering::Acquire) {
+                send("/saute/pan/tilt", vec![rosc::OscType::Float(0.0), rosc::OscType::Float(12.0)]);
+                send("/saute/nonsense", Vec::new());
+                std::thread::sleep(std::time::Duration::from_millis(15));
+            }
+        });
+        let output = child.wait_with_output().unwrap();
+        sending.store(false, std::sync::atomic::Ordering::Release);
+        output.into()
+    });
+    let report: Value = serde_json::from_str(&said.out).unwrap();
+    assert_eq!((said.code, &report["health"]), (Some(0), &"running".into()), "{report}");
+    assert!((report["tilted_deg"].as_f64().unwrap() - 12.0).abs() < 0.1, "{report}");
+    assert!(report["messages_hz"].as_f64() > Some(30.0) && report["rejected"].as_u64() > Some(50), "{report}");
 }

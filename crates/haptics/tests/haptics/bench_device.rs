@@ -72,6 +72,11 @@ impl Bench {
         state.jigging = Some(0);
     }
 
+    /// A string slips on its pulley by a length [m], unnoticed.
+    pub fn slip(&self, by: f64) {
+        self.0.lock().unwrap().offset[3] += by;
+    }
+
     pub fn is_stopped(&self) -> bool {
         self.0.lock().unwrap().stopped
     }

@@ -22,7 +22,7 @@ fn running(bench: &Bench) -> Spidar<BenchLink> {
 }
 
 fn pull(force: glam::DVec3) -> HapticCommand {
-    HapticCommand { wrench: Wrench { force, ..Wrench::ZERO }, enabled: true }
+    HapticCommand { wrench: Wrench { force, ..Wrench::ZERO }, enabled: true, ..HapticCommand::default() }
 }
 
 #[test]

@@ -172,3 +172,42 @@ fn a_device_without_a_real_pan_weighs_as_the_pan_does() {
     assert!((weigh("spidar-pan-crossed") - 0.3).abs() < 1e-3);
     assert!((weigh("spidar-frame") - 1.5).abs() < 1e-2);
 }
+
+/// A pan that only forces make is swung to and fro by a hand: work that the hand does and that it gets back [J], and the lowest
+/// value of the observer's account.
+fn swung(capabilities: &Capabilities, mass: impl Fn(f64) -> f64, reach: f64, hz: f64) -> ([f64; 2], f64) {
+    let mut renderer = renderer(capabilities);
+    steps(&mut renderer, &held(DVec3::Z * 0.1, DVec3::ZERO), &weighing(1, mass(0.0)), 1500);
+    let (mut work, mut command) = ([0.0; 2], HapticCommand::default());
+    for k in 0..4000u64 {
+        let t = k as f64 * DT;
+        let (sin, cos) = (std::f64::consts::TAU * hz * t).sin_cos();
+        // Begins gently.
+        let size = reach * (t / 0.5).min(1.0);
+        let speed = DVec3::X * (size * std::f64::consts::TAU * hz * cos);
+        let power = command.wrench.force.dot(speed);
+        work[usize::from(power > 0.0)] += power.abs() * DT;
+        let sample = held(DVec3::new(size * sin, 0.0, 0.1), speed);
+        command = renderer.step(&sample, &weighing(2000 + k, mass(t)), DT);
+    }
+    (work, renderer.passivity().lowest())
+}
+
+#[test]
+fn a_swung_pan_gives_back_what_the_hand_put_into_it_and_never_more() {
+    let frame = device("spidar-frame").capabilities();
+    for (reach, hz) in [(0.05, 0.8), (0.07, 1.0), (0.08, 1.2)] {
+        let ([put, back], lowest) = swung(&frame, |_| 1.6, reach, hz);
+        assert!(lowest >= 0.0 && back <= put + 0.005, "{hz} Hz: {put} J in, {back} J out, lowest {lowest} J");
+        assert!(back > 0.7 * put, "{hz} Hz: of {put} J only {back} J come back");
+    }
+}
+
+#[test]
+fn food_that_leaves_a_swung_pan_takes_its_energy_with_it_and_the_account_stays_positive() {
+    let frame = device("spidar-frame").capabilities();
+    for leaves_at in [1.30, 1.37, 1.45, 1.53] {
+        let (_, lowest) = swung(&frame, |t| if t < leaves_at { 1.6 } else { 1.3 }, 0.09, 1.2);
+        assert!(lowest >= 0.0, "left at {leaves_at} s: lowest {lowest} J");
+    }
+}

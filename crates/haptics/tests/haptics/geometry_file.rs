@@ -1,7 +1,6 @@
 //! Promise: a device's file that cannot be used is refused with its line, key and remedy.
 
-use saute_haptics::device::HapticDevice;
-use saute_haptics::{Feel, Geometry, WeightOnSpring, Wrench, shelf};
+use saute_haptics::{Feel, Geometry, shelf};
 
 fn refused(change: impl Fn(&str) -> String) -> String {
     let text = shelf::device_texts().remove(shelf::DEFAULT_DEVICE).unwrap();
@@ -39,15 +38,4 @@ fn a_feel_out_of_range_is_refused() {
     let said =
         Feel::parse(&text.replace("frequency_hz = 12", "frequency_hz = 400"), "feel.toml").unwrap_err().to_string();
     assert!(said.contains("frequency_hz = 400") && said.contains("0.5 to 40"), "{said}");
-}
-
-#[test]
-fn what_a_device_lacks_is_left_out_by_rule() {
-    let wrench = Wrench { force: glam::DVec3::X, torque: glam::DVec3::Y };
-    let three = WeightOnSpring::default();
-    assert_eq!(three.capabilities().shown(&wrench), Wrench { force: glam::DVec3::X, ..Wrench::ZERO });
-    let none = saute_haptics::Capabilities { dof_actuated: 0, ..three.capabilities().clone() };
-    assert_eq!(none.shown(&wrench), Wrench::ZERO);
-    let six = saute_haptics::Capabilities { dof_actuated: 6, ..none };
-    assert_eq!(six.shown(&wrench), wrench);
 }

@@ -5,11 +5,21 @@
 
 mod bench_device;
 mod calibration;
+mod chromium;
 mod control_loop;
+mod degrade;
 mod driver;
 mod feel;
 mod geometry_file;
+mod hands;
+mod haply;
+mod inverse_service;
+mod kept_calibration;
 mod kitchen;
+mod osc;
+mod phone;
+mod phone_client;
+mod phone_page;
 mod pose;
 mod random;
 mod tension;

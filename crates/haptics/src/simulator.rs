@@ -5,7 +5,7 @@ use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
 
-use crate::error::CliError;
+use crate::open::{Named, OpenError, Opened};
 
 /// Name of its program, without the system's ending.
 const PROGRAM: &str = "saute-spidar-sim";
@@ -21,16 +21,33 @@ pub struct Simulator {
     pub pairing: u32,
 }
 
+/// Opens a device at its place, or a simulated one where it has none; what is true of a simulated one goes to the file `truth`.
+pub fn open_or_simulate(
+    named: &Named,
+    pairing: u32,
+    truth: Option<&Path>,
+) -> Result<(Opened, Option<Simulator>), OpenError> {
+    if !named.is_simulated() {
+        return Ok((named.open(pairing)?, None));
+    }
+    let simulator = Simulator::start(&named.name, truth)?;
+    let opened = named.open_at(simulator.address, simulator.pairing)?;
+    Ok((opened, Some(simulator)))
+}
+
 impl Simulator {
     /// Starts the program that lies beside this one; what is true goes to the file `truth`.
-    pub fn start(device: &str, truth: &Path) -> Result<Self, CliError> {
+    pub fn start(device: &str, truth: Option<&Path>) -> Result<Self, OpenError> {
         let program = find()?;
         let failed = |message: String| {
-            CliError::place(program.display(), message, "run it by hand with --help to see whether it works")
+            OpenError::place(program.display(), message, "run it by hand with --help to see whether it works")
         };
-        let mut child = Command::new(&program)
-            .args(["--device", device, "--quiet", "--end-with-stdin", "--truth"])
-            .arg(truth)
+        let mut command = Command::new(&program);
+        command.args(["--device", device, "--quiet", "--end-with-stdin"]);
+        if let Some(truth) = truth {
+            command.arg("--truth").arg(truth);
+        }
+        let mut child = command
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
@@ -71,16 +88,16 @@ impl Drop for Simulator {
     }
 }
 
-fn find() -> Result<PathBuf, CliError> {
+fn find() -> Result<PathBuf, OpenError> {
     let name = format!("{PROGRAM}{}", std::env::consts::EXE_SUFFIX);
     let own = std::env::current_exe().map_err(|e| {
-        CliError::place(PROGRAM, format!("cannot be looked for: {e}"), "name a device: --device NAME@ADDRESS")
+        OpenError::place(PROGRAM, format!("cannot be looked for: {e}"), "name a device: --device NAME@ADDRESS")
     })?;
     let beside = own.with_file_name(&name);
     if beside.is_file() {
         return Ok(beside);
     }
-    Err(CliError::place(
+    Err(OpenError::place(
         beside.display(),
         "the simulator is not there",
         format!(

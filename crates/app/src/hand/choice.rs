@@ -1,0 +1,99 @@
+//! The settings' part about hands: which device holds what, and where it is.
+
+use egui::accesskit;
+use egui::{RichText, TextEdit, Ui, WidgetInfo};
+use saute_haptics::open;
+
+use super::hands::Role;
+use crate::app::SauteApp;
+use crate::language::Language;
+use crate::panels::settings_card::{explained, named, row};
+use crate::theme;
+
+/// Width of a line to type into at most [points] (chosen: an address and a port).
+const TYPED: f32 = 400.0;
+
+/// What the person has chosen so far.
+#[derive(Clone, Debug)]
+pub(crate) struct Choice {
+    names: Vec<String>,
+    name: usize,
+    place: String,
+    code: String,
+    role: Role,
+}
+
+impl Default for Choice {
+    fn default() -> Self {
+        // A shelf that cannot be read has nothing to choose from; connecting by name then says why.
+        let names = open::names().unwrap_or_default();
+        let name = names.iter().position(|n| n == saute_haptics::shelf::DEFAULT_DEVICE).unwrap_or(0);
+        Self { names, name, place: String::new(), code: String::new(), role: Role::Pan }
+    }
+}
+
+impl Choice {
+    /// NAME or NAME@PLACE.
+    fn text(&self) -> String {
+        let name = self.names.get(self.name).map_or("", String::as_str);
+        let place = self.place.trim();
+        if place.is_empty() { name.to_owned() } else { format!("{name}@{place}") }
+    }
+}
+
+/// Shows the part.
+pub(crate) fn section(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
+    let l = app.settings.language;
+    ui.separator();
+    ui.label(RichText::new(l.text("hand.title")).strong());
+    let choice = &app.hand_choice;
+    let names: Vec<(&str, bool)> =
+        choice.names.iter().enumerate().map(|(i, n)| (n.as_str(), i == choice.name)).collect();
+    let device = row(ui, narrow, l.text("hand.device"), &names);
+    let roles = [Role::Pan, Role::Turner];
+    let held = roles.map(|r| (role_word(r, l), r == choice.role));
+    let role = row(ui, narrow, l.text("hand.holds"), &held);
+    let choice = &mut app.hand_choice;
+    choice.name = device.unwrap_or(choice.name);
+    choice.role = role.map_or(choice.role, |r| roles[r]);
+    typed(ui, narrow, l.text("hand.place"), l.text("hand.place_hint"), &mut choice.place);
+    typed(ui, narrow, l.text("hand.code"), l.text("hand.code_hint"), &mut choice.code);
+    ui.horizontal(|ui| buttons(app, ui, l));
+    for role in roles {
+        if let Some(device) = app.session.hands.device(role) {
+            let lines = device.access.iter().flat_map(|a| a.lines());
+            let text: Vec<String> = std::iter::once(device.name.clone()).chain(lines).collect();
+            explained(ui, narrow, &format!("{}: {}", role_word(role, l), text.join("; ")));
+        }
+    }
+}
+
+fn buttons(app: &mut SauteApp, ui: &mut Ui, l: Language) {
+    let role = app.hand_choice.role;
+    if ui.add(theme::of(ui).button(l.text("hand.connect"), false)).clicked() {
+        let text = app.hand_choice.text();
+        let pairing = app.hand_choice.code.trim().parse().unwrap_or(0);
+        app.connect_hand(role, &text, pairing);
+    }
+    let connected = app.session.hands.device(role).is_some();
+    if ui.add_enabled(connected, theme::of(ui).button(l.text("hand.disconnect"), false)).clicked() {
+        app.session.hands.disconnect(role);
+    }
+}
+
+/// A name and a line to type into.
+fn typed(ui: &mut Ui, narrow: bool, name: &str, hint: &str, text: &mut String) {
+    named(ui, narrow, name, |ui| {
+        let width = ui.available_width().min(TYPED);
+        let line = ui.add(TextEdit::singleline(text).hint_text(hint).desired_width(width));
+        line.widget_info(|| WidgetInfo::labeled(accesskit::Role::TextInput, true, name));
+    });
+}
+
+/// What a role is called.
+pub(crate) fn role_word(role: Role, l: Language) -> &'static str {
+    l.text(match role {
+        Role::Pan => "hand.pan",
+        Role::Turner => "hand.turner",
+    })
+}

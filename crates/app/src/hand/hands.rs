@@ -1,0 +1,172 @@
+//! What hands at devices do to the kitchen from frame to frame, and what they are told.
+
+use std::path::PathBuf;
+
+use saute_haptics::kept_calibration::file_in;
+use saute_haptics::rumble::{Rumble, RumbleRule};
+use saute_haptics::{ContactModel, HapticDevice, Health, KitchenWatch, PanInHand, TurnerInHand, shelf};
+use saute_kitchen::{FRAME_S, Kitchen};
+
+use super::connected::{ConnectError, Connected};
+
+/// A gamepad falls silent when nothing has happened for so long [s] (chosen: three frames).
+const SILENT_S: f64 = 0.05;
+/// Degrees of freedom that a turner's device must sense.
+const TURNER_DOF: u8 = 6;
+
+/// What a device holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Role {
+    /// The pan.
+    #[default]
+    Pan,
+    /// The turner, without force.
+    Turner,
+}
+
+/// Devices with which the window starts.
+#[derive(Clone, Debug, Default)]
+pub struct HandsStart {
+    /// NAME[@PLACE] of the device that holds the pan.
+    pub pan: Option<String>,
+    /// NAME[@PLACE] of the device that leads the turner.
+    pub turner: Option<String>,
+    /// Pairing code that a real device shows; 0 where it needs none.
+    pub pairing: u32,
+    /// Where the calibration of the pan's device is kept, instead of among the settings.
+    pub calibration: Option<PathBuf>,
+}
+
+/// Devices that hands hold.
+#[derive(Default)]
+pub struct Hands {
+    pan: Option<Connected>,
+    turner: Option<Connected>,
+    pan_in_hand: PanInHand,
+    turner_in_hand: TurnerInHand,
+    watch: KitchenWatch,
+    model: ContactModel,
+    /// Since when nothing has been told [s].
+    silent: f64,
+    /// Whether a gamepad wants to know what is felt.
+    listened: bool,
+    rumble: Option<RumbleRule>,
+    /// Distance of the eye before it stepped back to see the strings [m]; none while they are not shown.
+    pub(crate) eye_before: Option<f32>,
+    /// Folder of calibrations; none where nothing is remembered.
+    pub folder: Option<PathBuf>,
+    /// File of the pan's calibration, instead of one in the folder.
+    pub file: Option<PathBuf>,
+}
+
+impl Hands {
+    /// Connects a device by NAME[@PLACE] in place of the one that had its role.
+    pub fn connect(&mut self, role: Role, text: &str, pairing: u32) -> Result<(), ConnectError> {
+        self.disconnect(role);
+        let among = self.folder.as_ref().map(|folder| file_in(folder, text));
+        let file = if role == Role::Pan { self.file.clone().or(among) } else { among };
+        self.take(role, Connected::open(text, pairing, file)?)
+    }
+
+    /// Connects a device that lives in this program.
+    pub fn hold(&mut self, role: Role, name: &str, device: Box<dyn HapticDevice>) -> Result<(), ConnectError> {
+        self.disconnect(role);
+        self.take(role, Connected::start(name, device, self.file.clone())?)
+    }
+
+    fn take(&mut self, role: Role, device: Connected) -> Result<(), ConnectError> {
+        let dof = device.capabilities.sensed.dof();
+        match role {
+            Role::Pan => self.pan = Some(device),
+            Role::Turner if dof < TURNER_DOF => return Err(ConnectError::TooFew { name: device.name.clone(), dof }),
+            Role::Turner => self.turner = Some(device),
+        }
+        Ok(())
+    }
+
+    /// Ends a device's loop; what it held is laid down.
+    pub fn disconnect(&mut self, role: Role) {
+        match role {
+            Role::Pan => (self.pan, self.eye_before) = (None, None),
+            Role::Turner => self.turner = None,
+        }
+    }
+
+    /// The device of a role.
+    pub fn device(&self, role: Role) -> Option<&Connected> {
+        match role {
+            Role::Pan => self.pan.as_ref(),
+            Role::Turner => self.turner.as_ref(),
+        }
+    }
+
+    /// The device of strings that holds the pan.
+    pub fn strung(&self) -> Option<&Connected> {
+        self.pan.as_ref().filter(|device| device.strings.is_some())
+    }
+
+    /// Whether any device is connected.
+    pub fn any(&self) -> bool {
+        self.pan.is_some() || self.turner.is_some()
+    }
+
+    /// All devices let go at once and stay so.
+    pub fn stop(&self) {
+        self.pan.iter().chain(&self.turner).for_each(Connected::stop);
+    }
+
+    /// Whether a hand holds the pan, or it is being laid down.
+    pub fn has_pan(&self) -> bool {
+        self.pan_in_hand.holds() || self.pan_in_hand.lays_down()
+    }
+
+    /// Another kitchen stands there: hands come into it gently.
+    pub fn begin(&mut self) {
+        (self.pan_in_hand, self.turner_in_hand) = Default::default();
+        self.watch.forget();
+    }
+
+    /// Asks the devices how they are; tells files into which calibrations were written, and what went wrong.
+    pub fn update(&mut self) -> Vec<Result<PathBuf, ConnectError>> {
+        let mut kept = Vec::new();
+        for device in self.pan.iter_mut().chain(&mut self.turner) {
+            device.update();
+            kept.extend(device.keep_calibration().transpose());
+        }
+        kept
+    }
+
+    /// Before a frame of the kitchen: pan and turner go where hands hold them.
+    pub fn lead(&mut self, kitchen: &mut Kitchen) {
+        let pan = self.pan.as_mut().map(|d| d.update().sample);
+        let other = self.turner.as_mut().map(|d| d.update().sample).filter(|s| s.health == Health::Running);
+        let running = pan.filter(|s| s.health == Health::Running);
+        let turner = other.map(|s| s.pose).or(running.and_then(|s| s.turner));
+        self.pan_in_hand.step(pan.as_ref(), kitchen, FRAME_S);
+        self.turner_in_hand.step(turner.as_ref(), kitchen);
+    }
+
+    /// After a frame that took as long as on the wall: tells the pan's hand what it feels.
+    pub fn tell(&mut self, kitchen: &Kitchen) {
+        if self.pan.is_none() && !self.listened {
+            return;
+        }
+        self.model = self.watch.look(kitchen, FRAME_S);
+        self.silent = 0.0;
+        if let Some(pan) = &mut self.pan {
+            pan.tell(&self.model);
+        }
+    }
+
+    /// What a gamepad shall shake with now, `wall` after it was asked last [s]; nothing while time stands still or runs faster.
+    pub fn rumble(&mut self, wall: f64) -> Rumble {
+        self.listened = true;
+        self.silent += wall;
+        if self.rumble.is_none() {
+            // The program's own file is whole, or nothing at all is felt.
+            self.rumble = shelf::feel().ok().map(|feel| RumbleRule::new(&feel));
+        }
+        let (silent, model) = (self.silent > SILENT_S + wall, &self.model);
+        self.rumble.as_mut().filter(|_| !silent).map_or_else(Rumble::default, |rule| rule.step(model, wall))
+    }
+}
