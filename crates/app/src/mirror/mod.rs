@@ -1,0 +1,13 @@
+//! The half mirror: food that seems to lie in a real pan.
+
+pub mod calibration;
+pub mod keystone;
+pub mod lens;
+pub mod optics;
+pub mod registration;
+pub mod rig;
+pub mod rig_file;
+pub mod screen;
+#[cfg(test)]
+mod simulated_rig;
+pub mod warp;
