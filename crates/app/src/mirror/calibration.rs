@@ -63,7 +63,7 @@ impl Calibration {
     /// a line.
     pub fn fitted(&self, rig: &Rig, size: DVec2) -> Option<Fitted> {
         let places = rig.mark_places()?;
-        let nominal = scaled(&rig.nominal, rig.screen.pixels(), size);
+        let nominal = rig.nominal.scaled(rig.screen.pixels(), size);
         let shown = |mark: usize| {
             let found = self.moved.get(&mark).map(|share| DVec2::from_array(*share) * size);
             found.unwrap_or_else(|| nominal.pixel(places[mark]))
@@ -80,18 +80,6 @@ impl Calibration {
         let off = middles.iter().map(|[place, pixel]| warp.pixel(*place).distance(*pixel));
         Some(Fitted { warp, residual: off.fold(0.0, f64::max) })
     }
-}
-
-/// A warp for a device whose pixels are counted anew, as in a window that is no whole screen.
-fn scaled(warp: &Warp, from: DVec2, to: DVec2) -> Warp {
-    if from == to {
-        return *warp;
-    }
-    let scale = to / from;
-    let keystone = glam::DMat3::from_diagonal(scale.extend(1.0)) * warp.keystone;
-    // A lens is round on the device; a window of other proportions sees it stretched, which only moves its unit.
-    let lens = Lens { centre: warp.lens.centre * scale, unit: warp.lens.unit * scale.y, ..warp.lens };
-    Warp { keystone, lens }
 }
 
 /// The lens by which points are shown nearest to where they were found (Levenberg and Marquardt).

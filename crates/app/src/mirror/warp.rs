@@ -21,6 +21,17 @@ impl Warp {
         homography(places, ideal).map(|keystone| Self { keystone, lens })
     }
 
+    /// The same warp for a device whose pixels are counted anew, as in a window that is no whole screen.
+    pub fn scaled(&self, from: DVec2, to: DVec2) -> Self {
+        if from == to {
+            return *self;
+        }
+        let scale = to / from;
+        // A lens is round on the device; a window of other proportions is taken to be as high as it.
+        let lens = Lens { centre: self.lens.centre * scale, unit: self.lens.unit * scale.y, ..self.lens };
+        Self { keystone: DMat3::from_diagonal(scale.extend(1.0)) * self.keystone, lens }
+    }
+
     /// The pixel that shows a place of the picture.
     pub fn pixel(&self, place: DVec2) -> DVec2 {
         self.lens.distorted(taken(&self.keystone, place))
