@@ -12,6 +12,8 @@ use crate::colour_map::TemperatureMap;
 use crate::governor::Governor;
 use crate::language::Language;
 use crate::layout::Layout;
+use crate::mirror::presenter::MirrorCallback;
+use crate::mirror::view::MirrorView;
 use crate::motion::Motions;
 use crate::notice::Notice;
 use crate::pad_input::Pad;
@@ -89,6 +91,7 @@ pub struct SauteApp {
     software: bool,
     /// Chooses the quality of the picture where that is left to the program.
     pub(crate) governor: Governor,
+    pub(crate) mirror: MirrorView,
 }
 
 /// Why the window cannot start.
@@ -135,6 +138,7 @@ impl SauteApp {
         if let Some(state) = graphics {
             SceneCallback::install(state);
             GroundCallback::install(state);
+            MirrorCallback::install(state);
             software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
         }
         let language = settings.language;
@@ -165,6 +169,7 @@ impl SauteApp {
             governor: Governor::new(Quality::Best),
             first_steps,
             japanese_font,
+            mirror: MirrorView::default(),
         };
         app.settings.language = Language::English;
         app.set_language(language);
@@ -273,6 +278,7 @@ impl SauteApp {
             Act::Curves => self.settings.curves_open = !self.settings.curves_open,
             Act::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
             Act::Picture => crate::save_picture::save_picture(ctx, &self.notice, self.settings.language),
+            Act::Mirror => self.toggle_mirror(),
             Act::Help => (self.help, self.settings_open) = (!self.help, false),
             Act::Settings => (self.settings_open, self.help) = (!self.settings_open, false),
             Act::Close => (self.help, self.settings_open, self.scene.placing) = (false, false, false),
@@ -503,6 +509,7 @@ impl SauteApp {
         self.take_dropped_files(&ctx);
         self.let_time_pass(&ctx);
         self.show(ui);
+        self.show_mirror(&ctx);
     }
 
     fn show(&mut self, ui: &mut Ui) {
@@ -519,6 +526,8 @@ impl SauteApp {
             panels::help::show(self, ui, whole);
         } else if self.settings_open {
             panels::settings_card::show(self, ui, whole);
+        } else if self.mirror.card {
+            panels::mirror_card::show(self, ui, whole);
         } else if self.first_steps {
             panels::first_steps::show(self, ui, whole);
         }

@@ -9,7 +9,7 @@ use saute_kitchen::{Library, Recipe};
 type Texts = BTreeMap<String, BTreeMap<String, String>>;
 
 /// Sections of names that come from the core's data: found by the English text, not by a key in the code.
-const NAMES: [&str; 15] = [
+const NAMES: [&str; 16] = [
     "food",
     "noun",
     "id",
@@ -25,6 +25,7 @@ const NAMES: [&str; 15] = [
     "mark",
     "deed",
     "button",
+    "rig",
 ];
 
 fn texts(l: Language) -> Texts {

@@ -58,6 +58,16 @@ impl Calibration {
         }
     }
 
+    /// Moves a mark by pixels in directions that the eye sees: x to its right, y downwards, however device and mirror
+    /// turn the picture.
+    pub fn nudge(&mut self, mark: usize, by: DVec2, rig: &Rig, size: DVec2) {
+        const SHARE: f64 = 1e-4;
+        let (Some(fitted), Some(places)) = (self.fitted(rig, size), rig.mark_places()) else { return };
+        let from = fitted.warp.pixel(places[mark]);
+        let along = |axis: DVec2| (fitted.warp.pixel(places[mark] + SHARE * axis) - from).normalize_or_zero();
+        self.shift(mark, by.x * along(DVec2::X) + by.y * along(DVec2::Y), rig, size);
+    }
+
     /// The warp that shows the corners where they were found, through the lens by which the other marks fit best: its
     /// first coefficient by one of them, both by three, the centre besides by all five. None where three corners lie on
     /// a line.

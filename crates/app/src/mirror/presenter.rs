@@ -123,8 +123,16 @@ fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
 pub struct MirrorCallback {
     /// What to draw.
     pub frame: MirrorFrame,
-    /// The format that egui draws into.
-    pub target: wgpu::TextureFormat,
+}
+
+/// The format that egui draws into, from which the presenter is made when the mirror is first shown.
+struct Target(wgpu::TextureFormat);
+
+impl MirrorCallback {
+    /// Notes the format that egui draws with. Called once, when the app starts.
+    pub fn install(state: &egui_wgpu::RenderState) {
+        state.renderer.write().callback_resources.insert(Target(state.target_format));
+    }
 }
 
 impl CallbackTrait for MirrorCallback {
@@ -136,8 +144,11 @@ impl CallbackTrait for MirrorCallback {
         encoder: &mut wgpu::CommandEncoder,
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
-        if resources.get::<MirrorPresenter>().is_none() {
-            resources.insert(MirrorPresenter::new(device, self.target));
+        if resources.get::<MirrorPresenter>().is_none()
+            && let Some(Target(format)) = resources.get::<Target>()
+        {
+            let presenter = MirrorPresenter::new(device, *format);
+            resources.insert(presenter);
         }
         if let Some(presenter) = resources.get_mut::<MirrorPresenter>() {
             presenter.prepare(device, queue, encoder, &self.frame);

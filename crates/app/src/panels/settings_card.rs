@@ -12,9 +12,9 @@ use crate::scene::white_balance::WhiteBalance;
 use crate::theme::{self, Theme};
 
 /// Below this width names stand above their choices [points].
-const NARROW: f32 = 640.0;
+pub(super) const NARROW: f32 = 640.0;
 /// Width of the card at most, and of the names where they stand beside [points].
-const WIDTH: f32 = 660.0;
+pub(super) const WIDTH: f32 = 660.0;
 const NAMES: f32 = 128.0;
 
 /// Shows the card over everything; Esc, F2, the button or a click beside it closes it.
@@ -72,10 +72,13 @@ fn choices(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     if let Some(size) = row(ui, narrow, l.text("settings.size"), &sizes) {
         app.settings.size = InterfaceSize::ALL[size];
     }
+    if ui.add(theme::of(ui).button(l.text("mirror.more"), false)).clicked() {
+        (app.settings_open, app.mirror.card) = (false, true);
+    }
 }
 
 /// A name and its choices, of which one is on; tells which was clicked.
-fn row(ui: &mut Ui, narrow: bool, name: &str, choices: &[(&str, bool)]) -> Option<usize> {
+pub(super) fn row(ui: &mut Ui, narrow: bool, name: &str, choices: &[(&str, bool)]) -> Option<usize> {
     if narrow {
         ui.label(RichText::new(name).size(14.0).color(theme::of(ui).quiet));
         return ui.horizontal_wrapped(|ui| buttons(ui, name, choices)).inner;
@@ -107,7 +110,7 @@ fn buttons(ui: &mut Ui, name: &str, choices: &[(&str, bool)]) -> Option<usize> {
 }
 
 /// What the choice above amounts to.
-fn explained(ui: &mut Ui, narrow: bool, text: &str) {
+pub(super) fn explained(ui: &mut Ui, narrow: bool, text: &str) {
     let text = RichText::new(text).size(13.0).color(theme::of(ui).quiet);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().interact_size.y = 16.0;

@@ -3,6 +3,7 @@
 mod foods;
 mod harness;
 mod japanese;
+mod mirror;
 mod pan;
 mod settings;
 mod steak;

@@ -185,7 +185,6 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     s.visibility *= open * (1.0 - inside * (0.22 * depth + 0.25 * corner));
     let towards = reflect(-view, n);
     let leaves = mix(1.0, mix(0.30, 1.0, escapes_pan(local, (frame.pan_from_world * vec4<f32>(towards, 0.0)).xyz)), inside);
-    let bare = s;
     // Under oil the metal's own highlight fades: the film takes its place.
     if (!is_floor) {
         let bare = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * 0.62;
@@ -198,19 +197,14 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     s.albedo = mix(s.albedo, vec3<f32>(0.042, 0.020, 0.009), film.fond);
     s.f0 *= 1.0 - 0.8 * film.fond;
     var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * (0.62 - 0.38 * cover);
+    // In a half mirror the real metal is seen: only what the liquids themselves send is added, without dither on black.
+    let added = frame.oil.w > 0.5;
+    if (added) { radiance = vec3<f32>(0.0); }
     radiance = under_oil(radiance, in, n, view, lit, open, cover, film.oil, coarse.rgb);
     radiance = under_water(radiance, in, n, view, lit, open, film.water, beads);
     radiance = under_foam(radiance, local, lit, open, film.foam);
-    if (frame.oil.w > 0.5) {
-        let dry = diffuse(bare, lit) + specular(bare, in.position, view, lit) * leaves * 0.62;
-        return added_light(radiance - dry);
-    }
+    if (added) { return vec4<f32>(srgb_from_linear(filmic(radiance)), 1.0); }
     return pixel_from_radiance(radiance, in.clip.xy);
-}
-
-// What a half mirror adds to the real pan that is seen through it; black, without dither, where that is nothing.
-fn added_light(radiance: vec3<f32>) -> vec4<f32> {
-    return vec4<f32>(srgb_from_linear(filmic(max(radiance, vec3<f32>(0.0)))), 1.0);
 }
 
 // The real thing is seen through the mirror: nothing is added to it, and it hides what lies behind it.

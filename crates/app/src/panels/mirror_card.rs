@@ -1,0 +1,146 @@
+//! The card of the half mirror: window, rig, projector, stereo, calibration with its numbers.
+
+use egui::{DragValue, Id, Modal, RichText, ScrollArea, TextEdit, Ui};
+
+use super::settings_card::{NARROW, WIDTH, explained, row};
+use crate::app::SauteApp;
+use crate::mirror::calibration::Calibration;
+use crate::mirror::rig::Rig;
+use crate::mirror::rig_file::SHIPPED;
+use crate::mirror::stereo::Stereo;
+use crate::mirror::view::stereo_word;
+use crate::theme;
+
+/// Shows the card over everything; Esc, the button or a click beside it closes it.
+pub fn show(app: &mut SauteApp, ui: &Ui, whole: egui::Rect) {
+    let l = app.settings.language;
+    let palette = theme::of(ui);
+    let mut done = false;
+    let modal = Modal::new(Id::unique("mirror")).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
+        ui.set_width((whole.width() - 56.0).min(WIDTH));
+        ui.horizontal(|ui| {
+            ui.heading(l.text("mirror.title"));
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                done = ui.add(palette.button(l.text("settings.done"), true)).clicked();
+            });
+        });
+        ui.separator();
+        let height = whole.height() - 112.0;
+        let scrolled = ScrollArea::vertical().auto_shrink([false, true]).max_height(height).min_scrolled_height(height);
+        scrolled.show(ui, |ui| {
+            let narrow = whole.width() < NARROW;
+            window(app, ui, narrow);
+            place(app, ui, narrow);
+            eyes(app, ui, narrow);
+            calibration(app, ui, narrow);
+        });
+    });
+    if done || modal.should_close() {
+        app.mirror.card = false;
+    }
+}
+
+/// The window, and what it shows.
+fn window(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
+    let l = app.settings.language;
+    let open = [(l.text("mirror.closed"), !app.mirror.open), (l.text("mirror.open"), app.mirror.open)];
+    if let Some(chosen) = row(ui, narrow, l.text("mirror.window"), &open) {
+        (app.mirror.open, app.mirror.full) = (chosen == 1, false);
+    }
+    explained(ui, narrow, l.text("mirror.opened"));
+    let shown = app.settings.mirror.pan_shown;
+    let pan = [(l.text("mirror.pan_real"), !shown), (l.text("mirror.pan_drawn"), shown)];
+    if let Some(chosen) = row(ui, narrow, l.text("mirror.pan"), &pan) {
+        app.settings.mirror.pan_shown = chosen == 1;
+    }
+}
+
+/// Rig and projector.
+fn place(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
+    let l = app.settings.language;
+    let now = app.settings.mirror.rig.clone();
+    let rigs = SHIPPED.map(|(name, _)| (l.called("rig", name), name == now));
+    if let Some(chosen) = row(ui, narrow, l.text("mirror.rig"), &rigs) {
+        app.settings.mirror.rig = SHIPPED[chosen].0.to_owned();
+    }
+    ui.horizontal(|ui| {
+        let name = ui.label(l.text("mirror.rig_file"));
+        let field = ui.add(TextEdit::singleline(&mut app.settings.mirror.rig).desired_width(260.0));
+        if field.labelled_by(name.id).lost_focus() {
+            app.mirror.forget_rig();
+        }
+    });
+    let said = match app.mirror.rig(&app.settings.mirror.rig) {
+        Err(error) => error,
+        Ok(rig) => registered(app, &rig),
+    };
+    explained(ui, narrow, &said);
+    ui.horizontal(|ui| {
+        let name = ui.label(l.text("mirror.projector"));
+        ui.add(TextEdit::singleline(&mut app.settings.mirror.projector).desired_width(160.0)).labelled_by(name.id);
+    });
+}
+
+/// What a rig is called, and how well touched points agree with it.
+fn registered(app: &SauteApp, rig: &Rig) -> String {
+    let l = app.settings.language;
+    let residual = rig.residual.map(|metres| format!("{:.2}", 1e3 * metres));
+    residual.map_or_else(|| rig.name.clone(), |mm| l.fill("mirror.registered", &[("rig", &rig.name), ("mm", &mm)]))
+}
+
+/// Stereo and the distance of the eyes.
+fn eyes(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
+    let l = app.settings.language;
+    let now = app.settings.mirror.stereo;
+    let ways = Stereo::ALL.map(|way| (stereo_word(way, l), way == now));
+    if let Some(chosen) = row(ui, narrow, l.text("mirror.stereo"), &ways) {
+        app.settings.mirror.stereo = Stereo::ALL[chosen];
+    }
+    let Ok(rig) = app.mirror.rig(&app.settings.mirror.rig) else { return };
+    let mut mm = 1e3 * app.settings.mirror.eye_distance(&rig);
+    ui.horizontal(|ui| {
+        let name = ui.label(l.text("mirror.eyes"));
+        let drag = DragValue::new(&mut mm).range(0.0..=120.0).speed(0.1).fixed_decimals(1).suffix(" mm");
+        if ui.add(drag).labelled_by(name.id).changed() {
+            app.settings.mirror.eye_distance_mm = Some(mm);
+        }
+    });
+}
+
+/// Calibration: on or off, what to do, the numbers.
+fn calibration(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
+    let l = app.settings.language;
+    let on = app.mirror.calibrating;
+    let shown = [(l.text("mirror.picture"), !on), (l.text("mirror.pattern"), on)];
+    if let Some(chosen) = row(ui, narrow, l.text("mirror.calibration"), &shown) {
+        app.mirror.calibrating = chosen == 1;
+        app.mirror.open |= app.mirror.calibrating;
+    }
+    explained(ui, narrow, l.text("mirror.how"));
+    if ui.add(theme::of(ui).button(l.text("mirror.reset"), false)).clicked() {
+        app.settings.mirror.keep(Calibration::default());
+    }
+    if let Some(lines) = numbers(app) {
+        lines.iter().for_each(|line| {
+            ui.label(RichText::new(line).monospace().size(13.0));
+        });
+    }
+}
+
+/// Where every mark is shown, the lens, and what is left.
+fn numbers(app: &mut SauteApp) -> Option<Vec<String>> {
+    let l = app.settings.language;
+    let (rig, size) = (app.mirror.rig(&app.settings.mirror.rig).ok()?, app.mirror.size);
+    let size = if size.min_element() < 1.0 { rig.screen.pixels() } else { size };
+    let calibration = app.settings.mirror.calibration();
+    let (fitted, pixels) = (calibration.fitted(&rig, size)?, calibration.pixels(&rig, size)?);
+    let mark = |mark: usize| format!("{} {:7.1} {:7.1}", mark + 1, pixels[mark].x, pixels[mark].y);
+    let rows = pixels.iter().enumerate().map(|(k, _)| mark(k)).collect::<Vec<_>>();
+    let mut lines: Vec<String> = rows.chunks(3).map(|three| three.join("   ")).collect();
+    let [k1, k2] = fitted.warp.lens.k.map(|k| format!("{k:.4}"));
+    let centre = fitted.warp.lens.centre;
+    let (x, y) = (format!("{:.0}", centre.x), format!("{:.0}", centre.y));
+    let residual = format!("{:.2}", fitted.residual);
+    lines.push(l.fill("mirror.lens", &[("k1", &k1), ("k2", &k2), ("x", &x), ("y", &y), ("residual", &residual)]));
+    Some(lines)
+}
