@@ -304,6 +304,19 @@ mod tests {
     }
 
     #[test]
+    fn all_marks_of_the_sheet_are_shown_with_room_for_their_crosses() {
+        for (name, _) in SHIPPED {
+            let rig = shipped(name).expect("is there").expect("is read");
+            let size = rig.screen.pixels();
+            for place in rig.mark_places().expect("before the eye") {
+                let pixel = rig.nominal.pixel(place);
+                let room = pixel.min(size - pixel).min_element();
+                assert!(room > 40.0, "{name}: {pixel}");
+            }
+        }
+    }
+
+    #[test]
     fn a_bad_number_is_refused_with_file_key_and_remedy() {
         let said = refused("position_m = [0.0, -0.35, 0.55]", "position_m = [0.0, -350.0, 550.0]");
         assert!(said.contains("flat-screen") && said.contains("eye.position_m") && said.contains("remedy"), "{said}");

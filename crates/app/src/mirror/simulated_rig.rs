@@ -56,9 +56,9 @@ impl Bench {
         Self {
             eye: rig.eye,
             mirror: [DVec3::new(0.0, 0.0, 0.283), turned(rig.mirror.normal, DVec3::new(0.004, 0.006, 0.0))],
-            board: [DVec3::new(0.0, 0.138, 0.523), DVec3::new(0.008, 0.349, 0.937).normalize()],
+            board: [DVec3::new(0.0, 0.1195, 0.5295), DVec3::new(0.008, 0.349, 0.937).normalize()],
             projector: DMat3::from_cols(row, axis.cross(row), axis),
-            at: DVec3::new(0.018, 0.312, 1.329),
+            at: DVec3::new(0.018, 0.294, 1.335),
             focal: 2702.0,
             principal: DVec2::new(968.0, 655.0),
             lens: [-0.12, 0.25, 0.05, 0.0004, -0.0003],

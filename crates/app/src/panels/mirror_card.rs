@@ -1,8 +1,8 @@
 //! The card of the half mirror: window, rig, projector, stereo, calibration with its numbers.
 
-use egui::{DragValue, Id, Modal, RichText, ScrollArea, TextEdit, Ui};
+use egui::{Align, DragValue, Id, Layout, Modal, Response, RichText, ScrollArea, TextEdit, Ui, vec2};
 
-use super::settings_card::{NARROW, WIDTH, explained, row};
+use super::settings_card::{NAMES, NARROW, WIDTH, explained, row};
 use crate::app::SauteApp;
 use crate::mirror::calibration::Calibration;
 use crate::mirror::rig::Rig;
@@ -47,7 +47,7 @@ fn window(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     if let Some(chosen) = row(ui, narrow, l.text("mirror.window"), &open) {
         (app.mirror.open, app.mirror.full) = (chosen == 1, false);
     }
-    explained(ui, narrow, l.text("mirror.opened"));
+    explained(ui, true, l.text("mirror.opened"));
     let shown = app.settings.mirror.pan_shown;
     let pan = [(l.text("mirror.pan_real"), !shown), (l.text("mirror.pan_drawn"), shown)];
     if let Some(chosen) = row(ui, narrow, l.text("mirror.pan"), &pan) {
@@ -63,22 +63,31 @@ fn place(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     if let Some(chosen) = row(ui, narrow, l.text("mirror.rig"), &rigs) {
         app.settings.mirror.rig = SHIPPED[chosen].0.to_owned();
     }
-    ui.horizontal(|ui| {
-        let name = ui.label(l.text("mirror.rig_file"));
-        let field = ui.add(TextEdit::singleline(&mut app.settings.mirror.rig).desired_width(260.0));
-        if field.labelled_by(name.id).lost_focus() {
-            app.mirror.forget_rig();
-        }
-    });
+    let typed = &mut app.settings.mirror.rig;
+    if beside(ui, narrow, l.text("mirror.rig_file"), |ui| ui.add(TextEdit::singleline(typed))).lost_focus() {
+        app.mirror.forget_rig();
+    }
     let said = match app.mirror.rig(&app.settings.mirror.rig) {
         Err(error) => error,
         Ok(rig) => registered(app, &rig),
     };
     explained(ui, narrow, &said);
+    let typed = &mut app.settings.mirror.projector;
+    beside(ui, narrow, l.text("mirror.projector"), |ui| ui.add(TextEdit::singleline(typed)));
+}
+
+/// A name and the field that it is the name of.
+fn beside(ui: &mut Ui, narrow: bool, name: &str, field: impl FnOnce(&mut Ui) -> Response) -> Response {
     ui.horizontal(|ui| {
-        let name = ui.label(l.text("mirror.projector"));
-        ui.add(TextEdit::singleline(&mut app.settings.mirror.projector).desired_width(160.0)).labelled_by(name.id);
-    });
+        let width = if narrow { 0.5 * ui.available_width() } else { NAMES };
+        let place = vec2(width, theme::TOUCH);
+        let label = ui.allocate_ui_with_layout(place, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_size(place);
+            ui.label(name)
+        });
+        field(ui).labelled_by(label.inner.id)
+    })
+    .inner
 }
 
 /// What a rig is called, and how well touched points agree with it.
@@ -98,13 +107,10 @@ fn eyes(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     }
     let Ok(rig) = app.mirror.rig(&app.settings.mirror.rig) else { return };
     let mut mm = 1e3 * app.settings.mirror.eye_distance(&rig);
-    ui.horizontal(|ui| {
-        let name = ui.label(l.text("mirror.eyes"));
-        let drag = DragValue::new(&mut mm).range(0.0..=120.0).speed(0.1).fixed_decimals(1).suffix(" mm");
-        if ui.add(drag).labelled_by(name.id).changed() {
-            app.settings.mirror.eye_distance_mm = Some(mm);
-        }
-    });
+    let drag = DragValue::new(&mut mm).range(0.0..=120.0).speed(0.1).fixed_decimals(1).suffix(" mm");
+    if beside(ui, narrow, l.text("mirror.eyes"), |ui| ui.add(drag)).changed() {
+        app.settings.mirror.eye_distance_mm = Some(mm);
+    }
 }
 
 /// Calibration: on or off, what to do, the numbers.
@@ -116,19 +122,22 @@ fn calibration(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
         app.mirror.calibrating = chosen == 1;
         app.mirror.open |= app.mirror.calibrating;
     }
-    explained(ui, narrow, l.text("mirror.how"));
+    if let Ok(rig) = app.mirror.rig(&app.settings.mirror.rig) {
+        let [width, depth] = (1e3 * rig.sheet.size).round().to_array();
+        explained(ui, true, &l.fill("mirror.how", &[("width", &width), ("depth", &depth)]));
+    }
     if ui.add(theme::of(ui).button(l.text("mirror.reset"), false)).clicked() {
         app.settings.mirror.keep(Calibration::default());
     }
-    if let Some(lines) = numbers(app) {
+    if let Some(lines) = numbers(app, if narrow { 1 } else { 3 }) {
         lines.iter().for_each(|line| {
-            ui.label(RichText::new(line).monospace().size(13.0));
+            ui.label(RichText::new(line).monospace().size(14.0));
         });
     }
 }
 
 /// Where every mark is shown, the lens, and what is left.
-fn numbers(app: &mut SauteApp) -> Option<Vec<String>> {
+fn numbers(app: &mut SauteApp, columns: usize) -> Option<Vec<String>> {
     let l = app.settings.language;
     let (rig, size) = (app.mirror.rig(&app.settings.mirror.rig).ok()?, app.mirror.size);
     let size = if size.min_element() < 1.0 { rig.screen.pixels() } else { size };
@@ -136,7 +145,7 @@ fn numbers(app: &mut SauteApp) -> Option<Vec<String>> {
     let (fitted, pixels) = (calibration.fitted(&rig, size)?, calibration.pixels(&rig, size)?);
     let mark = |mark: usize| format!("{} {:7.1} {:7.1}", mark + 1, pixels[mark].x, pixels[mark].y);
     let rows = pixels.iter().enumerate().map(|(k, _)| mark(k)).collect::<Vec<_>>();
-    let mut lines: Vec<String> = rows.chunks(3).map(|three| three.join("   ")).collect();
+    let mut lines: Vec<String> = rows.chunks(columns).map(|three| three.join("   ")).collect();
     let [k1, k2] = fitted.warp.lens.k.map(|k| format!("{k:.4}"));
     let centre = fitted.warp.lens.centre;
     let (x, y) = (format!("{:.0}", centre.x), format!("{:.0}", centre.y));

@@ -15,7 +15,7 @@ use crate::theme::{self, Theme};
 pub(super) const NARROW: f32 = 640.0;
 /// Width of the card at most, and of the names where they stand beside [points].
 pub(super) const WIDTH: f32 = 660.0;
-const NAMES: f32 = 128.0;
+pub(super) const NAMES: f32 = 128.0;
 
 /// Shows the card over everything; Esc, F2, the button or a click beside it closes it.
 pub fn show(app: &mut SauteApp, ui: &Ui, whole: egui::Rect) {
