@@ -44,8 +44,8 @@ impl Calibration {
     /// Moves a mark to a pixel. A first corner makes all of them known: the others stay where they were shown.
     pub fn place(&mut self, mark: usize, pixel: DVec2, rig: &Rig, size: DVec2) {
         if let (true, Some(now)) = (mark < CORNERS, self.pixels(rig, size)) {
-            for corner in 0..CORNERS {
-                self.moved.entry(corner).or_insert((now[corner] / size).to_array());
+            for (corner, shown) in now.iter().enumerate().take(CORNERS) {
+                self.moved.entry(corner).or_insert((*shown / size).to_array());
             }
         }
         self.moved.insert(mark, (pixel / size).to_array());

@@ -70,7 +70,14 @@ impl MirrorView {
         ui.painter().rect_filled(rect, 0.0, Color32::BLACK);
         let scale = ui.ctx().pixels_per_point();
         self.size = DVec2::new(f64::from(rect.width() * scale), f64::from(rect.height() * scale)).round();
+        if !self.calibrating && response.hovered() {
+            ui.ctx().set_cursor_icon(egui::CursorIcon::None);
+        }
         let Ok(rig) = self.rig(&settings.rig) else { return };
+        // A window that is being made small has no pixels for a while.
+        if self.size.min_element() < 1.0 {
+            return;
+        }
         let mut calibration = settings.calibration();
         if self.calibrating && self.aim.take(ui, &response, &mut calibration, &rig, self.size) {
             // Three corners on a line show nothing: such a move is not made.
@@ -149,8 +156,10 @@ impl SauteApp {
     pub(crate) fn toggle_mirror(&mut self) {
         self.mirror.open = !self.mirror.open;
         self.mirror.full = false;
-        if self.mirror.open {
-            self.say("mirror.opened");
+        match self.mirror.rig(&self.settings.mirror.rig) {
+            Err(error) if self.mirror.open => self.say_trouble(&error),
+            Ok(_) if self.mirror.open => self.say("mirror.opened"),
+            _ => {}
         }
     }
 
