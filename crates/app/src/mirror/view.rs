@@ -65,8 +65,9 @@ impl MirrorView {
     ) {
         let rect = ui.max_rect();
         let response = ui.interact(rect, ui.scope_id().with("mirror"), Sense::click_and_drag());
-        response
-            .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, l.text("mirror.spoken")));
+        response.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, l.text("half_mirror.spoken"))
+        });
         ui.painter().rect_filled(rect, 0.0, Color32::BLACK);
         let scale = ui.ctx().pixels_per_point();
         self.size = DVec2::new(f64::from(rect.width() * scale), f64::from(rect.height() * scale)).round();
@@ -131,7 +132,7 @@ impl SauteApp {
         if !self.mirror.open {
             return;
         }
-        let title = self.settings.language.text("mirror.window");
+        let title = self.settings.language.text("half_mirror.window");
         let builder = egui::ViewportBuilder::default()
             .with_title(title)
             .with_inner_size(WINDOW)
@@ -158,7 +159,7 @@ impl SauteApp {
         self.mirror.full = false;
         match self.mirror.rig(&self.settings.mirror.rig) {
             Err(error) if self.mirror.open => self.say_trouble(&error),
-            Ok(_) if self.mirror.open => self.say("mirror.opened"),
+            Ok(_) if self.mirror.open => self.say("half_mirror.opened"),
             _ => {}
         }
     }
@@ -173,8 +174,8 @@ impl SauteApp {
 pub(crate) fn stereo_word(stereo: super::stereo::Stereo, l: Language) -> &'static str {
     use super::stereo::Stereo;
     l.text(match stereo {
-        Stereo::Off => "mirror.mono",
-        Stereo::Anaglyph => "mirror.anaglyph",
-        Stereo::SideBySide => "mirror.side_by_side",
+        Stereo::Off => "half_mirror.mono",
+        Stereo::Anaglyph => "half_mirror.anaglyph",
+        Stereo::SideBySide => "half_mirror.side_by_side",
     })
 }

@@ -19,7 +19,7 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: egui::Rect) {
     let modal = Modal::new(Id::unique("mirror")).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
         ui.set_width((whole.width() - 56.0).min(WIDTH));
         ui.horizontal(|ui| {
-            ui.heading(l.text("mirror.title"));
+            ui.heading(l.text("half_mirror.title"));
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 done = ui.add(palette.button(l.text("settings.done"), true)).clicked();
             });
@@ -43,14 +43,14 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: egui::Rect) {
 /// The window, and what it shows.
 fn window(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     let l = app.settings.language;
-    let open = [(l.text("mirror.closed"), !app.mirror.open), (l.text("mirror.open"), app.mirror.open)];
-    if let Some(chosen) = row(ui, narrow, l.text("mirror.window"), &open) {
+    let open = [(l.text("half_mirror.closed"), !app.mirror.open), (l.text("half_mirror.open"), app.mirror.open)];
+    if let Some(chosen) = row(ui, narrow, l.text("half_mirror.window"), &open) {
         (app.mirror.open, app.mirror.full) = (chosen == 1, false);
     }
-    explained(ui, true, l.text("mirror.opened"));
+    explained(ui, true, l.text("half_mirror.opened"));
     let shown = app.settings.mirror.pan_shown;
-    let pan = [(l.text("mirror.pan_real"), !shown), (l.text("mirror.pan_drawn"), shown)];
-    if let Some(chosen) = row(ui, narrow, l.text("mirror.pan"), &pan) {
+    let pan = [(l.text("half_mirror.pan_real"), !shown), (l.text("half_mirror.pan_drawn"), shown)];
+    if let Some(chosen) = row(ui, narrow, l.text("half_mirror.pan"), &pan) {
         app.settings.mirror.pan_shown = chosen == 1;
     }
 }
@@ -60,11 +60,11 @@ fn place(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     let l = app.settings.language;
     let now = app.settings.mirror.rig.clone();
     let rigs = SHIPPED.map(|(name, _)| (l.called("rig", name), name == now));
-    if let Some(chosen) = row(ui, narrow, l.text("mirror.rig"), &rigs) {
+    if let Some(chosen) = row(ui, narrow, l.text("half_mirror.rig"), &rigs) {
         app.settings.mirror.rig = SHIPPED[chosen].0.to_owned();
     }
     let typed = &mut app.settings.mirror.rig;
-    if beside(ui, narrow, l.text("mirror.rig_file"), |ui| ui.add(TextEdit::singleline(typed))).lost_focus() {
+    if beside(ui, narrow, l.text("half_mirror.rig_file"), |ui| ui.add(TextEdit::singleline(typed))).lost_focus() {
         app.mirror.forget_rig();
     }
     let said = match app.mirror.rig(&app.settings.mirror.rig) {
@@ -73,7 +73,7 @@ fn place(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     };
     explained(ui, narrow, &said);
     let typed = &mut app.settings.mirror.projector;
-    beside(ui, narrow, l.text("mirror.projector"), |ui| ui.add(TextEdit::singleline(typed)));
+    beside(ui, narrow, l.text("half_mirror.projector"), |ui| ui.add(TextEdit::singleline(typed)));
 }
 
 /// A name and the field that it is the name of.
@@ -94,7 +94,7 @@ fn beside(ui: &mut Ui, narrow: bool, name: &str, field: impl FnOnce(&mut Ui) -> 
 fn registered(app: &SauteApp, rig: &Rig) -> String {
     let l = app.settings.language;
     let residual = rig.residual.map(|metres| format!("{:.2}", 1e3 * metres));
-    residual.map_or_else(|| rig.name.clone(), |mm| l.fill("mirror.registered", &[("rig", &rig.name), ("mm", &mm)]))
+    residual.map_or_else(|| rig.name.clone(), |mm| l.fill("half_mirror.registered", &[("rig", &rig.name), ("mm", &mm)]))
 }
 
 /// Stereo and the distance of the eyes.
@@ -102,13 +102,13 @@ fn eyes(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     let l = app.settings.language;
     let now = app.settings.mirror.stereo;
     let ways = Stereo::ALL.map(|way| (stereo_word(way, l), way == now));
-    if let Some(chosen) = row(ui, narrow, l.text("mirror.stereo"), &ways) {
+    if let Some(chosen) = row(ui, narrow, l.text("half_mirror.stereo"), &ways) {
         app.settings.mirror.stereo = Stereo::ALL[chosen];
     }
     let Ok(rig) = app.mirror.rig(&app.settings.mirror.rig) else { return };
     let mut mm = 1e3 * app.settings.mirror.eye_distance(&rig);
     let drag = DragValue::new(&mut mm).range(0.0..=120.0).speed(0.1).fixed_decimals(1).suffix(" mm");
-    if beside(ui, narrow, l.text("mirror.eyes"), |ui| ui.add(drag)).changed() {
+    if beside(ui, narrow, l.text("half_mirror.eyes"), |ui| ui.add(drag)).changed() {
         app.settings.mirror.eye_distance_mm = Some(mm);
     }
 }
@@ -117,16 +117,16 @@ fn eyes(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
 fn calibration(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     let l = app.settings.language;
     let on = app.mirror.calibrating;
-    let shown = [(l.text("mirror.picture"), !on), (l.text("mirror.pattern"), on)];
-    if let Some(chosen) = row(ui, narrow, l.text("mirror.calibration"), &shown) {
+    let shown = [(l.text("half_mirror.picture"), !on), (l.text("half_mirror.pattern"), on)];
+    if let Some(chosen) = row(ui, narrow, l.text("half_mirror.calibration"), &shown) {
         app.mirror.calibrating = chosen == 1;
         app.mirror.open |= app.mirror.calibrating;
     }
     if let Ok(rig) = app.mirror.rig(&app.settings.mirror.rig) {
         let [width, depth] = (1e3 * rig.sheet.size).round().to_array();
-        explained(ui, true, &l.fill("mirror.how", &[("width", &width), ("depth", &depth)]));
+        explained(ui, true, &l.fill("half_mirror.how", &[("width", &width), ("depth", &depth)]));
     }
-    if ui.add(theme::of(ui).button(l.text("mirror.reset"), false)).clicked() {
+    if ui.add(theme::of(ui).button(l.text("half_mirror.reset"), false)).clicked() {
         app.settings.mirror.keep(Calibration::default());
     }
     if let Some(lines) = numbers(app, if narrow { 1 } else { 3 }) {
@@ -150,6 +150,6 @@ fn numbers(app: &mut SauteApp, columns: usize) -> Option<Vec<String>> {
     let centre = fitted.warp.lens.centre;
     let (x, y) = (format!("{:.0}", centre.x), format!("{:.0}", centre.y));
     let residual = format!("{:.2}", fitted.residual);
-    lines.push(l.fill("mirror.lens", &[("k1", &k1), ("k2", &k2), ("x", &x), ("y", &y), ("residual", &residual)]));
+    lines.push(l.fill("half_mirror.lens", &[("k1", &k1), ("k2", &k2), ("x", &x), ("y", &y), ("residual", &residual)]));
     Some(lines)
 }

@@ -28,6 +28,7 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: egui::Rect) {
             ui.heading(l.text("settings.title"));
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 done = ui.add(palette.button(l.text("settings.done"), true)).clicked();
+                app.mirror.card = ui.add(palette.button(l.text("half_mirror.more"), false)).clicked();
             });
         });
         ui.separator();
@@ -35,7 +36,7 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: egui::Rect) {
         let scrolled = ScrollArea::vertical().auto_shrink([false, true]).max_height(height).min_scrolled_height(height);
         scrolled.show(ui, |ui| choices(app, ui, whole.width() < NARROW));
     });
-    if done || modal.should_close() {
+    if done || app.mirror.card || modal.should_close() {
         app.settings_open = false;
     }
 }
@@ -71,9 +72,6 @@ fn choices(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     let sizes = sizes.each_ref().map(|(text, on)| (text.as_str(), *on));
     if let Some(size) = row(ui, narrow, l.text("settings.size"), &sizes) {
         app.settings.size = InterfaceSize::ALL[size];
-    }
-    if ui.add(theme::of(ui).button(l.text("mirror.more"), false)).clicked() {
-        (app.settings_open, app.mirror.card) = (false, true);
     }
 }
 

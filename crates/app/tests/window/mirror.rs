@@ -156,8 +156,6 @@ fn the_mirrors_choices_stand_on_a_card_in_both_languages() {
         let mut harness = window(size);
         harness.get_by_label("Settings").click();
         steps(&mut harness, 3);
-        harness.get_by_label("Half mirror…").scroll_to_me();
-        steps(&mut harness, 8);
         harness.get_by_label("Half mirror…").click();
         steps(&mut harness, 3);
         for (choice, way) in ["Off", "Red and cyan", "Side by side"].into_iter().zip(Stereo::ALL) {
