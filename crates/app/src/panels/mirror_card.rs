@@ -64,7 +64,7 @@ fn place(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
         app.settings.mirror.rig = SHIPPED[chosen].0.to_owned();
     }
     let typed = &mut app.settings.mirror.rig;
-    if beside(ui, narrow, l.text("half_mirror.rig_file"), |ui| ui.add(TextEdit::singleline(typed))).lost_focus() {
+    if beside(ui, narrow, l.text("half_mirror.rig_file"), |ui| text_field(ui, typed)).lost_focus() {
         app.mirror.forget_rig();
     }
     let said = match app.mirror.rig(&app.settings.mirror.rig) {
@@ -73,7 +73,7 @@ fn place(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     };
     explained(ui, narrow, &said);
     let typed = &mut app.settings.mirror.projector;
-    beside(ui, narrow, l.text("half_mirror.projector"), |ui| ui.add(TextEdit::singleline(typed)));
+    beside(ui, narrow, l.text("half_mirror.projector"), |ui| text_field(ui, typed));
 }
 
 /// A name and the field that it is the name of.
@@ -88,6 +88,11 @@ fn beside(ui: &mut Ui, narrow: bool, name: &str, field: impl FnOnce(&mut Ui) -> 
         field(ui).labelled_by(label.inner.id)
     })
     .inner
+}
+
+fn text_field(ui: &mut Ui, typed: &mut String) -> Response {
+    let room = ui.available_width() - 2.0 * ui.spacing().item_spacing.x;
+    ui.add(TextEdit::singleline(typed).desired_width(room.min(280.0)))
 }
 
 /// What a rig is called, and how well touched points agree with it.
