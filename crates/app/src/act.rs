@@ -87,6 +87,8 @@ pub enum Act {
     Strings,
     /// Saves a picture.
     Picture,
+    /// The half mirror's window.
+    Mirror,
     /// The card of the settings.
     Settings,
     /// This list.
@@ -117,7 +119,7 @@ pub const TOOL_STEP: f64 = 0.01;
 pub const ROLL_STEP: f64 = std::f64::consts::PI / 6.0;
 
 /// All keys, in the order in which the help lists them.
-pub const BINDINGS: [Binding; 59] = [
+pub const BINDINGS: [Binding; 60] = [
     bind(Key::A, "A", Act::Put, "key.put"),
     bind(Key::F, "F", Act::Flip, "key.flip"),
     bind(Key::O, "O", Act::Out, "key.out"),
@@ -176,6 +178,7 @@ pub const BINDINGS: [Binding; 59] = [
     bind(Key::F12, "F12", Act::Picture, "key.picture"),
     bind(Key::F1, "F1", Act::Help, "key.help"),
     bind(Key::F2, "F2", Act::Settings, "key.settings"),
+    bind(Key::F9, "F9", Act::Mirror, "key.mirror"),
     bind(Key::Escape, "Esc", Act::Close, "key.close"),
 ];
 

@@ -12,6 +12,8 @@ use crate::colour_map::TemperatureMap;
 use crate::governor::Governor;
 use crate::language::Language;
 use crate::layout::Layout;
+use crate::mirror::presenter::MirrorCallback;
+use crate::mirror::view::MirrorView;
 use crate::motion::Motions;
 use crate::notice::Notice;
 use crate::pad_input::Pad;
@@ -94,6 +96,7 @@ pub struct SauteApp {
     software: bool,
     /// Chooses the quality of the picture where that is left to the program.
     pub(crate) governor: Governor,
+    pub(crate) mirror: MirrorView,
 }
 
 /// Why the window cannot start.
@@ -147,6 +150,7 @@ impl SauteApp {
         if let Some(state) = graphics {
             SceneCallback::install(state);
             GroundCallback::install(state);
+            MirrorCallback::install(state);
             software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
         }
         let language = settings.language;
@@ -179,6 +183,7 @@ impl SauteApp {
             governor: Governor::new(Quality::Best),
             first_steps,
             japanese_font,
+            mirror: MirrorView::default(),
         };
         app.settings.language = Language::English;
         app.set_language(language);
@@ -293,6 +298,7 @@ impl SauteApp {
             #[cfg(target_arch = "wasm32")]
             Act::StopHands | Act::Strings => {}
             Act::Picture => crate::save_picture::save_picture(ctx, &self.notice, self.settings.language),
+            Act::Mirror => self.toggle_mirror(),
             Act::Help => (self.help, self.settings_open) = (!self.help, false),
             Act::Settings => (self.settings_open, self.help) = (!self.settings_open, false),
             Act::Close => (self.help, self.settings_open, self.scene.placing) = (false, false, false),
@@ -535,6 +541,7 @@ impl SauteApp {
         self.take_dropped_files(&ctx);
         self.let_time_pass(&ctx);
         self.show(ui);
+        self.show_mirror(&ctx);
     }
 
     fn show(&mut self, ui: &mut Ui) {
@@ -555,6 +562,8 @@ impl SauteApp {
             panels::help::show(self, ui, whole);
         } else if self.settings_open {
             panels::settings_card::show(self, ui, whole);
+        } else if self.mirror.card {
+            panels::mirror_card::show(self, ui, whole);
         } else if self.first_steps {
             panels::first_steps::show(self, ui, whole);
         }

@@ -26,6 +26,7 @@ pub mod interface_size;
 mod japanese_font;
 pub mod language;
 pub mod layout;
+pub mod mirror;
 pub mod motion;
 mod next_step;
 pub mod notice;

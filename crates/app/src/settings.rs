@@ -5,6 +5,7 @@ use saute_kitchen::library::DEFAULT_SCALE;
 use crate::colour_map::TemperatureMap;
 use crate::interface_size::InterfaceSize;
 use crate::language::Language;
+use crate::mirror::settings::MirrorSettings;
 use crate::quality_choice::QualityChoice;
 use crate::scene::white_balance::WhiteBalance;
 use crate::session::SteakChoice;
@@ -52,6 +53,8 @@ pub struct Settings {
     pub curves_open: bool,
     /// Whether all panels are hidden.
     pub panels_hidden: bool,
+    /// The half mirror.
+    pub mirror: MirrorSettings,
 }
 
 impl Default for Settings {
@@ -75,6 +78,7 @@ impl Default for Settings {
             pieces_open: false,
             curves_open: true,
             panels_hidden: false,
+            mirror: MirrorSettings::default(),
         }
     }
 }

@@ -236,6 +236,7 @@ impl Stage {
             colouring: map.map_or(Colouring::Look, |m| Colouring::Field { table: m.table, stepped: m.stepped }),
             white_balance: options.white_balance,
             flat: options.flat,
+            mirror: None,
         }
     }
 

@@ -26,6 +26,7 @@ const NAMES: [&str; 16] = [
     "mark",
     "deed",
     "button",
+    "rig",
 ];
 
 fn texts(l: Language) -> Texts {

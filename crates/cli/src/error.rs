@@ -53,6 +53,9 @@ pub enum CliError {
     /// A picture that could not be made.
     #[error(transparent)]
     Shot(#[from] ShotError),
+    /// A rig of the half mirror that cannot be used.
+    #[error(transparent)]
+    Rig(#[from] saute_app::mirror::rig_file::RigFileError),
     /// Frames that could not be drawn.
     #[error(transparent)]
     Offscreen(#[from] OffscreenError),

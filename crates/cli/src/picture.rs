@@ -1,12 +1,17 @@
 //! `saute shot` and `saute bench frame`: pictures from the app's own renderer.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::Instant;
 
 use clap::ValueEnum;
 use saute_app::bench_frame::{DISH, DISH_FROM_S, FROM_S, SHRIMPS, SHRIMPS_FROM_S};
+use saute_app::mirror::frame::MirrorOptions;
+use saute_app::mirror::rig::Rig;
+use saute_app::mirror::rig_file;
+use saute_app::mirror::stereo::Stereo;
+use saute_app::mirror::still::mirror_shot;
 use saute_app::png_file::png_bytes;
 use saute_app::quality_choice::QualityChoice;
 use saute_app::scene::quality::Quality;
@@ -19,7 +24,7 @@ use saute_kitchen::library::DEFAULT_SCALE;
 use crate::error::CliError;
 use crate::out_file::OutFile;
 use crate::shelf::Shelf;
-use crate::{recipe_source, stdout};
+use crate::{recipe_source, stdout, text_file};
 
 /// `saute shot`.
 #[derive(Debug, clap::Args)]
@@ -51,6 +56,16 @@ pub struct ShotArgs {
     /// The scale of the doneness view: see `saute list scales`.
     #[arg(long, value_name = "SCALE", default_value = DEFAULT_SCALE)]
     pub doneness: String,
+    /// Draws what a half mirror's screen or projector shows: a rig file, or the name of a shipped rig (flat-screen,
+    /// projector); flat-screen unless given.
+    #[arg(long, value_name = "RIG", num_args = 0..=1, default_missing_value = "flat-screen", conflicts_with_all = ["split", "flat"])]
+    pub mirror: Option<String>,
+    /// A picture for each eye in the mirror.
+    #[arg(long, value_enum, requires = "mirror")]
+    pub stereo: Option<StereoName>,
+    /// Draws the virtual pan in the mirror, where else the real one is seen.
+    #[arg(long, requires = "mirror")]
+    pub show_pan: bool,
     /// Size of the picture in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
     pub size: [u32; 2],
@@ -166,6 +181,24 @@ impl From<QualityName> for Quality {
     }
 }
 
+/// Ways of stereo by their names on the command line.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum StereoName {
+    /// Red for the left eye, cyan for the right.
+    Anaglyph,
+    /// The left eye's picture in the left half.
+    SideBySide,
+}
+
+impl From<StereoName> for Stereo {
+    fn from(name: StereoName) -> Self {
+        match name {
+            StereoName::Anaglyph => Self::Anaglyph,
+            StereoName::SideBySide => Self::SideBySide,
+        }
+    }
+}
+
 /// Sides that a picture may have [pixels] (chosen: every graphics adapter can draw 8192).
 const SIDES: std::ops::RangeInclusive<u32> = 64..=8192;
 
@@ -208,9 +241,26 @@ pub fn shot(args: &ShotArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
         flat: args.flat,
         scale,
     };
-    let picture = saute_app::shot::shot(recipe, &shelf.library, args.at, options, args.size)?;
+    let library = &shelf.library;
+    let picture = match &args.mirror {
+        None => saute_app::shot::shot(recipe, library, args.at, options, args.size)?,
+        Some(name) => {
+            let rig = rig(name)?;
+            let stereo = args.stereo.map_or(Stereo::Off, Stereo::from);
+            let mirror = MirrorOptions { stereo, eye_distance: rig.eye_distance, pan_shown: args.show_pan };
+            mirror_shot(recipe, library, args.at, &options, (&rig, &mirror), args.size)?
+        }
+    };
     out.fill(&png_bytes(&picture)?)?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// A shipped rig by its name, else a rig file.
+fn rig(name: &str) -> Result<Rig, CliError> {
+    match rig_file::shipped(name) {
+        Some(rig) => Ok(rig?),
+        None => Ok(rig_file::parse(&text_file::read(Path::new(name))?, name)?),
+    }
 }
 
 /// Measures frames.

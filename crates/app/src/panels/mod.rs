@@ -9,6 +9,7 @@ pub mod hob_bar;
 pub mod inside;
 pub mod language;
 pub mod legend;
+pub mod mirror_card;
 pub mod pantry;
 pub mod pieces;
 pub mod pour;

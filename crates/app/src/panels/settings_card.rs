@@ -12,10 +12,10 @@ use crate::scene::white_balance::WhiteBalance;
 use crate::theme::{self, Theme};
 
 /// Below this width names stand above their choices [points].
-const NARROW: f32 = 640.0;
+pub(super) const NARROW: f32 = 640.0;
 /// Width of the card at most, and of the names where they stand beside [points].
-const WIDTH: f32 = 660.0;
-const NAMES: f32 = 128.0;
+pub(super) const WIDTH: f32 = 660.0;
+pub(super) const NAMES: f32 = 128.0;
 
 /// Shows the card over everything; Esc, F2, the button or a click beside it closes it.
 pub fn show(app: &mut SauteApp, ui: &Ui, whole: egui::Rect) {
@@ -28,6 +28,7 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: egui::Rect) {
             ui.heading(l.text("settings.title"));
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 done = ui.add(palette.button(l.text("settings.done"), true)).clicked();
+                app.mirror.card = ui.add(palette.button(l.text("half_mirror.more"), false)).clicked();
             });
         });
         ui.separator();
@@ -35,7 +36,7 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: egui::Rect) {
         let scrolled = ScrollArea::vertical().auto_shrink([false, true]).max_height(height).min_scrolled_height(height);
         scrolled.show(ui, |ui| choices(app, ui, whole.width() < NARROW));
     });
-    if done || modal.should_close() {
+    if done || app.mirror.card || modal.should_close() {
         app.settings_open = false;
     }
 }

@@ -77,7 +77,7 @@ struct Eye {
 impl Eye {
     fn new(input: &SceneInput, size: [u32; 2]) -> Self {
         let size = Vec2::new(size[0] as f32, size[1] as f32);
-        let clip_from_world = input.camera.view_projection(size.x / size.y);
+        let clip_from_world = input.view_projection(size.x / size.y);
         Self { clip_from_world, size, scale: 0.5 * size.y * clip_from_world.row(1).truncate().length() }
     }
 

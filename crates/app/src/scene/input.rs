@@ -40,6 +40,31 @@ pub struct SceneInput {
     pub white_balance: WhiteBalance,
     /// True writes the colours unlit, without tone mapping, shadow, dither or anti-aliasing, so that they decode exactly.
     pub flat: bool,
+    /// How it is seen in a half mirror; none for the room.
+    pub mirror: Option<MirrorLook>,
+}
+
+/// How a scene is seen in a half mirror, which only adds light to a real pan: food, oil, steam and tools on black.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MirrorLook {
+    /// Where the eye is [m]; it stands in for the camera's.
+    pub eye: Vec3,
+    /// Maps the world to clip space (depth 0–1); it stands in for the camera's.
+    pub clip_from_world: Mat4,
+    /// Whether the virtual pan is drawn; else it is black and hides what lies behind it.
+    pub pan_shown: bool,
+}
+
+impl SceneInput {
+    /// Position of the eye [m].
+    pub fn eye(&self) -> Vec3 {
+        self.mirror.map_or_else(|| self.camera.eye(), |mirror| mirror.eye)
+    }
+
+    /// Maps the world to clip space (depth 0–1) for a picture of the given width over height.
+    pub fn view_projection(&self, aspect: f32) -> Mat4 {
+        self.mirror.map_or_else(|| self.camera.view_projection(aspect), |mirror| mirror.clip_from_world)
+    }
 }
 
 /// What the colours of foods and pan floor mean.

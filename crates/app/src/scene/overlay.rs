@@ -1,7 +1,7 @@
 //! Pipelines that draw into egui's own pass: one triangle, no vertex buffer, no depth.
 
 /// What differs between them.
-pub(super) struct Overlay<'a> {
+pub(crate) struct Overlay<'a> {
     pub label: &'static str,
     pub shader: &'static str,
     pub vertex: &'static str,

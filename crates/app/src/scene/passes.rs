@@ -22,14 +22,19 @@ impl Groups<'_> {
     }
 }
 
-/// Begins a pass that clears both attachments.
+/// Colour where a half mirror is to show nothing, sRGB.
+const BLACK: [u8; 3] = [0; 3];
+
+/// Begins a pass that clears both attachments, the first one to a colour, where there is one.
 pub(super) fn begin<'e>(
     encoder: &'e mut wgpu::CommandEncoder,
     to: &Attachments<'_>,
-    clear: bool,
+    clear: Option<[u8; 3]>,
 ) -> wgpu::RenderPass<'e> {
-    let background = f64::from(FLAT_BACKGROUND[0]) / 255.0;
-    let colour = wgpu::Color { r: background, g: background, b: background, a: 1.0 };
+    let load = clear.map_or(wgpu::LoadOp::Load, |colour| {
+        let [r, g, b] = colour.map(|v| f64::from(v) / 255.0);
+        wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a: 1.0 })
+    });
     let store = if to.resolve.is_some() { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: Some("scene"),
@@ -37,9 +42,9 @@ pub(super) fn begin<'e>(
             view: to.colour,
             depth_slice: None,
             resolve_target: to.resolve,
-            ops: wgpu::Operations { load: if clear { wgpu::LoadOp::Clear(colour) } else { wgpu::LoadOp::Load }, store },
+            ops: wgpu::Operations { load, store },
         })],
-        depth_stencil_attachment: Some(depth_attachment(to.depth, clear, store)),
+        depth_stencil_attachment: Some(depth_attachment(to.depth, clear.is_some(), store)),
         ..Default::default()
     })
 }
@@ -52,7 +57,7 @@ pub(super) fn begin_restored<'e>(
     from: &Kept,
     [left, top, width, height]: [u32; 4],
 ) -> wgpu::RenderPass<'e> {
-    let mut pass = begin(encoder, to, false);
+    let mut pass = begin(encoder, to, None);
     pass.set_pipeline(restore);
     pass.set_bind_group(0, &from.restore, &[]);
     pass.set_scissor_rect(left, top, width, height);
@@ -197,9 +202,28 @@ pub(super) fn draw_whole(
     groups: &Groups<'_>,
     subject: &Subject<'_>,
 ) {
-    let mut pass = begin(encoder, to, true);
+    let mut pass = begin(encoder, to, Some(FLAT_BACKGROUND));
     draw_lively(&mut pass, pipelines, groups, subject.solids, subject.foods);
     draw_still(&mut pass, pipelines, groups, subject.solids, false);
+    draw_spots(&mut pass, pipelines, subject.sprites);
+    draw_veils(&mut pass, pipelines, groups, subject.solids, subject.foods, subject.sprites);
+}
+
+/// What a half mirror can show: on black, without room, hob and board. The pan is black unless it is to be seen, and
+/// hides what lies behind its wall.
+pub(super) fn draw_mirror(
+    encoder: &mut wgpu::CommandEncoder,
+    to: &Attachments<'_>,
+    pipelines: &ColourPipelines,
+    groups: &Groups<'_>,
+    subject: &Subject<'_>,
+    pan: bool,
+) {
+    let mut pass = begin(encoder, to, Some(BLACK));
+    groups.set(&mut pass);
+    pass.set_pipeline(pipelines.occluder.as_ref().filter(|_| !pan).unwrap_or(&pipelines.metal));
+    subject.solids.pan_body().draw(&mut pass);
+    draw_lively(&mut pass, pipelines, groups, subject.solids, subject.foods);
     draw_spots(&mut pass, pipelines, subject.sprites);
     draw_veils(&mut pass, pipelines, groups, subject.solids, subject.foods, subject.sprites);
 }

@@ -46,6 +46,8 @@ pub(super) struct ColourPipelines {
     pub wood: wgpu::RenderPipeline,
     pub glass: wgpu::RenderPipeline,
     pub metal: wgpu::RenderPipeline,
+    /// Black with depth: made when a half mirror first needs it.
+    pub occluder: Option<wgpu::RenderPipeline>,
     /// The pan's floor, which is drawn with the foods.
     pub floor: wgpu::RenderPipeline,
     /// The glass of the lid.
@@ -133,6 +135,7 @@ impl PipelineFactory {
             wood: solid("fs_wood"),
             glass: solid("fs_glass"),
             metal: solid("fs_metal"),
+            occluder: None,
             floor: self.solid_pipeline(device, "fs_metal", lively),
             lid: self.lid_pipeline(device, lively),
             fry: self.sprite_pipeline(device, ["vs_fry", "fs_fry"], lively),
@@ -159,6 +162,12 @@ impl PipelineFactory {
                 cut_face: make("fs_cut_face", None, texture),
             });
         }
+    }
+
+    /// Makes the pipeline of what hides and is not seen.
+    pub fn occlude(&self, device: &wgpu::Device, pipelines: &mut ColourPipelines) {
+        let detail = pipelines.detail;
+        pipelines.occluder.get_or_insert_with(|| self.solid_pipeline(device, "fs_occluder", detail));
     }
 
     pub fn flat(&self, device: &wgpu::Device) -> FlatPipelines {

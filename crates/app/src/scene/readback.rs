@@ -40,7 +40,7 @@ impl SceneRenderer {
 }
 
 /// Submits the commands and reads a texture of four bytes a pixel: tight rows from the top.
-pub(super) fn read_picture(
+pub(crate) fn read_picture(
     device: &wgpu::Device,
     queue: &wgpu::Queue,
     mut encoder: wgpu::CommandEncoder,

@@ -186,7 +186,7 @@ impl SceneRenderer {
         let size = size.map(|side| side.clamp(1, limit));
         let (sight, changed) = self.prepare(device, queue, input, size);
         let key = StillKey::new(input, size, self.disturbances);
-        let settled = self.still.as_ref().is_some_and(|still| still.is_best_for(&key));
+        let settled = input.mirror.is_some() || self.still.as_ref().is_some_and(|still| still.is_best_for(&key));
         let work = self.shown.work(sight, changed, settled);
         if work == Work::Nothing {
             return;
@@ -196,7 +196,10 @@ impl SceneRenderer {
             return;
         }
         self.update_shadow(encoder, input);
-        if self.quality != Quality::Quick || work == Work::Smooth {
+        if let Some(mirror) = input.mirror {
+            let smooth = self.quality != Quality::Quick || work == Work::Smooth;
+            self.draw_mirror(device, encoder, mirror.pan_shown, smooth);
+        } else if self.quality != Quality::Quick || work == Work::Smooth {
             self.draw_fine(device, encoder);
         } else {
             self.draw_fast(device, encoder, key, size);
@@ -233,10 +236,10 @@ impl SceneRenderer {
         let frame = FrameUniform::new(input, aspect, self.quality, &self.contact);
         self.timeless = frame.timeless();
         queue.write_buffer(&self.frame.buffer, 0, bytemuck::bytes_of(&frame));
-        let view = input.camera.view_projection(aspect);
+        let view = input.view_projection(aspect);
         queue.write_buffer(&self.camera_view.buffer, 0, bytemuck::bytes_of(&view));
         self.moved = self.foods.update(device, queue, &self.factory.layouts, &input.foods);
-        self.foods.sort(&input.foods, input.camera.eye());
+        self.foods.sort(&input.foods, input.eye());
         if self.moved.shadow {
             self.shadow_of = None;
         }
@@ -314,9 +317,33 @@ impl SceneRenderer {
         let pipelines = self.flat.get_or_insert_with(|| self.factory.flat(device));
         let Some(solids) = &self.solids else { return };
         let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
-        let mut pass = passes::begin(encoder, &self.targets.picture.attachments(), true);
+        let mut pass = passes::begin(encoder, &self.targets.picture.attachments(), Some(FLAT_BACKGROUND));
         passes::draw_flat(&mut pass, pipelines, &groups, solids, &self.foods);
         drop(pass);
+        self.lively = None;
+        self.drawn = Touched::WHOLE;
+    }
+
+    /// What a half mirror can show, at once: nothing of it is worth keeping, for there is no room.
+    fn draw_mirror(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, pan: bool, smooth: bool) {
+        let detail = match (self.quality, smooth) {
+            (Quality::Best, _) => Detail::Best,
+            (_, true) => Detail::Fine,
+            _ => Detail::Usual,
+        };
+        let pipelines = self.colour.entry(detail).or_insert_with(|| self.factory.colour(device, detail));
+        self.factory.stock(device, pipelines, self.foods.textures());
+        self.factory.occlude(device, pipelines);
+        let Some(solids) = &self.solids else { return };
+        if smooth {
+            self.targets.msaa(device);
+        }
+        let picture = &self.targets.picture;
+        let to = if smooth { self.targets.multisampled(picture) } else { picture.attachments() };
+        let subject = Subject { solids, foods: &self.foods, sprites: &self.sprites };
+        let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
+        passes::draw_mirror(encoder, &to, pipelines, &groups, &subject, pan);
+        self.still = None;
         self.lively = None;
         self.drawn = Touched::WHOLE;
     }
@@ -396,7 +423,8 @@ impl SceneRenderer {
         let Some(solids) = &self.solids else { return };
         let groups = Groups { frame: &self.frame.group, textures: &self.textures.bind_group };
         self.targets.msaa(device);
-        let mut pass = passes::begin(encoder, &self.targets.multisampled(&self.targets.still.layer), true);
+        let mut pass =
+            passes::begin(encoder, &self.targets.multisampled(&self.targets.still.layer), Some(FLAT_BACKGROUND));
         passes::draw_still(&mut pass, pipelines, &groups, solids, true);
         drop(pass);
         let mut pass = passes::begin_depth(encoder, &self.targets.still.layer.depth);

@@ -62,6 +62,7 @@ pub fn empty_pan() -> SceneInput {
         colouring: Colouring::Look,
         white_balance: Default::default(),
         flat: false,
+        mirror: None,
     }
 }
 

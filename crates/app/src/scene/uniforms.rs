@@ -51,9 +51,9 @@ impl FrameUniform {
         let field = matches!(input.colouring, Colouring::Field { .. });
         let [low, high] = [BOARD_CENTRE - BOARD_SIZE * 0.5, BOARD_CENTRE + BOARD_SIZE * 0.5];
         Self {
-            clip_from_world: input.camera.view_projection(aspect),
+            clip_from_world: input.view_projection(aspect),
             light_from_world: light_from_world(),
-            eye: input.camera.eye().extend(input.time_s.rem_euclid(TIME_WRAP)),
+            eye: input.eye().extend(input.time_s.rem_euclid(TIME_WRAP)),
             key: WINDOW_DIRECTION.normalize().extend(softness),
             lamp: LAMP_DIRECTION.normalize().extend((ENVIRONMENT_LEVELS - 1) as f32),
             pan_from_world: pan.world_from_pan().inverse(),
@@ -63,7 +63,7 @@ impl FrameUniform {
             pan_shape: Vec4::new(pan.floor_radius, pan.rim_radius, pan.rim_height, pan.lid.map_or(0.0, |lid| lid.fog)),
             mode: Vec4::new(input.hob.power, f32::from(field), f32::from(input.flat), BOARD_CENTRE.z),
             board: Vec4::new(low.x, low.y, high.x, high.y),
-            oil: pan.oil_colour.extend(0.0),
+            oil: pan.oil_colour.extend(f32::from(input.mirror.is_some_and(|mirror| !mirror.pan_shown))),
             white: balance(input).gains().extend(0.0),
             floor_field: pan.floor_field,
         }

@@ -4,6 +4,7 @@ mod foods;
 mod hand;
 mod harness;
 mod japanese;
+mod mirror;
 mod pan;
 mod settings;
 mod steak;

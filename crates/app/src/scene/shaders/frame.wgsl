@@ -24,7 +24,7 @@ struct Frame {
     mode: vec4<f32>,
     // Left, front, right, back edge of the board.
     board: vec4<f32>,
-    // Colour of light through a millimetre of oil.
+    // Colour of light through a millimetre of oil; w = 1 where only the light that it adds to a real pan is drawn.
     oil: vec4<f32>,
     // Exposure and white balance.
     white: vec4<f32>,

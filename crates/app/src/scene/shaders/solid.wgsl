@@ -197,10 +197,20 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     s.albedo = mix(s.albedo, vec3<f32>(0.042, 0.020, 0.009), film.fond);
     s.f0 *= 1.0 - 0.8 * film.fond;
     var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * (0.62 - 0.38 * cover);
+    // In a half mirror the real metal is seen: only what the liquids themselves send is added, without dither on black.
+    let added = frame.oil.w > 0.5;
+    if (added) { radiance = vec3<f32>(0.0); }
     radiance = under_oil(radiance, in, n, view, lit, open, cover, film.oil, coarse.rgb);
     radiance = under_water(radiance, in, n, view, lit, open, film.water, beads);
     radiance = under_foam(radiance, local, lit, open, film.foam);
+    if (added) { return vec4<f32>(srgb_from_linear(filmic(radiance)), 1.0); }
     return pixel_from_radiance(radiance, in.clip.xy);
+}
+
+// The real thing is seen through the mirror: nothing is added to it, and it hides what lies behind it.
+@fragment
+fn fs_occluder() -> @location(0) vec4<f32> {
+    return vec4<f32>(0.0, 0.0, 0.0, 1.0);
 }
 
 // A mirror over the floor: what leaves the pan above its rim is seen in it, and the wall elsewhere.
