@@ -44,8 +44,14 @@ impl Choice {
 /// Shows the part.
 pub(crate) fn section(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     let l = app.settings.language;
-    ui.separator();
-    ui.label(RichText::new(l.text("hand.title")).strong());
+    // Folded: who has no device sees no more than a line of it.
+    egui::CollapsingHeader::new(RichText::new(l.text("hand.title")).strong())
+        .id_salt("hands")
+        .show(ui, |ui| choices(app, ui, narrow));
+}
+
+fn choices(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
+    let l = app.settings.language;
     let choice = &app.hand_choice;
     let names: Vec<(&str, bool)> =
         choice.names.iter().enumerate().map(|(i, n)| (n.as_str(), i == choice.name)).collect();

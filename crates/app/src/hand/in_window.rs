@@ -46,7 +46,7 @@ impl SauteApp {
         if !self.session.hands.any() {
             return;
         }
-        if ctx.input_mut(|i| enter(i)) {
+        if ctx.input_mut(enter) {
             self.stop_hands();
         }
         for kept in self.session.hands.update() {
