@@ -9,7 +9,7 @@ use saute_kitchen::{Library, Recipe, Refused};
 type Texts = BTreeMap<String, BTreeMap<String, String>>;
 
 /// Sections of names that come from the core's data: found by the English text, not by a key in the code.
-const NAMES: [&str; 16] = [
+const NAMES: [&str; 17] = [
     "food",
     "noun",
     "id",

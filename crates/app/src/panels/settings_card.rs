@@ -94,7 +94,7 @@ pub(crate) fn named<R>(ui: &mut Ui, narrow: bool, name: &str, content: impl FnOn
             ui.set_min_size(vec2(NAMES, theme::TOUCH));
             ui.label(name);
         });
-        content(ui)
+        ui.horizontal_wrapped(content).inner
     })
     .inner
 }
