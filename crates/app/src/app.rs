@@ -138,7 +138,7 @@ impl SauteApp {
         theme::install(context);
         let japanese_font = crate::japanese_font::install(context);
         let remembers = stored.is_some() && start.recipe.is_none();
-        let settings: Settings = stored.and_then(|s| serde_json::from_str(&s).ok()).unwrap_or_default();
+        let (settings, refused) = stored.map_or_else(Default::default, |text| Settings::remembered(&text));
         let library = start.library.map_or_else(|| Library::embedded().map(Arc::new), Ok)?;
         let mut session = Session::new(Arc::clone(&library), &settings.choice)
             .or_else(|_| Session::new(library, &Default::default()))?;
@@ -187,6 +187,9 @@ impl SauteApp {
         };
         app.settings.language = Language::English;
         app.set_language(language);
+        if refused {
+            app.say("notice.settings_refused");
+        }
         Ok(app)
     }
 

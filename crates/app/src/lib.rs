@@ -48,6 +48,7 @@ mod probe_hand;
 mod put_in;
 pub mod quality_choice;
 pub mod refusal;
+mod remembered;
 mod save_picture;
 mod scale_choice;
 pub mod scene;

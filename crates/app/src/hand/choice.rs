@@ -2,7 +2,7 @@
 
 use egui::accesskit;
 use egui::{RichText, TextEdit, Ui, WidgetInfo};
-use saute_haptics::open;
+use saute_haptics::open::{self, Access, Reach};
 
 use super::hands::Role;
 use crate::app::SauteApp;
@@ -67,7 +67,7 @@ fn choices(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     ui.horizontal(|ui| buttons(app, ui, l));
     for role in roles {
         if let Some(device) = app.session.hands.device(role) {
-            let lines = device.access.iter().flat_map(|a| a.lines());
+            let lines = device.access.iter().flat_map(|a| access_words(a, l));
             let text: Vec<String> = std::iter::once(device.name.clone()).chain(lines).collect();
             explained(ui, narrow, &format!("{}: {}", role_word(role, l), text.join("; ")));
         }
@@ -78,13 +78,30 @@ fn buttons(app: &mut SauteApp, ui: &mut Ui, l: Language) {
     let role = app.hand_choice.role;
     if ui.add(theme::of(ui).button(l.text("hand.connect"), false)).clicked() {
         let text = app.hand_choice.text();
-        let pairing = app.hand_choice.code.trim().parse().unwrap_or(0);
-        app.connect_hand(role, &text, pairing);
+        let code = app.hand_choice.code.trim().to_owned();
+        match if code.is_empty() { Ok(0) } else { code.parse() } {
+            Ok(pairing) => app.connect_hand(role, &text, pairing),
+            Err(_) => app.notice.say(l.fill("hand.no_code", &[("code", &code)])),
+        }
     }
     let connected = app.session.hands.device(role).is_some();
     if ui.add_enabled(connected, theme::of(ui).button(l.text("hand.disconnect"), false)).clicked() {
         app.session.hands.disconnect(role);
     }
+}
+
+/// What a person must know to reach a device, a line each.
+fn access_words(access: &Access, l: Language) -> Vec<String> {
+    let reach = match access.reach {
+        Reach::Cable => "hand.by_cable",
+        Reach::ThisMachine => "hand.this_machine",
+        Reach::Network => "hand.network",
+    };
+    let mut words = vec![l.fill(reach, &[("place", &access.place)])];
+    words.extend(access.url.iter().map(|url| l.fill("hand.open_page", &[("url", url)])));
+    words.extend(access.code.iter().map(|code| l.fill("hand.pair", &[("code", code)])));
+    words.extend(access.fingerprint.iter().map(|print| l.fill("hand.certificate", &[("print", print)])));
+    words
 }
 
 /// A name and a line to type into.

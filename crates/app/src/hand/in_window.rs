@@ -35,6 +35,13 @@ impl SauteApp {
         }
     }
 
+    /// Enter in a window stops the devices.
+    pub(crate) fn take_stop(&mut self, ctx: &Context) {
+        if self.session.hands.any() && ctx.input_mut(enter) {
+            self.stop_hands();
+        }
+    }
+
     /// Asks the devices how they are, before anything else is done in a frame. While one is connected, Enter stops it, whatever
     /// has the focus.
     pub(crate) fn take_devices(&mut self, ctx: &Context) {
@@ -46,9 +53,7 @@ impl SauteApp {
         if !self.session.hands.any() {
             return;
         }
-        if ctx.input_mut(enter) {
-            self.stop_hands();
-        }
+        self.take_stop(ctx);
         for kept in self.session.hands.update() {
             match kept {
                 Ok(file) => {

@@ -61,7 +61,8 @@ impl Aim {
             }
         }
         if ui.input(|i| i.key_pressed(Key::Backspace)) {
-            calibration.moved.clear();
+            let all = ui.input(|i| i.modifiers.shift);
+            calibration.put_back(if all { None } else { Some(self.chosen) });
         }
     }
 

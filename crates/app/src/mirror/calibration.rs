@@ -51,6 +51,15 @@ impl Calibration {
         self.moved.insert(mark, (pixel / size).to_array());
     }
 
+    /// Puts a mark back to where it would be, a corner with all corners; or all marks.
+    pub fn put_back(&mut self, mark: Option<usize>) {
+        self.moved.retain(|moved, _| match mark {
+            None => false,
+            Some(corner) if corner < CORNERS => *moved >= CORNERS,
+            Some(mark) => *moved != mark,
+        });
+    }
+
     /// Moves a mark by pixels.
     pub fn shift(&mut self, mark: usize, by: DVec2, rig: &Rig, size: DVec2) {
         if let Some(now) = self.pixels(rig, size) {

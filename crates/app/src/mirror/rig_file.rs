@@ -197,6 +197,11 @@ impl ProjectorTable {
         let across = (right - right.dot(axis) * axis).try_normalize();
         let along = || RigFault::new("projector.right", "it runs along the axis", "give the direction of a pixel row");
         let focal = within("projector.focal_px", self.focal_px, 10.0, 1e6)?;
+        let [x, y] = self.principal_px;
+        let centre = DVec2::new(
+            within("projector.principal_px", x, -FARTHEST_PX, FARTHEST_PX)?,
+            within("projector.principal_px", y, -FARTHEST_PX, FARTHEST_PX)?,
+        );
         let k = [within("projector.k1", self.k1, -1.0, 1.0)?, within("projector.k2", self.k2, -1.0, 1.0)?];
         Ok(Screen::Projector(Projector {
             pixels: pixels("projector.pixels", self.pixels)?,
@@ -204,7 +209,7 @@ impl ProjectorTable {
             axis,
             right: across.ok_or_else(along)?,
             focal,
-            lens: Lens { k, centre: DVec2::from_array(self.principal_px), unit: focal },
+            lens: Lens { k, centre, unit: focal },
             board: self.board.plane("projector.board")?,
         }))
     }
@@ -256,6 +261,8 @@ impl KitchenTable {
 
 /// Touched points that agree no better than this were mixed up [m] (chosen: twenty times a careful hand's error).
 const LARGEST_RESIDUAL: f64 = 0.02;
+/// Farthest pixel that an axis may meet [pixels] (chosen: four times the widest picture there is, for shifted lenses).
+const FARTHEST_PX: f64 = 32_768.0;
 /// Farthest from the rig's origin that anything is [m] (chosen: a room; catches millimetres written for metres).
 const ROOM: f64 = 10.0;
 

@@ -8,6 +8,9 @@ use super::rig::Rig;
 use super::rig_file::SHIPPED;
 use super::stereo::Stereo;
 
+/// Widest distance from eye to eye [mm] (chosen: half as much again as any person's).
+pub const WIDEST_MM: f64 = 120.0;
+
 /// Remembered choices, and a calibration for every projector.
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
 #[serde(default)]
@@ -56,7 +59,7 @@ impl MirrorSettings {
 
     /// From eye to eye [m].
     pub fn eye_distance(&self, rig: &Rig) -> f64 {
-        self.eye_distance_mm.map_or(rig.eye_distance, |mm| 1e-3 * mm)
+        self.eye_distance_mm.map_or(rig.eye_distance, |mm| 1e-3 * mm.clamp(0.0, WIDEST_MM))
     }
 
     /// How the picture is wanted.

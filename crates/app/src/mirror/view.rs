@@ -1,5 +1,6 @@
 //! What the mirror's window shows: the picture for the device, or the calibration's pattern.
 
+use std::io::Read;
 use std::sync::Arc;
 
 use egui::{Color32, Key, Sense, Ui};
@@ -114,13 +115,25 @@ impl MirrorView {
     }
 }
 
+/// Longest rig file that is read [bytes] (chosen: a thousand times what one has).
+const LARGEST: u64 = 1 << 20;
+
 /// A shipped rig, else a file.
 fn read(named: &str) -> Result<Rig, String> {
     if let Some(rig) = rig_file::shipped(named) {
         return rig.map_err(|e| e.to_string());
     }
-    let text = std::fs::read_to_string(named).map_err(|e| format!("{named}: {e}"))?;
-    rig_file::parse(&text, named).map_err(|e| e.to_string())
+    rig_file::parse(&text_of(named).map_err(|e| format!("{named}: {e}"))?, named).map_err(|e| e.to_string())
+}
+
+/// Text of a file, its beginning where it is too long for a rig.
+fn text_of(file: &str) -> std::io::Result<String> {
+    if !std::path::Path::new(file).is_file() {
+        return Err(std::io::ErrorKind::NotFound.into());
+    }
+    let mut text = String::new();
+    std::fs::File::open(file)?.take(LARGEST).read_to_string(&mut text)?;
+    Ok(text)
 }
 
 /// Size of the mirror's window before it fills a screen [points].
@@ -138,6 +151,9 @@ impl SauteApp {
             .with_inner_size(WINDOW)
             .with_fullscreen(self.mirror.full);
         ctx.show_viewport_immediate(egui::ViewportId::from_hash_of("mirror"), builder, |ui, class| {
+            // A hand that is hurt stops its device wherever the keys go.
+            #[cfg(not(target_arch = "wasm32"))]
+            self.take_stop(ui.ctx());
             if class == egui::ViewportClass::EmbeddedWindow {
                 ui.set_min_size(WINDOW.into());
             } else {

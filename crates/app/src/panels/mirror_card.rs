@@ -7,6 +7,7 @@ use crate::app::SauteApp;
 use crate::mirror::calibration::Calibration;
 use crate::mirror::rig::Rig;
 use crate::mirror::rig_file::SHIPPED;
+use crate::mirror::settings::WIDEST_MM;
 use crate::mirror::stereo::Stereo;
 use crate::mirror::view::stereo_word;
 use crate::theme;
@@ -112,7 +113,7 @@ fn eyes(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     }
     let Ok(rig) = app.mirror.rig(&app.settings.mirror.rig) else { return };
     let mut mm = 1e3 * app.settings.mirror.eye_distance(&rig);
-    let drag = DragValue::new(&mut mm).range(0.0..=120.0).speed(0.1).fixed_decimals(1).suffix(" mm");
+    let drag = DragValue::new(&mut mm).range(0.0..=WIDEST_MM).speed(0.1).fixed_decimals(1).suffix(" mm");
     if beside(ui, narrow, l.text("half_mirror.eyes"), |ui| ui.add(drag)).changed() {
         app.settings.mirror.eye_distance_mm = Some(mm);
     }

@@ -18,6 +18,7 @@ const WIDE: egui::Vec2 = egui::vec2(1280.0, 720.0);
 /// What the test moves and sees.
 struct Script {
     pose: Pose,
+    turner: Option<Pose>,
     command: HapticCommand,
     stopped: bool,
 }
@@ -34,7 +35,7 @@ struct Scripted {
 fn scripted(name: &str, sensed: Sensed) -> (Box<Scripted>, Arc<Mutex<Script>>) {
     let geometry = shelf::devices().expect("devices").remove(name).expect("on the shelf");
     let pose = geometry.home();
-    let script = Arc::new(Mutex::new(Script { pose, command: HapticCommand::default(), stopped: false }));
+    let script = Arc::new(Mutex::new(Script { pose, turner: None, command: HapticCommand::default(), stopped: false }));
     let capabilities = Capabilities { sensed, ..geometry.capabilities() };
     let solver = TensionSolver::new(geometry.tension_rule());
     (Box::new(Scripted { script: Arc::clone(&script), geometry, capabilities, solver, time_s: 0.0 }), script)
@@ -55,6 +56,7 @@ impl HapticDevice for Scripted {
         HapticSample {
             time_s: self.time_s,
             pose: script.pose,
+            turner: script.turner,
             achieved: pulled.achieved - preload,
             total_force_n: pulled.achieved.force.length(),
             tension_n: Some(pulled.tension),
@@ -184,6 +186,11 @@ fn a_second_device_leads_the_turner_if_it_senses_place_and_turning() {
     assert!(!script.lock().expect("script").command.enabled, "a turner is without force");
     steps(&mut harness, 3);
     harness.get_by_label_contains("The turner: at work");
+    // One that tells of a turner means that, and not where it holds a pan.
+    let there = Pose::at(-0.03, 0.02, 0.13);
+    script.lock().expect("script").turner = Some(there);
+    let led = |app: &SauteApp| (tip(app) - there.position).length() < 0.005;
+    assert!(until(&mut harness, led), "{}", tip(harness.state()));
     save(&mut harness, "hand-turner");
     harness.state_mut().session_mut().hands.disconnect(Role::Turner);
     assert!(until(&mut harness, |app| app.session().kitchen.led_tool().is_none()), "it is put away");

@@ -11,10 +11,10 @@ use crate::harness::{cook, press, save, steps, window};
 const SIZES: [(egui::Vec2, &str); 2] = [(vec2(1280.0, 720.0), "wide"), (vec2(390.0, 844.0), "phone")];
 
 /// Units, symbols, what is written on keys and pads, abbreviations that Japanese texts use as they are.
-const LATIN: [&str; 39] = [
+const LATIN: [&str; 40] = [
     "W", "g", "mg", "s", "mm", "cm", "C", "F", "log", "AMSA", "USDA", "EN", "toml", "Space", "Esc", "Home", "End",
-    "Ins", "Del", "Page", "Bksp", "up", "down", "Shift", "Ctrl", "Alt", "WASD", "L", "R", "LT", "RT", "LB", "RB",
-    "stick", "D", "pad", "Start", "Select", "F1",
+    "Enter", "Ins", "Del", "Page", "Bksp", "up", "down", "Shift", "Ctrl", "Alt", "WASD", "L", "R", "LT", "RT", "LB",
+    "RB", "stick", "D", "pad", "Start", "Select", "F1",
 ];
 
 fn japanese(size: egui::Vec2) -> Harness<'static, SauteApp> {

@@ -27,6 +27,9 @@ fn opened(size: egui::Vec2) -> Harness<'static, SauteApp> {
 }
 
 fn choose(harness: &mut Harness<'static, SauteApp>, choice: &str) {
+    // On a small window the card scrolls.
+    harness.get_by_label(choice).scroll_to_me();
+    steps(harness, 3);
     harness.get_by_label(choice).click();
     steps(harness, 3);
 }
