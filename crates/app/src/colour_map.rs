@@ -181,13 +181,12 @@ fn paper_table() -> [[u8; 3]; 256] {
 
 #[cfg(test)]
 mod tests {
+    use saute_kitchen::food::colour::decoded;
+
     use super::*;
 
     fn lightness([r, g, b]: [u8; 3]) -> f64 {
-        let linear = |v: u8| {
-            let v = f64::from(v) / 255.0;
-            if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
-        };
+        let linear = |v: u8| decoded(f64::from(v) / 255.0);
         let y = 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
         116.0 * y.cbrt() - 16.0
     }

@@ -99,6 +99,8 @@ impl ColourPath {
 
 #[cfg(test)]
 mod tests {
+    use saute_kitchen::food::colour::decoded;
+
     use super::*;
 
     /// sRGB as deuteranopes and protanopes see it: Machado, Oliveira & Fernandes 2009, severity 1.
@@ -108,10 +110,7 @@ mod tests {
     ];
 
     fn linear(colour: [u8; 3]) -> [f64; 3] {
-        colour.map(|v| {
-            let v = f64::from(v) / 255.0;
-            if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
-        })
+        colour.map(|v| decoded(f64::from(v) / 255.0))
     }
 
     fn lab(rgb: [f64; 3]) -> Lab {

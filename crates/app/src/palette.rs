@@ -101,14 +101,13 @@ static LIGHT: Palette = Palette {
 
 #[cfg(test)]
 mod tests {
+    use saute_kitchen::food::colour::decoded;
+
     use super::*;
 
     /// Relative luminance by WCAG 2.2.
     fn luminance(colour: Color32) -> f64 {
-        let linear = |v: u8| {
-            let c = f64::from(v) / 255.0;
-            if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
-        };
+        let linear = |v: u8| decoded(f64::from(v) / 255.0);
         0.2126 * linear(colour.r()) + 0.7152 * linear(colour.g()) + 0.0722 * linear(colour.b())
     }
 

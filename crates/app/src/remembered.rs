@@ -57,7 +57,7 @@ mod tests {
         let settings = Settings { fahrenheit: true, speed: 5.0, ..Settings::default() };
         let text = serde_json::to_string(&settings).expect("is written");
         assert_eq!(Settings::remembered(&text), (settings, false));
-        assert_eq!(Settings::remembered("{}").1, false);
+        assert!(!Settings::remembered("{}").1);
         assert_eq!(Settings::remembered("not JSON"), (Settings::default(), true));
     }
 }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::{Mat4, Quat, Vec2, Vec3};
 use saute_kitchen::dynamics::Tool;
+use saute_kitchen::food::colour::decoded;
 use saute_kitchen::food::{Face, Scale};
 use saute_kitchen::sear_lines::SearLines;
 use saute_kitchen::{Kitchen, Piece, Place, RestOn, celsius};
@@ -399,10 +400,7 @@ pub fn half_length(piece: &Piece) -> f64 {
 fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
     let description = &kitchen.pan_model().description;
     let look = &description.look;
-    let linear = |v: f32| {
-        let v = v / 255.0;
-        if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
-    };
+    let linear = |v: f32| decoded(f64::from(v) / 255.0) as f32;
     let oil_colour = kitchen.pan_model().liquids.colour(&kitchen.pan_state().liquids);
     PanLook {
         floor_radius: description.floor.radius_mm as f32 * 1e-3,

@@ -70,8 +70,8 @@ impl Lab {
     }
 }
 
-/// Linear light of an sRGB value, both 0–1 (IEC 61966-2-1).
-fn decoded(v: f64) -> f64 {
+/// Linear light of an sRGB value, both 0–1 (IEC 61966-2-1) [-].
+pub fn decoded(v: f64) -> f64 {
     if v <= 0.040_45 { v / 12.92 } else { libm::pow((v + 0.055) / 1.055, 2.4) }
 }
 

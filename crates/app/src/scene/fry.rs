@@ -5,7 +5,7 @@ use std::f32::consts::TAU;
 use glam::{Mat4, Vec2, Vec3};
 
 use super::input::{FoodLook, SceneInput, Vapour};
-use super::steam::PuffVertex;
+use super::steam::{CORNERS, PuffVertex};
 
 /// Directions in which the foot of a food is looked up.
 const DIRECTIONS: usize = 48;
@@ -122,8 +122,7 @@ impl Foot {
         let distance = reach + 0.6 * half_size + 3.0e-3 * random(3.0) * random(3.0);
         let position = self.in_world(self.middle + (out * distance).extend(0.2e-3));
         let opacity = (age * 8.0).min(1.0) * ((1.0 - age) * 12.0).min(1.0);
-        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-        vertices.extend(corners.map(|corner| PuffVertex { position, corner, half_size, opacity, random: random(4.0) }));
+        vertices.extend(CORNERS.map(|corner| PuffVertex { position, corner, half_size, opacity, random: random(4.0) }));
     }
 }
 

@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use super::input::{DropLook, SceneInput, SpotLook};
-use super::steam::PuffVertex;
+use super::steam::{CORNERS, PuffVertex};
 
 /// Drops in the air, at most.
 pub(super) const DROPS_MAX: usize = 64;
@@ -17,9 +17,6 @@ const NARROWEST: f32 = 3.5e-4;
 const DROP_MARK: f32 = 2.0;
 /// Tells the shader a spot.
 const SPOT_MARK: f32 = 4.0;
-
-/// Corners of a sprite, two triangles.
-const CORNERS: [[f32; 2]; 6] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
 /// Sprites of the drops in the air.
 pub(super) fn drops(input: &SceneInput) -> Vec<PuffVertex> {

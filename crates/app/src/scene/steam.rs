@@ -52,6 +52,10 @@ impl Manner {
 /// Puffs fainter than this are not drawn: no eye sees them (chosen: two steps of 8-bit colour).
 const FAINTEST: f32 = 0.008;
 
+/// Corners of a sprite, two triangles.
+pub(super) const CORNERS: [[f32; 2]; 6] =
+    [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+
 /// Corner of a puff's sprite.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
@@ -104,10 +108,10 @@ fn push_puff(
     let opacity = densest * (PI * age.powf(0.6)).sin();
     let [young, old] = manner.half_size;
     let half_size = young + (old - young) * age + 0.15 * source.radius;
-    for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
+    for corner in CORNERS {
         vertices.push(PuffVertex {
             position: position.to_array(),
-            corner: [x, y],
+            corner,
             half_size,
             opacity,
             random: random(5.0).min(0.999) + manner.mark,
