@@ -51,18 +51,18 @@ pub fn slice(piece: &Piece, x: f64, view: View, map: Option<&ColourMap>) -> Opti
 }
 
 /// What the points of a cut show.
-struct CutFace<'a> {
-    model: &'a FoodModel,
-    state: &'a FoodState,
-    view: View,
-    map: Option<&'a ColourMap>,
-    normal: Vec3,
-    shape: PresentShape,
+pub(crate) struct CutFace<'a> {
+    pub model: &'a FoodModel,
+    pub state: &'a FoodState,
+    pub view: View,
+    pub map: Option<&'a ColourMap>,
+    pub normal: Vec3,
+    pub shape: PresentShape,
 }
 
 impl CutFace<'_> {
     fn row(&self, level: usize, points: impl IntoIterator<Item = (CutPoint, Vec3)>) -> Vec<FoodVertex> {
-        points.into_iter().map(|(point, rest)| self.vertex(level, &point, rest)).collect()
+        points.into_iter().map(|(point, rest)| self.vertex(self.nodes(level, &point), point.share, rest)).collect()
     }
 
     /// Nodes of a level that feed a point.
@@ -76,8 +76,9 @@ impl CutFace<'_> {
         Vec3::from_array(std::array::from_fn(|k| (a[k] * (1.0 - point.share) + b[k] * point.share) as f32))
     }
 
-    fn vertex(&self, level: usize, point: &CutPoint, rest: Vec3) -> FoodVertex {
-        let (model, state, [a, b], share) = (self.model, self.state, self.nodes(level, point), point.share);
+    /// What is seen at a share of the way from a node to another, at a place of the rest frame [m].
+    pub fn vertex(&self, [a, b]: [usize; 2], share: f64, rest: Vec3) -> FoodVertex {
+        let (model, state) = (self.model, self.state);
         let mix = |f: &dyn Fn(usize) -> f64| f(a) * (1.0 - share) + f(b) * share;
         let appearance = Appearance {
             changed: changed_at(state, |field| mix(&|i| field[i])),

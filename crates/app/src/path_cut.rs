@@ -2,12 +2,11 @@
 
 use glam::Vec3;
 use saute_kitchen::Piece;
-use saute_kitchen::food::colour::Appearance;
-use saute_kitchen::food::readings::changed_at;
 use saute_kitchen::heat::Path;
 
 use crate::colour_map::ColourMap;
-use crate::food_look::{CUT_MOISTURE, Place, PresentShape, on_body, vertex};
+use crate::cut_face::CutFace;
+use crate::food_look::PresentShape;
 use crate::scene::input::SliceLook;
 use crate::view::View;
 
@@ -28,27 +27,8 @@ pub(crate) fn path_cut(piece: &Piece, at: f64, view: View, map: Option<&ColourMa
         if way > 0.0 { (point - a).dot(normal) / way } else { share as f32 }
     };
     let points: Vec<Vec3> = sides.iter().map(|&[a, b]| a.lerp(b, meets([a, b]))).collect();
-    let shape = PresentShape::new(model, state);
-    let seen = |i: usize| {
-        let [a, b] = ends(i);
-        let mix = |f: &dyn Fn(usize) -> f64| f(a) * (1.0 - share) + f(b) * share;
-        let appearance = Appearance {
-            changed: changed_at(state, |field| mix(&|i| field[i])),
-            browning: mix(&|i| state.browning[i]),
-            charring: mix(&|i| state.charring[i]),
-            tissue: mix(&|i| model.tissue[i]),
-        };
-        let field = map.map_or(0.0, |m| m.coordinate(mix(&|i| view.value(model, state, i))));
-        let moisture = CUT_MOISTURE * mix(&|i| state.water[i] / model.initial_water[i]);
-        let rest = points[i].to_array();
-        let now = shape.moved(rest, |f| {
-            let (from, to) = (f(a), f(b));
-            std::array::from_fn(|axis| from[axis] * (1.0 - share) + to[axis] * share)
-        });
-        let (from, to) = (on_body(model, a), on_body(model, b));
-        let body = std::array::from_fn(|k| from[k] + (to[k] - from[k]) * share as f32);
-        vertex(model, appearance, moisture, field, Place { rest, now, body }, normal.to_array())
-    };
+    let face = CutFace { model, state, view, map, normal, shape: PresentShape::new(model, state) };
+    let seen = |i: usize| face.vertex(ends(i), share, points[i]);
     let facing = |t: &[u32; 3]| {
         let [a, b, c] = t.map(|i| points[i as usize]);
         if (b - a).cross(c - a).dot(normal) < 0.0 { [t[0], t[2], t[1]] } else { *t }
@@ -68,8 +48,6 @@ mod tests {
     use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, RestOn, kelvin};
 
     use super::*;
-    use crate::colour_map::TemperatureMap;
-    use crate::scene::camera::Camera;
     use crate::stage::{Stage, StageOptions};
 
     fn halved(kind: &str, size: [f64; 3]) -> Kitchen {
@@ -103,17 +81,7 @@ mod tests {
     fn a_halved_curved_body_is_drawn_as_two_halves_with_their_cut_faces() {
         for (kind, size) in [("shrimp", [0.075, 0.018, 0.016]), ("carrot-stick", [0.060, 0.012, 0.012])] {
             let kitchen = halved(kind, size);
-            let options = StageOptions {
-                white_balance: Default::default(),
-                camera: Camera::three_quarter(),
-                view: View::Look,
-                map: TemperatureMap::default(),
-                scale: None,
-                slice: None,
-                cut: None,
-                flat: false,
-            };
-            let scene = Stage::default().scene(&kitchen, &options, &Default::default());
+            let scene = Stage::default().scene(&kitchen, &StageOptions::default(), &Default::default());
             assert_eq!(scene.foods.len(), 2, "{kind}");
             let [near, far] = [0, 1].map(|k| scene.foods[k].slice.clone().expect("a cut face"));
             assert!((near.normal + far.normal).length() < 1e-6 && !near.ghost && !far.ghost);

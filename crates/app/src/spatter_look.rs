@@ -90,10 +90,7 @@ mod tests {
     use saute_kitchen::{Command, EventKind, Library, MeshSize, PieceOrder, kelvin};
 
     use super::*;
-    use crate::colour_map::TemperatureMap;
-    use crate::scene::camera::Camera;
     use crate::stage::{Stage, StageOptions};
-    use crate::view::View;
 
     /// Every event is one drop: those in the air are drawn, those that fell on wall or glass are spots.
     #[test]
@@ -118,16 +115,7 @@ mod tests {
         ] {
             kitchen.apply(&command).expect("accepted");
         }
-        let options = StageOptions {
-            white_balance: Default::default(),
-            camera: Camera::three_quarter(),
-            view: View::Look,
-            map: TemperatureMap::default(),
-            scale: None,
-            slice: None,
-            cut: None,
-            flat: false,
-        };
+        let options = StageOptions::default();
         let mut stage = Stage::default();
         let (mut in_air, mut told) = (0, 0);
         for _ in 0..300 {

@@ -28,8 +28,8 @@ use crate::spatter_look::Spots;
 use crate::view::View;
 use crate::waiting::waiting_places;
 
-/// How the picture is wanted.
-#[derive(Clone, Debug, PartialEq)]
+/// How the picture is wanted: unless said otherwise the whole food as the eye sees it, from the working view.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct StageOptions {
     /// The eye.
     pub camera: Camera,

@@ -13,7 +13,7 @@ use saute_app::scene::quality::Quality;
 use saute_app::scene::renderer::SceneRenderer;
 use saute_app::shot::cook_until;
 use saute_app::stage::{Stage, StageOptions, fitting, nearness, poses};
-use saute_app::{Picture, TemperatureMap, View};
+use saute_app::{Picture, View};
 use saute_kitchen::food::noise::uniform;
 use saute_kitchen::{Cook, Library, Recipe};
 
@@ -57,14 +57,11 @@ impl Easel {
         target.z *= 0.5;
         let distance = DISTANCE * nearness(piece);
         let options = StageOptions {
-            white_balance: Default::default(),
             camera: Camera { yaw, pitch: 0.8, distance, target, shift: [0.0; 2] },
             view: shown.view,
-            map: TemperatureMap::default(),
             scale: fitting(&cook.kitchen, &self.library.scales[0]),
             slice: shown.cut.then_some(0.0),
-            cut: None,
-            flat: false,
+            ..StageOptions::default()
         };
         Stage::default().scene(&cook.kitchen, &options, &Default::default())
     }

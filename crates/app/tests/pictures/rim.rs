@@ -10,7 +10,6 @@ use saute_app::scene::quality::Quality;
 use saute_app::scene::renderer::SceneRenderer;
 use saute_app::shot::cook_until;
 use saute_app::stage::{Stage, StageOptions};
-use saute_app::{TemperatureMap, View};
 use saute_kitchen::food::{FoodModel, Lab};
 use saute_kitchen::{Library, Recipe};
 
@@ -44,16 +43,8 @@ impl Rim {
         );
         let recipe = Recipe::parse(&text, "rim.toml", &library).expect("parses");
         let cook = cook_until(recipe, &library, heated_s + 8.0).expect("cooks");
-        let options = StageOptions {
-            white_balance: Default::default(),
-            camera: Camera::close_up(),
-            view: View::Look,
-            map: TemperatureMap::default(),
-            scale: None,
-            slice: Some(0.0),
-            cut: None,
-            flat: true,
-        };
+        let options =
+            StageOptions { camera: Camera::close_up(), slice: Some(0.0), flat: true, ..StageOptions::default() };
         let mut scene = Stage::default().scene(&cook.kitchen, &options, &Default::default());
         let (line, towards) = seen_rim(&scene, &cook.kitchen.pieces()[0].model);
         let yaw = towards.x.atan2(-towards.y);

@@ -24,16 +24,7 @@ fn cook(at_s: f64) -> Cook {
 
 fn options(view: View, slice: Option<f64>, flat: bool) -> StageOptions {
     let camera = Camera { yaw: saute_app::app::CUT_YAW, ..Camera::three_quarter() };
-    StageOptions {
-        camera,
-        view,
-        map: TemperatureMap::Uniform,
-        scale: None,
-        slice,
-        cut: None,
-        white_balance: Default::default(),
-        flat,
-    }
+    StageOptions { camera, view, map: TemperatureMap::Uniform, slice, flat, ..StageOptions::default() }
 }
 
 fn pixel(picture: &Picture, [x, y]: [usize; 2]) -> [u8; 3] {
