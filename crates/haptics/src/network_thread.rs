@@ -59,14 +59,14 @@ mod tests {
             sleep(Duration::from_millis(30));
             words.store(true, Ordering::Release);
         });
-        drop(thread.unwrap());
+        drop(thread.expect("a thread"));
         assert!(said.load(Ordering::Acquire));
     }
 
     #[test]
     fn a_thread_that_does_not_end_is_not_waited_for() {
         let begun = Instant::now();
-        drop(NetworkThread::spawn("test", |_| sleep(Duration::from_secs(20))).unwrap());
+        drop(NetworkThread::spawn("test", |_| sleep(Duration::from_secs(20))).expect("a thread"));
         assert!(begun.elapsed() < Duration::from_secs(5));
     }
 }

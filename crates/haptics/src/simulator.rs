@@ -140,11 +140,11 @@ mod tests {
         {
             let mut command = Command::new("sh");
             command.args(["-c", script]).stdin(Stdio::piped()).stdout(Stdio::piped());
-            let mut child = command.spawn().unwrap();
+            let mut child = command.spawn().expect("a shell");
             let begun = Instant::now();
             let said = first_lines(&mut child, Duration::from_millis(500));
-            child.kill().unwrap();
-            child.wait().unwrap();
+            child.kill().expect("it runs");
+            child.wait().expect("it ended");
             assert!(said.len() == lines && begun.elapsed() < Duration::from_secs(5), "{script}: {said:?}");
         }
     }

@@ -173,7 +173,12 @@ mod tests {
 
     fn listener(now: Instant) -> Listener {
         let (input, _) = triple_buffer::triple_buffer(&Heard::default());
-        Listener::new(UdpSocket::bind("127.0.0.1:0").unwrap(), input, Pairing::new().unwrap(), now)
+        Listener::new(
+            UdpSocket::bind("127.0.0.1:0").expect("a port"),
+            input,
+            Pairing::new().expect("random numbers"),
+            now,
+        )
     }
 
     fn packet(address: &str, args: Vec<OscType>) -> OscPacket {
@@ -181,7 +186,7 @@ mod tests {
     }
 
     fn bytes(packet: &OscPacket) -> Vec<u8> {
-        rosc::encoder::encode(packet).unwrap()
+        rosc::encoder::encode(packet).expect("OSC")
     }
 
     fn tilt() -> OscPacket {
