@@ -27,6 +27,19 @@ pub struct Limits {
     pub stiffness_nm_rad: f64,
 }
 
+impl Limits {
+    /// Of a device that makes no forces.
+    pub const NONE: Self = Self {
+        force_n: 0.0,
+        torque_nm: 0.0,
+        slew_n_s: 0.0,
+        slew_nm_s: 0.0,
+        energy_j: 0.0,
+        stiffness_n_m: 0.0,
+        stiffness_nm_rad: 0.0,
+    };
+}
+
 /// Where a device may be moved.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Workspace {
@@ -122,12 +135,14 @@ pub enum Health {
 }
 
 /// What a device said last.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HapticSample {
     /// The device's own time [s].
     pub time_s: f64,
     /// Pose of the pan in the kitchen.
     pub pose: Pose,
+    /// Whether it tells that pose: a device may know the turner alone, and then the pan is not its own.
+    pub leads_pan: bool,
     /// Its velocity [m/s, rad/s].
     pub twist: Twist,
     /// The wrench that its last command really makes beyond the empty device [N, N·m].
@@ -146,6 +161,26 @@ pub struct HapticSample {
     pub buttons: u32,
     /// Messages that were thrown away because they were damaged, old or meant nothing.
     pub rejected: u32,
+}
+
+impl Default for HapticSample {
+    /// A device that is looked for and that will lead the pan, as nearly all do.
+    fn default() -> Self {
+        Self {
+            time_s: 0.0,
+            pose: Pose::default(),
+            leads_pan: true,
+            twist: Twist::default(),
+            achieved: Wrench::ZERO,
+            total_force_n: 0.0,
+            tension_n: None,
+            turner: None,
+            health: Health::Connecting,
+            fresh: false,
+            buttons: 0,
+            rejected: 0,
+        }
+    }
 }
 
 /// A device that a hand holds.

@@ -207,11 +207,12 @@ impl Named {
 
 impl Build {
     fn of(name: &str) -> Result<Self, OpenError> {
-        if Path::new(name).is_file() {
-            return Ok(Self::Strings(Box::new(Geometry::parse(&read(name)?, name)?)));
-        }
+        // Before files: one that happens to be called `phone` here is no device of strings.
         if let Some(networked) = NETWORKED.iter().find(|n| n.id == name) {
             return Ok(Self::Networked(*networked));
+        }
+        if Path::new(name).is_file() {
+            return Ok(Self::Strings(Box::new(Geometry::parse(&read(name)?, name)?)));
         }
         match shelf::devices()?.remove(name) {
             Some(geometry) => Ok(Self::Strings(Box::new(geometry))),

@@ -10,7 +10,7 @@ use subtle::ConstantTimeEq;
 pub const DIGITS: usize = 6;
 /// Wrong codes after which none is taken any more until the program starts anew (chosen: more than a person mistypes).
 const MOST_WRONG: u32 = 20;
-/// Wait after the first wrong code [s] (chosen); each one doubles it, up to the longest [s] (chosen: nobody waits longer).
+/// Wait after the first wrong code [s] (chosen: a person types as long anyway); each one doubles it, up to the longest [s] (chosen: nobody waits longer).
 const FIRST_WAIT_S: f64 = 1.0;
 const LONGEST_WAIT_S: f64 = 60.0;
 

@@ -15,10 +15,10 @@ pub struct PanInHand {
 }
 
 impl PanInHand {
-    /// Before a frame of `dt` [s]: holds the pan where a running device is; a device that has stopped, is lost or was taken away (none)
-    /// lays it down.
+    /// Before a frame of `dt` [s]: holds the pan where a running device is; a device that has stopped, is lost, was taken away (none) or
+    /// tells nothing of the pan lays it down.
     pub fn step(&mut self, sample: Option<&HapticSample>, kitchen: &mut Kitchen, dt: f64) {
-        if let Some(sample) = sample.filter(|s| s.health == Health::Running) {
+        if let Some(sample) = sample.filter(|s| s.health == Health::Running && s.leads_pan) {
             (self.holds, self.laying) = (true, None);
             let pose = self.handover.pose(&kitchen.held_pan(), &sample.pose, dt);
             // Refused only for poses that are no numbers, and drivers give none.

@@ -69,6 +69,7 @@ impl HapticDevice for WeightOnSpring {
         HapticSample {
             time_s: self.time_s,
             pose: Pose { position: self.position, ..Pose::default() },
+            leads_pan: true,
             twist: crate::wrench::Twist { linear: self.velocity, ..Default::default() },
             achieved: Wrench { force: shown, ..Wrench::ZERO },
             total_force_n: shown.length(),

@@ -4,8 +4,6 @@
 #![allow(clippy::unwrap_used)]
 
 use std::net::UdpSocket;
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use glam::DVec3;
 use saute_haptics::contact_model::{ContactModel, Impulse, Payload};
@@ -81,7 +79,7 @@ fn a_beat_allocates_nothing() {
 fn a_phone_s_exchange_allocates_nothing() {
     let (mut heard_in, heard) = triple_buffer::triple_buffer(&Heard::default());
     let (told, _told_out) = triple_buffer::triple_buffer(&Told::default());
-    let phone = Phone::new(heard, told, Arc::new(AtomicBool::new(false)));
+    let phone = Phone::new(heard, told, None);
     let hear = |number: u64| {
         let number = (number / 4).min(250);
         heard_in.write(Heard { number, connected: true, push: DVec3::Z, pushes: number, ..Heard::default() });
@@ -109,7 +107,7 @@ fn beats(device: Box<dyn HapticDevice>, mut hear: impl FnMut(u64)) -> bool {
 fn an_inverse3_s_exchange_allocates_nothing() {
     let (mut heard_in, heard) = triple_buffer::triple_buffer(&haply::Heard::default());
     let (told, _told_out) = triple_buffer::triple_buffer(&haply::Told::default());
-    let device = haply::Haply::new(heard, told, Arc::new(AtomicBool::new(false)));
+    let device = haply::Haply::new(heard, told, None);
     let hear = |number: u64| {
         heard_in.write(haply::Heard { number: number.min(1000), link: haply::Link::Up, ..haply::Heard::default() });
     };
@@ -119,7 +117,7 @@ fn an_inverse3_s_exchange_allocates_nothing() {
 #[test]
 fn an_osc_sender_s_exchange_allocates_nothing() {
     let (mut heard_in, heard) = triple_buffer::triple_buffer(&osc::Heard::default());
-    let device = osc::Osc::new(heard, Arc::new(AtomicBool::new(false)));
+    let device = osc::Osc::new(heard, None);
     let hear = |number: u64| heard_in.write(osc::Heard { pans: number.min(1000), ..osc::Heard::default() });
     assert!(beats(Box::new(device), hear));
 }

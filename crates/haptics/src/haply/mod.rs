@@ -4,8 +4,6 @@ pub mod message;
 mod service;
 
 use std::net::SocketAddr;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{DQuat, DVec3};
 use saute_kitchen::dynamics::Pose;
@@ -13,6 +11,7 @@ use saute_kitchen::dynamics::Pose;
 use crate::device::{
     Capabilities, HapticCommand, HapticDevice, HapticSample, Health, Limits, Sensed, Vibration, Workspace,
 };
+use crate::network_thread::NetworkThread;
 use crate::open::{Access, Networked, OpenError, Opened};
 use crate::wrench::{Twist, Wrench};
 
@@ -70,7 +69,7 @@ pub struct Haply {
     capabilities: Capabilities,
     heard: triple_buffer::Output<Heard>,
     told: triple_buffer::Input<Told>,
-    end: Arc<AtomicBool>,
+    _service: Option<NetworkThread>,
     last: Heard,
     order: Told,
     silent: f64,
@@ -108,21 +107,25 @@ pub fn capabilities() -> Capabilities {
 pub fn open(address: SocketAddr) -> Result<Opened, OpenError> {
     let (heard_in, heard) = triple_buffer::triple_buffer(&Heard::default());
     let (told, told_out) = triple_buffer::triple_buffer(&Told::default());
-    let end = Arc::new(AtomicBool::new(false));
-    let service = service::Service::new(address, heard_in, told_out, Arc::clone(&end));
-    let spawned = std::thread::Builder::new().name("haply".into()).spawn(move || service.run());
-    spawned.map_err(|e| OpenError::place(address, format!("no thread: {e}"), "close other programs and try again"))?;
-    Ok(Opened { device: Box::new(Haply::new(heard, told, end)), access: Access::at(address) })
+    let talk = move |end| service::Service::new(address, heard_in, told_out, end).run();
+    let thread = NetworkThread::spawn("haply", talk)
+        .map_err(|e| OpenError::place(address, format!("no thread: {e}"), "close other programs and try again"))?;
+    Ok(Opened { device: Box::new(Haply::new(heard, told, Some(thread))), access: Access::at(address) })
 }
 
 impl Haply {
-    /// A device whose answers come from, and whose forces go to, another thread.
-    pub fn new(heard: triple_buffer::Output<Heard>, told: triple_buffer::Input<Told>, end: Arc<AtomicBool>) -> Self {
+    /// A device whose answers come from, and whose forces go to, another thread; where it is given, it ends with the device, after it
+    /// has told the service to let go.
+    pub fn new(
+        heard: triple_buffer::Output<Heard>,
+        told: triple_buffer::Input<Told>,
+        service: Option<NetworkThread>,
+    ) -> Self {
         Self {
             capabilities: capabilities(),
             heard,
             told,
-            end,
+            _service: service,
             last: Heard::default(),
             order: Told::default(),
             silent: 0.0,
@@ -187,12 +190,5 @@ impl HapticDevice for Haply {
         self.health = Health::Stopped;
         self.order = Told { number: self.order.number + 1, force: DVec3::ZERO };
         self.told.write(self.order);
-    }
-}
-
-impl Drop for Haply {
-    /// The service is told to let go, and left.
-    fn drop(&mut self) {
-        self.end.store(true, Ordering::Release);
     }
 }

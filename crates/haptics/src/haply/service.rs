@@ -16,8 +16,10 @@ use super::{Heard, Link, Told};
 const PERIOD: Duration = Duration::from_millis(1);
 /// How long the service may take to answer (chosen: fifty answers).
 const PATIENCE: Duration = Duration::from_millis(50);
-/// Time between two looks for the service (chosen).
+/// Time between two looks for the service (chosen: nobody waits long, and a machine without one is not kept busy).
 const AGAIN: Duration = Duration::from_millis(300);
+/// Time between two looks whether the device is gone, meanwhile (chosen: nobody notices).
+const LOOK: Duration = Duration::from_millis(10);
 /// How long connecting may take (chosen: it is on this machine, or near).
 const CONNECT: Duration = Duration::from_millis(500);
 /// Age of an order after which it makes no force any more (chosen: as old as a contact model may become).
@@ -70,9 +72,10 @@ impl Service {
         while !self.is_over() {
             // Whatever went wrong, the remedy is the same: try again.
             let _ = self.talk();
-            self.publish(|heard| heard.link = Link::Away);
-            if !self.is_over() {
-                std::thread::sleep(AGAIN);
+            self.publish(|heard| (heard.link, heard.buttons) = (Link::Away, 0));
+            let again = Instant::now() + AGAIN;
+            while !self.is_over() && Instant::now() < again {
+                std::thread::sleep(LOOK);
             }
         }
     }
@@ -87,28 +90,40 @@ impl Service {
     }
 
     fn talk(&mut self) -> Result<(), Gone> {
+        let mut socket = self.connect()?;
+        let id = self.first_device(&mut socket)?;
+        socket.get_ref().set_read_timeout(Some(PATIENCE))?;
+        let ended = self.lead(&mut socket, &id);
+        // However it ended, the last force must not stay; the answer says that this has arrived. A service that is gone hears nothing.
+        let _ = socket.send(Message::text(force(&id, DVec3::ZERO, false)));
+        let _ = socket.read();
+        let _ = socket.close(None);
+        ended
+    }
+
+    fn connect(&self) -> Result<WebSocket<TcpStream>, Gone> {
         let stream = TcpStream::connect_timeout(&self.address, CONNECT)?;
         stream.set_nodelay(true)?;
         stream.set_read_timeout(Some(CONNECT))?;
         stream.set_write_timeout(Some(PATIENCE))?;
         let config = WebSocketConfig::default().max_message_size(Some(LONGEST)).max_frame_size(Some(LONGEST));
         let url = format!("ws://{}/", self.address);
-        let (mut socket, _) = tungstenite::client::client_with_config(url, stream, Some(config)).map_err(|_| Gone)?;
-        let id = self.first_device(&mut socket)?;
-        socket.get_ref().set_read_timeout(Some(PATIENCE))?;
+        tungstenite::client::client_with_config(url, stream, Some(config)).map(|(socket, _)| socket).map_err(|_| Gone)
+    }
+
+    /// Orders forces and takes answers until the device is gone.
+    fn lead(&mut self, socket: &mut WebSocket<TcpStream>, id: &str) -> Result<(), Gone> {
         self.level = None;
         let mut is_first = true;
         let mut due = Instant::now();
         while !self.is_over() {
             let order = self.order();
-            socket.send(Message::text(force(&id, order, is_first)))?;
+            socket.send(Message::text(force(id, order, is_first)))?;
             is_first = false;
-            self.answer(&mut socket, &id)?;
+            self.answer(socket, id)?;
             due = (due + PERIOD).max(Instant::now());
             std::thread::sleep(due.saturating_duration_since(Instant::now()).min(PERIOD));
         }
-        socket.send(Message::text(force(&id, DVec3::ZERO, false)))?;
-        socket.close(None)?;
         Ok(())
     }
 

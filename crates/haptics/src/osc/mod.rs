@@ -4,8 +4,6 @@ mod listener;
 pub mod message;
 
 use std::net::SocketAddr;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{DQuat, DVec3};
 use saute_kitchen::dynamics::Pose;
@@ -14,18 +12,11 @@ use saute_kitchen::dynamics::pose::rotation_between;
 use crate::device::{
     Capabilities, HapticCommand, HapticDevice, HapticSample, Health, Limits, Sensed, Vibration, Workspace,
 };
+use crate::led_from_afar::{FOLLOW_S, HOME_S, SILENCE_S, reckoned};
+use crate::network_thread::NetworkThread;
 use crate::open::{Networked, OpenError, Opened};
 use crate::tilt::{eased, within_tilt};
 use crate::wrench::Twist;
-
-/// Silence after which a sender counts as lost [s] (chosen: as a phone's).
-const SILENCE_S: f64 = 0.5;
-/// Time constant with which the pan follows [s] (chosen: two thirds of a message at 60 Hz, so that motion is smooth).
-const FOLLOW_S: f64 = 0.011;
-/// Time constant with which a pan that nobody holds comes home [s] (chosen: gentle enough for oil to stay in it).
-const HOME_S: f64 = 0.4;
-/// Longest step that is reckoned with [s] (chosen).
-const LONGEST_STEP_S: f64 = 0.05;
 
 /// Senders of OSC, as devices that are reached over a network.
 pub const OSC: Networked =
@@ -54,7 +45,7 @@ pub struct Heard {
 pub struct Osc {
     capabilities: Capabilities,
     heard: triple_buffer::Output<Heard>,
-    end: Arc<AtomicBool>,
+    _listener: Option<NetworkThread>,
     last: Heard,
     silent: [f64; 2],
     pose: Pose,
@@ -68,15 +59,7 @@ pub fn capabilities() -> Capabilities {
         name: "OSC: a pose from any program".into(),
         sensed: Sensed::Pose,
         dof_actuated: 0,
-        limits: Limits {
-            force_n: 0.0,
-            torque_nm: 0.0,
-            slew_n_s: 0.0,
-            slew_nm_s: 0.0,
-            energy_j: 0.0,
-            stiffness_n_m: 0.0,
-            stiffness_nm_rad: 0.0,
-        },
+        limits: Limits::NONE,
         workspace: Workspace { home_m: [0.0; 3], half_m: [0.5, 0.5, 0.5], tilt_rad: std::f64::consts::FRAC_PI_3 * 2.0 },
         rate_hz: 250.0,
         vibration: Vibration::None,
@@ -88,20 +71,19 @@ pub fn capabilities() -> Capabilities {
 /// Listens at an address.
 pub fn open(address: SocketAddr) -> Result<Opened, OpenError> {
     let (heard_in, heard) = triple_buffer::triple_buffer(&Heard::default());
-    let end = Arc::new(AtomicBool::new(false));
-    let access = listener::start(address, heard_in, Arc::clone(&end))?;
-    Ok(Opened { device: Box::new(Osc::new(heard, end)), access })
+    let (access, listener) = listener::start(address, heard_in)?;
+    Ok(Opened { device: Box::new(Osc::new(heard, Some(listener))), access })
 }
 
 impl Osc {
-    /// A sender whose messages come from another thread.
-    pub fn new(heard: triple_buffer::Output<Heard>, end: Arc<AtomicBool>) -> Self {
+    /// A sender whose messages come from another thread, which ends with it where it is given.
+    pub fn new(heard: triple_buffer::Output<Heard>, listener: Option<NetworkThread>) -> Self {
         let capabilities = capabilities();
         let pose = Pose { position: DVec3::from_array(capabilities.workspace.home_m), ..Pose::default() };
         Self {
             capabilities,
             heard,
-            end,
+            _listener: listener,
             last: Heard::default(),
             silent: [f64::INFINITY; 2],
             pose,
@@ -128,14 +110,30 @@ impl Osc {
         fresh.contains(&true)
     }
 
+    fn leads_pan(&self) -> bool {
+        self.health == Health::Running && self.silent[0] < SILENCE_S
+    }
+
+    /// The turner, within the workspace, where it is told; it may be turned over.
+    fn turner(&self) -> Option<Pose> {
+        let leads = self.health == Health::Running && self.silent[1] < SILENCE_S;
+        let told = self.last.turner;
+        leads.then(|| Pose { position: self.within(told.position), ..told })
+    }
+
+    /// The nearest place of the workspace.
+    fn within(&self, place: DVec3) -> DVec3 {
+        let Workspace { home_m, half_m, .. } = self.capabilities.workspace;
+        let (home, half) = (DVec3::from_array(home_m), DVec3::from_array(half_m));
+        place.clamp(home - half, home + half)
+    }
+
     /// Moves the pan to where it is told to be, within the workspace, or home where nobody tells.
     fn follow(&mut self, dt: f64) -> Twist {
-        let workspace = &self.capabilities.workspace;
-        let (home, half) = (DVec3::from_array(workspace.home_m), DVec3::from_array(workspace.half_m));
-        let held = self.health == Health::Running && self.silent[0] < SILENCE_S;
-        let (place, rotation, tau) = if held {
-            let place = self.last.place.unwrap_or(home).clamp(home - half, home + half);
-            (place, within_tilt(self.last.rotation, workspace.tilt_rad), FOLLOW_S)
+        let Workspace { home_m, tilt_rad, .. } = self.capabilities.workspace;
+        let home = DVec3::from_array(home_m);
+        let (place, rotation, tau) = if self.leads_pan() {
+            (self.within(self.last.place.unwrap_or(home)), within_tilt(self.last.rotation, tilt_rad), FOLLOW_S)
         } else {
             (home, DQuat::IDENTITY, HOME_S)
         };
@@ -157,16 +155,16 @@ impl HapticDevice for Osc {
     }
 
     fn exchange(&mut self, _command: &HapticCommand, dt: f64) -> HapticSample {
-        let dt = if dt.is_finite() { dt.clamp(0.0, LONGEST_STEP_S) } else { 0.0 };
+        let dt = reckoned(dt);
         let fresh = self.listen(dt);
         let twist = self.follow(dt);
         self.time_s += dt;
-        let leads_turner = self.health == Health::Running && self.silent[1] < SILENCE_S;
         HapticSample {
             time_s: self.time_s,
             pose: self.pose,
             twist,
-            turner: leads_turner.then_some(self.last.turner),
+            leads_pan: self.leads_pan(),
+            turner: self.turner(),
             health: self.health,
             fresh,
             buttons: self.last.buttons,
@@ -177,12 +175,5 @@ impl HapticDevice for Osc {
 
     fn stop(&mut self) {
         self.health = Health::Stopped;
-    }
-}
-
-impl Drop for Osc {
-    /// Nobody listens any longer.
-    fn drop(&mut self) {
-        self.end.store(true, Ordering::Release);
     }
 }

@@ -6,6 +6,8 @@ use std::time::Instant;
 
 use tungstenite::handshake::derive_accept_key;
 
+use crate::quiet::is_quiet;
+
 /// Longest head of a request [bytes] (chosen: browsers send 1 kB).
 const LONGEST_HEAD: usize = 8 << 10;
 /// Most header fields (chosen: browsers send 20).
@@ -18,8 +20,11 @@ const GUARDS: &str = "Cache-Control: no-store\r\nX-Content-Type-Options: nosniff
 /// What is asked for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Asked {
-    /// The page.
-    Page,
+    /// The page, with the host by which it was found.
+    Page {
+        /// HOST or HOST:PORT.
+        host: String,
+    },
     /// The socket, with the key of its handshake.
     Socket {
         /// Key.
@@ -47,11 +52,6 @@ pub fn read_head(stream: &mut impl Read, deadline: Instant) -> io::Result<Vec<u8
     Ok(head)
 }
 
-/// Whether nothing has come yet.
-pub fn is_quiet(error: &io::Error) -> bool {
-    matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut | io::ErrorKind::Interrupted)
-}
-
 /// What a request asks for.
 pub fn asked(head: &[u8]) -> Asked {
     let mut fields = [httparse::EMPTY_HEADER; MOST_FIELDS];
@@ -68,7 +68,7 @@ pub fn asked(head: &[u8]) -> Asked {
         return Asked::Refused(421, "Misdirected Request");
     }
     match (request.method, request.path) {
-        (Some("GET"), Some("/")) => Asked::Page,
+        (Some("GET"), Some("/")) => Asked::Page { host: host.to_owned() },
         (Some("GET"), Some("/pan")) => {
             // Only the page itself may open the socket: no other site that a browser shows.
             let own =
@@ -98,8 +98,9 @@ fn is_own(host: &str) -> bool {
 /// The whole answer, or the head of it where a socket follows.
 pub fn answer(asked: &Asked) -> String {
     match asked {
-        Asked::Page => format!(
-            "HTTP/1.1 200 OK\r\nContent-Type: text/html; charset=utf-8\r\nContent-Length: {}\r\n{GUARDS}Content-Security-Policy: default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; connect-src 'self' wss:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'\r\n\r\n{PAGE}",
+        // Older Safaris do not count the own host's sockets as 'self'.
+        Asked::Page { host } => format!(
+            "HTTP/1.1 200 OK\r\nContent-Type: text/html; charset=utf-8\r\nContent-Length: {}\r\n{GUARDS}Content-Security-Policy: default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; connect-src 'self' wss://{host}; base-uri 'none'; form-action 'none'; frame-ancestors 'none'\r\n\r\n{PAGE}",
             PAGE.len()
         ),
         Asked::Socket { key } => format!(
@@ -134,11 +135,17 @@ mod tests {
 
     #[test]
     fn names_of_others_and_other_paths_are_refused() {
-        assert_eq!(ask("/", "localhost:8443", "https://localhost:8443"), Asked::Page);
+        assert_eq!(ask("/", "localhost:8443", "https://localhost:8443"), Asked::Page { host: "localhost:8443".into() });
         assert_eq!(ask("/", "rebound.example:8443", ""), Asked::Refused(421, "Misdirected Request"));
         assert_eq!(ask("/../etc/passwd", "127.0.0.1", ""), Asked::Refused(404, "Not Found"));
         assert_eq!(asked(b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"), Asked::Refused(405, "Method Not Allowed"));
         assert_eq!(asked(b"\x00\xff\r\n\r\n"), Asked::Refused(400, "Bad Request"));
+    }
+
+    #[test]
+    fn the_page_may_talk_to_its_own_host_alone() {
+        let page = answer(&ask("/", "192.168.1.4:8443", ""));
+        assert!(page.contains("connect-src 'self' wss://192.168.1.4:8443; base-uri"), "{}", &page[..600]);
     }
 
     proptest! {

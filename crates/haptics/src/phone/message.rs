@@ -36,8 +36,6 @@ pub enum FromPhone {
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Measured {
-    /// The phone's own time [ms].
-    pub ms: f64,
     /// alpha, beta, gamma of the DeviceOrientation event [°].
     pub turn: [f64; 3],
     /// Acceleration without gravity along the phone's axes, where it is known [m/s²].
@@ -110,9 +108,6 @@ impl FromPhone {
 impl Measured {
     fn check(&self) -> Result<(), BadMessage> {
         let within = |list: &[f64], most: f64| list.iter().all(|v| v.is_finite() && v.abs() <= most);
-        if !self.ms.is_finite() || self.ms < 0.0 {
-            return Err(BadMessage::Range("ms"));
-        }
         if !within(&self.turn, LARGEST_DEG) {
             return Err(BadMessage::Range("turn"));
         }

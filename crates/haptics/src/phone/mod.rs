@@ -1,5 +1,6 @@
 //! A phone as a pan: its page sends how it is turned and pushed, over TLS, after the code on the screen has been typed.
 
+mod bounded;
 mod certificate;
 mod http;
 pub mod message;
@@ -9,8 +10,6 @@ mod session;
 pub mod toss;
 
 use std::net::SocketAddr;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{DQuat, DVec3};
 use saute_kitchen::dynamics::Pose;
@@ -19,22 +18,16 @@ use saute_kitchen::dynamics::pose::rotation_between;
 use crate::device::{
     Capabilities, HapticCommand, HapticDevice, HapticSample, Health, Limits, Sensed, Vibration, Workspace,
 };
+use crate::led_from_afar::{FOLLOW_S, HOME_S, SILENCE_S, reckoned};
+use crate::network_thread::NetworkThread;
 use crate::open::{Networked, OpenError, Opened};
 use crate::rumble::Rumble;
 use crate::tilt::{eased, within_tilt};
 use crate::wrench::Twist;
 use toss::Toss;
 
-/// Silence after which a phone counts as lost [s] (chosen: thirty messages).
-const SILENCE_S: f64 = 0.5;
 /// How long an acceleration counts [s] (chosen: three messages).
 const PUSH_S: f64 = 0.05;
-/// Time constant with which the pan follows the phone [s] (chosen: two thirds of a message, so that turns are smooth).
-const FOLLOW_S: f64 = 0.011;
-/// Time constant with which a pan that nobody holds comes home [s] (chosen: gentle enough for oil to stay in it).
-const HOME_S: f64 = 0.4;
-/// Longest step that is reckoned with [s] (chosen).
-const LONGEST_STEP_S: f64 = 0.05;
 
 /// Phones, as devices that are reached over a network.
 pub const PHONE: Networked =
@@ -73,7 +66,7 @@ pub struct Phone {
     capabilities: Capabilities,
     heard: triple_buffer::Output<Heard>,
     told: triple_buffer::Input<Told>,
-    end: Arc<AtomicBool>,
+    _server: Option<NetworkThread>,
     last: Heard,
     silent: f64,
     unpushed: f64,
@@ -89,15 +82,7 @@ pub fn capabilities() -> Capabilities {
         name: "A phone in the hand".into(),
         sensed: Sensed::Turning,
         dof_actuated: 0,
-        limits: Limits {
-            force_n: 0.0,
-            torque_nm: 0.0,
-            slew_n_s: 0.0,
-            slew_nm_s: 0.0,
-            energy_j: 0.0,
-            stiffness_n_m: 0.0,
-            stiffness_nm_rad: 0.0,
-        },
+        limits: Limits::NONE,
         // The pan stands on the hob at home; a toss lifts it.
         workspace: Workspace {
             home_m: [0.0; 3],
@@ -115,19 +100,22 @@ pub fn capabilities() -> Capabilities {
 pub fn open(address: SocketAddr) -> Result<Opened, OpenError> {
     let (heard_in, heard) = triple_buffer::triple_buffer(&Heard::default());
     let (told, told_out) = triple_buffer::triple_buffer(&Told::default());
-    let end = Arc::new(AtomicBool::new(false));
-    let access = server::start(address, heard_in, told_out, Arc::clone(&end))?;
-    Ok(Opened { device: Box::new(Phone::new(heard, told, end)), access })
+    let (access, server) = server::start(address, heard_in, told_out)?;
+    Ok(Opened { device: Box::new(Phone::new(heard, told, Some(server))), access })
 }
 
 impl Phone {
-    /// A phone whose messages come from, and whose orders go to, another thread.
-    pub fn new(heard: triple_buffer::Output<Heard>, told: triple_buffer::Input<Told>, end: Arc<AtomicBool>) -> Self {
+    /// A phone whose messages come from, and whose orders go to, another thread, which ends with it where it is given.
+    pub fn new(
+        heard: triple_buffer::Output<Heard>,
+        told: triple_buffer::Input<Told>,
+        server: Option<NetworkThread>,
+    ) -> Self {
         Self {
             capabilities: capabilities(),
             heard,
             told,
-            end,
+            _server: server,
             last: Heard::default(),
             silent: 0.0,
             unpushed: 0.0,
@@ -175,13 +163,14 @@ impl HapticDevice for Phone {
     }
 
     fn exchange(&mut self, command: &HapticCommand, dt: f64) -> HapticSample {
-        let dt = if dt.is_finite() { dt.clamp(0.0, LONGEST_STEP_S) } else { 0.0 };
+        let dt = reckoned(dt);
         let fresh = self.listen(dt);
         let twist = self.follow(dt);
         self.time_s += dt;
         let home = DVec3::from_array(self.capabilities.workspace.home_m);
         let pose = Pose { position: home + self.toss.place, rotation: self.rotation };
-        let lively = command.enabled && self.health == Health::Running;
+        let running = self.health == Health::Running;
+        let lively = command.enabled && running;
         let rumble = if lively { command.rumble } else { Rumble::default() };
         self.told.write(Told { pose, rumble });
         HapticSample {
@@ -190,7 +179,7 @@ impl HapticDevice for Phone {
             twist,
             health: self.health,
             fresh,
-            buttons: u32::from(self.last.button),
+            buttons: u32::from(running && self.last.button),
             rejected: self.last.rejected,
             ..HapticSample::default()
         }
@@ -198,12 +187,5 @@ impl HapticDevice for Phone {
 
     fn stop(&mut self) {
         self.health = Health::Stopped;
-    }
-}
-
-impl Drop for Phone {
-    /// The page is served no longer.
-    fn drop(&mut self) {
-        self.end.store(true, Ordering::Release);
     }
 }

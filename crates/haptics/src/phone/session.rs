@@ -1,6 +1,6 @@
 //! The talk with one phone: first its code, then its motion, and back how the pan is and how hard to shake.
 
-use std::io::{Read, Write};
+use std::io::ErrorKind;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
@@ -8,15 +8,18 @@ use glam::DQuat;
 use tungstenite::protocol::{Role, WebSocketConfig};
 use tungstenite::{Error, Message, WebSocket};
 
-use super::http::is_quiet;
 use super::message::{FromPhone, LONGEST, Measured, ToPhone};
 use super::orientation::{Level, acceleration, from_angles};
-use super::server::Shared;
+use super::server::{Line, Shared, WRITE};
 use crate::allowance::Allowance;
+use crate::led_from_afar::SILENCE_S;
 use crate::pairing::Verdict;
+use crate::quiet::is_quiet;
 
 /// How long a phone may take to be paired (chosen: the page connects when the code has been typed; whoever waits longer only takes up room).
-const PAIRING: Duration = Duration::from_secs(15);
+const PAIRING: Duration = Duration::from_secs(5);
+/// How long one message may be listened for (chosen: three reports; empty pieces without end would keep the thread for ever else).
+const LISTEN: Duration = Duration::from_millis(100);
 /// Time between two reports to the phone (chosen: thirty a second).
 const REPORT: Duration = Duration::from_millis(33);
 /// Messages a second that are heard; faster ones are thrown away (chosen: three times what the page sends).
@@ -27,19 +30,21 @@ const BURST: f64 = 60.0;
 const MOST_BAD: u32 = 500;
 
 /// A talk.
-struct Talk<'a, S> {
-    socket: WebSocket<S>,
+struct Talk<'a> {
+    socket: WebSocket<Line>,
     shared: &'a Shared,
     number: Option<u64>,
     level: Level,
     phone: DQuat,
     allowance: Allowance,
     bad: u32,
+    pressed: bool,
+    spoke: Instant,
     reported: Instant,
 }
 
 /// Talks until one of both sides ends it.
-pub fn run<S: Read + Write>(stream: S, shared: &Shared) {
+pub fn run(stream: Line, shared: &Shared) {
     let config = WebSocketConfig::default()
         .max_message_size(Some(LONGEST))
         .max_frame_size(Some(LONGEST))
@@ -53,20 +58,23 @@ pub fn run<S: Read + Write>(stream: S, shared: &Shared) {
         phone: DQuat::IDENTITY,
         allowance: Allowance::new(FASTEST_HZ, BURST, now),
         bad: 0,
+        pressed: false,
+        spoke: now,
         reported: now,
     };
     while talk.turn(now) {}
     talk.leave();
 }
 
-impl<S: Read + Write> Talk<'_, S> {
+impl Talk<'_> {
     /// One message, or a little while without one; tells whether to go on.
     fn turn(&mut self, begun: Instant) -> bool {
+        self.socket.get_mut().sock.allow(LISTEN);
         let on = match self.socket.read() {
             Ok(Message::Text(text)) => self.hear(&text),
             Ok(Message::Binary(_)) => self.reject(),
             Ok(Message::Close(_)) => false,
-            Ok(_) => true,
+            Ok(_) => self.allowance.takes(Instant::now()) || self.reject(),
             Err(Error::Io(e)) => is_quiet(&e),
             Err(Error::Capacity(_) | Error::Protocol(_) | Error::Utf8(_)) => {
                 self.reject();
@@ -74,6 +82,7 @@ impl<S: Read + Write> Talk<'_, S> {
             }
             Err(_) => false,
         };
+        self.let_go_in_silence();
         let paired_in_time = self.number.is_some() || begun.elapsed() < PAIRING;
         on && paired_in_time && self.bad < MOST_BAD && self.still_wanted() && self.report()
     }
@@ -102,10 +111,10 @@ impl<S: Read + Write> Talk<'_, S> {
                 let taken = self.level.set(self.phone);
                 return self.tell(&ToPhone::Flat { taken });
             }
-            (Ok(FromPhone::Button { down }), Some(_)) => self.publish(|heard| heard.button = down),
+            (Ok(FromPhone::Button { down }), Some(_)) => self.press(down),
             _ => return self.reject(),
         }
-        self.bad = 0;
+        (self.bad, self.spoke) = (0, now);
         true
     }
 
@@ -114,6 +123,8 @@ impl<S: Read + Write> Talk<'_, S> {
         match verdict {
             Verdict::Paired => {
                 self.number = Some(1 + self.shared.holder.fetch_add(1, Ordering::AcqRel));
+                // The one before may have left with its finger down.
+                self.press(false);
                 self.tell(&ToPhone::Welcome)
             }
             Verdict::Wait(wait) => {
@@ -143,8 +154,24 @@ impl<S: Read + Write> Talk<'_, S> {
         });
     }
 
+    fn press(&mut self, down: bool) {
+        self.pressed = down;
+        self.publish(|heard| heard.button = down);
+    }
+
+    /// A phone that has fallen silent presses nothing, also when it speaks again.
+    fn let_go_in_silence(&mut self) {
+        if self.pressed && self.spoke.elapsed().as_secs_f64() > SILENCE_S {
+            self.press(false);
+        }
+    }
+
+    /// Tells the device, unless another phone holds the pan by now.
     fn publish(&self, change: impl FnOnce(&mut super::Heard)) {
         if let Ok(mut out) = self.shared.heard.lock() {
+            if self.number.is_some_and(|n| n != self.shared.holder.load(Ordering::Acquire)) {
+                return;
+            }
             let (input, heard) = &mut *out;
             change(heard);
             input.write(*heard);
@@ -170,19 +197,21 @@ impl<S: Read + Write> Talk<'_, S> {
 
     /// Sends a message; tells whether the phone still takes any.
     fn tell(&mut self, message: &ToPhone) -> bool {
+        self.socket.get_mut().sock.allow(WRITE);
         match self.socket.send(Message::text(message.json())) {
             Ok(()) => true,
-            Err(Error::Io(e)) => is_quiet(&e),
+            Err(Error::Io(e)) => e.kind() == ErrorKind::Interrupted,
             Err(_) => false,
         }
     }
 
     /// The phone is gone, unless another one holds the pan already.
     fn leave(&mut self) {
+        self.socket.get_mut().sock.allow(WRITE);
         let _ = self.socket.close(None);
         let _ = self.socket.flush();
-        if self.number.is_some_and(|n| n == self.shared.holder.load(Ordering::Acquire)) {
-            self.publish(|heard| heard.connected = false);
+        if self.number.is_some() {
+            self.publish(|heard| (heard.connected, heard.button) = (false, false));
         }
     }
 }

@@ -65,6 +65,18 @@ fn a_pan_follows_the_hand_and_is_laid_down_gently_when_the_device_is_gone() {
 }
 
 #[test]
+fn a_device_that_tells_the_turner_alone_leaves_the_pan_where_it_is() {
+    let (mut kitchen, mut hand) = (kitchen(), PanInHand::default());
+    let ring = pan(&kitchen);
+    let sample = HapticSample { leads_pan: false, ..at(Pose::at(0.1, 0.1, 0.2), Health::Running) };
+    for _ in 0..60 {
+        hand.step(Some(&sample), &mut kitchen, FRAME_S);
+        kitchen.advance_frame();
+    }
+    assert!(!hand.holds() && (pan(&kitchen).position - ring.position).length() < 1e-6);
+}
+
+#[test]
 fn another_hand_may_take_a_pan_that_is_being_laid_down() {
     let (mut kitchen, mut hand) = (kitchen(), PanInHand::default());
     for _ in 0..90 {

@@ -81,6 +81,29 @@ fn a_loop_that_has_stopped_makes_no_force_any_more() {
 }
 
 #[test]
+fn a_device_that_is_gone_has_let_go_before_the_program_goes_on() {
+    let service = InverseService::start();
+    let mut opened = running(&service);
+    until(&mut opened, &push(DVec3::Z * 3.0), |_| service.felt().0.z > 2.9).expect("pushed");
+    drop(opened);
+    assert_eq!(service.felt().0, DVec3::ZERO);
+}
+
+#[test]
+fn a_talk_that_breaks_off_ends_with_no_force() {
+    let service = InverseService::start();
+    let mut opened = running(&service);
+    until(&mut opened, &push(DVec3::Z * 3.0), |_| service.felt().0.z > 2.9).expect("pushed");
+    service.babble(&[&"x".repeat(100_000)]);
+    // Looked for again only after 0.3 s; without exchanges no order grows old on a talk that is over.
+    let begun = Instant::now();
+    while service.felt().0 != DVec3::ZERO {
+        assert!(begun.elapsed() < Duration::from_millis(250), "still {} N", service.felt().0.z);
+        std::thread::sleep(Duration::from_millis(2));
+    }
+}
+
+#[test]
 fn a_service_that_is_lost_is_found_again() {
     let service = InverseService::start();
     let mut opened = running(&service);

@@ -22,5 +22,6 @@ mod phone_client;
 mod phone_page;
 mod pose;
 mod random;
+mod slow_phones;
 mod tension;
 mod wire;

@@ -111,13 +111,13 @@ fn a_sender_that_has_not_paired_is_ignored_and_counted() {
     let (friend, stranger) = (bench.paired(), bench.sender());
     friend.send(packet("/saute/pan/tilt", floats(&[0.0, 0.0])));
     bench.until(|s| s.health == Health::Running).expect("the friend is heard");
-    for _ in 0..20 {
+    for _ in 0..10 {
         stranger.send(packet("/saute/pan/tilt", floats(&[40.0, 0.0])));
     }
     let wrong = format!("{:06}", (bench.code.parse::<u32>().unwrap() + 1) % 1_000_000);
     stranger.send(packet("/saute/pair", vec![OscType::String(wrong)]));
     stranger.send(packet("/saute/pair", vec![OscType::String(bench.code.clone())]));
-    let seen = bench.until(|s| s.rejected >= 22).expect("counted; the right code too soon after a wrong one, too");
+    let seen = bench.until(|s| s.rejected >= 12).expect("counted; the right code too soon after a wrong one, too");
     assert!((up(&seen) - DVec3::Z).length() < 1e-6, "{seen:?}");
 }
 
@@ -143,6 +143,46 @@ fn a_sender_that_falls_silent_is_lost_and_the_pan_eases_home() {
     bench.until(|s| s.pose.position.length() < 5e-3 && up(s).z > 0.9999).expect("home");
     sender.pose("/saute/pan/pose", [0.2, 0.0, 0.2, 0.0, 0.0, 0.0, 1.0]);
     bench.until(|s| s.health == Health::Running).expect("and back");
+}
+
+#[test]
+fn a_button_of_a_sender_that_is_lost_is_up_also_when_it_comes_back() {
+    let mut bench = bench();
+    let sender = bench.paired();
+    sender.send(packet("/saute/button", vec![OscType::Int(5), OscType::Bool(true)]));
+    let tilt = || sender.send(packet("/saute/pan/tilt", floats(&[0.0, 0.0])));
+    tilt();
+    bench.until(|s| s.health == Health::Running && s.buttons == 32).expect("pressed");
+    bench.until(|s| s.health == Health::Lost && s.buttons == 0).expect("lost");
+    tilt();
+    let back = bench.until(|s| s.health == Health::Running).expect("back");
+    assert_eq!(back.buttons, 0);
+}
+
+#[test]
+fn a_sender_that_tells_the_turner_alone_leads_no_pan_and_its_turner_stays_in_the_workspace() {
+    let mut bench = bench();
+    let sender = bench.paired();
+    let far = |s: &HapticSample| {
+        sender.pose("/saute/turner/pose", [1.5, 0.1, -1.0, 1.0, 0.0, 0.0, 0.0]);
+        s.turner.is_some()
+    };
+    let sample = bench.until(far).expect("the turner is there");
+    assert!(sample.health == Health::Running && !sample.leads_pan, "{sample:?}");
+    let turner = sample.turner.unwrap();
+    assert!((turner.position - DVec3::new(0.5, 0.1, -0.5)).length() < 1e-6, "{turner:?}");
+    assert!((turner.rotation * DVec3::Z).z < -0.999, "a turner may be turned over");
+    sender.send(packet("/saute/pan/tilt", floats(&[0.0, 0.0])));
+    bench.until(|s| s.leads_pan && s.turner.is_some()).expect("both");
+}
+
+#[test]
+fn the_port_is_free_at_once_when_the_device_is_gone() {
+    let bench = bench();
+    let text = format!("osc@{}", bench.opened.access.place);
+    assert!(open(&text, 0).is_err(), "it is taken");
+    drop(bench);
+    assert!(open(&text, 0).is_ok());
 }
 
 #[test]
