@@ -141,7 +141,8 @@ impl Hands {
         let pan = self.pan.as_mut().map(|d| d.update().sample);
         let other = self.turner.as_mut().map(|d| d.update().sample).filter(|s| s.health == Health::Running);
         let running = pan.filter(|s| s.health == Health::Running);
-        let turner = other.map(|s| s.turner.unwrap_or(s.pose)).or(running.and_then(|s| s.turner));
+        let led = other.and_then(|s| s.turner.or(s.leads_pan.then_some(s.pose)));
+        let turner = led.or(running.and_then(|s| s.turner));
         self.pan_in_hand.step(pan.as_ref(), kitchen, FRAME_S);
         self.turner_in_hand.step(turner.as_ref(), kitchen);
     }
