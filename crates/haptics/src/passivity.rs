@@ -1,11 +1,14 @@
 //! Sees to it that the loop never gives more energy than it got.
 
+use saute_kitchen::dynamics::Pose;
+use saute_kitchen::dynamics::pose::rotation_between;
+
 use crate::wrench::{Twist, Wrench};
 
 /// Metres that a radian counts as, where both are damped at once [m] (chosen: a pan's radius).
 const LEVER: f64 = 0.1;
-/// The account never holds more than this many reserves beyond what the felt bodies hold (chosen: old dissipation must not
-/// pay for later activity).
+/// The account never holds more than this many reserves beyond what the felt bodies hold (chosen: a tenth of a joule, what a spoon
+/// that falls 20 cm has; dissipation older than that must not pay for later activity).
 const FULLEST: f64 = 20.0;
 /// Share of the reserve below which the controller acts [-] (chosen: what a step's change of speed can cost is less).
 const FLOOR: f64 = 0.2;
@@ -13,20 +16,26 @@ const FLOOR: f64 = 0.2;
 /// Shortest time in which the account above its floor may be spent [s] (chosen: so slowly does 25 N fade that no device's
 /// limit of change, 5 N a millisecond, keeps a force up that the account can no longer pay).
 const SPENDING_S: f64 = 0.01;
-/// Time in which the account comes back to its floor [s] (chosen), and the most damping that this may take [N·s/m] (chosen: less
-/// than an arm's own).
+/// Time in which the account comes back to its floor [s] (chosen: shorter than a beat of vibration that a hand counts), and the
+/// most damping that this may take [N·s/m] (chosen: less than an arm's own).
 const RECOVERY_S: f64 = 0.05;
 const RECOVERY_DAMPING: f64 = 5.0;
+/// Time over which displacements are smoothed to a velocity [s] (chosen: two samples; a device's own filter takes twice as long).
+const MOVING_S: f64 = 0.002;
 
 /// Passivity observer and controller in the time domain (Hannaford & Ryu 2002).
 ///
-/// The observer's account is E ← E − w·ẋ Δt [J] over all that the hand feels but weights, whose work the height of the contents
-/// gives back. What the hand has put into a body that it moves is due back to it: the account may hold that body's kinetic and
-/// spring energy beside the reserve. Power is at most P = (E − E_floor)/τ, so that the account nears a fifth of the reserve without
-/// passing it and forces fade no faster than the device's limits of change let them; where more is wanted, the controller adds damping
-/// α = (w·ẋ − P)/|ẋ|²; an account below
-/// that floor is filled up by a little damping more. Where the device does not take so much damping, the wrench itself is lessened, and
-/// grows again within 50 ms: a light grip would otherwise be shaken by it.
+/// The observer's account is E ← E − w·Δx [J] over all that the hand feels but weights, whose work the height of the contents
+/// gives back; Δx is how far the pan went and turned while w was held, which is exact where a filtered velocity would make a late
+/// spring look dissipative. Where the device tells a wrench that it made instead of the one that was asked for, the worse of the
+/// two counts.
+///
+/// The account begins with one reserve and may hold up to twenty: so much earlier dissipation may be spent again. What the hand has
+/// put into a body that it moves is due back to it: the account may hold that body's kinetic and spring energy beside the twenty.
+/// Power is at most P = (E − E_floor)/τ, so that the account nears a fifth of the reserve without passing it and forces fade no
+/// faster than the device's limits of change let them; where more is wanted, the controller adds damping α = (w·ẋ − P)/|ẋ|²; an
+/// account below that floor is filled up by a little damping more. Where the device does not take so much damping, the wrench
+/// itself is lessened, and grows again within 50 ms: a light grip would otherwise be shaken by it.
 #[derive(Clone, Copy, Debug)]
 pub struct Passivity {
     account: f64,
@@ -35,12 +44,25 @@ pub struct Passivity {
     gain: f64,
     lowest: f64,
     last: Wrench,
+    weight: Wrench,
+    before: Option<Pose>,
+    moving: Twist,
 }
 
 impl Passivity {
     /// Begins with a reserve [J]; no more damping is added than the device takes [N·s/m].
     pub fn new(reserve: f64, most_damping: f64) -> Self {
-        Self { account: reserve, reserve, most_damping, gain: 1.0, lowest: reserve, last: Wrench::ZERO }
+        Self {
+            account: reserve,
+            reserve,
+            most_damping,
+            gain: 1.0,
+            lowest: reserve,
+            last: Wrench::ZERO,
+            weight: Wrench::ZERO,
+            before: None,
+            moving: Twist::default(),
+        }
     }
 
     /// Energy that comes from elsewhere, as that of food that lands [J].
@@ -48,26 +70,54 @@ impl Passivity {
         self.account = (self.account + energy.max(0.0)).min(self.account.max(FULLEST * self.reserve));
     }
 
-    /// Settles what the last wrench did with the speed that has just been measured; `dt` is a step [s], `held` what the
-    /// felt bodies hold of what the hand gave [J].
-    pub fn observe(&mut self, twist: &Twist, held: f64, dt: f64) {
-        self.account = (self.account - self.last.power(twist) * dt).min(FULLEST * self.reserve + held);
+    /// Settles what the last wrench did on the way to where the pan has just been found, and gives it [J]; `made` is what the
+    /// device says it made, weights included, `held` what the felt bodies hold of what the hand gave [J], `dt` a step [s].
+    pub fn observe(&mut self, pose: &Pose, made: &Wrench, held: f64, dt: f64) -> f64 {
+        let way = self.way(pose, dt);
+        let asked = self.last.power(&way);
+        // A device that tells nothing of what it made tells exactly nothing.
+        let other = if *made == Wrench::ZERO { asked } else { (*made - self.weight).power(&way) };
+        let spent = if asked > other { asked } else { other };
+        if spent.is_finite() {
+            let held = if held.is_finite() { held.max(0.0) } else { 0.0 };
+            self.account = (self.account - spent).min(FULLEST * self.reserve + held);
+        } else {
+            self.account = self.account.min(FLOOR * self.reserve);
+        }
         self.lowest = self.lowest.min(self.account);
+        spent
     }
 
-    /// The wrench to show instead of `wanted`.
+    /// How far the pan went and turned since it was found last [m, rad].
+    fn way(&mut self, pose: &Pose, dt: f64) -> Twist {
+        let before = self.before.replace(*pose).unwrap_or(*pose);
+        let (linear, angular) = (pose.position - before.position, rotation_between(before.rotation, pose.rotation));
+        if dt > 0.0 && linear.is_finite() && angular.is_finite() {
+            let share = 1.0 - libm::exp(-dt / MOVING_S);
+            self.moving.linear += (linear / dt - self.moving.linear) * share;
+            self.moving.angular += (angular / dt - self.moving.angular) * share;
+        }
+        Twist { linear, angular }
+    }
+
+    /// Power of a wrench [W]: the larger of what the device's velocity and what the last displacements say.
+    fn power(&self, wrench: &Wrench, twist: &Twist) -> f64 {
+        wrench.power(twist).max(wrench.power(&self.moving))
+    }
+
+    /// The wrench to show instead of `wanted`; damping is against `twist`.
     pub fn control(&mut self, wanted: &Wrench, twist: &Twist, dt: f64) -> Wrench {
         let speed = twist.linear.length_squared() + LEVER * LEVER * twist.angular.length_squared();
         let left = self.account - FLOOR * self.reserve;
         let allowed =
             if left > 0.0 { left / SPENDING_S.max(dt) } else { (left / RECOVERY_S).max(-RECOVERY_DAMPING * speed) };
         self.gain = (self.gain + dt / RECOVERY_S).min(1.0);
-        let power = wanted.power(twist);
+        let power = self.power(wanted, twist);
         if power > 0.0 {
             self.gain = self.gain.min(((allowed + self.most_damping * speed) / power).clamp(0.0, 1.0));
         }
         let scaled = *wanted * self.gain;
-        let excess = scaled.power(twist) - allowed;
+        let excess = self.power(&scaled, twist) - allowed;
         if excess <= 0.0 || speed <= 0.0 {
             return scaled;
         }
@@ -75,9 +125,16 @@ impl Passivity {
         scaled + Wrench { force: twist.linear * -alpha, torque: twist.angular * (-alpha * LEVER * LEVER) }
     }
 
-    /// Notes what is really shown until the next step, weights left out.
-    pub fn shown(&mut self, wrench: &Wrench) {
-        self.last = *wrench;
+    /// Notes what is really shown until the next step, weights left out, and which weights are shown beside it.
+    pub fn shown(&mut self, wrench: &Wrench, weight: &Wrench) {
+        let finite = |w: &Wrench| if w.is_finite() { *w } else { Wrench::ZERO };
+        (self.last, self.weight) = (finite(wrench), finite(weight));
+    }
+
+    /// Nothing is shown, and where the pan goes meanwhile costs nothing.
+    pub fn rest(&mut self) {
+        (self.last, self.weight) = (Wrench::ZERO, Wrench::ZERO);
+        (self.before, self.moving) = (None, Twist::default());
     }
 
     /// The account now [J].
