@@ -124,7 +124,7 @@ fn a_spring_that_is_read_late_gives_no_more_than_the_reserve() {
     let mut renderer = Renderer::new(&strings(), &shelf::feel().unwrap());
     let (mut arm, mut command) = (WeightOnSpring::default(), HapticCommand::default());
     let (mut given, mut before, mut smooth) = (0.0, DVec3::Z * 0.1, DVec3::ZERO);
-    let mut late = VecDeque::from([HapticSample::default(); 0]);
+    let mut late: VecDeque<HapticSample> = VecDeque::new();
     for k in 1..20_000u64 {
         let now = arm.exchange(&command, DT);
         given += command.wrench.force.dot(now.pose.position - before);
