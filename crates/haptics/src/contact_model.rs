@@ -101,6 +101,11 @@ impl Payload {
         Self { mass, centre, inertia: about(self) + about(other) }
     }
 
+    /// Whether mass, centre and inertia are finite.
+    pub fn is_finite(&self) -> bool {
+        self.mass.is_finite() && self.centre.is_finite() && self.inertia.is_finite()
+    }
+
     /// A mass in a point [kg, m].
     pub fn point(mass: f64, centre: DVec3) -> Self {
         Self { mass, centre, inertia: DMat3::ZERO }

@@ -13,7 +13,7 @@ use crate::feel::Feel;
 use crate::jitter::{Jitter, Lateness};
 use crate::renderer::Renderer;
 use crate::scheduling;
-use crate::wrench::Wrench;
+use crate::wrench::{Twist, Wrench};
 
 /// The thread wakes so long before its moment and waits for it awake (chosen: what a sleep oversleeps).
 const AWAKE: Duration = Duration::from_micros(60);
@@ -23,7 +23,8 @@ const TOO_LATE: Duration = Duration::from_millis(1);
 const TELLING_S: f64 = 1.0;
 /// A gap without a fresh sample from which it counts as a dropout [s] (chosen: ten samples).
 const DROPOUT_S: f64 = 0.01;
-/// Longest step that forces are reckoned with [s] (chosen).
+/// Longest step that forces are reckoned with [s] (chosen: shorter than a collision's 8 ms, so that a late step leaves none out, and a
+/// fifth of what the spring of the contents stays stable with).
 const LONGEST_STEP_S: f64 = 0.005;
 
 /// What the loop tells others after each step.
@@ -136,9 +137,14 @@ impl ControlLoop {
         self.models.write(model);
     }
 
-    /// The loop's last state.
+    /// The loop's last state; a loop that broke off has lost its device, which stands still.
     pub fn state(&mut self) -> LoopState {
-        *self.states.read()
+        let state = *self.states.read();
+        if self.thread.as_ref().is_some_and(|thread| !thread.is_finished()) {
+            return state;
+        }
+        let sample = HapticSample { health: Health::Lost, fresh: false, twist: Twist::default(), ..state.sample };
+        LoopState { sample, command: HapticCommand::default(), rate_hz: 0.0, ..state }
     }
 
     /// Lets go of the hand at once and stays so.

@@ -45,6 +45,13 @@ struct Body {
     turning: DVec3,
 }
 
+impl Body {
+    fn is_finite(&self) -> bool {
+        let vectors = [self.position, self.velocity, self.turning];
+        vectors.iter().all(|v| v.is_finite()) && self.rotation.is_finite()
+    }
+}
+
 /// What the contents do to the hand.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PayloadWrench {
@@ -71,8 +78,8 @@ impl CoupledPayload {
 
     /// One step of `dt` [s] with the pan there.
     pub fn step(&mut self, payload: &Payload, pose: &Pose, twist: &Twist, dt: f64) -> PayloadWrench {
-        if payload.mass < LIGHTEST || !payload.mass.is_finite() || !payload.centre.is_finite() {
-            (self.body, self.held) = (None, 0.0);
+        if payload.mass < LIGHTEST || !payload.is_finite() {
+            self.forget();
             return PayloadWrench::default();
         }
         let arm = pose.rotation * payload.centre;
@@ -95,9 +102,18 @@ impl CoupledPayload {
         let torque = self.turn(&mut body, payload, pose, twist, dt);
         body.velocity += (gravity - force / payload.mass) * dt;
         body.position += body.velocity * dt;
-        self.body = Some(body);
         let felt = Wrench::at(force, arm) + Wrench { force: DVec3::ZERO, torque };
+        if !(felt.is_finite() && body.is_finite() && self.held.is_finite()) {
+            self.forget();
+            return PayloadWrench::default();
+        }
+        self.body = Some(body);
         PayloadWrench { felt, weight: Wrench::at(gravity * payload.mass, arm) }
+    }
+
+    /// The contents lie still in the pan when they are felt next.
+    pub fn forget(&mut self) {
+        (self.body, self.held) = (None, 0.0);
     }
 
     /// What the hand has put into the contents and gets back when they come to rest: ½ K d² + ½ m v², d from where they

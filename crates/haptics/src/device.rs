@@ -19,7 +19,8 @@ pub struct Limits {
     pub slew_n_s: f64,
     /// Change of torque [N·m/s].
     pub slew_nm_s: f64,
-    /// Energy given to the hand within a second, the work of weights left out [J].
+    /// Energy given to the hand within a second [J]; the work of weights, and what a felt body gives back of what the hand had put into
+    /// it, are left out. Older gifts fade out of the count as e^(−t/1 s): the mean power stays below this much a second.
     pub energy_j: f64,
     /// Stiffest spring that stays stable [N/m].
     pub stiffness_n_m: f64,

@@ -62,7 +62,7 @@ sourced_table! {
         slew_n_s: f64,
         /// Change of torque [N·m/s].
         slew_nm_s: f64,
-        /// Energy given to the hand within a second [J].
+        /// Energy given to the hand within a second [J], as [`Limits::energy_j`] counts it.
         energy_j: f64,
         /// Stiffest spring [N/m].
         stiffness_n_m: f64,

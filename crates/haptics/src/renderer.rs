@@ -61,16 +61,25 @@ impl Renderer {
     /// What to command after a sample; `model` is the newest one, `dt` the time since the last step [s].
     pub fn step(&mut self, sample: &HapticSample, model: &ContactModel, dt: f64) -> HapticCommand {
         self.take(model, dt);
-        let running = sample.health == Health::Running;
+        // A device that does not know where it is cannot be pulled anywhere.
+        let running = sample.health == Health::Running && sample.pose.is_finite() && sample.twist.is_finite();
         let lively = running && self.model_age < self.timing.timeout;
         let change = if lively { dt / self.timing.soft_start.max(dt) } else { -dt / self.timing.fade };
         self.share = if running { (self.share + change).clamp(0.0, 1.0) } else { 0.0 };
+        // What collides while nothing is felt must not be felt later.
+        let rumble = self.rumble(dt);
         if self.share == 0.0 {
-            self.limits.rest();
-            self.passivity.shown(&Wrench::ZERO);
+            self.rest();
             return HapticCommand { enabled: lively, ..HapticCommand::default() };
         }
-        HapticCommand { wrench: self.wrench(sample, dt), enabled: true, rumble: self.rumble(dt) }
+        HapticCommand { wrench: self.wrench(sample, dt), enabled: true, rumble }
+    }
+
+    /// Nothing is felt: what comes next begins from stillness.
+    fn rest(&mut self) {
+        self.limits.rest();
+        self.passivity.rest();
+        self.payload.forget();
     }
 
     fn take(&mut self, model: &ContactModel, dt: f64) {
@@ -81,13 +90,15 @@ impl Renderer {
         self.model = *model;
         self.model_age = 0.0;
         let energy = self.impulses.take(&model.impulses);
-        self.passivity.credit(energy);
+        // What is felt in part brings its energy in part.
+        self.passivity.credit(energy * self.share);
     }
 
     fn wrench(&mut self, sample: &HapticSample, dt: f64) -> Wrench {
         let (model, pose, twist) = (&self.model, &sample.pose, &sample.twist);
         let renders_pan = self.capabilities.renders_pan(model.own.mass);
         let carried = if renders_pan { model.payload.with(&model.own) } else { model.payload };
+        let held = self.payload.held();
         let payload = self.payload.step(&carried, pose, twist, dt);
         let mut active = payload.felt - payload.weight;
         active += model.loose;
@@ -96,12 +107,19 @@ impl Renderer {
         active += self.vibration.step(model, pose, dt);
         let active = self.capabilities.shown(&(active * self.share));
         let weight = self.capabilities.shown(&((payload.weight + model.loose_weight) * self.share));
-        self.passivity.observe(twist, self.payload.held() * self.share, dt);
+        self.settle(sample, held, dt);
         let active = self.limits.within_energy(&active, twist, dt);
         let active = self.passivity.control(&active, twist, dt);
         let shown = self.limits.bounded(&(active + weight), dt);
-        self.passivity.shown(&(shown - weight));
+        self.passivity.shown(&(shown - weight), &weight);
         shown
+    }
+
+    /// Settles what the last command did; before it the payload held so much [J].
+    fn settle(&mut self, sample: &HapticSample, held: f64, dt: f64) {
+        let now = self.payload.held();
+        let spent = self.passivity.observe(&sample.pose, &sample.achieved, now * self.share, dt);
+        self.limits.settle(spent, (held - now) * self.share, dt);
     }
 
     fn rumble(&mut self, dt: f64) -> Rumble {

@@ -25,27 +25,33 @@ pub struct Rumble {
 #[derive(Clone, Debug)]
 pub struct RumbleRule {
     feel: Feel,
-    heard: u64,
+    heard: Option<u64>,
     strong: f64,
 }
 
 impl RumbleRule {
     /// Still.
     pub fn new(feel: &Feel) -> Self {
-        Self { feel: feel.clone(), heard: 0, strong: 0.0 }
+        Self { feel: feel.clone(), heard: None, strong: 0.0 }
     }
 
     /// The rumble in a step of `dt` [s].
     pub fn step(&mut self, model: &ContactModel, dt: f64) -> Rumble {
         self.strong *= libm::exp(-dt / RING_S);
-        let newest = model.impulses.iter().map(|i| i.number).max().unwrap_or(0);
-        for blow in model.impulses.iter().filter(|i| i.number > self.heard) {
-            let size = blow.impulse.length();
-            self.strong += if size >= self.feel.impulse.least_n_s { size / FULL_BLOW } else { 0.0 };
+        if model.number > 0 {
+            self.strong += self.blows(model);
         }
-        self.heard = newest;
         self.strong = if self.strong.is_finite() { self.strong.min(1.0) } else { 0.0 };
         Rumble { strong: self.strong, weak: self.weak(model) }
+    }
+
+    /// What the collisions add that are new.
+    fn blows(&mut self, model: &ContactModel) -> f64 {
+        let newest = model.impulses.iter().map(|i| i.number).max().unwrap_or(0);
+        // What happened before the hand was there is not felt.
+        let heard = self.heard.replace(newest).unwrap_or(newest);
+        let sizes = model.impulses.iter().filter(|i| i.number > heard).map(|i| i.impulse.length());
+        sizes.filter(|size| *size >= self.feel.impulse.least_n_s).map(|size| size / FULL_BLOW).sum()
     }
 
     fn weak(&self, model: &ContactModel) -> f64 {

@@ -271,12 +271,13 @@ impl<L: Link> Spidar<L> {
         let ready = command.enabled && self.calibration.is_some() && command.wrench.is_finite();
         let change = if ready { dt / PRELOAD_UP_S } else { -dt / PRELOAD_DOWN_S };
         self.engaged = (self.engaged + change).clamp(0.0, 1.0);
-        let preload = self.geometry.preload();
         let lines = self.lines();
-        let wanted = if ready { command.wrench } else { Wrench::ZERO } + preload * self.engaged;
         let least = [self.solver.rule().min; STRINGS];
+        // The empty device itself goes from the least tensions to its preload: no work of what is shown.
+        let rest = lines.wrench(&least) * (1.0 - self.engaged) + self.geometry.preload() * self.engaged;
+        let wanted = if ready { command.wrench } else { Wrench::ZERO } + rest;
         let solved = if self.engaged > 0.0 { self.within_limits(&lines, &wanted) } else { least };
-        self.answer.achieved = lines.wrench(&solved) - preload;
+        self.answer.achieved = lines.wrench(&solved) - rest;
         let most = self.caps.map_or(0, |c| c.max_mn);
         let tension_mn = solved.map(|t| ((t * 1e3).round() as u16).min(most));
         self.send(Message::Command(Command { time_us: (self.clock * 1e6) as u64 as u32, tension_mn }));

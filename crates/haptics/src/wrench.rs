@@ -60,6 +60,11 @@ impl Wrench {
 }
 
 impl Twist {
+    /// Whether all six numbers are finite.
+    pub fn is_finite(&self) -> bool {
+        self.linear.is_finite() && self.angular.is_finite()
+    }
+
     /// Velocity of a point `arm` [m] away from the pan's origin [m/s].
     pub fn at(&self, arm: DVec3) -> DVec3 {
         self.linear + self.angular.cross(arm)

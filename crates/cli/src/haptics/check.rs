@@ -97,7 +97,8 @@ fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, shelf: &Shelf) 
     let errors = match &mut simulator {
         Some(simulator) => {
             simulator.end();
-            truth::compare(&truth_file.0, &run.log, after.sample.time_s, &geometry.preload())?
+            let measured = [before.sample.time_s, after.sample.time_s];
+            truth::compare(&truth_file.0, &run.log, measured, &geometry.preload())?
         }
         None => None,
     };

@@ -35,17 +35,17 @@ struct True {
     wrench: Wrench,
 }
 
-/// Compares the log up to a device time [s] with the simulator's file.
+/// Compares the log between two device times [s] with the simulator's file.
 pub fn compare(
     file: &Path,
     log: &[LogRow],
-    until_s: f64,
+    [from_s, until_s]: [f64; 2],
     preload: &Wrench,
 ) -> Result<Option<(PoseError, WrenchError)>, CliError> {
     let truth = read(file)?;
     let (mut mm, mut deg, mut force, mut torque) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let mut told: Option<Wrench> = None;
-    for row in log.iter().take_while(|r| r.time_s <= until_s) {
+    for row in log.iter().skip_while(|r| r.time_s < from_s).take_while(|r| r.time_s <= until_s) {
         let now = truth.get(&((row.time_s * 1e6).round() as u64)).filter(|_| row.health == Health::Running);
         if let Some(now) = now {
             mm.push((row.pose.position - now.position).length() * 1e3);

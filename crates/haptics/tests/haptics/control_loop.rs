@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use saute_haptics::contact_model::{ContactModel, Payload};
 use saute_haptics::control_loop::{ControlLoop, LoopState};
-use saute_haptics::{Health, WeightOnSpring, shelf};
+use saute_haptics::{Capabilities, HapticCommand, HapticDevice, HapticSample, Health, WeightOnSpring, shelf};
 
 /// Publishes a weight of 0.4 kg until something is seen, for at most five seconds.
 fn until(control: &mut ControlLoop, number: &mut u64, seen: impl Fn(&LoopState) -> bool) -> LoopState {
@@ -52,4 +52,33 @@ fn the_emergency_stop_lets_go_at_once_and_for_good() {
     std::thread::sleep(Duration::from_millis(700));
     let later = until(&mut control, &mut number, |s| s.steps > state.steps);
     assert!(!later.command.enabled && later.sample.achieved.force == glam::DVec3::ZERO, "{later:?}");
+}
+
+/// Works for some exchanges, then its driver breaks.
+struct Breaking(WeightOnSpring, u32);
+
+impl HapticDevice for Breaking {
+    fn capabilities(&self) -> &Capabilities {
+        self.0.capabilities()
+    }
+
+    fn exchange(&mut self, command: &HapticCommand, dt: f64) -> HapticSample {
+        assert!(self.1 > 0, "this driver breaks on purpose");
+        self.1 -= 1;
+        self.0.exchange(command, dt)
+    }
+
+    fn stop(&mut self) {
+        self.0.stop();
+    }
+}
+
+#[test]
+fn a_loop_that_broke_off_does_not_look_alive() {
+    let device = Box::new(Breaking(WeightOnSpring::default(), 1500));
+    let (mut control, mut number) = (ControlLoop::start(device, &shelf::feel().unwrap(), 0).unwrap(), 0);
+    until(&mut control, &mut number, |s| s.sample.health == Health::Running && s.rate_hz > 0.0);
+    let state = until(&mut control, &mut number, |s| s.sample.health == Health::Lost);
+    assert!(state.rate_hz == 0.0 && !state.command.enabled && !state.sample.fresh, "{state:?}");
+    assert!(control.end().is_err());
 }

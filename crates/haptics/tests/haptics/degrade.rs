@@ -70,6 +70,35 @@ fn a_blow_is_a_strong_rumble_that_rings_out_and_boiling_a_weak_one_that_stays() 
     assert!(rule.step(&model, 1e-3).strong < later.strong, "what is not a number shakes nothing");
 }
 
+#[test]
+fn blows_from_before_the_hand_was_there_do_not_ring() {
+    let mut rule = RumbleRule::new(&shelf::feel().unwrap());
+    rule.step(&ContactModel::default(), 1e-3);
+    let mut model = ContactModel { number: 1, ..ContactModel::default() };
+    model.impulses[0] = Impulse { number: 7, impulse: glam::DVec3::NEG_Z * 0.05, ..Impulse::default() };
+    assert_eq!(rule.step(&model, 1e-3).strong, 0.0);
+    model.impulses[1] = Impulse { number: 8, ..model.impulses[0] };
+    assert!(rule.step(&model, 1e-3).strong > 0.4);
+}
+
+#[test]
+fn blows_while_the_device_was_away_do_not_ring_when_it_comes_back() {
+    let mut renderer = Renderer::new(&device(0, Vibration::Rumble), &shelf::feel().unwrap());
+    let (there, away) = (Health::Running, Health::Lost);
+    let mut model = ContactModel::default();
+    let mut strongest = 0.0_f64;
+    for number in 1..3000 {
+        let health = if (1000..2000).contains(&number) { away } else { there };
+        if number == 1500 {
+            model.impulses[0] = Impulse { number: 1, impulse: glam::DVec3::NEG_Z * 0.1, ..Impulse::default() };
+        }
+        model.number = number;
+        let sample = HapticSample { health, ..HapticSample::default() };
+        strongest = strongest.max(renderer.step(&sample, &model, 1e-3).rumble.strong);
+    }
+    assert!(strongest < 1e-3, "{strongest}");
+}
+
 /// What the loop tells a device over a boiling pan.
 fn told(capabilities: Capabilities) -> HapticCommand {
     let mut renderer = Renderer::new(&capabilities, &shelf::feel().unwrap());

@@ -52,6 +52,16 @@ fn the_achieved_wrench_is_what_the_strings_do_beyond_the_empty_device() {
 }
 
 #[test]
+fn while_its_preload_builds_up_the_empty_device_does_nothing_to_the_hand() {
+    let bench = Bench::new(&device("spidar-pan-crossed"));
+    let mut spidar = running(&bench);
+    for step in 0..600 {
+        let made = after(&mut spidar, &pull(glam::DVec3::ZERO), 1).achieved;
+        assert!(made.force.length() < 0.02 && made.torque.length() < 2e-3, "step {step}: {made:?}");
+    }
+}
+
+#[test]
 fn no_command_pulls_harder_than_the_limit() {
     let bench = Bench::new(&device("spidar-pan-crossed"));
     let mut spidar = running(&bench);

@@ -17,6 +17,7 @@ mod inverse_service;
 mod kept_calibration;
 mod kitchen;
 mod osc;
+mod passivity;
 mod phone;
 mod phone_client;
 mod phone_page;

@@ -24,6 +24,11 @@ impl Pose {
         Self { position: DVec3::new(x, y, z), rotation: DQuat::IDENTITY }
     }
 
+    /// Whether all its numbers are finite.
+    pub fn is_finite(&self) -> bool {
+        self.position.is_finite() && self.rotation.is_finite()
+    }
+
     /// A point of the body, in the kitchen [m].
     pub fn to_world(&self, point: DVec3) -> DVec3 {
         self.position + self.rotation * point
