@@ -53,39 +53,47 @@ impl Limp {
     /// takes along what is between, until what still hangs is stiffer than its weight. Over nothing a station's gap is ∞.
     pub fn settled(&self, mut gaps: Vec<f64>) -> Vec<f64> {
         let least = gaps.iter().copied().fold(f64::INFINITY, f64::min);
-        let mut lying: Vec<Lying> = Vec::new();
-        for (station, gap) in gaps.iter().enumerate().filter(|(_, gap)| **gap <= least + CARRIES && gap.is_finite()) {
-            lying.push(Lying { station, drop: gap - least });
+        if !least.is_finite() {
+            return gaps;
         }
+        let mut lying: Vec<Option<f64>> =
+            gaps.iter().map(|gap| Some(gap - least).filter(|over| *over <= CARRIES)).collect();
+        let mut drops = vec![0.0; gaps.len()];
         loop {
+            self.drop(&lying, &mut drops);
             // What comes down farthest beyond its gap lands first.
-            let beyond = |i: usize| self.drop(i, &lying) - (gaps[i] - least);
-            let hanging = (0..gaps.len()).filter(|&i| lying.iter().all(|l| l.station != i) && beyond(i) >= 0.0);
+            let beyond = |i: usize| drops[i] - (gaps[i] - least);
+            let hanging = (0..gaps.len()).filter(|&i| lying[i].is_none() && beyond(i) >= 0.0);
             let Some(station) = hanging.max_by(|&a, &b| beyond(a).total_cmp(&beyond(b))) else { break };
-            lying.push(Lying { station, drop: gaps[station] - least });
+            lying[station] = Some(gaps[station] - least);
         }
-        let drops: Vec<f64> = (0..gaps.len()).map(|i| self.drop(i, &lying)).collect();
         gaps.iter_mut().zip(drops).for_each(|(gap, drop)| *gap -= drop);
         gaps
     }
 
-    /// How far a station comes down that is held at others: by what the nearest on either side came down, and as an end gives [m].
-    fn drop(&self, station: usize, lying: &[Lying]) -> f64 {
-        let away = |l: &&Lying| (self.along[station] - self.along[l.station]).abs();
-        let nearest = |side: &dyn Fn(usize) -> bool| {
-            lying
-                .iter()
-                .filter(|l| side(l.station))
-                .min_by(|a, b| away(a).total_cmp(&away(b)))
-                .map(|l| (away(&l), l.drop))
-        };
-        match (nearest(&|s| s <= station), nearest(&|s| s >= station)) {
-            (Some((a, here)), Some((b, there))) => {
-                let share = if a + b > 0.0 { a / (a + b) } else { 0.0 };
-                here + share * (there - here) + self.give(a.min(b))
+    /// How far stations come down that are held where others lie: by what the nearest on either side came down, and as an
+    /// end gives [m].
+    fn drop(&self, lying: &[Option<f64>], drops: &mut [f64]) {
+        let mut before: Option<(f64, f64)> = None;
+        let mut next = 0;
+        for (station, drop) in drops.iter_mut().enumerate() {
+            let here = self.along[station];
+            if let Some(lies) = lying[station] {
+                (before, *drop) = (Some((here, lies)), lies);
+                continue;
             }
-            (Some((away, drop)), None) | (None, Some((away, drop))) => drop + self.give(away),
-            (None, None) => 0.0,
+            while next < lying.len() && (next <= station || lying[next].is_none()) {
+                next += 1;
+            }
+            let after = lying.get(next).copied().flatten().map(|lies| (self.along[next], lies));
+            *drop = match (before, after) {
+                (Some((a, from)), Some((b, tfrom))) => {
+                    let share = (here - a) / (b - a);
+                    from + share * (tfrom - from) + self.give((here - a).min(b - here))
+                }
+                (Some((at, lies)), None) | (None, Some((at, lies))) => lies + self.give((here - at).abs()),
+                (None, None) => 0.0,
+            };
         }
     }
 
@@ -93,13 +101,6 @@ impl Limp {
     fn give(&self, away: f64) -> f64 {
         self.weight_over_rigidity * away * away * away * away
     }
-}
-
-/// A station that lies, and how far it came down [m].
-#[derive(Clone, Copy, Debug)]
-struct Lying {
-    station: usize,
-    drop: f64,
 }
 
 #[cfg(test)]

@@ -71,11 +71,15 @@ impl NearPan {
         }
         self.seen = Some((*piece, shape.count));
         let mut facing = facing(surface, piece, shape.patches.1, if shape.limp.is_some() { BEND } else { 0.0 });
+        let nearest = facing.iter().map(|(_, over)| over.gap).fold(f64::INFINITY, f64::min);
+        self.patches.clear();
+        if nearest > LYING {
+            return;
+        }
         if let Some(limp) = shape.limp {
             settle(&mut facing, limp, shape.patches.0);
         }
-        let nearest = facing.iter().map(|(_, over)| over.gap).fold(f64::INFINITY, f64::min);
-        facing.retain(|(_, over)| nearest <= LYING && over.gap < REACH + LYING);
+        facing.retain(|(_, over)| over.gap < REACH + LYING);
         let face = facing.iter().map(|(_, over)| over.gap).filter(|gap| *gap < nearest + FACE);
         let (sum, count) = face.fold((0.0, 0.0), |(sum, count), gap| (sum + gap, count + 1.0));
         let mean = if count > 0.0 { sum / count } else { nearest };
@@ -84,7 +88,6 @@ impl NearPan {
             let located = pan.locator.locate_or_nearest(&pan.section, over.on_mesh);
             (gap < REACH).then_some(NearPatch { patch, gap, located })
         };
-        self.patches.clear();
         self.patches.extend(facing.into_iter().filter_map(near));
     }
 
