@@ -110,6 +110,10 @@ fn every_name_in_the_data_has_a_japanese_one() {
     }
     library.oils.keys().for_each(|id| known("oil", id));
     library.pans.values().for_each(|pan| known("pan", &pan.name));
+    for (id, _) in saute_app::mirror::rig_file::SHIPPED {
+        known("rig", id);
+        known("rig", &saute_app::mirror::rig_file::shipped(id).expect("is there").expect("is read").name);
+    }
     for scale in &library.scales {
         known("scale", &scale.name);
         scale.class.iter().for_each(|class| known("class", &class.name));

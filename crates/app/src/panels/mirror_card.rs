@@ -100,7 +100,8 @@ fn text_field(ui: &mut Ui, typed: &mut String) -> Response {
 fn registered(app: &SauteApp, rig: &Rig) -> String {
     let l = app.settings.language;
     let residual = rig.residual.map(|metres| format!("{:.2}", 1e3 * metres));
-    residual.map_or_else(|| rig.name.clone(), |mm| l.fill("half_mirror.registered", &[("rig", &rig.name), ("mm", &mm)]))
+    let name = l.called("rig", &rig.name);
+    residual.map_or_else(|| name.to_owned(), |mm| l.fill("half_mirror.registered", &[("rig", &name), ("mm", &mm)]))
 }
 
 /// Stereo and the distance of the eyes.
