@@ -3,9 +3,10 @@
 use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
 
 use super::frame::{MirrorFrame, WarpUniform};
-use crate::scene::overlay::Overlay;
+use crate::scene::overlay::{self, Overlay, VS_COVER};
 use crate::scene::renderer::SceneRenderer;
 
+const LABEL: &str = "mirror";
 const SHADER: &str = include_str!("../scene/shaders/mirror.wgsl");
 
 /// A renderer for each eye, and the pass that shows their pictures.
@@ -22,24 +23,14 @@ pub struct MirrorPresenter {
 impl MirrorPresenter {
     /// For a device and the format that the last pass draws into.
     pub fn new(device: &wgpu::Device, target: wgpu::TextureFormat) -> Self {
-        let layout = layout(device);
+        let kinds = [overlay::UNIFORM, overlay::PICTURE, overlay::PICTURE, overlay::SAMPLER];
+        let layout = overlay::layout(device, LABEL, wgpu::ShaderStages::FRAGMENT, kinds);
         let fragment = if target.is_srgb() { "fs_mirror_linear" } else { "fs_mirror_encoded" };
-        let overlay = Overlay {
-            label: "mirror",
-            shader: SHADER,
-            vertex: "vs_mirror",
-            fragment,
-            layout: &layout,
-            target: target.into(),
-        };
-        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("mirror"),
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            ..Default::default()
-        });
+        let target = target.into();
+        let overlay = Overlay { label: LABEL, shader: SHADER, vertex: VS_COVER, fragment, layout: &layout, target };
+        let sampler = overlay::sampler(device, LABEL);
         let warp = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("mirror"),
+            label: Some(LABEL),
             size: size_of::<WarpUniform>() as u64,
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
@@ -83,7 +74,7 @@ impl MirrorPresenter {
     fn group(&self, device: &wgpu::Device, left: &wgpu::TextureView, right: &wgpu::TextureView) -> wgpu::BindGroup {
         let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
         device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("mirror"),
+            label: Some(LABEL),
             layout: &self.layout,
             entries: &[
                 entry(0, self.warp.as_entire_binding()),
@@ -93,30 +84,6 @@ impl MirrorPresenter {
             ],
         })
     }
-}
-
-fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
-    let entry =
-        |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None };
-    let picture = wgpu::BindingType::Texture {
-        sample_type: wgpu::TextureSampleType::Float { filterable: true },
-        view_dimension: wgpu::TextureViewDimension::D2,
-        multisampled: false,
-    };
-    let warp = wgpu::BindingType::Buffer {
-        ty: wgpu::BufferBindingType::Uniform,
-        has_dynamic_offset: false,
-        min_binding_size: None,
-    };
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("mirror"),
-        entries: &[
-            entry(0, warp),
-            entry(1, picture),
-            entry(2, picture),
-            entry(3, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
-        ],
-    })
 }
 
 /// Paints the mirror's picture over the callback's rectangle.

@@ -5,10 +5,11 @@ use std::sync::Arc;
 use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
 
 use super::input::SceneInput;
-use super::overlay::Overlay;
+use super::overlay::{self, Overlay, VS_COVER};
 use super::quality::Quality;
 use super::renderer::SceneRenderer;
 
+const LABEL: &str = "present";
 const PRESENT: &str = include_str!("shaders/present.wgsl");
 
 /// Paints the scene over the callback's rectangle.
@@ -45,13 +46,8 @@ pub struct ScenePresenter {
 impl ScenePresenter {
     /// `target` is the format egui draws into (`egui_wgpu::RenderState::target_format`).
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, target: wgpu::TextureFormat) -> Self {
-        let layout = layout(device);
-        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("present"),
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            ..Default::default()
-        });
+        let layout = overlay::layout(device, LABEL, wgpu::ShaderStages::FRAGMENT, [overlay::PICTURE, overlay::SAMPLER]);
+        let sampler = overlay::sampler(device, LABEL);
         let pipeline = pipeline(device, &layout, target);
         Self { renderer: SceneRenderer::new(device, queue), pipeline, layout, sampler, group: None, size: [0; 2] }
     }
@@ -71,7 +67,7 @@ impl ScenePresenter {
         }
         self.size = self.renderer.size();
         self.group = Some(device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("present"),
+            label: Some(LABEL),
             layout: &self.layout,
             entries: &[
                 wgpu::BindGroupEntry {
@@ -133,25 +129,6 @@ impl CallbackTrait for SceneCallback {
     }
 }
 
-fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
-    let entry =
-        |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None };
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("present"),
-        entries: &[
-            entry(
-                0,
-                wgpu::BindingType::Texture {
-                    sample_type: wgpu::TextureSampleType::Float { filterable: true },
-                    view_dimension: wgpu::TextureViewDimension::D2,
-                    multisampled: false,
-                },
-            ),
-            entry(1, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
-        ],
-    })
-}
-
 fn pipeline(
     device: &wgpu::Device,
     layout: &wgpu::BindGroupLayout,
@@ -159,5 +136,5 @@ fn pipeline(
 ) -> wgpu::RenderPipeline {
     let fragment = if target.is_srgb() { "fs_present_linear" } else { "fs_present_encoded" };
     let target = target.into();
-    Overlay { label: "present", shader: PRESENT, vertex: "vs_present", fragment, layout, target }.pipeline(device)
+    Overlay { label: LABEL, shader: PRESENT, vertex: VS_COVER, fragment, layout, target }.pipeline(device)
 }

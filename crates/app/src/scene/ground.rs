@@ -2,7 +2,7 @@
 
 use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
 
-use super::overlay::Overlay;
+use super::overlay::{self, Overlay};
 
 const SHADER: &str = include_str!("shaders/ground.wgsl");
 /// Panels that can have a ground; as in the shader.
@@ -54,19 +54,7 @@ impl GroundPresenter {
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("grounds"),
-            entries: &[wgpu::BindGroupLayoutEntry {
-                binding: 0,
-                visibility: wgpu::ShaderStages::VERTEX,
-                ty: wgpu::BindingType::Buffer {
-                    ty: wgpu::BufferBindingType::Uniform,
-                    has_dynamic_offset: false,
-                    min_binding_size: None,
-                },
-                count: None,
-            }],
-        });
+        let layout = overlay::layout(device, "grounds", wgpu::ShaderStages::VERTEX, [overlay::UNIFORM]);
         let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("grounds"),
             layout: &layout,

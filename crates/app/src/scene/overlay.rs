@@ -1,5 +1,47 @@
 //! Pipelines that draw into egui's own pass: one triangle, no vertex buffer, no depth.
 
+/// Begins every overlay's shader.
+const COVER: &str = include_str!("shaders/cover.wgsl");
+/// The vertex function that covers the whole viewport.
+pub(crate) const VS_COVER: &str = "vs_cover";
+
+/// A picture that the fragment function samples.
+pub(crate) const PICTURE: wgpu::BindingType = wgpu::BindingType::Texture {
+    sample_type: wgpu::TextureSampleType::Float { filterable: true },
+    view_dimension: wgpu::TextureViewDimension::D2,
+    multisampled: false,
+};
+/// What samples it.
+pub(crate) const SAMPLER: wgpu::BindingType = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
+/// Numbers that are the same for all pixels.
+pub(crate) const UNIFORM: wgpu::BindingType = wgpu::BindingType::Buffer {
+    ty: wgpu::BufferBindingType::Uniform,
+    has_dynamic_offset: false,
+    min_binding_size: None,
+};
+
+/// What some stages are given, numbered from 0.
+pub(crate) fn layout<const N: usize>(
+    device: &wgpu::Device,
+    label: &'static str,
+    visibility: wgpu::ShaderStages,
+    kinds: [wgpu::BindingType; N],
+) -> wgpu::BindGroupLayout {
+    let entry = |(binding, ty)| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
+    let entries: Vec<_> = (0..).zip(kinds).map(entry).collect();
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
+}
+
+/// Samples a picture smoothly.
+pub(crate) fn sampler(device: &wgpu::Device, label: &'static str) -> wgpu::Sampler {
+    device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some(label),
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        ..Default::default()
+    })
+}
+
 /// What differs between them.
 pub(crate) struct Overlay<'a> {
     pub label: &'static str,
@@ -15,7 +57,7 @@ impl Overlay<'_> {
     pub fn pipeline(self, device: &wgpu::Device) -> wgpu::RenderPipeline {
         let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(self.label),
-            source: wgpu::ShaderSource::Wgsl(self.shader.into()),
+            source: wgpu::ShaderSource::Wgsl([COVER, self.shader].concat().into()),
         });
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(self.label),

@@ -245,18 +245,17 @@ impl SceneRenderer {
         }
         self.disturbances += u64::from(self.moved.still);
         let sprites = self.sprites.update(queue, input);
-        let tool: Vec<_> = self.solids.iter().flat_map(Solids::moving_points).collect();
-        self.dirty = Touched {
-            // Spots that were there before stay in the kept picture.
-            lively: DirtyRect::of_lively(input, &tool, size).union(DirtyRect::of_spots(input, &spots, size)),
-            sprites: DirtyRect::of_sprites(input, &sprites, size),
-        };
+        self.dirty.sprites = DirtyRect::of_sprites(input, &sprites, size);
         let pan_moved = self.shadow_of != Some(Casting::of(input));
         let changed = resized || coloured || !spots.is_empty() || pan_moved || pulled || self.moved.look;
         // What is kept stands as long as only time has passed: oil and water ripple when the state is read anew.
         let same = |kept: &FrameUniform| bytemuck::bytes_of(kept) == bytemuck::bytes_of(&self.timeless);
         if changed || !self.lively.as_ref().is_some_and(same) {
             self.lively = None;
+            let tool: Vec<_> = self.solids.iter().flat_map(Solids::moving_points).collect();
+            // Spots that were there before stay in the kept picture.
+            self.dirty.lively =
+                DirtyRect::of_lively(input, &tool, size).union(DirtyRect::of_spots(input, &spots, size));
         }
         let sight = Sight { frame, sprites, quality: self.quality };
         (sight, changed)

@@ -20,17 +20,6 @@ struct Warp {
 @group(0) @binding(2) var right_picture: texture_2d<f32>;
 @group(0) @binding(3) var picture_sampler: sampler;
 
-struct Shown {
-    @builtin(position) clip: vec4<f32>,
-    @location(0) share: vec2<f32>,
-};
-
-@vertex
-fn vs_mirror(@builtin(vertex_index) index: u32) -> Shown {
-    let corner = vec2<f32>(f32(index & 1u), f32(index >> 1u)) * 2.0;
-    return Shown(vec4<f32>(corner.x * 2.0 - 1.0, 1.0 - corner.y * 2.0, 0.0, 1.0), corner);
-}
-
 // Newton's rule on the distance from the lens's centre, as in lens.rs.
 fn undistorted(share: vec2<f32>) -> vec2<f32> {
     let moved = (share - warp.lens.xy) * warp.scale.xy;
@@ -56,10 +45,6 @@ fn within(at: vec2<f32>) -> f32 {
     return step(0.0, min(min(at.x, at.y), min(1.0 - at.x, 1.0 - at.y)));
 }
 
-fn linear_from_srgb(c: vec3<f32>) -> vec3<f32> {
-    return select(pow((c + 0.055) / 1.055, vec3<f32>(2.4)), c / 12.92, c <= vec3<f32>(0.04045));
-}
-
 fn srgb_from_linear(linear: vec3<f32>) -> vec3<f32> {
     let c = clamp(linear, vec3<f32>(0.0), vec3<f32>(1.0));
     return select(1.055 * pow(c, vec3<f32>(1.0 / 2.4)) - 0.055, 12.92 * c, c < vec3<f32>(0.0031308));
@@ -82,12 +67,12 @@ fn shown(share: vec2<f32>) -> vec3<f32> {
 
 // The picture holds sRGB-encoded values; a target that stores them as they are takes them as they are.
 @fragment
-fn fs_mirror_encoded(in: Shown) -> @location(0) vec4<f32> {
-    return vec4<f32>(shown(in.share), 1.0);
+fn fs_mirror_encoded(in: Covered) -> @location(0) vec4<f32> {
+    return vec4<f32>(shown(in.uv), 1.0);
 }
 
 // An sRGB target encodes what it is given, so the values are decoded first.
 @fragment
-fn fs_mirror_linear(in: Shown) -> @location(0) vec4<f32> {
-    return vec4<f32>(linear_from_srgb(shown(in.share)), 1.0);
+fn fs_mirror_linear(in: Covered) -> @location(0) vec4<f32> {
+    return vec4<f32>(linear_from_srgb(shown(in.uv)), 1.0);
 }
