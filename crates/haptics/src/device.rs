@@ -3,8 +3,8 @@
 use saute_kitchen::dynamics::Pose;
 use serde::Serialize;
 
-use crate::kept_calibration::CalibrationMemory;
-use crate::rumble::Rumble;
+use crate::strings::kept_calibration::CalibrationMemory;
+use crate::control::rumble::Rumble;
 use crate::strings::{STRINGS, StringRig};
 use crate::wrench::{Twist, Wrench};
 

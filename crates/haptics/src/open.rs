@@ -8,11 +8,11 @@ use saute_kitchen::InputError;
 use serde::Serialize;
 
 use crate::device::{Capabilities, HapticDevice};
-use crate::geometry::Geometry;
-use crate::shelf;
-use crate::spidar::Spidar;
-use crate::wire::{SerialLink, UdpLink};
-use crate::{haply, osc, phone};
+use crate::strings::geometry::Geometry;
+use crate::library;
+use crate::strings::spidar::Spidar;
+use crate::strings::wire::{SerialLink, UdpLink};
+use crate::remote::{haply, osc, phone};
 
 /// Speed of serial lines [baud] (chosen: a thousand frames each way need one million).
 const BAUD: u32 = 2_000_000;
@@ -143,7 +143,7 @@ impl Reach {
 
 /// Names of all devices: those of strings first.
 pub fn names() -> Result<Vec<String>, OpenError> {
-    let strings = shelf::devices()?.into_keys();
+    let strings = library::devices()?.into_keys();
     Ok(strings.chain(NETWORKED.iter().map(|n| n.id.to_owned())).collect())
 }
 
@@ -214,7 +214,7 @@ impl Build {
         if Path::new(name).is_file() {
             return Ok(Self::Strings(Box::new(Geometry::parse(&read(name)?, name)?)));
         }
-        match shelf::devices()?.remove(name) {
+        match library::devices()?.remove(name) {
             Some(geometry) => Ok(Self::Strings(Box::new(geometry))),
             None => {
                 let known = names()?.join(", ");
