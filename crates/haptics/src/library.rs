@@ -1,4 +1,4 @@
-//! Devices and the feel that the program carries.
+//! The embedded library: string devices and haptic parameters that the program ships.
 
 use std::collections::BTreeMap;
 
@@ -8,19 +8,19 @@ use serde::de::DeserializeOwned;
 use crate::control::feel::Feel;
 use crate::strings::geometry::Geometry;
 
-/// Where devices lie among the data.
+/// Folder of the devices among the embedded files.
 const DEVICES: &str = "haptics/devices/";
 
-/// The device that is taken unless another is named.
+/// Name of the default device.
 pub const DEFAULT_DEVICE: &str = "spidar-pan-crossed";
 
-/// Texts of the string devices that the program carries, by name.
+/// Returns the files of the embedded string devices, by name.
 pub fn device_texts() -> BTreeMap<String, String> {
     let name = |path: &str| Some(path.strip_prefix(DEVICES)?.strip_suffix(".toml")?.to_owned());
     Library::embedded_files().into_iter().filter_map(|(path, text)| Some((name(&path)?, text))).collect()
 }
 
-/// The string devices that the program carries, by name.
+/// Returns the embedded string devices, by name.
 pub fn devices() -> Result<BTreeMap<String, Geometry>, InputError> {
     let parse = |(name, text): (String, String)| {
         let geometry = Geometry::parse(&text, &format!("{DEVICES}{name}.toml"))?;
@@ -29,14 +29,14 @@ pub fn devices() -> Result<BTreeMap<String, Geometry>, InputError> {
     device_texts().into_iter().map(parse).collect()
 }
 
-/// The feel that the program carries.
+/// Returns the embedded haptic parameters.
 pub fn feel() -> Result<Feel, InputError> {
     const FILE: &str = "haptics/feel.toml";
     let text = Library::embedded_files().remove(FILE).unwrap_or_default();
     Feel::parse(&text, FILE)
 }
 
-/// Reads a file as TOML, or says where it is wrong.
+/// Parses a TOML file; an error names the line.
 pub(crate) fn parse_table<T: DeserializeOwned>(text: &str, file: &str, remedy: &str) -> Result<T, InputError> {
     toml::from_str(text).map_err(|e| InputError {
         file: file.to_owned(),
@@ -46,7 +46,7 @@ pub(crate) fn parse_table<T: DeserializeOwned>(text: &str, file: &str, remedy: &
     })
 }
 
-/// An error at the line where a key first stands.
+/// Returns an error at the first line with a key.
 pub(crate) fn error_at(text: &str, file: &str, key: &str, message: String, remedy: &str) -> InputError {
     let line = text.lines().position(|l| l.split('=').next().is_some_and(|k| k.trim() == key));
     InputError { file: file.to_owned(), line: line.map_or(1, |l| l + 1), message, remedy: remedy.to_owned() }

@@ -1,30 +1,30 @@
-//! The pan's contents as a body that hangs on the pan by a spring and a damper.
+//! Virtual coupling: the pan's contents as a rigid body that a spring and a damper couple to the pan.
 
 use glam::{DQuat, DVec3};
 use saute_kitchen::dynamics::Pose;
 use saute_kitchen::dynamics::pose::{about, rotation_between};
 
-use crate::kitchen::contact_model::Payload;
-use crate::device::Capabilities;
 use crate::control::feel::PayloadFeel;
+use crate::device::Capabilities;
+use crate::kitchen::contact_model::Payload;
 use crate::kitchen::kitchen_watch::GRAVITY;
 use crate::wrench::{Twist, Wrench};
 
-/// Lightest contents that are felt [kg] (chosen: a gram).
+/// Lightest rendered contents [kg] (chosen: a gram is below what a hand notices).
 const LIGHTEST: f64 = 1e-3;
-/// Smallest moment of inertia that is felt [kg·m²] (chosen: a coin of carrot; less would need shorter steps).
+/// Smallest rendered moment of inertia [kg·m²] (chosen: a slice of carrot; smaller ones need shorter steps).
 const LEAST_INERTIA: f64 = 1e-6;
-/// Stretch of the spring beyond which the body is set down anew [m] (chosen: a jump of the pan, not a swing).
+/// Stretch of the spring that resets the body [m] (chosen: only a jump of the pan reaches it, not a swing).
 const TORN: f64 = 0.1;
 
-/// Radius of gyration of what the hand really holds [m] (chosen: between a grip and a pan).
+/// Radius of gyration of the real object in the hand [m] (chosen: between a grip and a pan).
 const GYRATION: f64 = 0.05;
 
-/// A virtual body, coupled to the pan.
+/// A virtual body, coupled to the pan (Colgate, Stanley & Brown 1995) [N, N·m].
 ///
-/// m dv/dt = −F + m g, F = K (x − x_pan) + B (v − v_pan); the hand feels F at the contents' centre, and likewise the
-/// torque of turning. K = m (2πf)² and B = 2ζ√(K m), no stiffer and no more damped than the device allows: at rest F is the weight, exactly; in motion the
-/// inertia, without acceleration ever being measured. Passive for steps shorter than 1/(πf).
+/// m dv/dt = −F + m g with F = K (x − x_pan) + B (v − v_pan). The hand feels F at the contents' centre, and the analogous
+/// torque. K = m (2πf)² and B = 2ζ√(K m), both limited to what the device renders stably. At rest F equals the weight exactly;
+/// in motion it contains the inertia, and no acceleration has to be measured. Passive for steps shorter than 1/(πf).
 #[derive(Clone, Copy, Debug)]
 pub struct CoupledPayload {
     frequency: f64,
@@ -33,7 +33,7 @@ pub struct CoupledPayload {
     most_damping: [f64; 2],
     body: Option<Body>,
     mass: f64,
-    /// Kinetic and spring energy [J].
+    /// Kinetic and spring energy of the body [J].
     held: f64,
 }
 
@@ -52,17 +52,17 @@ impl Body {
     }
 }
 
-/// What the contents do to the hand.
+/// Wrench of the contents on the hand.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PayloadWrench {
-    /// The whole [N, N·m].
+    /// The whole wrench, weight included [N, N·m].
     pub felt: Wrench,
-    /// Their weight alone [N, N·m].
+    /// The weight alone [N, N·m].
     pub weight: Wrench,
 }
 
 impl CoupledPayload {
-    /// Nothing yet.
+    /// Creates a coupling without contents.
     pub fn new(feel: &PayloadFeel, device: &Capabilities) -> Self {
         let damping = device.most_damping();
         Self {
@@ -76,7 +76,7 @@ impl CoupledPayload {
         }
     }
 
-    /// One step of `dt` [s] with the pan there.
+    /// Advances the body by `dt` [s] and returns its wrench on the pan [N, N·m].
     pub fn step(&mut self, payload: &Payload, pose: &Pose, twist: &Twist, dt: f64) -> PayloadWrench {
         if payload.mass < LIGHTEST || !payload.is_finite() {
             self.forget();
@@ -91,7 +91,7 @@ impl CoupledPayload {
         let fresh =
             Body { position: place + hanging, velocity: speed, rotation: pose.rotation, turning: twist.angular };
         let mut body = self.body.unwrap_or(fresh);
-        // Contents that changed hang as deep as the new ones would; the spring's length is no energy of theirs.
+        // Changed contents start in equilibrium: the stretch of the old spring is not energy of the new ones.
         if (payload.mass - self.mass).abs() > LIGHTEST || (body.position - place - hanging).length() > TORN {
             body.position = place + hanging;
         }
@@ -111,18 +111,19 @@ impl CoupledPayload {
         PayloadWrench { felt, weight: Wrench::at(gravity * payload.mass, arm) }
     }
 
-    /// The contents lie still in the pan when they are felt next.
+    /// Resets the body: the contents are at rest in the pan at the next step.
     pub fn forget(&mut self) {
         (self.body, self.held) = (None, 0.0);
     }
 
-    /// What the hand has put into the contents and gets back when they come to rest: ½ K d² + ½ m v², d from where they
-    /// hang, and likewise of turning [J].
+    /// Returns the energy that the hand has put into the contents and gets back when they come to rest [J].
+    ///
+    /// It is ½ K d² + ½ m v² with d measured from equilibrium, plus the same for rotation.
     pub fn held(&self) -> f64 {
         self.held
     }
 
-    /// The torque with which the contents resist turning [N·m].
+    /// Returns the torque of the rotational coupling [N·m].
     fn turn(&mut self, body: &mut Body, payload: &Payload, pose: &Pose, twist: &Twist, dt: f64) -> DVec3 {
         let inertia = (payload.inertia.x_axis.x + payload.inertia.y_axis.y + payload.inertia.z_axis.z) / 3.0;
         if inertia < LEAST_INERTIA {

@@ -1,27 +1,27 @@
-//! What is shown of what a hand should feel, where a device lacks something: wrench, force, rumble, sound and picture.
+//! Degraded rendering: what a device shows of the wanted wrench and rumble when it lacks degrees of freedom.
 
 use serde::Serialize;
 
+use crate::control::rumble::Rumble;
 use crate::device::{Capabilities, Vibration};
 use crate::kitchen::kitchen_watch::GRAVITY;
-use crate::control::rumble::Rumble;
 use crate::wrench::Wrench;
 
-/// How much a device shows; sound and picture always are there, and are all that is left in the end.
+/// What a device renders; sound and picture are always present and are the last fallback.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rendering {
     /// Forces and torques.
     Wrench,
-    /// Forces alone; torques are seen.
+    /// Forces alone; torques are only visible.
     Force,
-    /// Collisions, sliding and boiling as rumble; weights are seen.
+    /// Collisions, sliding and boiling as rumble; weights are only visible.
     Rumble,
     /// Nothing in the hand.
     SoundAndPicture,
 }
 
-/// The rules, the richest first: least degrees of freedom that are moved, whether rumble will do, and what is shown then.
+/// The rules, richest first: least number of actuated degrees of freedom, rumble motors required, resulting rendering.
 pub const RULES: [(u8, bool, Rendering); 4] = [
     (6, false, Rendering::Wrench),
     (3, false, Rendering::Force),
@@ -30,14 +30,14 @@ pub const RULES: [(u8, bool, Rendering); 4] = [
 ];
 
 impl Capabilities {
-    /// How much it shows: the first rule that it meets.
+    /// Returns the rendering of the first rule that the device meets.
     pub fn rendering(&self) -> Rendering {
         let rumbles = self.vibration == Vibration::Rumble;
         let meets = |(dof, rumble, _): &&(u8, bool, Rendering)| self.dof_actuated >= *dof && (!rumble || rumbles);
         RULES.iter().find(meets).map_or(Rendering::SoundAndPicture, |(_, _, rendering)| *rendering)
     }
 
-    /// What of a wrench the device can show.
+    /// Returns the part of a wrench that the device can show [N, N·m].
     pub fn shown(&self, wrench: &Wrench) -> Wrench {
         match self.rendering() {
             Rendering::Wrench => *wrench,
@@ -46,13 +46,16 @@ impl Capabilities {
         }
     }
 
-    /// Whether the weight of the pan itself is rendered too: where the hand holds no real one, and the device can carry twice as
-    /// much; else the pan is weightless, and what lies in it is felt.
+    /// Returns true if the weight of the pan itself is rendered.
+    ///
+    /// That needs a hand that holds no real pan and a device that can carry twice the pan's weight. Otherwise the pan is
+    /// weightless and only its contents are felt.
     pub fn renders_pan(&self, pan_kg: f64) -> bool {
         !self.holds_real_pan && self.limits.force_n >= 2.0 * pan_kg * GRAVITY
     }
 
-    /// What of a rumble the device is told: all where it rumbles; a device of forces renders vibration by them.
+    /// Returns the rumble that the device gets [-]: all of it on a rumble device, none on a device that renders vibration as
+    /// force.
     pub fn rumbled(&self, rumble: &Rumble) -> Rumble {
         if self.rendering() == Rendering::Rumble { *rumble } else { Rumble::default() }
     }

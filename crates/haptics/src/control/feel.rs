@@ -1,4 +1,4 @@
-//! How the contents of the pan and the kitchen are felt, as the file describes it.
+//! Haptic parameters of the kitchen, as `data/haptics/feel.toml` states them.
 
 use saute_kitchen::InputError;
 use saute_kitchen::food::sourced_table;
@@ -7,7 +7,7 @@ use serde::Deserialize;
 use crate::library::{error_at, parse_table};
 
 sourced_table! {
-    /// How the contents hang on the pan.
+    /// Virtual coupling of the contents to the pan.
     PayloadFeel {
         /// Natural frequency [Hz].
         frequency_hz: f64,
@@ -19,9 +19,9 @@ sourced_table! {
 sourced_table! {
     /// Collisions.
     ImpulseFeel {
-        /// How long one lasts [s].
+        /// Duration of a pulse [s].
         duration_s: f64,
-        /// Weaker ones are not felt [N·s].
+        /// Weaker impulses are not rendered [N·s].
         least_n_s: f64,
     }
 }
@@ -31,11 +31,11 @@ sourced_table! {
     SizzleFeel {
         /// Amplitude at the reference flow [N].
         force_n: f64,
-        /// Reference flow of vapour [g/s].
+        /// Reference vapour flow [g/s].
         at_vapour_g_s: f64,
-        /// Lower edge of its band [Hz].
+        /// Lower edge of the noise band [Hz].
         low_hz: f64,
-        /// Upper edge of its band [Hz].
+        /// Upper edge of the noise band [Hz].
         high_hz: f64,
     }
 }
@@ -45,17 +45,17 @@ sourced_table! {
     SlideFeel {
         /// Amplitude per normal force [-].
         force_n: f64,
-        /// Length of the texture [mm].
+        /// Pitch of the texture [mm].
         pitch_mm: f64,
         /// Largest amplitude [N].
         largest_n: f64,
-        /// Slowest speed that is felt [m/s].
+        /// Slowest perceptible speed [m/s].
         least_m_s: f64,
     }
 }
 
 sourced_table! {
-    /// Walls.
+    /// Guard planes.
     GuardFeel {
         /// Damping [N·s/m].
         damping_n_s_m: f64,
@@ -65,22 +65,22 @@ sourced_table! {
 sourced_table! {
     /// The control loop.
     LoopFeel {
-        /// How long forces grow from nothing [s].
+        /// Time in which forces rise from zero to full [s].
         soft_start_s: f64,
-        /// Age of a contact model from which it counts as lost [s].
+        /// Watchdog: age at which a contact model counts as lost [s].
         model_timeout_s: f64,
-        /// How long forces take to fade [s].
+        /// Time in which forces fade to zero [s].
         fade_s: f64,
-        /// Energy with which the passivity observer begins [mJ].
+        /// Initial energy of the passivity observer [mJ].
         reserve_mj: f64,
     }
 }
 
-/// How everything is felt.
+/// All haptic parameters.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Feel {
-    /// How the contents hang on the pan.
+    /// Virtual coupling of the contents.
     pub payload: PayloadFeel,
     /// Collisions.
     pub impulse: ImpulseFeel,
@@ -88,15 +88,15 @@ pub struct Feel {
     pub sizzle: SizzleFeel,
     /// Sliding and scraping.
     pub slide: SlideFeel,
-    /// Walls.
+    /// Guard planes.
     pub guard: GuardFeel,
-    /// The loop.
+    /// The control loop.
     #[serde(rename = "loop")]
     pub timing: LoopFeel,
 }
 
 impl Feel {
-    /// Reads and checks the file.
+    /// Parses and checks the file.
     pub fn parse(text: &str, file: &str) -> Result<Self, InputError> {
         let feel: Self = parse_table(text, file, "see data/haptics/feel.toml for the keys")?;
         let ranged = [

@@ -1,11 +1,11 @@
-//! How late the loop's steps begin.
+//! Jitter of the control loop: how late its steps begin.
 
 use serde::Serialize;
 
-/// Microseconds that are told apart; later ones count as the last.
+/// Bins of one microsecond each; later steps count in the last bin (chosen: twenty periods at 1 kHz).
 const BINS: usize = 20_000;
 
-/// A histogram of lateness.
+/// A histogram of lateness [µs].
 #[derive(Clone, Debug)]
 pub struct Jitter {
     bins: Vec<u32>,
@@ -13,14 +13,14 @@ pub struct Jitter {
     max: f64,
 }
 
-/// Lateness of steps [µs].
+/// Quantiles of the steps' lateness [µs].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Lateness {
-    /// Half of the steps begin no later.
+    /// Median [µs].
     pub p50: f64,
-    /// 99 of 100 steps begin no later.
+    /// 99th percentile [µs].
     pub p99: f64,
-    /// The latest.
+    /// Maximum [µs].
     pub max: f64,
 }
 
@@ -31,7 +31,7 @@ impl Default for Jitter {
 }
 
 impl Jitter {
-    /// Notes one step that began so late [µs].
+    /// Records the lateness of one step [µs].
     pub fn note(&mut self, late_us: f64) {
         let bin = (late_us.max(0.0) as usize).min(BINS - 1);
         self.bins[bin] += 1;
@@ -39,17 +39,17 @@ impl Jitter {
         self.max = self.max.max(late_us);
     }
 
-    /// Steps so far.
+    /// Returns the number of steps so far.
     pub fn count(&self) -> u64 {
         self.count
     }
 
-    /// What was noted.
+    /// Returns the quantiles of all steps so far [µs].
     pub fn lateness(&self) -> Lateness {
         Lateness { p50: self.quantile(0.5), p99: self.quantile(0.99), max: self.max }
     }
 
-    /// Upper edge of the bin within which a share of the steps lies [µs].
+    /// Returns the upper edge of the bin that completes a share of the steps [µs].
     fn quantile(&self, share: f64) -> f64 {
         let wanted = (share * self.count as f64).ceil() as u64;
         let mut sum = 0;

@@ -7,6 +7,8 @@ pub mod feel;
 pub mod guard_planes;
 pub mod impulse_train;
 pub mod jitter;
+mod loop_state;
+pub mod loop_step;
 pub mod passivity;
 pub mod renderer;
 pub mod rumble;

@@ -1,8 +1,6 @@
-//! From where the pan is and what the kitchen last said, what the hand shall feel.
+//! Force rendering: from the device's sample and the latest contact model to the commanded wrench.
 
-use crate::kitchen::contact_model::ContactModel;
 use crate::control::coupled_payload::CoupledPayload;
-use crate::device::{Capabilities, HapticCommand, HapticSample, Health};
 use crate::control::feel::Feel;
 use crate::control::guard_planes::GuardPlanes;
 use crate::control::impulse_train::ImpulseTrain;
@@ -10,9 +8,11 @@ use crate::control::passivity::Passivity;
 use crate::control::rumble::{Rumble, RumbleRule};
 use crate::control::safety_limits::SafetyLimits;
 use crate::control::vibration::Vibration;
+use crate::device::{Capabilities, HapticCommand, HapticSample, Health};
+use crate::kitchen::contact_model::ContactModel;
 use crate::wrench::Wrench;
 
-/// One step after the other of what a hand feels: no clock, no thread, no allocation.
+/// Renders the command of each step; it uses no clock, no thread and no allocation.
 #[derive(Clone, Debug)]
 pub struct Renderer {
     capabilities: Capabilities,
@@ -26,7 +26,7 @@ pub struct Renderer {
     timing: Timing,
     model: ContactModel,
     model_age: f64,
-    /// How much of the forces is shown: 0 to 1.
+    /// Gain of soft start and fade, 0 to 1 [-].
     share: f64,
 }
 
@@ -38,7 +38,7 @@ struct Timing {
 }
 
 impl Renderer {
-    /// Nothing is felt until a model and a sample have come.
+    /// Creates a renderer that commands no force until a model and a sample have arrived.
     pub fn new(capabilities: &Capabilities, feel: &Feel) -> Self {
         let limits = &capabilities.limits;
         let timing = &feel.timing;
@@ -58,15 +58,15 @@ impl Renderer {
         }
     }
 
-    /// What to command after a sample; `model` is the newest one, `dt` the time since the last step [s].
+    /// Returns the command for a sample; `model` is the newest contact model, `dt` the time since the last step [s].
     pub fn step(&mut self, sample: &HapticSample, model: &ContactModel, dt: f64) -> HapticCommand {
         self.take(model, dt);
-        // A device that does not know where it is cannot be pulled anywhere.
+        // Without a valid pose no force has a defined direction.
         let running = sample.health == Health::Running && sample.pose.is_finite() && sample.twist.is_finite();
         let lively = running && self.model_age < self.timing.timeout;
         let change = if lively { dt / self.timing.soft_start.max(dt) } else { -dt / self.timing.fade };
         self.share = if running { (self.share + change).clamp(0.0, 1.0) } else { 0.0 };
-        // What collides while nothing is felt must not be felt later.
+        // Collisions during a pause must not be rendered later.
         let rumble = self.rumble(dt);
         if self.share == 0.0 {
             self.rest();
@@ -75,7 +75,7 @@ impl Renderer {
         HapticCommand { wrench: self.wrench(sample, dt), enabled: true, rumble }
     }
 
-    /// Nothing is felt: what comes next begins from stillness.
+    /// Resets everything that must restart from rest.
     fn rest(&mut self) {
         self.limits.rest();
         self.passivity.rest();
@@ -90,7 +90,7 @@ impl Renderer {
         self.model = *model;
         self.model_age = 0.0;
         let energy = self.impulses.take(&model.impulses);
-        // What is felt in part brings its energy in part.
+        // A scaled collision brings scaled energy.
         self.passivity.credit(energy * self.share);
     }
 
@@ -107,7 +107,7 @@ impl Renderer {
         active += self.vibration.step(model, pose, dt);
         let active = self.capabilities.shown(&(active * self.share));
         let weight = self.capabilities.shown(&((payload.weight + model.loose_weight) * self.share));
-        self.settle(sample, held, dt);
+        self.account(sample, held, dt);
         let active = self.limits.within_energy(&active, twist, dt);
         let active = self.passivity.control(&active, twist, dt);
         let shown = self.limits.bounded(&(active + weight), dt);
@@ -115,11 +115,11 @@ impl Renderer {
         shown
     }
 
-    /// Settles what the last command did; before it the payload held so much [J].
-    fn settle(&mut self, sample: &HapticSample, held: f64, dt: f64) {
+    /// Charges the work of the last command; `held` is the payload's energy before this step [J].
+    fn account(&mut self, sample: &HapticSample, held: f64, dt: f64) {
         let now = self.payload.held();
         let spent = self.passivity.observe(&sample.pose, &sample.achieved, now * self.share, dt);
-        self.limits.settle(spent, (held - now) * self.share, dt);
+        self.limits.charge(spent, (held - now) * self.share, dt);
     }
 
     fn rumble(&mut self, dt: f64) -> Rumble {
@@ -127,12 +127,12 @@ impl Renderer {
         self.capabilities.rumbled(&Rumble { strong: strong * self.share, weak: weak * self.share })
     }
 
-    /// The passivity observer.
+    /// Returns the passivity observer.
     pub fn passivity(&self) -> &Passivity {
         &self.passivity
     }
 
-    /// How much of the forces is shown: grows from 0 to 1 at the start, fades when no fresh model comes [-].
+    /// Returns the gain of soft start and fade, 0 to 1 [-]; it falls when no fresh model arrives.
     pub fn share(&self) -> f64 {
         self.share
     }

@@ -1,41 +1,42 @@
-//! Collisions, sliding and boiling for devices that can only rumble.
+//! Rumble: collisions, sliding and boiling for devices with vibration motors only.
 
 use serde::Serialize;
 
-use crate::kitchen::contact_model::ContactModel;
 use crate::control::feel::Feel;
 use crate::control::vibration;
+use crate::kitchen::contact_model::ContactModel;
 
-/// Blow at which the strong motor turns fully [N·s] (chosen: 100 g that land at 1 m/s).
+/// Impulse at which the strong motor runs at full speed [N·s] (chosen: 100 g that land at 1 m/s).
 const FULL_BLOW: f64 = 0.1;
-/// How long a blow rings [s] (chosen: a small motor takes as long to stop).
+/// Decay time constant of a collision's rumble [s] (chosen: a small motor takes as long to stop).
 const RING_S: f64 = 0.08;
 
-/// How hard motors shake, each from 0 to 1 [-].
+/// Intensities of two rumble motors, each from 0 to 1 [-].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Rumble {
-    /// Slow and strong: collisions.
+    /// Slow, strong motor: collisions [-].
     pub strong: f64,
-    /// Fast and weak: boiling, sliding, scraping.
+    /// Fast, weak motor: boiling, sliding, scraping [-].
     pub weak: f64,
 }
 
-/// Finds the rumble that stands for what a hand should feel: strong = Σ J/J_full, ringing out within 80 ms; weak is the
-/// amplitude of the fine vibration over its largest.
+/// Maps the contact model to rumble intensities [-].
+///
+/// strong = Σ J/J_full, decaying with a time constant of 80 ms; weak is the amplitude of the vibration over its maximum.
 #[derive(Clone, Debug)]
 pub struct RumbleRule {
     feel: Feel,
-    heard: Option<u64>,
+    seen: Option<u64>,
     strong: f64,
 }
 
 impl RumbleRule {
-    /// Still.
+    /// Creates a rule without rumble.
     pub fn new(feel: &Feel) -> Self {
-        Self { feel: feel.clone(), heard: None, strong: 0.0 }
+        Self { feel: feel.clone(), seen: None, strong: 0.0 }
     }
 
-    /// The rumble in a step of `dt` [s].
+    /// Returns the rumble of a step of `dt` [s] [-].
     pub fn step(&mut self, model: &ContactModel, dt: f64) -> Rumble {
         self.strong *= libm::exp(-dt / RING_S);
         if model.number > 0 {
@@ -45,12 +46,12 @@ impl RumbleRule {
         Rumble { strong: self.strong, weak: self.weak(model) }
     }
 
-    /// What the collisions add that are new.
+    /// Returns the intensity that new collisions add [-].
     fn blows(&mut self, model: &ContactModel) -> f64 {
         let newest = model.impulses.iter().map(|i| i.number).max().unwrap_or(0);
-        // What happened before the hand was there is not felt.
-        let heard = self.heard.replace(newest).unwrap_or(newest);
-        let sizes = model.impulses.iter().filter(|i| i.number > heard).map(|i| i.impulse.length());
+        // Collisions from before the first model are not rendered.
+        let seen = self.seen.replace(newest).unwrap_or(newest);
+        let sizes = model.impulses.iter().filter(|i| i.number > seen).map(|i| i.impulse.length());
         sizes.filter(|size| *size >= self.feel.impulse.least_n_s).map(|size| size / FULL_BLOW).sum()
     }
 

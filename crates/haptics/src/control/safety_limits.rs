@@ -1,36 +1,37 @@
-//! What no hand shall feel more of: force, torque, their change, and energy.
+//! Safety limits: force, torque, their slew rates, and energy per second.
 
 use crate::device::Limits;
 use crate::wrench::{Twist, Wrench};
 
-/// Time over which energy is counted [s].
+/// Time constant of the energy budget [s] (the limits are stated per second).
 const WINDOW_S: f64 = 1.0;
 
-/// Bounds every wrench, whatever asked for it.
+/// Bounds every wrench, whatever its origin.
 #[derive(Clone, Copy, Debug)]
 pub struct SafetyLimits {
     limits: Limits,
     last: Wrench,
-    /// Energy given, of which a second later a share of 1/e still counts [J].
+    /// Energy given to the hand, decaying with the time constant of the budget [J].
     given: f64,
 }
 
 impl SafetyLimits {
-    /// Begins at rest.
+    /// Creates limits for a device at rest.
     pub fn new(limits: Limits) -> Self {
         Self { limits, last: Wrench::ZERO, given: 0.0 }
     }
 
-    /// Settles what the last step really gave the hand [J]; what the felt bodies gave of what the hand had put into them,
-    /// `back` [J], is the hand's own and does not count. `dt` is a step [s].
-    pub fn settle(&mut self, spent: f64, back: f64, dt: f64) {
+    /// Charges the energy that the last step of `dt` [s] gave to the hand, `spent` [J].
+    ///
+    /// `back` [J] is energy that virtual bodies return after the hand had put it into them; it does not count.
+    pub fn charge(&mut self, spent: f64, back: f64, dt: f64) {
         let own = if back.is_finite() { back.max(0.0) } else { 0.0 };
-        // What cannot be told is taken for all that was left.
+        // An unknown energy counts as the whole budget.
         let counts = if spent.is_finite() { (spent - own).max(0.0) } else { self.limits.energy_j };
         self.given = self.given * libm::exp(-dt / WINDOW_S) + counts;
     }
 
-    /// As much of a wrench as the energy that is left of the last second allows; `dt` is a step [s].
+    /// Returns a wrench scaled to the remaining energy budget over a step of `dt` [s] [N, N·m].
     pub fn within_energy(&self, wanted: &Wrench, twist: &Twist, dt: f64) -> Wrench {
         let power = wanted.power(twist);
         if power <= 0.0 || !power.is_finite() {
@@ -40,7 +41,7 @@ impl SafetyLimits {
         *wanted * (left / (power * dt)).min(1.0)
     }
 
-    /// The wrench within force, torque and their slopes; what is not a number counts as nothing.
+    /// Returns a wrench within the limits of force, torque and slew rate [N, N·m]; a wrench that is not finite counts as zero.
     pub fn bounded(&mut self, wanted: &Wrench, dt: f64) -> Wrench {
         let wanted = if wanted.is_finite() { *wanted } else { Wrench::ZERO };
         let wanted = wanted.clamped(self.limits.force_n, self.limits.torque_nm);
@@ -49,7 +50,7 @@ impl SafetyLimits {
         self.last
     }
 
-    /// Begins anew after a break.
+    /// Restarts the slew rate limit from zero.
     pub fn rest(&mut self) {
         self.last = Wrench::ZERO;
     }

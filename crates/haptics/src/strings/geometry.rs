@@ -9,8 +9,8 @@ use serde::Deserialize;
 
 use crate::device::{Capabilities, Limits, Sensed, Vibration, Workspace};
 use crate::library::parse_table;
-use crate::strings::{STRINGS, StringRig};
 use crate::strings::tension::TensionRule;
+use crate::strings::{STRINGS, StringRig};
 use crate::wrench::Wrench;
 
 sourced_table! {

@@ -6,8 +6,8 @@ use glam::DVec3;
 use saute_kitchen::InputError;
 use serde::{Deserialize, Serialize};
 
-use crate::strings::jig_calibration::Calibration;
 use crate::library::{error_at, parse_table};
+use crate::strings::jig_calibration::Calibration;
 use crate::strings::{STRINGS, StringRig};
 
 /// What to do about a file that cannot be used.

@@ -1,18 +1,19 @@
 //! The SPIDAR: eight strings, over any link.
 
-
 use saute_kitchen::dynamics::Pose;
 
 use crate::device::{Capabilities, HapticCommand, HapticDevice, HapticSample, Health};
 use crate::strings::geometry::Geometry;
 use crate::strings::jig_calibration::{Calibration, FARTHEST};
+use crate::strings::jig_log::JigLog;
 use crate::strings::kept_calibration::{CalibrationMemory, KeptCalibration};
 use crate::strings::pose_from_lengths::PoseEstimator;
-use crate::strings::{Lines, STRINGS, StringRig};
 use crate::strings::tension::{TensionSolver, Tensions};
-use crate::strings::wire::{Caps, Command, DeviceState, Frame, FrameError, Hello, Link, Message, Refusal, Sample, Units};
+use crate::strings::wire::{
+    Caps, Command, DeviceState, Frame, FrameError, Hello, Link, Message, Refusal, Sample, Units,
+};
+use crate::strings::{Lines, STRINGS, StringRig};
 use crate::wrench::Wrench;
-use crate::strings::jig_log::JigLog;
 
 /// Silence after which a device counts as lost [s] (chosen: a hundred samples).
 const SILENCE_S: f64 = 0.1;

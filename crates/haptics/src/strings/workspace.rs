@@ -6,8 +6,8 @@ use serde::Serialize;
 
 use crate::strings::geometry::Geometry;
 use crate::strings::linear::eigenvalues;
-use crate::strings::{Lines, STRINGS};
 use crate::strings::tension::TensionSolver;
+use crate::strings::{Lines, STRINGS};
 use crate::wrench::Wrench;
 
 /// Axes of a wrench, force first.

@@ -11,8 +11,8 @@ use saute_kitchen::dynamics::Pose;
 use crate::device::{
     Capabilities, HapticCommand, HapticDevice, HapticSample, Health, Limits, Sensed, Vibration, Workspace,
 };
-use crate::remote::network_thread::NetworkThread;
 use crate::open::{Access, Networked, OpenError, Opened};
+use crate::remote::network_thread::NetworkThread;
 use crate::wrench::{Twist, Wrench};
 
 /// Silence after which the service counts as lost [s] (chosen: a hundred answers).

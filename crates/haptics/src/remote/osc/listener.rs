@@ -6,13 +6,13 @@ use std::time::{Duration, Instant};
 
 use super::Heard;
 use super::message::{LONGEST, Order, read};
-use crate::remote::allowance::Allowance;
-use crate::remote::remote_pose::SILENCE_S;
-use crate::remote::network_thread::NetworkThread;
 use crate::open::{Access, OpenError, Reach};
+use crate::remote::allowance::Allowance;
+use crate::remote::network_thread::NetworkThread;
 use crate::remote::pairing::{Pairing, Verdict};
-use crate::remote::timeout::is_timeout;
 use crate::remote::reachable::reachable;
+use crate::remote::remote_pose::SILENCE_S;
+use crate::remote::timeout::is_timeout;
 
 /// How long a read waits before the thread looks whether it shall end (chosen: nobody notices).
 const TURN: Duration = Duration::from_millis(20);

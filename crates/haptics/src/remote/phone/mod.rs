@@ -15,13 +15,13 @@ use glam::{DQuat, DVec3};
 use saute_kitchen::dynamics::Pose;
 use saute_kitchen::dynamics::pose::rotation_between;
 
+use crate::control::rumble::Rumble;
 use crate::device::{
     Capabilities, HapticCommand, HapticDevice, HapticSample, Health, Limits, Sensed, Vibration, Workspace,
 };
-use crate::remote::remote_pose::{FOLLOW_S, HOME_S, SILENCE_S, reckoned};
-use crate::remote::network_thread::NetworkThread;
 use crate::open::{Networked, OpenError, Opened};
-use crate::control::rumble::Rumble;
+use crate::remote::network_thread::NetworkThread;
+use crate::remote::remote_pose::{FOLLOW_S, HOME_S, SILENCE_S, reckoned};
 use crate::remote::tilt::{eased, within_tilt};
 use crate::wrench::Twist;
 use toss::Toss;

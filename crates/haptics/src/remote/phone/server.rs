@@ -12,8 +12,8 @@ use super::bounded::Bounded;
 use super::http::{Asked, answer, asked, read_head};
 use super::session;
 use super::{Heard, Told, certificate};
-use crate::remote::network_thread::NetworkThread;
 use crate::open::{Access, OpenError, Reach};
+use crate::remote::network_thread::NetworkThread;
 use crate::remote::pairing::Pairing;
 use crate::remote::reachable::reachable;
 

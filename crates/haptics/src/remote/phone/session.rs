@@ -12,8 +12,8 @@ use super::message::{FromPhone, LONGEST, Measured, ToPhone};
 use super::orientation::{Level, acceleration, from_angles};
 use super::server::{Line, Shared, WRITE};
 use crate::remote::allowance::Allowance;
-use crate::remote::remote_pose::SILENCE_S;
 use crate::remote::pairing::Verdict;
+use crate::remote::remote_pose::SILENCE_S;
 use crate::remote::timeout::is_timeout;
 
 /// How long a phone may take to be paired (chosen: the page connects when the code has been typed; whoever waits longer only takes up room).

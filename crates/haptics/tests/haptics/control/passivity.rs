@@ -176,17 +176,17 @@ fn energy_is_limited_by_what_was_given_not_by_what_was_wanted() {
     let twist = Twist { linear: DVec3::X, ..Twist::default() };
     let wanted = along(20.0);
     for _ in 0..1000 {
-        limits.settle(0.0, 0.0, DT);
+        limits.charge(0.0, 0.0, DT);
         assert_eq!(limits.within_energy(&wanted, &twist, DT), wanted, "nothing was given");
     }
     for _ in 0..1000 {
-        limits.settle(0.02, 0.02, DT);
+        limits.charge(0.02, 0.02, DT);
         assert_eq!(limits.within_energy(&wanted, &twist, DT), wanted, "the hand's own energy comes back");
     }
-    (0..100).for_each(|_| limits.settle(0.02, 0.0, DT));
+    (0..100).for_each(|_| limits.charge(0.02, 0.0, DT));
     assert_eq!(limits.within_energy(&wanted, &twist, DT), Wrench::ZERO, "2 J within 0.1 s");
     assert_eq!(limits.within_energy(&(wanted * -1.0), &twist, DT), wanted * -1.0, "what takes energy is free");
-    (0..3000).for_each(|_| limits.settle(0.0, 0.0, DT));
+    (0..3000).for_each(|_| limits.charge(0.0, 0.0, DT));
     assert_eq!(limits.within_energy(&wanted, &twist, DT), wanted, "later");
 }
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use saute_haptics::contact_model::ContactModel;
-use saute_haptics::control_loop::Beat;
+use saute_haptics::control::loop_step::LoopStep;
 use saute_haptics::{Feel, Handover, KitchenWatch, Pose, Renderer, Spidar, Wrench, shelf};
 use saute_kitchen::food::Rules;
 use saute_kitchen::{Command, FRAME_S, Kitchen, Library, MeshSize, PieceOrder};
@@ -51,10 +51,10 @@ fn pulled(model: &ContactModel) -> Wrench {
     let bench = Bench::new(&geometry);
     let spidar = Spidar::new(bench.link(), geometry.clone(), 42);
     let renderer = Renderer::new(&geometry.capabilities(), &feel());
-    let mut beat = Beat::new(Box::new(spidar), renderer, 0);
+    let mut control = LoopStep::new(Box::new(spidar), renderer, 0);
     let mut sum = Wrench::ZERO;
     for k in 0..6000u64 {
-        beat.step(&ContactModel { number: k / 16 + 1, ..*model }, 1e-3);
+        control.step(&ContactModel { number: k / 16 + 1, ..*model }, 1e-3);
         if k >= 5000 {
             sum += bench.wrench() * 1e-3;
         }
