@@ -8,7 +8,7 @@ use std::net::UdpSocket;
 use glam::DVec3;
 use saute_haptics::contact_model::{ContactModel, Impulse, Payload};
 use saute_haptics::control::loop_step::LoopStep;
-use saute_haptics::phone::{Heard, Phone, Told};
+use saute_haptics::phone::{Incoming, Outgoing, Phone};
 use saute_haptics::wire::{Caps, DeviceState, Frame, Message, Sample, UdpLink, Units};
 use saute_haptics::{HapticDevice, Pose, Renderer, Spidar, haply, osc, shelf};
 
@@ -77,12 +77,12 @@ fn a_beat_allocates_nothing() {
 
 #[test]
 fn a_phone_s_exchange_allocates_nothing() {
-    let (mut heard_in, heard) = triple_buffer::triple_buffer(&Heard::default());
-    let (told, _told_out) = triple_buffer::triple_buffer(&Told::default());
+    let (mut heard_in, heard) = triple_buffer::triple_buffer(&Incoming::default());
+    let (told, _told_out) = triple_buffer::triple_buffer(&Outgoing::default());
     let phone = Phone::new(heard, told, None);
     let hear = |number: u64| {
         let number = (number / 4).min(250);
-        heard_in.write(Heard { number, connected: true, push: DVec3::Z, pushes: number, ..Heard::default() });
+        heard_in.write(Incoming { number, connected: true, push: DVec3::Z, pushes: number, ..Incoming::default() });
     };
     assert!(beats(Box::new(phone), hear));
 }
@@ -105,19 +105,23 @@ fn beats(device: Box<dyn HapticDevice>, mut hear: impl FnMut(u64)) -> bool {
 
 #[test]
 fn an_inverse3_s_exchange_allocates_nothing() {
-    let (mut heard_in, heard) = triple_buffer::triple_buffer(&haply::Heard::default());
-    let (told, _told_out) = triple_buffer::triple_buffer(&haply::Told::default());
+    let (mut heard_in, heard) = triple_buffer::triple_buffer(&haply::Incoming::default());
+    let (told, _told_out) = triple_buffer::triple_buffer(&haply::Outgoing::default());
     let device = haply::Haply::new(heard, told, None);
     let hear = |number: u64| {
-        heard_in.write(haply::Heard { number: number.min(1000), link: haply::Link::Up, ..haply::Heard::default() });
+        heard_in.write(haply::Incoming {
+            number: number.min(1000),
+            link: haply::Link::Up,
+            ..haply::Incoming::default()
+        });
     };
     assert!(beats(Box::new(device), hear));
 }
 
 #[test]
 fn an_osc_sender_s_exchange_allocates_nothing() {
-    let (mut heard_in, heard) = triple_buffer::triple_buffer(&osc::Heard::default());
+    let (mut heard_in, heard) = triple_buffer::triple_buffer(&osc::Incoming::default());
     let device = osc::Osc::new(heard, None);
-    let hear = |number: u64| heard_in.write(osc::Heard { pans: number.min(1000), ..osc::Heard::default() });
+    let hear = |number: u64| heard_in.write(osc::Incoming { pans: number.min(1000), ..osc::Incoming::default() });
     assert!(beats(Box::new(device), hear));
 }

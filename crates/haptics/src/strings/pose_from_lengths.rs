@@ -31,6 +31,20 @@ const GAP_S: f64 = 0.05;
 /// It minimises Σ (|mᵢ − p − R gᵢ| − Lᵢ − dᵢ)² over p and R. Eight lengths overdetermine six unknowns; the residual gives the
 /// slow drift dᵢ of encoders and strings. Valid where the strings are taut and their directions span all motions
 /// ([`crate::strings::workspace`]).
+///
+/// ```
+/// use saute_haptics::{PoseEstimator, library};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let geometry = &library::devices()?["spidar-pan-crossed"];
+/// let mut pose = geometry.home();
+/// pose.position.x += 0.05;
+/// let lengths = geometry.rig().lengths(&pose);
+/// let found = PoseEstimator::new(geometry.rig(), geometry.home()).update(&lengths, 1e-3);
+/// assert!((found.position - pose.position).length() < 1e-6, "{} m", found.position);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PoseEstimator {
     rig: StringRig,

@@ -46,6 +46,20 @@ const TOLERANCE: f64 = 1e-12;
 ///
 /// A primal active-set method starts from the active bounds of the last solution. The problem is strictly convex for ρ > 0, so
 /// its one solution is found exactly. It allocates nothing.
+///
+/// ```
+/// use saute_haptics::{TensionSolver, Wrench, library};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let geometry = &library::devices()?["spidar-frame"];
+/// let lines = geometry.rig().lines(&geometry.home());
+/// let wanted = Wrench { force: glam::DVec3::new(0.0, 0.0, -3.0), ..Wrench::ZERO };
+/// let solved = TensionSolver::new(geometry.tension_rule()).solve(&lines, &wanted);
+/// assert!((solved.achieved.force - wanted.force).length() < 0.1, "{} N", solved.achieved.force);
+/// assert!(solved.tension.iter().all(|t| *t >= geometry.drive.min_tension_n));
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct TensionSolver {
     rule: TensionRule,

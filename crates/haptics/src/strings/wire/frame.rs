@@ -14,6 +14,16 @@ pub const MAGIC: [u8; 2] = *b"SP";
 pub const VERSION: u8 = 1;
 
 /// A message with its sequence number and session.
+///
+/// ```
+/// use saute_haptics::wire::{Frame, FrameError, Message};
+///
+/// let frame = Frame { sequence: 2, session: 7, message: Message::Arm };
+/// let mut bytes = frame.encode();
+/// assert_eq!(Frame::decode(&bytes), Ok(frame));
+/// bytes[4] ^= 1;
+/// assert_eq!(Frame::decode(&bytes), Err(FrameError::Checksum));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// Sequence number, which increases with every frame of its sender.

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use rosc::{OscBundle, OscMessage, OscPacket, OscTime, OscType};
 use saute_haptics::device::{HapticCommand, HapticSample};
 use saute_haptics::open::Reach;
-use saute_haptics::osc::message::{Order, read};
+use saute_haptics::osc::message::{Event, read};
 use saute_haptics::{Health, Opened, Rendering, open};
 
 const DT: f64 = 4e-3;
@@ -219,7 +219,7 @@ proptest! {
     #[test]
     fn every_pose_that_is_taken_is_a_pose(numbers in prop::array::uniform7(proptest::num::f32::ANY)) {
         let bytes = rosc::encoder::encode(&packet("/saute/pan/pose", floats(&numbers))).unwrap();
-        if let Ok(Order::Pan(pose)) = &read(&bytes).unwrap()[0] {
+        if let Ok(Event::Pan(pose)) = &read(&bytes).unwrap()[0] {
             prop_assert!(pose.position.length() <= 2.0 && (pose.rotation.length() - 1.0).abs() < 1e-9);
         }
     }
