@@ -1,9 +1,9 @@
 //! How a cross-section is carried into a body: straight up, straight up with uneven height, or along stations; or not at
 //! all, where a body is made of cells.
 
-use crate::outline::Outline;
-use crate::section::{MeshError, Section};
-use crate::voronoi::CellMesh;
+use crate::mesh::cells::CellMesh;
+use crate::mesh::outline::Outline;
+use crate::mesh::section::{MeshError, Section};
 
 /// One place of a path: the cross-section as it stands there, in a plane of space.
 #[derive(Clone, Debug)]

@@ -1,9 +1,9 @@
 //! Nodes in layers below the surface and on a lattice inside.
 
-use crate::surface::DepthFinder;
+use crate::mesh::cells::point_grid::PointGrid;
+use crate::mesh::cells::sample::Sample;
+use crate::mesh::surface::DepthFinder;
 use crate::vector::{Vec3, along, bounds, dot};
-use crate::voronoi::point_grid::PointGrid;
-use crate::voronoi::sample::Sample;
 
 /// Layers become thicker by this factor inwards [-] (chosen; convergence is tested).
 const GROWTH: f64 = 1.4;

@@ -1,6 +1,6 @@
 //! Finding the triangle around a point of a cross-section.
 
-use crate::section::Section;
+use crate::mesh::section::Section;
 
 /// A point inside a triangle: three nodes and their shape functions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,7 +95,7 @@ fn shape_functions([a, b, c]: [[f64; 2]; 3], p: [f64; 2]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::outline::Outline;
+    use crate::mesh::outline::Outline;
 
     #[test]
     fn linear_fields_are_reproduced_everywhere() {

@@ -1,8 +1,8 @@
 //! Points spread evenly over a surface, each with the patch of surface that is nearest to it.
 
-use crate::surface::{DepthFinder, features};
+use crate::mesh::cells::point_grid::PointGrid;
+use crate::mesh::surface::{DepthFinder, features};
 use crate::vector::{Vec3, add, along, distance, dot, length, scale, sub, unit};
-use crate::voronoi::point_grid::PointGrid;
 
 /// Candidates in a square of the spacing (chosen: patch areas then come out to a few percent).
 const CANDIDATES: f64 = 40.0;

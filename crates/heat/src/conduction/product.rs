@@ -1,10 +1,10 @@
 //! Conduction with constant properties on a product mesh: every weight belongs to one axis, so nothing is stored per edge.
 
-use crate::axis::End;
-use crate::boundary::Boundary;
-use crate::column::Between;
-use crate::super_step::{Rates, Stage, StepStart};
-use crate::tensor::TensorBody;
+use crate::conduction::axis::End;
+use crate::conduction::boundary::Boundary;
+use crate::conduction::column::Between;
+use crate::conduction::super_step::{Rates, Stage, StepStart};
+use crate::conduction::tensor::TensorBody;
 
 /// A layer's constants.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -248,10 +248,10 @@ impl Rates for ProductOperator {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::axis::{Axis, Metric};
-    use crate::column::Column;
-    use crate::conduction::Conduction;
-    use crate::rule::Rule;
+    use crate::conduction::axis::{Axis, Metric};
+    use crate::conduction::column::Column;
+    use crate::conduction::edge_conduction::Conduction;
+    use crate::conduction::rule::Rule;
 
     const LAYERS: [Constants; 2] =
         [Constants { conductivity: 0.5, capacity: 3.6e6 }, Constants { conductivity: 52.0, capacity: 3.3e6 }];
@@ -287,7 +287,7 @@ mod tests {
         }
         (0..t.len())
             .map(|n| {
-                let heat = |p: crate::tensor::Part| p.volume * LAYERS[p.layer].capacity;
+                let heat = |p: crate::conduction::tensor::Part| p.volume * LAYERS[p.layer].capacity;
                 power[n] / (body.parts(n).map(heat).sum::<f64>() + body.plate_capacity(n))
             })
             .collect()

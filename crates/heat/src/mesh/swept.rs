@@ -1,11 +1,11 @@
 //! A cross-section carried along a path in layers: prisms with linear shape functions.
 
-use crate::conduction::Graph;
-use crate::outline::Outline;
-use crate::path::{Path, Station, cross, distance, dot};
-use crate::rule::{Rule, segment_shape};
-use crate::section::Section;
-use crate::voronoi::CellMesh;
+use crate::conduction::graph::Graph;
+use crate::conduction::rule::{Rule, segment_shape};
+use crate::mesh::cells::CellMesh;
+use crate::mesh::outline::Outline;
+use crate::mesh::path::{Path, Station, cross, distance, dot};
+use crate::mesh::section::Section;
 
 /// Least share of the way between two nodes that counts as along the path [-] (chosen: reached by folded paths alone).
 const SLIVER: f64 = 1e-3;

@@ -1,6 +1,6 @@
 //! A straight cut through a cross-section, carried along the path: the plane that shows the inside.
 
-use crate::section::Section;
+use crate::mesh::section::Section;
 
 /// Where a cut line crosses an edge of the section.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +77,7 @@ fn section_edges(section: &Section) -> impl Iterator<Item = (u32, u32)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::outline::Outline;
+    use crate::mesh::outline::Outline;
 
     #[test]
     fn a_cut_through_a_disc_spans_its_diameter_and_samples_linearly() {

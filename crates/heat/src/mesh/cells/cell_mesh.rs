@@ -1,13 +1,13 @@
 //! Cells inside a closed surface.
 
-use crate::conduction::Graph;
-use crate::surface::{DepthFinder, Surface};
+use crate::conduction::graph::Graph;
+use crate::mesh::cells::cell::{Cell, Wall};
+use crate::mesh::cells::layer::{Node, nodes};
+use crate::mesh::cells::point_grid::PointGrid;
+use crate::mesh::cells::sample::{Sample, convex, samples};
+use crate::mesh::cells::skin::Skin;
+use crate::mesh::surface::{DepthFinder, Surface};
 use crate::vector::{Vec3, add, dot, length, scale, sub, unit};
-use crate::voronoi::cell::{Cell, Wall};
-use crate::voronoi::layer::{Node, nodes};
-use crate::voronoi::point_grid::PointGrid;
-use crate::voronoi::sample::{Sample, convex, samples};
-use crate::voronoi::skin::Skin;
 
 /// How fine a mesh is.
 #[derive(Clone, Copy, Debug, PartialEq)]

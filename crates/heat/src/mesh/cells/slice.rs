@@ -1,11 +1,11 @@
 //! A plane cut through a body of cells.
 
-use crate::section::{MeshError, Section};
-use crate::surface::DepthFinder;
+use crate::mesh::cells::cell_mesh::CellMesh;
+use crate::mesh::cells::point_grid::PointGrid;
+use crate::mesh::cells::weights::Weights;
+use crate::mesh::section::{MeshError, Section};
+use crate::mesh::surface::DepthFinder;
 use crate::vector::Vec3;
-use crate::voronoi::cell_mesh::CellMesh;
-use crate::voronoi::point_grid::PointGrid;
-use crate::voronoi::weights::Weights;
 
 /// Distance of the points of a cut over the spacing of the surface's nodes [-] (chosen: two to three points in the
 /// narrowest cells inside).

@@ -2,7 +2,7 @@
 
 use spade::{DelaunayTriangulation, Point2, Triangulation};
 
-use crate::outline::Outline;
+use crate::mesh::outline::Outline;
 
 /// Why a mesh could not be made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

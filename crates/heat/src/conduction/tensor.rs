@@ -1,9 +1,9 @@
 //! Bodies whose mesh is a product of one-dimensional meshes: slab, box, cylinder, sphere, and stacks of them.
 
-use crate::axis::{Axis, End};
-use crate::column::{Between, Column};
-use crate::conduction::Graph;
-use crate::rule::{Rule, segment_shape};
+use crate::conduction::axis::{Axis, End};
+use crate::conduction::column::{Between, Column};
+use crate::conduction::graph::Graph;
+use crate::conduction::rule::{Rule, segment_shape};
 
 /// A product of up to three axes; node index = Σ iₐ · stride, the first axis fastest.
 #[derive(Clone, Debug)]
@@ -52,7 +52,7 @@ impl TensorBody {
     /// A body of one material; its last axis is vertical unless it is a radius.
     pub fn new(axes: Vec<Axis>) -> Self {
         let last = axes.len() - 1;
-        let vertical = (axes[last].metric == crate::axis::Metric::Straight).then_some(last);
+        let vertical = (axes[last].metric == crate::conduction::axis::Metric::Straight).then_some(last);
         let column = Column::uniform(vertical.map_or(1, |v| axes[v].nodes.len()));
         Self::stacked(axes, vertical, column)
     }
@@ -222,7 +222,7 @@ impl TensorBody {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::axis::Metric;
+    use crate::conduction::axis::Metric;
 
     fn even(length: f64, cells: usize) -> Vec<f64> {
         (0..=cells).map(|i| length * i as f64 / cells as f64).collect()

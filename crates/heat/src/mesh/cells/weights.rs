@@ -1,8 +1,8 @@
 //! Values between the nodes of a body of cells.
 
+use crate::mesh::cells::cell::{Cell, Wall};
+use crate::mesh::cells::cell_mesh::CellMesh;
 use crate::vector::{Vec3, distance, dot, sub};
-use crate::voronoi::cell::{Cell, Wall};
-use crate::voronoi::cell_mesh::CellMesh;
 
 /// The nodes around a point and their shares; they sum to 1.
 pub type Weights = Vec<(u32, f64)>;

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::surface::Surface;
+use crate::mesh::cells::point_grid::PointGrid;
+use crate::mesh::cells::sample::Sample;
+use crate::mesh::surface::Surface;
 use crate::vector::{Vec3, add, distance, dot, scale, unit};
-use crate::voronoi::point_grid::PointGrid;
-use crate::voronoi::sample::Sample;
 
 /// Longest edge that is drawn over the spacing of the surface's nodes [-] (chosen: what is finer shows nothing new).
 const LONGEST: f64 = 1.0;
