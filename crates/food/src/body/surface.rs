@@ -2,8 +2,8 @@
 
 use saute_heat::{Path, SweptMesh};
 
+use crate::body::patch::{Face, Patch};
 use crate::model::FoodModel;
-use crate::patch::{Face, Patch};
 use crate::state::FoodState;
 
 /// Cosine between a patch's outward normal and straight down from which the patch lies below [-] (chosen: 45°).

@@ -1,7 +1,7 @@
 //! Where the fat seams run: along the ridges of one field.
 
 use crate::description::Marbling;
-use crate::noise::fractal;
+use crate::tissue::noise::fractal;
 
 /// Ridges along which seams of fat run [-].
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@ use libm::sqrt;
 use crate::ZERO_C;
 use crate::description::Sorption;
 use crate::table::Table;
-use crate::water::{ATMOSPHERE, saturation_pressure};
+use crate::water::vapour::{ATMOSPHERE, saturation_pressure};
 
 /// Isotherm of one food, tabulated against moisture X [kg water per kg dry matter without fat].
 #[derive(Clone, Debug)]

@@ -7,9 +7,9 @@
 
 use saute_heat::{Cut as SectionCut, Path};
 
+use crate::body::patch::{Face, Patch};
+use crate::body::surface::{PatchPose, unit};
 use crate::model::FoodModel;
-use crate::patch::{Face, Patch};
-use crate::surface::{PatchPose, unit};
 
 /// Least distance of a cut from either end of the long axis [m] (chosen: a knife cuts no thinner slice off a hot piece).
 const LEAST_SLICE: f64 = 3.0e-3;

@@ -2,8 +2,8 @@
 
 use saute_heat::{Path, Station};
 
+use crate::body::shrimp::volume_centre;
 use crate::model::FoodModel;
-use crate::shrimp::volume_centre;
 use crate::state::FoodState;
 
 /// Where a station of the path stands now.

@@ -1,6 +1,6 @@
 //! Browning and charring of a surface.
 
-use crate::changes::arrhenius;
+use crate::change::changes::arrhenius;
 use crate::description::{BrowningRate, CharringRate};
 use crate::table::{Table, interpolate};
 

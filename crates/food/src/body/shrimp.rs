@@ -4,12 +4,12 @@ use core::f64::consts::PI;
 
 use saute_heat::{Outline, Section, Station, SweptMesh};
 
+use crate::body::rounded::{ring_shares, ringed};
 use crate::body::{Body, even_levels, paper_mesh, rule};
 use crate::description::{FoodDescription, Spine};
 use crate::model::{BuildError, PieceSpec};
-use crate::noise::uniform;
-use crate::rounded::{ring_shares, ringed};
 use crate::table::interpolate;
+use crate::tissue::noise::uniform;
 
 /// Nodes around the section and rings below its skin (chosen: 2 mm apart on a shrimp of 15 mm).
 const AROUND: usize = 20;

@@ -1,9 +1,9 @@
 //! Where a second tissue lies in a plant: the core of a root, or the green of a shaft's sheaths.
 
+use crate::body::form::Form;
 use crate::description::{Core, FoodDescription, Sheaths};
-use crate::form::Form;
-use crate::node_means::Grown;
-use crate::noise::{fractal, uniform};
+use crate::tissue::node_means::Grown;
+use crate::tissue::noise::{fractal, uniform};
 
 /// Share of the second tissue at every point of a piece [-], and the borders of its sheaths.
 #[derive(Clone, Debug)]

@@ -3,8 +3,8 @@
 use saute_heat::SweptMesh;
 
 use crate::description::Marbling;
-use crate::marbling::{self, MarblingField, share_at};
-use crate::node_means::Grown;
+use crate::tissue::marbling::{self, MarblingField, share_at};
+use crate::tissue::node_means::Grown;
 
 /// Largest number of cells (chosen: 0.9 mm cells in a default steak; seams are smooth between them).
 const CELLS: f64 = 3.2e5;

@@ -1,10 +1,10 @@
 //! Heat and vapour between a free face and the air.
 
 use crate::advance::present_area;
+use crate::body::patch::Patch;
 use crate::model::FoodModel;
-use crate::patch::Patch;
 use crate::state::FoodState;
-use crate::water::latent_heat;
+use crate::water::vapour::latent_heat;
 
 /// Stefan–Boltzmann constant [W/(m²·K⁴)] (CODATA 2018).
 const STEFAN_BOLTZMANN: f64 = 5.670_374e-8;

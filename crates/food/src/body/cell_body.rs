@@ -5,13 +5,13 @@ use saute_heat::voronoi::Weights;
 use saute_heat::{CellMesh, Fineness, Outline, SweptMesh};
 
 use crate::body::Body;
+use crate::body::patch::{Face, Patch};
+use crate::body::solid::Solid;
+use crate::change::doneness::{MOST_CLASSES, Scale, Shares};
 use crate::description::FoodDescription;
-use crate::doneness::{MOST_CLASSES, Scale, Shares};
-use crate::juice_way::juice_ways;
 use crate::model::{BuildError, FoodModel, PieceSpec};
-use crate::patch::{Face, Patch};
-use crate::solid::Solid;
 use crate::state::FoodState;
+use crate::water::juice_way::juice_ways;
 
 /// Cosine between a patch's normal and the vertical beyond which it is a big face of the rest shape [-] (chosen: 45°).
 const BIG_FACE: f64 = 0.7;

@@ -2,7 +2,7 @@
 
 use saute_heat::{Path, Station};
 
-use crate::form::Form;
+use crate::body::form::Form;
 use crate::model::FoodModel;
 use crate::state::FoodState;
 

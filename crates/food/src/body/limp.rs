@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use saute_heat::Path;
 
+use crate::body::shrink::GRAVITY;
 use crate::model::FoodModel;
-use crate::shrink::GRAVITY;
 use crate::state::FoodState;
 
 /// Gap up to which a station carries weight [m] (chosen: what a round back of flesh flattens by).

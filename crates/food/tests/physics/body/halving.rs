@@ -4,7 +4,7 @@
 use saute_food::halving::CutError;
 use saute_food::{FoodModel, FreeAir, MeshSize, PieceSpec, Rules, ZERO_C};
 
-use crate::cells::cells;
+use crate::body::cells::cells;
 use crate::run::{Run, UP, kitchen_air, model, piece};
 
 const DRY: FreeAir =

@@ -4,10 +4,10 @@ use saute_heat::SweptMesh;
 
 use crate::ZERO_C;
 use crate::description::{FatMelting, FatRelease};
-use crate::juice::Runoff;
 use crate::model::FoodModel;
 use crate::state::FoodState;
 use crate::table::Table;
+use crate::water::juice::Runoff;
 
 /// Rates at which molten fat leaves.
 #[derive(Clone, Debug)]
