@@ -19,5 +19,6 @@ mod output;
 mod recipes;
 mod running;
 mod schema;
+mod sources;
 mod stopping;
 mod validation;
