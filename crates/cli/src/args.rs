@@ -9,7 +9,8 @@ use crate::bench_heat::BenchHeatArgs;
 use crate::bench_paper::BenchPaperArgs;
 use crate::gallery::GalleryArgs;
 use crate::haptics::{CheckArgs, DevicesArgs};
-use crate::picture::{BenchFrameArgs, ShotArgs};
+use crate::picture::bench_frame::BenchFrameArgs;
+use crate::picture::shot::ShotArgs;
 
 /// A frying pan, what lies in it, and your hands on it. Without a command the window opens.
 #[derive(Debug, Parser)]

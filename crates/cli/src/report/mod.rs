@@ -13,7 +13,7 @@ use saute_kitchen::summary::Told;
 use saute_kitchen::{Cook, Recipe, StoppedBy, Summary};
 
 use self::markup::escaped;
-use crate::section_files::Snapshot;
+use crate::output::section_files::Snapshot;
 use crate::wording::duration;
 
 const STYLE: &str = include_str!("report.css");

@@ -5,7 +5,7 @@ use saute_kitchen::step_record::StepRecord;
 use saute_kitchen::{Cook, Summary};
 
 use super::markup::{data_uri, escaped};
-use crate::section_files::Snapshot;
+use crate::output::section_files::Snapshot;
 use crate::wording::{self, duration};
 
 /// Pictures of every moment at which something was done.

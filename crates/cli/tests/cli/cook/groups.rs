@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::cooked::{Cooked, cook};
+use crate::cook::cooked::{Cooked, cook};
 use crate::running::{SHORT, names_in, run};
 
 /// A steak and thirty-four pieces in two groups, fried for 20 s.

@@ -1,6 +1,6 @@
 //! Exit codes, and what a stopped cook still gives.
 
-use crate::cooked::cook;
+use crate::cook::cooked::cook;
 use crate::running::{SHORT, run, saute};
 
 #[test]

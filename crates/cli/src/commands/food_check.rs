@@ -10,7 +10,9 @@ use serde::Serialize;
 
 use crate::args::FoodCheckArgs;
 use crate::error::CliError;
-use crate::{FAILED, shelf, stdout, surface_file as surface, text_file};
+use crate::exit_code;
+use crate::input::{data_library, surface_file as surface, text_file};
+use crate::output::{json, stdout};
 
 /// What the check says, for programs.
 #[derive(Debug, Serialize)]
@@ -40,16 +42,16 @@ pub fn run(args: &FoodCheckArgs, data: Option<&Path>) -> Result<ExitCode, CliErr
         }
     }
     verdict.ok = verdict.findings.is_empty();
-    let text = if args.json { serde_json::to_string_pretty(&verdict)? + "\n" } else { told(&verdict) };
+    let text = if args.json { json::text(&verdict)? } else { told(&verdict) };
     stdout::print(&text)?;
-    Ok(if verdict.ok { ExitCode::SUCCESS } else { ExitCode::from(FAILED) })
+    Ok(if verdict.ok { ExitCode::SUCCESS } else { exit_code::failed() })
 }
 
 fn food(path: &Path, data: Option<&Path>) -> Result<Result<FoodReport, Vec<Finding>>, CliError> {
     let text = text_file::read(path)?;
     // Kinetics of one's own lie beside the folder of the food.
     let beside = path.parent().filter(|p| p.ends_with("foods")).and_then(Path::parent);
-    let library: Library = shelf::kinetics(data.or(beside))?;
+    let library: Library = data_library::kinetics(data.or(beside))?;
     let soup = match surface_file(&text).map(|name| surface::read(&path.with_file_name(name))) {
         None => None,
         Some(Ok(soup)) => Some(soup),

@@ -10,7 +10,7 @@ use saute_kitchen::library;
 use saute_kitchen::{Library, LibraryError};
 
 use crate::error::CliError;
-use crate::{surface_file, text_file};
+use crate::input::{surface_file, text_file};
 
 /// Folders that are read from `--data`.
 const FOLDERS: [&str; 6] = ["foods", "pans", "recipes", "kinetics", "coatings", "oils"];
@@ -20,7 +20,7 @@ const FILE: &str = "doneness.toml";
 
 /// A library that remembers which of its files are the user's.
 #[derive(Debug)]
-pub struct Shelf {
+pub struct DataLibrary {
     /// What there is to cook with.
     pub library: Library,
     own: Own,
@@ -44,7 +44,7 @@ impl Own {
     }
 }
 
-impl Shelf {
+impl DataLibrary {
     /// Takes what is shipped, and what lies in `dir` on top of it.
     pub fn open(dir: Option<&Path>) -> Result<Self, CliError> {
         let files = dir.map_or(Ok(Vec::new()), read_folders)?;

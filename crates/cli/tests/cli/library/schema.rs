@@ -2,8 +2,8 @@
 
 use serde_json::Value;
 
-use crate::cooked::{DISHES, SHIPPED};
-use crate::lists::ACTIONS;
+use crate::cook::cooked::{DISHES, SHIPPED};
+use crate::library::lists::ACTIONS;
 use crate::running::run;
 
 fn schema() -> Value {

@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use crate::error::CliError;
-use crate::stdout;
+use crate::output::{json, stdout};
 
 /// How the schema's descriptions of actions begin.
 const ACTION: &str = "Action: ";
@@ -40,8 +40,7 @@ struct Key {
 /// Prints all actions with the keys of their tables, for people or for programs.
 pub fn run(as_json: bool) -> Result<ExitCode, CliError> {
     let entries = entries(&serde_json::to_value(schemars::schema_for!(RecipeFile))?);
-    let text =
-        if as_json { serde_json::to_string_pretty(&entries)? + "\n" } else { entries.iter().map(text).collect() };
+    let text = if as_json { json::text(&entries)? } else { entries.iter().map(text).collect() };
     stdout::print(&text)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -10,11 +10,13 @@ use saute_kitchen::food::{FoodDescription, Scale};
 use saute_kitchen::{Library, Recipe};
 use serde::Serialize;
 
+use super::list_actions;
 use crate::args::{ListArgs, Listed};
 use crate::error::CliError;
-use crate::picture::ViewName;
-use crate::shelf::Shelf;
-use crate::{action_list, stdout, wording};
+use crate::input::data_library::DataLibrary;
+use crate::output::{json, stdout};
+use crate::picture::choices::ViewName;
+use crate::wording;
 
 /// One line of a list.
 #[derive(Debug, Serialize)]
@@ -55,16 +57,16 @@ struct Sizes {
 }
 
 /// Prints a list, for people or for programs.
-pub fn run(args: &ListArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+pub fn run(args: &ListArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let entries = match args.what {
-        Listed::Foods => foods(&shelf.library),
-        Listed::Pans => pans(&shelf.library),
-        Listed::Recipes => recipes(shelf)?,
-        Listed::Scales => scales(&shelf.library),
+        Listed::Foods => foods(&data.library),
+        Listed::Pans => pans(&data.library),
+        Listed::Recipes => recipes(data)?,
+        Listed::Scales => scales(&data.library),
         Listed::Views => views(),
-        Listed::Actions => return action_list::run(args.json),
+        Listed::Actions => return list_actions::run(args.json),
     };
-    let text = if args.json { serde_json::to_string_pretty(&entries)? + "\n" } else { table(&entries) };
+    let text = if args.json { json::text(&entries)? } else { table(&entries) };
     stdout::print(&text)?;
     Ok(ExitCode::SUCCESS)
 }
@@ -82,12 +84,12 @@ fn pans(library: &Library) -> Vec<Entry> {
     library.pans.iter().map(|(id, p)| Entry::new(id, &p.name)).collect()
 }
 
-fn recipes(shelf: &Shelf) -> Result<Vec<Entry>, CliError> {
+fn recipes(data: &DataLibrary) -> Result<Vec<Entry>, CliError> {
     let entry = |(id, text): (&String, &String)| {
-        let recipe = Recipe::parse(text, &shelf.recipe_place(id), &shelf.library)?;
+        let recipe = Recipe::parse(text, &data.recipe_place(id), &data.library)?;
         Ok(Entry::new(id, &recipe.title))
     };
-    shelf.library.recipes.iter().map(entry).collect()
+    data.library.recipes.iter().map(entry).collect()
 }
 
 fn scales(library: &Library) -> Vec<Entry> {

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::cooked::{cook, cooked};
+use crate::cook::cooked::{cook, cooked};
 use crate::running::{SHORT, run, saute};
 
 /// Every key that the summary promises.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::cooked::{cook, cooked};
+use crate::cook::cooked::{cook, cooked};
 use crate::running::{SHORT, run};
 
 const SCALES: [(&str, &str, usize); 3] =

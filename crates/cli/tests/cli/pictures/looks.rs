@@ -50,7 +50,7 @@ fn the_half_mirror_has_pictures_of_its_own_for_every_rig_and_way_of_stereo() {
 fn a_rig_file_with_a_bad_number_is_refused_with_file_key_and_remedy() {
     let dir = tempfile::tempdir().unwrap();
     let file = dir.path().join("rig.toml");
-    let rig = include_str!("../../../../data/rigs/flat-screen.toml");
+    let rig = include_str!("../../../../../data/rigs/flat-screen.toml");
     let arguments = ["shot", "medium", "--at", "1", "--out", "never.png", "--mirror", file.to_str().unwrap()];
     std::fs::write(&file, rig.replace("distance_mm = 63.0", "distance_mm = 630.0")).unwrap();
     let said = run(&arguments);

@@ -4,26 +4,25 @@ use std::fmt::Write;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use saute_kitchen::lab::{Case, LabReport, run};
+use saute_kitchen::lab::{self, Case, LabReport};
 
 use crate::args::LabArgs;
 use crate::error::CliError;
-use crate::shelf::Shelf;
-use crate::{stderr, stdout, text_file};
+use crate::exit_code;
+use crate::input::data_library::DataLibrary;
+use crate::input::text_file;
+use crate::output::{json, stderr, stdout};
 
 /// Runs a case and tells its numbers.
-pub fn lab(args: &LabArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+pub fn run(args: &LabArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let text = text_file::read(&args.case)?;
-    let case = Case::parse(&text, &args.case.display().to_string(), &shelf.library)?;
+    let case = Case::parse(&text, &args.case.display().to_string(), &data.library)?;
     let start = Instant::now();
-    let report = run(&case, || start.elapsed().as_secs_f64());
-    stdout::print(&if args.json { format!("{}\n", serde_json::to_string_pretty(&report)?) } else { table(&report) })?;
+    let report = lab::run(&case, || start.elapsed().as_secs_f64());
+    stdout::print(&if args.json { json::text(&report)? } else { table(&report) })?;
     report.warnings.iter().for_each(|warning| stderr::say(format!("warning: {warning}")));
-    Ok(if report.warnings.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(SHORT) })
+    Ok(exit_code::of_goal(report.warnings.is_empty()))
 }
-
-/// Exit code of a run that fell short.
-const SHORT: u8 = 1;
 
 fn table(report: &LabReport) -> String {
     let mut text = format!("{}\n{} nodes, {} steps, {:.3} s\n", report.name, report.nodes, report.steps, report.wall_s);

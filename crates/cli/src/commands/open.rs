@@ -5,20 +5,19 @@ use std::sync::Arc;
 
 use saute_app::Start;
 use saute_app::hand::HandsStart;
-use saute_kitchen::Recipe;
+use saute_kitchen::{Library, Recipe};
 
 use crate::args::HandArgs;
 use crate::error::CliError;
-use crate::shelf::Shelf;
 
 /// Opens the window, playing a recipe if one is given.
-pub fn open(shelf: &Shelf, recipe: Option<Recipe>, hands: HandArgs) -> Result<ExitCode, CliError> {
+pub fn run(library: Library, recipe: Option<Recipe>, hands: HandArgs) -> Result<ExitCode, CliError> {
     if !has_display() {
         return Err(CliError::NoDisplay(NO_DISPLAY.to_owned()));
     }
     let HandArgs { device, turner, pairing, calibration } = hands;
     let hands = HandsStart { pan: device, turner, pairing, calibration };
-    let start = Start { library: Some(Arc::new(shelf.library.clone())), recipe, hands };
+    let start = Start { library: Some(Arc::new(library)), recipe, hands };
     saute_app::window::run(start)
         .map_err(|e| CliError::NoDisplay(format!("the window could not be opened: {e}\n{NO_DISPLAY}")))?;
     Ok(ExitCode::SUCCESS)

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::cooked::{DISHES, SHIPPED};
+use crate::cook::cooked::{DISHES, SHIPPED};
 use crate::running::run;
 
 fn ids(what: &str) -> Vec<String> {

@@ -7,7 +7,7 @@ use saute_kitchen::recipe_file::RecipeFile;
 
 use crate::args::Schema;
 use crate::error::CliError;
-use crate::stdout;
+use crate::output::{json, stdout};
 
 /// Prints the JSON Schema of a file format.
 pub fn run(which: Schema) -> Result<ExitCode, CliError> {
@@ -15,6 +15,6 @@ pub fn run(which: Schema) -> Result<ExitCode, CliError> {
         Schema::Recipe => schemars::schema_for!(RecipeFile),
         Schema::Lab => schemars::schema_for!(CaseFile),
     };
-    stdout::print(&format!("{}\n", serde_json::to_string_pretty(&schema)?))?;
+    stdout::print(&json::text(&schema)?)?;
     Ok(ExitCode::SUCCESS)
 }

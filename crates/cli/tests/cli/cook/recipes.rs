@@ -1,6 +1,6 @@
 //! The shipped recipes reach what their titles say.
 
-use crate::cooked::{Cooked, SHIPPED, cook, cooked};
+use crate::cook::cooked::{Cooked, SHIPPED, cook, cooked};
 use crate::running::run;
 
 const CORE: &str = "/foods/0/core_c/peak";

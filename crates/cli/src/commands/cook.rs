@@ -8,20 +8,19 @@ use saute_kitchen::{Cook, Recipe, StoppedBy, Summary};
 
 use crate::args::CookArgs;
 use crate::error::CliError;
-use crate::out_dir::OutDir;
-use crate::progress::Progress;
-use crate::section_files::{Snapshot, disk_space, pictured};
-use crate::shelf::Shelf;
-use crate::{recipe_source, report, stderr, stdout, text_summary};
-
-/// Exit code of a cook that `max_s` stopped.
-const STOPPED: u8 = 1;
+use crate::input::data_library::DataLibrary;
+use crate::input::recipe_source;
+use crate::output::out_dir::OutDir;
+use crate::output::progress::Progress;
+use crate::output::section_files::{Snapshot, disk_space, pictured};
+use crate::output::{json, stderr, stdout, text_summary};
+use crate::{exit_code, report};
 
 /// Cooks a recipe and says what came of it.
-pub fn run(args: &CookArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
-    let scale = shelf.scale(&args.doneness)?;
-    let recipe = recipe_source::load(&args.recipe, shelf)?;
-    let cook = set_out(recipe, shelf)?;
+pub fn run(args: &CookArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
+    let scale = data.scale(&args.doneness)?;
+    let recipe = recipe_source::load(&args.recipe, data)?;
+    let cook = set_out(recipe, data)?;
     let pictured = if args.out.is_some() { pictured(&cook, args.every_piece) } else { Vec::new() };
     let out = args.out.as_deref().map(|dir| OutDir::prepare(dir, disk_space(&cook, &pictured))).transpose()?;
     let (cook, snapshots, wall) = cook_through(cook, &pictured)?;
@@ -33,13 +32,13 @@ pub fn run(args: &CookArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
         out.fill(files)?;
         stderr::say(format!("wrote {count} files to {place}; begin with report.html"));
     }
-    stdout::print(&if args.json { json(&summary)? } else { text_summary::text(&summary, &scale) })?;
+    stdout::print(&if args.json { json::text(&summary)? } else { text_summary::text(&summary, &scale) })?;
     Ok(say_how_it_ended(&cook, &summary))
 }
 
-fn set_out(recipe: Recipe, shelf: &Shelf) -> Result<Cook, CliError> {
+fn set_out(recipe: Recipe, data: &DataLibrary) -> Result<Cook, CliError> {
     let file = recipe.file.clone();
-    Cook::new(recipe, &shelf.library).map_err(|source| CliError::Setup { file, source })
+    Cook::new(recipe, &data.library).map_err(|source| CliError::Setup { file, source })
 }
 
 /// Cooks to the end and takes pictures of some foods; the wall time is that of the simulation alone, without the pictures.
@@ -70,16 +69,12 @@ fn files(
     let ids: Vec<&str> = cook.kitchen.pieces().iter().map(|p| p.id.as_str()).collect();
     let report = report::html(cook, summary, &snapshots, scale);
     let mut files = vec![
-        ("summary.json".to_owned(), json(summary)?.into_bytes()),
+        ("summary.json".to_owned(), json::text(summary)?.into_bytes()),
         ("series.csv".to_owned(), cook.recorder.csv(&ids, &cook.runner.recipe().groups).into_bytes()),
         ("report.html".to_owned(), report.into_bytes()),
     ];
     files.extend(snapshots.into_iter().flat_map(Snapshot::into_files));
     Ok(files)
-}
-
-fn json(summary: &Summary) -> Result<String, CliError> {
-    Ok(serde_json::to_string_pretty(summary)? + "\n")
 }
 
 fn say_how_it_ended(cook: &Cook, summary: &Summary) -> ExitCode {
@@ -99,5 +94,5 @@ fn say_how_it_ended(cook: &Cook, summary: &Summary) -> ExitCode {
         cook.runner.waiting_for()
     ));
     stderr::say("  remedy: raise max_s, or change that step or the hob so that it comes to pass");
-    ExitCode::from(STOPPED)
+    exit_code::of_goal(false)
 }
