@@ -91,7 +91,7 @@ fn summary_json_holds_what_was_printed() {
 fn the_series_has_its_header_and_a_row_for_every_second_and_every_step() {
     let medium = cooked("medium");
     let mut lines = medium.text("series.csv").lines();
-    assert_eq!(lines.next(), Some("time_s,hob_w,pan_c,steak.core_c,steak.top_c,steak.bottom_c,steak.mass_g"));
+    assert_eq!(lines.next(), Some("time_s,hob_drawn_w,pan_c,steak.core_c,steak.top_c,steak.bottom_c,steak.mass_g"));
     let times: Vec<f64> = lines.map(|l| l.split(',').next().unwrap().parse().unwrap()).collect();
     let has = |t: f64| times.iter().any(|row| (row - t).abs() < 1e-6);
     assert!((0..=medium.number("/simulated_s") as u32).all(|s| has(f64::from(s))));
@@ -177,7 +177,7 @@ fn several_foods_have_pictures_of_their_own() {
     for name in ["section_04_flip.steak.png", "section_04_flip.other.png", "section_04_flip_temperature.other.png"] {
         assert!(two.files.contains_key(name), "{name}: {:?} {}", two.files.keys(), two.said.err);
     }
-    assert!(two.text("series.csv").starts_with("time_s,hob_w,pan_c,steak.core_c,"));
+    assert!(two.text("series.csv").starts_with("time_s,hob_drawn_w,pan_c,steak.core_c,"));
 }
 
 #[test]
