@@ -12,17 +12,17 @@ use crate::input::data_library::DataLibrary;
 use crate::input::recipe_source;
 use crate::output::out_dir::OutDir;
 use crate::output::progress::Progress;
-use crate::output::section_files::{Snapshot, disk_space, pictured};
+use crate::output::section_files::{Snapshot, pictured};
 use crate::output::{json, stderr, stdout, text_summary};
 use crate::{exit_code, report};
 
-/// Cooks a recipe and says what came of it.
+/// Cooks a recipe, writes its files and prints its numbers.
 pub fn run(args: &CookArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let scale = data.scale(&args.doneness)?;
     let recipe = recipe_source::load(&args.recipe, data)?;
-    let cook = set_out(recipe, data)?;
+    let cook = start(recipe, data)?;
     let pictured = if args.out.is_some() { pictured(&cook, args.every_piece) } else { Vec::new() };
-    let out = args.out.as_deref().map(|dir| OutDir::prepare(dir, disk_space(&cook, &pictured))).transpose()?;
+    let out = args.out.as_deref().map(OutDir::prepare).transpose()?;
     let (cook, snapshots, wall) = cook_through(cook, &pictured)?;
     let summary = cook.summary(wall.as_secs_f64());
     if let Some(out) = out {
@@ -30,18 +30,18 @@ pub fn run(args: &CookArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         let files = files(&cook, &summary, snapshots, &scale)?;
         let count = files.len();
         out.fill(files)?;
-        stderr::say(format!("wrote {count} files to {place}; begin with report.html"));
+        stderr::say(format!("wrote {count} files to {place}; start with report.html"));
     }
     stdout::print(&if args.json { json::text(&summary)? } else { text_summary::text(&summary, &scale) })?;
-    Ok(say_how_it_ended(&cook, &summary))
+    Ok(report_end(&cook, &summary))
 }
 
-fn set_out(recipe: Recipe, data: &DataLibrary) -> Result<Cook, CliError> {
+fn start(recipe: Recipe, data: &DataLibrary) -> Result<Cook, CliError> {
     let file = recipe.file.clone();
     Cook::new(recipe, &data.library).map_err(|source| CliError::Setup { file, source })
 }
 
-/// Cooks to the end and takes pictures of some foods; the wall time is that of the simulation alone, without the pictures.
+/// Cooks to the end and takes pictures of some foods. The wall time is the time of the simulation without the pictures.
 fn cook_through(mut cook: Cook, pictured: &[usize]) -> Result<(Cook, Vec<Snapshot>, Duration), CliError> {
     let progress = Progress::start(cook.runner.recipe().max_s);
     let mut snapshots = Vec::new();
@@ -67,7 +67,7 @@ fn files(
     scale: &Scale,
 ) -> Result<Vec<(String, Vec<u8>)>, CliError> {
     let ids: Vec<&str> = cook.kitchen.pieces().iter().map(|p| p.id.as_str()).collect();
-    let report = report::html(cook, summary, &snapshots, scale);
+    let report = report::page(cook, summary, &snapshots, scale);
     let mut files = vec![
         ("summary.json".to_owned(), json::text(summary)?.into_bytes()),
         ("series.csv".to_owned(), cook.recorder.csv(&ids, &cook.runner.recipe().groups).into_bytes()),
@@ -77,7 +77,7 @@ fn files(
     Ok(files)
 }
 
-fn say_how_it_ended(cook: &Cook, summary: &Summary) -> ExitCode {
+fn report_end(cook: &Cook, summary: &Summary) -> ExitCode {
     for warning in &summary.warnings {
         stderr::say(format!("warning: {warning}"));
     }
@@ -93,6 +93,6 @@ fn say_how_it_ended(cook: &Cook, summary: &Summary) -> ExitCode {
         recipe.max_s,
         cook.runner.waiting_for()
     ));
-    stderr::say("  remedy: raise max_s, or change that step or the hob so that it comes to pass");
+    stderr::say("  remedy: raise max_s, or change that step or the hob so that its condition is met");
     exit_code::of_goal(false)
 }

@@ -31,14 +31,11 @@ pub struct GalleryArgs {
     pub size: [u32; 2],
 }
 
-/// Room that the files of a gallery need at most, per pixel of a panel [bytes] (chosen: 26 panels, 3 bytes a pixel).
-const BYTES_PER_PIXEL: u64 = 26 * 3;
-
 /// Cooks, draws and writes the gallery.
 pub fn run(args: &GalleryArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let figures = figure::figures();
     let scale = data.scale(DEFAULT_SCALE)?;
-    let out = OutDir::prepare(&args.out, BYTES_PER_PIXEL * u64::from(args.size[0]) * u64::from(args.size[1]))?;
+    let out = OutDir::prepare(&args.out)?;
     let gpu = Gpu::open().map_err(ShotError::from)?;
     let progress = Progress::over((figure::COOKS.len() + figures.len()) as u64);
     let mut moments = Vec::new();

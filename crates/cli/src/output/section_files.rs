@@ -5,16 +5,13 @@ use saute_app::{TemperatureMap, View, section_picture};
 use saute_kitchen::cook::Fired;
 use saute_kitchen::{Cook, Piece, Place};
 
-/// Fineness of the picture files [pixels per mm].
+/// Resolution of the picture files [px/mm] (chosen: a steak fills a screen).
 const FILE_PER_MM: f64 = 12.0;
 
-/// Fineness of the report's pictures [pixels per mm]: enough for a phone, small enough to mail.
+/// Resolution of the pictures in the report [px/mm] (chosen: enough for a phone, small enough to mail).
 const REPORT_PER_MM: f64 = 8.0;
 
-/// Room for everything but the pictures [bytes] (chosen: a cook of a day has 9 MB of series).
-const OTHER_FILES: u64 = 12 << 20;
-
-/// A food's cross-section just after a step was carried out (at most one tick later).
+/// The cross-section of a food just after a step was carried out (at most one tick later).
 #[derive(Debug)]
 pub struct Snapshot {
     /// Number of the step, from 1.
@@ -25,7 +22,7 @@ pub struct Snapshot {
     pub action: &'static str,
     /// Which food.
     pub food: String,
-    /// Whether the recipe has other foods, too.
+    /// True if the recipe has other foods too.
     pub of_several: bool,
     /// Pictures for files: look, temperature.
     pub full: [Vec<u8>; 2],
@@ -34,7 +31,8 @@ pub struct Snapshot {
 }
 
 impl Snapshot {
-    /// Pictures of those foods that are in the pan or out of it again, for each of the steps that were just carried out.
+    /// Takes the pictures of the given foods for each step that was just carried out; foods that have not been put yet are
+    /// left out.
     pub fn take(cook: &Cook, fired: &[Fired], pictured: &[usize]) -> Result<Vec<Self>, PngError> {
         let first = cook.steps.len() + 1 - fired.len();
         let mut snapshots = Vec::new();
@@ -54,7 +52,7 @@ impl Snapshot {
         Ok(snapshots)
     }
 
-    /// Names and bytes of its files. What stands before the food's id holds no dot, so that no two names can meet.
+    /// Returns names and bytes of its files. The part before the id of the food contains no dot, so that names are unique.
     pub fn into_files(self) -> [(String, Vec<u8>); 2] {
         let food = if self.of_several { format!(".{}", self.food) } else { String::new() };
         let name = |view: &str| format!("section_{:02}_{}{view}{food}.png", self.step, self.action);
@@ -73,16 +71,9 @@ fn paint(piece: &Piece, per_mm: f64) -> Result<[Vec<u8>; 2], PngError> {
     Ok([picture(View::Look)?, picture(View::Temperature)?])
 }
 
-/// Which foods are pictured: all that belong to no group, and of each group the first piece, or every piece.
+/// Returns the indices of the foods that get pictures: all outside groups and the first piece of each group, or every piece.
 pub fn pictured(cook: &Cook, every_piece: bool) -> Vec<usize> {
     let groups = &cook.runner.recipe().groups;
     let follows = |i: usize| groups.iter().any(|g| g.members.contains(&i) && g.members.start != i);
     (0..cook.kitchen.pieces().len()).filter(|i| every_piece || !follows(*i)).collect()
-}
-
-/// What a cook with pictures of some foods may need on the disk [bytes]: no picture is larger than its pixels.
-pub fn disk_space(cook: &Cook, pictured: &[usize]) -> u64 {
-    let pixels = |p: &Piece| p.model.size[1] * p.model.size[2] * 1e6 * FILE_PER_MM * FILE_PER_MM;
-    let bytes: f64 = pictured.iter().map(|i| 2.0 * 4.0 * pixels(&cook.kitchen.pieces()[*i])).sum();
-    OTHER_FILES + (bytes * cook.runner.recipe().steps.len() as f64) as u64
 }
