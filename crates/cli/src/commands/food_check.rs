@@ -14,7 +14,7 @@ use crate::exit_code;
 use crate::input::{data_library, surface_file as surface, text_file};
 use crate::output::{json, stdout};
 
-/// What the check says, for programs.
+/// Result of the check, as `--json` prints it.
 #[derive(Debug, Serialize)]
 struct Verdict {
     file: String,
@@ -26,7 +26,7 @@ struct Verdict {
     surface: Option<SurfaceReport>,
 }
 
-/// Checks a food's file or a surface.
+/// Checks a food file or a surface.
 pub fn run(args: &FoodCheckArgs, data: Option<&Path>) -> Result<ExitCode, CliError> {
     let file = args.file.display().to_string();
     let mut verdict = Verdict { file, ok: false, findings: Vec::new(), food: None, surface: None };
@@ -42,14 +42,14 @@ pub fn run(args: &FoodCheckArgs, data: Option<&Path>) -> Result<ExitCode, CliErr
         }
     }
     verdict.ok = verdict.findings.is_empty();
-    let text = if args.json { json::text(&verdict)? } else { told(&verdict) };
+    let text = if args.json { json::text(&verdict)? } else { text(&verdict) };
     stdout::print(&text)?;
     Ok(if verdict.ok { ExitCode::SUCCESS } else { exit_code::failed() })
 }
 
 fn food(path: &Path, data: Option<&Path>) -> Result<Result<FoodReport, Vec<Finding>>, CliError> {
     let text = text_file::read(path)?;
-    // Kinetics of one's own lie beside the folder of the food.
+    // The user's own kinetics are in a folder next to the one of the food.
     let beside = path.parent().filter(|p| p.ends_with("foods")).and_then(Path::parent);
     let library: Library = data_library::kinetics(data.or(beside))?;
     let soup = match surface_file(&text).map(|name| surface::read(&path.with_file_name(name))) {
@@ -65,7 +65,7 @@ fn food(path: &Path, data: Option<&Path>) -> Result<Result<FoodReport, Vec<Findi
 
 fn closed(path: &Path) -> Result<SurfaceReport, Finding> {
     let soup = surface::read(path).map_err(|e| finding(1, "", &e))?;
-    let error = |message| Finding { line: 1, key: String::new(), message, remedy: "mend the surface".into() };
+    let error = |message| Finding { line: 1, key: String::new(), message, remedy: "correct the surface".into() };
     close_surface(&soup, "the surface", None).map(|s| SurfaceReport::of(&s)).map_err(error)
 }
 
@@ -77,14 +77,14 @@ fn finding(line: usize, key: &str, error: &CliError) -> Finding {
     Finding { line, key: key.to_owned(), message, remedy }
 }
 
-fn told(verdict: &Verdict) -> String {
+fn text(verdict: &Verdict) -> String {
     let finding = |f: &Finding| format!("{}:{}: {}\n  remedy: {}\n", verdict.file, f.line, f.message, f.remedy);
     let findings: String = verdict.findings.iter().map(finding).collect();
-    let food = verdict.food.as_ref().map_or(String::new(), food_told);
-    findings + &food + &verdict.surface.as_ref().map_or(String::new(), surface_told)
+    let food = verdict.food.as_ref().map_or(String::new(), food_text);
+    findings + &food + &verdict.surface.as_ref().map_or(String::new(), surface_text)
 }
 
-fn food_told(food: &FoodReport) -> String {
+fn food_text(food: &FoodReport) -> String {
     let sizes: Vec<String> = food.size_mm.iter().zip(&food.dimensions).map(|(v, d)| format!("{d} {v:.1} mm")).collect();
     let [cold, warm] = food.conductivity_w_mk;
     let bath = food.core_55_c_min.map_or_else(
@@ -100,11 +100,11 @@ fn food_told(food: &FoodReport) -> String {
         food.density_kg_m3,
         food.nodes,
         food.first_layer_mm,
-        food.surface.as_ref().map_or(String::new(), surface_told),
+        food.surface.as_ref().map_or(String::new(), surface_text),
     )
 }
 
-fn surface_told(surface: &SurfaceReport) -> String {
+fn surface_text(surface: &SurfaceReport) -> String {
     let [x, y, z] = surface.extent_mm;
     format!(
         "  closed surface: {} triangles, {x:.1} × {y:.1} × {z:.1} mm, {:.2} cm³, {:.1} cm²\n",

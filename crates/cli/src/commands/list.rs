@@ -41,14 +41,14 @@ impl Entry {
 #[derive(Debug, Serialize)]
 struct ClassEntry {
     name: String,
-    /// Where it begins; the first class reaches down to any cold [°C].
+    /// Lower bound; the first class has none [°C].
     from_c: f64,
-    /// The same in words.
+    /// The range as text.
     #[serde(skip)]
     range: String,
 }
 
-/// Length, width, thickness that a food may have [mm].
+/// Allowed lengths, widths and thicknesses of a food [mm].
 #[derive(Debug, Serialize)]
 struct Sizes {
     default: Vec<f64>,

@@ -1,4 +1,4 @@
-//! `saute list actions`: what a step of a recipe can do, read off the schema of the recipe format.
+//! `saute list actions`: the actions of a recipe's steps, read from the JSON Schema of the recipe format.
 
 use std::process::ExitCode;
 
@@ -9,14 +9,14 @@ use serde_json::Value;
 use crate::error::CliError;
 use crate::output::{json, stdout};
 
-/// How the schema's descriptions of actions begin.
+/// Prefix of the descriptions of actions in the schema.
 const ACTION: &str = "Action: ";
 
 /// An action.
 #[derive(Debug, Serialize)]
 struct Entry {
     id: String,
-    /// What it does.
+    /// Description.
     name: String,
     /// Keys of its table.
     key: Vec<Key>,
@@ -27,7 +27,7 @@ struct Entry {
 struct Key {
     id: String,
     name: String,
-    /// Whether it must be given.
+    /// True if it must be given.
     required: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     default: Option<Value>,
@@ -37,7 +37,7 @@ struct Key {
     max: Option<f64>,
 }
 
-/// Prints all actions with the keys of their tables, for people or for programs.
+/// Prints all actions with the keys of their tables.
 pub fn run(as_json: bool) -> Result<ExitCode, CliError> {
     let entries = entries(&serde_json::to_value(schemars::schema_for!(RecipeFile))?);
     let text = if as_json { json::text(&entries)? } else { entries.iter().map(text).collect() };
@@ -45,7 +45,7 @@ pub fn run(as_json: bool) -> Result<ExitCode, CliError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Members of an object; none of anything else.
+/// Returns the members of an object; none for any other value.
 fn members(of: &Value) -> impl Iterator<Item = (&String, &Value)> {
     of.as_object().into_iter().flatten()
 }
@@ -58,7 +58,7 @@ fn entries(schema: &Value) -> Vec<Entry> {
     members(&schema["$defs"]["StepEntry"]["properties"]).filter_map(action).collect()
 }
 
-/// The keys of the table that an action takes; none where it takes a bare value alone.
+/// Returns the keys of an action's table; none for an action that takes a single value.
 fn keys(schema: &Value, property: &Value) -> Vec<Key> {
     let Some(table) = table(schema, property) else { return Vec::new() };
     let required = |id: &str| table["required"].as_array().is_some_and(|all| all.iter().any(|key| key == id));
@@ -73,7 +73,7 @@ fn keys(schema: &Value, property: &Value) -> Vec<Key> {
     members(&table["properties"]).map(key).collect()
 }
 
-/// The table among the alternatives of a property.
+/// Returns the table among the alternatives of a property.
 fn table<'a>(schema: &'a Value, part: &'a Value) -> Option<&'a Value> {
     if let Some(path) = part["$ref"].as_str() {
         return table(schema, schema.pointer(path.trim_start_matches('#'))?);
@@ -88,7 +88,7 @@ fn text(entry: &Entry) -> String {
     let mut lines = format!("{:<12}{}\n", entry.id, entry.name);
     for key in &entry.key {
         let range = key.min.zip(key.max).map_or(String::new(), |(low, high)| format!(" {low}–{high}."));
-        let must = if key.required { " Needed." } else { "" };
+        let must = if key.required { " Required." } else { "" };
         lines += &format!("  {:<14}{}{range}{must}\n", key.id, key.name);
     }
     lines

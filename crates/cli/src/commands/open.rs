@@ -10,7 +10,7 @@ use saute_kitchen::{Library, Recipe};
 use crate::args::HandArgs;
 use crate::error::CliError;
 
-/// Opens the window, playing a recipe if one is given.
+/// Opens the window and plays a recipe if there is one.
 pub fn run(library: Library, recipe: Option<Recipe>, hands: HandArgs) -> Result<ExitCode, CliError> {
     if !has_display() {
         return Err(CliError::NoDisplay(NO_DISPLAY.to_owned()));
@@ -19,15 +19,15 @@ pub fn run(library: Library, recipe: Option<Recipe>, hands: HandArgs) -> Result<
     let hands = HandsStart { pan: device, turner, pairing, calibration };
     let start = Start { library: Some(Arc::new(library)), recipe, hands };
     saute_app::window::run(start)
-        .map_err(|e| CliError::NoDisplay(format!("the window could not be opened: {e}\n{NO_DISPLAY}")))?;
+        .map_err(|e| CliError::NoDisplay(format!("the window cannot be opened: {e}\n{NO_DISPLAY}")))?;
     Ok(ExitCode::SUCCESS)
 }
 
-const NO_DISPLAY: &str = "there is no display; without one you can use\n  \
-    saute cook RECIPE.toml                            to cook and read the numbers\n  \
-    saute shot RECIPE.toml --at 300 --out steak.png   to draw a picture";
+const NO_DISPLAY: &str = "there is no display; commands that need none:\n  \
+    saute cook RECIPE.toml                            cook and print the numbers\n  \
+    saute shot RECIPE.toml --at 300 --out steak.png   render a picture";
 
-/// Whether a window can be shown. Only X11 and Wayland systems can tell before trying.
+/// Returns false if the environment names no display. Only X11 and Wayland systems can be asked.
 fn has_display() -> bool {
     if !cfg!(all(unix, not(target_os = "macos"))) {
         return true;

@@ -1,4 +1,4 @@
-//! The shipped foods, pans and recipes with those of the user's folder.
+//! The library: the shipped foods, pans and recipes with the files of the `--data` folder.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -12,21 +12,21 @@ use saute_kitchen::{Library, LibraryError};
 use crate::error::CliError;
 use crate::input::{surface_file, text_file};
 
-/// Folders that are read from `--data`.
+/// Folders that are read in the `--data` folder.
 const FOLDERS: [&str; 6] = ["foods", "pans", "recipes", "kinetics", "coatings", "oils"];
 
-/// File that is read from `--data` itself: the scales of doneness.
+/// File that is read in the `--data` folder itself: the scales of doneness.
 const FILE: &str = "doneness.toml";
 
-/// A library that remembers which of its files are the user's.
+/// The library, with the list of the files that come from the `--data` folder.
 #[derive(Debug)]
 pub struct DataLibrary {
-    /// What there is to cook with.
+    /// Foods, pans, recipes and scales.
     pub library: Library,
     own: Own,
 }
 
-/// The user's files: their folder and their names in it, as `foods/mine.toml`.
+/// The user's files: the `--data` folder and the names in it, as `foods/mine.toml`.
 #[derive(Debug, Default)]
 struct Own {
     dir: PathBuf,
@@ -34,7 +34,7 @@ struct Own {
 }
 
 impl Own {
-    /// Name of a library file in messages: one can open it as it stands if it is the user's.
+    /// Returns the name of a library file for messages: the full path of a user's file.
     fn place(&self, name: &str) -> String {
         if self.names.contains(name) { self.dir.join(name).display().to_string() } else { name.to_owned() }
     }
@@ -45,7 +45,7 @@ impl Own {
 }
 
 impl DataLibrary {
-    /// Takes what is shipped, and what lies in `dir` on top of it.
+    /// Reads the shipped files and the ones in `dir`, which take precedence.
     pub fn open(dir: Option<&Path>) -> Result<Self, CliError> {
         let files = dir.map_or(Ok(Vec::new()), read_folders)?;
         let names = files.iter().map(|(name, _)| name.clone()).collect();
@@ -55,23 +55,23 @@ impl DataLibrary {
         Ok(Self { library, own })
     }
 
-    /// The scale of doneness of that id.
+    /// Returns the scale of doneness with an id.
     pub fn scale(&self, id: &str) -> Result<Arc<Scale>, CliError> {
         let unknown = || {
             let remedy = format!("use one of: {}", self.library.scale_names());
-            CliError::place(format!("--doneness {id}"), "there is no scale of doneness of that id", remedy)
+            CliError::place(format!("--doneness {id}"), "there is no scale of doneness with this id", remedy)
         };
         self.library.scale(id).cloned().ok_or_else(unknown)
     }
 
-    /// Name of a recipe's file in messages.
+    /// Returns the name of a recipe's file for messages.
     pub fn recipe_place(&self, id: &str) -> String {
         self.own.place(&format!("recipes/{id}.toml"))
     }
 }
 
 fn read_folders(dir: &Path) -> Result<Vec<(String, String)>, CliError> {
-    let remedy = "name a folder that holds foods/, pans/, recipes/, kinetics/, coatings/ or oils/ with .toml files, or doneness.toml";
+    let remedy = "name a folder with foods/, pans/, recipes/, kinetics/, coatings/ or oils/ that contain .toml files, or with doneness.toml";
     if !dir.is_dir() {
         let message = if dir.exists() { "--data is not a folder" } else { "--data does not exist" };
         return Err(CliError::place(dir.display(), message, remedy));
@@ -82,7 +82,7 @@ fn read_folders(dir: &Path) -> Result<Vec<(String, String)>, CliError> {
         files.push((FILE.to_owned(), text_file::read(&dir.join(FILE))?));
     }
     if present.is_empty() && files.is_empty() {
-        return Err(CliError::place(dir.display(), "--data holds none of the folders that are read", remedy));
+        return Err(CliError::place(dir.display(), "--data contains none of the folders that are read", remedy));
     }
     for folder in present {
         for name in toml_names(&dir.join(folder))? {
@@ -92,14 +92,14 @@ fn read_folders(dir: &Path) -> Result<Vec<(String, String)>, CliError> {
     Ok(files)
 }
 
-/// The surfaces that the foods among the files name, by the path of the food's file.
+/// Returns the surfaces that the food files name, by the path of the food file.
 fn surfaces(dir: &Path, files: &[(String, String)]) -> Result<BTreeMap<String, Soup>, CliError> {
     let foods = files.iter().filter(|(path, _)| path.starts_with("foods/"));
     let named = foods.filter_map(|(path, text)| Some((path, library::surface_file(text)?)));
     named.map(|(path, file)| Ok((path.clone(), surface_file::read(&dir.join(path).with_file_name(file))?))).collect()
 }
 
-/// The kinetics that a food may name: the shipped ones and those of a folder.
+/// Returns a library with the kinetics that a food can name: the shipped ones and the ones in a folder.
 pub fn kinetics(dir: Option<&Path>) -> Result<Library, CliError> {
     let folder = dir.map(|d| d.join("kinetics")).filter(|f| f.is_dir());
     let mut files = Vec::new();
@@ -112,7 +112,7 @@ pub fn kinetics(dir: Option<&Path>) -> Result<Library, CliError> {
     Library::with(&files).map_err(|e| own.error(e))
 }
 
-/// Names of the .toml files in a folder, in order.
+/// Returns the names of the .toml files in a folder, sorted.
 fn toml_names(folder: &Path) -> Result<Vec<String>, CliError> {
     let unreadable = |e: std::io::Error| {
         CliError::place(folder.display(), format!("cannot be read: {e}"), "check the folder's permissions")

@@ -1,4 +1,4 @@
-//! Finds a recipe: a file, or a shipped one by its id.
+//! A recipe by the path of its file or by its id in the library.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::input::text_file;
 
-/// Reads and checks the recipe of that path or id. A file goes before an id of the same name.
+/// Reads and checks the recipe with a path or an id. A file takes precedence over an id of the same name.
 pub fn load(name: &str, data: &DataLibrary) -> Result<Recipe, CliError> {
     let path = Path::new(name);
     let text = match data.library.recipes.get(name) {
@@ -25,5 +25,5 @@ fn parse(text: &str, place: &str, data: &DataLibrary) -> Result<Recipe, CliError
 
 fn not_found(name: &str, data: &DataLibrary) -> CliError {
     let remedy = format!("name a .toml file or one of the shipped recipes: {}", Library::names(&data.library.recipes));
-    CliError::place(name, "there is no such file and no recipe of that id", remedy)
+    CliError::place(name, "there is no such file and no recipe with this id", remedy)
 }

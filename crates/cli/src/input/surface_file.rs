@@ -1,4 +1,4 @@
-//! Surface files of the user's.
+//! Surface files: triangle meshes in STL, OBJ or glTF.
 
 use std::path::Path;
 
@@ -9,13 +9,17 @@ use crate::error::CliError;
 /// Larger files are not read [bytes] (chosen: 100,000 triangles take 20 MB as text).
 const LARGEST: u64 = 128 << 20;
 
-/// Reads the triangles of a surface file, or says why not.
+/// Reads the triangles of a surface file.
 pub fn read(path: &Path) -> Result<Soup, CliError> {
     let bytes = bytes(path).map_err(|e| {
         CliError::place(path.display(), format!("cannot be read: {e}"), "check the path of the surface")
     })?;
     if bytes.len() as u64 > LARGEST {
-        return Err(CliError::place(path.display(), "is larger than 128 MiB", "reduce it in your modeller (decimate)"));
+        return Err(CliError::place(
+            path.display(),
+            "is larger than 128 MiB",
+            "reduce the number of triangles in your modelling program (decimate)",
+        ));
     }
     let beside = |name: &str| self::bytes(&path.with_file_name(name)).ok();
     let name = path.file_name().unwrap_or_default().to_string_lossy();

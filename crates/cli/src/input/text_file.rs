@@ -1,4 +1,4 @@
-//! Text files of the user's.
+//! Text files.
 
 use std::fs::File;
 use std::io::Read;
@@ -6,10 +6,10 @@ use std::path::Path;
 
 use crate::error::CliError;
 
-/// Larger files are no recipe and no data file [bytes] (chosen: the largest shipped one has 4 kB).
+/// Larger files are not read [bytes] (chosen: the largest shipped file has 4 kB).
 const LARGEST: u64 = 4 << 20;
 
-/// Reads a file as text, or says why not.
+/// Reads a UTF-8 file.
 pub fn read(path: &Path) -> Result<String, CliError> {
     let place = path.display();
     if path.is_dir() {

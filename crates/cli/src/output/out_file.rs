@@ -1,4 +1,4 @@
-//! One file that is written whole or not at all, its place tried out beforehand.
+//! One output file: written completely or not at all, its place probed before a long run.
 
 use std::fs::{self, File};
 use std::io::Write;
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::error::CliError;
 
-/// A place for a file that can be written to; what was made for nothing is removed again.
+/// A place for a file that can be written to. The unfinished file is removed on drop.
 #[derive(Debug)]
 pub struct OutFile {
     path: PathBuf,
@@ -14,13 +14,13 @@ pub struct OutFile {
 }
 
 impl OutFile {
-    /// Tries the place out.
+    /// Probes the place with an empty file.
     pub fn prepare(path: &Path) -> Result<Self, CliError> {
         let place = || format!("--out {}", path.display());
-        // A link is followed, so that it stays one; a device or a folder is no place for a picture.
+        // A link is followed, so that the file behind it is replaced and not the link.
         let path = &path.canonicalize().unwrap_or_else(|_| path.to_owned());
         if path.exists() && !path.is_file() {
-            return Err(CliError::place(place(), "is there and is not a file", "write --out FILE.png"));
+            return Err(CliError::place(place(), "exists and is not a file", "write --out FILE.png"));
         }
         let Some(name) = path.file_name() else {
             return Err(CliError::place(place(), "is not a file name", "write --out FILE.png"));
@@ -31,7 +31,7 @@ impl OutFile {
         Ok(out)
     }
 
-    /// Writes the file and gives it its name.
+    /// Writes the file and gives it its final name.
     pub fn fill(self, bytes: &[u8]) -> Result<(), CliError> {
         let write = || {
             let mut file = File::create(&self.unfinished)?;
@@ -43,14 +43,14 @@ impl OutFile {
     }
 
     fn error(&self, error: &std::io::Error) -> CliError {
-        let remedy = "name a file in a folder that you may write to, with free space";
+        let remedy = "name a file in a folder with write permission and free space";
         CliError::place(format!("--out {}", self.path.display()), format!("cannot be written: {error}"), remedy)
     }
 }
 
 impl Drop for OutFile {
     fn drop(&mut self) {
-        // After a rename there is nothing left to remove.
+        // After a rename the unfinished file no longer exists.
         let _ = fs::remove_file(&self.unfinished);
     }
 }

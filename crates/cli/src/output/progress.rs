@@ -1,4 +1,4 @@
-//! How far a cook or a bench is, on a terminal.
+//! A progress bar on a terminal.
 
 use std::io::IsTerminal;
 
@@ -7,10 +7,10 @@ use saute_kitchen::Cook;
 
 use crate::wording::duration;
 
-/// Ticks between two looks: often enough to move, seldom enough to cost nothing.
+/// Ticks between two updates (chosen: smooth to the eye, no cost in time).
 const EVERY: u64 = 50;
 
-/// A bar over simulated time or parts; nothing where stderr is no terminal.
+/// A bar over simulated time or parts; none if stderr is not a terminal.
 #[derive(Debug)]
 pub struct Progress(Option<ProgressBar>);
 
@@ -20,7 +20,7 @@ impl Progress {
         Self::over(max_s.ceil() as u64)
     }
 
-    /// Starts a bar over so many parts.
+    /// Starts a bar over a number of parts.
     pub fn over(parts: u64) -> Self {
         let style =
             ProgressStyle::with_template("{bar:24} {wide_msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
@@ -28,7 +28,7 @@ impl Progress {
         Self(std::io::stderr().is_terminal().then(bar))
     }
 
-    /// One part more is done; `what` comes now.
+    /// Starts the next part, described by `what`.
     pub fn next(&self, what: String) {
         if let Some(bar) = &self.0 {
             bar.inc(1);
@@ -36,7 +36,7 @@ impl Progress {
         }
     }
 
-    /// Shows where the cook is and what it waits for.
+    /// Shows the time of the cook and the condition that it waits for.
     pub fn show(&self, cook: &Cook) {
         let Some(bar) = &self.0 else { return };
         if cook.kitchen.tick().is_multiple_of(EVERY) {
@@ -53,7 +53,7 @@ impl Progress {
 }
 
 impl Drop for Progress {
-    /// The bar makes room for the result, or for the error.
+    /// Removes the bar before the result or the error is printed.
     fn drop(&mut self) {
         if let Some(bar) = &self.0 {
             bar.finish_and_clear();

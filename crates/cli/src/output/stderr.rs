@@ -1,8 +1,8 @@
-//! Messages go to stderr, and only through here.
+//! Messages on stderr; all of them go through this file.
 
 use std::io::Write;
 
-/// Says something. A reader that has gone away is not an error.
+/// Prints a line to stderr. A closed pipe is not an error.
 pub fn say(text: impl std::fmt::Display) {
     let _ = writeln!(std::io::stderr(), "{text}");
 }

@@ -1,4 +1,4 @@
-//! The numbers of a cook for people, as plain text.
+//! The numbers of a cook as plain text.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -14,7 +14,7 @@ use crate::wording::{self, duration};
 /// Width of a doneness bar [characters].
 const BAR: usize = 30;
 
-/// Everything about a cook on one screen, with doneness by a scale.
+/// Returns all numbers of a cook on one screen, with doneness on a scale.
 pub fn text(summary: &Summary, scale: &Scale) -> String {
     let mut blocks = vec![head(summary)];
     blocks.extend(summary.foods.iter().filter(|f| f.group.is_none()).map(|f| food(f, scale)));
@@ -75,9 +75,9 @@ fn food(f: &FoodSummary, scale: &Scale) -> String {
     lines
 }
 
-/// A line for each group: means, with the least and the largest value where pieces differ.
+/// Returns a line for each group: means, with the smallest and the largest value.
 fn groups(summary: &Summary) -> String {
-    let mut lines = "groups, means (least–largest)\n".to_owned();
+    let mut lines = "groups, means (smallest–largest)\n".to_owned();
     for g in &summary.groups {
         let spread = |mean: f64, [low, high]: [f64; 2]| format!("{mean:.0} ({low:.0}–{high:.0})");
         let (mean, s) = (&g.mean, &g.spread);
@@ -98,7 +98,7 @@ fn groups(summary: &Summary) -> String {
     lines
 }
 
-/// How many pieces of a group are where: `9 pan, 2 board`.
+/// Returns the number of pieces of a group at each place: `9 pan, 2 board`.
 fn places(summary: &Summary, group: &GroupSummary) -> String {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     for food in &summary.foods[group.members.clone()] {
@@ -108,7 +108,7 @@ fn places(summary: &Summary, group: &GroupSummary) -> String {
     counts.join(", ")
 }
 
-/// Log reductions; past 12 nothing is told apart any more.
+/// Returns the log reductions; values above 12 are not distinguished.
 fn safety(l: &LogReduction) -> String {
     let shown = |log: f64| if log > 12.0 { "over 12".to_owned() } else { format!("{log:.1}") };
     format!("E. coli log reduction: core {}, least heated surface {}", shown(l.core), shown(l.surface))
@@ -119,7 +119,7 @@ fn row(lines: &mut String, name: &str, value: &str) {
     let _ = writeln!(lines, "  {name:<14}{value}");
 }
 
-/// Doneness by a scale, with its label; nothing where the scale says nothing about the food.
+/// Adds the doneness on a scale, with its label; nothing if the scale does not cover the food.
 fn doneness(lines: &mut String, f: &FoodSummary, scale: &Scale) {
     let Some(reading) = f.doneness.get(&scale.id) else { return };
     row(lines, "doneness", &format!("core {}; scale: {}", reading.class, reading.label));
@@ -127,7 +127,7 @@ fn doneness(lines: &mut String, f: &FoodSummary, scale: &Scale) {
     row(lines, "volume", &shares(&reading.volume_pct));
 }
 
-/// Shares as a bar and as numbers.
+/// Returns shares as a bar and as numbers.
 fn shares(shares: &ClassShares) -> String {
     let (mut bar, mut sum, mut drawn, mut numbers) = (String::new(), 0.0, 0, Vec::new());
     for ((name, share), sign) in shares.0.iter().zip(signs(shares.0.len())) {
@@ -140,7 +140,7 @@ fn shares(shares: &ClassShares) -> String {
     format!("{bar}  {}", numbers.join("  "))
 }
 
-/// A sign for each of so many classes, denser and denser.
+/// Returns a character for each class, of increasing density.
 fn signs(classes: usize) -> &'static [char] {
     if classes > 4 { &['·', '░', '▒', '▓', '█'] } else { &['·', '░', '▒', '█'] }
 }
@@ -173,8 +173,8 @@ fn energy(e: &Energy) -> String {
     format!("hob {hob} kJ = pan {pan} + food {food} + air {air} + evaporation {vapour} + other {other}")
 }
 
-/// What is missing from the balance, in percent of what the hob gave.
-pub fn imbalance_pct(e: &Energy) -> f64 {
+/// Returns the imbalance of the energy in percent of the hob's energy [%].
+fn imbalance_pct(e: &Energy) -> f64 {
     if e.hob > 0.0 { 100.0 * e.imbalance.abs() / e.hob } else { 0.0 }
 }
 

@@ -75,7 +75,7 @@ fn a_folder_that_is_missing_or_holds_nothing_to_read_is_refused() {
     for (data, part) in [
         (&missing, "does not exist"),
         (&file, "is not a folder"),
-        (&dir.path().to_owned(), "holds none of the folders"),
+        (&dir.path().to_owned(), "contains none of the folders"),
     ] {
         let said = run(&["list", "foods", "--data", data.to_str().unwrap()]);
         assert_eq!(said.code, Some(2));
