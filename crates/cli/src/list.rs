@@ -4,10 +4,11 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::ValueEnum;
-use saute_app::View;
-use saute_app::settings::Settings;
 use saute_kitchen::food::{FoodDescription, Scale};
 use saute_kitchen::{Library, Recipe};
+use saute_picture::View;
+use saute_window::ViewWords;
+use saute_window::settings::Settings;
 use serde::Serialize;
 
 use crate::args::{ListArgs, Listed};

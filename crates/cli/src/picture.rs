@@ -6,20 +6,21 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use clap::ValueEnum;
-use saute_app::bench_frame::{DISH, DISH_FROM_S, FROM_S, SHRIMPS, SHRIMPS_FROM_S};
-use saute_app::mirror::frame::MirrorOptions;
-use saute_app::mirror::rig::Rig;
-use saute_app::mirror::rig_file;
-use saute_app::mirror::stereo::Stereo;
-use saute_app::mirror::still::mirror_shot;
-use saute_app::png_file::png_bytes;
-use saute_app::quality_choice::QualityChoice;
-use saute_app::scene::quality::Quality;
-use saute_app::scene::white_balance::WhiteBalance;
-use saute_app::shot::ShotOptions;
-use saute_app::{Start, View};
 use saute_kitchen::Recipe;
 use saute_kitchen::library::DEFAULT_SCALE;
+use saute_picture::View;
+use saute_picture::still::png_file::png_bytes;
+use saute_picture::still::shot::ShotOptions;
+use saute_scene::light::white_balance::WhiteBalance;
+use saute_scene::quality::Quality;
+use saute_window::Start;
+use saute_window::bench_frame::{DISH, DISH_FROM_S, FROM_S, SHRIMPS, SHRIMPS_FROM_S};
+use saute_window::mirror::frame::MirrorOptions;
+use saute_window::mirror::rig::Rig;
+use saute_window::mirror::rig_file;
+use saute_window::mirror::stereo::Stereo;
+use saute_window::mirror::still::mirror_shot;
+use saute_window::ui::quality_choice::QualityChoice;
 
 use crate::error::CliError;
 use crate::out_file::OutFile;
@@ -243,7 +244,7 @@ pub fn shot(args: &ShotArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
     };
     let library = &shelf.library;
     let picture = match &args.mirror {
-        None => saute_app::shot::shot(recipe, library, args.at, options, args.size)?,
+        None => saute_picture::still::shot::shot(recipe, library, args.at, options, args.size)?,
         Some(name) => {
             let rig = rig(name)?;
             let stereo = args.stereo.map_or(Stereo::Off, Stereo::from);
@@ -272,7 +273,7 @@ pub fn bench_frame(args: &BenchFrameArgs, shelf: &Shelf, process_start: Instant)
     };
     let quality = args.quality.map_or(QualityChoice::Automatic, |name| QualityChoice::Always(name.into()));
     let start = Start { library: Some(Arc::new(shelf.library.clone())), recipe: Some(recipe), ..Start::default() };
-    let bench = saute_app::bench_frame::bench_frame(start, args.size, from_s, quality, process_start)?;
+    let bench = saute_window::bench_frame::bench_frame(start, args.size, from_s, quality, process_start)?;
     if args.json {
         stdout::print(&format!("{}\n", serde_json::to_string_pretty(&bench)?))?;
         return Ok(ExitCode::SUCCESS);

@@ -1,9 +1,9 @@
 //! Pictures of the cross-sections at each step.
 
-use saute_app::png_file::{PngError, png_bytes};
-use saute_app::{TemperatureMap, View, section_picture};
 use saute_kitchen::cook::Fired;
 use saute_kitchen::{Cook, Piece, Place};
+use saute_picture::still::png_file::{PngError, png_bytes};
+use saute_picture::{TemperatureMap, View, section_picture};
 
 /// Fineness of the picture files [pixels per mm].
 const FILE_PER_MM: f64 = 12.0;

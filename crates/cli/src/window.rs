@@ -3,9 +3,9 @@
 use std::process::ExitCode;
 use std::sync::Arc;
 
-use saute_app::Start;
-use saute_app::hand::HandsStart;
 use saute_kitchen::Recipe;
+use saute_window::Start;
+use saute_window::hand::HandsStart;
 
 use crate::args::HandArgs;
 use crate::error::CliError;
@@ -19,7 +19,7 @@ pub fn open(shelf: &Shelf, recipe: Option<Recipe>, hands: HandArgs) -> Result<Ex
     let HandArgs { device, turner, pairing, calibration } = hands;
     let hands = HandsStart { pan: device, turner, pairing, calibration };
     let start = Start { library: Some(Arc::new(shelf.library.clone())), recipe, hands };
-    saute_app::window::run(start)
+    saute_window::window::run(start)
         .map_err(|e| CliError::NoDisplay(format!("the window could not be opened: {e}\n{NO_DISPLAY}")))?;
     Ok(ExitCode::SUCCESS)
 }

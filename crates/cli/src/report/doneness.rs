@@ -1,12 +1,12 @@
 //! Doneness bars: colour, pattern and number say the same.
 
-use saute_app::colour_map::Tone;
 use saute_kitchen::Summary;
 use saute_kitchen::food::Scale;
 use saute_kitchen::summary::{ClassShares, FoodSummary};
+use saute_picture::colour::map::Tone;
 
-use super::markup::escaped;
 use crate::wording;
+use super::markup::escaped;
 
 /// Narrower parts have no room for their number [%].
 const ROOM_FOR_NUMBER: f64 = 15.0;

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use saute_app::headless::Gpu;
-use saute_app::seen_colour::Colorimeter;
-use saute_app::shot::ShotError;
 use saute_kitchen::cook_case::{CookCase, SeenAt};
 use saute_kitchen::food::{Lab, Scale};
 use saute_kitchen::lab::Verdict;
 use saute_kitchen::{Cook, Library};
+use saute_picture::still::headless::Gpu;
+use saute_picture::still::seen_colour::Colorimeter;
+use saute_picture::still::shot::ShotError;
 
 use crate::error::CliError;
 
