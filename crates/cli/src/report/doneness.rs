@@ -5,8 +5,8 @@ use saute_kitchen::food::Scale;
 use saute_kitchen::summary::{ClassShares, FoodSummary};
 use saute_picture::colour::map::Tone;
 
-use crate::wording;
 use super::markup::escaped;
+use crate::wording;
 
 /// Narrower parts have no room for their number [%].
 const ROOM_FOR_NUMBER: f64 = 15.0;

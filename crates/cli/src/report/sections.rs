@@ -4,9 +4,9 @@ use saute_kitchen::step_record::StepRecord;
 use saute_kitchen::{Cook, Summary};
 use saute_picture::TemperatureMap;
 
+use super::markup::{data_uri, escaped};
 use crate::section_files::Snapshot;
 use crate::wording::{self, duration};
-use super::markup::{data_uri, escaped};
 
 /// Pictures of every moment at which something was done.
 pub fn section(cook: &Cook, summary: &Summary, snapshots: &[Snapshot]) -> String {
