@@ -1,8 +1,8 @@
 //! Pictures of the cross-sections at each step.
 
-use saute_app::png_file::{PngError, png_bytes};
-use saute_app::{TemperatureMap, View, section_picture};
 use saute_kitchen::{Piece, Place};
+use saute_picture::still::png_file::{PngError, png_bytes};
+use saute_picture::{TemperatureMap, View, section_picture};
 use saute_recipe::Cook;
 use saute_recipe::Fired;
 

@@ -1,10 +1,10 @@
 //! Views, white balances, qualities and ways of stereo by their names on the command line.
 
 use clap::ValueEnum;
-use saute_app::View;
-use saute_app::mirror::stereo::Stereo;
-use saute_app::scene::quality::Quality;
-use saute_app::scene::white_balance::WhiteBalance;
+use saute_picture::View;
+use saute_scene::light::white_balance::WhiteBalance;
+use saute_scene::quality::Quality;
+use saute_window::mirror::stereo::Stereo;
 
 /// The views by their names on the command line.
 #[derive(Clone, Copy, Debug, ValueEnum)]

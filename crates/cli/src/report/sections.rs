@@ -2,8 +2,8 @@
 
 use data_encoding::BASE64;
 use maud::{Markup, html};
-use saute_app::TemperatureMap;
 use saute_kitchen::Piece;
+use saute_picture::TemperatureMap;
 use saute_recipe::step_record::StepRecord;
 use saute_recipe::{Cook, Summary};
 

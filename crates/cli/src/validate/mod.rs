@@ -1,5 +1,6 @@
 //! `saute validate`.
 
+mod colorimeter;
 mod colour;
 mod page;
 mod picture;
