@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use saute_kitchen::{InputError, Library};
+use saute_kitchen::InputError;
+use saute_kitchen::Library;
 use serde::de::DeserializeOwned;
 
 use crate::control::feel::Feel;
