@@ -3,6 +3,7 @@
 // A test that unwraps in vain says where.
 #![allow(clippy::unwrap_used)]
 
+mod architecture;
 mod bad_input;
 mod cooked;
 mod data_folder;
