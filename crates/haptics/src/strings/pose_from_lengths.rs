@@ -36,7 +36,8 @@ const GAP_S: f64 = 0.05;
 /// use saute_haptics::{PoseEstimator, library};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-/// let geometry = &library::devices()?["spidar-pan-crossed"];
+/// let devices = library::devices()?;
+/// let geometry = &devices["spidar-pan-crossed"];
 /// let mut pose = geometry.home();
 /// pose.position.x += 0.05;
 /// let lengths = geometry.rig().lengths(&pose);

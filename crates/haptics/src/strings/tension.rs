@@ -51,12 +51,16 @@ const TOLERANCE: f64 = 1e-12;
 /// use saute_haptics::{TensionSolver, Wrench, library};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-/// let geometry = &library::devices()?["spidar-frame"];
+/// let devices = library::devices()?;
+/// let geometry = &devices["spidar-pan-crossed"];
 /// let lines = geometry.rig().lines(&geometry.home());
-/// let wanted = Wrench { force: glam::DVec3::new(0.0, 0.0, -3.0), ..Wrench::ZERO };
-/// let solved = TensionSolver::new(geometry.tension_rule()).solve(&lines, &wanted);
-/// assert!((solved.achieved.force - wanted.force).length() < 0.1, "{} N", solved.achieved.force);
-/// assert!(solved.tension.iter().all(|t| *t >= geometry.drive.min_tension_n));
+/// let mut solver = TensionSolver::new(geometry.tension_rule());
+/// let weight = Wrench { force: glam::DVec3::new(0.0, 0.0, -3.0), ..Wrench::ZERO };
+/// let rest = solver.solve(&lines, &geometry.preload());
+/// let loaded = solver.solve(&lines, &(geometry.preload() + weight));
+/// let rendered = loaded.achieved - rest.achieved;
+/// assert!((rendered.force - weight.force).length() < 0.1, "{} N", rendered.force);
+/// assert!(loaded.tension.iter().all(|t| *t >= geometry.drive.min_tension_n));
 /// # Ok(())
 /// # }
 /// ```
