@@ -4,13 +4,12 @@ use std::collections::BTreeMap;
 
 use glam::{DMat3, DVec3};
 use saute_kitchen::dynamics::{Against, Pose, Tool};
+pub use saute_kitchen::piece::piece_state::GRAVITY;
 use saute_kitchen::{Kitchen, Piece, Place};
 
 use crate::kitchen::contact_model::{ContactModel, IMPULSES, Impulse, PLANES, Payload, Plane, Rubbing};
 use crate::wrench::{Twist, Wrench};
 
-/// Standard acceleration of gravity (CGPM 1901) [m/s²].
-pub const GRAVITY: f64 = 9.806_65;
 /// Speed relative to the pan below which food counts as at rest [m/s] (chosen: wet food sticks where it creeps).
 const STILL: f64 = 0.03;
 /// Impulse that counts as a collision, over the weight's impulse in a frame [-] (chosen: tossed food lands with ten).
