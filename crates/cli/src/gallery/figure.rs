@@ -1,6 +1,6 @@
 //! What the gallery shows: figures of panels, each a moment of a cook seen in one way.
 
-use saute_app::View;
+use saute_picture::View;
 
 /// Where the eye is.
 #[derive(Clone, Copy, Debug, PartialEq)]

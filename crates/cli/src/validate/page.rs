@@ -8,7 +8,7 @@ use saute_lab::Verdict;
 
 use super::{CaseRun, picture, segments};
 use crate::error::CliError;
-use crate::out_file::OutFile;
+use crate::output::out_file::OutFile;
 
 /// The table.
 const TABLE: &str = "VALIDATION.md";
