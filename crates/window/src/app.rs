@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use egui::{Rect, Ui};
-use saute_kitchen::{Command, Library, Recipe};
+use saute_kitchen::{Command, Library};
 use saute_picture::stage::{Places, Stage, following};
+use saute_recipe::Recipe;
 use saute_scene::camera::Camera;
 use saute_scene::quality::Quality;
 use web_time::{Duration, Instant};

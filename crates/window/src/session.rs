@@ -8,11 +8,11 @@ use saute_kitchen::carry_over::foreseen_peak;
 use saute_kitchen::food::{Form, Rules, Scale};
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{
-    Command, FRAME_S, Kitchen, Library, MeshSize, Piece, PieceOrder, Place, Recipe, Recorder, Refused, Runner, TICK_S,
-    celsius, kelvin,
+    Command, FRAME_S, Kitchen, Library, MeshSize, Piece, PieceOrder, Place, Refused, TICK_S, celsius, kelvin,
 };
 use saute_picture::probe::Probes;
 use saute_picture::stage::fitting_piece;
+use saute_recipe::{Recipe, Recorder, Runner};
 use web_time::{Duration, Instant};
 
 /// What the person chooses before putting the food in.
@@ -510,7 +510,7 @@ fn label(command: &Command) -> Option<String> {
     })
 }
 
-fn step_label(step: &saute_kitchen::Fired) -> String {
+fn step_label(step: &saute_recipe::Fired) -> String {
     match step.action {
         "hob_w" => format!("{:.0} W", step.value.as_f64().unwrap_or(0.0)),
         "put" => "in".into(),

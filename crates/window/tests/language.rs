@@ -3,7 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use saute_kitchen::{Library, Recipe, Refused};
+use saute_kitchen::{Library, Refused};
+use saute_recipe::Recipe;
 use saute_window::Language;
 
 type Texts = BTreeMap<String, BTreeMap<String, String>>;

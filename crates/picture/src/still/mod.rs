@@ -4,6 +4,4 @@
 pub mod headless;
 pub mod png_file;
 #[cfg(not(target_arch = "wasm32"))]
-pub mod seen_colour;
-#[cfg(not(target_arch = "wasm32"))]
 pub mod shot;

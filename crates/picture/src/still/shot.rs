@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use saute_kitchen::food::Scale;
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{Cook, InputError, Kitchen, Library, Piece, Recipe, TICK_S};
+use saute_kitchen::{InputError, Kitchen, Library, Piece, TICK_S};
+use saute_recipe::{Cook, Recipe};
 use saute_scene::camera::Camera;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;

@@ -5,13 +5,14 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use glam::Vec3;
+use saute_kitchen::Library;
 use saute_kitchen::food::noise::uniform;
-use saute_kitchen::{Cook, Library, Recipe};
 use saute_picture::stage::{Stage, StageOptions, fitting, nearness, poses};
 use saute_picture::still::headless::Gpu;
 use saute_picture::still::png_file::png_bytes;
 use saute_picture::still::shot::cook_until;
 use saute_picture::{Picture, View};
+use saute_recipe::{Cook, Recipe};
 use saute_scene::camera::Camera;
 use saute_scene::input::{FoodVertex, SceneInput};
 use saute_scene::quality::Quality;

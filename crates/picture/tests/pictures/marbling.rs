@@ -2,8 +2,9 @@
 //! volume, and a piece as much as its description asks for.
 
 use saute_kitchen::food::FoodModel;
-use saute_kitchen::{Kitchen, Library, Recipe};
+use saute_kitchen::{Kitchen, Library};
 use saute_picture::skin::surface::Skin;
+use saute_recipe::Recipe;
 use saute_scene::input::{GrainVolume, WITHIN_RANGE};
 
 /// Places along each side of a triangle at which the picture is read, and how many lie upon each other in every half of a

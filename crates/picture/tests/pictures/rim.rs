@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
+use saute_kitchen::Library;
 use saute_kitchen::food::{FoodModel, Lab};
-use saute_kitchen::{Library, Recipe};
 use saute_picture::stage::{Stage, StageOptions};
 use saute_picture::still::headless::Gpu;
 use saute_picture::still::shot::cook_until;
+use saute_recipe::Recipe;
 use saute_scene::camera::Camera;
 use saute_scene::input::{FoodVertex, SceneInput};
 use saute_scene::quality::Quality;

@@ -1,11 +1,12 @@
 //! Promise: pictures tell the truth: the temperature view decodes to the field of the core, and the look follows it.
 
 use saute_kitchen::food::noise::uniform;
-use saute_kitchen::{Cook, Library, Piece, Recipe, celsius};
+use saute_kitchen::{Library, Piece, celsius};
 use saute_picture::stage::{Pose, StageOptions, half_length, poses};
 use saute_picture::still::headless::still;
 use saute_picture::still::shot::{ShotError, cook_until};
 use saute_picture::{Picture, TemperatureMap, View};
+use saute_recipe::{Cook, Recipe};
 use saute_scene::camera::Camera;
 
 use crate::adapter;

@@ -1,11 +1,12 @@
 //! A still of the mirror: what the device shows at one instant of a recipe.
 
 use glam::DVec2;
-use saute_kitchen::{Library, Recipe};
+use saute_kitchen::Library;
 use saute_picture::cut::section::Picture;
 use saute_picture::stage::Stage;
 use saute_picture::still::headless::Gpu;
 use saute_picture::still::shot::{ShotError, ShotOptions, cook_until};
+use saute_recipe::Recipe;
 use saute_scene::gpu::readback::read_picture;
 use saute_scene::input::SceneInput;
 use saute_scene::quality::Quality;

@@ -167,6 +167,6 @@ fn the_hob_says_why_it_gives_no_power() {
             cook(&mut hot, 1.0);
         }
     }
-    hot.get_by_label("No power: the hob's limit holds");
+    hot.get_by_label("No power: overheat protection");
     save(&mut hot, "limit");
 }
