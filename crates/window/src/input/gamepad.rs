@@ -195,7 +195,7 @@ mod tests {
         let (up, down) = (PadState::default(), with(&[PadButton::South, PadButton::Start]));
         assert_eq!(acts(&up, &down).collect::<Vec<_>>(), [Act::Flip, Act::Pause]);
         assert_eq!(acts(&down, &down).count() + acts(&down, &up).count(), 0);
-        for (button, act) in ACTS {
+        for (button, act) in ACTS.clone() {
             assert_eq!(acts(&up, &with(&[button])).collect::<Vec<_>>(), [act]);
         }
         assert!(PadButton::ALL.iter().enumerate().all(|(i, b)| *b as usize == i));

@@ -3,7 +3,6 @@
 use egui::{Align2, Area, Color32, FontId, Id, Order, Rect, RichText, Sense, Shape, Stroke, Ui, pos2, vec2};
 use egui_plot::{HLine, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotTransform, VLine};
 
-use crate::act::Acts;
 use crate::panels::inside::clock;
 use crate::panels::window_state::WindowState;
 use crate::session::Mark;

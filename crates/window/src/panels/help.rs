@@ -2,8 +2,7 @@
 
 use egui::{Id, Modal, Rect, RichText, Ui};
 
-use crate::act::Acts;
-use crate::act::{Act, BINDINGS};
+use crate::act::{Act, Acts, BINDINGS, Card};
 use crate::input::gamepad::PAD;
 use crate::input::pan_keys::HELD;
 use crate::panels::window_state::WindowState;

@@ -4,8 +4,7 @@ use egui::{RichText, Ui};
 use saute_kitchen::advice::NoPower;
 use saute_kitchen::{Kitchen, Place, celsius};
 
-use crate::act::Acts;
-use crate::act::{Act, hint};
+use crate::act::{Act, Acts, hint};
 use crate::panels::inside::clock;
 use crate::panels::pour;
 use crate::panels::window_state::WindowState;

@@ -4,8 +4,7 @@ use egui::{Align2, Color32, FontId, Painter, Rect, RichText, Sense, Stroke, Ui, 
 use saute_kitchen::food::Scale;
 use saute_picture::colour::map::{ColourMap, Tone};
 
-use crate::act::Act;
-use crate::act::Acts;
+use crate::act::{Act, Acts};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use crate::words::language::Language;

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use egui::{RichText, Sense, Ui, vec2};
 use saute_kitchen::{Piece, celsius};
 
-use crate::act::Acts;
+use crate::act::{Act, Acts};
 use crate::panels::window_state::WindowState;
 use crate::session::group_of;
 use crate::ui::theme;
@@ -127,9 +127,8 @@ fn group_lines(
     }
     ui.horizontal(|ui| {
         ui.add_space(14.0);
-        let buttons: [(&str, fn(Vec<String>) -> Act); 3] =
-            [("piece.lay", Act::Lay), ("piece.heap", Act::Heap), ("piece.take_away", Act::Remove)];
-        for (key, act) in buttons {
+        let lay = Act::Lay as fn(Vec<String>) -> Act;
+        for (key, act) in [("piece.lay", lay), ("piece.heap", Act::Heap), ("piece.take_away", Act::Remove)] {
             let button = egui::Button::new(RichText::new(l.text(key)).size(13.0)).min_size(vec2(0.0, 30.0));
             if ui.add(button).clicked() {
                 acts.push(act(members.to_vec()));

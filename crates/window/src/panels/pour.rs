@@ -3,8 +3,7 @@
 use egui::{Label, RichText, Ui};
 use saute_kitchen::dynamics::Tool;
 
-use crate::act::Acts;
-use crate::act::{Act, ROLL_STEP, TOOL_STEP};
+use crate::act::{Act, Acts, ROLL_STEP, TOOL_STEP};
 use crate::input::pouring::{Pourable, danger, in_the_pan};
 use crate::panels::hob_bar::button;
 use crate::panels::window_state::WindowState;
@@ -17,16 +16,16 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     for what in Pourable::ALL {
         let grams = format!("{:.0}", state.portion.grams(what));
         let text = l.fill("pour.portion_of", &[("what", &what.name(l)), ("grams", &grams)]);
-        button(state, ui, &text, false, true, Act::Pour(what));
+        button(state, ui, acts, &text, false, true, Act::Pour(what));
     }
     let portion = state.portion.name(l);
-    button(state, ui, portion, false, true, Act::Portion);
-    button(state, ui, l.text("pour.lid"), lid, true, Act::Lid);
+    button(state, ui, acts, portion, false, true, Act::Portion);
+    button(state, ui, acts, l.text("pour.lid"), lid, true, Act::Lid);
     let tool = match state.tool {
         Tool::Tongs => "pour.tongs",
         Tool::Turner => "pour.turner",
     };
-    button(state, ui, l.text(tool), state.turner_in_hand, true, Act::Tool);
+    button(state, ui, acts, l.text(tool), state.turner_in_hand, true, Act::Tool);
     if state.turner_in_hand {
         // Fingers have no wheel and no right button.
         let by_hand = [
@@ -35,7 +34,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             ("pour.roll", Act::RollBy(ROLL_STEP)),
             ("pour.put_away", Act::PutAway),
         ];
-        by_hand.into_iter().for_each(|(key, act)| button(state, ui, l.text(key), false, true, act));
+        by_hand.into_iter().for_each(|(key, act)| button(state, ui, acts, l.text(key), false, true, act));
     }
     match danger(&state.session.kitchen, l) {
         Some(text) => line(ui, RichText::new(text).color(theme::of(ui).accent).strong()),

@@ -2,8 +2,7 @@
 
 use egui::{RichText, Ui, vec2};
 
-use crate::act::Acts;
-use crate::act::{Act, key_of};
+use crate::act::{Act, Acts, key_of};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 

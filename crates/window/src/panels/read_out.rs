@@ -4,7 +4,6 @@ use egui::{Area, Id, Order, Rect, RichText, Ui, vec2};
 use saute_kitchen::{Piece, celsius};
 use saute_picture::stage::fitting_piece;
 
-use crate::act::Acts;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use crate::words::piece_words::{doneness, grams, name, place};

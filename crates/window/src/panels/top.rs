@@ -3,8 +3,7 @@
 use egui::Ui;
 use saute_picture::view::View;
 
-use crate::act::Acts;
-use crate::act::{Act, hint};
+use crate::act::{Act, Acts, hint};
 use crate::panels::window_state::WindowState;
 use crate::session::STEAK;
 use crate::ui::theme;
