@@ -80,8 +80,19 @@ impl Probes {
     }
 
     /// The probe with a number.
-    pub fn get_mut(&mut self, number: usize) -> Option<&mut Probe> {
+    pub fn get(&self, number: usize) -> Option<&Probe> {
+        self.list.iter().find(|p| p.number == number)
+    }
+
+    fn get_mut(&mut self, number: usize) -> Option<&mut Probe> {
         self.list.iter_mut().find(|p| p.number == number)
+    }
+
+    /// Names the probe with a number.
+    pub fn rename(&mut self, number: usize, name: String) {
+        if let Some(probe) = self.get_mut(number) {
+            probe.name = name;
+        }
     }
 
     /// Puts a new one in, with a name made from its number; returns that number.

@@ -2,6 +2,7 @@
 
 pub mod act;
 pub mod app;
+mod apply;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod bench_frame;
 pub mod governor;

@@ -3,14 +3,15 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use saute_kitchen::advice::{Advice, Goal, Situation};
 use saute_kitchen::carry_over::foreseen_peak;
-use saute_kitchen::food::Form;
-use saute_kitchen::food::Rules;
+use saute_kitchen::food::{Form, Rules, Scale};
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{
-    Command, FRAME_S, Kitchen, Library, MeshSize, Piece, PieceOrder, Refused, TICK_S, celsius, kelvin,
+    Command, FRAME_S, Kitchen, Library, MeshSize, Piece, PieceOrder, Place, Refused, TICK_S, celsius, kelvin,
 };
 use saute_picture::probe::Probes;
+use saute_picture::stage::fitting_piece;
 use saute_recipe::{Recipe, Recorder, Runner};
 use web_time::{Duration, Instant};
 
@@ -259,6 +260,39 @@ impl Session {
     pub fn members(&self, group: &str) -> Vec<String> {
         let ids = self.kitchen.pieces().iter().map(|p| &p.id);
         ids.filter(|id| group_of(id) == group).cloned().collect()
+    }
+
+    /// Id of the piece that the panels are about; that of a steak where there is none.
+    pub fn steak_id(&self) -> String {
+        self.steak().map_or_else(|| STEAK.to_owned(), |p| p.id.clone())
+    }
+
+    /// The group of the piece that the panels are about.
+    pub fn its_group(&self) -> Vec<String> {
+        self.members(group_of(&self.steak_id()))
+    }
+
+    /// All pieces that wait to be put in.
+    pub fn waiting(&self) -> Vec<String> {
+        self.kitchen.pieces().iter().filter(|p| p.place == Place::Waiting).map(|p| p.id.clone()).collect()
+    }
+
+    /// The scale of doneness with an id; where the data has none, the first.
+    pub fn chosen_scale(&self, id: &str) -> Option<&Arc<Scale>> {
+        self.library.scale(id).or_else(|| self.library.scales.first())
+    }
+
+    /// The chosen scale, where it says anything about the piece that the panels are about.
+    pub fn scale(&self, id: &str) -> Option<Arc<Scale>> {
+        fitting_piece(self.steak(), self.chosen_scale(id)?)
+    }
+
+    /// What to do next with the piece that the panels are about, with a goal for its core [°C] where a scale of doneness
+    /// says anything about it.
+    pub fn advice(&mut self, goal_c: Option<f64>) -> Option<Advice> {
+        let foreseen = goal_c.and_then(|_| self.forecast());
+        let goal = goal_c.zip(foreseen).map(|(core_c, f)| Goal { core_c, foreseen_c: f.peak_c });
+        Situation::of(&self.kitchen, self.steak()?).advice(goal)
     }
 
     /// Lays pieces that are not in the pan onto its floor, side by side, as many as fit; tells how many.

@@ -105,6 +105,11 @@ impl Hands {
         self.pan.as_ref().filter(|device| device.strings.is_some())
     }
 
+    /// Returns true while strings are shown: there are some, and a person has turned them on.
+    pub fn strings_are_shown(&self) -> bool {
+        self.eye_before.is_some() && self.strung().is_some()
+    }
+
     /// Whether any device is connected.
     pub fn any(&self) -> bool {
         self.pan.is_some() || self.turner.is_some()

@@ -12,6 +12,7 @@ use crate::ui::layout::Pane;
 use crate::ui::palette::Palette;
 use crate::ui::scene_view::on_screen;
 use crate::ui::theme;
+use crate::words::language::Language;
 
 /// Radius of a slack string, and what the largest tension adds [m] (chosen: far thicker than the real 0.35 mm, told apart at a
 /// glance).
@@ -72,11 +73,6 @@ impl Seen {
 }
 
 impl SauteApp {
-    /// Whether strings are shown: there are some, and a person asked for them.
-    pub(crate) fn strings_are_shown(&self) -> bool {
-        self.session.hands.eye_before.is_some() && self.session.hands.strung().is_some()
-    }
-
     /// Shows the strings from so far away that all motors are seen, or hides them and goes back.
     pub(crate) fn toggle_strings(&mut self) {
         let Some(rig) = self.session.hands.strung().and_then(|device| device.strings) else { return };
@@ -109,7 +105,7 @@ impl SauteApp {
 
     /// The strings where they are now, while they are shown and known.
     fn strings_now(&self) -> Vec<Seen> {
-        if !self.strings_are_shown() {
+        if !self.session.hands.strings_are_shown() {
             return Vec::new();
         }
         let Some(device) = self.session.hands.strung() else { return Vec::new() };
@@ -173,8 +169,7 @@ fn number_place(eye: &Camera, pane: &Pane, string: &Seen) -> Option<Pos2> {
 }
 
 /// What thickness and lightness of a string say.
-pub(super) fn legend(app: &SauteApp, ui: &mut Ui) {
-    let l = app.settings.language;
+pub(super) fn legend(l: Language, ui: &mut Ui) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 30.0), Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, l.text("hand.legend")));
     const STEPS: usize = 40;

@@ -107,7 +107,7 @@ pub const PAD: [(&str, &str); 12] = [
 ];
 
 /// What each button does when it goes down.
-const ACTS: [(PadButton, Act); 10] = [
+static ACTS: [(PadButton, Act); 10] = [
     (PadButton::South, Act::Flip),
     (PadButton::East, Act::PutAway),
     (PadButton::West, Act::Toss),
@@ -138,7 +138,7 @@ pub fn motion(now: &PadState) -> PadMotion {
 /// What the buttons ask for that have gone down since a state.
 pub fn acts(before: &PadState, now: &PadState) -> impl Iterator<Item = Act> {
     let pressed = |button| now.is_down(button) && !before.is_down(button);
-    ACTS.iter().filter(move |(button, _)| pressed(*button)).map(|(_, act)| *act)
+    ACTS.iter().filter(move |(button, _)| pressed(*button)).map(|(_, act)| act.clone())
 }
 
 /// Nothing within the dead zone, then quadratic to full deflection: gentle near the middle.
@@ -195,7 +195,7 @@ mod tests {
         let (up, down) = (PadState::default(), with(&[PadButton::South, PadButton::Start]));
         assert_eq!(acts(&up, &down).collect::<Vec<_>>(), [Act::Flip, Act::Pause]);
         assert_eq!(acts(&down, &down).count() + acts(&down, &up).count(), 0);
-        for (button, act) in ACTS {
+        for (button, act) in ACTS.clone() {
             assert_eq!(acts(&up, &with(&[button])).collect::<Vec<_>>(), [act]);
         }
         assert!(PadButton::ALL.iter().enumerate().all(|(i, b)| *b as usize == i));

@@ -70,7 +70,7 @@ impl SauteApp {
             }
             if response.clicked() || response.drag_started() {
                 self.session.probes.selected = Some(number);
-                let piece = self.session.probes.get_mut(number).map(|p| p.piece.clone());
+                let piece = self.session.probes.get(number).map(|p| p.piece.clone());
                 self.session.select(piece);
             }
             let chosen = self.session.probes.selected == Some(number) || response.hovered();

@@ -50,6 +50,11 @@ impl MirrorView {
         }
     }
 
+    /// The rig that was read last, or why it cannot be used.
+    pub fn rig_read(&self) -> Result<Arc<Rig>, String> {
+        self.rig.as_ref().map_or_else(|| Err(String::new()), |(_, rig)| rig.clone())
+    }
+
     /// Reads the rig's file again at the next frame.
     pub fn forget_rig(&mut self) {
         self.rig = None;
