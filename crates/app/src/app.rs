@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use egui::{Rect, Ui};
-use saute_kitchen::{Command, Library, Place, Recipe, RestOn};
+use saute_kitchen::{Command, Library, Place, RestOn};
+use saute_recipe::Recipe;
 use web_time::{Duration, Instant};
 
 use crate::act::{Act, BINDINGS};

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use saute_kitchen::Recipe;
+use saute_recipe::Recipe;
 use serde::Serialize;
 
 use crate::app::Start;

@@ -1,7 +1,8 @@
 //! What a recipe that plays waits for, in the language of the window.
 
-use saute_kitchen::recipe::{ALL, Quantity};
-use saute_kitchen::{Runner, Target, Trigger, celsius};
+use saute_kitchen::celsius;
+use saute_recipe::recipe::{ALL, Quantity};
+use saute_recipe::{Runner, Target, Trigger};
 
 use crate::piece_words::name;
 use crate::settings::Settings;

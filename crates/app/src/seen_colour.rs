@@ -4,10 +4,10 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use glam::{DQuat, DVec3, Vec3};
-use saute_kitchen::cook_case::SeenAt;
 use saute_kitchen::dynamics::Pose;
 use saute_kitchen::food::{Lab, Scale};
 use saute_kitchen::{Kitchen, Piece};
+use saute_lab::cook_case::SeenAt;
 
 use crate::headless::Gpu;
 use crate::scene::camera::Camera;

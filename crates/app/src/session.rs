@@ -8,9 +8,9 @@ use saute_kitchen::food::Form;
 use saute_kitchen::food::Rules;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{
-    Command, FRAME_S, Kitchen, Library, MeshSize, Piece, PieceOrder, Recipe, Recorder, Refused, Runner, TICK_S,
-    celsius, kelvin,
+    Command, FRAME_S, Kitchen, Library, MeshSize, Piece, PieceOrder, Refused, TICK_S, celsius, kelvin,
 };
+use saute_recipe::{Recipe, Recorder, Runner};
 use web_time::{Duration, Instant};
 
 use crate::probe::Probes;
@@ -477,7 +477,7 @@ fn label(command: &Command) -> Option<String> {
     })
 }
 
-fn step_label(step: &saute_kitchen::Fired) -> String {
+fn step_label(step: &saute_recipe::Fired) -> String {
     match step.action {
         "hob_w" => format!("{:.0} W", step.value.as_f64().unwrap_or(0.0)),
         "put" => "in".into(),

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use saute_kitchen::food::Scale;
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{Cook, InputError, Kitchen, Library, Piece, Recipe, TICK_S};
+use saute_kitchen::{Kitchen, Library, Piece, TICK_S};
+use saute_recipe::{Cook, InputError, Recipe};
 
 use crate::app::CUT_YAW;
 use crate::colour_map::TemperatureMap;

@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use saute_app::Language;
-use saute_kitchen::{Library, Recipe, Refused};
+use saute_kitchen::{Library, Refused};
+use saute_recipe::Recipe;
 
 type Texts = BTreeMap<String, BTreeMap<String, String>>;
 

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use saute_kitchen::lab::{Case, LabReport, run};
+use saute_lab::{Case, LabReport, run};
 
 use crate::args::LabArgs;
 use crate::error::CliError;

@@ -6,8 +6,9 @@ use std::sync::Arc;
 use clap::ValueEnum;
 use saute_app::View;
 use saute_app::settings::Settings;
+use saute_kitchen::Library;
 use saute_kitchen::food::{FoodDescription, Scale};
-use saute_kitchen::{Library, Recipe};
+use saute_recipe::Recipe;
 use serde::Serialize;
 
 use crate::args::{ListArgs, Listed};

@@ -18,8 +18,8 @@ use saute_app::scene::quality::Quality;
 use saute_app::scene::white_balance::WhiteBalance;
 use saute_app::shot::ShotOptions;
 use saute_app::{Start, View};
-use saute_kitchen::Recipe;
 use saute_kitchen::library::DEFAULT_SCALE;
+use saute_recipe::Recipe;
 
 use crate::error::CliError;
 use crate::out_file::OutFile;

@@ -2,8 +2,9 @@
 
 use saute_app::png_file::{PngError, png_bytes};
 use saute_app::{TemperatureMap, View, section_picture};
-use saute_kitchen::cook::Fired;
-use saute_kitchen::{Cook, Piece, Place};
+use saute_kitchen::{Piece, Place};
+use saute_recipe::Cook;
+use saute_recipe::Fired;
 
 /// Fineness of the picture files [pixels per mm].
 const FILE_PER_MM: f64 = 12.0;

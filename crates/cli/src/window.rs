@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use saute_app::Start;
 use saute_app::hand::HandsStart;
-use saute_kitchen::Recipe;
+use saute_recipe::Recipe;
 
 use crate::args::HandArgs;
 use crate::error::CliError;

@@ -1,7 +1,8 @@
 //! A still of the mirror: what the device shows at one instant of a recipe.
 
 use glam::DVec2;
-use saute_kitchen::{Library, Recipe};
+use saute_kitchen::Library;
+use saute_recipe::Recipe;
 
 use super::frame::{MirrorFrame, MirrorOptions};
 use super::presenter::MirrorPresenter;

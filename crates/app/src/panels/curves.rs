@@ -82,7 +82,7 @@ fn mark_words(mark: &Mark, l: Language) -> String {
 fn curves(app: &SauteApp, palette: &Palette) -> Vec<Curve> {
     let (settings, rows) = (&app.settings, &app.session.recorder.rows);
     let step = rows.len().div_ceil(MOST_POINTS).max(1);
-    let series = |pick: &dyn Fn(&saute_kitchen::recorder::Row) -> Option<f64>| -> Vec<[f64; 2]> {
+    let series = |pick: &dyn Fn(&saute_recipe::recorder::Row) -> Option<f64>| -> Vec<[f64; 2]> {
         let shown = rows.iter().step_by(step).chain(rows.last());
         shown.filter_map(|r| Some([r.time_s / 60.0, settings.degrees(pick(r)?)])).collect()
     };

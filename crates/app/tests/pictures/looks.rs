@@ -14,8 +14,9 @@ use saute_app::scene::renderer::SceneRenderer;
 use saute_app::shot::cook_until;
 use saute_app::stage::{Stage, StageOptions, fitting, nearness, poses};
 use saute_app::{Picture, View};
+use saute_kitchen::Library;
 use saute_kitchen::food::noise::uniform;
-use saute_kitchen::{Cook, Library, Recipe};
+use saute_recipe::{Cook, Recipe};
 
 use crate::adapter;
 use crate::perceptual::Difference;

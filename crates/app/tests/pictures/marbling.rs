@@ -4,7 +4,8 @@
 use saute_app::food_look::Skin;
 use saute_app::scene::input::{GrainVolume, WITHIN_RANGE};
 use saute_kitchen::food::FoodModel;
-use saute_kitchen::{Kitchen, Library, Recipe};
+use saute_kitchen::{Kitchen, Library};
+use saute_recipe::Recipe;
 
 /// Places along each side of a triangle at which the picture is read, and how many lie upon each other in every half of a
 /// layer (chosen: 0.2 mm apart and less, where seams are some 0.5 to 1 mm wide).

@@ -10,8 +10,9 @@ use saute_app::scene::quality::Quality;
 use saute_app::scene::renderer::SceneRenderer;
 use saute_app::shot::cook_until;
 use saute_app::stage::{Stage, StageOptions};
+use saute_kitchen::Library;
 use saute_kitchen::food::{FoodModel, Lab};
-use saute_kitchen::{Library, Recipe};
+use saute_recipe::Recipe;
 
 use crate::adapter;
 

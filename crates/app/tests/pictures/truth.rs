@@ -6,7 +6,8 @@ use saute_app::shot::{ShotError, cook_until};
 use saute_app::stage::{Pose, StageOptions, half_length, poses};
 use saute_app::{Picture, TemperatureMap, View};
 use saute_kitchen::food::noise::uniform;
-use saute_kitchen::{Cook, Library, Piece, Recipe, celsius};
+use saute_kitchen::{Library, Piece, celsius};
+use saute_recipe::{Cook, Recipe};
 
 use crate::adapter;
 

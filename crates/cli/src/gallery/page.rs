@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use saute_kitchen::summary::FoodSummary;
+use saute_recipe::summary::FoodSummary;
 
 use super::figure::{Figure, Panel};
 use super::moment::Moment;

@@ -1,8 +1,8 @@
 //! Temperatures, power and mass against time.
 
-use saute_kitchen::recorder::Row;
-use saute_kitchen::summary::Told;
-use saute_kitchen::{Cook, Summary};
+use saute_recipe::recorder::Row;
+use saute_recipe::summary::Told;
+use saute_recipe::{Cook, Summary};
 
 use super::markup::escaped;
 use super::plot::{Panel, Scale, marks, nice_range, nice_step};
@@ -92,7 +92,7 @@ impl<'a> Drawing<'a> {
     }
 
     /// Steps that concern this food, or all.
-    fn moment(&self, step: &saute_kitchen::step_record::StepRecord) -> Option<(f64, String, String)> {
+    fn moment(&self, step: &saute_recipe::step_record::StepRecord) -> Option<(f64, String, String)> {
         let members = &self.summary.foods[self.told.members.clone()];
         let mine = step.target.is_none() || members.iter().any(|f| step.foods.contains(&f.id));
         let full = format!("{}: {}", wording::duration(step.time_s), escaped(&wording::step(step)));

@@ -1,9 +1,9 @@
 //! Doneness bars: colour, pattern and number say the same.
 
 use saute_app::colour_map::Tone;
-use saute_kitchen::Summary;
 use saute_kitchen::food::Scale;
-use saute_kitchen::summary::{ClassShares, FoodSummary};
+use saute_recipe::Summary;
+use saute_recipe::summary::{ClassShares, FoodSummary};
 
 use super::markup::escaped;
 use crate::wording;

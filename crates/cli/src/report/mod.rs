@@ -8,9 +8,9 @@ pub mod plot;
 mod sections;
 
 use saute_kitchen::food::Scale;
-use saute_kitchen::recorder::Row;
-use saute_kitchen::summary::Told;
-use saute_kitchen::{Cook, Recipe, StoppedBy, Summary};
+use saute_recipe::recorder::Row;
+use saute_recipe::summary::Told;
+use saute_recipe::{Cook, Recipe, StoppedBy, Summary};
 
 use self::markup::escaped;
 use crate::section_files::Snapshot;

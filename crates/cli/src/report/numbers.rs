@@ -1,9 +1,9 @@
 //! The tables: food, pan, energy, steps.
 
-use saute_kitchen::group_summary::GroupSummary;
-use saute_kitchen::step_record::StepRecord;
-use saute_kitchen::summary::{FoodSummary, Surface, Told};
-use saute_kitchen::{Cook, Summary};
+use saute_recipe::group_summary::GroupSummary;
+use saute_recipe::step_record::StepRecord;
+use saute_recipe::summary::{FoodSummary, Surface, Told};
+use saute_recipe::{Cook, Summary};
 
 use super::markup::escaped;
 use crate::wording::{self, duration};

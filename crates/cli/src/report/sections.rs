@@ -1,8 +1,8 @@
 //! The cross-sections step by step.
 
 use saute_app::TemperatureMap;
-use saute_kitchen::step_record::StepRecord;
-use saute_kitchen::{Cook, Summary};
+use saute_recipe::step_record::StepRecord;
+use saute_recipe::{Cook, Summary};
 
 use super::markup::{data_uri, escaped};
 use crate::section_files::Snapshot;

@@ -9,9 +9,9 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use saute_kitchen::Library;
-use saute_kitchen::cook_case::CookCase;
-use saute_kitchen::lab::{Case, LabReport, Verdict, run, verdicts};
 use saute_kitchen::library::DEFAULT_SCALE;
+use saute_lab::cook_case::CookCase;
+use saute_lab::{Case, LabReport, Verdict, run, verdicts};
 use serde::Serialize;
 
 use crate::args::ValidateArgs;
@@ -57,7 +57,7 @@ pub fn validate(args: &ValidateArgs, shelf: &Shelf) -> Result<ExitCode, CliError
 }
 
 fn run_cases(only: Option<&str>, shelf: &Shelf) -> Result<Vec<CaseRun>, CliError> {
-    let cases = Library::validation_cases();
+    let cases = saute_lab::validation_cases();
     if let Some(id) = only.filter(|id| !cases.contains_key(*id)) {
         let remedy = format!("use one of: {}", Library::names(&cases));
         return Err(CliError::place(format!("--case {id}"), "there is no such case", remedy));

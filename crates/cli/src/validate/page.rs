@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use saute_kitchen::lab::Verdict;
+use saute_lab::Verdict;
 
 use super::{CaseRun, picture, segments};
 use crate::error::CliError;

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use saute_kitchen::heat::Rule;
-use saute_kitchen::lab::{Case, Shape, Verdict, verdicts};
+use saute_lab::{Case, Shape, Verdict, verdicts};
 
 use super::page::number;
 use super::picture::{Curve, dense, draw, expected};
