@@ -83,7 +83,7 @@ pub fn pictured(cook: &Cook, every_piece: bool) -> Vec<usize> {
 
 /// What a cook with pictures of some foods may need on the disk [bytes]: no picture is larger than its pixels.
 pub fn disk_space(cook: &Cook, pictured: &[usize]) -> u64 {
-    let pixels = |p: &Piece| p.model.size[1] * p.model.size[2] * 1e6 * FILE_PER_MM * FILE_PER_MM;
+    let pixels = |p: &Piece| p.model.size()[1] * p.model.size()[2] * 1e6 * FILE_PER_MM * FILE_PER_MM;
     let bytes: f64 = pictured.iter().map(|i| 2.0 * 4.0 * pixels(&cook.kitchen.pieces()[*i])).sum();
     OTHER_FILES + (bytes * cook.runner.recipe().steps.len() as f64) as u64
 }

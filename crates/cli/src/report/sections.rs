@@ -28,8 +28,8 @@ pub fn section(cook: &Cook, summary: &Summary, snapshots: &[Snapshot]) -> String
 }
 
 fn size(piece: &saute_kitchen::Piece) -> String {
-    let across = piece.model.size[0].min(piece.model.size[1]);
-    format!("{} {:.0} × {:.0} mm", escaped(&piece.id), across * 1e3, piece.model.size[2] * 1e3)
+    let across = piece.model.size()[0].min(piece.model.size()[1]);
+    format!("{} {:.0} × {:.0} mm", escaped(&piece.id), across * 1e3, piece.model.size()[2] * 1e3)
 }
 
 /// A moment; none if nothing was done to this food then.
