@@ -1,7 +1,7 @@
 //! A cook of the gallery at one moment: kitchen and numbers.
 
-use saute_app::shot::ShotError;
 use saute_kitchen::{Kitchen, Library, Piece, TICK_S};
+use saute_picture::still::shot::ShotError;
 use saute_recipe::summary::Summary;
 use saute_recipe::{Cook, Recipe};
 

@@ -10,7 +10,7 @@ use saute_recipe::{Cook, Recipe};
 
 use super::stop_key;
 use crate::error::CliError;
-use crate::stderr;
+use crate::output::stderr;
 
 const DISH: &str = include_str!("dish.toml");
 /// Frames that are owed at most; older ones are let go, and counted (chosen: a third of a second).

@@ -5,8 +5,7 @@ use std::fmt::Write;
 use saute_lab::{Case, LabReport, Subject};
 
 use super::{CaseRun, timed};
-use crate::report::markup::escaped;
-use crate::report::plot::{Panel, Scale, nice_range, nice_step};
+use crate::report::plot::{Panel, Scale, escaped, nice_range, nice_step};
 
 /// Size [px].
 const SIZE: [f64; 2] = [720.0, 400.0];

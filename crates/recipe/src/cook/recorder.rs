@@ -12,8 +12,8 @@ use saute_kitchen::kitchen::Kitchen;
 pub struct Row {
     /// Time [s].
     pub time_s: f64,
-    /// Electrical power that is drawn [W].
-    pub hob_w: f64,
+    /// Electrical power drawn from the mains [W].
+    pub hob_drawn_w: f64,
     /// Area mean of the pan's floor [°C].
     pub pan_c: f64,
     /// For each food: core, top, bottom [°C], mass [g].
@@ -78,7 +78,7 @@ impl Recorder {
         };
         let row = Row {
             time_s: rounded(kitchen.time_s()),
-            hob_w: kitchen.drawn_w(),
+            hob_drawn_w: kitchen.drawn_w(),
             pan_c: celsius(kitchen.pan_temperature()),
             foods: kitchen.pieces().iter().map(food).collect(),
         };
@@ -91,13 +91,13 @@ impl Recorder {
     /// The series as CSV with fixed decimals, so that the same cook gives the same bytes: columns for each food by its id, then
     /// for the means of each group.
     pub fn csv(&self, ids: &[&str], groups: &[Group]) -> String {
-        let mut text = String::from("time_s,hob_w,pan_c");
+        let mut text = String::from("time_s,hob_drawn_w,pan_c");
         for id in ids.iter().copied().chain(groups.iter().map(|g| g.id.as_str())) {
             text.push_str(&format!(",{id}.core_c,{id}.top_c,{id}.bottom_c,{id}.mass_g"));
         }
         text.push('\n');
         for row in &self.rows {
-            text.push_str(&format!("{:.1},{:.0},{:.3}", row.time_s, row.hob_w, row.pan_c));
+            text.push_str(&format!("{:.1},{:.0},{:.3}", row.time_s, row.hob_drawn_w, row.pan_c));
             let means = groups.iter().map(|g| row.mean(&g.members));
             for [core, top, bottom, mass] in row.foods.iter().copied().chain(means) {
                 text.push_str(&format!(",{core:.3},{top:.3},{bottom:.3},{mass:.4}"));

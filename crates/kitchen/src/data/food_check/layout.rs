@@ -124,26 +124,10 @@ fn kind(value: &DeValue) -> &'static str {
     }
 }
 
-/// The known name that is most like another one, if any is.
+/// Returns the known name with the smallest Levenshtein distance to another name, if the distance is small.
 fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
-    let near = known.iter().map(|k| (edits(name, k), *k)).min()?;
+    let near = known.iter().map(|k| (strsim::levenshtein(name, k), *k)).min()?;
     (near.0 <= 2.max(name.len() / 3)).then_some(near.1)
-}
-
-/// Letters to insert, delete or change until two names are alike.
-fn edits(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, ca) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, cb) in b.iter().enumerate() {
-            let change = diagonal + usize::from(ca != *cb);
-            diagonal = row[j + 1];
-            row[j + 1] = change.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
 }
 
 #[cfg(test)]
