@@ -5,6 +5,7 @@
 
 pub mod advance;
 pub mod body;
+mod build_error;
 pub mod change;
 pub mod components;
 pub mod description;

@@ -116,12 +116,6 @@ impl Section {
         Self { points, triangles, areas, edges, boundary, clamped_edges }
     }
 
-    /// Nodes without triangles between them.
-    pub(crate) fn scattered(points: Vec<[f64; 2]>) -> Self {
-        let areas = vec![0.0; points.len()];
-        Self { points, triangles: Vec::new(), areas, edges: Vec::new(), boundary: Vec::new(), clamped_edges: 0 }
-    }
-
     /// Every side of every triangle once, ends ascending; those without weight included.
     pub fn sides(&self) -> Vec<[u32; 2]> {
         let ends = |t: &[u32; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];

@@ -3,6 +3,7 @@
 use egui::{RichText, TextureHandle, TextureOptions, Ui, vec2};
 use saute_kitchen::advice::{Advice, goal_c};
 use saute_kitchen::food::{Scale, Shares};
+use saute_kitchen::heat::Layout;
 use saute_kitchen::{Piece, celsius, kelvin};
 use saute_picture::colour::map::TemperatureMap;
 use saute_picture::cut::section::section_picture;
@@ -89,7 +90,7 @@ impl Inside {
         let (model, now) = (&piece.model, &piece.state);
         let means = now.changed.iter().map(|field| model.volume_mean(field));
         self.shares = scale.map(|s| model.cut_shares(now, &model.cut_across(0.0), s)).unwrap_or_default();
-        self.changed = model.kinetics.names().into_iter().map(str::to_owned).zip(means).collect();
+        self.changed = model.kinetics().names().into_iter().map(str::to_owned).zip(means).collect();
         self.bite = [model.hardness_index(now), model.juiciness_pct(now)];
     }
 
@@ -122,8 +123,11 @@ impl Painted {
 fn per_mm(piece: &Piece) -> f64 {
     let model = &piece.model;
     // A cut that follows a curved body shows all of its length.
-    let lengthwise = !model.is_slice() && model.cells().is_none();
-    let across = 1e3 * if lengthwise { model.mesh.thickness() } else { model.size[0].min(model.size[1]) };
+    let across = 1e3
+        * match model.mesh().layout() {
+            Layout::Along(mesh, _) => mesh.thickness(),
+            Layout::Upright(_) | Layout::Cells(_) => model.size()[0].min(model.size()[1]),
+        };
     (PANEL_WIDTH / across).clamp(PER_MM, 8.0 * PER_MM)
 }
 
