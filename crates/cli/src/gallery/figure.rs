@@ -1,43 +1,43 @@
-//! What the gallery shows: figures of panels, each a moment of a cook seen in one way.
+//! The figures of the gallery: panels, each a view of a cook at one time.
 
 use saute_app::View;
 
-/// Where the eye is.
+/// Position of the camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Eye {
     /// Near one piece.
     Piece,
-    /// Near one piece, on the side to which its cut looks.
+    /// Near one piece, on the side of its cut.
     Cut,
-    /// Over the whole pan.
+    /// Above the whole pan.
     Pan,
 }
 
 /// One picture of a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Panel {
-    /// Which cook: the name of a file in `gallery/`.
+    /// Cook: the name of a file in `gallery/`.
     pub cook: &'static str,
     /// Time after the first food went into the pan [s].
     pub after_s: f64,
-    /// What the colours mean.
+    /// View: the meaning of the colours.
     pub view: View,
-    /// Where the eye is.
+    /// Position of the camera.
     pub eye: Eye,
 }
 
 /// A figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
-    /// Name of its file, without the ending.
+    /// Name of its file, without the extension.
     pub name: &'static str,
-    /// What it is of.
+    /// Title.
     pub title: &'static str,
-    /// What there is to see.
+    /// Caption.
     pub caption: &'static str,
-    /// Its pictures, row by row.
+    /// Panels, row by row.
     pub panels: Vec<Panel>,
-    /// Pictures in a row.
+    /// Number of panels in a row.
     pub columns: usize,
 }
 
@@ -51,7 +51,7 @@ pub const COOKS: [(&str, &str); 6] = [
     ("stir-fried", include_str!("../../../../gallery/stir-fried.toml")),
 ];
 
-/// All figures, in the order of the paper's.
+/// Returns all figures, in the order of the paper.
 pub fn figures() -> Vec<Figure> {
     let panel = |cook, after_s, view, eye| Panel { cook, after_s, view, eye };
     let looks = |cook, times: &[f64], eye| times.iter().map(|t| panel(cook, *t, View::Look, eye)).collect::<Vec<_>>();

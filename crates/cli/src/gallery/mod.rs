@@ -1,4 +1,4 @@
-//! `saute gallery`: the figures of the 2013 paper with our own foods, each with its numbers.
+//! `saute gallery`: the figures of the 2013 paper with this simulator's foods, each with its numbers.
 
 mod figure;
 mod moment;
@@ -23,7 +23,7 @@ use crate::picture::size::size;
 /// `saute gallery`.
 #[derive(Debug, clap::Args)]
 pub struct GalleryArgs {
-    /// Folder for the figures (PNG) and the page with their numbers (gallery.md); made if it is missing.
+    /// Folder for the figures (PNG) and the page with their numbers (gallery.md); created if missing.
     #[arg(long, value_name = "DIR", default_value = "gallery-out")]
     pub out: PathBuf,
     /// Size of one panel in pixels.
@@ -31,7 +31,7 @@ pub struct GalleryArgs {
     pub size: [u32; 2],
 }
 
-/// Cooks, draws and writes the gallery.
+/// Cooks the recipes of the gallery, renders its figures and writes them.
 pub fn run(args: &GalleryArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let figures = figure::figures();
     let scale = data.scale(DEFAULT_SCALE)?;

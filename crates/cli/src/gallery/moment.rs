@@ -1,4 +1,4 @@
-//! A cook of the gallery at one moment: kitchen and numbers.
+//! A cook of the gallery at one time: kitchen and numbers.
 
 use saute_app::shot::ShotError;
 use saute_kitchen::summary::Summary;
@@ -6,11 +6,11 @@ use saute_kitchen::{Cook, Kitchen, Library, Piece, Recipe, TICK_S};
 
 use super::figure::{COOKS, Figure};
 
-/// A kitchen as it stands at a time after the first food went in, and its numbers.
+/// A kitchen at a time after the first food was put in, with its numbers.
 pub struct Moment {
-    /// Which cook.
+    /// Name of the cook.
     pub cook: &'static str,
-    /// Time after the first food went in [s].
+    /// Time after the first food was put in [s].
     pub after_s: f64,
     /// The kitchen.
     pub kitchen: Kitchen,
@@ -18,7 +18,7 @@ pub struct Moment {
     pub summary: Summary,
 }
 
-/// Plays a cook once and keeps every moment that some figure shows.
+/// Plays a cook once and keeps every moment that a figure shows.
 pub fn moments(cook: &'static str, figures: &[Figure], library: &Library) -> Result<Vec<Moment>, ShotError> {
     let panels = figures.iter().flat_map(|figure| &figure.panels);
     let mut times: Vec<f64> = panels.filter(|panel| panel.cook == cook).map(|panel| panel.after_s).collect();

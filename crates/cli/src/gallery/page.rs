@@ -8,7 +8,7 @@ use super::figure::{Figure, Panel};
 use super::moment::Moment;
 use super::plate::moment_of;
 
-/// The whole page in Markdown.
+/// Returns the page as Markdown.
 pub fn page(figures: &[Figure], moments: &[Moment]) -> String {
     let mut text = String::from(
         "# Gallery\n\nThe figures of the 2013 paper with this simulator's foods, drawn by `saute gallery`. Every picture is a moment of a\ncook in `gallery/`; the numbers under it are those of the same moment.\n",
@@ -49,7 +49,7 @@ fn same_moment(a: &Panel, b: &Panel) -> bool {
     a.cook == b.cook && a.after_s == b.after_s
 }
 
-/// Groups by their means, and what is in no group.
+/// Returns the means of the groups and the foods outside groups.
 fn shown(moment: &Moment) -> impl Iterator<Item = &FoodSummary> {
     let alone = moment.summary.foods.iter().filter(|food| food.group.is_none());
     moment.summary.groups.iter().map(|group| &group.mean).chain(alone)

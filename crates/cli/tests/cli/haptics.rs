@@ -39,7 +39,7 @@ fn devices_are_listed_with_their_capabilities_and_what_they_can_show() {
         said.contains("spidar-frame  Eight strings in a frame") && said.contains("phone  A phone in the hand"),
         "{said}"
     );
-    assert!(said.contains("at 127.0.0.1:8443 unless @HOST:PORT is given: this machine alone"), "{said}");
+    assert!(said.contains("at 127.0.0.1:8443 unless @HOST:PORT is given: this machine only"), "{said}");
 }
 
 #[test]
@@ -95,13 +95,13 @@ fn bad_orders_are_refused_with_what_to_do() {
     refused(&["--device", "spidar-pot"], &["spidar-pot", "there is no such device", "spidar-pan-crossed"]);
     refused(&["--device", "spidar-pot"], &["phone, haply, osc"]);
     refused(&["--device", "phone@no-such-host"], &["no-such-host", "is no address", "give HOST:PORT"]);
-    refused(&["--device", "phone", "--faults"], &["--faults", "cannot be told to fail"]);
+    refused(&["--device", "phone", "--faults"], &["--faults", "faults cannot be injected"]);
     refused(
         &["--device", "phone@127.0.0.1:0", "--wait-s", "0.3"],
         &["does not answer", "pairing code", "this machine alone"],
     );
     refused(&["--for-s", "0"], &["--for-s 0", "1 to 3600"]);
-    refused(&["--faults", "--device", "spidar-pan@127.0.0.1:9"], &["--faults", "cannot be told to fail"]);
+    refused(&["--faults", "--device", "spidar-pan@127.0.0.1:9"], &["--faults", "faults cannot be injected"]);
     refused(&["--device", "spidar-pan@/dev/no-such-port"], &["/dev/no-such-port", "serial port", "HOST:PORT"]);
 }
 
