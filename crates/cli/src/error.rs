@@ -1,10 +1,10 @@
 //! The errors of the command, each with a remedy.
 
-use saute_app::offscreen::OffscreenError;
-use saute_app::png_file::PngError;
-use saute_app::shot::ShotError;
 use saute_kitchen::InputError;
 use saute_kitchen::kitchen::SetupError;
+use saute_picture::still::png_file::PngError;
+use saute_picture::still::shot::ShotError;
+use saute_window::offscreen::OffscreenError;
 
 /// Why the command failed.
 #[derive(Debug, thiserror::Error)]
@@ -55,7 +55,7 @@ pub enum CliError {
     Shot(#[from] ShotError),
     /// A rig of the half mirror that cannot be used.
     #[error(transparent)]
-    Rig(#[from] saute_app::mirror::rig_file::RigFileError),
+    Rig(#[from] saute_window::mirror::rig_file::RigFileError),
     /// Frames that cannot be rendered.
     #[error(transparent)]
     Offscreen(#[from] OffscreenError),

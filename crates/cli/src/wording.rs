@@ -1,7 +1,7 @@
 //! Numbers and steps as text.
 
 use saute_kitchen::food::Scale;
-use saute_kitchen::step_record::StepRecord;
+use saute_recipe::step_record::StepRecord;
 
 /// Returns a time as text: `45.0 s`, `16 min 38 s`.
 pub fn duration(seconds: f64) -> String {

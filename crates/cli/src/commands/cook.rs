@@ -4,7 +4,7 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use saute_kitchen::food::Scale;
-use saute_kitchen::{Cook, Recipe, StoppedBy, Summary};
+use saute_recipe::{Cook, Recipe, StoppedBy, Summary};
 
 use crate::args::CookArgs;
 use crate::error::CliError;

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use saute_kitchen::lab::{self, Case, LabReport};
+use saute_lab::{Case, LabReport};
 
 use crate::args::LabArgs;
 use crate::error::CliError;
@@ -18,7 +18,7 @@ pub fn run(args: &LabArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let text = text_file::read(&args.case)?;
     let case = Case::parse(&text, &args.case.display().to_string(), &data.library)?;
     let start = Instant::now();
-    let report = lab::run(&case, || start.elapsed().as_secs_f64());
+    let report = saute_lab::run(&case, || start.elapsed().as_secs_f64());
     stdout::print(&if args.json { json::text(&report)? } else { table(&report) })?;
     report.warnings.iter().for_each(|warning| stderr::say(format!("warning: {warning}")));
     Ok(exit_code::of_goal(report.warnings.is_empty()))

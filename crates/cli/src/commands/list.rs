@@ -4,10 +4,12 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::ValueEnum;
-use saute_app::View;
-use saute_app::settings::Settings;
+use saute_kitchen::Library;
 use saute_kitchen::food::{FoodDescription, Scale};
-use saute_kitchen::{Library, Recipe};
+use saute_picture::View;
+use saute_recipe::Recipe;
+use saute_window::ViewWords;
+use saute_window::settings::Settings;
 use serde::Serialize;
 
 use super::list_actions;

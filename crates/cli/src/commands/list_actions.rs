@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use saute_kitchen::recipe_file::RecipeFile;
+use saute_recipe::recipe_file::RecipeFile;
 use serde::Serialize;
 use serde_json::Value;
 

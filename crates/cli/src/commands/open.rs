@@ -3,9 +3,10 @@
 use std::process::ExitCode;
 use std::sync::Arc;
 
-use saute_app::Start;
-use saute_app::hand::HandsStart;
-use saute_kitchen::{Library, Recipe};
+use saute_kitchen::Library;
+use saute_recipe::Recipe;
+use saute_window::Start;
+use saute_window::hand::HandsStart;
 
 use crate::args::HandArgs;
 use crate::error::CliError;
@@ -18,7 +19,7 @@ pub fn run(library: Library, recipe: Option<Recipe>, hands: HandArgs) -> Result<
     let HandArgs { device, turner, pairing, calibration } = hands;
     let hands = HandsStart { pan: device, turner, pairing, calibration };
     let start = Start { library: Some(Arc::new(library)), recipe, hands };
-    saute_app::window::run(start)
+    saute_window::window::run(start)
         .map_err(|e| CliError::NoDisplay(format!("the window cannot be opened: {e}\n{NO_DISPLAY}")))?;
     Ok(ExitCode::SUCCESS)
 }

@@ -2,8 +2,8 @@
 
 use std::process::ExitCode;
 
-use saute_kitchen::lab::CaseFile;
-use saute_kitchen::recipe_file::RecipeFile;
+use saute_lab::CaseFile;
+use saute_recipe::recipe_file::RecipeFile;
 
 use crate::args::Schema;
 use crate::error::CliError;

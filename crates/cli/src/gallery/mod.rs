@@ -8,10 +8,10 @@ mod plate;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use saute_app::headless::Gpu;
-use saute_app::png_file::png_bytes;
-use saute_app::shot::ShotError;
 use saute_kitchen::library::DEFAULT_SCALE;
+use saute_picture::still::headless::Gpu;
+use saute_picture::still::png_file::png_bytes;
+use saute_picture::still::shot::ShotError;
 
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;

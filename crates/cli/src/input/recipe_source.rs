@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use saute_kitchen::{Library, Recipe};
+use saute_kitchen::Library;
+use saute_recipe::Recipe;
 
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;

@@ -3,7 +3,7 @@
 use std::io::IsTerminal;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use saute_kitchen::Cook;
+use saute_recipe::Cook;
 
 use crate::wording::duration;
 

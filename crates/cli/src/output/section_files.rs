@@ -1,9 +1,10 @@
 //! Pictures of the cross-sections at each step.
 
-use saute_app::png_file::{PngError, png_bytes};
-use saute_app::{TemperatureMap, View, section_picture};
-use saute_kitchen::cook::Fired;
-use saute_kitchen::{Cook, Piece, Place};
+use saute_kitchen::{Piece, Place};
+use saute_picture::still::png_file::{PngError, png_bytes};
+use saute_picture::{TemperatureMap, View, section_picture};
+use saute_recipe::Cook;
+use saute_recipe::Fired;
 
 /// Resolution of the picture files [px/mm] (chosen: a steak fills a screen).
 const FILE_PER_MM: f64 = 12.0;

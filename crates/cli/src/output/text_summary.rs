@@ -5,9 +5,9 @@ use std::fmt::Write;
 
 use saute_kitchen::energy::Energy;
 use saute_kitchen::food::Scale;
-use saute_kitchen::group_summary::GroupSummary;
-use saute_kitchen::summary::{ClassShares, FoodSummary, LogReduction, Surface};
-use saute_kitchen::{StoppedBy, Summary};
+use saute_recipe::group_summary::GroupSummary;
+use saute_recipe::summary::{ClassShares, FoodSummary, LogReduction, Surface};
+use saute_recipe::{StoppedBy, Summary};
 
 use crate::wording::{self, duration};
 

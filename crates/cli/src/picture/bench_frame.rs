@@ -5,10 +5,10 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use clap::ValueEnum;
-use saute_app::Start;
-use saute_app::bench_frame::{DISH, DISH_FROM_S, FROM_S, SHRIMPS, SHRIMPS_FROM_S};
-use saute_app::quality_choice::QualityChoice;
-use saute_kitchen::Recipe;
+use saute_recipe::Recipe;
+use saute_window::Start;
+use saute_window::bench_frame::{DISH, DISH_FROM_S, FROM_S, SHRIMPS, SHRIMPS_FROM_S};
+use saute_window::ui::quality_choice::QualityChoice;
 
 use super::choices::QualityName;
 use super::size::size;
@@ -55,7 +55,7 @@ pub fn run(args: &BenchFrameArgs, data: &DataLibrary, process_start: Instant) ->
     };
     let quality = args.quality.map_or(QualityChoice::Automatic, |name| QualityChoice::Always(name.into()));
     let start = Start { library: Some(Arc::new(data.library.clone())), recipe: Some(recipe), ..Start::default() };
-    let bench = saute_app::bench_frame::bench_frame(start, args.size, from_s, quality, process_start)?;
+    let bench = saute_window::bench_frame::bench_frame(start, args.size, from_s, quality, process_start)?;
     if args.json {
         stdout::print(&json::text(&bench)?)?;
         return Ok(ExitCode::SUCCESS);

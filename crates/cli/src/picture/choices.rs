@@ -1,10 +1,10 @@
 //! Names of views, white balances, qualities and stereo modes on the command line.
 
 use clap::ValueEnum;
-use saute_app::View;
-use saute_app::mirror::stereo::Stereo;
-use saute_app::scene::quality::Quality;
-use saute_app::scene::white_balance::WhiteBalance;
+use saute_picture::View;
+use saute_scene::light::white_balance::WhiteBalance;
+use saute_scene::quality::Quality;
+use saute_window::mirror::stereo::Stereo;
 
 /// Names of the views.
 #[derive(Clone, Copy, Debug, ValueEnum)]

@@ -4,15 +4,15 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::ValueEnum;
-use saute_app::View;
-use saute_app::mirror::frame::MirrorOptions;
-use saute_app::mirror::rig::Rig;
-use saute_app::mirror::rig_file;
-use saute_app::mirror::stereo::Stereo;
-use saute_app::mirror::still::mirror_shot;
-use saute_app::png_file::png_bytes;
-use saute_app::shot::ShotOptions;
 use saute_kitchen::library::DEFAULT_SCALE;
+use saute_picture::View;
+use saute_picture::still::png_file::png_bytes;
+use saute_picture::still::shot::ShotOptions;
+use saute_window::mirror::frame::MirrorOptions;
+use saute_window::mirror::rig::Rig;
+use saute_window::mirror::rig_file;
+use saute_window::mirror::stereo::Stereo;
+use saute_window::mirror::still::mirror_shot;
 
 use super::choices::{QualityName, StereoName, ViewName, WhiteName};
 use super::size::size;
@@ -103,7 +103,7 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     };
     let library = &data.library;
     let picture = match &args.mirror {
-        None => saute_app::shot::shot(recipe, library, args.at, options, args.size)?,
+        None => saute_picture::still::shot::shot(recipe, library, args.at, options, args.size)?,
         Some(name) => {
             let rig = rig(name)?;
             let stereo = args.stereo.map_or(Stereo::Off, Stereo::from);

@@ -1,10 +1,10 @@
 //! Temperatures, power and mass against time.
 
 use maud::{Markup, PreEscaped, html};
-use saute_kitchen::recorder::Row;
-use saute_kitchen::step_record::StepRecord;
-use saute_kitchen::summary::Told;
-use saute_kitchen::{Cook, Summary};
+use saute_recipe::recorder::Row;
+use saute_recipe::step_record::StepRecord;
+use saute_recipe::summary::Told;
+use saute_recipe::{Cook, Summary};
 
 use super::plot::{Mark, Panel, Scale, marks, nice_range, nice_step};
 use crate::wording;

@@ -1,10 +1,10 @@
 //! Doneness bars: each class has a colour, a pattern and a number.
 
 use maud::{Markup, html};
-use saute_app::colour_map::Tone;
-use saute_kitchen::Summary;
 use saute_kitchen::food::Scale;
-use saute_kitchen::summary::{ClassShares, FoodSummary};
+use saute_picture::colour::map::Tone;
+use saute_recipe::Summary;
+use saute_recipe::summary::{ClassShares, FoodSummary};
 
 use crate::wording;
 

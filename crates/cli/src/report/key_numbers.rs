@@ -1,8 +1,8 @@
 //! The four most important numbers of a food; for a group their means.
 
 use maud::{Markup, html};
-use saute_kitchen::Summary;
-use saute_kitchen::summary::Told;
+use saute_recipe::Summary;
+use saute_recipe::summary::Told;
 
 use crate::wording::duration;
 

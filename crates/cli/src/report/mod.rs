@@ -9,9 +9,9 @@ mod sections;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use saute_kitchen::food::Scale;
-use saute_kitchen::recorder::Row;
-use saute_kitchen::summary::Told;
-use saute_kitchen::{Cook, Recipe, StoppedBy, Summary};
+use saute_recipe::recorder::Row;
+use saute_recipe::summary::Told;
+use saute_recipe::{Cook, Recipe, StoppedBy, Summary};
 
 use crate::output::section_files::Snapshot;
 use crate::wording::duration;

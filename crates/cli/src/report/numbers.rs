@@ -1,10 +1,10 @@
 //! The tables: food, pan, energy, steps.
 
 use maud::{Markup, Render, html};
-use saute_kitchen::group_summary::GroupSummary;
-use saute_kitchen::step_record::StepRecord;
-use saute_kitchen::summary::{FoodSummary, Surface, Told};
-use saute_kitchen::{Cook, Summary};
+use saute_recipe::group_summary::GroupSummary;
+use saute_recipe::step_record::StepRecord;
+use saute_recipe::summary::{FoodSummary, Surface, Told};
+use saute_recipe::{Cook, Summary};
 
 use crate::wording::{self, duration};
 

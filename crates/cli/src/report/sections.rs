@@ -2,9 +2,10 @@
 
 use data_encoding::BASE64;
 use maud::{Markup, html};
-use saute_app::TemperatureMap;
-use saute_kitchen::step_record::StepRecord;
-use saute_kitchen::{Cook, Piece, Summary};
+use saute_kitchen::Piece;
+use saute_picture::TemperatureMap;
+use saute_recipe::step_record::StepRecord;
+use saute_recipe::{Cook, Summary};
 
 use crate::output::section_files::Snapshot;
 use crate::wording::{self, duration};

@@ -1,5 +1,6 @@
 //! `saute validate`.
 
+mod colorimeter;
 mod colour;
 mod page;
 mod picture;
@@ -9,9 +10,9 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use saute_kitchen::Library;
-use saute_kitchen::cook_case::CookCase;
-use saute_kitchen::lab::{self, Case, LabReport, Verdict, verdicts};
 use saute_kitchen::library::DEFAULT_SCALE;
+use saute_lab::cook_case::CookCase;
+use saute_lab::{Case, LabReport, Verdict, verdicts};
 use serde::Serialize;
 
 use crate::args::ValidateArgs;
@@ -50,7 +51,7 @@ pub fn run(args: &ValidateArgs, data: &DataLibrary) -> Result<ExitCode, CliError
 }
 
 fn run_cases(only: Option<&str>, data: &DataLibrary) -> Result<Vec<CaseRun>, CliError> {
-    let cases = Library::validation_cases();
+    let cases = saute_lab::validation_cases();
     if let Some(id) = only.filter(|id| !cases.contains_key(*id)) {
         let remedy = format!("use one of: {}", Library::names(&cases));
         return Err(CliError::place(format!("--case {id}"), "there is no such case", remedy));
@@ -79,5 +80,5 @@ fn run_case(id: &str, text: &str, data: &DataLibrary) -> Result<CaseRun, CliErro
 
 fn timed(case: &Case) -> LabReport {
     let start = Instant::now();
-    lab::run(case, || start.elapsed().as_secs_f64())
+    saute_lab::run(case, || start.elapsed().as_secs_f64())
 }

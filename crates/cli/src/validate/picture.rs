@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use saute_kitchen::lab::{Case, LabReport, Subject};
+use saute_lab::{Case, LabReport, Subject};
 
 use super::{CaseRun, timed};
 use crate::report::plot::{Panel, Scale, escaped, nice_range, nice_step};
@@ -39,7 +39,7 @@ pub fn dense(case: &Case) -> LabReport {
 
 /// Returns the expected temperatures: probe, time [s], value [°C].
 pub fn expected(case: &Case) -> Vec<(&str, f64, f64)> {
-    let point = |e: &'_ saute_kitchen::lab::Expectation| match &e.subject {
+    let point = |e: &'_ saute_lab::Expectation| match &e.subject {
         Subject::Probe(quantity, name, time) if quantity.is_temperature() => {
             // The name is borrowed from the case.
             case.probes.iter().map(|p| p.name.as_str()).find(|n| n == name).map(|n| (n, *time, e.value))

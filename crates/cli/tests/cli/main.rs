@@ -9,4 +9,5 @@ mod layers;
 mod library;
 mod pictures;
 mod running;
+mod sources;
 mod validation;
