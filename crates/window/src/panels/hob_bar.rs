@@ -101,7 +101,7 @@ fn hands(app: &mut SauteApp, ui: &mut Ui) {
 fn no_power(kitchen: &Kitchen) -> Option<&'static str> {
     let (pan, on) = (kitchen.pan_state(), kitchen.hob_w() > 0.0);
     match () {
-        () if !on || kitchen.drawn_w() > 0.0 => None,
+        () if !on || kitchen.hob_drawn_w() > 0.0 => None,
         () if kitchen.cloth().is_some() => Some("hob.no_power_cloth"),
         () if pan.limited => Some("hob.no_power_limit"),
         () if pan.pose.lift > 0.0 => Some("hob.no_power_lifted"),
