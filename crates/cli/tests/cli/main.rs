@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod cook;
+mod folders;
 mod haptics;
 mod layers;
 mod library;
