@@ -123,7 +123,7 @@ impl Graph {
     }
 
     /// Returns everything that a crate needs, directly or not.
-    fn reached(&self, from: &str) -> BTreeSet<&str> {
+    fn reached<'a>(&'a self, from: &'a str) -> BTreeSet<&'a str> {
         let (mut reached, mut open) = (BTreeSet::new(), vec![from]);
         while let Some(next) = open.pop() {
             open.extend(self.needs[next].iter().map(String::as_str).filter(|need| reached.insert(*need)));
