@@ -13,6 +13,7 @@ use saute_picture::still::headless::Gpu;
 use saute_picture::still::png_file::png_bytes;
 use saute_picture::still::shot::ShotError;
 
+use self::figure::{COOKS, FIGURES};
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::output::out_dir::OutDir;
@@ -33,25 +34,24 @@ pub struct GalleryArgs {
 
 /// Cooks the recipes of the gallery, renders its figures and writes them.
 pub fn run(args: &GalleryArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
-    let figures = figure::figures();
     let scale = data.scale(DEFAULT_SCALE)?;
     let out = OutDir::prepare(&args.out)?;
     let gpu = Gpu::open().map_err(ShotError::from)?;
-    let progress = Progress::over((figure::COOKS.len() + figures.len()) as u64);
+    let progress = Progress::over((COOKS.len() + FIGURES.len()) as u64);
     let mut moments = Vec::new();
-    for (cook, _) in figure::COOKS {
+    for (cook, _) in COOKS {
         progress.next(format!("cooking {cook}"));
-        moments.extend(moment::moments(cook, &figures, &data.library)?);
+        moments.extend(moment::moments(cook, &data.library)?);
     }
     let mut files = Vec::new();
-    for figure in &figures {
+    for figure in &FIGURES {
         progress.next(format!("drawing {}", figure.title));
         let picture = plate::plate(&gpu, figure, &moments, &scale, args.size);
         files.push((format!("{}.png", figure.name), png_bytes(&picture)?));
     }
-    files.push(("gallery.md".to_owned(), page::page(&figures, &moments).into_bytes()));
-    let (count, place) = (figures.len(), out.place());
+    files.push(("gallery.md".to_owned(), page::page(&moments).into_bytes()));
+    let place = out.place();
     out.fill(files)?;
-    stderr::say(format!("{count} figures and gallery.md are in {place}"));
+    stderr::say(format!("{} figures and gallery.md are in {place}", FIGURES.len()));
     Ok(ExitCode::SUCCESS)
 }

@@ -5,7 +5,7 @@ use saute_picture::still::shot::ShotError;
 use saute_recipe::summary::Summary;
 use saute_recipe::{Cook, Recipe};
 
-use super::figure::{COOKS, Figure};
+use super::figure::{COOKS, FIGURES};
 
 /// A kitchen at a time after the first food was put in, with its numbers.
 pub struct Moment {
@@ -20,8 +20,8 @@ pub struct Moment {
 }
 
 /// Plays a cook once and keeps every moment that a figure shows.
-pub fn moments(cook: &'static str, figures: &[Figure], library: &Library) -> Result<Vec<Moment>, ShotError> {
-    let panels = figures.iter().flat_map(|figure| &figure.panels);
+pub fn moments(cook: &'static str, library: &Library) -> Result<Vec<Moment>, ShotError> {
+    let panels = FIGURES.iter().flat_map(|figure| figure.panels);
     let mut times: Vec<f64> = panels.filter(|panel| panel.cook == cook).map(|panel| panel.after_s).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();

@@ -4,16 +4,16 @@ use std::fmt::Write;
 
 use saute_recipe::summary::FoodSummary;
 
-use super::figure::{Figure, Panel};
+use super::figure::{FIGURES, Figure, Panel};
 use super::moment::Moment;
 use super::plate::moment_of;
 
 /// Returns the page as Markdown.
-pub fn page(figures: &[Figure], moments: &[Moment]) -> String {
+pub fn page(moments: &[Moment]) -> String {
     let mut text = String::from(
         "# Gallery\n\nThe figures of the 2013 paper with this simulator's foods, drawn by `saute gallery`. Every picture shows a moment of a\ncook in `gallery/`; the numbers below it belong to the same moment.\n",
     );
-    for (number, figure) in figures.iter().enumerate() {
+    for (number, figure) in FIGURES.iter().enumerate() {
         let _ = write!(
             text,
             "\n## {}. {}\n\n![{}]({}.png)\n\n{}\n\n",

@@ -86,19 +86,16 @@ fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, library: &Libra
     let after = fry.control.state();
     let contents_kg = fry.contents_kg();
     let force_limit_n = geometry.limits.force_n;
-    let faults = match (&mut simulator, args.faults) {
-        (Some(simulator), true) => {
-            stderr::say("injecting faults");
-            fault_run::run(&mut fry, simulator, force_limit_n)
-        }
-        _ => Vec::new(),
+    let faults = match simulator.as_mut().filter(|_| args.faults) {
+        Some(simulator) => fault_run::run(&mut fry, simulator, force_limit_n),
+        None => Vec::new(),
     };
     let kitchen_hz = fry.rate_hz();
     let run = fry.control.end()?;
+    let measured = [before.sample.time_s, after.sample.time_s];
     let errors = match &mut simulator {
         Some(simulator) => {
             simulator.end();
-            let measured = [before.sample.time_s, after.sample.time_s];
             truth::compare(&truth_file.0, &run.log, measured, &geometry.preload())?
         }
         None => None,
@@ -135,23 +132,24 @@ fn calibrate(fry: &mut Fry, named: &Named, geometry: &Geometry) -> Result<(), Cl
     stderr::say(format!("found; put the pan into each of the {} places of its jig", geometry.jig.pose.len()));
     let is_done = |s: &LoopState| matches!(s.sample.health, Health::Running | Health::Misfit);
     fry.until(jig, is_done);
-    match fry.control.state().sample.health {
-        Health::Running => {}
-        Health::Misfit => {
-            let remedy = "check the routing of its strings, and that this is its geometry file";
-            return Err(CliError::place(
-                &named.name,
-                "the measurements on the jig do not match the geometry file",
-                remedy,
-            ));
-        }
-        _ => {
-            let remedy = "leave the pan in each place of the jig until all have been measured";
-            return Err(CliError::place(&named.name, "was not calibrated in time", remedy));
-        }
+    let health = fry.control.state().sample.health;
+    if health != Health::Running {
+        return Err(not_calibrated(named, health));
     }
     fry.until(SETTLING_S, |_| false);
     Ok(())
+}
+
+/// Returns the error of a device that has been found but not calibrated.
+fn not_calibrated(named: &Named, health: Health) -> CliError {
+    let (message, remedy) = match health {
+        Health::Misfit => (
+            "the measurements on the jig do not match the geometry file",
+            "check the routing of its strings, and that this is its geometry file",
+        ),
+        _ => ("was not calibrated in time", "leave the pan in each place of the jig until all have been measured"),
+    };
+    CliError::place(&named.name, message, remedy)
 }
 
 /// Returns the error of a device that has not been found.

@@ -7,6 +7,7 @@ use saute_haptics::{Health, Simulator};
 use serde::Serialize;
 
 use super::fry::Fry;
+use crate::output::stderr;
 
 /// Duration of each fault [s] (chosen: long enough for an unstable loop to diverge).
 const LASTS_S: f64 = 3.0;
@@ -30,6 +31,7 @@ pub struct FaultOutcome {
 
 /// Injects all faults, one after the other.
 pub fn run(fry: &mut Fry, simulator: &mut Simulator, force_limit_n: f64) -> Vec<FaultOutcome> {
+    stderr::say("injecting faults");
     let mut bench = Bench { fry, simulator, force_limit_n };
     vec![
         bench.noisy("packet loss 1 %", "loss 0.01"),

@@ -115,23 +115,8 @@ fn markdown(runs: &[CaseRun], pictures: &[&str]) -> String {
         verdicts.len()
     );
     for run in runs {
-        for v in &run.verdicts {
-            let name = if pictures.contains(&run.id.as_str()) {
-                format!("[{}]({PICTURES}/{}.svg)", v.name, run.id)
-            } else {
-                v.name.clone()
-            };
-            let (got, error) = (number(v.got), number(v.error));
-            let _ = writeln!(
-                text,
-                "| {name} | {} [{}] | {:.4} | {:.4} | {got} | {error} | {} |",
-                v.quantity,
-                v.unit,
-                v.expected,
-                v.tolerance,
-                word(v)
-            );
-        }
+        let is_pictured = pictures.contains(&run.id.as_str());
+        run.verdicts.iter().for_each(|v| text.push_str(&table_row(run, v, is_pictured)));
     }
     text.push_str("\n## Sources\n\n");
     let mut sources: Vec<&str> = verdicts.iter().map(|v| v.source.as_str()).collect();
@@ -139,4 +124,18 @@ fn markdown(runs: &[CaseRun], pictures: &[&str]) -> String {
     sources.dedup();
     sources.iter().for_each(|s| text.push_str(&format!("- {s}\n")));
     text
+}
+
+/// Returns a row of the Markdown table; the name links to the picture of the case if there is one.
+fn table_row(run: &CaseRun, v: &Verdict, is_pictured: bool) -> String {
+    let name = if is_pictured { format!("[{}]({PICTURES}/{}.svg)", v.name, run.id) } else { v.name.clone() };
+    let (got, error) = (number(v.got), number(v.error));
+    format!(
+        "| {name} | {} [{}] | {:.4} | {:.4} | {got} | {error} | {} |\n",
+        v.quantity,
+        v.unit,
+        v.expected,
+        v.tolerance,
+        word(v)
+    )
 }

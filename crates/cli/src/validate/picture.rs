@@ -77,18 +77,7 @@ pub fn draw(title: &str, curves: &[Curve], points: &[(&str, f64, f64)]) -> Strin
     let panel = Panel { x: Scale::new([0.0, end], [left, right]), y: Scale::new(range, [bottom, top]), edges: EDGES };
     let mut svg = panel.y_axis(range, step, "°C") + &panel.x_axis(end, nice_step(end, 6.0), 1.0, "time [s]");
     for (row, curve) in curves.iter().enumerate() {
-        let colour = COLOURS[curve.colour % COLOURS.len()];
-        let dashes = if curve.dashed { " stroke-dasharray=\"6 4\"" } else { "" };
-        let path = panel.curve("", curve.series.iter().map(|p| (p[0], p[1])));
-        let y = top + 18.0 * row as f64;
-        let _ = write!(
-            svg,
-            "<g stroke=\"{colour}\"{dashes}>{path}<path class=\"curve\" d=\"M{:.0} {y:.0}h24\"/></g><text x=\"{:.0}\" y=\"{:.0}\">{}</text>",
-            right + 12.0,
-            right + 42.0,
-            y + 4.0,
-            escaped(&curve.name)
-        );
+        svg += &curve_with_legend(&panel, curve, top + 18.0 * row as f64);
     }
     for (_, time, value) in points {
         let (x, y) = (panel.x.at(*time), panel.y.at(*value));
@@ -103,6 +92,21 @@ pub fn draw(title: &str, curves: &[Curve], points: &[(&str, f64, f64)]) -> Strin
         y + 4.0
     );
     page(title, &svg)
+}
+
+/// Draws a curve and its entry in the legend at the height `y` [px].
+fn curve_with_legend(panel: &Panel, curve: &Curve, y: f64) -> String {
+    let colour = COLOURS[curve.colour % COLOURS.len()];
+    let dashes = if curve.dashed { " stroke-dasharray=\"6 4\"" } else { "" };
+    let path = panel.curve("", curve.series.iter().map(|p| (p[0], p[1])));
+    let right = EDGES[1];
+    format!(
+        "<g stroke=\"{colour}\"{dashes}>{path}<path class=\"curve\" d=\"M{:.0} {y:.0}h24\"/></g><text x=\"{:.0}\" y=\"{:.0}\">{}</text>",
+        right + 12.0,
+        right + 42.0,
+        y + 4.0,
+        escaped(&curve.name)
+    )
 }
 
 fn page(title: &str, inside: &str) -> String {

@@ -35,22 +35,7 @@ impl Pair<'_> {
 pub fn page(runs: &[CaseRun]) -> (String, Vec<(String, String)>) {
     let mut pairs: Vec<Pair> = runs.iter().filter_map(pair).collect();
     let mut text = String::from(INTRODUCTION);
-    for pair in &pairs {
-        for ((shape, segment), even) in pair.run.verdicts.iter().zip(&pair.segments).zip(&pair.even) {
-            let _ = writeln!(
-                text,
-                "| {} | {} [{}] | {:.4} | {:.4} | {} | {} | {} |",
-                shape.name,
-                shape.quantity,
-                shape.unit,
-                shape.expected,
-                shape.tolerance,
-                number(shape.error),
-                number(segment.error),
-                number(even.error)
-            );
-        }
-    }
+    pairs.iter().for_each(|pair| rows(&mut text, pair));
     let held = |of: fn(&Pair) -> usize| pairs.iter().map(of).sum::<usize>();
     let _ = writeln!(
         text,
@@ -68,6 +53,24 @@ pub fn page(runs: &[CaseRun]) -> (String, Vec<(String, String)>) {
         let _ = writeln!(text, "\n![{name}](validation/{name}.svg)");
     }
     (text, pictures)
+}
+
+/// Adds a row for each value of a case.
+fn rows(text: &mut String, pair: &Pair) {
+    for ((shape, segment), even) in pair.run.verdicts.iter().zip(&pair.segments).zip(&pair.even) {
+        let _ = writeln!(
+            text,
+            "| {} | {} [{}] | {:.4} | {:.4} | {} | {} | {} |",
+            shape.name,
+            shape.quantity,
+            shape.unit,
+            shape.expected,
+            shape.tolerance,
+            number(shape.error),
+            number(segment.error),
+            number(even.error)
+        );
+    }
 }
 
 const INTRODUCTION: &str = "# What the shape functions gain\n\n\
