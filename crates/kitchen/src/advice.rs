@@ -180,7 +180,7 @@ impl NoPower {
     pub fn of(kitchen: &Kitchen) -> Option<Self> {
         let (pan, on) = (kitchen.pan_state(), kitchen.hob_w() > 0.0);
         match () {
-            () if !on || kitchen.drawn_w() > 0.0 => None,
+            () if !on || kitchen.hob_drawn_w() > 0.0 => None,
             () if kitchen.cloth().is_some() => Some(Self::Cloth),
             () if pan.limited => Some(Self::Limit),
             () if pan.pose.lift > 0.0 => Some(Self::Lifted),

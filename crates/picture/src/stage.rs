@@ -230,7 +230,7 @@ impl Stage {
         let spatter = self.spots.look(kitchen, &look);
         SceneInput {
             camera: following(&options.camera, places.followed(kitchen)),
-            hob: HobLook { power: (kitchen.drawn_w() / 2000.0).min(1.0) as f32 },
+            hob: HobLook { power: (kitchen.hob_drawn_w() / 2000.0).min(1.0) as f32 },
             pan: look,
             foods: looks.flat_map(|(piece, pose)| self.food(piece, pose, options, map.as_ref())).collect(),
             tool: tool(kitchen),
