@@ -33,3 +33,6 @@ pub use water::FreeAir;
 
 /// Absolute temperature of 0 °C [K].
 pub const ZERO_C: f64 = 273.15;
+
+/// Standard acceleration of gravity [m/s²] (3rd General Conference on Weights and Measures, CGPM 1901).
+pub const GRAVITY: f64 = 9.806_65;

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use saute_heat::Layout;
 
-use crate::body::shrink::GRAVITY;
+use crate::GRAVITY;
 use crate::model::FoodModel;
 use crate::state::FoodState;
 

@@ -3,13 +3,11 @@
 use libm::{exp, log};
 use saute_heat::{Layout, SweptMesh};
 
-use crate::ZERO_C;
 use crate::description::PerChange;
 use crate::model::FoodModel;
 use crate::state::{FoodState, Stretch};
+use crate::{GRAVITY, ZERO_C};
 
-/// Acceleration of gravity [m/s²] (standard).
-pub(crate) const GRAVITY: f64 = 9.806_65;
 /// Poisson's ratio of meat [-] (nearly incompressible: 0.5).
 const POISSON: f64 = 0.5;
 /// Temperature at which rest volumes are reckoned [K].
