@@ -25,8 +25,6 @@ impl Standing {
 }
 
 impl FoodModel {
-    /// Present height of a column of a slice at each level above its lowest [m], level by level.
-
     /// Present mean thickness; of a curved body its height as it lies on its side [m].
     pub fn thickness(&self, state: &FoodState) -> f64 {
         let Layout::Upright(mesh) = self.shape.mesh.layout() else {

@@ -8,6 +8,7 @@ use crate::mesh::swept::SweptMesh;
 
 /// Mesh of a body: a cross-section swept along a path, or cells inside a closed surface.
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "one mesh per model, behind an `Arc`: a box would only add an indirection")]
 pub enum BodyMesh {
     /// A cross-section carried along a path in layers.
     Swept(SweptMesh),
