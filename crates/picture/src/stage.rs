@@ -1,4 +1,4 @@
-//! Sets the scene: a kitchen becomes what the renderer draws.
+//! The stage: turns a kitchen into the renderer's input.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -28,12 +28,12 @@ use crate::skin::surface::Skin;
 use crate::view::View;
 use crate::waiting::waiting_places;
 
-/// How the picture is wanted: unless said otherwise the whole food as the eye sees it, from the working view.
+/// Options of a picture; by default the whole food as the eye sees it, from the working view.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StageOptions {
     /// The eye.
     pub camera: Camera,
-    /// What the colours mean.
+    /// View that the colours show.
     pub view: View,
     /// Which map shows temperatures.
     pub map: TemperatureMap,
@@ -43,7 +43,7 @@ pub struct StageOptions {
     pub slice: Option<f64>,
     /// The piece that is cut; all of them unless one is named.
     pub cut: Option<String>,
-    /// What the look calls white.
+    /// White balance of the look.
     pub white_balance: WhiteBalance,
     /// Unlit, exactly decodable colours.
     pub flat: bool,
@@ -53,19 +53,19 @@ pub struct StageOptions {
 /// stays in view).
 pub const CUT_YAW: f32 = 0.62;
 
-/// Where a piece is and how it is turned.
+/// Pose of a rigid body: position and rotation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose {
     /// Origin of its body [m].
     pub position: Vec3,
-    /// How it is turned.
+    /// Rotation.
     pub rotation: Quat,
 }
 
 impl Pose {
-    /// The pose that the kitchen's bodies say.
+    /// Pose of a piece in the kitchen, with the lift of a rack.
     fn of(piece: &Piece) -> Self {
-        // The bodies know no rack: it lifts what lies on it in the picture.
+        // The rigid bodies have no rack: in the picture it lifts what lies on it.
         let lift = if piece.place == Place::Rest(RestOn::Rack) { RACK_HEIGHT } else { 0.0 };
         let bent = 0.5 * piece.state.stretch.dome.abs() as f32;
         let raised = piece.pose.position.as_vec3() + Vec3::Z * (lift + bent);
@@ -92,8 +92,8 @@ impl Pose {
     }
 }
 
-/// Where every piece is, in their order: as the kitchen's bodies lie; what waits lies on the board, and what is in a pan on
-/// the cloth lies there.
+/// Poses of all pieces, in their order: those of the kitchen's rigid bodies; what waits lies on the board, and what is
+/// in a pan on the cloth lies there.
 pub fn poses(kitchen: &Kitchen) -> Vec<Pose> {
     let waiting = waiting_places(kitchen);
     let (bodies, drawn) = (body_of_pan(kitchen), pan_pose(kitchen));
@@ -105,7 +105,7 @@ pub fn poses(kitchen: &Kitchen) -> Vec<Pose> {
     kitchen.pieces().iter().enumerate().map(pose).collect()
 }
 
-/// Where things are in the picture while they are on their way; elsewhere the kitchen tells.
+/// Poses of things in the picture while an animation moves them; otherwise the kitchen's poses hold.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Places {
     /// Pieces, by id.
@@ -117,13 +117,13 @@ pub struct Places {
 }
 
 impl Places {
-    /// Where a piece is.
+    /// Pose of a piece.
     pub fn piece(&self, kitchen: &Kitchen, piece: &Piece) -> Pose {
         let index = kitchen.pieces().iter().position(|p| p.id == piece.id);
         index.and_then(|i| self.all(kitchen).get(i).copied()).unwrap_or_default()
     }
 
-    /// Where all pieces are, in their order; what lies in the pan is carried along with it.
+    /// Poses of all pieces, in their order; what lies in the pan is carried along with it.
     pub fn all(&self, kitchen: &Kitchen) -> Vec<Pose> {
         let (stands, drawn) = (pan_pose(kitchen), self.pan(kitchen));
         let pose = |(piece, pose): (&Piece, Pose)| match self.pieces.get(&piece.id) {
@@ -134,28 +134,28 @@ impl Places {
         kitchen.pieces().iter().zip(poses(kitchen)).map(pose).collect()
     }
 
-    /// Where the pan is.
+    /// Pose of the pan.
     pub fn pan(&self, kitchen: &Kitchen) -> Pose {
         self.pan.unwrap_or_else(|| pan_pose(kitchen))
     }
 
-    /// Where the eye goes along to [m].
+    /// Point that the camera follows [m].
     pub fn followed(&self, kitchen: &Kitchen) -> Vec3 {
         self.followed.unwrap_or_else(|| self.pan(kitchen).position)
     }
 }
 
-/// How much of the pan's way the eye goes along [-] (chosen: hob and pan stay in view), and of its lift.
+/// Share of the pan's motion that the eye follows [-] (chosen: hob and pan stay in view), and of its lift.
 const EYE_FOLLOWS: f32 = 0.62;
 const EYE_RISES: f32 = 0.35;
 
-/// The eye follows the pan.
+/// Returns the camera moved along with the pan.
 pub fn following(camera: &Camera, pan: Vec3) -> Camera {
     let share = Vec3::new(EYE_FOLLOWS, EYE_FOLLOWS, EYE_RISES);
     Camera { target: camera.target + pan.with_z(pan.z.max(0.0)) * share, ..camera.clone() }
 }
 
-/// Where the pan stands in the picture: the centre of its underside.
+/// Pose of the pan in the picture: the centre of its underside.
 pub fn pan_pose(kitchen: &Kitchen) -> Pose {
     if kitchen.cloth().is_some() {
         return Pose { position: CLOTH_PLACE, rotation: Quat::IDENTITY };
@@ -169,16 +169,16 @@ fn body_of_pan(kitchen: &Kitchen) -> Pose {
     Pose { position: floor.position - floor.rotation * Vec3::Z * thickness, ..floor }
 }
 
-/// Keeps the skins of the pieces between frames.
+/// The stage; caches the skins of the pieces between frames.
 #[derive(Clone, Debug, Default)]
 pub struct Stage {
     skins: BTreeMap<String, Worn>,
     film: PanFilm,
     tint: PanTint,
     spots: Spots,
-    /// Where the next round of refreshing begins.
+    /// Index at which the next round of updates begins.
     round: usize,
-    /// The kitchen's tick of the last round.
+    /// Tick of the last round.
     refreshed: Option<u64>,
     /// The colours of the view, and what they were made for.
     colours: Option<(Shades, ColourMap)>,
@@ -206,13 +206,14 @@ struct Fresh {
     scale: Option<String>,
 }
 
-/// A state this much older than shown is not yet worth new vertices, where there are many pieces [ticks] (chosen: 0.5 s).
+/// A state this much older than shown is not yet worth new vertices, where there are many pieces [ticks] (chosen: 0.5
+/// s).
 const STALE_TICKS: u64 = 5;
 /// Pieces of which every one is shown as it is in every frame (chosen).
 const ALWAYS_FRESH: usize = 6;
 
 impl Stage {
-    /// Describes one frame.
+    /// Returns the renderer's input for one frame.
     pub fn scene(&mut self, kitchen: &Kitchen, options: &StageOptions, places: &Places) -> SceneInput {
         let pan = places.pan(kitchen);
         let map = self.colours(options);
@@ -245,7 +246,7 @@ impl Stage {
         }
     }
 
-    /// The colours of the view: the same table as long as they are the same, so that it is not sent anew.
+    /// The colours of the view: the same table as long as they are the same, so that it is not uploaded again.
     fn colours(&mut self, options: &StageOptions) -> Option<ColourMap> {
         let wanted = (options.view, options.map, options.scale.as_ref().map(|s| s.id.clone()));
         if self.colours.as_ref().is_none_or(|(made_for, _)| *made_for != wanted) {
@@ -255,7 +256,7 @@ impl Stage {
         self.colours.as_ref().map(|(_, map)| map.clone())
     }
 
-    /// What is drawn of a piece.
+    /// Drawn surface of a piece.
     pub(crate) fn skin(&self, id: &str) -> Option<&Skin> {
         self.skins.get(id).map(|worn| &worn.skin)
     }
@@ -265,7 +266,8 @@ impl Stage {
         self.skins.get(id).map_or(&[], |worn| worn.vertices.as_slice())
     }
 
-    /// Brings vertices up to date: of a few pieces all, of many a part at each tick, those that have waited longest first.
+    /// Brings vertices up to date: of a few pieces all, of many a part at each tick, those that have waited longest
+    /// first.
     fn refresh(&mut self, kitchen: &Kitchen, options: &StageOptions, map: Option<&ColourMap>) {
         self.skins.retain(|id, _| kitchen.piece(id).is_some());
         let count = kitchen.pieces().len();
@@ -305,7 +307,7 @@ impl Stage {
         })
     }
 
-    /// A piece as it is to be seen; two looks of one that a knife has halved.
+    /// Returns the renderer's input for a piece; two for a piece that was halved.
     fn food(&self, piece: &Piece, pose: &Pose, options: &StageOptions, map: Option<&ColourMap>) -> Vec<FoodLook> {
         let Some(worn) = self.skins.get(&piece.id) else { return Vec::new() };
         let sear = [Face::Bottom, Face::Top].map(|face| sear_looks(piece, face));
@@ -346,7 +348,7 @@ fn sear_look(lines: SearLines) -> SearLook {
 }
 
 impl Worn {
-    /// Whether what is shown may wait a little.
+    /// Returns true if the update of the vertices may wait.
     fn is_nearly(&self, wanted: &Fresh) -> bool {
         self.fresh_for.as_ref().is_some_and(|shown| {
             let same = Fresh { ticks: wanted.ticks, ..shown.clone() } == *wanted;
@@ -390,8 +392,8 @@ pub fn fitting_piece(piece: Option<&Piece>, scale: &Arc<Scale>) -> Option<Arc<Sc
     piece.is_none_or(|p| scale.fits(&p.model.kinetics)).then(|| Arc::clone(scale))
 }
 
-/// How much nearer the eye goes to a small piece [-]: it fills as much of the picture as a steak of 120 mm, and never
-/// nearer than is sharp (chosen).
+/// Factor by which the eye is nearer to a small piece [-]: it fills as much of the picture as a steak of 120 mm, and
+/// never nearer than is sharp (chosen).
 pub fn nearness(piece: &Piece) -> f32 {
     ((half_length(piece) / 0.06) as f32).clamp(0.5, 1.0)
 }
@@ -426,7 +428,7 @@ fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
     }
 }
 
-/// How far a lid's glass is fogged: with the vapour under it, until it is as hot as that [-] (chosen).
+/// Fogging of the lid's glass [-] (chosen): rises with the vapour under it until the glass is as hot as the vapour.
 fn fog(lid: &saute_kitchen::lid::Lid) -> f32 {
     let damp = (lid.vapour_density() / 0.10).clamp(0.0, 1.0);
     let cold = ((celsius(lid.air_temperature()) - celsius(lid.temperature)) / 12.0).clamp(0.25, 1.0);
@@ -456,7 +458,7 @@ fn steam(kitchen: &Kitchen, pan: &Pose, poses: &[Pose]) -> Vec<SteamSource> {
     let mut sources = Vec::new();
     let fries = |p: &Piece| p.place != Place::Waiting && p.vapour_flow > 0.0;
     let frying = kitchen.pieces().iter().zip(poses).filter(|(p, _)| fries(p));
-    // Pieces that give off next to nothing need no places of their own.
+    // Pieces with negligible vapour need no sources.
     let most = kitchen.pieces().iter().map(|p| p.vapour_flow).fold(0.0, f64::max);
     let around = match kitchen.pieces().iter().filter(|p| fries(p) && p.vapour_flow > 0.1 * most).count() {
         0..=ALWAYS_FRESH => 6u8,
@@ -498,7 +500,7 @@ fn smoke(kitchen: &Kitchen, pan: &Pose) -> Vec<SteamSource> {
     let place = |k: u8| {
         let around = Vec2::from_angle(f32::from(k) * std::f32::consts::TAU / 3.0 + 0.7) * radius * 1.3;
         let position = pan.position + pan.rotation * around.extend(0.012);
-        // How high flames stand does not follow from the smoke.
+        // The height of flames does not follow from the smoke.
         let flow_g_s = if kind == Vapour::Flame { 1.0 } else { rate / 3.0 };
         SteamSource { kind, position, radius, flow_g_s }
     };

@@ -1,4 +1,4 @@
-//! What the scene renderer is given: one plain description of everything in the picture.
+//! Input of the scene renderer: one plain description of everything in the picture.
 //!
 //! World frame: metres, right-handed, x to the cook's right, y away from the cook, z up; the origin is the
 //! centre of the hob ring on the glass. The renderer computes no physics and knows no kitchen.
@@ -26,7 +26,7 @@ pub struct SceneInput {
     pub tool: Option<ToolLook>,
     /// Strings of a device that hold the pan.
     pub strings: Vec<StringLook>,
-    /// What food on the board rests on or under.
+    /// Rack under, or foil over, food that rests on the board.
     pub rest: Option<RestLook>,
     /// Places where water vapour leaves.
     pub steam: Vec<SteamSource>,
@@ -34,24 +34,25 @@ pub struct SceneInput {
     pub spatter: SpatterLook,
     /// Simulated time [s]; moves steam and the shimmer of the oil, nothing else.
     pub time_s: f32,
-    /// What the colours mean.
+    /// View that the colours show.
     pub colouring: Colouring,
-    /// What the look calls white.
+    /// White balance of the look.
     pub white_balance: WhiteBalance,
-    /// True writes the colours unlit, without tone mapping, shadow, dither or anti-aliasing, so that they decode exactly.
+    /// True writes the colours unlit, without tone mapping, shadow, dither or anti-aliasing, so that they decode
+    /// exactly.
     pub flat: bool,
-    /// How it is seen in a half mirror; none for the room.
+    /// View in a half mirror; none for the room.
     pub mirror: Option<MirrorLook>,
 }
 
-/// How a scene is seen in a half mirror, which only adds light to a real pan: food, oil, steam and tools on black.
+/// View of a scene in a half mirror, which only adds light to a real pan: food, oil, steam and tools on black.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MirrorLook {
-    /// Where the eye is [m]; it stands in for the camera's.
+    /// Where the eye is [m]; it replaces the camera's.
     pub eye: Vec3,
-    /// Maps the world to clip space (depth 0–1); it stands in for the camera's.
+    /// Maps the world to clip space (depth 0–1); it replaces the camera's.
     pub clip_from_world: Mat4,
-    /// Whether the virtual pan is drawn; else it is black and hides what lies behind it.
+    /// True if the virtual pan is drawn; otherwise it is black and hides what lies behind it.
     pub pan_shown: bool,
 }
 
@@ -67,7 +68,7 @@ impl SceneInput {
     }
 }
 
-/// What the colours of foods and pan floor mean.
+/// Meaning of the colours of foods and pan floor.
 #[derive(Clone, Debug)]
 pub enum Colouring {
     /// As the eye sees it.
@@ -98,7 +99,7 @@ pub enum ToolKind {
     Turner,
     /// Two fingers that hold food from above.
     Tongs {
-        /// Whether they hold nothing.
+        /// True if they are empty.
         open: bool,
     },
 }
@@ -128,14 +129,14 @@ pub enum RestKind {
 /// Height of a rack's wires above the board [m] (chosen: a cooling rack).
 pub const RACK_HEIGHT: f32 = 0.016;
 
-/// How the hob looks.
+/// Appearance of the hob.
 #[derive(Clone, Copy, Debug)]
 pub struct HobLook {
     /// Electrical power over the largest setting (0–1): the printed ring glows with it.
     pub power: f32,
 }
 
-/// How the pan looks.
+/// Appearance of the pan.
 #[derive(Clone, Debug)]
 pub struct PanLook {
     /// Radius of the flat floor [m].
@@ -152,9 +153,9 @@ pub struct PanLook {
     pub metalness: f32,
     /// Microfacet roughness of the surface under the oil (0–1).
     pub roughness: f32,
-    /// What lies on the floor; the same allocation as long as nothing in it has changed.
+    /// Film on the floor; the same allocation as long as it is unchanged.
     pub film: Arc<FilmPicture>,
-    /// What heat has done to its colour; the same allocation as long as nothing in it has changed.
+    /// Heat tint; the same allocation as long as it is unchanged.
     pub tint: Arc<TintPicture>,
     /// Colour of light that has passed through a millimetre of the oil, linear sRGB.
     pub oil_colour: Vec3,
@@ -164,7 +165,7 @@ pub struct PanLook {
     pub lid: Option<LidLook>,
     /// Centre of the pan's underside, relative to the hob centre [m]; the cooking surface is `thickness` above it.
     pub position: Vec3,
-    /// How it is turned about that point.
+    /// Rotation about that point.
     pub rotation: Quat,
     /// True: a folded wet cloth lies under the pan (else it lies folded at the left of the hob).
     pub on_cloth: bool,
@@ -172,30 +173,30 @@ pub struct PanLook {
     pub floor_field: [f32; FLOOR_FIELD_RINGS],
 }
 
-/// Liquids and what they left on the floor of the pan, seen from above: `FILM_SIZE` squared texels over the square round
-/// the floor, x fastest.
+/// Liquids and what they left on the floor of the pan, seen from above: `FILM_SIZE` squared texels over the square
+/// round the floor, x fastest.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FilmPicture {
     /// Square roots of the thickness of oil over [`OIL_RANGE`] and of water over [`WATER_RANGE`]; browned fond; foam.
     pub texels: Vec<[u8; 4]>,
 }
 
-/// Reflectance of the pan's inside over that of the new pan: `FILM_SIZE` squared texels over the square round the floor with
-/// the wall unrolled about it, x fastest.
+/// Reflectance of the pan's inside over that of the new pan: `FILM_SIZE` squared texels over the square round the floor
+/// with the wall unrolled about it, x fastest.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TintPicture {
     /// Shares of red, green and blue over [`TINT_RANGE`], linear.
     pub texels: Vec<[u8; 4]>,
 }
 
-/// Share of reflectance that byte 255 stands for [-].
+/// Share of reflectance that byte 255 encodes [-].
 pub const TINT_RANGE: f32 = 2.0;
 
 /// Texels along each side of a film picture.
 pub const FILM_SIZE: u32 = 64;
-/// Thickness of oil that byte 255 stands for [m] (chosen: a puddle on one side of a tilted pan).
+/// Thickness of oil that byte 255 encodes [m] (chosen: a puddle on one side of a tilted pan).
 pub const OIL_RANGE: f32 = 1.0e-3;
-/// Thickness of water that byte 255 stands for [m] (chosen: thicker puddles look the same).
+/// Thickness of water that byte 255 encodes [m] (chosen: thicker puddles look the same).
 pub const WATER_RANGE: f32 = 2.0e-3;
 
 /// A glass lid on the pan.
@@ -259,7 +260,7 @@ pub struct FoodMesh {
     pub key: u64,
     /// Triangles, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// What its flesh is made of finer than the mesh.
+    /// Texture of the flesh, finer than the mesh.
     pub texture: FleshTexture,
     /// Colours that browning goes through.
     pub palette: BrowningPalette,
@@ -267,7 +268,7 @@ pub struct FoodMesh {
     pub grain: GrainVolume,
 }
 
-/// What flesh is made of finer than the mesh.
+/// Texture of flesh, finer than the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum FleshTexture {
     /// Muscle whose fibres run along z.
@@ -301,7 +302,7 @@ pub struct BrowningPalette {
     pub second: [f32; 3],
 }
 
-/// What grew in the flesh, on a regular grid.
+/// Structure of the flesh on a regular grid.
 #[derive(Clone, Debug)]
 pub struct GrainVolume {
     /// Cells along x, y, z.
@@ -315,9 +316,10 @@ pub struct GrainVolume {
     pub cells: Vec<[u8; 4]>,
 }
 
-/// Depth within a seam of fat that the bytes 0 and 255 stand for, below and above its edge, in widths of the edge (chosen).
+/// Depth within a seam of fat that the bytes 0 and 255 encode, below and above its edge, in widths of the edge
+/// (chosen).
 pub const WITHIN_RANGE: f32 = 3.0;
-/// Distance from a border that byte 255 stands for [m] (chosen: half of a thick sheath).
+/// Distance from a border that byte 255 encodes [m] (chosen: half of a thick sheath).
 pub const BORDER_RANGE: f32 = 1.5e-3;
 
 /// A vertical cut through a food.
@@ -331,7 +333,7 @@ pub struct SliceLook {
     pub vertices: Vec<FoodVertex>,
     /// Triangles of the cut face, facing along `normal`.
     pub triangles: Vec<[u32; 3]>,
-    /// Whether the hidden side is to be seen as a ghost; it is not where a knife has parted it.
+    /// True if the hidden side is drawn as a ghost; false where a knife has halved the food.
     pub ghost: bool,
 }
 
@@ -400,7 +402,7 @@ pub struct SpotLook {
     pub radius: f32,
 }
 
-/// What rises from the pan.
+/// Kinds of vapour that rise from the pan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Vapour {
     /// Water.
@@ -420,6 +422,6 @@ pub struct SteamSource {
     pub position: Vec3,
     /// Radius of the patch [m].
     pub radius: f32,
-    /// How much of it [g/s].
+    /// Mass flow [g/s].
     pub flow_g_s: f32,
 }

@@ -33,7 +33,7 @@ use crate::words::language::Language;
 
 /// Where settings are remembered.
 const SETTINGS_KEY: &str = "saute.settings";
-/// What is remembered at the first start: nothing.
+/// Remembered settings at the first start: none.
 const FIRST_START: &str = "{}";
 /// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
 const STEP_BUDGET_MS: u64 = 20;
@@ -41,10 +41,10 @@ const STEP_BUDGET_MS: u64 = 20;
 /// Held keys move the pan no further at once than in this time [s] (chosen: a slow frame makes no leap).
 const LONGEST_FRAME_S: f64 = 0.1;
 
-/// What the window starts with.
+/// Start options of the window.
 #[derive(Clone, Debug, Default)]
 pub struct Start {
-    /// What can be built; the embedded data unless given.
+    /// Library of foods, pans and recipes; the embedded one unless given.
     pub library: Option<Arc<Library>>,
     /// A recipe to play at once.
     pub recipe: Option<Recipe>,
@@ -63,7 +63,7 @@ pub struct SauteApp {
     /// Place of the cut (−1…1), or none.
     pub(crate) slice: Option<f64>,
     pub(crate) help: bool,
-    /// Whether the card of the settings is open.
+    /// True if the card of the settings is open.
     pub(crate) settings_open: bool,
     pub(crate) notice: Notice,
     pub(crate) motions: Motions,
@@ -72,15 +72,15 @@ pub struct SauteApp {
     pub(crate) memory: PanelMemory,
     pub(crate) pan_keys: PanKeys,
     pub(crate) tool_hand: ToolHand,
-    /// How much is poured at once.
+    /// Portion that is poured at once.
     pub(crate) portion: Portion,
     pub(crate) pad: Pad,
     last_time: Option<f64>,
-    /// Whether the card of the first steps is shown.
+    /// True if the card of the first steps is shown.
     pub(crate) first_steps: bool,
-    /// Whether the system has a font with kana and kanji.
+    /// True if the system has a font with kana and kanji.
     pub(crate) japanese_font: bool,
-    /// Whether the scene can be drawn (a graphics device is there).
+    /// True if the scene can be drawn (a graphics device is there).
     drawable: bool,
     software: bool,
     /// Chooses the quality of the picture where that is left to the program.
@@ -88,7 +88,7 @@ pub struct SauteApp {
     pub(crate) mirror: MirrorView,
 }
 
-/// Why the window cannot start.
+/// Errors of starting the window.
 #[derive(Debug, thiserror::Error)]
 pub enum StartError {
     /// Embedded or user data is broken.
@@ -211,7 +211,7 @@ impl SauteApp {
         self.settings.language = language;
     }
 
-    /// Whether the card of the first steps is shown.
+    /// Returns true if the card of the first steps is shown.
     pub fn first_steps_are_open(&self) -> bool {
         self.first_steps
     }
@@ -221,12 +221,12 @@ impl SauteApp {
         self.settings.introduced = true;
     }
 
-    /// Whether the list of keys is open.
+    /// Returns true if the list of keys is open.
     pub fn help_is_open(&self) -> bool {
         self.help
     }
 
-    /// Whether the card of the settings is open.
+    /// Returns true if the card of the settings is open.
     pub fn settings_are_open(&self) -> bool {
         self.settings_open
     }
@@ -345,7 +345,7 @@ impl SauteApp {
         }
     }
 
-    /// Size at which to draw the scene [pixels]: in full, or on a software rasteriser, unless the best is asked for,
+    /// Size at which to draw the scene [pixels]: in full, or on a software rasteriser, unless the best is chosen,
     /// scaled down to 960 × 540 at least.
     pub(crate) fn scene_pixels(&self, rect: Rect, pixels_per_point: f32) -> [u32; 2] {
         let (w, h) = (rect.width() * pixels_per_point, rect.height() * pixels_per_point);
@@ -356,7 +356,7 @@ impl SauteApp {
         [(w * scale).round().max(1.0) as u32, (h * scale).round().max(1.0) as u32]
     }
 
-    /// Whether the graphics are software.
+    /// Returns true if the graphics are software.
     pub(crate) fn software(&self) -> bool {
         self.software
     }

@@ -46,7 +46,7 @@ impl Default for SteakChoice {
 /// Name of a steak that the window sets out; another food bears the name of its kind.
 pub const STEAK: &str = "steak";
 
-/// Something that happened, for the plot.
+/// An event, for the plot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
     /// When [s].
@@ -55,7 +55,7 @@ pub struct Mark {
     pub label: String,
 }
 
-/// What would happen if the food were taken out now.
+/// Forecast for food that is taken out now.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Forecast {
     /// Expected core peak [°C].
@@ -64,7 +64,7 @@ pub struct Forecast {
     pub in_s: f64,
 }
 
-/// How fast simulated time runs [-].
+/// Speeds of simulated time over wall time [-].
 pub const SPEEDS: [f64; 3] = [1.0, 5.0, 20.0];
 /// Simulated time owed beyond which the machine counts as too slow, as wall time at the chosen speed [s] (chosen).
 const LATE_AFTER_S: f64 = 0.4;
@@ -81,11 +81,11 @@ pub struct Session {
     pub recorder: Recorder,
     /// Points in the food whose temperature is remembered.
     pub probes: Probes,
-    /// What happened.
+    /// Events.
     pub marks: Vec<Mark>,
     /// Simulated seconds a wall second.
     pub speed: f64,
-    /// Whether time stands still.
+    /// True if time stands still.
     pub paused: bool,
     /// Counts worlds: changes with every restart.
     pub generation: u64,
@@ -94,7 +94,7 @@ pub struct Session {
     pub hands: crate::hand::Hands,
     choice: SteakChoice,
     recipe: Option<Recipe>,
-    /// What was set out beside the first choice.
+    /// What was set out besides the first choice.
     added: Vec<(SteakChoice, usize)>,
     owed_s: f64,
     selected: Option<String>,
@@ -218,7 +218,7 @@ impl Session {
         self.kitchen.pieces().iter().position(|p| Some(&p.id) == id).unwrap_or(0)
     }
 
-    /// What the food is called in a sentence: "steak", "carrot coin".
+    /// Noun for the food in a sentence: "steak", "carrot coin".
     pub fn noun(&self) -> String {
         self.steak().map_or_else(|| STEAK.to_owned(), |p| noun(&self.library, &p.kind))
     }
@@ -228,7 +228,7 @@ impl Session {
         self.steak().and_then(|p| self.start_mass_g.get(&p.id)).copied().unwrap_or(0.0)
     }
 
-    /// Sets more food out, beside what is there: waiting pieces under one name.
+    /// Sets out more food: waiting pieces under one name.
     pub fn add(&mut self, choice: &SteakChoice, count: usize) -> Result<String, SetupError> {
         let group = self.free_name(&base_name(&self.library, &choice.kind));
         for order in orders(&self.library, choice, &group, count) {
@@ -287,15 +287,15 @@ impl Session {
         fitting_piece(self.steak(), self.chosen_scale(id)?)
     }
 
-    /// What to do next with the piece that the panels are about, with a goal for its core [°C] where a scale of doneness
-    /// says anything about it.
+    /// What to do next with the piece that the panels are about, with a goal for its core [°C] where a scale of
+    /// doneness says anything about it.
     pub fn advice(&mut self, goal_c: Option<f64>) -> Option<Advice> {
         let foreseen = goal_c.and_then(|_| self.forecast());
         let goal = goal_c.zip(foreseen).map(|(core_c, f)| Goal { core_c, foreseen_c: f.peak_c });
         Situation::of(&self.kitchen, self.steak()?).advice(goal)
     }
 
-    /// Lays pieces that are not in the pan onto its floor, side by side, as many as fit; tells how many.
+    /// Lays pieces that are not in the pan onto its floor, side by side, as many as fit; returns how many.
     pub fn lay(&mut self, ids: &[String]) -> Result<usize, Refused> {
         let places = self.kitchen.free_places(ids, [0.0, 0.0]);
         for (food, at) in ids.iter().zip(&places) {
@@ -364,8 +364,8 @@ impl Session {
         Ok(())
     }
 
-    /// One frame; at the start of a tick with the recipe's steps that are due. Tells whether a tick, or the recipe, has
-    /// ended.
+    /// One frame; at the start of a tick with the recipe's steps that are due. Returns true if a tick, or the recipe,
+    /// has ended.
     fn frame(&mut self) -> Result<bool, String> {
         if self.kitchen.is_between_ticks() && !self.poll()? {
             return Ok(true);
@@ -385,7 +385,7 @@ impl Session {
         Ok(ticked)
     }
 
-    /// Lets the recipe do what is due; tells whether time goes on.
+    /// Lets the recipe do what is due; returns true if time goes on.
     fn poll(&mut self) -> Result<bool, String> {
         let Some(mut runner) = self.runner.take() else { return Ok(true) };
         let fired = runner.poll(&mut self.kitchen).map_err(|e| e.to_string())?;
@@ -401,7 +401,7 @@ impl Session {
         Ok(true)
     }
 
-    /// Chooses a speed; time owed at another speed is no longer asked for.
+    /// Sets the speed; time owed at another speed is dropped.
     pub fn set_speed(&mut self, speed: f64) {
         self.speed = speed;
         self.owed_s = 0.0;
@@ -413,12 +413,12 @@ impl Session {
         self.owed_s = 0.0;
     }
 
-    /// How far the picture lags behind the chosen speed, if noticeably [simulated s].
+    /// Lag behind the chosen speed [simulated s]; none while it is not noticeable.
     pub fn behind_s(&self) -> Option<f64> {
         (self.owed_s > LATE_AFTER_S * self.speed).then_some(self.owed_s)
     }
 
-    /// What would happen if the food were taken out now; reckoned anew every simulated second.
+    /// What would happen if the food were taken out now; computed once every simulated second.
     pub fn forecast(&mut self) -> Option<Forecast> {
         let piece = self.steak().filter(|p| p.in_pan())?;
         let second = self.kitchen.tick() / 10;
@@ -430,7 +430,7 @@ impl Session {
     }
 }
 
-/// What a kind of food is called in a sentence.
+/// Noun for a kind of food in a sentence.
 pub fn noun(library: &Library, kind: &str) -> String {
     let name = library.foods.get(kind).map_or(kind, |f| f.name.as_str()).to_lowercase();
     if name.contains(STEAK) { STEAK.to_owned() } else { name }
@@ -487,7 +487,7 @@ fn orders(library: &Library, choice: &SteakChoice, group: &str, count: usize) ->
     (0..count).map(order).collect()
 }
 
-/// How a command is called beside the curves; none for what a hand does all the time.
+/// Label of a command at the curves; none for what a hand does all the time.
 fn label(command: &Command) -> Option<String> {
     Some(match command {
         Command::Lead { .. } | Command::LetGo | Command::HoldPan { .. } => return None,

@@ -46,7 +46,7 @@ pub(crate) struct ColourPipelines {
     pub wood: wgpu::RenderPipeline,
     pub glass: wgpu::RenderPipeline,
     pub metal: wgpu::RenderPipeline,
-    /// Black with depth: made when a half mirror first needs it.
+    /// Occluder: black with depth; made when a half mirror first needs it.
     pub occluder: Option<wgpu::RenderPipeline>,
     /// The pan's floor, which is drawn with the foods.
     pub floor: wgpu::RenderPipeline,
@@ -69,7 +69,7 @@ pub(crate) struct FoodPipelines {
 }
 
 impl ColourPipelines {
-    /// Those of one kind of flesh; none before [`PipelineFactory::stock`] has made them.
+    /// Returns the pipelines of one kind of flesh; none before [`PipelineFactory::stock`] has made them.
     pub fn of(&self, texture: FleshTexture) -> Option<&FoodPipelines> {
         self.foods.get(&texture)
     }
@@ -164,7 +164,7 @@ impl PipelineFactory {
         }
     }
 
-    /// Makes the pipeline of what hides and is not seen.
+    /// Makes the pipeline of occluders, which are black and write depth.
     pub fn occlude(&self, device: &wgpu::Device, pipelines: &mut ColourPipelines) {
         let detail = pipelines.detail;
         pipelines.occluder.get_or_insert_with(|| self.solid_pipeline(device, "fs_occluder", detail));
@@ -270,7 +270,7 @@ impl Layouts {
                 "restore",
                 &[
                     fragment_entry(0, texture(float(false), TextureViewDimension::D2)),
-                    // Depth, read as a plain number: WebGL2 cannot load texels of what it knows to be depth.
+                    // Depth, read as a plain float: WebGL2 cannot load texels of a depth texture.
                     fragment_entry(1, texture(float(false), TextureViewDimension::D2)),
                 ],
             ),
@@ -326,7 +326,7 @@ fn pipeline_layout(device: &wgpu::Device, groups: &[&wgpu::BindGroupLayout]) -> 
     })
 }
 
-/// How much work a pixel is worth.
+/// Rendering detail of a pixel, lowest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Detail {
     /// Without the patterns of the surroundings.
@@ -344,7 +344,7 @@ impl Detail {
     }
 }
 
-/// What a pipeline is made for.
+/// Description of a pipeline.
 #[derive(Clone, Copy, Debug)]
 struct Worth {
     detail: Detail,
