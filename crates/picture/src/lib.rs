@@ -18,12 +18,14 @@
 pub mod colour;
 pub mod cut;
 mod pan;
+pub mod pose;
 pub mod probe;
 pub mod seen_point;
 pub mod skin;
 pub mod split;
 pub mod stage;
 pub mod still;
+mod vapour;
 pub mod view;
 pub mod waiting;
 

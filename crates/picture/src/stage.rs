@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use glam::{Mat4, Quat, Vec2, Vec3};
+use glam::{Quat, Vec2, Vec3};
 use saute_kitchen::dynamics::Tool;
 use saute_kitchen::food::colour::decoded;
 use saute_kitchen::food::{Face, Scale};
@@ -11,11 +11,11 @@ use saute_kitchen::sear_lines::SearLines;
 use saute_kitchen::{Kitchen, Piece, Place, RestOn, celsius};
 use saute_scene::camera::Camera;
 use saute_scene::input::{
-    Colouring, FLOOR_FIELD_RINGS, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RACK_HEIGHT, RestKind, RestLook,
-    SEAR_SETS, SceneInput, SearLook, SteamSource, ToolKind, ToolLook, Vapour,
+    Colouring, FLOOR_FIELD_RINGS, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RestKind, RestLook, SEAR_SETS,
+    SceneInput, SearLook, ToolKind, ToolLook,
 };
 use saute_scene::light::white_balance::WhiteBalance;
-use saute_scene::mesh::props::{BOARD_CENTRE, CLOTH_PLACE};
+use saute_scene::mesh::props::BOARD_CENTRE;
 
 use crate::colour::map::{ColourMap, TemperatureMap};
 use crate::cut::face::slice;
@@ -25,8 +25,10 @@ use crate::pan::spatter::Spots;
 use crate::pan::tint::PanTint;
 use crate::skin::halves::opened;
 use crate::skin::surface::Skin;
+use crate::vapour::steam;
 use crate::view::View;
-use crate::waiting::waiting_places;
+
+pub use crate::pose::{Places, Pose, following, pan_pose, poses};
 
 /// Options of a picture; by default the whole food as the eye sees it, from the working view.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -52,122 +54,6 @@ pub struct StageOptions {
 /// Angle of the eye about the vertical axis when the cut is opened [rad] (chosen: the face is seen at a slant, the pan
 /// stays in view).
 pub const CUT_YAW: f32 = 0.62;
-
-/// Pose of a rigid body: position and rotation.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pose {
-    /// Origin of its body [m].
-    pub position: Vec3,
-    /// Rotation.
-    pub rotation: Quat,
-}
-
-impl Pose {
-    /// Pose of a piece in the kitchen, with the lift of a rack.
-    fn of(piece: &Piece) -> Self {
-        // The rigid bodies have no rack: in the picture it lifts what lies on it.
-        let lift = if piece.place == Place::Rest(RestOn::Rack) { RACK_HEIGHT } else { 0.0 };
-        let bent = 0.5 * piece.state.stretch.dome.abs() as f32;
-        let raised = piece.pose.position.as_vec3() + Vec3::Z * (lift + bent);
-        Self { position: raised, rotation: piece.pose.rotation.as_quat() }
-    }
-
-    /// The pose of a rigid body of the kitchen.
-    pub fn of_body(pose: &saute_kitchen::dynamics::Pose) -> Self {
-        Self { position: pose.position.as_vec3(), rotation: pose.rotation.as_quat() }
-    }
-
-    /// Maps the rest frame to the world.
-    pub fn matrix(&self) -> Mat4 {
-        Mat4::from_rotation_translation(self.rotation, self.position)
-    }
-
-    /// This pose carried along with a frame that goes from one pose to another.
-    fn carried(&self, from: &Self, to: &Self) -> Self {
-        let turn = to.rotation * from.rotation.inverse();
-        Self {
-            position: to.position + turn * (self.position - from.position),
-            rotation: (turn * self.rotation).normalize(),
-        }
-    }
-}
-
-/// Poses of all pieces, in their order: those of the kitchen's rigid bodies; what waits lies on the board, and what is
-/// in a pan on the cloth lies there.
-pub fn poses(kitchen: &Kitchen) -> Vec<Pose> {
-    let waiting = waiting_places(kitchen);
-    let (bodies, drawn) = (body_of_pan(kitchen), pan_pose(kitchen));
-    let pose = |(index, piece): (usize, &Piece)| match piece.place {
-        Place::Waiting => waiting.get(&index).copied().unwrap_or_default(),
-        Place::Pan(_) if bodies != drawn => Pose::of(piece).carried(&bodies, &drawn),
-        _ => Pose::of(piece),
-    };
-    kitchen.pieces().iter().enumerate().map(pose).collect()
-}
-
-/// Poses of things in the picture while an animation moves them; otherwise the kitchen's poses hold.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Places {
-    /// Pieces, by id.
-    pub pieces: BTreeMap<String, Pose>,
-    /// The pan: the centre of its underside.
-    pub pan: Option<Pose>,
-    /// The point of the hob's plane that the eye has followed the pan to [m]; where the pan is unless given.
-    pub followed: Option<Vec3>,
-}
-
-impl Places {
-    /// Pose of a piece.
-    pub fn piece(&self, kitchen: &Kitchen, piece: &Piece) -> Pose {
-        let index = kitchen.pieces().iter().position(|p| p.id == piece.id);
-        index.and_then(|i| self.all(kitchen).get(i).copied()).unwrap_or_default()
-    }
-
-    /// Poses of all pieces, in their order; what lies in the pan is carried along with it.
-    pub fn all(&self, kitchen: &Kitchen) -> Vec<Pose> {
-        let (stands, drawn) = (pan_pose(kitchen), self.pan(kitchen));
-        let pose = |(piece, pose): (&Piece, Pose)| match self.pieces.get(&piece.id) {
-            Some(moving) => *moving,
-            None if piece.in_pan() && stands != drawn => pose.carried(&stands, &drawn),
-            None => pose,
-        };
-        kitchen.pieces().iter().zip(poses(kitchen)).map(pose).collect()
-    }
-
-    /// Pose of the pan.
-    pub fn pan(&self, kitchen: &Kitchen) -> Pose {
-        self.pan.unwrap_or_else(|| pan_pose(kitchen))
-    }
-
-    /// Point that the camera follows [m].
-    pub fn followed(&self, kitchen: &Kitchen) -> Vec3 {
-        self.followed.unwrap_or_else(|| self.pan(kitchen).position)
-    }
-}
-
-/// Share of the pan's motion that the eye follows [-] (chosen: hob and pan stay in view), and of its lift.
-const EYE_FOLLOWS: f32 = 0.62;
-const EYE_RISES: f32 = 0.35;
-
-/// Returns the camera moved along with the pan.
-pub fn following(camera: &Camera, pan: Vec3) -> Camera {
-    let share = Vec3::new(EYE_FOLLOWS, EYE_FOLLOWS, EYE_RISES);
-    Camera { target: camera.target + pan.with_z(pan.z.max(0.0)) * share, ..camera.clone() }
-}
-
-/// Pose of the pan in the picture: the centre of its underside.
-pub fn pan_pose(kitchen: &Kitchen) -> Pose {
-    if kitchen.cloth().is_some() {
-        return Pose { position: CLOTH_PLACE, rotation: Quat::IDENTITY };
-    }
-    body_of_pan(kitchen)
-}
-
-fn body_of_pan(kitchen: &Kitchen) -> Pose {
-    let floor = Pose::of_body(&kitchen.world().motion.pose);
-    let thickness = kitchen.world().pan_shape().thickness as f32;
-    Pose { position: floor.position - floor.rotation * Vec3::Z * thickness, ..floor }
-}
 
 /// The stage; caches the skins of the pieces between frames.
 #[derive(Clone, Debug, Default)]
@@ -210,7 +96,7 @@ struct Fresh {
 /// s).
 const STALE_TICKS: u64 = 5;
 /// Pieces of which every one is shown as it is in every frame (chosen).
-const ALWAYS_FRESH: usize = 6;
+pub(crate) const ALWAYS_FRESH: usize = 6;
 
 impl Stage {
     /// Returns the renderer's input for one frame.
@@ -451,59 +337,4 @@ fn floor_field(kitchen: &Kitchen, map: Option<&ColourMap>) -> [f32; FLOOR_FIELD_
     }
     let mean = celsius(kitchen.pan_temperature());
     sums.map(|(t, w)| map.coordinate(if w > 0.0 { celsius(t / w) } else { mean }))
-}
-
-/// Vapour leaves round the lower rim of a frying piece and from its upper face; of many pieces each has fewer sources.
-fn steam(kitchen: &Kitchen, pan: &Pose, poses: &[Pose]) -> Vec<SteamSource> {
-    let mut sources = Vec::new();
-    let fries = |p: &Piece| p.place != Place::Waiting && p.vapour_flow > 0.0;
-    let frying = kitchen.pieces().iter().zip(poses).filter(|(p, _)| fries(p));
-    // Pieces with negligible vapour need no sources.
-    let most = kitchen.pieces().iter().map(|p| p.vapour_flow).fold(0.0, f64::max);
-    let around = match kitchen.pieces().iter().filter(|p| fries(p) && p.vapour_flow > 0.1 * most).count() {
-        0..=ALWAYS_FRESH => 6u8,
-        7..=20 => 1,
-        _ => 0,
-    };
-    for (piece, pose) in frying {
-        let around = if piece.vapour_flow > 0.1 * most { around } else { 0 };
-        let [a, b] = [0.45 * piece.model.size[0] as f32, 0.45 * piece.model.size[1] as f32];
-        let share = 1e3 * piece.vapour_flow as f32 / f32::from(around + 1);
-        for k in 0..around {
-            let angle = f32::from(k) * std::f32::consts::TAU / 6.0 + 0.4;
-            let position = pose.position + Vec3::new(a * angle.cos(), b * angle.sin(), 0.0);
-            sources.push(SteamSource { kind: Vapour::Steam, position, radius: 0.015f32.min(0.5 * b), flow_g_s: share });
-        }
-        let top = pose.position + Vec3::Z * 0.5 * piece.model.thickness(&piece.state) as f32;
-        sources.push(SteamSource { kind: Vapour::Steam, position: top, radius: 0.5 * b, flow_g_s: share });
-    }
-    let (puddle, cloth) = kitchen.other_vapour();
-    if puddle + cloth > 1e-6 {
-        let flow_g_s = 1e3 * (puddle + 0.3 * cloth) as f32;
-        sources.push(SteamSource {
-            kind: Vapour::Steam,
-            position: pan.position + Vec3::Z * 0.01,
-            radius: 0.09,
-            flow_g_s,
-        });
-    }
-    sources.extend(smoke(kitchen, pan));
-    sources
-}
-
-/// Smoke and flames rise from the whole film of oil.
-fn smoke(kitchen: &Kitchen, pan: &Pose) -> Vec<SteamSource> {
-    let state = kitchen.pan_state();
-    let rate = 1e-3 * state.smoke_mg_s() as f32;
-    let radius = 0.4e-3 * kitchen.pan_model().description.floor.radius_mm as f32;
-    let kind = if state.liquids.smoke.burning { Vapour::Flame } else { Vapour::Smoke };
-    let place = |k: u8| {
-        let around = Vec2::from_angle(f32::from(k) * std::f32::consts::TAU / 3.0 + 0.7) * radius * 1.3;
-        let position = pan.position + pan.rotation * around.extend(0.012);
-        // The height of flames does not follow from the smoke.
-        let flow_g_s = if kind == Vapour::Flame { 1.0 } else { rate / 3.0 };
-        SteamSource { kind, position, radius, flow_g_s }
-    };
-    let rising = rate > 1e-5 || kind == Vapour::Flame;
-    (0..if rising { 3 } else { 0 }).map(place).collect()
 }

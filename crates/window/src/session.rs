@@ -1,59 +1,26 @@
 //! A cook in the window: the kitchen, its clock, and a recipe that may be playing.
 
+mod choice;
+mod mark;
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use saute_kitchen::advice::{Advice, Goal, Situation};
 use saute_kitchen::carry_over::foreseen_peak;
-use saute_kitchen::food::{Form, Rules, Scale};
+use saute_kitchen::food::Scale;
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{
-    Command, FRAME_S, Kitchen, Library, MeshSize, Piece, PieceOrder, Place, Refused, TICK_S, celsius, kelvin,
-};
+use saute_kitchen::{Command, FRAME_S, Kitchen, Library, Piece, Place, Refused, TICK_S, celsius};
 use saute_picture::probe::Probes;
 use saute_picture::stage::fitting_piece;
 use saute_recipe::{Recipe, Recorder, Runner};
 use web_time::{Duration, Instant};
 
-/// What the person chooses before putting the food in.
-#[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
-#[serde(default)]
-pub struct SteakChoice {
-    /// Id of the food.
-    pub kind: String,
-    /// Its dimensions: those of its form [mm].
-    pub size_mm: Vec<f64>,
-    /// Start temperature [°C].
-    pub initial_c: f64,
-    /// Id of the pan.
-    pub pan: String,
-    /// Temperature to which the pan is preheated [°C]; room temperature starts cold.
-    pub preheat_c: f64,
-}
+use self::choice::{base_name, orders, set_out};
+use self::mark::{label, step_label};
 
-impl Default for SteakChoice {
-    fn default() -> Self {
-        Self {
-            kind: "beef-lean".into(),
-            size_mm: vec![120.0, 80.0, 25.0],
-            initial_c: 5.0,
-            pan: "carbon-steel-26".into(),
-            preheat_c: 20.0,
-        }
-    }
-}
-
-/// Name of a steak that the window sets out; another food bears the name of its kind.
-pub const STEAK: &str = "steak";
-
-/// An event, for the plot.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Mark {
-    /// When [s].
-    pub time_s: f64,
-    /// What.
-    pub label: String,
-}
+pub use self::choice::{STEAK, SteakChoice, group_of, noun};
+pub use self::mark::Mark;
 
 /// Forecast for food that is taken out now.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -430,20 +397,6 @@ impl Session {
     }
 }
 
-/// Noun for a kind of food in a sentence.
-pub fn noun(library: &Library, kind: &str) -> String {
-    let name = library.foods.get(kind).map_or(kind, |f| f.name.as_str()).to_lowercase();
-    if name.contains(STEAK) { STEAK.to_owned() } else { name }
-}
-
-/// The group that a piece belongs to: its name up to the number, its own name where there is none.
-pub fn group_of(id: &str) -> &str {
-    match id.rsplit_once('.') {
-        Some((group, number)) if number.parse::<u32>().is_ok() => group,
-        _ => id,
-    }
-}
-
 /// Share of the floor's radius over which a heap is dropped [-] (chosen: clear of the wall).
 const HEAP_SHARE: f64 = 0.62;
 
@@ -453,73 +406,6 @@ fn on_spiral(k: usize, count: usize, radius: f64) -> [f64; 2] {
     const TURN: f64 = 2.399_963_229_728_653;
     let (share, angle) = ((k as f64 / count.max(1) as f64).sqrt(), TURN * k as f64);
     [radius * share * angle.cos(), radius * share * angle.sin()]
-}
-
-/// Name of a food that is set out: that of a steak, or of its kind.
-fn base_name(library: &Library, kind: &str) -> String {
-    if noun(library, kind) == STEAK { STEAK.into() } else { kind.into() }
-}
-
-fn set_out(library: &Library, choice: &SteakChoice) -> Result<Kitchen, SetupError> {
-    let mut kitchen = Kitchen::new(library, &choice.pan, kelvin(choice.preheat_c))?;
-    for order in orders(library, choice, &base_name(library, &choice.kind), 1) {
-        kitchen.add(library, &order)?;
-    }
-    Ok(kitchen)
-}
-
-/// Orders of pieces under one name; each has a seed of its own, so that no two are the same.
-fn orders(library: &Library, choice: &SteakChoice, group: &str, count: usize) -> Vec<PieceOrder> {
-    let food = library.foods.get(&choice.kind);
-    let form = food.map_or(Form::Steak, |f| f.form);
-    let default = || food.and_then(|f| form.extent(&f.size.default_mm)).unwrap_or_default();
-    let size = form.extent(&choice.size_mm).unwrap_or_else(default);
-    let order = |k: usize| PieceOrder {
-        id: if count == 1 { group.to_owned() } else { format!("{group}.{}", k + 1) },
-        kind: choice.kind.clone(),
-        size: size.map(|mm| mm * 1e-3),
-        temperature: kelvin(choice.initial_c),
-        seed: k as u64 + 1,
-        coarseness: 1.0,
-        rules: Rules::Full,
-        mesh: MeshSize::Default,
-    };
-    (0..count).map(order).collect()
-}
-
-/// Label of a command at the curves; none for what a hand does all the time.
-fn label(command: &Command) -> Option<String> {
-    Some(match command {
-        Command::Lead { .. } | Command::LetGo | Command::HoldPan { .. } => return None,
-        Command::Hob(w) => format!("{w:.0} W"),
-        Command::Put { .. } => "in".into(),
-        Command::Flip { .. } => "flip".into(),
-        Command::Rest { .. } => "out".into(),
-        Command::Halve { .. } => "halve".into(),
-        Command::MovePan { .. } => "pan".into(),
-        Command::Cool { .. } => "cloth".into(),
-        Command::Toss { .. } => "toss".into(),
-        Command::Shake { .. } => "shake".into(),
-        Command::Tilt { .. } => "tilt".into(),
-        Command::Press { .. } => "press".into(),
-        Command::Move { .. } => "move".into(),
-        Command::Oil { .. } => "oil".into(),
-        Command::Butter(_) => "butter".into(),
-        Command::Water(_) => "water".into(),
-        Command::Lid(on) => if *on { "lid on" } else { "lid off" }.into(),
-    })
-}
-
-fn step_label(step: &saute_recipe::Fired) -> String {
-    match step.action {
-        "hob_w" => format!("{:.0} W", step.value.as_f64().unwrap_or(0.0)),
-        "put" => "in".into(),
-        "rest" => "out".into(),
-        "move_pan" => "pan".into(),
-        "cool" => "cloth".into(),
-        "lid" => if step.value == true { "lid on" } else { "lid off" }.into(),
-        other => other.trim_end_matches("_g").into(),
-    }
 }
 
 #[cfg(test)]
