@@ -58,7 +58,7 @@ pub struct Ray {
 
 /// A triangle that a ray meets.
 #[derive(Clone, Copy)]
-struct Met {
+struct Hit {
     /// Along the ray [m].
     away: f32,
     corners: [u32; 3],
@@ -88,7 +88,7 @@ impl Stage {
 }
 
 /// Returns where a ray first meets what is drawn of a food, and true if that is on its cut.
-fn meet_food(food: &FoodLook, ray: Ray) -> Option<(Met, bool)> {
+fn meet_food(food: &FoodLook, ray: Ray) -> Option<(Hit, bool)> {
     let inverse = food.world_from_rest.inverse();
     let local =
         Ray { origin: inverse.transform_point3(ray.origin), direction: inverse.transform_vector3(ray.direction) };
@@ -99,7 +99,7 @@ fn meet_food(food: &FoodLook, ray: Ray) -> Option<(Met, bool)> {
 }
 
 /// The nearest triangle that a ray meets where it is not hidden.
-fn meet(triangles: &[[u32; 3]], vertices: &[FoodVertex], ray: Ray, hidden: impl Fn(Vec3) -> bool) -> Option<Met> {
+fn meet(triangles: &[[u32; 3]], vertices: &[FoodVertex], ray: Ray, hidden: impl Fn(Vec3) -> bool) -> Option<Hit> {
     let at = |i: u32| Vec3::from(vertices[i as usize].position);
     let rest = |i: u32| Vec3::from(vertices[i as usize].rest);
     let met = triangles.iter().filter(|t| t.iter().all(|i| (*i as usize) < vertices.len())).filter_map(|&corners| {
@@ -117,7 +117,7 @@ fn meet(triangles: &[[u32; 3]], vertices: &[FoodVertex], ray: Ray, hidden: impl 
         }
         let weights = [1.0 - v - w, v, w];
         let shown: Vec3 = (0..3).map(|k| rest(corners[k]) * weights[k]).sum();
-        (!hidden(shown)).then_some(Met { away, corners, weights })
+        (!hidden(shown)).then_some(Hit { away, corners, weights })
     });
     met.min_by(|a, b| a.away.total_cmp(&b.away))
 }

@@ -58,7 +58,7 @@ pub const CUT_YAW: f32 = 0.62;
 /// The stage; caches the skins of the pieces between frames.
 #[derive(Clone, Debug, Default)]
 pub struct Stage {
-    skins: BTreeMap<String, Worn>,
+    skins: BTreeMap<String, CachedSkin>,
     film: PanFilm,
     tint: PanTint,
     spots: Spots,
@@ -75,17 +75,17 @@ type Shades = (View, TemperatureMap, Option<String>);
 
 /// A skin with the vertices it has now.
 #[derive(Clone, Debug)]
-struct Worn {
+struct CachedSkin {
     model: usize,
     skin: Skin,
     vertices: Arc<Vec<FoodVertex>>,
     /// What the vertices were made for.
-    fresh_for: Option<Fresh>,
+    made_for: Option<SkinKey>,
 }
 
 /// State and view that vertices show.
 #[derive(Clone, Debug, PartialEq)]
-struct Fresh {
+struct SkinKey {
     ticks: u64,
     view: View,
     map: TemperatureMap,
@@ -144,12 +144,12 @@ impl Stage {
 
     /// Drawn surface of a piece.
     pub(crate) fn skin(&self, id: &str) -> Option<&Skin> {
-        self.skins.get(id).map(|worn| &worn.skin)
+        self.skins.get(id).map(|cached| &cached.skin)
     }
 
     /// The drawn points of a piece in its body's frame [m], as far as it has been drawn.
     pub fn points(&self, id: &str) -> &[FoodVertex] {
-        self.skins.get(id).map_or(&[], |worn| worn.vertices.as_slice())
+        self.skins.get(id).map_or(&[], |cached| cached.vertices.as_slice())
     }
 
     /// Brings vertices up to date: of a few pieces all, of many a part at each tick, those that have waited longest
@@ -164,42 +164,42 @@ impl Stage {
         let first = if count > ALWAYS_FRESH { self.round } else { 0 };
         for piece in kitchen.pieces().iter().cycle().skip(first % count.max(1)).take(count) {
             let ticks = piece.state.ticks;
-            let wanted = Fresh { ticks, view: options.view, map: options.map, scale: scale.clone() };
-            let worn = self.worn(piece);
-            let patient = count > ALWAYS_FRESH && worn.is_nearly(&wanted);
-            if worn.fresh_for.as_ref() == Some(&wanted) || (patient && left == 0) {
+            let wanted = SkinKey { ticks, view: options.view, map: options.map, scale: scale.clone() };
+            let cached = self.cached(piece);
+            let patient = count > ALWAYS_FRESH && cached.is_nearly(&wanted);
+            if cached.made_for.as_ref() == Some(&wanted) || (patient && left == 0) {
                 continue;
             }
             if patient {
                 left -= 1;
             }
-            worn.vertices = Arc::new(worn.skin.vertices(piece, options.view, map));
-            worn.fresh_for = Some(wanted);
+            cached.vertices = Arc::new(cached.skin.vertices(piece, options.view, map));
+            cached.made_for = Some(wanted);
             self.round += usize::from(patient);
         }
     }
 
-    fn worn(&mut self, piece: &Piece) -> &mut Worn {
+    fn cached(&mut self, piece: &Piece) -> &mut CachedSkin {
         let model = Arc::as_ptr(&piece.model) as usize;
-        if self.skins.get(&piece.id).is_none_or(|worn| worn.model != model) {
-            let worn = Worn { model, skin: Skin::new(piece), vertices: Arc::default(), fresh_for: None };
-            self.skins.insert(piece.id.clone(), worn);
+        if self.skins.get(&piece.id).is_none_or(|cached| cached.model != model) {
+            let cached = CachedSkin { model, skin: Skin::new(piece), vertices: Arc::default(), made_for: None };
+            self.skins.insert(piece.id.clone(), cached);
         }
-        self.skins.entry(piece.id.clone()).or_insert_with(|| Worn {
+        self.skins.entry(piece.id.clone()).or_insert_with(|| CachedSkin {
             model,
             skin: Skin::new(piece),
             vertices: Arc::default(),
-            fresh_for: None,
+            made_for: None,
         })
     }
 
     /// Returns the renderer's input for a piece; two for a piece that was halved.
     fn food(&self, piece: &Piece, pose: &Pose, options: &StageOptions, map: Option<&ColourMap>) -> Vec<FoodLook> {
-        let Some(worn) = self.skins.get(&piece.id) else { return Vec::new() };
+        let Some(cached) = self.skins.get(&piece.id) else { return Vec::new() };
         let sear = [Face::Bottom, Face::Top].map(|face| sear_looks(piece, face));
         let whole = FoodLook {
-            mesh: worn.skin.mesh.clone(),
-            vertices: Arc::clone(&worn.vertices),
+            mesh: cached.skin.mesh.clone(),
+            vertices: Arc::clone(&cached.vertices),
             world_from_rest: pose.matrix(),
             slice: None,
             sear,
@@ -233,11 +233,11 @@ fn sear_look(lines: SearLines) -> SearLook {
     }
 }
 
-impl Worn {
+impl CachedSkin {
     /// Returns true if the update of the vertices may wait.
-    fn is_nearly(&self, wanted: &Fresh) -> bool {
-        self.fresh_for.as_ref().is_some_and(|shown| {
-            let same = Fresh { ticks: wanted.ticks, ..shown.clone() } == *wanted;
+    fn is_nearly(&self, wanted: &SkinKey) -> bool {
+        self.made_for.as_ref().is_some_and(|shown| {
+            let same = SkinKey { ticks: wanted.ticks, ..shown.clone() } == *wanted;
             same && wanted.ticks.abs_diff(shown.ticks) < STALE_TICKS
         })
     }

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use crate::gpu::dirty::DirtyRect;
 use crate::gpu::foods::{Foods, Moved};
-use crate::gpu::history::{Casting, History, StillStep};
+use crate::gpu::history::{History, ShadowCasters, StillStep};
 use crate::gpu::passes::{self, Groups, Subject};
 use crate::gpu::pipeline_build::Detail;
 use crate::gpu::pipeline_set::PipelineSet;
-use crate::gpu::shown::{Shown, Sight, Work};
+use crate::gpu::shown::{Shown, ShownFrame, Work};
 use crate::gpu::solids::Solids;
 use crate::gpu::sprites::SpriteBuffers;
 use crate::gpu::still::StillKey;
@@ -144,7 +144,7 @@ impl SceneRenderer {
         queue: &wgpu::Queue,
         input: &SceneInput,
         size: [u32; 2],
-    ) -> (Sight, bool) {
+    ) -> (ShownFrame, bool) {
         let resized = self.targets.size != size;
         if resized {
             self.targets = Targets::new(device, size, &self.pipelines.layouts().restore);
@@ -168,7 +168,7 @@ impl SceneRenderer {
         self.update_foods(device, queue, input);
         let sprites = self.contents.sprites.update(queue, input);
         self.history.begin(frame.timeless(), DirtyRect::of_sprites(input, &sprites, size));
-        let pan_moved = !self.history.casts(&Casting::of(input));
+        let pan_moved = !self.history.casts(&ShadowCasters::of(input));
         let changed = resized || coloured || !spots.is_empty() || pan_moved || pulled || self.contents.moved.look;
         // Kept pictures hold as long as only time has passed: oil and water ripple when the state is read again.
         if changed || !self.history.shows_lively() {
@@ -177,7 +177,7 @@ impl SceneRenderer {
             let dirty = DirtyRect::of_lively(input, &tool, size).union(DirtyRect::of_spots(input, &spots, size));
             self.history.change_lively(dirty);
         }
-        let sight = Sight { frame, sprites, quality: self.quality };
+        let sight = ShownFrame { frame, sprites, quality: self.quality };
         (sight, changed)
     }
 
@@ -231,8 +231,8 @@ impl SceneRenderer {
     /// Redraws shadow and contact map when something moved.
     fn update_shadow(&mut self, encoder: &mut wgpu::CommandEncoder, input: &SceneInput) {
         let Some(solids) = &self.contents.solids else { return };
-        let casting = Casting::of(input);
-        if self.history.casts(&casting) {
+        let casters = ShadowCasters::of(input);
+        if self.history.casts(&casters) {
             return;
         }
         let (depth, foods) = (self.pipelines.depth(), &self.contents.foods);
@@ -242,7 +242,7 @@ impl SceneRenderer {
         let mut pass = passes::begin_depth(encoder, &self.textures.contact_map);
         passes::draw_food_depth(&mut pass, depth, self.views.contact(), foods);
         drop(pass);
-        self.history.cast(casting);
+        self.history.cast(casters);
     }
 
     fn groups(&self) -> Groups<'_> {

@@ -343,7 +343,7 @@ impl Session {
         // Faster than the clock no force is true: then forces fade.
         #[cfg(not(target_arch = "wasm32"))]
         if self.speed == 1.0 {
-            self.hands.tell(&self.kitchen);
+            self.hands.send(&self.kitchen);
         }
         if ticked {
             self.recorder.observe(&self.kitchen);

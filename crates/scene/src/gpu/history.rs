@@ -8,27 +8,27 @@ use crate::input::{SceneInput, ToolLook};
 
 /// Parts of the picture that are redrawn.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Touched {
+pub(crate) struct DirtyParts {
     /// Foods, the pan's floor, the tool.
     pub lively: DirtyRect,
     /// Steam and what lies round frying foods.
     pub sprites: DirtyRect,
 }
 
-impl Touched {
+impl DirtyParts {
     /// The whole picture.
     pub const WHOLE: Self = Self { lively: DirtyRect::WHOLE, sprites: DirtyRect::WHOLE };
 }
 
 /// Shadow casters other than the foods.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Casting {
+pub(crate) struct ShadowCasters {
     movable: MovableKey,
     tool: Option<ToolLook>,
     lidded: bool,
 }
 
-impl Casting {
+impl ShadowCasters {
     /// Reads it from a scene.
     pub fn of(input: &SceneInput) -> Self {
         Self { movable: MovableKey::of(input), tool: input.tool, lidded: input.pan.lid.is_some() }
@@ -53,12 +53,12 @@ pub(crate) struct History {
     /// The frame of the cached layer with the foods, without its time; none where the layer is invalid.
     lively: Option<FrameUniform>,
     /// Dirty part of the new frame.
-    dirty: Touched,
+    dirty: DirtyParts,
     /// Dirty part of the finished picture.
-    drawn: Touched,
+    drawn: DirtyParts,
     /// Number of changes of foods that are visible on pan wall and board, by reflection or shadow.
     disturbances: u64,
-    shadow_of: Option<Casting>,
+    shadow_of: Option<ShadowCasters>,
 }
 
 impl Default for History {
@@ -67,8 +67,8 @@ impl Default for History {
             still: None,
             timeless: bytemuck::Zeroable::zeroed(),
             lively: None,
-            dirty: Touched::WHOLE,
-            drawn: Touched::WHOLE,
+            dirty: DirtyParts::WHOLE,
+            drawn: DirtyParts::WHOLE,
             disturbances: 0,
             shadow_of: None,
         }
@@ -97,13 +97,13 @@ impl History {
     }
 
     /// Returns true if the shadow map was drawn for these casters.
-    pub fn casts(&self, casting: &Casting) -> bool {
-        self.shadow_of.as_ref() == Some(casting)
+    pub fn casts(&self, casters: &ShadowCasters) -> bool {
+        self.shadow_of.as_ref() == Some(casters)
     }
 
     /// Notes the casters for which the shadow map was drawn.
-    pub fn cast(&mut self, casting: Casting) {
-        self.shadow_of = Some(casting);
+    pub fn cast(&mut self, casters: ShadowCasters) {
+        self.shadow_of = Some(casters);
     }
 
     /// Starts a frame: takes it without its time, and the dirty rectangle of its sprites.
@@ -139,7 +139,7 @@ impl History {
 
     /// Notes that the whole picture was drawn at once; the cached layer with the foods is invalid.
     pub fn drew_whole(&mut self) {
-        (self.lively, self.drawn) = (None, Touched::WHOLE);
+        (self.lively, self.drawn) = (None, DirtyParts::WHOLE);
     }
 
     /// Notes the key of the static layer; `drawn` is false while the camera moves, when only the key is kept.

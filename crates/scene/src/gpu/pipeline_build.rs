@@ -23,19 +23,19 @@ impl Detail {
 
 /// Description of a pipeline.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Worth {
+pub(crate) struct PipelineOptions {
     pub detail: Detail,
     /// Which solid texture, of those pipelines that have one.
     pub texture: Option<FleshTexture>,
 }
 
-impl From<Detail> for Worth {
+impl From<Detail> for PipelineOptions {
     fn from(detail: Detail) -> Self {
         Self { detail, texture: None }
     }
 }
 
-impl Worth {
+impl PipelineOptions {
     /// Values of the constants that the shaders leave open.
     fn constants(self) -> Vec<(&'static str, f64)> {
         let mut constants = match self.detail {
@@ -60,10 +60,10 @@ pub(crate) fn build(
     fragment: Option<FragmentStage<'_>>,
     depth: wgpu::DepthStencilState,
     cull_mode: Option<wgpu::Face>,
-    worth: impl Into<Worth>,
+    options: impl Into<PipelineOptions>,
 ) -> wgpu::RenderPipeline {
-    let worth = worth.into();
-    let constants = worth.constants();
+    let options = options.into();
+    let constants = options.constants();
     let buffers = buffer.map(Some);
     let target = fragment.as_ref().map(|(_, _, blend)| {
         [Some(wgpu::ColorTargetState { format: COLOUR_FORMAT, blend: *blend, write_mask: wgpu::ColorWrites::ALL })]
@@ -79,7 +79,7 @@ pub(crate) fn build(
         },
         primitive: wgpu::PrimitiveState { cull_mode, ..Default::default() },
         depth_stencil: Some(depth),
-        multisample: wgpu::MultisampleState { count: worth.detail.samples(), ..Default::default() },
+        multisample: wgpu::MultisampleState { count: options.detail.samples(), ..Default::default() },
         fragment: fragment.as_ref().zip(target.as_ref()).map(|((module, entry, _), target)| wgpu::FragmentState {
             module,
             entry_point: Some(entry),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::gpu::pipeline_build::{Detail, Worth, build};
+use crate::gpu::pipeline_build::{Detail, PipelineOptions, build};
 use crate::gpu::textures::{DEPTH_FORMAT, fragment_entry};
 use crate::input::{FleshTexture, FoodVertex};
 use crate::light::room_light;
@@ -219,7 +219,7 @@ impl PipelineFactory {
         detail: Detail,
         texture: Option<FleshTexture>,
     ) -> wgpu::RenderPipeline {
-        let detail = Worth { detail, texture };
+        let detail = PipelineOptions { detail, texture };
         let vertex = (&self.food, "vs_food", Some(food_buffer()));
         let blend = veil.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
         build(device, &self.food_layout, vertex, Some((&self.food, entry, blend)), depth_state(!veil), cull, detail)

@@ -12,13 +12,13 @@ const RESTED: Duration = Duration::from_millis(350);
 
 /// Everything the picture was drawn from, except the foods.
 #[derive(Clone, Debug)]
-pub(crate) struct Sight {
+pub(crate) struct ShownFrame {
     pub frame: FrameUniform,
     pub sprites: Vec<PuffVertex>,
     pub quality: Quality,
 }
 
-impl Sight {
+impl ShownFrame {
     fn same(&self, other: &Self) -> bool {
         self.quality == other.quality
             && bytemuck::bytes_of(&self.frame) == bytemuck::bytes_of(&other.frame)
@@ -46,7 +46,7 @@ pub(crate) enum Work {
 pub(crate) struct Shown {
     /// How long a picture must rest before it is smoothed.
     pub rest: Duration,
-    sight: Option<Sight>,
+    sight: Option<ShownFrame>,
     since: Option<Instant>,
     smooth: bool,
 }
@@ -59,7 +59,7 @@ impl Default for Shown {
 
 impl Shown {
     /// Returns what a frame needs. `changed`: foods or targets have changed; `settled`: nothing is left to refine.
-    pub fn work(&mut self, sight: Sight, changed: bool, settled: bool) -> Work {
+    pub fn work(&mut self, sight: ShownFrame, changed: bool, settled: bool) -> Work {
         let same = self.sight.as_ref().is_some_and(|old| old.same(&sight));
         if changed || !same {
             self.smooth = sight.quality != Quality::Quick || sight.frame.is_flat();

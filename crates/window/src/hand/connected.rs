@@ -96,7 +96,7 @@ impl Connected {
     }
 
     /// Publishes what the hand feels.
-    pub fn tell(&mut self, model: &ContactModel) {
+    pub fn send(&mut self, model: &ContactModel) {
         self.control.publish(*model);
     }
 

@@ -153,14 +153,14 @@ impl Hands {
     }
 
     /// After a frame at the pace of the clock: sends the contact model to the device that holds the pan.
-    pub fn tell(&mut self, kitchen: &Kitchen) {
+    pub fn send(&mut self, kitchen: &Kitchen) {
         if self.pan.is_none() && !self.listened {
             return;
         }
         self.model = self.watch.look(kitchen, FRAME_S);
         self.silent = 0.0;
         if let Some(pan) = &mut self.pan {
-            pan.tell(&self.model);
+            pan.send(&self.model);
         }
     }
 

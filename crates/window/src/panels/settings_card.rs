@@ -77,6 +77,8 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     if let Some(size) = row(ui, narrow, l.text("settings.size"), &sizes) {
         set(Setting::Size(InterfaceSize::ALL[size]));
     }
+    #[cfg(target_arch = "wasm32")]
+    let _ = memory;
     #[cfg(not(target_arch = "wasm32"))]
     crate::hand::section(state, &mut memory.hand_choice, ui, acts, narrow);
 }
