@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use crate::gpu::dirty::DirtyRect;
 use crate::gpu::foods::{Foods, Moved};
-use crate::gpu::history::{Casting, History, StillStep};
+use crate::gpu::history::{History, ShadowCasters, StillStep};
 use crate::gpu::passes::{self, Groups, Subject};
+use crate::gpu::pipeline_build::Detail;
 use crate::gpu::pipeline_set::PipelineSet;
-use crate::gpu::pipelines::Detail;
-use crate::gpu::shown::{Shown, Sight, Work};
+use crate::gpu::shown::{Shown, ShownFrame, Work};
 use crate::gpu::solids::Solids;
 use crate::gpu::sprites::SpriteBuffers;
 use crate::gpu::still::StillKey;
@@ -41,11 +41,11 @@ struct Contents {
     solids: Option<Solids>,
     foods: Foods,
     sprites: SpriteBuffers,
-    /// What of the foods has moved since the last frame.
+    /// What has moved of the foods since the last frame.
     moved: Moved,
 }
 
-/// What the textures were filled from last.
+/// Sources of the textures' present contents.
 #[derive(Default)]
 struct Pictures {
     table: Option<Arc<[[u8; 3]; 256]>>,
@@ -137,14 +137,14 @@ impl SceneRenderer {
         }
     }
 
-    /// Brings buffers and targets up to date; tells what is to be seen, and whether foods or targets changed.
+    /// Updates buffers and targets; returns what is seen, and true if foods or targets have changed.
     fn prepare(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         input: &SceneInput,
         size: [u32; 2],
-    ) -> (Sight, bool) {
+    ) -> (ShownFrame, bool) {
         let resized = self.targets.size != size;
         if resized {
             self.targets = Targets::new(device, size, &self.pipelines.layouts().restore);
@@ -168,16 +168,16 @@ impl SceneRenderer {
         self.update_foods(device, queue, input);
         let sprites = self.contents.sprites.update(queue, input);
         self.history.begin(frame.timeless(), DirtyRect::of_sprites(input, &sprites, size));
-        let pan_moved = !self.history.casts(&Casting::of(input));
+        let pan_moved = !self.history.casts(&ShadowCasters::of(input));
         let changed = resized || coloured || !spots.is_empty() || pan_moved || pulled || self.contents.moved.look;
-        // What is kept stands as long as only time has passed: oil and water ripple when the state is read anew.
+        // Kept pictures hold as long as only time has passed: oil and water ripple when the state is read again.
         if changed || !self.history.shows_lively() {
             let tool: Vec<_> = self.contents.solids.iter().flat_map(Solids::moving_points).collect();
             // Spots that were there before stay in the kept picture.
             let dirty = DirtyRect::of_lively(input, &tool, size).union(DirtyRect::of_spots(input, &spots, size));
             self.history.change_lively(dirty);
         }
-        let sight = Sight { frame, sprites, quality: self.quality };
+        let sight = ShownFrame { frame, sprites, quality: self.quality };
         (sight, changed)
     }
 
@@ -193,7 +193,7 @@ impl SceneRenderer {
         }
     }
 
-    /// Takes another colour table; tells whether it is another.
+    /// Updates the colour table; returns true if it has changed.
     fn update_table(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, colouring: &Colouring) -> bool {
         let Colouring::Field { table, classes } = colouring else {
             return false;
@@ -207,7 +207,7 @@ impl SceneRenderer {
         other
     }
 
-    /// Takes another picture of the pan's floor; tells whether it is another.
+    /// Updates the picture of the pan's floor; returns true if it has changed.
     fn update_film(&mut self, queue: &wgpu::Queue, film: &Arc<FilmPicture>) -> bool {
         let same = self.pictures.film.as_ref().is_some_and(|old| Arc::ptr_eq(old, film));
         if !same {
@@ -217,7 +217,7 @@ impl SceneRenderer {
         !same
     }
 
-    /// Takes another picture of what heat has done to the pan's colour, which its wall shows too; tells whether it is another.
+    /// Updates the picture of the pan's heat tint, which its wall shows too; returns true if it has changed.
     fn update_tint(&mut self, queue: &wgpu::Queue, tint: &Arc<TintPicture>) -> bool {
         let same = self.pictures.tint.as_ref().is_some_and(|old| Arc::ptr_eq(old, tint) || old == tint);
         if !same {
@@ -231,8 +231,8 @@ impl SceneRenderer {
     /// Redraws shadow and contact map when something moved.
     fn update_shadow(&mut self, encoder: &mut wgpu::CommandEncoder, input: &SceneInput) {
         let Some(solids) = &self.contents.solids else { return };
-        let casting = Casting::of(input);
-        if self.history.casts(&casting) {
+        let casters = ShadowCasters::of(input);
+        if self.history.casts(&casters) {
             return;
         }
         let (depth, foods) = (self.pipelines.depth(), &self.contents.foods);
@@ -242,7 +242,7 @@ impl SceneRenderer {
         let mut pass = passes::begin_depth(encoder, &self.textures.contact_map);
         passes::draw_food_depth(&mut pass, depth, self.views.contact(), foods);
         drop(pass);
-        self.history.cast(casting);
+        self.history.cast(casters);
     }
 
     fn groups(&self) -> Groups<'_> {
@@ -265,7 +265,7 @@ impl SceneRenderer {
         self.history.drew_whole();
     }
 
-    /// What a half mirror can show, at once: nothing of it is worth keeping, for there is no room.
+    /// Draws what a half mirror can show, at once: without the room no layer is worth caching.
     fn draw_mirror(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, pan: bool, smooth: bool) {
         let detail = match (self.quality, smooth) {
             (Quality::Best, _) => Detail::Best,
@@ -319,7 +319,7 @@ impl SceneRenderer {
         self.history.drew_from_kept();
     }
 
-    /// While the eye moves nothing is worth keeping: everything is drawn at once with one sample a pixel.
+    /// While the camera moves no layer is cached: everything is drawn at once with one sample a pixel.
     fn draw_direct(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey) {
         self.pipelines.stock(device, Detail::Usual, self.contents.foods.textures());
         let (Some(pipelines), Some(subject)) = (self.pipelines.colour(Detail::Usual), self.subject()) else { return };
@@ -329,7 +329,7 @@ impl SceneRenderer {
         self.history.drew_whole();
     }
 
-    /// Draws the still things smoothly, as soon as they rest.
+    /// Draws the static layer with anti-aliasing once the camera rests.
     fn refine_still(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey) {
         self.pipelines.stock(device, Detail::Fine, std::iter::empty());
         self.targets.msaa(device);

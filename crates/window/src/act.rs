@@ -12,7 +12,7 @@ use crate::ui::quality_choice::QualityChoice;
 use crate::ui::theme::Theme;
 use crate::words::language::Language;
 
-/// What panels ask for, in the order in which it was asked; the app carries it out once all panels are shown.
+/// Acts that panels return, in order; the app carries them out once all panels are shown.
 pub type Acts = Vec<Act>;
 
 /// One thing to do.
@@ -78,9 +78,9 @@ pub enum Act {
     Pieces,
     /// Start over.
     Restart,
-    /// What the colours mean.
+    /// View that the colours show.
     View(View),
-    /// The look beside the view, or the view alone.
+    /// The look next to the view, or the view alone.
     Split,
     /// A probe where the pointer is.
     Probe,
@@ -116,7 +116,7 @@ pub enum Act {
     Curves,
     /// All panels on or off.
     Panels,
-    /// All devices let go of the hands at once.
+    /// Emergency stop of all devices.
     StopHands,
     /// The strings of a device.
     Strings,
@@ -164,7 +164,7 @@ pub enum Act {
 pub enum Setting {
     /// Dark or light panels.
     Theme(Theme),
-    /// What the look calls white.
+    /// White balance of the look.
     White(WhiteBalance),
     /// The quality of the picture.
     Quality(QualityChoice),
@@ -213,9 +213,9 @@ const fn bind(key: Key, written: &'static str, act: Act, words: &'static str) ->
     Binding { key, written, act, words }
 }
 
-/// How far a key raises the turner [m] (chosen: a pan's wall in four).
+/// Distance by which a key raises the turner [m] (chosen: a pan's wall in four).
 pub const TOOL_STEP: f64 = 0.01;
-/// How far a key rolls the turner [rad] (chosen: six presses turn it over).
+/// Angle by which a key rolls the turner [rad] (chosen: six presses turn it over).
 pub const ROLL_STEP: f64 = std::f64::consts::PI / 6.0;
 
 /// All keys, in the order in which the help lists them.
@@ -282,7 +282,7 @@ pub static BINDINGS: [Binding; 60] = [
     bind(Key::Escape, "Esc", Act::Close, "key.close"),
 ];
 
-/// What an act does, and its key: for tooltips.
+/// Description of an act with its key, for tooltips.
 pub fn hint(act: &Act, l: Language) -> String {
     BINDINGS.iter().find(|b| b.act == *act).map_or_else(String::new, |b| format!("{} ({})", l.text(b.words), b.written))
 }

@@ -1,5 +1,7 @@
 //! The program's window.
 
+mod frame;
+
 use std::sync::Arc;
 
 use egui::{Rect, Ui};
@@ -8,9 +10,7 @@ use saute_picture::stage::{Places, Stage, following};
 use saute_recipe::Recipe;
 use saute_scene::camera::Camera;
 use saute_scene::quality::Quality;
-use web_time::{Duration, Instant};
 
-use crate::act::{Act, Acts, BINDINGS};
 use crate::governor::Governor;
 use crate::input::pad_input::Pad;
 use crate::input::pan_keys::PanKeys;
@@ -20,11 +20,9 @@ use crate::mirror::presenter::MirrorCallback;
 use crate::mirror::view::MirrorView;
 use crate::paint::ground::GroundCallback;
 use crate::paint::scene::SceneCallback;
-use crate::panels;
-use crate::panels::window_state::{PanelMemory, WindowState};
+use crate::panels::window_state::PanelMemory;
 use crate::session::Session;
 use crate::settings::Settings;
-use crate::ui::layout::Layout;
 use crate::ui::motion::Motions;
 use crate::ui::notice::Notice;
 use crate::ui::scene_view::SceneView;
@@ -33,18 +31,13 @@ use crate::words::language::Language;
 
 /// Where settings are remembered.
 const SETTINGS_KEY: &str = "saute.settings";
-/// What is remembered at the first start: nothing.
+/// Remembered settings at the first start: none.
 const FIRST_START: &str = "{}";
-/// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
-const STEP_BUDGET_MS: u64 = 20;
 
-/// Held keys move the pan no further at once than in this time [s] (chosen: a slow frame makes no leap).
-const LONGEST_FRAME_S: f64 = 0.1;
-
-/// What the window starts with.
+/// Start options of the window.
 #[derive(Clone, Debug, Default)]
 pub struct Start {
-    /// What can be built; the embedded data unless given.
+    /// Library of foods, pans and recipes; the embedded one unless given.
     pub library: Option<Arc<Library>>,
     /// A recipe to play at once.
     pub recipe: Option<Recipe>,
@@ -63,7 +56,7 @@ pub struct SauteApp {
     /// Place of the cut (−1…1), or none.
     pub(crate) slice: Option<f64>,
     pub(crate) help: bool,
-    /// Whether the card of the settings is open.
+    /// True if the card of the settings is open.
     pub(crate) settings_open: bool,
     pub(crate) notice: Notice,
     pub(crate) motions: Motions,
@@ -72,15 +65,15 @@ pub struct SauteApp {
     pub(crate) memory: PanelMemory,
     pub(crate) pan_keys: PanKeys,
     pub(crate) tool_hand: ToolHand,
-    /// How much is poured at once.
+    /// Portion that is poured at once.
     pub(crate) portion: Portion,
     pub(crate) pad: Pad,
     last_time: Option<f64>,
-    /// Whether the card of the first steps is shown.
+    /// True if the card of the first steps is shown.
     pub(crate) first_steps: bool,
-    /// Whether the system has a font with kana and kanji.
+    /// True if the system has a font with kana and kanji.
     pub(crate) japanese_font: bool,
-    /// Whether the scene can be drawn (a graphics device is there).
+    /// True if the scene can be drawn (a graphics device is there).
     drawable: bool,
     software: bool,
     /// Chooses the quality of the picture where that is left to the program.
@@ -88,7 +81,7 @@ pub struct SauteApp {
     pub(crate) mirror: MirrorView,
 }
 
-/// Why the window cannot start.
+/// Errors of starting the window.
 #[derive(Debug, thiserror::Error)]
 pub enum StartError {
     /// Embedded or user data is broken.
@@ -211,7 +204,7 @@ impl SauteApp {
         self.settings.language = language;
     }
 
-    /// Whether the card of the first steps is shown.
+    /// Returns true if the card of the first steps is shown.
     pub fn first_steps_are_open(&self) -> bool {
         self.first_steps
     }
@@ -221,12 +214,12 @@ impl SauteApp {
         self.settings.introduced = true;
     }
 
-    /// Whether the list of keys is open.
+    /// Returns true if the list of keys is open.
     pub fn help_is_open(&self) -> bool {
         self.help
     }
 
-    /// Whether the card of the settings is open.
+    /// Returns true if the card of the settings is open.
     pub fn settings_are_open(&self) -> bool {
         self.settings_open
     }
@@ -285,67 +278,7 @@ impl SauteApp {
         }
     }
 
-    fn take_keys(&mut self, ctx: &egui::Context) {
-        self.settings.size = self.settings.size.by_keys(ctx);
-        if ctx.egui_wants_keyboard_input() {
-            return;
-        }
-        let pressed: Vec<Act> = ctx.input(|i| {
-            // With Shift, letters move the pan.
-            let plain = !i.modifiers.command && !i.modifiers.alt && !i.modifiers.shift;
-            let times = |b: &crate::act::Binding| if plain { i.num_presses(b.key) } else { 0 };
-            BINDINGS.iter().flat_map(|b| std::iter::repeat_n(b.act.clone(), times(b))).collect()
-        });
-        pressed.into_iter().for_each(|act| self.act(act, ctx));
-    }
-
-    #[cfg(not(target_arch = "wasm32"))]
-    fn take_dropped_files(&mut self, ctx: &egui::Context) {
-        for file in ctx.input(|i| i.raw.dropped_files.clone()) {
-            let name = file.path().display().to_string();
-            match file.bytes().map(String::from_utf8) {
-                Ok(Ok(text)) => self.open_recipe(&text, &name),
-                Ok(Err(_)) => self.notice.say(self.settings.language.fill("notice.not_text", &[("file", &name)])),
-                Err(error) => {
-                    let open: [(&str, &dyn std::fmt::Display); 2] = [("file", &name), ("error", &error)];
-                    self.notice.say(self.settings.language.fill("notice.not_read", &open));
-                }
-            }
-        }
-    }
-
-    /// Browsers hand files over later, which the page does not wait for yet.
-    #[cfg(target_arch = "wasm32")]
-    fn take_dropped_files(&mut self, ctx: &egui::Context) {
-        if ctx.input(|i| !i.raw.dropped_files.is_empty()) {
-            self.say("notice.no_drop");
-        }
-    }
-
-    fn let_time_pass(&mut self, ctx: &egui::Context) {
-        let now = ctx.input(|i| i.time);
-        let wall = now - self.last_time.unwrap_or(now);
-        self.last_time = Some(now);
-        self.take_hands(ctx, wall.clamp(0.0, LONGEST_FRAME_S));
-        let begun = Instant::now();
-        let passed =
-            self.session.advance(Duration::from_secs_f64(wall.max(0.0)), Duration::from_millis(STEP_BUDGET_MS));
-        // While time stands still frames come when there is something to see.
-        if !self.session.paused {
-            self.governor.frame(wall, begun.elapsed().as_secs_f64());
-        }
-        if let Err(error) = passed {
-            self.say_trouble(&error);
-        }
-        self.motions.advance(&self.session.kitchen, self.session.generation, wall as f32);
-        if !self.session.paused || self.motions.moving() {
-            ctx.request_repaint();
-        } else {
-            ctx.request_repaint_after(std::time::Duration::from_millis(250));
-        }
-    }
-
-    /// Size at which to draw the scene [pixels]: in full, or on a software rasteriser, unless the best is asked for,
+    /// Size at which to draw the scene [pixels]: in full, or on a software rasteriser, unless the best is chosen,
     /// scaled down to 960 × 540 at least.
     pub(crate) fn scene_pixels(&self, rect: Rect, pixels_per_point: f32) -> [u32; 2] {
         let (w, h) = (rect.width() * pixels_per_point, rect.height() * pixels_per_point);
@@ -356,7 +289,7 @@ impl SauteApp {
         [(w * scale).round().max(1.0) as u32, (h * scale).round().max(1.0) as u32]
     }
 
-    /// Whether the graphics are software.
+    /// Returns true if the graphics are software.
     pub(crate) fn software(&self) -> bool {
         self.software
     }
@@ -374,63 +307,6 @@ impl SauteApp {
     /// The eye as the scene is drawn with it.
     pub(crate) fn eye(&self) -> Camera {
         following(&self.camera, self.places().followed(&self.session.kitchen))
-    }
-
-    /// One frame: takes input, lets time pass, shows everything.
-    pub fn frame(&mut self, ui: &mut Ui) {
-        let ctx = ui.ctx().clone();
-        self.settings.display(&ctx);
-        #[cfg(not(target_arch = "wasm32"))]
-        self.take_devices(&ctx);
-        self.take_keys(&ctx);
-        self.take_dropped_files(&ctx);
-        self.let_time_pass(&ctx);
-        self.show(ui);
-        self.show_mirror(&ctx);
-    }
-
-    fn show(&mut self, ui: &mut Ui) {
-        let whole = ui.max_rect();
-        let layout = Layout::new(whole, &self.settings);
-        #[cfg(not(target_arch = "wasm32"))]
-        let layout = crate::hand::make_room(layout, &self.session.hands);
-        self.session.probes.forget_gone(&self.session.kitchen);
-        self.show_scene(ui, &layout);
-        let acts = self.show_panels(ui, &layout);
-        if !acts.is_empty() {
-            ui.ctx().request_repaint();
-        }
-        acts.into_iter().for_each(|act| self.act(act, ui.ctx()));
-    }
-
-    /// Shows the panels and cards; returns what they ask for.
-    fn show_panels(&mut self, ui: &mut Ui, layout: &Layout) -> Acts {
-        let goal = self.scale().map(|_| self.settings.goal_c);
-        let (advice, quality) = (self.session.advice(goal), self.quality());
-        if self.mirror.card {
-            // The card shows the error of a rig that cannot be read.
-            let _ = self.mirror.rig(&self.settings.mirror.rig);
-        }
-        let state = WindowState {
-            session: &self.session,
-            settings: &self.settings,
-            scene: &self.scene,
-            mirror: &self.mirror,
-            tool: self.tool_hand.tool,
-            turner_in_hand: self.tool_hand.turner.is_some(),
-            portion: self.portion,
-            slice: self.slice,
-            help: self.help,
-            settings_open: self.settings_open,
-            first_steps: self.first_steps,
-            japanese_font: self.japanese_font,
-            quality,
-            advice,
-            notice: self.notice.current(),
-        };
-        let mut acts = Acts::new();
-        panels::show_all(&state, &mut self.memory, ui, &mut acts, layout);
-        acts
     }
 }
 

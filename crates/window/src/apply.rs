@@ -237,7 +237,7 @@ impl SauteApp {
         }
     }
 
-    /// The look beside the view, or the view alone; where only the look is shown, temperatures come beside it.
+    /// The look beside the view, or the view alone; where only the look is shown, temperatures come next to it.
     fn toggle_split(&mut self) {
         self.settings.split = !self.settings.is_split();
         if self.settings.split && self.settings.view == View::Look {

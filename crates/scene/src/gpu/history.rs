@@ -1,4 +1,4 @@
-//! What is kept from frame to frame, and what of it still holds.
+//! Layers and shadow maps that are kept from frame to frame, and their validity.
 
 use crate::gpu::dirty::DirtyRect;
 use crate::gpu::solids::MovableKey;
@@ -6,59 +6,59 @@ use crate::gpu::still::{Still, StillKey};
 use crate::gpu::uniforms::FrameUniform;
 use crate::input::{SceneInput, ToolLook};
 
-/// What is drawn anew covers this part of the picture.
+/// Parts of the picture that are redrawn.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Touched {
+pub(crate) struct DirtyParts {
     /// Foods, the pan's floor, the tool.
     pub lively: DirtyRect,
     /// Steam and what lies round frying foods.
     pub sprites: DirtyRect,
 }
 
-impl Touched {
+impl DirtyParts {
     /// The whole picture.
     pub const WHOLE: Self = Self { lively: DirtyRect::WHOLE, sprites: DirtyRect::WHOLE };
 }
 
-/// What besides the foods casts a shadow.
+/// Shadow casters other than the foods.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Casting {
+pub(crate) struct ShadowCasters {
     movable: MovableKey,
     tool: Option<ToolLook>,
     lidded: bool,
 }
 
-impl Casting {
+impl ShadowCasters {
     /// Reads it from a scene.
     pub fn of(input: &SceneInput) -> Self {
         Self { movable: MovableKey::of(input), tool: input.tool, lidded: input.pan.lid.is_some() }
     }
 }
 
-/// What to do about the kept picture of the still things.
+/// How to update the static layer.
 pub(crate) enum StillStep {
-    /// It stands.
+    /// It is valid.
     Keep,
-    /// Draw it smoothly.
+    /// Draw it with anti-aliasing.
     Refine,
-    /// Nothing is worth keeping while the eye moves.
+    /// The camera moves: no layer is cached.
     Skip,
 }
 
-/// The kept pictures, and what they were drawn from.
+/// The cached layers, and what they were drawn from.
 pub(crate) struct History {
     still: Option<Still>,
-    /// The frame as it is now but for the time.
+    /// The present frame without its time.
     timeless: FrameUniform,
-    /// That of the kept picture with the foods; none where it does not stand.
+    /// The frame of the cached layer with the foods, without its time; none where the layer is invalid.
     lively: Option<FrameUniform>,
-    /// What moves covers this in the new frame.
-    dirty: Touched,
-    /// What moved covers this in the picture as it stands.
-    drawn: Touched,
-    /// Counts the moves of foods that pan wall and board show.
+    /// Dirty part of the new frame.
+    dirty: DirtyParts,
+    /// Dirty part of the finished picture.
+    drawn: DirtyParts,
+    /// Number of changes of foods that are visible on pan wall and board, by reflection or shadow.
     disturbances: u64,
-    shadow_of: Option<Casting>,
+    shadow_of: Option<ShadowCasters>,
 }
 
 impl Default for History {
@@ -67,8 +67,8 @@ impl Default for History {
             still: None,
             timeless: bytemuck::Zeroable::zeroed(),
             lively: None,
-            dirty: Touched::WHOLE,
-            drawn: Touched::WHOLE,
+            dirty: DirtyParts::WHOLE,
+            drawn: DirtyParts::WHOLE,
             disturbances: 0,
             shadow_of: None,
         }
@@ -76,88 +76,88 @@ impl Default for History {
 }
 
 impl History {
-    /// Forgets all kept pictures, as when their size changes.
+    /// Invalidates all cached layers, as when their size changes.
     pub fn forget(&mut self) {
         (self.still, self.lively) = (None, None);
     }
 
-    /// Notes that pan wall or board show something else.
+    /// Notes a change that is visible on pan wall or board.
     pub fn disturb(&mut self) {
         self.disturbances += 1;
     }
 
-    /// How often pan wall and board have come to show something else.
+    /// Number of changes visible on pan wall and board.
     pub fn disturbances(&self) -> u64 {
         self.disturbances
     }
 
-    /// Forgets the shadow map.
+    /// Invalidates the shadow map.
     pub fn forget_shadow(&mut self) {
         self.shadow_of = None;
     }
 
-    /// Returns true if the shadow map was drawn for this.
-    pub fn casts(&self, casting: &Casting) -> bool {
-        self.shadow_of.as_ref() == Some(casting)
+    /// Returns true if the shadow map was drawn for these casters.
+    pub fn casts(&self, casters: &ShadowCasters) -> bool {
+        self.shadow_of.as_ref() == Some(casters)
     }
 
-    /// Notes what the shadow map was drawn for.
-    pub fn cast(&mut self, casting: Casting) {
-        self.shadow_of = Some(casting);
+    /// Notes the casters for which the shadow map was drawn.
+    pub fn cast(&mut self, casters: ShadowCasters) {
+        self.shadow_of = Some(casters);
     }
 
-    /// Takes the frame that is drawn next, without its time.
+    /// Starts a frame: takes it without its time, and the dirty rectangle of its sprites.
     pub fn begin(&mut self, timeless: FrameUniform, sprites: DirtyRect) {
         (self.timeless, self.dirty.sprites) = (timeless, sprites);
     }
 
-    /// Returns true if the kept picture with the foods shows this frame but for the time.
+    /// Returns true if the cached layer with the foods shows this frame apart from its time.
     pub fn shows_lively(&self) -> bool {
         let same = |kept: &FrameUniform| bytemuck::bytes_of(kept) == bytemuck::bytes_of(&self.timeless);
         self.lively.as_ref().is_some_and(same)
     }
 
-    /// The kept picture with the foods no longer stands; what moves covers `dirty`.
+    /// Invalidates the cached layer with the foods; moving things cover `dirty`.
     pub fn change_lively(&mut self, dirty: DirtyRect) {
         (self.lively, self.dirty.lively) = (None, dirty);
     }
 
-    /// What the foods must be drawn over, if their kept picture does not stand.
+    /// Returns the rectangle in which the foods must be redrawn; none if their cached layer is valid.
     pub fn lively_to_draw(&self) -> Option<DirtyRect> {
         self.lively.is_none().then(|| self.dirty.lively.union(self.drawn.lively))
     }
 
-    /// What steam and the like must be drawn over.
+    /// Returns the rectangle in which steam and other sprites must be redrawn.
     pub fn sprites_to_draw(&self) -> DirtyRect {
         self.dirty.sprites.union(self.drawn.sprites)
     }
 
-    /// The picture was put together from the kept ones.
+    /// Notes that the picture was composed from the cached layers.
     pub fn drew_from_kept(&mut self) {
         (self.lively, self.drawn) = (Some(self.timeless), self.dirty);
     }
 
-    /// The whole picture was drawn at once; the kept picture with the foods does not stand.
+    /// Notes that the whole picture was drawn at once; the cached layer with the foods is invalid.
     pub fn drew_whole(&mut self) {
-        (self.lively, self.drawn) = (None, Touched::WHOLE);
+        (self.lively, self.drawn) = (None, DirtyParts::WHOLE);
     }
 
-    /// The kept picture of the still things was drawn for a key, or, while the eye moves, only noted.
+    /// Notes the key of the static layer; `drawn` is false while the camera moves, when only the key is kept.
     pub fn keep_still(&mut self, key: StillKey, drawn: bool) {
         self.still = Some(Still { key, drawn });
     }
 
-    /// Forgets the picture of the still things.
+    /// Invalidates the static layer.
     pub fn forget_still(&mut self) {
         self.still = None;
     }
 
-    /// Returns true if the picture of the still things is as good as it gets for a key.
+    /// Returns true if the static layer is drawn in its final quality for a key.
     pub fn is_settled(&self, key: &StillKey) -> bool {
         self.still.as_ref().is_some_and(|still| still.is_best_for(key))
     }
 
-    /// What to do about the picture of the still things; `casts` says that a food's shadow has moved.
+    /// Returns how to update the static layer; `casts` is true if a food's shadow has moved.
     pub fn still_step(&self, key: &StillKey, casts: bool) -> StillStep {
         match &self.still {
             Some(still) if still.is_best_for(key) => StillStep::Keep,

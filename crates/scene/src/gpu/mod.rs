@@ -5,6 +5,7 @@ pub(crate) mod foods;
 pub(crate) mod history;
 pub mod overlay;
 pub(crate) mod passes;
+pub(crate) mod pipeline_build;
 pub(crate) mod pipeline_set;
 pub(crate) mod pipelines;
 pub mod readback;

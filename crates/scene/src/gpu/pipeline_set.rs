@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::gpu::pipelines::{ColourPipelines, DepthPipelines, Detail, FlatPipelines, Layouts, PipelineFactory};
+use crate::gpu::pipeline_build::Detail;
+use crate::gpu::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines, Layouts, PipelineFactory};
 use crate::input::FleshTexture;
 
 /// Pipelines by what they draw.

@@ -1,4 +1,4 @@
-//! Pictures as bytes, for stills and tests.
+//! Read-back: pictures as bytes, for stills and tests.
 
 use crate::input::SceneInput;
 use crate::quality::Quality;

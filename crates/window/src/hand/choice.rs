@@ -1,4 +1,4 @@
-//! The settings' part about hands: which device holds what, and where it is.
+//! The section of the settings about haptic devices: which device holds what, and its address.
 
 use egui::accesskit;
 use egui::{RichText, TextEdit, Ui, WidgetInfo};
@@ -26,7 +26,7 @@ pub(crate) struct Choice {
 
 impl Default for Choice {
     fn default() -> Self {
-        // A shelf that cannot be read has nothing to choose from; connecting by name then says why.
+        // A device library that cannot be read offers nothing; connecting by name then reports the error.
         let names = open::names().unwrap_or_default();
         let name = names.iter().position(|n| n == saute_haptics::shelf::DEFAULT_DEVICE).unwrap_or(0);
         Self { names, name, place: String::new(), code: String::new(), role: Role::Pan }
@@ -88,7 +88,7 @@ fn buttons(state: &WindowState, choice: &Choice, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-/// What a person must know to reach a device, a line each.
+/// How to reach a device, a line for each fact.
 fn access_words(access: &Access, l: Language) -> Vec<String> {
     let reach = match access.reach {
         Reach::Cable => "hand.by_cable",
@@ -111,7 +111,7 @@ fn typed(ui: &mut Ui, narrow: bool, name: &str, hint: &str, text: &mut String) {
     });
 }
 
-/// What a role is called.
+/// Name of a role.
 pub(crate) fn role_word(role: Role, l: Language) -> &'static str {
     l.text(match role {
         Role::Pan => "hand.pan",

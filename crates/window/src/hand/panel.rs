@@ -1,4 +1,4 @@
-//! What a person must see while hands hold devices: how they are, how punctual, how strong; and the stop.
+//! Panel of the connected haptic devices: state, lateness, force; and the emergency stop.
 
 use egui::{Align2, Area, Color32, Id, RichText, Ui, vec2};
 use saute_haptics::{Health, Rendering};
@@ -44,7 +44,7 @@ pub(crate) fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layou
     });
 }
 
-/// How one device is.
+/// State of one device.
 fn lines(device: &Connected, role: Role, ui: &mut Ui, l: Language) {
     let state = device.state();
     let health = health_word(state.sample.health, l);
@@ -97,7 +97,7 @@ fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-/// The scene goes on beside the panel, where there is room.
+/// Shifts the scene's free part to the side of the panel, where there is room.
 pub(crate) fn make_room(mut layout: Layout, hands: &Hands) -> Layout {
     if hands.any() && !layout.narrow {
         layout.free.min.x += WIDTH + 24.0 + 2.0 * GAP;

@@ -1,4 +1,5 @@
-//! The strings of a device in the scene: rods as thick and light as they pull, in dashes through the worktop, with their newtons.
+//! The strings of a device in the scene: rods as thick and light as they pull, in dashes through the worktop, with
+//! their newtons.
 
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, vec2};
 use glam::Vec3;
@@ -14,12 +15,12 @@ use crate::ui::scene_view::on_screen;
 use crate::ui::theme;
 use crate::words::language::Language;
 
-/// Radius of a slack string, and what the largest tension adds [m] (chosen: far thicker than the real 0.35 mm, told apart at a
-/// glance).
+/// Radius of a slack string, and what the largest tension adds [m] (chosen: far thicker than the real 0.35 mm, distinct
+/// at a glance).
 const THIN: f32 = 0.0007;
 const THICKER: f32 = 0.0023;
-/// Tension at which a string is as thick and as light as can be [N] (chosen: half of what motors pull at most; a pan with food
-/// in it asks for less).
+/// Tension at which a string is as thick and as light as can be [N] (chosen: half of what motors pull at most; a pan
+/// with food in it needs less).
 const TIGHT_N: f64 = 6.0;
 /// How far beyond its motor a number stands, and how far from a panel [points] (chosen: no two motors are as near).
 const BEYOND: f32 = 22.0;
@@ -28,7 +29,8 @@ const CLEAR: f32 = 16.0;
 const NEAREST: f32 = 0.3;
 const STEP: f32 = 0.02;
 const APART: usize = 6;
-/// Dash and gap below the worktop, and what a metre there is as a stroke from a metre away [points] (chosen: as wide as the rods).
+/// Dash and gap below the worktop, and what a metre there is as a stroke from a metre away [points] (chosen: as wide as
+/// the rods).
 const DASH: [f32; 2] = [5.0, 4.0];
 const STROKE: f32 = 1900.0;
 /// How far the eye steps back at once, until no panel covers a motor [-] (chosen).
@@ -161,7 +163,7 @@ fn number_place(eye: &Camera, pane: &Pane, string: &Seen) -> Option<Pos2> {
     let free = pane.free.shrink(CLEAR);
     let at = |part: f32| project(eye, pane.rect, string.from.lerp(string.to, part));
     let beyond = at(1.0).zip(at(0.0)).map(|(motor, pan)| motor + BEYOND * (motor - pan).normalized());
-    // Strings that cross are told apart where their numbers stand one beyond the other.
+    // Strings that cross stay distinct where their numbers stand at different distances.
     let skipped = if string.number.is_multiple_of(2) { APART } else { 0 };
     let along = (0..).map(|k| 1.0 - STEP * k as f32).take_while(|part| *part >= NEAREST).filter_map(at);
     let seen = |place: &Pos2| free.contains(*place);

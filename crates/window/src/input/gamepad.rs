@@ -1,4 +1,4 @@
-//! What a gamepad's sticks and buttons mean. No device is known here: a state comes in, motions and acts go out.
+//! Meaning of a gamepad's sticks and buttons, without a device: a state comes in, motions and acts go out.
 
 use glam::{DVec2, DVec3};
 
@@ -51,7 +51,7 @@ impl PadButton {
     ];
 }
 
-/// What a gamepad says at a moment: sticks to the right and up −1…1, triggers 0…1 [-].
+/// State of a gamepad: sticks to the right and up −1…1, triggers 0…1 [-].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PadState {
     /// Left stick.
@@ -67,13 +67,13 @@ pub struct PadState {
 }
 
 impl PadState {
-    /// Whether a button is down.
+    /// Returns true if a button is down.
     pub fn is_down(&self, button: PadButton) -> bool {
         self.down[button as usize]
     }
 }
 
-/// What hands shall do: shares of their full speed, −1…1 [-]; to the right, away from the cook, up.
+/// Wanted motion of pan and tool as shares of their full speed, −1…1 [-]; to the right, away from the cook, up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PadMotion {
     /// The pan moves.
@@ -86,7 +86,8 @@ pub struct PadMotion {
     pub twist: [f64; 2],
 }
 
-/// Deflection of a stick that means nothing, and that of a trigger from which on it counts [-] (chosen: worn sticks rest there).
+/// Deflection of a stick that means nothing, and that of a trigger from which on it counts [-] (chosen: worn sticks
+/// rest there).
 const DEAD: f64 = 0.15;
 const PULLED: f64 = 0.5;
 

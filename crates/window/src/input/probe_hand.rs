@@ -79,7 +79,7 @@ impl SauteApp {
     }
 }
 
-/// A point, and its number beside it.
+/// A point with its number.
 fn marker(ui: &Ui, point: Pos2, number: usize, chosen: bool) {
     let (painter, at) = (ui.painter(), point + NUMBER_AT);
     let palette = theme::of(ui);

@@ -1,4 +1,4 @@
-//! Which scale of doneness the window goes by.
+//! The choice of a scale of doneness.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ impl SauteApp {
         self.session.scale(&self.settings.scale)
     }
 
-    /// Goes by a scale of doneness, and says so.
+    /// Selects a scale of doneness, with a notice.
     pub(crate) fn choose_scale(&mut self, scale: &Scale) {
         self.settings.scale.clone_from(&scale.id);
         let key = if self.scale().is_some() { "notice.scale" } else { "notice.scale_meat" };
@@ -20,7 +20,7 @@ impl SauteApp {
         self.notice.say(l.fill(key, &[("scale", &l.called("scale", &scale.name))]));
     }
 
-    /// Goes by the next scale of doneness.
+    /// Selects the next scale of doneness.
     pub(crate) fn next_scale(&mut self) {
         let scales = &self.session.library.scales;
         let now = scales.iter().position(|s| s.id == self.settings.scale).unwrap_or(0);

@@ -19,7 +19,7 @@ pub struct SceneCallback {
     pub input: Arc<SceneInput>,
     /// Size drawn at [pixels]; scaled to the rectangle.
     pub size: [u32; 2],
-    /// How much work the picture is worth.
+    /// Rendering quality.
     pub quality: Quality,
     /// Which part of a split window, from 0: each has a renderer of its own, made when it is first used.
     pub pane: usize,

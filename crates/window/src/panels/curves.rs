@@ -12,7 +12,7 @@ use crate::words::language::Language;
 
 /// Points drawn at most per curve (chosen: about one a pixel).
 const MOST_POINTS: usize = 400;
-/// Events nearer to the pointer than this are told [points]; labels of events keep a line of type between them.
+/// Events nearer to the pointer than this are named [points]; labels of events keep a line of type between them.
 const EVENT_NEAR: f32 = 6.0;
 const EVENT_APART: f32 = 12.0;
 /// How strongly the lines of events are drawn [-] (chosen: behind the curves).
@@ -21,7 +21,7 @@ const EVENT_SEEN: f32 = 0.35;
 /// One curve: minutes and degrees in the chosen unit.
 struct Curve {
     name: String,
-    /// What stands at its end; nothing for curves that the legend tells apart.
+    /// Label at its end; empty for curves that the legend distinguishes.
     mark: String,
     colour: Color32,
     style: LineStyle,
@@ -238,7 +238,7 @@ fn read_off(state: &WindowState, ui: &Ui, response: &egui::Response, transform: 
     });
 }
 
-/// The value of a curve at a time, or none beside its ends.
+/// Returns the value of a curve at a time; none outside of its ends.
 fn value_at(points: &[[f64; 2]], x: f64) -> Option<f64> {
     let upper = points.partition_point(|p| p[0] < x);
     let (low, high) = (points.get(upper.checked_sub(1)?)?, points.get(upper)?);

@@ -11,7 +11,7 @@ use crate::settings::Settings;
 use crate::ui::theme;
 use crate::words::piece_words::change;
 
-/// Bounds of a class in the chosen unit; the unit stands beside the first and the last.
+/// Bounds of a class in the chosen unit; the first and the last bear the unit.
 fn range(settings: &Settings, scale: &Scale, class: usize) -> String {
     let from = settings.degrees(scale.class[class].from_c);
     let unit = settings.unit();
@@ -141,7 +141,7 @@ fn changes(state: &WindowState, inside: &Inside, ui: &mut Ui) {
     }
 }
 
-/// A patch in a class's colour and pattern, so that nothing is told by hue alone.
+/// A patch in a class's colour and pattern, so that no class is shown by hue alone.
 pub fn swatch(painter: &Painter, rect: Rect, tone: Tone) {
     let [r, g, b] = tone.colour();
     painter.rect_filled(rect, 2.0, Color32::from_rgb(r, g, b));

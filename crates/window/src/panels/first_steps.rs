@@ -11,7 +11,7 @@ use crate::ui::theme;
 const PICTURE: Vec2 = vec2(112.0, 78.0);
 /// Below this width the steps lie below each other [points] (chosen: three columns of type that can be read).
 const NARROW: f32 = 700.0;
-/// Room for one step beside others [points].
+/// Room for one step next to others [points].
 const COLUMN: f32 = 236.0;
 
 // Colours of the pictures: things look the same in every theme (chosen).

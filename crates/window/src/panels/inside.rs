@@ -19,7 +19,7 @@ use crate::ui::theme;
 const PER_MM: f64 = 3.2;
 /// Width of the picture's place in the panel [points]; narrower pieces are painted finer.
 const PANEL_WIDTH: f64 = 290.0;
-/// The picture is painted anew this often [wall s] (chosen).
+/// Interval at which the picture is repainted [wall s] (chosen).
 const REPAINT_S: f64 = 0.4;
 
 /// What the panel keeps between frames.
@@ -74,7 +74,7 @@ pub fn show(state: &WindowState, inside: &mut Inside, ui: &mut Ui, acts: &mut Ac
 }
 
 impl Inside {
-    /// Reads everything anew and paints the cut, every now and then and as soon as it should look different.
+    /// Reads everything again and paints the cut, at intervals and as soon as it should look different.
     fn refresh(&mut self, state: &WindowState, piece: &Piece, ui: &Ui) {
         let now = ui.input(|i| i.time);
         let wanted = Painted::wanted(state, piece);

@@ -61,7 +61,7 @@ fn paint_table(painter: &Painter, bar: Rect, map: &ColourMap) {
     }
 }
 
-/// A tick at every telling value, a number where there is room for one.
+/// A tick at every value worth a mark, a number where there is room for one.
 fn marks(state: &WindowState, ui: &Ui, rect: Rect, map: &ColourMap) {
     let (view, font) = (state.settings.view, FontId::proportional(11.5));
     let (painter, bottom) = (ui.painter(), rect.top() + BAR_HEIGHT);

@@ -15,7 +15,7 @@ use crate::words::piece_words::{doneness, grams, name, place};
 /// What a line says.
 struct Line {
     name: String,
-    /// Whether a group is unfolded; none for a piece.
+    /// True if a group is unfolded; none for a piece.
     fold: Option<bool>,
     core: String,
     mass: String,
@@ -175,7 +175,7 @@ fn spoken(line: &Line, what: String, l: Language) -> String {
     l.fill("piece.spoken", &open)
 }
 
-/// Draws a line; tells whether it was clicked.
+/// Draws a line; returns true if it was clicked.
 fn shown(ui: &mut Ui, line: &Line, indent: f32, selected: bool, spoken: &str) -> bool {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::click());
     response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::Button, true, selected, spoken));

@@ -1,4 +1,4 @@
-//! What is known of the piece under the pointer, and of the very point, beside the pointer.
+//! Read-out next to the pointer: the state of the piece under it, and the value at its point.
 
 use egui::{Area, Id, Order, Rect, RichText, Ui, vec2};
 use saute_kitchen::{Piece, celsius};

@@ -14,7 +14,7 @@ use crate::words::language::Language;
 
 /// Below this width names stand above their choices [points].
 pub(super) const NARROW: f32 = 640.0;
-/// Width of the card at most, and of the names where they stand beside [points].
+/// Width of the card at most, and of the names where they stand to the left of their choices [points].
 pub(super) const WIDTH: f32 = 660.0;
 pub(super) const NAMES: f32 = 128.0;
 
@@ -77,16 +77,18 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     if let Some(size) = row(ui, narrow, l.text("settings.size"), &sizes) {
         set(Setting::Size(InterfaceSize::ALL[size]));
     }
+    #[cfg(target_arch = "wasm32")]
+    let _ = memory;
     #[cfg(not(target_arch = "wasm32"))]
     crate::hand::section(state, &mut memory.hand_choice, ui, acts, narrow);
 }
 
-/// A name and its choices, of which one is on; tells which was clicked.
+/// A name and its choices, of which one is on; returns the one that was clicked.
 pub(crate) fn row(ui: &mut Ui, narrow: bool, name: &str, choices: &[(&str, bool)]) -> Option<usize> {
     named(ui, narrow, name, |ui| buttons(ui, name, choices))
 }
 
-/// A name and what belongs to it: beside it, or below where it is narrow.
+/// A name and what belongs to it: to its right, or below it where it is narrow.
 pub(crate) fn named<R>(ui: &mut Ui, narrow: bool, name: &str, content: impl FnOnce(&mut Ui) -> R) -> R {
     if narrow {
         ui.label(RichText::new(name).size(14.0).color(theme::of(ui).quiet));

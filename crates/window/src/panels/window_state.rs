@@ -30,7 +30,7 @@ pub struct WindowState<'a> {
     pub tool: Tool,
     /// True while a turner is in the hand.
     pub turner_in_hand: bool,
-    /// How much is poured at once.
+    /// Portion that is poured at once.
     pub portion: Portion,
     /// Place of the cut (−1…1), or none.
     pub slice: Option<f64>,

@@ -41,7 +41,7 @@ pub fn place(piece: &Piece, l: Language) -> &'static str {
     })
 }
 
-/// What a piece or a group is called: our own names in the language, with their numbers; others as they are.
+/// Name of a piece or a group: our own names in the language, with their numbers; others as they are.
 pub fn name(id: &str, l: Language) -> String {
     let group = group_of(id);
     let numbered = group.rsplit_once('-').filter(|(_, number)| number.parse::<u32>().is_ok());
