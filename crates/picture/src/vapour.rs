@@ -21,7 +21,7 @@ pub(crate) fn steam(kitchen: &Kitchen, pan: &Pose, poses: &[Pose]) -> Vec<SteamS
     };
     for (piece, pose) in frying {
         let around = if piece.vapour_flow > 0.1 * most { around } else { 0 };
-        let [a, b] = [0.45 * piece.model.size[0] as f32, 0.45 * piece.model.size[1] as f32];
+        let [a, b] = [0.45 * piece.model.size()[0] as f32, 0.45 * piece.model.size()[1] as f32];
         let share = 1e3 * piece.vapour_flow as f32 / f32::from(around + 1);
         for k in 0..around {
             let angle = f32::from(k) * std::f32::consts::TAU / 6.0 + 0.4;
