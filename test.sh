@@ -18,7 +18,7 @@ source scripts/changed.sh
 source scripts/campaign_share.sh
 
 # Crates that must compile for the browser.
-BROWSER_CRATES=(heat surface food kitchen recipe lab scene picture window app)
+BROWSER_CRATES=(heat surface food kitchen recipe lab scene picture window)
 
 tests() {
     local output="${CARGO_TARGET_DIR:-target}/test-output.txt"
@@ -30,21 +30,13 @@ tests() {
 
 docs() { RUSTDOCFLAGS="-D warnings" cargo doc --release --workspace --no-deps; }
 
-browser() {
-    local there=() crate
-    for crate in "${BROWSER_CRATES[@]}"; do
-        if [ -d "crates/$crate" ]; then there+=("$crate"); fi
-    done
-    check_wasm "${there[@]}"
-}
-
 everything() {
     step "format" cargo fmt --all --check
     step "lints" cargo clippy --release --workspace --all-targets -- -D warnings
     step "tests" tests
     step "instruction counts" compare_counts
     step "docs" docs
-    step "browser" browser
+    step "browser" check_wasm "${BROWSER_CRATES[@]}"
     finish "all passed: $TESTS_PASSED tests"
 }
 
@@ -77,7 +69,7 @@ case "${1:-}" in
         everything
         ;;
     quick) quick ;;
-    bless) SAUTE_BLESS=1 cargo test --release --quiet -p saute-app --test pictures looks:: -- --nocapture ;;
+    bless) SAUTE_BLESS=1 cargo test --release --quiet -p saute-picture --test pictures looks:: -- --nocapture ;;
     bless-counts)
         need_test_packages
         bless_counts

@@ -2,7 +2,8 @@
 
 use std::error::Error;
 
-use saute_kitchen::{Cook, Kitchen, Library, Recipe};
+use saute_kitchen::{Kitchen, Library};
+use saute_recipe::{Cook, Recipe};
 
 /// A steak of the default size in a hot pan.
 const STEAK: &str = r#"

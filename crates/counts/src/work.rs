@@ -3,11 +3,11 @@
 use std::error::Error;
 use std::hint::black_box;
 
-use saute_app::stage::{Places, Stage, StageOptions};
 use saute_kitchen::dynamics::RIGID_HZ;
 use saute_kitchen::food::{FoodModel, PieceSpec, Rules};
-use saute_kitchen::lab::{Case, run};
 use saute_kitchen::{FRAMES_PER_TICK, Kitchen, Library, MeshSize};
+use saute_lab::{Case, run};
+use saute_picture::stage::{Places, Stage, StageOptions};
 
 use crate::counted::counted;
 use crate::kitchens;

@@ -5,34 +5,22 @@
 //! edge a conductance and every node a lumped volume, so a time step is a sum over edges ([`Conduction`]), exact
 //! about energy and, within [`Conduction::stable_step`], free of undershoot.
 
-pub mod axis;
-pub mod boundary;
-pub mod column;
 pub mod conduction;
-pub mod cut;
-pub mod levels;
-pub mod locate;
-pub mod outline;
-pub mod path;
-pub mod product;
-pub mod rule;
-pub mod section;
-pub mod super_step;
-pub mod surface;
-pub mod swept;
-pub mod tensor;
+pub mod mesh;
 pub mod vector;
-pub mod voronoi;
 
-pub use boundary::Boundary;
+pub use conduction::boundary::Boundary;
+pub use conduction::rule::Rule;
 pub use conduction::{Conduction, Graph};
-pub use cut::{Cut, CutPoint};
-pub use levels::graded_levels;
-pub use locate::{Located, Locator};
-pub use outline::Outline;
-pub use path::{Path, Station};
-pub use rule::Rule;
-pub use section::{MeshError, Section};
-pub use surface::{Defect, Soup, Surface};
-pub use swept::SweptMesh;
-pub use voronoi::{CellMesh, CellMeshError, Fineness};
+pub use mesh::cells::{CellMesh, CellMeshError, Fineness};
+pub use mesh::cut::{Cut, CutPoint};
+pub use mesh::levels::graded_levels;
+pub use mesh::locate::{Located, Locator};
+pub use mesh::outline::Outline;
+pub use mesh::path::{Path, Station};
+pub use mesh::section::{MeshError, Section};
+pub use mesh::surface::{Defect, Soup, Surface};
+pub use mesh::swept::SweptMesh;
+
+pub use conduction::{axis, boundary, column, product, rule, super_step, tensor};
+pub use mesh::{cells as voronoi, cut, levels, locate, outline, path, section, surface, swept};

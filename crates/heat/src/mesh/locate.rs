@@ -1,0 +1,116 @@
+//! Finding the triangle around a point of a cross-section.
+
+use crate::mesh::section::Section;
+
+/// A point inside a triangle: three nodes and their shape functions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Located {
+    /// Corners of the triangle.
+    pub nodes: [u32; 3],
+    /// Shape functions at the point; they sum to 1.
+    pub weights: [f64; 3],
+}
+
+impl Located {
+    /// A point within a triangle, or none outside of it.
+    pub fn within(nodes: [u32; 3], corners: [[f64; 2]; 3], point: [f64; 2]) -> Option<Self> {
+        let weights = shape_functions(corners, point);
+        weights.iter().all(|&w| w >= -1e-9).then_some(Self { nodes, weights })
+    }
+}
+
+/// Buckets of triangles on a square grid.
+#[derive(Clone, Debug)]
+pub struct Locator {
+    origin: [f64; 2],
+    cell: f64,
+    columns: usize,
+    rows: usize,
+    buckets: Vec<Vec<u32>>,
+}
+
+impl Locator {
+    /// Sorts a section's triangles into buckets about one triangle wide.
+    pub fn new(section: &Section) -> Self {
+        let (low, high) = bounds(section.points.iter().copied());
+        // Scattered nodes have no triangles; one bucket of any width holds none of them.
+        let cell = match section.triangles.len() {
+            0 => 1.0,
+            count => libm::sqrt(section.area() / count as f64).max(1e-9) * 2.0,
+        };
+        let columns = ((high[0] - low[0]) / cell) as usize + 1;
+        let rows = ((high[1] - low[1]) / cell) as usize + 1;
+        let mut locator = Self { origin: low, cell, columns, rows, buckets: vec![Vec::new(); columns * rows] };
+        for (index, triangle) in section.triangles.iter().enumerate() {
+            let (low, high) = bounds(triangle.iter().map(|&i| section.points[i as usize]));
+            let (from, to) = (locator.clamped(low), locator.clamped(high));
+            for row in from[1]..=to[1] {
+                for column in from[0]..=to[0] {
+                    locator.buckets[row * columns + column].push(index as u32);
+                }
+            }
+        }
+        locator
+    }
+
+    fn clamped(&self, p: [f64; 2]) -> [usize; 2] {
+        let along = |v: f64, origin: f64, n: usize| (((v - origin) / self.cell).max(0.0) as usize).min(n - 1);
+        [along(p[0], self.origin[0], self.columns), along(p[1], self.origin[1], self.rows)]
+    }
+
+    /// The triangle that holds a point, or none outside the section.
+    pub fn locate(&self, section: &Section, point: [f64; 2]) -> Option<Located> {
+        let [column, row] = self.clamped(point);
+        let candidates = &self.buckets[row * self.columns + column];
+        candidates.iter().find_map(|&t| {
+            let nodes = section.triangles[t as usize];
+            Located::within(nodes, nodes.map(|i| section.points[i as usize]), point)
+        })
+    }
+
+    /// As [`Self::locate`], or the nearest node where the point lies (slightly) outside.
+    pub fn locate_or_nearest(&self, section: &Section, point: [f64; 2]) -> Located {
+        self.locate(section, point).unwrap_or_else(|| {
+            let distance = |p: &[f64; 2]| libm::hypot(p[0] - point[0], p[1] - point[1]);
+            let nearest = (0..section.points.len())
+                .min_by(|&a, &b| distance(&section.points[a]).total_cmp(&distance(&section.points[b])))
+                .unwrap_or(0) as u32;
+            Located { nodes: [nearest; 3], weights: [1.0, 0.0, 0.0] }
+        })
+    }
+}
+
+fn bounds(points: impl Iterator<Item = [f64; 2]>) -> ([f64; 2], [f64; 2]) {
+    points.fold(([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]), |(low, high), p| {
+        ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])])
+    })
+}
+
+fn shape_functions([a, b, c]: [[f64; 2]; 3], p: [f64; 2]) -> [f64; 3] {
+    let cross = |o: [f64; 2], u: [f64; 2], v: [f64; 2]| (u[0] - o[0]) * (v[1] - o[1]) - (v[0] - o[0]) * (u[1] - o[1]);
+    let whole = cross(a, b, c);
+    [cross(p, b, c) / whole, cross(a, p, c) / whole, cross(a, b, p) / whole]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::outline::Outline;
+
+    #[test]
+    fn linear_fields_are_reproduced_everywhere() {
+        let section = Section::mesh(&Outline::circle(0.05), 6e-3, 2e-3).expect("meshes");
+        let locator = Locator::new(&section);
+        let field = |p: [f64; 2]| 3.0 + 20.0 * p[0] - 7.0 * p[1];
+        for i in 0..200 {
+            let angle = f64::from(i) * 2.399;
+            let radius = 0.048 * libm::sqrt(f64::from(i) / 200.0);
+            let p = [radius * libm::cos(angle), radius * libm::sin(angle)];
+            let found = locator.locate(&section, p).expect("inside");
+            let value: f64 = (0..3).map(|k| found.weights[k] * field(section.points[found.nodes[k] as usize])).sum();
+            assert!((value - field(p)).abs() < 1e-9);
+        }
+        assert!(locator.locate(&section, [0.06, 0.0]).is_none());
+        assert_eq!(locator.locate_or_nearest(&section, [0.06, 0.0]).weights[0], 1.0);
+    }
+}

@@ -1,0 +1,101 @@
+//! How a cross-section is carried into a body: straight up, straight up with uneven height, or along stations; or not at
+//! all, where a body is made of cells.
+
+use crate::mesh::cells::CellMesh;
+use crate::mesh::outline::Outline;
+use crate::mesh::section::{MeshError, Section};
+
+/// One place of a path: the cross-section as it stands there, in a plane of space.
+#[derive(Clone, Debug)]
+pub struct Station {
+    /// Where the section's origin lies [m].
+    pub centre: [f64; 3],
+    /// Unit vectors along which the section's two coordinates run; their cross product points along the path [-].
+    pub across: [[f64; 3]; 2],
+    /// The section here: the same nodes at other points, triangulated anew, so that no in-plane conductance is negative.
+    pub section: Section,
+}
+
+impl Station {
+    /// The nodes of `section` at `points` [m].
+    pub fn new(
+        section: &Section,
+        centre: [f64; 3],
+        across: [[f64; 3]; 2],
+        points: Vec<[f64; 2]>,
+    ) -> Result<Self, MeshError> {
+        let rim = Outline { points: section.rim().iter().map(|&i| points[i as usize]).collect() };
+        // Areas follow the triangles of the section itself, so that they pass smoothly from station to station.
+        let areas = section.areas_at(&points);
+        let standing = Section::triangulate(points, |p| rim.contains(p))?;
+        Ok(Self { centre, across, section: Section { areas, ..standing } })
+    }
+
+    /// The section scaled along its two coordinates.
+    pub fn scaled(
+        section: &Section,
+        centre: [f64; 3],
+        across: [[f64; 3]; 2],
+        scale: [f64; 2],
+    ) -> Result<Self, MeshError> {
+        let points = section.points.iter().map(|p| [scale[0] * p[0], scale[1] * p[1]]).collect();
+        Self::new(section, centre, across, points)
+    }
+
+    /// Where a point of the section's plane lies in space [m].
+    pub fn place(&self, [x, y]: [f64; 2]) -> [f64; 3] {
+        let [a, b] = &self.across;
+        [0, 1, 2].map(|k| self.centre[k] + x * a[k] + y * b[k])
+    }
+
+    /// Coordinates of a point of space in the section's plane, and how far it stands before it along the path [m].
+    pub fn coordinates(&self, p: [f64; 3]) -> [f64; 3] {
+        let from = [0, 1, 2].map(|k| p[k] - self.centre[k]);
+        let [a, b] = &self.across;
+        [a, b, &cross(*a, *b)].map(|e| dot(from, *e))
+    }
+}
+
+/// The way of a section through a body.
+#[derive(Clone, Debug, Default)]
+pub enum Path {
+    /// Straight up z, the section unchanged.
+    #[default]
+    Straight,
+    /// Straight up z; each column of nodes has its own height over the mean one [-].
+    Uneven(Vec<f64>),
+    /// A station for each level.
+    Stations(Vec<Station>),
+    /// No way at all: one level, whose nodes are those of a mesh of cells.
+    Cells(Box<CellMesh>),
+}
+
+impl Path {
+    /// Columns whose heights differ by `variation` about the mean of 1 over the section, however it was centred [-].
+    pub fn uneven(section: &Section, variation: impl Fn([f64; 2]) -> f64) -> Self {
+        let raw: Vec<f64> = section.points.iter().map(|p| variation(*p)).collect();
+        let mean = raw.iter().zip(&section.areas).map(|(v, a)| v * a).sum::<f64>() / section.area();
+        Self::Uneven(raw.into_iter().map(|v| 1.0 + v - mean).collect())
+    }
+
+    /// Height of a column over the mean one [-].
+    pub fn column(&self, i: usize) -> f64 {
+        match self {
+            Self::Uneven(columns) => columns[i],
+            _ => 1.0,
+        }
+    }
+}
+
+pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let d = [0, 1, 2].map(|k| a[k] - b[k]);
+    libm::sqrt(dot(d, d))
+}
