@@ -1,5 +1,6 @@
-//! Meshes: cross-sections swept along a path, cells inside a closed surface, and the surfaces themselves.
+//! Meshes: cross-sections swept along a path, Voronoi cells inside a closed surface, and closed surfaces.
 
+mod bounds;
 pub mod cells;
 pub mod cut;
 pub mod levels;

@@ -1,7 +1,8 @@
-//! Volume meshes inside closed surfaces: cells around nodes, each cell what lies nearest to its node.
+//! Voronoi meshes inside closed surfaces: each node's control volume is its Voronoi cell, cut off at the surface.
 //!
-//! Nodes lie on the surface, in layers below it and on a lattice inside. The face between two cells stands upright on
-//! the line that joins their nodes, so that face over distance conducts a linear field exactly and is never negative.
+//! Nodes lie on the surface, in layers below it, and on a lattice inside. A Voronoi face is perpendicular to the line
+//! between its two nodes. The two-point flux with face area ÷ distance is therefore exact for linear fields and never has a
+//! negative weight, so explicit steps obey the maximum principle.
 
 mod cell;
 mod cell_mesh;
