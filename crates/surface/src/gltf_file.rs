@@ -20,10 +20,10 @@ const DEEPEST: usize = 64;
 ///
 /// # Errors
 /// [`ReadError`] if the file is not valid, a buffer is missing or too short, or the geometry uses an unsupported feature.
-pub fn read(bytes: &[u8], beside: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Soup, ReadError> {
+pub fn read(bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Soup, ReadError> {
     let Gltf { document, blob } =
         Gltf::from_slice(bytes).map_err(|e| ReadError::new(format!("is not a valid glTF file: {e}"), DAMAGED))?;
-    let buffers = buffers(&document, blob, beside)?;
+    let buffers = buffers(&document, blob, sibling)?;
     let mut reader = Reader { buffers, soup: Soup::default() };
     let scene = document.default_scene().or_else(|| document.scenes().next());
     match scene {
@@ -37,7 +37,7 @@ pub fn read(bytes: &[u8], beside: impl Fn(&str) -> Option<Vec<u8>>) -> Result<So
 fn buffers(
     document: &gltf::Document,
     mut blob: Option<Vec<u8>>,
-    beside: impl Fn(&str) -> Option<Vec<u8>>,
+    sibling: impl Fn(&str) -> Option<Vec<u8>>,
 ) -> Result<Vec<Vec<u8>>, ReadError> {
     let bytes = |buffer: gltf::Buffer| {
         let bytes = match buffer.source() {
@@ -47,7 +47,7 @@ fn buffers(
             }
             Source::Uri(uri) => {
                 let missing = format!("refers to \"{uri}\" in the same folder, which cannot be read");
-                Some(beside(uri).ok_or_else(|| {
+                Some(sibling(uri).ok_or_else(|| {
                     ReadError::new(missing, "put that file into the same folder, or export a single .glb file")
                 })?)
             }

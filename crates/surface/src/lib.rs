@@ -76,19 +76,19 @@ impl ReadError {
 
 /// Returns the loose triangles of a surface file, in the unit of the file, with z up.
 ///
-/// `beside` returns the bytes of another file in the same folder (the `.bin` of a glTF). glTF files have y up and are
+/// `sibling` returns the bytes of another file in the same folder (the `.bin` of a glTF). glTF files have y up and are
 /// rotated. The triangles are not checked; [`saute_heat::Surface::close`] does that.
 ///
 /// # Errors
 /// [`ReadError`] if the format is unknown, the file is not valid, or it contains no triangle.
-pub fn read(name: &str, bytes: &[u8], beside: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Soup, ReadError> {
+pub fn read(name: &str, bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Soup, ReadError> {
     let Some(format) = Format::of(name) else {
         return Err(ReadError::new("is not in a supported format", "export it as .stl, .obj, .gltf or .glb"));
     };
     let mut soup = match format {
         Format::Stl => stl_file::read(bytes),
         Format::Obj => obj_file::read(bytes),
-        Format::Gltf => gltf_file::read(bytes, beside),
+        Format::Gltf => gltf_file::read(bytes, sibling),
     }?;
     soup.unit_mm = format.unit_mm();
     if soup.triangles.is_empty() {

@@ -1,6 +1,14 @@
 //! Boundary conditions of a face.
 
 /// The boundary condition of a face: Robin and Neumann as a flux [W/m²], or Dirichlet as a temperature [K].
+///
+/// ```
+/// use saute_heat::Boundary;
+/// // Oven air of 473 K with 20 W/(m²·K), on a face of 300 K.
+/// let Boundary::Exchange { h, source } = Boundary::convective(20.0, 473.0) else { unreachable!() };
+/// let flux_w_m2 = source - h * 300.0;
+/// assert_eq!(flux_w_m2, 3460.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Boundary {
     /// Robin boundary: flux into the body q = `source` − `h` · T [W/m²]; `h` = 0 is a Neumann boundary.

@@ -12,6 +12,32 @@ pub enum Between {
 }
 
 /// The composition of a vertical axis, node by node from below.
+///
+/// Steady heat flux through meat on a hot plate with a thermal contact between them, two resistances in series:
+///
+/// ```
+/// use saute_heat::conduction::axis::{Axis, End};
+/// use saute_heat::conduction::column::{Between, Column};
+/// use saute_heat::conduction::product::{Constants, ProductOperator};
+/// use saute_heat::conduction::super_step::Rates;
+/// use saute_heat::conduction::tensor::TensorBody;
+///
+/// // Nodes 0 and 1 are the two sides of the contact; 10 mm of meat lie above it.
+/// let axis = Axis::straight(vec![0.0, 0.0, 5e-3, 10e-3]);
+/// let between = vec![Between::Contact(400.0), Between::Layer(0), Between::Layer(0)];
+/// let body = TensorBody::stacked(vec![axis], Some(0), Column { between, plate: 1e4 });
+/// let meat = Constants { conductivity: 0.5, capacity: 3.7e6 };
+/// let operator = ProductOperator::new(&body, &[meat], &[]);
+///
+/// let resistance = 1.0 / 400.0 + 0.01 / 0.5;
+/// let flux_w_m2 = (473.0 - 293.0) / resistance;
+/// let face_k = 473.0 - flux_w_m2 / 400.0;
+/// let mut rate = [0.0; 4];
+/// operator.rates(&[473.0, face_k, 0.5 * (face_k + 293.0), 293.0], &mut rate);
+/// // The inner nodes are steady; the plate of 10 kJ/(m²·K) loses the flux.
+/// assert!(rate[1].abs() < 1e-9 && rate[2].abs() < 1e-9);
+/// assert!((-1e4 * rate[0] - 8000.0).abs() < 1e-6, "{} W/m²", -1e4 * rate[0]);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Column {
     /// Connection of node i and node i + 1.

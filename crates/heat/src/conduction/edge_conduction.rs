@@ -6,6 +6,29 @@ use crate::conduction::tensor::LayeredGraph;
 /// Thermal conductances of all edges of a [`Graph`] [W/K].
 ///
 /// Heat flows as Φ_ab = G_ab (T_b − T_a) with G = shape × k. G is refreshed when the thermal conductivity changes.
+///
+/// A stable explicit step of a piece of meat:
+///
+/// ```
+/// use saute_heat::{Conduction, Outline, Section, SweptMesh, graded_levels};
+///
+/// let section = Section::mesh(&Outline::rectangle(0.04, 0.03), 2e-3, 1e-3)?;
+/// let mesh = SweptMesh::new(section, graded_levels(0.02, 1e-3, 1.3, 2e-3));
+/// let capacity: Vec<f64> = mesh.graph.volume.iter().map(|v| 3.7e6 * v).collect();
+/// let mut conduction = Conduction::default();
+/// conduction.refresh(&mesh.graph, &vec![0.48; capacity.len()]);
+/// let step_s = conduction.stable_step(&capacity);
+/// assert!((step_s - 1.064).abs() < 1e-3, "{step_s} s");
+///
+/// // One explicit step from a hot level: no node leaves the range, and energy is conserved.
+/// let mut temperature: Vec<f64> = (0..mesh.node_count()).map(|n| if n < 50 { 100.0 } else { 10.0 }).collect();
+/// let mut power = vec![0.0; capacity.len()];
+/// conduction.add_power(&mesh.graph, &temperature, &mut power);
+/// temperature.iter_mut().zip(power.iter().zip(&capacity)).for_each(|(t, (p, c))| *t += p * step_s / c);
+/// assert!(temperature.iter().all(|t| (10.0 - 1e-9..=100.0 + 1e-9).contains(t)));
+/// assert!(power.iter().sum::<f64>().abs() < 1e-9, "W");
+/// # Ok::<(), saute_heat::MeshError>(())
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Conduction {
     conductance: Vec<f64>,

@@ -23,6 +23,33 @@ pub type FaceBoundary = (usize, End, Boundary);
 /// It gives the same rates as the edges of [`TensorBody::layered_graph`] under [`crate::Rule::ShapeFunctions`], to
 /// rounding. A plane is the set of nodes with one index along the vertical axis; its properties are means over its layers.
 /// Up to two axes lie across the vertical one.
+///
+/// The centre of a sphere after a step of its surface temperature:
+///
+/// ```
+/// use saute_heat::Boundary;
+/// use saute_heat::conduction::axis::{Axis, End, Metric};
+/// use saute_heat::conduction::product::{Constants, ProductOperator};
+/// use saute_heat::conduction::super_step::SuperStep;
+/// use saute_heat::conduction::tensor::TensorBody;
+///
+/// // A meatball of radius 15 mm at 283 K in boiling water.
+/// let radius = Axis { metric: Metric::Spherical, nodes: (0..=60).map(|i| 0.25e-3 * f64::from(i)).collect() };
+/// let ball = TensorBody::new(vec![radius]);
+/// let meat = Constants { conductivity: 0.48, capacity: 3.7e6 };
+/// let operator = ProductOperator::new(&ball, &[meat], &[(0, End::High, Boundary::Fixed(373.0))]);
+/// let mut temperature_k = vec![283.0; ball.node_count()];
+/// temperature_k[60] = 373.0;
+/// let mut step = SuperStep::new(ball.node_count());
+/// let stages = SuperStep::stages_for(1.0, operator.stable_step());
+/// (0..300).for_each(|_| step.advance(&mut temperature_k, 1.0, stages, &operator));
+///
+/// // Carslaw & Jaeger (1959), section 9.3.
+/// let fourier = 0.48 / 3.7e6 * 300.0 / (0.015 * 0.015);
+/// let term = |n: i32| (-1f64).powi(n + 1) * (-(f64::from(n) * std::f64::consts::PI).powi(2) * fourier).exp();
+/// let exact_k = 373.0 - 90.0 * 2.0 * (1..20).map(term).sum::<f64>();
+/// assert!((temperature_k[0] - exact_k).abs() < 0.05, "{} K, exact {exact_k} K", temperature_k[0]);
+/// ```
 #[derive(Clone, Debug)]
 pub struct ProductOperator {
     counts: [usize; 3],

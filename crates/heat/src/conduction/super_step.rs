@@ -5,6 +5,26 @@
 /// A step of s stages is stable up to (s² + s − 2)/4 explicit Euler steps. It suits symmetric diffusion operators with
 /// real negative eigenvalues; it does not satisfy the maximum principle between stages. Source: Meyer, Balsara, Aslam
 /// 2014, J. Comput. Phys. 257:594, eqs. 16–18.
+///
+/// ```
+/// use saute_heat::conduction::super_step::{Rates, SuperStep};
+///
+/// // Newton's law of cooling with time constants of 1 s and 100 s.
+/// struct Cooling;
+/// impl Rates for Cooling {
+///     fn rates(&self, t: &[f64], rate: &mut [f64]) {
+///         (rate[0], rate[1]) = (-t[0], -0.01 * t[1]);
+///     }
+/// }
+/// // An explicit step of the fast mode that obeys the maximum principle is 1 s; a step of 6 s needs 5 stages.
+/// let stages = SuperStep::stages_for(6.0, 1.0);
+/// assert_eq!(stages, 5);
+/// let mut excess_k = vec![80.0, 80.0];
+/// let mut step = SuperStep::new(2);
+/// (0..10).for_each(|_| step.advance(&mut excess_k, 6.0, stages, &Cooling));
+/// assert!(excess_k[0].abs() < 1.1, "{} K", excess_k[0]);
+/// assert!((excess_k[1] - 80.0 * (-0.6f64).exp()).abs() < 0.01, "{} K", excess_k[1]);
+/// ```
 #[derive(Clone, Debug)]
 pub struct SuperStep {
     previous: Vec<f64>,

@@ -14,6 +14,16 @@ pub struct CutPoint {
 }
 
 /// A cut, as its crossings with edges in order along the line [m].
+///
+/// ```
+/// use saute_heat::{Cut, Outline, Section};
+///
+/// let section = Section::mesh(&Outline::rectangle(0.04, 0.03), 2e-3, 1e-3)?;
+/// let cut = Cut::new(&section, [0.01, 0.0], [0.0, 1.0]);
+/// let length_m: f64 = cut.lengths().iter().sum();
+/// assert!((length_m - 0.03).abs() < 1e-9, "{length_m} m");
+/// # Ok::<(), saute_heat::MeshError>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cut {
     /// Crossings, ascending along the line; empty where the line misses the section.

@@ -19,7 +19,20 @@ impl Located {
     }
 }
 
-/// A uniform grid of buckets that finds the triangle around a point.
+/// A uniform grid of buckets that finds the triangle around a point [m].
+///
+/// Temperature at a point between the nodes:
+///
+/// ```
+/// use saute_heat::{Locator, Outline, Section};
+///
+/// let section = Section::mesh(&Outline::circle(0.05), 5e-3, 2e-3)?;
+/// let field_k: Vec<f64> = section.points.iter().map(|p| 300.0 + 1000.0 * p[0]).collect();
+/// let found = Locator::new(&section).locate_or_nearest(&section, [0.0123, 0.004]);
+/// let at_k: f64 = found.nodes.iter().zip(found.weights).map(|(n, w)| w * field_k[*n as usize]).sum();
+/// assert!((at_k - 312.3).abs() < 1e-9, "{at_k} K");
+/// # Ok::<(), saute_heat::MeshError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Locator {
     origin: [f64; 2],

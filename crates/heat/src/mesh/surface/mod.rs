@@ -59,6 +59,23 @@ impl Surface {
     /// # Errors
     /// A [`Defect`] with the number of occurrences and the first place, if the triangles do not form one closed, oriented
     /// two-manifold of admissible size without self-intersection.
+    ///
+    /// ```
+    /// use saute_heat::{Soup, Surface};
+    ///
+    /// // A tetrahedron with legs of 10 mm.
+    /// let vertices = vec![[0.0; 3], [10.0, 0.0, 0.0], [0.0, 10.0, 0.0], [0.0, 0.0, 10.0]];
+    /// let triangles = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+    /// let mut soup = Soup { vertices, triangles, unit_mm: 1.0 };
+    /// let surface = Surface::close(&soup, 1e-3)?;
+    /// assert!((surface.volume() - 1e-6 / 6.0).abs() < 1e-18, "{} m³", surface.volume());
+    ///
+    /// soup.triangles.pop();
+    /// let defect = Surface::close(&soup, 1e-3).unwrap_err();
+    /// assert!(defect.to_string().starts_with("not closed"));
+    /// assert!(defect.remedy().contains("fill the holes"));
+    /// # Ok::<(), saute_heat::Defect>(())
+    /// ```
     pub fn close(soup: &Soup, metres: f64) -> Result<Self, Defect> {
         let mut surface = weld::weld(soup, metres)?;
         defect::closed(&surface)?;
