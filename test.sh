@@ -32,5 +32,5 @@ cargo test --release --workspace --quiet
 step "docs"
 RUSTDOCFLAGS="-D warnings" cargo doc --release --workspace --no-deps --quiet
 step "browser"
-check_wasm heat food kitchen app
+check_wasm heat surface food kitchen recipe lab scene picture window
 step "all passed"

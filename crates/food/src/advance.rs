@@ -2,15 +2,15 @@
 
 use saute_heat::Conduction;
 
-use crate::air_film::{AirFilm, FreeAir, HOTTEST_WET};
-use crate::browning::BROWNING_FROM;
-use crate::changes::CHANGES_FROM;
-use crate::juice::Runoff;
+use crate::body::patch::{Face, Patch};
+use crate::change::browning::BROWNING_FROM;
+use crate::change::changes::CHANGES_FROM;
 use crate::model::FoodModel;
 use crate::paper_2013::{self, Rules};
-use crate::patch::{Face, Patch};
 use crate::state::FoodState;
-use crate::water::latent_heat;
+use crate::water::air_film::{AirFilm, FreeAir, HOTTEST_WET};
+use crate::water::juice::Runoff;
+use crate::water::vapour::latent_heat;
 
 /// Nodes above this may boil [K].
 const NEARLY_BOILING: f64 = 372.15;

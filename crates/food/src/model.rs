@@ -3,24 +3,24 @@
 use saute_heat::{CellMeshError, Located, Locator, MeshError, Outline, Path, Station, SweptMesh};
 
 use crate::body::Body;
-use crate::browning::Browning;
-use crate::cell_body::CellReadings;
-use crate::changes::{ChangeRates, arrhenius};
-use crate::colour::{Appearance, Palette};
+use crate::body::CellReadings;
+use crate::body::halving::Halving;
+use crate::body::patch::{Face, Patch};
+use crate::body::surface::Surface;
+use crate::change::browning::Browning;
+use crate::change::changes::{ChangeRates, arrhenius};
+use crate::change::colour::{Appearance, Palette};
 use crate::components::{Components, Masses, Properties};
 use crate::description::{FoodDescription, Kinetics, Lethality, MOST_CHANGES, NoSuchChange, PerChange, WaterHolding};
-use crate::fat::FatRates;
-use crate::halving::Halving;
-use crate::marbling_volume::MarblingVolume;
-use crate::node_means::node_means;
 use crate::paper_2013::{BOILING, MeshSize, Rules, simplified};
-use crate::patch::{Face, Patch};
-use crate::sorption::Isotherm;
 use crate::state::FoodState;
-use crate::surface::Surface;
 use crate::table::Table;
-use crate::tissue::TissueField;
-use crate::water::saturation_density;
+use crate::tissue::marbling_volume::MarblingVolume;
+use crate::tissue::node_means::node_means;
+use crate::tissue::second_tissue::TissueField;
+use crate::water::fat::FatRates;
+use crate::water::sorption::Isotherm;
+use crate::water::vapour::saturation_density;
 use crate::{Lab, ZERO_C};
 
 /// Samples of seams and of second tissues in each of the dozen pieces of a node's volume (chosen: seams are finer than nodes,

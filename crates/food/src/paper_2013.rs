@@ -5,9 +5,9 @@
 //! Kato, Hasegawa, "Interactive Cooking Simulator", SIGGRAPH Asia 2013.
 
 use crate::ZERO_C;
+use crate::body::form::Form;
 use crate::components::{Components, Properties};
 use crate::description::{FoodDescription, Kinetics};
-use crate::form::Form;
 
 /// Which rules a piece follows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]

@@ -2,9 +2,9 @@
 
 use saute_heat::{Cut, CutPoint};
 
-use crate::colour::{Appearance, Lab};
+use crate::change::colour::{Appearance, Lab};
+use crate::change::doneness::{MOST_CLASSES, Scale, Shares};
 use crate::description::{MOST_CHANGES, PerChange};
-use crate::doneness::{MOST_CLASSES, Scale, Shares};
 use crate::model::FoodModel;
 use crate::state::FoodState;
 

@@ -3,51 +3,26 @@
 //! A kitchen publishes a [`ContactModel`] sixty times a second; a [`ControlLoop`] on a thread of its own reads the last one,
 //! asks a [`HapticDevice`] a thousand times a second where the pan is, and tells it what the hand shall feel.
 
-mod allowance;
-pub mod contact_model;
-pub mod control_loop;
-pub mod coupled_payload;
-pub mod degrade;
+pub mod control;
 pub mod device;
-pub mod feel;
-pub mod geometry;
-pub mod guard_planes;
-pub mod handover;
-pub mod haply;
-pub mod impulse_train;
-pub mod jig_calibration;
-pub mod jitter;
-pub mod kept_calibration;
-pub mod kitchen_watch;
-pub mod lay_down;
-mod led_from_afar;
-mod linear;
-pub mod network_thread;
+pub mod kitchen;
+pub mod library;
 pub mod open;
-pub mod osc;
-pub mod pairing;
-pub mod pan_in_hand;
-pub mod passivity;
-pub mod phone;
-pub mod pose_from_lengths;
-mod quiet;
-mod reachable;
-pub mod renderer;
-pub mod rumble;
-pub mod safety_limits;
-pub mod scheduling;
-pub mod shelf;
-pub mod simulator;
-pub mod spidar;
+pub mod remote;
 pub mod strings;
 mod template;
-pub mod tension;
-pub mod tilt;
-pub mod turner_in_hand;
-pub mod vibration;
-pub mod wire;
-pub mod workspace;
 pub mod wrench;
+
+pub use control::{
+    control_loop, coupled_payload, degrade, feel, guard_planes, impulse_train, jitter, passivity, renderer, rumble,
+    safety_limits, scheduling, vibration,
+};
+pub use kitchen::{contact_model, handover, kitchen_watch, lay_down, pan_in_hand, turner_in_hand};
+pub use library as shelf;
+pub use remote::{haply, network_thread, osc, pairing, phone, tilt};
+pub use strings::{
+    geometry, jig_calibration, kept_calibration, pose_from_lengths, simulator, spidar, tension, wire, workspace,
+};
 
 pub use contact_model::ContactModel;
 pub use control_loop::ControlLoop;

@@ -7,7 +7,7 @@ use std::net::UdpSocket;
 
 use glam::DVec3;
 use saute_haptics::contact_model::{ContactModel, Impulse, Payload};
-use saute_haptics::control_loop::Beat;
+use saute_haptics::control::loop_step::LoopStep;
 use saute_haptics::phone::{Heard, Phone, Told};
 use saute_haptics::wire::{Caps, DeviceState, Frame, Message, Sample, UdpLink, Units};
 use saute_haptics::{HapticDevice, Pose, Renderer, Spidar, haply, osc, shelf};
@@ -48,7 +48,7 @@ fn a_beat_allocates_nothing() {
     let link = UdpLink::connect(socket.local_addr().unwrap()).unwrap();
     let feel = shelf::feel().unwrap();
     let renderer = Renderer::new(&geometry.capabilities(), &feel);
-    let mut beat = Beat::new(Box::new(Spidar::new(link, geometry.clone(), 0)), renderer, 10_000);
+    let mut control = LoopStep::new(Box::new(Spidar::new(link, geometry.clone(), 0)), renderer, 10_000);
     let (rig, jig) = (geometry.rig(), geometry.jig());
     let mut calibrated = false;
     for k in 0..6000u32 {
@@ -68,7 +68,7 @@ fn a_beat_allocates_nothing() {
             answer(&socket, k * 1000 + 1, count, if place < jig.len() { place as u8 + 1 } else { 0 });
         }
         let mut health = None;
-        let counted = allocation_counter::measure(|| health = Some(beat.step(&model, 1e-3).sample.health));
+        let counted = allocation_counter::measure(|| health = Some(control.step(&model, 1e-3).sample.health));
         assert_eq!(counted.count_total, 0, "step {k} ({health:?})");
         calibrated |= health == Some(saute_haptics::Health::Running);
     }
@@ -90,13 +90,13 @@ fn a_phone_s_exchange_allocates_nothing() {
 /// Beats of a device without a link, each with a new message of another thread; nothing is allocated.
 fn beats(device: Box<dyn HapticDevice>, mut hear: impl FnMut(u64)) -> bool {
     let renderer = Renderer::new(device.capabilities(), &shelf::feel().unwrap());
-    let mut beat = Beat::new(device, renderer, 1000);
+    let mut control = LoopStep::new(device, renderer, 1000);
     let mut ran = false;
     for k in 1..2000u64 {
         hear(k);
         let model = ContactModel { number: k / 16 + 1, vapour: 1e-4, ..ContactModel::default() };
         let mut health = None;
-        let counted = allocation_counter::measure(|| health = Some(beat.step(&model, 1e-3).sample.health));
+        let counted = allocation_counter::measure(|| health = Some(control.step(&model, 1e-3).sample.health));
         assert_eq!(counted.count_total, 0, "step {k} ({health:?})");
         ran |= health == Some(saute_haptics::Health::Running);
     }

@@ -2,7 +2,8 @@
 //! overheated one is limited; and the rules of 2013 are there for comparison, labelled.
 
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, Cook, Kitchen, Library, Recipe, TICK_S, celsius, kelvin};
+use saute_kitchen::{Command, Kitchen, Library, TICK_S, celsius, kelvin};
+use saute_recipe::{Cook, Recipe};
 
 fn library() -> Library {
     Library::embedded().expect("embedded data")

@@ -3,9 +3,8 @@
 
 use saute_kitchen::carry_over::foreseen_peak;
 use saute_kitchen::food::Rules;
-use saute_kitchen::{
-    Command, Cook, Kitchen, Library, MeshSize, PieceOrder, Recipe, Refused, RestOn, TICK_S, celsius, kelvin,
-};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, Refused, RestOn, TICK_S, celsius, kelvin};
+use saute_recipe::{Cook, Recipe};
 
 fn library() -> Library {
     Library::embedded().expect("embedded data")

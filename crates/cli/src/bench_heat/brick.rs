@@ -2,8 +2,9 @@
 
 use std::time::Instant;
 
-use saute_kitchen::lab::{Case, LabReport, run};
-use saute_kitchen::{InputError, Library};
+use saute_kitchen::InputError;
+use saute_kitchen::Library;
+use saute_lab::{Case, LabReport, run};
 use serde::Serialize;
 
 use super::exact_brick::Brick;

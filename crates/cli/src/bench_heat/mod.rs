@@ -8,11 +8,11 @@ mod table;
 
 use std::process::ExitCode;
 
+use saute_kitchen::Library;
 use serde::Serialize;
 
 use crate::error::CliError;
-use crate::shelf::Shelf;
-use crate::{stderr, stdout};
+use crate::output::{json, stderr, stdout};
 
 /// `saute bench heat`.
 #[derive(Debug, clap::Args)]
@@ -46,12 +46,12 @@ struct Scaling {
 }
 
 /// Measures and tells.
-pub fn run(args: &BenchHeatArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+pub fn run(args: &BenchHeatArgs, library: &Library) -> Result<ExitCode, CliError> {
     stderr::say("brick: exact series, then the time loop");
     let exact = brick::exact();
-    let brick = brick::measure(&exact, &shelf.library)?;
+    let brick = brick::measure(&exact, library)?;
     stderr::say("brick: whole runs, finer and finer");
-    let runs = brick::whole_runs(&exact, &shelf.library)?;
+    let runs = brick::whole_runs(&exact, library)?;
     stderr::say("kernel: 10⁴ to 10⁶ nodes");
     let steps = kernel::step_times();
     stderr::say("memory: STREAM triad");
@@ -62,12 +62,8 @@ pub fn run(args: &BenchHeatArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
         bandwidth_fraction,
         scaling: Scaling { steps, seconds_to_0_1_k: brick::seconds_to(0.1, &runs), runs },
         brick,
-        steak: steak::measure(&shelf.library)?,
+        steak: steak::measure(library)?,
     };
-    stdout::print(&if args.json {
-        format!("{}\n", serde_json::to_string_pretty(&bench)?)
-    } else {
-        table::text(&bench)
-    })?;
+    stdout::print(&if args.json { json::text(&bench)? } else { table::text(&bench) })?;
     Ok(ExitCode::SUCCESS)
 }

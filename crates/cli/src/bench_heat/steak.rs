@@ -2,7 +2,8 @@
 
 use std::time::Instant;
 
-use saute_kitchen::{Cook, Library, Recipe};
+use saute_kitchen::Library;
+use saute_recipe::{Cook, Recipe};
 use serde::Serialize;
 
 use crate::error::CliError;

@@ -9,12 +9,13 @@ mod table;
 
 use std::process::ExitCode;
 
+use saute_kitchen::Library;
 use serde::Serialize;
 
 use crate::error::CliError;
-use crate::progress::Progress;
-use crate::shelf::Shelf;
-use crate::stdout;
+use crate::exit_code;
+use crate::output::progress::Progress;
+use crate::output::{json, stdout};
 
 /// `saute bench paper`.
 #[derive(Debug, clap::Args)]
@@ -35,22 +36,18 @@ struct PaperBench {
 }
 
 /// Measures and tells.
-pub fn run(args: &BenchPaperArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+pub fn run(args: &BenchPaperArgs, library: &Library) -> Result<ExitCode, CliError> {
     let cases = row::cases();
     let progress = Progress::over((cases.len() + scaling::SCENES) as u64);
     let mut rows = Vec::new();
     for case in &cases {
         progress.next(case.scene.in_words());
-        rows.push(row::measure(case, &shelf.library)?);
+        rows.push(row::measure(case, library)?);
     }
-    let scaling = scaling::measure(&shelf.library, &progress)?;
+    let scaling = scaling::measure(library, &progress)?;
     drop(progress);
     let goals_met = rows.iter().all(|r| r.met != Some(false)) && scaling.met;
     let bench = PaperBench { rows, original_engine: original::MEASURED, scaling, goals_met };
-    stdout::print(&if args.json {
-        format!("{}\n", serde_json::to_string_pretty(&bench)?)
-    } else {
-        table::text(&bench)
-    })?;
-    Ok(if goals_met { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    stdout::print(&if args.json { json::text(&bench)? } else { table::text(&bench) })?;
+    Ok(exit_code::of_goal(goals_met))
 }

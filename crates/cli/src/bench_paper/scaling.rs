@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::scene::{PAN, Scene};
 use super::stopwatch;
 use crate::error::CliError;
-use crate::progress::Progress;
+use crate::output::progress::Progress;
 
 /// Pieces, half of them carrots and half shrimps.
 const PIECES: [usize; 5] = [10, 20, 40, 70, 100];

@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use saute_kitchen::{Cook, Library, MeshSize, Recipe, TICK_S};
+use saute_kitchen::{Library, MeshSize, TICK_S};
+use saute_recipe::{Cook, Recipe};
 
 use crate::error::CliError;
 

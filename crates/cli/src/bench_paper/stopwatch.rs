@@ -2,7 +2,8 @@
 
 use std::time::Instant;
 
-use saute_kitchen::{Cook, FRAME_S, Kitchen, Library};
+use saute_kitchen::{FRAME_S, Kitchen, Library};
+use saute_recipe::Cook;
 
 use super::scene::Scene;
 use crate::error::CliError;

@@ -1,6 +1,6 @@
 //! What the gallery shows: figures of panels, each a moment of a cook seen in one way.
 
-use saute_app::View;
+use saute_picture::View;
 
 /// Where the eye is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,21 +59,21 @@ pub fn figures() -> Vec<Figure> {
         Figure {
             name: "1-one-side",
             title: "A steak heated from one side",
-            caption: "The cut at four times. Heat climbs from the pan; flesh turns from red over pink to grey-brown from below, and browns where it touches.",
+            caption: "The cut at four times. Heat rises from the pan; flesh turns from red through pink to grey-brown from below, and browns where it touches the pan.",
             panels: looks("one-side", &[10.0, 90.0, 180.0, 360.0], Eye::Cut),
             columns: 2,
         },
         Figure {
             name: "2-turned",
             title: "The same steak, turned after three minutes",
-            caption: "The cut just before it is turned and three times after. The browned face lies above; the band below it goes on cooking from its own heat while the other face catches up.",
+            caption: "The cut just before the flip and at three times after it. The browned face is on top; the band below it keeps cooking by its own heat while the other face heats up.",
             panels: looks("turned", &[178.0, 190.0, 260.0, 420.0], Eye::Cut),
             columns: 2,
         },
         Figure {
             name: "3-temperature",
             title: "Temperature and look at one instant",
-            caption: "Outside and cut, 80 seconds after it was turned: the temperature on the left, what the eye sees on the right.",
+            caption: "Outside and cut, 80 seconds after the flip: temperature on the left, natural look on the right.",
             panels: vec![
                 panel("turned", 260.0, View::Temperature, Eye::Piece),
                 panel("turned", 260.0, View::Look, Eye::Piece),
@@ -85,7 +85,7 @@ pub fn figures() -> Vec<Figure> {
         Figure {
             name: "4-lean-and-marbled",
             title: "Lean and marbled",
-            caption: "Left lean, right marbled: raw, the cut after 90 seconds, and its temperature. Fat conducts heat less well than flesh and holds less of it, so that heat takes other ways round the seams.",
+            caption: "Left lean, right marbled: raw, the cut after 90 seconds, and its temperature. Fat conducts and stores less heat than flesh, so the isotherms bend around the seams.",
             panels: vec![
                 panel("one-side", 2.0, View::Look, Eye::Piece),
                 panel("marbled", 2.0, View::Look, Eye::Piece),
@@ -99,7 +99,7 @@ pub fn figures() -> Vec<Figure> {
         Figure {
             name: "5-untouched-and-turned",
             title: "Carrots, shrimps and leeks: untouched and turned",
-            caption: "Left nobody touches the pan, right everything is turned every minute: after one minute and after nearly four.",
+            caption: "Left untouched, right every piece turned about once a minute: after one minute and after nearly four.",
             panels: vec![
                 panel("untouched", 60.0, View::Look, Eye::Pan),
                 panel("turned-often", 60.0, View::Look, Eye::Pan),
@@ -111,7 +111,7 @@ pub fn figures() -> Vec<Figure> {
         Figure {
             name: "6-stir-fried",
             title: "Carrots, leeks and shrimps, stir-fried",
-            caption: "Shaken and tossed all the time: in the air, at half time, and at the end.",
+            caption: "Shaken and tossed throughout: in the air, halfway, and at the end.",
             panels: looks("stir-fried", &[20.0, 115.0, 240.0], Eye::Pan),
             columns: 3,
         },

@@ -8,17 +8,17 @@ mod plate;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use saute_app::headless::Gpu;
-use saute_app::png_file::png_bytes;
-use saute_app::shot::ShotError;
 use saute_kitchen::library::DEFAULT_SCALE;
+use saute_picture::still::headless::Gpu;
+use saute_picture::still::png_file::png_bytes;
+use saute_picture::still::shot::ShotError;
 
 use crate::error::CliError;
-use crate::out_dir::OutDir;
-use crate::picture::size;
-use crate::progress::Progress;
-use crate::shelf::Shelf;
-use crate::stderr;
+use crate::input::data_library::DataLibrary;
+use crate::output::out_dir::OutDir;
+use crate::output::progress::Progress;
+use crate::output::stderr;
+use crate::picture::size::size;
 
 /// `saute gallery`.
 #[derive(Debug, clap::Args)]
@@ -31,20 +31,17 @@ pub struct GalleryArgs {
     pub size: [u32; 2],
 }
 
-/// Room that the files of a gallery need at most, per pixel of a panel [bytes] (chosen: 26 panels, 3 bytes a pixel).
-const BYTES_PER_PIXEL: u64 = 26 * 3;
-
 /// Cooks, draws and writes the gallery.
-pub fn run(args: &GalleryArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+pub fn run(args: &GalleryArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let figures = figure::figures();
-    let scale = shelf.scale(DEFAULT_SCALE)?;
-    let out = OutDir::prepare(&args.out, BYTES_PER_PIXEL * u64::from(args.size[0]) * u64::from(args.size[1]))?;
+    let scale = data.scale(DEFAULT_SCALE)?;
+    let out = OutDir::prepare(&args.out)?;
     let gpu = Gpu::open().map_err(ShotError::from)?;
     let progress = Progress::over((figure::COOKS.len() + figures.len()) as u64);
     let mut moments = Vec::new();
     for (cook, _) in figure::COOKS {
         progress.next(format!("cooking {cook}"));
-        moments.extend(moment::moments(cook, &figures, &shelf.library)?);
+        moments.extend(moment::moments(cook, &figures, &data.library)?);
     }
     let mut files = Vec::new();
     for figure in &figures {

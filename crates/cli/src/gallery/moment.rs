@@ -1,8 +1,9 @@
 //! A cook of the gallery at one moment: kitchen and numbers.
 
-use saute_app::shot::ShotError;
-use saute_kitchen::summary::Summary;
-use saute_kitchen::{Cook, Kitchen, Library, Piece, Recipe, TICK_S};
+use saute_kitchen::{Kitchen, Library, Piece, TICK_S};
+use saute_picture::still::shot::ShotError;
+use saute_recipe::summary::Summary;
+use saute_recipe::{Cook, Recipe};
 
 use super::figure::{COOKS, Figure};
 

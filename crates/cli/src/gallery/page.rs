@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use saute_kitchen::summary::FoodSummary;
+use saute_recipe::summary::FoodSummary;
 
 use super::figure::{Figure, Panel};
 use super::moment::Moment;
@@ -11,7 +11,7 @@ use super::plate::moment_of;
 /// The whole page in Markdown.
 pub fn page(figures: &[Figure], moments: &[Moment]) -> String {
     let mut text = String::from(
-        "# Gallery\n\nThe figures of the 2013 paper with this simulator's foods, drawn by `saute gallery`. Every picture is a moment of a\ncook in `gallery/`; the numbers under it are those of the same moment.\n",
+        "# Gallery\n\nThe figures of the 2013 paper with this simulator's foods, drawn by `saute gallery`. Every picture shows a moment of a\ncook in `gallery/`; the numbers below it belong to the same moment.\n",
     );
     for (number, figure) in figures.iter().enumerate() {
         let _ = write!(

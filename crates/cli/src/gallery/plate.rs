@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use saute_app::Picture;
-use saute_app::headless::{Gpu, still};
-use saute_app::scene::camera::Camera;
-use saute_app::scene::quality::Quality;
-use saute_app::shot::ShotOptions;
-use saute_app::stage::nearness;
 use saute_kitchen::Kitchen;
 use saute_kitchen::food::Scale;
+use saute_picture::Picture;
+use saute_picture::stage::nearness;
+use saute_picture::still::headless::{Gpu, still};
+use saute_picture::still::shot::ShotOptions;
+use saute_scene::camera::Camera;
+use saute_scene::quality::Quality;
 
 use super::figure::{Eye, Figure, Panel};
 use super::moment::Moment;

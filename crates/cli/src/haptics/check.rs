@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use saute_haptics::control_loop::{ControlLoop, LoopState};
 use saute_haptics::simulator::open_or_simulate;
 use saute_haptics::{Geometry, Health, Named, shelf};
+use saute_kitchen::Library;
 
 use super::fault_run;
 use super::fry::Fry;
@@ -13,8 +14,8 @@ use super::network_check;
 use super::report::CheckReport;
 use super::truth;
 use crate::error::CliError;
-use crate::shelf::Shelf;
-use crate::{stderr, stdout};
+use crate::exit_code;
+use crate::output::{json, stderr, stdout};
 
 /// How long a device may take to be found and to pass its jig [s] (chosen: a person with a jig of 17 places).
 const PATIENCE_S: [f64; 2] = [30.0, 300.0];
@@ -49,7 +50,7 @@ pub struct CheckArgs {
 }
 
 /// Runs the loop, measures, tells.
-pub fn check(args: &CheckArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+pub fn check(args: &CheckArgs, library: &Library) -> Result<ExitCode, CliError> {
     if !(1.0..=3600.0).contains(&args.for_s) {
         return Err(CliError::place(format!("--for-s {}", args.for_s), "is out of range", "give 1 to 3600 seconds"));
     }
@@ -60,24 +61,24 @@ pub fn check(args: &CheckArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
     }
     let (json, text, is_met) = match named.geometry() {
         Some(geometry) => {
-            let report = measure(args, &named, geometry, shelf)?.judged();
-            (serde_json::to_string_pretty(&report)?, report.text(), report.missed.is_empty())
+            let report = measure(args, &named, geometry, library)?.judged();
+            (json::text(&report)?, report.text(), report.missed.is_empty())
         }
         None => {
-            let report = network_check::measure(args, &named, shelf)?;
-            (serde_json::to_string_pretty(&report)?, report.text(), report.missed.is_empty())
+            let report = network_check::measure(args, &named, library)?;
+            (json::text(&report)?, report.text(), report.missed.is_empty())
         }
     };
-    stdout::print(&if args.json { json + "\n" } else { text })?;
-    Ok(if is_met { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    stdout::print(&if args.json { json } else { text })?;
+    Ok(exit_code::of_goal(is_met))
 }
 
-fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, shelf: &Shelf) -> Result<CheckReport, CliError> {
+fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, library: &Library) -> Result<CheckReport, CliError> {
     let truth_file = TruthFile::new();
     let (opened, mut simulator) = open_or_simulate(named, args.pairing, Some(&truth_file.0))?;
     let feel = shelf::feel()?;
     let rows = (args.for_s + MORE_LOG_S) * geometry.drive.rate_hz;
-    let mut fry = Fry::new(&shelf.library, ControlLoop::start(opened.device, &feel, rows as usize)?)?;
+    let mut fry = Fry::new(library, ControlLoop::start(opened.device, &feel, rows as usize)?)?;
     calibrate(&mut fry, named, geometry)?;
     let before = fry.control.state();
     stderr::say(format!("measuring for {} s", args.for_s));

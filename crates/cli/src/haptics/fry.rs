@@ -5,11 +5,12 @@ use std::time::{Duration, Instant};
 
 use saute_haptics::control_loop::{ControlLoop, LoopState};
 use saute_haptics::{KitchenWatch, PanInHand, TurnerInHand};
-use saute_kitchen::{Cook, FRAME_S, Library, Piece, Recipe};
+use saute_kitchen::{FRAME_S, Library, Piece};
+use saute_recipe::{Cook, Recipe};
 
 use super::stop_key;
 use crate::error::CliError;
-use crate::stderr;
+use crate::output::stderr;
 
 const DISH: &str = include_str!("dish.toml");
 /// Frames that are owed at most; older ones are let go, and counted (chosen: a third of a second).

@@ -8,7 +8,7 @@ use saute_haptics::{Capabilities, Geometry, Rendering, shelf};
 use serde::Serialize;
 
 use crate::error::CliError;
-use crate::stdout;
+use crate::output::{json, stdout};
 
 /// `saute haptics list`.
 #[derive(Debug, clap::Args)]
@@ -121,11 +121,7 @@ impl Entry {
 pub fn list(args: &DevicesArgs) -> Result<ExitCode, CliError> {
     let strings = shelf::devices()?.into_iter().map(Entry::of_strings);
     let entries: Vec<Entry> = strings.chain(NETWORKED.iter().map(Entry::of_network)).collect();
-    let text = if args.json {
-        serde_json::to_string_pretty(&entries)? + "\n"
-    } else {
-        entries.iter().map(Entry::text).collect()
-    };
+    let text = if args.json { json::text(&entries)? } else { entries.iter().map(Entry::text).collect() };
     stdout::print(&text)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -2,13 +2,13 @@
 
 use saute_haptics::control_loop::{ControlLoop, LogRow, LoopState};
 use saute_haptics::{Health, Named, Pose, Rendering, shelf};
+use saute_kitchen::Library;
 use serde::Serialize;
 
 use super::check::{CheckArgs, not_there};
 use super::fry::Fry;
 use crate::error::CliError;
-use crate::shelf::Shelf;
-use crate::stderr;
+use crate::output::stderr;
 
 /// How long a device may take to be found [s] (chosen: a person who looks for a phone and types a code).
 const PATIENCE_S: f64 = 120.0;
@@ -49,12 +49,12 @@ pub struct NetworkReport {
 }
 
 /// Opens the device, waits for it, and cooks with it.
-pub fn measure(args: &CheckArgs, named: &Named, shelf: &Shelf) -> Result<NetworkReport, CliError> {
+pub fn measure(args: &CheckArgs, named: &Named, library: &Library) -> Result<NetworkReport, CliError> {
     let opened = named.open(args.pairing)?;
     let capabilities = opened.device.capabilities().clone();
     opened.access.lines().into_iter().for_each(stderr::say);
     let rows = (args.for_s * capabilities.rate_hz) as usize;
-    let mut fry = Fry::new(&shelf.library, ControlLoop::start(opened.device, &shelf::feel()?, rows)?)?;
+    let mut fry = Fry::new(library, ControlLoop::start(opened.device, &shelf::feel()?, rows)?)?;
     if !fry.until(args.wait_s.unwrap_or(PATIENCE_S), |s| s.sample.health == Health::Running) {
         return Err(not_there(fry.control.state().sample.health));
     }

@@ -3,7 +3,7 @@
 use std::io::IsTerminal;
 use std::sync::mpsc::{Receiver, channel};
 
-use crate::stderr;
+use crate::output::stderr;
 
 /// Hears of Enter; of nothing where stdin is no keyboard.
 pub fn listen() -> Receiver<()> {

@@ -79,17 +79,17 @@ fn of_100(values: &mut [f64], count: usize) -> f64 {
 }
 
 fn read(file: &Path) -> Result<BTreeMap<u64, True>, CliError> {
-    let text = std::fs::read_to_string(file).map_err(|e| {
+    let reader = csv::Reader::from_path(file).map_err(|e| {
         CliError::place(file.display(), format!("cannot be read: {e}"), "free some space for temporary files")
     })?;
-    Ok(text.lines().skip(1).filter_map(row).collect())
+    // The last line is incomplete if the simulator ended while it wrote.
+    Ok(reader.into_deserialize::<Row>().filter_map(Result::ok).map(true_at).collect())
 }
 
-fn row(line: &str) -> Option<(u64, True)> {
-    let (time, rest) = line.split_once(',')?;
-    let numbers: Vec<f64> = rest.split(',').map(str::parse).collect::<Result<_, _>>().ok()?;
-    let [x, y, z, qx, qy, qz, qw, ref wrench @ ..] = numbers[..] else { return None };
-    let wrench = Wrench::from_rows(wrench.try_into().ok()?);
-    let rotation = DQuat::from_xyzw(qx, qy, qz, qw);
-    Some((time.parse().ok()?, True { position: DVec3::new(x, y, z), rotation, wrench }))
+/// Columns of the simulator's file: time [µs], position [m], rotation as a quaternion x, y, z, w, force [N] and torque [N·m].
+type Row = (u64, [f64; 3], [f64; 4], [f64; 6]);
+
+fn true_at((time_us, position, rotation, wrench): Row) -> (u64, True) {
+    let (position, rotation) = (DVec3::from_array(position), DQuat::from_array(rotation));
+    (time_us, True { position, rotation, wrench: Wrench::from_rows(wrench) })
 }

@@ -4,11 +4,11 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use saute_kitchen::lab::Verdict;
+use saute_lab::Verdict;
 
 use super::{CaseRun, picture, segments};
 use crate::error::CliError;
-use crate::out_file::OutFile;
+use crate::output::out_file::OutFile;
 
 /// The table.
 const TABLE: &str = "VALIDATION.md";
@@ -109,8 +109,8 @@ fn markdown(runs: &[CaseRun], pictures: &[&str]) -> String {
     let held = verdicts.iter().filter(|v| v.pass).count();
     let mut text = format!(
         "# Validation\n\nWritten by `saute validate --write`. Every case is a file in `validation/`; the expected values come \
-         from outside this program. {held} of {} values hold. What the shape functions gain over the segments of earlier \
-         work stands in [docs/segments.md](docs/segments.md).\n\n![every error over its tolerance]({PICTURES}/errors.svg)\n\n\
+         from outside this program. {held} of {} values hold. [docs/segments.md](docs/segments.md) shows what the shape functions \
+         gain over the segments of earlier work.\n\n![every error over its tolerance]({PICTURES}/errors.svg)\n\n\
          | case | quantity | expected | tolerance | got | error | |\n|---|---|---:|---:|---:|---:|---|\n",
         verdicts.len()
     );

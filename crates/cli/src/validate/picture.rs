@@ -2,11 +2,10 @@
 
 use std::fmt::Write;
 
-use saute_kitchen::lab::{Case, LabReport, Subject};
+use saute_lab::{Case, LabReport, Subject};
 
 use super::{CaseRun, timed};
-use crate::report::markup::escaped;
-use crate::report::plot::{Panel, Scale, nice_range, nice_step};
+use crate::report::plot::{Panel, Scale, escaped, nice_range, nice_step};
 
 /// Size [px].
 const SIZE: [f64; 2] = [720.0, 400.0];
@@ -40,7 +39,7 @@ pub fn dense(case: &Case) -> LabReport {
 
 /// Expected temperatures: probe, time [s], value [°C].
 pub fn expected(case: &Case) -> Vec<(&str, f64, f64)> {
-    let point = |e: &'_ saute_kitchen::lab::Expectation| match &e.subject {
+    let point = |e: &'_ saute_lab::Expectation| match &e.subject {
         Subject::Probe(quantity, name, time) if quantity.is_temperature() => {
             // The name lives as long as the case does.
             case.probes.iter().map(|p| p.name.as_str()).find(|n| n == name).map(|n| (n, *time, e.value))

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use saute_kitchen::heat::Rule;
-use saute_kitchen::lab::{Case, Shape, Verdict, verdicts};
+use saute_lab::{Case, Shape, Verdict, verdicts};
 
 use super::page::number;
 use super::picture::{Curve, dense, draw, expected};
@@ -70,15 +70,16 @@ pub fn page(runs: &[CaseRun]) -> (String, Vec<(String, String)>) {
     (text, pictures)
 }
 
-const INTRODUCTION: &str = "# What the shape functions gain\n\nWritten by `saute validate --write`. Earlier work took every edge \
-    of a mesh for a rod: conductance k · V^(2/3) / length, with V the mean of both nodes' shares of the volume; capacity \
-    ρ c V; heat enters at the vertices within a stated distance of the pan (here zero: the nodes on the face, each with its \
-    share of it). Linear shape functions take the area over length of the cells that meet at the edge instead.\n\n\
-    The rods are right inside a lattice of cubes and nowhere else. At a face the cells are halved, and the rods along it \
-    and into it are too thick for them; where a mesh gets finer towards a face, the rods across its flat cells are too \
-    thin. Finer meshes do not help as long as the cells keep their proportions.\n\n\
-    Below are the lab's slabs and boxes under both rules. A slab counts as a column as wide as its mean spacing. The last \
-    column is the kindest to the segments: a mesh without grading.\n\n\
+const INTRODUCTION: &str = "# What the shape functions gain\n\n\
+    Written by `saute validate --write`. Earlier work models each mesh edge as a rod: conductance k · V^(2/3) / \
+    length, where V is the mean of both nodes' shares of the volume; capacity ρ c V; heat enters at the vertices \
+    within a given distance of the pan (here zero: the nodes on the face, each with its share of the face). \
+    Linear shape functions use the area over length of the cells that share the edge.\n\n\
+    Rods are accurate only inside a lattice of cubes. At a face the cells are halved, and the rods along the \
+    face and into it conduct too much; where the mesh is graded towards a face, the rods across its flat cells \
+    conduct too little. Refining the mesh does not help while the cells keep their proportions.\n\n\
+    The table compares both rules on the lab's slabs and boxes. A slab counts as a column as wide as its mean \
+    spacing. The last column is the most favourable case for the segments: a mesh without grading.\n\n\
     | case | quantity | expected | tolerance | error, shape functions | error, segments | error, segments, even mesh |\n\
     |---|---|---:|---:|---:|---:|---:|\n";
 

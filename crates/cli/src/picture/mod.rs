@@ -1,0 +1,6 @@
+//! Pictures from the app's own renderer: `saute shot` and `saute bench frame`.
+
+pub mod bench_frame;
+pub mod choices;
+pub mod shot;
+pub mod size;

@@ -1,0 +1,162 @@
+//! Bodies that are meshed inside a closed surface: what replaces sections and levels there.
+
+use saute_heat::vector::{Vec3, cross, scale, sub};
+use saute_heat::voronoi::Weights;
+use saute_heat::{CellMesh, Fineness, Outline, SweptMesh};
+
+use crate::body::Body;
+use crate::body::patch::{Face, Patch};
+use crate::body::solid::Solid;
+use crate::change::doneness::{MOST_CLASSES, Scale, Shares};
+use crate::description::FoodDescription;
+use crate::model::{BuildError, FoodModel, PieceSpec};
+use crate::state::FoodState;
+use crate::water::juice_way::juice_ways;
+
+/// Cosine between a patch's normal and the vertical beyond which it is a big face of the rest shape [-] (chosen: 45°).
+const BIG_FACE: f64 = 0.7;
+
+/// What a body of cells reads where a swept one has sections and levels.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct CellReadings {
+    /// The nodes around the middle of the thickest part and their shares.
+    pub(crate) core: Weights,
+    /// Area of the middle cut that belongs to each node of it [m²].
+    cut: Vec<(u32, f64)>,
+    /// The way of juice, outermost first: from a node to the next one outwards, and their distance [m].
+    pub(crate) outwards: Vec<(u32, u32, f64)>,
+}
+
+impl Body {
+    /// Meshes the inside of a food's own surface, whose longest edge becomes the piece's length.
+    pub(crate) fn inside_surface(description: &FoodDescription, piece: &PieceSpec) -> Result<Self, BuildError> {
+        let missing = BuildError::Missing { form: "mesh", table: "mesh" };
+        let surface = description.body.as_deref().ok_or(missing)?.clone();
+        let longest = surface.extent().into_iter().fold(0.0, f64::max);
+        let surface = surface.centred(piece.size[0] / longest);
+        let fineness = Fineness::of(&surface, piece.coarseness);
+        let (size, outline) = (surface.extent(), silhouette(&surface.vertices));
+        let cells = CellMesh::new(surface, fineness)?;
+        let patches = cells.patches.iter().map(|p| {
+            let air = match p.normal[2] {
+                z if z > BIG_FACE => Face::Top,
+                z if z < -BIG_FACE => Face::Bottom,
+                _ => Face::Side,
+            };
+            // The skin contracts as the big faces of a slice do: by the stretch across alone.
+            let face = if p.normal[2] > 0.0 { Face::Top } else { Face::Bottom };
+            Patch { node: p.node, face, air: air as usize, area: p.area }
+        });
+        let patches = patches.collect();
+        Ok(Self { size, mesh: SweptMesh::of_cells(cells), outline, patches, contracts: true })
+    }
+}
+
+/// Convex outline of points seen from above, counter-clockwise.
+fn silhouette(points: &[Vec3]) -> Outline {
+    let mut flat: Vec<[f64; 2]> = points.iter().map(|p| [p[0], p[1]]).collect();
+    flat.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let turn = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
+        cross(sub([b[0], b[1], 0.0], [a[0], a[1], 0.0]), sub([c[0], c[1], 0.0], [a[0], a[1], 0.0]))[2]
+    };
+    let half = |points: &mut dyn Iterator<Item = [f64; 2]>| {
+        let mut chain: Vec<[f64; 2]> = Vec::new();
+        for p in points {
+            while chain.len() > 1 && turn(chain[chain.len() - 2], chain[chain.len() - 1], p) <= 0.0 {
+                chain.pop();
+            }
+            chain.push(p);
+        }
+        chain.pop();
+        chain
+    };
+    let mut hull = half(&mut flat.iter().copied());
+    hull.extend(half(&mut flat.iter().rev().copied()));
+    Outline { points: hull }
+}
+
+impl CellReadings {
+    /// Prepares the readings of a body of cells.
+    pub(crate) fn of(cells: &CellMesh, fibres: Option<[f64; 3]>) -> Self {
+        let deepest = (0..cells.node_count()).max_by(|a, b| cells.depth[*a].total_cmp(&cells.depth[*b]));
+        let centre = [0.0; 3];
+        // The centroid may lie outside a bent body.
+        let core =
+            if cells.contains(centre) { cells.weights(centre) } else { vec![(deepest.unwrap_or(0) as u32, 1.0)] };
+        Self { core, cut: middle_cut(cells), outwards: juice_ways(cells, fibres) }
+    }
+}
+
+/// Shares of the cut across the longest axis through the middle.
+fn middle_cut(cells: &CellMesh) -> Vec<(u32, f64)> {
+    let extent = cells.surface.extent();
+    let axis = if extent[0] >= extent[1] { 0 } else { 1 };
+    let Ok(slice) = cells.slice(axis, 0.0) else { return Vec::new() };
+    let mut areas = vec![0.0; cells.node_count()];
+    for (weights, area) in slice.weights.iter().zip(&slice.areas) {
+        weights.iter().for_each(|(node, w)| areas[*node as usize] += w * area);
+    }
+    (0u32..).zip(areas).filter(|(_, area)| *area > 0.0).collect()
+}
+
+impl FoodModel {
+    /// The cells, where the body is meshed inside a surface.
+    pub fn cells(&self) -> Option<&CellMesh> {
+        self.mesh.cells()
+    }
+
+    /// Moves free juice outwards; outer nodes come first, so that nothing moves by two nodes at once.
+    pub(crate) fn drain_cells(&self, state: &mut FoodState, reach: f64) {
+        for &(from, to, distance) in &self.cell_readings.outwards {
+            let share = 1.0 - 1.0 / (1.0 + reach / distance);
+            self.carry(state, [from as usize, to as usize], share);
+        }
+    }
+
+    /// The body contracts alike in all directions, to the volume that its nodes have left; where a node has lost more or
+    /// less than that, the flesh around it holds its breadth, and it becomes thinner or thicker below the skin.
+    pub(crate) fn shrink_evenly(&self, state: &mut FoodState, relative_volume: impl Fn(&FoodState, usize) -> f64) {
+        let volume = &self.mesh.graph.volume;
+        let mut left = 0.0;
+        for (node, rest) in volume.iter().enumerate() {
+            state.stretch.axial[node] = relative_volume(state, node);
+            left += rest * state.stretch.axial[node];
+        }
+        let lateral = libm::cbrt(left / volume.iter().sum::<f64>());
+        state.stretch.lateral = lateral;
+        state.stretch.axial.iter_mut().for_each(|a| *a /= lateral * lateral);
+    }
+
+    /// Present positions: those of the rest shape about its centre, contracted.
+    pub(crate) fn cell_positions(&self, cells: &CellMesh, state: &FoodState, positions: &mut [[f64; 3]]) {
+        positions.iter_mut().zip(&cells.positions).for_each(|(p, rest)| *p = scale(*rest, state.stretch.lateral));
+    }
+
+    /// Doneness by volume.
+    pub(crate) fn cell_volume_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
+        let mut sums = [0.0; MOST_CLASSES];
+        for (peak, volume) in state.peak.iter().zip(&self.mesh.graph.volume) {
+            scale.add_stretch(&mut sums, *peak, *peak, *volume);
+        }
+        Shares::from_weights(sums)
+    }
+
+    /// Doneness of the middle cut by area.
+    pub(crate) fn cell_cut_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
+        let mut sums = [0.0; MOST_CLASSES];
+        for &(node, area) in &self.cell_readings.cut {
+            let peak = state.peak[node as usize];
+            scale.add_stretch(&mut sums, peak, peak, area);
+        }
+        Shares::from_weights(sums)
+    }
+
+    /// The surface in its present shape.
+    pub(crate) fn cell_solid(&self, cells: &CellMesh, state: &FoodState) -> Solid {
+        let present = |p: &Vec3| scale(*p, state.stretch.lateral);
+        Solid::Surface {
+            points: cells.surface.vertices.iter().map(present).collect(),
+            triangles: cells.surface.triangles.clone(),
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! The body of a piece: each form's mesh, outline and faces, and its present shape.
+
+mod cell_body;
+pub mod form;
+pub mod halving;
+pub mod limp;
+pub mod patch;
+pub mod present_shape;
+pub mod rounded;
+pub mod shrimp;
+pub mod shrink;
+mod slice;
+pub mod solid;
+mod stick;
+pub mod surface;
+
+use saute_heat::{Outline, Rule, SweptMesh};
+
+use crate::body::patch::patches;
+use crate::description::FoodDescription;
+use crate::model::{BuildError, PieceSpec};
+use crate::paper_2013::{MeshSize, Rings, Rules};
+use crate::tissue::noise::uniform;
+
+pub use form::Form;
+pub use patch::{Face, Patch};
+pub use solid::{Capsule, Solid};
+pub use surface::{PatchGeometry, PatchPose, Surface};
+
+pub(crate) use cell_body::CellReadings;
+
+/// A body to be filled with food: its mesh, how it meets the outside, and its outline seen from above.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Length, width, thickness; of a curved body along its curve, across it in its plane, and its height [m].
+    pub size: [f64; 3],
+    /// Rest mesh.
+    pub mesh: SweptMesh,
+    /// Outline seen from above.
+    pub outline: Outline,
+    /// Faces towards the outside.
+    pub patches: Vec<Patch>,
+    /// Whether it contracts, and bends as a plate if it is one.
+    pub contracts: bool,
+}
+
+impl Body {
+    /// Cuts and meshes a piece.
+    pub fn cut(description: &FoodDescription, piece: &PieceSpec) -> Result<Self, BuildError> {
+        match description.form {
+            Form::Steak | Form::Patty | Form::Coin | Form::Ring => Self::slice(description, piece),
+            Form::Stick => Self::stick(description, piece),
+            Form::Shrimp => Self::shrimp(description, piece),
+            Form::Mesh => Self::inside_surface(description, piece),
+        }
+    }
+
+    pub(crate) fn of_mesh(size: [f64; 3], mesh: SweptMesh, outline: Outline) -> Self {
+        Self { size, patches: patches(&mesh), mesh, outline, contracts: true }
+    }
+}
+
+/// The rule that turns the mesh into conductances.
+pub(crate) fn rule(piece: &PieceSpec) -> Rule {
+    if piece.rules == Rules::Paper2013 { Rule::Segments } else { Rule::ShapeFunctions }
+}
+
+/// Rings and levels of the sizes of 2013, where they are asked for.
+pub(crate) fn paper_mesh(description: &FoodDescription, piece: &PieceSpec) -> Option<(Rings, usize)> {
+    (piece.mesh == MeshSize::Paper2013).then(|| crate::paper_2013::mesh_of(description))
+}
+
+/// Levels at even distances.
+pub(crate) fn even_levels(length: f64, count: usize) -> Vec<f64> {
+    let last = (count - 1) as f64;
+    (0..count).map(|i| length * i as f64 / last).collect()
+}
+
+/// The outline's seeded natural waviness in harmonics 2 to 5.
+pub(crate) fn harmonics(description: &FoodDescription, piece: &PieceSpec) -> Vec<(u32, f64, f64)> {
+    let harmonic = |m: u32| {
+        let amplitude = description.outline.ripple * (0.4 + 0.6 * uniform(piece.seed, u64::from(m))) / f64::from(m - 1);
+        (m, amplitude, core::f64::consts::TAU * uniform(piece.seed, 100 + u64::from(m)))
+    };
+    (2..=5).map(harmonic).collect()
+}

@@ -1,0 +1,161 @@
+//! Simple solids that stand for a piece where bodies collide.
+
+use saute_heat::{Path, Station};
+
+use crate::body::form::Form;
+use crate::model::FoodModel;
+use crate::state::FoodState;
+
+/// A rounded rod.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Capsule {
+    /// Middles of its round ends [m].
+    pub ends: [[f64; 3]; 2],
+    /// Radius [m].
+    pub radius: f64,
+}
+
+/// A solid about the origin of [`FoodModel::positions`], in the body frame and the present shape.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Solid {
+    /// A cylinder whose axis is z.
+    Cylinder {
+        /// Radius [m].
+        radius: f64,
+        /// Half of its height [m].
+        half_height: f64,
+    },
+    /// A box.
+    Cuboid {
+        /// Half of its length, width and height [m].
+        half: [f64; 3],
+    },
+    /// Rounded rods along a bent body.
+    Capsules(Vec<Capsule>),
+    /// Convex hulls of points, whose faces have four corners [m].
+    Hulls(Vec<Vec<[f64; 3]>>),
+    /// A closed surface that need not be convex.
+    Surface {
+        /// Corners [m].
+        points: Vec<[f64; 3]>,
+        /// Triangles, counter-clockwise seen from outside.
+        triangles: Vec<[u32; 3]>,
+    },
+}
+
+/// Strips into which a slice is cut across its length (chosen: their outline strays from the piece's by half a millimetre).
+const STRIPS: usize = 8;
+/// Rods along a curved body (chosen: fewer leave the bow of a shrimp filled).
+const RODS: usize = 4;
+
+impl FoodModel {
+    /// The solid of the present shape.
+    pub fn solid(&self, state: &FoodState) -> Solid {
+        let lateral = state.stretch.lateral;
+        let half_height = 0.5 * self.thickness(state);
+        match (self.description.form, &self.mesh.path) {
+            (_, Path::Cells(cells)) => self.cell_solid(cells, state),
+            (Form::Shrimp, Path::Stations(stations)) => Solid::Capsules(self.rods_along(state, stations)),
+            (Form::Stick, Path::Stations(stations)) => {
+                let length = self.present_length(state, stations);
+                Solid::Cuboid { half: [0.5 * length, 0.5 * lateral * self.size[1], half_height] }
+            }
+            (Form::Steak, _) => Solid::Hulls(self.strips(state)),
+            _ => Solid::Cylinder { radius: lateral * self.round_radius(), half_height },
+        }
+    }
+
+    /// Radius midway between the least and the farthest reach of the outline [m].
+    fn round_radius(&self) -> f64 {
+        let reach = self.outline.points.iter().map(|p| libm::hypot(p[0], p[1]));
+        let (low, high) = reach.fold((f64::INFINITY, 0.0f64), |(low, high), r| (low.min(r), high.max(r)));
+        0.5 * (low + high)
+    }
+
+    fn present_length(&self, state: &FoodState, stations: &[Station]) -> f64 {
+        let centres: Vec<[f64; 3]> = self.spine(state, stations).map(|s| s.centre).collect();
+        let steps =
+            centres.windows(2).map(|w| libm::sqrt((0..3).map(|k| (w[1][k] - w[0][k]) * (w[1][k] - w[0][k])).sum()));
+        steps.sum()
+    }
+
+    /// Strips across the length, each a prism of four corners above and below: the solver's faces have four at most.
+    fn strips(&self, state: &FoodState) -> Vec<Vec<[f64; 3]>> {
+        let mut flat = Vec::new();
+        self.flat_positions_into(state, &mut flat);
+        let (low, high) = self
+            .outline
+            .points
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p[0]), high.max(p[0])));
+        // Narrower towards the ends, where the outline turns.
+        let cut = |i: usize| {
+            let share = 0.5 - 0.5 * libm::cos(core::f64::consts::PI * (i as f64 + 0.25) / (STRIPS as f64 + 0.5));
+            low + share * (high - low)
+        };
+        let edges: Vec<Vec<[f64; 3]>> = (0..=STRIPS).map(|i| self.edge_at(cut(i), state, &flat)).collect();
+        edges.windows(2).map(|pair| pair.concat()).collect()
+    }
+
+    /// The four corners at which a cut across the length leaves the slice [m].
+    fn edge_at(&self, x: f64, state: &FoodState, flat: &[[f64; 3]]) -> Vec<[f64; 3]> {
+        let last = self.mesh.levels.len() - 1;
+        let points = &self.outline.points;
+        let sides = (0..points.len()).map(|i| (points[i], points[(i + 1) % points.len()]));
+        let crossings = sides.filter(|(p, q)| (p[0] <= x) != (q[0] <= x)).map(|(p, q)| {
+            let share = (x - p[0]) / (q[0] - p[0]);
+            p[1] + share * (q[1] - p[1])
+        });
+        let (low, high) =
+            crossings.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
+        let lateral = state.stretch.lateral;
+        let corner = |y: f64, level: usize| {
+            let z = flat[self.mesh.node(level, self.rim_column([x, y]))][2];
+            [x * lateral, y * lateral, z]
+        };
+        [low, high].into_iter().flat_map(|y| [0, last].map(|level| corner(y, level))).collect()
+    }
+
+    /// The column of the rim nearest to a point of the section.
+    fn rim_column(&self, p: [f64; 2]) -> usize {
+        let distance = |i: &u32| {
+            let q = self.mesh.section.points[*i as usize];
+            libm::hypot(p[0] - q[0], p[1] - q[1])
+        };
+        let rim = self.mesh.section.rim();
+        rim.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0) as usize
+    }
+
+    /// Rods along a curved body, each as thick as the body is high there as it lies on its side.
+    fn rods_along(&self, state: &FoodState, stations: &[Station]) -> Vec<Capsule> {
+        let lateral = state.stretch.lateral;
+        let standing: Vec<_> = self.spine(state, stations).collect();
+        let mut places = vec![[0.0; 3]; self.mesh.node_count()];
+        let origin = self.stand(state, stations, standing.iter().copied(), &mut places);
+        let half_height =
+            |level: usize| lateral * stations[level].section.points.iter().map(|p| p[1]).fold(0.0, f64::max);
+        let centre = |level: usize| [0, 1, 2].map(|k| standing[level].centre[k] - origin[k]);
+        let cuts: Vec<usize> = (0..=RODS).map(|i| self.level_near(i as f64 / RODS as f64)).collect();
+        let rod = |pair: &[usize]| {
+            let middle =
+                self.level_near(0.5 * (self.mesh.levels[pair[0]] + self.mesh.levels[pair[1]]) / self.mesh.thickness());
+            let radius = half_height(middle);
+            let (a, b) = (centre(pair[0]), centre(pair[1]));
+            let length = libm::sqrt((0..3).map(|k| (b[k] - a[k]) * (b[k] - a[k])).sum::<f64>());
+            // Outer ends are as far out as the body; inner ones meet.
+            let inset =
+                |level: usize| if level == cuts[0] || level == cuts[RODS] { (radius / length).min(0.4) } else { 0.0 };
+            let (s, e) = (inset(pair[0]), 1.0 - inset(pair[1]));
+            let at = |share: f64| [0, 1, 2].map(|k| a[k] + share * (b[k] - a[k]));
+            Capsule { ends: [at(s), at(e)], radius }
+        };
+        cuts.windows(2).map(rod).collect()
+    }
+
+    /// The level nearest to a share of the path's length.
+    fn level_near(&self, share: f64) -> usize {
+        let at = share * self.mesh.thickness();
+        let distance = |l: &usize| libm::fabs(self.mesh.levels[*l] - at);
+        (0..self.mesh.levels.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
+    }
+}
