@@ -183,7 +183,7 @@ impl Kitchen {
 
     /// The rules that the pieces follow: those of 2013 if any piece does.
     pub fn rules(&self) -> Rules {
-        let simple = self.pieces.iter().any(|p| p.model.rules == Rules::Paper2013);
+        let simple = self.pieces.iter().any(|p| p.model.rules() == Rules::Paper2013);
         if simple { Rules::Paper2013 } else { Rules::Full }
     }
 

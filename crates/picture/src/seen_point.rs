@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use glam::Vec3;
 use saute_kitchen::food::FoodModel;
-use saute_kitchen::heat::Cut;
 use saute_kitchen::heat::voronoi::CellSlice;
+use saute_kitchen::heat::{BodyMesh, Cut, SweptMesh};
 use saute_kitchen::{Kitchen, Piece};
 use saute_scene::input::{FoodLook, FoodVertex, SceneInput};
 
@@ -125,12 +125,12 @@ fn meet(triangles: &[[u32; 3]], vertices: &[FoodVertex], ray: Ray, hidden: impl 
 impl Skin {
     /// The nodes that a vertex reads.
     fn shares(&self, model: &FoodModel, vertex: usize) -> NodeShares {
-        match model.cells() {
-            Some(cells) => {
+        match model.mesh() {
+            BodyMesh::Cells(cells) => {
                 let (nodes, weights) = (cells.skin.nodes[vertex], cells.skin.weights[vertex]);
                 NodeShares(nodes.into_iter().zip(weights).collect())
             }
-            None => NodeShares(vec![(self.node(vertex), 1.0)]),
+            BodyMesh::Swept(_) => NodeShares(vec![(self.node(vertex), 1.0)]),
         }
     }
 }
@@ -138,17 +138,17 @@ impl Skin {
 /// Where the drawn vertices of a piece or of its cut come from.
 enum Vertices<'a> {
     Skin(&'a Skin),
-    Cut(Cut),
+    Cut(&'a SweptMesh, Cut),
     CellCut(CellSlice),
 }
 
-impl Vertices<'_> {
+impl<'a> Vertices<'a> {
     /// Those of the cut at `place` (−1…1) along a piece.
-    fn of_cut(piece: &Piece, place: f64) -> Option<Self> {
+    fn of_cut(piece: &'a Piece, place: f64) -> Option<Self> {
         let (model, x) = (&piece.model, place * half_length(piece));
-        match model.cells() {
-            Some(cells) => cells.slice(longest_axis(model), x).ok().map(Self::CellCut),
-            None => Some(Self::Cut(model.cut_across(x))),
+        match model.mesh() {
+            BodyMesh::Cells(cells) => cells.slice(longest_axis(model), x).ok().map(Self::CellCut),
+            BodyMesh::Swept(mesh) => Some(Self::Cut(mesh, model.cut_across(x))),
         }
     }
 
@@ -157,10 +157,10 @@ impl Vertices<'_> {
         Some(match self {
             Self::Skin(skin) => skin.shares(model, vertex),
             Self::CellCut(cut) => NodeShares(cut.weights.get(vertex)?.clone()),
-            Self::Cut(cut) => {
+            Self::Cut(mesh, cut) => {
                 let point = cut.points.get(vertex % cut.points.len().max(1))?;
                 let level = vertex / cut.points.len();
-                let node = |k: usize| model.mesh.node(level, point.nodes[k] as usize) as u32;
+                let node = |k: usize| mesh.node(level, point.nodes[k] as usize) as u32;
                 NodeShares(vec![(node(0), 1.0 - point.share), (node(1), point.share)])
             }
         })

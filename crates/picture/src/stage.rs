@@ -7,6 +7,7 @@ use glam::{Mat4, Quat, Vec2, Vec3};
 use saute_kitchen::dynamics::Tool;
 use saute_kitchen::food::colour::decoded;
 use saute_kitchen::food::{Face, Scale};
+use saute_kitchen::heat::Layout;
 use saute_kitchen::sear_lines::SearLines;
 use saute_kitchen::{Kitchen, Piece, Place, RestOn, celsius};
 use saute_scene::camera::Camera;
@@ -316,7 +317,7 @@ impl Stage {
             slice: None,
             sear,
         };
-        let curved = !piece.model.is_slice() && piece.model.cells().is_none();
+        let curved = matches!(piece.model.mesh().layout(), Layout::Along(..));
         let across = if curved { path_cut } else { slice };
         if let Some(cut) = piece.halved().and_then(|cut| across(piece, cut.at, options.view, map)) {
             return opened(piece, whole, cut).into();
@@ -373,7 +374,7 @@ fn rest_look(piece: &Piece) -> Option<RestLook> {
         Place::Rest(RestOn::Foil) => RestKind::Foil,
         _ => return None,
     };
-    let [length, width, thickness] = piece.model.size.map(|v| v as f32);
+    let [length, width, thickness] = piece.model.size().map(|v| v as f32);
     let turn = Vec2::from_angle(piece.pose.rotation.as_quat().to_euler(glam::EulerRot::ZYX).0);
     let half = 0.5 * (turn.abs() * length + turn.perp().abs() * width);
     let centre = piece.pose.position.as_vec3().with_z(BOARD_CENTRE.z);
@@ -387,7 +388,7 @@ pub fn fitting(kitchen: &Kitchen, scale: &Arc<Scale>) -> Option<Arc<Scale>> {
 
 /// The scale, where it says anything about a piece.
 pub fn fitting_piece(piece: Option<&Piece>, scale: &Arc<Scale>) -> Option<Arc<Scale>> {
-    piece.is_none_or(|p| scale.fits(&p.model.kinetics)).then(|| Arc::clone(scale))
+    piece.is_none_or(|p| scale.fits(p.model.kinetics())).then(|| Arc::clone(scale))
 }
 
 /// How much nearer the eye goes to a small piece [-]: it fills as much of the picture as a steak of 120 mm, and never
@@ -398,7 +399,7 @@ pub fn nearness(piece: &Piece) -> f32 {
 
 /// Half the longest extent of a piece [m].
 pub fn half_length(piece: &Piece) -> f64 {
-    0.5 * piece.model.size[0].max(piece.model.size[1])
+    0.5 * piece.model.size()[0].max(piece.model.size()[1])
 }
 
 fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
@@ -465,7 +466,7 @@ fn steam(kitchen: &Kitchen, pan: &Pose, poses: &[Pose]) -> Vec<SteamSource> {
     };
     for (piece, pose) in frying {
         let around = if piece.vapour_flow > 0.1 * most { around } else { 0 };
-        let [a, b] = [0.45 * piece.model.size[0] as f32, 0.45 * piece.model.size[1] as f32];
+        let [a, b] = [0.45 * piece.model.size()[0] as f32, 0.45 * piece.model.size()[1] as f32];
         let share = 1e3 * piece.vapour_flow as f32 / f32::from(around + 1);
         for k in 0..around {
             let angle = f32::from(k) * std::f32::consts::TAU / 6.0 + 0.4;

@@ -62,7 +62,7 @@ impl View {
     pub fn value(self, model: &FoodModel, state: &FoodState, node: usize) -> f64 {
         match self {
             Self::Look | Self::Temperature => celsius(state.temperature[node]),
-            Self::Moisture => 100.0 * state.water[node] / model.initial_water[node],
+            Self::Moisture => 100.0 * state.water[node] / model.initial_water()[node],
             Self::Doneness => celsius(state.peak[node].max(state.temperature[node])),
             Self::Browning => state.browning[node],
             // Grows tenfold every few kelvin: beyond the end of the map it would drown its neighbours.

@@ -48,7 +48,7 @@ pub struct SteakBench {
 pub fn measure(library: &Library) -> Result<SteakBench, CliError> {
     let recipe = Recipe::parse(RECIPE, "steak", library)?;
     let mut cook = Cook::new(recipe, library).map_err(|source| CliError::Setup { file: "steak".to_owned(), source })?;
-    let nodes = cook.kitchen.pieces().iter().map(|p| p.model.mesh.node_count()).sum();
+    let nodes = cook.kitchen.pieces().iter().map(|p| p.model.mesh().node_count()).sum();
     let start = Instant::now();
     while cook.stopped().is_none() {
         cook.advance()?;

@@ -118,7 +118,7 @@ pub fn measure(case: &Case, library: &Library) -> Result<Row, CliError> {
         mesh: scene.mesh,
         rule: if paper { "segments" } else { "shape functions" },
         shaking: scene.shaking,
-        nodes: kitchen.pieces().iter().map(|p| p.model.mesh.node_count()).sum(),
+        nodes: kitchen.pieces().iter().map(|p| p.model.mesh().node_count()).sum(),
         rigid_hz: RIGID_HZ,
         collider: colliders(kitchen),
         max_penetration_mm: timed.max_penetration_mm,

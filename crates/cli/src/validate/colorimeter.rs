@@ -92,7 +92,7 @@ fn eye(pose: &Pose, at: SeenAt) -> Camera {
 
 /// Places of the field in the world [m].
 fn field(piece: &Piece, pose: &Pose, at: SeenAt) -> Vec<Vec3> {
-    let half = piece.model.size.map(|v| 0.5 * v);
+    let half = piece.model.size().map(|v| 0.5 * v);
     let shown_below = piece.upside_down() != (at == SeenAt::Under);
     let face = 0.5 * piece.model.thickness(&piece.state) * if shown_below { -1.0 } else { 1.0 };
     let step = |k: i32| f64::from(k) / f64::from(READINGS);

@@ -14,6 +14,7 @@
 //! # Ok::<(), saute_heat::MeshError>(())
 //! ```
 
+pub mod body_mesh;
 mod bounds;
 pub mod cells;
 pub mod cut;
@@ -21,6 +22,9 @@ pub mod levels;
 pub mod locate;
 pub mod outline;
 pub mod path;
+pub mod probe;
 pub mod section;
 pub mod surface;
 pub mod swept;
+mod swept_probe;
+mod swept_surface;

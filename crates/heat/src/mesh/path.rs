@@ -1,7 +1,5 @@
-//! How a cross-section is carried into a body: straight up, straight up with uneven height, or along stations; or not at
-//! all, where a body is made of cells.
+//! The path along which a cross-section is carried: straight up, straight up with uneven height, or along stations.
 
-use crate::mesh::cells::CellMesh;
 use crate::mesh::outline::Outline;
 use crate::mesh::section::{MeshError, Section};
 
@@ -66,8 +64,6 @@ pub enum Path {
     Uneven(Vec<f64>),
     /// A station for each level.
     Stations(Vec<Station>),
-    /// No way at all: one level, whose nodes are those of a mesh of cells.
-    Cells(Box<CellMesh>),
 }
 
 impl Path {

@@ -135,12 +135,6 @@ impl Section {
         Self { points, triangles, areas, edges, boundary, clamped_edges }
     }
 
-    /// Returns nodes without triangles [m].
-    pub(crate) fn scattered(points: Vec<[f64; 2]>) -> Self {
-        let areas = vec![0.0; points.len()];
-        Self { points, triangles: Vec::new(), areas, edges: Vec::new(), boundary: Vec::new(), clamped_edges: 0 }
-    }
-
     /// Returns each side of the triangulation once, with ascending nodes, including sides without weight.
     pub fn sides(&self) -> Vec<[u32; 2]> {
         let ends = |t: &[u32; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];

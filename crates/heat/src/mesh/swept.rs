@@ -2,8 +2,7 @@
 
 use crate::conduction::graph::Graph;
 use crate::conduction::rule::{Rule, segment_shape};
-use crate::mesh::cells::CellMesh;
-use crate::mesh::outline::Outline;
+use crate::mesh::locate::Locator;
 use crate::mesh::path::{Path, Station, cross, distance, dot};
 use crate::mesh::section::Section;
 
@@ -21,6 +20,7 @@ pub struct SweptMesh {
     pub path: Path,
     /// Lumped volumes and edge shapes.
     pub graph: Graph,
+    pub(super) locator: Locator,
 }
 
 impl SweptMesh {
@@ -44,7 +44,7 @@ impl SweptMesh {
     }
 
     fn upright(section: Section, levels: Vec<f64>, path: Path, rule: Rule) -> Self {
-        let mut mesh = Self { section, levels, path, graph: Graph::default() };
+        let mut mesh = Self::bare(section, levels, path);
         mesh.graph = mesh.upright_graph();
         if rule == Rule::Segments {
             mesh.graph = mesh.segments();
@@ -60,7 +60,7 @@ impl SweptMesh {
         for (level, pair) in path.windows(2).enumerate() {
             levels.push(levels[level] + distance(pair[0].centre, pair[1].centre));
         }
-        let mut mesh = Self { section, levels, path: Path::Stations(path), graph: Graph::default() };
+        let mut mesh = Self::bare(section, levels, Path::Stations(path));
         mesh.graph = mesh.station_graph();
         if rule == Rule::Segments {
             mesh.graph = mesh.segments();
@@ -68,24 +68,35 @@ impl SweptMesh {
         mesh
     }
 
-    /// A body of cells: one level of nodes without a section between them.
-    pub fn of_cells(cells: CellMesh) -> Self {
-        let points = cells.positions.iter().map(|p| [p[0], p[1]]).collect();
-        let graph = cells.graph.clone();
-        Self { section: Section::scattered(points), levels: vec![0.0], path: Path::Cells(Box::new(cells)), graph }
+    /// A straight body with volumes and edges of its own, such as a product mesh whose section has no triangles.
+    pub fn with_graph(section: Section, levels: Vec<f64>, graph: Graph) -> Self {
+        Self { graph, ..Self::bare(section, levels, Path::Straight) }
     }
 
-    /// The cells, where the body is made of them.
-    pub fn cells(&self) -> Option<&CellMesh> {
-        if let Path::Cells(cells) = &self.path { Some(cells) } else { None }
+    /// A body without volumes and edges.
+    fn bare(section: Section, levels: Vec<f64>, path: Path) -> Self {
+        let locator = Locator::new(&section);
+        Self { section, levels, path, graph: Graph::default(), locator }
     }
 
-    /// Distance of the first nodes below the surface from it [m].
-    pub fn first_layer(&self) -> f64 {
+    /// Returns true if the section is carried straight up, with even or uneven height: the body is a slice.
+    #[inline]
+    pub fn is_upright(&self) -> bool {
+        self.stations().is_none()
+    }
+
+    /// The stations of the path, one for each level; none where it is straight.
+    #[inline]
+    pub fn stations(&self) -> Option<&[Station]> {
         match &self.path {
-            Path::Cells(cells) => cells.fineness.first,
-            _ => self.levels.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min),
+            Path::Stations(stations) => Some(stations),
+            Path::Straight | Path::Uneven(_) => None,
         }
+    }
+
+    /// Smallest distance between two levels [m].
+    pub fn first_layer(&self) -> f64 {
+        self.levels.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min)
     }
 
     fn segments(&self) -> Graph {
@@ -181,12 +192,9 @@ impl SweptMesh {
         graph
     }
 
-    /// Whether the edge between two nodes runs along the path; in a body of cells, rather inwards than along the skin.
+    /// Returns true if the edge between two nodes runs along the path.
     #[inline]
     pub fn is_along(&self, a: usize, b: usize) -> bool {
-        if let Path::Cells(cells) = &self.path {
-            return cells.is_inward(a, b);
-        }
         a.abs_diff(b) == self.section.points.len()
     }
 
@@ -237,54 +245,8 @@ impl SweptMesh {
         }
     }
 
-    /// Side area of every node, level-major like the nodes [m²] (0 inside).
-    pub fn side_areas(&self) -> Vec<f64> {
-        if let Path::Stations(_) = self.path {
-            return self.shared_areas(&self.side_triangles());
-        }
-        let lengths = self.section.boundary_lengths();
-        let heights = self.layer_heights();
-        let side = |h: f64| lengths.iter().enumerate().map(move |(i, l)| (i, l * h));
-        heights.iter().flat_map(|h| side(*h)).map(|(i, area)| area * self.path.column(i)).collect()
-    }
-
-    /// Triangles of the surface between the two ends of the path, seen from outside counter-clockwise.
-    pub fn side_triangles(&self) -> Vec<[u32; 3]> {
-        let mut triangles = Vec::new();
-        for level in 0..self.levels.len().saturating_sub(1) {
-            for &[a, b] in &self.section.boundary {
-                let at = |level: usize, i: u32| self.node(level, i as usize) as u32;
-                let [a, b, c, d] = [at(level, a), at(level, b), at(level + 1, b), at(level + 1, a)];
-                triangles.extend([[a, b, c], [a, c, d]]);
-            }
-        }
-        triangles
-    }
-
-    /// Triangles of the section that closes the path at its start (`false`) or end, seen from outside counter-clockwise.
-    pub fn end_triangles(&self, last: bool) -> Vec<[u32; 3]> {
-        let level = if last { self.levels.len() - 1 } else { 0 };
-        let of = |t: &[u32; 3]| t.map(|i| self.node(level, i as usize) as u32);
-        let outward = |[a, b, c]: [u32; 3]| if last { [a, b, c] } else { [a, c, b] };
-        self.section.triangles.iter().map(|t| outward(of(t))).collect()
-    }
-
-    /// A third of the area of every triangle at each of its nodes [m²].
-    fn shared_areas(&self, triangles: &[[u32; 3]]) -> Vec<f64> {
-        let mut areas = vec![0.0; self.node_count()];
-        for t in triangles {
-            let [p, q, r] = t.map(|node| self.position(node as usize));
-            let normal = cross([0, 1, 2].map(|k| q[k] - p[k]), [0, 1, 2].map(|k| r[k] - p[k]));
-            t.iter().for_each(|&node| areas[node as usize] += libm::sqrt(dot(normal, normal)) / 6.0);
-        }
-        areas
-    }
-
     /// Position of a node [m]: of an upright body from the bottom centre, else in the frame of the stations.
     pub fn position(&self, node: usize) -> [f64; 3] {
-        if let Path::Cells(cells) = &self.path {
-            return cells.positions[node];
-        }
         let n = self.nodes_per_level();
         let (level, i) = (node / n, node % n);
         if let Path::Stations(stations) = &self.path {
@@ -292,27 +254,6 @@ impl SweptMesh {
         }
         let [x, y] = self.section.points[i];
         [x, y, self.levels[level] * self.path.column(i)]
-    }
-
-    /// Depth of a node below the nearer end of the path, or on stations below the skin if that is nearer [m].
-    pub fn depth(&self, node: usize) -> f64 {
-        if let Path::Cells(cells) = &self.path {
-            return cells.depth[node];
-        }
-        let (level, i) = (node / self.nodes_per_level(), node % self.nodes_per_level());
-        let z = self.levels[level];
-        let below_ends = z.min(self.thickness() - z) * self.path.column(i);
-        let Path::Stations(stations) = &self.path else { return below_ends };
-        let section = &stations[level].section;
-        let rim = Outline { points: self.section.rim().iter().map(|&i| section.points[i as usize]).collect() };
-        below_ends.min(rim.distance_to(section.points[i]))
-    }
-
-    /// The two levels that bracket a distance along the path and the weight of the upper one [-]; ends are clamped.
-    pub fn bracket(&self, z: f64) -> (usize, f64) {
-        let upper = self.levels.partition_point(|&l| l <= z).clamp(1, self.levels.len() - 1);
-        let (low, high) = (self.levels[upper - 1], self.levels[upper]);
-        (upper - 1, ((z - low) / (high - low)).clamp(0.0, 1.0))
     }
 }
 
@@ -360,14 +301,5 @@ mod tests {
             let mean = 0.5 * (mesh.graph.volume[a as usize] + mesh.graph.volume[b as usize]);
             assert!((shape / (mean.powf(2.0 / 3.0) / length) - 1.0).abs() < 1e-9);
         }
-    }
-
-    #[test]
-    fn bracket_clamps_at_both_ends() {
-        let section = Section::mesh(&Outline::circle(0.01), 2e-3, 1e-3).expect("meshes");
-        let mesh = SweptMesh::new(section, vec![0.0, 1.0, 3.0]);
-        assert_eq!(mesh.bracket(-1.0), (0, 0.0));
-        assert_eq!(mesh.bracket(2.0), (1, 0.5));
-        assert_eq!(mesh.bracket(9.0), (1, 1.0));
     }
 }

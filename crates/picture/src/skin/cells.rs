@@ -59,14 +59,14 @@ impl CellLook<'_> {
             changed: changed_at(state, |field| reads(&|i| field[i])),
             browning: reads(&|i| state.browning[i]),
             charring: reads(&|i| state.charring[i]),
-            tissue: reads(&|i| self.model.tissue[i]),
+            tissue: reads(&|i| self.model.second_tissue()[i]),
         };
         (appearance, reads(&|i| self.view.value(self.model, state, i)))
     }
 
     fn vertex(&self, reads: Reads, rest: [f64; 3], normal: [f64; 3], moist: f64) -> FoodVertex {
         let (appearance, value) = self.appearance(reads);
-        let moisture = moist * reads(&|i| self.state.water[i] / self.model.initial_water[i]);
+        let moisture = moist * reads(&|i| self.state.water[i] / self.model.initial_water()[i]);
         let field = self.map.map_or(0.0, |m| m.coordinate(value));
         let single = |v: [f64; 3]| v.map(|x| x as f32);
         let place =
@@ -77,5 +77,5 @@ impl CellLook<'_> {
 
 /// The axis across which a piece is cut.
 pub(crate) fn longest_axis(model: &FoodModel) -> usize {
-    if model.size[0] >= model.size[1] { 0 } else { 1 }
+    if model.size()[0] >= model.size()[1] { 0 } else { 1 }
 }

@@ -110,7 +110,7 @@ fn seen_rim(scene: &SceneInput, model: &FoodModel) -> (Vec<Vec3>, Vec3) {
     let food = &scene.foods[0];
     let cut = food.slice.as_ref().expect("a cut");
     let place = |v: &FoodVertex| food.world_from_rest.transform_point3(Vec3::from_array(v.position));
-    if model.is_slice() {
+    if model.mesh().is_slice() {
         let along = |v: &FoodVertex| Vec3::Z.cross(cut.normal).dot(Vec3::from_array(v.rest));
         let rows: Vec<Vec<Vec3>> =
             cut.vertices.chunk_by(|a, b| along(a) <= along(b)).map(|row| row.iter().map(place).collect()).collect();

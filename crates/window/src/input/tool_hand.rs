@@ -205,7 +205,7 @@ impl SauteApp {
 
 /// Where tongs take hold of a piece: a little above its middle.
 fn grip_point(piece: &Piece) -> DVec3 {
-    piece.pose.position + DVec3::Z * (0.3 * piece.model.size[2])
+    piece.pose.position + DVec3::Z * (0.3 * piece.model.size()[2])
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use egui::{RichText, TextureHandle, TextureOptions, Ui, vec2};
 use saute_kitchen::food::{Scale, Shares};
+use saute_kitchen::heat::Layout;
 use saute_kitchen::{Piece, Place, celsius};
 use saute_picture::colour::map::TemperatureMap;
 use saute_picture::cut::section::section_picture;
@@ -108,7 +109,7 @@ fn read(app: &mut SauteApp) {
     let (model, state) = (&piece.model, &piece.state);
     let shares = scale.map(|s| model.cut_shares(state, &model.cut_across(0.0), &s)).unwrap_or_default();
     let means = state.changed.iter().map(|field| model.volume_mean(field));
-    let changed = model.kinetics.names().into_iter().map(str::to_owned).zip(means).collect();
+    let changed = model.kinetics().names().into_iter().map(str::to_owned).zip(means).collect();
     app.inside.bite = [model.hardness_index(state), model.juiciness_pct(state)];
     (app.inside.shares, app.inside.changed) = (shares, changed);
 }
@@ -129,8 +130,11 @@ fn paint(app: &mut SauteApp, ui: &Ui, wanted: &Painted) {
 fn per_mm(piece: &Piece) -> f64 {
     let model = &piece.model;
     // A cut that follows a curved body shows all of its length.
-    let lengthwise = !model.is_slice() && model.cells().is_none();
-    let across = 1e3 * if lengthwise { model.mesh.thickness() } else { model.size[0].min(model.size[1]) };
+    let across = 1e3
+        * match model.mesh().layout() {
+            Layout::Along(mesh, _) => mesh.thickness(),
+            Layout::Upright(_) | Layout::Cells(_) => model.size()[0].min(model.size()[1]),
+        };
     (PANEL_WIDTH / across).clamp(PER_MM, 8.0 * PER_MM)
 }
 

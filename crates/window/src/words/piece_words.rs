@@ -14,7 +14,7 @@ pub fn doneness(app: &SauteApp, piece: &Piece) -> String {
     if let Some(scale) = scale {
         return l.called("class", scale.name_of(piece.core_peak.0)).to_owned();
     }
-    let (names, fields) = (piece.model.kinetics.names(), &piece.state.changed);
+    let (names, fields) = (piece.model.kinetics().names(), &piece.state.changed);
     match (names.last(), fields.last()) {
         (Some(name), Some(field)) => change(l, name, piece.model.volume_mean(field)),
         _ => String::new(),

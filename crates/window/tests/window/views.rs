@@ -138,7 +138,7 @@ fn the_pointer_tells_the_value_of_the_view_with_its_unit() {
     let share: f64 = point.shares.0.iter().map(|(_, w)| w).sum();
     assert!((share - 1.0).abs() < 1e-5, "{share}");
     let told = point.shares.read(|node| piece.state.temperature[node]);
-    let [x, y] = [0, 1].map(|k| point.shares.read(|node| piece.model.mesh.position(node)[k]));
+    let [x, y] = [0, 1].map(|k| point.shares.read(|node| piece.model.mesh().position(node)[k]));
     let z = if piece.upside_down() { 0.0 } else { piece.model.height_above([x, y]).expect("inside") * 0.999_999 };
     let truth = piece.model.at(&piece.state.temperature, [x, y, z]).expect("inside");
     assert!((told - truth).abs() < 0.5, "{told} in the window, {truth} in the core");

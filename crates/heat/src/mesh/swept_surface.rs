@@ -1,0 +1,61 @@
+//! The surface of a swept body: areas and triangles of its side and of its two ends.
+
+use crate::mesh::outline::Outline;
+use crate::mesh::path::{Path, cross, dot};
+use crate::mesh::swept::SweptMesh;
+
+impl SweptMesh {
+    /// Side area of every node, level-major like the nodes [m²] (0 inside).
+    pub fn side_areas(&self) -> Vec<f64> {
+        if let Path::Stations(_) = self.path {
+            return self.shared_areas(&self.side_triangles());
+        }
+        let lengths = self.section.boundary_lengths();
+        let heights = self.layer_heights();
+        let side = |h: f64| lengths.iter().enumerate().map(move |(i, l)| (i, l * h));
+        heights.iter().flat_map(|h| side(*h)).map(|(i, area)| area * self.path.column(i)).collect()
+    }
+
+    /// Triangles of the surface between the two ends of the path, seen from outside counter-clockwise.
+    pub fn side_triangles(&self) -> Vec<[u32; 3]> {
+        let mut triangles = Vec::new();
+        for level in 0..self.levels.len().saturating_sub(1) {
+            for &[a, b] in &self.section.boundary {
+                let at = |level: usize, i: u32| self.node(level, i as usize) as u32;
+                let [a, b, c, d] = [at(level, a), at(level, b), at(level + 1, b), at(level + 1, a)];
+                triangles.extend([[a, b, c], [a, c, d]]);
+            }
+        }
+        triangles
+    }
+
+    /// Triangles of the section that closes the path at its start (`false`) or end, seen from outside counter-clockwise.
+    pub fn end_triangles(&self, last: bool) -> Vec<[u32; 3]> {
+        let level = if last { self.levels.len() - 1 } else { 0 };
+        let of = |t: &[u32; 3]| t.map(|i| self.node(level, i as usize) as u32);
+        let outward = |[a, b, c]: [u32; 3]| if last { [a, b, c] } else { [a, c, b] };
+        self.section.triangles.iter().map(|t| outward(of(t))).collect()
+    }
+
+    /// A third of the area of every triangle at each of its nodes [m²].
+    fn shared_areas(&self, triangles: &[[u32; 3]]) -> Vec<f64> {
+        let mut areas = vec![0.0; self.node_count()];
+        for t in triangles {
+            let [p, q, r] = t.map(|node| self.position(node as usize));
+            let normal = cross([0, 1, 2].map(|k| q[k] - p[k]), [0, 1, 2].map(|k| r[k] - p[k]));
+            t.iter().for_each(|&node| areas[node as usize] += libm::sqrt(dot(normal, normal)) / 6.0);
+        }
+        areas
+    }
+
+    /// Depth of a node below the nearer end of the path, or on stations below the skin if that is nearer [m].
+    pub fn depth(&self, node: usize) -> f64 {
+        let (level, i) = (node / self.nodes_per_level(), node % self.nodes_per_level());
+        let z = self.levels[level];
+        let below_ends = z.min(self.thickness() - z) * self.path.column(i);
+        let Path::Stations(stations) = &self.path else { return below_ends };
+        let section = &stations[level].section;
+        let rim = Outline { points: self.section.rim().iter().map(|&i| section.points[i as usize]).collect() };
+        below_ends.min(rim.distance_to(section.points[i]))
+    }
+}
