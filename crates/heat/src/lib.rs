@@ -1,9 +1,10 @@
 //! Meshes of bodies and heat conduction on them, independent of food.
 //!
 //! A body is a cross-section swept along a path in levels ([`SweptMesh`]), Voronoi cells inside a closed surface
-//! ([`CellMesh`]), or a product of axes ([`conduction::tensor::TensorBody`]). Linear shape functions with lumped mass give
-//! every edge a conductance and every node a control volume, so a time step is a sum over edges ([`Conduction`]). It conserves
-//! energy to rounding and satisfies the maximum principle up to [`Conduction::stable_step`]. All quantities are in SI units.
+//! ([`CellMesh`]), either of both ([`BodyMesh`]), or a product of axes ([`conduction::tensor::TensorBody`]). Linear
+//! shape functions with lumped mass give every edge a conductance and every node a control volume, so a time step is a
+//! sum over edges ([`Conduction`]). It conserves energy to rounding and satisfies the maximum principle up to
+//! [`Conduction::stable_step`]. All quantities are in SI units.
 //!
 //! A slab between two temperatures, compared with the exact series:
 //!
