@@ -9,7 +9,6 @@ use crate::mesh::swept::SweptMesh;
 /// The mesh of a body: a swept cross-section, or Voronoi cells inside a closed surface.
 #[expect(clippy::large_enum_variant, reason = "a model holds one mesh; the swept kind needs no indirection")]
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "one mesh per model, behind an `Arc`: a box would only add an indirection")]
 pub enum BodyMesh {
     /// A cross-section swept along a path in levels.
     Swept(SweptMesh),
