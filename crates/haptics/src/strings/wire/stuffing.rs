@@ -1,4 +1,4 @@
-//! Frames on a byte stream: consistent-overhead byte stuffing (COBS, Cheshire & Baker 1999 [@cheshire-baker-1999]),
+//! Frames on a byte stream: consistent-overhead byte stuffing (COBS, Cheshire & Baker 1999 `[@cheshire-baker-1999]`),
 //! each frame terminated by a zero.
 
 use super::frame::FRAME;
