@@ -67,7 +67,7 @@ pub(crate) fn wgsl() -> String {
 }
 
 /// Colour of daylight of a colour temperature from 4000 to 25 000 K, of luminance 1 [linear sRGB] (CIE 15:2018
-/// `[@cie-15-2018]` `[@cie-15-2018]`, 4.1.2).
+/// `[@cie-15-2018]`, 4.1.2).
 fn daylight(kelvin: f32) -> Vec3 {
     let t = 1000.0 / kelvin;
     let x = if kelvin <= 7000.0 {

@@ -99,7 +99,7 @@ fn mix([a, b, c]: [DVec3; 3], w: [f64; 3]) -> DVec3 {
 ///
 /// Coordinates are exactly 0 for the corners off the vertex or edge with that point, by which [`DepthFinder`] selects the
 /// pseudonormal; the nearest-point functions of geometry crates return rounded ones. Source: Ericson, Real-Time
-/// Collision `[@ericson-2005]` Detection (2005) `[@ericson-2005]`, section 5.1.5.
+/// Collision Detection (2005) `[@ericson-2005]`, section 5.1.5.
 fn closest([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
     let (ab, ac, ap) = (b - a, c - a, p - a);
     let (d1, d2) = (ab.dot(ap), ac.dot(ap));
