@@ -1,4 +1,4 @@
-//! One tick of a piece of food between given surroundings.
+//! Time integration of a piece of food: one tick with given surroundings.
 
 use saute_heat::Conduction;
 
@@ -12,85 +12,86 @@ use crate::water::air_film::{AirFilm, FreeAir, HOTTEST_WET};
 use crate::water::juice::Runoff;
 use crate::water::vapour::latent_heat;
 
-/// Nodes above this may boil [K].
+/// Temperature above which a node is checked for boiling [K] (chosen: 1 K below the boiling point of water).
 const NEARLY_BOILING: f64 = 372.15;
-/// Ticks between two refreshes of properties, proteins, browning and juice (chosen: half a second).
+/// Ticks between two refreshes of properties, proteins, browning and juice [-] (chosen: half a second).
 pub const REFRESH_TICKS: u64 = 5;
-/// Ticks between two refreshes of the conductances (chosen: a second, in which conductivity changes by less than a percent
-/// but in a crust that is just drying).
+/// Ticks between two refreshes of the conductances [-] (chosen: one second; conductivity changes by less than 1 % in it,
+/// except in a crust that is drying).
 const CONDUCTION_TICKS: u64 = 2 * REFRESH_TICKS;
-/// Ticks between two refreshes of the shape (chosen: two seconds, in which it changes by less than a thousandth).
+/// Ticks between two refreshes of the shape [-] (chosen: two seconds; lengths change by less than 0.1 % in it).
 const SHAPE_TICKS: u64 = 20;
-/// Most steps a tick is divided into (chosen: reached by layers of a few nanometres).
+/// Largest number of steps in a tick [-] (chosen: only layers of a few nanometres reach it).
 const MOST_SUBSTEPS: f64 = 4.0e9;
-/// Share of the stability limit that a step may use: properties are up to half a second old [-].
+/// Share of the stability limit that a step may use [-] (chosen: properties are up to half a second old).
 const STABILITY_MARGIN: f64 = 0.8;
 
-/// What a patch touches.
+/// Contact of a patch with a surface, such as a pan or a board.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Touch {
-    /// Contact conductance [W/(m²·K)]; 0 where the patch is free.
+    /// Contact conductance [W/(m²·K)]; 0 without contact.
     pub conductance: f64,
-    /// Temperature of what it touches [K].
+    /// Temperature of the touched surface [K].
     pub temperature: f64,
 }
 
 impl Touch {
-    /// A patch that is closed to the air by something that passes no heat here: what passes is reckoned elsewhere.
+    /// A contact that seals the patch from the air and conducts no heat; its heat flow is computed elsewhere.
     pub const CLOSED: Self = Self { conductance: f64::MIN_POSITIVE, temperature: 0.0 };
 }
 
-/// Everything around a piece during one tick.
+/// Surroundings of a piece during one tick: contacts and air.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings<'a> {
-    /// What the patches touch, in their order; patches beyond its end are free.
+    /// Contact of each patch, in the order of the patches; patches beyond its end have no contact.
     pub touch: &'a [Touch],
-    /// Airs before free patches; each patch names its own.
+    /// Air zones; [`Patch::air`] is the index of the zone in front of a patch.
     pub air: &'a [FreeAir],
 }
 
-/// What passed between a piece and its surroundings in one tick; heat taken from contacts is in
-/// [`FoodSolver::contact_heat`].
+/// Heat and mass exchanged between a piece and its surroundings in one tick.
+///
+/// [`FoodSolver::contact_heat`] holds the heat that came from contacts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Exchange {
-    /// Heat given to air and walls [J].
+    /// Heat lost to air and walls by convection and radiation [J].
     pub air: f64,
-    /// Vapour given off [kg].
+    /// Mass of evaporated water [kg].
     pub evaporated: f64,
-    /// Enthalpy of that vapour above liquid water at 0 °C [J].
+    /// Enthalpy of the evaporated water above liquid water at 0 °C [J].
     pub evaporation: f64,
-    /// Juice that ran off.
+    /// Juice that ran off the piece.
     pub drip: Runoff,
-    /// Fat that ran off.
+    /// Fat that ran off the piece.
     pub rendered: Runoff,
 }
 
-/// Scratch space and cached properties of one piece.
+/// Time integrator of one piece, with cached properties and scratch space.
 #[derive(Clone, Debug, Default)]
 pub struct FoodSolver {
     conduction: Conduction,
-    /// Conductivity across and along the fibres times the stretches [W/(m·K)].
+    /// Conductivity across and along the fibres, times the stretch ratios [W/(m·K)].
     conductivity: [Vec<f64>; 2],
-    /// Heat capacity [J/K] and one over it.
+    /// Heat capacity of each node [J/K] and its reciprocal [K/J].
     capacity: Vec<f64>,
     per_capacity: Vec<f64>,
     power: Vec<f64>,
-    /// Exchange of each patch with air, while it is free.
+    /// Exchange of each patch with air, used while it has no contact.
     films: Vec<AirFilm>,
     hot: Vec<u32>,
-    /// The last state in which everything was finite.
+    /// The last state without a non-finite value.
     sound: Option<FoodState>,
-    /// Heat taken from what each patch touches in the last tick [J].
+    /// Heat gained by each patch from its contact in the last tick [J].
     pub contact_heat: Vec<f64>,
-    /// Steps into which the last tick was divided.
+    /// Number of steps in the last tick [-].
     pub substeps: u32,
 }
 
 impl FoodSolver {
-    /// Moves a piece through one tick of `dt` [s].
+    /// Advances a piece by one tick of `dt` [s] and returns the exchanged heat and mass.
     ///
-    /// A piece that becomes non-finite goes back to its last sound state (at most [`REFRESH_TICKS`] old), stops
-    /// changing and says so by [`FoodState::healthy`].
+    /// After a non-finite value the piece returns to its last finite state (at most [`REFRESH_TICKS`] old). It no longer
+    /// changes, and [`FoodState::healthy`] is false.
     pub fn advance(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64) -> Exchange {
         let mut total = Exchange::default();
         self.contact_heat.clear();
@@ -107,7 +108,7 @@ impl FoodSolver {
                 model.shrink(state);
             }
         }
-        // A solver that has seen nothing of the piece as it is now looks at once.
+        // A new solver, or one for a piece that was cut, has no films yet.
         if due || self.films.len() != model.shape.patches.len() {
             self.refresh(model, state, dt);
             self.refresh_films(model, state, around);
@@ -128,12 +129,12 @@ impl FoodSolver {
         total
     }
 
-    /// Heat capacity of a node [J/K]; none before the first tick.
+    /// Returns the heat capacity of a node [J/K], or none before the first tick.
     pub fn capacity(&self, node: usize) -> Option<f64> {
         self.capacity.get(node).copied()
     }
 
-    /// Gives a node heat from outside of any tick [J].
+    /// Adds heat to a node between two ticks [J].
     pub fn give(&self, state: &mut FoodState, node: usize, heat: f64) {
         if let Some(per_capacity) = self.per_capacity.get(node) {
             state.enthalpy[node] += heat;
@@ -141,7 +142,7 @@ impl FoodSolver {
         }
     }
 
-    /// Brings temperatures, capacities and the number of steps up to date.
+    /// Refreshes temperatures, capacities and the number of steps.
     fn refresh(&mut self, model: &FoodModel, state: &mut FoodState, dt: f64) {
         let n = state.temperature.len();
         for field in [&mut self.capacity, &mut self.per_capacity, &mut self.power] {
@@ -163,7 +164,7 @@ impl FoodSolver {
         self.substeps = libm::ceil(dt / limit).clamp(1.0, MOST_SUBSTEPS) as u32;
     }
 
-    /// Brings conductances up to date.
+    /// Refreshes the conductances.
     fn refresh_conduction(&mut self, model: &FoodModel, state: &FoodState) {
         let n = state.temperature.len();
         self.conductivity.iter_mut().for_each(|k| k.resize(n, 0.0));
@@ -175,7 +176,7 @@ impl FoodSolver {
             let wet = model.properties.conductivity(&model.masses(state, i), state.temperature[i]);
             let moist = (state.water[i] / (driest * model.tissue.initial_water[i])).min(1.0);
             let conductivity = crust + moist * (wet - crust);
-            // Area over length: height across the fibres, area over height along them.
+            // Conductance scales with area over length: with the height across the fibres, with area over height along them.
             let axial = state.stretch.axial[i];
             self.conductivity[0][i] = across * conductivity * axial;
             self.conductivity[1][i] = conductivity * area / axial;
@@ -187,7 +188,7 @@ impl FoodSolver {
         });
     }
 
-    /// Remembers a sound state; puts the remembered one in place of an unsound one. Returns whether all is well.
+    /// Stores a finite state, or restores the stored one; returns true if the state was finite.
     fn keep_or_restore(&mut self, state: &mut FoodState) -> bool {
         let sound = state.temperature.iter().chain(&state.water).all(|v| v.is_finite());
         match &mut self.sound {
@@ -206,11 +207,11 @@ impl FoodSolver {
         self.contact_heat.fill(0.0);
     }
 
-    /// One step: conduction, exchange with the surroundings, boiling, each exact about energy.
+    /// One step: conduction, exchange with the surroundings, boiling; each conserves energy exactly.
     ///
-    /// Conduction is explicit within its stability limit; exchange is implicit in the node's own temperature and comes
-    /// after conduction, so that both balance in a steady state: T ← (C T + Δt (P + G T₀)) / (C + Δt G). Neither
-    /// leaves the range of the temperatures it couples.
+    /// Conduction is explicit within its stability limit. Exchange is implicit in the node's own temperature and follows
+    /// conduction, so that both balance in a steady state: T ← (C T + Δt (P + G T₀)) / (C + Δt G). Both obey the maximum
+    /// principle.
     fn step(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64, total: &mut Exchange) {
         self.power.fill(0.0);
         self.conduction.add_power(model.shape.mesh.graph(), &state.temperature, &mut self.power);
@@ -224,7 +225,7 @@ impl FoodSolver {
         self.boil(model, state, total);
     }
 
-    /// Heat and vapour through every patch: from what it touches, or with the air.
+    /// Exchanges heat through each patch with its contact, or heat and vapour with the air.
     fn exchange_patches(
         &mut self,
         model: &FoodModel,
@@ -240,19 +241,19 @@ impl FoodSolver {
                     let heat = self.exchange(state, patch.node as usize, conductance, touch.temperature);
                     self.contact_heat[i] += heat;
                 }
-                _ => self.breathe(state, patch, &self.films[i], &around.air[patch.air], dt, total),
+                _ => self.exchange_air(state, patch, &self.films[i], &around.air[patch.air], dt, total),
             }
         }
     }
 
-    /// Convection, radiation and evaporation of each patch, linearised about its present state.
+    /// Refreshes convection, radiation and evaporation of each patch, linearised about its present state.
     fn refresh_films(&mut self, model: &FoodModel, state: &FoodState, around: &Surroundings) {
         self.films.clear();
         let film = |patch: &Patch| AirFilm::of(model, state, patch, &around.air[patch.air]);
         self.films.extend(model.shape.patches.iter().map(film));
     }
 
-    /// Brings a node towards `outside` through a conductance times time [J/K], implicitly; returns the heat gained [J].
+    /// Exchanges heat with `outside` [K] implicitly, through conductance × time [J/K]; returns the heat gained [J].
     #[inline]
     fn exchange(&self, state: &mut FoodState, node: usize, conductance: f64, outside: f64) -> f64 {
         let capacity = self.capacity[node];
@@ -262,9 +263,9 @@ impl FoodSolver {
         capacity * change
     }
 
-    /// A free patch exchanges heat and vapour with the air for `dt` [s].
+    /// Exchanges heat and vapour of a patch with the air for `dt` [s] (Robin boundary).
     #[inline]
-    fn breathe(
+    fn exchange_air(
         &self,
         state: &mut FoodState,
         patch: &Patch,
@@ -276,7 +277,7 @@ impl FoodSolver {
         let node = patch.node as usize;
         total.air -= self.exchange(state, node, film.heat * dt, air.temperature);
         let density = film.density + film.slope * (state.temperature[node].min(HOTTEST_WET) - film.temperature);
-        // Implicit in the temperature that falls as water leaves: no overshoot below the wet bulb.
+        // Implicit in the temperature, which falls as water evaporates: no overshoot below the wet-bulb temperature.
         let transfer = film.transfer * dt;
         let damped = 1.0 + transfer * film.slope * film.latent / self.capacity[node];
         let mass = (transfer * (density - air.vapour_density) / damped).clamp(0.0, 0.2 * state.water[node]);
@@ -290,8 +291,8 @@ impl FoodSolver {
 
     /// Turns heat above the boiling point into vapour, node by node.
     ///
-    /// As a node dries its boiling point rises (isotherm), so mass and temperature are found together by Newton's
-    /// rule: dm = C (T − T_b) / (L + C · |dT_b/dm|).
+    /// The boiling point of a node rises as it dries (sorption isotherm). Newton's method solves for mass and temperature
+    /// together: dm = C (T − T_b) / (L + C · |dT_b/dm|).
     fn boil(&mut self, model: &FoodModel, state: &mut FoodState, total: &mut Exchange) {
         self.hot.clear();
         self.hot.extend((0u32..).zip(&state.temperature).filter(|(_, t)| **t > NEARLY_BOILING).map(|(i, _)| i));
@@ -316,7 +317,7 @@ impl FoodSolver {
                 state.temperature[i] -= mass * latent / capacity;
                 total.evaporated += mass;
                 total.evaporation += enthalpy;
-                // Where the boiling point stays, one round finds it.
+                // With a constant boiling point one iteration is exact.
                 if slope == 0.0 {
                     break;
                 }
@@ -325,7 +326,7 @@ impl FoodSolver {
     }
 }
 
-/// Area of a patch of the contracted piece [m²].
+/// Returns the area of a patch in the present, contracted shape [m²].
 #[inline]
 pub fn present_area(patch: &Patch, state: &FoodState) -> f64 {
     let lateral = state.stretch.lateral;
@@ -333,7 +334,7 @@ pub fn present_area(patch: &Patch, state: &FoodState) -> f64 {
     patch.area * lateral * height
 }
 
-/// First-order changes, peak temperature, lethality and browning through `dt` [s].
+/// Advances first-order changes, peak temperature, lethality and browning by `dt` [s].
 fn change(model: &FoodModel, state: &mut FoodState, dt: f64) {
     for i in 0..state.temperature.len() {
         let t = state.temperature[i];
@@ -350,7 +351,7 @@ fn change(model: &FoodModel, state: &mut FoodState, dt: f64) {
     }
 }
 
-/// Browning and charring of a node by its rules.
+/// Advances browning and charring of a node by `dt` [s], by the rules of the piece.
 fn brown(model: &FoodModel, state: &mut FoodState, i: usize, dt: f64) {
     let t = state.temperature[i];
     if model.rules == Rules::Paper2013 {

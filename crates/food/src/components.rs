@@ -5,7 +5,7 @@ use serde::Deserialize;
 use crate::ZERO_C;
 use crate::description::{Composition, Confidence, FatMelting};
 
-/// Polynomials a + bT + cT² in T [°C] of one component.
+/// Properties of one component as polynomials a + bT + cT² of the temperature T [°C] (Choi & Okos 1986).
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Component {
@@ -17,13 +17,13 @@ pub struct Component {
     pub density_kg_m3: [f64; 3],
 }
 
-/// The six components of food.
+/// The six components of food: water, protein, fat, carbohydrate, fibre, ash.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Components {
-    /// Where the numbers come from.
+    /// Source of the numbers.
     pub source: String,
-    /// How well they are known.
+    /// Confidence in the numbers.
     pub confidence: Confidence,
     /// Water above 0 °C.
     pub water: Component,
@@ -39,9 +39,9 @@ pub struct Components {
     pub ash: Component,
 }
 
-/// Hottest temperature at which the polynomials hold [°C]; they are held constant beyond.
+/// Upper end of the polynomials' validity [°C]; they are constant beyond.
 const VALID_TO_C: f64 = 150.0;
-/// Coldest [°C].
+/// Lower end of the polynomials' validity [°C]; they are constant beyond.
 const VALID_FROM_C: f64 = -40.0;
 
 fn polynomial(c: &[f64; 3], celsius: f64) -> f64 {
@@ -49,13 +49,16 @@ fn polynomial(c: &[f64; 3], celsius: f64) -> f64 {
     c[0] + c[1] * t + c[2] * t * t
 }
 
-/// Enthalpy, conductivity and density of three pseudo-components (water, lean solids, fat) against temperature.
+/// Tables of enthalpy [J/kg], conductivity [W/(m·K)] and density [kg/m³] of water, lean solids and fat.
+///
+/// The solids are one pseudo-component with the composition of the lean tissue. Valid from −40 to 150 °C; the properties are
+/// constant beyond. Source: Choi & Okos 1986.
 #[derive(Clone, Debug)]
 pub struct Properties {
     rows: Vec<Row>,
 }
 
-/// Properties at one temperature; index 0 water, 1 lean solids, 2 fat.
+/// Properties at one temperature, in the order water, lean solids, fat.
 #[derive(Clone, Copy, Debug, Default)]
 struct Row {
     enthalpy: [f64; 3],
@@ -70,7 +73,7 @@ const COLDEST: i32 = -40;
 const HOTTEST: i32 = 450;
 
 impl Properties {
-    /// Tabulates every kelvin from −40 to 450 °C; enthalpies are zero at 0 °C [J/kg].
+    /// Tabulates the properties every kelvin from −40 to 450 °C; enthalpies are zero at 0 °C.
     pub fn new(components: &Components, lean: &Composition, melting: &FatMelting) -> Self {
         let solids = [
             (&components.protein, lean.protein),
@@ -87,13 +90,13 @@ impl Properties {
 
     #[inline]
     fn cell(&self, temperature: f64) -> (&Row, &Row, f64) {
-        // Beyond both ends the last cell's line goes on, so that enthalpy stays invertible.
+        // Beyond both ends the table is extrapolated linearly, so that enthalpy stays invertible.
         let position = temperature - ZERO_C - f64::from(COLDEST);
         let index = (position.max(0.0) as usize).min(self.rows.len() - 2);
         (&self.rows[index], &self.rows[index + 1], position - index as f64)
     }
 
-    /// Enthalpy above 0 °C [J] and heat capacity [J/K] of the given masses.
+    /// Returns enthalpy above 0 °C [J] and heat capacity [J/K] of the given masses.
     #[inline]
     pub fn enthalpy(&self, masses: &Masses, temperature: f64) -> (f64, f64) {
         let (low, high, share) = self.cell(temperature);
@@ -120,7 +123,9 @@ impl Properties {
         low.enthalpy[2] + share * (high.enthalpy[2] - low.enthalpy[2])
     }
 
-    /// Temperature at which the given masses hold `enthalpy` [K], by Newton's rule from `guess`; exact on the table.
+    /// Returns the temperature at which the given masses hold `enthalpy` [K].
+    ///
+    /// Newton's method from `guess` [K]; exact on the piecewise linear table.
     #[inline]
     pub fn temperature(&self, masses: &Masses, enthalpy: f64, guess: f64) -> f64 {
         let mut t = guess;
@@ -135,7 +140,9 @@ impl Properties {
         t
     }
 
-    /// Thermal conductivity by Maxwell–Eucken, water continuous, solids and fat dispersed [W/(m·K)].
+    /// Thermal conductivity of the given masses [W/(m·K)].
+    ///
+    /// Maxwell–Eucken model with water as the continuous phase, and solids and fat dispersed in it.
     pub fn conductivity(&self, masses: &Masses, temperature: f64) -> f64 {
         let (low, high, share) = self.cell(temperature);
         let volume = |k: usize| {
@@ -181,7 +188,7 @@ fn properties_at(celsius: f64, components: &Components, solids: &[(&Component, f
     }
 }
 
-/// Sums cp (and the heat of melting) from kelvin to kelvin by the midpoint rule, then shifts to zero at 0 °C.
+/// Integrates the specific heat and the heat of melting from kelvin to kelvin by the midpoint rule; zero at 0 °C.
 fn integrate_enthalpy(
     rows: &mut [Row],
     components: &Components,

@@ -3,14 +3,15 @@
 use crate::mesh::outline::Outline;
 use crate::mesh::section::{MeshError, Section};
 
-/// One place of a path: the cross-section as it stands there, in a plane of space.
+/// Station of a path: the cross-section at one place, in a plane of space.
 #[derive(Clone, Debug)]
 pub struct Station {
-    /// Where the section's origin lies [m].
+    /// Position of the section's origin [m].
     pub centre: [f64; 3],
     /// Unit vectors along which the section's two coordinates run; their cross product points along the path [-].
     pub across: [[f64; 3]; 2],
-    /// The section here: the same nodes at other points, triangulated anew, so that no in-plane conductance is negative.
+    /// The section at the station: the same nodes at other points, with a triangulation of its own, so that no in-plane
+    /// conductance is negative.
     pub section: Section,
 }
 
@@ -40,13 +41,14 @@ impl Station {
         Self::new(section, centre, across, points)
     }
 
-    /// Where a point of the section's plane lies in space [m].
+    /// Returns the position in space of a point of the section's plane [m].
     pub fn place(&self, [x, y]: [f64; 2]) -> [f64; 3] {
         let [a, b] = &self.across;
         [0, 1, 2].map(|k| self.centre[k] + x * a[k] + y * b[k])
     }
 
-    /// Coordinates of a point of space in the section's plane, and how far it stands before it along the path [m].
+    /// Returns the coordinates of a point of space in the section's plane, and its distance from that plane along the path
+    /// [m].
     pub fn coordinates(&self, p: [f64; 3]) -> [f64; 3] {
         let from = [0, 1, 2].map(|k| p[k] - self.centre[k]);
         let [a, b] = &self.across;
@@ -54,27 +56,27 @@ impl Station {
     }
 }
 
-/// The way of a section through a body.
+/// Path along which a section is swept.
 #[derive(Clone, Debug, Default)]
 pub enum Path {
-    /// Straight up z, the section unchanged.
+    /// Straight along z, with a constant section.
     #[default]
     Straight,
-    /// Straight up z; each column of nodes has its own height over the mean one [-].
+    /// Straight along z; the height of each column of nodes relative to the mean [-].
     Uneven(Vec<f64>),
     /// A station for each level.
     Stations(Vec<Station>),
 }
 
 impl Path {
-    /// Columns whose heights differ by `variation` about the mean of 1 over the section, however it was centred [-].
+    /// Builds a path with column heights 1 + `variation`, shifted so that their mean over the section is 1 [-].
     pub fn uneven(section: &Section, variation: impl Fn([f64; 2]) -> f64) -> Self {
         let raw: Vec<f64> = section.points.iter().map(|p| variation(*p)).collect();
         let mean = raw.iter().zip(&section.areas).map(|(v, a)| v * a).sum::<f64>() / section.area();
         Self::Uneven(raw.into_iter().map(|v| 1.0 + v - mean).collect())
     }
 
-    /// Height of a column over the mean one [-].
+    /// Height of a column relative to the mean [-].
     pub fn column(&self, i: usize) -> f64 {
         match self {
             Self::Uneven(columns) => columns[i],

@@ -6,17 +6,19 @@ use crate::mesh::locate::Locator;
 use crate::mesh::path::{Path, Station, cross, distance, dot};
 use crate::mesh::section::Section;
 
-/// Least share of the way between two nodes that counts as along the path [-] (chosen: reached by folded paths alone).
+/// Least run along the path, relative to the distance between two nodes [-] (chosen: only folded paths reach it).
 const SLIVER: f64 = 1e-3;
 
-/// A swept body: node `level · n + i` is node `i` of the section at `level` of the path.
+/// Mesh of a cross-section swept along a path in layers.
+///
+/// Node `level · n + i` is node `i` of the section at `level` of the path.
 #[derive(Clone, Debug)]
 pub struct SweptMesh {
-    /// The cross-section that is carried along.
+    /// The cross-section.
     pub section: Section,
     /// Distances of the layers along the path, ascending from 0; heights where it is straight [m].
     pub levels: Vec<f64>,
-    /// The way of the section.
+    /// Path along which the section is swept.
     pub path: Path,
     /// Lumped volumes and edge shapes.
     pub graph: Graph,
@@ -24,20 +26,19 @@ pub struct SweptMesh {
 }
 
 impl SweptMesh {
-    /// Builds volumes and edges under the shape functions: in-plane cotangent weight × layer height, along the path node
-    /// area ÷ spacing.
+    /// Builds a straight mesh by linear shape functions: cotangent weight × layer height in the plane, node area ÷ spacing
+    /// along the path.
     pub fn new(section: Section, levels: Vec<f64>) -> Self {
         Self::with_rule(section, levels, Rule::ShapeFunctions)
     }
 
-    /// Builds volumes and edges under a rule. Segments run along every side of every triangle, in every layer, and along
-    /// the path.
+    /// Builds a straight mesh by a rule. Segments follow every side of every triangle in every layer, and the path.
     pub fn with_rule(section: Section, levels: Vec<f64>, rule: Rule) -> Self {
         Self::upright(section, levels, Path::Straight, rule)
     }
 
-    /// As [`Self::with_rule`], with a height of its own for each column: volumes and in-plane conductances grow with it,
-    /// those along the path fall. Slopes are gentle: areas of the faces are those of the flat section.
+    /// As [`Self::with_rule`], with an individual height of each column. Volumes and in-plane conductances grow with the
+    /// height, conductances along the path fall. Valid for gentle slopes: face areas are those of the flat section.
     pub fn uneven(section: Section, levels: Vec<f64>, variation: impl Fn([f64; 2]) -> f64, rule: Rule) -> Self {
         let path = Path::uneven(&section, variation);
         Self::upright(section, levels, path, rule)
@@ -52,9 +53,11 @@ impl SweptMesh {
         mesh
     }
 
-    /// Carries a section along stations. A node's volume is that of the frusta of its own areas and its own runs to the
-    /// levels beside it; along the path it conducts by the geometric mean of its areas over the run (exact for sections
-    /// of a cone in series), in its plane by the cotangent weights of the section as it stands there times its height.
+    /// Sweeps a section along stations.
+    ///
+    /// The volume of a node is that of the frusta between its areas, over its runs to the adjacent levels. Along the path
+    /// the conductance is the geometric mean of the areas over the run, which is exact for cones in series. In the plane it
+    /// is the cotangent weight of the station's section times the height of the node.
     pub fn along(section: Section, path: Vec<Station>, rule: Rule) -> Self {
         let mut levels = vec![0.0];
         for (level, pair) in path.windows(2).enumerate() {
@@ -123,7 +126,7 @@ impl SweptMesh {
         graph
     }
 
-    /// Distance between two nodes of one level [m]; where the path is straight, that of the section.
+    /// Distance between two nodes of one level [m]; along a straight path that in the section.
     fn length(&self, a: usize, b: usize) -> f64 {
         if let Path::Straight = self.path {
             let n = self.nodes_per_level();
@@ -133,8 +136,8 @@ impl SweptMesh {
         distance(self.position(a), self.position(b))
     }
 
-    /// How far along the path node `i` of a level is from the same node of the next [m]; where the section tapers, less
-    /// than the slanted way between them.
+    /// Distance along the path from node `i` of a level to the same node of the next level [m]; in a tapering section it is
+    /// shorter than the slanted distance.
     pub fn run(&self, level: usize, i: usize) -> f64 {
         let Path::Stations(stations) = &self.path else {
             return (self.levels[level + 1] - self.levels[level]) * self.path.column(i);
@@ -143,7 +146,7 @@ impl SweptMesh {
         let [a, b] = [level, level + 1].map(|l| cross(stations[l].across[0], stations[l].across[1]));
         let along = [0, 1, 2].map(|k| a[k] + b[k]);
         let way = [0, 1, 2].map(|k| q[k] - p[k]);
-        // A path so sharply bent that it folds keeps a sliver: no volume or conductance is negative.
+        // A lower limit keeps volumes and conductances of a folded path positive.
         (dot(way, along) / libm::sqrt(dot(along, along))).max(SLIVER * libm::sqrt(dot(way, way)))
     }
 
@@ -198,12 +201,12 @@ impl SweptMesh {
         a.abs_diff(b) == self.section.points.len()
     }
 
-    /// Nodes in one level.
+    /// Number of nodes in one level [-].
     pub fn nodes_per_level(&self) -> usize {
         self.section.points.len()
     }
 
-    /// All nodes.
+    /// Number of nodes [-].
     pub fn node_count(&self) -> usize {
         self.section.points.len() * self.levels.len()
     }
@@ -223,7 +226,7 @@ impl SweptMesh {
         layer_heights(&self.levels)
     }
 
-    /// The section as it stands at a level.
+    /// The section at a level.
     pub fn section_at(&self, level: usize) -> &Section {
         match &self.path {
             Path::Stations(stations) => &stations[level].section,
