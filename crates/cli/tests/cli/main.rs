@@ -3,6 +3,7 @@
 // A test that fails at an unwrap names its line.
 #![allow(clippy::unwrap_used)]
 
+mod architecture;
 mod cook;
 mod haptics;
 mod layers;
