@@ -25,8 +25,6 @@ impl Standing {
 }
 
 impl FoodModel {
-    /// Present height of a column of a slice above its lowest level, level by level [m].
-
     /// Present mean thickness, or of a curved body the height as it lies on its side [m].
     pub fn thickness(&self, state: &FoodState) -> f64 {
         let Layout::Upright(mesh) = self.shape.mesh.layout() else {

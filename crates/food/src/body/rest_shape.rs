@@ -40,7 +40,7 @@ impl RestShape {
         let surface = mesh.swept().map(|swept| Surface::of(swept, &patches)).unwrap_or_default();
         let mut shape = Self {
             contracts: contracts && rules == Rules::Full,
-            middle_cut: mesh.cells().map(|cells| middle_cut(cells)).unwrap_or_default(),
+            middle_cut: mesh.cells().map(middle_cut).unwrap_or_default(),
             rest_normals: Vec::new(),
             halving: None,
             mesh,

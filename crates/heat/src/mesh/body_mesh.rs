@@ -12,7 +12,7 @@ pub enum BodyMesh {
     /// A cross-section carried along a path in layers.
     Swept(SweptMesh),
     /// Cells inside a closed surface.
-    Cells(Box<CellMesh>),
+    Cells(CellMesh),
 }
 
 /// The three layouts of a body mesh, borrowed; a `match` handles every one.
@@ -150,6 +150,6 @@ impl From<SweptMesh> for BodyMesh {
 
 impl From<CellMesh> for BodyMesh {
     fn from(cells: CellMesh) -> Self {
-        Self::Cells(Box::new(cells))
+        Self::Cells(cells)
     }
 }

@@ -88,9 +88,9 @@ fn natural_variation_keeps_the_mean_thickness() {
         for model in &models {
             let state = FoodState::raw(model, ZERO_C + 5.0);
             assert!((model.thickness(&state) / size[2] - 1.0).abs() < 1e-9);
-            assert!((volume(model) / (swept_mesh(&model).section.area() * size[2]) - 1.0).abs() < 1e-9);
+            assert!((volume(model) / (swept_mesh(model).section.area() * size[2]) - 1.0).abs() < 1e-9);
             let columns: Vec<f64> =
-                (0..swept_mesh(&model).nodes_per_level()).map(|i| swept_mesh(&model).path.column(i)).collect();
+                (0..swept_mesh(model).nodes_per_level()).map(|i| swept_mesh(model).path.column(i)).collect();
             let low = columns.iter().copied().fold(f64::INFINITY, f64::min);
             let high = columns.iter().copied().fold(0.0, f64::max);
             assert!(high - low > 0.008 && low > 0.94 && high < 1.06, "{low} {high}");

@@ -13,7 +13,7 @@ fn uniform(changed: [f64; 4], water: f64) -> (f64, f64, f64) {
     }
     state.water.iter_mut().for_each(|w| *w *= water);
     steak.shrink(&mut state);
-    (state.stretch.lateral, steak.thickness(&state) / swept_mesh(&steak).thickness(), steak.relative_volume(&state))
+    (state.stretch.lateral, steak.thickness(&state) / swept_mesh(steak).thickness(), steak.relative_volume(&state))
 }
 
 #[test]
@@ -59,7 +59,7 @@ fn the_volume_lost_is_that_of_water_and_fat() {
     // Dried crust keeps pores: a little less than all of it.
     assert!(lost < 1.01 * (water + fat) && lost > 0.85 * (water + fat), "{lost} of {}", water + fat);
     let thinner =
-        model.thickness(state) * state.stretch.lateral * state.stretch.lateral / swept_mesh(&model).thickness();
+        model.thickness(state) * state.stretch.lateral * state.stretch.lateral / swept_mesh(model).thickness();
     assert!((thinner / model.relative_volume(state) - 1.0).abs() < 0.02, "{thinner}");
 }
 
