@@ -1,4 +1,4 @@
-//! The mesh of a body, whichever way it was made, and the queries that every mesh answers.
+//! The mesh of a body of either kind, with the queries that both kinds answer.
 
 use crate::conduction::graph::Graph;
 use crate::mesh::cells::CellMesh;
@@ -6,28 +6,29 @@ use crate::mesh::path::Station;
 use crate::mesh::probe::Probe;
 use crate::mesh::swept::SweptMesh;
 
-/// Mesh of a body: a cross-section swept along a path, or cells inside a closed surface.
+/// The mesh of a body: a swept cross-section, or Voronoi cells inside a closed surface.
+#[expect(clippy::large_enum_variant, reason = "a model holds one mesh; the swept kind needs no indirection")]
 #[derive(Clone, Debug)]
 pub enum BodyMesh {
-    /// A cross-section carried along a path in layers.
+    /// A cross-section swept along a path in levels.
     Swept(SweptMesh),
-    /// Cells inside a closed surface.
-    Cells(CellMesh),
+    /// Voronoi cells inside a closed surface.
+    Cells(Box<CellMesh>),
 }
 
-/// The three layouts of a body mesh, borrowed; a `match` handles every one.
+/// A borrowed body mesh by its layout.
 #[derive(Clone, Copy, Debug)]
 pub enum Layout<'a> {
-    /// A section carried straight up: a slice.
+    /// A section swept straight up: a slice.
     Upright(&'a SweptMesh),
-    /// A section carried along stations.
+    /// A section swept along stations.
     Along(&'a SweptMesh, &'a [Station]),
-    /// Cells inside a closed surface.
+    /// Voronoi cells inside a closed surface.
     Cells(&'a CellMesh),
 }
 
 impl BodyMesh {
-    /// The layout of the mesh.
+    /// Returns the layout of the mesh.
     #[inline]
     pub fn layout(&self) -> Layout<'_> {
         match self {
@@ -36,7 +37,7 @@ impl BodyMesh {
         }
     }
 
-    /// The swept mesh; none where the body is made of cells.
+    /// Returns the swept mesh, or `None` for a body of cells.
     #[inline]
     pub fn swept(&self) -> Option<&SweptMesh> {
         match self {
@@ -45,7 +46,7 @@ impl BodyMesh {
         }
     }
 
-    /// The cells; none where the body is swept.
+    /// Returns the cell mesh, or `None` for a swept body.
     #[inline]
     pub fn cells(&self) -> Option<&CellMesh> {
         match self {
@@ -54,13 +55,13 @@ impl BodyMesh {
         }
     }
 
-    /// Returns true if the body is a slice: its section carried straight up.
+    /// Returns true if the body is a slice: a section swept straight up.
     #[inline]
     pub fn is_slice(&self) -> bool {
         matches!(self.layout(), Layout::Upright(_))
     }
 
-    /// Lumped volumes and edge shapes.
+    /// Returns the lumped volumes [m³] and edge shapes [m].
     #[inline]
     pub fn graph(&self) -> &Graph {
         match self {
@@ -69,7 +70,7 @@ impl BodyMesh {
         }
     }
 
-    /// Lumped volumes and edge shapes, to be changed where a border or a cut lowers a conductance.
+    /// Returns the lumped volumes [m³] and edge shapes [m] for modification, as where a cut lowers a conductance.
     #[inline]
     pub fn graph_mut(&mut self) -> &mut Graph {
         match self {
@@ -78,13 +79,13 @@ impl BodyMesh {
         }
     }
 
-    /// Lumped volume of each node [m³].
+    /// Returns the lumped volume of each node [m³].
     #[inline]
     pub fn volumes(&self) -> &[f64] {
         &self.graph().volume
     }
 
-    /// Number of nodes.
+    /// Returns the number of nodes.
     #[inline]
     pub fn node_count(&self) -> usize {
         match self {
@@ -93,7 +94,9 @@ impl BodyMesh {
         }
     }
 
-    /// Position of a node [m]: of a slice from the bottom centre, else about the centre of the body.
+    /// Returns the position of a node [m].
+    ///
+    /// The origin is the bottom centre of a slice, otherwise the centre of the body.
     #[inline]
     pub fn position(&self, node: usize) -> [f64; 3] {
         match self {
@@ -102,7 +105,7 @@ impl BodyMesh {
         }
     }
 
-    /// Depth of a node: below the nearer face of a slice, else below the skin [m].
+    /// Returns the depth of a node below the nearer face of a slice, otherwise below the surface [m].
     pub fn depth(&self, node: usize) -> f64 {
         match self {
             Self::Swept(mesh) => mesh.depth(node),
@@ -110,7 +113,7 @@ impl BodyMesh {
         }
     }
 
-    /// Distance of the first nodes below the surface from it [m].
+    /// Returns the depth of the first nodes below the surface [m].
     pub fn first_layer(&self) -> f64 {
         match self {
             Self::Swept(mesh) => mesh.first_layer(),
@@ -127,7 +130,7 @@ impl BodyMesh {
         }
     }
 
-    /// Returns the probe at a point of the mesh's frame [m], or none outside the body.
+    /// Returns the probe at a point of the mesh's frame [m], or `None` outside the body.
     pub fn probe(&self, p: [f64; 3]) -> Option<Probe> {
         match self {
             Self::Swept(mesh) => mesh.place_of(p).map(|(found, z)| mesh.probe_at(&found, z)),
@@ -135,8 +138,19 @@ impl BodyMesh {
         }
     }
 
-    /// Returns the value of a node field at a point of the mesh's frame [m], or none outside the body; in the unit of
-    /// the field.
+    /// Returns the value of a node field at a point of the mesh's frame, in the unit of the field; `None` outside the body.
+    ///
+    /// ```
+    /// use saute_heat::{BodyMesh, Outline, Section, SweptMesh, graded_levels};
+    ///
+    /// let section = Section::mesh(&Outline::circle(0.04), 4e-3, 2e-3)?;
+    /// let steak = BodyMesh::from(SweptMesh::new(section, graded_levels(0.02, 1e-3, 1.4, 4e-3)));
+    /// let field_c: Vec<f64> = (0..steak.node_count()).map(|n| 20.0 + 2000.0 * steak.position(n)[2]).collect();
+    /// let at_c = steak.at(&field_c, [0.01, 0.0, 0.005]).unwrap();
+    /// assert!((at_c - 30.0).abs() < 1e-9, "{at_c} °C");
+    /// assert_eq!(steak.at(&field_c, [0.05, 0.0, 0.005]), None);
+    /// # Ok::<(), saute_heat::MeshError>(())
+    /// ```
     pub fn at(&self, field: &[f64], p: [f64; 3]) -> Option<f64> {
         self.probe(p).map(|probe| probe.read(field))
     }
@@ -150,6 +164,6 @@ impl From<SweptMesh> for BodyMesh {
 
 impl From<CellMesh> for BodyMesh {
     fn from(cells: CellMesh) -> Self {
-        Self::Cells(cells)
+        Self::Cells(Box::new(cells))
     }
 }

@@ -1,20 +1,20 @@
-//! A point inside a mesh and the nodes that feed it.
+//! A point inside a mesh, with the nodes and weights that interpolate at it.
 
 use crate::mesh::cells::Weights;
 
-/// A point inside a mesh, prepared for reading node fields by linear weights.
+/// A point inside a mesh, as linear interpolation weights of nodes [-].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Probe {
     /// Between two levels of a swept mesh.
     Levels {
-        /// Corners of the triangle around the point on the lower and on the upper level.
+        /// Nodes of the triangle around the point on the lower and on the upper level.
         nodes: [[u32; 3]; 2],
-        /// Shape functions of the corners [-].
+        /// Linear shape functions of these nodes [-].
         weights: [f64; 3],
-        /// Share of the upper level [-].
+        /// Weight of the upper level [-].
         upper: f64,
     },
-    /// Among the cells of a cell mesh.
+    /// Inside a cell mesh.
     Cells(Weights),
 }
 

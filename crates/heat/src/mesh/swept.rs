@@ -1,24 +1,26 @@
-//! A cross-section carried along a path in layers: prisms with linear shape functions.
+//! A cross-section swept along a path in levels: prisms with linear shape functions and lumped mass.
+
+use glam::DVec3;
 
 use crate::conduction::graph::Graph;
 use crate::conduction::rule::{Rule, segment_shape};
 use crate::mesh::locate::Locator;
-use crate::mesh::path::{Path, Station, cross, distance, dot};
+use crate::mesh::path::{Path, Station};
 use crate::mesh::section::Section;
 
-/// Least run along the path, relative to the distance between two nodes [-] (chosen: only folded paths reach it).
+/// Least component along the path ÷ distance of two successive nodes [-] (chosen: only folded paths reach it).
 const SLIVER: f64 = 1e-3;
 
-/// Mesh of a cross-section swept along a path in layers.
+/// A swept body with lumped volumes [m³] and edge shapes [m].
 ///
-/// Node `level · n + i` is node `i` of the section at `level` of the path.
+/// Node `level · n + i` is node `i` of the section at `level` of the path, with n nodes per level.
 #[derive(Clone, Debug)]
 pub struct SweptMesh {
-    /// The cross-section.
+    /// The swept cross-section.
     pub section: Section,
-    /// Distances of the layers along the path, ascending from 0; heights where it is straight [m].
+    /// Distances of the levels along the path, ascending from 0; heights if it is straight [m].
     pub levels: Vec<f64>,
-    /// Path along which the section is swept.
+    /// The path of the section.
     pub path: Path,
     /// Lumped volumes and edge shapes.
     pub graph: Graph,
@@ -26,24 +28,31 @@ pub struct SweptMesh {
 }
 
 impl SweptMesh {
-    /// Builds a straight mesh by linear shape functions: cotangent weight × layer height in the plane, node area ÷ spacing
-    /// along the path.
+    /// Returns a body swept straight up to the heights `levels` [m], with linear shape functions.
+    ///
+    /// Edge shapes are cotangent weight × layer height in the plane, and lumped area ÷ spacing along the path.
     pub fn new(section: Section, levels: Vec<f64>) -> Self {
         Self::with_rule(section, levels, Rule::ShapeFunctions)
     }
 
-    /// Builds a straight mesh by a rule. Segments follow every side of every triangle in every layer, and the path.
+    /// Returns a body swept straight up to the heights `levels` [m], with a discretisation rule.
+    ///
+    /// Under [`Rule::Segments`] rods run along every side of every triangle, in every level, and along the path.
     pub fn with_rule(section: Section, levels: Vec<f64>, rule: Rule) -> Self {
         Self::upright(section, levels, Path::Straight, rule)
     }
 
-    /// As [`Self::with_rule`], with an individual height of each column. Volumes and in-plane conductances grow with the
-    /// height, conductances along the path fall. Valid for gentle slopes: face areas are those of the flat section.
+    /// Returns a body swept straight up to the mean heights `levels` [m], with a relative height for each column.
+    ///
+    /// Column height ÷ mean height is 1 + `variation` − its mean [-]. Volumes and in-plane conductances are proportional to
+    /// it; conductances along the path are inversely proportional. Valid for gentle slopes: the areas of the faces are those
+    /// of the flat section.
     pub fn uneven(section: Section, levels: Vec<f64>, variation: impl Fn([f64; 2]) -> f64, rule: Rule) -> Self {
         let path = Path::uneven(&section, variation);
         Self::upright(section, levels, path, rule)
     }
 
+    /// Returns a body swept straight up with its graph.
     fn upright(section: Section, levels: Vec<f64>, path: Path, rule: Rule) -> Self {
         let mut mesh = Self::bare(section, levels, path);
         mesh.graph = mesh.upright_graph();
@@ -53,15 +62,16 @@ impl SweptMesh {
         mesh
     }
 
-    /// Sweeps a section along stations.
+    /// Returns a body swept along stations [m].
     ///
-    /// The volume of a node is that of the frusta between its areas, over its runs to the adjacent levels. Along the path
-    /// the conductance is the geometric mean of the areas over the run, which is exact for cones in series. In the plane it
-    /// is the cotangent weight of the station's section times the height of the node.
+    /// The volume of a node is that of the two half frusta between its lumped areas on this and the neighbouring levels. Edge
+    /// shapes along the path are geometric mean of the areas ÷ run, exact for a cone as sections in series; in the plane they
+    /// are cotangent weight of the local section × height of the control volume.
     pub fn along(section: Section, path: Vec<Station>, rule: Rule) -> Self {
         let mut levels = vec![0.0];
         for (level, pair) in path.windows(2).enumerate() {
-            levels.push(levels[level] + distance(pair[0].centre, pair[1].centre));
+            let [a, b] = [&pair[0], &pair[1]].map(|station| DVec3::from(station.centre));
+            levels.push(levels[level] + a.distance(b));
         }
         let mut mesh = Self::bare(section, levels, Path::Stations(path));
         mesh.graph = mesh.station_graph();
@@ -71,24 +81,24 @@ impl SweptMesh {
         mesh
     }
 
-    /// A straight body with volumes and edges of its own, such as a product mesh whose section has no triangles.
+    /// Returns a straight body with a given graph, such as a product mesh whose section has no triangles.
     pub fn with_graph(section: Section, levels: Vec<f64>, graph: Graph) -> Self {
         Self { graph, ..Self::bare(section, levels, Path::Straight) }
     }
 
-    /// A body without volumes and edges.
+    /// Returns a body without volumes and edges.
     fn bare(section: Section, levels: Vec<f64>, path: Path) -> Self {
         let locator = Locator::new(&section);
         Self { section, levels, path, graph: Graph::default(), locator }
     }
 
-    /// Returns true if the section is carried straight up, with even or uneven height: the body is a slice.
+    /// Returns true if the section is swept straight up, with even or uneven height: the body is a slice.
     #[inline]
     pub fn is_upright(&self) -> bool {
         self.stations().is_none()
     }
 
-    /// The stations of the path, one for each level; none where it is straight.
+    /// Returns the stations of the path, one per level, or `None` if it is straight.
     #[inline]
     pub fn stations(&self) -> Option<&[Station]> {
         match &self.path {
@@ -97,11 +107,12 @@ impl SweptMesh {
         }
     }
 
-    /// Smallest distance between two levels [m].
+    /// Returns the smallest distance between two levels [m].
     pub fn first_layer(&self) -> f64 {
         self.levels.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min)
     }
 
+    /// Returns the graph under [`Rule::Segments`] with the volumes of the present one.
     fn segments(&self) -> Graph {
         let n = self.nodes_per_level();
         let mut graph = Graph { volume: self.graph.volume.clone(), ..Graph::default() };
@@ -126,30 +137,31 @@ impl SweptMesh {
         graph
     }
 
-    /// Distance between two nodes of one level [m]; along a straight path that in the section.
+    /// Returns the distance between two nodes of one level; on a straight path, that in the section [m].
     fn length(&self, a: usize, b: usize) -> f64 {
         if let Path::Straight = self.path {
             let n = self.nodes_per_level();
             let (p, q) = (self.section.points[a % n], self.section.points[b % n]);
             return libm::hypot(p[0] - q[0], p[1] - q[1]);
         }
-        distance(self.position(a), self.position(b))
+        DVec3::from(self.position(a)).distance(self.position(b).into())
     }
 
-    /// Distance along the path from node `i` of a level to the same node of the next level [m]; in a tapering section it is
-    /// shorter than the slanted distance.
+    /// Returns the distance along the path from node `i` of a level to the same node of the next [m].
+    ///
+    /// It is the component along the mean direction of both levels, less than the distance if the section tapers.
     pub fn run(&self, level: usize, i: usize) -> f64 {
         let Path::Stations(stations) = &self.path else {
             return (self.levels[level + 1] - self.levels[level]) * self.path.column(i);
         };
-        let [p, q] = [level, level + 1].map(|l| self.position(self.node(l, i)));
-        let [a, b] = [level, level + 1].map(|l| cross(stations[l].across[0], stations[l].across[1]));
-        let along = [0, 1, 2].map(|k| a[k] + b[k]);
-        let way = [0, 1, 2].map(|k| q[k] - p[k]);
-        // A lower limit keeps volumes and conductances of a folded path positive.
-        (dot(way, along) / libm::sqrt(dot(along, along))).max(SLIVER * libm::sqrt(dot(way, way)))
+        let [p, q] = [level, level + 1].map(|l| DVec3::from(self.position(self.node(l, i))));
+        let along = stations[level].along() + stations[level + 1].along();
+        let way = q - p;
+        // The lower limit keeps volumes and conductances positive where a sharply bent path folds.
+        (way.dot(along) / along.length()).max(SLIVER * way.length())
     }
 
+    /// Returns the graph of a body swept straight up.
     fn upright_graph(&self) -> Graph {
         let (n, levels, path) = (self.nodes_per_level(), &self.levels, &self.path);
         let section = &self.section;
@@ -170,6 +182,7 @@ impl SweptMesh {
         graph
     }
 
+    /// Returns the graph of a body swept along stations.
     fn station_graph(&self) -> Graph {
         let (n, last) = (self.nodes_per_level(), self.levels.len() - 1);
         let mut graph = Graph { volume: vec![0.0; self.node_count()], ..Graph::default() };
@@ -201,54 +214,54 @@ impl SweptMesh {
         a.abs_diff(b) == self.section.points.len()
     }
 
-    /// Number of nodes in one level [-].
+    /// Returns the number of nodes per level.
     pub fn nodes_per_level(&self) -> usize {
         self.section.points.len()
     }
 
-    /// Number of nodes [-].
+    /// Returns the number of nodes.
     pub fn node_count(&self) -> usize {
         self.section.points.len() * self.levels.len()
     }
 
-    /// Index of node `i` of the section at `level`.
+    /// Returns the index of node `i` of the section at `level`.
     pub fn node(&self, level: usize, i: usize) -> usize {
         level * self.section.points.len() + i
     }
 
-    /// Mean length of the path [m]; the height of a body that stands upright.
+    /// Returns the length of the path; the mean height of a slice [m].
     pub fn thickness(&self) -> f64 {
         self.levels[self.levels.len() - 1]
     }
 
-    /// Height of the slab of material that belongs to each level [m].
+    /// Returns the height of the control volumes of each level [m].
     pub fn layer_heights(&self) -> Vec<f64> {
         layer_heights(&self.levels)
     }
 
-    /// The section at a level.
+    /// Returns the local section at a level [m].
     pub fn section_at(&self, level: usize) -> &Section {
         match &self.path {
             Path::Stations(stations) => &stations[level].section,
-            _ => &self.section,
+            Path::Straight | Path::Uneven(_) => &self.section,
         }
     }
 
-    /// Area of node `i` of the section at `level` [m²].
+    /// Returns the lumped area of node `i` of the section at `level` [m²].
     pub fn node_area(&self, level: usize, i: usize) -> f64 {
         self.section_at(level).areas[i]
     }
 
-    /// Volume between node `i` of a level and of the next [m³].
+    /// Returns the volume between node `i` of a level and of the next [m³].
     pub fn between(&self, level: usize, i: usize) -> f64 {
         let areas = [self.node_area(level, i), self.node_area(level + 1, i)];
         match self.path {
             Path::Stations(_) => 0.5 * self.run(level, i) * frustum_halves(areas).iter().sum::<f64>(),
-            _ => areas[0] * self.run(level, i),
+            Path::Straight | Path::Uneven(_) => areas[0] * self.run(level, i),
         }
     }
 
-    /// Position of a node [m]: of an upright body from the bottom centre, else in the frame of the stations.
+    /// Returns the position of a node, from the bottom centre of a slice, otherwise in the frame of the stations [m].
     pub fn position(&self, node: usize) -> [f64; 3] {
         let n = self.nodes_per_level();
         let (level, i) = (node / n, node % n);
@@ -260,12 +273,13 @@ impl SweptMesh {
     }
 }
 
-/// Mean areas of the halves of a frustum between two areas [m²].
+/// Returns the mean areas of both halves of a frustum between two areas [m²].
 fn frustum_halves([a, b]: [f64; 2]) -> [f64; 2] {
     let root = 0.5 * (libm::sqrt(a) + libm::sqrt(b));
     [a, b].map(|end| (end + libm::sqrt(end) * root + root * root) / 3.0)
 }
 
+/// Returns the height of the control volumes of each level: half the distance to each neighbour [m].
 fn layer_heights(levels: &[f64]) -> Vec<f64> {
     (0..levels.len())
         .map(|i| {
@@ -282,7 +296,7 @@ mod tests {
     use crate::{graded_levels, outline::Outline};
 
     #[test]
-    fn volumes_and_sides_add_up() {
+    fn volumes_and_side_areas_sum_to_those_of_the_body() {
         let outline = Outline::rectangle(0.04, 0.03);
         let section = Section::mesh(&outline, 2e-3, 1e-3).expect("meshes");
         let mesh = SweptMesh::new(section, graded_levels(0.02, 0.5e-3, 1.3, 2e-3));

@@ -1,4 +1,4 @@
-//! Points inside a swept body: locating them and reading node fields there.
+//! Point location and interpolation inside a swept body.
 
 use crate::mesh::locate::Located;
 use crate::mesh::path::Station;
@@ -6,22 +6,22 @@ use crate::mesh::probe::Probe;
 use crate::mesh::swept::SweptMesh;
 
 impl SweptMesh {
-    /// Returns the triangle of the section that holds a point, or none outside.
+    /// Returns the triangle of the section that contains a point [m], or `None` outside.
     pub fn locate(&self, p: [f64; 2]) -> Option<Located> {
         self.locator.locate(&self.section, p)
     }
 
-    /// Returns the triangle of the section that holds a point, or the nearest node where the point lies outside.
+    /// Returns the triangle of the section that contains a point [m], or the nearest node if the point lies outside.
     pub fn locate_or_nearest(&self, p: [f64; 2]) -> Located {
         self.locator.locate_or_nearest(&self.section, p)
     }
 
-    /// Height of the column through a point of the section over the mean one [-].
+    /// Returns the height of the column through a point of the section ÷ mean height [-].
     pub fn column_at(&self, found: &Located) -> f64 {
         (0..3).map(|k| found.weights[k] * self.path.column(found.nodes[k] as usize)).sum()
     }
 
-    /// Returns the place of a point in the section and its distance along the path [m], or none outside.
+    /// Returns the location of a point in the section and its distance along the path [m], or `None` outside.
     pub fn place_of(&self, p: [f64; 3]) -> Option<(Located, f64)> {
         if let Some(stations) = self.stations() {
             return self.place_among(stations, p);
@@ -31,7 +31,7 @@ impl SweptMesh {
         (0.0..=self.thickness()).contains(&height).then_some((found, height))
     }
 
-    /// Returns the place of a point between stations: its triangle of the section and its distance along the path [m].
+    /// Returns the location of a point between stations: its triangle of the section and its distance along the path [m].
     fn place_among(&self, stations: &[Station], p: [f64; 3]) -> Option<(Located, f64)> {
         for (level, pair) in stations.windows(2).enumerate() {
             let (low, high) = (pair[0].coordinates(p), pair[1].coordinates(p));
@@ -52,14 +52,16 @@ impl SweptMesh {
         None
     }
 
-    /// Prepares to read node fields at a place of the section and a distance `z` along the path [m].
+    /// Returns the probe at a location in the section and a distance `z` along the path [m].
     pub fn probe_at(&self, found: &Located, z: f64) -> Probe {
         let (level, upper) = self.bracket(z);
         let nodes = [level, level + 1].map(|l| found.nodes.map(|i| self.node(l, i as usize) as u32));
         Probe::Levels { nodes, weights: found.weights, upper }
     }
 
-    /// The two levels that bracket a distance along the path and the weight of the upper one [-]; ends are clamped.
+    /// Returns the lower of the two levels that bracket a distance along the path [m], and the weight of the upper one [-].
+    ///
+    /// Distances beyond the ends are clamped.
     pub fn bracket(&self, z: f64) -> (usize, f64) {
         let upper = self.levels.partition_point(|&l| l <= z).clamp(1, self.levels.len() - 1);
         let (low, high) = (self.levels[upper - 1], self.levels[upper]);
@@ -73,7 +75,7 @@ mod tests {
     use crate::{Outline, Section};
 
     #[test]
-    fn bracket_clamps_at_both_ends() {
+    fn distances_are_clamped_at_both_ends_of_the_path() {
         let section = Section::mesh(&Outline::circle(0.01), 2e-3, 1e-3).expect("meshes");
         let mesh = SweptMesh::new(section, vec![0.0, 1.0, 3.0]);
         assert_eq!(mesh.bracket(-1.0), (0, 0.0));

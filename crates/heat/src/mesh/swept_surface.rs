@@ -1,11 +1,13 @@
 //! The surface of a swept body: areas and triangles of its side and of its two ends.
 
+use glam::DVec3;
+
 use crate::mesh::outline::Outline;
-use crate::mesh::path::{Path, cross, dot};
+use crate::mesh::path::Path;
 use crate::mesh::swept::SweptMesh;
 
 impl SweptMesh {
-    /// Side area of every node, level-major like the nodes [m²] (0 inside).
+    /// Returns the side area of every node, 0 inside [m²].
     pub fn side_areas(&self) -> Vec<f64> {
         if let Path::Stations(_) = self.path {
             return self.shared_areas(&self.side_triangles());
@@ -16,7 +18,7 @@ impl SweptMesh {
         heights.iter().flat_map(|h| side(*h)).map(|(i, area)| area * self.path.column(i)).collect()
     }
 
-    /// Triangles of the surface between the two ends of the path, seen from outside counter-clockwise.
+    /// Returns the triangles of the side surface, counter-clockwise seen from outside.
     pub fn side_triangles(&self) -> Vec<[u32; 3]> {
         let mut triangles = Vec::new();
         for level in 0..self.levels.len().saturating_sub(1) {
@@ -29,7 +31,7 @@ impl SweptMesh {
         triangles
     }
 
-    /// Triangles of the section that closes the path at its start (`false`) or end, seen from outside counter-clockwise.
+    /// Returns the triangles of the end face at the start (`false`) or end (`true`), counter-clockwise seen from outside.
     pub fn end_triangles(&self, last: bool) -> Vec<[u32; 3]> {
         let level = if last { self.levels.len() - 1 } else { 0 };
         let of = |t: &[u32; 3]| t.map(|i| self.node(level, i as usize) as u32);
@@ -37,18 +39,18 @@ impl SweptMesh {
         self.section.triangles.iter().map(|t| outward(of(t))).collect()
     }
 
-    /// A third of the area of every triangle at each of its nodes [m²].
+    /// Returns the lumped areas of triangles: each node gets a third of the area of its triangles [m²].
     fn shared_areas(&self, triangles: &[[u32; 3]]) -> Vec<f64> {
         let mut areas = vec![0.0; self.node_count()];
         for t in triangles {
-            let [p, q, r] = t.map(|node| self.position(node as usize));
-            let normal = cross([0, 1, 2].map(|k| q[k] - p[k]), [0, 1, 2].map(|k| r[k] - p[k]));
-            t.iter().for_each(|&node| areas[node as usize] += libm::sqrt(dot(normal, normal)) / 6.0);
+            let [p, q, r] = t.map(|node| DVec3::from(self.position(node as usize)));
+            let doubled = (q - p).cross(r - p).length();
+            t.iter().for_each(|&node| areas[node as usize] += doubled / 6.0);
         }
         areas
     }
 
-    /// Depth of a node below the nearer end of the path, or on stations below the skin if that is nearer [m].
+    /// Returns the depth of a node below the nearer end face, or below the side of a body on stations if that is nearer [m].
     pub fn depth(&self, node: usize) -> f64 {
         let (level, i) = (node / self.nodes_per_level(), node % self.nodes_per_level());
         let z = self.levels[level];

@@ -1,4 +1,4 @@
-//! The face that a cut lays open.
+//! The cut face of a piece as the renderer's input.
 
 use glam::Vec3;
 use saute_kitchen::Piece;
@@ -51,7 +51,7 @@ pub fn slice(piece: &Piece, x: f64, view: View, map: Option<&ColourMap>) -> Opti
     Some(SliceLook { point, normal, vertices, triangles, ghost: true })
 }
 
-/// What the points of a cut show.
+/// Samples the points of a cut.
 pub(crate) struct CutFace<'a> {
     pub model: &'a FoodModel,
     pub mesh: &'a SweptMesh,

@@ -76,7 +76,8 @@ mod tests {
         kitchen
     }
 
-    /// Two looks, each with the cut face that belongs to it, as large as the section there, in the plane that parts them.
+    /// Two looks, each with the cut face that belongs to it, as large as the section there, in the plane that parts
+    /// them.
     #[test]
     fn a_halved_curved_body_is_drawn_as_two_halves_with_their_cut_faces() {
         for (kind, size) in [("shrimp", [0.075, 0.018, 0.016]), ("carrot-stick", [0.060, 0.012, 0.012])] {

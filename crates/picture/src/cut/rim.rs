@@ -8,7 +8,7 @@ use saute_kitchen::heat::{Cut, CutPoint, SweptMesh};
 
 use crate::skin::surface::{UNEVEN, drawn, fineness, outward_normals, rim_inset, rim_radius, uneven};
 
-/// Width beside the surface over which the cut face follows its rounded and uneven rim, over the radius of the rim [-]
+/// Distance from the surface over which the cut face follows its rounded and uneven rim, over the radius of the rim [-]
 /// (chosen: further in a cut shows every point where it is; wide enough that nothing folds).
 const FOLLOWS: f32 = 4.0;
 /// Depth below a big face over which it follows the uneven face, over the unevenness [-] (chosen likewise).
@@ -32,7 +32,7 @@ struct End {
 pub(crate) struct Plane {
     /// Place along the normal [m].
     pub(crate) x: f64,
-    /// Whether the normal is x rather than y.
+    /// True if the normal is x rather than y.
     pub(crate) along_x: bool,
 }
 
@@ -50,7 +50,7 @@ impl Plane {
     }
 }
 
-/// How the cut face meets the surface.
+/// The seam between the cut face and the drawn surface.
 pub(crate) struct CutRim<'a> {
     model: &'a FoodModel,
     mesh: &'a SweptMesh,
@@ -76,7 +76,8 @@ impl<'a> CutRim<'a> {
         Self { model, mesh, plane, cut, edges, outline, outward: outward_normals(section) }
     }
 
-    /// One level of the face: which nodes feed each point, and where in the rest frame it lies [m], in order along the cut.
+    /// One level of the face: which nodes feed each point, and where in the rest frame it lies [m], in order along the
+    /// cut.
     pub(crate) fn row(&self, level: usize) -> Vec<(CutPoint, Vec3)> {
         if level == 0 || level + 1 == self.mesh.levels.len() {
             let met = self.meeting(level, &self.edges);
@@ -94,7 +95,7 @@ impl<'a> CutRim<'a> {
         self.cut.points.iter().enumerate().map(point).collect()
     }
 
-    /// A point between the ends: beside them it follows the rim, below the faces it follows them.
+    /// A point between the ends: near them it follows the rim, below the faces it follows them.
     fn inside(&self, level: usize, point: &CutPoint, ends: &[End; 2]) -> Vec2 {
         let rest = self.rest(level, point);
         let wide = FOLLOWS * rim_radius(self.model);

@@ -1,4 +1,4 @@
-//! What a piece that is meshed inside a closed surface looks like: its skin and its cuts read nodes by weights.
+//! Skin and cuts of a piece with a cell mesh: their points read nodes by weights.
 
 use glam::Vec3;
 use saute_kitchen::food::colour::Appearance;
@@ -25,7 +25,7 @@ pub(crate) struct CellLook<'a> {
 }
 
 impl CellLook<'_> {
-    /// State of every vertex of the skin; nodes tell how dark seared lines are and what juice lies on them.
+    /// State of every vertex of the skin; node fields give how dark seared lines are and how much juice lies on them.
     pub(crate) fn skin(&self, seared: &dyn Fn(usize) -> f64, juice: &dyn Fn(usize) -> f64) -> Vec<FoodVertex> {
         let skin = &self.cells.skin;
         let of = |v: usize| {
@@ -52,7 +52,7 @@ impl CellLook<'_> {
         Some(SliceLook { point: normal * x as f32, normal, vertices, triangles: cut.triangles, ghost: true })
     }
 
-    /// What colours a point, and the value of the view's field there.
+    /// Appearance of a point, and the value of the view's field there.
     pub(crate) fn appearance(&self, reads: Reads) -> (Appearance, f64) {
         let state = self.state;
         let appearance = Appearance {

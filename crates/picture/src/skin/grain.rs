@@ -1,4 +1,4 @@
-//! What grew in a piece of food finer than its mesh, as the renderer reads it: seams of fat, second tissues, borders.
+//! Sub-mesh structure of a food as the renderer reads it: seams of fat, second tissues, borders.
 
 use glam::Vec3;
 use saute_kitchen::food::FoodModel;
@@ -11,7 +11,7 @@ const TISSUE_CELLS: u32 = 112;
 /// Protein from which flesh without a second tissue is muscle (chosen: no plant that is fried has as much).
 const MUSCLE_PROTEIN: f64 = 0.10;
 
-/// What the flesh of a food is made of.
+/// Kind of texture of a food's flesh.
 pub(crate) fn flesh_texture(model: &FoodModel) -> FleshTexture {
     let description = model.description();
     match description.form {
@@ -24,7 +24,7 @@ pub(crate) fn flesh_texture(model: &FoodModel) -> FleshTexture {
     }
 }
 
-/// The colours that browning goes through.
+/// Palette of browning.
 pub(crate) fn browning_palette(model: &FoodModel) -> BrowningPalette {
     let colours = model.palette().colours();
     let single = |lab: [f64; 3]| lab.map(|v| v as f32);

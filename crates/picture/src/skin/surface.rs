@@ -1,4 +1,4 @@
-//! A piece of food as the renderer wants it: a surface with a state at every vertex.
+//! The skin of a piece of food: a surface with a state at every vertex, as the renderer reads it.
 
 use std::sync::Arc;
 
@@ -17,7 +17,8 @@ use crate::view::View;
 
 /// Radius of the rounded rim between a big face and the side of a steak [m] (chosen; only the picture is rounded).
 const RIM_RADIUS: f32 = 1.6e-3;
-/// How far the drawn surface of a steak strays from the smooth shape [m], and over which distance [m] (chosen: hand-cut).
+/// How far the drawn surface of a steak strays from the smooth shape [m], and over which distance [m] (chosen:
+/// hand-cut).
 pub(crate) const UNEVEN: [f64; 2] = [0.7e-3, 11.0e-3];
 /// Moisture that shows on a cut over that of the flesh [-] (chosen: the blade wipes it).
 pub(crate) const CUT_MOISTURE: f64 = 0.75;
@@ -32,11 +33,11 @@ pub struct Skin {
     nodes: Vec<u32>,
     positions: Vec<[f32; 3]>,
     normals: Vec<[f32; 3]>,
-    /// Where on the body each vertex lies; empty where that does not matter.
+    /// Place on the body of each vertex; empty where the look does not depend on it.
     bodies: Vec<[f32; 2]>,
 }
 
-/// How much smaller rim and unevenness are than those of a steak [-].
+/// Size of rim and unevenness over those of a steak [-].
 pub(crate) fn fineness(model: &FoodModel) -> f64 {
     let least = model.size().iter().fold(f64::INFINITY, |least, v| least.min(*v));
     (least / TUNED_FOR).min(1.0)

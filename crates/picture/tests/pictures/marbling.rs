@@ -1,5 +1,5 @@
-//! Promise: the marbling that is seen is the marbling that conducts: a node holds as much fat as the picture shows in its
-//! volume, and a piece as much as its description asks for.
+//! Promise: the marbling that is seen is the marbling that conducts: a node holds as much fat as the picture shows in
+//! its volume, and a piece as much as its description states.
 
 use saute_kitchen::food::FoodModel;
 use saute_kitchen::{Kitchen, Library};
@@ -7,8 +7,8 @@ use saute_picture::skin::surface::Skin;
 use saute_recipe::Recipe;
 use saute_scene::input::{GrainVolume, WITHIN_RANGE};
 
-/// Places along each side of a triangle at which the picture is read, and how many lie upon each other in every half of a
-/// layer (chosen: 0.2 mm apart and less, where seams are some 0.5 to 1 mm wide).
+/// Places along each side of a triangle at which the picture is read, and how many lie upon each other in every half of
+/// a layer (chosen: 0.2 mm apart and less, where seams are some 0.5 to 1 mm wide).
 const ALONG: usize = 26;
 const UPWARDS: usize = 3;
 /// Largest difference in share of fat [-].

@@ -135,7 +135,8 @@ fn flat_views_of_every_field_decode_to_the_cores_values() {
     }
 }
 
-/// Classes are told by patterns as well as by colours, but a picture for measuring holds nothing but its classes' colours.
+/// Classes differ by patterns as well as by colours, but a picture for measuring holds nothing but its classes'
+/// colours.
 #[test]
 fn lit_doneness_is_hatched_and_flat_doneness_is_not() {
     let Some(gpu) = adapter() else { return };

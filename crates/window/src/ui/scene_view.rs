@@ -31,7 +31,7 @@ pub struct SceneView {
     pub(crate) hovered: Option<String>,
     /// What the pointer is on.
     pub(crate) pointed: Option<SeenPoint>,
-    /// Whether the next click puts a probe in.
+    /// True if the next click puts a probe in.
     pub(crate) placing: bool,
     /// The scene as it was drawn last.
     pub(crate) shown: Option<Arc<SceneInput>>,

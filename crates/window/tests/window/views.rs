@@ -131,7 +131,7 @@ fn the_pointer_tells_the_value_of_the_view_with_its_unit() {
         assert!(label.contains(unit), "{label} without {unit}");
     }
     save(&mut harness, "read-out");
-    // What is told is what the core has there.
+    // The read-out shows the value of the core.
     let app = harness.state();
     let piece = app.session().steak().expect("steak");
     let point = app.seen_point(at, WINDOW).expect("on the steak");
