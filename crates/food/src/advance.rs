@@ -340,9 +340,7 @@ fn change(model: &FoodModel, state: &mut FoodState, dt: f64) {
         state.peak[i] = state.peak[i].max(t);
         if t > CHANGES_FROM {
             state.lethality[i] += model.lethality.at(t) * dt;
-            for (k, share) in state.changed.iter_mut().enumerate() {
-                share[i] = model.changes.advance(k, share[i], t, dt);
-            }
+            model.changes.advance(&mut state.changed, i, t, dt);
         }
         if t > BROWNING_FROM {
             brown(model, state, i, dt);
