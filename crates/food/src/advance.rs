@@ -151,10 +151,10 @@ impl FoodSolver {
         self.hot.reserve(n);
         for i in 0..n {
             let masses = model.masses(state, i);
-            let t = model.properties.temperature(&masses, state.enthalpy[i], state.temperature[i]);
+            let (t, capacity) = model.properties.temperature(&masses, state.enthalpy[i], state.temperature[i]);
             state.temperature[i] = t;
-            self.capacity[i] = model.properties.enthalpy(&masses, t).1;
-            self.per_capacity[i] = 1.0 / self.capacity[i];
+            self.capacity[i] = capacity;
+            self.per_capacity[i] = 1.0 / capacity;
         }
         if state.ticks.is_multiple_of(CONDUCTION_TICKS) || self.conductivity[0].len() != n {
             self.refresh_conduction(model, state);
