@@ -3,6 +3,9 @@
 use crate::model::FoodModel;
 use crate::state::FoodState;
 
+/// Nodes whose changes are added up at a time (chosen: they stay in the processor's nearest memory).
+const BLOCK: usize = 64;
+
 /// Juice or fat that ran off a piece.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Runoff {
@@ -23,10 +26,8 @@ impl FoodModel {
     pub fn release_juice(&self, state: &mut FoodState, dt: f64) -> Runoff {
         let reach = 1e-6 * self.kinetics.water_holding.juice_speed_um_s * dt;
         let mut runoff = Runoff::default();
-        for column in 0..self.mesh.nodes_per_level() {
-            self.free(state, column, dt);
-            self.drain(state, column, reach);
-        }
+        self.free(state, dt);
+        self.drain(state, reach);
         self.drain_cells(state, reach);
         for &(node, area) in &self.outlets {
             self.run_off(state, node as usize, area, &mut runoff);
@@ -63,40 +64,57 @@ impl FoodModel {
         films
     }
 
-    /// Water that a node can hold now [kg]: what the peak temperature leaves, or the changes if they leave less.
-    fn capacity(&self, state: &FoodState, node: usize) -> f64 {
-        let squeezed: f64 = state.changed.iter().zip(&self.squeeze).map(|(x, s)| s * x[node]).sum();
-        self.initial_water[node] * self.held.at(state.peak[node]).min(1.0 - squeezed)
+    /// Shares of the raw water that the changes squeeze out of the nodes from `first` on [-].
+    fn squeezed(&self, state: &FoodState, first: usize) -> [f64; BLOCK] {
+        let mut squeezed = [0.0; BLOCK];
+        for (x, s) in state.changed.iter().zip(&self.squeeze) {
+            squeezed.iter_mut().zip(&x[first..]).for_each(|(sum, x)| *sum += s * x);
+        }
+        squeezed
     }
 
-    /// Frees a share of what a column's nodes no longer hold; dried flesh takes up free juice.
-    fn free(&self, state: &mut FoodState, column: usize, dt: f64) {
-        for level in 0..self.mesh.levels.len() {
-            let node = self.mesh.node(level, column);
-            let surplus = (state.water[node] - self.capacity(state, node)).max(0.0);
-            let bound = (surplus - state.juice[node]).max(0.0);
-            let released = 1.0 - 1.0 / (1.0 + self.release.at(state.temperature[node]) * dt);
-            state.juice[node] = (state.juice[node] + released * bound).min(surplus);
+    /// Frees a share of what nodes no longer hold; dried flesh takes up free juice.
+    fn free(&self, state: &mut FoodState, dt: f64) {
+        for first in (0..state.juice.len()).step_by(BLOCK) {
+            let squeezed = self.squeezed(state, first);
+            for (node, squeezed) in (first..state.juice.len()).zip(squeezed) {
+                // A node can hold what the peak temperature leaves, or the changes if they leave less.
+                let capacity = self.initial_water[node] * self.held.at(state.peak[node]).min(1.0 - squeezed);
+                let surplus = (state.water[node] - capacity).max(0.0);
+                let juice = &mut state.juice[node];
+                if surplus <= 0.0 && *juice >= 0.0 {
+                    *juice = 0.0;
+                    continue;
+                }
+                let bound = (surplus - *juice).max(0.0);
+                let released = 1.0 - 1.0 / (1.0 + self.release.at(state.temperature[node]) * dt);
+                *juice = (*juice + released * bound).min(surplus);
+            }
         }
     }
 
     /// Moves free juice outwards from the middle level, half of whose juice goes either way; outer nodes come first, so
     /// that nothing moves by two nodes at once.
-    fn drain(&self, state: &mut FoodState, column: usize, reach: f64) {
+    fn drain(&self, state: &mut FoodState, reach: f64) {
         let last = self.mesh.levels.len() - 1;
         if self.closed_below {
             for to in (1..=last).rev() {
-                let nodes = [to - 1, to].map(|level| self.mesh.node(level, column));
-                self.carry(state, nodes, self.share(to - 1, to, reach));
+                self.carry_level(state, [to - 1, to], self.share(to - 1, to, reach));
             }
             return;
         }
         for to in 0..last.div_ceil(2) {
             for (from, to) in [(to + 1, to), (last - to - 1, last - to)] {
                 let part = if 2 * from == last { 0.5 } else { 1.0 };
-                let nodes = [from, to].map(|level| self.mesh.node(level, column));
-                self.carry(state, nodes, part * self.share(from, to, reach));
+                self.carry_level(state, [from, to], part * self.share(from, to, reach));
             }
+        }
+    }
+
+    /// Carries a share of a level's free juice to another, in every column.
+    fn carry_level(&self, state: &mut FoodState, levels: [usize; 2], share: f64) {
+        for column in 0..self.mesh.nodes_per_level() {
+            self.carry(state, levels.map(|level| self.mesh.node(level, column)), share);
         }
     }
 
