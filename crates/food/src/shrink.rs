@@ -103,6 +103,9 @@ impl FoodModel {
 
     /// Log contraction across the fibres that a free node would take at its relative volume [-].
     fn free_contraction(&self, state: &FoodState, node: usize, volume: f64) -> f64 {
+        if volume == 1.0 {
+            return 0.0;
+        }
         let sum = |table: &PerChange| -> f64 { state.changed.iter().zip(table).map(|(x, c)| x[node] * c).sum() };
         let [across, along] = &self.contraction;
         let (a, b) = (-log(1.0 - sum(across)), -log(1.0 - sum(along)));
