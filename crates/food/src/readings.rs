@@ -49,6 +49,13 @@ impl FoodModel {
         sum / area
     }
 
+    /// Mean browning of the face that lies below, as [`Self::face_reading`] has it [-].
+    pub fn face_browning(&self, state: &FoodState, up: [f64; 3]) -> f64 {
+        let whole: f64 = self.patches_below(up).map(|i| self.patches[i].area).sum();
+        let below = self.patches_below(up).map(|i| &self.patches[i]);
+        below.fold(0.0, |sum, patch| sum + patch.area / whole * state.browning[patch.node as usize])
+    }
+
     /// Everything that is read off the face that lies below, as [`Self::face_temperature`] has it.
     pub fn face_reading(&self, state: &FoodState, up: [f64; 3]) -> FaceReading {
         let mut reading = FaceReading::default();
