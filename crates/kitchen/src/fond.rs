@@ -11,7 +11,7 @@ use saute_heat::Located;
 use serde::Deserialize;
 
 use crate::bed::Bed;
-use crate::film_flow::{FilmFlow, Sweep};
+use crate::film_flow::FilmFlow;
 use crate::kelvin;
 use crate::oil::SolidsChange;
 use crate::pan::PanState;
@@ -186,10 +186,10 @@ impl Fond {
     }
 
     /// Dissolved solids run with the water as in its last sweep.
-    pub fn carry(&mut self, flow: &FilmFlow, bed: &Bed, sweep: Sweep) {
-        self.spilled += flow.carry(bed, sweep, &mut self.dissolved.mass);
-        flow.carry(bed, sweep, &mut self.dissolved.browned);
-        flow.carry(bed, sweep, &mut self.dissolved.charred);
+    pub fn carry(&mut self, flow: &FilmFlow, bed: &Bed) {
+        self.spilled += flow.carry(bed, &mut self.dissolved.mass);
+        flow.carry(bed, &mut self.dissolved.browned);
+        flow.carry(bed, &mut self.dissolved.charred);
     }
 
     /// All dried solids, then those that are browned and charred [kg].
