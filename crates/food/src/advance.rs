@@ -1,6 +1,6 @@
 //! One tick of a piece of food between given surroundings.
 
-use saute_heat::Conduction;
+use saute_heat::{Conduction, Layers};
 
 use crate::air_film::{AirFilm, FreeAir, HOTTEST_WET};
 use crate::browning::BROWNING_FROM;
@@ -71,6 +71,8 @@ pub struct FoodSolver {
     conduction: Conduction,
     /// Conductivity across and along the fibres times the stretches [W/(m·K)].
     conductivity: [Vec<f64>; 2],
+    /// The same conductances layer by layer, where the body is made of like layers.
+    layers: Option<Layers>,
     /// Heat capacity [J/K] and one over it.
     capacity: Vec<f64>,
     per_capacity: Vec<f64>,
@@ -192,6 +194,12 @@ impl FoodSolver {
         let sound = state.temperature.iter().chain(&state.water).all(|v| v.is_finite());
         match &mut self.sound {
             Some(kept) if sound => kept.copy_from(state),
+        if self.layers.is_none() {
+            self.layers = Layers::of(&model.mesh.graph, model.mesh.nodes_per_level());
+        }
+        if let Some(layers) = &mut self.layers {
+            layers.refresh(&self.conduction);
+        }
             None if sound => self.sound = Some(state.clone()),
             _ => self.restore(state),
         }
@@ -213,7 +221,10 @@ impl FoodSolver {
     /// leaves the range of the temperatures it couples.
     fn step(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64, total: &mut Exchange) {
         self.power.fill(0.0);
-        self.conduction.add_power(&model.mesh.graph, &state.temperature, &mut self.power);
+        match &mut self.layers {
+            Some(layers) => layers.add_power(&state.temperature, &mut self.power),
+            None => self.conduction.add_power(&model.mesh.graph, &state.temperature, &mut self.power),
+        }
         let fields = state.enthalpy.iter_mut().zip(&mut state.temperature);
         for ((h, t), (p, per_c)) in fields.zip(self.power.iter().zip(&self.per_capacity)) {
             let heat = p * dt;

@@ -70,6 +70,11 @@ impl Conduction {
         }
     }
 
+    /// Conductance of each edge [W/K].
+    pub fn conductance(&self) -> &[f64] {
+        &self.conductance
+    }
+
     /// Adds to `power` the net heat that conduction brings to every node [W]; the sum over all nodes is zero.
     pub fn add_power(&self, graph: &Graph, temperature: &[f64], power: &mut [f64]) {
         for (&[a, b], &g) in graph.ends.iter().zip(&self.conductance) {
