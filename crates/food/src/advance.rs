@@ -23,6 +23,8 @@ const CONDUCTION_TICKS: u64 = 2 * REFRESH_TICKS;
 const SHAPE_TICKS: u64 = 20;
 /// Most steps a tick is divided into (chosen: reached by layers of a few nanometres).
 const MOST_SUBSTEPS: f64 = 4.0e9;
+/// Nodes that are looked at together for boiling (chosen).
+const BLOCK: usize = 32;
 /// Share of the stability limit that a step may use: properties are up to half a second old [-].
 const STABILITY_MARGIN: f64 = 0.8;
 
@@ -69,16 +71,18 @@ pub struct Exchange {
 #[derive(Clone, Debug, Default)]
 pub struct FoodSolver {
     conduction: Conduction,
-    /// Conductivity across and along the fibres times the stretches [W/(m·K)].
-    conductivity: [Vec<f64>; 2],
     /// The same conductances layer by layer, where the body is made of like layers.
     layers: Option<Layers>,
+    /// Conductivity across and along the fibres times the stretches [W/(m·K)].
+    conductivity: [Vec<f64>; 2],
     /// Heat capacity [J/K] and one over it.
     capacity: Vec<f64>,
     per_capacity: Vec<f64>,
     power: Vec<f64>,
     /// Exchange of each patch with air, while it is free.
     films: Vec<AirFilm>,
+    /// Length of the steps for which the films are prepared [s].
+    film_step: f64,
     hot: Vec<u32>,
     /// The last state in which everything was finite.
     sound: Option<FoodState>,
@@ -118,6 +122,9 @@ impl FoodSolver {
             }
         }
         let step = dt / f64::from(self.substeps);
+        if step != self.film_step {
+            self.prepare_films(model, step);
+        }
         for _ in 0..self.substeps {
             self.step(model, state, around, step, &mut total);
         }
@@ -187,19 +194,21 @@ impl FoodSolver {
             let k = if model.mesh.is_along(a, b) { along } else { across };
             (k[a], k[b])
         });
-    }
-
-    /// Remembers a sound state; puts the remembered one in place of an unsound one. Returns whether all is well.
-    fn keep_or_restore(&mut self, state: &mut FoodState) -> bool {
-        let sound = state.temperature.iter().chain(&state.water).all(|v| v.is_finite());
-        match &mut self.sound {
-            Some(kept) if sound => kept.copy_from(state),
         if self.layers.is_none() {
             self.layers = Layers::of(&model.mesh.graph, model.mesh.nodes_per_level());
         }
         if let Some(layers) = &mut self.layers {
             layers.refresh(&self.conduction);
         }
+    }
+
+    /// Remembers a sound state; puts the remembered one in place of an unsound one. Returns whether all is well.
+    fn keep_or_restore(&mut self, state: &mut FoodState) -> bool {
+        // Without a branch for each node.
+        let finite = |field: &[f64]| field.iter().fold(true, |all, v| all & v.is_finite());
+        let sound = finite(&state.temperature) && finite(&state.water);
+        match &mut self.sound {
+            Some(kept) if sound => kept.copy_from(state),
             None if sound => self.sound = Some(state.clone()),
             _ => self.restore(state),
         }
@@ -244,16 +253,22 @@ impl FoodSolver {
         dt: f64,
         total: &mut Exchange,
     ) {
-        for (i, patch) in model.patches.iter().enumerate() {
+        let Self { films, capacity, contact_heat, .. } = self;
+        let mut nodes = Nodes::of(state);
+        let mut passed = *total;
+        for (i, (patch, film)) in model.patches.iter().zip(films).enumerate() {
+            let capacity = capacity[patch.node as usize];
             match around.touch.get(i) {
                 Some(touch) if touch.conductance > 0.0 => {
-                    let conductance = touch.conductance * present_area(patch, state) * dt;
-                    let heat = self.exchange(state, patch.node as usize, conductance, touch.temperature);
-                    self.contact_heat[i] += heat;
+                    let conductance = touch.conductance * film.area * dt;
+                    let whole = capacity + conductance;
+                    let node = patch.node as usize;
+                    contact_heat[i] += nodes.exchange(node, capacity, [conductance, whole], touch.temperature);
                 }
-                _ => self.breathe(state, patch, &self.films[i], &around.air[patch.air], dt, total),
+                _ => nodes.breathe(patch, film, capacity, &around.air[patch.air], &mut passed),
             }
         }
+        *total = passed;
     }
 
     /// Convection, radiation and evaporation of each patch, linearised about its present state.
@@ -261,42 +276,13 @@ impl FoodSolver {
         self.films.clear();
         let film = |patch: &Patch| AirFilm::of(model, state, patch, &around.air[patch.air]);
         self.films.extend(model.patches.iter().map(film));
+        self.film_step = f64::NAN;
     }
 
-    /// Brings a node towards `outside` through a conductance times time [J/K], implicitly; returns the heat gained [J].
-    #[inline]
-    fn exchange(&self, state: &mut FoodState, node: usize, conductance: f64, outside: f64) -> f64 {
-        let capacity = self.capacity[node];
-        let change = conductance * (outside - state.temperature[node]) / (capacity + conductance);
-        state.temperature[node] += change;
-        state.enthalpy[node] += capacity * change;
-        capacity * change
-    }
-
-    /// A free patch exchanges heat and vapour with the air for `dt` [s].
-    #[inline]
-    fn breathe(
-        &self,
-        state: &mut FoodState,
-        patch: &Patch,
-        film: &AirFilm,
-        air: &FreeAir,
-        dt: f64,
-        total: &mut Exchange,
-    ) {
-        let node = patch.node as usize;
-        total.air -= self.exchange(state, node, film.heat * dt, air.temperature);
-        let density = film.density + film.slope * (state.temperature[node].min(HOTTEST_WET) - film.temperature);
-        // Implicit in the temperature that falls as water leaves: no overshoot below the wet bulb.
-        let transfer = film.transfer * dt;
-        let damped = 1.0 + transfer * film.slope * film.latent / self.capacity[node];
-        let mass = (transfer * (density - air.vapour_density) / damped).clamp(0.0, 0.2 * state.water[node]);
-        let enthalpy = mass * film.vapour_enthalpy;
-        state.water[node] -= mass;
-        state.enthalpy[node] -= enthalpy;
-        state.temperature[node] -= mass * film.latent / self.capacity[node];
-        total.evaporated += mass;
-        total.evaporation += enthalpy;
+    fn prepare_films(&mut self, model: &FoodModel, step: f64) {
+        self.film_step = step;
+        let films = self.films.iter_mut().zip(&model.patches);
+        films.for_each(|(film, patch)| film.prepare(self.capacity[patch.node as usize], step));
     }
 
     /// Turns heat above the boiling point into vapour, node by node.
@@ -305,7 +291,13 @@ impl FoodSolver {
     /// rule: dm = C (T − T_b) / (L + C · |dT_b/dm|).
     fn boil(&mut self, model: &FoodModel, state: &mut FoodState, total: &mut Exchange) {
         self.hot.clear();
-        self.hot.extend((0u32..).zip(&state.temperature).filter(|(_, t)| **t > NEARLY_BOILING).map(|(i, _)| i));
+        for (first, block) in (0u32..).step_by(BLOCK).zip(state.temperature.chunks(BLOCK)) {
+            // Most blocks are far from boiling: without a branch for each node.
+            if block.iter().fold(false, |hot, t| hot | (*t > NEARLY_BOILING)) {
+                let hot = (first..).zip(block).filter(|(_, t)| **t > NEARLY_BOILING);
+                self.hot.extend(hot.map(|(i, _)| i));
+            }
+        }
         for &node in &self.hot {
             let i = node as usize;
             for _ in 0..4 {
@@ -333,6 +325,45 @@ impl FoodSolver {
                 }
             }
         }
+    }
+}
+
+/// Fields of a piece's nodes that change as it exchanges heat and vapour with what is around it.
+struct Nodes<'a> {
+    temperature: &'a mut [f64],
+    enthalpy: &'a mut [f64],
+    water: &'a mut [f64],
+}
+
+impl<'a> Nodes<'a> {
+    fn of(state: &'a mut FoodState) -> Self {
+        let FoodState { temperature, enthalpy, water, .. } = state;
+        Self { temperature, enthalpy, water }
+    }
+
+    /// Brings a node of a heat capacity towards `outside` [K] through a conductance times time, given alone and with that
+    /// capacity [J/K], implicitly; returns the heat gained [J].
+    #[inline]
+    fn exchange(&mut self, node: usize, capacity: f64, [conductance, whole]: [f64; 2], outside: f64) -> f64 {
+        let change = conductance * (outside - self.temperature[node]) / whole;
+        self.temperature[node] += change;
+        self.enthalpy[node] += capacity * change;
+        capacity * change
+    }
+
+    /// A free patch exchanges heat and vapour with the air for one step.
+    #[inline]
+    fn breathe(&mut self, patch: &Patch, film: &AirFilm, capacity: f64, air: &FreeAir, total: &mut Exchange) {
+        let (node, step) = (patch.node as usize, &film.step);
+        total.air -= self.exchange(node, capacity, [step.conductance, step.whole], air.temperature);
+        let density = film.density + film.slope * (self.temperature[node].min(HOTTEST_WET) - film.temperature);
+        let mass = (step.transfer * (density - air.vapour_density) / step.damped).clamp(0.0, 0.2 * self.water[node]);
+        let enthalpy = mass * film.vapour_enthalpy;
+        self.water[node] -= mass;
+        self.enthalpy[node] -= enthalpy;
+        self.temperature[node] -= mass * film.latent / capacity;
+        total.evaporated += mass;
+        total.evaporation += enthalpy;
     }
 }
 
