@@ -2,9 +2,10 @@
 
 use saute_heat::{Conduction, Layers};
 
-use crate::air_film::{AirFilm, FreeAir, HOTTEST_WET};
+use crate::air_film::FreeAir;
 use crate::browning::BROWNING_FROM;
 use crate::changes::CHANGES_FROM;
+use crate::films::Films;
 use crate::juice::Runoff;
 use crate::model::FoodModel;
 use crate::paper_2013::{self, Rules};
@@ -80,9 +81,7 @@ pub struct FoodSolver {
     per_capacity: Vec<f64>,
     power: Vec<f64>,
     /// Exchange of each patch with air, while it is free.
-    films: Vec<AirFilm>,
-    /// Length of the steps for which the films are prepared [s].
-    film_step: f64,
+    films: Films,
     hot: Vec<u32>,
     /// The last state in which everything was finite.
     sound: Option<FoodState>,
@@ -114,17 +113,15 @@ impl FoodSolver {
             }
         }
         // A solver that has seen nothing of the piece as it is now looks at once.
-        if due || self.films.len() != model.patches.len() {
+        if due || self.films.count != model.patches.len() {
             self.refresh(model, state, dt);
-            self.refresh_films(model, state, around);
+            self.films.refresh(model, state, around, &self.capacity);
             if !self.keep_or_restore(state) {
                 return Exchange::default();
             }
         }
         let step = dt / f64::from(self.substeps);
-        if step != self.film_step {
-            self.prepare_films(model, step);
-        }
+        self.films.prepare(step);
         for _ in 0..self.substeps {
             self.step(model, state, around, step, &mut total);
         }
@@ -240,49 +237,8 @@ impl FoodSolver {
             *h += heat;
             *t += heat * per_c;
         }
-        self.exchange_patches(model, state, around, dt, total);
+        self.films.exchange(state, around, dt, &mut self.contact_heat, total);
         self.boil(model, state, total);
-    }
-
-    /// Heat and vapour through every patch: from what it touches, or with the air.
-    fn exchange_patches(
-        &mut self,
-        model: &FoodModel,
-        state: &mut FoodState,
-        around: &Surroundings,
-        dt: f64,
-        total: &mut Exchange,
-    ) {
-        let Self { films, capacity, contact_heat, .. } = self;
-        let mut nodes = Nodes::of(state);
-        let mut passed = *total;
-        for (i, (patch, film)) in model.patches.iter().zip(films).enumerate() {
-            let capacity = capacity[patch.node as usize];
-            match around.touch.get(i) {
-                Some(touch) if touch.conductance > 0.0 => {
-                    let conductance = touch.conductance * film.area * dt;
-                    let whole = capacity + conductance;
-                    let node = patch.node as usize;
-                    contact_heat[i] += nodes.exchange(node, capacity, [conductance, whole], touch.temperature);
-                }
-                _ => nodes.breathe(patch, film, capacity, &around.air[patch.air], &mut passed),
-            }
-        }
-        *total = passed;
-    }
-
-    /// Convection, radiation and evaporation of each patch, linearised about its present state.
-    fn refresh_films(&mut self, model: &FoodModel, state: &FoodState, around: &Surroundings) {
-        self.films.clear();
-        let film = |patch: &Patch| AirFilm::of(model, state, patch, &around.air[patch.air]);
-        self.films.extend(model.patches.iter().map(film));
-        self.film_step = f64::NAN;
-    }
-
-    fn prepare_films(&mut self, model: &FoodModel, step: f64) {
-        self.film_step = step;
-        let films = self.films.iter_mut().zip(&model.patches);
-        films.for_each(|(film, patch)| film.prepare(self.capacity[patch.node as usize], step));
     }
 
     /// Turns heat above the boiling point into vapour, node by node.
@@ -325,45 +281,6 @@ impl FoodSolver {
                 }
             }
         }
-    }
-}
-
-/// Fields of a piece's nodes that change as it exchanges heat and vapour with what is around it.
-struct Nodes<'a> {
-    temperature: &'a mut [f64],
-    enthalpy: &'a mut [f64],
-    water: &'a mut [f64],
-}
-
-impl<'a> Nodes<'a> {
-    fn of(state: &'a mut FoodState) -> Self {
-        let FoodState { temperature, enthalpy, water, .. } = state;
-        Self { temperature, enthalpy, water }
-    }
-
-    /// Brings a node of a heat capacity towards `outside` [K] through a conductance times time, given alone and with that
-    /// capacity [J/K], implicitly; returns the heat gained [J].
-    #[inline]
-    fn exchange(&mut self, node: usize, capacity: f64, [conductance, whole]: [f64; 2], outside: f64) -> f64 {
-        let change = conductance * (outside - self.temperature[node]) / whole;
-        self.temperature[node] += change;
-        self.enthalpy[node] += capacity * change;
-        capacity * change
-    }
-
-    /// A free patch exchanges heat and vapour with the air for one step.
-    #[inline]
-    fn breathe(&mut self, patch: &Patch, film: &AirFilm, capacity: f64, air: &FreeAir, total: &mut Exchange) {
-        let (node, step) = (patch.node as usize, &film.step);
-        total.air -= self.exchange(node, capacity, [step.conductance, step.whole], air.temperature);
-        let density = film.density + film.slope * (self.temperature[node].min(HOTTEST_WET) - film.temperature);
-        let mass = (step.transfer * (density - air.vapour_density) / step.damped).clamp(0.0, 0.2 * self.water[node]);
-        let enthalpy = mass * film.vapour_enthalpy;
-        self.water[node] -= mass;
-        self.enthalpy[node] -= enthalpy;
-        self.temperature[node] -= mass * film.latent / capacity;
-        total.evaporated += mass;
-        total.evaporation += enthalpy;
     }
 }
 

@@ -42,20 +42,6 @@ pub(crate) struct AirFilm {
     pub(crate) vapour_enthalpy: f64,
     /// Present area of the patch [m²].
     pub(crate) area: f64,
-    /// What holds for steps of one length.
-    pub(crate) step: FilmStep,
-}
-
-/// What of a free patch's exchange stays from step to step.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct FilmStep {
-    /// Conductance times time, and that and the node's heat capacity together [J/K].
-    pub(crate) conductance: f64,
-    pub(crate) whole: f64,
-    /// Volume of air that takes up vapour [m³].
-    pub(crate) transfer: f64,
-    /// By what evaporation is slowed down as it cools the node [-].
-    pub(crate) damped: f64,
 }
 
 impl AirFilm {
@@ -76,20 +62,7 @@ impl AirFilm {
             latent,
             vapour_enthalpy: model.properties.water_enthalpy(t) + latent,
             area,
-            step: FilmStep::default(),
         }
-    }
-
-    /// Prepares steps of `dt` [s] for a node of a heat capacity [J/K].
-    pub(crate) fn prepare(&mut self, capacity: f64, dt: f64) {
-        let (conductance, transfer) = (self.heat * dt, self.transfer * dt);
-        self.step = FilmStep {
-            conductance,
-            whole: capacity + conductance,
-            transfer,
-            // Implicit in the temperature that falls as water leaves: no overshoot below the wet bulb.
-            damped: 1.0 + transfer * self.slope * self.latent / capacity,
-        };
     }
 }
 

@@ -103,7 +103,7 @@ impl Properties {
     fn place(&self, temperature: f64) -> (usize, f64) {
         // Beyond both ends the last cell's line goes on, so that enthalpy stays invertible.
         let position = temperature - ZERO_C - f64::from(COLDEST);
-        let index = (position.max(0.0) as u32 as usize).min(self.heat.len() - 1);
+        let index = (position as u32 as usize).min(self.heat.len() - 1);
         (index, position - index as f64)
     }
 

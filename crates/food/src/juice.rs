@@ -114,7 +114,10 @@ impl FoodModel {
     /// Carries a share of a level's free juice to another, in every column.
     fn carry_level(&self, state: &mut FoodState, levels: [usize; 2], share: f64) {
         for column in 0..self.mesh.nodes_per_level() {
-            self.carry(state, levels.map(|level| self.mesh.node(level, column)), share);
+            let nodes = levels.map(|level| self.mesh.node(level, column));
+            if state.juice[nodes[0]] > 0.0 {
+                self.carry(state, nodes, share);
+            }
         }
     }
 

@@ -14,6 +14,7 @@ pub mod components;
 pub mod description;
 pub mod doneness;
 pub mod fat;
+mod films;
 pub mod form;
 pub mod halving;
 pub mod juice;

@@ -91,12 +91,14 @@ impl Layers {
             let (t, mut p) = (self.temperature[a], self.power[a]);
             let edges = edges[0] as usize..edges[1] as usize;
             for (&b, g) in self.ends[edges.clone()].iter().zip(&within[edges]) {
-                let (other, to) = (&self.temperature[b as usize], &mut self.power[b as usize]);
+                // Taken out and put back, so that the lanes are computed side by side.
+                let (other, mut to) = (self.temperature[b as usize], self.power[b as usize]);
                 for k in 0..TOGETHER {
                     let flow = g[k] * (other[k] - t[k]);
                     p[k] += flow;
                     to[k] -= flow;
                 }
+                self.power[b as usize] = to;
             }
             self.power[a] = p;
         }
