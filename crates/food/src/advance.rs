@@ -1,6 +1,6 @@
 //! Time integration of a piece of food: one tick with given surroundings.
 
-use saute_heat::Conduction;
+use saute_heat::{Conduction, Layers, SweptMesh};
 
 use crate::body::patch::{Face, Patch};
 use crate::change::browning::BROWNING_FROM;
@@ -8,7 +8,8 @@ use crate::change::changes::CHANGES_FROM;
 use crate::model::FoodModel;
 use crate::paper_2013::{self, Rules};
 use crate::state::FoodState;
-use crate::water::air_film::{AirFilm, FreeAir, HOTTEST_WET};
+use crate::water::air_film::FreeAir;
+use crate::water::films::Films;
 use crate::water::juice::Runoff;
 use crate::water::vapour::latent_heat;
 
@@ -23,6 +24,8 @@ const CONDUCTION_TICKS: u64 = 2 * REFRESH_TICKS;
 const SHAPE_TICKS: u64 = 20;
 /// Largest number of steps in a tick [-] (chosen: only layers of a few nanometres reach it).
 const MOST_SUBSTEPS: f64 = 4.0e9;
+/// Number of nodes that are checked for boiling together [-] (chosen: a block fits a few SIMD vectors).
+const BLOCK: usize = 32;
 /// Share of the stability limit that a step may use [-] (chosen: properties are up to half a second old).
 const STABILITY_MARGIN: f64 = 0.8;
 
@@ -70,6 +73,8 @@ pub struct Exchange {
 #[derive(Clone, Debug, Default)]
 pub struct FoodSolver {
     conduction: Conduction,
+    /// The same conductances layer by layer; none in a body without identical layers.
+    layers: Option<Layers>,
     /// Conductivity across and along the fibres, times the stretch ratios [W/(m·K)].
     conductivity: [Vec<f64>; 2],
     /// Heat capacity of each node [J/K] and its reciprocal [K/J].
@@ -77,7 +82,7 @@ pub struct FoodSolver {
     per_capacity: Vec<f64>,
     power: Vec<f64>,
     /// Exchange of each patch with air, used while it has no contact.
-    films: Vec<AirFilm>,
+    films: Films,
     hot: Vec<u32>,
     /// The last state without a non-finite value.
     sound: Option<FoodState>,
@@ -109,14 +114,15 @@ impl FoodSolver {
             }
         }
         // A new solver, or one for a piece that was cut, has no films yet.
-        if due || self.films.len() != model.shape.patches.len() {
+        if due || self.films.count != model.shape.patches.len() {
             self.refresh(model, state, dt);
-            self.refresh_films(model, state, around);
+            self.films.refresh(model, state, around, &self.capacity);
             if !self.keep_or_restore(state) {
                 return Exchange::default();
             }
         }
         let step = dt / f64::from(self.substeps);
+        self.films.prepare(step);
         for _ in 0..self.substeps {
             self.step(model, state, around, step, &mut total);
         }
@@ -152,10 +158,10 @@ impl FoodSolver {
         self.hot.reserve(n);
         for i in 0..n {
             let masses = model.masses(state, i);
-            let t = model.properties.temperature(&masses, state.enthalpy[i], state.temperature[i]);
+            let (t, capacity) = model.properties.temperature(&masses, state.enthalpy[i], state.temperature[i]);
             state.temperature[i] = t;
-            self.capacity[i] = model.properties.enthalpy(&masses, t).1;
-            self.per_capacity[i] = 1.0 / self.capacity[i];
+            self.capacity[i] = capacity;
+            self.per_capacity[i] = 1.0 / capacity;
         }
         if state.ticks.is_multiple_of(CONDUCTION_TICKS) || self.conductivity[0].len() != n {
             self.refresh_conduction(model, state);
@@ -186,11 +192,20 @@ impl FoodSolver {
             let k = if model.shape.mesh.is_along(a, b) { along } else { across };
             (k[a], k[b])
         });
+        if self.layers.is_none() {
+            let layers = |mesh: &SweptMesh| Layers::of(&mesh.graph, mesh.nodes_per_level());
+            self.layers = model.shape.mesh.swept().and_then(layers);
+        }
+        if let Some(layers) = &mut self.layers {
+            layers.refresh(&self.conduction);
+        }
     }
 
     /// Stores a finite state, or restores the stored one; returns true if the state was finite.
     fn keep_or_restore(&mut self, state: &mut FoodState) -> bool {
-        let sound = state.temperature.iter().chain(&state.water).all(|v| v.is_finite());
+        // Without a branch at each node.
+        let finite = |field: &[f64]| field.iter().fold(true, |all, v| all & v.is_finite());
+        let sound = finite(&state.temperature) && finite(&state.water);
         match &mut self.sound {
             Some(kept) if sound => kept.copy_from(state),
             None if sound => self.sound = Some(state.clone()),
@@ -214,79 +229,18 @@ impl FoodSolver {
     /// principle.
     fn step(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64, total: &mut Exchange) {
         self.power.fill(0.0);
-        self.conduction.add_power(model.shape.mesh.graph(), &state.temperature, &mut self.power);
+        match &mut self.layers {
+            Some(layers) => layers.add_power(&state.temperature, &mut self.power),
+            None => self.conduction.add_power(model.shape.mesh.graph(), &state.temperature, &mut self.power),
+        }
         let fields = state.enthalpy.iter_mut().zip(&mut state.temperature);
         for ((h, t), (p, per_c)) in fields.zip(self.power.iter().zip(&self.per_capacity)) {
             let heat = p * dt;
             *h += heat;
             *t += heat * per_c;
         }
-        self.exchange_patches(model, state, around, dt, total);
+        self.films.exchange(state, around, dt, &mut self.contact_heat, total);
         self.boil(model, state, total);
-    }
-
-    /// Exchanges heat through each patch with its contact, or heat and vapour with the air.
-    fn exchange_patches(
-        &mut self,
-        model: &FoodModel,
-        state: &mut FoodState,
-        around: &Surroundings,
-        dt: f64,
-        total: &mut Exchange,
-    ) {
-        for (i, patch) in model.shape.patches.iter().enumerate() {
-            match around.touch.get(i) {
-                Some(touch) if touch.conductance > 0.0 => {
-                    let conductance = touch.conductance * present_area(patch, state) * dt;
-                    let heat = self.exchange(state, patch.node as usize, conductance, touch.temperature);
-                    self.contact_heat[i] += heat;
-                }
-                _ => self.exchange_air(state, patch, &self.films[i], &around.air[patch.air], dt, total),
-            }
-        }
-    }
-
-    /// Refreshes convection, radiation and evaporation of each patch, linearised about its present state.
-    fn refresh_films(&mut self, model: &FoodModel, state: &FoodState, around: &Surroundings) {
-        self.films.clear();
-        let film = |patch: &Patch| AirFilm::of(model, state, patch, &around.air[patch.air]);
-        self.films.extend(model.shape.patches.iter().map(film));
-    }
-
-    /// Exchanges heat with `outside` [K] implicitly, through conductance × time [J/K]; returns the heat gained [J].
-    #[inline]
-    fn exchange(&self, state: &mut FoodState, node: usize, conductance: f64, outside: f64) -> f64 {
-        let capacity = self.capacity[node];
-        let change = conductance * (outside - state.temperature[node]) / (capacity + conductance);
-        state.temperature[node] += change;
-        state.enthalpy[node] += capacity * change;
-        capacity * change
-    }
-
-    /// Exchanges heat and vapour of a patch with the air for `dt` [s] (Robin boundary).
-    #[inline]
-    fn exchange_air(
-        &self,
-        state: &mut FoodState,
-        patch: &Patch,
-        film: &AirFilm,
-        air: &FreeAir,
-        dt: f64,
-        total: &mut Exchange,
-    ) {
-        let node = patch.node as usize;
-        total.air -= self.exchange(state, node, film.heat * dt, air.temperature);
-        let density = film.density + film.slope * (state.temperature[node].min(HOTTEST_WET) - film.temperature);
-        // Implicit in the temperature, which falls as water evaporates: no overshoot below the wet-bulb temperature.
-        let transfer = film.transfer * dt;
-        let damped = 1.0 + transfer * film.slope * film.latent / self.capacity[node];
-        let mass = (transfer * (density - air.vapour_density) / damped).clamp(0.0, 0.2 * state.water[node]);
-        let enthalpy = mass * film.vapour_enthalpy;
-        state.water[node] -= mass;
-        state.enthalpy[node] -= enthalpy;
-        state.temperature[node] -= mass * film.latent / self.capacity[node];
-        total.evaporated += mass;
-        total.evaporation += enthalpy;
     }
 
     /// Turns heat above the boiling point into vapour, node by node.
@@ -295,7 +249,13 @@ impl FoodSolver {
     /// together: dm = C (T − T_b) / (L + C · |dT_b/dm|).
     fn boil(&mut self, model: &FoodModel, state: &mut FoodState, total: &mut Exchange) {
         self.hot.clear();
-        self.hot.extend((0u32..).zip(&state.temperature).filter(|(_, t)| **t > NEARLY_BOILING).map(|(i, _)| i));
+        for (first, block) in (0u32..).step_by(BLOCK).zip(state.temperature.chunks(BLOCK)) {
+            // Most blocks are far from boiling: without a branch at each node.
+            if block.iter().fold(false, |hot, t| hot | (*t > NEARLY_BOILING)) {
+                let hot = (first..).zip(block).filter(|(_, t)| **t > NEARLY_BOILING);
+                self.hot.extend(hot.map(|(i, _)| i));
+            }
+        }
         for &node in &self.hot {
             let i = node as usize;
             for _ in 0..4 {
@@ -341,9 +301,7 @@ fn change(model: &FoodModel, state: &mut FoodState, dt: f64) {
         state.peak[i] = state.peak[i].max(t);
         if t > CHANGES_FROM {
             state.lethality[i] += model.response.lethality.at(t) * dt;
-            for (k, share) in state.changed.iter_mut().enumerate() {
-                share[i] = model.response.rates.advance(k, share[i], t, dt);
-            }
+            model.response.rates.advance(&mut state.changed, i, t, dt);
         }
         if t > BROWNING_FROM {
             brown(model, state, i, dt);

@@ -56,6 +56,15 @@ fn polynomial(c: &[f64; 3], celsius: f64) -> f64 {
 #[derive(Clone, Debug)]
 pub struct Properties {
     rows: Vec<Row>,
+    heat: Vec<HeatCell>,
+}
+
+/// Enthalpy between two rows [J/kg]: values at the colder row and their rise to the hotter one, in the order water, lean
+/// solids, fat.
+#[derive(Clone, Copy, Debug)]
+struct HeatCell {
+    from: [f64; 3],
+    rise: [f64; 3],
 }
 
 /// Properties at one temperature, in the order water, lean solids, fat.
@@ -85,28 +94,35 @@ impl Properties {
         let mut rows: Vec<Row> =
             (COLDEST..=HOTTEST).map(|c| properties_at(f64::from(c), components, &solids, total)).collect();
         integrate_enthalpy(&mut rows, components, &solids, total, melting);
-        Self { rows }
+        let cell = |pair: &[Row]| {
+            let [from, to] = [pair[0].enthalpy, pair[1].enthalpy];
+            HeatCell { from, rise: [0, 1, 2].map(|k| to[k] - from[k]) }
+        };
+        let heat = rows.windows(2).map(cell).collect();
+        Self { rows, heat }
+    }
+
+    /// Returns the cell of a temperature and the relative position in it [-].
+    #[inline]
+    fn place(&self, temperature: f64) -> (usize, f64) {
+        // Beyond both ends the table is extrapolated linearly, so that enthalpy stays invertible.
+        let position = temperature - ZERO_C - f64::from(COLDEST);
+        let index = (position as u32 as usize).min(self.heat.len() - 1);
+        (index, position - index as f64)
     }
 
     #[inline]
     fn cell(&self, temperature: f64) -> (&Row, &Row, f64) {
-        // Beyond both ends the table is extrapolated linearly, so that enthalpy stays invertible.
-        let position = temperature - ZERO_C - f64::from(COLDEST);
-        let index = (position.max(0.0) as usize).min(self.rows.len() - 2);
-        (&self.rows[index], &self.rows[index + 1], position - index as f64)
+        let (index, share) = self.place(temperature);
+        (&self.rows[index], &self.rows[index + 1], share)
     }
 
     /// Returns enthalpy above 0 °C [J] and heat capacity [J/K] of the given masses.
     #[inline]
     pub fn enthalpy(&self, masses: &Masses, temperature: f64) -> (f64, f64) {
-        let (low, high, share) = self.cell(temperature);
-        let (mut enthalpy, mut capacity) = (0.0, 0.0);
-        for (mass, (from, to)) in masses.iter().zip(low.enthalpy.iter().zip(&high.enthalpy)) {
-            let slope = to - from;
-            enthalpy += mass * (from + share * slope);
-            capacity += mass * slope;
-        }
-        (enthalpy, capacity)
+        let (index, share) = self.place(temperature);
+        let cell = &self.heat[index];
+        (cell.enthalpy(masses, share), cell.capacity(masses))
     }
 
     /// Specific enthalpy of liquid water above 0 °C [J/kg].
@@ -123,21 +139,28 @@ impl Properties {
         low.enthalpy[2] + share * (high.enthalpy[2] - low.enthalpy[2])
     }
 
-    /// Returns the temperature at which the given masses hold `enthalpy` [K].
+    /// Returns the temperature at which the given masses hold `enthalpy` [K], and their heat capacity there [J/K].
     ///
     /// Newton's method from `guess` [K]; exact on the piecewise linear table.
     #[inline]
-    pub fn temperature(&self, masses: &Masses, enthalpy: f64, guess: f64) -> f64 {
-        let mut t = guess;
+    pub fn temperature(&self, masses: &Masses, enthalpy: f64, guess: f64) -> (f64, f64) {
+        let (mut t, mut at) = (guess, usize::MAX);
+        let (mut cell, mut capacity) = (&self.heat[0], 0.0);
         for _ in 0..20 {
-            let (h, c) = self.enthalpy(masses, t);
-            let change = (enthalpy - h) / c;
+            let (index, share) = self.place(t);
+            // The capacity is constant within a cell.
+            if index != at {
+                (at, cell) = (index, &self.heat[index]);
+                capacity = cell.capacity(masses);
+            }
+            let change = (enthalpy - cell.enthalpy(masses, share)) / capacity;
             t += change;
             if libm::fabs(change) < 1e-10 {
                 break;
             }
         }
-        t
+        let last = self.place(t).0;
+        (t, if last == at { capacity } else { self.heat[last].capacity(masses) })
     }
 
     /// Thermal conductivity of the given masses [W/(m·K)].
@@ -163,6 +186,21 @@ impl Properties {
         (0..3)
             .map(|k| masses[k] * (low.inverse_density[k] + share * (high.inverse_density[k] - low.inverse_density[k])))
             .sum()
+    }
+}
+
+impl HeatCell {
+    /// Enthalpy above 0 °C of the given masses at a relative position in the cell [J].
+    #[inline]
+    fn enthalpy(&self, masses: &Masses, share: f64) -> f64 {
+        let own = |k: usize| masses[k] * (self.from[k] + share * self.rise[k]);
+        own(0) + own(1) + own(2)
+    }
+
+    /// Heat capacity of the given masses [J/K].
+    #[inline]
+    fn capacity(&self, masses: &Masses) -> f64 {
+        masses[0] * self.rise[0] + masses[1] * self.rise[1] + masses[2] * self.rise[2]
     }
 }
 

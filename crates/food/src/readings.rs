@@ -50,6 +50,13 @@ impl FoodModel {
         sum / area
     }
 
+    /// Mean browning of the lower face [-], with `up` as in [`Self::face_temperature`].
+    pub fn face_browning(&self, state: &FoodState, up: [f64; 3]) -> f64 {
+        let whole: f64 = self.patches_below(up).map(|i| self.shape.patches[i].area).sum();
+        let below = self.patches_below(up).map(|i| &self.shape.patches[i]);
+        below.fold(0.0, |sum, patch| sum + patch.area / whole * state.browning[patch.node as usize])
+    }
+
     /// Returns area means and shares of the lower face, with `up` as in [`Self::face_temperature`].
     pub fn face_reading(&self, state: &FoodState, up: [f64; 3]) -> FaceReading {
         let mut reading = FaceReading::default();

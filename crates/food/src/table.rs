@@ -26,10 +26,22 @@ impl Table {
     /// Returns the value at `x`, in the unit of the tabulated function.
     #[inline]
     pub fn at(&self, x: f64) -> f64 {
+        let (cell, share) = self.place(x);
+        self.within(cell, share)
+    }
+
+    /// Returns the cell of `x` and the relative position in it; the same for all tables with one grid [-].
+    #[inline]
+    pub(crate) fn place(&self, x: f64) -> (usize, f64) {
         let last = self.values.len() - 1;
         let position = ((x - self.start) * self.per_unit).clamp(0.0, last as f64);
-        let cell = (position as usize).min(last - 1);
-        let share = position - cell as f64;
+        let cell = (position as u32 as usize).min(last - 1);
+        (cell, position - cell as f64)
+    }
+
+    /// Returns the value at a relative position in a cell.
+    #[inline]
+    pub(crate) fn within(&self, cell: usize, share: f64) -> f64 {
         self.values[cell] + share * (self.values[cell + 1] - self.values[cell])
     }
 }

@@ -102,6 +102,9 @@ impl FoodModel {
 
     /// Logarithmic contraction across the fibres of a free node at its relative volume [-].
     fn free_contraction(&self, state: &FoodState, node: usize, volume: f64) -> f64 {
+        if volume == 1.0 {
+            return 0.0;
+        }
         let sum = |table: &PerChange| -> f64 { state.changed.iter().zip(table).map(|(x, c)| x[node] * c).sum() };
         let [across, along] = &self.response.contraction;
         let (a, b) = (-log(1.0 - sum(across)), -log(1.0 - sum(along)));

@@ -50,13 +50,21 @@ impl ChangeRates {
         self.tables.len()
     }
 
-    /// Returns the share of change `k` after `dt` [s] at `temperature` [K] [-].
+    /// Advances the shares of all changes of a node by `dt` [s] at `temperature` [K].
     ///
     /// 1 − (1 − X)/(1 + x + x²/2) with x = k Δt: second order in Δt, monotone, and without an exponential.
     #[inline]
-    pub fn advance(&self, k: usize, share: f64, temperature: f64, dt: f64) -> f64 {
-        let x = self.tables[k].at(temperature) * dt;
-        1.0 - (1.0 - share) / (1.0 + x + 0.5 * x * x)
+    pub fn advance(&self, changed: &mut [Vec<f64>], node: usize, temperature: f64, dt: f64) {
+        let Some(first) = self.tables.first() else { return };
+        // All tables have the same grid.
+        let (cell, share) = first.place(temperature);
+        for (table, changed) in self.tables.iter().zip(changed) {
+            let x = table.within(cell, share) * dt;
+            // A complete change stays complete.
+            if changed[node] != 1.0 {
+                changed[node] = 1.0 - (1.0 - changed[node]) / (1.0 + x + 0.5 * x * x);
+            }
+        }
     }
 }
 

@@ -40,6 +40,8 @@ pub(crate) struct AirFilm {
     /// Latent heat, and enthalpy of the vapour above liquid water at 0 °C [J/kg].
     pub(crate) latent: f64,
     pub(crate) vapour_enthalpy: f64,
+    /// Present area of the patch [m²].
+    pub(crate) area: f64,
 }
 
 impl AirFilm {
@@ -59,6 +61,7 @@ impl AirFilm {
             temperature: surface,
             latent,
             vapour_enthalpy: model.properties.water_enthalpy(t) + latent,
+            area,
         }
     }
 }

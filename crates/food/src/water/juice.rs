@@ -6,6 +6,9 @@ use crate::body::rest_shape::RestShape;
 use crate::model::FoodModel;
 use crate::state::FoodState;
 
+/// Number of nodes in a block of the release [-] (chosen: a block stays in the processor's cache).
+const BLOCK: usize = 64;
+
 /// Mass and enthalpy of juice or fat that ran off a piece.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Runoff {
@@ -26,17 +29,10 @@ impl FoodModel {
     pub fn release_juice(&self, state: &mut FoodState, dt: f64) -> Runoff {
         let reach = 1e-6 * self.kinetics.water_holding.juice_speed_um_s * dt;
         let mut runoff = Runoff::default();
+        self.free(state, dt);
         match &self.shape.mesh {
-            BodyMesh::Swept(mesh) => {
-                for column in 0..mesh.nodes_per_level() {
-                    (0..mesh.levels.len()).for_each(|level| self.free(state, mesh.node(level, column), dt));
-                    self.drain(mesh, state, column, reach);
-                }
-            }
-            BodyMesh::Cells(cells) => {
-                (0..cells.node_count()).for_each(|node| self.free(state, node, dt));
-                self.drain_cells(state, reach);
-            }
+            BodyMesh::Swept(mesh) => self.drain(mesh, state, reach),
+            BodyMesh::Cells(_) => self.drain_cells(state, reach),
         }
         for &(node, area) in &self.water.outlets {
             self.run_off(state, node as usize, area, &mut runoff);
@@ -55,36 +51,60 @@ impl FoodModel {
         films
     }
 
-    /// Water-holding capacity of a node [kg]: the smaller of the limits by the peak temperature and by the changes.
-    fn capacity(&self, state: &FoodState, node: usize) -> f64 {
-        let squeezed: f64 = state.changed.iter().zip(&self.water.squeeze).map(|(x, s)| s * x[node]).sum();
-        self.tissue.initial_water[node] * self.water.held.at(state.peak[node]).min(1.0 - squeezed)
+    /// Shares of the raw water that the changes squeeze out of a block of nodes from `first` on [-].
+    fn squeezed(&self, state: &FoodState, first: usize) -> [f64; BLOCK] {
+        let mut squeezed = [0.0; BLOCK];
+        for (x, s) in state.changed.iter().zip(&self.water.squeeze) {
+            squeezed.iter_mut().zip(&x[first..]).for_each(|(sum, x)| *sum += s * x);
+        }
+        squeezed
     }
 
-    /// Turns a share of the water beyond the capacity of a node into free juice; dried flesh takes up juice.
-    fn free(&self, state: &mut FoodState, node: usize, dt: f64) {
-        let surplus = (state.water[node] - self.capacity(state, node)).max(0.0);
-        let bound = (surplus - state.juice[node]).max(0.0);
-        let released = 1.0 - 1.0 / (1.0 + self.water.release.at(state.temperature[node]) * dt);
-        state.juice[node] = (state.juice[node] + released * bound).min(surplus);
+    /// Turns a share of the water beyond the capacity of each node into free juice; dried flesh takes up juice.
+    fn free(&self, state: &mut FoodState, dt: f64) {
+        for first in (0..state.juice.len()).step_by(BLOCK) {
+            let squeezed = self.squeezed(state, first);
+            for (node, squeezed) in (first..state.juice.len()).zip(squeezed) {
+                // Water-holding capacity: the smaller of the limits by the peak temperature and by the changes.
+                let held = self.water.held.at(state.peak[node]).min(1.0 - squeezed);
+                let capacity = self.tissue.initial_water[node] * held;
+                let surplus = (state.water[node] - capacity).max(0.0);
+                let juice = &mut state.juice[node];
+                if surplus <= 0.0 && *juice >= 0.0 {
+                    *juice = 0.0;
+                    continue;
+                }
+                let bound = (surplus - *juice).max(0.0);
+                let released = 1.0 - 1.0 / (1.0 + self.water.release.at(state.temperature[node]) * dt);
+                *juice = (*juice + released * bound).min(surplus);
+            }
+        }
     }
 
-    /// Moves free juice of a column outwards from the middle level, which sends half either way. Outer nodes come first, so
-    /// that no juice moves by two nodes in one step.
-    fn drain(&self, mesh: &SweptMesh, state: &mut FoodState, column: usize, reach: f64) {
+    /// Moves free juice outwards from the middle level, which sends half either way. Outer levels come first, so that no
+    /// juice moves by two levels in one step.
+    fn drain(&self, mesh: &SweptMesh, state: &mut FoodState, reach: f64) {
         let last = mesh.levels.len() - 1;
         if self.shape.closed_below {
             for to in (1..=last).rev() {
-                let nodes = [to - 1, to].map(|level| mesh.node(level, column));
-                self.carry(state, nodes, self.share(mesh, to - 1, to, reach));
+                self.carry_level(mesh, state, [to - 1, to], self.share(mesh, to - 1, to, reach));
             }
             return;
         }
         for to in 0..last.div_ceil(2) {
             for (from, to) in [(to + 1, to), (last - to - 1, last - to)] {
                 let part = if 2 * from == last { 0.5 } else { 1.0 };
-                let nodes = [from, to].map(|level| mesh.node(level, column));
-                self.carry(state, nodes, part * self.share(mesh, from, to, reach));
+                self.carry_level(mesh, state, [from, to], part * self.share(mesh, from, to, reach));
+            }
+        }
+    }
+
+    /// Moves a share of a level's free juice to another level, in every column.
+    fn carry_level(&self, mesh: &SweptMesh, state: &mut FoodState, levels: [usize; 2], share: f64) {
+        for column in 0..mesh.nodes_per_level() {
+            let nodes = levels.map(|level| mesh.node(level, column));
+            if state.juice[nodes[0]] > 0.0 {
+                self.carry(state, nodes, share);
             }
         }
     }

@@ -81,6 +81,12 @@ impl Conduction {
         }
     }
 
+    /// Conductance of each edge [W/K].
+    #[inline]
+    pub fn conductance(&self) -> &[f64] {
+        &self.conductance
+    }
+
     /// Adds the net conducted heat flow into each node to `power` [W].
     ///
     /// Φ_a = Σ_b G_ab (T_b − T_a). Every flow is added at one end and subtracted at the other, so the sum over all nodes
