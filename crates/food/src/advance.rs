@@ -71,9 +71,10 @@ pub struct Exchange {
 /// Scratch space and cached properties of one piece.
 #[derive(Clone, Debug, Default)]
 pub struct FoodSolver {
-    conduction: Conduction,
-    /// The same conductances layer by layer, where the body is made of like layers.
+    /// Conduction layer by layer, where the body is made of like layers.
     layers: Option<Layers>,
+    /// Conduction edge by edge, where it is not.
+    conduction: Conduction,
     /// Conductivity across and along the fibres times the stretches [W/(m·K)].
     conductivity: [Vec<f64>; 2],
     /// Heat capacity [J/K] and one over it.
@@ -165,7 +166,11 @@ impl FoodSolver {
         if state.ticks.is_multiple_of(CONDUCTION_TICKS) || self.conductivity[0].len() != n {
             self.refresh_conduction(model, state);
         }
-        let limit = STABILITY_MARGIN * self.conduction.stable_step(&self.capacity);
+        let stable = match &self.layers {
+            Some(layers) => layers.stable_step(&self.capacity),
+            None => self.conduction.stable_step(&self.capacity),
+        };
+        let limit = STABILITY_MARGIN * stable;
         self.substeps = libm::ceil(dt / limit).clamp(1.0, MOST_SUBSTEPS) as u32;
     }
 
@@ -187,16 +192,17 @@ impl FoodSolver {
             self.conductivity[1][i] = conductivity * area / axial;
         }
         let [across, along] = &self.conductivity;
-        self.conduction.refresh_each(&model.mesh.graph, |_, a, b| {
-            let k = if model.mesh.is_along(a, b) { along } else { across };
-            (k[a], k[b])
-        });
         if self.layers.is_none() {
             self.layers = Layers::of(&model.mesh.graph, model.mesh.nodes_per_level());
         }
         if let Some(layers) = &mut self.layers {
-            layers.refresh(&self.conduction);
+            layers.refresh(across, along);
+            return;
         }
+        self.conduction.refresh_each(&model.mesh.graph, |_, a, b| {
+            let k = if model.mesh.is_along(a, b) { along } else { across };
+            (k[a], k[b])
+        });
     }
 
     /// Remembers a sound state; puts the remembered one in place of an unsound one. Returns whether all is well.
@@ -254,34 +260,41 @@ impl FoodSolver {
                 self.hot.extend(hot.map(|(i, _)| i));
             }
         }
+        let mut sums = *total;
         for &node in &self.hot {
             let i = node as usize;
             for _ in 0..4 {
                 let moisture = state.water[i] / model.lean_solids[i];
-                let boiling = model.isotherm.boiling_point(moisture);
+                let wet = model.isotherm.wet_boiling_point(moisture);
+                let boiling = wet.unwrap_or_else(|| model.isotherm.boiling_point(moisture));
                 let excess = state.temperature[i] - boiling;
                 if excess <= 1e-3 || state.water[i] <= 0.0 {
                     break;
                 }
                 let capacity = self.capacity[i];
-                let drier = 0.995 * moisture;
-                let slope =
-                    (model.isotherm.boiling_point(drier) - boiling) / ((moisture - drier) * model.lean_solids[i]);
+                let slope = if wet.is_some() { 0.0 } else { slope(model, i, moisture, boiling) };
                 let latent = latent_heat(boiling);
                 let mass = (capacity * excess / (latent + capacity * slope)).min(state.water[i]);
                 let enthalpy = mass * (model.properties.water_enthalpy(boiling) + latent);
                 state.water[i] -= mass;
                 state.enthalpy[i] -= enthalpy;
                 state.temperature[i] -= mass * latent / capacity;
-                total.evaporated += mass;
-                total.evaporation += enthalpy;
+                sums.evaporated += mass;
+                sums.evaporation += enthalpy;
                 // Where the boiling point stays, one round finds it.
                 if slope == 0.0 {
                     break;
                 }
             }
         }
+        *total = sums;
     }
+}
+
+/// How quickly a node's boiling point rises as it dries, from its moisture and its boiling point now [K/kg].
+fn slope(model: &FoodModel, node: usize, moisture: f64, boiling: f64) -> f64 {
+    let drier = 0.995 * moisture;
+    (model.isotherm.boiling_point(drier) - boiling) / ((moisture - drier) * model.lean_solids[node])
 }
 
 /// Area of a patch of the contracted piece [m²].

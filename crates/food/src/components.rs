@@ -52,8 +52,8 @@ fn polynomial(c: &[f64; 3], celsius: f64) -> f64 {
 /// Enthalpy, conductivity and density of three pseudo-components (water, lean solids, fat) against temperature.
 #[derive(Clone, Debug)]
 pub struct Properties {
-    rows: Vec<Row>,
     heat: Vec<HeatCell>,
+    bulk: Vec<BulkCell>,
 }
 
 /// Enthalpy between two rows: values at the colder one, and their rise to the hotter one; index 0 water, 1 lean solids, 2 fat.
@@ -61,6 +61,15 @@ pub struct Properties {
 struct HeatCell {
     from: [f64; 3],
     rise: [f64; 3],
+}
+
+/// Conductivity and density between two rows, likewise.
+#[derive(Clone, Copy, Debug)]
+struct BulkCell {
+    conductivity: [f64; 3],
+    conductivity_rise: [f64; 3],
+    inverse_density: [f64; 3],
+    inverse_density_rise: [f64; 3],
 }
 
 /// Properties at one temperature; index 0 water, 1 lean solids, 2 fat.
@@ -90,12 +99,9 @@ impl Properties {
         let mut rows: Vec<Row> =
             (COLDEST..=HOTTEST).map(|c| properties_at(f64::from(c), components, &solids, total)).collect();
         integrate_enthalpy(&mut rows, components, &solids, total, melting);
-        let cell = |pair: &[Row]| {
-            let [from, to] = [pair[0].enthalpy, pair[1].enthalpy];
-            HeatCell { from, rise: [0, 1, 2].map(|k| to[k] - from[k]) }
-        };
-        let heat = rows.windows(2).map(cell).collect();
-        Self { rows, heat }
+        let heat = rows.windows(2).map(|pair| HeatCell::between(&pair[0], &pair[1])).collect();
+        let bulk = rows.windows(2).map(|pair| BulkCell::between(&pair[0], &pair[1])).collect();
+        Self { heat, bulk }
     }
 
     /// Index of the cell of a temperature, and the share of the cell that lies below it.
@@ -105,12 +111,6 @@ impl Properties {
         let position = temperature - ZERO_C - f64::from(COLDEST);
         let index = (position as u32 as usize).min(self.heat.len() - 1);
         (index, position - index as f64)
-    }
-
-    #[inline]
-    fn cell(&self, temperature: f64) -> (&Row, &Row, f64) {
-        let (index, share) = self.place(temperature);
-        (&self.rows[index], &self.rows[index + 1], share)
     }
 
     /// Enthalpy above 0 °C [J] and heat capacity [J/K] of the given masses.
@@ -124,15 +124,15 @@ impl Properties {
     /// Specific enthalpy of liquid water above 0 °C [J/kg].
     #[inline]
     pub fn water_enthalpy(&self, temperature: f64) -> f64 {
-        let (low, high, share) = self.cell(temperature);
-        low.enthalpy[0] + share * (high.enthalpy[0] - low.enthalpy[0])
+        let (index, share) = self.place(temperature);
+        self.heat[index].from[0] + share * self.heat[index].rise[0]
     }
 
     /// Specific enthalpy of fat above 0 °C, heat of melting included [J/kg].
     #[inline]
     pub fn fat_enthalpy(&self, temperature: f64) -> f64 {
-        let (low, high, share) = self.cell(temperature);
-        low.enthalpy[2] + share * (high.enthalpy[2] - low.enthalpy[2])
+        let (index, share) = self.place(temperature);
+        self.heat[index].from[2] + share * self.heat[index].rise[2]
     }
 
     /// Temperature at which the given masses hold `enthalpy` [K], by Newton's rule from `guess`, and their heat capacity
@@ -159,12 +159,12 @@ impl Properties {
     }
 
     /// Thermal conductivity by Maxwell–Eucken, water continuous, solids and fat dispersed [W/(m·K)].
+    #[inline]
     pub fn conductivity(&self, masses: &Masses, temperature: f64) -> f64 {
-        let (low, high, share) = self.cell(temperature);
-        let volume = |k: usize| {
-            masses[k] * (low.inverse_density[k] + share * (high.inverse_density[k] - low.inverse_density[k]))
-        };
-        let conductivity = |k: usize| low.conductivity[k] + share * (high.conductivity[k] - low.conductivity[k]);
+        let (index, share) = self.place(temperature);
+        let cell = &self.bulk[index];
+        let volume = |k: usize| masses[k] * (cell.inverse_density[k] + share * cell.inverse_density_rise[k]);
+        let conductivity = |k: usize| cell.conductivity[k] + share * cell.conductivity_rise[k];
         let dispersed = volume(1) + volume(2);
         let inside = (volume(1) * conductivity(1) + volume(2) * conductivity(2)) / dispersed;
         let fraction = dispersed / (dispersed + volume(0));
@@ -175,14 +175,33 @@ impl Properties {
 
     /// Volume of the given masses [m³].
     pub fn volume(&self, masses: &Masses, temperature: f64) -> f64 {
-        let (low, high, share) = self.cell(temperature);
-        (0..3)
-            .map(|k| masses[k] * (low.inverse_density[k] + share * (high.inverse_density[k] - low.inverse_density[k])))
-            .sum()
+        let (index, share) = self.place(temperature);
+        let cell = &self.bulk[index];
+        (0..3).map(|k| masses[k] * (cell.inverse_density[k] + share * cell.inverse_density_rise[k])).sum()
+    }
+}
+
+/// How much higher a property is in the hotter of two rows.
+fn rise(from: [f64; 3], to: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|k| to[k] - from[k])
+}
+
+impl BulkCell {
+    fn between(low: &Row, high: &Row) -> Self {
+        Self {
+            conductivity: low.conductivity,
+            conductivity_rise: rise(low.conductivity, high.conductivity),
+            inverse_density: low.inverse_density,
+            inverse_density_rise: rise(low.inverse_density, high.inverse_density),
+        }
     }
 }
 
 impl HeatCell {
+    fn between(low: &Row, high: &Row) -> Self {
+        Self { from: low.enthalpy, rise: rise(low.enthalpy, high.enthalpy) }
+    }
+
     /// Enthalpy above 0 °C of the given masses at a share of the cell [J].
     #[inline]
     fn enthalpy(&self, masses: &Masses, share: f64) -> f64 {

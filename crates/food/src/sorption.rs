@@ -12,6 +12,8 @@ use crate::water::{ATMOSPHERE, saturation_pressure};
 pub struct Isotherm {
     activity: Table,
     boiling: Table,
+    /// Boiling point of moistures beyond the table [K].
+    wet_boiling: f64,
 }
 
 /// Moisture above which a food is as good as wet (chosen: GAB activity is within 1 % of fresh there).
@@ -23,13 +25,13 @@ impl Isotherm {
     pub fn new(gab: &Sorption) -> Self {
         let activity = Table::new(0.0, WETTEST, 0.005, |x| gab_activity(gab, x));
         let boiling = Table::new(0.0, WETTEST, 0.005, |x| boiling_point(gab_activity(gab, x)));
-        Self { activity, boiling }
+        Self { wet_boiling: boiling.at(2.0 * WETTEST), activity, boiling }
     }
 
     /// Water that boils at one temperature [K] until none is left.
     pub fn free_water(boiling: f64) -> Self {
         let table = |value: f64| Table::new(0.0, WETTEST, WETTEST, move |_| value);
-        Self { activity: table(1.0), boiling: table(boiling) }
+        Self { activity: table(1.0), boiling: table(boiling), wet_boiling: table(boiling).at(2.0 * WETTEST) }
     }
 
     /// Water activity at moisture `x` [-].
@@ -37,11 +39,21 @@ impl Isotherm {
         self.activity.at(x)
     }
 
+    /// Temperature at which food boils that is so wet that its boiling point stays as it dries [K]; none at a moisture near
+    /// to the table or on it.
+    #[inline]
+    pub(crate) fn wet_boiling_point(&self, x: f64) -> Option<f64> {
+        (x > WET && x < f64::INFINITY).then_some(self.wet_boiling)
+    }
+
     /// Temperature at which the moisture boils under one atmosphere [K].
     pub fn boiling_point(&self, x: f64) -> f64 {
         self.boiling.at(x)
     }
 }
+
+/// Moisture that is off the table even when it has become half a percent less (chosen: with room for rounding).
+const WET: f64 = 1.02 * WETTEST;
 
 fn gab_activity(gab: &Sorption, x: f64) -> f64 {
     if x <= 0.0 {

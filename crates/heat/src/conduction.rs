@@ -70,11 +70,6 @@ impl Conduction {
         }
     }
 
-    /// Conductance of each edge [W/K].
-    pub fn conductance(&self) -> &[f64] {
-        &self.conductance
-    }
-
     /// Adds to `power` the net heat that conduction brings to every node [W]; the sum over all nodes is zero.
     pub fn add_power(&self, graph: &Graph, temperature: &[f64], power: &mut [f64]) {
         for (&[a, b], &g) in graph.ends.iter().zip(&self.conductance) {
@@ -87,7 +82,7 @@ impl Conduction {
     /// The longest explicit step that keeps every node between its neighbours' temperatures [s]: min C / ΣG over the
     /// nodes' heat capacities C [J/K].
     pub fn stable_step(&self, capacity: &[f64]) -> f64 {
-        capacity.iter().zip(&self.total).map(|(c, g)| c / g).fold(f64::INFINITY, f64::min)
+        stable_step(capacity, &self.total)
     }
 
     /// As [`Self::stable_step`] where nodes also exchange heat explicitly with their surroundings through `exchange` [W/K].
@@ -95,4 +90,9 @@ impl Conduction {
         let limits = capacity.iter().zip(&self.total).zip(exchange).map(|((c, g), e)| c / (g + e));
         limits.fold(f64::INFINITY, f64::min)
     }
+}
+
+/// As [`Conduction::stable_step`], for the nodes' sums of conductances [W/K].
+pub(crate) fn stable_step(capacity: &[f64], total: &[f64]) -> f64 {
+    capacity.iter().zip(total).map(|(c, g)| c / g).fold(f64::INFINITY, f64::min)
 }
