@@ -70,11 +70,14 @@ pub struct Exchange {
 }
 
 /// Time integrator of one piece, with cached properties and scratch space.
+///
+/// It caches the conductances of its model: start with a new one after [`FoodModel::halved`].
 #[derive(Clone, Debug, Default)]
 pub struct FoodSolver {
-    conduction: Conduction,
-    /// The same conductances layer by layer; none in a body without identical layers.
+    /// Conduction layer by layer; none in a body without identical layers.
     layers: Option<Layers>,
+    /// Conduction edge by edge, in a body without identical layers.
+    conduction: Conduction,
     /// Conductivity across and along the fibres, times the stretch ratios [W/(m·K)].
     conductivity: [Vec<f64>; 2],
     /// Heat capacity of each node [J/K] and its reciprocal [K/J].
@@ -166,7 +169,11 @@ impl FoodSolver {
         if state.ticks.is_multiple_of(CONDUCTION_TICKS) || self.conductivity[0].len() != n {
             self.refresh_conduction(model, state);
         }
-        let limit = STABILITY_MARGIN * self.conduction.stable_step(&self.capacity);
+        let stable = match &self.layers {
+            Some(layers) => layers.stable_step(&self.capacity),
+            None => self.conduction.stable_step(&self.capacity),
+        };
+        let limit = STABILITY_MARGIN * stable;
         self.substeps = libm::ceil(dt / limit).clamp(1.0, MOST_SUBSTEPS) as u32;
     }
 
@@ -188,17 +195,18 @@ impl FoodSolver {
             self.conductivity[1][i] = conductivity * area / axial;
         }
         let [across, along] = &self.conductivity;
-        self.conduction.refresh_each(model.shape.mesh.graph(), |_, a, b| {
-            let k = if model.shape.mesh.is_along(a, b) { along } else { across };
-            (k[a], k[b])
-        });
         if self.layers.is_none() {
             let layers = |mesh: &SweptMesh| Layers::of(&mesh.graph, mesh.nodes_per_level());
             self.layers = model.shape.mesh.swept().and_then(layers);
         }
         if let Some(layers) = &mut self.layers {
-            layers.refresh(&self.conduction);
+            layers.refresh(across, along);
+            return;
         }
+        self.conduction.refresh_each(model.shape.mesh.graph(), |_, a, b| {
+            let k = if model.shape.mesh.is_along(a, b) { along } else { across };
+            (k[a], k[b])
+        });
     }
 
     /// Stores a finite state, or restores the stored one; returns true if the state was finite.
@@ -256,34 +264,41 @@ impl FoodSolver {
                 self.hot.extend(hot.map(|(i, _)| i));
             }
         }
+        let mut sums = *total;
         for &node in &self.hot {
             let i = node as usize;
             for _ in 0..4 {
                 let moisture = state.water[i] / model.tissue.lean_solids[i];
-                let boiling = model.water.isotherm.boiling_point(moisture);
+                let wet = model.water.isotherm.wet_boiling_point(moisture);
+                let boiling = wet.unwrap_or_else(|| model.water.isotherm.boiling_point(moisture));
                 let excess = state.temperature[i] - boiling;
                 if excess <= 1e-3 || state.water[i] <= 0.0 {
                     break;
                 }
                 let capacity = self.capacity[i];
-                let drier = 0.995 * moisture;
-                let slope = (model.water.isotherm.boiling_point(drier) - boiling)
-                    / ((moisture - drier) * model.tissue.lean_solids[i]);
+                let slope = if wet.is_some() { 0.0 } else { slope(model, i, moisture, boiling) };
                 let latent = latent_heat(boiling);
                 let mass = (capacity * excess / (latent + capacity * slope)).min(state.water[i]);
                 let enthalpy = mass * (model.properties.water_enthalpy(boiling) + latent);
                 state.water[i] -= mass;
                 state.enthalpy[i] -= enthalpy;
                 state.temperature[i] -= mass * latent / capacity;
-                total.evaporated += mass;
-                total.evaporation += enthalpy;
+                sums.evaporated += mass;
+                sums.evaporation += enthalpy;
                 // With a constant boiling point one iteration is exact.
                 if slope == 0.0 {
                     break;
                 }
             }
         }
+        *total = sums;
     }
+}
+
+/// Rise of a node's boiling point per lost mass of water, from its moisture [kg/kg] and its boiling point [K] [K/kg].
+fn slope(model: &FoodModel, node: usize, moisture: f64, boiling: f64) -> f64 {
+    let drier = 0.995 * moisture;
+    (model.water.isotherm.boiling_point(drier) - boiling) / ((moisture - drier) * model.tissue.lean_solids[node])
 }
 
 /// Returns the area of a patch in the present, contracted shape [m²].

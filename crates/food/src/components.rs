@@ -55,8 +55,8 @@ fn polynomial(c: &[f64; 3], celsius: f64) -> f64 {
 /// constant beyond. Source: Choi & Okos 1986.
 #[derive(Clone, Debug)]
 pub struct Properties {
-    rows: Vec<Row>,
     heat: Vec<HeatCell>,
+    bulk: Vec<BulkCell>,
 }
 
 /// Enthalpy between two rows [J/kg]: values at the colder row and their rise to the hotter one, in the order water, lean
@@ -65,6 +65,15 @@ pub struct Properties {
 struct HeatCell {
     from: [f64; 3],
     rise: [f64; 3],
+}
+
+/// Conductivity [W/(m·K)] and inverse density [m³/kg] between two rows, likewise.
+#[derive(Clone, Copy, Debug)]
+struct BulkCell {
+    conductivity: [f64; 3],
+    conductivity_rise: [f64; 3],
+    inverse_density: [f64; 3],
+    inverse_density_rise: [f64; 3],
 }
 
 /// Properties at one temperature, in the order water, lean solids, fat.
@@ -94,12 +103,9 @@ impl Properties {
         let mut rows: Vec<Row> =
             (COLDEST..=HOTTEST).map(|c| properties_at(f64::from(c), components, &solids, total)).collect();
         integrate_enthalpy(&mut rows, components, &solids, total, melting);
-        let cell = |pair: &[Row]| {
-            let [from, to] = [pair[0].enthalpy, pair[1].enthalpy];
-            HeatCell { from, rise: [0, 1, 2].map(|k| to[k] - from[k]) }
-        };
-        let heat = rows.windows(2).map(cell).collect();
-        Self { rows, heat }
+        let heat = rows.windows(2).map(|pair| HeatCell::between(&pair[0], &pair[1])).collect();
+        let bulk = rows.windows(2).map(|pair| BulkCell::between(&pair[0], &pair[1])).collect();
+        Self { heat, bulk }
     }
 
     /// Returns the cell of a temperature and the relative position in it [-].
@@ -109,12 +115,6 @@ impl Properties {
         let position = temperature - ZERO_C - f64::from(COLDEST);
         let index = (position as u32 as usize).min(self.heat.len() - 1);
         (index, position - index as f64)
-    }
-
-    #[inline]
-    fn cell(&self, temperature: f64) -> (&Row, &Row, f64) {
-        let (index, share) = self.place(temperature);
-        (&self.rows[index], &self.rows[index + 1], share)
     }
 
     /// Returns enthalpy above 0 °C [J] and heat capacity [J/K] of the given masses.
@@ -128,15 +128,15 @@ impl Properties {
     /// Specific enthalpy of liquid water above 0 °C [J/kg].
     #[inline]
     pub fn water_enthalpy(&self, temperature: f64) -> f64 {
-        let (low, high, share) = self.cell(temperature);
-        low.enthalpy[0] + share * (high.enthalpy[0] - low.enthalpy[0])
+        let (index, share) = self.place(temperature);
+        self.heat[index].from[0] + share * self.heat[index].rise[0]
     }
 
     /// Specific enthalpy of fat above 0 °C, heat of melting included [J/kg].
     #[inline]
     pub fn fat_enthalpy(&self, temperature: f64) -> f64 {
-        let (low, high, share) = self.cell(temperature);
-        low.enthalpy[2] + share * (high.enthalpy[2] - low.enthalpy[2])
+        let (index, share) = self.place(temperature);
+        self.heat[index].from[2] + share * self.heat[index].rise[2]
     }
 
     /// Returns the temperature at which the given masses hold `enthalpy` [K], and their heat capacity there [J/K].
@@ -166,12 +166,12 @@ impl Properties {
     /// Thermal conductivity of the given masses [W/(m·K)].
     ///
     /// Maxwell–Eucken model with water as the continuous phase, and solids and fat dispersed in it.
+    #[inline]
     pub fn conductivity(&self, masses: &Masses, temperature: f64) -> f64 {
-        let (low, high, share) = self.cell(temperature);
-        let volume = |k: usize| {
-            masses[k] * (low.inverse_density[k] + share * (high.inverse_density[k] - low.inverse_density[k]))
-        };
-        let conductivity = |k: usize| low.conductivity[k] + share * (high.conductivity[k] - low.conductivity[k]);
+        let (index, share) = self.place(temperature);
+        let cell = &self.bulk[index];
+        let volume = |k: usize| masses[k] * (cell.inverse_density[k] + share * cell.inverse_density_rise[k]);
+        let conductivity = |k: usize| cell.conductivity[k] + share * cell.conductivity_rise[k];
         let dispersed = volume(1) + volume(2);
         let inside = (volume(1) * conductivity(1) + volume(2) * conductivity(2)) / dispersed;
         let fraction = dispersed / (dispersed + volume(0));
@@ -182,14 +182,33 @@ impl Properties {
 
     /// Volume of the given masses [m³].
     pub fn volume(&self, masses: &Masses, temperature: f64) -> f64 {
-        let (low, high, share) = self.cell(temperature);
-        (0..3)
-            .map(|k| masses[k] * (low.inverse_density[k] + share * (high.inverse_density[k] - low.inverse_density[k])))
-            .sum()
+        let (index, share) = self.place(temperature);
+        let cell = &self.bulk[index];
+        (0..3).map(|k| masses[k] * (cell.inverse_density[k] + share * cell.inverse_density_rise[k])).sum()
+    }
+}
+
+/// Difference of a property between two rows.
+fn rise(from: [f64; 3], to: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|k| to[k] - from[k])
+}
+
+impl BulkCell {
+    fn between(low: &Row, high: &Row) -> Self {
+        Self {
+            conductivity: low.conductivity,
+            conductivity_rise: rise(low.conductivity, high.conductivity),
+            inverse_density: low.inverse_density,
+            inverse_density_rise: rise(low.inverse_density, high.inverse_density),
+        }
     }
 }
 
 impl HeatCell {
+    fn between(low: &Row, high: &Row) -> Self {
+        Self { from: low.enthalpy, rise: rise(low.enthalpy, high.enthalpy) }
+    }
+
     /// Enthalpy above 0 °C of the given masses at a relative position in the cell [J].
     #[inline]
     fn enthalpy(&self, masses: &Masses, share: f64) -> f64 {

@@ -30,7 +30,7 @@ struct Block {
     count: usize,
     nodes: [usize; TOGETHER],
     air: [usize; TOGETHER],
-    /// True for four patches with different nodes and one air zone: they are computed together.
+    /// True for four patches with consecutive nodes and one air zone: they are computed together.
     together: bool,
     /// Heat capacity of the nodes [J/K].
     capacity: Lanes,
@@ -134,9 +134,8 @@ impl Block {
             block.capacity[k] = capacity[patch.node as usize];
             block.film.set(k, &film(patch));
         }
-        let [a, b, c, d] = block.nodes;
-        let differ = a != b && a != c && a != d && b != c && b != d && c != d;
-        block.together = patches.len() == TOGETHER && differ && block.air.iter().all(|air| *air == block.air[0]);
+        let follow = block.nodes.windows(2).all(|pair| pair[1] == pair[0] + 1);
+        block.together = patches.len() == TOGETHER && follow && block.air.iter().all(|air| *air == block.air[0]);
         block
     }
 
@@ -156,7 +155,7 @@ impl Block {
     #[inline]
     fn air_together(&self, nodes: &mut Nodes, around: &Surroundings, total: &mut Exchange) {
         let (film, step, capacity, air) = (&self.film, &self.step, &self.capacity, &around.air[self.air[0]]);
-        let (mut t, mut h, mut w) = nodes.at(&self.nodes);
+        let Some([mut t, mut h, mut w]) = nodes.from(self.nodes[0]) else { return };
         let (mut given, mut mass, mut enthalpy) = ([0.0; TOGETHER], [0.0; TOGETHER], [0.0; TOGETHER]);
         for k in 0..TOGETHER {
             let change = step.conductance[k] * (air.temperature - t[k]) / step.whole[k];
@@ -172,7 +171,7 @@ impl Block {
             h[k] -= enthalpy[k];
             t[k] -= mass[k] * film.latent[k] / capacity[k];
         }
-        nodes.put(&self.nodes, (t, h, w));
+        nodes.put(self.nodes[0], [t, h, w]);
         for k in 0..TOGETHER {
             total.air -= given[k];
             total.evaporated += mass[k];
@@ -183,7 +182,7 @@ impl Block {
     /// Exchanges heat of four patches with their contacts.
     #[inline]
     fn touch_together(&self, nodes: &mut Nodes, touch: &[Touch], dt: f64, heat: &mut [f64]) {
-        let (mut t, mut h, w) = nodes.at(&self.nodes);
+        let Some([mut t, mut h, w]) = nodes.from(self.nodes[0]) else { return };
         let conductance: Lanes = from_fn(|k| touch[k].conductance * self.film.area[k] * dt);
         let outside: Lanes = from_fn(|k| touch[k].temperature);
         let mut gained = [0.0; TOGETHER];
@@ -193,7 +192,7 @@ impl Block {
             gained[k] = self.capacity[k] * change;
             h[k] += gained[k];
         }
-        nodes.put(&self.nodes, (t, h, w));
+        nodes.put(self.nodes[0], [t, h, w]);
         heat.iter_mut().zip(gained).for_each(|(heat, gained)| *heat += gained);
     }
 
@@ -251,19 +250,17 @@ fn clamped(mass: f64, most: f64) -> f64 {
 }
 
 impl Nodes<'_> {
-    /// Returns temperatures, enthalpies and water of four nodes.
+    /// Returns temperatures, enthalpies and water of four nodes from `first` on.
     #[inline]
-    fn at(&self, nodes: &[usize; TOGETHER]) -> (Lanes, Lanes, Lanes) {
-        let of = |field: &[f64]| from_fn(|k| field[nodes[k]]);
-        (of(self.temperature), of(self.enthalpy), of(self.water))
+    fn from(&self, first: usize) -> Option<[Lanes; 3]> {
+        let of = |field: &[f64]| field.get(first..)?.first_chunk().copied();
+        Some([of(self.temperature)?, of(self.enthalpy)?, of(self.water)?])
     }
 
     #[inline]
-    fn put(&mut self, nodes: &[usize; TOGETHER], (t, h, w): (Lanes, Lanes, Lanes)) {
-        for (k, &node) in nodes.iter().enumerate() {
-            self.temperature[node] = t[k];
-            self.enthalpy[node] = h[k];
-            self.water[node] = w[k];
+    fn put(&mut self, first: usize, fields: [Lanes; 3]) {
+        for (field, lanes) in [&mut *self.temperature, self.enthalpy, self.water].into_iter().zip(fields) {
+            field[first..first + TOGETHER].copy_from_slice(&lanes);
         }
     }
 }

@@ -12,6 +12,8 @@ use crate::water::vapour::{ATMOSPHERE, saturation_pressure};
 pub struct Isotherm {
     activity: Table,
     boiling: Table,
+    /// Boiling point at moistures beyond the table [K].
+    wet_boiling: f64,
 }
 
 /// Moisture above which a food counts as wet [kg/kg] (chosen: the GAB activity is within 1 % of that of fresh food).
@@ -25,13 +27,13 @@ impl Isotherm {
     pub fn new(gab: &Sorption) -> Self {
         let activity = Table::new(0.0, WETTEST, 0.005, |x| gab_activity(gab, x));
         let boiling = Table::new(0.0, WETTEST, 0.005, |x| boiling_point(gab_activity(gab, x)));
-        Self { activity, boiling }
+        Self { wet_boiling: boiling.at(2.0 * WETTEST), activity, boiling }
     }
 
     /// Isotherm of free water: activity 1 and a constant boiling point [K].
     pub fn free_water(boiling: f64) -> Self {
         let table = |value: f64| Table::new(0.0, WETTEST, WETTEST, move |_| value);
-        Self { activity: table(1.0), boiling: table(boiling) }
+        Self { activity: table(1.0), boiling: table(boiling), wet_boiling: table(boiling).at(2.0 * WETTEST) }
     }
 
     /// Water activity at moisture `x` [-].
@@ -39,11 +41,20 @@ impl Isotherm {
         self.activity.at(x)
     }
 
+    /// Boiling point of food so wet that drying does not change it [K]; none at a moisture within or near the table.
+    #[inline]
+    pub(crate) fn wet_boiling_point(&self, x: f64) -> Option<f64> {
+        (x > WET && x < f64::INFINITY).then_some(self.wet_boiling)
+    }
+
     /// Boiling point at moisture `x` and a pressure of one atmosphere [K].
     pub fn boiling_point(&self, x: f64) -> f64 {
         self.boiling.at(x)
     }
 }
+
+/// Moisture that stays beyond the table after drying by half a percent [kg/kg] (chosen: with a margin for rounding).
+const WET: f64 = 1.02 * WETTEST;
 
 fn gab_activity(gab: &Sorption, x: f64) -> f64 {
     if x <= 0.0 {

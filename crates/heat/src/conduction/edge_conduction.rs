@@ -81,12 +81,6 @@ impl Conduction {
         }
     }
 
-    /// Conductance of each edge [W/K].
-    #[inline]
-    pub fn conductance(&self) -> &[f64] {
-        &self.conductance
-    }
-
     /// Adds the net conducted heat flow into each node to `power` [W].
     ///
     /// Φ_a = Σ_b G_ab (T_b − T_a). Every flow is added at one end and subtracted at the other, so the sum over all nodes
@@ -104,7 +98,7 @@ impl Conduction {
     /// Δt = min C / ΣG over all nodes with heat capacity C [J/K]: no node then leaves the range of its neighbours'
     /// temperatures. In terms of the cell Fourier number, Σ Fo ≤ 1.
     pub fn stable_step(&self, capacity: &[f64]) -> f64 {
-        capacity.iter().zip(&self.total).map(|(c, g)| c / g).fold(f64::INFINITY, f64::min)
+        stable_step(capacity, &self.total)
     }
 
     /// Returns the longest explicit Euler step with heat exchange to the surroundings [s].
@@ -114,4 +108,9 @@ impl Conduction {
         let limits = capacity.iter().zip(&self.total).zip(exchange).map(|((c, g), e)| c / (g + e));
         limits.fold(f64::INFINITY, f64::min)
     }
+}
+
+/// Longest explicit step for the nodes' sums of conductances [W/K] and heat capacities [J/K] [s].
+pub(crate) fn stable_step(capacity: &[f64], total: &[f64]) -> f64 {
+    capacity.iter().zip(total).map(|(c, g)| c / g).fold(f64::INFINITY, f64::min)
 }
