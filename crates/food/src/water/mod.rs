@@ -2,6 +2,7 @@
 
 pub mod air_film;
 pub mod fat;
+pub(crate) mod films;
 pub mod juice;
 mod juice_way;
 pub mod sorption;

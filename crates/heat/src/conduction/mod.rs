@@ -9,6 +9,7 @@ pub mod boundary;
 pub mod column;
 pub mod edge_conduction;
 pub mod graph;
+pub mod layers;
 pub mod product;
 pub mod rule;
 pub mod super_step;
@@ -16,3 +17,4 @@ pub mod tensor;
 
 pub use edge_conduction::Conduction;
 pub use graph::Graph;
+pub use layers::Layers;
