@@ -1,4 +1,8 @@
 //! Time integration of a piece of food: one tick with given surroundings.
+//!
+//! Time: conduction is explicit with as many sub-steps as the stability limit requires (one, as a rule); exchange
+//! with the surroundings is implicit in the node's own temperature. Both keep every temperature within the range of
+//! those it is coupled to, and both conserve energy.
 
 use saute_heat::{Conduction, Layers, SweptMesh};
 

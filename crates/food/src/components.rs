@@ -1,11 +1,12 @@
-//! Thermal properties from composition (Choi & Okos 1986).
+//! Thermal properties from composition (Choi & Okos 1986 `[@choi-okos-1986]`).
 
 use serde::Deserialize;
 
 use crate::ZERO_C;
 use crate::description::{Composition, Confidence, FatMelting};
 
-/// Properties of one component as polynomials a + bT + cT² of the temperature T [°C] (Choi & Okos 1986).
+/// Properties of one component as polynomials a + bT + cT² of the temperature T [°C] (Choi & Okos 1986
+/// `[@choi-okos-1986]`).
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Component {
@@ -52,7 +53,7 @@ fn polynomial(c: &[f64; 3], celsius: f64) -> f64 {
 /// Tables of enthalpy [J/kg], conductivity [W/(m·K)] and density [kg/m³] of water, lean solids and fat.
 ///
 /// The solids are one pseudo-component with the composition of the lean tissue. Valid from −40 to 150 °C; the properties are
-/// constant beyond. Source: Choi & Okos 1986.
+/// constant beyond. Source: Choi & Okos 1986 `[@choi-okos-1986]`.
 #[derive(Clone, Debug)]
 pub struct Properties {
     heat: Vec<HeatCell>,

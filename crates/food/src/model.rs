@@ -1,4 +1,7 @@
 //! The model of a piece of food: everything that heating does not change.
+//!
+//! State: enthalpy, water and temperature per node. Enthalpy is conserved; temperature follows from it by Newton's
+//! method on tables of the components' enthalpies `[@choi-okos-1986]`.
 
 use saute_heat::{BodyMesh, Outline};
 

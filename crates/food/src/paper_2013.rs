@@ -2,7 +2,8 @@
 //!
 //! Conduction follows line segments. A distance threshold decides on contact. All heat above the boiling point becomes latent
 //! heat; there is no juice and no evaporation below boiling. Browning begins at 150 °C and follows the weight loss in four
-//! stages. Nothing contracts. Source: Kato, Hasegawa, "Interactive Cooking Simulator", SIGGRAPH Asia 2013.
+//! stages. Nothing contracts. Source: Kato, Hasegawa, "Interactive Cooking Simulator", SIGGRAPH Asia 2013
+//! `[@kato-hasegawa-2013]`.
 
 use crate::ZERO_C;
 use crate::body::form::Form;

@@ -6,7 +6,7 @@ use crate::ZERO_C;
 use crate::description::{Change, Kinetics};
 use crate::table::Table;
 
-/// Molar gas constant [J/(mol·K)] (CODATA 2018, exact to 6 digits).
+/// Molar gas constant [J/(mol·K)] (CODATA 2018 `[@codata-2018]`, exact to 6 digits).
 const GAS_CONSTANT: f64 = 8.314_46;
 
 /// Returns the Arrhenius rate as a function of the temperature [K], in the unit of `rate`.
@@ -86,7 +86,7 @@ mod tests {
         assert!((actin(343.15) / 0.23 - 1.0).abs() < 0.05);
     }
 
-    /// Geileskey et al. 1998: 63 °C for one minute denatures 6.5 % of beef myoglobin.
+    /// Geileskey et al. 1998 `[@geileskey-1998]`: 63 °C for one minute denatures 6.5 % of beef myoglobin.
     #[test]
     fn a_minute_at_63_denatures_the_published_share_of_myoglobin() {
         let k = denaturation(290.0, 63.0, 0.0676)(336.15);

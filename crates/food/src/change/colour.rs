@@ -41,7 +41,8 @@ impl Lab {
 
     /// Linear sRGB from 0 to 1, clipped to the gamut [-].
     ///
-    /// CIE 15:2004 for L*a*b*, IEC 61966-2-1 for the matrix; white D65 (0.95047, 1, 1.08883).
+    /// CIE 15:2004 `[@cie-15-2004]` for L*a*b*, IEC 61966-2-1 `[@iec-61966-2-1]` for the matrix; white D65 (0.95047, 1,
+    /// 1.08883).
     pub fn linear_srgb(self) -> [f64; 3] {
         let fy = (self.0[0] + 16.0) / 116.0;
         let inverse =
@@ -82,7 +83,7 @@ impl Lab {
     }
 }
 
-/// Linear light of an sRGB value, both from 0 to 1 (IEC 61966-2-1) [-].
+/// Linear light of an sRGB value, both from 0 to 1 (IEC 61966-2-1 `[@iec-61966-2-1]`) [-].
 pub fn decoded(v: f64) -> f64 {
     if v <= 0.040_45 { v / 12.92 } else { libm::pow((v + 0.055) / 1.055, 2.4) }
 }

@@ -55,7 +55,8 @@ fn even(field: &impl Grown, points: &[[f64; 3]]) -> Option<f64> {
     field.even(corner(f64::INFINITY, f64::min), corner(f64::NEG_INFINITY, f64::max))
 }
 
-/// Low-discrepancy sequence in the unit cube: multiples of the powers of 1/g, g⁴ = g + 1 (Roberts 2018).
+/// Low-discrepancy sequence in the unit cube: multiples of the powers of 1/g, g⁴ = g + 1 (Roberts 2018
+/// `[@roberts-2018]`).
 struct Spread(u32);
 
 impl Spread {

@@ -1,6 +1,6 @@
 //! Seeded value noise for marbling and unevenness; the same on every platform.
 
-/// A 64-bit mix of integers (the finaliser of SplitMix64, Steele et al. 2014).
+/// A 64-bit mix of integers (the finaliser of SplitMix64, Steele et al. 2014 `[@steele-2014]`).
 pub fn mix(mut x: u64) -> u64 {
     x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -6,7 +6,7 @@ use crate::model::FoodModel;
 use crate::state::FoodState;
 use crate::water::vapour::latent_heat;
 
-/// Stefan–Boltzmann constant [W/(m²·K⁴)] (CODATA 2018).
+/// Stefan–Boltzmann constant [W/(m²·K⁴)] (CODATA 2018 `[@codata-2018]`).
 const STEFAN_BOLTZMANN: f64 = 5.670_374e-8;
 /// Highest surface temperature of evaporation into air [K]; water boils beyond.
 pub(crate) const HOTTEST_WET: f64 = 373.15;

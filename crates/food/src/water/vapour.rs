@@ -23,7 +23,7 @@ const CRITICAL_PRESSURE: f64 = 22.064e6;
 /// ```
 ///
 /// ln(p/p_c) = T_c/T · Σ aᵢ τ^bᵢ with τ = 1 − T/T_c; 273–647 K, error below 0.1 %.
-/// Source: Wagner & Pruß 2002, J. Phys. Chem. Ref. Data 31:387, eq. 2.5.
+/// Source: Wagner & Pruß 2002 `[@wagner-pruss-2002]`, J. Phys. Chem. Ref. Data 31:387, eq. 2.5.
 pub fn saturation_pressure(temperature: f64) -> f64 {
     let t = temperature.clamp(230.0, 640.0);
     let tau = 1.0 - t / CRITICAL_TEMPERATURE;
