@@ -65,6 +65,9 @@ pub enum CliError {
     /// A control loop that cannot run.
     #[error("{0}\n  remedy: close other programs and try again")]
     Loop(#[from] saute_haptics::control_loop::LoopError),
+    /// Series that cannot be written as CSV.
+    #[error("the series cannot be written as CSV: {0}\n  remedy: run it without --out and report this as a bug")]
+    Csv(#[from] csv::Error),
     /// Numbers that cannot be written as JSON.
     #[error(
         "the numbers cannot be written as JSON: {0}\n  remedy: run it without --json and --out and report this as a bug"

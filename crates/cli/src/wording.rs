@@ -68,3 +68,17 @@ pub fn class_range(scale: &Scale, place: usize) -> String {
         (_, None) => format!("> {from} °C"),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_action_on_a_food_names_its_food() {
+        for action in ["put", "flip", "rest", "halve", "press", "move"] {
+            let (target, foods) = (Some("steak".to_owned()), vec!["steak".to_owned()]);
+            let record = StepRecord { time_s: 1.0, action, target, foods, value: serde_json::Value::Null };
+            assert!(step(&record).starts_with(&format!("{action} steak")), "{}", step(&record));
+        }
+    }
+}

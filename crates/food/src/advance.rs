@@ -103,12 +103,12 @@ impl FoodSolver {
             change(model, state, dt * REFRESH_TICKS as f64);
             total.drip = model.release_juice(state, dt * REFRESH_TICKS as f64);
             total.rendered = model.release_fat(state, dt * REFRESH_TICKS as f64);
-            if model.contracts && state.ticks.is_multiple_of(SHAPE_TICKS) {
+            if model.shape.contracts && state.ticks.is_multiple_of(SHAPE_TICKS) {
                 model.shrink(state);
             }
         }
         // A solver that has seen nothing of the piece as it is now looks at once.
-        if due || self.films.len() != model.patches.len() {
+        if due || self.films.len() != model.shape.patches.len() {
             self.refresh(model, state, dt);
             self.refresh_films(model, state, around);
             if !self.keep_or_restore(state) {
@@ -173,7 +173,7 @@ impl FoodSolver {
         let area = state.stretch.lateral * state.stretch.lateral;
         for i in 0..n {
             let wet = model.properties.conductivity(&model.masses(state, i), state.temperature[i]);
-            let moist = (state.water[i] / (driest * model.initial_water[i])).min(1.0);
+            let moist = (state.water[i] / (driest * model.tissue.initial_water[i])).min(1.0);
             let conductivity = crust + moist * (wet - crust);
             // Area over length: height across the fibres, area over height along them.
             let axial = state.stretch.axial[i];
@@ -181,8 +181,8 @@ impl FoodSolver {
             self.conductivity[1][i] = conductivity * area / axial;
         }
         let [across, along] = &self.conductivity;
-        self.conduction.refresh_each(&model.mesh.graph, |_, a, b| {
-            let k = if model.mesh.is_along(a, b) { along } else { across };
+        self.conduction.refresh_each(model.shape.mesh.graph(), |_, a, b| {
+            let k = if model.shape.mesh.is_along(a, b) { along } else { across };
             (k[a], k[b])
         });
     }
@@ -213,7 +213,7 @@ impl FoodSolver {
     /// leaves the range of the temperatures it couples.
     fn step(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64, total: &mut Exchange) {
         self.power.fill(0.0);
-        self.conduction.add_power(&model.mesh.graph, &state.temperature, &mut self.power);
+        self.conduction.add_power(model.shape.mesh.graph(), &state.temperature, &mut self.power);
         let fields = state.enthalpy.iter_mut().zip(&mut state.temperature);
         for ((h, t), (p, per_c)) in fields.zip(self.power.iter().zip(&self.per_capacity)) {
             let heat = p * dt;
@@ -233,7 +233,7 @@ impl FoodSolver {
         dt: f64,
         total: &mut Exchange,
     ) {
-        for (i, patch) in model.patches.iter().enumerate() {
+        for (i, patch) in model.shape.patches.iter().enumerate() {
             match around.touch.get(i) {
                 Some(touch) if touch.conductance > 0.0 => {
                     let conductance = touch.conductance * present_area(patch, state) * dt;
@@ -249,7 +249,7 @@ impl FoodSolver {
     fn refresh_films(&mut self, model: &FoodModel, state: &FoodState, around: &Surroundings) {
         self.films.clear();
         let film = |patch: &Patch| AirFilm::of(model, state, patch, &around.air[patch.air]);
-        self.films.extend(model.patches.iter().map(film));
+        self.films.extend(model.shape.patches.iter().map(film));
     }
 
     /// Brings a node towards `outside` through a conductance times time [J/K], implicitly; returns the heat gained [J].
@@ -298,16 +298,16 @@ impl FoodSolver {
         for &node in &self.hot {
             let i = node as usize;
             for _ in 0..4 {
-                let moisture = state.water[i] / model.lean_solids[i];
-                let boiling = model.isotherm.boiling_point(moisture);
+                let moisture = state.water[i] / model.tissue.lean_solids[i];
+                let boiling = model.water.isotherm.boiling_point(moisture);
                 let excess = state.temperature[i] - boiling;
                 if excess <= 1e-3 || state.water[i] <= 0.0 {
                     break;
                 }
                 let capacity = self.capacity[i];
                 let drier = 0.995 * moisture;
-                let slope =
-                    (model.isotherm.boiling_point(drier) - boiling) / ((moisture - drier) * model.lean_solids[i]);
+                let slope = (model.water.isotherm.boiling_point(drier) - boiling)
+                    / ((moisture - drier) * model.tissue.lean_solids[i]);
                 let latent = latent_heat(boiling);
                 let mass = (capacity * excess / (latent + capacity * slope)).min(state.water[i]);
                 let enthalpy = mass * (model.properties.water_enthalpy(boiling) + latent);
@@ -339,9 +339,9 @@ fn change(model: &FoodModel, state: &mut FoodState, dt: f64) {
         let t = state.temperature[i];
         state.peak[i] = state.peak[i].max(t);
         if t > CHANGES_FROM {
-            state.lethality[i] += model.lethality.at(t) * dt;
+            state.lethality[i] += model.response.lethality.at(t) * dt;
             for (k, share) in state.changed.iter_mut().enumerate() {
-                share[i] = model.changes.advance(k, share[i], t, dt);
+                share[i] = model.response.rates.advance(k, share[i], t, dt);
             }
         }
         if t > BROWNING_FROM {
@@ -354,11 +354,11 @@ fn change(model: &FoodModel, state: &mut FoodState, dt: f64) {
 fn brown(model: &FoodModel, state: &mut FoodState, i: usize, dt: f64) {
     let t = state.temperature[i];
     if model.rules == Rules::Paper2013 {
-        let lost = 1.0 - state.water[i] / model.initial_water[i];
+        let lost = 1.0 - state.water[i] / model.tissue.initial_water[i];
         state.browning[i] = paper_2013::browning(state.browning[i], t, lost);
         return;
     }
-    let activity = model.isotherm.activity(state.water[i] / model.lean_solids[i]);
+    let activity = model.water.isotherm.activity(state.water[i] / model.tissue.lean_solids[i]);
     let before = (state.browning[i], state.charring[i]);
-    (state.browning[i], state.charring[i]) = model.browning.advance(before, t, activity, dt);
+    (state.browning[i], state.charring[i]) = model.response.browning.advance(before, t, activity, dt);
 }

@@ -5,6 +5,7 @@
 
 pub mod advance;
 pub mod body;
+mod build_error;
 pub mod change;
 pub mod components;
 pub mod description;
@@ -32,3 +33,6 @@ pub use water::FreeAir;
 
 /// Absolute temperature of 0 °C [K].
 pub const ZERO_C: f64 = 273.15;
+
+/// Standard acceleration of gravity [m/s²] (3rd General Conference on Weights and Measures, CGPM 1901).
+pub const GRAVITY: f64 = 9.806_65;

@@ -55,16 +55,16 @@ pub struct FoodState {
 impl FoodState {
     /// The raw piece at one temperature [K].
     pub fn raw(model: &FoodModel, temperature: f64) -> Self {
-        let n = model.mesh.node_count();
+        let n = model.shape.mesh.node_count();
         let zeros = || vec![0.0; n];
         let mut raw = Self {
             temperature: vec![temperature; n],
             enthalpy: zeros(),
-            water: model.initial_water.clone(),
+            water: model.tissue.initial_water.clone(),
             juice: zeros(),
-            fat: model.initial_fat.clone(),
+            fat: model.tissue.initial_fat.clone(),
             peak: vec![temperature; n],
-            changed: vec![zeros(); model.changes.count()],
+            changed: vec![zeros(); model.response.rates.count()],
             browning: zeros(),
             charring: zeros(),
             lethality: zeros(),
@@ -102,12 +102,12 @@ impl FoodState {
 
     /// Mass [kg].
     pub fn mass(&self, model: &FoodModel) -> f64 {
-        [&self.water, &model.lean_solids, &self.fat].iter().map(|m| m.iter().sum::<f64>()).sum()
+        [&self.water, &model.tissue.lean_solids, &self.fat].iter().map(|m| m.iter().sum::<f64>()).sum()
     }
 
     /// As [`Self::mass`], from what has left: cheap, and the same but for rounding [kg].
     pub fn mass_left(&self, model: &FoodModel) -> f64 {
-        model.raw_mass - self.evaporated - self.dripped - self.rendered
+        model.tissue.raw_mass - self.evaporated - self.dripped - self.rendered
     }
 
     /// Enthalpy above 0 °C [J].

@@ -28,7 +28,15 @@ impl Wrench {
     /// No force and no torque.
     pub const ZERO: Self = Self { force: DVec3::ZERO, torque: DVec3::ZERO };
 
-    /// Returns the wrench of a force [N] that acts at `arm` from the pan's origin [m].
+    /// Returns the wrench of a force [N] that acts at `arm` from the pan's origin [m] [N, N·m].
+    ///
+    /// ```
+    /// use glam::DVec3;
+    /// use saute_haptics::Wrench;
+    ///
+    /// let weight = Wrench::at(DVec3::new(0.0, 0.0, -3.0), DVec3::new(0.05, 0.0, 0.0));
+    /// assert!((weight.torque - DVec3::new(0.0, 0.15, 0.0)).length() < 1e-12);
+    /// ```
     pub fn at(force: DVec3, arm: DVec3) -> Self {
         Self { force, torque: arm.cross(force) }
     }

@@ -183,7 +183,7 @@ impl Kitchen {
 
     /// The rules that the pieces follow: those of 2013 if any piece does.
     pub fn rules(&self) -> Rules {
-        let simple = self.pieces.iter().any(|p| p.model.rules == Rules::Paper2013);
+        let simple = self.pieces.iter().any(|p| p.model.rules() == Rules::Paper2013);
         if simple { Rules::Paper2013 } else { Rules::Full }
     }
 
@@ -281,7 +281,7 @@ impl Kitchen {
 
     /// Mean electrical power that is drawn: none while the pan is off the hob or the hob's limit holds, less beside the
     /// ring [W].
-    pub fn drawn_w(&self) -> f64 {
+    pub fn hob_drawn_w(&self) -> f64 {
         let off = self.cloth.is_some() || self.pan.limited;
         if off { 0.0 } else { self.hob_w * self.pan.ring_shares.iter().sum::<f64>() }
     }

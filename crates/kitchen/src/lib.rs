@@ -3,6 +3,7 @@
 //! A [`Kitchen`] is a pure function of its model, its state and the [`Command`]s it gets; [`Kitchen::step`] moves it
 //! by one [`TICK_S`]. It never fails, reads no clock and opens no file.
 
+pub mod advice;
 pub mod data;
 pub mod dynamics;
 pub mod hands;

@@ -225,7 +225,7 @@ fn the_same_recipe_gives_the_same_bytes_and_a_clone_goes_the_same_way() {
         while fork.stopped().is_none() {
             fork.advance().expect("runs");
         }
-        (cook.recorder.csv(&["s"], &[]), fork.recorder.csv(&["s"], &[]))
+        (cook.recorder.csv(&["s"], &[]).expect("CSV"), fork.recorder.csv(&["s"], &[]).expect("CSV"))
     };
     let (first, fork) = cook();
     assert_eq!(first, fork);

@@ -81,7 +81,7 @@ impl<'a> Cooking<'a> {
             flips: 0,
             phase: 0,
             laid_at: 0.0,
-            touch: vec![Touch::default(); body.model.patches.len()],
+            touch: vec![Touch::default(); body.model.patches().len()],
             air: vec![cooking.room.still_air(); body.ends.len()],
             probes: case.probes.iter().map(|p| body.tensor.locate(&p.place, LINEAR)).collect(),
             series: vec![Vec::new(); case.probes.len()],
@@ -203,21 +203,21 @@ impl<'a> Cooking<'a> {
     fn meet_pan(&mut self, range: std::ops::Range<usize>, pan: f64) {
         let gap = &self.cooking.room.contact;
         let model = &self.body.model;
-        let area: f64 = model.patches[range.clone()].iter().map(|p| p.area).sum();
+        let area: f64 = model.patches()[range.clone()].iter().map(|p| p.area).sum();
         let face = FaceContact {
             since: self.time() - self.laid_at,
             pressure: saute_kitchen::piece::piece_state::GRAVITY * self.state.mass_left(model) / area,
             film: self.cooking.room.default_film(),
             coating: f64::INFINITY,
         };
-        let conductance = face.conductance(gap, face.mean_gap(gap)) * model.description.surface.contact_share;
+        let conductance = face.conductance(gap, face.mean_gap(gap)) * model.description().surface.contact_share;
         let mut mean = 0.0;
         for patch in range {
-            let node = model.patches[patch].node as usize;
-            let wet = self.state.water[node] > WET_SHARE * model.initial_water[node];
+            let node = model.patches()[patch].node as usize;
+            let wet = self.state.water[node] > WET_SHARE * model.initial_water()[node];
             let conductance = conductance * steam_share(gap, pan, wet);
             self.touch[patch] = Touch { conductance, temperature: pan };
-            mean += conductance * model.patches[patch].area / area;
+            mean += conductance * model.patches()[patch].area / area;
         }
         if self.contact.last().is_none_or(|[last, _]| self.time() > last + 0.999) {
             self.contact.push([self.time(), mean]);
@@ -248,18 +248,18 @@ impl<'a> Cooking<'a> {
 
     fn report(self, wall_s: f64) -> LabReport {
         let model = &self.body.model;
-        let volume = &model.mesh.graph.volume;
+        let volume = model.mesh().volumes();
         let whole: f64 = volume.iter().sum();
         let above = |c: f64| {
             let hot = self.state.peak.iter().zip(volume).filter(|(p, _)| celsius(**p) > c).map(|(_, v)| v);
             100.0 * hot.sum::<f64>() / whole
         };
         let slab = self.case.shape == Shape::Slab;
-        let (lateral, thickness) = (self.state.stretch.lateral, model.mesh.thickness());
+        let (lateral, thickness) = (self.state.stretch.lateral, model.mesh().swept().map_or(0.0, |mesh| mesh.thickness()));
         let unsound = "a value became non-finite: the food stopped changing; use another resolution_mm or size_mm";
         let names = self.case.probes.iter().map(|p| p.name.clone());
         LabReport {
-            nodes: model.mesh.node_count(),
+            nodes: model.mesh().node_count(),
             steps: self.steps,
             wall_s,
             warnings: if self.state.healthy { Vec::new() } else { vec![unsound.to_owned()] },
@@ -272,10 +272,10 @@ impl<'a> Cooking<'a> {
             evaporated_g: Some(1e3 * self.state.evaporated),
             dripped_g: Some(1e3 * self.state.dripped),
             rendered_g: Some(1e3 * self.state.rendered),
-            section_shrunk_pct: model.contracts.then_some(100.0 * (1.0 - lateral * lateral)),
-            thickness_shrunk_pct: model.contracts.then(|| 100.0 * (1.0 - model.thickness(&self.state) / thickness)),
+            section_shrunk_pct: model.contracts().then_some(100.0 * (1.0 - lateral * lateral)),
+            thickness_shrunk_pct: model.contracts().then(|| 100.0 * (1.0 - model.thickness(&self.state) / thickness)),
             contact_w_m2k: self.contact.clone(),
-            lost_pct: Some(100.0 * (1.0 - self.state.mass(model) / model.raw_mass)),
+            lost_pct: Some(100.0 * (1.0 - self.state.mass(model) / model.raw_mass())),
             surface_lab: surface_lab(model, &self.state),
             core_peak_c: Some(celsius(self.core_peak[0])),
             core_peak_at_s: Some(self.core_peak[1]),
@@ -288,7 +288,7 @@ impl<'a> Cooking<'a> {
 
 fn surface_lab(model: &FoodModel, state: &FoodState) -> BTreeMap<String, [f64; 3]> {
     let sides = [("bottom", [0.0, 0.0, 1.0]), ("top", [0.0, 0.0, -1.0])];
-    let there = sides.into_iter().filter(|(name, _)| *name == "top" || !model.closed_below);
+    let there = sides.into_iter().filter(|(name, _)| *name == "top" || !model.closed_below());
     there
         .map(|(name, up)| {
             let Lab(lab) = model.face_reading(state, up).lab;

@@ -5,7 +5,7 @@ use std::ops::Range;
 use saute_food::{Body, BuildError, Face, FoodModel, Patch, Rules};
 use saute_heat::axis::End;
 use saute_heat::tensor::TensorBody;
-use saute_heat::{Outline, Path, Section, SweptMesh};
+use saute_heat::{Outline, Section, SweptMesh};
 
 use crate::body::{mesh, vertical};
 use crate::case::{Case, CookingCase};
@@ -32,7 +32,7 @@ impl FoodBody {
         let body = Body {
             size: extent(case),
             outline: outline(case),
-            mesh: swept(&tensor, case, &patches),
+            mesh: swept(&tensor, case, &patches).into(),
             patches,
             contracts: case.shape != Shape::Sphere,
         };
@@ -84,7 +84,7 @@ fn swept(tensor: &TensorBody, case: &Case, patches: &[Patch]) -> SweptMesh {
         boundary: Vec::new(),
         clamped_edges: 0,
     };
-    SweptMesh { section, levels, path: Path::Straight, graph: tensor.layered_graph(case.rule).graph }
+    SweptMesh::with_graph(section, levels, tensor.layered_graph(case.rule).graph)
 }
 
 /// Length, width, thickness [m]; a slab is a square metre.

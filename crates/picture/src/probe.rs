@@ -8,7 +8,7 @@ use saute_kitchen::{Kitchen, Piece, celsius};
 
 use crate::seen_point::{NodeShares, SeenPoint};
 
-/// Probes at most (chosen: as many as line styles can be told apart).
+/// Probes at most (chosen: as many as there are distinct line styles).
 pub const MOST_PROBES: usize = 6;
 /// Time between two points of a series [s] (chosen: as the rows of the other curves).
 const EVERY_S: f64 = 1.0;
@@ -24,7 +24,7 @@ pub struct Probe {
     pub name: String,
     /// The piece it sits in.
     pub piece: String,
-    /// Where in the flesh.
+    /// Its place in the flesh.
     pub shares: NodeShares,
     /// Time [s] and temperature [°C], a point a second since it was put there.
     pub series: Vec<[f64; 2]>,
@@ -80,8 +80,19 @@ impl Probes {
     }
 
     /// The probe with a number.
-    pub fn get_mut(&mut self, number: usize) -> Option<&mut Probe> {
+    pub fn get(&self, number: usize) -> Option<&Probe> {
+        self.list.iter().find(|p| p.number == number)
+    }
+
+    fn get_mut(&mut self, number: usize) -> Option<&mut Probe> {
         self.list.iter_mut().find(|p| p.number == number)
+    }
+
+    /// Names the probe with a number.
+    pub fn rename(&mut self, number: usize, name: String) {
+        if let Some(probe) = self.get_mut(number) {
+            probe.name = name;
+        }
     }
 
     /// Puts a new one in, with a name made from its number; returns that number.
@@ -101,7 +112,8 @@ impl Probes {
         Ok(number)
     }
 
-    /// Moves one to another point of its own piece; its series begins anew, for the old one belongs to another point.
+    /// Moves one to another point of its own piece; its series starts again, because the old one belongs to another
+    /// point.
     pub fn shift(&mut self, kitchen: &Kitchen, number: usize, point: SeenPoint) {
         let Some(probe) = self.get_mut(number) else { return };
         if probe.piece == point.piece && Arc::ptr_eq(&probe.model, &point.model) && probe.shares != point.shares {

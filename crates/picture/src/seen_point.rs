@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use glam::Vec3;
 use saute_kitchen::food::FoodModel;
-use saute_kitchen::heat::Cut;
 use saute_kitchen::heat::voronoi::CellSlice;
+use saute_kitchen::heat::{BodyMesh, Cut, SweptMesh};
 use saute_kitchen::{Kitchen, Piece};
 use saute_scene::input::{FoodLook, FoodVertex, SceneInput};
 
@@ -29,19 +29,19 @@ impl NodeShares {
     }
 }
 
-/// What a place in the window shows of a piece.
+/// The point of a piece that a place in the picture shows.
 #[derive(Clone, Debug)]
 pub struct SeenPoint {
     /// The piece.
     pub piece: String,
-    /// Where in its flesh.
+    /// Its place in the flesh.
     pub shares: NodeShares,
     /// The model whose nodes those are.
     pub model: Arc<FoodModel>,
 }
 
 impl SeenPoint {
-    /// The piece, while it is the one that was seen.
+    /// Returns the piece, while it is the one that was seen.
     pub fn piece<'a>(&self, kitchen: &'a Kitchen) -> Option<&'a Piece> {
         kitchen.piece(&self.piece).filter(|p| Arc::ptr_eq(&p.model, &self.model))
     }
@@ -50,15 +50,15 @@ impl SeenPoint {
 /// A ray [m].
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// Where it begins [m].
+    /// Origin [m].
     pub origin: Vec3,
-    /// Where it goes.
+    /// Direction.
     pub direction: Vec3,
 }
 
 /// A triangle that a ray meets.
 #[derive(Clone, Copy)]
-struct Met {
+struct Hit {
     /// Along the ray [m].
     away: f32,
     corners: [u32; 3],
@@ -66,8 +66,8 @@ struct Met {
 }
 
 impl Stage {
-    /// The point of a piece that a ray in the world meets first, in the scene that was drawn last; `cut` is the place of
-    /// the cut (−1…1), if there is one.
+    /// The point of a piece that a ray in the world meets first, in the scene that was drawn last; `cut` is the place
+    /// of the cut (−1…1), if there is one.
     pub fn seen_point(&self, kitchen: &Kitchen, input: &SceneInput, cut: Option<f64>, ray: Ray) -> Option<SeenPoint> {
         let pieces = kitchen.pieces().iter().zip(&input.foods);
         let met = pieces.filter_map(|(piece, food)| {
@@ -87,8 +87,8 @@ impl Stage {
     }
 }
 
-/// Where a ray first meets what is drawn of a food, and whether on its cut.
-fn meet_food(food: &FoodLook, ray: Ray) -> Option<(Met, bool)> {
+/// Returns where a ray first meets what is drawn of a food, and true if that is on its cut.
+fn meet_food(food: &FoodLook, ray: Ray) -> Option<(Hit, bool)> {
     let inverse = food.world_from_rest.inverse();
     let local =
         Ray { origin: inverse.transform_point3(ray.origin), direction: inverse.transform_vector3(ray.direction) };
@@ -99,7 +99,7 @@ fn meet_food(food: &FoodLook, ray: Ray) -> Option<(Met, bool)> {
 }
 
 /// The nearest triangle that a ray meets where it is not hidden.
-fn meet(triangles: &[[u32; 3]], vertices: &[FoodVertex], ray: Ray, hidden: impl Fn(Vec3) -> bool) -> Option<Met> {
+fn meet(triangles: &[[u32; 3]], vertices: &[FoodVertex], ray: Ray, hidden: impl Fn(Vec3) -> bool) -> Option<Hit> {
     let at = |i: u32| Vec3::from(vertices[i as usize].position);
     let rest = |i: u32| Vec3::from(vertices[i as usize].rest);
     let met = triangles.iter().filter(|t| t.iter().all(|i| (*i as usize) < vertices.len())).filter_map(|&corners| {
@@ -117,7 +117,7 @@ fn meet(triangles: &[[u32; 3]], vertices: &[FoodVertex], ray: Ray, hidden: impl 
         }
         let weights = [1.0 - v - w, v, w];
         let shown: Vec3 = (0..3).map(|k| rest(corners[k]) * weights[k]).sum();
-        (!hidden(shown)).then_some(Met { away, corners, weights })
+        (!hidden(shown)).then_some(Hit { away, corners, weights })
     });
     met.min_by(|a, b| a.away.total_cmp(&b.away))
 }
@@ -125,12 +125,12 @@ fn meet(triangles: &[[u32; 3]], vertices: &[FoodVertex], ray: Ray, hidden: impl 
 impl Skin {
     /// The nodes that a vertex reads.
     fn shares(&self, model: &FoodModel, vertex: usize) -> NodeShares {
-        match model.cells() {
-            Some(cells) => {
+        match model.mesh() {
+            BodyMesh::Cells(cells) => {
                 let (nodes, weights) = (cells.skin.nodes[vertex], cells.skin.weights[vertex]);
                 NodeShares(nodes.into_iter().zip(weights).collect())
             }
-            None => NodeShares(vec![(self.node(vertex), 1.0)]),
+            BodyMesh::Swept(_) => NodeShares(vec![(self.node(vertex), 1.0)]),
         }
     }
 }
@@ -138,17 +138,17 @@ impl Skin {
 /// Where the drawn vertices of a piece or of its cut come from.
 enum Vertices<'a> {
     Skin(&'a Skin),
-    Cut(Cut),
+    Cut(&'a SweptMesh, Cut),
     CellCut(CellSlice),
 }
 
-impl Vertices<'_> {
+impl<'a> Vertices<'a> {
     /// Those of the cut at `place` (−1…1) along a piece.
-    fn of_cut(piece: &Piece, place: f64) -> Option<Self> {
+    fn of_cut(piece: &'a Piece, place: f64) -> Option<Self> {
         let (model, x) = (&piece.model, place * half_length(piece));
-        match model.cells() {
-            Some(cells) => cells.slice(longest_axis(model), x).ok().map(Self::CellCut),
-            None => Some(Self::Cut(model.cut_across(x))),
+        match model.mesh() {
+            BodyMesh::Cells(cells) => cells.slice(longest_axis(model), x).ok().map(Self::CellCut),
+            BodyMesh::Swept(mesh) => Some(Self::Cut(mesh, model.cut_across(x))),
         }
     }
 
@@ -157,10 +157,10 @@ impl Vertices<'_> {
         Some(match self {
             Self::Skin(skin) => skin.shares(model, vertex),
             Self::CellCut(cut) => NodeShares(cut.weights.get(vertex)?.clone()),
-            Self::Cut(cut) => {
+            Self::Cut(mesh, cut) => {
                 let point = cut.points.get(vertex % cut.points.len().max(1))?;
                 let level = vertex / cut.points.len();
-                let node = |k: usize| model.mesh.node(level, point.nodes[k] as usize) as u32;
+                let node = |k: usize| mesh.node(level, point.nodes[k] as usize) as u32;
                 NodeShares(vec![(node(0), 1.0 - point.share), (node(1), point.share)])
             }
         })

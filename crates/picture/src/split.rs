@@ -1,4 +1,4 @@
-//! The look beside a view of a field: one scene, two ways to colour it.
+//! The look next to a view of a field: one scene, two ways to colour it.
 
 use std::sync::Arc;
 

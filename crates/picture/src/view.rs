@@ -1,4 +1,4 @@
-//! What the colours of the picture mean.
+//! Views: which field the colours of a picture show.
 
 use saute_kitchen::celsius;
 use saute_kitchen::food::{FoodModel, FoodState, Scale};
@@ -6,7 +6,7 @@ use saute_kitchen::food::{FoodModel, FoodState, Scale};
 use crate::colour::map::{ColourMap, TemperatureMap, doneness_map};
 use crate::colour::path::ColourPath;
 
-/// A way to look at the food.
+/// A view of the food: its look, or one field.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum View {
@@ -62,7 +62,7 @@ impl View {
     pub fn value(self, model: &FoodModel, state: &FoodState, node: usize) -> f64 {
         match self {
             Self::Look | Self::Temperature => celsius(state.temperature[node]),
-            Self::Moisture => 100.0 * state.water[node] / model.initial_water[node],
+            Self::Moisture => 100.0 * state.water[node] / model.initial_water()[node],
             Self::Doneness => celsius(state.peak[node].max(state.temperature[node])),
             Self::Browning => state.browning[node],
             // Grows tenfold every few kelvin: beyond the end of the map it would drown its neighbours.
@@ -74,7 +74,7 @@ impl View {
         }
     }
 
-    /// Whether its map is that of temperatures.
+    /// Returns true if its map is that of temperatures.
     pub fn is_of_temperature(self, scale: Option<&Scale>) -> bool {
         self == Self::Temperature || (self == Self::Doneness && scale.is_none())
     }

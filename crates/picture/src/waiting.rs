@@ -45,7 +45,7 @@ pub fn waiting_places(kitchen: &Kitchen) -> BTreeMap<usize, Pose> {
 
 /// Length and width of a piece; its length lies across the board [m].
 fn extent(piece: &Piece) -> [f32; 2] {
-    [piece.model.size[0], piece.model.size[1]].map(|v| v as f32)
+    [piece.model.size()[0], piece.model.size()[1]].map(|v| v as f32)
 }
 
 impl Column {

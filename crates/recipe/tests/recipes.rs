@@ -460,7 +460,7 @@ fn the_series_has_columns_for_pieces_and_means() {
     let cook = cook_through(&with(&["put = \"carrots\"", "after_s = 5\nend = true"])).unwrap();
     let recipe = cook.runner.recipe();
     let ids: Vec<&str> = recipe.foods.iter().map(|f| f.id.as_str()).collect();
-    let csv = cook.recorder.csv(&ids, &recipe.groups);
+    let csv = cook.recorder.csv(&ids, &recipe.groups).unwrap();
     let head: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
     assert_eq!(head.len(), 3 + 4 * 13);
     assert_eq!(

@@ -27,7 +27,7 @@ fn main() -> Result<(), Failure> {
     let field = Colouring::Field { table: heat_table(), classes: None };
     let coloured = SceneInput { colouring: field, ..sliced.clone() };
     let mut bench = |name: &str, quality, scene: &SceneInput, change: fn(&mut SceneInput, usize)| {
-        renderer.quality = quality;
+        renderer.set_quality(quality);
         let median = median(&mut renderer, &device, &queue, scene, change);
         println!("{name:15}{median:7.1} ms");
     };

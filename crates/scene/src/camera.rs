@@ -90,7 +90,8 @@ impl Camera {
         shift * projection * view
     }
 
-    /// The ray through a point of the picture, given in normalised device coordinates (y up): origin and unit direction.
+    /// The ray through a point of the picture, given in normalised device coordinates (y up): origin and unit
+    /// direction.
     pub fn ray(&self, ndc: [f32; 2], aspect: f32) -> (Vec3, Vec3) {
         let world_from_clip = self.view_projection(aspect).inverse();
         let near = world_from_clip.project_point3(Vec3::new(ndc[0], ndc[1], 0.0));

@@ -1,8 +1,8 @@
-//! How much work a picture is worth.
+//! Rendering quality.
 
 use crate::light::shadow::CONTACT_SIZE;
 
-/// How much work a picture is worth, the least first.
+/// Rendering quality, lowest first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, serde::Deserialize, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Quality {
@@ -29,7 +29,7 @@ impl Quality {
         Self::ALL.into_iter().find(|other| *other > self)
     }
 
-    /// Texels along each side of the shadow map and of the contact map (chosen: WebGL2 grants 2048).
+    /// Texels along each side of the shadow map and of the contact map (chosen: WebGL2 guarantees 2048).
     pub(crate) fn map_sizes(self) -> [u32; 2] {
         match self {
             Self::Quick => [640, CONTACT_SIZE],
@@ -39,7 +39,7 @@ impl Quality {
     }
 }
 
-/// From this size of the shadow map on shadows stay as soft as they are [texels] (chosen: a window is no point).
+/// Size of the shadow map above which shadows become no sharper [texels] (chosen: a window is no point source).
 pub(crate) const SOFT_SHADOW_SIZE: u32 = 1024;
 
 #[cfg(test)]

@@ -56,7 +56,7 @@ fn every_way_of_drawing_fills_the_picture() {
     };
     let mut renderer = SceneRenderer::new(&device, &queue);
     for quality in Quality::ALL {
-        renderer.quality = quality;
+        renderer.set_quality(quality);
         for flat in [false, true] {
             let scene = SceneInput { flat, ..flat_field(0.5, true) };
             let pixels = renderer.read_as_is(&device, &queue, &scene, SIZE);
@@ -75,7 +75,7 @@ fn a_resting_scene_is_drawn_alike_fast_and_fine() {
     renderer.never_smooth();
     let scene = steak_in_pan(Doneness::Browned);
     let fast = (0..3).map(|_| renderer.read_as_is(&device, &queue, &scene, SIZE)).last().unwrap_or_default();
-    renderer.quality = Quality::Smooth;
+    renderer.set_quality(Quality::Smooth);
     let fine = renderer.read_as_is(&device, &queue, &scene, SIZE);
     let off: u64 = fast.iter().zip(&fine).map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
     let mean = off as f64 / fast.len() as f64;

@@ -2,12 +2,21 @@
 
 use egui::Key;
 use saute_picture::view::View;
+use saute_scene::light::white_balance::WhiteBalance;
 
 use crate::input::pouring::Pourable;
+use crate::mirror::settings::MirrorSettings;
+use crate::session::SteakChoice;
+use crate::ui::interface_size::InterfaceSize;
+use crate::ui::quality_choice::QualityChoice;
+use crate::ui::theme::Theme;
 use crate::words::language::Language;
 
+/// Acts that panels return, in order; the app carries them out once all panels are shown.
+pub type Acts = Vec<Act>;
+
 /// One thing to do.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Act {
     /// Stop time or let it go on.
     Pause,
@@ -15,6 +24,8 @@ pub enum Act {
     Step,
     /// Next slower or faster speed.
     Speed(i8),
+    /// Sets how fast simulated time runs [-].
+    SpeedSet(f64),
     /// Next lower or higher hob setting.
     Hob(i8),
     /// Sets the hob [W].
@@ -23,6 +34,12 @@ pub enum Act {
     Cloth,
     /// The food into the pan.
     Put,
+    /// Lays these pieces side by side onto the floor of the pan, as many as fit.
+    Lay(Vec<String>),
+    /// Drops these pieces into the pan onto each other.
+    Heap(Vec<String>),
+    /// Takes these pieces away altogether.
+    Remove(Vec<String>),
     /// Turn it over.
     Flip,
     /// Onto the board.
@@ -49,16 +66,32 @@ pub enum Act {
     PutAway,
     /// The panels show the next piece.
     NextPiece,
+    /// The panels show this piece.
+    Select(String),
+    /// Starts over with the chosen food and pan.
+    SetOut,
+    /// Sets out so many more of the chosen food.
+    Add(usize),
+    /// Plays a recipe of the library from its start, by its id.
+    Play(String),
     /// List of the pieces.
     Pieces,
     /// Start over.
     Restart,
-    /// What the colours mean.
+    /// View that the colours show.
     View(View),
-    /// The look beside the view, or the view alone.
+    /// The look next to the view, or the view alone.
     Split,
     /// A probe where the pointer is.
     Probe,
+    /// The next click on the food puts a probe in, or no longer does.
+    Placing(bool),
+    /// Chooses a probe by its number, or none.
+    SelectProbe(Option<usize>),
+    /// Names a probe.
+    NameProbe(usize, String),
+    /// Takes a probe out.
+    RemoveProbe(usize),
     /// The other colour map.
     Map,
     /// The next scale of doneness.
@@ -67,6 +100,8 @@ pub enum Act {
     Slice,
     /// Moves the cut.
     SliceBy(f64),
+    /// Cuts at a place (−1…1).
+    SliceAt(f64),
     /// °C or °F.
     Units,
     /// Next camera.
@@ -81,20 +116,85 @@ pub enum Act {
     Curves,
     /// All panels on or off.
     Panels,
-    /// All devices let go of the hands at once.
+    /// Emergency stop of all devices.
     StopHands,
     /// The strings of a device.
     Strings,
+    /// Connects a device.
+    #[cfg(not(target_arch = "wasm32"))]
+    Connect {
+        /// What it holds.
+        role: crate::hand::Role,
+        /// NAME or NAME@PLACE.
+        device: String,
+        /// Pairing code; 0 where there is none.
+        pairing: u32,
+    },
+    /// Disconnects what a hand holds.
+    #[cfg(not(target_arch = "wasm32"))]
+    Disconnect(crate::hand::Role),
     /// Saves a picture.
     Picture,
-    /// The half mirror's window.
+    /// The half mirror's window on or off, with a word on how to use it.
     Mirror,
+    /// Opens the half mirror's window or closes it.
+    MirrorWindow(bool),
+    /// Shows the half mirror's pattern, or its picture.
+    Calibrate(bool),
+    /// Reads the half mirror's rig again.
+    ReadRig,
+    /// Changes a remembered setting.
+    Set(Setting),
+    /// Says something over the scene.
+    Say(String),
+    /// Opens a card in place of the one that is open.
+    Open(Card),
+    /// Closes a card.
+    Shut(Card),
     /// The card of the settings.
     Settings,
     /// This list.
     Help,
     /// Closes list and card; no probe is put in.
     Close,
+}
+
+/// A remembered setting with the value that it gets.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Setting {
+    /// Dark or light panels.
+    Theme(Theme),
+    /// White balance of the look.
+    White(WhiteBalance),
+    /// The quality of the picture.
+    Quality(QualityChoice),
+    /// The window's language.
+    Language(Language),
+    /// °F instead of °C.
+    Fahrenheit(bool),
+    /// Size of the interface.
+    Size(InterfaceSize),
+    /// The scale of doneness, by its id.
+    Scale(String),
+    /// Goal for the core's peak [°C].
+    Goal(f64),
+    /// The food and the pan.
+    Choice(SteakChoice),
+    /// The half mirror.
+    Mirror(Box<MirrorSettings>),
+}
+
+/// A card over everything.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Card {
+    /// The list of keys.
+    Help,
+    /// The settings.
+    Settings,
+    /// The half mirror.
+    Mirror,
+    /// The first steps.
+    FirstSteps,
 }
 
 /// A key, what it does, and how the help calls it.
@@ -113,13 +213,13 @@ const fn bind(key: Key, written: &'static str, act: Act, words: &'static str) ->
     Binding { key, written, act, words }
 }
 
-/// How far a key raises the turner [m] (chosen: a pan's wall in four).
+/// Distance by which a key raises the turner [m] (chosen: a pan's wall in four).
 pub const TOOL_STEP: f64 = 0.01;
-/// How far a key rolls the turner [rad] (chosen: six presses turn it over).
+/// Angle by which a key rolls the turner [rad] (chosen: six presses turn it over).
 pub const ROLL_STEP: f64 = std::f64::consts::PI / 6.0;
 
 /// All keys, in the order in which the help lists them.
-pub const BINDINGS: [Binding; 60] = [
+pub static BINDINGS: [Binding; 60] = [
     bind(Key::A, "A", Act::Put, "key.put"),
     bind(Key::F, "F", Act::Flip, "key.flip"),
     bind(Key::O, "O", Act::Out, "key.out"),
@@ -182,14 +282,14 @@ pub const BINDINGS: [Binding; 60] = [
     bind(Key::Escape, "Esc", Act::Close, "key.close"),
 ];
 
-/// What an act does, and its key: for tooltips.
-pub fn hint(act: Act, l: Language) -> String {
-    BINDINGS.iter().find(|b| b.act == act).map_or_else(String::new, |b| format!("{} ({})", l.text(b.words), b.written))
+/// Description of an act with its key, for tooltips.
+pub fn hint(act: &Act, l: Language) -> String {
+    BINDINGS.iter().find(|b| b.act == *act).map_or_else(String::new, |b| format!("{} ({})", l.text(b.words), b.written))
 }
 
 /// The key of an act.
-pub fn key_of(act: Act) -> &'static str {
-    BINDINGS.iter().find(|b| b.act == act).map_or("", |b| b.written)
+pub fn key_of(act: &Act) -> &'static str {
+    BINDINGS.iter().find(|b| b.act == *act).map_or("", |b| b.written)
 }
 
 #[cfg(test)]

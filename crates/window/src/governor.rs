@@ -1,4 +1,4 @@
-//! Chooses the quality of the picture by the time that frames take.
+//! The quality governor: chooses the rendering quality by the time that frames take.
 
 use saute_scene::quality::Quality;
 
@@ -8,7 +8,7 @@ const SLOW_S: f64 = 1.025 / 50.0;
 const QUICK_S: f64 = 1.0 / 55.0;
 /// Frames that are judged together (chosen: a second; one slow frame is no slow machine).
 const JUDGED: usize = 50;
-/// Frames after a change that are not judged (chosen: shaders are made and maps drawn anew).
+/// Frames after a change that are not judged (chosen: shaders are compiled and maps redrawn).
 const SETTLING: usize = 10;
 /// Longer frames are none: the window was hidden, or time stood still [s].
 const PAUSE_S: f64 = 0.25;
@@ -28,7 +28,7 @@ pub struct Governor {
     /// How long frames have been quick [s].
     quick_s: f64,
     patience_s: f64,
-    /// Whether the level was raised and has not yet proved itself.
+    /// True if the level was raised and has not yet proved itself.
     trying: bool,
 }
 
@@ -43,7 +43,7 @@ impl Governor {
         self.level
     }
 
-    /// Takes the time from one frame to the next and how much of it went into stepping the world [s].
+    /// Takes the time from one frame to the next and the part of it that went into stepping the world [s].
     pub fn frame(&mut self, frame_s: f64, stepping_s: f64) {
         if frame_s <= 0.0 || frame_s > PAUSE_S || stepping_s > STEPPING_SHARE * frame_s {
             return;

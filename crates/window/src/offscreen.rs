@@ -15,7 +15,7 @@ pub struct Offscreen {
     size: [u32; 2],
 }
 
-/// Why the window cannot be drawn off-screen.
+/// Errors of drawing the window off-screen.
 #[derive(Debug, thiserror::Error)]
 pub enum OffscreenError {
     /// No graphics.

@@ -1,11 +1,11 @@
-//! What of remembered settings can still be read: a value that cannot costs no other.
+//! Reading remembered settings: a value that cannot be read costs no other.
 
 use serde_json::{Map, Value};
 
 use crate::settings::Settings;
 
 impl Settings {
-    /// From what was remembered as JSON, and whether some of it could not be read.
+    /// Settings from JSON, and true if some of it could not be read.
     pub fn remembered(text: &str) -> (Self, bool) {
         let Ok(stored) = serde_json::from_str::<Value>(text) else { return (Self::default(), true) };
         let read = |value: &Value| serde_json::from_value::<Self>(value.clone()).ok();

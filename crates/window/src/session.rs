@@ -1,60 +1,28 @@
 //! A cook in the window: the kitchen, its clock, and a recipe that may be playing.
 
+mod choice;
+mod mark;
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use saute_kitchen::advice::{Advice, Goal, Situation};
 use saute_kitchen::carry_over::foreseen_peak;
-use saute_kitchen::food::Form;
-use saute_kitchen::food::Rules;
+use saute_kitchen::food::Scale;
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{
-    Command, FRAME_S, Kitchen, Library, MeshSize, Piece, PieceOrder, Refused, TICK_S, celsius, kelvin,
-};
+use saute_kitchen::{Command, FRAME_S, Kitchen, Library, Piece, Place, Refused, TICK_S, celsius};
 use saute_picture::probe::Probes;
+use saute_picture::stage::fitting_piece;
 use saute_recipe::{Recipe, Recorder, Runner};
 use web_time::{Duration, Instant};
 
-/// What the person chooses before putting the food in.
-#[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
-#[serde(default)]
-pub struct SteakChoice {
-    /// Id of the food.
-    pub kind: String,
-    /// Its dimensions: those of its form [mm].
-    pub size_mm: Vec<f64>,
-    /// Start temperature [°C].
-    pub initial_c: f64,
-    /// Id of the pan.
-    pub pan: String,
-    /// Temperature to which the pan is preheated [°C]; room temperature starts cold.
-    pub preheat_c: f64,
-}
+use self::choice::{base_name, orders, set_out};
+use self::mark::{label, step_label};
 
-impl Default for SteakChoice {
-    fn default() -> Self {
-        Self {
-            kind: "beef-lean".into(),
-            size_mm: vec![120.0, 80.0, 25.0],
-            initial_c: 5.0,
-            pan: "carbon-steel-26".into(),
-            preheat_c: 20.0,
-        }
-    }
-}
+pub use self::choice::{STEAK, SteakChoice, group_of, noun};
+pub use self::mark::Mark;
 
-/// Name of a steak that the window sets out; another food bears the name of its kind.
-pub const STEAK: &str = "steak";
-
-/// Something that happened, for the plot.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Mark {
-    /// When [s].
-    pub time_s: f64,
-    /// What.
-    pub label: String,
-}
-
-/// What would happen if the food were taken out now.
+/// Forecast for food that is taken out now.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Forecast {
     /// Expected core peak [°C].
@@ -63,7 +31,7 @@ pub struct Forecast {
     pub in_s: f64,
 }
 
-/// How fast simulated time runs [-].
+/// Speeds of simulated time over wall time [-].
 pub const SPEEDS: [f64; 3] = [1.0, 5.0, 20.0];
 /// Simulated time owed beyond which the machine counts as too slow, as wall time at the chosen speed [s] (chosen).
 const LATE_AFTER_S: f64 = 0.4;
@@ -80,11 +48,11 @@ pub struct Session {
     pub recorder: Recorder,
     /// Points in the food whose temperature is remembered.
     pub probes: Probes,
-    /// What happened.
+    /// Events.
     pub marks: Vec<Mark>,
     /// Simulated seconds a wall second.
     pub speed: f64,
-    /// Whether time stands still.
+    /// True if time stands still.
     pub paused: bool,
     /// Counts worlds: changes with every restart.
     pub generation: u64,
@@ -93,7 +61,7 @@ pub struct Session {
     pub hands: crate::hand::Hands,
     choice: SteakChoice,
     recipe: Option<Recipe>,
-    /// What was set out beside the first choice.
+    /// What was set out besides the first choice.
     added: Vec<(SteakChoice, usize)>,
     owed_s: f64,
     selected: Option<String>,
@@ -217,7 +185,7 @@ impl Session {
         self.kitchen.pieces().iter().position(|p| Some(&p.id) == id).unwrap_or(0)
     }
 
-    /// What the food is called in a sentence: "steak", "carrot coin".
+    /// Noun for the food in a sentence: "steak", "carrot coin".
     pub fn noun(&self) -> String {
         self.steak().map_or_else(|| STEAK.to_owned(), |p| noun(&self.library, &p.kind))
     }
@@ -227,7 +195,7 @@ impl Session {
         self.steak().and_then(|p| self.start_mass_g.get(&p.id)).copied().unwrap_or(0.0)
     }
 
-    /// Sets more food out, beside what is there: waiting pieces under one name.
+    /// Sets out more food: waiting pieces under one name.
     pub fn add(&mut self, choice: &SteakChoice, count: usize) -> Result<String, SetupError> {
         let group = self.free_name(&base_name(&self.library, &choice.kind));
         for order in orders(&self.library, choice, &group, count) {
@@ -261,7 +229,40 @@ impl Session {
         ids.filter(|id| group_of(id) == group).cloned().collect()
     }
 
-    /// Lays pieces that are not in the pan onto its floor, side by side, as many as fit; tells how many.
+    /// Id of the piece that the panels are about; that of a steak where there is none.
+    pub fn steak_id(&self) -> String {
+        self.steak().map_or_else(|| STEAK.to_owned(), |p| p.id.clone())
+    }
+
+    /// The group of the piece that the panels are about.
+    pub fn its_group(&self) -> Vec<String> {
+        self.members(group_of(&self.steak_id()))
+    }
+
+    /// All pieces that wait to be put in.
+    pub fn waiting(&self) -> Vec<String> {
+        self.kitchen.pieces().iter().filter(|p| p.place == Place::Waiting).map(|p| p.id.clone()).collect()
+    }
+
+    /// The scale of doneness with an id; where the data has none, the first.
+    pub fn chosen_scale(&self, id: &str) -> Option<&Arc<Scale>> {
+        self.library.scale(id).or_else(|| self.library.scales.first())
+    }
+
+    /// The chosen scale, where it says anything about the piece that the panels are about.
+    pub fn scale(&self, id: &str) -> Option<Arc<Scale>> {
+        fitting_piece(self.steak(), self.chosen_scale(id)?)
+    }
+
+    /// What to do next with the piece that the panels are about, with a goal for its core [°C] where a scale of
+    /// doneness says anything about it.
+    pub fn advice(&mut self, goal_c: Option<f64>) -> Option<Advice> {
+        let foreseen = goal_c.and_then(|_| self.forecast());
+        let goal = goal_c.zip(foreseen).map(|(core_c, f)| Goal { core_c, foreseen_c: f.peak_c });
+        Situation::of(&self.kitchen, self.steak()?).advice(goal)
+    }
+
+    /// Lays pieces that are not in the pan onto its floor, side by side, as many as fit; returns how many.
     pub fn lay(&mut self, ids: &[String]) -> Result<usize, Refused> {
         let places = self.kitchen.free_places(ids, [0.0, 0.0]);
         for (food, at) in ids.iter().zip(&places) {
@@ -330,8 +331,8 @@ impl Session {
         Ok(())
     }
 
-    /// One frame; at the start of a tick with the recipe's steps that are due. Tells whether a tick, or the recipe, has
-    /// ended.
+    /// One frame; at the start of a tick with the recipe's steps that are due. Returns true if a tick, or the recipe,
+    /// has ended.
     fn frame(&mut self) -> Result<bool, String> {
         if self.kitchen.is_between_ticks() && !self.poll()? {
             return Ok(true);
@@ -342,7 +343,7 @@ impl Session {
         // Faster than the clock no force is true: then forces fade.
         #[cfg(not(target_arch = "wasm32"))]
         if self.speed == 1.0 {
-            self.hands.tell(&self.kitchen);
+            self.hands.send(&self.kitchen);
         }
         if ticked {
             self.recorder.observe(&self.kitchen);
@@ -351,7 +352,7 @@ impl Session {
         Ok(ticked)
     }
 
-    /// Lets the recipe do what is due; tells whether time goes on.
+    /// Lets the recipe do what is due; returns true if time goes on.
     fn poll(&mut self) -> Result<bool, String> {
         let Some(mut runner) = self.runner.take() else { return Ok(true) };
         let fired = runner.poll(&mut self.kitchen).map_err(|e| e.to_string())?;
@@ -367,7 +368,7 @@ impl Session {
         Ok(true)
     }
 
-    /// Chooses a speed; time owed at another speed is no longer asked for.
+    /// Sets the speed; time owed at another speed is dropped.
     pub fn set_speed(&mut self, speed: f64) {
         self.speed = speed;
         self.owed_s = 0.0;
@@ -379,12 +380,12 @@ impl Session {
         self.owed_s = 0.0;
     }
 
-    /// How far the picture lags behind the chosen speed, if noticeably [simulated s].
+    /// Lag behind the chosen speed [simulated s]; none while it is not noticeable.
     pub fn behind_s(&self) -> Option<f64> {
         (self.owed_s > LATE_AFTER_S * self.speed).then_some(self.owed_s)
     }
 
-    /// What would happen if the food were taken out now; reckoned anew every simulated second.
+    /// What would happen if the food were taken out now; computed once every simulated second.
     pub fn forecast(&mut self) -> Option<Forecast> {
         let piece = self.steak().filter(|p| p.in_pan())?;
         let second = self.kitchen.tick() / 10;
@@ -393,20 +394,6 @@ impl Session {
             self.forecast = Some((piece.id.clone(), second, Forecast { peak_c: celsius(peak), in_s }));
         }
         self.forecast.as_ref().map(|(.., f)| *f)
-    }
-}
-
-/// What a kind of food is called in a sentence.
-pub fn noun(library: &Library, kind: &str) -> String {
-    let name = library.foods.get(kind).map_or(kind, |f| f.name.as_str()).to_lowercase();
-    if name.contains(STEAK) { STEAK.to_owned() } else { name }
-}
-
-/// The group that a piece belongs to: its name up to the number, its own name where there is none.
-pub fn group_of(id: &str) -> &str {
-    match id.rsplit_once('.') {
-        Some((group, number)) if number.parse::<u32>().is_ok() => group,
-        _ => id,
     }
 }
 
@@ -419,73 +406,6 @@ fn on_spiral(k: usize, count: usize, radius: f64) -> [f64; 2] {
     const TURN: f64 = 2.399_963_229_728_653;
     let (share, angle) = ((k as f64 / count.max(1) as f64).sqrt(), TURN * k as f64);
     [radius * share * angle.cos(), radius * share * angle.sin()]
-}
-
-/// Name of a food that is set out: that of a steak, or of its kind.
-fn base_name(library: &Library, kind: &str) -> String {
-    if noun(library, kind) == STEAK { STEAK.into() } else { kind.into() }
-}
-
-fn set_out(library: &Library, choice: &SteakChoice) -> Result<Kitchen, SetupError> {
-    let mut kitchen = Kitchen::new(library, &choice.pan, kelvin(choice.preheat_c))?;
-    for order in orders(library, choice, &base_name(library, &choice.kind), 1) {
-        kitchen.add(library, &order)?;
-    }
-    Ok(kitchen)
-}
-
-/// Orders of pieces under one name; each has a seed of its own, so that no two are the same.
-fn orders(library: &Library, choice: &SteakChoice, group: &str, count: usize) -> Vec<PieceOrder> {
-    let food = library.foods.get(&choice.kind);
-    let form = food.map_or(Form::Steak, |f| f.form);
-    let default = || food.and_then(|f| form.extent(&f.size.default_mm)).unwrap_or_default();
-    let size = form.extent(&choice.size_mm).unwrap_or_else(default);
-    let order = |k: usize| PieceOrder {
-        id: if count == 1 { group.to_owned() } else { format!("{group}.{}", k + 1) },
-        kind: choice.kind.clone(),
-        size: size.map(|mm| mm * 1e-3),
-        temperature: kelvin(choice.initial_c),
-        seed: k as u64 + 1,
-        coarseness: 1.0,
-        rules: Rules::Full,
-        mesh: MeshSize::Default,
-    };
-    (0..count).map(order).collect()
-}
-
-/// How a command is called beside the curves; none for what a hand does all the time.
-fn label(command: &Command) -> Option<String> {
-    Some(match command {
-        Command::Lead { .. } | Command::LetGo | Command::HoldPan { .. } => return None,
-        Command::Hob(w) => format!("{w:.0} W"),
-        Command::Put { .. } => "in".into(),
-        Command::Flip { .. } => "flip".into(),
-        Command::Rest { .. } => "out".into(),
-        Command::Halve { .. } => "halve".into(),
-        Command::MovePan { .. } => "pan".into(),
-        Command::Cool { .. } => "cloth".into(),
-        Command::Toss { .. } => "toss".into(),
-        Command::Shake { .. } => "shake".into(),
-        Command::Tilt { .. } => "tilt".into(),
-        Command::Press { .. } => "press".into(),
-        Command::Move { .. } => "move".into(),
-        Command::Oil { .. } => "oil".into(),
-        Command::Butter(_) => "butter".into(),
-        Command::Water(_) => "water".into(),
-        Command::Lid(on) => if *on { "lid on" } else { "lid off" }.into(),
-    })
-}
-
-fn step_label(step: &saute_recipe::Fired) -> String {
-    match step.action {
-        "hob_w" => format!("{:.0} W", step.value.as_f64().unwrap_or(0.0)),
-        "put" => "in".into(),
-        "rest" => "out".into(),
-        "move_pan" => "pan".into(),
-        "cool" => "cloth".into(),
-        "lid" => if step.value == true { "lid on" } else { "lid off" }.into(),
-        other => other.trim_end_matches("_g").into(),
-    }
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! What the program remembers from one start to the next.
+//! Settings that are remembered from one start to the next.
 
 use saute_kitchen::library::DEFAULT_SCALE;
 use saute_picture::colour::map::TemperatureMap;
@@ -23,19 +23,19 @@ pub struct Settings {
     pub theme: Theme,
     /// Size of the interface.
     pub size: InterfaceSize,
-    /// What the look calls white.
+    /// White balance of the look.
     pub white_balance: WhiteBalance,
-    /// How much work the picture is worth.
+    /// Rendering quality.
     pub quality: QualityChoice,
-    /// Whether the card of the first start was closed.
+    /// True if the card of the first start was closed.
     pub introduced: bool,
     /// Show °F instead of °C.
     pub fahrenheit: bool,
     /// Colour map of temperatures.
     pub map: TemperatureMap,
-    /// What the colours mean.
+    /// View that the colours show.
     pub view: View,
-    /// Whether the look stands beside the view.
+    /// True if the look is shown next to the view.
     pub split: bool,
     /// Id of the scale of doneness.
     pub scale: String,
@@ -45,13 +45,13 @@ pub struct Settings {
     pub choice: SteakChoice,
     /// Goal for the core's peak [°C].
     pub goal_c: f64,
-    /// Whether the panel with the food's choices is open.
+    /// True if the panel with the food's choices is open.
     pub pantry_open: bool,
-    /// Whether the list of the pieces is open.
+    /// True if the list of the pieces is open.
     pub pieces_open: bool,
-    /// Whether the curves are shown.
+    /// True if the curves are shown.
     pub curves_open: bool,
-    /// Whether all panels are hidden.
+    /// True if all panels are hidden.
     pub panels_hidden: bool,
     /// The half mirror.
     pub mirror: MirrorSettings,
@@ -90,7 +90,7 @@ impl Settings {
         ctx.set_zoom_factor(self.size.fitting(ctx));
     }
 
-    /// Whether the look and a view of a field stand side by side.
+    /// Returns true if the look and a view of a field stand side by side.
     pub fn is_split(&self) -> bool {
         self.split && self.view != View::Look
     }

@@ -1,4 +1,4 @@
-//! `saute bench paper`: the tables of the 2013 Interactive Cooking Simulator, run anew.
+//! `saute bench paper`: repeats the tables of the 2013 Interactive Cooking Simulator.
 
 mod original;
 mod row;
@@ -31,11 +31,11 @@ struct PaperBench {
     rows: Vec<row::Row>,
     original_engine: original::OriginalEngine,
     scaling: scaling::Scaling,
-    /// Whether every goal is met.
+    /// True if every goal is met.
     goals_met: bool,
 }
 
-/// Measures and tells.
+/// Measures and prints the numbers.
 pub fn run(args: &BenchPaperArgs, library: &Library) -> Result<ExitCode, CliError> {
     let cases = row::cases();
     let progress = Progress::over((cases.len() + scaling::SCENES) as u64);

@@ -70,7 +70,7 @@ fn files(
     let report = report::page(cook, summary, &snapshots, scale);
     let mut files = vec![
         ("summary.json".to_owned(), json::text(summary)?.into_bytes()),
-        ("series.csv".to_owned(), cook.recorder.csv(&ids, &cook.runner.recipe().groups).into_bytes()),
+        ("series.csv".to_owned(), cook.recorder.csv(&ids, &cook.runner.recipe().groups)?.into_bytes()),
         ("report.html".to_owned(), report.into_bytes()),
     ];
     files.extend(snapshots.into_iter().flat_map(Snapshot::into_files));

@@ -1,4 +1,4 @@
-//! `saute gallery`: the figures of the 2013 paper with our own foods, each with its numbers.
+//! `saute gallery`: the figures of the 2013 paper with this simulator's foods, each with its numbers.
 
 mod figure;
 mod moment;
@@ -13,6 +13,7 @@ use saute_picture::still::headless::Gpu;
 use saute_picture::still::png_file::png_bytes;
 use saute_picture::still::shot::ShotError;
 
+use self::figure::{COOKS, FIGURES};
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::output::out_dir::OutDir;
@@ -23,7 +24,7 @@ use crate::picture::size::size;
 /// `saute gallery`.
 #[derive(Debug, clap::Args)]
 pub struct GalleryArgs {
-    /// Folder for the figures (PNG) and the page with their numbers (gallery.md); made if it is missing.
+    /// Folder for the figures (PNG) and the page with their numbers (gallery.md); created if missing.
     #[arg(long, value_name = "DIR", default_value = "gallery-out")]
     pub out: PathBuf,
     /// Size of one panel in pixels.
@@ -31,27 +32,26 @@ pub struct GalleryArgs {
     pub size: [u32; 2],
 }
 
-/// Cooks, draws and writes the gallery.
+/// Cooks the recipes of the gallery, renders its figures and writes them.
 pub fn run(args: &GalleryArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
-    let figures = figure::figures();
     let scale = data.scale(DEFAULT_SCALE)?;
     let out = OutDir::prepare(&args.out)?;
     let gpu = Gpu::open().map_err(ShotError::from)?;
-    let progress = Progress::over((figure::COOKS.len() + figures.len()) as u64);
+    let progress = Progress::over((COOKS.len() + FIGURES.len()) as u64);
     let mut moments = Vec::new();
-    for (cook, _) in figure::COOKS {
+    for (cook, _) in COOKS {
         progress.next(format!("cooking {cook}"));
-        moments.extend(moment::moments(cook, &figures, &data.library)?);
+        moments.extend(moment::moments(cook, &data.library)?);
     }
     let mut files = Vec::new();
-    for figure in &figures {
+    for figure in &FIGURES {
         progress.next(format!("drawing {}", figure.title));
         let picture = plate::plate(&gpu, figure, &moments, &scale, args.size);
         files.push((format!("{}.png", figure.name), png_bytes(&picture)?));
     }
-    files.push(("gallery.md".to_owned(), page::page(&figures, &moments).into_bytes()));
-    let (count, place) = (figures.len(), out.place());
+    files.push(("gallery.md".to_owned(), page::page(&moments).into_bytes()));
+    let place = out.place();
     out.fill(files)?;
-    stderr::say(format!("{count} figures and gallery.md are in {place}"));
+    stderr::say(format!("{} figures and gallery.md are in {place}", FIGURES.len()));
     Ok(ExitCode::SUCCESS)
 }

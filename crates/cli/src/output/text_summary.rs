@@ -6,7 +6,7 @@ use std::fmt::Write;
 use saute_kitchen::energy::Energy;
 use saute_kitchen::food::Scale;
 use saute_recipe::group_summary::GroupSummary;
-use saute_recipe::summary::{ClassShares, FoodSummary, LogReduction, Surface};
+use saute_recipe::summary::{ClassShares, FoodSummary, LogReduction, Shape, Surface};
 use saute_recipe::{StoppedBy, Summary};
 
 use crate::wording::{self, duration};
@@ -51,28 +51,33 @@ fn food(f: &FoodSummary, scale: &Scale) -> String {
         ),
     );
     doneness(&mut lines, f, scale);
-    let lost = 100.0 * (1.0 - f.mass_g.end / f.mass_g.start);
-    let water = format!(
-        "{:.1} g evaporated, {:.1} g dripped, {:.1} g fat rendered",
-        f.water_g.evaporated, f.water_g.dripped, f.fat_rendered_g
-    );
-    row(&mut lines, "mass", &format!("{:.1} g → {:.1} g, −{lost:.1} %: {water}", f.mass_g.start, f.mass_g.end));
+    row(&mut lines, "mass", &mass(f));
     row(&mut lines, "top", &surface(&f.surfaces.top));
     row(&mut lines, "bottom", &surface(&f.surfaces.bottom));
     let changes: Vec<String> = f.denatured.iter().map(|(name, share)| format!("{name} {share:.2}")).collect();
     row(&mut lines, "changed", &changes.join(", "));
-    let s = &f.shape;
-    let shape = format!(
-        "{:.1} % of its volume, {:.1} % across, {:.1} mm thick, domed {:.1} mm",
-        s.volume_pct, s.across_pct, s.thickness_mm, s.dome_mm
-    );
-    let curl = if s.curl_deg > 0.0 { format!(", curled by {:.0}°", s.curl_deg) } else { String::new() };
-    row(&mut lines, "shape", &(shape + &curl));
+    row(&mut lines, "shape", &shape(&f.shape));
     let bite = format!("hardness {:.1} × raw, juiciness {:.0} %", f.hardness_index, f.juiciness_pct);
     row(&mut lines, "bite", &bite);
     row(&mut lines, "stiffness", &format!("elastic modulus {:.0} kPa", f.elastic_modulus_kpa));
     row(&mut lines, "safety", &safety(&f.log_reduction));
     lines
+}
+
+fn mass(f: &FoodSummary) -> String {
+    let lost = 100.0 * (1.0 - f.mass_g.end / f.mass_g.start);
+    format!(
+        "{:.1} g → {:.1} g, −{lost:.1} %: {:.1} g evaporated, {:.1} g dripped, {:.1} g fat rendered",
+        f.mass_g.start, f.mass_g.end, f.water_g.evaporated, f.water_g.dripped, f.fat_rendered_g
+    )
+}
+
+fn shape(s: &Shape) -> String {
+    let curl = if s.curl_deg > 0.0 { format!(", curled by {:.0}°", s.curl_deg) } else { String::new() };
+    format!(
+        "{:.1} % of its volume, {:.1} % across, {:.1} mm thick, domed {:.1} mm{curl}",
+        s.volume_pct, s.across_pct, s.thickness_mm, s.dome_mm
+    )
 }
 
 /// Returns a line for each group: means, with the smallest and the largest value.

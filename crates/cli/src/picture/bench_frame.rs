@@ -1,4 +1,4 @@
-//! `saute bench frame`: frames a second of the window, drawn off-screen.
+//! `saute bench frame`: the frame rate of the window, rendered off-screen.
 
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -20,16 +20,16 @@ use crate::output::{json, stdout};
 /// `saute bench frame`.
 #[derive(Debug, clap::Args)]
 pub struct BenchFrameArgs {
-    /// A recipe file, or the id of a shipped recipe.
+    /// Recipe file, or id of a shipped recipe.
     #[arg(value_name = "RECIPE", default_value = "medium")]
     pub recipe: String,
-    /// A made-up scene instead of a recipe.
+    /// Built-in scene instead of a recipe.
     #[arg(long, value_enum)]
     pub scene: Option<SceneName>,
     /// Size of the frame in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
     pub size: [u32; 2],
-    /// How much work a picture is worth; automatic unless given.
+    /// Rendering quality [default: automatic].
     #[arg(long, value_enum)]
     pub quality: Option<QualityName>,
     /// Prints the numbers as JSON.
@@ -37,16 +37,16 @@ pub struct BenchFrameArgs {
     pub json: bool,
 }
 
-/// Scenes to measure that are no recipes.
+/// Built-in scenes.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum SceneName {
     /// 35 shrimps of the default mesh in the pan.
     Shrimps,
-    /// A steak, 11 carrots and 11 leeks that fry.
+    /// A frying steak with 11 carrots and 11 leeks.
     Dish,
 }
 
-/// Measures frames.
+/// Measures the frame rate and prints it.
 pub fn run(args: &BenchFrameArgs, data: &DataLibrary, process_start: Instant) -> Result<ExitCode, CliError> {
     let (recipe, from_s) = match args.scene {
         Some(SceneName::Dish) => (Recipe::parse(DISH, "dish", &data.library)?, DISH_FROM_S),

@@ -1,4 +1,4 @@
-//! Views, white balances, qualities and ways of stereo by their names on the command line.
+//! Names of views, white balances, qualities and stereo modes on the command line.
 
 use clap::ValueEnum;
 use saute_picture::View;
@@ -6,20 +6,20 @@ use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 use saute_window::mirror::stereo::Stereo;
 
-/// The views by their names on the command line.
+/// Names of the views.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum ViewName {
-    /// As the eye sees it.
+    /// Appearance to the eye.
     Look,
     /// Temperature now.
     Temperature,
-    /// Water left, of what the raw food held there.
+    /// Water content relative to the raw food.
     Moisture,
     /// Doneness by the highest temperature so far.
     Doneness,
     /// Browning index.
     Browning,
-    /// How far pathogens were killed.
+    /// Log reduction of pathogens.
     Lethality,
     /// Fat in the flesh.
     Marbling,
@@ -39,16 +39,16 @@ impl From<ViewName> for View {
     }
 }
 
-/// The white balances by their names on the command line.
+/// Names of the white balances.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum WhiteName {
     /// A kitchen in the evening sun (5750 K).
     AsShot,
-    /// White is white (6500 K).
+    /// Daylight (6500 K).
     Neutral,
-    /// As under an overcast sky (8000 K).
+    /// Overcast sky (8000 K).
     Cool,
-    /// As under a lamp (4500 K).
+    /// Lamp (4500 K).
     Warm,
 }
 
@@ -63,14 +63,14 @@ impl From<WhiteName> for WhiteBalance {
     }
 }
 
-/// The qualities by their names on the command line.
+/// Names of the rendering qualities.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum QualityName {
-    /// As the window draws without a graphics card.
+    /// The quality of the window without a graphics card.
     Quick,
-    /// Smooth edges everywhere.
+    /// Antialiased edges.
     Smooth,
-    /// Besides, shadows where food touches the ground, and finer maps and textures.
+    /// In addition contact shadows and finer maps and textures.
     Best,
 }
 
@@ -84,12 +84,12 @@ impl From<QualityName> for Quality {
     }
 }
 
-/// Ways of stereo by their names on the command line.
+/// Names of the stereo modes.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum StereoName {
     /// Red for the left eye, cyan for the right.
     Anaglyph,
-    /// The left eye's picture in the left half.
+    /// The picture of the left eye in the left half.
     SideBySide,
 }
 

@@ -1,4 +1,4 @@
-//! Pictures from the app's own renderer: `saute shot` and `saute bench frame`.
+//! Pictures from the renderer of the window: `saute shot` and `saute bench frame`.
 
 pub mod bench_frame;
 pub mod choices;

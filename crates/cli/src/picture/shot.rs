@@ -24,61 +24,62 @@ use crate::output::out_file::OutFile;
 /// `saute shot`.
 #[derive(Debug, clap::Args)]
 pub struct ShotArgs {
-    /// A recipe file, or the id of a shipped recipe.
+    /// Recipe file, or id of a shipped recipe.
     #[arg(value_name = "RECIPE")]
     pub recipe: String,
     /// Simulated time of the picture.
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_hyphen_values = true)]
     pub at: f64,
-    /// What the colours mean.
+    /// Meaning of the colours.
     #[arg(long, value_enum, default_value_t = ViewName::Look, conflicts_with = "split")]
     pub view: ViewName,
-    /// Draws the look at the left and this view of the same instant at the right: see `saute list views`.
+    /// Renders the look in the left half and this view of the same instant in the right half, see `saute list views`.
     #[arg(long, value_name = "VIEW", value_parser = field)]
     pub split: Option<View>,
-    /// Cuts the food open.
+    /// Shows the food cut open.
     #[arg(long)]
     pub slice: bool,
-    /// What the look calls white.
+    /// White balance of the look.
     #[arg(long, value_enum, default_value_t = WhiteName::AsShot)]
     pub white_balance: WhiteName,
-    /// How much work the picture is worth.
+    /// Rendering quality.
     #[arg(long, value_enum, default_value_t = QualityName::Smooth)]
     pub quality: QualityName,
-    /// Writes unlit colours without tone mapping, for measuring.
+    /// Renders unlit colours without tone mapping, for measurements.
     #[arg(long)]
     pub flat: bool,
-    /// The scale of the doneness view: see `saute list scales`.
+    /// Scale of the doneness view, see `saute list scales`.
     #[arg(long, value_name = "SCALE", default_value = DEFAULT_SCALE)]
     pub doneness: String,
-    /// Draws what a half mirror's screen or projector shows: a rig file, or the name of a shipped rig (flat-screen,
-    /// projector); flat-screen unless given.
+    /// Renders the picture for the screen or projector of a half mirror: a rig file, or the name of a shipped rig
+    /// (flat-screen, projector).
     #[arg(long, value_name = "RIG", num_args = 0..=1, default_missing_value = "flat-screen", conflicts_with_all = ["split", "flat"])]
     pub mirror: Option<String>,
-    /// A picture for each eye in the mirror.
+    /// Renders one picture for each eye in the mirror.
     #[arg(long, value_enum, requires = "mirror")]
     pub stereo: Option<StereoName>,
-    /// Draws the virtual pan in the mirror, where else the real one is seen.
+    /// Renders the virtual pan in the mirror too; without it only the real pan is visible.
     #[arg(long, requires = "mirror")]
     pub show_pan: bool,
     /// Size of the picture in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
     pub size: [u32; 2],
-    /// The PNG file to write.
+    /// PNG file to write.
     #[arg(long, value_name = "FILE.png")]
     pub out: PathBuf,
 }
 
-/// A view of a field, which can stand beside the look.
+/// Reads a view other than the look.
 fn field(text: &str) -> Result<View, String> {
     let names = ViewName::value_variants().iter().filter_map(ValueEnum::to_possible_value).skip(1);
     let fields: Vec<String> = names.map(|name| name.get_name().to_owned()).collect();
     match ViewName::from_str(text, false) {
         Ok(name) if View::from(name) != View::Look => Ok(name.into()),
-        _ => Err(format!("write the view that stands beside the look: {}", fields.join(", "))),
+        _ => Err(format!("write a view other than the look: {}", fields.join(", "))),
     }
 }
 
+/// Reads a time from the start of the recipe [s].
 fn seconds(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(s) if s.is_finite() && s >= 0.0 => Ok(s),
@@ -86,7 +87,7 @@ fn seconds(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Draws one picture.
+/// Renders one picture and writes it.
 pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let recipe = recipe_source::load(&args.recipe, data)?;
     let out = OutFile::prepare(&args.out)?;
@@ -114,7 +115,7 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// A shipped rig by its name, else a rig file.
+/// Returns a shipped rig by its name, or reads a rig file.
 fn rig(name: &str) -> Result<Rig, CliError> {
     match rig_file::shipped(name) {
         Some(rig) => Ok(rig?),

@@ -33,8 +33,8 @@ pub fn section(cook: &Cook, summary: &Summary, snapshots: &[Snapshot]) -> Markup
 }
 
 fn size(piece: &Piece) -> String {
-    let across = piece.model.size[0].min(piece.model.size[1]);
-    format!("{} {:.0} × {:.0} mm", piece.id, across * 1e3, piece.model.size[2] * 1e3)
+    let across = piece.model.size()[0].min(piece.model.size()[1]);
+    format!("{} {:.0} × {:.0} mm", piece.id, across * 1e3, piece.model.size()[2] * 1e3)
 }
 
 /// Returns the pictures of a moment; nothing if no step concerned this food.

@@ -1,4 +1,4 @@
-//! Colours measured on pictures: a flat still, read where the eye would look.
+//! Colours measured on flat pictures of a piece.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -18,20 +18,20 @@ use saute_picture::still::headless::Gpu;
 use saute_picture::still::shot::ShotOptions;
 use saute_picture::view::View;
 
-/// Size of the pictures [pixels], and distance of the eye [m] (chosen: three pixels a millimetre).
+/// Size of the pictures [px] and distance of the camera [m] (chosen: three pixels per millimetre).
 const SIZE: [u32; 2] = [800, 600];
 const DISTANCE: f32 = 0.25;
-/// Half the field that is read over half the piece's length and width, and half its height in a cut [m] (chosen: the
-/// middle, where the colour is even, as a colorimeter's opening of some 20 mm).
+/// Half the measured field over half the length and width of the piece [-], and half its height in a cut [m] (chosen: the
+/// middle, where the colour is uniform, as with the aperture of a colorimeter of some 20 mm).
 const FIELD: f64 = 0.25;
 const CUT_HALF_HEIGHT: f64 = 0.002;
-/// Readings across the field (chosen).
+/// Number of readings across the field (chosen).
 const READINGS: i32 = 15;
 
-/// How far a piece is lifted over where it lies to be looked at from below [m] (chosen: clear of the pan).
+/// Height by which a piece is lifted so that its underside is visible [m] (chosen: clear of the pan).
 const LIFT: f64 = 0.15;
 
-/// Reads colours off flat pictures.
+/// Measures colours on flat pictures.
 pub struct Colorimeter {
     gpu: Gpu,
     renderer: SceneRenderer,
@@ -39,13 +39,13 @@ pub struct Colorimeter {
 }
 
 impl Colorimeter {
-    /// Opens one on a graphics adapter.
+    /// Returns a colorimeter on a graphics adapter.
     pub fn new(gpu: Gpu) -> Self {
         let renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
         Self { gpu, renderer, stage: Stage::default() }
     }
 
-    /// Mean colour of a piece as a flat picture shows it, in the middle of a face or of its cut.
+    /// Returns the mean colour of a piece on a flat picture, in the middle of a face or of its cut (CIE L*a*b*).
     pub fn read(&mut self, kitchen: &Kitchen, piece: &Piece, at: SeenAt, scale: &Arc<Scale>) -> Lab {
         let options = ShotOptions {
             view: View::Look,
@@ -71,7 +71,7 @@ impl Colorimeter {
     }
 }
 
-/// Where a piece is while it is looked at: the underside is held up and turned towards the eye.
+/// Returns the pose of a piece while it is measured: for its underside it is lifted and turned towards the camera.
 fn held(piece: &Piece, at: SeenAt) -> Pose {
     let Pose { position, rotation } = piece.pose;
     match at {
@@ -80,7 +80,7 @@ fn held(piece: &Piece, at: SeenAt) -> Pose {
     }
 }
 
-/// The eye looks at the cut from the side to which it faces, at a face from straight above.
+/// Returns the camera: in front of the cut, or straight above a face.
 fn eye(pose: &Pose, at: SeenAt) -> Camera {
     let normal = pose.rotation * DVec3::X;
     let (yaw, pitch) = match at {
@@ -90,9 +90,9 @@ fn eye(pose: &Pose, at: SeenAt) -> Camera {
     Camera { yaw, pitch, distance: DISTANCE, target: pose.position.as_vec3(), shift: [0.0; 2] }
 }
 
-/// Places of the field in the world [m].
+/// Returns the points of the field in the world [m].
 fn field(piece: &Piece, pose: &Pose, at: SeenAt) -> Vec<Vec3> {
-    let half = piece.model.size.map(|v| 0.5 * v);
+    let half = piece.model.size().map(|v| 0.5 * v);
     let shown_below = piece.upside_down() != (at == SeenAt::Under);
     let face = 0.5 * piece.model.thickness(&piece.state) * if shown_below { -1.0 } else { 1.0 };
     let step = |k: i32| f64::from(k) / f64::from(READINGS);

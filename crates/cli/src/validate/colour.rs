@@ -13,7 +13,7 @@ use saute_recipe::Cook;
 
 use crate::error::CliError;
 
-/// Compares all colours of a case.
+/// Compares all colours of a case with their expected values.
 pub fn verdicts(case: &CookCase, library: &Library, scale: &Arc<Scale>) -> Result<Vec<Verdict>, CliError> {
     if case.seen().is_empty() && case.courses().is_empty() {
         return Ok(Vec::new());

@@ -32,18 +32,18 @@ struct Verdicts {
 struct CaseRun {
     /// Name of its file.
     id: String,
-    /// The case, if it is one of the lab.
+    /// The case if it is a lab case.
     lab: Option<Case>,
-    /// What came of it.
+    /// Its verdicts.
     verdicts: Vec<Verdict>,
 }
 
-/// Runs the cases and tells their verdicts.
+/// Runs the cases and prints their verdicts.
 pub fn run(args: &ValidateArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let pages = args.write.then(page::Pages::prepare).transpose()?;
     let runs = run_cases(args.case.as_deref(), data)?;
     if let Some(pages) = pages {
-        stderr::say("pages and pictures");
+        stderr::say("writing pages and pictures");
         pages.fill(&runs)?;
     }
     let verdicts = Verdicts { cases: runs.into_iter().flat_map(|r| r.verdicts).collect() };

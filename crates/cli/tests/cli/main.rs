@@ -1,10 +1,11 @@
-//! The command as its users see it: what it prints, writes, refuses, and how it exits.
+//! The command from outside: output, files, refusals and exit codes.
 
 // A test that fails at an unwrap names its line.
 #![allow(clippy::unwrap_used)]
 
 mod architecture;
 mod cook;
+mod folders;
 mod haptics;
 mod layers;
 mod library;

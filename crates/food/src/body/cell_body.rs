@@ -2,7 +2,7 @@
 
 use saute_heat::vector::{Vec3, cross, scale, sub};
 use saute_heat::voronoi::Weights;
-use saute_heat::{CellMesh, Fineness, Outline, SweptMesh};
+use saute_heat::{BodyMesh, CellMesh, Fineness, Outline};
 
 use crate::body::Body;
 use crate::body::patch::{Face, Patch};
@@ -11,21 +11,9 @@ use crate::change::doneness::{MOST_CLASSES, Scale, Shares};
 use crate::description::FoodDescription;
 use crate::model::{BuildError, FoodModel, PieceSpec};
 use crate::state::FoodState;
-use crate::water::juice_way::juice_ways;
 
 /// Cosine between a patch's normal and the vertical beyond which it is a big face of the rest shape [-] (chosen: 45°).
 const BIG_FACE: f64 = 0.7;
-
-/// What a body of cells reads where a swept one has sections and levels.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct CellReadings {
-    /// The nodes around the middle of the thickest part and their shares.
-    pub(crate) core: Weights,
-    /// Area of the middle cut that belongs to each node of it [m²].
-    cut: Vec<(u32, f64)>,
-    /// The way of juice, outermost first: from a node to the next one outwards, and their distance [m].
-    pub(crate) outwards: Vec<(u32, u32, f64)>,
-}
 
 impl Body {
     /// Meshes the inside of a food's own surface, whose longest edge becomes the piece's length.
@@ -48,7 +36,7 @@ impl Body {
             Patch { node: p.node, face, air: air as usize, area: p.area }
         });
         let patches = patches.collect();
-        Ok(Self { size, mesh: SweptMesh::of_cells(cells), outline, patches, contracts: true })
+        Ok(Self { size, mesh: BodyMesh::from(cells), outline, patches, contracts: true })
     }
 }
 
@@ -75,20 +63,15 @@ fn silhouette(points: &[Vec3]) -> Outline {
     Outline { points: hull }
 }
 
-impl CellReadings {
-    /// Prepares the readings of a body of cells.
-    pub(crate) fn of(cells: &CellMesh, fibres: Option<[f64; 3]>) -> Self {
-        let deepest = (0..cells.node_count()).max_by(|a, b| cells.depth[*a].total_cmp(&cells.depth[*b]));
-        let centre = [0.0; 3];
-        // The centroid may lie outside a bent body.
-        let core =
-            if cells.contains(centre) { cells.weights(centre) } else { vec![(deepest.unwrap_or(0) as u32, 1.0)] };
-        Self { core, cut: middle_cut(cells), outwards: juice_ways(cells, fibres) }
-    }
+/// Weights at the core of a body of cells: at its centroid, or at its deepest node where a bent body leaves that outside.
+pub(crate) fn cell_core(cells: &CellMesh) -> Weights {
+    let deepest = (0..cells.node_count()).max_by(|a, b| cells.depth[*a].total_cmp(&cells.depth[*b]));
+    let centre = [0.0; 3];
+    if cells.contains(centre) { cells.weights(centre) } else { vec![(deepest.unwrap_or(0) as u32, 1.0)] }
 }
 
 /// Shares of the cut across the longest axis through the middle.
-fn middle_cut(cells: &CellMesh) -> Vec<(u32, f64)> {
+pub(crate) fn middle_cut(cells: &CellMesh) -> Vec<(u32, f64)> {
     let extent = cells.surface.extent();
     let axis = if extent[0] >= extent[1] { 0 } else { 1 };
     let Ok(slice) = cells.slice(axis, 0.0) else { return Vec::new() };
@@ -100,14 +83,9 @@ fn middle_cut(cells: &CellMesh) -> Vec<(u32, f64)> {
 }
 
 impl FoodModel {
-    /// The cells, where the body is meshed inside a surface.
-    pub fn cells(&self) -> Option<&CellMesh> {
-        self.mesh.cells()
-    }
-
     /// Moves free juice outwards; outer nodes come first, so that nothing moves by two nodes at once.
     pub(crate) fn drain_cells(&self, state: &mut FoodState, reach: f64) {
-        for &(from, to, distance) in &self.cell_readings.outwards {
+        for &(from, to, distance) in &self.water.outwards {
             let share = 1.0 - 1.0 / (1.0 + reach / distance);
             self.carry(state, [from as usize, to as usize], share);
         }
@@ -116,7 +94,7 @@ impl FoodModel {
     /// The body contracts alike in all directions, to the volume that its nodes have left; where a node has lost more or
     /// less than that, the flesh around it holds its breadth, and it becomes thinner or thicker below the skin.
     pub(crate) fn shrink_evenly(&self, state: &mut FoodState, relative_volume: impl Fn(&FoodState, usize) -> f64) {
-        let volume = &self.mesh.graph.volume;
+        let volume = self.shape.mesh.volumes();
         let mut left = 0.0;
         for (node, rest) in volume.iter().enumerate() {
             state.stretch.axial[node] = relative_volume(state, node);
@@ -135,7 +113,7 @@ impl FoodModel {
     /// Doneness by volume.
     pub(crate) fn cell_volume_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
         let mut sums = [0.0; MOST_CLASSES];
-        for (peak, volume) in state.peak.iter().zip(&self.mesh.graph.volume) {
+        for (peak, volume) in state.peak.iter().zip(self.shape.mesh.volumes()) {
             scale.add_stretch(&mut sums, *peak, *peak, *volume);
         }
         Shares::from_weights(sums)
@@ -144,7 +122,7 @@ impl FoodModel {
     /// Doneness of the middle cut by area.
     pub(crate) fn cell_cut_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
         let mut sums = [0.0; MOST_CLASSES];
-        for &(node, area) in &self.cell_readings.cut {
+        for &(node, area) in &self.shape.middle_cut {
             let peak = state.peak[node as usize];
             scale.add_stretch(&mut sums, peak, peak, area);
         }

@@ -5,10 +5,13 @@
 //! covers is the part of the plane that its lost edges stood for: shape × distance across the plane, which is what a
 //! field that rises evenly across the plane would have sent through it; all of them add up to the plane's own area.
 
-use saute_heat::{Cut as SectionCut, Path};
+use std::collections::BTreeMap;
+
+use saute_heat::{Layout, SweptMesh};
 
 use crate::body::patch::{Face, Patch};
-use crate::body::surface::{PatchPose, unit};
+use crate::body::patch_pose::{PatchPose, unit};
+use crate::body::rest_shape::RestShape;
 use crate::model::FoodModel;
 
 /// Least distance of a cut from either end of the long axis [m] (chosen: a knife cuts no thinner slice off a hot piece).
@@ -37,6 +40,9 @@ pub enum CutError {
     },
 }
 
+/// An edge across the plane of a cut and its two ends, the one beyond second.
+type Crossing = (usize, [u32; 2]);
+
 /// What a cut changed.
 #[derive(Clone, Debug)]
 pub(crate) struct Halving {
@@ -54,38 +60,32 @@ pub(crate) struct Halving {
 impl FoodModel {
     /// Where the piece was cut in halves.
     pub fn halved_at(&self) -> Option<Cut> {
-        self.halving.as_ref().map(|h| h.cut)
+        self.shape.halving.as_ref().map(|h| h.cut)
     }
 
     /// Whether a node of a halved piece lies in the half towards the positive end of the long axis.
     pub fn is_beyond_cut(&self, node: usize) -> bool {
-        self.halving.as_ref().is_some_and(|h| h.beyond[node])
+        self.shape.halving.as_ref().is_some_and(|h| h.beyond[node])
     }
 
     /// The patches of the fresh faces: the last ones; none of a whole piece.
     pub fn fresh_faces(&self) -> core::ops::Range<usize> {
-        self.halving.as_ref().map_or(self.patches.len(), |h| h.first_patch)..self.patches.len()
+        let all = self.shape.patches.len();
+        self.shape.halving.as_ref().map_or(all, |h| h.first_patch)..all
     }
 
     /// The piece cut in halves at a distance from the middle of its long axis [m]; its state goes on as it is.
     pub fn halved(&self, at: f64) -> Result<Self, CutError> {
-        if self.halving.is_some() {
+        let shape = &self.shape;
+        if shape.halving.is_some() {
             return Err(CutError::Halved);
         }
-        let most = 0.5 * self.size[self.long_axis()] - LEAST_SLICE;
+        let most = 0.5 * shape.size[shape.long_axis()] - LEAST_SLICE;
         if !(-most..=most).contains(&at) {
             return Err(CutError::Beside { most });
         }
-        let beyond: Vec<bool> = (0..self.mesh.node_count()).map(|node| self.along(node) > at).collect();
-        let edges: Vec<(usize, [u32; 2])> = self
-            .mesh
-            .graph
-            .ends
-            .iter()
-            .enumerate()
-            .filter(|(_, [a, b])| beyond[*a as usize] != beyond[*b as usize])
-            .map(|(edge, &[a, b])| (edge, if beyond[b as usize] { [a, b] } else { [b, a] }))
-            .collect();
+        let beyond: Vec<bool> = (0..shape.mesh.node_count()).map(|node| shape.along(node) > at).collect();
+        let edges = crossing_edges(&shape.mesh.graph().ends, &beyond);
         if edges.is_empty() {
             return Err(CutError::Beside { most });
         }
@@ -94,61 +94,38 @@ impl FoodModel {
         Ok(halves)
     }
 
-    fn part(&mut self, at: f64, beyond: Vec<bool>, edges: &[(usize, [u32; 2])]) {
+    fn part(&mut self, at: f64, beyond: Vec<bool>, edges: &[Crossing]) {
         let areas = self.fresh_areas(at, edges);
-        let level = matches!(self.mesh.path, Path::Stations(_)).then(|| self.level_before(at));
-        let first_patch = self.patches.len();
-        let face = if self.is_slice() { Face::Side } else { Face::Top };
+        let shape = &mut self.shape;
+        let level = match shape.mesh.layout() {
+            Layout::Along(mesh, _) => Some(level_before(mesh, at)),
+            Layout::Upright(_) | Layout::Cells(_) => None,
+        };
+        let first_patch = shape.patches.len();
+        let face = if shape.is_slice() { Face::Side } else { Face::Top };
         for (&node, &area) in &areas {
-            self.patches.push(Patch { node, face, air: Face::Side as usize, area });
-            match self.outlets.iter_mut().find(|outlet| outlet.0 == node) {
-                Some(outlet) => outlet.1 += area,
-                None => self.outlets.push((node, area)),
-            }
+            shape.patches.push(Patch { node, face, air: Face::Side as usize, area });
+            self.water.open_outlet(node, area);
         }
-        edges.iter().for_each(|(edge, _)| self.mesh.graph.shape[*edge] = 0.0);
-        let across = |step: &(u32, u32, f64)| beyond[step.0 as usize] != beyond[step.1 as usize];
-        self.cell_readings.outwards.retain(|step| !across(step));
+        let conductances = &mut shape.mesh.graph_mut().shape;
+        edges.iter().for_each(|(edge, _)| conductances[*edge] = 0.0);
+        self.water.part(&beyond);
         let parted = edges.iter().map(|(_, pair)| *pair).collect();
         let mut axis = [0.0; 3];
-        axis[self.long_axis()] = 1.0;
-        self.halving = Some(Halving { cut: Cut { axis, at }, first_patch, beyond, parted, level });
-        let poses = self.rest_poses();
-        if let (Some(halving), Some(near)) = (&mut self.halving, poses.get(first_patch..)) {
-            let towards = near.iter().zip(&self.patches[first_patch..]).find(|(_, p)| !halving.beyond[p.node as usize]);
-            halving.cut.axis = towards.map_or(axis, |(pose, _)| pose.normal);
-        }
-        self.rest_normals = poses.into_iter().map(|p| p.normal).collect();
-    }
-
-    /// 0 where the piece is longest along x, 1 along y; a body on stations is as long as its path.
-    fn long_axis(&self) -> usize {
-        let on_path = matches!(self.mesh.path, Path::Stations(_));
-        if on_path || self.size[0] >= self.size[1] { 0 } else { 1 }
-    }
-
-    /// Distance of a node of the rest shape from the middle along the long axis [m].
-    fn along(&self, node: usize) -> f64 {
-        if let Path::Stations(_) = self.mesh.path {
-            return self.mesh.levels[node / self.mesh.nodes_per_level()] - 0.5 * self.mesh.thickness();
-        }
-        self.mesh.position(node)[self.long_axis()]
-    }
-
-    /// The last level of stations before a cut.
-    fn level_before(&self, at: f64) -> usize {
-        let z = at + 0.5 * self.mesh.thickness();
-        self.mesh.levels.partition_point(|level| *level <= z).saturating_sub(1)
+        axis[shape.long_axis()] = 1.0;
+        shape.halving = Some(Halving { cut: Cut { axis, at }, first_patch, beyond, parted, level });
+        shape.pose_cut(axis, first_patch);
     }
 
     /// Area of the fresh face that belongs to each node beside the cut [m²].
-    fn fresh_areas(&self, at: f64, edges: &[(usize, [u32; 2])]) -> std::collections::BTreeMap<u32, f64> {
-        let mut areas = std::collections::BTreeMap::new();
+    fn fresh_areas(&self, at: f64, edges: &[Crossing]) -> BTreeMap<u32, f64> {
+        let mut areas = BTreeMap::new();
         let mut sum = 0.0;
         for &(edge, [near, far]) in edges {
             // Borders of sheaths lower a conductance, not the area.
-            let whole = self.mesh.graph.shape[edge] / self.sheath_share(edge);
-            let area = whole * (self.along(far as usize) - self.along(near as usize));
+            let shape = &self.shape;
+            let whole = shape.mesh.graph().shape[edge] / self.tissue.sheath_share(&shape.mesh, edge);
+            let area = whole * (shape.along(far as usize) - shape.along(near as usize));
             sum += area;
             [near, far].iter().for_each(|node| *areas.entry(*node).or_insert(0.0) += area);
         }
@@ -160,24 +137,49 @@ impl FoodModel {
 
     /// Area of the plane of a cut [m²].
     fn plane_area(&self, at: f64) -> Option<f64> {
-        match &self.mesh.path {
-            Path::Stations(stations) => {
-                let (level, share) = self.mesh.bracket(at + 0.5 * self.mesh.thickness());
+        match self.shape.mesh.layout() {
+            Layout::Upright(mesh) => {
+                let cut = self.cut_across(at);
+                let columns: Vec<f64> =
+                    (0..mesh.nodes_per_level()).map(|i| mesh.thickness() * mesh.path.column(i)).collect();
+                Some(cut.lengths().iter().enumerate().map(|(i, length)| length * cut.sample(i, &columns)).sum())
+            }
+            Layout::Along(mesh, stations) => {
+                let (level, share) = mesh.bracket(at + 0.5 * mesh.thickness());
                 let [a, b] = [level, level + 1].map(|l| stations[l].section.areas.iter().sum::<f64>());
                 Some(a + share * (b - a))
             }
-            Path::Cells(cells) => Some(cells.slice(self.long_axis(), at).ok()?.areas.iter().sum()),
-            _ => {
-                let cut: SectionCut = self.cut_across(at);
-                let columns: Vec<f64> = (0..self.mesh.nodes_per_level())
-                    .map(|i| self.mesh.thickness() * self.mesh.path.column(i))
-                    .collect();
-                Some(cut.lengths().iter().enumerate().map(|(i, length)| length * cut.sample(i, &columns)).sum())
-            }
+            Layout::Cells(cells) => Some(cells.slice(self.shape.long_axis(), at).ok()?.areas.iter().sum()),
+        }
+    }
+}
+
+impl RestShape {
+    /// 0 where the piece is longest along x, 1 along y; a body on stations is as long as its path.
+    fn long_axis(&self) -> usize {
+        let on_path = matches!(self.mesh.layout(), Layout::Along(..));
+        if on_path || self.size[0] >= self.size[1] { 0 } else { 1 }
+    }
+
+    /// Distance of a node of the rest shape from the middle along the long axis [m].
+    fn along(&self, node: usize) -> f64 {
+        match self.mesh.layout() {
+            Layout::Along(mesh, _) => mesh.levels[node / mesh.nodes_per_level()] - 0.5 * mesh.thickness(),
+            Layout::Upright(_) | Layout::Cells(_) => self.mesh.position(node)[self.long_axis()],
         }
     }
 
-    /// Whether a cut keeps juice from passing between two neighbouring levels.
+    /// Sets the axis of the cut to its normal on the near side, and the rest normals with the fresh faces.
+    fn pose_cut(&mut self, axis: [f64; 3], first_patch: usize) {
+        let poses = self.rest_poses();
+        if let (Some(halving), Some(near)) = (&mut self.halving, poses.get(first_patch..)) {
+            let towards = near.iter().zip(&self.patches[first_patch..]).find(|(_, p)| !halving.beyond[p.node as usize]);
+            halving.cut.axis = towards.map_or(axis, |(pose, _)| pose.normal);
+        }
+        self.rest_normals = poses.into_iter().map(|p| p.normal).collect();
+    }
+
+    /// Returns true if a cut keeps juice from passing between two neighbouring levels.
     pub(crate) fn parts_levels(&self, a: usize, b: usize) -> bool {
         self.halving.as_ref().is_some_and(|h| h.level == Some(a.min(b)))
     }
@@ -186,7 +188,7 @@ impl FoodModel {
     pub(crate) fn pose_fresh_faces(&self, positions: &[[f64; 3]], poses: &mut [PatchPose]) {
         let Some(halving) = &self.halving else { return };
         let mut axis = halving.cut.axis;
-        if let Path::Stations(_) = self.mesh.path {
+        if let Layout::Along(..) = self.mesh.layout() {
             let mut way = [0.0; 3];
             for [near, far] in &halving.parted {
                 (0..3).for_each(|k| way[k] += positions[*far as usize][k] - positions[*near as usize][k]);
@@ -197,4 +199,19 @@ impl FoodModel {
             pose.normal = if halving.beyond[patch.node as usize] { axis.map(|v| -v) } else { axis };
         }
     }
+}
+
+/// Edges that cross the plane of a cut, with the end beyond it second.
+fn crossing_edges(ends: &[[u32; 2]], beyond: &[bool]) -> Vec<Crossing> {
+    ends.iter()
+        .enumerate()
+        .filter(|(_, [a, b])| beyond[*a as usize] != beyond[*b as usize])
+        .map(|(edge, &[a, b])| (edge, if beyond[b as usize] { [a, b] } else { [b, a] }))
+        .collect()
+}
+
+/// The last level of stations before a cut.
+fn level_before(mesh: &SweptMesh, at: f64) -> usize {
+    let z = at + 0.5 * mesh.thickness();
+    mesh.levels.partition_point(|level| *level <= z).saturating_sub(1)
 }

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use saute_heat::Path;
+use saute_heat::Layout;
 
-use crate::body::shrink::GRAVITY;
+use crate::GRAVITY;
 use crate::model::FoodModel;
 use crate::state::FoodState;
 
@@ -25,14 +25,14 @@ impl FoodModel {
     /// The bending of a body that is carried along stations, with the relaxed modulus and the round section of its mean area;
     /// none for other bodies. E I = E A²/4π.
     pub fn limp(&self, state: &FoodState) -> Option<Limp> {
-        let Path::Stations(_) = self.mesh.path else { return None };
-        let length = self.mesh.thickness();
-        let area = self.mesh.graph.volume.iter().sum::<f64>() / length;
+        let Layout::Along(mesh, _) = self.shape.mesh.layout() else { return None };
+        let length = mesh.thickness();
+        let area = mesh.graph.volume.iter().sum::<f64>() / length;
         let modulus = 1e3 * self.elastic_modulus_kpa(state) * self.kinetics.texture.relaxed_share;
         let weight = GRAVITY * state.mass(self) / length;
         Some(Limp {
-            nodes_per_level: self.mesh.nodes_per_level(),
-            along: self.mesh.levels.clone(),
+            nodes_per_level: mesh.nodes_per_level(),
+            along: mesh.levels.clone(),
             weight_over_rigidity: weight / (8.0 * modulus * area * area / (4.0 * PI)),
         })
     }

@@ -5,7 +5,10 @@ pub mod form;
 pub mod halving;
 pub mod limp;
 pub mod patch;
+pub mod patch_pose;
 pub mod present_shape;
+mod probing;
+pub(crate) mod rest_shape;
 pub mod rounded;
 pub mod shrimp;
 pub mod shrink;
@@ -14,7 +17,7 @@ pub mod solid;
 mod stick;
 pub mod surface;
 
-use saute_heat::{Outline, Rule, SweptMesh};
+use saute_heat::{BodyMesh, Outline, Rule, SweptMesh};
 
 use crate::body::patch::patches;
 use crate::description::FoodDescription;
@@ -24,10 +27,9 @@ use crate::tissue::noise::uniform;
 
 pub use form::Form;
 pub use patch::{Face, Patch};
+pub use patch_pose::{PatchGeometry, PatchPose};
 pub use solid::{Capsule, Solid};
-pub use surface::{PatchGeometry, PatchPose, Surface};
-
-pub(crate) use cell_body::CellReadings;
+pub use surface::Surface;
 
 /// A body to be filled with food: its mesh, how it meets the outside, and its outline seen from above.
 #[derive(Clone, Debug)]
@@ -35,7 +37,7 @@ pub struct Body {
     /// Length, width, thickness; of a curved body along its curve, across it in its plane, and its height [m].
     pub size: [f64; 3],
     /// Rest mesh.
-    pub mesh: SweptMesh,
+    pub mesh: BodyMesh,
     /// Outline seen from above.
     pub outline: Outline,
     /// Faces towards the outside.
@@ -55,8 +57,8 @@ impl Body {
         }
     }
 
-    pub(crate) fn of_mesh(size: [f64; 3], mesh: SweptMesh, outline: Outline) -> Self {
-        Self { size, patches: patches(&mesh), mesh, outline, contracts: true }
+    pub(crate) fn swept(size: [f64; 3], mesh: SweptMesh, outline: Outline) -> Self {
+        Self { size, patches: patches(&mesh), mesh: BodyMesh::Swept(mesh), outline, contracts: true }
     }
 }
 

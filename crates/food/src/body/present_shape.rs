@@ -1,6 +1,6 @@
 //! Where the nodes of a piece are now: stretched, bent, curled.
 
-use saute_heat::{Path, Station};
+use saute_heat::{Layout, Station, SweptMesh};
 
 use crate::body::shrimp::volume_centre;
 use crate::model::FoodModel;
@@ -25,25 +25,14 @@ impl Standing {
 }
 
 impl FoodModel {
-    /// Present height of a column of a slice at each level above its lowest [m], level by level.
-    fn column_heights<'a>(&'a self, state: &'a FoodState, column: usize) -> impl Iterator<Item = f64> + 'a {
-        let n = self.mesh.nodes_per_level();
-        let mut height = 0.0;
-        core::iter::once(0.0).chain(self.mesh.levels.windows(2).enumerate().map(move |(level, pair)| {
-            let (low, high) = (state.stretch.axial[level * n + column], state.stretch.axial[(level + 1) * n + column]);
-            height += 0.5 * (low + high) * (pair[1] - pair[0]) * self.mesh.path.column(column);
-            height
-        }))
-    }
-
     /// Present mean thickness; of a curved body its height as it lies on its side [m].
     pub fn thickness(&self, state: &FoodState) -> f64 {
-        if !self.is_slice() {
-            return self.size[2] * state.stretch.lateral;
-        }
-        let areas = self.mesh.section.areas.iter().enumerate();
-        let sum: f64 = areas.map(|(i, a)| a * self.column_heights(state, i).last().unwrap_or_default()).sum();
-        sum / self.mesh.section.area()
+        let Layout::Upright(mesh) = self.shape.mesh.layout() else {
+            return self.shape.size[2] * state.stretch.lateral;
+        };
+        let areas = mesh.section.areas.iter().enumerate();
+        let sum: f64 = areas.map(|(i, a)| a * column_heights(mesh, state, i).last().unwrap_or_default()).sum();
+        sum / mesh.section.area()
     }
 
     /// Present position of every node [m]. Origin: of a slice midway between its lowest and highest mean levels, of a
@@ -53,7 +42,7 @@ impl FoodModel {
         self.flat_positions_into(state, &mut positions);
         if state.stretch.dome != 0.0 {
             for (node, p) in positions.iter_mut().enumerate() {
-                p[2] += state.stretch.dome * (0.5 - self.outwards(self.mesh.position(node)));
+                p[2] += state.stretch.dome * (0.5 - self.outwards(self.shape.mesh.position(node)));
             }
         }
         positions
@@ -62,26 +51,26 @@ impl FoodModel {
     /// As [`Self::positions`], without the dome, into what is kept between calls.
     pub fn flat_positions_into(&self, state: &FoodState, positions: &mut Vec<[f64; 3]>) {
         positions.clear();
-        positions.resize(self.mesh.node_count(), [0.0; 3]);
-        match &self.mesh.path {
-            Path::Stations(stations) => self.along_stations(state, stations, positions),
-            Path::Cells(cells) => self.cell_positions(cells, state, positions),
-            _ => self.upright(state, positions),
+        positions.resize(self.shape.mesh.node_count(), [0.0; 3]);
+        match self.shape.mesh.layout() {
+            Layout::Upright(mesh) => self.upright(mesh, state, positions),
+            Layout::Along(mesh, stations) => self.along_stations(mesh, stations, state, positions),
+            Layout::Cells(cells) => self.cell_positions(cells, state, positions),
         }
     }
 
-    fn upright(&self, state: &FoodState, positions: &mut [[f64; 3]]) {
-        let n = self.mesh.nodes_per_level();
+    fn upright(&self, mesh: &SweptMesh, state: &FoodState, positions: &mut [[f64; 3]]) {
+        let n = mesh.nodes_per_level();
         let (half, lateral) = (0.5 * self.thickness(state), state.stretch.lateral);
-        for (i, &[x, y]) in self.mesh.section.points.iter().enumerate() {
-            for (level, z) in self.column_heights(state, i).enumerate() {
+        for (i, &[x, y]) in mesh.section.points.iter().enumerate() {
+            for (level, z) in column_heights(mesh, state, i).enumerate() {
                 positions[level * n + i] = [x * lateral, y * lateral, z - half];
             }
         }
     }
 
-    fn along_stations(&self, state: &FoodState, stations: &[Station], positions: &mut [[f64; 3]]) {
-        let standing = self.spine(state, stations);
+    fn along_stations(&self, mesh: &SweptMesh, stations: &[Station], state: &FoodState, positions: &mut [[f64; 3]]) {
+        let standing = self.spine(mesh, stations, state);
         let centre = self.stand(state, stations, standing, positions);
         positions.iter_mut().for_each(|p| (0..3).for_each(|k| p[k] -= centre[k]));
     }
@@ -94,7 +83,7 @@ impl FoodModel {
         standing: impl Iterator<Item = Standing>,
         positions: &mut [[f64; 3]],
     ) -> [f64; 3] {
-        let n = self.mesh.nodes_per_level();
+        let n = stations.first().map_or(0, |s| s.section.points.len());
         for (level, (standing, station)) in standing.zip(stations).enumerate() {
             for (i, p) in station.section.points.iter().enumerate() {
                 positions[level * n + i] = standing.place(station, *p, state.stretch.lateral);
@@ -105,22 +94,23 @@ impl FoodModel {
 
     /// Centre of the rest volumes where the nodes are [m].
     fn centre_of(&self, positions: &[[f64; 3]]) -> [f64; 3] {
-        volume_centre(self.mesh.graph.volume.iter().copied(), |node| positions[node])
+        volume_centre(self.shape.mesh.volumes().iter().copied(), |node| positions[node])
     }
 
     /// Where the stations stand now, the first centre where it rests: the spine shortens by each level's mean stretch
     /// and turns by the curl, evenly along its length.
     pub(crate) fn spine<'a>(
-        &'a self,
-        state: &'a FoodState,
+        &self,
+        mesh: &'a SweptMesh,
         stations: &'a [Station],
-    ) -> impl Iterator<Item = Standing> + 'a {
-        let (curl, length) = (self.curl(state), self.mesh.thickness());
-        let turned = move |level: usize| curl * (0.5 - self.mesh.levels[level] / length);
+        state: &'a FoodState,
+    ) -> impl Iterator<Item = Standing> + use<'a> {
+        let (curl, length) = (self.curl(state), mesh.thickness());
+        let turned = move |level: usize| curl * (0.5 - mesh.levels[level] / length);
         let mut centre = stations.first().map_or([0.0; 3], |s| s.centre);
         (0..stations.len()).map(move |level| {
             if let Some(before) = level.checked_sub(1) {
-                let stretch = 0.5 * (self.mean_axial(state, before) + self.mean_axial(state, level));
+                let stretch = 0.5 * (mean_axial(mesh, state, before) + mean_axial(mesh, state, level));
                 let run = [0, 1, 2].map(|k| stretch * (stations[level].centre[k] - stations[before].centre[k]));
                 let run = rotated(run, 0.5 * (turned(before) + turned(level)));
                 (0..3).for_each(|k| centre[k] += run[k]);
@@ -129,16 +119,9 @@ impl FoodModel {
         })
     }
 
-    /// Mean stretch along the path over a level [-].
-    fn mean_axial(&self, state: &FoodState, level: usize) -> f64 {
-        let (n, areas) = (self.mesh.nodes_per_level(), &self.mesh.section_at(level).areas);
-        let axial = &state.stretch.axial[level * n..(level + 1) * n];
-        axial.iter().zip(areas).map(|(s, a)| s * a).sum::<f64>() / areas.iter().sum::<f64>()
-    }
-
     /// Height of the origin of [`Self::positions`] above the plane on which the piece lies on its flat side [m].
     pub fn rest_height(&self, state: &FoodState) -> f64 {
-        if let Some(cells) = self.cells() {
+        if let Some(cells) = self.shape.mesh.cells() {
             let lowest = cells.surface.vertices.iter().map(|p| p[2]).fold(f64::INFINITY, f64::min);
             return -lowest * state.stretch.lateral;
         }
@@ -147,7 +130,8 @@ impl FoodModel {
 
     /// Square of the distance from the middle over the half length and width [-].
     fn outwards(&self, [x, y, _]: [f64; 3]) -> f64 {
-        4.0 * ((x / self.size[0]) * (x / self.size[0]) + (y / self.size[1]) * (y / self.size[1]))
+        4.0 * ((x / self.shape.size[0]) * (x / self.shape.size[0])
+            + (y / self.shape.size[1]) * (y / self.shape.size[1]))
     }
 
     /// How far a patch of the lower face at a point of the rest shape stands off for the dome, where `up` points up in
@@ -157,6 +141,24 @@ impl FoodModel {
         let upwards = state.stretch.dome * up[2];
         if upwards > 0.0 { upwards * (1.0 - out).max(0.0) } else { -upwards * out }
     }
+}
+
+/// Present height of a column of a slice at each level above its lowest [m], level by level.
+fn column_heights<'a>(mesh: &'a SweptMesh, state: &'a FoodState, column: usize) -> impl Iterator<Item = f64> + use<'a> {
+    let n = mesh.nodes_per_level();
+    let mut height = 0.0;
+    core::iter::once(0.0).chain(mesh.levels.windows(2).enumerate().map(move |(level, pair)| {
+        let (low, high) = (state.stretch.axial[level * n + column], state.stretch.axial[(level + 1) * n + column]);
+        height += 0.5 * (low + high) * (pair[1] - pair[0]) * mesh.path.column(column);
+        height
+    }))
+}
+
+/// Mean stretch along the path over a level [-].
+fn mean_axial(mesh: &SweptMesh, state: &FoodState, level: usize) -> f64 {
+    let (n, areas) = (mesh.nodes_per_level(), &mesh.section_at(level).areas);
+    let axial = &state.stretch.axial[level * n..(level + 1) * n];
+    axial.iter().zip(areas).map(|(s, a)| s * a).sum::<f64>() / areas.iter().sum::<f64>()
 }
 
 /// A vector turned about z by an angle [rad].

@@ -59,7 +59,7 @@ impl Body {
         centre(&mut mesh);
         let outline = silhouette(&mesh);
         let size = [piece.size[0], piece.size[1], 2.0 * shape.half[1]];
-        Ok(Self::of_mesh(size, mesh, outline))
+        Ok(Self::swept(size, mesh, outline))
     }
 }
 

@@ -1,14 +1,13 @@
 //! How a piece contracts and bends as it loses water and fat.
 
 use libm::{exp, log};
+use saute_heat::{Layout, SweptMesh};
 
-use crate::ZERO_C;
 use crate::description::PerChange;
 use crate::model::FoodModel;
 use crate::state::{FoodState, Stretch};
+use crate::{GRAVITY, ZERO_C};
 
-/// Acceleration of gravity [m/s²] (standard).
-pub(crate) const GRAVITY: f64 = 9.806_65;
 /// Poisson's ratio of meat [-] (nearly incompressible: 0.5).
 const POISSON: f64 = 0.5;
 /// Temperature at which rest volumes are reckoned [K].
@@ -54,13 +53,13 @@ impl FoodModel {
     /// thickness takes up the rest, so that volumes hold. What differs between levels bends the plate; its own
     /// weight holds it down (simply supported disc with relaxed modulus): w = (5+ν)/(64(1+ν)) p a⁴/D.
     pub fn shrink(&self, state: &mut FoodState) {
-        if self.cells().is_some() {
-            let rest = Rest::of(self);
-            self.shrink_evenly(state, |state, node| rest.relative_volume(self, state, node));
-        } else if self.is_slice() {
-            self.shrink_as_a_plate(state);
-        } else {
-            self.shrink_freely(state);
+        match self.shape.mesh.layout() {
+            Layout::Upright(mesh) => self.shrink_as_a_plate(mesh, state),
+            Layout::Along(..) => self.shrink_freely(state),
+            Layout::Cells(_) => {
+                let rest = Rest::of(self);
+                self.shrink_evenly(state, |state, node| rest.relative_volume(self, state, node));
+            }
         }
     }
 
@@ -69,7 +68,7 @@ impl FoodModel {
     fn shrink_freely(&self, state: &mut FoodState) {
         let rest = Rest::of(self);
         let (mut modulus, mut contraction) = (0.0, 0.0);
-        for (node, size) in self.mesh.graph.volume.iter().enumerate() {
+        for (node, size) in self.shape.mesh.volumes().iter().enumerate() {
             let volume = rest.relative_volume(self, state, node);
             state.stretch.axial[node] = volume;
             let e = size * self.node_modulus_kpa(state, node);
@@ -79,13 +78,13 @@ impl FoodModel {
         state.stretch.contract_across(contraction / modulus);
     }
 
-    fn shrink_as_a_plate(&self, state: &mut FoodState) {
-        let n = self.mesh.nodes_per_level();
+    fn shrink_as_a_plate(&self, mesh: &SweptMesh, state: &mut FoodState) {
+        let n = mesh.nodes_per_level();
         let rest = Rest::of(self);
         let mut plate = Plate::default();
-        for (level, height) in self.layer_heights.iter().enumerate() {
+        for (level, height) in mesh.layer_heights().iter().enumerate() {
             let (mut modulus, mut contraction) = (0.0, 0.0);
-            for (i, area) in self.mesh.section.areas.iter().enumerate() {
+            for (i, area) in mesh.section.areas.iter().enumerate() {
                 let node = level * n + i;
                 let volume = rest.relative_volume(self, state, node);
                 state.stretch.axial[node] = volume;
@@ -93,28 +92,28 @@ impl FoodModel {
                 modulus += e;
                 contraction += e * self.free_contraction(state, node, volume);
             }
-            let (z, mean) = (self.mesh.levels[level], contraction / modulus);
-            plate.add(1e3 * modulus / self.mesh.section.area(), *height, z, mean);
+            let (z, mean) = (mesh.levels[level], contraction / modulus);
+            plate.add(1e3 * modulus / mesh.section.area(), *height, z, mean);
         }
         let (mean, curvature, rigidity) = plate.bend();
         state.stretch.contract_across(mean);
-        state.stretch.dome = self.dome(state, curvature, rigidity);
+        state.stretch.dome = self.dome(state, mesh.section.area(), curvature, rigidity);
     }
 
     /// Log contraction across the fibres that a free node would take at its relative volume [-].
     fn free_contraction(&self, state: &FoodState, node: usize, volume: f64) -> f64 {
         let sum = |table: &PerChange| -> f64 { state.changed.iter().zip(table).map(|(x, c)| x[node] * c).sum() };
-        let [across, along] = &self.contraction;
+        let [across, along] = &self.response.contraction;
         let (a, b) = (-log(1.0 - sum(across)), -log(1.0 - sum(along)));
         let share = if 2.0 * a + b > 1e-9 { a / (2.0 * a + b) } else { 1.0 / 3.0 };
         -log(volume) * share
     }
 
     /// What of a free dome stands up against the weight [m].
-    fn dome(&self, state: &FoodState, curvature: f64, rigidity: f64) -> f64 {
-        let (length, width) = (self.size[0], self.size[1]);
+    fn dome(&self, state: &FoodState, area: f64, curvature: f64, rigidity: f64) -> f64 {
+        let (length, width) = (self.shape.size[0], self.shape.size[1]);
         let radius_squared = 0.125 * (length * length + width * width);
-        let weight = GRAVITY * state.mass(self) / self.mesh.section.area();
+        let weight = GRAVITY * state.mass(self) / area;
         let stiff = self.kinetics.texture.relaxed_share * rigidity / (1.0 - POISSON * POISSON);
         let sag = (5.0 + POISSON) / (64.0 * (1.0 + POISSON)) * weight * radius_squared * radius_squared / stiff;
         let free = -0.5 * curvature * radius_squared;
@@ -124,7 +123,7 @@ impl FoodModel {
     /// Present volume over the rest volume [-].
     pub fn relative_volume(&self, state: &FoodState) -> f64 {
         let rest = Rest::of(self);
-        let volume = &self.mesh.graph.volume;
+        let volume = self.shape.mesh.volumes();
         let now: f64 = volume.iter().enumerate().map(|(i, v)| v * rest.relative_volume(self, state, i)).sum();
         now / volume.iter().sum::<f64>()
     }
@@ -156,9 +155,9 @@ impl Rest {
     }
 
     fn relative_volume(&self, model: &FoodModel, state: &FoodState, node: usize) -> f64 {
-        let lost = self.water * (model.initial_water[node] - state.water[node])
-            + self.fat * (model.initial_fat[node] - state.fat[node]);
+        let lost = self.water * (model.tissue.initial_water[node] - state.water[node])
+            + self.fat * (model.tissue.initial_fat[node] - state.fat[node]);
         // A film on a face does not swell the flesh.
-        (1.0 - lost / model.mesh.graph.volume[node]).clamp(self.least, 1.0)
+        (1.0 - lost / model.shape.mesh.volumes()[node]).clamp(self.least, 1.0)
     }
 }

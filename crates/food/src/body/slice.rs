@@ -26,7 +26,7 @@ impl Body {
             None => graded(&outline, piece)?,
         };
         let mesh = SweptMesh::uneven(section, levels, |p| unevenness(description, piece, p), rule(piece));
-        Ok(Self::of_mesh(piece.size, mesh, outline))
+        Ok(Self::swept(piece.size, mesh, outline))
     }
 }
 

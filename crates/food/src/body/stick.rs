@@ -38,6 +38,6 @@ impl Body {
         let at = |level: &f64| Station::scaled(&section, [level - 0.5 * length, 0.0, 0.0], across, [1.0; 2]);
         let path = levels.iter().map(at).collect::<Result<Vec<_>, _>>()?;
         let outline = Outline::superellipse(length, width, 2.0 * exponent, &[]);
-        Ok(Self::of_mesh(piece.size, SweptMesh::along(section, path, rule(piece)), outline))
+        Ok(Self::swept(piece.size, SweptMesh::along(section, path, rule(piece)), outline))
     }
 }

@@ -1,13 +1,8 @@
-//! The surface of a piece: triangles over its nodes, and where each patch lies and looks.
+//! The surface of a swept body: triangles over its nodes, and the patches at their corners.
 
-use saute_heat::{Path, SweptMesh};
+use saute_heat::SweptMesh;
 
 use crate::body::patch::{Face, Patch};
-use crate::model::FoodModel;
-use crate::state::FoodState;
-
-/// Cosine between a patch's outward normal and straight down from which the patch lies below [-] (chosen: 45°).
-const BELOW: f64 = -0.7;
 
 /// Triangles over the nodes, seen from outside counter-clockwise.
 #[derive(Clone, Debug, Default)]
@@ -16,23 +11,6 @@ pub struct Surface {
     pub triangles: Vec<[u32; 3]>,
     /// Patches at the corners.
     pub patches: Vec<[u32; 3]>,
-}
-
-/// Where a patch lies and looks, in the body frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct PatchPose {
-    /// Position [m].
-    pub position: [f64; 3],
-    /// Outward unit normal [-].
-    pub normal: [f64; 3],
-}
-
-/// Poses of all patches, with room to reckon them again without allocating.
-#[derive(Clone, Debug, Default)]
-pub struct PatchGeometry {
-    /// A pose for each patch, in their order.
-    pub poses: Vec<PatchPose>,
-    positions: Vec<[f64; 3]>,
 }
 
 impl Surface {
@@ -58,95 +36,4 @@ impl Surface {
         }
         surface
     }
-}
-
-impl FoodModel {
-    /// Rest poses of the patches in the body frame, whose origin is that of [`FoodModel::positions`].
-    pub(crate) fn rest_poses(&self) -> Vec<PatchPose> {
-        let positions: Vec<_> = (0..self.mesh.node_count()).map(|node| self.rest_position(node)).collect();
-        let mut poses = Vec::new();
-        self.pose_patches(&positions, &mut poses);
-        poses
-    }
-
-    /// Pose of every patch in the present shape, in the body frame, without the dome (see [`FoodModel::dome_gap`]).
-    pub fn patch_geometry(&self, state: &FoodState) -> Vec<PatchPose> {
-        let mut geometry = PatchGeometry::default();
-        self.patch_geometry_into(state, &mut geometry);
-        geometry.poses
-    }
-
-    /// As [`Self::patch_geometry`], into what is kept between calls.
-    pub fn patch_geometry_into(&self, state: &FoodState, geometry: &mut PatchGeometry) {
-        self.flat_positions_into(state, &mut geometry.positions);
-        self.pose_patches(&geometry.positions, &mut geometry.poses);
-    }
-
-    fn pose_patches(&self, positions: &[[f64; 3]], poses: &mut Vec<PatchPose>) {
-        poses.clear();
-        let at = |p: &Patch| PatchPose { position: positions[p.node as usize], normal: [0.0; 3] };
-        poses.extend(self.patches.iter().map(at));
-        if let Some(cells) = self.cells() {
-            // A body that contracts alike in all directions keeps its normals.
-            poses.iter_mut().zip(&cells.patches).for_each(|(pose, patch)| pose.normal = patch.normal);
-            self.pose_fresh_faces(positions, poses);
-            return;
-        }
-        for (nodes, patches) in self.surface.triangles.iter().zip(&self.surface.patches) {
-            let normal = twice_area(nodes.map(|node| positions[node as usize]));
-            for &patch in patches {
-                (0..3).for_each(|k| poses[patch as usize].normal[k] += normal[k]);
-            }
-        }
-        for (pose, patch) in poses.iter_mut().zip(&self.patches) {
-            pose.normal = unit(pose.normal).unwrap_or_else(|| plain_normal(patch.face, pose.position));
-        }
-        self.pose_fresh_faces(positions, poses);
-    }
-
-    /// Patches that lie below where `up` points up in the world, a direction of the body frame: those that look down
-    /// (n·up < −0.7), or where none does those that do so most. Their order is that of the patches. The fresh faces of a
-    /// cut are open to the air and lie on nothing.
-    pub fn patches_below(&self, up: [f64; 3]) -> impl Iterator<Item = usize> + '_ {
-        let height = move |i: usize| {
-            let n = self.rest_normals[i];
-            n[0] * up[0] + n[1] * up[1] + n[2] * up[2]
-        };
-        let there = move |i: &usize| self.patches[*i].area > 0.0;
-        let skin = self.fresh_faces().start;
-        let lowest = (0..skin).filter(there).map(height).fold(f64::INFINITY, f64::min);
-        let bound = if lowest < BELOW { BELOW } else { lowest + 1e-9 };
-        (0..skin).filter(there).filter(move |i| height(*i) < bound)
-    }
-
-    /// Whether the body is a slice: its section carried straight upwards.
-    pub fn is_slice(&self) -> bool {
-        !matches!(self.mesh.path, Path::Stations(_) | Path::Cells(_))
-    }
-
-    /// Rest position of a node in the body frame, whose origin is that of [`FoodModel::positions`] [m].
-    pub fn rest_position(&self, node: usize) -> [f64; 3] {
-        let [x, y, z] = self.mesh.position(node);
-        if self.is_slice() { [x, y, z - 0.5 * self.mesh.thickness()] } else { [x, y, z] }
-    }
-}
-
-/// Normal of a patch of a plain body, whose section has no triangles.
-fn plain_normal(face: Face, [x, y, _]: [f64; 3]) -> [f64; 3] {
-    match face {
-        Face::Bottom => [0.0, 0.0, -1.0],
-        Face::Top => [0.0, 0.0, 1.0],
-        Face::Side => unit([x, y, 0.0]).unwrap_or([1.0, 0.0, 0.0]),
-    }
-}
-
-/// Normal of a triangle, as long as twice its area.
-fn twice_area([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
-    let (u, v) = ([0, 1, 2].map(|k| b[k] - a[k]), [0, 1, 2].map(|k| c[k] - a[k]));
-    [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-}
-
-pub(crate) fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
-    let length = libm::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    (length > 0.0).then(|| v.map(|x| x / length))
 }

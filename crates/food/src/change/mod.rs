@@ -4,6 +4,7 @@ pub mod browning;
 pub mod changes;
 pub mod colour;
 pub mod doneness;
+pub(crate) mod response;
 
 pub use browning::Browning;
 pub use changes::ChangeRates;

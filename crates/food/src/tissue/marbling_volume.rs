@@ -1,6 +1,6 @@
 //! The seams of fat as one volume of cells: what conducts is averaged from it, and what is seen is drawn from it.
 
-use saute_heat::SweptMesh;
+use saute_heat::BodyMesh;
 
 use crate::description::Marbling;
 use crate::tissue::marbling::{self, MarblingField, share_at};
@@ -34,7 +34,7 @@ pub struct MarblingVolume {
 
 impl MarblingVolume {
     /// The seams in the box of a mesh's nodes, with the asked share of fat in it; one empty cell where there is no marbling.
-    pub fn new(marbling: Option<&Marbling>, seed: u64, mesh: &SweptMesh) -> Self {
+    pub fn new(marbling: Option<&Marbling>, seed: u64, mesh: &BodyMesh) -> Self {
         let marbling = marbling.filter(|m| m.adipose_share > 0.0);
         let mut volume = Self::empty(mesh, marbling.is_some());
         let Some(marbling) = marbling else { return volume };
@@ -43,7 +43,7 @@ impl MarblingVolume {
         let ridges: Vec<f64> = volume.cells().map(|cell| field.ridge(volume.middle(cell))).collect();
         // Between the middles of cells ridges are lower than the field's: the threshold is that of the cells.
         volume.within = ridges.into_iter().map(|ridge| ridge as f32).collect();
-        let at = |node: usize| (volume.within(mesh.position(node)), mesh.graph.volume[node]);
+        let at = |node: usize| (volume.within(mesh.position(node)), mesh.volumes()[node]);
         let threshold = marbling::threshold_for(volume.share, &(0..mesh.node_count()).map(at).collect::<Vec<_>>());
         let depth =
             |ridge: f32| (marbling::within(f64::from(ridge), threshold) as f32).clamp(-DEEPEST_WITHIN, DEEPEST_WITHIN);
@@ -52,7 +52,7 @@ impl MarblingVolume {
     }
 
     /// Lean cells over the box of a mesh's nodes; one cell for all of it where no seams will come.
-    fn empty(mesh: &SweptMesh, marbled: bool) -> Self {
+    fn empty(mesh: &BodyMesh, marbled: bool) -> Self {
         let mut corners = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
         for p in (0..mesh.node_count()).map(|node| mesh.position(node)) {
             corners[0] = std::array::from_fn(|k| corners[0][k].min(p[k] - MARGIN));

@@ -2,9 +2,12 @@
 
 pub mod marbling;
 pub mod marbling_volume;
-pub(crate) mod node_means;
+mod node_means;
+mod node_tissue;
 pub mod noise;
 pub mod second_tissue;
 
 pub use marbling_volume::MarblingVolume;
 pub use second_tissue::TissueField;
+
+pub(crate) use node_tissue::NodeTissue;

@@ -1,6 +1,6 @@
 //! Means of a field over the volumes that nodes stand for.
 
-use saute_heat::SweptMesh;
+use saute_heat::{BodyMesh, SweptMesh};
 
 /// Something between 0 and 1 that grew in a body: a share at every point of its rest mesh's frame [-].
 pub(crate) trait Grown {
@@ -13,12 +13,18 @@ pub(crate) trait Grown {
 
 /// Mean of a field over each node's volume [-]; zeros where there is no field. A node stands for the third of each triangle
 /// that is nearest to it, half way to the levels above and below; each such piece is sampled as often as asked for.
-pub(crate) fn node_means(mesh: &SweptMesh, field: Option<&impl Grown>, samples: usize) -> Vec<f64> {
-    let Some(field) = field else { return vec![0.0; mesh.node_count()] };
-    if let Some(cells) = mesh.cells() {
-        let size = cells.graph.volume.iter().map(|v| [libm::cbrt(*v); 3]);
-        return cells.positions.iter().zip(size).map(|(p, size)| box_mean(*p, size, field)).collect();
+pub(crate) fn node_means(mesh: &BodyMesh, field: Option<&impl Grown>, samples: usize) -> Vec<f64> {
+    match (mesh, field) {
+        (_, None) => vec![0.0; mesh.node_count()],
+        (BodyMesh::Cells(cells), Some(field)) => {
+            let size = cells.graph.volume.iter().map(|v| [libm::cbrt(*v); 3]);
+            cells.positions.iter().zip(size).map(|(p, size)| box_mean(*p, size, field)).collect()
+        }
+        (BodyMesh::Swept(mesh), Some(field)) => swept_means(mesh, field, samples),
     }
+}
+
+fn swept_means(mesh: &SweptMesh, field: &impl Grown, samples: usize) -> Vec<f64> {
     let mut sums = vec![[0.0; 2]; mesh.node_count()];
     let mut spread = Spread(0);
     for level in 0..mesh.levels.len() - 1 {

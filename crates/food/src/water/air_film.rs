@@ -49,13 +49,13 @@ impl AirFilm {
         let area = present_area(patch, state);
         let radiation = radiation_coefficient(model.description.surface.emissivity, t, air.temperature) * air.radiation;
         let surface = t.min(HOTTEST_WET);
-        let activity = model.isotherm.activity(state.water[node] / model.lean_solids[node]);
+        let activity = model.water.isotherm.activity(state.water[node] / model.tissue.lean_solids[node]);
         let latent = latent_heat(t);
         Self {
             heat: (air.convection + radiation) * area,
             transfer: air.mass_transfer * area,
-            density: activity * model.vapour.at(surface),
-            slope: activity * (model.vapour.at(surface + 0.5) - model.vapour.at(surface - 0.5)),
+            density: activity * model.water.vapour.at(surface),
+            slope: activity * (model.water.vapour.at(surface + 0.5) - model.water.vapour.at(surface - 0.5)),
             temperature: surface,
             latent,
             vapour_enthalpy: model.properties.water_enthalpy(t) + latent,

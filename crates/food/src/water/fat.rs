@@ -1,6 +1,6 @@
 //! Fat that melts and leaves.
 
-use saute_heat::SweptMesh;
+use saute_heat::BodyMesh;
 
 use crate::ZERO_C;
 use crate::description::{FatMelting, FatRelease};
@@ -22,7 +22,7 @@ pub struct FatRates {
 
 impl FatRates {
     /// Tabulates the release rate times the molten share, and how near every node is to a face.
-    pub fn new(release: &FatRelease, melting: &FatMelting, mesh: &SweptMesh) -> Self {
+    pub fn new(release: &FatRelease, melting: &FatMelting, mesh: &BodyMesh) -> Self {
         let molten = |c: f64| 1.0 / (1.0 + libm::exp(-(c - melting.middle_c) / melting.width_k));
         let rate = |t: f64| {
             let c = t - ZERO_C;
@@ -38,7 +38,7 @@ impl FatRates {
 }
 
 /// exp(−depth / scale) with the depth below the nearer big face, or the skin of a body that is no slice [-].
-fn nearness(mesh: &SweptMesh, node: usize, scale: f64) -> f64 {
+fn nearness(mesh: &BodyMesh, node: usize, scale: f64) -> f64 {
     libm::exp(-mesh.depth(node) / scale)
 }
 
@@ -47,15 +47,15 @@ impl FoodModel {
     ///
     /// What is kept is the raw fat less the releasable share, by the node's share of seams. First order, implicit.
     pub fn release_fat(&self, state: &mut FoodState, dt: f64) -> Runoff {
-        let rates = &self.fat_rates;
+        let rates = &self.water.fat_rates;
         let mut left = Runoff::default();
         for node in 0..state.fat.len() {
             let rate = rates.rate.at(state.temperature[node]) * rates.near[node];
             if rate <= 0.0 {
                 continue;
             }
-            let releasable = rates.fine_share + (rates.seam_share - rates.fine_share) * self.adipose[node];
-            let free = state.fat[node] - (1.0 - releasable) * self.initial_fat[node];
+            let releasable = rates.fine_share + (rates.seam_share - rates.fine_share) * self.tissue.adipose[node];
+            let free = state.fat[node] - (1.0 - releasable) * self.tissue.initial_fat[node];
             let mass = free.max(0.0) * (1.0 - 1.0 / (1.0 + rate * dt));
             let enthalpy = mass * self.properties.fat_enthalpy(state.temperature[node]);
             state.fat[node] -= mass;

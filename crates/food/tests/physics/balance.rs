@@ -50,11 +50,11 @@ fn a_wet_surface_stays_at_100_whatever_the_plate() {
         let mut run = Run::new(lean(), 20.0);
         for _ in 0..8 {
             run.fry(1.0, plate, 500.0, kitchen_air());
-            let wet = |i: &usize| run.state.water[*i] > 0.5 * run.model.initial_water[*i];
+            let wet = |i: &usize| run.state.water[*i] > 0.5 * run.model.initial_water()[*i];
             let hottest = run
                 .model
                 .patches_below(UP)
-                .map(|p| run.model.patches[p].node as usize)
+                .map(|p| run.model.patches()[p].node as usize)
                 .filter(wet)
                 .map(|i| run.state.celsius(i))
                 .fold(0.0, f64::max);

@@ -7,6 +7,7 @@ use saute_food::{
     FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, MeshSize, PieceSpec, Rules, Surroundings,
     Touch, ZERO_C,
 };
+use saute_heat::SweptMesh;
 
 pub const DT: f64 = 0.1;
 
@@ -83,7 +84,7 @@ impl<'a> Run<'a> {
 
     /// Fries on a plate at one temperature and conductance.
     pub fn fry(&mut self, seconds: f64, plate_c: f64, h: f64, air: FreeAir) {
-        let mut touch = vec![Touch::default(); self.model.patches.len()];
+        let mut touch = vec![Touch::default(); self.model.patches().len()];
         for patch in self.model.patches_below(self.up) {
             touch[patch] = Touch { conductance: h, temperature: ZERO_C + plate_c };
         }
@@ -107,4 +108,9 @@ impl<'a> Run<'a> {
     pub fn core(&self) -> f64 {
         self.model.core_temperature(&self.state) - ZERO_C
     }
+}
+
+/// The layers of a swept body.
+pub fn swept_mesh(model: &FoodModel) -> &SweptMesh {
+    model.mesh().swept().expect("a swept body")
 }

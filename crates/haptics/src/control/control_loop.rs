@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use crate::control::feel::Feel;
 use crate::control::jitter::Jitter;
 use crate::control::loop_step::LoopStep;
+use crate::control::pacer::Pacer;
 use crate::control::renderer::Renderer;
 use crate::control::scheduling;
 use crate::device::{HapticCommand, HapticDevice, HapticSample, Health};
@@ -16,10 +17,6 @@ use crate::wrench::Twist;
 
 pub use crate::control::loop_state::{LogRow, LoopReport, LoopState};
 
-/// Time of busy waiting before each step (chosen: the typical oversleep of a timer).
-const AWAKE: Duration = Duration::from_micros(60);
-/// Lateness above which a step is skipped (chosen: two steps at once would jerk the hand).
-const TOO_LATE: Duration = Duration::from_millis(1);
 /// Interval between two updates of rate and lateness [s] (chosen: readable numbers).
 const REPORT_INTERVAL_S: f64 = 1.0;
 
@@ -111,16 +108,13 @@ fn run(
 ) -> LoopReport {
     scheduling::request_fifo();
     let scheduler = scheduling::granted();
-    let period = Duration::from_secs_f64(1.0 / step.rate_hz());
     let mut jitter = Jitter::default();
-    let mut missed = 0;
     let started = Instant::now();
-    let (mut reported, mut reported_steps) = (started, 0);
-    let (mut due, mut last) = (started + period, started);
+    let mut pacer = Pacer::new(Duration::from_secs_f64(1.0 / step.rate_hz()), started);
+    let (mut reported, mut reported_steps, mut last) = (started, 0, started);
     while !requests.end.load(Ordering::Acquire) {
-        wait_until(due);
-        let now = Instant::now();
-        jitter.note((now - due).as_secs_f64() * 1e6);
+        let (now, late_us) = pacer.wait();
+        jitter.note(late_us);
         if requests.emergency.load(Ordering::Acquire) {
             step.stop();
         }
@@ -129,19 +123,12 @@ fn run(
             step.set_timing((jitter.count() - reported_steps) as f64 / since, jitter.lateness());
             (reported, reported_steps) = (now, jitter.count());
         }
-        let state = step.step(models.read(), (now - last).as_secs_f64());
-        states.write(state);
+        states.write(step.step(models.read(), (now - last).as_secs_f64()));
         last = now;
-        due += period;
-        let behind = Instant::now().saturating_duration_since(due);
-        if behind > TOO_LATE {
-            let skipped = (behind.as_nanos() / period.as_nanos()) as u32;
-            missed += u64::from(skipped);
-            due += period * skipped;
-        }
+        pacer.schedule_next();
     }
     step.stop();
-    report(step, &jitter, scheduler, missed, started.elapsed())
+    report(step, &jitter, scheduler, pacer.missed(), started.elapsed())
 }
 
 fn report(step: LoopStep, jitter: &Jitter, scheduler: String, missed: u64, took: Duration) -> LoopReport {
@@ -156,15 +143,5 @@ fn report(step: LoopStep, jitter: &Jitter, scheduler: String, missed: u64, took:
         max_wanted_n: totals.max_wanted_n,
         passivity_j: totals.passivity_j,
         log: totals.log,
-    }
-}
-
-fn wait_until(due: Instant) {
-    let left = due.saturating_duration_since(Instant::now());
-    if left > AWAKE {
-        std::thread::sleep(left - AWAKE);
-    }
-    while Instant::now() < due {
-        std::hint::spin_loop();
     }
 }

@@ -9,6 +9,7 @@ pub mod impulse_train;
 pub mod jitter;
 mod loop_state;
 pub mod loop_step;
+mod pacer;
 pub mod passivity;
 pub mod renderer;
 pub mod rumble;

@@ -1,23 +1,23 @@
-//! What a kitchen tells the control loop: enough to feel the pan for some milliseconds without asking again.
+//! The contact model: a local model of the kitchen that the control loop renders between two frames.
 
 use glam::{DMat3, DVec3};
 use saute_kitchen::dynamics::Pose;
 
 use crate::wrench::Wrench;
 
-/// Collisions that a model remembers (chosen: more than fall into a pan within two frames).
+/// Number of collisions in a model (chosen: more than occur within two frames).
 pub const IMPULSES: usize = 8;
-/// Walls of a model at most.
+/// Maximum number of walls in a model (chosen: the hob uses one).
 pub const PLANES: usize = 4;
 
-/// A mass that moves with the pan.
+/// A rigid mass that moves with the pan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Payload {
     /// Mass [kg].
     pub mass: f64,
-    /// Its centre in the pan's frame [m].
+    /// Centre of mass in the pan's frame [m].
     pub centre: DVec3,
-    /// Moments of inertia about the centre, in the pan's frame [kg·m²].
+    /// Inertia tensor about the centre of mass, in the pan's frame [kg·m²].
     pub inertia: DMat3,
 }
 
@@ -30,67 +30,67 @@ impl Default for Payload {
 /// A collision with the pan.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Impulse {
-    /// Counts up; 0 for none.
+    /// Serial number; 0 for none.
     pub number: u64,
-    /// What the pan gets, in the kitchen's directions [N·s].
+    /// Impulse on the pan, in the kitchen's axes [N·s].
     pub impulse: DVec3,
-    /// Where, in the pan's frame [m].
+    /// Point of impact, in the pan's frame [m].
     pub at: DVec3,
-    /// Kinetic energy that the foods lost [J].
+    /// Kinetic energy lost by the food [J].
     pub energy: f64,
 }
 
-/// A wall that a point of the pan cannot pass, in the kitchen.
+/// A plane that a point of the pan cannot pass, in the kitchen.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Plane {
-    /// Unit normal, towards where the point may be; zero for no wall.
+    /// Unit normal towards the allowed side; zero for no wall [-].
     pub normal: DVec3,
-    /// normal · point is at least this [m].
+    /// Lower bound of normal · point [m].
     pub at_least: f64,
-    /// The point's distance from the pan's axis, within the plane of its floor [m].
+    /// Distance of the point from the pan's axis, in the plane of its floor [m].
     pub edge_radius: f64,
-    /// The point's depth below the floor's upper face [m].
+    /// Depth of the point below the floor's upper face [m].
     pub below: f64,
 }
 
-/// Something that rubs on the pan.
+/// A rubbing contact on the pan.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rubbing {
-    /// How fast [m/s].
+    /// Sliding speed [m/s].
     pub speed: f64,
-    /// How hard [N].
+    /// Normal force [N].
     pub force: f64,
 }
 
-/// The last state of the kitchen as hands feel it.
+/// The kitchen's state as the control loop renders it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactModel {
-    /// Counts up with every one that is published; 0 before the first.
+    /// Serial number of the model; 0 before the first one.
     pub number: u64,
     /// Pose of the kitchen's pan.
     pub pan: Pose,
-    /// Foods that lie still in the pan, and its liquids.
+    /// Foods at rest in the pan, and its liquids.
     pub payload: Payload,
-    /// The pan itself, for devices without a real one.
+    /// The pan itself, for devices without a real pan.
     pub own: Payload,
-    /// Friction and push of what moves about in the pan, its weight left out: wrench on the pan about its origin [N, N·m].
+    /// Contact wrench of foods that move in the pan, without their weight, about the pan's origin [N, N·m].
     pub loose: Wrench,
-    /// Weight of what moves about in the pan [N, N·m].
+    /// Weight of foods that move in the pan [N, N·m].
     pub loose_weight: Wrench,
     /// The latest collisions.
     pub impulses: [Impulse; IMPULSES],
     /// Walls.
     pub planes: [Plane; PLANES],
-    /// Vapour that foods and puddles in the pan give off [kg/s].
+    /// Vapour flow from foods and liquids in the pan [kg/s].
     pub vapour: f64,
-    /// Foods that slide.
+    /// Sliding foods.
     pub sliding: Rubbing,
-    /// The turner's edge.
+    /// The scraping edge of the turner.
     pub scraping: Rubbing,
 }
 
 impl Payload {
-    /// Both together.
+    /// Returns both masses as one rigid body.
     pub fn with(&self, other: &Self) -> Self {
         let mass = self.mass + other.mass;
         if mass <= 0.0 {
@@ -101,18 +101,18 @@ impl Payload {
         Self { mass, centre, inertia: about(self) + about(other) }
     }
 
-    /// Whether mass, centre and inertia are finite.
+    /// Returns true if mass, centre and inertia are finite.
     pub fn is_finite(&self) -> bool {
         self.mass.is_finite() && self.centre.is_finite() && self.inertia.is_finite()
     }
 
-    /// A mass in a point [kg, m].
+    /// Creates a point mass [kg] at `centre` [m].
     pub fn point(mass: f64, centre: DVec3) -> Self {
         Self { mass, centre, inertia: DMat3::ZERO }
     }
 }
 
-/// Moments of inertia of a mass [kg] away from an axis: m (r² 1 − r rᵀ) [kg·m²].
+/// Returns the inertia tensor of a point mass at r (parallel axis theorem), m (r² 1 − r rᵀ) [kg·m²].
 fn parallel_axes(mass: f64, r: DVec3) -> DMat3 {
     let outer = DMat3::from_cols(r * r.x, r * r.y, r * r.z);
     (DMat3::from_diagonal(DVec3::splat(r.length_squared())) - outer) * mass

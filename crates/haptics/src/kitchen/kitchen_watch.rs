@@ -1,26 +1,25 @@
-//! Looks at a kitchen after every frame and says what a hand on its pan feels.
+//! Builds a contact model from the kitchen after every frame.
 
 use std::collections::BTreeMap;
 
 use glam::{DMat3, DVec3};
 use saute_kitchen::dynamics::{Against, Pose, Tool};
+pub use saute_kitchen::piece::piece_state::GRAVITY;
 use saute_kitchen::{Kitchen, Piece, Place};
 
 use crate::kitchen::contact_model::{ContactModel, IMPULSES, Impulse, PLANES, Payload, Plane, Rubbing};
 use crate::wrench::{Twist, Wrench};
 
-/// Standard gravity [m/s²].
-pub const GRAVITY: f64 = 9.806_65;
-/// Slower than this past the pan, food lies still in it [m/s] (chosen: wet food sticks where it creeps).
+/// Speed relative to the pan below which food counts as at rest [m/s] (chosen: wet food sticks where it creeps).
 const STILL: f64 = 0.03;
-/// A blow harder than this many times the weight over a frame is a collision [-] (chosen: tossed food lands with ten).
-const BLOW: f64 = 3.0;
-/// A turner's edge nearer than this to the floor scrapes it [m] (chosen: its thickness and its clearance).
+/// Impulse that counts as a collision, over the weight's impulse in a frame [-] (chosen: tossed food lands with ten).
+const COLLISION: f64 = 3.0;
+/// Distance from the floor at which a turner's edge scrapes [m] (chosen: its thickness and its clearance).
 const SCRAPING: f64 = 0.004;
-/// How hard a turner is pressed onto the floor [N] (chosen: its own weight and a light hand).
+/// Normal force of a scraping turner [N] (chosen: its own weight and a light hand).
 const TURNER_FORCE: f64 = 1.5;
 
-/// Remembers how fast foods were, and counts collisions.
+/// Memory between two frames: velocities of the foods, and the latest collisions.
 #[derive(Clone, Debug, Default)]
 pub struct KitchenWatch {
     velocity: BTreeMap<u32, DVec3>,
@@ -30,7 +29,7 @@ pub struct KitchenWatch {
     impulses: [Impulse; IMPULSES],
 }
 
-/// What the foods do to the pan, as it is gathered.
+/// Sums over the foods.
 #[derive(Default)]
 struct Sum {
     payload: Payload,
@@ -40,25 +39,25 @@ struct Sum {
     vapour: f64,
 }
 
-/// One food as the pan sees it.
-struct Seen {
+/// One food relative to the pan.
+struct RelativeFood {
     mass: f64,
-    /// From the pan's origin, in the kitchen's directions [m].
+    /// Position from the pan's origin, in the kitchen's axes [m].
     arm: DVec3,
-    /// Velocity past the pan [m/s].
+    /// Velocity relative to the pan [m/s].
     past_pan: DVec3,
     /// Mean force on the pan since the last frame [N].
     force: DVec3,
 }
 
 impl KitchenWatch {
-    /// What the hand feels now, `dt` after it was asked last [s].
+    /// Returns the contact model of the present frame; `dt` is the time since the last one [s].
     pub fn look(&mut self, kitchen: &Kitchen, dt: f64) -> ContactModel {
         let motion = kitchen.world().motion;
         let twist = Twist { linear: motion.velocity, angular: motion.turning };
         let mut sum = Sum::default();
         for piece in kitchen.pieces() {
-            self.gather(kitchen, piece, &twist, dt, &mut sum);
+            self.add_food(kitchen, piece, &twist, dt, &mut sum);
         }
         self.velocity.retain(|key, _| kitchen.pieces().iter().any(|p| p.key == *key));
         self.published += 1;
@@ -77,13 +76,13 @@ impl KitchenWatch {
         }
     }
 
-    /// Another kitchen is looked at from now on: how fast foods were there means nothing here.
+    /// Clears the velocities, for a change to another kitchen.
     pub fn forget(&mut self) {
         self.velocity.clear();
         self.tip = None;
     }
 
-    fn gather(&mut self, kitchen: &Kitchen, piece: &Piece, twist: &Twist, dt: f64, sum: &mut Sum) {
+    fn add_food(&mut self, kitchen: &Kitchen, piece: &Piece, twist: &Twist, dt: f64, sum: &mut Sum) {
         let Some((velocity, _)) = kitchen.world().velocity(piece.key) else { return };
         let before = self.velocity.insert(piece.key, velocity).unwrap_or(velocity);
         if !matches!(piece.place, Place::Pan(_)) || kitchen.hand().gripped() == Some(piece.key) {
@@ -98,38 +97,38 @@ impl KitchenWatch {
         let (mass, pan) = (piece.mass(), kitchen.world().motion.pose);
         let arm = piece.pose.position - pan.position;
         let force = (before - velocity) * (mass / dt.max(1e-6)) - DVec3::Z * (mass * GRAVITY);
-        let seen = Seen { mass, arm, past_pan: velocity - twist.at(arm), force };
-        if seen.past_pan.length() < STILL {
-            sum.payload = sum.payload.with(&lying(kitchen, piece, &pan, mass));
+        let food = RelativeFood { mass, arm, past_pan: velocity - twist.at(arm), force };
+        if food.past_pan.length() < STILL {
+            sum.payload = sum.payload.with(&at_rest(kitchen, piece, &pan, mass));
         } else {
-            self.moving(&seen, &pan, dt, sum);
+            self.add_moving(&food, &pan, dt, sum);
         }
     }
 
-    /// Food that slides or lands.
-    fn moving(&mut self, seen: &Seen, pan: &Pose, dt: f64, sum: &mut Sum) {
-        let weight = DVec3::new(0.0, 0.0, -seen.mass * GRAVITY);
-        let blow = (seen.force - weight) * dt;
-        if blow.length() > BLOW * seen.mass * GRAVITY * dt {
-            self.collide(seen, pan, blow);
+    /// Adds food that slides or lands.
+    fn add_moving(&mut self, food: &RelativeFood, pan: &Pose, dt: f64, sum: &mut Sum) {
+        let weight = DVec3::new(0.0, 0.0, -food.mass * GRAVITY);
+        let impulse = (food.force - weight) * dt;
+        if impulse.length() > COLLISION * food.mass * GRAVITY * dt {
+            self.add_collision(food, pan, impulse);
         } else {
-            sum.loose += Wrench::at(seen.force - weight, seen.arm);
+            sum.loose += Wrench::at(food.force - weight, food.arm);
         }
-        sum.loose_weight += Wrench::at(weight, seen.arm);
+        sum.loose_weight += Wrench::at(weight, food.arm);
         let up = pan.rotation * DVec3::Z;
-        let normal = -seen.force.dot(up);
-        let speed = (seen.past_pan - up * seen.past_pan.dot(up)).length();
+        let normal = -food.force.dot(up);
+        let speed = (food.past_pan - up * food.past_pan.dot(up)).length();
         sum.sliding.speed = sum.sliding.speed.max(speed);
-        sum.sliding.force += normal.clamp(0.0, 4.0 * seen.mass * GRAVITY);
+        sum.sliding.force += normal.clamp(0.0, 4.0 * food.mass * GRAVITY);
     }
 
-    fn collide(&mut self, seen: &Seen, pan: &Pose, blow: DVec3) {
+    fn add_collision(&mut self, food: &RelativeFood, pan: &Pose, impulse: DVec3) {
         self.collisions += 1;
         let slot = (self.collisions - 1) as usize % IMPULSES;
-        // What came to rest had the speed that the blow took from it.
-        let energy = blow.length_squared() / (2.0 * seen.mass);
-        let at = pan.rotation.conjugate() * seen.arm;
-        self.impulses[slot] = Impulse { number: self.collisions, impulse: blow, at, energy };
+        // The impulse stops the food: J = m v, so its kinetic energy was J²/(2m).
+        let energy = impulse.length_squared() / (2.0 * food.mass);
+        let at = pan.rotation.conjugate() * food.arm;
+        self.impulses[slot] = Impulse { number: self.collisions, impulse, at, energy };
     }
 
     fn scraping(&mut self, kitchen: &Kitchen, twist: &Twist, dt: f64) -> Rubbing {
@@ -138,8 +137,7 @@ impl KitchenWatch {
         let before = std::mem::replace(&mut self.tip, tip);
         let (Some(tip), Some(before)) = (tip, before) else { return Rubbing::default() };
         let pan = world.motion.pose;
-        let seen = pan.to_body(tip);
-        let over = world.pan_shape().over(seen);
+        let over = world.pan_shape().over(pan.to_body(tip));
         if !over.is_some_and(|o| o.gap < SCRAPING) || dt <= 0.0 {
             return Rubbing::default();
         }
@@ -148,8 +146,8 @@ impl KitchenWatch {
     }
 }
 
-/// Food that lies still: it moves with the pan.
-fn lying(kitchen: &Kitchen, piece: &Piece, pan: &Pose, mass: f64) -> Payload {
+/// Returns food at rest as a mass that moves with the pan.
+fn at_rest(kitchen: &Kitchen, piece: &Piece, pan: &Pose, mass: f64) -> Payload {
     let seen = piece.pose.seen_from(pan);
     let back = pan.rotation.conjugate();
     let column = |axis: DVec3| back * kitchen.world().inertia_times(piece.key, pan.rotation * axis);
@@ -160,7 +158,7 @@ fn lying(kitchen: &Kitchen, piece: &Piece, pan: &Pose, mass: f64) -> Payload {
     }
 }
 
-/// Oil and water where they lie.
+/// Returns oil and water as point masses where they lie.
 fn liquids(kitchen: &Kitchen) -> Payload {
     let (bed, state) = (&kitchen.pan_model().liquids.bed, &kitchen.pan_state().liquids);
     let at = |i: usize| state.oil.mass[i] + state.water.mass[i];
@@ -172,7 +170,7 @@ fn liquids(kitchen: &Kitchen) -> Payload {
     (0..bed.places.len()).filter(|i| at(*i) > 0.0).fold(Payload::default(), |sum, i| sum.with(&point(i)))
 }
 
-/// The pan as a disc and a cone of sheet, without its handle.
+/// Returns the pan as a disc and a cone of sheet metal, without its handle.
 fn pan_itself(kitchen: &Kitchen) -> Payload {
     use std::f64::consts::PI;
     let pan = &kitchen.pan_model().description;
@@ -189,7 +187,7 @@ fn pan_itself(kitchen: &Kitchen) -> Payload {
     disc.with(&cone)
 }
 
-/// The hob's glass under the pan's edge.
+/// Returns the hob's glass as a wall under the pan's edge.
 fn walls(kitchen: &Kitchen) -> [Plane; PLANES] {
     let shape = kitchen.world().pan_shape();
     let mut planes = [Plane::default(); PLANES];

@@ -1,33 +1,34 @@
-//! A pan that no hand holds any more is set down on its ring, gently.
+//! Lay down: a released pan returns gently to its ring on the hob.
 
 use saute_kitchen::dynamics::Pose;
 use saute_kitchen::dynamics::pose::{about, rotation_between};
 use saute_kitchen::{Command, Kitchen};
 
-/// How fast the pan is set down at most [m/s] (chosen: a calm arm), and the least time that it takes [s] (chosen: food stays where it is).
+/// Maximum speed of the pan [m/s] (chosen: a calm arm).
 const SPEED: f64 = 0.15;
+/// Minimum duration [s] (chosen: food stays in its place).
 const LEAST_S: f64 = 0.8;
-/// Steepest part of the way over its mean: of 3s² − 2s³ [-].
+/// Peak over mean speed of the smoothstep 3s² − 2s³ [-].
 const STEEPEST: f64 = 1.5;
 
-/// The way from where the hand let go to the ring of the hob, x = x₀ + (3s² − 2s³)(x₁ − x₀) with s = t/T.
+/// Motion from the release pose to the ring: x = x₀ + (3s² − 2s³)(x₁ − x₀) with s = t/T.
 #[derive(Clone, Copy, Debug)]
 pub struct LayDown {
     from: Pose,
-    told: Pose,
+    commanded: Pose,
     since: f64,
 }
 
 impl LayDown {
-    /// From where the kitchen's pan is held now.
+    /// Creates the motion from the pose that the kitchen's pan has now.
     pub fn begin(kitchen: &Kitchen) -> Self {
         let from = kitchen.held_pan();
-        Self { from, told: from, since: 0.0 }
+        Self { from, commanded: from, since: 0.0 }
     }
 
-    /// Goes on by `dt` [s]; tells whether it is done, or another hand has taken the pan.
+    /// Advances by `dt` [s]; returns true at the end, or once another hand has taken the pan.
     pub fn step(&mut self, kitchen: &mut Kitchen, dt: f64) -> bool {
-        if kitchen.held_pan() != self.told {
+        if kitchen.held_pan() != self.commanded {
             return true;
         }
         let ring = kitchen.world().pan_shape().standing([0.0, 0.0], 0.0, Pose::default().rotation);
@@ -41,9 +42,9 @@ impl LayDown {
             position: self.from.position + way * share,
             rotation: (about(turn * share) * self.from.rotation).normalize(),
         };
-        // Refused only for poses that are no numbers.
+        // Only poses that are not finite are refused.
         let _ = kitchen.apply(&Command::HoldPan { pose });
-        self.told = kitchen.held_pan();
+        self.commanded = kitchen.held_pan();
         s >= 1.0
     }
 }

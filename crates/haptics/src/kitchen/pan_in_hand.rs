@@ -1,4 +1,4 @@
-//! The kitchen's pan where a device's hand holds it, and on its ring when the hand is gone.
+//! Moves the kitchen's pan with a device, and lays it down without one.
 
 use saute_kitchen::{Command, Kitchen};
 
@@ -6,7 +6,7 @@ use crate::device::{HapticSample, Health};
 use crate::kitchen::handover::Handover;
 use crate::kitchen::lay_down::LayDown;
 
-/// Leads the kitchen's pan by a device, frame by frame.
+/// State of the pan that a device moves, frame by frame.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PanInHand {
     handover: Handover,
@@ -15,13 +15,15 @@ pub struct PanInHand {
 }
 
 impl PanInHand {
-    /// Before a frame of `dt` [s]: holds the pan where a running device is; a device that has stopped, is lost, was taken away (none) or
-    /// tells nothing of the pan lays it down.
+    /// Moves the pan before a frame of `dt` [s].
+    ///
+    /// A running device that moves the pan holds it at its pose. Otherwise (stopped, lost, `None`, or a device for the turner only) a
+    /// held pan is laid down.
     pub fn step(&mut self, sample: Option<&HapticSample>, kitchen: &mut Kitchen, dt: f64) {
         if let Some(sample) = sample.filter(|s| s.health == Health::Running && s.leads_pan) {
             (self.holds, self.laying) = (true, None);
             let pose = self.handover.pose(&kitchen.held_pan(), &sample.pose, dt);
-            // Refused only for poses that are no numbers, and drivers give none.
+            // Only poses that are not finite are refused, and drivers return none.
             let _ = kitchen.apply(&Command::HoldPan { pose });
             return;
         }
@@ -34,12 +36,12 @@ impl PanInHand {
         }
     }
 
-    /// Whether a hand holds the pan.
+    /// Returns true while a device holds the pan.
     pub fn holds(&self) -> bool {
         self.holds
     }
 
-    /// Whether the pan is being laid down.
+    /// Returns true while the pan is being laid down.
     pub fn lays_down(&self) -> bool {
         self.laying.is_some()
     }

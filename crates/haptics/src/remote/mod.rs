@@ -2,6 +2,7 @@
 
 mod allowance;
 pub mod haply;
+mod inbox;
 pub mod network_thread;
 pub mod osc;
 pub mod pairing;

@@ -1,4 +1,4 @@
-//! A thread that talks over a network for a device, and has ended when the device is gone.
+//! The network thread of a device; it ends with the device.
 
 use std::io;
 use std::sync::Arc;
@@ -6,13 +6,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{Builder, JoinHandle, sleep};
 use std::time::{Duration, Instant};
 
-/// How long the end of a thread is waited for (chosen: all end within 50 ms, but one that is just connecting or shaking hands takes
-/// half a second for each; beyond that it ends by itself and nobody waits).
+/// Longest wait for the thread's end (chosen: threads end within 50 ms, but connecting and a handshake take up to half a second each;
+/// a slower thread ends by itself later).
 const LONGEST_END: Duration = Duration::from_secs(1);
-/// Time between two looks whether it has ended (chosen: short beside the 50 ms).
-const LOOK: Duration = Duration::from_millis(1);
+/// Polling interval while waiting for the end (chosen: short compared with the 50 ms).
+const POLL: Duration = Duration::from_millis(1);
 
-/// A thread that ends with this: sockets that it owns are free, and last words are said, before the device's successor comes.
+/// A thread that ends when this is dropped: its sockets are closed and its last message is sent before the drop returns.
 #[derive(Debug)]
 pub struct NetworkThread {
     end: Arc<AtomicBool>,
@@ -20,11 +20,11 @@ pub struct NetworkThread {
 }
 
 impl NetworkThread {
-    /// Starts a thread, which is told by a flag to end.
+    /// Starts a thread; its flag requests the end.
     pub fn spawn(name: &str, run: impl FnOnce(Arc<AtomicBool>) + Send + 'static) -> io::Result<Self> {
         let end = Arc::new(AtomicBool::new(false));
-        let told = Arc::clone(&end);
-        let thread = Builder::new().name(name.into()).spawn(move || run(told))?;
+        let requested = Arc::clone(&end);
+        let thread = Builder::new().name(name.into()).spawn(move || run(requested))?;
         Ok(Self { end, thread: Some(thread) })
     }
 }
@@ -33,12 +33,12 @@ impl Drop for NetworkThread {
     fn drop(&mut self) {
         self.end.store(true, Ordering::Release);
         let Some(thread) = self.thread.take() else { return };
-        let patience = Instant::now() + LONGEST_END;
-        while !thread.is_finished() && Instant::now() < patience {
-            sleep(LOOK);
+        let deadline = Instant::now() + LONGEST_END;
+        while !thread.is_finished() && Instant::now() < deadline {
+            sleep(POLL);
         }
         if thread.is_finished() {
-            // A thread that broke off has nothing more to say.
+            // The result of a thread that panicked is of no use.
             let _ = thread.join();
         }
     }
@@ -49,18 +49,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_thread_has_said_its_last_words_when_it_is_dropped() {
-        let said = Arc::new(AtomicBool::new(false));
-        let words = Arc::clone(&said);
+    fn a_thread_has_finished_its_work_when_it_is_dropped() {
+        let finished = Arc::new(AtomicBool::new(false));
+        let work = Arc::clone(&finished);
         let thread = NetworkThread::spawn("test", move |end| {
             while !end.load(Ordering::Acquire) {
-                sleep(LOOK);
+                sleep(POLL);
             }
             sleep(Duration::from_millis(30));
-            words.store(true, Ordering::Release);
+            work.store(true, Ordering::Release);
         });
         drop(thread.expect("a thread"));
-        assert!(said.load(Ordering::Acquire));
+        assert!(finished.load(Ordering::Acquire));
     }
 
     #[test]

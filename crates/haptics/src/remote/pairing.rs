@@ -1,4 +1,4 @@
-//! Pairing by a code that the screen shows: six random digits, compared in constant time, with few tries.
+//! Pairing with a code on the screen: six random digits, compared in constant time, with few attempts.
 
 use std::fmt;
 use std::time::{Duration, Instant};
@@ -6,15 +6,16 @@ use std::time::{Duration, Instant};
 use ring::rand::{SecureRandom, SystemRandom};
 use subtle::ConstantTimeEq;
 
-/// Digits of a code (chosen: typed at a glance; with twenty tries one in fifty thousand is guessed).
+/// Number of digits (chosen: quick to type; twenty attempts guess one code in fifty thousand).
 pub const DIGITS: usize = 6;
-/// Wrong codes after which none is taken any more until the program starts anew (chosen: more than a person mistypes).
+/// Number of wrong codes after which pairing is closed until the program restarts (chosen: more than a person mistypes).
 const MOST_WRONG: u32 = 20;
-/// Wait after the first wrong code [s] (chosen: a person types as long anyway); each one doubles it, up to the longest [s] (chosen: nobody waits longer).
+/// Wait after the first wrong code; each further one doubles it [s] (chosen: a person needs as long to type).
 const FIRST_WAIT_S: f64 = 1.0;
+/// Longest wait after a wrong code [s] (chosen: a person waits no longer).
 const LONGEST_WAIT_S: f64 = 60.0;
 
-/// A code, new at every start.
+/// A pairing code, new at every start.
 #[derive(Clone)]
 pub struct Pairing {
     code: [u8; DIGITS],
@@ -22,30 +23,30 @@ pub struct Pairing {
     closed_until: Option<Instant>,
 }
 
-/// What comes of a code.
+/// Result of an attempt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
-    /// It is right.
+    /// The code is correct.
     Paired,
-    /// It is wrong, or came too soon after a wrong one; none is looked at before this time has passed.
+    /// The code is wrong or came too soon after a wrong one; no code is accepted for this time.
     Wait(Duration),
-    /// Too many were wrong: none is taken any more.
+    /// Too many codes were wrong: no code is accepted any more.
     Closed,
 }
 
-/// The system gave no random numbers.
+/// The system provided no random numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the system gave no random numbers for a pairing code")]
+#[error("the system provided no random numbers for a pairing code")]
 pub struct NoRandom;
 
 impl Pairing {
-    /// A new code.
+    /// Draws a new code.
     pub fn new() -> Result<Self, NoRandom> {
         let random = SystemRandom::new();
         loop {
             let mut bytes = [0; 4];
             random.fill(&mut bytes).map_err(|_| NoRandom)?;
-            // The largest multiple of a million within 32 bits: all codes are equally likely.
+            // Rejection above the largest multiple of a million in 32 bits makes all codes equally likely.
             let number = u32::from_le_bytes(bytes);
             if number < 4_294_000_000 {
                 return Ok(Self::of(number % 1_000_000));
@@ -62,12 +63,12 @@ impl Pairing {
         Self { code, wrong: 0, closed_until: None }
     }
 
-    /// The code as the screen shows it.
+    /// Returns the code as the screen shows it.
     pub fn code(&self) -> String {
         self.code.iter().map(|d| *d as char).collect()
     }
 
-    /// Looks at a code that has been given.
+    /// Checks a code.
     pub fn try_code(&mut self, given: &str, now: Instant) -> Verdict {
         if self.wrong >= MOST_WRONG {
             return Verdict::Closed;
@@ -90,7 +91,7 @@ impl Pairing {
 }
 
 impl fmt::Debug for Pairing {
-    /// Without the code: it belongs on the screen alone.
+    /// Formats without the code, which must appear on the screen only.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Pairing").field("wrong", &self.wrong).finish_non_exhaustive()
     }
@@ -111,12 +112,12 @@ mod tests {
     }
 
     #[test]
-    fn waits_double_and_after_twenty_wrong_codes_none_is_taken() {
+    fn waits_double_and_after_twenty_wrong_codes_none_is_accepted() {
         let mut pairing = Pairing::of(123_456);
         let mut now = Instant::now();
         let mut waits = Vec::new();
         for given in ["", "1", "1234567", "12345", "abcdef", "123 456", "000000"].iter().cycle().take(20) {
-            let Verdict::Wait(wait) = pairing.try_code(given, now) else { panic!("{given} was taken") };
+            let Verdict::Wait(wait) = pairing.try_code(given, now) else { panic!("{given} was accepted") };
             waits.push(wait.as_secs());
             now += wait;
         }
@@ -125,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn codes_are_random_and_kept_out_of_debug_output() {
+    fn codes_are_random_and_absent_from_debug_output() {
         let codes: std::collections::BTreeSet<String> =
             (0..50).filter_map(|_| Pairing::new().ok()).map(|p| p.code()).collect();
         assert!(codes.len() > 45 && codes.iter().all(|c| c.len() == 6 && c.bytes().all(|b| b.is_ascii_digit())));

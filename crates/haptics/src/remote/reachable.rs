@@ -1,13 +1,13 @@
-//! By which address others reach this machine.
+//! The address by which other machines reach this one.
 
 use std::net::{IpAddr, UdpSocket};
 
-/// The address by which others reach this machine, where all of its addresses are listened at.
+/// Returns the address by which other machines reach this one if a socket is bound to all addresses.
 pub fn reachable(bound: IpAddr) -> IpAddr {
     if !bound.is_unspecified() {
         return bound;
     }
-    // Nothing is sent: the system only says which of its addresses it would send from (192.0.2.1 is for documentation).
-    let asked = UdpSocket::bind(("0.0.0.0", 0)).and_then(|s| s.connect(("192.0.2.1", 9)).and_then(|()| s.local_addr()));
-    asked.map_or(IpAddr::from([127, 0, 0, 1]), |a| a.ip())
+    // Connecting a UDP socket sends nothing; it only selects the source address (192.0.2.1 is reserved for documentation).
+    let local = UdpSocket::bind(("0.0.0.0", 0)).and_then(|s| s.connect(("192.0.2.1", 9)).and_then(|()| s.local_addr()));
+    local.map_or(IpAddr::from([127, 0, 0, 1]), |a| a.ip())
 }

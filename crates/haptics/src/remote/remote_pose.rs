@@ -1,16 +1,16 @@
-//! A pan led from afar: how long a silent sender still holds it, and how the pan follows or comes home.
+//! Constants of a pan that a remote sender moves: timeout, smoothing, and the return home.
 
-/// Silence after which a sender counts as lost [s] (chosen: thirty messages at 60 Hz; a radio's hiccup is shorter).
+/// Timeout after which a silent sender counts as lost [s] (chosen: thirty messages at 60 Hz; radio dropouts are shorter).
 pub const SILENCE_S: f64 = 0.5;
-/// Time constant with which the pan follows [s] (chosen: two thirds of a message at 60 Hz, so that motion is smooth).
+/// Time constant of following a sender [s] (chosen: two thirds of a message interval at 60 Hz, which smooths the motion).
 pub const FOLLOW_S: f64 = 0.011;
-/// Time constant with which a pan that nobody holds comes home [s] (chosen: gentle enough for oil to stay in it).
+/// Time constant of the return home without a sender [s] (chosen: gentle enough to keep oil in the pan).
 pub const HOME_S: f64 = 0.4;
-/// Longest step that is reckoned with [s] (chosen: a tenth of the silence, so that a loop that hung for seconds neither loses a sender
-/// that speaks nor throws the pan in one step).
+/// Longest step [s] (chosen: a tenth of the timeout, so that a loop that hung for seconds neither loses an active sender nor throws the
+/// pan in one step).
 const LONGEST_STEP_S: f64 = 0.05;
 
-/// The step that is reckoned with for a time between two exchanges, both [s].
-pub fn reckoned(dt: f64) -> f64 {
+/// Returns the time between two exchanges, limited to the longest step [s].
+pub fn limited_step(dt: f64) -> f64 {
     if dt.is_finite() { dt.clamp(0.0, LONGEST_STEP_S) } else { 0.0 }
 }

@@ -1,8 +1,8 @@
-//! Reads that end without a word.
+//! Read timeouts.
 
 use std::io::{Error, ErrorKind};
 
-/// Whether nothing has come yet, as systems say it after a read's patience.
+/// Returns true if a read ended without data: the systems report a timeout in three ways.
 pub fn is_timeout(error: &Error) -> bool {
     matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut | ErrorKind::Interrupted)
 }

@@ -1,4 +1,4 @@
-//! A string device as its file describes it.
+//! The geometry file of a string device.
 
 use glam::DVec3;
 use saute_kitchen::InputError;
@@ -14,25 +14,25 @@ use crate::strings::{STRINGS, StringRig};
 use crate::wrench::Wrench;
 
 sourced_table! {
-    /// Where strings begin and end.
+    /// End points of the strings.
     StringTable {
-        /// Where each leaves its motor, in the kitchen [mm].
+        /// Motor end of each string, in the kitchen [mm].
         motor_mm: Vec<[f64; 3]>,
-        /// Where each is fixed, in the body's frame [mm].
+        /// Body end of each string, in the body's frame [mm].
         attachment_mm: Vec<[f64; 3]>,
     }
 }
 
 sourced_table! {
-    /// Motors, encoders and string.
+    /// Motors, encoders and string material.
     DriveTable {
-        /// String length of one count [µm].
+        /// String length per encoder count [µm].
         encoder_pitch_um: f64,
         /// Least tension [N].
         min_tension_n: f64,
         /// Largest tension [N].
         max_tension_n: f64,
-        /// Force that would stretch a string by its own length [N].
+        /// Axial stiffness EA: tension per strain [N].
         axial_stiffness_n: f64,
         /// Control rate [Hz].
         rate_hz: f64,
@@ -40,55 +40,55 @@ sourced_table! {
 }
 
 sourced_table! {
-    /// What the hand holds.
+    /// The real object in the hand.
     GripTable {
-        /// Whether it is a real pan.
+        /// True if it is a real pan.
         holds_real_pan: bool,
         /// Its mass [kg].
         real_mass_kg: f64,
-        /// Downward force at rest, by which the real pan is lighter than the one that is felt [N].
+        /// Downward preload at rest, which makes the real pan feel heavier than it is [N].
         preload_n: f64,
     }
 }
 
 sourced_table! {
-    /// What it may do to the hand.
+    /// Limits of what the device may do to the hand.
     LimitTable {
         /// Force [N].
         force_n: f64,
         /// Torque [N·m].
         torque_nm: f64,
-        /// Change of force [N/s].
+        /// Slew rate of force [N/s].
         slew_n_s: f64,
-        /// Change of torque [N·m/s].
+        /// Slew rate of torque [N·m/s].
         slew_nm_s: f64,
-        /// Energy given to the hand within a second [J], as [`Limits::energy_j`] counts it.
+        /// Energy given to the hand per second, as [`Limits::energy_j`] counts it [J].
         energy_j: f64,
-        /// Stiffest spring [N/m].
+        /// Greatest stable stiffness [N/m].
         stiffness_n_m: f64,
-        /// Stiffest spring of turning [N·m/rad].
+        /// Greatest stable rotational stiffness [N·m/rad].
         stiffness_nm_rad: f64,
     }
 }
 
 sourced_table! {
-    /// Where it may be moved.
+    /// Range of motion.
     WorkspaceTable {
-        /// Middle [mm].
+        /// Centre [mm].
         home_mm: [f64; 3],
-        /// Reach to either side [mm].
+        /// Half width along each axis [mm].
         half_mm: [f64; 3],
-        /// Tilt to either side [°].
+        /// Largest tilt to either side [°].
         tilt_deg: f64,
     }
 }
 
 sourced_table! {
-    /// How tensions are chosen.
+    /// Tension distribution.
     TensionTable {
-        /// Lever at which a torque error counts as a force error [mm].
+        /// Lever that converts a torque error to a force error [mm].
         lever_mm: f64,
-        /// Weight of tension [-].
+        /// Weight of squared tension over squared force error [-].
         regularisation: f64,
     }
 }
@@ -96,7 +96,7 @@ sourced_table! {
 sourced_table! {
     /// The calibration jig.
     JigTable {
-        /// Its poses: x, y, z [mm] and the rotation vector [°].
+        /// Poses of the jig: x, y, z [mm] and the rotation vector [°].
         pose: Vec<[f64; 6]>,
     }
 }
@@ -105,25 +105,25 @@ sourced_table! {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Geometry {
-    /// Name for people.
+    /// Display name.
     pub name: String,
     /// Strings.
     pub strings: StringTable,
     /// Motors and encoders.
     pub drive: DriveTable,
-    /// What the hand holds.
+    /// The real object in the hand.
     pub grip: GripTable,
     /// Limits.
     pub limits: LimitTable,
     /// Workspace.
     pub workspace: WorkspaceTable,
-    /// Rule of tensions.
+    /// Tension distribution.
     pub tension: TensionTable,
     /// Calibration jig.
     pub jig: JigTable,
 }
 
-/// Numbers that must lie in a range: key, value, least, most.
+/// A checked number: key, value, minimum, maximum.
 type Ranged = (&'static str, f64, f64, f64);
 
 fn vector_mm(v: [f64; 3]) -> DVec3 {
@@ -131,7 +131,7 @@ fn vector_mm(v: [f64; 3]) -> DVec3 {
 }
 
 impl Geometry {
-    /// Reads and checks the file of a device.
+    /// Parses and checks the file of a device.
     pub fn parse(text: &str, file: &str) -> Result<Self, InputError> {
         let geometry: Self = parse_table(text, file, "see data/haptics/devices/spidar-pan-crossed.toml for the keys")?;
         geometry.check(text, file)?;
@@ -192,7 +192,7 @@ impl Geometry {
         ]
     }
 
-    /// Strings as drawn.
+    /// Returns the strings as drawn.
     pub fn rig(&self) -> StringRig {
         let place = |list: &[[f64; 3]], i: usize| list.get(i).map_or(DVec3::ZERO, |v| vector_mm(*v));
         StringRig {
@@ -201,13 +201,13 @@ impl Geometry {
         }
     }
 
-    /// Middle of the workspace [m].
+    /// Returns the centre of the workspace.
     pub fn home(&self) -> Pose {
         let [x, y, z] = vector_mm(self.workspace.home_mm).to_array();
         Pose::at(x, y, z)
     }
 
-    /// Poses of the jig [m].
+    /// Returns the poses of the jig.
     pub fn jig(&self) -> Vec<Pose> {
         let pose = |p: &[f64; 6]| Pose {
             position: vector_mm([p[0], p[1], p[2]]),
@@ -216,17 +216,17 @@ impl Geometry {
         self.jig.pose.iter().map(pose).collect()
     }
 
-    /// String length of one count [m].
+    /// Returns the string length per encoder count [m].
     pub fn pitch(&self) -> f64 {
         self.drive.encoder_pitch_um * 1e-6
     }
 
-    /// Wrench of the strings at rest [N].
+    /// Returns the wrench of the strings at rest [N, N·m].
     pub fn preload(&self) -> Wrench {
         Wrench { force: DVec3::new(0.0, 0.0, -self.grip.preload_n), torque: DVec3::ZERO }
     }
 
-    /// How tensions are chosen.
+    /// Returns the rule of the tension distribution.
     pub fn tension_rule(&self) -> TensionRule {
         TensionRule {
             min: self.drive.min_tension_n,
@@ -236,7 +236,7 @@ impl Geometry {
         }
     }
 
-    /// What the device can do, as data.
+    /// Returns the device's capabilities.
     pub fn capabilities(&self) -> Capabilities {
         let (limits, half) = (&self.limits, vector_mm(self.workspace.half_mm));
         Capabilities {

@@ -1,4 +1,4 @@
-//! Finds what drawings do not tell: where strings really begin and end, and from where encoders count.
+//! Calibration on a jig: the real end points of the strings and the zeros of the encoders.
 
 use glam::DVec3;
 use saute_kitchen::dynamics::Pose;
@@ -6,51 +6,52 @@ use saute_kitchen::dynamics::Pose;
 use crate::strings::linear::solve_symmetric;
 use crate::strings::{STRINGS, StringRig};
 
-/// Lengths that encoders tell while the pan is at a known pose of its jig.
+/// Encoder readings at a known pose of the jig.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JigReading {
     /// The known pose.
     pub pose: Pose,
-    /// Length by count from an unknown beginning, stretch removed [m].
+    /// Length by count from an unknown zero, corrected for stretch [m].
     pub length: [f64; STRINGS],
 }
 
-/// How far a device may be from its drawing, and how well it is measured.
+/// A-priori accuracy of the drawing and of the readings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {
-    /// Standard deviation of places from the drawing [m].
+    /// Standard deviation of end points from the drawing [m].
     pub places: f64,
-    /// Standard deviation of a length at a pose of the jig [m].
+    /// Standard deviation of a length at a jig pose [m].
     pub lengths: f64,
 }
 
 impl Default for Accuracy {
-    /// Half a millimetre of workshop tolerance; two counts of 20 µm and a jig's play (chosen).
+    /// Returns half a millimetre for end points and 30 µm for lengths (chosen: workshop tolerance; two encoder counts of 20 µm and the
+    /// jig's play).
     fn default() -> Self {
         Self { places: 0.5e-3, lengths: 30e-6 }
     }
 }
 
-/// A device as it really is.
+/// The calibration of a device.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Calibration {
-    /// Where strings really begin and end.
+    /// Real end points of the strings.
     pub rig: StringRig,
-    /// What is added to a length by count [m].
+    /// Offset that is added to a length by count [m].
     pub offset: [f64; STRINGS],
-    /// Root mean square of what remains at the jig's poses [m].
+    /// Root mean square residual at the jig's poses [m].
     pub residual: f64,
 }
 
 /// Why a calibration failed.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CalibrationError {
-    /// Too few poses.
+    /// Too few jig poses were measured.
     #[error("{0} poses of the jig were measured, 8 are needed: leave the pan in each place until its lamp goes out")]
     TooFew(usize),
-    /// What was measured does not fit any device near the drawing.
+    /// The readings fit no device near the drawing.
     #[error(
-        "string {string} does not fit the drawing: {residual_mm:.2} mm remain; check how the string is led, and the geometry file"
+        "string {string} does not fit the drawing: {residual_mm:.2} mm remain; check how the string runs, and the geometry file"
     )]
     DoesNotFit {
         /// Which string, from 1.
@@ -58,7 +59,7 @@ pub enum CalibrationError {
         /// Root mean square [mm].
         residual_mm: f64,
     },
-    /// What was measured fits, but only a device far from the drawing.
+    /// The readings fit only a device far from the drawing.
     #[error(
         "string {string} was found {off_mm:.1} mm from where it is drawn; check that this is the device's geometry file"
     )]
@@ -70,23 +71,23 @@ pub enum CalibrationError {
     },
 }
 
-/// Readings that are needed: seven unknowns a string, and one to check (chosen).
+/// Minimum number of readings (chosen: each string has seven unknowns, and one more reading checks the fit).
 const FEWEST: usize = 8;
-/// Distance from the drawing above which it is another device's [m] (chosen: ten times a workshop's half a millimetre).
+/// Distance from the drawing above which the geometry belongs to another device [m] (chosen: ten times the workshop tolerance).
 pub(crate) const FARTHEST: f64 = 5e-3;
-/// Gauss–Newton steps (chosen: from a drawing half a millimetre off three suffice).
+/// Number of Gauss–Newton steps (chosen: three suffice from a drawing that is half a millimetre off).
 const STEPS: usize = 8;
-/// Residual above which something is broken [m] (chosen: ten times what encoders and jig explain).
+/// Largest accepted residual [m] (chosen: ten times the accuracy of encoders and jig).
 const WORST: f64 = 0.3e-3;
 
 impl Calibration {
-    /// A device exactly as drawn, whose encoders read these lengths by count [m] at a pose.
+    /// Creates the calibration of a device exactly as drawn, whose encoders read `length` by count [m] at a pose.
     pub fn as_drawn(rig: StringRig, at: &Pose, length: &[f64; STRINGS]) -> Self {
         let true_length = rig.lengths(at);
         Self { rig, offset: std::array::from_fn(|i| true_length[i] - length[i]), residual: 0.0 }
     }
 
-    /// The most likely device: least squares over the readings, with the drawing as prior.
+    /// Fits a calibration to readings: maximum a posteriori least squares with the drawing as prior.
     ///
     /// For each string: min over m, g, o of Σₖ (|m − pₖ − Rₖ g| − lₖ − o)²/σ_l² + |m − m₀|²/σ_p² + |g − g₀|²/σ_p².
     pub fn fit(drawn: &StringRig, readings: &[JigReading], accuracy: Accuracy) -> Result<Self, CalibrationError> {
@@ -113,7 +114,7 @@ impl Calibration {
         Ok(found)
     }
 
-    /// Lengths from lengths by count [m].
+    /// Returns lengths from lengths by count [m].
     pub fn lengths(&self, by_count: &[f64; STRINGS]) -> [f64; STRINGS] {
         std::array::from_fn(|i| by_count[i] + self.offset[i])
     }
@@ -137,7 +138,7 @@ impl StringFit {
         fit
     }
 
-    /// Predicted less measured length [m], and the string's direction towards the motor.
+    /// Returns predicted minus measured length [m], and the string's unit direction towards the motor [-].
     fn error(&self, reading: &JigReading) -> (f64, DVec3) {
         let way = self.motor - reading.pose.to_world(self.attachment);
         let length = way.length();

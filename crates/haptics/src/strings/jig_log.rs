@@ -1,18 +1,18 @@
-//! Gathers what encoders say while the pan stands in the places of its jig.
+//! Averages encoder readings while the pan stands in the places of its jig.
 
 use saute_kitchen::dynamics::Pose;
 
 use crate::strings::jig_calibration::{Accuracy, Calibration, CalibrationError, JigReading};
 use crate::strings::{STRINGS, StringRig};
 
-/// Places of a jig at most (chosen).
+/// Maximum number of jig places (chosen: eight times the minimum, and small enough for the stack).
 const PLACES: usize = 64;
-/// Samples that are averaged at each place (chosen: a twentieth of a second).
+/// Number of averaged samples per place (chosen: a twentieth of a second at 1 kHz).
 const SAMPLES: u32 = 50;
-/// Samples that are left out when a contact has just closed (chosen: the pan comes to rest).
+/// Number of skipped samples after a contact closes (chosen: the pan comes to rest within 50 ms).
 const SETTLING: u32 = 50;
 
-/// Sums of lengths at each place.
+/// Sums of lengths at each jig place.
 #[derive(Clone, Copy, Debug)]
 pub struct JigLog {
     poses: [Pose; PLACES],
@@ -24,15 +24,16 @@ pub struct JigLog {
 }
 
 impl JigLog {
-    /// Nothing yet.
+    /// Creates an empty log.
     pub fn new(jig: &[Pose]) -> Self {
         let poses = std::array::from_fn(|i| jig.get(i).copied().unwrap_or_default());
         let places = jig.len().min(PLACES);
         Self { poses, places, sum: [[0.0; STRINGS]; PLACES], count: [0; PLACES], at: 0, since: 0 }
     }
 
-    /// Notes lengths by count [m] at a place of the jig, from 1. Once all are known it gives what they tell; where
-    /// they fit no device near the drawing, they are gone through again.
+    /// Records lengths by count [m] at a jig place, counted from 1.
+    ///
+    /// Returns the fitted calibration once all places are measured. After a failed fit all places are measured again.
     pub fn note(
         &mut self,
         place: u8,

@@ -1,4 +1,4 @@
-//! What a jig told, kept for the next start: as a file, and on its way between a device's thread and the file.
+//! Stored calibrations: the file format, and the hand-over between the control loop and the file.
 
 use std::path::{Path, PathBuf};
 
@@ -10,23 +10,23 @@ use crate::library::{error_at, parse_table};
 use crate::strings::jig_calibration::Calibration;
 use crate::strings::{STRINGS, StringRig};
 
-/// What to do about a file that cannot be used.
+/// Remedy for an invalid file.
 const REMEDY: &str = "delete the file and put the pan on its jig again";
-/// Places and offsets are within this [mm] (chosen: larger than any device).
+/// Largest coordinate or offset [mm] (chosen: larger than any device).
 const FARTHEST_MM: f64 = 5000.0;
 
-/// A calibration, and of which device it is.
+/// A calibration with the device that it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KeptCalibration {
-    /// Name that the device tells, filled up with zeros.
+    /// Name that the device reports, padded with zeros.
     pub device: [u8; 16],
-    /// Number of the device's start: its encoders count from one place as long as it stays on.
+    /// Boot number of the device: its encoders keep their zeros until it is switched off.
     pub boot: u32,
-    /// What was found.
+    /// The calibration.
     pub calibration: Calibration,
 }
 
-/// One string in the file.
+/// One string of the file.
 #[derive(Debug, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 struct StringEntry {
@@ -35,7 +35,7 @@ struct StringEntry {
     offset_mm: f64,
 }
 
-/// The file.
+/// Contents of the file.
 #[derive(Debug, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 struct CalibrationFile {
@@ -45,26 +45,26 @@ struct CalibrationFile {
     string: Vec<StringEntry>,
 }
 
-/// What a driver knows from before, and where it puts what it finds.
+/// A driver's side of the storage: the known calibration, and where new ones go.
 #[derive(Debug)]
 pub struct CalibrationMemory {
-    /// What was found at an earlier start.
+    /// Calibration of an earlier run.
     pub known: Option<KeptCalibration>,
     found: triple_buffer::Input<Option<KeptCalibration>>,
 }
 
-/// Hears of what a driver has found.
+/// The receiving side of the storage: new calibrations of a driver.
 #[derive(Debug)]
 pub struct CalibrationNews(triple_buffer::Output<Option<KeptCalibration>>);
 
 impl CalibrationMemory {
-    /// A memory for a driver, and who hears of what it finds.
+    /// Creates both sides of the storage.
     pub fn new(known: Option<KeptCalibration>) -> (Self, CalibrationNews) {
         let (found, news) = triple_buffer::triple_buffer(&None);
         (Self { known, found }, CalibrationNews(news))
     }
 
-    /// Tells what was found on the jig; neither waits nor allocates.
+    /// Stores a new calibration; it neither blocks nor allocates.
     pub fn keep(&mut self, found: KeptCalibration) {
         self.known = Some(found);
         self.found.write(Some(found));
@@ -72,19 +72,19 @@ impl CalibrationMemory {
 }
 
 impl CalibrationNews {
-    /// What has been found since it was asked last.
+    /// Returns a calibration that is new since the last call.
     pub fn take(&mut self) -> Option<KeptCalibration> {
         if self.0.updated() { *self.0.read() } else { None }
     }
 }
 
 impl KeptCalibration {
-    /// The device's name as text.
+    /// Returns the device's name as text.
     pub fn device_name(&self) -> String {
         String::from_utf8_lossy(&self.device).trim_end_matches('\0').to_owned()
     }
 
-    /// Reads a file.
+    /// Parses a file.
     pub fn parse(text: &str, file: &str) -> Result<Self, InputError> {
         let kept: CalibrationFile = parse_table(text, file, REMEDY)?;
         let wrong = |key: &str, message: &str| Err(error_at(text, file, key, message.to_owned(), REMEDY));
@@ -110,7 +110,7 @@ impl KeptCalibration {
         Ok(Self { device, boot: kept.boot, calibration })
     }
 
-    /// The file's text.
+    /// Returns the file's text.
     pub fn text(&self) -> Result<String, toml::ser::Error> {
         let Calibration { rig, offset, residual } = &self.calibration;
         let entry = |i: usize| StringEntry {
@@ -124,12 +124,12 @@ impl KeptCalibration {
             residual_mm: residual * 1e3,
             string: (0..STRINGS).map(entry).collect(),
         };
-        const HEAD: &str = "# What saute found on the calibration jig. It holds until the device is switched off.\n";
+        const HEAD: &str = "# Calibration that saute found on the jig. It is valid until the device is switched off.\n";
         Ok(HEAD.to_owned() + &toml::to_string(&file)?)
     }
 }
 
-/// Where the calibration of a device is kept in a folder: the device's name and place as a file's name.
+/// Returns the path of a device's calibration in a folder; the device's name and place form the file name.
 pub fn file_in(folder: &Path, device: &str) -> PathBuf {
     let plain = |c: char| if c.is_ascii_alphanumeric() || "-_.".contains(c) { c } else { '_' };
     folder.join(device.chars().map(plain).collect::<String>() + ".toml")

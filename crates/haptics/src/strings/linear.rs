@@ -1,7 +1,8 @@
-//! Small symmetric systems on the stack.
+//! Small symmetric linear systems and eigenvalues, on the stack.
 
-/// Solves `a x = b` for a symmetric positive definite `a`, of which the first `n` rows and columns count; `b` becomes x.
-/// Tells whether `a` was positive definite.
+/// Solves `a x = b` by Cholesky decomposition for the leading `n` × `n` block of a symmetric `a`; `b` becomes x.
+///
+/// Returns false if the block is not positive definite.
 pub fn solve_symmetric<const N: usize>(a: &mut [[f64; N]; N], b: &mut [f64; N], n: usize) -> bool {
     for i in 0..n {
         for j in 0..=i {
@@ -24,10 +25,10 @@ pub fn solve_symmetric<const N: usize>(a: &mut [[f64; N]; N], b: &mut [f64; N], 
     true
 }
 
-/// Sweeps of Jacobi's rotations (chosen: 6 × 6 matrices converge in five or six).
+/// Number of Jacobi sweeps (chosen: 6 × 6 matrices converge in five or six).
 const SWEEPS: usize = 12;
 
-/// Eigenvalues of a symmetric matrix, unordered.
+/// Returns the eigenvalues of a symmetric matrix, unordered (cyclic Jacobi method).
 pub fn eigenvalues<const N: usize>(mut a: [[f64; N]; N]) -> [f64; N] {
     for _ in 0..SWEEPS {
         for p in 0..N {
@@ -39,7 +40,7 @@ pub fn eigenvalues<const N: usize>(mut a: [[f64; N]; N]) -> [f64; N] {
     std::array::from_fn(|i| a[i][i])
 }
 
-/// One rotation that makes an entry zero.
+/// Applies the Jacobi rotation that zeroes an off-diagonal entry.
 fn rotate<const N: usize>(a: &mut [[f64; N]; N], p: usize, q: usize) {
     if a[p][q] == 0.0 {
         return;

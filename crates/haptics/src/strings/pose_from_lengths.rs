@@ -1,4 +1,4 @@
-//! Where the body is, from the lengths of its strings.
+//! Pose estimation: the body's pose from its string lengths.
 
 use glam::DVec3;
 use saute_kitchen::dynamics::Pose;
@@ -8,28 +8,44 @@ use crate::strings::linear::solve_symmetric;
 use crate::strings::{Lines, STRINGS, StringRig};
 use crate::wrench::Twist;
 
-/// Steps at most in one estimate (chosen: from the last pose three suffice; after a jump more are needed).
+/// Maximum number of Gauss–Newton steps (chosen: three suffice from the last pose; a jump needs more).
 const STEPS: usize = 12;
-/// A step shorter than this ends the search [m] (chosen: far below an encoder's pitch).
+/// Step length that ends the iteration [m] (chosen: far below an encoder's pitch).
 const CONVERGED_M: f64 = 1e-8;
-/// Damping over the mean of the diagonal [-] (chosen: tames singular poses, slows no other).
+/// Damping over the mean of the diagonal [-] (chosen: regularises singular poses and slows no other).
 const DAMPING: f64 = 1e-5;
-/// Longest step [m] and turn [rad] (chosen: the straight-line model holds so far).
+/// Longest translation step [m] (chosen: within it the linearisation holds).
 const LONGEST_STEP: f64 = 0.05;
+/// Largest rotation step [rad] (chosen: within it the linearisation holds).
 const LARGEST_TURN: f64 = 0.2;
-/// Share of the residual that drift takes up in each estimate [-] (chosen: 100 s at 1 kHz; hands move faster, strings
-/// creep more slowly).
+/// Share of the residual that the drift estimate absorbs per update [-] (chosen: a time constant of 100 s at 1 kHz; hands move
+/// faster, strings creep more slowly).
 const DRIFT_SHARE: f64 = 1e-5;
-/// Bandwidth of the velocity [Hz] (chosen: above a wrist's 10 Hz, below a count's noise).
+/// Bandwidth of the velocity filter [Hz] (chosen: above a wrist's 10 Hz, below the encoders' quantisation noise).
 const VELOCITY_HZ: f64 = 40.0;
-/// A longer gap than this makes a velocity meaningless [s] (chosen).
+/// Longest gap between two updates that still gives a velocity [s] (chosen: fifty samples; a hand may have turned round by then).
 const GAP_S: f64 = 0.05;
 
-/// Finds poses from lengths by damped Gauss–Newton, one after the other.
+/// Estimates poses from lengths by damped Gauss–Newton, each from the last one.
 ///
-/// minimises Σ (|mᵢ − p − R gᵢ| − Lᵢ − dᵢ)² over p and R; with eight lengths for six unknowns, two are left over, from
-/// which the slow drift dᵢ of encoders and strings is learned. Valid where the strings are taut and their directions
-/// span all motions ([`crate::strings::workspace`]).
+/// It minimises Σ (|mᵢ − p − R gᵢ| − Lᵢ − dᵢ)² over p and R. Eight lengths overdetermine six unknowns; the residual gives the
+/// slow drift dᵢ of encoders and strings. Valid where the strings are taut and their directions span all motions
+/// ([`crate::strings::workspace`]).
+///
+/// ```
+/// use saute_haptics::{PoseEstimator, library};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let devices = library::devices()?;
+/// let geometry = &devices["spidar-pan-crossed"];
+/// let mut pose = geometry.home();
+/// pose.position.x += 0.05;
+/// let lengths = geometry.rig().lengths(&pose);
+/// let found = PoseEstimator::new(geometry.rig(), geometry.home()).update(&lengths, 1e-3);
+/// assert!((found.position - pose.position).length() < 1e-6, "{} m", found.position);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PoseEstimator {
     rig: StringRig,
@@ -40,18 +56,18 @@ pub struct PoseEstimator {
 }
 
 impl PoseEstimator {
-    /// Begins at a pose.
+    /// Creates an estimator that starts at a pose.
     pub fn new(rig: StringRig, start: Pose) -> Self {
         Self { rig, pose: start, twist: Twist::default(), drift: [0.0; STRINGS], residual: 0.0 }
     }
 
-    /// The pose at which the strings have these lengths [m]; `dt` after the last one [s].
+    /// Returns the pose for string lengths [m]; `dt` is the time since the last update [s]. Lengths that are not finite are ignored.
     pub fn update(&mut self, lengths: &[f64; STRINGS], dt: f64) -> Pose {
         if lengths.iter().all(|l| l.is_finite()) {
             let before = self.pose;
             self.solve(lengths);
-            self.learn_drift(lengths);
-            self.follow(&before, dt);
+            self.update_drift(lengths);
+            self.update_twist(&before, dt);
         }
         self.pose
     }
@@ -68,7 +84,7 @@ impl PoseEstimator {
         }
     }
 
-    /// One damped step: (AᵀA + σ) x = Aᵀ e, with the rows [direction, lever] and the errors predicted − measured.
+    /// Returns one damped step: (AᵀA + σ) x = Aᵀ e with the rows [direction, lever] and e = predicted − measured length.
     fn step(&self, lines: &Lines, lengths: &[f64; STRINGS]) -> Option<(DVec3, DVec3)> {
         let (mut a, mut b) = ([[0.0; 6]; 6], [0.0; 6]);
         for (i, measured) in lengths.iter().enumerate() {
@@ -85,7 +101,7 @@ impl PoseEstimator {
         solve_symmetric(&mut a, &mut b, 6).then(|| (DVec3::new(b[0], b[1], b[2]), DVec3::new(b[3], b[4], b[5])))
     }
 
-    fn learn_drift(&mut self, lengths: &[f64; STRINGS]) {
+    fn update_drift(&mut self, lengths: &[f64; STRINGS]) {
         let predicted = self.rig.lengths(&self.pose);
         let mut squares = 0.0;
         for i in 0..STRINGS {
@@ -96,7 +112,7 @@ impl PoseEstimator {
         self.residual = libm::sqrt(squares / STRINGS as f64);
     }
 
-    fn follow(&mut self, before: &Pose, dt: f64) {
+    fn update_twist(&mut self, before: &Pose, dt: f64) {
         if dt <= 0.0 || dt > GAP_S {
             self.twist = Twist::default();
             return;
@@ -108,22 +124,22 @@ impl PoseEstimator {
         self.twist.angular += (turned / dt - self.twist.angular) * share;
     }
 
-    /// The last pose.
+    /// Returns the last pose.
     pub fn pose(&self) -> Pose {
         self.pose
     }
 
-    /// Velocity, smoothed over some milliseconds [m/s, rad/s].
+    /// Returns the low-pass filtered twist [m/s, rad/s].
     pub fn twist(&self) -> Twist {
         self.twist
     }
 
-    /// Root mean square of what eight lengths disagree about the pose [m].
+    /// Returns the root mean square residual of the eight lengths [m].
     pub fn residual(&self) -> f64 {
         self.residual
     }
 
-    /// Drift that was learned for each string [m].
+    /// Returns the estimated drift of each string [m].
     pub fn drift(&self) -> &[f64; STRINGS] {
         &self.drift
     }

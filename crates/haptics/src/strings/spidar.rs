@@ -1,4 +1,4 @@
-//! The SPIDAR: eight strings, over any link.
+//! The SPIDAR driver: handshake, calibration, pose and tension commands over any link.
 
 use saute_kitchen::dynamics::Pose;
 
@@ -15,29 +15,29 @@ use crate::strings::wire::{
 use crate::strings::{Lines, STRINGS, StringRig};
 use crate::wrench::Wrench;
 
-/// Silence after which a device counts as lost [s] (chosen: a hundred samples).
+/// Silence after which the device counts as lost [s] (chosen: a hundred samples).
 const SILENCE_S: f64 = 0.1;
-/// Time between two hellos [s] (chosen).
+/// Interval between two hellos [s] (chosen: a device answers within milliseconds, and a new one is found without a noticeable delay).
 const HELLO_S: f64 = 0.1;
-/// Time between two hellos to a device that has refused [s] (chosen: nothing will change soon).
+/// Interval between two hellos after a refusal [s] (chosen: the cause needs a person to change it).
 const RETRY_S: f64 = 1.0;
-/// How long the preload takes to build up and to go [s] (chosen: a gentle pull).
+/// Time in which the preload builds up [s] (chosen: a gentle pull).
 const PRELOAD_UP_S: f64 = 0.5;
+/// Time in which the preload is released [s] (chosen: quick, but without a jerk).
 const PRELOAD_DOWN_S: f64 = 0.2;
-/// Eight lengths that disagree about the pose by more than this tell that a kept calibration holds no longer [m] (chosen: ten times
-/// what strings and jig leave over).
+/// Residual of the pose above which a stored calibration is discarded [m] (chosen: ten times the residual of strings and jig).
 const FITS: f64 = 0.5e-3;
-/// Frames that are taken in one exchange (chosen: more means that the host was late; the newest counts).
+/// Maximum number of frames read per exchange (chosen: more of them mean that the host was late; the newest sample counts).
 const MOST_FRAMES: usize = 16;
 
-/// Where the talk with a device stands.
+/// Phase of the handshake.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Talk {
-    /// Hellos are sent.
+enum Phase {
+    /// Hellos are sent until the device answers.
     Seeking,
-    /// Capabilities have come and suit; arm is sent.
+    /// The device's capabilities are accepted; arm is sent.
     Arming,
-    /// Samples come.
+    /// Samples arrive.
     Linked,
 }
 
@@ -52,26 +52,26 @@ pub struct Spidar<L> {
     solver: TensionSolver,
     calibration: Option<Calibration>,
     memory: Option<CalibrationMemory>,
-    /// Whether the calibration is one that was kept and has not been tried yet.
-    untried: bool,
+    /// True if the calibration is a stored one that is not verified yet.
+    unverified: bool,
     jig: JigLog,
     misfit: bool,
-    talk: Talk,
+    phase: Phase,
     health: Health,
     caps: Option<Caps>,
     session: u32,
     sequence: u32,
     clock: f64,
-    heard_at: f64,
+    received_at: f64,
     device_us: u64,
-    asked_at: f64,
+    hello_at: f64,
     engaged: f64,
     last: Option<Sample>,
-    answer: HapticSample,
+    output: HapticSample,
 }
 
 impl<L: Link> Spidar<L> {
-    /// A device of a geometry; the pairing code is 0 where it needs none.
+    /// Creates the driver of a device with a geometry; the pairing code is 0 if the device needs none.
     pub fn new(link: L, geometry: Geometry, pairing: u32) -> Self {
         let home = geometry.home();
         Self {
@@ -82,31 +82,31 @@ impl<L: Link> Spidar<L> {
             solver: TensionSolver::new(geometry.tension_rule()),
             calibration: None,
             memory: None,
-            untried: false,
+            unverified: false,
             jig: JigLog::new(&geometry.jig()),
             misfit: false,
-            talk: Talk::Seeking,
+            phase: Phase::Seeking,
             health: Health::Connecting,
             caps: None,
             session: 0,
             sequence: 0,
             clock: 0.0,
-            heard_at: 0.0,
+            received_at: 0.0,
             device_us: 0,
-            asked_at: f64::NEG_INFINITY,
+            hello_at: f64::NEG_INFINITY,
             engaged: 0.0,
             last: None,
-            answer: HapticSample { pose: home, ..HapticSample::default() },
+            output: HapticSample { pose: home, ..HapticSample::default() },
             geometry,
         }
     }
 
-    /// What was found on the jig, once it was.
+    /// Returns the calibration, once there is one.
     pub fn calibration(&self) -> Option<&Calibration> {
         self.calibration.as_ref()
     }
 
-    /// Takes over a calibration that was found before; it holds until the encoders lose their count.
+    /// Sets a calibration; it is valid until the encoders lose their count.
     pub fn calibrate(&mut self, calibration: Calibration) {
         self.estimator = PoseEstimator::new(calibration.rig, self.geometry.home());
         self.calibration = Some(calibration);
@@ -114,43 +114,43 @@ impl<L: Link> Spidar<L> {
 
     fn send(&mut self, message: Message) {
         self.sequence = self.sequence.wrapping_add(1);
-        // A frame that cannot be sent is a lost frame: the silence that follows is what counts.
+        // A frame that cannot be sent is a lost frame: the silence that follows is detected.
         let _ = self.link.send(&Frame { sequence: self.sequence, session: self.session, message });
     }
 
-    /// Takes the frames that have come; tells whether there was a new sample.
-    fn listen(&mut self) -> bool {
+    /// Reads the received frames; returns true if there was a new sample.
+    fn receive_frames(&mut self) -> bool {
         let mut fresh = false;
         for _ in 0..MOST_FRAMES {
             match self.link.receive() {
                 None => break,
-                Some(Ok(frame)) if frame.session == self.session => fresh |= self.hear(&frame.message),
+                Some(Ok(frame)) if frame.session == self.session => fresh |= self.receive(&frame.message),
                 Some(Err(FrameError::Version(_))) => self.refuse(Health::WrongUnits),
-                Some(_) => self.answer.rejected += 1,
+                Some(_) => self.output.rejected += 1,
             }
         }
         fresh
     }
 
-    fn hear(&mut self, message: &Message) -> bool {
+    fn receive(&mut self, message: &Message) -> bool {
         match message {
-            Message::Caps(caps) if self.talk == Talk::Seeking => self.meet(caps),
+            Message::Caps(caps) if self.phase == Phase::Seeking => self.accept_capabilities(caps),
             Message::Refused(Refusal::WrongCode) => self.refuse(Health::WrongCode),
             Message::Refused(_) => self.refuse(Health::Connecting),
-            Message::Sample(sample) if self.talk != Talk::Seeking => return self.take(sample),
-            _ => self.answer.rejected += 1,
+            Message::Sample(sample) if self.phase != Phase::Seeking => return self.accept_sample(sample),
+            _ => self.output.rejected += 1,
         }
         false
     }
 
     fn refuse(&mut self, health: Health) {
-        self.talk = Talk::Seeking;
+        self.phase = Phase::Seeking;
         self.health = health;
-        // The next hello waits as long as a refusal asks for.
-        self.asked_at = self.clock;
+        // The next hello waits for the interval of a refusal.
+        self.hello_at = self.clock;
     }
 
-    fn meet(&mut self, caps: &Caps) {
+    fn accept_capabilities(&mut self, caps: &Caps) {
         let strings = caps.strings as usize == STRINGS;
         if caps.units != Units::SPOKEN || !strings || caps.pitch_nm == 0 || caps.max_mn <= caps.min_mn {
             return self.refuse(Health::WrongUnits);
@@ -162,13 +162,13 @@ impl<L: Link> Spidar<L> {
         }
         self.caps = Some(*caps);
         self.last = None;
-        self.recall(caps);
-        (self.talk, self.heard_at) = (Talk::Arming, self.clock);
+        self.restore_calibration(caps);
+        (self.phase, self.received_at) = (Phase::Arming, self.clock);
         self.send(Message::Arm);
     }
 
-    /// Takes over a calibration that was kept of this device since it was switched on.
-    fn recall(&mut self, caps: &Caps) {
+    /// Restores a calibration that was stored since this device was switched on.
+    fn restore_calibration(&mut self, caps: &Caps) {
         let known = self.memory.as_ref().and_then(|m| m.known).filter(|_| self.calibration.is_none());
         let drawn = self.geometry.rig();
         let own = |k: &KeptCalibration| {
@@ -176,44 +176,44 @@ impl<L: Link> Spidar<L> {
         };
         if let Some(known) = known.filter(own) {
             self.calibrate(known.calibration);
-            self.untried = true;
+            self.unverified = true;
         }
     }
 
-    /// A kept calibration must fit the first lengths; else the pan goes to its jig.
-    fn try_kept(&mut self) {
-        if std::mem::take(&mut self.untried) && self.estimator.residual() > FITS {
+    /// Discards a restored calibration that does not fit the first lengths.
+    fn verify_restored(&mut self) {
+        if std::mem::take(&mut self.unverified) && self.estimator.residual() > FITS {
             self.calibration = None;
             self.estimator = PoseEstimator::new(self.geometry.rig(), self.geometry.home());
         }
     }
 
-    /// Keeps what the jig told for the next start.
-    fn keep(&mut self, calibration: Calibration) {
+    /// Stores a calibration for the next start.
+    fn store(&mut self, calibration: Calibration) {
         if let (Some(memory), Some(caps)) = (&mut self.memory, &self.caps) {
             memory.keep(KeptCalibration { device: caps.name, boot: caps.boot, calibration });
         }
     }
 
-    /// Takes a sample that is newer than the last one.
-    fn take(&mut self, sample: &Sample) -> bool {
+    /// Accepts a sample that is newer than the last one; returns false if it is not.
+    fn accept_sample(&mut self, sample: &Sample) -> bool {
         let passed = self.last.map(|last| sample.time_us.wrapping_sub(last.time_us) as i32);
         if passed.is_some_and(|us| us <= 0) {
-            self.answer.rejected += 1;
+            self.output.rejected += 1;
             return false;
         }
         match sample.state {
             DeviceState::Fault => self.refuse(Health::Fault),
-            DeviceState::Idle | DeviceState::Greeted => self.talk = Talk::Seeking,
-            DeviceState::Armed | DeviceState::Running => self.talk = Talk::Linked,
+            DeviceState::Idle | DeviceState::Greeted => self.phase = Phase::Seeking,
+            DeviceState::Armed | DeviceState::Running => self.phase = Phase::Linked,
         }
-        self.heard_at = self.clock;
+        self.received_at = self.clock;
         self.last = Some(*sample);
         self.locate(sample, f64::from(passed.unwrap_or(0)) * 1e-6);
         true
     }
 
-    /// Finds the pose, or goes on with the calibration.
+    /// Updates the pose, or continues the calibration.
     fn locate(&mut self, sample: &Sample, passed: f64) {
         let by_count = self.by_count(sample);
         if self.calibration.is_none() {
@@ -222,25 +222,25 @@ impl<L: Link> Spidar<L> {
                 None => {}
                 Some(Ok(calibration)) => {
                     self.calibrate(calibration);
-                    self.keep(calibration);
+                    self.store(calibration);
                 }
                 Some(Err(_)) => self.misfit = true,
             }
         }
         self.device_us = unwrapped(self.device_us, sample.time_us);
-        self.answer.time_s = self.device_us as f64 * 1e-6;
-        self.answer.buttons = u32::from(sample.buttons);
+        self.output.time_s = self.device_us as f64 * 1e-6;
+        self.output.buttons = u32::from(sample.buttons);
         if let Some(calibration) = &self.calibration {
-            self.answer.pose = self.estimator.update(&calibration.lengths(&by_count), passed);
-            self.answer.twist = self.estimator.twist();
-            self.try_kept();
+            self.output.pose = self.estimator.update(&calibration.lengths(&by_count), passed);
+            self.output.twist = self.estimator.twist();
+            self.verify_restored();
         }
         let pulled = sample.tension_mn.map(|t| f64::from(t) * 1e-3);
-        self.answer.tension_n = Some(pulled);
-        self.answer.total_force_n = self.lines().wrench(&pulled).force.length();
+        self.output.tension_n = Some(pulled);
+        self.output.total_force_n = self.lines().wrench(&pulled).force.length();
     }
 
-    /// Lengths by count, with the stretch that the tensions make [m].
+    /// Returns lengths by count, corrected for the stretch by the tensions [m].
     fn by_count(&self, sample: &Sample) -> [f64; STRINGS] {
         let pitch = self.caps.map_or(0.0, |c| f64::from(c.pitch_nm) * 1e-9);
         let length = self.lines().length;
@@ -251,39 +251,40 @@ impl<L: Link> Spidar<L> {
     }
 
     fn lines(&self) -> Lines {
-        self.calibration.map_or_else(|| self.geometry.rig(), |c| c.rig).lines(&self.answer.pose)
+        self.calibration.map_or_else(|| self.geometry.rig(), |c| c.rig).lines(&self.output.pose)
     }
 
-    /// Says hello again when it is time.
-    fn seek(&mut self) {
+    /// Sends a hello when its interval has passed.
+    fn send_hello(&mut self) {
         let refused = matches!(self.health, Health::WrongCode | Health::WrongUnits | Health::Fault);
-        if self.clock - self.asked_at < if refused { RETRY_S } else { HELLO_S } {
+        if self.clock - self.hello_at < if refused { RETRY_S } else { HELLO_S } {
             return;
         }
-        self.asked_at = self.clock;
+        self.hello_at = self.clock;
         self.session = self.session.wrapping_add(1);
         self.last = None;
         let rate_hz = self.geometry.drive.rate_hz as u16;
         self.send(Message::Hello(Hello { pairing: self.pairing, rate_hz }));
     }
 
-    fn pull(&mut self, command: &HapticCommand, dt: f64) {
+    /// Sends the tensions for a command; preload builds up and decays gradually.
+    fn send_tensions(&mut self, command: &HapticCommand, dt: f64) {
         let ready = command.enabled && self.calibration.is_some() && command.wrench.is_finite();
         let change = if ready { dt / PRELOAD_UP_S } else { -dt / PRELOAD_DOWN_S };
         self.engaged = (self.engaged + change).clamp(0.0, 1.0);
         let lines = self.lines();
         let least = [self.solver.rule().min; STRINGS];
-        // The empty device itself goes from the least tensions to its preload: no work of what is shown.
+        // The empty device itself moves from minimum tensions to its preload: that is not work of the rendered wrench.
         let rest = lines.wrench(&least) * (1.0 - self.engaged) + self.geometry.preload() * self.engaged;
         let wanted = if ready { command.wrench } else { Wrench::ZERO } + rest;
         let solved = if self.engaged > 0.0 { self.within_limits(&lines, &wanted) } else { least };
-        self.answer.achieved = lines.wrench(&solved) - rest;
+        self.output.achieved = lines.wrench(&solved) - rest;
         let most = self.caps.map_or(0, |c| c.max_mn);
         let tension_mn = solved.map(|t| ((t * 1e3).round() as u16).min(most));
         self.send(Message::Command(Command { time_us: (self.clock * 1e6) as u64 as u32, tension_mn }));
     }
 
-    /// The best tensions whose whole force is no larger than the limit.
+    /// Returns optimal tensions whose total force stays within the limit [N].
     fn within_limits(&mut self, lines: &Lines, wanted: &Wrench) -> [f64; STRINGS] {
         let Tensions { tension, achieved, .. } = self.solver.solve(lines, wanted);
         let least = self.solver.rule().min;
@@ -293,14 +294,14 @@ impl<L: Link> Spidar<L> {
     }
 }
 
-/// A time that counts on where 32 bits begin anew [µs].
+/// Returns a 32-bit time as a 64-bit time that continues after each wrap [µs].
 fn unwrapped(last: u64, time_us: u32) -> u64 {
     let low = u64::from(u32::MAX);
     let time = (last & !low) | u64::from(time_us);
     if time + (1 << 31) < last { time + low + 1 } else { time }
 }
 
-/// The largest share s ≤ 1 for which |a + s b| ≤ limit.
+/// Returns the largest share s ≤ 1 for which |a + s b| ≤ limit [-].
 fn share_within(a: glam::DVec3, b: glam::DVec3, limit: f64) -> f64 {
     if (a + b).length() <= limit || b.length_squared() == 0.0 {
         return 1.0;
@@ -316,32 +317,32 @@ impl<L: Link> HapticDevice for Spidar<L> {
 
     fn exchange(&mut self, command: &HapticCommand, dt: f64) -> HapticSample {
         self.clock += dt;
-        let fresh = self.listen();
+        let fresh = self.receive_frames();
         if self.health == Health::Stopped {
-            return HapticSample { health: Health::Stopped, fresh: false, achieved: Wrench::ZERO, ..self.answer };
+            return HapticSample { health: Health::Stopped, fresh: false, achieved: Wrench::ZERO, ..self.output };
         }
-        if self.talk != Talk::Seeking && self.clock - self.heard_at > SILENCE_S {
+        if self.phase != Phase::Seeking && self.clock - self.received_at > SILENCE_S {
             self.refuse(Health::Lost);
         }
-        match self.talk {
-            Talk::Seeking => {
+        match self.phase {
+            Phase::Seeking => {
                 self.engaged = 0.0;
-                self.answer.achieved = Wrench::ZERO;
-                self.seek();
+                self.output.achieved = Wrench::ZERO;
+                self.send_hello();
             }
-            Talk::Arming => {}
-            Talk::Linked => {
+            Phase::Arming => {}
+            Phase::Linked => {
                 self.health = match (&self.calibration, self.misfit) {
                     (Some(_), _) => Health::Running,
                     (None, true) => Health::Misfit,
                     (None, false) => Health::Uncalibrated,
                 };
-                self.pull(command, dt);
+                self.send_tensions(command, dt);
             }
         }
-        self.answer.health = self.health;
-        self.answer.fresh = fresh;
-        self.answer
+        self.output.health = self.health;
+        self.output.fresh = fresh;
+        self.output
     }
 
     fn stop(&mut self) {
@@ -359,8 +360,8 @@ impl<L: Link> HapticDevice for Spidar<L> {
 }
 
 impl<L> Spidar<L> {
-    /// Where the pan was last.
+    /// Returns the last pose of the pan.
     pub fn pose(&self) -> Pose {
-        self.answer.pose
+        self.output.pose
     }
 }

@@ -1,35 +1,35 @@
-//! Eight strings between motors and a body: their lengths at a pose, and what their tensions do to the body.
+//! Eight strings between motors and a body: lengths at a pose, and the wrench of the tensions.
 
 use glam::DVec3;
 use saute_kitchen::dynamics::Pose;
 
 use crate::wrench::Wrench;
 
-/// Strings of a device.
+/// Number of strings of a device.
 pub const STRINGS: usize = 8;
 
-/// Where strings leave their motors and where they are fixed to the body.
+/// End points of the strings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StringRig {
-    /// Where each string leaves its motor, in the kitchen [m].
+    /// Motor end of each string, in the kitchen [m].
     pub motor: [DVec3; STRINGS],
-    /// Where each string is fixed, in the body's frame [m].
+    /// Body end of each string, in the body's frame [m].
     pub attachment: [DVec3; STRINGS],
 }
 
 /// Straight strings at one pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lines {
-    /// Distance from attachment to motor [m].
+    /// Length from attachment to motor [m].
     pub length: [f64; STRINGS],
-    /// From attachment to motor [-].
+    /// Unit direction from attachment to motor [-].
     pub direction: [DVec3; STRINGS],
-    /// Torque about the body's origin of a unit tension [m].
+    /// Torque about the body's origin per unit tension [m].
     pub lever: [DVec3; STRINGS],
 }
 
 impl StringRig {
-    /// The strings at a pose of the body.
+    /// Returns the strings at a pose of the body.
     pub fn lines(&self, pose: &Pose) -> Lines {
         let mut lines = Lines { length: [0.0; STRINGS], direction: [DVec3::Z; STRINGS], lever: [DVec3::ZERO; STRINGS] };
         for i in 0..STRINGS {
@@ -42,20 +42,20 @@ impl StringRig {
         lines
     }
 
-    /// Whether each string begins and ends within a distance of where another rig's does [m].
+    /// Returns true if all end points lie within `distance` of those of another rig [m].
     pub fn is_near(&self, other: &Self, distance: f64) -> bool {
         let ends = |rig: &Self| rig.motor.into_iter().chain(rig.attachment);
         ends(self).zip(ends(other)).all(|(a, b)| (a - b).length() <= distance)
     }
 
-    /// Lengths at a pose [m].
+    /// Returns the string lengths at a pose [m].
     pub fn lengths(&self, pose: &Pose) -> [f64; STRINGS] {
         self.lines(pose).length
     }
 }
 
 impl Lines {
-    /// What tensions do to the body [N, N·m].
+    /// Returns the wrench of the tensions on the body [N, N·m].
     pub fn wrench(&self, tensions: &[f64; STRINGS]) -> Wrench {
         let mut sum = Wrench::ZERO;
         for (i, t) in tensions.iter().enumerate() {
@@ -64,7 +64,7 @@ impl Lines {
         sum
     }
 
-    /// Force and torque of a unit tension in one string [-, m].
+    /// Returns force and torque per unit tension of one string, a column of the structure matrix [-, m].
     pub fn column(&self, string: usize) -> [f64; 6] {
         Wrench { force: self.direction[string], torque: self.lever[string] }.rows()
     }

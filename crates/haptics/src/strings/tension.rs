@@ -1,34 +1,34 @@
-//! How hard each motor must pull so that the hand feels a wrench.
+//! Tension distribution: the string tensions that render a wrench.
 
 use crate::strings::linear::solve_symmetric;
 use crate::strings::{Lines, STRINGS};
 use crate::wrench::Wrench;
 
-/// What tensions are best.
+/// Parameters of the tension distribution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TensionRule {
-    /// Least tension: strings stay taut [N].
+    /// Minimum tension, which keeps strings taut [N].
     pub min: f64,
-    /// Largest tension [N].
+    /// Maximum tension [N].
     pub max: f64,
-    /// Lever at which a torque error counts as a force error [m].
+    /// Lever l that converts a torque error to a force error [m].
     pub lever: f64,
-    /// Weight of squared tension above the least over squared force error [-].
+    /// Weight ρ of squared tension above the minimum over squared force error [-].
     pub regularisation: f64,
 }
 
-/// Tensions and what they really do.
+/// A tension distribution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tensions {
     /// Tension of each string [N].
     pub tension: [f64; STRINGS],
-    /// The wrench that they make [N, N·m].
+    /// Wrench of these tensions [N, N·m].
     pub achieved: Wrench,
-    /// Systems that were solved.
+    /// Number of linear systems solved.
     pub rounds: u32,
 }
 
-/// Where a tension stands.
+/// Bound at which a tension is held.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Bound {
     Free,
@@ -36,16 +36,34 @@ enum Bound {
     High,
 }
 
-/// Rounds at most; a primal active-set method on eight bounds ends far earlier (chosen).
+/// Maximum number of active-set iterations (chosen: several times what eight bounds need in the tests, and still within a step).
 const ROUNDS: u32 = 64;
-/// Slope below which a bound holds [N] (chosen: far below the wanted 1e-6).
+/// Gradient below which a bound stays active [N] (chosen: far below the required accuracy of 1e-6).
 const TOLERANCE: f64 = 1e-12;
 
-/// Solves the box-constrained quadratic programme
-/// min |Σ tᵢ dᵢ − F|² + |Σ tᵢ rᵢ − T|²/l² + ρ Σ (tᵢ − t_min)², t_min ≤ tᵢ ≤ t_max,
-/// by a primal active-set method that starts from the bounds of the last solution.
+/// Solves the box-constrained quadratic programme of the tensions [N]:
+/// min |Σ tᵢ dᵢ − F|² + |Σ tᵢ rᵢ − T|²/l² + ρ Σ (tᵢ − t_min)² with t_min ≤ tᵢ ≤ t_max.
 ///
-/// Strictly convex for ρ > 0: one solution, found exactly. Allocates nothing.
+/// A primal active-set method starts from the active bounds of the last solution. The problem is strictly convex for ρ > 0, so
+/// its one solution is found exactly. It allocates nothing.
+///
+/// ```
+/// use saute_haptics::{TensionSolver, Wrench, library};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let devices = library::devices()?;
+/// let geometry = &devices["spidar-pan-crossed"];
+/// let lines = geometry.rig().lines(&geometry.home());
+/// let mut solver = TensionSolver::new(geometry.tension_rule());
+/// let weight = Wrench { force: glam::DVec3::new(0.0, 0.0, -3.0), ..Wrench::ZERO };
+/// let rest = solver.solve(&lines, &geometry.preload());
+/// let loaded = solver.solve(&lines, &(geometry.preload() + weight));
+/// let rendered = loaded.achieved - rest.achieved;
+/// assert!((rendered.force - weight.force).length() < 0.1, "{} N", rendered.force);
+/// assert!(loaded.tension.iter().all(|t| *t >= geometry.drive.min_tension_n));
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct TensionSolver {
     rule: TensionRule,
@@ -76,11 +94,11 @@ impl Quadratic {
         Self { h, c }
     }
 
-    fn slope(&self, x: &[f64; STRINGS], i: usize) -> f64 {
+    fn gradient(&self, x: &[f64; STRINGS], i: usize) -> f64 {
         self.c[i] + (0..STRINGS).map(|j| self.h[i][j] * x[j]).sum::<f64>()
     }
 
-    /// The best values of the free tensions while the others stay.
+    /// Returns the minimum over the free tensions while the others stay at their bounds.
     fn best_free(&self, x: &[f64; STRINGS], bounds: &[Bound; STRINGS]) -> Option<[f64; STRINGS]> {
         let mut free = [0; STRINGS];
         let mut n = 0;
@@ -104,32 +122,32 @@ impl Quadratic {
 }
 
 impl TensionSolver {
-    /// A solver that begins at the least tensions.
+    /// Creates a solver that starts from minimum tensions.
     pub fn new(rule: TensionRule) -> Self {
         Self { rule, bounds: [Bound::Low; STRINGS], last: [rule.min; STRINGS] }
     }
 
-    /// The rule that it follows.
+    /// Returns the solver's parameters.
     pub fn rule(&self) -> &TensionRule {
         &self.rule
     }
 
-    /// The best tensions for a wrench [N, N·m] on the body.
+    /// Returns the optimal tensions for a wrench on the body [N].
     pub fn solve(&mut self, lines: &Lines, wrench: &Wrench) -> Tensions {
         let problem = Quadratic::new(lines, wrench, &self.rule);
         let mut rounds = 0;
         while rounds < ROUNDS {
             rounds += 1;
             let Some(y) = problem.best_free(&self.last, &self.bounds) else { break };
-            if self.go_towards(&y) && !self.release(&problem) {
+            if self.move_towards(&y) && !self.release(&problem) {
                 break;
             }
         }
         Tensions { tension: self.last, achieved: lines.wrench(&self.last), rounds }
     }
 
-    /// Goes to `y`, or as far as the first bound allows; tells whether `y` was reached.
-    fn go_towards(&mut self, y: &[f64; STRINGS]) -> bool {
+    /// Moves to `y` or to the first blocking bound; returns true if `y` was reached.
+    fn move_towards(&mut self, y: &[f64; STRINGS]) -> bool {
         let (mut share, mut blocking) = (1.0, None);
         for i in (0..STRINGS).filter(|&i| self.bounds[i] == Bound::Free) {
             let way = y[i] - self.last[i];
@@ -148,14 +166,14 @@ impl TensionSolver {
         blocking.is_none()
     }
 
-    /// Frees the tension whose bound hinders most; tells whether there is one.
+    /// Frees the tension with the largest Lagrange multiplier; returns true if there is one above the tolerance.
     fn release(&mut self, problem: &Quadratic) -> bool {
-        let hindered = |i: usize| match self.bounds[i] {
+        let multiplier = |i: usize| match self.bounds[i] {
             Bound::Free => 0.0,
-            Bound::Low => -problem.slope(&self.last, i),
-            Bound::High => problem.slope(&self.last, i),
+            Bound::Low => -problem.gradient(&self.last, i),
+            Bound::High => problem.gradient(&self.last, i),
         };
-        let worst = (0..STRINGS).map(|i| (i, hindered(i))).fold((0, TOLERANCE), |w, h| if h.1 > w.1 { h } else { w });
+        let worst = (0..STRINGS).map(|i| (i, multiplier(i))).fold((0, TOLERANCE), |w, h| if h.1 > w.1 { h } else { w });
         if worst.1 > TOLERANCE {
             self.bounds[worst.0] = Bound::Free;
         }

@@ -1,4 +1,4 @@
-//! Where a string device works: how far it is from singular, and which wrenches it can show.
+//! Workspace analysis of a string device: distance from singular poses, and the wrenches that it can render.
 
 use saute_kitchen::dynamics::Pose;
 use saute_kitchen::dynamics::pose::about;
@@ -10,48 +10,50 @@ use crate::strings::tension::TensionSolver;
 use crate::strings::{Lines, STRINGS};
 use crate::wrench::Wrench;
 
-/// Axes of a wrench, force first.
+/// Names of the axes of a wrench, force first.
 pub const AXES: [&str; 6] = ["fx", "fy", "fz", "tx", "ty", "tz"];
 
-/// A wrench counts as shown when no more than this is missing: share of it, and newtons (chosen: what hands notice).
+/// Largest relative error of a rendered wrench [-] (chosen: below what hands notice).
 const MISSING: f64 = 0.02;
+/// Largest absolute error of a rendered wrench [N] (chosen: below what hands notice).
 const MISSING_N: f64 = 0.02;
-/// Halvings of the search for the largest wrench (chosen: to a thousandth of the limit).
+/// Number of bisections for the largest wrench (chosen: they resolve a thousandth of the limit).
 const HALVINGS: usize = 12;
-/// Smallest singular value of the strings' directions below which a pose counts as singular [-] (chosen: an encoder's
-/// count then moves the pose by twenty).
+/// Smallest singular value of the structure matrix below which a pose counts as singular [-] (chosen: an encoder count then moves
+/// the pose by twenty pitches).
 const SINGULAR: f64 = 0.05;
-/// Poses along each axis of the workspace (chosen: its middle and its ends).
+/// Grid positions along each axis of the workspace (chosen: its centre and its ends).
 const SHARES: [f64; 3] = [-1.0, 0.0, 1.0];
 
-/// How much of a wrench along each axis can be shown, beyond the empty device [N, N·m].
+/// Largest renderable wrench along each axis, beyond the empty device [N, N·m].
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Reach {
-    /// Towards + along fx, fy, fz, tx, ty, tz.
+    /// In the positive direction of fx, fy, fz, tx, ty, tz [N, N·m].
     pub plus: [f64; 6],
-    /// Towards −.
+    /// In the negative direction [N, N·m].
     pub minus: [f64; 6],
 }
 
-/// The workspace of a device.
+/// Workspace analysis of a device.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct WorkspaceReport {
-    /// At its home.
+    /// Largest wrenches at home [N, N·m].
     pub home: Reach,
-    /// The least over the workspace.
+    /// Minimum of the largest wrenches over the workspace [N, N·m].
     pub least: Reach,
-    /// Smallest singular value at home, torques at the rule's lever [-].
+    /// Smallest singular value of the structure matrix at home, torques over the rule's lever [-].
     pub home_singular_value: f64,
-    /// The least over the workspace.
+    /// Minimum of the smallest singular value over the workspace [-].
     pub least_singular_value: f64,
-    /// Poses that were looked at.
+    /// Number of poses on the grid.
     pub poses: usize,
-    /// How many of them are singular.
+    /// Number of singular poses among them.
     pub singular_poses: usize,
 }
 
-/// Smallest singular value of the strings' directions, torques over a lever [m]; 0 where a motion leaves all lengths as they
-/// are.
+/// Returns the smallest singular value of the structure matrix, torques over a lever [m] [-].
+///
+/// It is 0 where a motion leaves all lengths unchanged.
 pub fn smallest_singular_value(lines: &Lines, lever: f64) -> f64 {
     let mut square = [[0.0; 6]; 6];
     for i in 0..STRINGS {
@@ -64,7 +66,7 @@ pub fn smallest_singular_value(lines: &Lines, lever: f64) -> f64 {
     libm::sqrt(eigenvalues(square).into_iter().fold(f64::INFINITY, f64::min).max(0.0))
 }
 
-/// The largest multiple of a unit wrench that can be shown beyond the empty device, up to `limit`.
+/// Returns the largest multiple of a unit wrench that the device renders beyond its rest, up to `limit` [N or N·m].
 pub fn largest(geometry: &Geometry, lines: &Lines, unit: &Wrench, limit: f64) -> f64 {
     let mut solver = TensionSolver::new(geometry.tension_rule());
     let preload = geometry.preload();
@@ -97,7 +99,7 @@ fn reach(geometry: &Geometry, lines: &Lines) -> Reach {
     Reach { plus: std::array::from_fn(|axis| along(axis, 1.0)), minus: std::array::from_fn(|axis| along(axis, -1.0)) }
 }
 
-/// Looks at the workspace's middle, corners and tilts.
+/// Analyses the workspace on a grid of positions and tilts.
 pub fn report(geometry: &Geometry) -> WorkspaceReport {
     let rig = geometry.rig();
     let lever = geometry.tension_rule().lever;
@@ -126,7 +128,7 @@ pub fn report(geometry: &Geometry) -> WorkspaceReport {
     report
 }
 
-/// Places on a grid over the workspace, upright and tilted each way.
+/// Returns poses on a grid over the workspace, upright and tilted in four directions.
 fn poses(geometry: &Geometry) -> impl Iterator<Item = Pose> {
     let half = glam::DVec3::from_array(geometry.workspace.half_mm) * 1e-3;
     let (home, tilt) = (geometry.home(), geometry.workspace.tilt_deg.to_radians());

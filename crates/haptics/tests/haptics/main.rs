@@ -1,6 +1,6 @@
 //! What haptic devices promise: string devices, the control loop, networked devices and the link to the kitchen.
 
-// A test that unwraps in vain says where.
+// A failed unwrap in a test names its line.
 #![allow(clippy::unwrap_used)]
 
 mod bench_device;

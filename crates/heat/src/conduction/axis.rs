@@ -1,28 +1,30 @@
-//! One axis of a product mesh: straight, or the radius of a cylinder or a sphere.
+//! One axis of a product mesh: a straight coordinate, or the radius of a cylinder or a sphere.
 
 use core::ops::RangeInclusive;
 
-/// How an axis measures length and area.
+/// The coordinate system of an axis: it fixes the measure of a control volume and of its faces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Metric {
-    /// A straight axis.
+    /// A Cartesian coordinate: measure = length [m], face = 1 [-].
     Straight,
-    /// The radius of a cylinder, all the way round.
+    /// The radius of a full cylinder: measure = πr² [m²], face = 2πr [m].
     Cylindrical,
-    /// The radius of a sphere, all directions.
+    /// The radius of a full sphere: measure = 4/3 πr³ [m³], face = 4πr² [m²].
     Spherical,
 }
 
-/// One axis: node positions, ascending [m]; a radius starts at 0. Equal neighbours are the two sides of a contact.
+/// One axis of a product mesh, as ascending node positions [m].
+///
+/// A radius starts at 0. Two equal neighbours are the two sides of a thermal contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// How it measures.
+    /// The coordinate system.
     pub metric: Metric,
-    /// Nodes [m].
+    /// Node positions, ascending [m].
     pub nodes: Vec<f64>,
 }
 
-/// Which end of an axis.
+/// One of the two ends of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// The first node.
@@ -32,12 +34,12 @@ pub enum End {
 }
 
 impl Axis {
-    /// A straight axis.
+    /// Returns a straight axis with the given node positions [m].
     pub fn straight(nodes: Vec<f64>) -> Self {
         Self { metric: Metric::Straight, nodes }
     }
 
-    /// Measure enclosed up to `x`: length, area of the disc, volume of the ball.
+    /// Returns the measure enclosed up to `x`: length [m], disc area [m²] or sphere volume [m³].
     fn enclosed(&self, x: f64) -> f64 {
         use core::f64::consts::PI;
         match self.metric {
@@ -47,7 +49,7 @@ impl Axis {
         }
     }
 
-    /// Measure of the surface at `x`.
+    /// Returns the measure of the face at `x`: 1 [-], circumference [m] or sphere area [m²].
     fn surface(&self, x: f64) -> f64 {
         use core::f64::consts::PI;
         match self.metric {
@@ -57,17 +59,19 @@ impl Axis {
         }
     }
 
-    /// Measure of the surface at an end.
+    /// Returns the measure of the face at an end: 1 [-], 2πr [m] or 4πr² [m²].
     pub fn end_surface(&self, end: End) -> f64 {
         self.surface(self.nodes[self.end_node(end)])
     }
 
-    /// Node at an end.
+    /// Returns the index of the node at an end.
     pub fn end_node(&self, end: End) -> usize {
         if end == End::Low { 0 } else { self.nodes.len() - 1 }
     }
 
-    /// Measures of the two halves of each node's cell, bounded half-way to its neighbours.
+    /// Returns the measures of both halves of each node's control volume [m], [m²] or [m³].
+    ///
+    /// Control volumes end half-way between neighbouring nodes.
     pub fn halves(&self) -> Vec<[f64; 2]> {
         let (nodes, last) = (&self.nodes, self.nodes.len() - 1);
         let half_way = |i: usize, j: usize| 0.5 * (nodes[i] + nodes[j]);
@@ -81,18 +85,20 @@ impl Axis {
             .collect()
     }
 
-    /// Measure of the cell that belongs to each node.
+    /// Returns the measure of each node's control volume [m], [m²] or [m³].
     pub fn cells(&self) -> Vec<f64> {
         self.halves().iter().map(|[low, high]| low + high).collect()
     }
 
-    /// Area over length between node `i` and the next.
+    /// Returns face measure ÷ distance between node `i` and the next [1/m], [-] or [m].
+    ///
+    /// The face lies half-way between the nodes. The value times the measure across the axis is the shape of the edge [m].
     pub fn link(&self, i: usize) -> f64 {
         let (a, b) = (self.nodes[i], self.nodes[i + 1]);
         self.surface(0.5 * (a + b)) / (b - a)
     }
 
-    /// Nodes around `x` within `range`, at most `most`, centred on it as far as the range lets them.
+    /// Returns at most `most` nodes of `range` around `x`, centred on it as far as the range permits.
     fn around(&self, x: f64, range: RangeInclusive<usize>, most: usize) -> RangeInclusive<usize> {
         let (first, last) = (*range.start(), *range.end());
         let count = most.min(last - first + 1);
@@ -101,7 +107,9 @@ impl Axis {
         from..=from + count - 1
     }
 
-    /// Weights that interpolate at `x` by a polynomial through `points` nodes of `range`: 2 is linear, 4 cubic [-].
+    /// Returns the Lagrange weights that interpolate at `x` through `points` nodes of `range` [-].
+    ///
+    /// Two points are linear interpolation, four are cubic. Weights that are zero are left out.
     pub fn weights(&self, x: f64, range: RangeInclusive<usize>, points: usize) -> Vec<(usize, f64)> {
         let used = self.around(x, range, points);
         let weight = |i: usize| -> f64 {
@@ -111,7 +119,7 @@ impl Axis {
         used.clone().map(|i| (i, weight(i))).filter(|(_, w)| *w != 0.0).collect()
     }
 
-    /// Weights that give the slope at `x` of the polynomial through `points` nodes of `range` [1/m].
+    /// Returns the weights of the slope at `x` of the Lagrange polynomial through `points` nodes of `range` [1/m].
     pub fn slope_weights(&self, x: f64, range: RangeInclusive<usize>, points: usize) -> Vec<(usize, f64)> {
         let used = self.around(x, range, points);
         let weight = |i: usize| -> f64 {

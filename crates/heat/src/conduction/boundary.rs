@@ -1,22 +1,30 @@
-//! What lies outside a face.
+//! Boundary conditions of a face.
 
-/// Heat flow into a face as a straight line in the face's temperature, or the temperature itself.
+/// The boundary condition of a face: Robin and Neumann as a flux [W/m²], or Dirichlet as a temperature [K].
+///
+/// ```
+/// use saute_heat::Boundary;
+/// // Oven air of 473 K with 20 W/(m²·K), on a face of 300 K.
+/// let Boundary::Exchange { h, source } = Boundary::convective(20.0, 473.0) else { unreachable!() };
+/// let flux_w_m2 = source - h * 300.0;
+/// assert_eq!(flux_w_m2, 3460.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Boundary {
-    /// Flux into the body = `source` − `h` · T [W/m²].
+    /// Robin boundary: flux into the body q = `source` − `h` · T [W/m²]; `h` = 0 is a Neumann boundary.
     Exchange {
         /// Heat transfer coefficient [W/(m²·K)].
         h: f64,
-        /// h times the temperature outside, and any flux of its own [W/m²].
+        /// `h` × ambient temperature, plus any prescribed flux [W/m²].
         source: f64,
     },
-    /// A given surface temperature [K].
+    /// Dirichlet boundary: prescribed surface temperature [K].
     Fixed(f64),
 }
 
 impl Boundary {
-    /// Convection [W/(m²·K)] towards a temperature [K].
-    pub fn convective(h: f64, outside: f64) -> Self {
-        Self::Exchange { h, source: h * outside }
+    /// Returns the Robin boundary of convection with coefficient `h` [W/(m²·K)] to an ambient temperature [K].
+    pub fn convective(h: f64, ambient: f64) -> Self {
+        Self::Exchange { h, source: h * ambient }
     }
 }

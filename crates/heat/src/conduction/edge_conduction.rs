@@ -1,9 +1,34 @@
-//! Conduction on a graph of lumped nodes and edges.
+//! Explicit heat conduction over the edges of a graph of lumped nodes.
 
 use crate::conduction::graph::Graph;
 use crate::conduction::tensor::LayeredGraph;
 
-/// Conductances of every edge of a [`Graph`], refreshed when the conductivity changes [W/K].
+/// Thermal conductances of all edges of a [`Graph`] [W/K].
+///
+/// Heat flows as Φ_ab = G_ab (T_b − T_a) with G = shape × k. G is refreshed when the thermal conductivity changes.
+///
+/// A stable explicit step of a piece of meat:
+///
+/// ```
+/// use saute_heat::{Conduction, Outline, Section, SweptMesh, graded_levels};
+///
+/// let section = Section::mesh(&Outline::rectangle(0.04, 0.03), 2e-3, 1e-3)?;
+/// let mesh = SweptMesh::new(section, graded_levels(0.02, 1e-3, 1.3, 2e-3));
+/// let capacity: Vec<f64> = mesh.graph.volume.iter().map(|v| 3.7e6 * v).collect();
+/// let mut conduction = Conduction::default();
+/// conduction.refresh(&mesh.graph, &vec![0.48; capacity.len()]);
+/// let step_s = conduction.stable_step(&capacity);
+/// assert!((step_s - 1.064).abs() < 1e-3, "{step_s} s");
+///
+/// // One explicit step from a hot level: no node leaves the range, and energy is conserved.
+/// let mut temperature: Vec<f64> = (0..mesh.node_count()).map(|n| if n < 50 { 100.0 } else { 10.0 }).collect();
+/// let mut power = vec![0.0; capacity.len()];
+/// conduction.add_power(&mesh.graph, &temperature, &mut power);
+/// temperature.iter_mut().zip(power.iter().zip(&capacity)).for_each(|(t, (p, c))| *t += p * step_s / c);
+/// assert!(temperature.iter().all(|t| (10.0 - 1e-9..=100.0 + 1e-9).contains(t)));
+/// assert!(power.iter().sum::<f64>().abs() < 1e-9, "W");
+/// # Ok::<(), saute_heat::MeshError>(())
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Conduction {
     conductance: Vec<f64>,
@@ -12,14 +37,17 @@ pub struct Conduction {
 }
 
 impl Conduction {
-    /// Sets G = shape · k with k the harmonic mean of the ends' thermal conductivity [W/(m·K)].
+    /// Sets the conductances from the thermal conductivity at each node [W/(m·K)].
     ///
-    /// The harmonic mean carries the right flux where a dry crust meets wet flesh (two layers in series).
+    /// G = shape × 2 k_a k_b / (k_a + k_b). The harmonic mean gives the exact flux through two layers in series, such
+    /// as dry crust on wet flesh. Source: Patankar, Numerical Heat Transfer and Fluid Flow (1980), section 4.2-3.
     pub fn refresh(&mut self, graph: &Graph, conductivity: &[f64]) {
         self.refresh_each(graph, |_, a, b| (conductivity[a], conductivity[b]));
     }
 
-    /// As [`Self::refresh`], with the conductivity of both ends asked for by edge: `at(edge, a, b)` [W/(m·K)].
+    /// Sets the conductances from the thermal conductivity at both ends of each edge, `at(edge, a, b)` [W/(m·K)].
+    ///
+    /// Same rule as [`Self::refresh`], for conductivities that depend on the direction of the edge.
     pub fn refresh_each(&mut self, graph: &Graph, at: impl Fn(usize, usize, usize) -> (f64, f64)) {
         self.conductance.resize(graph.ends.len(), 0.0);
         self.total.clear();
@@ -33,8 +61,9 @@ impl Conduction {
         }
     }
 
-    /// As [`Self::refresh`] where an edge lies in a layer of its own and k is told by layer and node; a contact's shape
-    /// is its conductance.
+    /// Sets the conductances of a layered body from the thermal conductivity by layer and node [W/(m·K)].
+    ///
+    /// Same rule as [`Self::refresh`]. Each edge lies in one layer; the shape of a contact is its conductance.
     pub fn refresh_layers(&mut self, edges: &LayeredGraph, conductivity: impl Fn(usize, usize) -> f64) {
         let graph = &edges.graph;
         self.conductance.resize(graph.ends.len(), 0.0);
@@ -52,7 +81,10 @@ impl Conduction {
         }
     }
 
-    /// Adds to `power` the net heat that conduction brings to every node [W]; the sum over all nodes is zero.
+    /// Adds the net conducted heat flow into each node to `power` [W].
+    ///
+    /// Φ_a = Σ_b G_ab (T_b − T_a). Every flow is added at one end and subtracted at the other, so the sum over all nodes
+    /// is zero to rounding: conduction conserves energy.
     pub fn add_power(&self, graph: &Graph, temperature: &[f64], power: &mut [f64]) {
         for (&[a, b], &g) in graph.ends.iter().zip(&self.conductance) {
             let flow = g * (temperature[b as usize] - temperature[a as usize]);
@@ -61,13 +93,17 @@ impl Conduction {
         }
     }
 
-    /// The longest explicit step that keeps every node between its neighbours' temperatures [s]: min C / ΣG over the
-    /// nodes' heat capacities C [J/K].
+    /// Returns the longest explicit Euler step that satisfies the discrete maximum principle [s].
+    ///
+    /// Δt = min C / ΣG over all nodes with heat capacity C [J/K]: no node then leaves the range of its neighbours'
+    /// temperatures. In terms of the cell Fourier number, Σ Fo ≤ 1.
     pub fn stable_step(&self, capacity: &[f64]) -> f64 {
         capacity.iter().zip(&self.total).map(|(c, g)| c / g).fold(f64::INFINITY, f64::min)
     }
 
-    /// As [`Self::stable_step`] where nodes also exchange heat explicitly with their surroundings through `exchange` [W/K].
+    /// Returns the longest explicit Euler step with heat exchange to the surroundings [s].
+    ///
+    /// Δt = min C / (ΣG + `exchange`), with the conductance of each node's Robin boundary in `exchange` [W/K].
     pub fn stable_step_with(&self, capacity: &[f64], exchange: &[f64]) -> f64 {
         let limits = capacity.iter().zip(&self.total).zip(exchange).map(|((c, g), e)| c / (g + e));
         limits.fold(f64::INFINITY, f64::min)

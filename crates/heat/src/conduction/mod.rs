@@ -1,4 +1,4 @@
-//! Heat conduction on lumped nodes: graphs of edges, products of axes, and time steps.
+//! Heat conduction on lumped control volumes: edge graphs, product meshes, and time integration.
 
 pub mod axis;
 pub mod boundary;

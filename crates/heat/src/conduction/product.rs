@@ -1,4 +1,4 @@
-//! Conduction with constant properties on a product mesh: every weight belongs to one axis, so nothing is stored per edge.
+//! Conduction with constant properties on a product mesh: one weight per axis and node, no storage per edge.
 
 use crate::conduction::axis::End;
 use crate::conduction::boundary::Boundary;
@@ -6,7 +6,7 @@ use crate::conduction::column::Between;
 use crate::conduction::super_step::{Rates, Stage, StepStart};
 use crate::conduction::tensor::TensorBody;
 
-/// A layer's constants.
+/// The constant thermal properties of a layer: conductivity [W/(m·K)] and capacity [J/(m³·K)].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constants {
     /// Thermal conductivity [W/(m·K)].
@@ -15,42 +15,75 @@ pub struct Constants {
     pub capacity: f64,
 }
 
-/// A face's boundary: axis, end, what lies outside.
+/// The boundary condition of one face: axis, end of the axis, condition.
 pub type FaceBoundary = (usize, End, Boundary);
 
-/// Rates of change of a body of constant layers: up to two axes across, one along the column.
+/// The conduction operator f(T) = dT/dt of a [`TensorBody`] with constant layers [K/s].
+///
+/// It gives the same rates as the edges of [`TensorBody::layered_graph`] under [`crate::Rule::ShapeFunctions`], to
+/// rounding. A plane is the set of nodes with one index along the vertical axis; its properties are means over its layers.
+/// Up to two axes lie across the vertical one.
+///
+/// The centre of a sphere after a step of its surface temperature:
+///
+/// ```
+/// use saute_heat::Boundary;
+/// use saute_heat::conduction::axis::{Axis, End, Metric};
+/// use saute_heat::conduction::product::{Constants, ProductOperator};
+/// use saute_heat::conduction::super_step::SuperStep;
+/// use saute_heat::conduction::tensor::TensorBody;
+///
+/// // A meatball of radius 15 mm at 283 K in boiling water.
+/// let radius = Axis { metric: Metric::Spherical, nodes: (0..=60).map(|i| 0.25e-3 * f64::from(i)).collect() };
+/// let ball = TensorBody::new(vec![radius]);
+/// let meat = Constants { conductivity: 0.48, capacity: 3.7e6 };
+/// let operator = ProductOperator::new(&ball, &[meat], &[(0, End::High, Boundary::Fixed(373.0))]);
+/// let mut temperature_k = vec![283.0; ball.node_count()];
+/// temperature_k[60] = 373.0;
+/// let mut step = SuperStep::new(ball.node_count());
+/// let stages = SuperStep::stages_for(1.0, operator.stable_step());
+/// (0..300).for_each(|_| step.advance(&mut temperature_k, 1.0, stages, &operator));
+///
+/// // Carslaw & Jaeger (1959), section 9.3.
+/// let fourier = 0.48 / 3.7e6 * 300.0 / (0.015 * 0.015);
+/// let term = |n: i32| (-1f64).powi(n + 1) * (-(f64::from(n) * std::f64::consts::PI).powi(2) * fourier).exp();
+/// let exact_k = 373.0 - 90.0 * 2.0 * (1..20).map(term).sum::<f64>();
+/// assert!((temperature_k[0] - exact_k).abs() < 0.05, "{} K, exact {exact_k} K", temperature_k[0]);
+/// ```
 #[derive(Clone, Debug)]
 pub struct ProductOperator {
     counts: [usize; 3],
-    /// Weights of the neighbour before and after: across [1/m²], along the column [1/s].
+    /// Weights of the previous and the next neighbour: axes across [1/m²], vertical axis [1/s].
     before: [Vec<f64>; 3],
     after: [Vec<f64>; 3],
-    /// Diffusivity across, of each storey [m²/s].
+    /// Thermal diffusivity of each plane along the axes across [m²/s].
     diffusivity: Vec<f64>,
-    /// Height of a storey over its heat capacity: what a flux through a wall across does to it [m²·K/J] · [m].
+    /// Height of each plane ÷ its areal heat capacity: the response to a flux through a side wall [m³·K/J].
     wall: Vec<f64>,
-    /// Exchange at both ends of each axis as h and source: across [1/m] · flux, along the column [K/s].
+    /// Robin boundary at both ends of each axis as h and source: axes across per length, vertical axis [1/s] and [K/s].
     exchange: [[Option<[f64; 2]>; 2]; 3],
     fixed: [[bool; 2]; 3],
 }
 
 impl ProductOperator {
-    /// Takes the weights of a body; its axes across come first, the vertical one last.
+    /// Returns the operator of a body with the properties of its layers and the conditions of its faces.
+    ///
+    /// A face without a condition is adiabatic. Axes across the vertical one come first in the body, the vertical one last.
     pub fn new(body: &TensorBody, layers: &[Constants], boundaries: &[FaceBoundary]) -> Self {
-        let storeys = body.vertical.map_or(1, |v| body.axes[v].nodes.len());
+        let planes = body.vertical.map_or(1, |v| body.axes[v].nodes.len());
         let across: Vec<usize> = (0..body.axes.len()).filter(|a| Some(*a) != body.vertical).collect();
         let count = |slot: usize| across.get(slot).map_or(1, |&a| body.axes[a].nodes.len());
         let mut operator = Self {
-            counts: [count(0), count(1), storeys],
-            before: [vec![0.0; count(0)], vec![0.0; count(1)], vec![0.0; storeys]],
-            after: [vec![0.0; count(0)], vec![0.0; count(1)], vec![0.0; storeys]],
-            diffusivity: vec![0.0; storeys],
-            wall: vec![0.0; storeys],
+            counts: [count(0), count(1), planes],
+            before: [vec![0.0; count(0)], vec![0.0; count(1)], vec![0.0; planes]],
+            after: [vec![0.0; count(0)], vec![0.0; count(1)], vec![0.0; planes]],
+            diffusivity: vec![0.0; planes],
+            wall: vec![0.0; planes],
             exchange: [[None; 2]; 3],
             fixed: [[false; 2]; 3],
         };
         across.iter().enumerate().for_each(|(slot, &a)| operator.set_across(slot, body, a));
-        let capacity = operator.set_storeys(body, layers);
+        let capacity = operator.set_planes(body, layers);
         operator.set_column(body, layers, &capacity);
         for &(axis, end, boundary) in boundaries {
             let slot = across.iter().position(|&a| a == axis);
@@ -68,16 +101,16 @@ impl ProductOperator {
         }
     }
 
-    /// Sets what each storey does across; returns its heat capacity over the area across [J/(m²·K)].
-    fn set_storeys(&mut self, body: &TensorBody, layers: &[Constants]) -> Vec<f64> {
-        let sum = |storey: usize, of: &dyn Fn(&Constants) -> f64| -> f64 {
-            body.storey_parts(storey).map(|(layer, height)| of(&layers[layer]) * height).sum()
+    /// Sets the properties of each plane for the axes across; returns their areal heat capacities [J/(m²·K)].
+    fn set_planes(&mut self, body: &TensorBody, layers: &[Constants]) -> Vec<f64> {
+        let sum = |plane: usize, of: &dyn Fn(&Constants) -> f64| -> f64 {
+            body.plane_parts(plane).map(|(layer, height)| of(&layers[layer]) * height).sum()
         };
-        let plate = |storey: usize| if storey == 0 { body.column.plate } else { 0.0 };
+        let plate = |plane: usize| if plane == 0 { body.column.plate } else { 0.0 };
         let capacity: Vec<f64> = (0..self.counts[2]).map(|s| sum(s, &|l| l.capacity) + plate(s)).collect();
-        for (storey, capacity) in capacity.iter().enumerate() {
-            self.diffusivity[storey] = sum(storey, &|l| l.conductivity) / capacity;
-            self.wall[storey] = sum(storey, &|_| 1.0) / capacity;
+        for (plane, capacity) in capacity.iter().enumerate() {
+            self.diffusivity[plane] = sum(plane, &|l| l.conductivity) / capacity;
+            self.wall[plane] = sum(plane, &|_| 1.0) / capacity;
         }
         capacity
     }
@@ -111,7 +144,9 @@ impl ProductOperator {
         }
     }
 
-    /// The longest explicit step whose rates no node outruns [s]: 1 / max Σ weights.
+    /// Returns the longest explicit Euler step that satisfies the discrete maximum principle [s].
+    ///
+    /// Δt = 1 / max Σ weights over all nodes; with Robin boundaries on side walls the value is a lower bound.
     pub fn stable_step(&self) -> f64 {
         let [nx, ny, nz] = self.counts;
         let widest = |slot: usize, n: usize| {
@@ -122,12 +157,12 @@ impl ProductOperator {
         let links =
             |slot: usize, n: usize| (0..n).map(|i| self.before[slot][i] + self.after[slot][i]).fold(0.0, f64::max);
         let (x, y) = (links(0, nx) + links(1, ny), widest(0, nx) + widest(1, ny));
-        let storey = |k: usize| {
-            // Across, exchange is scaled by the wall and links by the diffusivity; their sum bounds both from above.
+        let plane = |k: usize| {
+            // Robin terms scale with `wall` and links with the diffusivity; the sum of both maxima is an upper bound.
             let across = self.diffusivity[k] * x + self.wall[k] * (y - x);
             across + self.before[2][k] + self.after[2][k] + self.end_exchange(2, k)[0]
         };
-        1.0 / (0..nz).map(storey).fold(0.0, f64::max)
+        1.0 / (0..nz).map(plane).fold(0.0, f64::max)
     }
 
     fn end_exchange(&self, slot: usize, i: usize) -> [f64; 2] {
@@ -149,7 +184,7 @@ impl ProductOperator {
         }
         let base = (k * ny + j) * n;
         let here = &t[base..base + n];
-        // A neighbour that is not there has no weight; the row itself stands in for it.
+        // A missing neighbour has zero weight; the row itself is read in its place.
         let near = |there: bool, at: usize| if there { &t[at..at + n] } else { here };
         let stride = n * ny;
         let row = Row {
@@ -166,7 +201,7 @@ impl ProductOperator {
         self.finish_ends(here, self.wall[k], rate);
     }
 
-    /// Exchange at both ends of a row.
+    /// Adds the Robin terms at both ends of a row and zeroes the rates of Dirichlet nodes [K/s].
     fn finish_ends(&self, here: &[f64], wall: f64, rate: &mut [f64]) {
         for (side, i) in [(0, 0), (1, here.len() - 1)] {
             if let Some([h, source]) = self.exchange[0][side] {
@@ -184,7 +219,7 @@ impl ProductOperator {
     }
 }
 
-/// A row of nodes with its neighbours across it.
+/// Temperatures of a row of nodes and of its four neighbour rows [K].
 struct Row<'a> {
     here: &'a [f64],
     y: [&'a [f64]; 2],
@@ -192,7 +227,7 @@ struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// rate = a (before · T₋ + after · T₊ − (before + after) T) + Σ weights · neighbours − own · T + source.
+    /// Writes rate = a (before · T₋ + after · T₊ − (before + after) T) + Σ weights · neighbours − own · T + source [K/s].
     #[inline]
     fn add_up(&self, a: f64, along: [&[f64]; 2], w: [f64; 4], [own, source]: [f64; 2], rate: &mut [f64]) {
         let n = self.here.len();
@@ -232,7 +267,7 @@ impl Rates for ProductOperator {
         }
     }
 
-    /// Row by row, so that rates never leave the nearest cache.
+    /// Works row by row, so that the rates stay in the first-level cache.
     fn stage(&self, weights: &Stage, t: &[f64], start: StepStart, y: &mut [f64], scratch: &mut [f64]) {
         let n = self.counts[0];
         let rate = &mut scratch[..n];
@@ -274,7 +309,7 @@ mod tests {
         ]
     }
 
-    /// The same rates from edges and nodes.
+    /// Returns the same rates, assembled over edges and nodes [K/s].
     fn by_edges(body: &TensorBody, boundaries: &[FaceBoundary], t: &[f64]) -> Vec<f64> {
         let edges = body.layered_graph(Rule::ShapeFunctions);
         let mut conduction = Conduction::default();
@@ -294,7 +329,7 @@ mod tests {
     }
 
     #[test]
-    fn rates_are_those_of_the_edges() {
+    fn rates_equal_those_of_the_edge_graph() {
         for body in bodies() {
             let mut boundaries: Vec<FaceBoundary> = (0..body.axes.len())
                 .map(|a| (a, End::High, Boundary::convective(30.0 * (a + 1) as f64, 400.0)))
@@ -316,7 +351,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fixed_face_stays_and_a_stage_is_rates_and_weights() {
+    fn a_dirichlet_face_keeps_its_temperature_and_a_stage_is_the_weighted_sum_of_rates() {
         let body = &bodies()[0];
         let boundaries = [(2, End::Low, Boundary::Fixed(300.0)), (0, End::High, Boundary::Fixed(300.0))];
         let operator = ProductOperator::new(body, &LAYERS, &boundaries);

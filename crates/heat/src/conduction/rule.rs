@@ -1,18 +1,21 @@
-//! The two rules that turn a mesh into conductances.
+//! The two discretisations that turn a mesh into edge conductances.
 
-/// How the edges of a mesh conduct.
+/// The discretisation of conduction on a mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Rule {
-    /// Linear shape functions: area over length of the cells that meet at the edge; converges at second order.
+    /// Linear shape functions (cotangent weights): face area ÷ length; second-order accurate in space.
     #[default]
     ShapeFunctions,
-    /// A rod along every edge of the mesh with a cross-section of V^(2/3), V the mean of both nodes' volumes: right on a
-    /// lattice of cubes alone, kept for comparison. Heat enters at the vertices that lie on the face (our meshes have
-    /// none close below it, so any distance up to the first spacing is the same), each by its share of the area.
+    /// A rod of cross-section V^(2/3) along every edge, with V the mean volume of its two nodes.
+    ///
+    /// Exact only on a lattice of cubes; kept for comparison with the method of the literature. Heat enters at the nodes
+    /// on the face, each with its share of the face area.
     Segments,
 }
 
-/// Shape of an edge under [`Rule::Segments`]: V^(2/3) over length, V the mean of both ends' volumes [m].
+/// Returns the shape factor of an edge under [`Rule::Segments`] [m].
+///
+/// shape = V^(2/3) ÷ `length`, with V the mean of the two nodes' `volumes` [m³].
 pub fn segment_shape(volumes: [f64; 2], length: f64) -> f64 {
     let root = libm::cbrt(0.5 * (volumes[0] + volumes[1]));
     root * root / length

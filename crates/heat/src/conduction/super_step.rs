@@ -1,9 +1,30 @@
-//! Second-order super-time-stepping: one long step of a few stages in place of many short ones.
+//! Runge–Kutta–Legendre super-time-stepping of second order (RKL2).
 
-/// Runge–Kutta–Legendre steps of second order.
+/// A Runge–Kutta–Legendre integrator of second order (RKL2) with its work arrays.
 ///
-/// A step of s stages is stable up to (s² + s − 2)/4 explicit steps; source: Meyer, Balsara, Aslam 2014,
-/// J. Comput. Phys. 257:594, eqs. 16–18.
+/// A step of s stages is stable up to (s² + s − 2)/4 explicit Euler steps. It suits symmetric diffusion operators with
+/// real negative eigenvalues; it does not satisfy the maximum principle between stages. Source: Meyer, Balsara, Aslam
+/// 2014, J. Comput. Phys. 257:594, eqs. 16–18.
+///
+/// ```
+/// use saute_heat::conduction::super_step::{Rates, SuperStep};
+///
+/// // Newton's law of cooling with time constants of 1 s and 100 s.
+/// struct Cooling;
+/// impl Rates for Cooling {
+///     fn rates(&self, t: &[f64], rate: &mut [f64]) {
+///         (rate[0], rate[1]) = (-t[0], -0.01 * t[1]);
+///     }
+/// }
+/// // An explicit step of the fast mode that obeys the maximum principle is 1 s; a step of 6 s needs 5 stages.
+/// let stages = SuperStep::stages_for(6.0, 1.0);
+/// assert_eq!(stages, 5);
+/// let mut excess_k = vec![80.0, 80.0];
+/// let mut step = SuperStep::new(2);
+/// (0..10).for_each(|_| step.advance(&mut excess_k, 6.0, stages, &Cooling));
+/// assert!(excess_k[0].abs() < 1.1, "{} K", excess_k[0]);
+/// assert!((excess_k[1] - 80.0 * (-0.6f64).exp()).abs() < 0.01, "{} K", excess_k[1]);
+/// ```
 #[derive(Clone, Debug)]
 pub struct SuperStep {
     previous: Vec<f64>,
@@ -12,43 +33,50 @@ pub struct SuperStep {
     scratch: Vec<f64>,
 }
 
-/// Weights of one stage: y ← `previous` · t + `before` · y + `start` · t₀ + `slope` · f(t) + `slope_at_start` · f(t₀).
+/// The weights of one RKL2 stage, some dimensionless [-] and some times [s].
+///
+/// y ← `previous` · t + `before` · y + `start` · t₀ + `slope` · f(t) + `slope_at_start` · f(t₀), with the previous stage
+/// in t and the one before it in y.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage {
-    /// Weight of the stage before [-].
+    /// Weight of stage j − 1 [-].
     pub previous: f64,
-    /// Weight of the stage before that [-].
+    /// Weight of stage j − 2 [-].
     pub before: f64,
     /// Weight of the state at the start of the step [-].
     pub start: f64,
-    /// Weight of the rates of the stage before [s].
+    /// Weight of the rates of stage j − 1 [s].
     pub slope: f64,
     /// Weight of the rates at the start of the step [s].
     pub slope_at_start: f64,
 }
 
-/// State and rates at the start of a step.
+/// The state [K] and its rates [K/s] at the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct StepStart<'a> {
-    /// Unknowns.
+    /// Unknowns [K].
     pub state: &'a [f64],
-    /// Their rates [1/s].
+    /// Their rates [K/s].
     pub rates: &'a [f64],
 }
 
-/// A system dT/dt = f(T).
+/// A system of ordinary differential equations dT/dt = f(T) [K/s].
 pub trait Rates {
-    /// Writes the rate of every unknown [1/s].
+    /// Writes the rate of every unknown to `rate` [K/s].
     fn rates(&self, t: &[f64], rate: &mut [f64]);
 
-    /// Begins a step of which `t` is the state: keeps it in `start`, writes its rates, and y ← t + `share` · rates.
+    /// Starts a step from the state `t` with the first stage y ← t + `share` · f(t), `share` in [s].
+    ///
+    /// Copies `t` to `start` and writes f(t) to `rates`.
     fn begin(&self, share: f64, t: &[f64], start: &mut [f64], rates: &mut [f64], y: &mut [f64]) {
         start.copy_from_slice(t);
         self.rates(t, rates);
         y.iter_mut().zip(t.iter().zip(rates.iter())).for_each(|(y, (t, f))| *y = t + share * f);
     }
 
-    /// Makes one stage: `y` holds the stage before last and gets the new one. `scratch` is as long as `y`.
+    /// Computes one stage from stage j − 1 in `t` and stage j − 2 in `y`, and writes it to `y` [K].
+    ///
+    /// `scratch` has the length of `y`.
     fn stage(&self, weights: &Stage, t: &[f64], start: StepStart, y: &mut [f64], scratch: &mut [f64]) {
         self.rates(t, scratch);
         weights.combine(t, start, scratch, y);
@@ -56,7 +84,7 @@ pub trait Rates {
 }
 
 impl Stage {
-    /// Weights of stage `j` ≥ 2 of `s` in a step of `dt` [s].
+    /// Returns the weights of stage `j` ≥ 2 of `s` in a step of `dt` [s].
     fn new(j: usize, s: usize, dt: f64) -> Self {
         let x = j as f64;
         let mu = (2.0 * x - 1.0) / x * b(j) / b(j - 1);
@@ -65,7 +93,7 @@ impl Stage {
         Self { previous: mu, before: nu, start: 1.0 - mu - nu, slope, slope_at_start: -(1.0 - b(j - 1)) * slope }
     }
 
-    /// Adds up: y ← … for rows of equal length, given f(t) in `rate`.
+    /// Writes the weighted sum of the stage to `y`, given f(t) in `rate`; all slices have one length [K].
     #[inline]
     pub fn combine(&self, t: &[f64], start: StepStart, rate: &[f64], y: &mut [f64]) {
         let n = y.len();
@@ -80,34 +108,38 @@ impl Stage {
     }
 }
 
+/// Coefficient b_j of RKL2 [-].
 fn b(j: usize) -> f64 {
     let x = j as f64;
     if j < 2 { 1.0 / 3.0 } else { (x * x + x - 2.0) / (2.0 * x * (x + 1.0)) }
 }
 
+/// Coefficient w₁ of RKL2 with s stages [-].
 fn w(s: usize) -> f64 {
     4.0 / ((s * s + s - 2) as f64)
 }
 
 impl SuperStep {
-    /// Steps for `nodes` unknowns.
+    /// Returns an integrator for `nodes` unknowns.
     pub fn new(nodes: usize) -> Self {
         let zeros = || vec![0.0; nodes];
         Self { previous: zeros(), start: zeros(), slope_at_start: zeros(), scratch: zeros() }
     }
 
-    /// How many explicit steps long a step of `stages` may be [-].
+    /// Returns the stability limit of a step of `stages` in explicit Euler steps, (s² + s − 2)/4 [-].
     pub fn reach(stages: usize) -> f64 {
         1.0 / w(stages.max(2))
     }
 
-    /// Fewest stages, an odd number from 3, that carry a step of `dt` where an explicit step may be `explicit` long. Even
-    /// numbers leave the fastest mode undamped at the limit (the paper's advice).
+    /// Returns the smallest odd number of stages, from 3, that is stable for a step of `dt` [-].
+    ///
+    /// `explicit` is the stable explicit Euler step; both are in [s]. Even numbers of stages do not damp the fastest mode
+    /// at the limit (advice of Meyer et al. 2014). The result is capped at 999 stages.
     pub fn stages_for(dt: f64, explicit: f64) -> usize {
         (3..1000).step_by(2).find(|s| Self::reach(*s) * explicit >= dt * (1.0 - 1e-12)).unwrap_or(999)
     }
 
-    /// Moves `t` by `dt` [s] in `stages` ≥ 2 stages.
+    /// Advances `t` by `dt` [s] with one RKL2 step of `stages` stages, at least 2.
     pub fn advance(&mut self, t: &mut Vec<f64>, dt: f64, stages: usize, system: &impl Rates) {
         let s = stages.max(2);
         system.begin(b(1) * w(s) * dt, t, &mut self.start, &mut self.slope_at_start, &mut self.previous);
@@ -119,14 +151,14 @@ impl SuperStep {
         std::mem::swap(t, &mut self.previous);
     }
 
-    /// Moves `t` by `dt` [s] in one explicit step of first order.
+    /// Advances `t` by `dt` [s] with one explicit Euler step.
     pub fn euler(&mut self, t: &mut [f64], dt: f64, system: &impl Rates) {
         self.start.copy_from_slice(t);
         system.rates(t, &mut self.slope_at_start);
         t.iter_mut().zip(&self.slope_at_start).for_each(|(t, rate)| *t += dt * rate);
     }
 
-    /// The state before the last step.
+    /// Returns the state before the last step [K].
     pub fn start(&self) -> &[f64] {
         &self.start
     }
@@ -144,7 +176,6 @@ mod tests {
         }
     }
 
-    /// Decay at several rates: the error falls at second order.
     #[test]
     fn the_error_of_decay_falls_at_second_order() {
         let decay = Decay(vec![0.3, 1.0, 2.0]);
@@ -162,7 +193,7 @@ mod tests {
 
     #[test]
     fn stiff_decay_stays_bounded_at_the_stated_limit() {
-        // The fastest rate allows explicit steps of 1: 2 / rate.
+        // The fastest rate, 2 per second, permits explicit steps of 2 / rate = 1 s.
         let decay = Decay(vec![2.0, 0.01]);
         for s in [2, 5, 9, 20] {
             let mut t = vec![1.0, 1.0];

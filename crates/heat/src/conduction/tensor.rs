@@ -1,41 +1,46 @@
-//! Bodies whose mesh is a product of one-dimensional meshes: slab, box, cylinder, sphere, and stacks of them.
+//! Bodies on a product of one-dimensional meshes: slab, box, cylinder, sphere, and layered stacks of them.
 
 use crate::conduction::axis::{Axis, End};
 use crate::conduction::column::{Between, Column};
 use crate::conduction::graph::Graph;
 use crate::conduction::rule::{Rule, segment_shape};
 
-/// A product of up to three axes; node index = Σ iₐ · stride, the first axis fastest.
+/// A body on the product of up to three axes, with the volumes of its control volumes [m³].
+///
+/// Node index = Σ iₐ · strideₐ, the first axis fastest. A body with one straight axis is an infinite slab: its volumes,
+/// areas and capacities are per square metre of face.
 #[derive(Clone, Debug)]
 pub struct TensorBody {
-    /// Axes.
+    /// The axes.
     pub axes: Vec<Axis>,
-    /// Which axis the column lies along; none where one material fills the body and nothing is up or down (a sphere).
+    /// Index of the vertical axis, along which layers are stacked; `None` for a sphere of one material.
     pub vertical: Option<usize>,
-    /// Make-up of the vertical axis.
+    /// Composition of the vertical axis.
     pub column: Column,
-    /// Volume of each node's cell [m³]; of a slab per m².
+    /// Volume of each node's control volume [m³]; for a slab per square metre.
     pub volume: Vec<f64>,
     strides: Vec<usize>,
     cells: Vec<Vec<f64>>,
     halves: Vec<[f64; 2]>,
 }
 
-/// A piece of a node's cell that is of one material.
+/// The part of a control volume that consists of one material [m³].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Part {
-    /// Which layer.
+    /// Index of the layer.
     pub layer: usize,
-    /// Its volume [m³]; of a slab per m².
+    /// Volume [m³]; for a slab per square metre.
     pub volume: f64,
 }
 
-/// Edges of a [`TensorBody`]: two-point fluxes, which are the linear elements of right-angled meshes.
+/// The edges of a [`TensorBody`] with their layers [m].
+///
+/// Two-point fluxes; on right-angled meshes they are identical to linear shape functions with lumped mass.
 #[derive(Clone, Debug, Default)]
 pub struct LayeredGraph {
     /// Nodes and edges; the shape of a contact is its conductance [W/K].
     pub graph: Graph,
-    /// Layer of each edge; none for a contact.
+    /// Layer of each edge; `None` for a contact.
     pub layer: Vec<Option<usize>>,
 }
 
@@ -49,7 +54,7 @@ impl LayeredGraph {
 }
 
 impl TensorBody {
-    /// A body of one material; its last axis is vertical unless it is a radius.
+    /// Returns a body of one material; its last axis is vertical unless it is a radius.
     pub fn new(axes: Vec<Axis>) -> Self {
         let last = axes.len() - 1;
         let vertical = (axes[last].metric == crate::conduction::axis::Metric::Straight).then_some(last);
@@ -57,7 +62,7 @@ impl TensorBody {
         Self::stacked(axes, vertical, column)
     }
 
-    /// A body of layers along its vertical axis.
+    /// Returns a body with layers along its vertical axis.
     pub fn stacked(axes: Vec<Axis>, vertical: Option<usize>, column: Column) -> Self {
         let cells: Vec<Vec<f64>> = axes.iter().map(Axis::cells).collect();
         let halves = vertical.map_or_else(|| vec![[0.0, 1.0]], |v| axes[v].halves());
@@ -72,37 +77,37 @@ impl TensorBody {
         body
     }
 
-    /// Nodes.
+    /// Returns the number of nodes.
     pub fn node_count(&self) -> usize {
         self.volume.len()
     }
 
-    /// Position of a node along an axis, as an index.
+    /// Returns the index of a node along an axis.
     pub fn place(&self, node: usize, axis: usize) -> usize {
         node / self.strides[axis] % self.axes[axis].nodes.len()
     }
 
-    /// Position of a node along the vertical axis, as an index.
-    pub fn storey(&self, node: usize) -> usize {
+    /// Returns the plane of a node: its index along the vertical axis, 0 without one.
+    pub fn plane(&self, node: usize) -> usize {
         self.vertical.map_or(0, |v| self.place(node, v))
     }
 
-    /// Layers within a storey's height with their share of it: measure along the vertical axis [m]; 1 where there is none.
-    pub fn storey_parts(&self, storey: usize) -> impl Iterator<Item = (usize, f64)> + use<> {
-        let layers = if self.vertical.is_some() { self.column.layers_at(storey) } else { [None, Some(0)] };
-        let [low, high] = self.halves[storey];
+    /// Returns the layers within a plane's control volumes with their heights [m]; a height of 1 without a vertical axis.
+    pub fn plane_parts(&self, plane: usize) -> impl Iterator<Item = (usize, f64)> + use<> {
+        let layers = if self.vertical.is_some() { self.column.layers_at(plane) } else { [None, Some(0)] };
+        let [low, high] = self.halves[plane];
         let heights = if layers[0] == layers[1] { [low + high, 0.0] } else { [low, high] };
         let parts = layers.into_iter().zip(heights);
         parts.filter_map(|(layer, height)| layer.map(|l| (l, height))).filter(|(_, height)| *height > 0.0)
     }
 
-    /// The materials of a node's cell.
+    /// Returns the materials of a node's control volume with their volumes [m³].
     pub fn parts(&self, node: usize) -> impl Iterator<Item = Part> + use<> {
         let across = self.vertical.map_or_else(|| self.volume[node], |v| self.across(node, v));
-        self.storey_parts(self.storey(node)).map(move |(layer, height)| Part { layer, volume: across * height })
+        self.plane_parts(self.plane(node)).map(move |(layer, height)| Part { layer, volume: across * height })
     }
 
-    /// Heat capacity of the lumped plate at a node [J/K]; of a slab per m².
+    /// Returns the heat capacity of the lumped plate at a node [J/K]; for a slab per square metre.
     pub fn plate_capacity(&self, node: usize) -> f64 {
         match self.vertical {
             Some(v) if self.place(node, v) == 0 => self.column.plate * self.across(node, v),
@@ -110,12 +115,12 @@ impl TensorBody {
         }
     }
 
-    /// Measure of a node's cell across an axis.
+    /// Returns the measure of a node's control volume across an axis: the product over all other axes [m²].
     pub fn across(&self, node: usize, axis: usize) -> f64 {
         (0..self.axes.len()).filter(|&b| b != axis).map(|b| self.cells[b][self.place(node, b)]).product()
     }
 
-    /// Edges under a rule.
+    /// Returns the edges under a discretisation rule, with shape factors [m].
     pub fn layered_graph(&self, rule: Rule) -> LayeredGraph {
         let mut edges = LayeredGraph::default();
         edges.graph.volume.clone_from(&self.volume);
@@ -129,7 +134,7 @@ impl TensorBody {
         edges
     }
 
-    /// Joins a node with the next along an axis.
+    /// Adds the edges between a node and the next one along an axis: one per layer, or one contact.
     fn push_link(&self, edges: &mut LayeredGraph, node: usize, axis: usize, rule: Rule) {
         let (i, ends) = (self.place(node, axis), [node, node + self.strides[axis]]);
         if self.vertical == Some(axis) {
@@ -144,6 +149,7 @@ impl TensorBody {
         }
     }
 
+    /// Returns the shape factor of the edge between two nodes along an axis [m].
     fn shape(&self, ends: [usize; 2], axis: usize, rule: Rule) -> f64 {
         let i = self.place(ends[0], axis);
         match rule {
@@ -156,8 +162,9 @@ impl TensorBody {
         }
     }
 
-    /// Section of the column that stands for an infinite slab under [`Rule::Segments`]: as wide as the mean spacing, so
-    /// that evenly spaced nodes own cubes [m²]; 1 for bodies with a volume of their own.
+    /// Returns the cross-section of the column that represents an infinite slab under [`Rule::Segments`] [m²].
+    ///
+    /// Its width is the mean spacing, so that evenly spaced nodes have cubic control volumes. 1 for bodies of finite volume.
     fn column_section(&self) -> f64 {
         if self.axes.len() > 1 || self.vertical.is_none() {
             return 1.0;
@@ -167,20 +174,25 @@ impl TensorBody {
         mean * mean
     }
 
-    /// Nodes of a face with their areas [m²] (a slab: per m²; the low end of a radius has none).
+    /// Returns the nodes of a face with their areas [m²]; for a slab per square metre.
+    ///
+    /// The low end of a radius has no area and returns no node.
     pub fn face(&self, axis: usize, end: End) -> Vec<(usize, f64)> {
         let (index, surface) = (self.axes[axis].end_node(end), self.axes[axis].end_surface(end));
         let on_face = (0..self.node_count()).filter(|&n| self.place(n, axis) == index);
         on_face.map(|n| (n, surface * self.across(n, axis))).filter(|(_, area)| *area > 0.0).collect()
     }
 
-    /// Nodes and weights that interpolate at a point (one coordinate an axis) [m] by polynomials through `points` nodes
-    /// along every axis, never across the border of a layer.
+    /// Returns nodes and weights that interpolate at a point given by one coordinate per axis [-].
+    ///
+    /// Polynomials through `points` nodes along every axis, never across the interface of two layers.
     pub fn locate(&self, point: &[f64], points: usize) -> Vec<(usize, f64)> {
         self.product((0..point.len()).map(|a| self.axes[a].weights(point[a], self.range(a, point[a]), points)))
     }
 
-    /// Nodes and weights [1/m] that give the slope along the vertical axis at a point, taken within the layer above it.
+    /// Returns nodes and weights of the slope along the vertical axis at a point [1/m].
+    ///
+    /// At an interface the slope is that of the layer above.
     pub fn locate_slope(&self, point: &[f64], points: usize) -> Vec<(usize, f64)> {
         self.product((0..point.len()).map(|a| {
             let (axis, range) = (&self.axes[a], self.range(a, point[a]));
@@ -189,7 +201,7 @@ impl TensorBody {
         }))
     }
 
-    /// Layer at a height of the vertical axis, the upper one at a border.
+    /// Returns the layer at a height of the vertical axis [m], the upper one at an interface.
     pub fn layer_at(&self, height: f64) -> Option<usize> {
         let Some(v) = self.vertical else { return Some(0) };
         let [below, above] = self.column.layers_at(self.node_below(v, height));
@@ -197,12 +209,12 @@ impl TensorBody {
     }
 
     fn node_below(&self, axis: usize, x: f64) -> usize {
-        // A point on a node belongs to what lies above it, whatever rounding did to its coordinate.
+        // A point on a node belongs to the layer above it; the slack covers rounding of its coordinate [m].
         let slack = 1e-9;
         self.axes[axis].nodes.partition_point(|&n| n <= x + slack).max(1) - 1
     }
 
-    /// Nodes that may interpolate at `x` along an axis.
+    /// Returns the nodes that may interpolate at `x` along an axis.
     fn range(&self, axis: usize, x: f64) -> core::ops::RangeInclusive<usize> {
         if self.vertical == Some(axis) {
             self.column.layer_around(self.node_below(axis, x))
@@ -211,6 +223,7 @@ impl TensorBody {
         }
     }
 
+    /// Returns the tensor product of the weights of all axes.
     fn product(&self, weights: impl Iterator<Item = Vec<(usize, f64)>>) -> Vec<(usize, f64)> {
         weights.zip(&self.strides).fold(vec![(0, 1.0)], |found, (along, stride)| {
             let pairs = found.iter().flat_map(|&(node, w)| along.iter().map(move |&(i, v)| (node + i * stride, w * v)));

@@ -1,19 +1,29 @@
-//! A straight cut through a cross-section, carried along the path: the plane that shows the inside.
+//! Straight cuts through a cross-section; swept along the path, a cut is the plane that shows the inside of a body.
 
 use crate::mesh::section::Section;
 
-/// Where a cut line crosses an edge of the section.
+/// The crossing of a cut line and an edge of the section.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CutPoint {
     /// Distance along the cut from its reference point [m].
     pub along: f64,
-    /// The crossed edge's ends.
+    /// Nodes at the ends of the crossed edge.
     pub nodes: [u32; 2],
-    /// Share of the second end [-].
+    /// Linear weight of the second node [-].
     pub share: f64,
 }
 
-/// A cut: crossings in order along the line.
+/// A cut, as its crossings with edges in order along the line [m].
+///
+/// ```
+/// use saute_heat::{Cut, Outline, Section};
+///
+/// let section = Section::mesh(&Outline::rectangle(0.04, 0.03), 2e-3, 1e-3)?;
+/// let cut = Cut::new(&section, [0.01, 0.0], [0.0, 1.0]);
+/// let length_m: f64 = cut.lengths().iter().sum();
+/// assert!((length_m - 0.03).abs() < 1e-9, "{length_m} m");
+/// # Ok::<(), saute_heat::MeshError>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cut {
     /// Crossings, ascending along the line; empty where the line misses the section.
@@ -21,7 +31,7 @@ pub struct Cut {
 }
 
 impl Cut {
-    /// Cuts a section along the line through `point` with unit `direction`.
+    /// Returns the cut along the line through `point` [m] with unit `direction` [-].
     pub fn new(section: &Section, point: [f64; 2], direction: [f64; 2]) -> Self {
         let offset = |i: u32| {
             let p = section.points[i as usize];
@@ -32,8 +42,8 @@ impl Cut {
             (p[0] - point[0]) * direction[0] + (p[1] - point[1]) * direction[1]
         };
         let mut points = Vec::new();
-        for (a, b) in section_edges(section) {
-            // A node exactly on the line counts as lying on its positive side: every crossing is then proper.
+        for [a, b] in section.sides() {
+            // A node exactly on the line counts as positive, so that every crossing is proper.
             let (da, db) = (offset(a), offset(b));
             if (da >= 0.0) != (db >= 0.0) {
                 let share = da / (da - db);
@@ -44,7 +54,7 @@ impl Cut {
         Self { points }
     }
 
-    /// Half the run of line that belongs to each crossing on both of its sides [m].
+    /// Returns the length of line that belongs to each crossing: half of each neighbouring interval [m].
     pub fn lengths(&self) -> Vec<f64> {
         let n = self.points.len();
         (0..n)
@@ -56,22 +66,11 @@ impl Cut {
             .collect()
     }
 
-    /// Value at crossing `i` of a field given on the nodes of one level.
+    /// Returns the value at crossing `i` of a field on the nodes of one level, in the unit of the field.
     pub fn sample(&self, i: usize, level: &[f64]) -> f64 {
         let p = &self.points[i];
         level[p.nodes[0] as usize] * (1.0 - p.share) + level[p.nodes[1] as usize] * p.share
     }
-}
-
-fn section_edges(section: &Section) -> impl Iterator<Item = (u32, u32)> {
-    let mut edges = std::collections::BTreeSet::new();
-    for t in &section.triangles {
-        for k in 0..3 {
-            let (a, b) = (t[k], t[(k + 1) % 3]);
-            edges.insert((a.min(b), a.max(b)));
-        }
-    }
-    edges.into_iter()
 }
 
 #[cfg(test)]

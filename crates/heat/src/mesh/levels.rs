@@ -1,9 +1,15 @@
-//! Layers along the path of a swept body, thin at both ends.
+//! Graded node levels along the path of a swept body, fine at both faces.
 
-/// Heights of the layer boundaries from 0 to `thickness` [m], symmetric, with a node at mid-height.
+/// Returns the heights of the node levels from 0 to `thickness`, symmetric, with one at mid-height [m].
 ///
-/// Spacing starts at about `first` at both faces, grows by `growth` (≥ 1) a layer and stays below about `largest`;
-/// all spacings are scaled by one factor (≤ 1) so that they fill the thickness.
+/// The spacing starts at `first` at both faces, grows by the factor `growth` ≥ 1 per layer and is limited to `largest`. All
+/// spacings are then scaled by one factor ≤ 1 so that they fill the thickness.
+///
+/// ```
+/// let levels_m = saute_heat::graded_levels(0.024, 1e-3, 2.0, 4e-3);
+/// let spacings_mm: Vec<f64> = levels_m.windows(2).map(|w| (1e4 * (w[1] - w[0])).round() / 10.0).collect();
+/// assert_eq!(spacings_mm, [0.8, 1.6, 3.2, 3.2, 3.2, 3.2, 3.2, 3.2, 1.6, 0.8]);
+/// ```
 pub fn graded_levels(thickness: f64, first: f64, growth: f64, largest: f64) -> Vec<f64> {
     let half = 0.5 * thickness;
     let mut spacings = vec![first.min(half)];

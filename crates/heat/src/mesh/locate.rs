@@ -1,25 +1,38 @@
-//! Finding the triangle around a point of a cross-section.
+//! Point location in the triangulation of a cross-section.
 
 use crate::mesh::section::Section;
 
-/// A point inside a triangle: three nodes and their shape functions.
+/// A point inside a triangle, as three nodes and their linear shape functions [-].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Located {
-    /// Corners of the triangle.
+    /// Nodes at the corners of the triangle.
     pub nodes: [u32; 3],
-    /// Shape functions at the point; they sum to 1.
+    /// Shape functions (barycentric coordinates) at the point; they sum to 1 [-].
     pub weights: [f64; 3],
 }
 
 impl Located {
-    /// A point within a triangle, or none outside of it.
+    /// Returns the location of a point in a triangle, or `None` if the point lies outside.
     pub fn within(nodes: [u32; 3], corners: [[f64; 2]; 3], point: [f64; 2]) -> Option<Self> {
         let weights = shape_functions(corners, point);
         weights.iter().all(|&w| w >= -1e-9).then_some(Self { nodes, weights })
     }
 }
 
-/// Buckets of triangles on a square grid.
+/// A uniform grid of buckets that finds the triangle around a point [m].
+///
+/// Temperature at a point between the nodes:
+///
+/// ```
+/// use saute_heat::{Locator, Outline, Section};
+///
+/// let section = Section::mesh(&Outline::circle(0.05), 5e-3, 2e-3)?;
+/// let field_k: Vec<f64> = section.points.iter().map(|p| 300.0 + 1000.0 * p[0]).collect();
+/// let found = Locator::new(&section).locate_or_nearest(&section, [0.0123, 0.004]);
+/// let at_k: f64 = found.nodes.iter().zip(found.weights).map(|(n, w)| w * field_k[*n as usize]).sum();
+/// assert!((at_k - 312.3).abs() < 1e-9, "{at_k} K");
+/// # Ok::<(), saute_heat::MeshError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Locator {
     origin: [f64; 2],
@@ -30,10 +43,10 @@ pub struct Locator {
 }
 
 impl Locator {
-    /// Sorts a section's triangles into buckets about one triangle wide.
+    /// Returns a locator for a section, with buckets about two triangles wide.
     pub fn new(section: &Section) -> Self {
         let (low, high) = bounds(section.points.iter().copied());
-        // Scattered nodes have no triangles; one bucket of any width holds none of them.
+        // A section without triangles (a body of cells) gets buckets of an arbitrary width.
         let cell = match section.triangles.len() {
             0 => 1.0,
             count => libm::sqrt(section.area() / count as f64).max(1e-9) * 2.0,
@@ -58,7 +71,7 @@ impl Locator {
         [along(p[0], self.origin[0], self.columns), along(p[1], self.origin[1], self.rows)]
     }
 
-    /// The triangle that holds a point, or none outside the section.
+    /// Returns the triangle that contains a point [m], or `None` outside the section.
     pub fn locate(&self, section: &Section, point: [f64; 2]) -> Option<Located> {
         let [column, row] = self.clamped(point);
         let candidates = &self.buckets[row * self.columns + column];
@@ -68,7 +81,7 @@ impl Locator {
         })
     }
 
-    /// As [`Self::locate`], or the nearest node where the point lies (slightly) outside.
+    /// Returns the triangle that contains a point [m], or the nearest node if the point lies outside.
     pub fn locate_or_nearest(&self, section: &Section, point: [f64; 2]) -> Located {
         self.locate(section, point).unwrap_or_else(|| {
             let distance = |p: &[f64; 2]| libm::hypot(p[0] - point[0], p[1] - point[1]);

@@ -1,22 +1,22 @@
-//! Closed outlines of cross-sections.
+//! Closed polygonal outlines of cross-sections.
 
 use libm::{cos, fabs, pow, sin};
 
-/// A closed polygon, counter-clockwise, centred on its area centroid [m].
+/// A closed polygon, counter-clockwise, with its area centroid at the origin [m].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
     /// Corners in order [m].
     pub points: Vec<[f64; 2]>,
 }
 
-/// Corners with which a smooth outline is drawn before it is resampled (chosen: chord error below 0.01 mm at 200 mm).
+/// Corners of a smooth outline before it is resampled [-] (chosen: chord error below 0.01 mm at 200 mm).
 const FINE_CORNERS: usize = 1440;
 
 impl Outline {
-    /// A superellipse |2x/length|ⁿ + |2y/width|ⁿ = 1 with radial harmonics `1 + Σ aₘ cos(m φ + φₘ)`, scaled back
-    /// to exactly `length` × `width` [m].
+    /// Returns a superellipse with radial harmonics, of exactly `length` × `width` [m].
     ///
-    /// `harmonics` holds `(m, aₘ, φₘ)`; n = 2 is an ellipse, larger is squarer. Convex for n ≥ 2 and small aₘ.
+    /// |2x/length|ⁿ + |2y/width|ⁿ = 1, with the radius multiplied by 1 + Σ aₘ cos(m φ + φₘ) for `harmonics`
+    /// `(m, aₘ, φₘ)`. n = 2 is an ellipse; a larger n is more rectangular. Convex for n ≥ 2 and small aₘ.
     pub fn superellipse(length: f64, width: f64, n: f64, harmonics: &[(u32, f64, f64)]) -> Self {
         let raw = (0..FINE_CORNERS).map(|i| {
             let angle = core::f64::consts::TAU * i as f64 / FINE_CORNERS as f64;
@@ -27,12 +27,12 @@ impl Outline {
         Self { points: raw.collect() }.scaled_to(length, width).centred()
     }
 
-    /// A circle of the given radius [m].
+    /// Returns a circle of the given radius [m].
     pub fn circle(radius: f64) -> Self {
         Self::superellipse(2.0 * radius, 2.0 * radius, 2.0, &[])
     }
 
-    /// A rectangle [m].
+    /// Returns a rectangle of `length` along x and `width` along y [m].
     pub fn rectangle(length: f64, width: f64) -> Self {
         let (a, b) = (0.5 * length, 0.5 * width);
         Self { points: vec![[-a, -b], [a, -b], [a, b], [-a, b]] }
@@ -53,12 +53,12 @@ impl Outline {
         self
     }
 
-    /// Enclosed area [m²].
+    /// Returns the enclosed area [m²].
     pub fn area(&self) -> f64 {
         self.corners().map(|(p, q)| 0.5 * (p[0] * q[1] - q[0] * p[1])).sum()
     }
 
-    /// Area centroid [m].
+    /// Returns the area centroid [m].
     pub fn centroid(&self) -> [f64; 2] {
         let mut moment = [0.0; 2];
         for (p, q) in self.corners() {
@@ -70,18 +70,18 @@ impl Outline {
         [moment[0] / area, moment[1] / area]
     }
 
-    /// Length of the closed curve [m].
+    /// Returns the length of the closed curve [m].
     pub fn perimeter(&self) -> f64 {
         self.corners().map(|(p, q)| distance(p, q)).sum()
     }
 
-    /// Largest distance from the centroid [m].
+    /// Returns the largest distance of a corner from the centroid [m].
     pub fn reach(&self) -> f64 {
         let centre = self.centroid();
         self.points.iter().map(|&p| distance(p, centre)).fold(0.0, f64::max)
     }
 
-    /// Whether a point lies inside (even–odd rule).
+    /// Returns true if a point [m] lies inside, by the even–odd rule.
     pub fn contains(&self, point: [f64; 2]) -> bool {
         let [x, y] = point;
         let crossings = self
@@ -90,14 +90,15 @@ impl Outline {
         crossings.count() % 2 == 1
     }
 
-    /// Distance from a point to the curve [m].
+    /// Returns the distance of a point from the curve [m].
     pub fn distance_to(&self, point: [f64; 2]) -> f64 {
         self.corners().map(|(p, q)| distance_to_segment(point, p, q)).fold(f64::INFINITY, f64::min)
     }
 
-    /// The curve sampled in about `spacing` [m] steps, with the inward unit normal at each sample.
+    /// Returns points about `spacing` apart along the curve [m], each with the inward unit normal [-].
     ///
-    /// Sharp corners (a rectangle's) are kept; each straight or smooth run between them is divided evenly.
+    /// A polygon of up to eight corners keeps its corners, and each side is divided evenly; a smooth outline is divided
+    /// evenly as a whole.
     pub fn sampled(&self, spacing: f64) -> Vec<([f64; 2], [f64; 2])> {
         if self.points.len() <= 8 {
             return self.sampled_by_side(spacing);
@@ -105,20 +106,20 @@ impl Outline {
         self.evenly((libm::round(self.perimeter() / spacing) as usize).max(8))
     }
 
-    /// The curve divided into `count` even steps, with the inward unit normal at each point.
+    /// Returns `count` evenly spaced points along the curve [m], each with the inward unit normal [-].
     pub fn evenly(&self, count: usize) -> Vec<([f64; 2], [f64; 2])> {
         let perimeter = self.perimeter();
         let mut samples = Vec::with_capacity(count);
-        let (mut walked, mut next) = (0.0, 0);
+        let (mut travelled, mut next) = (0.0, 0);
         for (p, q) in self.corners() {
             let length = distance(p, q);
-            while next < count && (next as f64) * perimeter / (count as f64) <= walked + length {
-                let t = ((next as f64) * perimeter / (count as f64) - walked) / length;
+            while next < count && (next as f64) * perimeter / (count as f64) <= travelled + length {
+                let t = ((next as f64) * perimeter / (count as f64) - travelled) / length;
                 let normal = [-(q[1] - p[1]) / length, (q[0] - p[0]) / length];
                 samples.push(([p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])], normal));
                 next += 1;
             }
-            walked += length;
+            travelled += length;
         }
         samples
     }

@@ -1,23 +1,27 @@
-//! How a cross-section is carried into a body: straight up, straight up with uneven height, or along stations; or not at
-//! all, where a body is made of cells.
+//! The path along which a cross-section is swept: straight up, straight up with uneven height, or along stations.
 
-use crate::mesh::cells::CellMesh;
+use glam::DVec3;
+
 use crate::mesh::outline::Outline;
 use crate::mesh::section::{MeshError, Section};
 
-/// One place of a path: the cross-section as it stands there, in a plane of space.
+/// A station of a path: the local cross-section with its plane in space [m].
 #[derive(Clone, Debug)]
 pub struct Station {
-    /// Where the section's origin lies [m].
+    /// Position of the section's origin [m].
     pub centre: [f64; 3],
-    /// Unit vectors along which the section's two coordinates run; their cross product points along the path [-].
+    /// Unit vectors of the section's two coordinates; their cross product points along the path [-].
     pub across: [[f64; 3]; 2],
-    /// The section here: the same nodes at other points, triangulated anew, so that no in-plane conductance is negative.
+    /// The local section: the same nodes at other points, with a Delaunay triangulation of its own, so that no cotangent
+    /// weight is negative.
     pub section: Section,
 }
 
 impl Station {
-    /// The nodes of `section` at `points` [m].
+    /// Returns a station with the nodes of `section` at `points`, in the plane through `centre` [m].
+    ///
+    /// # Errors
+    /// [`MeshError::NoArea`] if the points span no triangle.
     pub fn new(
         section: &Section,
         centre: [f64; 3],
@@ -25,13 +29,16 @@ impl Station {
         points: Vec<[f64; 2]>,
     ) -> Result<Self, MeshError> {
         let rim = Outline { points: section.rim().iter().map(|&i| points[i as usize]).collect() };
-        // Areas follow the triangles of the section itself, so that they pass smoothly from station to station.
+        // Areas use the triangles of the original section, so that they vary smoothly from station to station.
         let areas = section.areas_at(&points);
         let standing = Section::triangulate(points, |p| rim.contains(p))?;
         Ok(Self { centre, across, section: Section { areas, ..standing } })
     }
 
-    /// The section scaled along its two coordinates.
+    /// Returns a station with the section scaled along its two coordinates by the factors `scale` [-].
+    ///
+    /// # Errors
+    /// [`MeshError::NoArea`] if the scaled points span no triangle.
     pub fn scaled(
         section: &Section,
         centre: [f64; 3],
@@ -42,60 +49,51 @@ impl Station {
         Self::new(section, centre, across, points)
     }
 
-    /// Where a point of the section's plane lies in space [m].
+    /// Returns the position in space of a point in the section's plane [m].
     pub fn place(&self, [x, y]: [f64; 2]) -> [f64; 3] {
-        let [a, b] = &self.across;
-        [0, 1, 2].map(|k| self.centre[k] + x * a[k] + y * b[k])
+        let [a, b] = self.across.map(DVec3::from);
+        (DVec3::from(self.centre) + x * a + y * b).to_array()
     }
 
-    /// Coordinates of a point of space in the section's plane, and how far it stands before it along the path [m].
+    /// Returns the coordinates of a point in the frame of the station: two in the plane and the one along the path [m].
     pub fn coordinates(&self, p: [f64; 3]) -> [f64; 3] {
-        let from = [0, 1, 2].map(|k| p[k] - self.centre[k]);
-        let [a, b] = &self.across;
-        [a, b, &cross(*a, *b)].map(|e| dot(from, *e))
+        let from = DVec3::from(p) - DVec3::from(self.centre);
+        let [a, b] = self.across.map(DVec3::from);
+        [a, b, a.cross(b)].map(|e| from.dot(e))
+    }
+
+    /// Returns the direction of the path: the cross product of the section's unit vectors [-].
+    pub(super) fn along(&self) -> DVec3 {
+        let [a, b] = self.across.map(DVec3::from);
+        a.cross(b)
     }
 }
 
-/// The way of a section through a body.
+/// The path of a section through a body.
 #[derive(Clone, Debug, Default)]
 pub enum Path {
-    /// Straight up z, the section unchanged.
+    /// Along z, with a constant section.
     #[default]
     Straight,
-    /// Straight up z; each column of nodes has its own height over the mean one [-].
+    /// Along z; each column of nodes has its own height ÷ mean height [-].
     Uneven(Vec<f64>),
-    /// A station for each level.
+    /// One station per level.
     Stations(Vec<Station>),
-    /// No way at all: one level, whose nodes are those of a mesh of cells.
-    Cells(Box<CellMesh>),
 }
 
 impl Path {
-    /// Columns whose heights differ by `variation` about the mean of 1 over the section, however it was centred [-].
+    /// Returns a path with column heights 1 + `variation` − its mean over the section [-].
     pub fn uneven(section: &Section, variation: impl Fn([f64; 2]) -> f64) -> Self {
         let raw: Vec<f64> = section.points.iter().map(|p| variation(*p)).collect();
         let mean = raw.iter().zip(&section.areas).map(|(v, a)| v * a).sum::<f64>() / section.area();
         Self::Uneven(raw.into_iter().map(|v| 1.0 + v - mean).collect())
     }
 
-    /// Height of a column over the mean one [-].
+    /// Returns the height of a column ÷ mean height, 1 for an even path [-].
     pub fn column(&self, i: usize) -> f64 {
         match self {
             Self::Uneven(columns) => columns[i],
-            _ => 1.0,
+            Self::Straight | Self::Stations(_) => 1.0,
         }
     }
-}
-
-pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let d = [0, 1, 2].map(|k| a[k] - b[k]);
-    libm::sqrt(dot(d, d))
 }

@@ -1,39 +1,45 @@
-//! Delaunay cross-sections with linear shape functions.
+//! Delaunay triangulations of cross-sections, with linear shape functions.
 
 use spade::{DelaunayTriangulation, Point2, Triangulation};
 
 use crate::mesh::outline::Outline;
 
-/// Why a mesh could not be made.
+/// The reason why a cross-section cannot be triangulated.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MeshError {
-    /// Too few points, all in a line, or not finite.
+    /// The points are too few, collinear, or not finite.
     #[error("the cross-section has no area: {0}")]
     NoArea(String),
 }
 
-/// A triangulated plane region with the matrices that linear shape functions give it.
+/// A triangulated plane region with its lumped areas [m²] and cotangent weights [-].
+///
+/// Linear shape functions with lumped mass. Source: Pinkall & Polthier 1993, Experimental Mathematics 2:15 (cotangent
+/// weights).
 #[derive(Clone, Debug)]
 pub struct Section {
-    /// Nodes [m].
+    /// Node positions [m].
     pub points: Vec<[f64; 2]>,
-    /// Counter-clockwise triangles.
+    /// Triangles, counter-clockwise.
     pub triangles: Vec<[u32; 3]>,
-    /// Lumped area of each node: a third of its triangles' [m²].
+    /// Lumped area of each node: a third of the area of its triangles [m²].
     pub areas: Vec<f64>,
-    /// Edges `(a, b, weight)`: weight = ½ (cot α + cot β) ≥ 0 over the angles that face the edge [-].
+    /// Edges `(a, b, weight)` with the cotangent weight ½ (cot α + cot β) ≥ 0; α and β are the opposite angles [-].
     pub edges: Vec<(u32, u32, f64)>,
-    /// Boundary edges, counter-clockwise, as pairs of nodes.
+    /// Boundary edges as pairs of nodes, counter-clockwise.
     pub boundary: Vec<[u32; 2]>,
-    /// Number of edges whose weight came out negative and was set to zero (0 on the outlines that we make).
+    /// Number of edges with a negative cotangent weight, which is set to zero [-]; 0 for the outlines of this crate.
     pub clamped_edges: usize,
 }
 
 impl Section {
-    /// Meshes an outline: nodes `spacing` apart inside, a ring at depth `rim` below the boundary [m].
+    /// Returns a mesh of an outline with nodes `spacing` apart inside and a ring at depth `rim` [m].
     ///
-    /// The ring nodes lie straight inward of the boundary nodes, so boundary triangles have no obtuse angle that
-    /// faces the boundary and all conductances are non-negative.
+    /// The nodes of the ring lie on the inward normals of the boundary nodes. No obtuse angle then faces the boundary, and
+    /// all cotangent weights are non-negative.
+    ///
+    /// # Errors
+    /// [`MeshError::NoArea`] if the nodes span no triangle.
     pub fn mesh(outline: &Outline, spacing: f64, rim: f64) -> Result<Self, MeshError> {
         let boundary = outline.sampled(0.75 * spacing);
         let mut points: Vec<[f64; 2]> = boundary.iter().map(|&(p, _)| p).collect();
@@ -49,7 +55,12 @@ impl Section {
         Self::triangulate(points, |p| outline.contains(p))
     }
 
-    /// A disc of concentric rings with a node at each radius of `radii` (ascending, 0 allowed) about `arc` apart [m].
+    /// Returns a disc of concentric rings at the given `radii`, with nodes about `arc` apart on each ring [m].
+    ///
+    /// `radii` ascend; a radius of 0 is one central node.
+    ///
+    /// # Errors
+    /// [`MeshError::NoArea`] if the nodes span no triangle.
     pub fn rings(radii: &[f64], arc: f64) -> Result<Self, MeshError> {
         let mut points = Vec::new();
         for (ring, &radius) in radii.iter().enumerate() {
@@ -63,18 +74,26 @@ impl Section {
         Self::triangulate(points, |_| true)
     }
 
-    /// Rings of nodes along an outline drawn towards its centroid: `(count, share)`, the outline itself, of share 1, first.
+    /// Returns a mesh of rings similar to an outline, each given as `(node count, scale factor [-])`.
+    ///
+    /// The first ring is the outline itself, with scale factor 1.
+    ///
+    /// # Errors
+    /// [`MeshError::NoArea`] if the nodes span no triangle.
     pub fn concentric(outline: &Outline, rings: &[(usize, f64)]) -> Result<Self, MeshError> {
         let ring = |&(count, share): &(usize, f64)| {
             outline.evenly(count).into_iter().map(move |(p, _)| [share * p[0], share * p[1]])
         };
         let points: Vec<[f64; 2]> = rings.iter().flat_map(ring).collect();
-        // Where the outline is not quite convex, slivers between it and the convex hull are no part of the section.
+        // Where the outline is slightly concave, slivers between it and its convex hull do not belong to the section.
         let rim = Outline { points: points[..rings.first().map_or(0, |r| r.0)].to_vec() };
         Self::triangulate(points, |p| rim.contains(p))
     }
 
-    /// Delaunay triangulation of given nodes, keeping triangles whose centroid `inside` accepts.
+    /// Returns the Delaunay triangulation of given nodes [m], with the triangles whose centroid `inside` accepts.
+    ///
+    /// # Errors
+    /// [`MeshError::NoArea`] if a node is not finite or no triangle is left.
     pub fn triangulate(points: Vec<[f64; 2]>, inside: impl Fn([f64; 2]) -> bool) -> Result<Self, MeshError> {
         let vertices = points.iter().map(|p| Point2::new(p[0], p[1])).collect();
         let mesh: DelaunayTriangulation<Point2<f64>> =
@@ -116,20 +135,16 @@ impl Section {
         Self { points, triangles, areas, edges, boundary, clamped_edges }
     }
 
-    /// Nodes without triangles between them.
-    pub(crate) fn scattered(points: Vec<[f64; 2]>) -> Self {
-        let areas = vec![0.0; points.len()];
-        Self { points, triangles: Vec::new(), areas, edges: Vec::new(), boundary: Vec::new(), clamped_edges: 0 }
-    }
-
-    /// Every side of every triangle once, ends ascending; those without weight included.
+    /// Returns each side of the triangulation once, with ascending nodes, including sides without weight.
     pub fn sides(&self) -> Vec<[u32; 2]> {
         let ends = |t: &[u32; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
         let sides = self.triangles.iter().flat_map(ends).map(|[a, b]| [a.min(b), a.max(b)]);
         sides.collect::<std::collections::BTreeSet<_>>().into_iter().collect()
     }
 
-    /// Nodes of the boundary in order, counter-clockwise; of a region with holes, the loop through its first edge.
+    /// Returns the nodes of the boundary in order, counter-clockwise.
+    ///
+    /// For a region with holes this is the loop through the first boundary edge.
     pub fn rim(&self) -> Vec<u32> {
         let next: std::collections::BTreeMap<u32, u32> = self.boundary.iter().map(|[a, b]| (*a, *b)).collect();
         let Some(&[first, _]) = self.boundary.first() else { return Vec::new() };
@@ -143,7 +158,7 @@ impl Section {
         rim
     }
 
-    /// Area of each node where the nodes lie at other points, by the same triangles [m²].
+    /// Returns the lumped areas for nodes moved to other points, with the same triangles [m²].
     pub(crate) fn areas_at(&self, points: &[[f64; 2]]) -> Vec<f64> {
         let mut areas = vec![0.0; points.len()];
         for t in &self.triangles {
@@ -153,12 +168,12 @@ impl Section {
         areas
     }
 
-    /// Total area [m²].
+    /// Returns the total area [m²].
     pub fn area(&self) -> f64 {
         self.areas.iter().sum()
     }
 
-    /// Half the boundary length that belongs to each node [m] (0 inside).
+    /// Returns the boundary length of each node, half of each adjacent boundary edge, 0 inside [m].
     pub fn boundary_lengths(&self) -> Vec<f64> {
         let mut lengths = vec![0.0; self.points.len()];
         for [a, b] in &self.boundary {
@@ -171,13 +186,14 @@ impl Section {
     }
 }
 
+/// Adds a point unless another lies within a distance [m].
 fn push_apart(points: &mut Vec<[f64; 2]>, p: [f64; 2], apart: f64) {
     if points.iter().all(|q| libm::hypot(p[0] - q[0], p[1] - q[1]) > apart) {
         points.push(p);
     }
 }
 
-/// Points of an equilateral lattice around the origin that lie inside the outline.
+/// Returns the points of a hexagonal lattice about the origin that lie inside the outline [m].
 fn hexagonal_lattice(outline: &Outline, spacing: f64) -> Vec<[f64; 2]> {
     let reach = outline.reach();
     let row_height = spacing * libm::sqrt(3.0) / 2.0;
@@ -194,6 +210,7 @@ fn hexagonal_lattice(outline: &Outline, spacing: f64) -> Vec<[f64; 2]> {
     lattice
 }
 
+/// Returns twice the signed area of a triangle [m²].
 fn twice_area(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
 }
@@ -202,7 +219,7 @@ fn longest_side_squared(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     [(a, b), (b, c), (c, a)].iter().map(|(p, q)| dot(*p, *q, *q)).fold(0.0, f64::max)
 }
 
-/// Dot product of the two edges that leave `apex`.
+/// Returns the scalar product of the two edges from `apex` [m²].
 fn dot(apex: [f64; 2], p: [f64; 2], q: [f64; 2]) -> f64 {
     (p[0] - apex[0]) * (q[0] - apex[0]) + (p[1] - apex[1]) * (q[1] - apex[1])
 }
@@ -212,7 +229,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_mesh_covers_the_outline_and_every_conductance_is_positive() {
+    fn the_mesh_covers_the_outline_and_every_cotangent_weight_is_positive() {
         for (outline, spacing) in [
             (Outline::superellipse(0.12, 0.08, 2.6, &[(3, 0.02, 1.0)]), 4.5e-3),
             (Outline::superellipse(0.03, 0.02, 2.2, &[]), 3e-3),

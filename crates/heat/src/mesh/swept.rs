@@ -1,50 +1,60 @@
-//! A cross-section carried along a path in layers: prisms with linear shape functions.
+//! A cross-section swept along a path in levels: prisms with linear shape functions and lumped mass.
+
+use glam::DVec3;
 
 use crate::conduction::graph::Graph;
 use crate::conduction::rule::{Rule, segment_shape};
-use crate::mesh::cells::CellMesh;
-use crate::mesh::outline::Outline;
-use crate::mesh::path::{Path, Station, cross, distance, dot};
+use crate::mesh::locate::Locator;
+use crate::mesh::path::{Path, Station};
 use crate::mesh::section::Section;
 
-/// Least share of the way between two nodes that counts as along the path [-] (chosen: reached by folded paths alone).
+/// Least component along the path ÷ distance of two successive nodes [-] (chosen: only folded paths reach it).
 const SLIVER: f64 = 1e-3;
 
-/// A swept body: node `level · n + i` is node `i` of the section at `level` of the path.
+/// A swept body with lumped volumes [m³] and edge shapes [m].
+///
+/// Node `level · n + i` is node `i` of the section at `level` of the path, with n nodes per level.
 #[derive(Clone, Debug)]
 pub struct SweptMesh {
-    /// The cross-section that is carried along.
+    /// The swept cross-section.
     pub section: Section,
-    /// Distances of the layers along the path, ascending from 0; heights where it is straight [m].
+    /// Distances of the levels along the path, ascending from 0; heights if it is straight [m].
     pub levels: Vec<f64>,
-    /// The way of the section.
+    /// The path of the section.
     pub path: Path,
     /// Lumped volumes and edge shapes.
     pub graph: Graph,
+    pub(super) locator: Locator,
 }
 
 impl SweptMesh {
-    /// Builds volumes and edges under the shape functions: in-plane cotangent weight × layer height, along the path node
-    /// area ÷ spacing.
+    /// Returns a body swept straight up to the heights `levels` [m], with linear shape functions.
+    ///
+    /// Edge shapes are cotangent weight × layer height in the plane, and lumped area ÷ spacing along the path.
     pub fn new(section: Section, levels: Vec<f64>) -> Self {
         Self::with_rule(section, levels, Rule::ShapeFunctions)
     }
 
-    /// Builds volumes and edges under a rule. Segments run along every side of every triangle, in every layer, and along
-    /// the path.
+    /// Returns a body swept straight up to the heights `levels` [m], with a discretisation rule.
+    ///
+    /// Under [`Rule::Segments`] rods run along every side of every triangle, in every level, and along the path.
     pub fn with_rule(section: Section, levels: Vec<f64>, rule: Rule) -> Self {
         Self::upright(section, levels, Path::Straight, rule)
     }
 
-    /// As [`Self::with_rule`], with a height of its own for each column: volumes and in-plane conductances grow with it,
-    /// those along the path fall. Slopes are gentle: areas of the faces are those of the flat section.
+    /// Returns a body swept straight up to the mean heights `levels` [m], with a relative height for each column.
+    ///
+    /// Column height ÷ mean height is 1 + `variation` − its mean [-]. Volumes and in-plane conductances are proportional to
+    /// it; conductances along the path are inversely proportional. Valid for gentle slopes: the areas of the faces are those
+    /// of the flat section.
     pub fn uneven(section: Section, levels: Vec<f64>, variation: impl Fn([f64; 2]) -> f64, rule: Rule) -> Self {
         let path = Path::uneven(&section, variation);
         Self::upright(section, levels, path, rule)
     }
 
+    /// Returns a body swept straight up with its graph.
     fn upright(section: Section, levels: Vec<f64>, path: Path, rule: Rule) -> Self {
-        let mut mesh = Self { section, levels, path, graph: Graph::default() };
+        let mut mesh = Self::bare(section, levels, path);
         mesh.graph = mesh.upright_graph();
         if rule == Rule::Segments {
             mesh.graph = mesh.segments();
@@ -52,15 +62,18 @@ impl SweptMesh {
         mesh
     }
 
-    /// Carries a section along stations. A node's volume is that of the frusta of its own areas and its own runs to the
-    /// levels beside it; along the path it conducts by the geometric mean of its areas over the run (exact for sections
-    /// of a cone in series), in its plane by the cotangent weights of the section as it stands there times its height.
+    /// Returns a body swept along stations [m].
+    ///
+    /// The volume of a node is that of the two half frusta between its lumped areas on this and the neighbouring levels. Edge
+    /// shapes along the path are geometric mean of the areas ÷ run, exact for a cone as sections in series; in the plane they
+    /// are cotangent weight of the local section × height of the control volume.
     pub fn along(section: Section, path: Vec<Station>, rule: Rule) -> Self {
         let mut levels = vec![0.0];
         for (level, pair) in path.windows(2).enumerate() {
-            levels.push(levels[level] + distance(pair[0].centre, pair[1].centre));
+            let [a, b] = [&pair[0], &pair[1]].map(|station| DVec3::from(station.centre));
+            levels.push(levels[level] + a.distance(b));
         }
-        let mut mesh = Self { section, levels, path: Path::Stations(path), graph: Graph::default() };
+        let mut mesh = Self::bare(section, levels, Path::Stations(path));
         mesh.graph = mesh.station_graph();
         if rule == Rule::Segments {
             mesh.graph = mesh.segments();
@@ -68,26 +81,38 @@ impl SweptMesh {
         mesh
     }
 
-    /// A body of cells: one level of nodes without a section between them.
-    pub fn of_cells(cells: CellMesh) -> Self {
-        let points = cells.positions.iter().map(|p| [p[0], p[1]]).collect();
-        let graph = cells.graph.clone();
-        Self { section: Section::scattered(points), levels: vec![0.0], path: Path::Cells(Box::new(cells)), graph }
+    /// Returns a straight body with a given graph, such as a product mesh whose section has no triangles.
+    pub fn with_graph(section: Section, levels: Vec<f64>, graph: Graph) -> Self {
+        Self { graph, ..Self::bare(section, levels, Path::Straight) }
     }
 
-    /// The cells, where the body is made of them.
-    pub fn cells(&self) -> Option<&CellMesh> {
-        if let Path::Cells(cells) = &self.path { Some(cells) } else { None }
+    /// Returns a body without volumes and edges.
+    fn bare(section: Section, levels: Vec<f64>, path: Path) -> Self {
+        let locator = Locator::new(&section);
+        Self { section, levels, path, graph: Graph::default(), locator }
     }
 
-    /// Distance of the first nodes below the surface from it [m].
-    pub fn first_layer(&self) -> f64 {
+    /// Returns true if the section is swept straight up, with even or uneven height: the body is a slice.
+    #[inline]
+    pub fn is_upright(&self) -> bool {
+        self.stations().is_none()
+    }
+
+    /// Returns the stations of the path, one per level, or `None` if it is straight.
+    #[inline]
+    pub fn stations(&self) -> Option<&[Station]> {
         match &self.path {
-            Path::Cells(cells) => cells.fineness.first,
-            _ => self.levels.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min),
+            Path::Stations(stations) => Some(stations),
+            Path::Straight | Path::Uneven(_) => None,
         }
     }
 
+    /// Returns the smallest distance between two levels [m].
+    pub fn first_layer(&self) -> f64 {
+        self.levels.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Returns the graph under [`Rule::Segments`] with the volumes of the present one.
     fn segments(&self) -> Graph {
         let n = self.nodes_per_level();
         let mut graph = Graph { volume: self.graph.volume.clone(), ..Graph::default() };
@@ -112,30 +137,31 @@ impl SweptMesh {
         graph
     }
 
-    /// Distance between two nodes of one level [m]; where the path is straight, that of the section.
+    /// Returns the distance between two nodes of one level; on a straight path, that in the section [m].
     fn length(&self, a: usize, b: usize) -> f64 {
         if let Path::Straight = self.path {
             let n = self.nodes_per_level();
             let (p, q) = (self.section.points[a % n], self.section.points[b % n]);
             return libm::hypot(p[0] - q[0], p[1] - q[1]);
         }
-        distance(self.position(a), self.position(b))
+        DVec3::from(self.position(a)).distance(self.position(b).into())
     }
 
-    /// How far along the path node `i` of a level is from the same node of the next [m]; where the section tapers, less
-    /// than the slanted way between them.
+    /// Returns the distance along the path from node `i` of a level to the same node of the next [m].
+    ///
+    /// It is the component along the mean direction of both levels, less than the distance if the section tapers.
     pub fn run(&self, level: usize, i: usize) -> f64 {
         let Path::Stations(stations) = &self.path else {
             return (self.levels[level + 1] - self.levels[level]) * self.path.column(i);
         };
-        let [p, q] = [level, level + 1].map(|l| self.position(self.node(l, i)));
-        let [a, b] = [level, level + 1].map(|l| cross(stations[l].across[0], stations[l].across[1]));
-        let along = [0, 1, 2].map(|k| a[k] + b[k]);
-        let way = [0, 1, 2].map(|k| q[k] - p[k]);
-        // A path so sharply bent that it folds keeps a sliver: no volume or conductance is negative.
-        (dot(way, along) / libm::sqrt(dot(along, along))).max(SLIVER * libm::sqrt(dot(way, way)))
+        let [p, q] = [level, level + 1].map(|l| DVec3::from(self.position(self.node(l, i))));
+        let along = stations[level].along() + stations[level + 1].along();
+        let way = q - p;
+        // The lower limit keeps volumes and conductances positive where a sharply bent path folds.
+        (way.dot(along) / along.length()).max(SLIVER * way.length())
     }
 
+    /// Returns the graph of a body swept straight up.
     fn upright_graph(&self) -> Graph {
         let (n, levels, path) = (self.nodes_per_level(), &self.levels, &self.path);
         let section = &self.section;
@@ -156,6 +182,7 @@ impl SweptMesh {
         graph
     }
 
+    /// Returns the graph of a body swept along stations.
     fn station_graph(&self) -> Graph {
         let (n, last) = (self.nodes_per_level(), self.levels.len() - 1);
         let mut graph = Graph { volume: vec![0.0; self.node_count()], ..Graph::default() };
@@ -181,110 +208,61 @@ impl SweptMesh {
         graph
     }
 
-    /// Whether the edge between two nodes runs along the path; in a body of cells, rather inwards than along the skin.
+    /// Returns true if the edge between two nodes runs along the path.
     #[inline]
     pub fn is_along(&self, a: usize, b: usize) -> bool {
-        if let Path::Cells(cells) = &self.path {
-            return cells.is_inward(a, b);
-        }
         a.abs_diff(b) == self.section.points.len()
     }
 
-    /// Nodes in one level.
+    /// Returns the number of nodes per level.
     pub fn nodes_per_level(&self) -> usize {
         self.section.points.len()
     }
 
-    /// All nodes.
+    /// Returns the number of nodes.
     pub fn node_count(&self) -> usize {
         self.section.points.len() * self.levels.len()
     }
 
-    /// Index of node `i` of the section at `level`.
+    /// Returns the index of node `i` of the section at `level`.
     pub fn node(&self, level: usize, i: usize) -> usize {
         level * self.section.points.len() + i
     }
 
-    /// Mean length of the path [m]; the height of a body that stands upright.
+    /// Returns the length of the path; the mean height of a slice [m].
     pub fn thickness(&self) -> f64 {
         self.levels[self.levels.len() - 1]
     }
 
-    /// Height of the slab of material that belongs to each level [m].
+    /// Returns the height of the control volumes of each level [m].
     pub fn layer_heights(&self) -> Vec<f64> {
         layer_heights(&self.levels)
     }
 
-    /// The section as it stands at a level.
+    /// Returns the local section at a level [m].
     pub fn section_at(&self, level: usize) -> &Section {
         match &self.path {
             Path::Stations(stations) => &stations[level].section,
-            _ => &self.section,
+            Path::Straight | Path::Uneven(_) => &self.section,
         }
     }
 
-    /// Area of node `i` of the section at `level` [m²].
+    /// Returns the lumped area of node `i` of the section at `level` [m²].
     pub fn node_area(&self, level: usize, i: usize) -> f64 {
         self.section_at(level).areas[i]
     }
 
-    /// Volume between node `i` of a level and of the next [m³].
+    /// Returns the volume between node `i` of a level and of the next [m³].
     pub fn between(&self, level: usize, i: usize) -> f64 {
         let areas = [self.node_area(level, i), self.node_area(level + 1, i)];
         match self.path {
             Path::Stations(_) => 0.5 * self.run(level, i) * frustum_halves(areas).iter().sum::<f64>(),
-            _ => areas[0] * self.run(level, i),
+            Path::Straight | Path::Uneven(_) => areas[0] * self.run(level, i),
         }
     }
 
-    /// Side area of every node, level-major like the nodes [m²] (0 inside).
-    pub fn side_areas(&self) -> Vec<f64> {
-        if let Path::Stations(_) = self.path {
-            return self.shared_areas(&self.side_triangles());
-        }
-        let lengths = self.section.boundary_lengths();
-        let heights = self.layer_heights();
-        let side = |h: f64| lengths.iter().enumerate().map(move |(i, l)| (i, l * h));
-        heights.iter().flat_map(|h| side(*h)).map(|(i, area)| area * self.path.column(i)).collect()
-    }
-
-    /// Triangles of the surface between the two ends of the path, seen from outside counter-clockwise.
-    pub fn side_triangles(&self) -> Vec<[u32; 3]> {
-        let mut triangles = Vec::new();
-        for level in 0..self.levels.len().saturating_sub(1) {
-            for &[a, b] in &self.section.boundary {
-                let at = |level: usize, i: u32| self.node(level, i as usize) as u32;
-                let [a, b, c, d] = [at(level, a), at(level, b), at(level + 1, b), at(level + 1, a)];
-                triangles.extend([[a, b, c], [a, c, d]]);
-            }
-        }
-        triangles
-    }
-
-    /// Triangles of the section that closes the path at its start (`false`) or end, seen from outside counter-clockwise.
-    pub fn end_triangles(&self, last: bool) -> Vec<[u32; 3]> {
-        let level = if last { self.levels.len() - 1 } else { 0 };
-        let of = |t: &[u32; 3]| t.map(|i| self.node(level, i as usize) as u32);
-        let outward = |[a, b, c]: [u32; 3]| if last { [a, b, c] } else { [a, c, b] };
-        self.section.triangles.iter().map(|t| outward(of(t))).collect()
-    }
-
-    /// A third of the area of every triangle at each of its nodes [m²].
-    fn shared_areas(&self, triangles: &[[u32; 3]]) -> Vec<f64> {
-        let mut areas = vec![0.0; self.node_count()];
-        for t in triangles {
-            let [p, q, r] = t.map(|node| self.position(node as usize));
-            let normal = cross([0, 1, 2].map(|k| q[k] - p[k]), [0, 1, 2].map(|k| r[k] - p[k]));
-            t.iter().for_each(|&node| areas[node as usize] += libm::sqrt(dot(normal, normal)) / 6.0);
-        }
-        areas
-    }
-
-    /// Position of a node [m]: of an upright body from the bottom centre, else in the frame of the stations.
+    /// Returns the position of a node, from the bottom centre of a slice, otherwise in the frame of the stations [m].
     pub fn position(&self, node: usize) -> [f64; 3] {
-        if let Path::Cells(cells) = &self.path {
-            return cells.positions[node];
-        }
         let n = self.nodes_per_level();
         let (level, i) = (node / n, node % n);
         if let Path::Stations(stations) = &self.path {
@@ -293,35 +271,15 @@ impl SweptMesh {
         let [x, y] = self.section.points[i];
         [x, y, self.levels[level] * self.path.column(i)]
     }
-
-    /// Depth of a node below the nearer end of the path, or on stations below the skin if that is nearer [m].
-    pub fn depth(&self, node: usize) -> f64 {
-        if let Path::Cells(cells) = &self.path {
-            return cells.depth[node];
-        }
-        let (level, i) = (node / self.nodes_per_level(), node % self.nodes_per_level());
-        let z = self.levels[level];
-        let below_ends = z.min(self.thickness() - z) * self.path.column(i);
-        let Path::Stations(stations) = &self.path else { return below_ends };
-        let section = &stations[level].section;
-        let rim = Outline { points: self.section.rim().iter().map(|&i| section.points[i as usize]).collect() };
-        below_ends.min(rim.distance_to(section.points[i]))
-    }
-
-    /// The two levels that bracket a distance along the path and the weight of the upper one [-]; ends are clamped.
-    pub fn bracket(&self, z: f64) -> (usize, f64) {
-        let upper = self.levels.partition_point(|&l| l <= z).clamp(1, self.levels.len() - 1);
-        let (low, high) = (self.levels[upper - 1], self.levels[upper]);
-        (upper - 1, ((z - low) / (high - low)).clamp(0.0, 1.0))
-    }
 }
 
-/// Mean areas of the halves of a frustum between two areas [m²].
+/// Returns the mean areas of both halves of a frustum between two areas [m²].
 fn frustum_halves([a, b]: [f64; 2]) -> [f64; 2] {
     let root = 0.5 * (libm::sqrt(a) + libm::sqrt(b));
     [a, b].map(|end| (end + libm::sqrt(end) * root + root * root) / 3.0)
 }
 
+/// Returns the height of the control volumes of each level: half the distance to each neighbour [m].
 fn layer_heights(levels: &[f64]) -> Vec<f64> {
     (0..levels.len())
         .map(|i| {
@@ -338,7 +296,7 @@ mod tests {
     use crate::{graded_levels, outline::Outline};
 
     #[test]
-    fn volumes_and_sides_add_up() {
+    fn volumes_and_side_areas_sum_to_those_of_the_body() {
         let outline = Outline::rectangle(0.04, 0.03);
         let section = Section::mesh(&outline, 2e-3, 1e-3).expect("meshes");
         let mesh = SweptMesh::new(section, graded_levels(0.02, 0.5e-3, 1.3, 2e-3));
@@ -360,14 +318,5 @@ mod tests {
             let mean = 0.5 * (mesh.graph.volume[a as usize] + mesh.graph.volume[b as usize]);
             assert!((shape / (mean.powf(2.0 / 3.0) / length) - 1.0).abs() < 1e-9);
         }
-    }
-
-    #[test]
-    fn bracket_clamps_at_both_ends() {
-        let section = Section::mesh(&Outline::circle(0.01), 2e-3, 1e-3).expect("meshes");
-        let mesh = SweptMesh::new(section, vec![0.0, 1.0, 3.0]);
-        assert_eq!(mesh.bracket(-1.0), (0, 0.0));
-        assert_eq!(mesh.bracket(2.0), (1, 0.5));
-        assert_eq!(mesh.bracket(9.0), (1, 1.0));
     }
 }

@@ -129,17 +129,17 @@ pub fn unevenness(model: &FoodModel, seed: u64, wavelength: f64, deviation: f64)
     use saute_food::Face;
     use saute_food::noise::fractal;
     let noise = |patch: &saute_food::Patch| {
-        let [x, y, z] = model.mesh.position(patch.node as usize);
-        let third = match (model.is_slice(), patch.face) {
+        let [x, y, z] = model.mesh().position(patch.node as usize);
+        let third = match (model.mesh().is_slice(), patch.face) {
             (true, Face::Bottom) => 0.0,
             (true, Face::Top) => 31.0,
             _ => 57.0 + z / wavelength,
         };
         fractal(seed ^ 0xc0_47ac, [x / wavelength, y / wavelength, third])
     };
-    let mut uneven: Vec<f64> = model.patches.iter().map(noise).collect();
+    let mut uneven: Vec<f64> = model.patches().iter().map(noise).collect();
     for face in [Face::Bottom, Face::Top, Face::Side] {
-        let of_face: Vec<usize> = (0..uneven.len()).filter(|&i| model.patches[i].face == face).collect();
+        let of_face: Vec<usize> = (0..uneven.len()).filter(|&i| model.patches()[i].face == face).collect();
         let count = of_face.len().max(1) as f64;
         let mean = of_face.iter().map(|&i| uneven[i]).sum::<f64>() / count;
         let square = of_face.iter().map(|&i| (uneven[i] - mean) * (uneven[i] - mean)).sum::<f64>() / count;
@@ -177,7 +177,7 @@ mod tests {
         let limp = piece.model.limp(&piece.state).expect("lies along stations");
         let near = piece.near.patches.iter().filter(|near| near.gap == 0.0);
         let stations: std::collections::BTreeSet<usize> =
-            near.map(|near| limp.station(piece.model.patches[near.patch as usize].node)).collect();
+            near.map(|near| limp.station(piece.model.patches()[near.patch as usize].node)).collect();
         stations.len() as f64 / limp.stations() as f64
     }
 

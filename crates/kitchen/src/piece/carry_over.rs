@@ -2,6 +2,7 @@
 
 use saute_food::FoodModel;
 use saute_food::FoodState;
+use saute_heat::Layout;
 
 use crate::data::room::Room;
 
@@ -19,8 +20,8 @@ pub fn foreseen_peak(model: &FoodModel, state: &FoodState, room: &Room) -> (f64,
     let heights = heights(&levels);
     let middle = levels.len() / 2;
     let masses = masses_per_volume(model, state);
-    let conductivity = model.properties.conductivity(&masses, profile[middle]);
-    let capacity = model.properties.enthalpy(&masses, profile[middle]).1;
+    let conductivity = model.properties().conductivity(&masses, profile[middle]);
+    let capacity = model.properties().enthalpy(&masses, profile[middle]).1;
     let dt = 0.35 * (levels[1] - levels[0]) * (levels[1] - levels[0]) * capacity / conductivity;
     let (mut best, mut when, mut time) = (profile[middle], 0.0, 0.0);
     let mut flux = vec![0.0; levels.len() + 1];
@@ -49,29 +50,29 @@ const ACROSS: usize = 15;
 /// each level over the inner half of the section.
 fn mean_profile(model: &FoodModel, state: &FoodState) -> (Vec<f64>, Vec<f64>) {
     let boiling = crate::kelvin(100.0);
-    if !model.is_slice() {
+    let Layout::Upright(mesh) = model.mesh().layout() else {
         let share = |i: usize| 2.0 * i as f64 / (ACROSS - 1) as f64 - 1.0;
-        let height = |i: usize| 0.5 * (1.0 + share(i)) * model.size[2];
+        let height = |i: usize| 0.5 * (1.0 + share(i)) * model.size()[2];
         let across = (0..ACROSS).map(|i| model.above_core(&state.temperature, share(i)).min(boiling));
         return ((0..ACROSS).map(height).collect(), across.collect());
-    }
-    let n = model.mesh.nodes_per_level();
-    let reach = 0.25 * (model.size[0] * model.size[0] + model.size[1] * model.size[1]) * 0.25;
+    };
+    let (n, [length, width, _]) = (mesh.nodes_per_level(), model.size());
+    let reach = 0.25 * (length * length + width * width) * 0.25;
     let inner: Vec<usize> = (0..n)
         .filter(|&i| {
-            let [x, y] = model.mesh.section.points[i];
+            let [x, y] = mesh.section.points[i];
             x * x + y * y < reach
         })
         .collect();
-    let area: f64 = inner.iter().map(|&i| model.mesh.section.areas[i]).sum();
-    let mut profile: Vec<f64> = (0..model.mesh.levels.len())
+    let area: f64 = inner.iter().map(|&i| mesh.section.areas[i]).sum();
+    let mut profile: Vec<f64> = (0..mesh.levels.len())
         .map(|level| {
-            inner.iter().map(|&i| state.temperature[level * n + i] * model.mesh.section.areas[i]).sum::<f64>() / area
+            inner.iter().map(|&i| state.temperature[level * n + i] * mesh.section.areas[i]).sum::<f64>() / area
         })
         .map(|t: f64| t.min(boiling))
         .collect();
-    profile[model.mesh.levels.len() / 2] = model.core_temperature(state);
-    (model.mesh.levels.clone(), profile)
+    profile[mesh.levels.len() / 2] = model.core_temperature(state);
+    (mesh.levels.clone(), profile)
 }
 
 /// Height that belongs to each point of a line [m].
@@ -81,6 +82,6 @@ fn heights(levels: &[f64]) -> Vec<f64> {
 }
 
 fn masses_per_volume(model: &FoodModel, state: &FoodState) -> [f64; 3] {
-    let volume: f64 = model.mesh.graph.volume.iter().sum();
-    [&state.water, &model.lean_solids, &state.fat].map(|m| m.iter().sum::<f64>() / volume)
+    let volume: f64 = model.mesh().volumes().iter().sum();
+    [state.water.as_slice(), model.lean_solids(), &state.fat].map(|m| m.iter().sum::<f64>() / volume)
 }

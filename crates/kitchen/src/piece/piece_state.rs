@@ -190,7 +190,7 @@ impl Piece {
                 Refused::BesideFood { food: self.id.clone(), most_mm: libm::floor(most * 1e3) as i64 }
             }
         })?;
-        Arc::make_mut(&mut self.uneven).resize(model.patches.len(), 0.0);
+        Arc::make_mut(&mut self.uneven).resize(model.patches().len(), 0.0);
         self.model = Arc::new(model);
         self.solver = FoodSolver::default();
         self.model.patch_geometry_into(&self.state, &mut self.geometry);
@@ -267,17 +267,17 @@ impl Piece {
 
     /// Present area of a patch [m²].
     pub fn patch_area(&self, patch: usize) -> f64 {
-        present_area(&self.model.patches[patch], &self.state)
+        present_area(&self.model.patches()[patch], &self.state)
     }
 
     /// Node of a patch.
     pub(crate) fn node_of(&self, patch: u32) -> usize {
-        self.model.patches[patch as usize].node as usize
+        self.model.patches()[patch as usize].node as usize
     }
 
     /// Whether the face at a node is wet.
     pub(crate) fn is_wet(&self, node: usize) -> bool {
-        self.state.water[node] > WET_SHARE * self.model.initial_water[node]
+        self.state.water[node] > WET_SHARE * self.model.initial_water()[node]
     }
 
     /// Brings the geometry up to date with the shape; tells whether it has changed.
@@ -300,7 +300,7 @@ impl Piece {
     /// Starts a tick: nothing is touched.
     pub(crate) fn free_all(&mut self) {
         self.touch.clear();
-        self.touch.resize(self.model.patches.len(), Touch::default());
+        self.touch.resize(self.model.patches().len(), Touch::default());
     }
 
     /// Closes a patch that lies against other food to the air.
@@ -310,7 +310,7 @@ impl Piece {
 
     /// Looks where it is near to the pan, and for how long; `seen` is its pose in the pan's frame.
     pub(crate) fn meet_pan(&mut self, pan: &PanModel, surface: &PanShape, seen: &Pose, force: f64, now: f64, dt: f64) {
-        let patches = (self.model.patches.as_slice(), self.geometry.poses.as_slice());
+        let patches = (self.model.patches(), self.geometry.poses.as_slice());
         let shape = Seen { patches, limp: self.limp.as_ref(), count: self.shape_count };
         self.near.look(pan, surface, seen, shape);
         self.lost_contact_s = if self.near.patches.is_empty() { self.lost_contact_s + dt } else { 0.0 };
@@ -378,8 +378,8 @@ impl Piece {
         let dome = self.dome_gap(near.patch as usize);
         let distance = mean + self.uneven[near.patch as usize] + near.gap + dome;
         let ridges = pan_model.ridges.filter(|_| located.nodes.iter().all(|n| (*n as usize) < pan_model.floor_nodes));
-        let surface = &self.model.description.surface;
-        if self.model.rules == Rules::Paper2013 {
+        let surface = &self.model.description().surface;
+        if self.model.rules() == Rules::Paper2013 {
             let near = f64::from(u8::from(distance <= rules.contact_distance_mm * 1e-3));
             let share = ridges.map_or(1.0, |r| r.share());
             return Touch { conductance: rules.conductance_w_m2k * near * share, temperature };
@@ -395,11 +395,11 @@ impl Piece {
 
     /// How far a patch of a bent slice stands off [m]; 0 where the slice does not lie flat.
     pub(crate) fn dome_gap(&self, patch: usize) -> f64 {
-        let flat = self.model.is_slice() && self.lay_up[2].abs() > 0.7;
+        let flat = self.model.mesh().is_slice() && self.lay_up[2].abs() > 0.7;
         if !flat {
             return 0.0;
         }
-        let [x, y, _] = self.model.mesh.position(self.model.patches[patch].node as usize);
+        let [x, y, _] = self.model.mesh().position(self.model.patches()[patch].node as usize);
         self.model.dome_gap(&self.state, [x, y], self.lay_up)
     }
 
@@ -424,7 +424,7 @@ impl Piece {
 
     /// One tick between everything that was touched and the airs before its faces.
     pub(crate) fn advance(&mut self, air: [FreeAir; 3], dt: f64) -> Exchange {
-        let air = if self.model.rules == Rules::Paper2013 { air.map(Room::without_evaporation) } else { air };
+        let air = if self.model.rules() == Rules::Paper2013 { air.map(Room::without_evaporation) } else { air };
         let around = Surroundings { touch: &self.touch, air: &air };
         let exchange = self.solver.advance(&self.model, &mut self.state, &around, dt);
         self.since_contact += dt;

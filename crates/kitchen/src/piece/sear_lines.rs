@@ -180,7 +180,7 @@ impl Piece {
     /// Area mean of a field of the nodes over the lower or the upper face of the rest shape.
     fn face_mean(&self, face: Face, field: &[f64]) -> f64 {
         let (mut sum, mut area) = (0.0, 0.0);
-        for patch in on_face(&self.model, face).map(|i| &self.model.patches[i]) {
+        for patch in on_face(&self.model, face).map(|i| &self.model.patches()[i]) {
             sum += patch.area * field[patch.node as usize];
             area += patch.area;
         }
@@ -200,15 +200,15 @@ impl Piece {
     ) {
         let (patch, located) = (near.patch as usize, &near.located);
         let off = self.uneven[patch] + near.gap + self.dome_gap(patch);
-        let given = ridges.pressed_in(face.pressure, 1e3 * self.model.kinetics.texture.raw_kpa);
+        let given = ridges.pressed_in(face.pressure, 1e3 * self.model.kinetics().texture.raw_kpa);
         let film = FaceContact { film: pan.oil_film(located), ..*face };
-        let share = self.model.description.surface.contact_share;
+        let share = self.model.description().surface.contact_share;
         let top = film.conductance(&room.contact, mean + (off - given).max(0.0)) * share;
-        let below = self.model.description.crust.conductivity_w_mk / STRIP;
+        let below = self.model.description().crust.conductivity_w_mk / STRIP;
         let metal: f64 = (0..3).map(|k| located.weights[k] * pan.temperature[located.nodes[k] as usize]).sum();
         let strip = (top * metal + below * BOILING) / (top + below);
         let look = REFRESH_TICKS as f64 * TICK_S;
-        let gained = if strip > BOILING { self.model.browning.advance((0.0, 0.0), strip, DRY, look).0 } else { 0.0 };
+        let gained = if strip > BOILING { self.model.browning().advance((0.0, 0.0), strip, DRY, look).0 } else { 0.0 };
         self.sear.brown_strip(patch, gained);
     }
 
@@ -218,10 +218,10 @@ impl Piece {
         if strips.is_empty() {
             return Vec::new();
         }
-        let mut strength = vec![0.0; self.model.mesh.node_count()];
+        let mut strength = vec![0.0; self.model.mesh().node_count()];
         for face in [Face::Bottom, Face::Top] {
             let strip = |patch: usize| strips.get(patch).copied().unwrap_or(0.0);
-            let area = |patch: usize| self.model.patches[patch].area;
+            let area = |patch: usize| self.model.patches()[patch].area;
             let (sum, whole) = on_face(&self.model, face)
                 .fold((0.0, 0.0), |(sum, whole), i| (sum + strip(i) * area(i), whole + area(i)));
             for patch in on_face(&self.model, face).filter(|_| sum > 0.0) {

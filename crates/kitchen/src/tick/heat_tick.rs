@@ -244,7 +244,7 @@ impl Kitchen {
         if piece.near.patches.is_empty() && exchange.drip.mass > 0.0 {
             self.drip_from_above(fixed, index, exchange);
         }
-        let latent = self.pieces[index].model.description.fat_melting.latent_j_kg;
+        let latent = self.pieces[index].model.description().fat_melting.latent_j_kg;
         self.flows.other += fixed.pan.render(&mut self.pan, &exchange.rendered, latent);
     }
 

@@ -1,11 +1,11 @@
-//! Patterns that go with the colours of classes, so that nothing is told by hue alone.
+//! Patterns that go with the colours of classes, so that no class is shown by hue alone.
 //!
 //! One definition for the panels' swatches, pictures of cuts and the scene: see `hatch.wgsl` of the scene, which
 //! draws the same patterns on the same grid.
 
 use crate::colour::map::Tone;
 
-/// A pattern; its number is what the scene's colour table carries beside the colour.
+/// A pattern; the scene's colour table carries its number with the colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pattern {
     /// None.
@@ -20,13 +20,14 @@ pub enum Pattern {
     Cross = 4,
 }
 
-/// Side of the grid of all patterns [pixels] (chosen: wide enough to be told apart, narrow enough for a thin band).
+/// Side of the grid of all patterns [pixels] (chosen: wide enough to be distinct, narrow enough for a thin band).
 pub const PERIOD: f64 = 8.0;
 /// Width of a line [pixels] (chosen).
 pub const LINE: f64 = 1.3;
 /// Radius of a dot [pixels] (chosen).
 pub const DOT: f64 = 1.5;
-/// How much darker the ink is than the ground [-] (chosen: seen at a glance, the colour still compares with the legend).
+/// Darkness of the ink over that of the ground [-] (chosen: seen at a glance, the colour still compares with the
+/// legend).
 pub const INK: f64 = 0.42;
 
 impl Pattern {
@@ -41,7 +42,7 @@ impl Pattern {
         }
     }
 
-    /// How much ink lies at a place of a picture (0–1).
+    /// Coverage with ink at a place of a picture (0–1).
     pub fn ink(self, x: f64, y: f64) -> f64 {
         // Distance from the nearest line of a family with this spacing.
         let line = |along: f64, spacing: f64| {

@@ -1,4 +1,4 @@
-//! Colour maps: what colour a value has.
+//! Colour maps from values to sRGB.
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ pub struct ColourMap {
     pub from: f64,
     /// Highest value.
     pub to: f64,
-    /// Whether colours are classes, not to be mixed.
+    /// True if colours are classes, not to be mixed.
     pub stepped: bool,
     /// Patterns of the table's entries, by their numbers.
     patterns: Arc<[u8; 256]>,

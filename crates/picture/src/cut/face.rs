@@ -1,11 +1,11 @@
-//! The face that a cut lays open.
+//! The cut face of a piece as the renderer's input.
 
 use glam::Vec3;
 use saute_kitchen::Piece;
 use saute_kitchen::food::colour::Appearance;
 use saute_kitchen::food::readings::changed_at;
 use saute_kitchen::food::{FoodModel, FoodState};
-use saute_kitchen::heat::CutPoint;
+use saute_kitchen::heat::{BodyMesh, CutPoint, SweptMesh};
 use saute_scene::input::{FoodVertex, SliceLook};
 
 use crate::colour::map::ColourMap;
@@ -18,24 +18,25 @@ use crate::view::View;
 /// that is no slice is cut along its middle plane, its upper half hidden.
 pub fn slice(piece: &Piece, x: f64, view: View, map: Option<&ColourMap>) -> Option<SliceLook> {
     let (model, state) = (&*piece.model, &piece.state);
-    if let Some(cells) = model.cells() {
-        return CellLook { cells, model, state, view, map }.slice(x);
-    }
+    let mesh = match model.mesh() {
+        BodyMesh::Swept(mesh) => mesh,
+        BodyMesh::Cells(cells) => return CellLook { cells, model, state, view, map }.slice(x),
+    };
     let cut = model.cut_across(x);
     if cut.points.len() < 2 {
         return None;
     }
-    let (along_x, slice) = (model.size[0] >= model.size[1], model.is_slice());
+    let (along_x, slice) = (model.size()[0] >= model.size()[1], mesh.is_upright());
     let normal = match (slice, along_x) {
         (false, _) if piece.upside_down() => Vec3::NEG_Z,
         (false, _) => Vec3::Z,
         (true, true) => Vec3::X,
         (true, false) => Vec3::Y,
     };
-    let face = CutFace { model, state, view, map, normal, shape: PresentShape::new(model, state) };
-    let levels = 0..model.mesh.levels.len();
+    let face = CutFace { model, mesh, state, view, map, normal, shape: PresentShape::new(model, state) };
+    let levels = 0..mesh.levels.len();
     let rows: Vec<Vec<FoodVertex>> = if slice {
-        let rim = CutRim::new(model, Plane { x, along_x }, &cut);
+        let rim = CutRim::new(model, mesh, Plane { x, along_x }, &cut);
         levels.map(|level| face.row(level, rim.row(level))).collect()
     } else {
         levels.map(|level| face.row(level, cut.points.iter().map(|p| (*p, face.rest(level, p))))).collect()
@@ -50,9 +51,10 @@ pub fn slice(piece: &Piece, x: f64, view: View, map: Option<&ColourMap>) -> Opti
     Some(SliceLook { point, normal, vertices, triangles, ghost: true })
 }
 
-/// What the points of a cut show.
+/// Samples the points of a cut.
 pub(crate) struct CutFace<'a> {
     pub model: &'a FoodModel,
+    pub mesh: &'a SweptMesh,
     pub state: &'a FoodState,
     pub view: View,
     pub map: Option<&'a ColourMap>,
@@ -67,7 +69,7 @@ impl CutFace<'_> {
 
     /// Nodes of a level that feed a point.
     fn nodes(&self, level: usize, point: &CutPoint) -> [usize; 2] {
-        point.nodes.map(|i| self.model.mesh.node(level, i as usize))
+        point.nodes.map(|i| self.mesh.node(level, i as usize))
     }
 
     /// Where the mesh has a point [m].
@@ -84,10 +86,10 @@ impl CutFace<'_> {
             changed: changed_at(state, |field| mix(&|i| field[i])),
             browning: mix(&|i| state.browning[i]),
             charring: mix(&|i| state.charring[i]),
-            tissue: mix(&|i| model.tissue[i]),
+            tissue: mix(&|i| model.second_tissue()[i]),
         };
         let field = self.map.map_or(0.0, |m| m.coordinate(mix(&|i| self.view.value(model, state, i))));
-        let moisture = mix(&|i| state.water[i] / model.initial_water[i]);
+        let moisture = mix(&|i| state.water[i] / model.initial_water()[i]);
         let rest = rest.to_array();
         let now = self.shape.moved(rest, |f| {
             let (from, to) = (f(a), f(b));

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 use saute_kitchen::Piece;
-use saute_kitchen::heat::Path;
+use saute_kitchen::heat::Layout;
 use saute_scene::input::SliceLook;
 
 use crate::colour::map::ColourMap;
@@ -13,9 +13,9 @@ use crate::view::View;
 /// The cut at a distance from the middle of the path [m], its hidden side towards the path's end.
 pub(crate) fn path_cut(piece: &Piece, at: f64, view: View, map: Option<&ColourMap>) -> Option<SliceLook> {
     let (model, state) = (&*piece.model, &piece.state);
-    let Path::Stations(stations) = &model.mesh.path else { return None };
-    let (level, share) = model.mesh.bracket(at + 0.5 * model.mesh.thickness());
-    let n = model.mesh.nodes_per_level();
+    let Layout::Along(mesh, stations) = model.mesh().layout() else { return None };
+    let (level, share) = mesh.bracket(at + 0.5 * mesh.thickness());
+    let n = mesh.nodes_per_level();
     let place = |node: usize| Vec3::from_array(model.rest_position(node).map(|v| v as f32));
     let ends = |i: usize| [level * n + i, (level + 1) * n + i];
     let sides: Vec<[Vec3; 2]> = (0..n).map(|i| ends(i).map(place)).collect();
@@ -27,7 +27,7 @@ pub(crate) fn path_cut(piece: &Piece, at: f64, view: View, map: Option<&ColourMa
         if way > 0.0 { (point - a).dot(normal) / way } else { share as f32 }
     };
     let points: Vec<Vec3> = sides.iter().map(|&[a, b]| a.lerp(b, meets([a, b]))).collect();
-    let face = CutFace { model, state, view, map, normal, shape: PresentShape::new(model, state) };
+    let face = CutFace { model, mesh, state, view, map, normal, shape: PresentShape::new(model, state) };
     let seen = |i: usize| face.vertex(ends(i), share, points[i]);
     let facing = |t: &[u32; 3]| {
         let [a, b, c] = t.map(|i| points[i as usize]);
@@ -76,7 +76,8 @@ mod tests {
         kitchen
     }
 
-    /// Two looks, each with the cut face that belongs to it, as large as the section there, in the plane that parts them.
+    /// Two looks, each with the cut face that belongs to it, as large as the section there, in the plane that parts
+    /// them.
     #[test]
     fn a_halved_curved_body_is_drawn_as_two_halves_with_their_cut_faces() {
         for (kind, size) in [("shrimp", [0.075, 0.018, 0.016]), ("carrot-stick", [0.060, 0.012, 0.012])] {

@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 
 use glam::{Vec2, Vec3};
 use saute_kitchen::food::FoodModel;
-use saute_kitchen::heat::{Cut, CutPoint};
+use saute_kitchen::heat::{Cut, CutPoint, SweptMesh};
 
 use crate::skin::surface::{UNEVEN, drawn, fineness, outward_normals, rim_inset, rim_radius, uneven};
 
-/// Width beside the surface over which the cut face follows its rounded and uneven rim, over the radius of the rim [-]
+/// Distance from the surface over which the cut face follows its rounded and uneven rim, over the radius of the rim [-]
 /// (chosen: further in a cut shows every point where it is; wide enough that nothing folds).
 const FOLLOWS: f32 = 4.0;
 /// Depth below a big face over which it follows the uneven face, over the unevenness [-] (chosen likewise).
@@ -32,7 +32,7 @@ struct End {
 pub(crate) struct Plane {
     /// Place along the normal [m].
     pub(crate) x: f64,
-    /// Whether the normal is x rather than y.
+    /// True if the normal is x rather than y.
     pub(crate) along_x: bool,
 }
 
@@ -50,9 +50,10 @@ impl Plane {
     }
 }
 
-/// How the cut face meets the surface.
+/// The seam between the cut face and the drawn surface.
 pub(crate) struct CutRim<'a> {
     model: &'a FoodModel,
+    mesh: &'a SweptMesh,
     plane: Plane,
     cut: &'a Cut,
     /// Edges of the section near the plane, those of its outline among them, and the direction outwards at its nodes.
@@ -63,8 +64,8 @@ pub(crate) struct CutRim<'a> {
 
 impl<'a> CutRim<'a> {
     /// Of a cut with at least two points.
-    pub(crate) fn new(model: &'a FoodModel, plane: Plane, cut: &'a Cut) -> Self {
-        let section = &model.mesh.section;
+    pub(crate) fn new(model: &'a FoodModel, mesh: &'a SweptMesh, plane: Plane, cut: &'a Cut) -> Self {
+        let section = &mesh.section;
         let axis = usize::from(!plane.along_x);
         let close = |i: u32| (section.points[i as usize][axis] - plane.x).abs() < REACH;
         let near = |e: &[u32; 2]| e.iter().any(|i| close(*i));
@@ -72,12 +73,13 @@ impl<'a> CutRim<'a> {
         let sides = section.triangles.iter().flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]]);
         let edges: BTreeSet<[u32; 2]> = sides.filter(near).map(|[a, b]| [a.min(b), a.max(b)]).collect();
         let edges = edges.into_iter().collect();
-        Self { model, plane, cut, edges, outline, outward: outward_normals(model) }
+        Self { model, mesh, plane, cut, edges, outline, outward: outward_normals(section) }
     }
 
-    /// One level of the face: which nodes feed each point, and where in the rest frame it lies [m], in order along the cut.
+    /// One level of the face: which nodes feed each point, and where in the rest frame it lies [m], in order along the
+    /// cut.
     pub(crate) fn row(&self, level: usize) -> Vec<(CutPoint, Vec3)> {
-        if level == 0 || level + 1 == self.model.mesh.levels.len() {
+        if level == 0 || level + 1 == self.mesh.levels.len() {
             let met = self.meeting(level, &self.edges);
             if met.len() > 1 {
                 return met.iter().map(|end| (end.point, self.plane.point(end.at))).collect();
@@ -93,7 +95,7 @@ impl<'a> CutRim<'a> {
         self.cut.points.iter().enumerate().map(point).collect()
     }
 
-    /// A point between the ends: beside them it follows the rim, below the faces it follows them.
+    /// A point between the ends: near them it follows the rim, below the faces it follows them.
     fn inside(&self, level: usize, point: &CutPoint, ends: &[End; 2]) -> Vec2 {
         let rest = self.rest(level, point);
         let wide = FOLLOWS * rim_radius(self.model);
@@ -104,7 +106,7 @@ impl<'a> CutRim<'a> {
 
     /// How far the uneven face above or below shifts a point upwards [m].
     fn face(&self, level: usize, point: &CutPoint) -> f32 {
-        let mesh = &self.model.mesh;
+        let mesh = self.mesh;
         let (z, thickness) = (mesh.levels[level], mesh.thickness());
         let depth = z.min(thickness - z) as f32;
         let share = 1.0 - depth / (FACE_FOLLOWS * (UNEVEN[0] * fineness(self.model)) as f32);
@@ -114,14 +116,14 @@ impl<'a> CutRim<'a> {
         let face = if 2.0 * z > thickness { mesh.levels.len() - 1 } else { 0 };
         let wave = |i: u32| {
             let p = self.model.rest_position(mesh.node(face, i as usize));
-            uneven(Vec3::from_array(p.map(|v| v as f32)), self.model).z
+            uneven(Vec3::from_array(p.map(|v| v as f32)), self.model, mesh).z
         };
         share * (wave(point.nodes[0]) * (1.0 - point.share as f32) + wave(point.nodes[1]) * point.share as f32)
     }
 
     /// Where the mesh has a point [m].
     fn rest(&self, level: usize, point: &CutPoint) -> Vec2 {
-        let z = |i: u32| self.model.rest_position(self.model.mesh.node(level, i as usize))[2];
+        let z = |i: u32| self.model.rest_position(self.mesh.node(level, i as usize))[2];
         let height = z(point.nodes[0]) * (1.0 - point.share) + z(point.nodes[1]) * point.share;
         Vec2::new(point.along as f32, height as f32)
     }
@@ -149,8 +151,8 @@ impl<'a> CutRim<'a> {
     /// Where an edge, as it is drawn at a level, meets the plane.
     fn met(&self, level: usize, nodes: [u32; 2]) -> Option<End> {
         let [(from, p), (to, q)] = nodes.map(|i| {
-            let inset = self.outward[i as usize].map_or(Vec3::ZERO, |out| rim_inset(self.model, level, out));
-            self.plane.seen(drawn(self.model, level, i as usize, inset))
+            let inset = self.outward[i as usize].map_or(Vec3::ZERO, |out| rim_inset(self.model, self.mesh, level, out));
+            self.plane.seen(drawn(self.model, self.mesh, level, i as usize, inset))
         });
         if (from >= 0.0) == (to >= 0.0) {
             return None;

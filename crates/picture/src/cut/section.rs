@@ -5,8 +5,8 @@ use saute_kitchen::food::colour::Appearance;
 use saute_kitchen::food::noise::fractal;
 use saute_kitchen::food::readings::changed_at;
 use saute_kitchen::food::{FoodModel, FoodState, Lab};
-use saute_kitchen::heat::Cut;
 use saute_kitchen::heat::voronoi::CellSlice;
+use saute_kitchen::heat::{BodyMesh, Cut, SweptMesh};
 
 use crate::colour::map::ColourMap;
 use crate::skin::cells::{CellLook, longest_axis};
@@ -34,18 +34,21 @@ struct Sample {
 /// a millimetre, with the view's colours where it has any; transparent outside the piece.
 pub fn section_picture(piece: &Piece, x: f64, view: View, colours: Option<&ColourMap>, per_mm: f64) -> Picture {
     let (model, state) = (&*piece.model, &piece.state);
-    if let Some(cells) = model.cells() {
-        let look = CellLook { cells, model, state, view, map: colours };
-        return cell_picture(&look, x, piece.upside_down(), per_mm);
-    }
+    let mesh = match model.mesh() {
+        BodyMesh::Swept(mesh) => mesh,
+        BodyMesh::Cells(cells) => {
+            let look = CellLook { cells, model, state, view, map: colours };
+            return cell_picture(&look, x, piece.upside_down(), per_mm);
+        }
+    };
     let cut = model.cut_across(x);
-    let thickness = model.mesh.thickness();
+    let thickness = mesh.thickness();
     let (Some(first), Some(last)) = (cut.points.first(), cut.points.last()) else {
         return Picture { width: 1, height: 1, rgba: vec![0; 4] };
     };
-    let samples = sample(model, state, &cut, view);
-    let painter = Painter { model, cut: &cut, samples, x, colours, flipped: piece.upside_down() };
-    if !model.is_slice() {
+    let samples = sample(model, mesh, state, &cut, view);
+    let painter = Painter { model, mesh, cut: &cut, samples, x, colours, flipped: piece.upside_down() };
+    if !mesh.is_upright() {
         return painter.lengthwise(per_mm);
     }
     // The picture shows the present size; within it the shape is stretched evenly.
@@ -64,10 +67,10 @@ pub fn section_picture(piece: &Piece, x: f64, view: View, colours: Option<&Colou
     Picture { width, height, rgba }
 }
 
-fn sample(model: &FoodModel, state: &FoodState, cut: &Cut, view: View) -> Vec<Sample> {
-    let n = model.mesh.nodes_per_level();
-    let mut samples = Vec::with_capacity(cut.points.len() * model.mesh.levels.len());
-    for level in 0..model.mesh.levels.len() {
+fn sample(model: &FoodModel, mesh: &SweptMesh, state: &FoodState, cut: &Cut, view: View) -> Vec<Sample> {
+    let n = mesh.nodes_per_level();
+    let mut samples = Vec::with_capacity(cut.points.len() * mesh.levels.len());
+    for level in 0..mesh.levels.len() {
         for p in &cut.points {
             let [a, b] = p.nodes.map(|i| level * n + i as usize);
             let mix = |f: &[f64]| f[a] * (1.0 - p.share) + f[b] * p.share;
@@ -77,7 +80,7 @@ fn sample(model: &FoodModel, state: &FoodState, cut: &Cut, view: View) -> Vec<Sa
                     changed: changed_at(state, mix),
                     browning: mix(&state.browning),
                     charring: mix(&state.charring),
-                    tissue: mix(&model.tissue),
+                    tissue: mix(model.second_tissue()),
                 },
             });
         }
@@ -114,7 +117,7 @@ fn cell_picture(look: &CellLook, x: f64, flipped: bool, per_mm: f64) -> Picture 
 fn cell_point(look: &CellLook, cut: &CellSlice, point: usize) -> (Lab, f64) {
     let (appearance, value) = look.appearance(&|f| cut.read(point, f));
     let (lean, fat) = look.model.colours(appearance);
-    (lean.lerp(fat, look.model.marbling.at(cut.points[point])), value)
+    (lean.lerp(fat, look.model.marbling().at(cut.points[point])), value)
 }
 
 /// A map's colour at a pixel, with the pattern of its class.
@@ -148,6 +151,7 @@ impl Picture {
 
 struct Painter<'a> {
     model: &'a FoodModel,
+    mesh: &'a SweptMesh,
     cut: &'a Cut,
     samples: Vec<Sample>,
     x: f64,
@@ -160,8 +164,8 @@ impl Painter<'_> {
     fn lengthwise(&self, per_mm: f64) -> Picture {
         let (first, last) = (self.cut.points[0].along, self.cut.points[self.cut.points.len() - 1].along);
         let breadths: Vec<f64> =
-            (0..self.model.mesh.levels.len()).map(|level| self.model.cut_breadth(self.cut, level)).collect();
-        let length = self.model.mesh.thickness();
+            (0..self.mesh.levels.len()).map(|level| self.model.cut_breadth(self.cut, level)).collect();
+        let length = self.mesh.thickness();
         let width = ((length * 1e3 * per_mm).round() as usize).max(1);
         let height = (((last - first) * 1e3 * per_mm).round() as usize).max(1);
         let mut rgba = Vec::with_capacity(4 * width * height);
@@ -169,7 +173,7 @@ impl Painter<'_> {
             let across = last - (last - first) * (row as f64 + 0.5) / height as f64;
             for column in 0..width {
                 let z = length * (column as f64 + 0.5) / width as f64;
-                let (level, up) = self.model.mesh.bracket(z);
+                let (level, up) = self.mesh.bracket(z);
                 let along = across / (breadths[level] * (1.0 - up) + breadths[level + 1] * up);
                 let inside = (first..=last).contains(&along);
                 let [r, g, b] = if inside { self.pixel(along, z, [column, row]) } else { [0; 3] };
@@ -181,8 +185,8 @@ impl Painter<'_> {
 
     fn pixel(&self, along: f64, up: f64, place: [usize; 2]) -> [u8; 3] {
         // Flipping turns a slice about its long axis, so the cut is mirrored as well.
-        let flipped = self.flipped && self.model.is_slice();
-        let z = if flipped { self.model.mesh.thickness() - up } else { up };
+        let flipped = self.flipped && self.mesh.is_upright();
+        let z = if flipped { self.mesh.thickness() - up } else { up };
         let along = if flipped { self.mirrored(along) } else { along };
         let s = self.interpolate(along, z);
         match self.colours {
@@ -198,7 +202,7 @@ impl Painter<'_> {
 
     fn interpolate(&self, along: f64, z: f64) -> Sample {
         let points = &self.cut.points;
-        let (level, up) = self.model.mesh.bracket(z);
+        let (level, up) = self.mesh.bracket(z);
         let right = points.partition_point(|p| p.along < along).clamp(1, points.len() - 1);
         let run = points[right].along - points[right - 1].along;
         let across = if run > 0.0 { ((along - points[right - 1].along) / run).clamp(0.0, 1.0) } else { 0.0 };
@@ -224,11 +228,11 @@ impl Painter<'_> {
 
     /// Flesh with its seams and a fine grain of fibre bundles, which run through the thickness.
     fn flesh(&self, appearance: Appearance, along: f64, z: f64) -> Lab {
-        let p = if self.model.size[0] >= self.model.size[1] { [self.x, along, z] } else { [-along, self.x, z] };
+        let p = if self.model.size()[0] >= self.model.size()[1] { [self.x, along, z] } else { [-along, self.x, z] };
         // Of a slice the second tissue is known more finely than at its nodes.
-        let tissue = if self.model.is_slice() { self.model.tissue_at(p) } else { appearance.tissue };
+        let tissue = if self.mesh.is_upright() { self.model.tissue_at(p) } else { appearance.tissue };
         let (lean, fat) = self.model.colours(Appearance { tissue, ..appearance });
-        let mixed = lean.lerp(fat, self.model.marbling.at(p));
+        let mixed = lean.lerp(fat, self.model.marbling().at(p));
         let grain = fractal(11, [p[0] / 1.1e-3, p[1] / 1.1e-3, p[2] / 9.0e-3]);
         Lab([mixed.0[0] + 2.2 * grain, mixed.0[1] + 0.8 * grain, mixed.0[2]])
     }

@@ -1,4 +1,4 @@
-//! What lies on the floor of the pan, as a small picture for the renderer: oil, water, fond, foam.
+//! Film on the pan's floor as a small picture for the renderer: oil, water, fond, foam.
 
 use std::sync::Arc;
 
@@ -7,17 +7,17 @@ use saute_kitchen::heat::Located;
 use saute_kitchen::pan::PanModel;
 use saute_scene::input::{FILM_SIZE, FilmPicture, OIL_RANGE, WATER_RANGE};
 
-/// Keeps where the texels lie on the pan's mesh, and the picture as long as it is true.
+/// Caches where the texels lie on the pan's mesh, and the picture while it is valid.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PanFilm {
-    /// Which pan the places are of.
+    /// The pan to which the places belong.
     pan: usize,
     places: Vec<Option<Located>>,
     drawn: Option<(u64, Arc<FilmPicture>)>,
 }
 
 impl PanFilm {
-    /// The picture of now.
+    /// Returns the present picture.
     pub(crate) fn picture(&mut self, kitchen: &Kitchen) -> Arc<FilmPicture> {
         let model = kitchen.pan_model();
         let pan = std::ptr::from_ref(model) as usize;
@@ -28,7 +28,7 @@ impl PanFilm {
             Some((tick, picture)) if *tick == kitchen.tick() => Arc::clone(picture),
             _ => {
                 let fresh = Arc::new(FilmPicture { texels: self.texels(kitchen) });
-                // An equal picture stays the same one, so that nothing is drawn anew for it.
+                // An equal picture keeps its allocation, so that nothing is redrawn for it.
                 let kept = self.drawn.take().map(|(_, old)| old).filter(|old| *old == fresh).unwrap_or(fresh);
                 self.drawn = Some((kitchen.tick(), Arc::clone(&kept)));
                 kept

@@ -1,4 +1,4 @@
-//! Oil that spatters as the renderer wants it: drops in the air, and spots where they have landed.
+//! Oil spatter as the renderer's input: drops in the air, and spots where they have landed.
 
 use std::sync::Arc;
 
@@ -14,19 +14,20 @@ const SPREAD: f32 = 2.2;
 /// A spot is drawn this much above what it lies on [m] (chosen: over the bumps of the drawn wall).
 const ABOVE: f32 = 4e-4;
 
-/// Ticks between two looks at the spots (chosen: a second, as the picture round the pan is brought up to date for them).
+/// Ticks between two looks at the spots (chosen: a second, as the picture round the pan is brought up to date for
+/// them).
 const LOOK_TICKS: u64 = 10;
 
 /// Keeps the spots between looks.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Spots {
     spots: Arc<Vec<SpotLook>>,
-    /// The look that they are of, and the pan's pose then.
+    /// The pan's look and pose for which they were made.
     seen: Option<(u64, Mat4)>,
 }
 
 impl Spots {
-    /// What is seen of spatter now.
+    /// Returns the visible spatter.
     pub(crate) fn look(&mut self, kitchen: &Kitchen, pan: &PanLook) -> SpatterLook {
         let spatter = &kitchen.pan_state().liquids.spatter;
         let world_from_floor = pan.world_from_pan() * Mat4::from_translation(Vec3::Z * pan.thickness);

@@ -1,4 +1,4 @@
-//! What heat has done for good to the colour of the pan, as a small picture of its unrolled inside for the renderer.
+//! Heat tint of the pan as a small picture of its unrolled inside for the renderer.
 
 use std::sync::Arc;
 
@@ -7,22 +7,22 @@ use saute_kitchen::pan::PanModel;
 use saute_kitchen::{Kitchen, celsius};
 use saute_scene::input::{FILM_SIZE, TINT_RANGE, TintPicture};
 
-/// Ticks between two pictures (chosen: ten seconds; all that stands still is drawn anew for each that differs).
+/// Ticks between two pictures (chosen: ten seconds; everything still is redrawn for each that differs).
 const LOOK_TICKS: u64 = 100;
 /// Temperatures that differ by less look the same [K] (chosen).
 const SAME: f64 = 2.0;
 
-/// Keeps where the texels lie on the pan's mesh, and the picture as long as it is true.
+/// Caches where the texels lie on the pan's mesh, and the picture while it is valid.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PanTint {
-    /// Which pan the places are of.
+    /// The pan to which the places belong.
     pan: usize,
     places: Vec<Located>,
     drawn: Option<(u64, Arc<TintPicture>)>,
 }
 
 impl PanTint {
-    /// The picture of now, or of a moment ago.
+    /// Returns the picture; it may be up to an interval old.
     pub(crate) fn picture(&mut self, kitchen: &Kitchen) -> Arc<TintPicture> {
         let model = kitchen.pan_model();
         let pan = std::ptr::from_ref(model) as usize;

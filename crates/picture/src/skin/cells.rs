@@ -1,4 +1,4 @@
-//! What a piece that is meshed inside a closed surface looks like: its skin and its cuts read nodes by weights.
+//! Skin and cuts of a piece with a cell mesh: their points read nodes by weights.
 
 use glam::Vec3;
 use saute_kitchen::food::colour::Appearance;
@@ -25,7 +25,7 @@ pub(crate) struct CellLook<'a> {
 }
 
 impl CellLook<'_> {
-    /// State of every vertex of the skin; nodes tell how dark seared lines are and what juice lies on them.
+    /// State of every vertex of the skin; node fields give how dark seared lines are and how much juice lies on them.
     pub(crate) fn skin(&self, seared: &dyn Fn(usize) -> f64, juice: &dyn Fn(usize) -> f64) -> Vec<FoodVertex> {
         let skin = &self.cells.skin;
         let of = |v: usize| {
@@ -52,21 +52,21 @@ impl CellLook<'_> {
         Some(SliceLook { point: normal * x as f32, normal, vertices, triangles: cut.triangles, ghost: true })
     }
 
-    /// What colours a point, and the value of the view's field there.
+    /// Appearance of a point, and the value of the view's field there.
     pub(crate) fn appearance(&self, reads: Reads) -> (Appearance, f64) {
         let state = self.state;
         let appearance = Appearance {
             changed: changed_at(state, |field| reads(&|i| field[i])),
             browning: reads(&|i| state.browning[i]),
             charring: reads(&|i| state.charring[i]),
-            tissue: reads(&|i| self.model.tissue[i]),
+            tissue: reads(&|i| self.model.second_tissue()[i]),
         };
         (appearance, reads(&|i| self.view.value(self.model, state, i)))
     }
 
     fn vertex(&self, reads: Reads, rest: [f64; 3], normal: [f64; 3], moist: f64) -> FoodVertex {
         let (appearance, value) = self.appearance(reads);
-        let moisture = moist * reads(&|i| self.state.water[i] / self.model.initial_water[i]);
+        let moisture = moist * reads(&|i| self.state.water[i] / self.model.initial_water()[i]);
         let field = self.map.map_or(0.0, |m| m.coordinate(value));
         let single = |v: [f64; 3]| v.map(|x| x as f32);
         let place =
@@ -77,5 +77,5 @@ impl CellLook<'_> {
 
 /// The axis across which a piece is cut.
 pub(crate) fn longest_axis(model: &FoodModel) -> usize {
-    if model.size[0] >= model.size[1] { 0 } else { 1 }
+    if model.size()[0] >= model.size()[1] { 0 } else { 1 }
 }

@@ -15,7 +15,7 @@ pub(crate) fn opened(piece: &Piece, look: FoodLook, cut: SliceLook) -> [FoodLook
     let across = Vec3::new(-normal.y, normal.x, 0.0);
     // The hinge lies away from the cook, who stands at −y.
     let away = if across.y >= 0.0 { 1.0 } else { -1.0 };
-    let half_width = 0.5 * piece.model.size[0].min(piece.model.size[1]) as f32;
+    let half_width = 0.5 * piece.model.size()[0].min(piece.model.size()[1]) as f32;
     let hinge = look.world_from_rest.transform_point3(cut.point) + across * (away * half_width);
     let turned = |side: f32| {
         let turn = Mat4::from_rotation_z(side * away * -OPENS);

@@ -1,4 +1,4 @@
-//! A piece of food as the renderer wants it: a surface with a state at every vertex.
+//! The skin of a piece of food: a surface with a state at every vertex, as the renderer reads it.
 
 use std::sync::Arc;
 
@@ -7,7 +7,7 @@ use saute_kitchen::Piece;
 use saute_kitchen::food::colour::Appearance;
 use saute_kitchen::food::noise::{fractal, mix};
 use saute_kitchen::food::{FoodModel, FoodState};
-use saute_kitchen::heat::Path;
+use saute_kitchen::heat::{Layout, Section, SweptMesh};
 use saute_scene::input::{FoodMesh, FoodVertex};
 
 use crate::colour::map::ColourMap;
@@ -17,7 +17,8 @@ use crate::view::View;
 
 /// Radius of the rounded rim between a big face and the side of a steak [m] (chosen; only the picture is rounded).
 const RIM_RADIUS: f32 = 1.6e-3;
-/// How far the drawn surface of a steak strays from the smooth shape [m], and over which distance [m] (chosen: hand-cut).
+/// How far the drawn surface of a steak strays from the smooth shape [m], and over which distance [m] (chosen:
+/// hand-cut).
 pub(crate) const UNEVEN: [f64; 2] = [0.7e-3, 11.0e-3];
 /// Moisture that shows on a cut over that of the flesh [-] (chosen: the blade wipes it).
 pub(crate) const CUT_MOISTURE: f64 = 0.75;
@@ -32,13 +33,13 @@ pub struct Skin {
     nodes: Vec<u32>,
     positions: Vec<[f32; 3]>,
     normals: Vec<[f32; 3]>,
-    /// Where on the body each vertex lies; empty where that does not matter.
+    /// Place on the body of each vertex; empty where the look does not depend on it.
     bodies: Vec<[f32; 2]>,
 }
 
-/// How much smaller rim and unevenness are than those of a steak [-].
+/// Size of rim and unevenness over those of a steak [-].
 pub(crate) fn fineness(model: &FoodModel) -> f64 {
-    let least = model.size.iter().fold(f64::INFINITY, |least, v| least.min(*v));
+    let least = model.size().iter().fold(f64::INFINITY, |least, v| least.min(*v));
     (least / TUNED_FOR).min(1.0)
 }
 
@@ -52,27 +53,28 @@ impl Skin {
     /// with a sharp rim between; of any other body its smooth surface.
     pub fn new(piece: &Piece) -> Self {
         let model = &piece.model;
-        if let Some(cells) = model.cells() {
+        match model.mesh().layout() {
+            Layout::Upright(mesh) => Self::with_rims(piece, mesh),
+            Layout::Along(..) => Self::smooth(piece),
             // Its vertices read several nodes each: see [`CellLook`].
-            let mesh = food_mesh(piece, cells.skin.triangles.clone());
-            return Self { mesh, nodes: Vec::new(), positions: Vec::new(), normals: Vec::new(), bodies: Vec::new() };
+            Layout::Cells(cells) => Self::empty(food_mesh(piece, cells.skin.triangles.clone())),
         }
-        if !model.is_slice() {
-            return Self::smooth(piece);
-        }
-        let mut skin = Self {
-            mesh: food_mesh(piece, Vec::new()),
-            nodes: Vec::new(),
-            positions: Vec::new(),
-            normals: Vec::new(),
-            bodies: Vec::new(),
-        };
+    }
+
+    fn empty(mesh: Arc<FoodMesh>) -> Self {
+        Self { mesh, nodes: Vec::new(), positions: Vec::new(), normals: Vec::new(), bodies: Vec::new() }
+    }
+
+    /// The two faces and the side of a slice.
+    fn with_rims(piece: &Piece, mesh: &SweptMesh) -> Self {
+        let model = &piece.model;
+        let mut skin = Self::empty(food_mesh(piece, Vec::new()));
         let mut triangles = Vec::new();
-        let outward = outward_normals(model);
-        let last = model.mesh.levels.len() - 1;
-        skin.add_face(model, 0, &outward, &mut triangles);
-        skin.add_face(model, last, &outward, &mut triangles);
-        skin.add_side(model, &outward, &mut triangles);
+        let outward = outward_normals(&mesh.section);
+        let last = mesh.levels.len() - 1;
+        skin.add_face(model, mesh, 0, &outward, &mut triangles);
+        skin.add_face(model, mesh, last, &outward, &mut triangles);
+        skin.add_side(model, mesh, &outward, &mut triangles);
         skin.mesh = Arc::new(FoodMesh { triangles, ..(*skin.mesh).clone() });
         skin
     }
@@ -80,8 +82,8 @@ impl Skin {
     /// The surface over the nodes of a body without rims.
     fn smooth(piece: &Piece) -> Self {
         let model = &piece.model;
-        let mut normal_of = vec![Vec3::ZERO; model.mesh.node_count()];
-        for (patch, normal) in model.patches.iter().zip(&model.rest_normals).take(model.fresh_faces().start) {
+        let mut normal_of = vec![Vec3::ZERO; model.mesh().node_count()];
+        for (patch, normal) in model.patches().iter().zip(model.rest_normals()).take(model.fresh_faces().start) {
             let normal = Vec3::from_array(normal.map(|v| v as f32));
             normal_of[patch.node as usize] += normal * patch.area as f32;
         }
@@ -97,13 +99,20 @@ impl Skin {
             }
             *place
         };
-        let triangles = model.surface.triangles.iter().map(|t| t.map(&mut vertex)).collect();
+        let triangles = model.surface().triangles.iter().map(|t| t.map(&mut vertex)).collect();
         let mesh = food_mesh(piece, triangles);
         let bodies = nodes.iter().map(|node| on_body(model, *node as usize)).collect();
         Self { mesh, nodes, positions, normals, bodies }
     }
 
-    fn add_face(&mut self, model: &FoodModel, level: usize, outward: &[Option<Vec3>], triangles: &mut Vec<[u32; 3]>) {
+    fn add_face(
+        &mut self,
+        model: &FoodModel,
+        mesh: &SweptMesh,
+        level: usize,
+        outward: &[Option<Vec3>],
+        triangles: &mut Vec<[u32; 3]>,
+    ) {
         let first = self.nodes.len() as u32;
         let up = if level == 0 { -1.0 } else { 1.0 };
         for (i, out) in outward.iter().enumerate() {
@@ -111,39 +120,45 @@ impl Skin {
                 Some(out) => (*out * 0.7 + Vec3::Z * up).normalize(),
                 None => Vec3::Z * up,
             };
-            self.push(model, level, i, out.unwrap_or(Vec3::ZERO) * -rim_radius(model), normal);
+            self.push(model, mesh, level, i, out.unwrap_or(Vec3::ZERO) * -rim_radius(model), normal);
         }
-        for t in &model.mesh.section.triangles {
+        for t in &mesh.section.triangles {
             let [a, b, c] = t.map(|i| first + i);
             triangles.push(if level == 0 { [a, c, b] } else { [a, b, c] });
         }
     }
 
-    fn add_side(&mut self, model: &FoodModel, outward: &[Option<Vec3>], triangles: &mut Vec<[u32; 3]>) {
-        let thickness = model.mesh.thickness() as f32;
+    fn add_side(
+        &mut self,
+        model: &FoodModel,
+        mesh: &SweptMesh,
+        outward: &[Option<Vec3>],
+        triangles: &mut Vec<[u32; 3]>,
+    ) {
+        let thickness = mesh.thickness() as f32;
         let mut first_of = vec![0u32; outward.len()];
         for (i, out) in outward.iter().enumerate() {
             let Some(out) = out else { continue };
             first_of[i] = self.nodes.len() as u32;
-            for (level, &z) in model.mesh.levels.iter().enumerate() {
-                let [sine, cosine] = rim(model, level);
+            for (level, &z) in mesh.levels.iter().enumerate() {
+                let [sine, cosine] = rim(model, mesh, level);
                 let up = if 2.0 * z as f32 > thickness { 1.0 } else { -1.0 };
                 let normal = (*out * (cosine + 0.3) + Vec3::Z * (up * sine)).normalize();
-                self.push(model, level, i, rim_inset(model, level, *out), normal);
+                self.push(model, mesh, level, i, rim_inset(model, mesh, level, *out), normal);
             }
         }
-        for &[a, b] in &model.mesh.section.boundary {
+        for &[a, b] in &mesh.section.boundary {
             let (a, b) = (first_of[a as usize], first_of[b as usize]);
-            for level in 0..model.mesh.levels.len() as u32 - 1 {
+            for level in 0..mesh.levels.len() as u32 - 1 {
                 triangles.push([a + level, b + level, b + level + 1]);
                 triangles.push([a + level, b + level + 1, a + level + 1]);
             }
         }
     }
 
-    fn push(&mut self, model: &FoodModel, level: usize, i: usize, shift: Vec3, normal: Vec3) {
-        self.nodes.push(model.mesh.node(level, i) as u32);
-        self.positions.push(drawn(model, level, i, shift).to_array());
+    fn push(&mut self, model: &FoodModel, mesh: &SweptMesh, level: usize, i: usize, shift: Vec3, normal: Vec3) {
+        self.nodes.push(mesh.node(level, i) as u32);
+        self.positions.push(drawn(model, mesh, level, i, shift).to_array());
         self.normals.push(normal.to_array());
     }
 
@@ -158,14 +173,14 @@ impl Skin {
         let strength = piece.sear_strength();
         let juice = model.juice_films(state);
         let seared = |node: usize| strength.get(node).copied().unwrap_or(0.0);
-        if let Some(cells) = model.cells() {
+        if let Some(cells) = model.mesh().cells() {
             return CellLook { cells, model, state, view, map }.skin(&seared, &|node| juice[node]);
         }
         let shape = PresentShape::new(model, state);
         let vertex = |k: usize| {
             let node = self.nodes[k] as usize;
             let field = map.map_or(0.0, |m| m.coordinate(view.value(model, state, node)));
-            let moisture = state.water[node] / model.initial_water[node];
+            let moisture = state.water[node] / model.initial_water()[node];
             let place = Place {
                 rest: self.positions[k],
                 now: shape.moved(self.positions[k], |f| f(node)),
@@ -179,19 +194,19 @@ impl Skin {
 }
 
 /// Where a node of a slice's surface is drawn in the rest frame, given how far the rounded rim shifts it [m].
-pub(crate) fn drawn(model: &FoodModel, level: usize, i: usize, shift: Vec3) -> Vec3 {
-    let p = Vec3::from_array(model.rest_position(model.mesh.node(level, i)).map(|v| v as f32));
-    p + shift + uneven(p, model)
+pub(crate) fn drawn(model: &FoodModel, mesh: &SweptMesh, level: usize, i: usize, shift: Vec3) -> Vec3 {
+    let p = Vec3::from_array(model.rest_position(mesh.node(level, i)).map(|v| v as f32));
+    p + shift + uneven(p, model, mesh)
 }
 
 /// How far the rounded rim shifts the side at a level, given the direction outwards [m].
-pub(crate) fn rim_inset(model: &FoodModel, level: usize, out: Vec3) -> Vec3 {
-    out * (-rim_radius(model) * (1.0 - rim(model, level)[1]))
+pub(crate) fn rim_inset(model: &FoodModel, mesh: &SweptMesh, level: usize, out: Vec3) -> Vec3 {
+    out * (-rim_radius(model) * (1.0 - rim(model, mesh, level)[1]))
 }
 
 /// Sine and cosine of the angle at which the rounded rim leans at a level.
-fn rim(model: &FoodModel, level: usize) -> [f32; 2] {
-    let (z, thickness) = (model.mesh.levels[level] as f32, model.mesh.thickness() as f32);
+fn rim(model: &FoodModel, mesh: &SweptMesh, level: usize) -> [f32; 2] {
+    let (z, thickness) = (mesh.levels[level] as f32, mesh.thickness() as f32);
     let radius = rim_radius(model);
     let sine = 1.0 - z.min(thickness - z).min(radius) / radius;
     [sine, (1.0 - sine * sine).sqrt()]
@@ -239,15 +254,15 @@ pub(crate) fn vertex(
     let first_tissue = Appearance { tissue: 0.0, ..a };
     let lab = |lab: saute_kitchen::food::Lab| lab.0.map(|v| 0.01 * v as f32);
     // A film of water stands on raw flesh; cooked flesh is matt, and fried flesh sheds it (chosen).
-    let done = a.changed[model.changes.count() - 1];
+    let done = a.changed[model.change_count() - 1];
     let matt = (1.0 - 0.5 * done) * (1.0 - 0.9 * (2.5 * a.browning).min(1.0));
     let wet = ((moisture - 0.25) / 0.75).clamp(0.0, 1.0) * matt;
     FoodVertex {
         rest: place.rest,
         position: place.now,
         normal,
-        lean: lab(model.palette.lean_unbrowned(first_tissue)),
-        fat: lab(model.palette.fat_unbrowned(a)),
+        lean: lab(model.palette().lean_unbrowned(first_tissue)),
+        fat: lab(model.palette().fat_unbrowned(a)),
         browning: a.browning as f32,
         charring: a.charring as f32,
         wetness: wet as f32,
@@ -262,25 +277,24 @@ pub(crate) fn vertex(
 
 /// Where a node of a body that is carried along stations lies: share of the length, and belly (−1) to back (1).
 pub(crate) fn on_body(model: &FoodModel, node: usize) -> [f32; 2] {
-    let Path::Stations(stations) = &model.mesh.path else { return [0.0; 2] };
-    let n = model.mesh.nodes_per_level();
+    let Layout::Along(mesh, stations) = model.mesh().layout() else { return [0.0; 2] };
+    let n = mesh.nodes_per_level();
     let (level, i) = (node / n, node % n);
     let points = &stations[level].section.points;
     let reach = points.iter().fold(1e-9f64, |most, p| most.max(p[0].abs()));
-    [model.mesh.levels[level] / model.mesh.thickness(), points[i][0] / reach].map(|v| v as f32)
+    [mesh.levels[level] / mesh.thickness(), points[i][0] / reach].map(|v| v as f32)
 }
 
 /// A hand-cut surface: faces undulate, and the side with them. Where both meet, both give the same.
-pub(crate) fn uneven(p: Vec3, model: &FoodModel) -> Vec3 {
-    let (thickness, [height, run]) = (model.mesh.thickness() as f32, UNEVEN.map(|v| v * fineness(model)));
+pub(crate) fn uneven(p: Vec3, model: &FoodModel, mesh: &SweptMesh) -> Vec3 {
+    let (thickness, [height, run]) = (mesh.thickness() as f32, UNEVEN.map(|v| v * fineness(model)));
     let wave = |seed: u64| (height * fractal(seed, p.to_array().map(|v| f64::from(v) / run))) as f32;
     let face = (2.0 * p.z.abs() / thickness).powi(8);
     Vec3::new(wave(21), wave(22), wave(23) * face)
 }
 
 /// Mean outward direction at each boundary node of the section.
-pub(crate) fn outward_normals(model: &FoodModel) -> Vec<Option<Vec3>> {
-    let section = &model.mesh.section;
+pub(crate) fn outward_normals(section: &Section) -> Vec<Option<Vec3>> {
     let mut sums = vec![Vec3::ZERO; section.points.len()];
     for &[a, b] in &section.boundary {
         let (p, q) = (section.points[a as usize], section.points[b as usize]);
@@ -292,7 +306,8 @@ pub(crate) fn outward_normals(model: &FoodModel) -> Vec<Option<Vec3>> {
 }
 
 fn key(piece: &Piece) -> u64 {
-    let bits = piece.model.size.iter().map(|v| v.to_bits()).chain([piece.seed, piece.model.mesh.node_count() as u64]);
+    let bits =
+        piece.model.size().into_iter().map(f64::to_bits).chain([piece.seed, piece.model.mesh().node_count() as u64]);
     let text = piece.kind.bytes().map(u64::from);
     bits.chain(text).fold(0x5a07e, |hash, v| mix(hash ^ mix(v)))
 }

@@ -7,7 +7,7 @@ use saute_scene::renderer::SceneRenderer;
 use crate::cut::section::Picture;
 use crate::stage::{Stage, StageOptions};
 
-/// Why nothing can be drawn.
+/// Errors of opening a graphics device.
 #[derive(Debug, thiserror::Error)]
 pub enum GpuError {
     /// No adapter.
@@ -20,7 +20,7 @@ pub enum GpuError {
     NoDevice(#[from] wgpu::RequestDeviceError),
 }
 
-/// A device and what it is.
+/// A graphics device with its queue.
 #[derive(Clone, Debug)]
 pub struct Gpu {
     /// Device.
@@ -32,7 +32,7 @@ pub struct Gpu {
 }
 
 impl Gpu {
-    /// Opens the best adapter there is, a software one included.
+    /// Opens the best available adapter, a software one included.
     pub fn open() -> Result<Self, GpuError> {
         pollster::block_on(async {
             let adapter = match adapter(wgpu::Backends::PRIMARY).await {
@@ -48,7 +48,7 @@ impl Gpu {
     }
 }
 
-/// OpenGL is tried last: opening it without a display makes the driver complain on stderr.
+/// OpenGL is tried last: without a display its driver writes warnings to stderr.
 async fn adapter(backends: wgpu::Backends) -> Result<wgpu::Adapter, wgpu::RequestAdapterError> {
     let descriptor =
         wgpu::InstanceDescriptor { backends, ..wgpu::InstanceDescriptor::new_without_display_handle_from_env() };

@@ -19,10 +19,10 @@ use crate::still::headless::{Gpu, GpuError, still_at};
 use crate::view::View;
 use crate::waiting::FIRST_ON_BOARD;
 
-/// Why there is no picture.
+/// Errors of a still.
 #[derive(Debug, thiserror::Error)]
 pub enum ShotError {
-    /// The recipe ends before.
+    /// The recipe ends before the requested time.
     #[error(
         "{file}:{line}: --at {at_s} is past the end: this step ends the cook at {end_s:.1} s\n  remedy: choose a time from 0 to {end_s:.1}"
     )]
@@ -31,12 +31,12 @@ pub enum ShotError {
         file: String,
         /// Line of its last step, from 1.
         line: usize,
-        /// What was asked for [s].
+        /// The requested time [s].
         at_s: f64,
         /// When the recipe ends [s].
         end_s: f64,
     },
-    /// A step went wrong.
+    /// A step failed.
     #[error(transparent)]
     Run(#[from] InputError),
     /// The kitchen cannot be set up.
@@ -66,18 +66,18 @@ pub fn cook_until(recipe: Recipe, library: &Library, at_s: f64) -> Result<Cook, 
     Ok(cook)
 }
 
-/// How a still is wanted.
+/// Options of a still.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShotOptions {
-    /// What the colours mean.
+    /// View that the colours show.
     pub view: View,
-    /// Whether the look stands beside it, at the left.
+    /// True if the look is shown to its left.
     pub split: bool,
-    /// Whether the food is cut open.
+    /// True if the food is cut open.
     pub slice: bool,
-    /// What the look calls white.
+    /// White balance of the look.
     pub white_balance: WhiteBalance,
-    /// How much work the picture is worth.
+    /// Rendering quality.
     pub quality: Quality,
     /// Unlit, exactly decodable colours.
     pub flat: bool,
@@ -113,13 +113,13 @@ impl ShotOptions {
     }
 }
 
-/// How much nearer a cut is looked at [-] (chosen: the pan fills the picture).
+/// Factor on the distance from which a cut is seen [-] (chosen: the pan fills the picture).
 const CUT_DISTANCE: f32 = 0.62;
 
 /// Width of the line between the halves of a split picture at least [pixels].
 const LINE: u32 = 2;
 
-/// Cooks up to a time and draws.
+/// Cooks a recipe up to a time [s] and draws the kitchen.
 pub fn shot(
     recipe: Recipe,
     library: &Library,

@@ -1,5 +1,5 @@
-//! Promise: every food raw and fried, a steak turned, rested, burnt and cut, and every view look as they did when somebody
-//! last looked at them. `./test.sh bless` writes the pictures anew and tells what changed.
+//! Promise: every food raw and fried, a steak turned, rested, burnt and cut, and every view look as they did when
+//! somebody last looked at them. `./test.sh bless` rewrites the pictures and prints what has changed.
 
 use std::path::PathBuf;
 use std::sync::Arc;

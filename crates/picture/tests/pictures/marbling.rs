@@ -1,5 +1,5 @@
-//! Promise: the marbling that is seen is the marbling that conducts: a node holds as much fat as the picture shows in its
-//! volume, and a piece as much as its description asks for.
+//! Promise: the marbling that is seen is the marbling that conducts: a node holds as much fat as the picture shows in
+//! its volume, and a piece as much as its description states.
 
 use saute_kitchen::food::FoodModel;
 use saute_kitchen::{Kitchen, Library};
@@ -7,8 +7,8 @@ use saute_picture::skin::surface::Skin;
 use saute_recipe::Recipe;
 use saute_scene::input::{GrainVolume, WITHIN_RANGE};
 
-/// Places along each side of a triangle at which the picture is read, and how many lie upon each other in every half of a
-/// layer (chosen: 0.2 mm apart and less, where seams are some 0.5 to 1 mm wide).
+/// Places along each side of a triangle at which the picture is read, and how many lie upon each other in every half of
+/// a layer (chosen: 0.2 mm apart and less, where seams are some 0.5 to 1 mm wide).
 const ALONG: usize = 26;
 const UPWARDS: usize = 3;
 /// Largest difference in share of fat [-].
@@ -49,7 +49,7 @@ fn fatty(within: f64) -> f64 {
 /// Mean share of fat that is seen in the volume of each node: of each triangle the third that is nearest to the node's
 /// corner, half way to the levels beside it.
 fn seen(model: &FoodModel, grain: &GrainVolume) -> Vec<f64> {
-    let mesh = &model.mesh;
+    let mesh = model.mesh().swept().expect("a slice");
     let mut sums = vec![[0.0; 2]; mesh.node_count()];
     for triangle in &mesh.section.triangles {
         let places = places(triangle.map(|i| mesh.section.points[i as usize]));
@@ -97,10 +97,10 @@ fn largest_difference(kind: &str, seed: u64) -> (f64, [f64; 2]) {
     let piece = &kitchen.pieces()[0];
     let (model, skin) = (&piece.model, Skin::new(piece));
     let seen = seen(model, &skin.mesh.grain);
-    let volume = &model.mesh.graph.volume;
+    let volume = model.mesh().volumes();
     let mean = |field: &[f64]| field.iter().zip(volume).map(|(f, v)| f * v).sum::<f64>() / volume.iter().sum::<f64>();
-    let largest = seen.iter().zip(&model.adipose).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    (largest, [mean(&model.adipose), mean(&seen)])
+    let largest = seen.iter().zip(model.adipose()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    (largest, [mean(model.adipose()), mean(&seen)])
 }
 
 #[test]
@@ -110,7 +110,7 @@ fn each_node_holds_the_fat_that_is_seen_in_its_volume() {
         println!("{kind} {seed}: largest difference {largest:.4}, {held:.4} held, {shown:.4} shown");
         assert!(largest < MOST, "{kind} {seed}: {largest}");
         assert!((held - shown).abs() < 0.002, "{kind} {seed}: {held} held, {shown} shown");
-        let asked = steak(kind, seed).pieces()[0].model.marbling.mean_share();
+        let asked = steak(kind, seed).pieces()[0].model.marbling().mean_share();
         assert!((held - asked).abs() < MOST, "{kind} {seed}: {held} held, {asked} asked for");
     }
 }

@@ -23,8 +23,8 @@ const DISTANCE: f32 = 0.048;
 const BESIDE: f32 = 1.2;
 /// From place to place along the rim [pixels].
 const APART: f32 = 10.0;
-/// Largest ΔE*ab between both sides, in the mean and for nine of ten places (chosen: what patches that touch may differ by
-/// unnoticed).
+/// Largest ΔE*ab between both sides, in the mean and for nine of ten places (chosen: what patches that touch may differ
+/// by unnoticed).
 const MOST_MEAN: f64 = 1.0;
 const MOST_OF_NINE: f64 = 2.5;
 
@@ -69,8 +69,8 @@ impl Rim {
             let away = (at.floor() + 0.5 - rim).dot(aside.normalize());
             inside.then(|| (Lab::from_srgb8([rgba[start], rgba[start + 1], rgba[start + 2]]), f64::from(away)))
         };
-        // A crust is so thin that its colour changes beside the rim, and a seam so sharp that it does not change evenly: a
-        // step is there both between the nearest pixels and where both sides are followed to the rim itself.
+        // A crust is so thin that its colour changes beside the rim, and a seam so sharp that it does not change
+        // evenly: a step is there both between the nearest pixels and where both sides are followed to the rim itself.
         let sides = |rim: Vec2, aside: Vec2| {
             let (near, far) = (read(rim + aside, aside, rim)?, read(rim + 2.5 * aside, aside, rim)?);
             let back = near.1 / (far.1 - near.1);
@@ -104,13 +104,13 @@ impl Rim {
     }
 }
 
-/// The rim in the world and the direction from which it is seen: of a slice the upper edge of the cut, of any other body its
-/// edge along the path.
+/// The rim in the world and the direction from which it is seen: of a slice the upper edge of the cut, of any other
+/// body its edge along the path.
 fn seen_rim(scene: &SceneInput, model: &FoodModel) -> (Vec<Vec3>, Vec3) {
     let food = &scene.foods[0];
     let cut = food.slice.as_ref().expect("a cut");
     let place = |v: &FoodVertex| food.world_from_rest.transform_point3(Vec3::from_array(v.position));
-    if model.is_slice() {
+    if model.mesh().is_slice() {
         let along = |v: &FoodVertex| Vec3::Z.cross(cut.normal).dot(Vec3::from_array(v.rest));
         let rows: Vec<Vec<Vec3>> =
             cut.vertices.chunk_by(|a, b| along(a) <= along(b)).map(|row| row.iter().map(place).collect()).collect();

@@ -1,5 +1,6 @@
 //! Promise: pictures tell the truth: the temperature view decodes to the field of the core, and the look follows it.
 
+use saute_kitchen::food::FoodModel;
 use saute_kitchen::food::noise::uniform;
 use saute_kitchen::{Library, Piece, celsius};
 use saute_picture::stage::{Pose, StageOptions, half_length, poses};
@@ -41,9 +42,13 @@ enum Plane {
     Cut(f64),
 }
 
+fn thickness(model: &FoodModel) -> f64 {
+    model.mesh().swept().expect("a slice").thickness()
+}
+
 /// How far a point of the rest shape has moved as the piece contracted and bent [m].
 fn moved(piece: &Piece, point: [f64; 3]) -> glam::Vec3 {
-    let (mesh, half) = (&piece.model.mesh, 0.5 * piece.model.mesh.thickness());
+    let (mesh, half) = (piece.model.mesh(), 0.5 * thickness(&piece.model));
     let now = piece.model.positions(&piece.state);
     let shift = |axis: usize| {
         let rest = |node: usize| mesh.position(node)[axis] - if axis == 2 { half } else { 0.0 };
@@ -57,7 +62,7 @@ fn moved(piece: &Piece, point: [f64; 3]) -> glam::Vec3 {
 /// point the piece has moved as one.
 fn seen(piece: &Piece, pose: &Pose, camera: &Camera, plane: &Plane, near: [f64; 3]) -> ([usize; 2], [f64; 3]) {
     let aspect = SIZE[0] as f32 / SIZE[1] as f32;
-    let half = 0.5 * piece.model.mesh.thickness();
+    let half = 0.5 * thickness(&piece.model);
     let centred = glam::Vec3::new(near[0] as f32, near[1] as f32, (near[2] - half) as f32);
     let shift = moved(piece, near);
     let ndc = camera.project(pose.matrix().transform_point3(centred + shift), aspect).expect("in view");
@@ -85,7 +90,7 @@ fn the_flat_temperature_view_decodes_to_the_cores_field_within_a_kelvin() {
     let options = options(View::Temperature, Some(0.2), true);
     let picture = still(&gpu, &cook.kitchen, &options, SIZE);
     let map = TemperatureMap::Uniform.map();
-    let (thickness, cut) = (piece.model.mesh.thickness(), 0.2 * half_length(piece));
+    let (thickness, cut) = (thickness(&piece.model), 0.2 * half_length(piece));
     let upper = if piece.upside_down() { 0.0 } else { thickness };
     for i in 0..40u64 {
         let random = |k: u64| uniform(2013, 10 * i + k);
@@ -112,12 +117,12 @@ fn flat_views_of_every_field_decode_to_the_cores_values() {
     let piece = &cook.kitchen.pieces()[0];
     let (model, state) = (&*piece.model, &piece.state);
     let pose = poses(&cook.kitchen)[0];
-    let (thickness, cut) = (model.mesh.thickness(), 0.2 * half_length(piece));
+    let (thickness, cut) = (thickness(model), 0.2 * half_length(piece));
     for view in [View::Moisture, View::Browning, View::Lethality, View::Marbling] {
         let options = options(view, Some(0.2), true);
         let picture = still(&gpu, &cook.kitchen, &options, SIZE);
         let map = view.colour_map(TemperatureMap::Uniform, None).expect("a field");
-        let field: Vec<f64> = (0..model.mesh.node_count()).map(|node| view.value(model, state, node)).collect();
+        let field: Vec<f64> = (0..model.mesh().node_count()).map(|node| view.value(model, state, node)).collect();
         for i in 0..30u64 {
             let random = |k: u64| uniform(77, 10 * i + k);
             let near = [cut, (random(0) - 0.5) * 0.06, 0.004 + random(1) * (thickness - 0.008)];
@@ -130,7 +135,8 @@ fn flat_views_of_every_field_decode_to_the_cores_values() {
     }
 }
 
-/// Classes are told by patterns as well as by colours, but a picture for measuring holds nothing but its classes' colours.
+/// Classes differ by patterns as well as by colours, but a picture for measuring holds nothing but its classes'
+/// colours.
 #[test]
 fn lit_doneness_is_hatched_and_flat_doneness_is_not() {
     let Some(gpu) = adapter() else { return };
@@ -148,7 +154,7 @@ fn lit_doneness_is_hatched_and_flat_doneness_is_not() {
     assert!(count > 5_000, "{count} pixels in the colours of the classes");
     // In the light the upper face, all of one class, is inked in places and not in others.
     let piece = &cook.kitchen.pieces()[0];
-    let upper = if piece.upside_down() { 0.0 } else { 0.999 * piece.model.mesh.thickness() };
+    let upper = if piece.upside_down() { 0.0 } else { 0.999 * thickness(&piece.model) };
     let camera = options(View::Doneness, None, false).camera;
     let (at, _) = seen(piece, &poses(&cook.kitchen)[0], &camera, &Plane::Upper, [-0.03, 0.0, upper]);
     let level = |picture: &Picture, dx: usize, dy: usize| -> f64 {

@@ -78,7 +78,7 @@ impl Recorder {
         };
         let row = Row {
             time_s: rounded(kitchen.time_s()),
-            hob_drawn_w: kitchen.drawn_w(),
+            hob_drawn_w: kitchen.hob_drawn_w(),
             pan_c: celsius(kitchen.pan_temperature()),
             foods: kitchen.pieces().iter().map(food).collect(),
         };
@@ -88,25 +88,30 @@ impl Recorder {
         self.rows.push(row);
     }
 
-    /// The series as CSV with fixed decimals, so that the same cook gives the same bytes: columns for each food by its id, then
-    /// for the means of each group.
-    pub fn csv(&self, ids: &[&str], groups: &[Group]) -> String {
-        let mut text = String::from("time_s,hob_drawn_w,pan_c");
-        for id in ids.iter().copied().chain(groups.iter().map(|g| g.id.as_str())) {
-            text.push_str(&format!(",{id}.core_c,{id}.top_c,{id}.bottom_c,{id}.mass_g"));
-        }
-        text.push('\n');
+    /// Returns the series as CSV: columns for each food by its id, then for the means of each group. Decimals are fixed, so that
+    /// the same cook gives the same bytes.
+    pub fn csv(&self, ids: &[&str], groups: &[Group]) -> Result<String, csv::Error> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        let names = ids.iter().copied().chain(groups.iter().map(|g| g.id.as_str()));
+        let columns = names.flat_map(|id| FOOD_COLUMNS.map(|column| format!("{id}.{column}")));
+        writer.write_record(COLUMNS.map(str::to_owned).into_iter().chain(columns))?;
         for row in &self.rows {
-            text.push_str(&format!("{:.1},{:.0},{:.3}", row.time_s, row.hob_drawn_w, row.pan_c));
+            let own = [format!("{:.1}", row.time_s), format!("{:.0}", row.hob_drawn_w), format!("{:.3}", row.pan_c)];
             let means = groups.iter().map(|g| row.mean(&g.members));
-            for [core, top, bottom, mass] in row.foods.iter().copied().chain(means) {
-                text.push_str(&format!(",{core:.3},{top:.3},{bottom:.3},{mass:.4}"));
-            }
-            text.push('\n');
+            let foods = row.foods.iter().copied().chain(means).flat_map(|[core, top, bottom, mass]| {
+                [format!("{core:.3}"), format!("{top:.3}"), format!("{bottom:.3}"), format!("{mass:.4}")]
+            });
+            writer.write_record(own.into_iter().chain(foods))?;
         }
-        text
+        let bytes = writer.into_inner().map_err(|e| e.into_error())?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
 }
+
+/// Columns of the series that belong to no food.
+const COLUMNS: [&str; 3] = ["time_s", "hob_drawn_w", "pan_c"];
+/// Columns of each food and of the mean of each group, after the id and a dot.
+const FOOD_COLUMNS: [&str; 4] = ["core_c", "top_c", "bottom_c", "mass_g"];
 
 /// Ticks between two rows: one second.
 const TICKS_PER_ROW: u64 = 10;

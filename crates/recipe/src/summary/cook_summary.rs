@@ -406,8 +406,8 @@ impl FoodSummary {
         let (core, least) = model.log_reduction(state);
         // There always is one: the library does not load without it.
         let default = scales.iter().find(|s| s.id == DEFAULT_SCALE);
-        let fitting = scales.iter().filter(|s| s.fits(&model.kinetics));
-        let names = model.kinetics.names();
+        let fitting = scales.iter().filter(|s| s.fits(model.kinetics()));
+        let names = model.kinetics().names();
         let mean = |field: &Vec<f64>| model.volume_mean(field);
         let upwards = if piece.upside_down() { -1.0 } else { 1.0 };
         Self {
@@ -415,7 +415,7 @@ impl FoodSummary {
             kind: piece.kind.clone(),
             group: None,
             place: piece.place.name(),
-            nodes: model.mesh.node_count(),
+            nodes: model.mesh().node_count(),
             mass_g: StartEnd { start: 1e3 * mass_at_start, end: 1e3 * piece.mass() },
             lost_pct: 100.0 * (1.0 - piece.mass() / mass_at_start),
             water_g: WaterSummary { evaporated: 1e3 * state.evaporated, dripped: 1e3 * state.dripped },

@@ -1,4 +1,4 @@
-//! Which part of the picture what moves can touch: only that part is restored and drawn again.
+//! Dirty rectangles: the part of the picture that moving things can touch. Only that part is restored and redrawn.
 
 use glam::{Mat4, Vec2, Vec3, Vec4Swizzles};
 
@@ -66,7 +66,7 @@ impl DirtyRect {
     }
 }
 
-/// Tells where on the picture something is.
+/// Accumulates where on the picture something is.
 struct Eye {
     clip_from_world: Mat4,
     size: Vec2,

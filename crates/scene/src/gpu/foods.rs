@@ -1,4 +1,4 @@
-//! Buffers of the foods: topology and marbling by key, states uploaded every frame.
+//! GPU buffers of the foods: topology and marbling are cached by key, states are uploaded every frame.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -57,7 +57,7 @@ struct CutBuffers {
     kept: Indices,
     /// Triangles of the outside that are not wholly kept.
     hidden: Indices,
-    /// Whether a knife has parted it: then what is hidden is not there.
+    /// True if a knife has halved it: then the hidden half is not drawn.
     parted: bool,
 }
 
@@ -136,7 +136,7 @@ impl Foods {
         self.order.sort_by(|a, b| away(a).total_cmp(&away(b)));
     }
 
-    /// Uploads the states; tells what moved far enough to show.
+    /// Uploads the states; returns what has moved far enough to be seen.
     pub fn update(
         &mut self,
         device: &wgpu::Device,

@@ -2,8 +2,11 @@
 
 pub(crate) mod dirty;
 pub(crate) mod foods;
+pub(crate) mod history;
 pub mod overlay;
 pub(crate) mod passes;
+pub(crate) mod pipeline_build;
+pub(crate) mod pipeline_set;
 pub(crate) mod pipelines;
 pub mod readback;
 pub(crate) mod shown;
@@ -13,3 +16,4 @@ pub(crate) mod still;
 pub(crate) mod targets;
 pub(crate) mod textures;
 pub(crate) mod uniforms;
+pub(crate) mod views;

@@ -1,6 +1,6 @@
-//! Pipelines that draw into egui's own pass: one triangle, no vertex buffer, no depth.
+//! Overlay pipelines that draw into a window's own pass: one triangle, no vertex buffer, no depth.
 
-/// Begins every overlay's shader.
+/// First part of every overlay's shader.
 const COVER: &str = include_str!("../shaders/cover.wgsl");
 /// The vertex function that covers the whole viewport.
 pub const VS_COVER: &str = "vs_cover";
@@ -11,16 +11,16 @@ pub const PICTURE: wgpu::BindingType = wgpu::BindingType::Texture {
     view_dimension: wgpu::TextureViewDimension::D2,
     multisampled: false,
 };
-/// What samples it.
+/// A filtering sampler.
 pub const SAMPLER: wgpu::BindingType = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
-/// Numbers that are the same for all pixels.
+/// A uniform buffer.
 pub const UNIFORM: wgpu::BindingType = wgpu::BindingType::Buffer {
     ty: wgpu::BufferBindingType::Uniform,
     has_dynamic_offset: false,
     min_binding_size: None,
 };
 
-/// What some stages are given, numbered from 0.
+/// Bind group layout of some stages, with bindings numbered from 0.
 pub fn layout<const N: usize>(
     device: &wgpu::Device,
     label: &'static str,
@@ -32,7 +32,7 @@ pub fn layout<const N: usize>(
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
 }
 
-/// Samples a picture smoothly.
+/// Makes a sampler with linear filtering.
 pub fn sampler(device: &wgpu::Device, label: &'static str) -> wgpu::Sampler {
     device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some(label),
@@ -42,7 +42,7 @@ pub fn sampler(device: &wgpu::Device, label: &'static str) -> wgpu::Sampler {
     })
 }
 
-/// A pipeline over the pass's viewport: what differs between them.
+/// Description of a pipeline that covers the pass's viewport.
 pub struct Overlay<'a> {
     /// Label of module, layout and pipeline.
     pub label: &'static str,

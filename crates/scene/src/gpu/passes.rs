@@ -1,4 +1,4 @@
-//! What is drawn in which pass, in which order.
+//! Render passes and the order of draw calls in them.
 
 use crate::gpu::foods::Foods;
 use crate::gpu::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::gpu::targets::{COLOUR_FORMAT, MSAA_SAMPLES};
+use crate::gpu::pipeline_build::{Detail, PipelineOptions, build};
 use crate::gpu::textures::{DEPTH_FORMAT, fragment_entry};
 use crate::input::{FleshTexture, FoodVertex};
 use crate::light::room_light;
@@ -46,7 +46,7 @@ pub(crate) struct ColourPipelines {
     pub wood: wgpu::RenderPipeline,
     pub glass: wgpu::RenderPipeline,
     pub metal: wgpu::RenderPipeline,
-    /// Black with depth: made when a half mirror first needs it.
+    /// Occluder: black with depth; made when a half mirror first needs it.
     pub occluder: Option<wgpu::RenderPipeline>,
     /// The pan's floor, which is drawn with the foods.
     pub floor: wgpu::RenderPipeline,
@@ -69,7 +69,7 @@ pub(crate) struct FoodPipelines {
 }
 
 impl ColourPipelines {
-    /// Those of one kind of flesh; none before [`PipelineFactory::stock`] has made them.
+    /// Returns the pipelines of one kind of flesh; none before [`PipelineFactory::stock`] has made them.
     pub fn of(&self, texture: FleshTexture) -> Option<&FoodPipelines> {
         self.foods.get(&texture)
     }
@@ -164,7 +164,7 @@ impl PipelineFactory {
         }
     }
 
-    /// Makes the pipeline of what hides and is not seen.
+    /// Makes the pipeline of occluders, which are black and write depth.
     pub fn occlude(&self, device: &wgpu::Device, pipelines: &mut ColourPipelines) {
         let detail = pipelines.detail;
         pipelines.occluder.get_or_insert_with(|| self.solid_pipeline(device, "fs_occluder", detail));
@@ -219,7 +219,7 @@ impl PipelineFactory {
         detail: Detail,
         texture: Option<FleshTexture>,
     ) -> wgpu::RenderPipeline {
-        let detail = Worth { detail, texture };
+        let detail = PipelineOptions { detail, texture };
         let vertex = (&self.food, "vs_food", Some(food_buffer()));
         let blend = veil.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
         build(device, &self.food_layout, vertex, Some((&self.food, entry, blend)), depth_state(!veil), cull, detail)
@@ -270,7 +270,7 @@ impl Layouts {
                 "restore",
                 &[
                     fragment_entry(0, texture(float(false), TextureViewDimension::D2)),
-                    // Depth, read as a plain number: WebGL2 cannot load texels of what it knows to be depth.
+                    // Depth, read as a plain float: WebGL2 cannot load texels of a depth texture.
                     fragment_entry(1, texture(float(false), TextureViewDimension::D2)),
                 ],
             ),
@@ -323,93 +323,5 @@ fn pipeline_layout(device: &wgpu::Device, groups: &[&wgpu::BindGroupLayout]) -> 
         label: Some("scene"),
         bind_group_layouts: &groups,
         immediate_size: 0,
-    })
-}
-
-/// How much work a pixel is worth.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Detail {
-    /// Without the patterns of the surroundings.
-    Quick,
-    Usual,
-    /// Anti-aliased, with more samples of the depth maps.
-    Fine,
-    /// Besides, with still more of them, and shadows where food touches the ground.
-    Best,
-}
-
-impl Detail {
-    fn samples(self) -> u32 {
-        if self >= Self::Fine { MSAA_SAMPLES } else { 1 }
-    }
-}
-
-/// What a pipeline is made for.
-#[derive(Clone, Copy, Debug)]
-struct Worth {
-    detail: Detail,
-    /// Which solid texture, of those pipelines that have one.
-    texture: Option<FleshTexture>,
-}
-
-impl From<Detail> for Worth {
-    fn from(detail: Detail) -> Self {
-        Self { detail, texture: None }
-    }
-}
-
-impl Worth {
-    /// Values of the constants that the shaders leave open.
-    fn constants(self) -> Vec<(&'static str, f64)> {
-        let mut constants = match self.detail {
-            Detail::Quick => vec![("quick", 1.0)],
-            Detail::Usual => Vec::new(),
-            Detail::Fine => vec![("fine", 1.0)],
-            Detail::Best => vec![("fine", 1.0), ("contact", 1.0)],
-        };
-        // The numbers in `grain.wgsl`.
-        constants.extend(self.texture.map(|texture| ("texture_kind", f64::from(texture as u8))));
-        constants
-    }
-}
-
-type VertexStage<'a> = (&'a wgpu::ShaderModule, &'static str, Option<wgpu::VertexBufferLayout<'static>>);
-type FragmentStage<'a> = (&'a wgpu::ShaderModule, &'static str, Option<wgpu::BlendState>);
-
-fn build(
-    device: &wgpu::Device,
-    layout: &wgpu::PipelineLayout,
-    (vertex, vertex_entry, buffer): VertexStage<'_>,
-    fragment: Option<FragmentStage<'_>>,
-    depth: wgpu::DepthStencilState,
-    cull_mode: Option<wgpu::Face>,
-    worth: impl Into<Worth>,
-) -> wgpu::RenderPipeline {
-    let worth = worth.into();
-    let constants = worth.constants();
-    let buffers = buffer.map(Some);
-    let target = fragment.as_ref().map(|(_, _, blend)| {
-        [Some(wgpu::ColorTargetState { format: COLOUR_FORMAT, blend: *blend, write_mask: wgpu::ColorWrites::ALL })]
-    });
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(fragment.as_ref().map_or(vertex_entry, |(_, entry, _)| entry)),
-        layout: Some(layout),
-        vertex: wgpu::VertexState {
-            module: vertex,
-            entry_point: Some(vertex_entry),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: buffers.as_slice(),
-        },
-        primitive: wgpu::PrimitiveState { cull_mode, ..Default::default() },
-        depth_stencil: Some(depth),
-        multisample: wgpu::MultisampleState { count: worth.detail.samples(), ..Default::default() },
-        fragment: fragment.as_ref().zip(target.as_ref()).map(|((module, entry, _), target)| wgpu::FragmentState {
-            module,
-            entry_point: Some(entry),
-            compilation_options: wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() },
-            targets: target,
-        }),
-        multiview_mask: None,
-        cache: None,
     })
 }

@@ -1,4 +1,4 @@
-//! Pictures as bytes, for stills and tests.
+//! Read-back: pictures as bytes, for stills and tests.
 
 use crate::input::SceneInput;
 use crate::quality::Quality;
@@ -15,13 +15,14 @@ impl SceneRenderer {
         size: [u32; 2],
         quality: Quality,
     ) -> Vec<u8> {
-        let before = std::mem::replace(&mut self.quality, quality);
+        let before = self.quality();
+        self.set_quality(quality);
         let mut pixels = self.read_as_is(device, queue, input, size);
         if quality == Quality::Quick {
             // What does not move gets its patterns and smooth edges in the second frame.
             pixels = self.read_as_is(device, queue, input, size);
         }
-        self.quality = before;
+        self.set_quality(before);
         pixels
     }
 

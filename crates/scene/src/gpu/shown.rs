@@ -1,4 +1,5 @@
-//! What the finished picture shows: a frame that shows the same is not drawn again, and one that rests is drawn well.
+//! What the finished picture shows: an equal frame is not drawn again, and a resting one is drawn once with
+//! anti-aliasing.
 
 use web_time::{Duration, Instant};
 
@@ -6,18 +7,18 @@ use crate::gpu::uniforms::FrameUniform;
 use crate::mesh::steam::PuffVertex;
 use crate::quality::Quality;
 
-/// A picture that has rested this long is worth smooth edges everywhere (chosen: longer than between two ticks).
+/// Time at rest after which a picture is drawn with anti-aliasing (chosen: longer than between two ticks).
 const RESTED: Duration = Duration::from_millis(350);
 
-/// Everything but the foods that the picture was drawn from.
+/// Everything the picture was drawn from, except the foods.
 #[derive(Clone, Debug)]
-pub(crate) struct Sight {
+pub(crate) struct ShownFrame {
     pub frame: FrameUniform,
     pub sprites: Vec<PuffVertex>,
     pub quality: Quality,
 }
 
-impl Sight {
+impl ShownFrame {
     fn same(&self, other: &Self) -> bool {
         self.quality == other.quality
             && bytemuck::bytes_of(&self.frame) == bytemuck::bytes_of(&other.frame)
@@ -29,7 +30,7 @@ impl Sight {
     }
 }
 
-/// What there is to do for a frame.
+/// Work that a frame needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Work {
     /// Draw it.
@@ -40,12 +41,12 @@ pub(crate) enum Work {
     Smooth,
 }
 
-/// What the picture shows, and since when.
+/// Contents of the picture, and since when it shows them.
 #[derive(Debug)]
 pub(crate) struct Shown {
     /// How long a picture must rest before it is smoothed.
     pub rest: Duration,
-    sight: Option<Sight>,
+    sight: Option<ShownFrame>,
     since: Option<Instant>,
     smooth: bool,
 }
@@ -57,8 +58,8 @@ impl Default for Shown {
 }
 
 impl Shown {
-    /// Says what a frame needs. `changed`: foods or targets did; `settled`: nothing is left to refine.
-    pub fn work(&mut self, sight: Sight, changed: bool, settled: bool) -> Work {
+    /// Returns what a frame needs. `changed`: foods or targets have changed; `settled`: nothing is left to refine.
+    pub fn work(&mut self, sight: ShownFrame, changed: bool, settled: bool) -> Work {
         let same = self.sight.as_ref().is_some_and(|old| old.same(&sight));
         if changed || !same {
             self.smooth = sight.quality != Quality::Quick || sight.frame.is_flat();

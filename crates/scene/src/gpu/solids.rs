@@ -1,4 +1,4 @@
-//! Buffers of what does not deform.
+//! GPU buffers of rigid things: room, hob, pan, lid, tools.
 
 use glam::{Mat4, Quat, Vec3};
 use wgpu::util::DeviceExt;
@@ -41,7 +41,7 @@ impl SolidBuffers {
     }
 }
 
-/// What the pan is made like, compared to know when to build it anew.
+/// Properties of the pan's mesh; another value means that it must be rebuilt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct PanKey {
     shape: [f32; 4],
@@ -50,7 +50,7 @@ struct PanKey {
     ridges: Option<[f32; 3]>,
 }
 
-/// The pan with its place, and what else moves now and then, compared to know when to draw them anew.
+/// The pan with its pose, and whatever else moves now and then; another value means that they must be redrawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct MovableKey {
     pan: PanKey,
@@ -142,7 +142,7 @@ impl Solids {
         }
     }
 
-    /// Moves what has moved, and builds anew what has changed.
+    /// Moves what has moved, and rebuilds what has changed.
     pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, input: &SceneInput) {
         let key = MovableKey::of(input);
         if key.pan != self.key.pan {
@@ -191,7 +191,7 @@ impl Solids {
         self.strings.as_ref().map(|(_, buffers)| buffers)
     }
 
-    /// Whether these strings are the ones in the buffers.
+    /// Returns true if these strings are the ones in the buffers.
     pub fn shows(&self, strings: &[StringLook]) -> bool {
         self.strings.as_ref().map_or(&[][..], |(shown, _)| shown) == strings
     }

@@ -1,4 +1,4 @@
-//! Buffers of the sprites: what lies round frying foods, drops in the air, steam, and spots of oil.
+//! GPU buffers of the sprites: bubbles around frying foods, drops in the air, steam, and spots of oil.
 
 use std::sync::Arc;
 

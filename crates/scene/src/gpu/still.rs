@@ -1,4 +1,4 @@
-//! When the kept picture of what does not move is still good.
+//! Cache key of the static layer: when the kept picture of what does not move is still valid.
 
 use crate::camera::Camera;
 use crate::gpu::solids::MovableKey;
@@ -6,12 +6,12 @@ use crate::gpu::uniforms::balance;
 use crate::input::SceneInput;
 use crate::light::white_balance::WhiteBalance;
 
-/// What the kept picture of the still things depends on.
+/// Cache key of the static layer.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct StillKey {
     camera: Camera,
     size: [u32; 2],
-    /// Hob power in steps that no eye tells apart.
+    /// Hob power in steps too small to be seen.
     power: u32,
     pan: MovableKey,
     disturbances: u64,
@@ -30,13 +30,13 @@ impl StillKey {
         }
     }
 
-    /// True when only the foods differ.
+    /// Returns true if two keys differ only in their foods.
     pub fn same_view(&self, other: &Self) -> bool {
         Self { disturbances: other.disturbances, ..self.clone() } == *other
     }
 }
 
-/// The kept picture.
+/// The cached static layer.
 pub(crate) struct Still {
     pub key: StillKey,
     /// False while the eye moves: then only the key is kept.
@@ -44,7 +44,7 @@ pub(crate) struct Still {
 }
 
 impl Still {
-    /// True when the picture is as good as it gets for a key.
+    /// Returns true if the layer is drawn in its final quality for a key.
     pub fn is_best_for(&self, key: &StillKey) -> bool {
         self.key == *key && self.drawn
     }

@@ -1,8 +1,9 @@
-//! The textures drawn into, for one picture size.
+//! Render targets for one picture size.
 
 use crate::gpu::textures::DEPTH_FORMAT;
 
-/// Holds sRGB-encoded values without saying so: shaders encode, so that blending and exact colours are theirs.
+/// Holds sRGB-encoded values in a format without sRGB: the shaders encode, so that they control blending and exact
+/// colours.
 pub(crate) const COLOUR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// Samples of an anti-aliased pixel.
 pub(crate) const MSAA_SAMPLES: u32 = 4;
@@ -13,7 +14,7 @@ pub(crate) struct Layer {
     pub depth: wgpu::TextureView,
 }
 
-/// A picture that is kept, and what brings it back.
+/// A cached layer, with the bind group that restores it.
 pub(crate) struct Kept {
     pub layer: Layer,
     pub restore: wgpu::BindGroup,
@@ -34,7 +35,7 @@ impl Kept {
     }
 }
 
-/// Everything drawn into.
+/// Render targets: the picture, and two cached layers.
 pub(crate) struct Targets {
     pub size: [u32; 2],
     pub texture: wgpu::Texture,
@@ -71,7 +72,7 @@ impl Targets {
     }
 }
 
-/// What a pass writes.
+/// Attachments of a pass.
 pub(crate) struct Attachments<'a> {
     pub colour: &'a wgpu::TextureView,
     pub resolve: Option<&'a wgpu::TextureView>,

@@ -1,4 +1,4 @@
-//! Textures every surface reads, generated once, and the bind group that holds them.
+//! Textures that every surface reads, generated once, and their bind group.
 
 use wgpu::util::{DeviceExt, TextureDataOrder};
 
@@ -83,7 +83,7 @@ impl SceneTextures {
         }
     }
 
-    /// Takes maps and patterns of another quality; tells whether the maps are to be drawn anew.
+    /// Sets the quality of maps and patterns; returns true if the maps must be redrawn.
     pub fn set_quality(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, quality: Quality) -> bool {
         if self.quality == quality {
             return false;

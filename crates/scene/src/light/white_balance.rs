@@ -1,10 +1,10 @@
-//! What the look calls white: the colour temperature that a white plate seems to have.
+//! White balance of the look, by the apparent colour temperature of a white plate.
 
 use glam::{Mat3, Vec3};
 
 use crate::light::room_light::white_patch;
 
-/// How the look is balanced; views of fields and flat pictures are not.
+/// White balance of the look; views of fields and flat pictures are not balanced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Deserialize, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum WhiteBalance {
@@ -19,8 +19,8 @@ pub enum WhiteBalance {
     Warm,
 }
 
-/// Exposure and balance as shot, linear sRGB (chosen: a white patch that lies flat in the full light of window, lamp and
-/// room comes out a touch brighter than 1 and a little warm).
+/// Exposure and balance as shot, linear sRGB (chosen: a white patch that lies flat in the full light of window, lamp
+/// and room comes out a touch brighter than 1 and a little warm).
 const AS_SHOT: Vec3 = Vec3::new(0.446, 0.458, 0.466);
 /// Share of the linear sRGB components in the luminance (IEC 61966-2-1).
 const LUMINANCE: Vec3 = Vec3::new(0.2126, 0.7152, 0.0722);
@@ -50,7 +50,7 @@ impl WhiteBalance {
     }
 
     /// What radiances are multiplied by, exposure included [linear sRGB]: von Kries' scaling in linear sRGB, of one
-    /// luminance for a white patch whatever the balance.
+    /// luminance for a white patch under every balance.
     pub(crate) fn gains(self) -> Vec3 {
         if self == Self::AsShot {
             return AS_SHOT;

@@ -79,8 +79,8 @@ fn inner_curve(pan: &PanLook) -> [Vec2; 4] {
     ]
 }
 
-/// Point of the inner wall at a height above the floor, as radius and height over the underside [m], and the unit normal there,
-/// into the pan.
+/// Point of the inner wall at a height above the floor, as radius and height over the underside [m], and the unit
+/// normal there, into the pan.
 pub fn on_wall(pan: &PanLook, height: f32) -> (Vec2, Vec2) {
     let (curve, wanted) = (inner_curve(pan), pan.thickness + height);
     let points: Vec<Vec2> = bezier(curve, 32).collect();

@@ -15,7 +15,7 @@ const MARGIN: f32 = 0.014;
 /// Room between food and foil [m] (chosen: a loose tent).
 const LOOSE: f32 = 0.016;
 
-/// Adds a rack or a tent.
+/// Adds a wire rack or a tent of foil.
 pub(crate) fn rest_mesh(mesh: &mut Mesh, rest: &RestLook) {
     match rest.kind {
         RestKind::Rack => rack(mesh, rest),

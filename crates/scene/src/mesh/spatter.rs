@@ -13,9 +13,9 @@ pub(crate) const SPOTS_MAX: usize = 600;
 const SHUTTER: f32 = 0.004;
 /// A drop is drawn no narrower than this [m] (chosen: half a pixel of a window over the pan).
 const NARROWEST: f32 = 3.5e-4;
-/// Tells the shader a drop in the air: added to the random value.
+/// Marks a drop in the air for the shader: added to the random value.
 const DROP_MARK: f32 = 2.0;
-/// Tells the shader a spot.
+/// Marks a spot for the shader.
 const SPOT_MARK: f32 = 4.0;
 
 /// Sprites of the drops in the air.

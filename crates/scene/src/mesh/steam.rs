@@ -23,7 +23,7 @@ struct Manner {
     /// Half size when it begins and when it ends [m].
     half_size: [f32; 2],
     opacity: f32,
-    /// What the shader knows it by: added to the random value.
+    /// Marks it for the shader: added to the random value.
     mark: f32,
 }
 
@@ -49,7 +49,7 @@ impl Manner {
     }
 }
 
-/// Puffs fainter than this are not drawn: no eye sees them (chosen: two steps of 8-bit colour).
+/// Puffs fainter than this are not drawn [-] (chosen: invisible; two steps of 8-bit colour).
 const FAINTEST: f32 = 0.008;
 
 /// Corners of a sprite, two triangles.
@@ -70,7 +70,7 @@ pub(crate) struct PuffVertex {
 /// Sprites of all sources, six vertices each.
 pub(crate) fn puffs(sources: &[SteamSource], time: f32) -> Vec<PuffVertex> {
     let mut vertices = Vec::new();
-    // Few puffs stand for many where there are many sources: what is seen of each stays in proportion to its flow.
+    // With many sources each one has fewer puffs; their opacity stays in proportion to the flow.
     let count = (PUFFS_MAX / sources.len().max(1)).clamp(1, PUFFS_PER_SOURCE);
     for (seed, source) in sources.iter().enumerate().take(PUFFS_MAX) {
         let manner = Manner::of(source.kind);

@@ -1,12 +1,13 @@
-//! The settings' part about hands: which device holds what, and where it is.
+//! The section of the settings about haptic devices: which device holds what, and its address.
 
 use egui::accesskit;
 use egui::{RichText, TextEdit, Ui, WidgetInfo};
 use saute_haptics::open::{self, Access, Reach};
 
 use super::hands::Role;
-use crate::app::SauteApp;
+use crate::act::{Act, Acts};
 use crate::panels::settings_card::{explained, named, row};
+use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use crate::words::language::Language;
 
@@ -25,7 +26,7 @@ pub(crate) struct Choice {
 
 impl Default for Choice {
     fn default() -> Self {
-        // A shelf that cannot be read has nothing to choose from; connecting by name then says why.
+        // A device library that cannot be read offers nothing; connecting by name then reports the error.
         let names = open::names().unwrap_or_default();
         let name = names.iter().position(|n| n == saute_haptics::shelf::DEFAULT_DEVICE).unwrap_or(0);
         Self { names, name, place: String::new(), code: String::new(), role: Role::Pan }
@@ -42,31 +43,29 @@ impl Choice {
 }
 
 /// Shows the part.
-pub(crate) fn section(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
-    let l = app.settings.language;
+pub(crate) fn section(state: &WindowState, choice: &mut Choice, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+    let l = state.settings.language;
     // Folded: who has no device sees no more than a line of it.
     egui::CollapsingHeader::new(RichText::new(l.text("hand.title")).strong())
         .id_salt("hands")
-        .show(ui, |ui| choices(app, ui, narrow));
+        .show(ui, |ui| choices(state, choice, ui, acts, narrow));
 }
 
-fn choices(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
-    let l = app.settings.language;
-    let choice = &app.hand_choice;
+fn choices(state: &WindowState, choice: &mut Choice, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+    let l = state.settings.language;
     let names: Vec<(&str, bool)> =
         choice.names.iter().enumerate().map(|(i, n)| (n.as_str(), i == choice.name)).collect();
     let device = row(ui, narrow, l.text("hand.device"), &names);
     let roles = [Role::Pan, Role::Turner];
     let held = roles.map(|r| (role_word(r, l), r == choice.role));
     let role = row(ui, narrow, l.text("hand.holds"), &held);
-    let choice = &mut app.hand_choice;
     choice.name = device.unwrap_or(choice.name);
     choice.role = role.map_or(choice.role, |r| roles[r]);
     typed(ui, narrow, l.text("hand.place"), l.text("hand.place_hint"), &mut choice.place);
     typed(ui, narrow, l.text("hand.code"), l.text("hand.code_hint"), &mut choice.code);
-    ui.horizontal(|ui| buttons(app, ui, l));
+    ui.horizontal(|ui| buttons(state, choice, ui, acts));
     for role in roles {
-        if let Some(device) = app.session.hands.device(role) {
+        if let Some(device) = state.session.hands.device(role) {
             let lines = device.access.iter().flat_map(|a| access_words(a, l));
             let text: Vec<String> = std::iter::once(device.name.clone()).chain(lines).collect();
             explained(ui, narrow, &format!("{}: {}", role_word(role, l), text.join("; ")));
@@ -74,23 +73,22 @@ fn choices(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
     }
 }
 
-fn buttons(app: &mut SauteApp, ui: &mut Ui, l: Language) {
-    let role = app.hand_choice.role;
+fn buttons(state: &WindowState, choice: &Choice, ui: &mut Ui, acts: &mut Acts) {
+    let (role, l) = (choice.role, state.settings.language);
     if ui.add(theme::of(ui).button(l.text("hand.connect"), false)).clicked() {
-        let text = app.hand_choice.text();
-        let code = app.hand_choice.code.trim().to_owned();
-        match if code.is_empty() { Ok(0) } else { code.parse() } {
-            Ok(pairing) => app.connect_hand(role, &text, pairing),
-            Err(_) => app.notice.say(l.fill("hand.no_code", &[("code", &code)])),
-        }
+        let code = choice.code.trim();
+        acts.push(match if code.is_empty() { Ok(0) } else { code.parse() } {
+            Ok(pairing) => Act::Connect { role, device: choice.text(), pairing },
+            Err(_) => Act::Say(l.fill("hand.no_code", &[("code", &code)])),
+        });
     }
-    let connected = app.session.hands.device(role).is_some();
+    let connected = state.session.hands.device(role).is_some();
     if ui.add_enabled(connected, theme::of(ui).button(l.text("hand.disconnect"), false)).clicked() {
-        app.session.hands.disconnect(role);
+        acts.push(Act::Disconnect(role));
     }
 }
 
-/// What a person must know to reach a device, a line each.
+/// How to reach a device, a line for each fact.
 fn access_words(access: &Access, l: Language) -> Vec<String> {
     let reach = match access.reach {
         Reach::Cable => "hand.by_cable",
@@ -113,7 +111,7 @@ fn typed(ui: &mut Ui, narrow: bool, name: &str, hint: &str, text: &mut String) {
     });
 }
 
-/// What a role is called.
+/// Name of a role.
 pub(crate) fn role_word(role: Role, l: Language) -> &'static str {
     l.text(match role {
         Role::Pan => "hand.pan",

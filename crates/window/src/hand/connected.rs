@@ -11,7 +11,7 @@ use saute_haptics::{
 };
 use saute_kitchen::InputError;
 
-/// Why a device cannot be connected.
+/// Errors of connecting a device.
 #[derive(Debug, thiserror::Error)]
 pub enum ConnectError {
     /// It cannot be opened.
@@ -47,9 +47,9 @@ pub enum ConnectError {
 pub struct Connected {
     /// As it was named.
     pub name: String,
-    /// What it can do.
+    /// Its capabilities.
     pub capabilities: Capabilities,
-    /// What a person must know to reach it; nothing for a device in memory or a simulated one.
+    /// How to reach it; empty for a device in memory or a simulated one.
     pub access: Option<Access>,
     /// Its strings as drawn.
     pub strings: Option<StringRig>,
@@ -57,12 +57,13 @@ pub struct Connected {
     state: LoopState,
     news: CalibrationNews,
     file: Option<PathBuf>,
-    /// Ends with this, after the loop.
+    /// The simulator's process; it ends after the loop.
     simulator: Option<Simulator>,
 }
 
 impl Connected {
-    /// Opens a device by NAME[@PLACE], simulated where it is of strings and has no place. Its calibration is read from a file and kept there.
+    /// Opens a device by NAME[@PLACE], simulated where it is of strings and has no place. Its calibration is read from
+    /// a file and kept there.
     pub fn open(text: &str, pairing: u32, file: Option<PathBuf>) -> Result<Self, ConnectError> {
         let named = Named::parse(text)?;
         let (opened, simulator) = open_or_simulate(&named, pairing, None)?;
@@ -83,33 +84,33 @@ impl Connected {
         Ok(Self { name, capabilities, access: None, strings, control, state, news, file, simulator: None })
     }
 
-    /// Asks the loop how it is.
+    /// Reads the state of the loop.
     pub fn update(&mut self) -> &LoopState {
         self.state = self.control.state();
         &self.state
     }
 
-    /// How the loop was when it was asked last.
+    /// State of the loop when it was read last.
     pub fn state(&self) -> &LoopState {
         &self.state
     }
 
     /// Publishes what the hand feels.
-    pub fn tell(&mut self, model: &ContactModel) {
+    pub fn send(&mut self, model: &ContactModel) {
         self.control.publish(*model);
     }
 
-    /// Lets go of the hand at once and stays so.
+    /// Stops the device; it stays stopped.
     pub fn stop(&self) {
         self.control.emergency_stop();
     }
 
-    /// Whether it is simulated in a process of its own.
+    /// Returns true if it is simulated in a process of its own.
     pub fn is_simulated(&self) -> bool {
         self.simulator.is_some()
     }
 
-    /// Writes down what the jig has told since it was asked last; tells where.
+    /// Writes the calibration that the jig has sent since the last call; returns the file.
     pub fn keep_calibration(&mut self) -> Result<Option<PathBuf>, ConnectError> {
         let (Some(found), Some(file)) = (self.news.take(), &self.file) else { return Ok(None) };
         let written = found.text().map_err(std::io::Error::other).and_then(|text| {
@@ -120,7 +121,7 @@ impl Connected {
         Ok(Some(file.clone()))
     }
 
-    /// Ends the loop; tells what the run was like.
+    /// Ends the loop; returns a report of the run.
     pub fn end(self) -> Result<LoopReport, ConnectError> {
         Ok(self.control.end()?)
     }

@@ -1,4 +1,4 @@
-//! What hands at devices do to the kitchen from frame to frame, and what they are told.
+//! Hands at haptic devices: what they do to the kitchen in every frame, and what they feel.
 
 use std::path::PathBuf;
 
@@ -46,9 +46,9 @@ pub struct Hands {
     turner_in_hand: TurnerInHand,
     watch: KitchenWatch,
     model: ContactModel,
-    /// Since when nothing has been told [s].
+    /// Time since the contact model was sent last [s].
     silent: f64,
-    /// Whether a gamepad wants to know what is felt.
+    /// True if a gamepad renders what is felt.
     listened: bool,
     rumble: Option<RumbleRule>,
     /// Distance of the eye before it stepped back to see the strings [m]; none while they are not shown.
@@ -105,28 +105,33 @@ impl Hands {
         self.pan.as_ref().filter(|device| device.strings.is_some())
     }
 
-    /// Whether any device is connected.
+    /// Returns true while strings are shown: there are some, and a person has turned them on.
+    pub fn strings_are_shown(&self) -> bool {
+        self.eye_before.is_some() && self.strung().is_some()
+    }
+
+    /// Returns true if any device is connected.
     pub fn any(&self) -> bool {
         self.pan.is_some() || self.turner.is_some()
     }
 
-    /// All devices let go at once and stay so.
+    /// Stops all devices; they stay stopped.
     pub fn stop(&self) {
         self.pan.iter().chain(&self.turner).for_each(Connected::stop);
     }
 
-    /// Whether a hand holds the pan, or it is being laid down.
+    /// Returns true if a hand holds the pan, or it is being laid down.
     pub fn has_pan(&self) -> bool {
         self.pan_in_hand.holds() || self.pan_in_hand.lays_down()
     }
 
-    /// Another kitchen stands there: hands come into it gently.
+    /// A new kitchen: hands take hold of it gently.
     pub fn begin(&mut self) {
         (self.pan_in_hand, self.turner_in_hand) = Default::default();
         self.watch.forget();
     }
 
-    /// Asks the devices how they are; tells files into which calibrations were written, and what went wrong.
+    /// Reads the state of the devices; returns the files into which calibrations were written, and errors.
     pub fn update(&mut self) -> Vec<Result<PathBuf, ConnectError>> {
         let mut kept = Vec::new();
         for device in self.pan.iter_mut().chain(&mut self.turner) {
@@ -147,19 +152,20 @@ impl Hands {
         self.turner_in_hand.step(turner.as_ref(), kitchen);
     }
 
-    /// After a frame that took as long as on the wall: tells the pan's hand what it feels.
-    pub fn tell(&mut self, kitchen: &Kitchen) {
+    /// After a frame at the pace of the clock: sends the contact model to the device that holds the pan.
+    pub fn send(&mut self, kitchen: &Kitchen) {
         if self.pan.is_none() && !self.listened {
             return;
         }
         self.model = self.watch.look(kitchen, FRAME_S);
         self.silent = 0.0;
         if let Some(pan) = &mut self.pan {
-            pan.tell(&self.model);
+            pan.send(&self.model);
         }
     }
 
-    /// What a gamepad shall shake with now, `wall` after it was asked last [s]; nothing while time stands still or runs faster.
+    /// Returns the rumble of a gamepad now, `wall` after the last call [s]; none while time stands still or runs
+    /// faster.
     pub fn rumble(&mut self, wall: f64) -> Rumble {
         self.listened = true;
         self.silent += wall;

@@ -1,11 +1,11 @@
-//! Hands at devices in the window: connecting, the emergency stop, and what there is to say about it.
+//! Haptic devices in the window: connecting, the emergency stop, and notices about them.
 
 use egui::{Context, Key, Modifiers};
 
 use super::hands::{HandsStart, Role};
 use crate::app::SauteApp;
 
-/// How often the panel is drawn anew while time stands still [s] (chosen: numbers that can be read).
+/// Interval at which the panel is redrawn while time stands still [s] (chosen: numbers that can be read).
 const ANEW_S: f64 = 0.1;
 
 impl SauteApp {
@@ -19,7 +19,7 @@ impl SauteApp {
         }
     }
 
-    /// Connects a device; time then runs as fast as the clock, for forces know no other pace.
+    /// Connects a device; time then runs at the pace of the clock, the only pace at which forces are rendered.
     pub(crate) fn connect_hand(&mut self, role: Role, text: &str, pairing: u32) {
         match self.session.hands.connect(role, text, pairing) {
             Ok(()) => self.set_speed(1.0),
@@ -27,7 +27,7 @@ impl SauteApp {
         }
     }
 
-    /// The emergency stop: all devices let go at once and stay so.
+    /// The emergency stop: all devices stop and stay stopped.
     pub(crate) fn stop_hands(&mut self) {
         if self.session.hands.any() {
             self.session.hands.stop();
@@ -42,8 +42,8 @@ impl SauteApp {
         }
     }
 
-    /// Asks the devices how they are, before anything else is done in a frame. While one is connected, Enter stops it, whatever
-    /// has the focus.
+    /// Reads the state of the devices, first of all in a frame. While one is connected, Enter stops it, whichever
+    /// widget has the focus.
     pub(crate) fn take_devices(&mut self, ctx: &Context) {
         let shaken = ctx.input(|i| f64::from(i.stable_dt));
         if self.pad.is_plugged() {
@@ -66,7 +66,7 @@ impl SauteApp {
     }
 }
 
-/// Whether Enter was pressed, with whatever else; nothing else hears of it.
+/// Returns true if Enter was pressed, with any modifiers; the key is consumed.
 fn enter(input: &mut egui::InputState) -> bool {
     let held = input.modifiers;
     [Modifiers::NONE, held].into_iter().any(|with| input.consume_key(with, Key::Enter))

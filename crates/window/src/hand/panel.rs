@@ -1,4 +1,4 @@
-//! What a person must see while hands hold devices: how they are, how punctual, how strong; and the stop.
+//! Panel of the connected haptic devices: state, lateness, force; and the emergency stop.
 
 use egui::{Align2, Area, Color32, Id, RichText, Ui, vec2};
 use saute_haptics::{Health, Rendering};
@@ -6,8 +6,8 @@ use saute_haptics::{Health, Rendering};
 use super::choice::role_word;
 use super::connected::Connected;
 use super::hands::{Hands, Role};
-use crate::act::{Act, hint, key_of};
-use crate::app::SauteApp;
+use crate::act::{Act, Acts, hint, key_of};
+use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
 use crate::words::language::Language;
@@ -19,8 +19,8 @@ const STOP: f32 = 56.0;
 const RED: Color32 = Color32::from_rgb(178, 24, 24);
 
 /// Shows the panel while a device is connected.
-pub(crate) fn show(app: &mut SauteApp, ui: &Ui, layout: &Layout) {
-    if !app.session.hands.any() {
+pub(crate) fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+    if !state.session.hands.any() {
         return;
     }
     // Beside what stands at the left; the scene has made room for it.
@@ -32,19 +32,19 @@ pub(crate) fn show(app: &mut SauteApp, ui: &Ui, layout: &Layout) {
             ui.set_width(WIDTH);
             ui.spacing_mut().item_spacing.y = 3.0;
             for role in [Role::Pan, Role::Turner] {
-                if let Some(device) = app.session.hands.device(role) {
-                    lines(device, role, ui, app.settings.language);
+                if let Some(device) = state.session.hands.device(role) {
+                    lines(device, role, ui, state.settings.language);
                 }
             }
-            if app.session.speed != 1.0 {
-                quiet(ui, app.settings.language.text("hand.faded"));
+            if state.session.speed != 1.0 {
+                quiet(ui, state.settings.language.text("hand.faded"));
             }
-            buttons(app, ui);
+            buttons(state, ui, acts);
         });
     });
 }
 
-/// How one device is.
+/// State of one device.
 fn lines(device: &Connected, role: Role, ui: &mut Ui, l: Language) {
     let state = device.state();
     let health = health_word(state.sample.health, l);
@@ -73,31 +73,31 @@ fn quiet(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).size(13.0).color(theme::of(ui).quiet));
 }
 
-fn buttons(app: &mut SauteApp, ui: &mut Ui) {
-    let l = app.settings.language;
+fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let l = state.settings.language;
     ui.add_space(4.0);
-    let text = format!("{} ({})", l.text("hand.stop"), key_of(Act::StopHands));
+    let text = format!("{} ({})", l.text("hand.stop"), key_of(&Act::StopHands));
     let stop = egui::Button::new(RichText::new(text).size(20.0).strong().color(Color32::WHITE)).fill(RED);
-    if ui.add_sized([WIDTH, STOP], stop).on_hover_text(hint(Act::StopHands, l)).clicked() {
-        app.stop_hands();
+    if ui.add_sized([WIDTH, STOP], stop).on_hover_text(hint(&Act::StopHands, l)).clicked() {
+        acts.push(Act::StopHands);
     }
     ui.add_space(3.0);
-    let (strung, shown) = (app.session.hands.strung().is_some(), app.strings_are_shown());
+    let (strung, shown) = (state.session.hands.strung().is_some(), state.session.hands.strings_are_shown());
     ui.horizontal(|ui| {
         let strings = theme::of(ui).button(l.text("hand.strings"), shown);
-        if ui.add_enabled(strung, strings).on_hover_text(hint(Act::Strings, l)).clicked() {
-            app.toggle_strings();
+        if ui.add_enabled(strung, strings).on_hover_text(hint(&Act::Strings, l)).clicked() {
+            acts.push(Act::Strings);
         }
         if ui.add(theme::of(ui).button(l.text("hand.disconnect"), false)).clicked() {
-            [Role::Pan, Role::Turner].into_iter().for_each(|role| app.session.hands.disconnect(role));
+            acts.extend([Role::Pan, Role::Turner].map(Act::Disconnect));
         }
     });
     if shown {
-        super::strings_view::legend(app, ui);
+        super::strings_view::legend(l, ui);
     }
 }
 
-/// The scene goes on beside the panel, where there is room.
+/// Shifts the scene's free part to the side of the panel, where there is room.
 pub(crate) fn make_room(mut layout: Layout, hands: &Hands) -> Layout {
     if hands.any() && !layout.narrow {
         layout.free.min.x += WIDTH + 24.0 + 2.0 * GAP;

@@ -1,4 +1,5 @@
-//! The strings of a device in the scene: rods as thick and light as they pull, in dashes through the worktop, with their newtons.
+//! The strings of a device in the scene: rods as thick and light as they pull, in dashes through the worktop, with
+//! their newtons.
 
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, vec2};
 use glam::Vec3;
@@ -12,13 +13,14 @@ use crate::ui::layout::Pane;
 use crate::ui::palette::Palette;
 use crate::ui::scene_view::on_screen;
 use crate::ui::theme;
+use crate::words::language::Language;
 
-/// Radius of a slack string, and what the largest tension adds [m] (chosen: far thicker than the real 0.35 mm, told apart at a
-/// glance).
+/// Radius of a slack string, and what the largest tension adds [m] (chosen: far thicker than the real 0.35 mm, distinct
+/// at a glance).
 const THIN: f32 = 0.0007;
 const THICKER: f32 = 0.0023;
-/// Tension at which a string is as thick and as light as can be [N] (chosen: half of what motors pull at most; a pan with food
-/// in it asks for less).
+/// Tension at which a string is as thick and as light as can be [N] (chosen: half of what motors pull at most; a pan
+/// with food in it needs less).
 const TIGHT_N: f64 = 6.0;
 /// How far beyond its motor a number stands, and how far from a panel [points] (chosen: no two motors are as near).
 const BEYOND: f32 = 22.0;
@@ -27,7 +29,8 @@ const CLEAR: f32 = 16.0;
 const NEAREST: f32 = 0.3;
 const STEP: f32 = 0.02;
 const APART: usize = 6;
-/// Dash and gap below the worktop, and what a metre there is as a stroke from a metre away [points] (chosen: as wide as the rods).
+/// Dash and gap below the worktop, and what a metre there is as a stroke from a metre away [points] (chosen: as wide as
+/// the rods).
 const DASH: [f32; 2] = [5.0, 4.0];
 const STROKE: f32 = 1900.0;
 /// How far the eye steps back at once, until no panel covers a motor [-] (chosen).
@@ -72,11 +75,6 @@ impl Seen {
 }
 
 impl SauteApp {
-    /// Whether strings are shown: there are some, and a person asked for them.
-    pub(crate) fn strings_are_shown(&self) -> bool {
-        self.session.hands.eye_before.is_some() && self.session.hands.strung().is_some()
-    }
-
     /// Shows the strings from so far away that all motors are seen, or hides them and goes back.
     pub(crate) fn toggle_strings(&mut self) {
         let Some(rig) = self.session.hands.strung().and_then(|device| device.strings) else { return };
@@ -109,7 +107,7 @@ impl SauteApp {
 
     /// The strings where they are now, while they are shown and known.
     fn strings_now(&self) -> Vec<Seen> {
-        if !self.strings_are_shown() {
+        if !self.session.hands.strings_are_shown() {
             return Vec::new();
         }
         let Some(device) = self.session.hands.strung() else { return Vec::new() };
@@ -165,7 +163,7 @@ fn number_place(eye: &Camera, pane: &Pane, string: &Seen) -> Option<Pos2> {
     let free = pane.free.shrink(CLEAR);
     let at = |part: f32| project(eye, pane.rect, string.from.lerp(string.to, part));
     let beyond = at(1.0).zip(at(0.0)).map(|(motor, pan)| motor + BEYOND * (motor - pan).normalized());
-    // Strings that cross are told apart where their numbers stand one beyond the other.
+    // Strings that cross stay distinct where their numbers stand at different distances.
     let skipped = if string.number.is_multiple_of(2) { APART } else { 0 };
     let along = (0..).map(|k| 1.0 - STEP * k as f32).take_while(|part| *part >= NEAREST).filter_map(at);
     let seen = |place: &Pos2| free.contains(*place);
@@ -173,8 +171,7 @@ fn number_place(eye: &Camera, pane: &Pane, string: &Seen) -> Option<Pos2> {
 }
 
 /// What thickness and lightness of a string say.
-pub(super) fn legend(app: &SauteApp, ui: &mut Ui) {
-    let l = app.settings.language;
+pub(super) fn legend(l: Language, ui: &mut Ui) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 30.0), Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, l.text("hand.legend")));
     const STEPS: usize = 40;

@@ -1,4 +1,4 @@
-//! What a gamepad's sticks and buttons mean. No device is known here: a state comes in, motions and acts go out.
+//! Meaning of a gamepad's sticks and buttons, without a device: a state comes in, motions and acts go out.
 
 use glam::{DVec2, DVec3};
 
@@ -51,7 +51,7 @@ impl PadButton {
     ];
 }
 
-/// What a gamepad says at a moment: sticks to the right and up −1…1, triggers 0…1 [-].
+/// State of a gamepad: sticks to the right and up −1…1, triggers 0…1 [-].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PadState {
     /// Left stick.
@@ -67,13 +67,13 @@ pub struct PadState {
 }
 
 impl PadState {
-    /// Whether a button is down.
+    /// Returns true if a button is down.
     pub fn is_down(&self, button: PadButton) -> bool {
         self.down[button as usize]
     }
 }
 
-/// What hands shall do: shares of their full speed, −1…1 [-]; to the right, away from the cook, up.
+/// Wanted motion of pan and tool as shares of their full speed, −1…1 [-]; to the right, away from the cook, up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PadMotion {
     /// The pan moves.
@@ -86,7 +86,8 @@ pub struct PadMotion {
     pub twist: [f64; 2],
 }
 
-/// Deflection of a stick that means nothing, and that of a trigger from which on it counts [-] (chosen: worn sticks rest there).
+/// Deflection of a stick that means nothing, and that of a trigger from which on it counts [-] (chosen: worn sticks
+/// rest there).
 const DEAD: f64 = 0.15;
 const PULLED: f64 = 0.5;
 
@@ -107,7 +108,7 @@ pub const PAD: [(&str, &str); 12] = [
 ];
 
 /// What each button does when it goes down.
-const ACTS: [(PadButton, Act); 10] = [
+static ACTS: [(PadButton, Act); 10] = [
     (PadButton::South, Act::Flip),
     (PadButton::East, Act::PutAway),
     (PadButton::West, Act::Toss),
@@ -138,7 +139,7 @@ pub fn motion(now: &PadState) -> PadMotion {
 /// What the buttons ask for that have gone down since a state.
 pub fn acts(before: &PadState, now: &PadState) -> impl Iterator<Item = Act> {
     let pressed = |button| now.is_down(button) && !before.is_down(button);
-    ACTS.iter().filter(move |(button, _)| pressed(*button)).map(|(_, act)| *act)
+    ACTS.iter().filter(move |(button, _)| pressed(*button)).map(|(_, act)| act.clone())
 }
 
 /// Nothing within the dead zone, then quadratic to full deflection: gentle near the middle.
@@ -195,7 +196,7 @@ mod tests {
         let (up, down) = (PadState::default(), with(&[PadButton::South, PadButton::Start]));
         assert_eq!(acts(&up, &down).collect::<Vec<_>>(), [Act::Flip, Act::Pause]);
         assert_eq!(acts(&down, &down).count() + acts(&down, &up).count(), 0);
-        for (button, act) in ACTS {
+        for (button, act) in ACTS.clone() {
             assert_eq!(acts(&up, &with(&[button])).collect::<Vec<_>>(), [act]);
         }
         assert!(PadButton::ALL.iter().enumerate().all(|(i, b)| *b as usize == i));

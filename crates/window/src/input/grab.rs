@@ -36,15 +36,16 @@ pub(crate) enum Hold {
 
 /// Radians a point of drag (chosen: half a turn across a window).
 const ORBIT_PER_POINT: f32 = 0.005;
-/// Height at which a carried piece hangs [m] (chosen: above the rim), and within the pan (chosen: over what lies there).
+/// Height at which a carried piece hangs [m] (chosen: above the rim), and within the pan (chosen: over what lies
+/// there).
 const CARRY_HEIGHT: f32 = 0.085;
 const LOW_HEIGHT: f32 = 0.045;
 /// A level pan let go this near to its ring is set onto it [m] (chosen: forgiving).
 const HOME: f64 = 0.04;
 /// Metres a point of drag lifts the pan (chosen: a hand's breadth across a third of the window).
 const LIFT_PER_POINT: f64 = 4e-4;
-/// Radians a point of drag tilts the turner (chosen: half a turn across a third of the window), metres a point of the wheel
-/// raises it (chosen: a notch is half a centimetre).
+/// Radians a point of drag tilts the turner (chosen: half a turn across a third of the window), metres a point of the
+/// wheel raises it (chosen: a notch is half a centimetre).
 const TILT_PER_POINT: f64 = 0.0075;
 const RAISE_PER_SCROLL: f64 = 1e-4;
 /// How near to the turner's blade a pointer takes it [points] (chosen: forgiving).
@@ -92,7 +93,7 @@ impl SauteApp {
         }
     }
 
-    /// What a drag from a place takes hold of: a piece on it, else the pan, else a piece beside it.
+    /// What a drag from a place takes hold of: a piece on it, else the pan, else a piece near it.
     fn grabbed(&mut self, at: Pos2, rect: Rect) -> Hold {
         let piece = self.piece_near(at, rect, TOUCH);
         if self.takes_turner(piece.as_deref(), at, rect) {
@@ -229,7 +230,7 @@ impl SauteApp {
         }
     }
 
-    /// What the mouse held is laid down where it is; a pan let go beside its ring slides onto it.
+    /// What the mouse held is laid down where it is; a pan released next to its ring slides onto it.
     fn let_go(&mut self) {
         match std::mem::take(&mut self.scene.hold) {
             Hold::Piece(_) => self.command(&Command::LetGo),

@@ -7,12 +7,12 @@ use crate::input::gamepad::{PadMotion, PadState, acts, motion};
 #[cfg(not(target_arch = "wasm32"))]
 use crate::input::gamepad_device::GamepadDevice;
 
-/// The gamepad, and what it said last.
+/// The gamepad with its last state.
 #[derive(Default)]
 pub(crate) struct Pad {
     #[cfg(not(target_arch = "wasm32"))]
     device: GamepadDevice,
-    /// Whether a device is plugged in: once it is gone, so is what it said.
+    /// True if a device is plugged in; its state is dropped when it is unplugged.
     #[cfg(not(target_arch = "wasm32"))]
     plugged: bool,
     now: PadState,
@@ -20,7 +20,7 @@ pub(crate) struct Pad {
 }
 
 impl Pad {
-    /// Listens to the gamepad that is plugged in; in a browser to none.
+    /// Reads the gamepad that is plugged in; in a browser none.
     pub(crate) fn connected() -> Self {
         Self {
             #[cfg(not(target_arch = "wasm32"))]
@@ -32,7 +32,7 @@ impl Pad {
 
 #[cfg(not(target_arch = "wasm32"))]
 impl Pad {
-    /// Whether a device is plugged in.
+    /// Returns true if a device is plugged in.
     pub(crate) fn is_plugged(&self) -> bool {
         self.plugged
     }
@@ -44,7 +44,7 @@ impl Pad {
 }
 
 impl SauteApp {
-    /// Lets a gamepad say something, until one that is plugged in says otherwise.
+    /// Sets the gamepad's state, until one that is plugged in reports another.
     pub fn set_pad(&mut self, state: PadState) {
         self.pad.now = state;
     }
@@ -58,7 +58,7 @@ impl SauteApp {
         self.pad.plugged = said.is_some();
     }
 
-    /// Does what the gamepad's buttons ask for and tells what its sticks do.
+    /// Carries out what the gamepad's buttons ask for and returns what its sticks do.
     pub(crate) fn take_pad(&mut self, ctx: &Context) -> PadMotion {
         #[cfg(not(target_arch = "wasm32"))]
         self.listen();

@@ -1,4 +1,4 @@
-//! What is under the pointer: forgiving, so that small pieces and a thin rim can be caught.
+//! Picking: what is under the pointer, with tolerance for small pieces and a thin rim.
 
 use egui::{Pos2, Rect, Vec2, pos2};
 use glam::{Mat4, Vec3};
@@ -43,7 +43,7 @@ impl SauteApp {
         (!hull.is_empty()).then(|| distance(&hull, at))
     }
 
-    /// Whether handle or rim of the pan are under a place in the window.
+    /// Returns true if handle or rim of the pan are under a place in the window.
     pub(crate) fn pan_near(&self, at: Pos2, rect: Rect) -> bool {
         let look = &self.session.kitchen.pan_model().description;
         let (rim, height) = (look.wall.rim_radius_mm as f32 * 1e-3, look.wall.height_mm as f32 * 1e-3);

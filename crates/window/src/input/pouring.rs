@@ -30,7 +30,7 @@ impl Pourable {
     }
 }
 
-/// How much is added at once.
+/// Portion that is added at once.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Portion {
     /// A teaspoon of oil, a thin slice of butter, a dash of water.
@@ -52,7 +52,7 @@ impl Portion {
         })
     }
 
-    /// How much that is [g] (chosen: what cooks take).
+    /// Mass of the portion [g] (chosen: usual portions).
     pub fn grams(self, of: Pourable) -> f64 {
         let portions = match of {
             Pourable::Oil => [5.0, 15.0, 40.0],
@@ -114,7 +114,7 @@ fn grams(g: f64) -> String {
     if g < 10.0 { format!("{g:.1}\u{a0}g") } else { format!("{g:.0}\u{a0}g") }
 }
 
-/// What threatens: oil on fire, or smoking.
+/// Warning about the oil: on fire, or smoking.
 pub(crate) fn danger(kitchen: &Kitchen, l: Language) -> Option<String> {
     let pan = kitchen.pan_state();
     if pan.liquids.smoke.burning {

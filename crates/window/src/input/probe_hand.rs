@@ -70,7 +70,7 @@ impl SauteApp {
             }
             if response.clicked() || response.drag_started() {
                 self.session.probes.selected = Some(number);
-                let piece = self.session.probes.get_mut(number).map(|p| p.piece.clone());
+                let piece = self.session.probes.get(number).map(|p| p.piece.clone());
                 self.session.select(piece);
             }
             let chosen = self.session.probes.selected == Some(number) || response.hovered();
@@ -79,7 +79,7 @@ impl SauteApp {
     }
 }
 
-/// A point, and its number beside it.
+/// A point with its number.
 fn marker(ui: &Ui, point: Pos2, number: usize, chosen: bool) {
     let (painter, at) = (ui.painter(), point + NUMBER_AT);
     let palette = theme::of(ui);

@@ -3,7 +3,6 @@
 use saute_kitchen::{Command, Place};
 
 use crate::app::SauteApp;
-use crate::session::group_of;
 
 impl SauteApp {
     /// Lays pieces onto the floor of the pan, as many as fit, and says how many that are.
@@ -35,17 +34,6 @@ impl SauteApp {
         }
     }
 
-    /// All pieces that wait to be put in.
-    pub(crate) fn waiting(&self) -> Vec<String> {
-        let pieces = self.session.kitchen.pieces().iter();
-        pieces.filter(|p| p.place == Place::Waiting).map(|p| p.id.clone()).collect()
-    }
-
-    /// The group of the piece of the panels.
-    pub(crate) fn its_group(&self) -> Vec<String> {
-        self.session.members(group_of(&self.steak_id()))
-    }
-
     /// The piece that a hand means: the selected one, else the one in the pan nearest to its middle, else the first.
     pub(crate) fn handled_id(&self) -> String {
         let away = |at: [f64; 2]| at[0].hypot(at[1]);
@@ -55,7 +43,7 @@ impl SauteApp {
             _ => None,
         });
         let nearest = in_pan.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, p)| p);
-        self.session.selected().or(nearest).map_or_else(|| self.steak_id(), |p| p.id.clone())
+        self.session.selected().or(nearest).map_or_else(|| self.session.steak_id(), |p| p.id.clone())
     }
 
     fn outside(&self, ids: &[String]) -> Vec<String> {

@@ -1,24 +1,18 @@
-//! Which scale of doneness the window goes by.
+//! The choice of a scale of doneness.
 
 use std::sync::Arc;
 
 use saute_kitchen::food::Scale;
-use saute_picture::stage::fitting_piece;
 
 use crate::app::SauteApp;
 
 impl SauteApp {
-    /// The scale that was chosen; where the data no longer knows it, the first.
-    pub fn chosen_scale(&self) -> Option<&Arc<Scale>> {
-        let library = &self.session.library;
-        library.scale(&self.settings.scale).or_else(|| library.scales.first())
-    }
-
     /// The chosen scale of doneness, where it says anything about the food.
     pub fn scale(&self) -> Option<Arc<Scale>> {
-        fitting_piece(self.session.steak(), self.chosen_scale()?)
+        self.session.scale(&self.settings.scale)
     }
 
+    /// Selects a scale of doneness, with a notice.
     pub(crate) fn choose_scale(&mut self, scale: &Scale) {
         self.settings.scale.clone_from(&scale.id);
         let key = if self.scale().is_some() { "notice.scale" } else { "notice.scale_meat" };
@@ -26,6 +20,7 @@ impl SauteApp {
         self.notice.say(l.fill(key, &[("scale", &l.called("scale", &scale.name))]));
     }
 
+    /// Selects the next scale of doneness.
     pub(crate) fn next_scale(&mut self) {
         let scales = &self.session.library.scales;
         let now = scales.iter().position(|s| s.id == self.settings.scale).unwrap_or(0);

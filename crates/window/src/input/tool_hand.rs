@@ -1,4 +1,4 @@
-//! The tool in the cook's hand: tongs that grip what is dragged, or a turner that stays where it is led.
+//! The tool in the cook's hand: tongs that grip what is dragged, or a turner that stays where it was put.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -103,7 +103,7 @@ impl SauteApp {
         self.say(words);
     }
 
-    /// Lays down what a led tool holds and puts it away.
+    /// Lays down what the tool holds and puts the tool away.
     pub(crate) fn put_tool_away(&mut self) {
         if self.tool_hand.turner.take().is_some() | self.tool_hand.tongs.take().is_some() {
             self.command(&Command::LetGo);
@@ -157,7 +157,7 @@ impl SauteApp {
         }
     }
 
-    /// Whether time stands still, which it says.
+    /// Returns true if time stands still, and says so in the window.
     pub(crate) fn stands_still(&self) -> bool {
         if self.session.paused {
             self.say("notice.paused");
@@ -205,7 +205,7 @@ impl SauteApp {
 
 /// Where tongs take hold of a piece: a little above its middle.
 fn grip_point(piece: &Piece) -> DVec3 {
-    piece.pose.position + DVec3::Z * (0.3 * piece.model.size[2])
+    piece.pose.position + DVec3::Z * (0.3 * piece.model.size()[2])
 }
 
 #[cfg(test)]

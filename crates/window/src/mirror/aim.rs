@@ -30,7 +30,7 @@ const ARROWS: [(Key, DVec2); 4] = [
 ];
 
 impl Aim {
-    /// Takes keys and mouse; tells whether a mark was moved.
+    /// Takes keys and mouse; returns true if a mark was moved.
     pub fn take(
         &mut self,
         ui: &Ui,

@@ -28,8 +28,9 @@ pub struct Fitted {
 const CORNERS: usize = 4;
 /// Steps of the least-squares fit (chosen: it stands still after ten).
 const FIT_STEPS: usize = 30;
-/// What keeps numbers that the marks do not tell near the rig's: pixels for a whole unit of k₁, k₂ and the centre's
-/// shift over the half diagonal (chosen: a hundredth of what a mark off by 0.1 pixel pulls where the lens bends at all).
+/// Regularisation that keeps numbers which the marks do not determine near the rig's: pixels for a whole unit of k₁, k₂
+/// and the centre's shift over the half diagonal (chosen: a hundredth of what a mark off by 0.1 pixel pulls where the
+/// lens bends at all).
 const PULL: [f64; 4] = [0.05, 0.05, 0.1, 0.1];
 
 impl Calibration {

@@ -10,31 +10,31 @@ use super::rig::Rig;
 use super::stereo::{Stereo, anaglyph};
 use super::warp::Warp;
 
-/// How the mirror's picture is wanted.
+/// Options of the mirror's picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MirrorOptions {
-    /// How two eyes share the device.
+    /// Stereo mode.
     pub stereo: Stereo,
     /// From eye to eye [m].
     pub eye_distance: f64,
-    /// Whether the virtual pan is drawn.
+    /// True if the virtual pan is drawn.
     pub pan_shown: bool,
 }
 
-/// What is to be drawn for the mirror.
+/// Input of the mirror's renderers.
 #[derive(Clone, Debug)]
 pub struct MirrorFrame {
     /// The scene as each eye sees it: one, or the left and the right one.
     pub eyes: Vec<Arc<SceneInput>>,
     /// Size of each eye's picture [pixels].
     pub size: [u32; 2],
-    /// How much work it is worth.
+    /// Rendering quality.
     pub quality: Quality,
     /// From the device to the pictures.
     pub(crate) warp: WarpUniform,
 }
 
-/// The longest side of an eye's picture [pixels] (chosen: WebGL2 grants 2048).
+/// The longest side of an eye's picture [pixels] (chosen: WebGL2 guarantees 2048).
 pub const LONGEST: f64 = 2048.0;
 
 /// Mirrors `Warp` in `mirror.wgsl`.

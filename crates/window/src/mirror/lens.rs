@@ -13,11 +13,11 @@ pub struct Lens {
     pub unit: f64,
 }
 
-/// Steps of Newton's rule (chosen: the shader takes as many; after five no distance of a real lens changes any more).
+/// Steps of Newton's method (chosen: the shader takes as many; after five no distance of a real lens changes any more).
 pub const NEWTON_STEPS: usize = 6;
 
 impl Lens {
-    /// One that leaves every point where it is, for a picture of a size [pixels].
+    /// A lens without distortion, for a picture of a size [pixels].
     pub fn none(size: DVec2) -> Self {
         Self { k: [0.0; 2], centre: 0.5 * size, unit: 0.5 * size.length() }
     }

@@ -50,7 +50,7 @@ impl MirrorPresenter {
             self.eyes.push(SceneRenderer::new(device, queue));
         }
         for (renderer, eye) in self.eyes.iter_mut().zip(&frame.eyes) {
-            renderer.quality = frame.quality;
+            renderer.set_quality(frame.quality);
             renderer.render(device, queue, encoder, eye, frame.size);
         }
         queue.write_buffer(&self.warp, 0, bytemuck::bytes_of(&frame.warp));

@@ -62,7 +62,8 @@ pub enum RegistrationError {
     OnALine,
 }
 
-/// Points nearer to a line than this share of their extent do not tell the turn about it [-] (chosen: 5 mm of 10 cm).
+/// Points nearer to a line than this share of their extent do not determine the turn about it [-] (chosen: 5 mm of 10
+/// cm).
 const THINNEST: f64 = 0.05;
 /// Sweeps of Jacobi's method (chosen: four by four numbers are diagonal to rounding after six).
 const SWEEPS: usize = 12;

@@ -7,10 +7,11 @@ use super::registration::Rigid;
 use super::screen::Screen;
 use super::warp::Warp;
 
-/// Everything about a rig that pictures depend on. Its frame: metres, x to the cook's right, y away from the cook, z up.
+/// A rig: all quantities on which its pictures depend. Its frame: metres, x to the cook's right, y away from the cook,
+/// z up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rig {
-    /// What it is called.
+    /// Name.
     pub name: String,
     /// The middle between the eyes [m].
     pub eye: DVec3,
@@ -18,11 +19,11 @@ pub struct Rig {
     pub eye_distance: f64,
     /// The half mirror.
     pub mirror: Plane,
-    /// What shows the picture.
+    /// The screen.
     pub screen: Screen,
     /// From the kitchen's frame to the rig's.
     pub rig_from_kitchen: Rigid,
-    /// What registration by touched points has left [m]; none where the frame was given.
+    /// Residual of the registration by touched points [m]; none where the frame was given.
     pub residual: Option<f64>,
     /// The sheet of paper on which the calibration's marks are.
     pub sheet: Sheet,
@@ -41,8 +42,8 @@ pub struct Sheet {
     pub size: DVec2,
 }
 
-/// Marks of a sheet: four corners from the far left round to the near left, the middle, the middles of the edges from the
-/// far one round to the left one.
+/// Marks of a sheet: four corners from the far left round to the near left, the middle, the middles of the edges from
+/// the far one round to the left one.
 pub const MARKS: usize = 9;
 /// Where the marks are, in halves of the sheet's sides.
 const PLACES: [[f64; 2]; MARKS] =
@@ -60,7 +61,7 @@ impl Sheet {
     }
 }
 
-/// Why parts do not make a rig; the key is the one that has to change.
+/// A fault in the parts of a rig; the key is the one that has to change.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{key}: {message}\n  remedy: {remedy}")]
 pub struct RigFault {
@@ -79,10 +80,10 @@ impl RigFault {
     }
 }
 
-/// What is measured of a rig.
+/// Measurements of a rig.
 #[derive(Clone, Debug)]
 pub struct Measured {
-    /// What it is called.
+    /// Name.
     pub name: String,
     /// The middle between the eyes [m].
     pub eye: DVec3,
@@ -90,17 +91,18 @@ pub struct Measured {
     pub eye_distance: f64,
     /// The half mirror.
     pub mirror: Plane,
-    /// What shows the picture.
+    /// The screen.
     pub screen: Screen,
     /// From the kitchen's frame to the rig's.
     pub rig_from_kitchen: Rigid,
-    /// What registration has left [m].
+    /// Residual of the registration [m].
     pub residual: Option<f64>,
     /// The sheet of the calibration.
     pub sheet: Sheet,
 }
 
-/// Points along each side of the device by which its picture's extent on the screen is found (chosen: a bowed side shows).
+/// Points along each side of the device by which its picture's extent on the screen is found (chosen: a bowed side
+/// shows).
 const BORDER_STEPS: u32 = 16;
 
 impl Measured {

@@ -15,7 +15,7 @@ pub const SHIPPED: [(&str, &str); 2] = [
     ("projector", include_str!("../../../../data/rigs/projector.toml")),
 ];
 
-/// Why a rig file cannot be used.
+/// Errors of a rig file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RigFileError {
     /// It is no rig file.

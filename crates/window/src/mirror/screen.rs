@@ -1,4 +1,4 @@
-//! What shows the picture: a flat panel, or a projector and the board that it lights.
+//! The screen of a rig: a flat panel, or a projector and the board that it lights.
 
 use glam::{DVec2, DVec3};
 

@@ -1,4 +1,4 @@
-//! What is remembered of the half mirror.
+//! Remembered settings of the half mirror.
 
 use std::collections::BTreeMap;
 
@@ -19,11 +19,11 @@ pub struct MirrorSettings {
     pub rig: String,
     /// The user's name for the projector or screen in use.
     pub projector: String,
-    /// How two eyes share the device.
+    /// Stereo mode.
     pub stereo: Stereo,
     /// From eye to eye, if not as the rig has it [mm].
     pub eye_distance_mm: Option<f64>,
-    /// Whether the virtual pan is drawn.
+    /// True if the virtual pan is drawn.
     pub pan_shown: bool,
     /// By the projector's name.
     pub calibrations: BTreeMap<String, Calibration>,
@@ -62,7 +62,7 @@ impl MirrorSettings {
         self.eye_distance_mm.map_or(rig.eye_distance, |mm| 1e-3 * mm.clamp(0.0, WIDEST_MM))
     }
 
-    /// How the picture is wanted.
+    /// Options of the picture.
     pub fn options(&self, rig: &Rig) -> MirrorOptions {
         MirrorOptions { stereo: self.stereo, eye_distance: self.eye_distance(rig), pan_shown: self.pan_shown }
     }

@@ -65,7 +65,8 @@ impl Bench {
         }
     }
 
-    /// The pixel whose light the eye sees at a point: from the eye to the mirror, thrown back to the board, into the lens.
+    /// The pixel whose light the eye sees at a point: from the eye to the mirror, thrown back to the board, into the
+    /// lens.
     fn seen_at(&self, point: DVec3) -> DVec2 {
         let along = (point - self.eye).normalize();
         let [_, normal] = self.mirror;
@@ -85,7 +86,7 @@ impl Bench {
     }
 }
 
-/// Someone who sees how far a cross is from its mark, but for what no eye sees [pixels], and presses keys.
+/// A simulated person who sees how far a cross is from its mark, to the limit of the eye [pixels], and presses keys.
 struct User {
     seed: u64,
 }

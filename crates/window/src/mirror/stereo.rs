@@ -4,7 +4,7 @@ use glam::{DMat3, DVec3};
 
 use super::rig::Rig;
 
-/// How two eyes' pictures share the device.
+/// Stereo modes: how two eyes' pictures share the device.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stereo {
@@ -32,8 +32,8 @@ impl Stereo {
 /// Share of linear sRGB's red, green and blue in luminance (IEC 61966-2-1).
 const LUMINANCE: DVec3 = DVec3::new(0.2126, 0.7152, 0.0722);
 
-/// What each eye's picture gives to an anaglyph, in linear sRGB: matrices for the left and the right eye's colours, whose
-/// results are added.
+/// What each eye's picture gives to an anaglyph, in linear sRGB: matrices for the left and the right eye's colours,
+/// whose results are added.
 ///
 /// The rule: through its glass each eye sees the luminance of its picture, as a share of what white has there, whatever
 /// the colours; so that a red steak is as bright to one eye as to the other. Red is the left picture's luminance. Green

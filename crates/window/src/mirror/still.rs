@@ -1,4 +1,4 @@
-//! A still of the mirror: what the device shows at one instant of a recipe.
+//! A still of the half mirror: what the device shows at one instant of a recipe.
 
 use glam::DVec2;
 use saute_kitchen::Library;

@@ -1,4 +1,4 @@
-//! What the mirror's window shows: the picture for the device, or the calibration's pattern.
+//! The window of the half mirror: the picture for the device, or the calibration pattern.
 
 use std::io::Read;
 use std::sync::Arc;
@@ -21,13 +21,13 @@ use crate::words::language::Language;
 /// State of the mirror's window.
 #[derive(Clone, Debug, Default)]
 pub struct MirrorView {
-    /// Whether the window is open.
+    /// True if the window is open.
     pub open: bool,
-    /// Whether it fills its screen.
+    /// True if it fills its screen.
     pub full: bool,
-    /// Whether the card with its choices is open.
+    /// True if the card with its choices is open.
     pub card: bool,
-    /// Whether the pattern is shown instead of the picture.
+    /// True if the pattern is shown instead of the picture.
     pub calibrating: bool,
     /// The mark that is moved.
     pub aim: Aim,
@@ -48,6 +48,11 @@ impl MirrorView {
                 rig
             }
         }
+    }
+
+    /// The rig that was read last, or why it cannot be used.
+    pub fn rig_read(&self) -> Result<Arc<Rig>, String> {
+        self.rig.as_ref().map_or_else(|| Err(String::new()), |(_, rig)| rig.clone())
     }
 
     /// Reads the rig's file again at the next frame.
@@ -186,7 +191,7 @@ impl SauteApp {
     }
 }
 
-/// What a way of stereo is called.
+/// Name of a stereo mode.
 pub(crate) fn stereo_word(stereo: super::stereo::Stereo, l: Language) -> &'static str {
     use super::stereo::Stereo;
     l.text(match stereo {

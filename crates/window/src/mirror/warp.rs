@@ -1,4 +1,4 @@
-//! The last pass in numbers: from the picture that the eye is to see to the pixels of the device that shows it.
+//! The warp: from the picture that the eye sees to the pixels of the device that shows it.
 
 use glam::{DMat3, DVec2};
 
@@ -21,7 +21,7 @@ impl Warp {
         homography(places, ideal).map(|keystone| Self { keystone, lens })
     }
 
-    /// The same warp for a device whose pixels are counted anew, as in a window that is no whole screen.
+    /// The same warp for a device with another count of pixels, such as a window smaller than its screen.
     pub fn scaled(&self, from: DVec2, to: DVec2) -> Self {
         if from == to {
             return *self;

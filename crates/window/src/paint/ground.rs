@@ -26,7 +26,7 @@ struct GroundPresenter {
     pipeline: wgpu::RenderPipeline,
     group: wgpu::BindGroup,
     grounds: wgpu::Buffer,
-    /// Whether the target stores linear values, which the device encodes.
+    /// True if the target stores linear values, which the device encodes.
     linear: bool,
 }
 

@@ -19,7 +19,7 @@ pub struct SceneCallback {
     pub input: Arc<SceneInput>,
     /// Size drawn at [pixels]; scaled to the rectangle.
     pub size: [u32; 2],
-    /// How much work the picture is worth.
+    /// Rendering quality.
     pub quality: Quality,
     /// Which part of a split window, from 0: each has a renderer of its own, made when it is first used.
     pub pane: usize,
@@ -33,8 +33,7 @@ struct Presenters {
 
 /// The renderer and what copies its picture to the window.
 pub struct ScenePresenter {
-    /// The renderer; its quality may be set between frames.
-    pub renderer: SceneRenderer,
+    renderer: SceneRenderer,
     pipeline: wgpu::RenderPipeline,
     layout: wgpu::BindGroupLayout,
     sampler: wgpu::Sampler,
@@ -59,7 +58,7 @@ impl ScenePresenter {
         encoder: &mut wgpu::CommandEncoder,
         callback: &SceneCallback,
     ) {
-        self.renderer.quality = callback.quality;
+        self.renderer.set_quality(callback.quality);
         self.renderer.render(device, queue, encoder, &callback.input, callback.size);
         if self.group.is_some() && self.size == self.renderer.size() {
             return;

@@ -4,43 +4,44 @@ use egui::{Align2, Area, FontId, Id, RichText, Ui};
 use saute_kitchen::food::Rules;
 use saute_picture::view::View;
 
-use crate::app::SauteApp;
+use crate::act::Acts;
 use crate::panels::legend;
+use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
 
 /// Shows the badges and the notice where there is something to say.
-pub fn show(app: &mut SauteApp, ui: &Ui, layout: &Layout) {
-    standing(app, ui, layout);
-    if let Some(behind) = app.session.behind_s() {
-        let text = app.settings.language.fill(
+pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+    standing(state, ui, acts, layout);
+    if let Some(behind) = state.session.behind_s() {
+        let text = state.settings.language.fill(
             "scene.behind",
-            &[("speed", &format!("{:.0}", app.session.speed)), ("seconds", &format!("{behind:.0}"))],
+            &[("speed", &format!("{:.0}", state.session.speed)), ("seconds", &format!("{behind:.0}"))],
         );
         message(ui, layout, "behind", 12.0, &text);
     }
-    if let Some(text) = app.notice.current() {
-        message(ui, layout, "notice", 52.0, &text);
+    if let Some(text) = &state.notice {
+        message(ui, layout, "notice", 52.0, text);
     }
 }
 
 /// What holds all the time: the legend of the view, and simplified rules.
-fn standing(app: &mut SauteApp, ui: &Ui, layout: &Layout) {
-    let simple = app.session.kitchen.rules() == Rules::Paper2013;
-    let coloured = app.settings.view != View::Look;
+fn standing(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+    let simple = state.session.kitchen.rules() == Rules::Paper2013;
+    let coloured = state.settings.view != View::Look;
     if !simple && !coloured {
         return;
     }
-    let pane = layout.field_pane(app.settings.is_split());
+    let pane = layout.field_pane(state.settings.is_split());
     let at = pane.free.left_bottom() + egui::vec2(GAP, -GAP);
     let width = layout.whole.right().min(layout.free.right()) - at.x - 2.0 * GAP - 16.0;
     let area = Area::new(Id::unique("standing")).fixed_pos(at).pivot(Align2::LEFT_BOTTOM);
     area.show(ui.ctx(), |ui| {
         theme::of(ui).panel().inner_margin(8).show(ui, |ui| {
-            legend::show(app, ui, width);
+            legend::show(state, ui, acts, width);
             if simple {
                 ui.label(
-                    RichText::new(app.settings.language.text("scene.rules_2013"))
+                    RichText::new(state.settings.language.text("scene.rules_2013"))
                         .size(15.0)
                         .strong()
                         .color(theme::of(ui).accent),

@@ -3,8 +3,8 @@
 use egui::{Align2, Area, Color32, FontId, Id, Order, Rect, RichText, Sense, Shape, Stroke, Ui, pos2, vec2};
 use egui_plot::{HLine, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotTransform, VLine};
 
-use crate::app::SauteApp;
 use crate::panels::inside::clock;
+use crate::panels::window_state::WindowState;
 use crate::session::Mark;
 use crate::ui::palette::Palette;
 use crate::ui::theme;
@@ -12,7 +12,7 @@ use crate::words::language::Language;
 
 /// Points drawn at most per curve (chosen: about one a pixel).
 const MOST_POINTS: usize = 400;
-/// Events nearer to the pointer than this are told [points]; labels of events keep a line of type between them.
+/// Events nearer to the pointer than this are named [points]; labels of events keep a line of type between them.
 const EVENT_NEAR: f32 = 6.0;
 const EVENT_APART: f32 = 12.0;
 /// How strongly the lines of events are drawn [-] (chosen: behind the curves).
@@ -21,7 +21,7 @@ const EVENT_SEEN: f32 = 0.35;
 /// One curve: minutes and degrees in the chosen unit.
 struct Curve {
     name: String,
-    /// What stands at its end; nothing for curves that the legend tells apart.
+    /// Label at its end; empty for curves that the legend distinguishes.
     mark: String,
     colour: Color32,
     style: LineStyle,
@@ -30,11 +30,11 @@ struct Curve {
 }
 
 /// Shows the curves with what happened.
-pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
+pub fn show(state: &WindowState, ui: &mut Ui, height: f32) {
     let palette = theme::of(ui);
-    let curves = curves(app, palette);
-    let settings = &app.settings;
-    legend(app, ui, &curves);
+    let curves = curves(state, palette);
+    let settings = state.settings;
+    legend(state, ui, &curves);
     // The axis leaves numbers away that stand closer than this.
     let levels = ((f64::from(height) - 36.0) / 24.0).clamp(2.0, 6.0);
     let plot = Plot::new("curves")
@@ -58,20 +58,20 @@ pub fn show(app: &SauteApp, ui: &mut Ui, height: f32) {
             let line = Line::new(curve.name.clone(), PlotPoints::from(curve.points.clone()));
             plot.line(line.color(curve.colour).style(curve.style).width(curve.width));
         }
-        if app.scale().is_some() {
+        if state.scale().is_some() {
             let goal = HLine::new(settings.language.text("curves.goal"), settings.degrees(settings.goal_c));
             plot.hline(goal.color(palette.quiet).style(LineStyle::dotted_dense()).width(1.0));
         }
-        for mark in &app.session.marks {
+        for mark in &state.session.marks {
             let line = VLine::new(mark_words(mark, settings.language), mark.time_s / 60.0);
             plot.vline(line.color(palette.quiet.gamma_multiply(EVENT_SEEN)).width(1.0));
         }
     });
-    events(ui, &shown.transform, &app.session.marks, settings.language);
+    events(ui, &shown.transform, &state.session.marks, settings.language);
     ends(ui, &shown.transform, &curves);
     let spoken = settings.language.text("curves.spoken");
     shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, spoken));
-    read_off(app, ui, &shown.response, &shown.transform, &curves);
+    read_off(state, ui, &shown.response, &shown.transform, &curves);
 }
 
 /// What happened, in a language; a power is a number and needs none.
@@ -79,14 +79,14 @@ fn mark_words(mark: &Mark, l: Language) -> String {
     l.find(&format!("mark.{}", mark.label.replace(' ', "_"))).unwrap_or(&mark.label).to_owned()
 }
 
-fn curves(app: &SauteApp, palette: &Palette) -> Vec<Curve> {
-    let (settings, rows) = (&app.settings, &app.session.recorder.rows);
+fn curves(state: &WindowState, palette: &Palette) -> Vec<Curve> {
+    let (settings, rows) = (state.settings, &state.session.recorder.rows);
     let step = rows.len().div_ceil(MOST_POINTS).max(1);
     let series = |pick: &dyn Fn(&saute_recipe::recorder::Row) -> Option<f64>| -> Vec<[f64; 2]> {
         let shown = rows.iter().step_by(step).chain(rows.last());
         shown.filter_map(|r| Some([r.time_s / 60.0, settings.degrees(pick(r)?)])).collect()
     };
-    let (piece, l) = (app.session.steak_index(), settings.language);
+    let (piece, l) = (state.session.steak_index(), settings.language);
     let curve = |place: usize, name: &str, style, width, points| Curve {
         name: name.to_owned(),
         mark: String::new(),
@@ -106,7 +106,7 @@ fn curves(app: &SauteApp, palette: &Palette) -> Vec<Curve> {
             series(&|r| r.foods.get(piece).map(|f| f[2])),
         ),
     ];
-    curves.extend(app.session.steak().into_iter().flat_map(|p| app.session.probes.of(p)).map(|probe| {
+    curves.extend(state.session.steak().into_iter().flat_map(|p| state.session.probes.of(p)).map(|probe| {
         let step = probe.series.len().div_ceil(MOST_POINTS).max(1);
         let shown = probe.series.iter().step_by(step).chain(probe.series.last());
         Curve {
@@ -133,7 +133,7 @@ fn probe_style(number: usize) -> LineStyle {
     }
 }
 
-fn legend(app: &SauteApp, ui: &mut Ui, curves: &[Curve]) {
+fn legend(state: &WindowState, ui: &mut Ui, curves: &[Curve]) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(5.0, 2.0);
         for curve in curves.iter().filter(|c| c.mark.is_empty()) {
@@ -141,9 +141,9 @@ fn legend(app: &SauteApp, ui: &mut Ui, curves: &[Curve]) {
             ui.label(RichText::new(&curve.name).size(13.0).color(theme::of(ui).text));
             ui.add_space(5.0);
         }
-        if app.scale().is_some() {
+        if state.scale().is_some() {
             sample(ui, theme::of(ui).quiet, LineStyle::dotted_dense(), 1.0);
-            ui.label(RichText::new(app.settings.language.text("curves.goal")).size(13.0).color(theme::of(ui).text));
+            ui.label(RichText::new(state.settings.language.text("curves.goal")).size(13.0).color(theme::of(ui).text));
         }
     });
 }
@@ -203,7 +203,7 @@ fn ends(ui: &Ui, transform: &PlotTransform, curves: &[Curve]) {
 }
 
 /// The values at the time under the pointer.
-fn read_off(app: &SauteApp, ui: &Ui, response: &egui::Response, transform: &PlotTransform, curves: &[Curve]) {
+fn read_off(state: &WindowState, ui: &Ui, response: &egui::Response, transform: &PlotTransform, curves: &[Curve]) {
     let Some(at) = response.hover_pos().filter(|at| transform.frame().contains(*at)) else { return };
     let minutes = transform.value_from_position(at).x;
     let frame = transform.frame();
@@ -214,9 +214,9 @@ fn read_off(app: &SauteApp, ui: &Ui, response: &egui::Response, transform: &Plot
         let point = transform.position_from_point(&PlotPoint::new(minutes, *value));
         ui.painter().circle(point, 3.0, curve.colour, Stroke::new(1.0, theme::of(ui).on_accent));
     }
-    let l = app.settings.language;
+    let l = state.settings.language;
     let near = |mark: &&Mark| (transform.position_from_point_x(mark.time_s / 60.0) - at.x).abs() < EVENT_NEAR;
-    let events: Vec<String> = app.session.marks.iter().filter(near).map(|m| mark_words(m, l)).collect();
+    let events: Vec<String> = state.session.marks.iter().filter(near).map(|m| mark_words(m, l)).collect();
     let area = Area::new(Id::unique("curve-values")).order(Order::Tooltip).interactable(false);
     // Left of the pointer: what comes next stays in sight.
     area.fixed_pos(at + vec2(-12.0, -8.0)).pivot(Align2::RIGHT_BOTTOM).show(ui.ctx(), |ui| {
@@ -227,7 +227,7 @@ fn read_off(app: &SauteApp, ui: &Ui, response: &egui::Response, transform: &Plot
             for (curve, value) in &values {
                 let value = format!("{value:.0}");
                 let open: [(&str, &dyn std::fmt::Display); 3] =
-                    [("name", &curve.name), ("value", &value), ("unit", &app.settings.unit())];
+                    [("name", &curve.name), ("value", &value), ("unit", &state.settings.unit())];
                 let text = l.fill("curves.value", &open);
                 line(ui, RichText::new(text).color(curve.colour));
             }
@@ -238,7 +238,7 @@ fn read_off(app: &SauteApp, ui: &Ui, response: &egui::Response, transform: &Plot
     });
 }
 
-/// The value of a curve at a time, or none beside its ends.
+/// Returns the value of a curve at a time; none outside of its ends.
 fn value_at(points: &[[f64; 2]], x: f64) -> Option<f64> {
     let upper = points.partition_point(|p| p[0] < x);
     let (low, high) = (points.get(upper.checked_sub(1)?)?, points.get(upper)?);

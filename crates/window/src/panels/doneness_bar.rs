@@ -4,12 +4,14 @@ use egui::{Color32, ComboBox, Painter, Rect, RichText, Sense, Ui, pos2, vec2};
 use saute_kitchen::food::Scale;
 use saute_picture::colour::map::Tone;
 
-use crate::app::SauteApp;
+use crate::act::{Act, Acts, Setting};
+use crate::panels::inside::Inside;
+use crate::panels::window_state::WindowState;
 use crate::settings::Settings;
 use crate::ui::theme;
 use crate::words::piece_words::change;
 
-/// Bounds of a class in the chosen unit; the unit stands beside the first and the last.
+/// Bounds of a class in the chosen unit; the first and the last bear the unit.
 fn range(settings: &Settings, scale: &Scale, class: usize) -> String {
     let from = settings.degrees(scale.class[class].from_c);
     let unit = settings.unit();
@@ -21,19 +23,19 @@ fn range(settings: &Settings, scale: &Scale, class: usize) -> String {
 }
 
 /// Shows the shares of a section by the chosen scale, or the changes of a food that no scale knows.
-pub fn show(app: &mut SauteApp, ui: &mut Ui) {
-    let Some(scale) = app.scale() else {
-        changes(app, ui);
+pub fn show(state: &WindowState, inside: &Inside, ui: &mut Ui, acts: &mut Acts) {
+    let Some(scale) = state.scale() else {
+        changes(state, inside, ui);
         return;
     };
-    selector(app, ui, &scale);
-    bar(app, ui, &scale);
-    columns(app, ui, &scale);
+    selector(state, ui, acts, &scale);
+    bar(state, inside, ui, &scale);
+    columns(state, inside, ui, &scale);
 }
 
 /// The scale's label; a click chooses another.
-fn selector(app: &mut SauteApp, ui: &mut Ui, scale: &Scale) {
-    let l = app.settings.language;
+fn selector(state: &WindowState, ui: &mut Ui, acts: &mut Acts, scale: &Scale) {
+    let l = state.settings.language;
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = 22.0;
         ui.spacing_mut().button_padding = vec2(8.0, 2.0);
@@ -43,9 +45,9 @@ fn selector(app: &mut SauteApp, ui: &mut Ui, scale: &Scale) {
         let combo = ComboBox::from_id_salt("scale").selected_text(text).width(ui.available_width() - 4.0);
         let mut chosen = None;
         let shown = combo.show_ui(ui, |ui| {
-            for other in &app.session.library.scales {
+            for other in &state.session.library.scales {
                 if ui.selectable_label(other.id == scale.id, l.called("scale", &other.name)).clicked() {
-                    chosen = Some(other.clone());
+                    chosen = Some(other.id.clone());
                 }
             }
         });
@@ -53,15 +55,15 @@ fn selector(app: &mut SauteApp, ui: &mut Ui, scale: &Scale) {
         shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &name));
         shown.response.on_hover_text(l.text("doneness.another"));
         if let Some(other) = chosen {
-            app.choose_scale(&other);
+            acts.push(Act::Set(Setting::Scale(other)));
         }
     });
 }
 
-fn bar(app: &SauteApp, ui: &mut Ui, scale: &Scale) {
-    let shares = app.inside.shares.0;
+fn bar(state: &WindowState, inside: &Inside, ui: &mut Ui, scale: &Scale) {
+    let shares = inside.shares.0;
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 24.0), Sense::hover());
-    let l = app.settings.language;
+    let l = state.settings.language;
     let share = |name: &str, share: f64| {
         l.fill("doneness.share", &[("class", &l.called("class", name)), ("percent", &format!("{share:.0}"))])
     };
@@ -82,11 +84,11 @@ fn bar(app: &SauteApp, ui: &mut Ui, scale: &Scale) {
 }
 
 /// Number, name and range of each class, side by side; longer names get more room.
-fn columns(app: &SauteApp, ui: &mut Ui, scale: &Scale) {
+fn columns(state: &WindowState, inside: &Inside, ui: &mut Ui, scale: &Scale) {
     let gap = 4.0;
     let room = ui.available_width() - gap * (scale.class.len() - 1) as f32;
     // As many letters as its name or its range needs, at least.
-    let l = app.settings.language;
+    let l = state.settings.language;
     let name = |c: usize| l.called("class", &scale.class[c].name);
     let letters = |c: usize| width_in_letters(name(c)).max(6.0);
     let all: f32 = (0..scale.class.len()).map(letters).sum();
@@ -100,10 +102,10 @@ fn columns(app: &SauteApp, ui: &mut Ui, scale: &Scale) {
                 let (mark, _) = ui.allocate_exact_size(vec2(18.0, 10.0), Sense::hover());
                 swatch(ui.painter(), mark, Tone::of(scale, class));
                 let small = if scale.class.len() > 4 { 11.0 } else { 12.5 };
-                let share = RichText::new(format!("{:.0} %", app.inside.shares.0[class])).size(16.0).strong();
+                let share = RichText::new(format!("{:.0} %", inside.shares.0[class])).size(16.0).strong();
                 ui.add(egui::Label::new(share).extend());
                 ui.add(egui::Label::new(RichText::new(name(class)).size(small)).extend());
-                let range = RichText::new(range(&app.settings, scale, class)).size(11.0).color(theme::of(ui).quiet);
+                let range = RichText::new(range(state.settings, scale, class)).size(11.0).color(theme::of(ui).quiet);
                 ui.add(egui::Label::new(range).extend());
             });
         }
@@ -116,11 +118,11 @@ fn width_in_letters(name: &str) -> f32 {
 }
 
 /// What heat has changed in a food that no scale of doneness knows: name and mean share of each change.
-fn changes(app: &SauteApp, ui: &mut Ui) {
-    let l = app.settings.language;
+fn changes(state: &WindowState, inside: &Inside, ui: &mut Ui) {
+    let l = state.settings.language;
     let caption = l.text("doneness.changed");
     ui.label(RichText::new(caption).size(12.5).color(theme::of(ui).quiet));
-    for (name, share) in &app.inside.changed {
+    for (name, share) in &inside.changed {
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
         let text = change(l, name, *share);
         let name = l.called("change", name);
@@ -139,7 +141,7 @@ fn changes(app: &SauteApp, ui: &mut Ui) {
     }
 }
 
-/// A patch in a class's colour and pattern, so that nothing is told by hue alone.
+/// A patch in a class's colour and pattern, so that no class is shown by hue alone.
 pub fn swatch(painter: &Painter, rect: Rect, tone: Tone) {
     let [r, g, b] = tone.colour();
     painter.rect_filled(rect, 2.0, Color32::from_rgb(r, g, b));

@@ -2,15 +2,16 @@
 
 use egui::{Align, Color32, Id, Layout, Modal, Pos2, Rect, RichText, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
-use crate::app::SauteApp;
+use crate::act::{Act, Acts, Card};
 use crate::panels::language;
+use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 
 /// Size of a picture [points].
 const PICTURE: Vec2 = vec2(112.0, 78.0);
 /// Below this width the steps lie below each other [points] (chosen: three columns of type that can be read).
 const NARROW: f32 = 700.0;
-/// Room for one step beside others [points].
+/// Room for one step next to others [points].
 const COLUMN: f32 = 236.0;
 
 // Colours of the pictures: things look the same in every theme (chosen).
@@ -48,8 +49,8 @@ const STEPS: [Step; 3] = [
 ];
 
 /// Shows the card over everything; the button, Esc or a click beside it closes it for good.
-pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
-    let l = app.settings.language;
+pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
+    let l = state.settings.language;
     let mut begun = false;
     let modal = Modal::new(Id::unique("first-steps")).frame(theme::of(ui).panel().fill(theme::of(ui).solid)).show(
         ui.ctx(),
@@ -58,13 +59,15 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
             ui.set_width(if narrow { whole.width() - 56.0 } else { 3.0 * (COLUMN + 14.0) });
             ui.horizontal(|ui| {
                 ui.heading(l.text("first.title"));
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| language::chip(app, ui));
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| language::chip(state, ui, acts));
             });
             ui.add_space(6.0);
             if narrow {
-                STEPS.iter().enumerate().for_each(|(place, step)| row(app, ui, place, step));
+                STEPS.iter().enumerate().for_each(|(place, step)| row(state, ui, place, step));
             } else {
-                ui.horizontal_top(|ui| STEPS.iter().enumerate().for_each(|(place, step)| column(app, ui, place, step)));
+                ui.horizontal_top(|ui| {
+                    STEPS.iter().enumerate().for_each(|(place, step)| column(state, ui, place, step))
+                });
             }
             ui.add_space(8.0);
             ui.horizontal(|ui| {
@@ -76,28 +79,28 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
         },
     );
     if begun || modal.should_close() {
-        app.close_first_steps();
+        acts.push(Act::Shut(Card::FirstSteps));
     }
 }
 
-fn column(app: &SauteApp, ui: &mut Ui, place: usize, step: &Step) {
+fn column(state: &WindowState, ui: &mut Ui, place: usize, step: &Step) {
     ui.vertical(|ui| {
         ui.set_width(COLUMN);
         picture(ui, step);
-        words(app, ui, place, step);
+        words(state, ui, place, step);
     });
 }
 
-fn row(app: &SauteApp, ui: &mut Ui, place: usize, step: &Step) {
+fn row(state: &WindowState, ui: &mut Ui, place: usize, step: &Step) {
     ui.horizontal_top(|ui| {
         picture(ui, step);
-        ui.vertical(|ui| words(app, ui, place, step));
+        ui.vertical(|ui| words(state, ui, place, step));
     });
     ui.add_space(6.0);
 }
 
-fn words(app: &SauteApp, ui: &mut Ui, place: usize, &(title, how, _): &Step) {
-    let l = app.settings.language;
+fn words(state: &WindowState, ui: &mut Ui, place: usize, &(title, how, _): &Step) {
+    let l = state.settings.language;
     ui.label(
         RichText::new(format!("{}  {}", place + 1, l.text(title))).size(16.0).strong().color(theme::of(ui).accent),
     );

@@ -2,10 +2,10 @@
 
 use egui::{Id, Modal, Rect, RichText, Ui};
 
-use crate::act::{Act, BINDINGS};
-use crate::app::SauteApp;
+use crate::act::{Act, Acts, BINDINGS, Card};
 use crate::input::gamepad::PAD;
 use crate::input::pan_keys::HELD;
+use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 
 /// What a gamepad does; browsers' gamepads are not read.
@@ -15,22 +15,22 @@ fn pad() -> impl Iterator<Item = (&'static str, &'static str)> {
 
 /// What keys do; a browser reaches no haptic device.
 fn keys() -> impl Iterator<Item = (&'static str, &'static str)> {
-    let native = |act: Act| matches!(act, Act::StopHands | Act::Strings);
-    let here = move |b: &&crate::act::Binding| cfg!(not(target_arch = "wasm32")) || !native(b.act);
+    let native = |act: &Act| matches!(act, Act::StopHands | Act::Strings);
+    let here = move |b: &&crate::act::Binding| cfg!(not(target_arch = "wasm32")) || !native(&b.act);
     BINDINGS.iter().filter(here).map(|b| (b.written, b.words))
 }
 
 /// Shows the list over everything; Esc, F1 or a click beside it closes it.
-pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
+pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let modal =
         Modal::new(Id::unique("help")).frame(theme::of(ui).panel().fill(theme::of(ui).solid)).show(ui.ctx(), |ui| {
             ui.set_width((whole.width() - 60.0).min(900.0));
-            let l = app.settings.language;
+            let l = state.settings.language;
             ui.horizontal(|ui| {
                 ui.heading(l.text("help.title"));
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                     if ui.add(theme::of(ui).button(l.text("help.first_steps"), false)).clicked() {
-                        (app.help, app.first_steps) = (false, true);
+                        acts.push(Act::Open(Card::FirstSteps));
                     }
                 });
             });
@@ -57,6 +57,6 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: Rect) {
             });
         });
     if modal.should_close() {
-        app.help = false;
+        acts.push(Act::Shut(Card::Help));
     }
 }

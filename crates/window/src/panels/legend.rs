@@ -4,8 +4,8 @@ use egui::{Align2, Color32, FontId, Painter, Rect, RichText, Sense, Stroke, Ui, 
 use saute_kitchen::food::Scale;
 use saute_picture::colour::map::{ColourMap, Tone};
 
-use crate::act::Act;
-use crate::app::SauteApp;
+use crate::act::{Act, Acts};
+use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use crate::words::language::Language;
 use crate::words::view_words::ViewWords;
@@ -17,36 +17,36 @@ const BAR_HEIGHT: f32 = 14.0;
 const BETWEEN_MARKS: f32 = 5.0;
 
 /// Shows what the colours mean, at most `width` points wide: nothing for the natural look.
-pub fn show(app: &mut SauteApp, ui: &mut Ui, width: f32) {
-    let (view, scale) = (app.settings.view, app.scale());
-    let Some(map) = view.colour_map(app.settings.map, scale.as_deref()) else { return };
+pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, width: f32) {
+    let (view, scale) = (state.settings.view, state.scale());
+    let Some(map) = view.colour_map(state.settings.map, scale.as_deref()) else { return };
     ui.spacing_mut().item_spacing.y = 4.0;
     match scale.filter(|_| map.stepped) {
-        Some(scale) => classes(ui, &scale, app.settings.language, width),
+        Some(scale) => classes(ui, &scale, state.settings.language, width),
         None => {
-            ui.label(RichText::new(view.meaning(&app.settings)).size(12.5).color(theme::of(ui).quiet));
-            bar(app, ui, &map, width);
+            ui.label(RichText::new(view.meaning(state.settings)).size(12.5).color(theme::of(ui).quiet));
+            bar(state, ui, acts, &map, width);
         }
     }
 }
 
-fn bar(app: &mut SauteApp, ui: &mut Ui, map: &ColourMap, width: f32) {
-    let view = app.settings.view;
-    let changes = view.is_of_temperature(app.scale().as_deref());
+fn bar(state: &WindowState, ui: &mut Ui, acts: &mut Acts, map: &ColourMap, width: f32) {
+    let view = state.settings.view;
+    let changes = view.is_of_temperature(state.scale().as_deref());
     let sense = if changes { Sense::click() } else { Sense::hover() };
     let (rect, response) = ui.allocate_exact_size(vec2(BAR.x.min(width), BAR.y), sense);
-    let l = app.settings.language;
+    let l = state.settings.language;
     let (role, key) = if changes {
         (egui::accesskit::Role::Button, "legend.spoken_change")
     } else {
         (egui::accesskit::Role::Label, "legend.spoken")
     };
-    let spoken = l.fill(key, &[("meaning", &view.meaning(&app.settings))]);
+    let spoken = l.fill(key, &[("meaning", &view.meaning(state.settings))]);
     response.widget_info(|| egui::WidgetInfo::labeled(role, true, &spoken));
     paint_table(ui.painter(), Rect::from_min_size(rect.min, vec2(rect.width(), BAR_HEIGHT)), map);
-    marks(app, ui, rect, map);
+    marks(state, ui, rect, map);
     if changes && response.on_hover_text(l.text("legend.change")).clicked() {
-        app.act(Act::Map, &ui.ctx().clone());
+        acts.push(Act::Map);
     }
 }
 
@@ -61,15 +61,15 @@ fn paint_table(painter: &Painter, bar: Rect, map: &ColourMap) {
     }
 }
 
-/// A tick at every telling value, a number where there is room for one.
-fn marks(app: &SauteApp, ui: &Ui, rect: Rect, map: &ColourMap) {
-    let (view, font) = (app.settings.view, FontId::proportional(11.5));
+/// A tick at every value worth a mark, a number where there is room for one.
+fn marks(state: &WindowState, ui: &Ui, rect: Rect, map: &ColourMap) {
+    let (view, font) = (state.settings.view, FontId::proportional(11.5));
     let (painter, bottom) = (ui.painter(), rect.top() + BAR_HEIGHT);
     let mut free_from = f32::NEG_INFINITY;
     for &value in view.marks().iter().filter(|v| (map.from..=map.to).contains(*v)) {
         let x = rect.left() + map.coordinate(value) * rect.width();
         painter.line_segment([pos2(x, bottom), pos2(x, bottom + 4.0)], Stroke::new(1.0, theme::of(ui).quiet));
-        let text = painter.layout_no_wrap(view.mark(value, &app.settings), font.clone(), theme::of(ui).text);
+        let text = painter.layout_no_wrap(view.mark(value, state.settings), font.clone(), theme::of(ui).text);
         // The first and the last number stay within the bar.
         let half = 0.5 * text.size().x;
         let left = (x - half).clamp(rect.left(), rect.right() - 2.0 * half);

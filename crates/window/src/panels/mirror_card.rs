@@ -3,18 +3,19 @@
 use egui::{Align, DragValue, Id, Layout, Modal, Response, RichText, ScrollArea, TextEdit, Ui, vec2};
 
 use super::settings_card::{NAMES, NARROW, WIDTH, explained, row};
-use crate::app::SauteApp;
+use crate::act::{Act, Acts, Card, Setting};
 use crate::mirror::calibration::Calibration;
 use crate::mirror::rig::Rig;
 use crate::mirror::rig_file::SHIPPED;
-use crate::mirror::settings::WIDEST_MM;
+use crate::mirror::settings::{MirrorSettings, WIDEST_MM};
 use crate::mirror::stereo::Stereo;
 use crate::mirror::view::stereo_word;
+use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 
 /// Shows the card over everything; Esc, the button or a click beside it closes it.
-pub fn show(app: &mut SauteApp, ui: &Ui, whole: egui::Rect) {
-    let l = app.settings.language;
+pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
+    let l = state.settings.language;
     let palette = theme::of(ui);
     let mut done = false;
     let modal = Modal::new(Id::unique("mirror")).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
@@ -30,50 +31,54 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: egui::Rect) {
         let scrolled = ScrollArea::vertical().auto_shrink([false, true]).max_height(height).min_scrolled_height(height);
         scrolled.show(ui, |ui| {
             let narrow = whole.width() < NARROW;
-            window(app, ui, narrow);
-            place(app, ui, narrow);
-            eyes(app, ui, narrow);
-            calibration(app, ui, narrow);
+            let mut chosen = state.settings.mirror.clone();
+            window(state, &mut chosen, ui, acts, narrow);
+            place(state, &mut chosen, ui, acts, narrow);
+            eyes(state, &mut chosen, ui, narrow);
+            calibration(state, &mut chosen, ui, acts, narrow);
+            if chosen != state.settings.mirror {
+                acts.push(Act::Set(Setting::Mirror(Box::new(chosen))));
+            }
         });
     });
     if done || modal.should_close() {
-        app.mirror.card = false;
+        acts.push(Act::Shut(Card::Mirror));
     }
 }
 
 /// The window, and what it shows.
-fn window(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
-    let l = app.settings.language;
-    let open = [(l.text("half_mirror.closed"), !app.mirror.open), (l.text("half_mirror.open"), app.mirror.open)];
+fn window(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+    let l = state.settings.language;
+    let open = [(l.text("half_mirror.closed"), !state.mirror.open), (l.text("half_mirror.open"), state.mirror.open)];
     if let Some(chosen) = row(ui, narrow, l.text("half_mirror.window"), &open) {
-        (app.mirror.open, app.mirror.full) = (chosen == 1, false);
+        acts.push(Act::MirrorWindow(chosen == 1));
     }
     explained(ui, true, l.text("half_mirror.opened"));
-    let shown = app.settings.mirror.pan_shown;
+    let shown = settings.pan_shown;
     let pan = [(l.text("half_mirror.pan_real"), !shown), (l.text("half_mirror.pan_drawn"), shown)];
     if let Some(chosen) = row(ui, narrow, l.text("half_mirror.pan"), &pan) {
-        app.settings.mirror.pan_shown = chosen == 1;
+        settings.pan_shown = chosen == 1;
     }
 }
 
 /// Rig and projector.
-fn place(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
-    let l = app.settings.language;
-    let now = app.settings.mirror.rig.clone();
+fn place(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+    let l = state.settings.language;
+    let now = settings.rig.clone();
     let rigs = SHIPPED.map(|(name, _)| (l.called("rig", name), name == now));
     if let Some(chosen) = row(ui, narrow, l.text("half_mirror.rig"), &rigs) {
-        app.settings.mirror.rig = SHIPPED[chosen].0.to_owned();
+        settings.rig = SHIPPED[chosen].0.to_owned();
     }
-    let typed = &mut app.settings.mirror.rig;
+    let typed = &mut settings.rig;
     if beside(ui, narrow, l.text("half_mirror.rig_file"), |ui| text_field(ui, typed)).lost_focus() {
-        app.mirror.forget_rig();
+        acts.push(Act::ReadRig);
     }
-    let said = match app.mirror.rig(&app.settings.mirror.rig) {
+    let said = match state.mirror.rig_read() {
         Err(error) => error,
-        Ok(rig) => registered(app, &rig),
+        Ok(rig) => registered(state, &rig),
     };
     explained(ui, narrow, &said);
-    let typed = &mut app.settings.mirror.projector;
+    let typed = &mut settings.projector;
     beside(ui, narrow, l.text("half_mirror.projector"), |ui| text_field(ui, typed));
 }
 
@@ -97,46 +102,45 @@ fn text_field(ui: &mut Ui, typed: &mut String) -> Response {
 }
 
 /// What a rig is called, and how well touched points agree with it.
-fn registered(app: &SauteApp, rig: &Rig) -> String {
-    let l = app.settings.language;
+fn registered(state: &WindowState, rig: &Rig) -> String {
+    let l = state.settings.language;
     let residual = rig.residual.map(|metres| format!("{:.2}", 1e3 * metres));
     let name = l.called("rig", &rig.name);
     residual.map_or_else(|| name.to_owned(), |mm| l.fill("half_mirror.registered", &[("rig", &name), ("mm", &mm)]))
 }
 
 /// Stereo and the distance of the eyes.
-fn eyes(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
-    let l = app.settings.language;
-    let now = app.settings.mirror.stereo;
+fn eyes(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, narrow: bool) {
+    let l = state.settings.language;
+    let now = settings.stereo;
     let ways = Stereo::ALL.map(|way| (stereo_word(way, l), way == now));
     if let Some(chosen) = row(ui, narrow, l.text("half_mirror.stereo"), &ways) {
-        app.settings.mirror.stereo = Stereo::ALL[chosen];
+        settings.stereo = Stereo::ALL[chosen];
     }
-    let Ok(rig) = app.mirror.rig(&app.settings.mirror.rig) else { return };
-    let mut mm = 1e3 * app.settings.mirror.eye_distance(&rig);
+    let Ok(rig) = state.mirror.rig_read() else { return };
+    let mut mm = 1e3 * settings.eye_distance(&rig);
     let drag = DragValue::new(&mut mm).range(0.0..=WIDEST_MM).speed(0.1).fixed_decimals(1).suffix(" mm");
     if beside(ui, narrow, l.text("half_mirror.eyes"), |ui| ui.add(drag)).changed() {
-        app.settings.mirror.eye_distance_mm = Some(mm);
+        settings.eye_distance_mm = Some(mm);
     }
 }
 
 /// Calibration: on or off, what to do, the numbers.
-fn calibration(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
-    let l = app.settings.language;
-    let on = app.mirror.calibrating;
+fn calibration(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+    let l = state.settings.language;
+    let on = state.mirror.calibrating;
     let shown = [(l.text("half_mirror.picture"), !on), (l.text("half_mirror.pattern"), on)];
     if let Some(chosen) = row(ui, narrow, l.text("half_mirror.calibration"), &shown) {
-        app.mirror.calibrating = chosen == 1;
-        app.mirror.open |= app.mirror.calibrating;
+        acts.push(Act::Calibrate(chosen == 1));
     }
-    if let Ok(rig) = app.mirror.rig(&app.settings.mirror.rig) {
+    if let Ok(rig) = state.mirror.rig_read() {
         let [width, depth] = (1e3 * rig.sheet.size).round().to_array();
         explained(ui, true, &l.fill("half_mirror.how", &[("width", &width), ("depth", &depth)]));
     }
     if ui.add(theme::of(ui).button(l.text("half_mirror.reset"), false)).clicked() {
-        app.settings.mirror.keep(Calibration::default());
+        settings.keep(Calibration::default());
     }
-    if let Some(lines) = numbers(app, if narrow { 1 } else { 3 }) {
+    if let Some(lines) = numbers(state, &settings.calibration(), if narrow { 1 } else { 3 }) {
         lines.iter().for_each(|line| {
             ui.label(RichText::new(line).monospace().size(14.0));
         });
@@ -144,11 +148,10 @@ fn calibration(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
 }
 
 /// Where every mark is shown, the lens, and what is left.
-fn numbers(app: &mut SauteApp, columns: usize) -> Option<Vec<String>> {
-    let l = app.settings.language;
-    let (rig, size) = (app.mirror.rig(&app.settings.mirror.rig).ok()?, app.mirror.size);
+fn numbers(state: &WindowState, calibration: &Calibration, columns: usize) -> Option<Vec<String>> {
+    let l = state.settings.language;
+    let (rig, size) = (state.mirror.rig_read().ok()?, state.mirror.size);
     let size = if size.min_element() < 1.0 { rig.screen.pixels() } else { size };
-    let calibration = app.settings.mirror.calibration();
     let (fitted, pixels) = (calibration.fitted(&rig, size)?, calibration.pixels(&rig, size)?);
     let mark = |mark: usize| format!("{} {:7.1} {:7.1}", mark + 1, pixels[mark].x, pixels[mark].y);
     let rows = pixels.iter().enumerate().map(|(k, _)| mark(k)).collect::<Vec<_>>();

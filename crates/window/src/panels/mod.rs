@@ -17,11 +17,13 @@ pub mod probes;
 pub mod read_out;
 pub mod settings_card;
 pub mod top;
+pub mod window_state;
 
 use egui::{Rect, ScrollArea, Ui, UiBuilder};
 
-use crate::app::SauteApp;
+use crate::act::Acts;
 use crate::paint::ground::GroundCallback;
+use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::layout::Layout;
 use crate::ui::theme;
 
@@ -42,50 +44,73 @@ pub enum Drawer {
 impl Drawer {
     const ALL: [Self; 4] = [Self::Cook, Self::Inside, Self::Food, Self::Pieces];
 
-    fn name(self, app: &SauteApp) -> &'static str {
+    fn name(self, state: &WindowState) -> &'static str {
         match self {
-            Self::Cook => app.settings.language.text("drawer.cook"),
-            Self::Inside => app.settings.language.text("drawer.inside"),
-            Self::Food => top::food_word(app),
-            Self::Pieces => app.settings.language.text("top.pieces"),
+            Self::Cook => state.settings.language.text("drawer.cook"),
+            Self::Inside => state.settings.language.text("drawer.inside"),
+            Self::Food => top::food_word(state),
+            Self::Pieces => state.settings.language.text("top.pieces"),
         }
+    }
+}
+
+/// Shows all panels, what is said over the scene, and the card that is open.
+pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, layout: &Layout) {
+    if !state.settings.panels_hidden {
+        show(state, memory, ui, acts, layout);
+    }
+    let whole = layout.whole;
+    read_out::show(state, ui, whole);
+    badge::show(state, ui, acts, layout);
+    #[cfg(not(target_arch = "wasm32"))]
+    crate::hand::show(state, ui, acts, layout);
+    if state.help {
+        help::show(state, ui, acts, whole);
+    } else if state.settings_open {
+        settings_card::show(state, memory, ui, acts, whole);
+    } else if state.mirror.card {
+        mirror_card::show(state, ui, acts, whole);
+    } else if state.first_steps {
+        first_steps::show(state, ui, acts, whole);
     }
 }
 
 /// Shows all panels.
-pub fn show(app: &mut SauteApp, ui: &mut Ui, layout: &Layout) {
-    floating(ui, layout.top, 0, "views", |ui| top::show(app, ui, layout.narrow));
+fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, layout: &Layout) {
+    floating(ui, layout.top, 0, "views", |ui| top::show(state, ui, acts, layout.narrow));
     if layout.narrow {
-        floating(ui, layout.bottom, 1, "drawer", |ui| drawer(app, ui));
+        floating(ui, layout.bottom, 1, "drawer", |ui| drawer(state, memory, ui, acts));
         return;
     }
-    floating(ui, layout.right, 2, "inside", |ui| scrolled(ui, |ui| inside::show(app, ui)));
-    floating(ui, layout.bottom, 3, "cook", |ui| hob_bar::show(app, ui, false));
+    floating(ui, layout.right, 2, "inside", |ui| scrolled(ui, |ui| inside::show(state, &mut memory.inside, ui, acts)));
+    floating(ui, layout.bottom, 3, "cook", |ui| hob_bar::show(state, ui, acts, false));
     if let Some(left) = layout.left {
-        if app.settings.pieces_open {
-            floating(ui, left, 4, "pieces", |ui| scrolled(ui, |ui| pieces::show(app, ui)));
+        if state.settings.pieces_open {
+            floating(ui, left, 4, "pieces", |ui| {
+                scrolled(ui, |ui| pieces::show(state, &mut memory.unfolded, ui, acts))
+            });
         } else {
-            floating(ui, left, 4, "food", |ui| scrolled(ui, |ui| pantry::show(app, ui)));
+            floating(ui, left, 4, "food", |ui| scrolled(ui, |ui| pantry::show(state, &mut memory.count, ui, acts)));
         }
     }
 }
 
-fn drawer(app: &mut SauteApp, ui: &mut Ui) {
+fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts) {
     ui.horizontal(|ui| {
         (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (5.0, 7.0);
         for part in Drawer::ALL {
-            if ui.add(theme::of(ui).button(part.name(app), app.drawer == part)).clicked() {
-                app.drawer = part;
+            if ui.add(theme::of(ui).button(part.name(state), memory.drawer == part)).clicked() {
+                memory.drawer = part;
             }
         }
-        top::help_and_settings(app, ui);
+        top::help_and_settings(state, ui, acts);
     });
     ui.separator();
-    scrolled(ui, |ui| match app.drawer {
-        Drawer::Cook => hob_bar::show(app, ui, true),
-        Drawer::Inside => inside::show(app, ui),
-        Drawer::Food => pantry::show(app, ui),
-        Drawer::Pieces => pieces::show(app, ui),
+    scrolled(ui, |ui| match memory.drawer {
+        Drawer::Cook => hob_bar::show(state, ui, acts, true),
+        Drawer::Inside => inside::show(state, &mut memory.inside, ui, acts),
+        Drawer::Food => pantry::show(state, &mut memory.count, ui, acts),
+        Drawer::Pieces => pieces::show(state, &mut memory.unfolded, ui, acts),
     });
 }
 

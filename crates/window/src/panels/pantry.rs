@@ -4,38 +4,46 @@ use egui::{RichText, Ui};
 use saute_kitchen::Library;
 use saute_kitchen::food::FoodDescription;
 
-use crate::app::SauteApp;
+use crate::act::{Act, Acts, Setting};
+use crate::panels::window_state::WindowState;
 use crate::session::{SteakChoice, noun};
 use crate::ui::theme;
 use crate::words::language::Language;
-use crate::words::piece_words::name;
 
-/// Most pieces that are added at once, and that the kitchen holds (chosen: a full pan; what a machine still computes).
+/// Most pieces that are added at once (chosen: a full pan).
 const MOST_AT_ONCE: usize = 35;
-const MOST_PIECES: usize = 100;
 
 /// Shows the choices; they take effect with "Set out".
-pub fn show(app: &mut SauteApp, ui: &mut Ui) {
-    let library = std::sync::Arc::clone(&app.session.library);
-    let l = app.settings.language;
-    let noun = noun(&library, &app.settings.choice.kind);
+pub fn show(state: &WindowState, count: &mut usize, ui: &mut Ui, acts: &mut Acts) {
+    let library = &state.session.library;
+    let l = state.settings.language;
+    let noun = noun(library, &state.settings.choice.kind);
     let food = l.called("noun", &noun);
     ui.heading(l.fill("pantry.mine", &[("food", &food)]));
-    set_out(app, ui);
-    count(app, ui);
-    crate::panels::pieces::all_at_once(app, ui);
+    set_out(state, *count, ui, acts);
+    how_many(count, ui, l);
+    crate::panels::pieces::all_at_once(state, ui, acts);
     let starts = l.fill("pantry.starts", &[("food", &food)]);
     ui.label(RichText::new(starts).size(12.5).color(theme::of(ui).quiet));
-    let choice = &mut app.settings.choice;
-    ui.scope(|ui| kinds(ui, &library, choice, l));
+    let mut choice = state.settings.choice.clone();
+    food_and_pan(state, &mut choice, ui);
+    if choice != state.settings.choice {
+        acts.push(Act::Set(Setting::Choice(choice)));
+    }
+    ui.separator();
+    recipes(state, ui, acts);
+}
+
+/// The kind of food, its size and temperature, and the pan.
+fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, ui: &mut Ui) {
+    let (library, l, fahrenheit) = (&state.session.library, state.settings.language, state.settings.fahrenheit);
+    ui.scope(|ui| kinds(ui, library, choice, l));
     if let Some(food) = library.foods.get(&choice.kind) {
         sizes(ui, food, &mut choice.size_mm, l);
     }
-    let fahrenheit = app.settings.fahrenheit;
-    temperature(ui, l.text("pantry.start_temperature"), &mut app.settings.choice.initial_c, 0.0, 30.0, fahrenheit);
+    temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, 0.0, 30.0, fahrenheit);
     ui.separator();
     ui.heading(l.text("pantry.pan"));
-    let choice = &mut app.settings.choice;
     let name = l.called("pan", library.pans.get(&choice.pan).map_or(choice.pan.as_str(), |p| &p.name)).to_owned();
     let combo = egui::ComboBox::from_id_salt("pan").selected_text(&name).width(ui.available_width() - 8.0);
     let response = combo.show_ui(ui, |ui| {
@@ -46,9 +54,7 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
     response.response.widget_info(|| {
         egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, l.fill("pantry.pan_spoken", &[("pan", &name)]))
     });
-    temperature(ui, l.text("pantry.preheated"), &mut app.settings.choice.preheat_c, 20.0, 260.0, fahrenheit);
-    ui.separator();
-    recipes(app, ui);
+    temperature(ui, l.text("pantry.preheated"), &mut choice.preheat_c, 20.0, 260.0, fahrenheit);
 }
 
 /// One button for each kind of food; another kind begins with its own size.
@@ -85,60 +91,37 @@ fn sizes(ui: &mut Ui, food: &FoodDescription, size_mm: &mut Vec<f64>, l: Languag
     }
 }
 
-fn set_out(app: &mut SauteApp, ui: &mut Ui) {
-    let l = app.settings.language;
+fn set_out(state: &WindowState, count: usize, ui: &mut Ui, acts: &mut Acts) {
+    let l = state.settings.language;
     ui.horizontal(|ui| {
         let half = 0.5 * (ui.available_width() - ui.spacing().item_spacing.x) - 4.0;
         let palette = theme::of(ui);
         let button = |text: &str, on| palette.button(text, on).min_size(egui::vec2(half, theme::TOUCH));
-        let choice = app.settings.choice.clone();
         if ui.add(button(l.text("pantry.set_out"), true)).clicked() {
-            match app.session.set_out(&choice) {
-                Ok(()) => app.motions.clear(),
-                Err(error) => app.say_trouble(&error),
-            }
+            acts.push(Act::SetOut);
         }
-        if ui.add(button(&l.fill("pantry.add", &[("count", &app.count)]), false)).clicked() {
-            add(app, &choice);
+        if ui.add(button(&l.fill("pantry.add", &[("count", &count)]), false)).clicked() {
+            acts.push(Act::Add(count));
         }
     });
 }
 
-/// Sets more food out; nothing of it is in the pan yet.
-fn add(app: &mut SauteApp, choice: &SteakChoice) {
-    let (here, l) = (app.session.kitchen.pieces().len(), app.settings.language);
-    if here + app.count > MOST_PIECES {
-        let room = MOST_PIECES.saturating_sub(here);
-        app.notice.say(l.fill("pantry.full", &[("most", &MOST_PIECES), ("room", &room)]));
-        return;
-    }
-    match app.session.add(choice, app.count) {
-        Ok(group) => {
-            let first = app.session.members(&group).into_iter().next();
-            app.session.select(first);
-            app.notice.say(l.fill("pantry.added", &[("count", &app.count), ("food", &name(&group, l))]));
-        }
-        Err(error) => app.say_trouble(&error),
-    }
+fn how_many(count: &mut usize, ui: &mut Ui, l: Language) {
+    let mut shown = *count as f64;
+    slider(ui, l.text("pantry.count"), &mut shown, 1.0, MOST_AT_ONCE as f64, "");
+    *count = (shown.round() as usize).clamp(1, MOST_AT_ONCE);
 }
 
-fn count(app: &mut SauteApp, ui: &mut Ui) {
-    let mut count = app.count as f64;
-    slider(ui, app.settings.language.text("pantry.count"), &mut count, 1.0, MOST_AT_ONCE as f64, "");
-    app.count = (count.round() as usize).clamp(1, MOST_AT_ONCE);
-}
-
-fn recipes(app: &mut SauteApp, ui: &mut Ui) {
-    let l = app.settings.language;
+fn recipes(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let l = state.settings.language;
     ui.heading(l.text("pantry.play"));
     ui.label(RichText::new(l.text("pantry.drop")).size(12.5).color(theme::of(ui).quiet));
-    let library = std::sync::Arc::clone(&app.session.library);
-    for (id, text) in &library.recipes {
+    for id in state.session.library.recipes.keys() {
         let plain = id.replace('-', " ");
         let title = l.called("recipe_file", &plain);
         let clicked = ui.add(egui::Button::new(title).min_size(egui::vec2(ui.available_width(), 34.0))).clicked();
         if clicked {
-            app.open_recipe(text, &format!("{id}.toml"));
+            acts.push(Act::Play(id.clone()));
         }
     }
 }

@@ -1,11 +1,12 @@
 //! The list of the pieces with their state: groups in one line that unfolds.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use egui::{RichText, Sense, Ui, vec2};
 use saute_kitchen::{Piece, celsius};
 
-use crate::app::SauteApp;
+use crate::act::{Act, Acts};
+use crate::panels::window_state::WindowState;
 use crate::session::group_of;
 use crate::ui::theme;
 use crate::words::language::Language;
@@ -14,7 +15,7 @@ use crate::words::piece_words::{doneness, grams, name, place};
 /// What a line says.
 struct Line {
     name: String,
-    /// Whether a group is unfolded; none for a piece.
+    /// True if a group is unfolded; none for a piece.
     fold: Option<bool>,
     core: String,
     mass: String,
@@ -25,25 +26,25 @@ struct Line {
 const LINE: f32 = 42.0;
 
 /// Shows the list; a click selects the piece that the other panels are about.
-pub fn show(app: &mut SauteApp, ui: &mut Ui) {
-    let count = app.session.kitchen.pieces().len();
-    let l = app.settings.language;
+pub fn show(state: &WindowState, unfolded: &mut BTreeSet<String>, ui: &mut Ui, acts: &mut Acts) {
+    let count = state.session.kitchen.pieces().len();
+    let l = state.settings.language;
     ui.heading(if count == 1 { l.text("piece.one").to_owned() } else { l.fill("piece.many", &[("count", &count)]) });
     ui.label(RichText::new(l.text("piece.click")).size(12.5).color(theme::of(ui).quiet));
-    all_at_once(app, ui);
+    all_at_once(state, ui, acts);
     ui.spacing_mut().item_spacing.y = 3.0;
-    for (group, members) in groups(app) {
+    for (group, members) in groups(state) {
         match members.as_slice() {
-            [single] => piece_line(app, ui, single, 0.0),
-            _ => group_lines(app, ui, &group, &members),
+            [single] => piece_line(state, ui, acts, single, 0.0),
+            _ => group_lines(state, (&group, &members), unfolded, ui, acts),
         }
     }
 }
 
 /// Puts in what waits.
-pub fn all_at_once(app: &mut SauteApp, ui: &mut Ui) {
-    let waiting = app.waiting();
-    let l = app.settings.language;
+pub fn all_at_once(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let waiting = state.session.waiting();
+    let l = state.settings.language;
     if waiting.len() < 2 {
         return;
     }
@@ -53,23 +54,23 @@ pub fn all_at_once(app: &mut SauteApp, ui: &mut Ui) {
             .on_hover_text(l.text("piece.lay_all_hint"))
             .clicked()
         {
-            app.lay_in(&waiting);
+            acts.push(Act::Lay(waiting.clone()));
         }
         if ui
             .add(theme::of(ui).button(l.text("piece.heap_all"), false))
             .on_hover_text(l.text("piece.heap_all_hint"))
             .clicked()
         {
-            app.heap_in(&waiting);
+            acts.push(Act::Heap(waiting.clone()));
         }
     });
 }
 
 /// Groups in the order of their first pieces.
-fn groups(app: &SauteApp) -> Vec<(String, Vec<String>)> {
+fn groups(state: &WindowState) -> Vec<(String, Vec<String>)> {
     let mut groups: Vec<(String, Vec<String>)> = Vec::new();
     let mut known: BTreeMap<String, usize> = BTreeMap::new();
-    for piece in app.session.kitchen.pieces() {
+    for piece in state.session.kitchen.pieces() {
         let group = group_of(&piece.id).to_owned();
         let at = *known.entry(group.clone()).or_insert_with(|| {
             groups.push((group, Vec::new()));
@@ -80,9 +81,9 @@ fn groups(app: &SauteApp) -> Vec<(String, Vec<String>)> {
     groups
 }
 
-fn piece_line(app: &mut SauteApp, ui: &mut Ui, id: &str, indent: f32) {
-    let Some(piece) = app.session.kitchen.piece(id) else { return };
-    let l = app.settings.language;
+fn piece_line(state: &WindowState, ui: &mut Ui, acts: &mut Acts, id: &str, indent: f32) {
+    let Some(piece) = state.session.kitchen.piece(id) else { return };
+    let l = state.settings.language;
     let line = Line {
         name: if indent > 0.0 {
             id.trim_start_matches(group_of(id)).trim_start_matches('.').to_owned()
@@ -90,29 +91,35 @@ fn piece_line(app: &mut SauteApp, ui: &mut Ui, id: &str, indent: f32) {
             name(id, l)
         },
         fold: None,
-        core: app.settings.temperature(celsius(piece.core())),
+        core: state.settings.temperature(celsius(piece.core())),
         mass: grams(piece),
-        state: format!("{} · {}", doneness(app, piece), place(piece, l)),
+        state: format!("{} · {}", doneness(state.chosen_scale(), piece, l), place(piece, l)),
     };
-    let selected = app.session.steak().is_some_and(|p| p.id == id);
+    let selected = state.session.steak().is_some_and(|p| p.id == id);
     let spoken = spoken(&line, l.fill("piece.select", &[("name", &name(id, l))]), l);
     if shown(ui, &line, indent, selected, &spoken) {
-        app.session.select(Some(id.to_owned()));
+        acts.push(Act::Select(id.to_owned()));
     }
 }
 
-fn group_lines(app: &mut SauteApp, ui: &mut Ui, group: &str, members: &[String]) {
-    let open = app.unfolded.contains(group);
-    let line = means(app, group, members, open);
-    let selected = !open && app.session.steak().is_some_and(|p| members.contains(&p.id));
-    let l = app.settings.language;
+fn group_lines(
+    state: &WindowState,
+    (group, members): (&str, &[String]),
+    unfolded: &mut BTreeSet<String>,
+    ui: &mut Ui,
+    acts: &mut Acts,
+) {
+    let open = unfolded.contains(group);
+    let line = means(state, group, members, open);
+    let selected = !open && state.session.steak().is_some_and(|p| members.contains(&p.id));
+    let l = state.settings.language;
     let what = l.fill(if open { "piece.fold" } else { "piece.unfold" }, &[("name", &name(group, l))]);
     let spoken = spoken(&line, what, l);
     if shown(ui, &line, 0.0, selected, &spoken) {
         if open {
-            app.unfolded.remove(group)
+            unfolded.remove(group)
         } else {
-            app.unfolded.insert(group.to_owned())
+            unfolded.insert(group.to_owned())
         };
     }
     if !open {
@@ -120,42 +127,25 @@ fn group_lines(app: &mut SauteApp, ui: &mut Ui, group: &str, members: &[String])
     }
     ui.horizontal(|ui| {
         ui.add_space(14.0);
-        for (key, act) in [("piece.lay", Deed::Lay), ("piece.heap", Deed::Heap), ("piece.take_away", Deed::Remove)] {
+        let lay = Act::Lay as fn(Vec<String>) -> Act;
+        for (key, act) in [("piece.lay", lay), ("piece.heap", Act::Heap), ("piece.take_away", Act::Remove)] {
             let button = egui::Button::new(RichText::new(l.text(key)).size(13.0)).min_size(vec2(0.0, 30.0));
             if ui.add(button).clicked() {
-                act.done(app, members);
+                acts.push(act(members.to_vec()));
             }
         }
     });
     for id in members {
-        piece_line(app, ui, id, 14.0);
-    }
-}
-
-/// What a button does with a group.
-#[derive(Clone, Copy)]
-enum Deed {
-    Lay,
-    Heap,
-    Remove,
-}
-
-impl Deed {
-    fn done(self, app: &mut SauteApp, members: &[String]) {
-        match self {
-            Self::Lay => app.lay_in(members),
-            Self::Heap => app.heap_in(members),
-            Self::Remove => app.session.remove(members),
-        }
+        piece_line(state, ui, acts, id, 14.0);
     }
 }
 
 /// A group in one line: means over its pieces, and how many are where.
-fn means(app: &SauteApp, group: &str, members: &[String], open: bool) -> Line {
-    let pieces: Vec<&Piece> = members.iter().filter_map(|id| app.session.kitchen.piece(id)).collect();
+fn means(state: &WindowState, group: &str, members: &[String], open: bool) -> Line {
+    let pieces: Vec<&Piece> = members.iter().filter_map(|id| state.session.kitchen.piece(id)).collect();
     let mean =
         |value: &dyn Fn(&Piece) -> f64| pieces.iter().map(|p| value(p)).sum::<f64>() / pieces.len().max(1) as f64;
-    let l = app.settings.language;
+    let l = state.settings.language;
     let mut states: BTreeMap<String, usize> = BTreeMap::new();
     for piece in &pieces {
         *states.entry(place(piece, l).to_owned()).or_default() += 1;
@@ -165,7 +155,7 @@ fn means(app: &SauteApp, group: &str, members: &[String], open: bool) -> Line {
     Line {
         name: l.fill("piece.group", &[("name", &name(group, l)), ("count", &pieces.len())]),
         fold: Some(open),
-        core: app.settings.temperature(celsius(mean(&Piece::core))),
+        core: state.settings.temperature(celsius(mean(&Piece::core))),
         mass: l.fill("piece.mean_mass", &[("mass", &format!("{:.1} g", 1e3 * mean(&Piece::mass)))]),
         state: states.join(" · "),
     }
@@ -185,7 +175,7 @@ fn spoken(line: &Line, what: String, l: Language) -> String {
     l.fill("piece.spoken", &open)
 }
 
-/// Draws a line; tells whether it was clicked.
+/// Draws a line; returns true if it was clicked.
 fn shown(ui: &mut Ui, line: &Line, indent: f32, selected: bool, spoken: &str) -> bool {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::click());
     response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::Button, true, selected, spoken));

@@ -3,30 +3,30 @@
 use egui::{Label, RichText, Ui};
 use saute_kitchen::dynamics::Tool;
 
-use crate::act::{Act, ROLL_STEP, TOOL_STEP};
-use crate::app::SauteApp;
+use crate::act::{Act, Acts, ROLL_STEP, TOOL_STEP};
 use crate::input::pouring::{Pourable, danger, in_the_pan};
 use crate::panels::hob_bar::button;
+use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 
 /// Shows the controls and what is in the pan.
-pub fn show(app: &mut SauteApp, ui: &mut Ui) {
-    let l = app.settings.language;
-    let lid = app.session.kitchen.pan_state().lid.is_some();
+pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let l = state.settings.language;
+    let lid = state.session.kitchen.pan_state().lid.is_some();
     for what in Pourable::ALL {
-        let grams = format!("{:.0}", app.portion.grams(what));
+        let grams = format!("{:.0}", state.portion.grams(what));
         let text = l.fill("pour.portion_of", &[("what", &what.name(l)), ("grams", &grams)]);
-        button(app, ui, &text, false, true, Act::Pour(what));
+        button(state, ui, acts, &text, false, true, Act::Pour(what));
     }
-    let portion = app.portion.name(l);
-    button(app, ui, portion, false, true, Act::Portion);
-    button(app, ui, l.text("pour.lid"), lid, true, Act::Lid);
-    let tool = match app.tool_hand.tool {
+    let portion = state.portion.name(l);
+    button(state, ui, acts, portion, false, true, Act::Portion);
+    button(state, ui, acts, l.text("pour.lid"), lid, true, Act::Lid);
+    let tool = match state.tool {
         Tool::Tongs => "pour.tongs",
         Tool::Turner => "pour.turner",
     };
-    button(app, ui, l.text(tool), app.tool_hand.turner.is_some(), true, Act::Tool);
-    if app.tool_hand.turner.is_some() {
+    button(state, ui, acts, l.text(tool), state.turner_in_hand, true, Act::Tool);
+    if state.turner_in_hand {
         // Fingers have no wheel and no right button.
         let by_hand = [
             ("pour.up", Act::ToolBy(TOOL_STEP)),
@@ -34,12 +34,12 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
             ("pour.roll", Act::RollBy(ROLL_STEP)),
             ("pour.put_away", Act::PutAway),
         ];
-        by_hand.into_iter().for_each(|(key, act)| button(app, ui, l.text(key), false, true, act));
+        by_hand.into_iter().for_each(|(key, act)| button(state, ui, acts, l.text(key), false, true, act));
     }
-    match danger(&app.session.kitchen, l) {
+    match danger(&state.session.kitchen, l) {
         Some(text) => line(ui, RichText::new(text).color(theme::of(ui).accent).strong()),
         None => {
-            let text = l.fill("pour.in_the_pan", &[("what", &in_the_pan(&app.session.kitchen, l))]);
+            let text = l.fill("pour.in_the_pan", &[("what", &in_the_pan(&state.session.kitchen, l))]);
             line(ui, RichText::new(text).color(theme::of(ui).quiet));
         }
     }

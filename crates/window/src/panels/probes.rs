@@ -2,26 +2,26 @@
 
 use egui::{RichText, Ui, vec2};
 
-use crate::act::{Act, key_of};
-use crate::app::SauteApp;
+use crate::act::{Act, Acts, key_of};
+use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 
 /// A button after which the next click on the food puts a probe in.
-pub fn add_button(app: &mut SauteApp, ui: &mut Ui) {
-    let l = app.settings.language;
-    let text = RichText::new(l.text(if app.scene.placing { "probe.click" } else { "probe.add" })).size(13.0);
-    let add = ui.add(egui::Button::new(text).selected(app.scene.placing));
-    if add.on_hover_text(l.fill("probe.add_hint", &[("key", &key_of(Act::Probe))])).clicked() {
-        app.scene.placing = !app.scene.placing;
+pub fn add_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let l = state.settings.language;
+    let text = RichText::new(l.text(if state.scene.placing { "probe.click" } else { "probe.add" })).size(13.0);
+    let add = ui.add(egui::Button::new(text).selected(state.scene.placing));
+    if add.on_hover_text(l.fill("probe.add_hint", &[("key", &key_of(&Act::Probe))])).clicked() {
+        acts.push(Act::Placing(!state.scene.placing));
     }
 }
 
 /// Shows the probes of the piece that the panels are about.
-pub fn show(app: &mut SauteApp, ui: &mut Ui) {
-    let Some(piece) = app.session.steak() else { return };
-    let words = |p: &saute_picture::probe::Probe| app.settings.fine_temperature(p.celsius(piece));
+pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let Some(piece) = state.session.steak() else { return };
+    let words = |p: &saute_picture::probe::Probe| state.settings.fine_temperature(p.celsius(piece));
     let shown: Vec<(usize, String)> =
-        app.session.probes.of(piece).map(|p| (p.number, format!("{} · {}", p.number, words(p)))).collect();
+        state.session.probes.of(piece).map(|p| (p.number, format!("{} · {}", p.number, words(p)))).collect();
     if shown.is_empty() {
         return;
     }
@@ -30,32 +30,34 @@ pub fn show(app: &mut SauteApp, ui: &mut Ui) {
         ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
         ui.spacing_mut().button_padding = vec2(7.0, 3.0);
         for (number, text) in shown {
-            let on = app.session.probes.selected == Some(number);
+            let on = state.session.probes.selected == Some(number);
             let text = RichText::new(text).size(13.0).color(theme::of(ui).probe(number));
             let chip =
                 ui.add(egui::Button::new(text).stroke(egui::Stroke::new(f32::from(u8::from(on)), theme::of(ui).text)));
-            if chip.on_hover_text(app.settings.language.text("probe.chip_hint")).clicked() {
-                app.session.probes.selected = (!on).then_some(number);
+            if chip.on_hover_text(state.settings.language.text("probe.chip_hint")).clicked() {
+                acts.push(Act::SelectProbe((!on).then_some(number)));
             }
         }
     });
-    edit(app, ui);
+    edit(state, ui, acts);
 }
 
 /// Name and end of the chosen probe.
-fn edit(app: &mut SauteApp, ui: &mut Ui) {
-    let (id, l) = (app.steak_id(), app.settings.language);
-    let Some(number) = app.session.probes.selected else { return };
-    let Some(probe) = app.session.probes.get_mut(number).filter(|p| p.piece == id) else { return };
-    let mut taken_out = false;
+fn edit(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let (id, l) = (state.session.steak_id(), state.settings.language);
+    let Some(number) = state.session.probes.selected else { return };
+    let Some(probe) = state.session.probes.get(number).filter(|p| p.piece == id) else { return };
+    let mut name = probe.name.clone();
     ui.horizontal(|ui| {
-        let edit =
-            egui::TextEdit::singleline(&mut probe.name).char_limit(24).desired_width(ui.available_width() - 90.0);
-        let name = l.fill("probe.name_of", &[("number", &number)]);
-        ui.add(edit).widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::TextInput, true, &name));
-        taken_out = ui.button(l.text("probe.remove")).on_hover_text(l.text("probe.remove_hint")).clicked();
+        let edit = egui::TextEdit::singleline(&mut name).char_limit(24).desired_width(ui.available_width() - 90.0);
+        let spoken = l.fill("probe.name_of", &[("number", &number)]);
+        let edit = ui.add(edit);
+        edit.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::TextInput, true, &spoken));
+        if edit.changed() {
+            acts.push(Act::NameProbe(number, name));
+        }
+        if ui.button(l.text("probe.remove")).on_hover_text(l.text("probe.remove_hint")).clicked() {
+            acts.push(Act::RemoveProbe(number));
+        }
     });
-    if taken_out {
-        app.session.probes.remove(number);
-    }
 }

@@ -4,8 +4,9 @@ use egui::{Id, Modal, RichText, ScrollArea, Ui, vec2};
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 
-use crate::app::SauteApp;
+use crate::act::{Act, Acts, Card, Setting};
 use crate::panels::language;
+use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::interface_size::InterfaceSize;
 use crate::ui::quality_choice::QualityChoice;
 use crate::ui::theme::{self, Theme};
@@ -13,13 +14,13 @@ use crate::words::language::Language;
 
 /// Below this width names stand above their choices [points].
 pub(super) const NARROW: f32 = 640.0;
-/// Width of the card at most, and of the names where they stand beside [points].
+/// Width of the card at most, and of the names where they stand to the left of their choices [points].
 pub(super) const WIDTH: f32 = 660.0;
 pub(super) const NAMES: f32 = 128.0;
 
 /// Shows the card over everything; Esc, F2, the button or a click beside it closes it.
-pub fn show(app: &mut SauteApp, ui: &Ui, whole: egui::Rect) {
-    let l = app.settings.language;
+pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
+    let l = state.settings.language;
     let palette = theme::of(ui);
     let mut done = false;
     let modal = Modal::new(Id::unique("settings")).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
@@ -28,61 +29,66 @@ pub fn show(app: &mut SauteApp, ui: &Ui, whole: egui::Rect) {
             ui.heading(l.text("settings.title"));
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 done = ui.add(palette.button(l.text("settings.done"), true)).clicked();
-                app.mirror.card = ui.add(palette.button(l.text("half_mirror.more"), false)).clicked();
+                if ui.add(palette.button(l.text("half_mirror.more"), false)).clicked() {
+                    acts.push(Act::Open(Card::Mirror));
+                }
             });
         });
         ui.separator();
         let height = whole.height() - 112.0;
         let scrolled = ScrollArea::vertical().auto_shrink([false, true]).max_height(height).min_scrolled_height(height);
-        scrolled.show(ui, |ui| choices(app, ui, whole.width() < NARROW));
+        scrolled.show(ui, |ui| choices(state, memory, ui, acts, whole.width() < NARROW));
     });
-    if done || app.mirror.card || modal.should_close() {
-        app.settings_open = false;
+    if done || modal.should_close() {
+        acts.push(Act::Shut(Card::Settings));
     }
 }
 
-fn choices(app: &mut SauteApp, ui: &mut Ui, narrow: bool) {
-    let (l, now) = (app.settings.language, app.settings.clone());
+fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+    let (l, now) = (state.settings.language, state.settings);
+    let mut set = |setting| acts.push(Act::Set(setting));
     if let Some(theme) =
         row(ui, narrow, l.text("settings.theme"), &Theme::ALL.map(|t| (theme_word(t, l), t == now.theme)))
     {
-        app.settings.theme = Theme::ALL[theme];
+        set(Setting::Theme(Theme::ALL[theme]));
     }
     let whites = WhiteBalance::ALL.map(|w| (white_word(w, l), w == now.white_balance));
     if let Some(white) = row(ui, narrow, l.text("settings.white"), &whites) {
-        app.settings.white_balance = WhiteBalance::ALL[white];
+        set(Setting::White(WhiteBalance::ALL[white]));
     }
     let kelvin = format!("{:.0}", now.white_balance.appears_k());
     explained(ui, narrow, &l.fill("settings.white_now", &[("kelvin", &kelvin)]));
     let qualities = QualityChoice::ALL.map(|q| (quality_word(q, l), q == now.quality));
     if let Some(quality) = row(ui, narrow, l.text("settings.quality"), &qualities) {
-        app.set_quality(QualityChoice::ALL[quality]);
+        set(Setting::Quality(QualityChoice::ALL[quality]));
     }
-    let drawn = quality_word(QualityChoice::Always(app.quality()), l);
+    let drawn = quality_word(QualityChoice::Always(state.quality), l);
     explained(ui, narrow, &l.fill("settings.quality_now", &[("quality", &drawn)]));
-    let languages = Language::ALL.map(|other| (language::name(app, other), other == now.language));
+    let languages = Language::ALL.map(|other| (language::name(state.japanese_font, other), other == now.language));
     if let Some(chosen) = row(ui, narrow, l.text("settings.language"), &languages) {
-        app.set_language(Language::ALL[chosen]);
+        set(Setting::Language(Language::ALL[chosen]));
     }
     let units = [("°C", !now.fahrenheit), ("°F", now.fahrenheit)];
     if let Some(unit) = row(ui, narrow, l.text("settings.unit"), &units) {
-        app.settings.fahrenheit = unit == 1;
+        set(Setting::Fahrenheit(unit == 1));
     }
     let sizes = InterfaceSize::ALL.map(|s| (format!("{:.0} %", 100.0 * s.factor()), s == now.size));
     let sizes = sizes.each_ref().map(|(text, on)| (text.as_str(), *on));
     if let Some(size) = row(ui, narrow, l.text("settings.size"), &sizes) {
-        app.settings.size = InterfaceSize::ALL[size];
+        set(Setting::Size(InterfaceSize::ALL[size]));
     }
+    #[cfg(target_arch = "wasm32")]
+    let _ = memory;
     #[cfg(not(target_arch = "wasm32"))]
-    crate::hand::section(app, ui, narrow);
+    crate::hand::section(state, &mut memory.hand_choice, ui, acts, narrow);
 }
 
-/// A name and its choices, of which one is on; tells which was clicked.
+/// A name and its choices, of which one is on; returns the one that was clicked.
 pub(crate) fn row(ui: &mut Ui, narrow: bool, name: &str, choices: &[(&str, bool)]) -> Option<usize> {
     named(ui, narrow, name, |ui| buttons(ui, name, choices))
 }
 
-/// A name and what belongs to it: beside it, or below where it is narrow.
+/// A name and what belongs to it: to its right, or below it where it is narrow.
 pub(crate) fn named<R>(ui: &mut Ui, narrow: bool, name: &str, content: impl FnOnce(&mut Ui) -> R) -> R {
     if narrow {
         ui.label(RichText::new(name).size(14.0).color(theme::of(ui).quiet));

@@ -16,7 +16,8 @@ pub enum InterfaceSize {
     Largest,
 }
 
-/// Room that the panels need at least [points] (chosen: a phone, on which two rows hold all views; a window of 1280 × 720 at 150 %).
+/// Room that the panels need at least [points] (chosen: a phone, on which two rows hold all views; a window of 1280 ×
+/// 720 at 150 %).
 const ROOM: Vec2 = vec2(390.0, 470.0);
 
 impl InterfaceSize {

@@ -36,7 +36,8 @@ const PLACES: [(&str, u32); 21] = [
 /// The font's name among those of egui.
 const NAME: &str = "japanese";
 
-/// Adds the system's Japanese font behind egui's own, which keep Latin letters and digits; tells whether there is one.
+/// Adds the system's Japanese font behind egui's own, which keep Latin letters and digits; returns true if there is
+/// one.
 pub fn install(ctx: &egui::Context) -> bool {
     let Some(font) = found() else { return false };
     let mut fonts = FontDefinitions::default();

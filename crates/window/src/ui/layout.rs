@@ -1,4 +1,4 @@
-//! Where scene and panels lie.
+//! Layout of scene and panels.
 
 use egui::{Pos2, Rect, pos2, vec2};
 
@@ -24,7 +24,7 @@ pub struct Pane {
     pub rect: Rect,
     /// The part of it that no panel covers.
     pub free: Rect,
-    /// Whether it shows the look, whatever the view is.
+    /// True if it shows the look, whatever the view is.
     pub look: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Eases what jumps from one place to another: food that a hand puts into the pan, the pan on its way to the cloth. All
+//! Animates jumps: food that is put into the pan, the pan on its way to the cloth. All
 //! else moves as the kitchen's bodies move.
 
 use std::collections::BTreeMap;
@@ -27,12 +27,13 @@ struct Motion {
 pub struct Motions {
     moving: BTreeMap<String, Motion>,
     pan: Option<Motion>,
-    /// The point that the eye has followed the pan to, and whether it is on its way.
+    /// The point to which the eye has followed the pan, and true while it moves.
     followed: Option<(Vec3, bool)>,
     generation: u64,
 }
 
-/// How far the pan moves before the eye follows, and how near the eye then comes [m] (chosen: a shake leaves it at rest).
+/// How far the pan moves before the eye follows, and how near the eye then comes [m] (chosen: a shake leaves it at
+/// rest).
 const EYE_SLACK: [f32; 2] = [0.06, 0.004];
 /// Time constant with which the eye follows [s] (chosen: gently).
 const EYE_S: f32 = 0.35;
@@ -59,7 +60,7 @@ impl Motions {
         self.follow(target.position, wall);
     }
 
-    /// Lets the eye follow the pan once that has gone far.
+    /// Lets the camera follow the pan once it has moved far.
     fn follow(&mut self, pan: Vec3, wall: f32) {
         let (at, chasing) = self.followed.unwrap_or((pan, false));
         let away = at.distance(pan);
@@ -77,13 +78,13 @@ impl Motions {
         }
     }
 
-    /// Whether anything is on its way.
+    /// Returns true if an animation runs.
     pub fn moving(&self) -> bool {
         let eye = self.followed.is_some_and(|(_, chasing)| chasing);
         eye || self.moving.values().chain(&self.pan).any(|m| m.progress < 1.0)
     }
 
-    /// Where things are that are on their way.
+    /// Poses of the things that an animation moves.
     pub fn places(&self) -> Places {
         let moving = |m: &&Motion| m.progress < 1.0;
         Places {

@@ -1,4 +1,4 @@
-//! A sentence that stays on the screen for a while.
+//! Notices: a sentence that is shown for a while.
 
 use std::sync::{Arc, Mutex};
 
@@ -14,14 +14,14 @@ pub struct Notice {
 }
 
 impl Notice {
-    /// Says something; it replaces what was said before.
+    /// Shows a sentence; it replaces the one before.
     pub fn say(&self, text: impl Into<String>) {
         if let Ok(mut last) = self.last.lock() {
             *last = Some((text.into(), Instant::now()));
         }
     }
 
-    /// What is still to be shown.
+    /// Returns the sentence while it is shown.
     pub fn current(&self) -> Option<String> {
         let last = self.last.lock().ok()?;
         last.as_ref().filter(|(_, at)| at.elapsed().as_secs_f32() < STAYS_S).map(|(text, _)| text.clone())

@@ -5,7 +5,7 @@ use egui::Color32;
 /// The colours of one theme.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Palette {
-    /// Whether text is lighter than its ground.
+    /// True if text is lighter than its ground.
     pub dark: bool,
     /// The one accent, the orange of a gas flame: what is on, and what is urgent.
     pub accent: Color32,
@@ -36,7 +36,7 @@ pub struct Palette {
 }
 
 impl Palette {
-    /// The colours of the theme, whichever it is.
+    /// Colours of the present theme.
     pub fn of(dark: bool) -> &'static Self {
         if dark { &DARK } else { &LIGHT }
     }
@@ -73,7 +73,7 @@ static DARK: Palette = Palette {
     ],
 };
 
-/// Warm paper in a bright room or on a projector (chosen: the same hues, as dark as paper asks for).
+/// Warm paper in a bright room or on a projector (chosen: the same hues, dark enough for paper).
 static LIGHT: Palette = Palette {
     dark: false,
     accent: Color32::from_rgb(156, 68, 8),
@@ -88,7 +88,7 @@ static LIGHT: Palette = Palette {
     text: Color32::from_rgb(36, 31, 26),
     quiet: Color32::from_rgb(88, 79, 68),
     curves: [Color32::from_rgb(176, 76, 8), Color32::from_rgb(176, 26, 62), Color32::from_rgb(122, 98, 0)],
-    // All dark enough to be read as numbers; what lightness no longer tells, the curves' dashes do (chosen).
+    // All dark enough to be read as numbers; where lightness does not separate the curves, their dashes do (chosen).
     probes: [
         Color32::from_rgb(0, 86, 168),
         Color32::from_rgb(104, 84, 0),

@@ -1,10 +1,10 @@
-//! The quality of the picture as it is chosen: a level, or as good as the machine can.
+//! The chosen rendering quality: a level, or automatic.
 
 use saute_scene::quality::Quality;
 
 use crate::app::SauteApp;
 
-/// A level, or as good as the machine can.
+/// A level, or automatic.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum QualityChoice {

@@ -1,9 +1,9 @@
-//! Saves what the window shows.
+//! Screenshots of the window.
 
 use crate::ui::notice::Notice;
 use crate::words::language::Language;
 
-/// Asks for a picture of the window; it is written beside the program's working folder as `saute-N.png`.
+/// Requests a picture of the window; it is written into the working folder as `saute-N.png`.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn save_picture(ctx: &egui::Context, notice: &Notice, l: Language) {
     let (notice, repaint) = (notice.clone(), ctx.clone());

@@ -31,7 +31,7 @@ pub struct SceneView {
     pub(crate) hovered: Option<String>,
     /// What the pointer is on.
     pub(crate) pointed: Option<SeenPoint>,
-    /// Whether the next click puts a probe in.
+    /// True if the next click puts a probe in.
     pub(crate) placing: bool,
     /// The scene as it was drawn last.
     pub(crate) shown: Option<Arc<SceneInput>>,
@@ -147,7 +147,7 @@ impl SauteApp {
     /// Where the foot and the knob of the cut's handle appear in a window.
     pub fn cut_handle_on_screen(&self, window: Rect) -> Option<[Pos2; 2]> {
         let (slice, (pose, piece)) = (self.slice?, self.steak_pose()?);
-        let lengthwise = piece.model.size[0] >= piece.model.size[1];
+        let lengthwise = piece.model.size()[0] >= piece.model.size()[1];
         let height = 0.5 * piece.model.thickness(&piece.state) as f32;
         let place = along(&pose.matrix(), lengthwise, slice as f32 * half_length(piece) as f32) + Vec3::Z * height;
         let aspect = window.width() / window.height();
@@ -188,7 +188,7 @@ impl SauteApp {
         let height = pose.position.z + 0.5 * piece.model.thickness(&piece.state) as f32 + KNOB_HEIGHT;
         let Some(hit) = meet_height(origin, direction, height) else { return };
         let local = pose.matrix().inverse().transform_point3(hit);
-        let lengthwise = piece.model.size[0] >= piece.model.size[1];
+        let lengthwise = piece.model.size()[0] >= piece.model.size()[1];
         let s = if lengthwise { local.x } else { local.y } / half_length(piece) as f32;
         self.slice = Some(f64::from(s.clamp(-0.95, 0.95)));
     }

@@ -27,7 +27,7 @@ impl Theme {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Dark, Self::Light, Self::System];
 
-    /// What egui is asked for.
+    /// The preference that is passed to egui.
     pub fn preference(self) -> egui::ThemePreference {
         match self {
             Self::Dark => egui::ThemePreference::Dark,

@@ -28,7 +28,7 @@ impl Language {
     /// Both of them.
     pub const ALL: [Self; 2] = [Self::English, Self::Japanese];
 
-    /// What the system's environment asks for (`LC_ALL`, `LC_MESSAGES`, `LANG`, the first that says anything).
+    /// The language of the system's environment (`LC_ALL`, `LC_MESSAGES`, `LANG`, the first that says anything).
     pub fn of_system() -> Self {
         let said = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().filter_map(|key| std::env::var(key).ok());
         said.into_iter().find(|value| !value.is_empty()).map_or(Self::English, |value| Self::of_locale(&value))
@@ -83,7 +83,7 @@ impl Language {
 
     fn texts(self) -> &'static Texts {
         static PARSED: [OnceLock<Texts>; 2] = [const { OnceLock::new() }; 2];
-        // Both files are parts of the program, and a test reads them: there is nothing to tell a user here.
+        // Both files are parts of the program, and a test reads them: an error cannot reach a user.
         PARSED[self as usize].get_or_init(|| toml::from_str(self.file()).unwrap_or_default())
     }
 }

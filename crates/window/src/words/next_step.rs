@@ -1,4 +1,4 @@
-//! What a recipe that plays waits for, in the language of the window.
+//! The next step of a recipe that plays, in the language of the window.
 
 use saute_kitchen::celsius;
 use saute_recipe::recipe::{ALL, Quantity};

@@ -1,20 +1,21 @@
 //! The state of a piece in few words.
 
+use std::sync::Arc;
+
+use saute_kitchen::food::Scale;
 use saute_kitchen::{Piece, Place, RestOn};
 use saute_picture::stage::fitting_piece;
 
-use crate::app::SauteApp;
 use crate::session::group_of;
 use crate::words::language::Language;
 
 /// How done it is: the class of its core's peak, or how far the last of its changes has come.
-pub fn doneness(app: &SauteApp, piece: &Piece) -> String {
-    let l = app.settings.language;
-    let scale = app.chosen_scale().and_then(|scale| fitting_piece(Some(piece), scale));
+pub fn doneness(chosen: Option<&Arc<Scale>>, piece: &Piece, l: Language) -> String {
+    let scale = chosen.and_then(|scale| fitting_piece(Some(piece), scale));
     if let Some(scale) = scale {
         return l.called("class", scale.name_of(piece.core_peak.0)).to_owned();
     }
-    let (names, fields) = (piece.model.kinetics.names(), &piece.state.changed);
+    let (names, fields) = (piece.model.kinetics().names(), &piece.state.changed);
     match (names.last(), fields.last()) {
         (Some(name), Some(field)) => change(l, name, piece.model.volume_mean(field)),
         _ => String::new(),
@@ -40,7 +41,7 @@ pub fn place(piece: &Piece, l: Language) -> &'static str {
     })
 }
 
-/// What a piece or a group is called: our own names in the language, with their numbers; others as they are.
+/// Name of a piece or a group: our own names in the language, with their numbers; others as they are.
 pub fn name(id: &str, l: Language) -> String {
     let group = group_of(id);
     let numbered = group.rsplit_once('-').filter(|(_, number)| number.parse::<u32>().is_ok());

@@ -1,4 +1,4 @@
-//! Why the kitchen does not do something, in the language of the window.
+//! Refusals of the kitchen in the language of the window.
 
 use saute_kitchen::Refused;
 

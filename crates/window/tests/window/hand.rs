@@ -1,4 +1,4 @@
-//! Promise: a device in the hand holds the pan in the window, is told what the pan feels like, is seen, and lets go when told.
+//! Promise: a device in the hand holds the pan in the window, feels the pan, is shown, and lets go when stopped.
 
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
@@ -23,7 +23,7 @@ struct Script {
     stopped: bool,
 }
 
-/// A device of strings in memory that stands where it is told and solves its tensions as a real one does.
+/// A device of strings in memory that takes a given pose and solves its tensions as a real one does.
 struct Scripted {
     script: Arc<Mutex<Script>>,
     geometry: Geometry,
@@ -75,7 +75,8 @@ impl HapticDevice for Scripted {
     }
 }
 
-/// Lets wall and kitchen go on together, without drawing, until something is so; tells whether it became so within ten seconds.
+/// Lets wall and kitchen go on together, without drawing, until a condition holds; returns true if it came to hold
+/// within ten seconds.
 fn until(harness: &mut Harness<'static, SauteApp>, mut enough: impl FnMut(&SauteApp) -> bool) -> bool {
     let begun = Instant::now();
     while begun.elapsed() < Duration::from_secs(10) {
@@ -186,7 +187,7 @@ fn a_second_device_leads_the_turner_if_it_senses_place_and_turning() {
     assert!(!script.lock().expect("script").command.enabled, "a turner is without force");
     steps(&mut harness, 3);
     harness.get_by_label_contains("The turner: at work");
-    // One that tells of a turner means that, and not where it holds a pan.
+    // The pose of a turner counts before that of the pan.
     let there = Pose::at(-0.03, 0.02, 0.13);
     script.lock().expect("script").turner = Some(there);
     let led = |app: &SauteApp| (tip(app) - there.position).length() < 0.005;

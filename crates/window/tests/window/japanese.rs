@@ -104,7 +104,8 @@ fn panels_notices_and_help_in_japanese_show_no_english() {
     }
 }
 
-/// Hints show themselves after half a second under a resting pointer; walked on every button of the window and its panels.
+/// Hints show themselves after half a second under a resting pointer; walked on every button of the window and its
+/// panels.
 #[test]
 fn hints_under_the_pointer_show_no_english() {
     let mut harness = japanese(SIZES[0].0);

@@ -1,5 +1,5 @@
-//! Promise: the half mirror has a window of its own, which shows the food on black or the calibration's pattern; its marks
-//! are moved by mouse and keys, and its choices stand on a card.
+//! Promise: the half mirror has a window of its own, which shows the food on black or the calibration's pattern; its
+//! marks are moved by mouse and keys, and its choices stand on a card.
 
 use egui::{Event, Key, Modifiers, Pos2, Ui, pos2, vec2};
 use egui_kittest::{Harness, kittest::Queryable};

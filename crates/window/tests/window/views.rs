@@ -131,14 +131,14 @@ fn the_pointer_tells_the_value_of_the_view_with_its_unit() {
         assert!(label.contains(unit), "{label} without {unit}");
     }
     save(&mut harness, "read-out");
-    // What is told is what the core has there.
+    // The read-out shows the value of the core.
     let app = harness.state();
     let piece = app.session().steak().expect("steak");
     let point = app.seen_point(at, WINDOW).expect("on the steak");
     let share: f64 = point.shares.0.iter().map(|(_, w)| w).sum();
     assert!((share - 1.0).abs() < 1e-5, "{share}");
     let told = point.shares.read(|node| piece.state.temperature[node]);
-    let [x, y] = [0, 1].map(|k| point.shares.read(|node| piece.model.mesh.position(node)[k]));
+    let [x, y] = [0, 1].map(|k| point.shares.read(|node| piece.model.mesh().position(node)[k]));
     let z = if piece.upside_down() { 0.0 } else { piece.model.height_above([x, y]).expect("inside") * 0.999_999 };
     let truth = piece.model.at(&piece.state.temperature, [x, y, z]).expect("inside");
     assert!((told - truth).abs() < 0.5, "{told} in the window, {truth} in the core");

@@ -1,10 +1,10 @@
-//! Recipes that cannot be used: where, what, and what to write instead; exit 2; nothing written.
+//! Recipes with mistakes: place, message and remedy; exit code 2; nothing is written.
 
 use std::path::Path;
 
-use crate::running::{SHORT, Said, run};
+use crate::running::{Ran, SHORT, run};
 
-/// A recipe's text gone wrong: what is replaced by what, the line to be named, and parts of the message.
+/// A mistake in a recipe: the text and its replacement, the line in the message, and parts of the message.
 struct Wrong {
     from: &'static str,
     to: &'static str,
@@ -44,14 +44,14 @@ const WRONG: [Wrong; 25] = [
     wrong("[[step]]\nhob_w", "[[step]\nhob_w", 11, &["remedy"]),
 ];
 
-/// Cooks a file that must be refused; nothing may be printed on stdout or written.
-fn refused(path: &Path) -> Said {
+/// Cooks a file that must be refused: nothing is printed to stdout or written.
+fn refused(path: &Path) -> Ran {
     let out = path.with_extension("out");
-    let said = run(&["cook", path.to_str().unwrap(), "--json", "--out", out.to_str().unwrap()]);
-    assert_eq!((said.code, said.out.as_str()), (Some(2), ""), "{}", said.err);
-    assert!(said.err.contains(path.to_str().unwrap()) && said.err.contains("remedy:"), "{}", said.err);
+    let ran = run(&["cook", path.to_str().unwrap(), "--json", "--out", out.to_str().unwrap()]);
+    assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""), "{}", ran.err);
+    assert!(ran.err.contains(path.to_str().unwrap()) && ran.err.contains("remedy:"), "{}", ran.err);
     assert!(!out.exists(), "something was written");
-    said
+    ran
 }
 
 #[test]
@@ -61,16 +61,16 @@ fn every_mistake_in_a_recipe_is_named_with_file_line_and_remedy() {
         let path = dir.path().join(format!("wrong-{index}.toml"));
         assert!(SHORT.contains(w.from), "{}", w.from);
         std::fs::write(&path, SHORT.replacen(w.from, w.to, 1)).unwrap();
-        let said = refused(&path);
+        let ran = refused(&path);
         assert!(
-            said.err.contains(&format!("{}:{}:", path.display(), w.line)),
+            ran.err.contains(&format!("{}:{}:", path.display(), w.line)),
             "line {} of {:?}:\n{}",
             w.line,
             w.to,
-            said.err
+            ran.err
         );
         for part in w.says {
-            assert!(said.err.contains(part), "{part}:\n{}", said.err);
+            assert!(ran.err.contains(part), "{part}:\n{}", ran.err);
         }
     }
 }
@@ -84,8 +84,8 @@ fn a_time_that_has_passed_when_its_step_comes_up_is_named_with_file_line_and_rem
         SHORT.replace("put = \"steak\"", "when = { pan_c = 185 }\nput = \"steak\"\n[[step]]\nat_s = 0.5\nhob_w = 0"),
     )
     .unwrap();
-    let said = refused(&path);
-    assert!(said.err.contains("late.toml:16:") && said.err.contains("already past"), "{}", said.err);
+    let ran = refused(&path);
+    assert!(ran.err.contains("late.toml:16:") && ran.err.contains("already past"), "{}", ran.err);
 }
 
 #[test]
@@ -99,16 +99,16 @@ fn files_that_are_no_recipes_are_refused() {
     for (name, bytes, message) in cases {
         let path = dir.path().join(name);
         std::fs::write(&path, bytes).unwrap();
-        let said = refused(&path);
-        assert!(said.err.contains(message), "{}", said.err);
+        let ran = refused(&path);
+        assert!(ran.err.contains(message), "{}", ran.err);
     }
 }
 
 #[test]
 fn missing_files_and_folders_are_refused() {
     let dir = tempfile::tempdir().unwrap();
-    let said = refused(&dir.path().join("missing.toml"));
-    assert!(said.err.contains("no such file") && said.err.contains("medium"), "{}", said.err);
+    let ran = refused(&dir.path().join("missing.toml"));
+    assert!(ran.err.contains("no such file") && ran.err.contains("medium"), "{}", ran.err);
     let folder = dir.path().join("folder");
     std::fs::create_dir(&folder).unwrap();
     assert!(refused(&folder).err.contains("is a folder"));
@@ -117,6 +117,6 @@ fn missing_files_and_folders_are_refused() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_file_without_end_is_refused_instead_of_filling_the_memory() {
-    let said = run(&["cook", "/dev/zero"]);
-    assert!(said.code == Some(2) && said.err.contains("larger than"), "{}", said.err);
+    let ran = run(&["cook", "/dev/zero"]);
+    assert!(ran.code == Some(2) && ran.err.contains("larger than"), "{}", ran.err);
 }

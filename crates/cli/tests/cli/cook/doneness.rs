@@ -1,4 +1,4 @@
-//! Doneness by every scale: in JSON all of them, for people the chosen one with its label.
+//! Doneness on every scale: all of them in JSON, the chosen one with its label in text.
 
 use std::path::Path;
 
@@ -18,7 +18,7 @@ fn short(dir: &Path, kind: &str) -> String {
 }
 
 #[test]
-fn the_json_tells_the_doneness_by_every_scale() {
+fn the_json_has_the_doneness_on_every_scale() {
     let doneness = cooked("medium").summary["foods"][0]["doneness"].as_object().unwrap();
     assert_eq!(doneness.len(), SCALES.len());
     for (id, label, classes) in SCALES {
@@ -34,7 +34,7 @@ fn the_json_tells_the_doneness_by_every_scale() {
 }
 
 #[test]
-fn the_shares_of_2013_are_those_that_stand_beside_them_and_its_class_is_that_of_the_cores_peak() {
+fn the_shares_of_2013_equal_the_plain_ones_and_its_class_is_that_of_the_cores_peak() {
     let medium = cooked("medium");
     for (plain, scale) in [("raw", "raw"), ("rare", "rare"), ("medium", "medium"), ("well_done", "well-done")] {
         for shares in ["section_pct", "volume_pct"] {
@@ -54,20 +54,20 @@ fn a_vegetable_has_no_doneness_of_meat() {
     let carrot = cook(&path);
     assert_eq!(carrot.summary["foods"][0]["doneness"], serde_json::json!({}));
     assert!(!carrot.text("report.html").contains("class=\"bar\""));
-    let said = run(&["cook", &path]);
-    assert!(said.out.contains("turgor") && !said.out.contains("cross-section"), "{}", said.out);
+    let ran = run(&["cook", &path]);
+    assert!(ran.out.contains("turgor") && !ran.out.contains("cross-section"), "{}", ran.out);
 }
 
 #[test]
-fn people_read_the_chosen_scale_with_its_label() {
+fn the_text_has_the_chosen_scale_with_its_label() {
     let dir = tempfile::tempdir().unwrap();
     let path = short(dir.path(), "beef-lean");
     let out = dir.path().join("out");
     for (id, label, _) in SCALES {
-        let said = run(&["cook", &path, "--doneness", id, "--out", out.to_str().unwrap()]);
-        assert_eq!(said.code, Some(0), "{}", said.err);
-        assert!(said.out.contains(&format!("scale: {label}")), "{}", said.out);
-        assert_eq!(said.out.contains("medium-rare"), id != "paper-2013");
+        let ran = run(&["cook", &path, "--doneness", id, "--out", out.to_str().unwrap()]);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        assert!(ran.out.contains(&format!("scale: {label}")), "{}", ran.out);
+        assert_eq!(ran.out.contains("medium-rare"), id != "paper-2013");
         let report = std::fs::read_to_string(out.join("report.html")).unwrap();
         assert!(report.contains(&format!("scale: {}", label.replace('&', "&amp;"))), "{id}");
     }
@@ -80,10 +80,10 @@ fn an_unknown_scale_is_refused_and_the_choices_are_named() {
         vec!["cook", "medium", "--doneness", "grandma"],
         vec!["shot", "medium", "--at", "1", "--out", "never.png", "--doneness", "grandma"],
     ] {
-        let said = run(&command);
-        assert_eq!((said.code, said.out.as_str()), (Some(2), ""));
+        let ran = run(&command);
+        assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""));
         for part in ["grandma", "remedy", "paper-2013, chefs, academic"] {
-            assert!(said.err.contains(part), "{part}: {}", said.err);
+            assert!(ran.err.contains(part), "{part}: {}", ran.err);
         }
     }
 }
@@ -93,7 +93,7 @@ fn shipped() -> String {
 }
 
 #[test]
-fn scales_of_ones_own_take_the_place_of_the_shipped_ones() {
+fn scales_of_the_user_replace_the_shipped_ones() {
     let dir = tempfile::tempdir().unwrap();
     let data = dir.path().to_str().unwrap();
     std::fs::write(dir.path().join("doneness.toml"), shipped().replace("\"chefs\"", "\"grandma\"")).unwrap();
@@ -120,14 +120,14 @@ fn a_mistake_in_the_scales_is_named_with_file_line_and_remedy() {
         let text = shipped();
         assert!(text.contains(from), "{from}");
         std::fs::write(&file, text.replacen(from, to, 1)).unwrap();
-        let said = run(&["list", "scales", "--data", data]);
-        assert_eq!(said.code, Some(2), "{to}");
+        let ran = run(&["list", "scales", "--data", data]);
+        assert_eq!(ran.code, Some(2), "{to}");
         let place = format!("{}:", file.display());
-        let line = said.err.split(&place).nth(1).and_then(|rest| rest.split(':').next()).unwrap().parse::<usize>();
-        assert!(line.is_ok() && said.err.contains(part) && said.err.contains("remedy"), "{to}: {}", said.err);
+        let line = ran.err.split(&place).nth(1).and_then(|rest| rest.split(':').next()).unwrap().parse::<usize>();
+        assert!(line.is_ok() && ran.err.contains(part) && ran.err.contains("remedy"), "{to}: {}", ran.err);
     }
     std::fs::write(&file, shipped().replace("name = \"Chefs\"", "name = \"\"")).unwrap();
     let line = 1 + shipped().lines().position(|l| l == "name = \"Chefs\"").unwrap();
-    let said = run(&["list", "scales", "--data", data]);
-    assert!(said.err.contains(&format!("doneness.toml:{line}:")), "{}", said.err);
+    let ran = run(&["list", "scales", "--data", data]);
+    assert!(ran.err.contains(&format!("doneness.toml:{line}:")), "{}", ran.err);
 }

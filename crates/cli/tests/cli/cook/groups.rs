@@ -78,8 +78,8 @@ fn thirty_five_pieces_have_one_picture_a_group_and_a_readable_report() {
 fn every_piece_has_its_pictures_on_request() {
     let (dir, path) = crowded(&["count = 20", "count = 3", "count = 14", "count = 2"]);
     let out = dir.path().join("out");
-    let said = run(&["cook", &path, "--every-piece", "--out", out.to_str().unwrap()]);
-    assert_eq!(said.code, Some(0), "{}", said.err);
+    let ran = run(&["cook", &path, "--every-piece", "--out", out.to_str().unwrap()]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
     let names = names_in(&out);
     for food in ["steak", "carrots.1", "carrots.2", "carrots.3", "leeks.1", "leeks.2"] {
         assert!(names.contains(&format!("section_06_end.{food}.png")), "{food}: {names:?}");
@@ -89,25 +89,25 @@ fn every_piece_has_its_pictures_on_request() {
 }
 
 #[test]
-fn people_read_a_line_for_each_group_and_none_for_its_pieces() {
+fn the_text_has_a_line_for_each_group_and_none_for_its_pieces() {
     let (_dir, path) = crowded(&[]);
-    let said = run(&["cook", &path]);
-    let line = |start: &str| said.out.lines().find(|l| l.trim_start().starts_with(start)).map(str::to_owned);
+    let ran = run(&["cook", &path]);
+    let line = |start: &str| ran.out.lines().find(|l| l.trim_start().starts_with(start)).map(str::to_owned);
     let carrots = line("carrots ").unwrap();
     for part in ["20 × carrot-coin", "core ", "at the end", "browned", "20 pan"] {
         assert!(carrots.contains(part), "{part}: {carrots}");
     }
     assert!(line("leeks ").is_some() && line("carrots.1").is_none() && line("leeks.14").is_none());
-    assert!(said.out.lines().count() < 40, "{}", said.out);
+    assert!(ran.out.lines().count() < 40, "{}", ran.out);
 }
 
-/// The pan takes a number of pieces; the error says how many, where, and what to do.
+/// The pan holds a limited number of pieces; the error names the number, the line and the remedy.
 #[test]
 fn too_many_pieces_for_the_pan_are_refused_before_anything_is_cooked() {
     let (_dir, path) = crowded(&["count = 20", "count = 200"]);
-    let said = run(&["cook", &path, "--json"]);
-    assert_eq!((said.code, said.out.as_str()), (Some(2), ""));
+    let ran = run(&["cook", &path, "--json"]);
+    assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""));
     for part in ["crowd.toml:25:", "of 200 fit", "remedy:", "heap = true"] {
-        assert!(said.err.contains(part), "{part}: {}", said.err);
+        assert!(ran.err.contains(part), "{part}: {}", ran.err);
     }
 }

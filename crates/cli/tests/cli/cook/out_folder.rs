@@ -1,4 +1,4 @@
-//! `--out DIR` where it cannot be written to, and what was there before.
+//! `--out DIR` without permission or space, and with files of an earlier cook.
 
 use std::path::Path;
 
@@ -14,11 +14,11 @@ fn short(dir: &Path) -> String {
 fn a_folder_that_cannot_be_made_is_reported_before_the_cook_starts() {
     let dir = tempfile::tempdir().unwrap();
     let recipe = short(dir.path());
-    // Nothing can be made below a file, not even by root.
+    // Nothing can be created below a file, not even by root.
     let out = Path::new(&recipe).join("below/a/file");
-    let said = run(&["cook", &recipe, "--out", out.to_str().unwrap()]);
-    assert_eq!((said.code, said.out.as_str()), (Some(2), ""));
-    assert!(said.err.contains(out.to_str().unwrap()) && said.err.contains("remedy"), "{}", said.err);
+    let ran = run(&["cook", &recipe, "--out", out.to_str().unwrap()]);
+    assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""));
+    assert!(ran.err.contains(out.to_str().unwrap()) && ran.err.contains("remedy"), "{}", ran.err);
 }
 
 #[cfg(unix)]
@@ -27,7 +27,7 @@ fn a_disk_that_takes_no_more_is_reported_before_the_cook_starts_and_nothing_stay
     let dir = tempfile::tempdir().unwrap();
     let recipe = short(dir.path());
     let out = dir.path().join("new/out");
-    // A limit on the size of files stands for the full disk: writing fails in the same place.
+    // A limit on the size of files has the same effect as a full disk: writing fails in the same place.
     let script = "trap '' XFSZ; ulimit -f 64; exec \"$0\" cook \"$1\" --out \"$2\"";
     let output = std::process::Command::new("sh")
         .args(["-c", script, env!("CARGO_BIN_EXE_saute"), &recipe])
@@ -49,8 +49,8 @@ fn a_second_cook_into_the_same_folder_replaces_the_first_and_leaves_other_files_
     for name in ["section_99_flip.png", "section_of_my_house.png", "notes.txt", "summary.json"] {
         std::fs::write(out.join(name), "old").unwrap();
     }
-    let said = run(&["cook", &recipe, "--out", out.to_str().unwrap()]);
-    assert_eq!(said.code, Some(0), "{}", said.err);
+    let ran = run(&["cook", &recipe, "--out", out.to_str().unwrap()]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
     let names = names_in(&out);
     assert!(!names.contains(&"section_99_flip.png".to_owned()));
     assert!(names.contains(&"section_of_my_house.png".to_owned()) && names.contains(&"notes.txt".to_owned()));
@@ -64,12 +64,12 @@ fn a_step_that_goes_wrong_while_cooking_leaves_nothing_behind() {
     let path = dir.path().join("large.toml");
     std::fs::write(&path, SHORT.replace("put = \"steak\"", "put = \"steak\"\nat_mm = [90, 0]")).unwrap();
     let out = dir.path().join("out");
-    let said = run(&["cook", path.to_str().unwrap(), "--out", out.to_str().unwrap()]);
-    assert_eq!((said.code, said.out.as_str()), (Some(2), ""));
+    let ran = run(&["cook", path.to_str().unwrap(), "--out", out.to_str().unwrap()]);
+    assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""));
     assert!(
-        said.err.contains("large.toml:13:") && said.err.contains("does not fit") && said.err.contains("remedy"),
+        ran.err.contains("large.toml:13:") && ran.err.contains("does not fit") && ran.err.contains("remedy"),
         "{}",
-        said.err
+        ran.err
     );
     assert!(!out.exists());
 }

@@ -84,7 +84,7 @@ fn the_shares_of_doneness_add_up_to_a_hundred_percent() {
 
 #[test]
 fn summary_json_holds_what_was_printed() {
-    assert_eq!(cooked("medium").text("summary.json"), cooked("medium").said.out);
+    assert_eq!(cooked("medium").text("summary.json"), cooked("medium").ran.out);
 }
 
 #[test]
@@ -175,18 +175,18 @@ fn several_foods_have_pictures_of_their_own() {
     .unwrap();
     let two = cook(path.to_str().unwrap());
     for name in ["section_04_flip.steak.png", "section_04_flip.other.png", "section_04_flip_temperature.other.png"] {
-        assert!(two.files.contains_key(name), "{name}: {:?} {}", two.files.keys(), two.said.err);
+        assert!(two.files.contains_key(name), "{name}: {:?} {}", two.files.keys(), two.ran.err);
     }
     assert!(two.text("series.csv").starts_with("time_s,hob_drawn_w,pan_c,steak.core_c,"));
 }
 
 #[test]
-fn without_json_people_read_a_summary_and_no_progress_bar_gets_into_a_file() {
+fn without_json_the_text_has_a_summary_and_no_progress_bar_gets_into_a_file() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("short.toml");
     std::fs::write(&path, SHORT).unwrap();
-    let said = run(&["cook", path.to_str().unwrap()]);
-    assert_eq!((said.code, said.err.as_str()), (Some(0), ""));
+    let ran = run(&["cook", path.to_str().unwrap()]);
+    assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
     for part in [
         "Short\n",
         "ended by its last step after 20.0 s",
@@ -196,7 +196,7 @@ fn without_json_people_read_a_summary_and_no_progress_bar_gets_into_a_file() {
         "imbalance",
         "flip steak",
     ] {
-        assert!(said.out.contains(part), "{part}:\n{}", said.out);
+        assert!(ran.out.contains(part), "{part}:\n{}", ran.out);
     }
 }
 

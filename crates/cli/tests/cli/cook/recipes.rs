@@ -14,7 +14,7 @@ fn within(cooked: &Cooked, pointer: &str, range: std::ops::RangeInclusive<f64>) 
 #[test]
 fn every_shipped_recipe_ends_by_its_last_step() {
     for id in SHIPPED {
-        assert_eq!(cooked(id).said.code, Some(0), "{id}");
+        assert_eq!(cooked(id).ran.code, Some(0), "{id}");
         assert_eq!(cooked(id).summary["stopped_by"], "end", "{id}");
         assert_eq!(cooked(id).summary["warnings"].as_array().map(Vec::len), Some(0), "{id}");
     }
@@ -81,13 +81,13 @@ fn the_same_recipe_gives_the_same_series_byte_for_byte() {
     assert_eq!(cook("rare").files["series.csv"], cooked("rare").files["series.csv"]);
 }
 
-/// The paper's dish and the shrimps: most of what was put in is still in the pan or on the board, and done.
+/// The dish of the paper and the shrimps: most pieces are still in the pan or on the board, and done.
 #[test]
 fn the_dishes_with_many_foods_end_done_and_lose_hardly_anything() {
     for (id, most_lost, cores) in [("shrimp", 1, 45.0..=90.0), ("steak-carrots-leeks", 3, 50.0..=100.0)] {
-        let said = run(&["cook", id, "--json"]);
-        assert_eq!(said.code, Some(0), "{id}: {}", said.err);
-        let summary: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+        let ran = run(&["cook", id, "--json"]);
+        assert_eq!(ran.code, Some(0), "{id}: {}", ran.err);
+        let summary: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
         assert_eq!(summary["stopped_by"], "end", "{id}");
         let foods = summary["foods"].as_array().unwrap();
         let lost = foods.iter().filter(|f| ["table", "glass"].contains(&f["place"].as_str().unwrap())).count();

@@ -1,4 +1,4 @@
-//! Exit codes, and what a stopped cook still gives.
+//! Exit codes, and the output of a stopped cook.
 
 use crate::cook::cooked::cook;
 use crate::running::{SHORT, run, saute};
@@ -9,15 +9,15 @@ fn a_recipe_that_still_waits_at_max_s_stops_there_with_its_output_and_exit_code_
     let path = dir.path().join("long.toml");
     std::fs::write(&path, SHORT.replace("max_s = 100", "max_s = 15")).unwrap();
     let stopped = cook(path.to_str().unwrap());
-    assert_eq!(stopped.said.code, Some(1));
+    assert_eq!(stopped.ran.code, Some(1));
     assert_eq!(stopped.summary["stopped_by"], "max_s");
     assert_eq!(stopped.summary["waiting_step"], 4);
     assert!((stopped.number("/simulated_s") - 15.0).abs() < 1e-9);
     assert!(stopped.files.contains_key("report.html") && stopped.files.contains_key("series.csv"));
     assert!(
-        stopped.said.err.contains("long.toml:18: step 4") && stopped.said.err.contains("remedy"),
+        stopped.ran.err.contains("long.toml:18: step 4") && stopped.ran.err.contains("remedy"),
         "{}",
-        stopped.said.err
+        stopped.ran.err
     );
 }
 
@@ -29,18 +29,18 @@ fn wrong_usage_exits_with_2_and_speaks_on_stderr() {
         vec!["list", "spoons"],
         vec!["shot", "medium", "--at", "-5", "--out", "x.png"],
     ] {
-        let said = run(&args);
-        assert_eq!(said.code, Some(2), "{args:?}");
-        assert!(said.out.is_empty() && !said.err.is_empty(), "{args:?}: {said:?}");
+        let ran = run(&args);
+        assert_eq!(ran.code, Some(2), "{args:?}");
+        assert!(ran.out.is_empty() && !ran.err.is_empty(), "{args:?}: {ran:?}");
     }
 }
 
 #[test]
 fn help_and_version_go_to_stdout() {
     for args in [["--help"], ["--version"]] {
-        let said = run(&args);
-        assert_eq!(said.code, Some(0), "{args:?}");
-        assert!(said.out.contains("saute") && said.err.is_empty());
+        let ran = run(&args);
+        assert_eq!(ran.code, Some(0), "{args:?}");
+        assert!(ran.out.contains("saute") && ran.err.is_empty());
     }
 }
 

@@ -14,7 +14,7 @@ fn write(dir: &Path, name: &str, text: &str) {
 }
 
 #[test]
-fn foods_pans_and_recipes_of_ones_own_are_added() {
+fn foods_pans_and_recipes_of_the_user_are_added() {
     let dir = tempfile::tempdir().unwrap();
     let data = dir.path().to_str().unwrap();
     write(dir.path(), "foods/flank.toml", &shipped("foods/beef-lean.toml").replace("Lean beef steak", "Flank"));
@@ -26,21 +26,21 @@ fn foods_pans_and_recipes_of_ones_own_are_added() {
     );
     assert!(run(&["list", "foods", "--data", data]).out.contains("Flank"));
     assert!(run(&["--data", data, "list", "pans"]).out.contains("Billy"));
-    let said = run(&["cook", "mine", "--data", data]);
-    assert_eq!(said.code, Some(0), "{}", said.err);
-    assert!(said.out.contains("flank"));
+    let ran = run(&["cook", "mine", "--data", data]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    assert!(ran.out.contains("flank"));
 }
 
 #[test]
-fn a_file_of_the_same_name_takes_the_place_of_the_shipped_one() {
+fn a_file_of_the_same_name_replaces_the_shipped_one() {
     let dir = tempfile::tempdir().unwrap();
     write(
         dir.path(),
         "pans/carbon-steel-26.toml",
         &shipped("pans/carbon-steel-26.toml").replace("Carbon steel, 26 cm", "Heirloom"),
     );
-    let said = run(&["list", "pans", "--data", dir.path().to_str().unwrap()]);
-    assert!(said.out.contains("Heirloom") && !said.out.contains("Carbon steel, 26 cm"), "{}", said.out);
+    let ran = run(&["list", "pans", "--data", dir.path().to_str().unwrap()]);
+    assert!(ran.out.contains("Heirloom") && !ran.out.contains("Carbon steel, 26 cm"), "{}", ran.out);
 }
 
 #[test]
@@ -50,10 +50,10 @@ fn a_mistake_in_the_folder_is_named_with_its_file_and_line() {
     let pan = shipped("pans/carbon-steel-26.toml").replace("thickness_mm = 2.5", "thickness_mm = \"thick\"");
     let line = 1 + pan.lines().position(|l| l.contains("thick\"")).unwrap();
     write(dir.path(), "pans/odd.toml", &pan);
-    let said = run(&["list", "pans", "--data", data]);
-    assert_eq!(said.code, Some(2));
+    let ran = run(&["list", "pans", "--data", data]);
+    assert_eq!(ran.code, Some(2));
     let place = format!("{}:{line}:", dir.path().join("pans/odd.toml").display());
-    assert!(said.err.contains(&place) && said.err.contains("remedy"), "{}", said.err);
+    assert!(ran.err.contains(&place) && ran.err.contains("remedy"), "{}", ran.err);
 }
 
 #[test]
@@ -61,9 +61,9 @@ fn a_mistake_in_a_recipe_of_the_folder_is_named_with_its_file_and_line() {
     let dir = tempfile::tempdir().unwrap();
     write(dir.path(), "recipes/odd.toml", &SHORT.replace("flip =", "flop ="));
     for args in [["cook", "odd"], ["list", "recipes"]] {
-        let said = run(&[args[0], args[1], "--data", dir.path().to_str().unwrap()]);
+        let ran = run(&[args[0], args[1], "--data", dir.path().to_str().unwrap()]);
         let place = format!("{}:17:", dir.path().join("recipes/odd.toml").display());
-        assert!(said.code == Some(2) && said.err.contains(&place), "{}", said.err);
+        assert!(ran.code == Some(2) && ran.err.contains(&place), "{}", ran.err);
     }
 }
 
@@ -77,12 +77,12 @@ fn a_folder_that_is_missing_or_holds_nothing_to_read_is_refused() {
         (&file, "is not a folder"),
         (&dir.path().to_owned(), "contains none of the folders"),
     ] {
-        let said = run(&["list", "foods", "--data", data.to_str().unwrap()]);
-        assert_eq!(said.code, Some(2));
+        let ran = run(&["list", "foods", "--data", data.to_str().unwrap()]);
+        assert_eq!(ran.code, Some(2));
         assert!(
-            said.err.contains(part) && said.err.contains("remedy") && said.err.contains(data.to_str().unwrap()),
+            ran.err.contains(part) && ran.err.contains("remedy") && ran.err.contains(data.to_str().unwrap()),
             "{}",
-            said.err
+            ran.err
         );
     }
 }

@@ -1,17 +1,17 @@
-//! `saute food check`, and cooking a food of one's own.
+//! `saute food check`, and cooking a food of the user.
 
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use crate::running::{SHORT, Said, run};
+use crate::running::{Ran, SHORT, run};
 
-/// A food's file in a folder `foods`, with what lies beside it.
-struct Shelf {
+/// A `--data` folder with a folder `foods`.
+struct DataFolder {
     dir: tempfile::TempDir,
 }
 
-impl Shelf {
+impl DataFolder {
     fn new() -> Self {
         let dir = tempfile::tempdir().unwrap();
         std::fs::create_dir(dir.path().join("foods")).unwrap();
@@ -29,11 +29,11 @@ impl Shelf {
     }
 }
 
-fn check(path: &Path) -> Said {
+fn check(path: &Path) -> Ran {
     run(&["food", "check", path.to_str().unwrap()])
 }
 
-/// The code blocks of the page for users.
+/// Returns the TOML blocks of the page for users.
 fn documented() -> Vec<String> {
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/your-own-food.md");
     let page = std::fs::read_to_string(page).unwrap();
@@ -44,7 +44,7 @@ fn documented() -> Vec<String> {
 const WEDGE: &str = "v 0 0 0\nv 50 0 0\nv 50 30 0\nv 0 30 0\nv 0 0 18\nv 50 0 12\nv 50 30 12\nv 0 30 18\n\
     f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
-/// The documented file with the documented surface in place of sizes and outline.
+/// Returns the documented food file with the documented surface instead of sizes and outline.
 fn meshed_food() -> String {
     let blocks = documented();
     let (whole, shape) = (&blocks[0], &blocks[1]);
@@ -55,38 +55,38 @@ fn meshed_food() -> String {
 
 #[test]
 fn the_documented_example_is_sound_and_cooks() {
-    let shelf = Shelf::new();
-    let path = shelf.put("salmon.toml", &documented()[0]);
-    let said = check(&path);
-    assert_eq!(said.code, Some(0), "{}{}", said.out, said.err);
+    let folder = DataFolder::new();
+    let path = folder.put("salmon.toml", &documented()[0]);
+    let ran = check(&path);
+    assert_eq!(ran.code, Some(0), "{}{}", ran.out, ran.err);
     for part in
         ["Salmon fillet: sound", "form steak, length 110.0 mm", "kg/m³", "W/(m·K) at 20 °C", "nodes", "55 °C after"]
     {
-        assert!(said.out.contains(part), "{part}: {}", said.out);
+        assert!(ran.out.contains(part), "{part}: {}", ran.out);
     }
-    let recipe = shelf.dir.path().join("recipe.toml");
+    let recipe = folder.dir.path().join("recipe.toml");
     std::fs::write(&recipe, SHORT.replace("beef-lean", "salmon")).unwrap();
-    let cooked = run(&["cook", recipe.to_str().unwrap(), "--data", shelf.data()]);
+    let cooked = run(&["cook", recipe.to_str().unwrap(), "--data", folder.data()]);
     assert_eq!(cooked.code, Some(0), "{}", cooked.err);
 }
 
 #[test]
-fn a_surface_of_ones_own_is_sound_and_cooks() {
-    let shelf = Shelf::new();
-    shelf.put("my-piece.obj", WEDGE);
-    let path = shelf.put("wedge.toml", &meshed_food());
-    let said = run(&["food", "check", path.to_str().unwrap(), "--json"]);
-    assert_eq!(said.code, Some(0), "{}{}", said.out, said.err);
-    let verdict: Value = serde_json::from_str(&said.out).unwrap();
+fn a_surface_of_the_user_is_sound_and_cooks() {
+    let folder = DataFolder::new();
+    folder.put("my-piece.obj", WEDGE);
+    let path = folder.put("wedge.toml", &meshed_food());
+    let ran = run(&["food", "check", path.to_str().unwrap(), "--json"]);
+    assert_eq!(ran.code, Some(0), "{}{}", ran.out, ran.err);
+    let verdict: Value = serde_json::from_str(&ran.out).unwrap();
     let food = &verdict["food"];
     assert_eq!((food["form"].as_str(), food["size_mm"][0].as_f64().map(f64::round)), (Some("mesh"), Some(50.0)));
     assert!((2000..10_000).contains(&food["nodes"].as_u64().unwrap()), "{food}");
     let (volume, density) = (food["surface"]["volume_cm3"].as_f64().unwrap(), food["density_kg_m3"].as_f64().unwrap());
     assert!((volume - 22.5).abs() < 1e-6 && (1000.0..1100.0).contains(&density));
     assert!((food["mass_g"].as_f64().unwrap() / (1e-3 * volume * density) - 1.0).abs() < 1e-3);
-    let recipe = shelf.dir.path().join("recipe.toml");
+    let recipe = folder.dir.path().join("recipe.toml");
     std::fs::write(&recipe, SHORT.replace("beef-lean", "wedge").replace("[60, 50, 15]", "[60]")).unwrap();
-    let cooked = run(&["cook", recipe.to_str().unwrap(), "--data", shelf.data(), "--json"]);
+    let cooked = run(&["cook", recipe.to_str().unwrap(), "--data", folder.data(), "--json"]);
     assert_eq!(cooked.code, Some(0), "{}", cooked.err);
     let summary: Value = serde_json::from_str(&cooked.out).unwrap();
     let piece = &summary["foods"][0];
@@ -94,8 +94,8 @@ fn a_surface_of_ones_own_is_sound_and_cooks() {
 }
 
 #[test]
-fn mistakes_are_told_with_line_meaning_and_remedy() {
-    let shelf = Shelf::new();
+fn mistakes_are_reported_with_line_meaning_and_remedy() {
+    let folder = DataFolder::new();
     let sound = documented()[0].clone();
     for (from, to, parts) in [
         ("emissivity = 0.95", "emissivty = 0.95", ["emissivty is no key", "write emissivity"]),
@@ -109,34 +109,34 @@ fn mistakes_are_told_with_line_meaning_and_remedy() {
         ("name = \"Salmon fillet\"", "name = Salmon", ["food.toml:1", "quote"]),
     ] {
         assert!(sound.contains(from), "{from}");
-        let said = check(&shelf.put("food.toml", &sound.replacen(from, to, 1)));
-        assert_eq!(said.code, Some(2), "{to}: {}", said.out);
-        assert!(parts.iter().all(|p| said.out.contains(p)) && said.out.contains("remedy"), "{to}: {}", said.out);
+        let ran = check(&folder.put("food.toml", &sound.replacen(from, to, 1)));
+        assert_eq!(ran.code, Some(2), "{to}: {}", ran.out);
+        assert!(parts.iter().all(|p| ran.out.contains(p)) && ran.out.contains("remedy"), "{to}: {}", ran.out);
     }
 }
 
 #[test]
-fn an_open_surface_is_told_alone_and_with_its_food() {
-    let shelf = Shelf::new();
+fn an_open_surface_is_reported_alone_and_with_its_food() {
+    let folder = DataFolder::new();
     let open: String = WEDGE.lines().take(12).map(|l| format!("{l}\n")).collect();
-    let surface = shelf.put("my-piece.obj", &open);
-    let food = shelf.put("wedge.toml", &meshed_food());
+    let surface = folder.put("my-piece.obj", &open);
+    let food = folder.put("wedge.toml", &meshed_food());
     for path in [&surface, &food] {
-        let said = check(path);
-        assert_eq!(said.code, Some(2), "{}", said.out);
-        assert!(said.out.contains("not closed") && said.out.contains("fill the holes"), "{}", said.out);
+        let ran = check(path);
+        assert_eq!(ran.code, Some(2), "{}", ran.out);
+        assert!(ran.out.contains("not closed") && ran.out.contains("fill the holes"), "{}", ran.out);
     }
-    let listed = run(&["list", "foods", "--data", shelf.data()]);
+    let listed = run(&["list", "foods", "--data", folder.data()]);
     assert!(listed.code == Some(2) && listed.err.contains("not closed"), "{}", listed.err);
     std::fs::remove_file(&surface).unwrap();
-    let said = check(&food);
-    assert!(said.code == Some(2) && said.out.contains("my-piece.obj cannot be read"), "{}", said.out);
-    shelf.put("my-piece.obj", WEDGE);
+    let ran = check(&food);
+    assert!(ran.code == Some(2) && ran.out.contains("my-piece.obj cannot be read"), "{}", ran.out);
+    folder.put("my-piece.obj", WEDGE);
     assert!(check(&surface).out.contains("22.50 cm³"));
 }
 
 #[test]
-fn a_missing_file_is_told() {
-    let said = check(Path::new("nowhere.toml"));
-    assert!(said.code == Some(2) && said.err.contains("nowhere.toml"), "{}", said.err);
+fn a_missing_file_is_reported() {
+    let ran = check(Path::new("nowhere.toml"));
+    assert!(ran.code == Some(2) && ran.err.contains("nowhere.toml"), "{}", ran.err);
 }

@@ -6,9 +6,9 @@ use crate::cook::cooked::{DISHES, SHIPPED};
 use crate::running::run;
 
 fn ids(what: &str) -> Vec<String> {
-    let said = run(&["list", what, "--json"]);
-    assert_eq!(said.code, Some(0));
-    let list: Value = serde_json::from_str(&said.out).unwrap();
+    let ran = run(&["list", what, "--json"]);
+    assert_eq!(ran.code, Some(0));
+    let list: Value = serde_json::from_str(&ran.out).unwrap();
     let text = run(&["list", what]).out;
     list.as_array()
         .unwrap()

@@ -7,12 +7,12 @@ use crate::library::lists::ACTIONS;
 use crate::running::run;
 
 fn schema() -> Value {
-    let said = run(&["schema", "recipe"]);
-    assert_eq!(said.code, Some(0));
-    serde_json::from_str(&said.out).unwrap()
+    let ran = run(&["schema", "recipe"]);
+    assert_eq!(ran.code, Some(0));
+    serde_json::from_str(&ran.out).unwrap()
 }
 
-/// The schema behind references and `null` alternatives.
+/// Returns the schema behind references and `null` alternatives.
 fn resolved<'a>(root: &'a Value, part: &'a Value) -> &'a Value {
     if let Some(path) = part["$ref"].as_str() {
         return resolved(root, root.pointer(path.trim_start_matches('#')).unwrap());
@@ -21,7 +21,7 @@ fn resolved<'a>(root: &'a Value, part: &'a Value) -> &'a Value {
     real.map_or(part, |s| resolved(root, s))
 }
 
-/// The alternative of a schema that takes tables.
+/// Returns the alternative of a schema that accepts tables.
 fn table<'a>(root: &'a Value, part: &'a Value) -> Option<&'a Value> {
     let part = part["$ref"].as_str().map_or(part, |path| root.pointer(path.trim_start_matches('#')).unwrap());
     if part["properties"].is_object() {

@@ -6,8 +6,8 @@ use crate::running::run;
 fn every_figure_of_the_gallery_is_drawn_with_its_numbers() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("gallery");
-    let said = run(&["gallery", "--size", "96x64", "--out", out.to_str().unwrap()]);
-    assert_eq!(said.code, Some(0), "{}", said.err);
+    let ran = run(&["gallery", "--size", "96x64", "--out", out.to_str().unwrap()]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
     let page = std::fs::read_to_string(out.join("gallery.md")).unwrap();
     let figures: Vec<&str> =
         page.lines().filter_map(|l| l.strip_prefix("![")?.split("](").nth(1)?.strip_suffix(")")).collect();

@@ -7,8 +7,8 @@ fn shot(options: &[&str]) -> Vec<u8> {
     let dir = tempfile::tempdir().unwrap();
     let out = dir.path().join("out.png");
     let fixed = ["shot", "medium", "--at", "1", "--size", "160x90", "--out", out.to_str().unwrap()];
-    let said = run(&[&fixed, options].concat());
-    assert_eq!(said.code, Some(0), "{}", said.err);
+    let ran = run(&[&fixed, options].concat());
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
     std::fs::read(out).unwrap()
 }
 
@@ -25,9 +25,9 @@ fn another_white_balance_or_quality_draws_another_picture() {
 
 #[test]
 fn an_unknown_white_balance_is_refused_and_the_choices_are_named() {
-    let said = run(&["shot", "medium", "--at", "1", "--out", "never.png", "--white-balance", "tungsten"]);
-    assert_eq!(said.code, Some(2));
-    assert!(said.err.contains("as-shot, neutral, cool, warm"), "{}", said.err);
+    let ran = run(&["shot", "medium", "--at", "1", "--out", "never.png", "--white-balance", "tungsten"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.err.contains("as-shot, neutral, cool, warm"), "{}", ran.err);
 }
 
 #[test]
@@ -53,12 +53,12 @@ fn a_rig_file_with_a_bad_number_is_refused_with_file_key_and_remedy() {
     let rig = include_str!("../../../../../data/rigs/flat-screen.toml");
     let arguments = ["shot", "medium", "--at", "1", "--out", "never.png", "--mirror", file.to_str().unwrap()];
     std::fs::write(&file, rig.replace("distance_mm = 63.0", "distance_mm = 630.0")).unwrap();
-    let said = run(&arguments);
-    assert_eq!(said.code, Some(2));
+    let ran = run(&arguments);
+    assert_eq!(ran.code, Some(2));
     for word in ["rig.toml", "eye.distance_mm", "630", "remedy", "120"] {
-        assert!(said.err.contains(word), "{word}: {}", said.err);
+        assert!(ran.err.contains(word), "{word}: {}", ran.err);
     }
     std::fs::write(&file, rig.replace("[mirror]", "[miror]")).unwrap();
-    let said = run(&arguments);
-    assert!(said.code == Some(2) && said.err.contains("rig.toml:") && said.err.contains("miror"), "{}", said.err);
+    let ran = run(&arguments);
+    assert!(ran.code == Some(2) && ran.err.contains("rig.toml:") && ran.err.contains("miror"), "{}", ran.err);
 }

@@ -48,12 +48,12 @@ fn swept() -> FoodModel {
 #[test]
 fn a_surface_is_filled_to_its_volume_and_lies_on_its_lower_face() {
     let model = cells(1.0);
-    assert!((2000..10_000).contains(&model.mesh.node_count()), "{}", model.mesh.node_count());
-    let volume: f64 = model.mesh.graph.volume.iter().sum();
+    assert!((2000..10_000).contains(&model.mesh().node_count()), "{}", model.mesh().node_count());
+    let volume: f64 = model.mesh().volumes().iter().sum();
     assert!((volume / 48e-6 - 1.0).abs() < 1e-9);
-    let below: f64 = model.patches_below(UP).map(|i| model.patches[i].area).sum();
+    let below: f64 = model.patches_below(UP).map(|i| model.patches()[i].area).sum();
     assert!((below / 24e-4 - 1.0).abs() < 0.01, "{below}");
-    assert!((model.raw_mass - swept().raw_mass).abs() < 0.01 * model.raw_mass);
+    assert!((model.raw_mass() - swept().raw_mass()).abs() < 0.01 * model.raw_mass());
 }
 
 /// On a plate below and above boiling. (Hotter still, a steak contracts more across its fibres than along them, a body
@@ -89,7 +89,7 @@ fn energy_and_mass_balance_and_no_node_leaves_the_range() {
     assert!((gained - balance).abs() < 1e-9 * p.contact, "{gained} {balance}");
     let (low, high) = run.state.range();
     assert!(low > ZERO_C + 5.0 && high <= ZERO_C + 200.0 && run.state.healthy);
-    let skin: std::collections::BTreeSet<u32> = model.patches.iter().map(|p| p.node).collect();
+    let skin: std::collections::BTreeSet<u32> = model.patches().iter().map(|p| p.node).collect();
     assert!(skin.iter().map(|n| run.state.juice[*n as usize]).sum::<f64>() > 0.0, "juice reaches the skin");
     assert!((run.state.mass(&model) - run.state.mass_left(&model)).abs() < 1e-9);
 }

@@ -2,7 +2,7 @@
 
 use saute_food::{FoodModel, FoodState, MeshSize, PieceSpec, Rules, Solid, ZERO_C};
 
-use crate::run::{FLIPPED, Run, UP, kitchen_air, model, piece};
+use crate::run::{FLIPPED, Run, UP, kitchen_air, model, piece, swept_mesh};
 
 const FOODS: [(&str, [f64; 3], usize); 7] = [
     ("beef-lean", [0.12, 0.08, 0.025], 840),
@@ -19,7 +19,7 @@ fn spec(size: [f64; 3], seed: u64, mesh: MeshSize, rules: Rules) -> PieceSpec {
 }
 
 fn volume(model: &FoodModel) -> f64 {
-    model.mesh.graph.volume.iter().sum()
+    model.mesh().volumes().iter().sum()
 }
 
 #[test]
@@ -27,8 +27,8 @@ fn the_meshes_of_2013_have_the_published_vertices_under_both_rules() {
     for (kind, size, nodes) in FOODS {
         for rules in [Rules::Full, Rules::Paper2013] {
             let coarse = piece(kind, &spec(size, 1, MeshSize::Paper2013, rules));
-            assert_eq!(coarse.mesh.node_count(), nodes, "{kind}");
-            assert!(coarse.mesh.graph.shape.iter().all(|s| *s >= 0.0 && s.is_finite()), "{kind}");
+            assert_eq!(coarse.mesh().node_count(), nodes, "{kind}");
+            assert!(coarse.mesh().graph().shape.iter().all(|s| *s >= 0.0 && s.is_finite()), "{kind}");
             let fine = piece(kind, &spec(size, 1, MeshSize::Default, rules));
             assert!(
                 (volume(&coarse) / volume(&fine) - 1.0).abs() < 0.15,
@@ -44,8 +44,8 @@ fn the_meshes_of_2013_have_the_published_vertices_under_both_rules() {
 fn conductances_are_never_negative_and_every_node_has_a_volume() {
     for (kind, size, _) in FOODS {
         let model = model(kind, 1.0, size);
-        assert!(model.mesh.graph.shape.iter().all(|s| *s >= 0.0 && s.is_finite()), "{kind}");
-        assert!(model.mesh.graph.volume.iter().all(|v| *v > 0.0), "{kind}");
+        assert!(model.mesh().graph().shape.iter().all(|s| *s >= 0.0 && s.is_finite()), "{kind}");
+        assert!(model.mesh().volumes().iter().all(|v| *v > 0.0), "{kind}");
     }
 }
 
@@ -53,15 +53,15 @@ fn conductances_are_never_negative_and_every_node_has_a_volume() {
 #[test]
 fn a_shrimp_has_its_mass_its_nodes_and_its_layers() {
     let shrimp = model("shrimp", 1.0, [0.075, 0.016, 0.016]);
-    assert!((8e-3..12e-3).contains(&shrimp.raw_mass), "{}", shrimp.raw_mass);
-    assert!(shrimp.mesh.node_count() >= 2000, "{}", shrimp.mesh.node_count());
-    let mut depths: Vec<f64> = (0..shrimp.mesh.node_count()).map(|n| shrimp.mesh.depth(n)).collect();
+    assert!((8e-3..12e-3).contains(&shrimp.raw_mass()), "{}", shrimp.raw_mass());
+    assert!(shrimp.mesh().node_count() >= 2000, "{}", shrimp.mesh().node_count());
+    let mut depths: Vec<f64> = (0..shrimp.mesh().node_count()).map(|n| shrimp.mesh().depth(n)).collect();
     depths.retain(|d| *d > 1e-6);
     let first = depths.iter().copied().fold(f64::INFINITY, f64::min);
     assert!((0.1e-3..0.41e-3).contains(&first), "{first}");
     let deepest = depths.iter().copied().fold(0.0, f64::max);
     assert!((5.5e-3..7.5e-3).contains(&deepest), "{deepest}");
-    assert_eq!(shrimp.mesh.depth(0), 0.0);
+    assert_eq!(shrimp.mesh().depth(0), 0.0);
 }
 
 /// Length along the curve and thickest diameter are those that were asked for.
@@ -69,13 +69,13 @@ fn a_shrimp_has_its_mass_its_nodes_and_its_layers() {
 fn a_shrimp_is_as_long_and_as_thick_as_asked() {
     for seed in 1..6 {
         let shrimp = piece("shrimp", &spec([0.06, 0.012, 0.012], seed, MeshSize::Default, Rules::Full));
-        assert!((shrimp.mesh.thickness() / 0.06 - 1.0).abs() < 0.01, "{}", shrimp.mesh.thickness());
+        assert!((swept_mesh(&shrimp).thickness() / 0.06 - 1.0).abs() < 0.01, "{}", swept_mesh(&shrimp).thickness());
         let depth = |level: usize| {
-            let points = &shrimp.mesh.section_at(level).points;
+            let points = &swept_mesh(&shrimp).section_at(level).points;
             let ys = points.iter().map(|p| p[0]);
             ys.clone().fold(0.0, f64::max) - ys.fold(0.0, f64::min)
         };
-        let thickest = (0..shrimp.mesh.levels.len()).map(depth).fold(0.0, f64::max);
+        let thickest = (0..swept_mesh(&shrimp).levels.len()).map(depth).fold(0.0, f64::max);
         assert!((thickest / 0.012 - 1.0).abs() < 0.06, "{thickest}");
     }
 }
@@ -88,13 +88,14 @@ fn natural_variation_keeps_the_mean_thickness() {
         for model in &models {
             let state = FoodState::raw(model, ZERO_C + 5.0);
             assert!((model.thickness(&state) / size[2] - 1.0).abs() < 1e-9);
-            assert!((volume(model) / (model.mesh.section.area() * size[2]) - 1.0).abs() < 1e-9);
-            let columns: Vec<f64> = (0..model.mesh.nodes_per_level()).map(|i| model.mesh.path.column(i)).collect();
+            assert!((volume(model) / (swept_mesh(model).section.area() * size[2]) - 1.0).abs() < 1e-9);
+            let columns: Vec<f64> =
+                (0..swept_mesh(model).nodes_per_level()).map(|i| swept_mesh(model).path.column(i)).collect();
             let low = columns.iter().copied().fold(f64::INFINITY, f64::min);
             let high = columns.iter().copied().fold(0.0, f64::max);
             assert!(high - low > 0.008 && low > 0.94 && high < 1.06, "{low} {high}");
         }
-        assert_ne!(models[0].outline.points, models[1].outline.points);
+        assert_ne!(models[0].outline().points, models[1].outline().points);
     }
 }
 
@@ -102,14 +103,14 @@ fn natural_variation_keeps_the_mean_thickness() {
 #[test]
 fn what_lies_below_is_what_looks_down() {
     let steak = model("beef-lean", 1.6, [0.12, 0.08, 0.025]);
-    let n = steak.mesh.nodes_per_level();
+    let n = swept_mesh(&steak).nodes_per_level();
     assert!(steak.patches_below(UP).eq(0..n));
     assert!(steak.patches_below(FLIPPED).eq(n..2 * n));
     for (kind, size) in [("shrimp", [0.075, 0.016, 0.016]), ("carrot-stick", [0.06, 0.01, 0.01])] {
         let body = model(kind, 1.0, size);
         let below: Vec<usize> = body.patches_below(UP).collect();
-        assert!(below.len() > 20 && below.iter().all(|p| body.rest_normals[*p][2] < -0.7), "{kind}");
-        let projected: f64 = below.iter().map(|p| -body.rest_normals[*p][2] * body.patches[*p].area).sum();
+        assert!(below.len() > 20 && below.iter().all(|p| body.rest_normals()[*p][2] < -0.7), "{kind}");
+        let projected: f64 = below.iter().map(|p| -body.rest_normals()[*p][2] * body.patches()[*p].area).sum();
         assert!(projected > 0.4 * 0.8 * size[0] * size[1] * 0.6, "{kind}: {projected}");
     }
     let standing = steak.patches_below([1.0, 0.0, 0.0]);
@@ -124,7 +125,7 @@ fn patches_close_the_body() {
         let poses = model.patch_geometry(&FoodState::raw(&model, ZERO_C + 5.0));
         let mut sum = [0.0; 3];
         let mut area = 0.0;
-        for (pose, patch) in poses.iter().zip(&model.patches) {
+        for (pose, patch) in poses.iter().zip(model.patches()) {
             (0..3).for_each(|k| sum[k] += patch.area * pose.normal[k]);
             area += patch.area;
             assert!((pose.normal.iter().map(|v| v * v).sum::<f64>() - 1.0).abs() < 1e-9);
@@ -223,17 +224,17 @@ fn a_shrimp_curls_in_its_present_shape() {
     let mut state = FoodState::raw(&shrimp, ZERO_C + 5.0);
     let gap = |state: &FoodState| {
         let positions = shrimp.positions(state);
-        let last = shrimp.mesh.node(shrimp.mesh.levels.len() - 1, 0);
+        let last = swept_mesh(&shrimp).node(swept_mesh(&shrimp).levels.len() - 1, 0);
         (positions[0][0] - positions[last][0]).hypot(positions[0][1] - positions[last][1])
     };
     let raw = gap(&state);
-    let rest: Vec<_> = (0..shrimp.mesh.node_count()).map(|n| shrimp.rest_position(n)).collect();
+    let rest: Vec<_> = (0..shrimp.mesh().node_count()).map(|n| shrimp.rest_position(n)).collect();
     let same = shrimp.positions(&state).iter().zip(&rest).all(|(a, b)| (0..3).all(|k| (a[k] - b[k]).abs() < 1e-9));
     assert!(same, "the raw piece has its rest shape");
     state.changed.iter_mut().for_each(|field| field.fill(1.0));
     assert!(gap(&state) < 0.9 * raw, "{raw} -> {}", gap(&state));
     let mut centre = [0.0; 3];
-    for (p, v) in shrimp.positions(&state).iter().zip(&shrimp.mesh.graph.volume) {
+    for (p, v) in shrimp.positions(&state).iter().zip(shrimp.mesh().volumes()) {
         (0..3).for_each(|k| centre[k] += p[k] * v / volume(&shrimp));
     }
     assert!(centre.iter().all(|c| c.abs() < 1e-9), "{centre:?}");
@@ -267,13 +268,13 @@ fn curved_bodies_keep_their_energy_and_water() {
 fn a_carrot_has_a_core_and_a_leek_sheaths() {
     let coin = model("carrot-coin", 1.0, [0.03, 0.03, 0.008]);
     assert!(coin.tissue_at([0.0, 0.0, 0.004]) > 0.99 && coin.tissue_at([0.013, 0.0, 0.004]) < 0.01);
-    let share = coin.tissue.iter().sum::<f64>() / coin.tissue.len() as f64;
+    let share = coin.second_tissue().iter().sum::<f64>() / coin.second_tissue().len() as f64;
     assert!((0.08..0.5).contains(&share), "{share}");
     let stick = model("carrot-stick", 1.0, [0.06, 0.01, 0.01]);
     let along = |x: f64| [-0.004, -0.002, 0.0, 0.002, 0.004].map(|y| stick.tissue_at([x, y, 0.0]));
     assert_eq!(along(-0.02), along(0.02));
     let leek = model("leek-ring", 1.0, [0.028, 0.028, 0.012]);
-    let sheaths: Vec<usize> = (0..14).map(|mm| leek.tissues.sheath([f64::from(mm) * 1e-3, 0.0, 0.0])).collect();
+    let sheaths: Vec<usize> = (0..14).map(|mm| leek.tissue_field().sheath([f64::from(mm) * 1e-3, 0.0, 0.0])).collect();
     assert!(sheaths.windows(2).all(|w| w[1] >= w[0]) && sheaths[13] >= 4, "{sheaths:?}");
 }
 
@@ -286,7 +287,7 @@ fn sheath_borders_lower_the_conductivity_across_to_the_measured_range() {
     let steps = 400;
     for i in 0..steps {
         let at = |k: i32| [0.013 * f64::from(k) / f64::from(steps), 0.0, 0.006];
-        through += 1.0 / leek.tissues.share_across([at(i), at(i + 1)], plain);
+        through += 1.0 / leek.tissue_field().share_across([at(i), at(i + 1)], plain);
         free += 1.0;
     }
     let across = plain * free / through;
@@ -297,8 +298,8 @@ fn sheath_borders_lower_the_conductivity_across_to_the_measured_range() {
 #[test]
 fn meshes_of_all_sizes_allow_long_steps() {
     for (kind, default, _) in FOODS {
-        let range = model(kind, 2.5, default).description.size.clone();
-        let form = model(kind, 2.5, default).description.form;
+        let range = model(kind, 2.5, default).description().size.clone();
+        let form = model(kind, 2.5, default).description().form;
         for corner in 0..8usize {
             let pick = |axis: usize| if corner >> axis & 1 == 0 { range.min_mm[axis] } else { range.max_mm[axis] };
             let mm: Vec<f64> = (0..range.min_mm.len()).map(pick).collect();
@@ -322,7 +323,7 @@ fn meshes_of_all_sizes_allow_long_steps() {
 /// Heat capacity over conductances of the node where that is least [s], with 3.7 MJ/(m³·K) and 0.52 W/(m·K).
 fn shortest_step(model: &FoodModel) -> f64 {
     let mut conduction = saute_heat::Conduction::default();
-    let graph = &model.mesh.graph;
+    let graph = model.mesh().graph();
     conduction.refresh(graph, &vec![0.52; graph.volume.len()]);
     conduction.stable_step(&graph.volume.iter().map(|v| 3.7e6 * v).collect::<Vec<_>>())
 }

@@ -51,16 +51,16 @@ fn the_halves_pass_each_other_no_heat() {
     for (kind, whole) in bodies() {
         let halves = whole.halved(0.0).expect(kind);
         let mut run = Run::new(&halves, 20.0);
-        for node in 0..halves.mesh.node_count() {
+        for node in 0..halves.mesh().node_count() {
             if halves.is_beyond_cut(node) {
                 let masses = halves.masses(&run.state, node);
                 run.state.temperature[node] = ZERO_C + 40.0;
-                run.state.enthalpy[node] = halves.properties.enthalpy(&masses, ZERO_C + 40.0).0;
+                run.state.enthalpy[node] = halves.properties().enthalpy(&masses, ZERO_C + 40.0).0;
             }
         }
         let still = FreeAir { convection: 0.0, radiation: 0.0, ..DRY };
         run.fry(60.0, 20.0, 0.0, still);
-        for node in 0..halves.mesh.node_count() {
+        for node in 0..halves.mesh().node_count() {
             let expected = if halves.is_beyond_cut(node) { 40.0 } else { 20.0 };
             assert!((run.state.celsius(node) - expected).abs() < 1e-6, "{kind}: {}", run.state.celsius(node));
         }
@@ -76,9 +76,10 @@ fn the_fresh_faces_have_the_area_of_the_plane_and_look_at_each_other() {
         let whole = &bodies().into_iter().find(|b| b.0 == kind).expect(kind).1;
         let halves = whole.halved(0.0).expect(kind);
         let face = |beyond: bool| {
-            let of = halves.fresh_faces().filter(|&p| halves.is_beyond_cut(halves.patches[p].node as usize) == beyond);
+            let of =
+                halves.fresh_faces().filter(|&p| halves.is_beyond_cut(halves.patches()[p].node as usize) == beyond);
             of.fold((0.0, 0.0), |(area, normal), p| {
-                (area + halves.patches[p].area, normal + halves.patches[p].area * halves.rest_normals[p][axis])
+                (area + halves.patches()[p].area, normal + halves.patches()[p].area * halves.rest_normals()[p][axis])
             })
         };
         let ((near, out), (far, back)) = (face(false), face(true));
@@ -158,7 +159,7 @@ fn a_piece_is_cut_once_and_where_it_is() {
         let halves = whole.halved(0.0).expect(kind);
         assert_eq!(halves.halved_at().map(|cut| cut.at), Some(0.0), "{kind}");
         assert_eq!(halves.halved(0.0).err(), Some(CutError::Halved), "{kind}");
-        for at in [0.5 * whole.size[0], -0.5 * whole.size[0], f64::NAN] {
+        for at in [0.5 * whole.size()[0], -0.5 * whole.size()[0], f64::NAN] {
             assert!(matches!(whole.halved(at), Err(CutError::Beside { most }) if most > 0.0), "{kind} {at}");
         }
     }
@@ -170,7 +171,7 @@ fn a_piece_of_2013_can_be_cut_too() {
         let size = if kind == "beef-lean" { [0.12, 0.08, 0.025] } else { [0.06, 0.01, 0.01] };
         let spec = PieceSpec { size, seed: 1, coarseness: 1.0, mesh: MeshSize::Paper2013, rules: Rules::Paper2013 };
         let halves = piece(kind, &spec).halved(0.0).expect(kind);
-        let area: f64 = halves.fresh_faces().map(|p| 0.5 * halves.patches[p].area).sum();
+        let area: f64 = halves.fresh_faces().map(|p| 0.5 * halves.patches()[p].area).sum();
         let plane = size[1] * size[2];
         assert!((0.7 * plane..1.1 * plane).contains(&area), "{kind}: {area}");
     }

@@ -2,7 +2,7 @@
 
 use saute_food::{FoodState, ZERO_C};
 
-use crate::run::{FLIPPED, Run, UP, kitchen_air, lean, model};
+use crate::run::{FLIPPED, Run, UP, kitchen_air, lean, model, swept_mesh};
 
 /// A uniformly cooked piece with the given shares of the changes and of the raw water left.
 fn uniform(changed: [f64; 4], water: f64) -> (f64, f64, f64) {
@@ -13,7 +13,7 @@ fn uniform(changed: [f64; 4], water: f64) -> (f64, f64, f64) {
     }
     state.water.iter_mut().for_each(|w| *w *= water);
     steak.shrink(&mut state);
-    (state.stretch.lateral, steak.thickness(&state) / steak.mesh.thickness(), steak.relative_volume(&state))
+    (state.stretch.lateral, steak.thickness(&state) / swept_mesh(steak).thickness(), steak.relative_volume(&state))
 }
 
 #[test]
@@ -50,15 +50,16 @@ fn the_volume_lost_is_that_of_water_and_fat() {
         run.flip();
     }
     let (model, state) = (run.model, &run.state);
-    let volume: f64 = model.mesh.graph.volume.iter().sum();
+    let volume: f64 = model.mesh().volumes().iter().sum();
     // Juice that stands on a face is out of the flesh.
-    let lost_water = model.initial_water.iter().zip(&state.water).map(|(raw, now)| (raw - now).max(0.0));
+    let lost_water = model.initial_water().iter().zip(&state.water).map(|(raw, now)| (raw - now).max(0.0));
     let water = lost_water.sum::<f64>() / 998.0;
     let fat = state.rendered / 917.0;
     let lost = (1.0 - model.relative_volume(state)) * volume;
     // Dried crust keeps pores: a little less than all of it.
     assert!(lost < 1.01 * (water + fat) && lost > 0.85 * (water + fat), "{lost} of {}", water + fat);
-    let thinner = model.thickness(state) * state.stretch.lateral * state.stretch.lateral / model.mesh.thickness();
+    let thinner =
+        model.thickness(state) * state.stretch.lateral * state.stretch.lateral / swept_mesh(model).thickness();
     assert!((thinner / model.relative_volume(state) - 1.0).abs() < 0.02, "{thinner}");
 }
 
@@ -87,12 +88,12 @@ fn fat_renders_from_hot_faces_into_the_pan() {
     run.fry(30.0, 40.0, 500.0, kitchen_air());
     assert_eq!(run.state.rendered, 0.0);
     run.fry(300.0, 200.0, 400.0, kitchen_air());
-    let raw: f64 = steak.initial_fat.iter().sum();
+    let raw: f64 = steak.initial_fat().iter().sum();
     let now: f64 = run.state.fat.iter().sum();
     assert!((raw - now - run.passed.rendered).abs() < 1e-12 && run.state.rendered == run.passed.rendered);
     assert!((0.01..0.25).contains(&(run.passed.rendered / raw)), "{}", run.passed.rendered / raw);
-    let middle = steak.mesh.node(steak.mesh.levels.len() / 2, 0);
-    assert!(run.state.fat[middle] > 0.99 * steak.initial_fat[middle]);
+    let middle = swept_mesh(&steak).node(swept_mesh(&steak).levels.len() / 2, 0);
+    assert!(run.state.fat[middle] > 0.99 * steak.initial_fat()[middle]);
 }
 
 /// Shrimp curl as myosin, then actin denatures; a steak does not.

@@ -1,27 +1,28 @@
-//! The JSON of the Inverse service, as much of it as a pan needs; axes x right, y away, z up as in the kitchen, metres and newtons.
+//! JSON messages of the Inverse service, the subset for a pan; axes as in the kitchen (x right, y away, z up), metres and newtons.
 
 use glam::{DQuat, DVec3};
 use serde::Deserialize;
 use serde_json::json;
 
-/// Name under which the service shows this program.
+/// Name of this program at the service.
 const PROFILE: &str = "saute";
-/// Farthest place [m] and fastest speed [m/s] of a device of this size (chosen: five times its reach; a thrown hand).
+/// Largest accepted distance of the cursor [m] (chosen: five times the device's reach).
 const FARTHEST_M: f64 = 1.0;
+/// Largest accepted speed of the cursor [m/s] (chosen: faster than any arm).
 const FASTEST_M_S: f64 = 20.0;
-/// Largest force that an answer may tell [N] (chosen: more than any such device can do).
+/// Largest accepted force in an answer [N] (chosen: more than any such device makes).
 const STRONGEST_N: f64 = 100.0;
 
-/// What the service says about all devices.
+/// State of all devices at the service.
 #[derive(Clone, Debug, Default, Deserialize)]
 pub struct State {
-    /// Devices that sense place and make force.
+    /// Devices that measure position and make force.
     #[serde(default)]
     pub inverse3: Vec<Inverse3>,
-    /// Grips by cable.
+    /// Wired grips.
     #[serde(default)]
     pub verse_grip: Vec<Grip>,
-    /// Grips by radio.
+    /// Wireless grips.
     #[serde(default)]
     pub wireless_verse_grip: Vec<Grip>,
 }
@@ -29,37 +30,37 @@ pub struct State {
 /// One device.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Inverse3 {
-    /// Its id.
+    /// Device id.
     pub device_id: String,
-    /// Where it is.
+    /// State of the cursor.
     #[serde(default)]
     pub state: Option<Cursor>,
-    /// Whether it is ready.
+    /// Status of the device.
     #[serde(default)]
     pub status: Status,
 }
 
-/// Where a device's cursor is.
+/// Cursor of a device.
 #[derive(Clone, Copy, Debug, Deserialize)]
 pub struct Cursor {
-    /// Place [m].
+    /// Position [m].
     pub cursor_position: Vector,
     /// Velocity [m/s].
     #[serde(default)]
     pub cursor_velocity: Vector,
-    /// Force that is made [N].
+    /// Present force [N].
     #[serde(default)]
     pub current_cursor_force: Vector,
 }
 
-/// Whether a device is ready.
+/// Status of a device.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 pub struct Status {
-    /// Whether it knows where it is; as good as yes where nothing is said.
+    /// True if the device is calibrated; an absent value counts as true.
     pub calibrated: Option<bool>,
 }
 
-/// Three numbers.
+/// A vector.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(default)]
 pub struct Vector {
@@ -71,22 +72,22 @@ pub struct Vector {
 /// A grip.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Grip {
-    /// How it is held.
+    /// State of the grip.
     #[serde(default)]
     pub state: Option<Held>,
 }
 
-/// How a grip is held.
+/// State of a grip.
 #[derive(Clone, Copy, Debug, Deserialize)]
 pub struct Held {
-    /// How it is turned.
+    /// Orientation.
     pub orientation: Quaternion,
-    /// Its buttons.
+    /// Buttons.
     #[serde(default)]
     pub buttons: Buttons,
 }
 
-/// A turn.
+/// A quaternion.
 #[derive(Clone, Copy, Debug, Deserialize)]
 pub struct Quaternion {
     w: f64,
@@ -104,19 +105,19 @@ pub struct Buttons {
     c: bool,
 }
 
-/// An answer that means nothing.
+/// Why an answer is invalid.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum BadAnswer {
-    /// No JSON of this kind.
+    /// The text is not JSON of this kind.
     #[error("{0}")]
     Json(String),
-    /// A number that no device tells.
+    /// A number is out of range.
     #[error("{0} is out of range")]
     Range(&'static str),
 }
 
 impl State {
-    /// Reads and checks an answer.
+    /// Parses and checks an answer.
     pub fn parse(text: &str) -> Result<Self, BadAnswer> {
         let state: Self = serde_json::from_str(text).map_err(|e| BadAnswer::Json(e.to_string()))?;
         for cursor in state.inverse3.iter().filter_map(|d| d.state) {
@@ -132,7 +133,7 @@ impl State {
         self.wireless_verse_grip.iter().chain(&self.verse_grip).filter_map(|g| g.state)
     }
 
-    /// How the first grip is held.
+    /// Returns the state of the first grip.
     pub fn grip(&self) -> Option<Held> {
         self.grips().next()
     }
@@ -151,14 +152,14 @@ impl Cursor {
 }
 
 impl Vector {
-    /// As a vector.
+    /// Returns the vector.
     pub fn vector(&self) -> DVec3 {
         DVec3::new(self.x, self.y, self.z)
     }
 }
 
 impl Quaternion {
-    /// As a turn; none where it is no such.
+    /// Returns the normalised rotation, or `None` if the length is far from 1.
     pub fn turn(&self) -> Option<DQuat> {
         let q = DQuat::from_xyzw(self.x, self.y, self.z, self.w);
         let length = q.length();
@@ -167,13 +168,15 @@ impl Quaternion {
 }
 
 impl Buttons {
-    /// One bit each: a, b, c.
+    /// Returns one bit each for a, b, c.
     pub fn bits(&self) -> u32 {
         u32::from(self.a) | u32::from(self.b) << 1 | u32::from(self.c) << 2
     }
 }
 
-/// A force [N], which also asks for an answer; the first message says who asks, and puts the origin into the middle of the workspace.
+/// Returns the message that sets a force [N] and requests an answer.
+///
+/// The first message also names this program and puts the origin into the centre of the workspace.
 pub fn force(device_id: &str, force: DVec3, is_first: bool) -> String {
     let vector = json!({ "x": force.x, "y": force.y, "z": force.z });
     let mut device = json!({ "device_id": device_id, "commands": { "set_cursor_force": { "vector": vector } } });

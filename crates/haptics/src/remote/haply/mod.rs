@@ -1,4 +1,4 @@
-//! A Haply Inverse3: place and force over the maker's local service, JSON over WebSocket, one answer for each message.
+//! A Haply Inverse3: position and force over the maker's local service, JSON over WebSocket with one answer per message.
 
 pub mod message;
 mod service;
@@ -12,79 +12,79 @@ use crate::device::{
     Capabilities, HapticCommand, HapticDevice, HapticSample, Health, Limits, Sensed, Vibration, Workspace,
 };
 use crate::open::{Access, Networked, OpenError, Opened};
+use crate::remote::inbox::{Inbox, age};
 use crate::remote::network_thread::NetworkThread;
 use crate::wrench::{Twist, Wrench};
 
-/// Silence after which the service counts as lost [s] (chosen: a hundred answers).
+/// Timeout after which the service counts as lost [s] (chosen: a hundred answers).
 const SILENCE_S: f64 = 0.1;
 
-/// Inverse3 devices, which are reached over their maker's service.
+/// Inverse3 devices, as networked devices.
 pub const HAPLY: Networked =
     Networked { id: "haply", default_place: "127.0.0.1:10001", capabilities, open: |address| open(address) };
 
-/// What the network's thread last heard.
+/// Latest data from the service.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Heard {
-    /// Counts answers.
+pub struct Incoming {
+    /// Number of answers so far.
     pub number: u64,
-    /// Place of the cursor from the middle of its workspace [m].
+    /// Position of the cursor from the centre of its workspace [m].
     pub place: DVec3,
-    /// Its velocity [m/s].
+    /// Velocity of the cursor [m/s].
     pub velocity: DVec3,
-    /// How the grip is turned from where it was level; as it was at home where no grip is.
+    /// Rotation of the grip from level; the identity without a grip.
     pub rotation: DQuat,
-    /// The force that the service makes [N].
+    /// Present force of the device [N].
     pub force: DVec3,
-    /// Buttons of the grip.
+    /// Buttons of the grip, one bit each.
     pub buttons: u32,
-    /// Whether the service is there, with a device that is calibrated.
+    /// State of the connection.
     pub link: Link,
-    /// Answers that were thrown away.
+    /// Number of rejected answers.
     pub rejected: u32,
 }
 
-/// Where the talk stands.
+/// State of the connection.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Link {
-    /// No service, or no device at it.
+    /// No service, or a service without a device.
     #[default]
     Away,
-    /// A device that must be calibrated first.
+    /// A device that is not calibrated.
     Uncalibrated,
-    /// At work.
+    /// A calibrated device.
     Up,
 }
 
-/// What the network's thread shall tell.
+/// Data to the service.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Told {
-    /// Counts orders: one that does not change is old, and makes no force.
+pub struct Outgoing {
+    /// Number of commands so far: a command that does not change is stale and makes no force.
     pub number: u64,
     /// Force on the hand [N].
     pub force: DVec3,
 }
 
-/// An Inverse3.
+/// An Inverse3 that moves the pan.
 pub struct Haply {
     capabilities: Capabilities,
-    heard: triple_buffer::Output<Heard>,
-    told: triple_buffer::Input<Told>,
-    _service: Option<NetworkThread>,
-    last: Heard,
-    order: Told,
+    inbox: Inbox<Incoming>,
+    outgoing: triple_buffer::Input<Outgoing>,
+    command: Outgoing,
+    /// Age of the last answer [s].
     silent: f64,
     time_s: f64,
     health: Health,
 }
 
-/// What an Inverse3 can do.
+/// Returns the capabilities of an Inverse3.
 pub fn capabilities() -> Capabilities {
     Capabilities {
         name: "Haply Inverse3, over its maker's service".into(),
         sensed: Sensed::Place,
         dof_actuated: 3,
         limits: Limits {
-            // Chosen: a hand yields to it with ease; the device itself can do a little more.
+            // Chosen: a hand overcomes it easily; the device itself makes a little more.
             force_n: 6.0,
             torque_nm: 0.0,
             slew_n_s: 2000.0,
@@ -98,52 +98,49 @@ pub fn capabilities() -> Capabilities {
         rate_hz: 1000.0,
         vibration: Vibration::Wrench,
         holds_real_pan: false,
-        // Chosen: hand and grip, as a light hold has them.
+        // Chosen: hand and grip in a light hold.
         real_mass_kg: 0.3,
     }
 }
 
-/// Talks to the service at an address as soon as it is there.
+/// Starts a thread that connects to the service at an address, now or later.
 pub fn open(address: SocketAddr) -> Result<Opened, OpenError> {
-    let (heard_in, heard) = triple_buffer::triple_buffer(&Heard::default());
-    let (told, told_out) = triple_buffer::triple_buffer(&Told::default());
-    let talk = move |end| service::Service::new(address, heard_in, told_out, end).run();
-    let thread = NetworkThread::spawn("haply", talk)
+    let (incoming_in, incoming) = triple_buffer::triple_buffer(&Incoming::default());
+    let (outgoing, outgoing_out) = triple_buffer::triple_buffer(&Outgoing::default());
+    let run = move |end| service::Service::new(address, incoming_in, outgoing_out, end).run();
+    let thread = NetworkThread::spawn("haply", run)
         .map_err(|e| OpenError::place(address, format!("no thread: {e}"), "close other programs and try again"))?;
-    Ok(Opened { device: Box::new(Haply::new(heard, told, Some(thread))), access: Access::at(address) })
+    Ok(Opened { device: Box::new(Haply::new(incoming, outgoing, Some(thread))), access: Access::at(address) })
 }
 
 impl Haply {
-    /// A device whose answers come from, and whose forces go to, another thread; where it is given, it ends with the device, after it
-    /// has told the service to let go.
+    /// Creates a device that exchanges data with a network thread; the thread, if given, sends a zero force and ends with the device.
     pub fn new(
-        heard: triple_buffer::Output<Heard>,
-        told: triple_buffer::Input<Told>,
+        incoming: triple_buffer::Output<Incoming>,
+        outgoing: triple_buffer::Input<Outgoing>,
         service: Option<NetworkThread>,
     ) -> Self {
         Self {
             capabilities: capabilities(),
-            heard,
-            told,
-            _service: service,
-            last: Heard::default(),
-            order: Told::default(),
+            inbox: Inbox::new(incoming, service),
+            outgoing,
+            command: Outgoing::default(),
             silent: 0.0,
             time_s: 0.0,
             health: Health::Connecting,
         }
     }
 
-    /// Takes what has come; tells whether that was new.
-    fn listen(&mut self, dt: f64) -> bool {
-        let heard = *self.heard.read();
-        let fresh = heard.number != self.last.number;
-        self.silent = if fresh { 0.0 } else { self.silent + dt };
-        self.last = heard;
+    /// Takes the latest data and updates the health; returns true if the data is new.
+    fn receive(&mut self, dt: f64) -> bool {
+        let before = self.inbox.receive();
+        let now = self.inbox.last();
+        let fresh = now.number != before.number;
+        self.silent = age(self.silent, fresh, dt);
         let met = self.health != Health::Connecting;
         if self.health != Health::Stopped {
-            self.health = match heard.link {
-                Link::Up if self.silent < SILENCE_S && heard.number > 0 => Health::Running,
+            self.health = match now.link {
+                Link::Up if self.silent < SILENCE_S && now.number > 0 => Health::Running,
                 Link::Uncalibrated if self.silent < SILENCE_S => Health::Uncalibrated,
                 _ if met => Health::Lost,
                 _ => Health::Connecting,
@@ -152,11 +149,16 @@ impl Haply {
         fresh
     }
 
-    /// The force to show, within its limit; none unless all is well.
+    /// Returns the commanded force within its limit [N]; zero unless the device is running and forces are enabled.
     fn allowed(&self, command: &HapticCommand) -> DVec3 {
         let force = command.wrench.force;
-        let well = command.enabled && self.health == Health::Running && force.is_finite();
-        if well { force.clamp_length_max(self.capabilities.limits.force_n) } else { DVec3::ZERO }
+        let enabled = command.enabled && self.health == Health::Running && force.is_finite();
+        if enabled { force.clamp_length_max(self.capabilities.limits.force_n) } else { DVec3::ZERO }
+    }
+
+    fn send(&mut self, force: DVec3) {
+        self.command = Outgoing { number: self.command.number + 1, force };
+        self.outgoing.write(self.command);
     }
 }
 
@@ -166,29 +168,28 @@ impl HapticDevice for Haply {
     }
 
     fn exchange(&mut self, command: &HapticCommand, dt: f64) -> HapticSample {
-        let fresh = self.listen(if dt.is_finite() { dt.max(0.0) } else { 0.0 });
+        let fresh = self.receive(if dt.is_finite() { dt.max(0.0) } else { 0.0 });
         self.time_s += dt;
         let force = self.allowed(command);
-        self.order = Told { number: self.order.number + 1, force };
-        self.told.write(self.order);
+        self.send(force);
         let home = DVec3::from_array(self.capabilities.workspace.home_m);
+        let last = self.inbox.last();
         HapticSample {
             time_s: self.time_s,
-            pose: Pose { position: home + self.last.place, rotation: self.last.rotation },
-            twist: Twist { linear: self.last.velocity, ..Twist::default() },
+            pose: Pose { position: home + last.place, rotation: last.rotation },
+            twist: Twist { linear: last.velocity, ..Twist::default() },
             achieved: Wrench { force, ..Wrench::ZERO },
-            total_force_n: self.last.force.length(),
+            total_force_n: last.force.length(),
             health: self.health,
             fresh,
-            buttons: self.last.buttons,
-            rejected: self.last.rejected,
+            buttons: last.buttons,
+            rejected: last.rejected,
             ..HapticSample::default()
         }
     }
 
     fn stop(&mut self) {
         self.health = Health::Stopped;
-        self.order = Told { number: self.order.number + 1, force: DVec3::ZERO };
-        self.told.write(self.order);
+        self.send(DVec3::ZERO);
     }
 }

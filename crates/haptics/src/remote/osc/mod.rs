@@ -1,4 +1,4 @@
-//! OSC over UDP: any program or tracker that tells where pan and turner are, after the code on the screen has been sent.
+//! OSC over UDP: any program or tracker that sends poses of pan and turner, after pairing with the code on the screen.
 
 mod listener;
 pub mod message;
@@ -13,47 +13,47 @@ use crate::device::{
     Capabilities, HapticCommand, HapticDevice, HapticSample, Health, Limits, Sensed, Vibration, Workspace,
 };
 use crate::open::{Networked, OpenError, Opened};
+use crate::remote::inbox::{Inbox, age};
 use crate::remote::network_thread::NetworkThread;
-use crate::remote::remote_pose::{FOLLOW_S, HOME_S, SILENCE_S, reckoned};
+use crate::remote::remote_pose::{FOLLOW_S, HOME_S, SILENCE_S, limited_step};
 use crate::remote::tilt::{eased, within_tilt};
 use crate::wrench::Twist;
 
-/// Senders of OSC, as devices that are reached over a network.
+/// OSC senders, as networked devices.
 pub const OSC: Networked =
     Networked { id: "osc", default_place: "127.0.0.1:9000", capabilities, open: |address| open(address) };
 
-/// What the network's thread last heard.
+/// Latest data from the senders.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Heard {
-    /// Counts messages about the pan.
+pub struct Incoming {
+    /// Number of messages about the pan so far.
     pub pans: u64,
-    /// Where the pan is in the kitchen [m]; at home where only its tilt was told.
+    /// Position of the pan in the kitchen [m]; `None` if only its tilt was sent.
     pub place: Option<DVec3>,
-    /// How the pan is turned.
+    /// Rotation of the pan.
     pub rotation: DQuat,
-    /// Counts messages about the turner.
+    /// Number of messages about the turner so far.
     pub turners: u64,
-    /// Where the turner is in the kitchen.
+    /// Pose of the turner in the kitchen.
     pub turner: Pose,
     /// Buttons, one bit each.
     pub buttons: u32,
-    /// Messages that were thrown away: damaged, unpaired, too many.
+    /// Number of rejected messages: damaged, unpaired or too many.
     pub rejected: u32,
 }
 
-/// A sender of OSC.
+/// An OSC sender that moves pan or turner.
 pub struct Osc {
     capabilities: Capabilities,
-    heard: triple_buffer::Output<Heard>,
-    _listener: Option<NetworkThread>,
-    last: Heard,
+    inbox: Inbox<Incoming>,
+    /// Ages of the last messages about pan and turner [s].
     silent: [f64; 2],
     pose: Pose,
     time_s: f64,
     health: Health,
 }
 
-/// What a sender of OSC can do.
+/// Returns the capabilities of an OSC sender.
 pub fn capabilities() -> Capabilities {
     Capabilities {
         name: "OSC: a pose from any program".into(),
@@ -68,23 +68,21 @@ pub fn capabilities() -> Capabilities {
     }
 }
 
-/// Listens at an address.
+/// Starts the listener at an address.
 pub fn open(address: SocketAddr) -> Result<Opened, OpenError> {
-    let (heard_in, heard) = triple_buffer::triple_buffer(&Heard::default());
-    let (access, listener) = listener::start(address, heard_in)?;
-    Ok(Opened { device: Box::new(Osc::new(heard, Some(listener))), access })
+    let (incoming_in, incoming) = triple_buffer::triple_buffer(&Incoming::default());
+    let (access, listener) = listener::start(address, incoming_in)?;
+    Ok(Opened { device: Box::new(Osc::new(incoming, Some(listener))), access })
 }
 
 impl Osc {
-    /// A sender whose messages come from another thread, which ends with it where it is given.
-    pub fn new(heard: triple_buffer::Output<Heard>, listener: Option<NetworkThread>) -> Self {
+    /// Creates a device with the data of a network thread; the thread, if given, ends with the device.
+    pub fn new(incoming: triple_buffer::Output<Incoming>, listener: Option<NetworkThread>) -> Self {
         let capabilities = capabilities();
         let pose = Pose { position: DVec3::from_array(capabilities.workspace.home_m), ..Pose::default() };
         Self {
             capabilities,
-            heard,
-            _listener: listener,
-            last: Heard::default(),
+            inbox: Inbox::new(incoming, listener),
             silent: [f64::INFINITY; 2],
             pose,
             time_s: 0.0,
@@ -92,18 +90,18 @@ impl Osc {
         }
     }
 
-    /// Takes what has come; tells whether that was new.
-    fn listen(&mut self, dt: f64) -> bool {
-        let heard = *self.heard.read();
-        let fresh = [heard.pans != self.last.pans, heard.turners != self.last.turners];
+    /// Takes the latest data and updates the health; returns true if the data is new.
+    fn receive(&mut self, dt: f64) -> bool {
+        let before = self.inbox.receive();
+        let now = self.inbox.last();
+        let fresh = [now.pans != before.pans, now.turners != before.turners];
         for (silent, fresh) in self.silent.iter_mut().zip(fresh) {
-            *silent = if fresh { 0.0 } else { *silent + dt };
+            *silent = age(*silent, fresh, dt);
         }
-        self.last = heard;
-        let speaks = self.silent.iter().any(|s| *s < SILENCE_S);
+        let active = self.silent.iter().any(|s| *s < SILENCE_S);
         self.health = match self.health {
             Health::Stopped => Health::Stopped,
-            _ if speaks => Health::Running,
+            _ if active => Health::Running,
             Health::Running => Health::Lost,
             health => health,
         };
@@ -114,26 +112,27 @@ impl Osc {
         self.health == Health::Running && self.silent[0] < SILENCE_S
     }
 
-    /// The turner, within the workspace, where it is told; it may be turned over.
+    /// Returns the turner's pose, limited to the workspace, if a sender moves it; any rotation is allowed.
     fn turner(&self) -> Option<Pose> {
         let leads = self.health == Health::Running && self.silent[1] < SILENCE_S;
-        let told = self.last.turner;
-        leads.then(|| Pose { position: self.within(told.position), ..told })
+        let turner = self.inbox.last().turner;
+        leads.then(|| Pose { position: self.within(turner.position), ..turner })
     }
 
-    /// The nearest place of the workspace.
+    /// Returns the nearest position in the workspace [m].
     fn within(&self, place: DVec3) -> DVec3 {
         let Workspace { home_m, half_m, .. } = self.capabilities.workspace;
         let (home, half) = (DVec3::from_array(home_m), DVec3::from_array(half_m));
         place.clamp(home - half, home + half)
     }
 
-    /// Moves the pan to where it is told to be, within the workspace, or home where nobody tells.
+    /// Moves the pan to the sent pose within the workspace, or home without a sender; returns its twist.
     fn follow(&mut self, dt: f64) -> Twist {
         let Workspace { home_m, tilt_rad, .. } = self.capabilities.workspace;
         let home = DVec3::from_array(home_m);
+        let last = self.inbox.last();
         let (place, rotation, tau) = if self.leads_pan() {
-            (self.within(self.last.place.unwrap_or(home)), within_tilt(self.last.rotation, tilt_rad), FOLLOW_S)
+            (self.within(last.place.unwrap_or(home)), within_tilt(last.rotation, tilt_rad), FOLLOW_S)
         } else {
             (home, DQuat::IDENTITY, HOME_S)
         };
@@ -155,8 +154,8 @@ impl HapticDevice for Osc {
     }
 
     fn exchange(&mut self, _command: &HapticCommand, dt: f64) -> HapticSample {
-        let dt = reckoned(dt);
-        let fresh = self.listen(dt);
+        let dt = limited_step(dt);
+        let fresh = self.receive(dt);
         let twist = self.follow(dt);
         self.time_s += dt;
         HapticSample {
@@ -167,8 +166,8 @@ impl HapticDevice for Osc {
             turner: self.turner(),
             health: self.health,
             fresh,
-            buttons: self.last.buttons,
-            rejected: self.last.rejected,
+            buttons: self.inbox.last().buttons,
+            rejected: self.inbox.last().rejected,
             ..HapticSample::default()
         }
     }

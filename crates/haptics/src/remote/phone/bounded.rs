@@ -1,13 +1,13 @@
-//! A connection whose reads and writes end at a deadline, however slowly the other side drips.
+//! A connection whose reads and writes end at a deadline, even against a slow sender.
 
 use std::io::{self, ErrorKind, Read, Write};
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
-/// A stream that may be read from and written to until a deadline.
+/// A stream that can be read and written until a deadline.
 ///
-/// Time-outs of the socket alone do not bound a caller that reads on until a record or a message is whole: each byte begins
-/// them anew.
+/// Socket timeouts alone do not bound a caller that reads until a record or a message is complete, because each byte restarts
+/// them.
 #[derive(Debug)]
 pub struct Bounded {
     stream: TcpStream,
@@ -15,12 +15,12 @@ pub struct Bounded {
 }
 
 impl Bounded {
-    /// Until a deadline.
+    /// Creates a stream with a deadline.
     pub fn new(stream: TcpStream, until: Instant) -> Self {
         Self { stream, until }
     }
 
-    /// From now on for so long.
+    /// Sets the deadline to `time` from now.
     pub fn allow(&mut self, time: Duration) {
         self.until = Instant::now() + time;
     }

@@ -1,4 +1,4 @@
-//! A certificate that the program signs itself, new at every start: no key lies on a disk.
+//! A self-signed certificate, new at every start; the key is never stored on disk.
 
 use std::net::IpAddr;
 use std::sync::Arc;
@@ -8,19 +8,19 @@ use rcgen::{CertificateParams, DnType, ExtendedKeyUsagePurpose, KeyPair, date_ti
 use rustls::ServerConfig;
 use rustls::pki_types::{PrivateKeyDer, PrivatePkcs8KeyDer};
 
-/// Bytes of the fingerprint that people compare (chosen: eight pairs fit on a line).
+/// Number of fingerprint bytes that people compare (chosen: eight pairs fit on a line).
 const SHOWN: usize = 8;
-/// A mean year [s].
+/// Mean Gregorian year [s].
 const YEAR_S: u64 = 31_556_952;
 
-/// What TLS needs, and the beginning of the certificate's SHA-256 fingerprint.
+/// Returns the TLS configuration and the first bytes of the certificate's SHA-256 fingerprint.
 pub fn make(hosts: &[IpAddr]) -> Result<(Arc<ServerConfig>, String), Box<dyn std::error::Error>> {
     let mut names = vec!["localhost".to_owned()];
     names.extend(hosts.iter().map(IpAddr::to_string));
     let mut params = CertificateParams::new(names)?;
     params.distinguished_name.push(DnType::CommonName, "saute");
     params.extended_key_usages = vec![ExtendedKeyUsagePurpose::ServerAuth];
-    // Phones refuse certificates that hold for more than 825 days.
+    // Phones refuse certificates that are valid for more than 825 days.
     let year = this_year();
     (params.not_before, params.not_after) = (date_time_ymd(year, 1, 1), date_time_ymd(year + 2, 1, 1));
     let key = KeyPair::generate()?;

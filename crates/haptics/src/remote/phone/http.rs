@@ -1,4 +1,4 @@
-//! As much of HTTP as one page and one socket need.
+//! A minimal HTTP server side: one page and one WebSocket.
 
 use std::io::{self, Read};
 use std::net::IpAddr;
@@ -8,33 +8,33 @@ use tungstenite::handshake::derive_accept_key;
 
 use crate::remote::timeout::is_timeout;
 
-/// Longest head of a request [bytes] (chosen: browsers send 1 kB).
+/// Longest request head [bytes] (chosen: browsers send 1 kB).
 const LONGEST_HEAD: usize = 8 << 10;
-/// Most header fields (chosen: browsers send 20).
+/// Maximum number of header fields (chosen: browsers send 20).
 const MOST_FIELDS: usize = 64;
-/// The page.
+/// The page that the phone shows.
 const PAGE: &str = include_str!("page.html");
-/// What every answer forbids: framing, caching, guessing of types, and anything from elsewhere.
+/// Security headers of every response: no caching, no type sniffing, no framing, no referrer.
 const GUARDS: &str = "Cache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\nX-Frame-Options: DENY\r\nReferrer-Policy: no-referrer\r\nConnection: close\r\n";
 
-/// What is asked for.
+/// A parsed request.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Asked {
-    /// The page, with the host by which it was found.
+pub enum Request {
+    /// The page, with the host name of the request.
     Page {
         /// HOST or HOST:PORT.
         host: String,
     },
-    /// The socket, with the key of its handshake.
+    /// The WebSocket, with the key of its handshake.
     Socket {
-        /// Key.
+        /// Value of Sec-WebSocket-Key.
         key: String,
     },
-    /// Something that is not given: status and reason.
+    /// A refused request: status and reason.
     Refused(u16, &'static str),
 }
 
-/// Reads the head of a request until a deadline; nothing that follows it is read.
+/// Reads the head of a request until a deadline, and nothing after it.
 pub fn read_head(stream: &mut impl Read, deadline: Instant) -> io::Result<Vec<u8>> {
     let mut head = Vec::with_capacity(1024);
     let mut byte = [0];
@@ -52,40 +52,42 @@ pub fn read_head(stream: &mut impl Read, deadline: Instant) -> io::Result<Vec<u8
     Ok(head)
 }
 
-/// What a request asks for.
-pub fn asked(head: &[u8]) -> Asked {
+/// Parses and checks the head of a request.
+pub fn parse(head: &[u8]) -> Request {
     let mut fields = [httparse::EMPTY_HEADER; MOST_FIELDS];
-    let mut request = httparse::Request::new(&mut fields);
-    if !request.parse(head).is_ok_and(|s| s.is_complete()) {
-        return Asked::Refused(400, "Bad Request");
+    let mut parsed = httparse::Request::new(&mut fields);
+    if !parsed.parse(head).is_ok_and(|s| s.is_complete()) {
+        return Request::Refused(400, "Bad Request");
     }
     let field = |name: &str| {
-        let found = request.headers.iter().find(|h| h.name.eq_ignore_ascii_case(name));
+        let found = parsed.headers.iter().find(|h| h.name.eq_ignore_ascii_case(name));
         found.and_then(|h| std::str::from_utf8(h.value).ok()).map(str::trim)
     };
     let host = field("host").unwrap_or_default();
     if !is_own(host) {
-        return Asked::Refused(421, "Misdirected Request");
+        return Request::Refused(421, "Misdirected Request");
     }
-    match (request.method, request.path) {
-        (Some("GET"), Some("/")) => Asked::Page { host: host.to_owned() },
+    match (parsed.method, parsed.path) {
+        (Some("GET"), Some("/")) => Request::Page { host: host.to_owned() },
         (Some("GET"), Some("/pan")) => {
-            // Only the page itself may open the socket: no other site that a browser shows.
+            // Only the page itself may open the socket, not another site in the same browser.
             let own =
                 field("origin").and_then(|o| o.strip_prefix("https://")).is_some_and(|o| o.eq_ignore_ascii_case(host));
             let upgrade = field("upgrade").is_some_and(|u| u.eq_ignore_ascii_case("websocket"));
             match field("sec-websocket-key") {
-                _ if !own => Asked::Refused(403, "Forbidden"),
-                Some(key) if upgrade => Asked::Socket { key: key.to_owned() },
-                _ => Asked::Refused(426, "Upgrade Required"),
+                _ if !own => Request::Refused(403, "Forbidden"),
+                Some(key) if upgrade => Request::Socket { key: key.to_owned() },
+                _ => Request::Refused(426, "Upgrade Required"),
             }
         }
-        (Some("GET"), _) => Asked::Refused(404, "Not Found"),
-        _ => Asked::Refused(405, "Method Not Allowed"),
+        (Some("GET"), _) => Request::Refused(404, "Not Found"),
+        _ => Request::Refused(405, "Method Not Allowed"),
     }
 }
 
-/// Whether a host is a plain address or this machine: a name of another's making may point here only to trick a browser.
+/// Returns true if a host is an IP address or localhost.
+///
+/// Any other name may be a DNS rebinding attack: a foreign name that resolves to this machine.
 fn is_own(host: &str) -> bool {
     let name = match host.rsplit_once(':') {
         Some((name, port)) if port.bytes().all(|b| b.is_ascii_digit()) => name,
@@ -95,19 +97,19 @@ fn is_own(host: &str) -> bool {
     name.eq_ignore_ascii_case("localhost") || plain.parse::<IpAddr>().is_ok()
 }
 
-/// The whole answer, or the head of it where a socket follows.
-pub fn answer(asked: &Asked) -> String {
-    match asked {
-        // Older Safaris do not count the own host's sockets as 'self'.
-        Asked::Page { host } => format!(
+/// Returns the whole response, or its head if a WebSocket follows.
+pub fn response(request: &Request) -> String {
+    match request {
+        // Older versions of Safari do not include the own host's sockets in 'self'.
+        Request::Page { host } => format!(
             "HTTP/1.1 200 OK\r\nContent-Type: text/html; charset=utf-8\r\nContent-Length: {}\r\n{GUARDS}Content-Security-Policy: default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; connect-src 'self' wss://{host}; base-uri 'none'; form-action 'none'; frame-ancestors 'none'\r\n\r\n{PAGE}",
             PAGE.len()
         ),
-        Asked::Socket { key } => format!(
+        Request::Socket { key } => format!(
             "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Accept: {}\r\n\r\n",
             derive_accept_key(key.as_bytes())
         ),
-        Asked::Refused(status, reason) => {
+        Request::Refused(status, reason) => {
             format!("HTTP/1.1 {status} {reason}\r\nContent-Length: 0\r\n{GUARDS}\r\n")
         }
     }
@@ -119,42 +121,45 @@ mod tests {
 
     use super::*;
 
-    fn ask(path: &str, host: &str, origin: &str) -> Asked {
-        asked(format!("GET {path} HTTP/1.1\r\nHost: {host}\r\nOrigin: {origin}\r\nUpgrade: websocket\r\nSec-WebSocket-Key: k\r\n\r\n").as_bytes())
+    fn ask(path: &str, host: &str, origin: &str) -> Request {
+        parse(format!("GET {path} HTTP/1.1\r\nHost: {host}\r\nOrigin: {origin}\r\nUpgrade: websocket\r\nSec-WebSocket-Key: k\r\n\r\n").as_bytes())
     }
 
     #[test]
     fn only_the_own_page_opens_the_socket() {
-        let socket = Asked::Socket { key: "k".into() };
+        let socket = Request::Socket { key: "k".into() };
         assert_eq!(ask("/pan", "192.168.1.4:8443", "https://192.168.1.4:8443"), socket);
         assert_eq!(ask("/pan", "[::1]:8443", "https://[::1]:8443"), socket);
         for origin in ["https://evil.example", "http://192.168.1.4:8443", "null", "https://192.168.1.4:8444", ""] {
-            assert_eq!(ask("/pan", "192.168.1.4:8443", origin), Asked::Refused(403, "Forbidden"), "{origin}");
+            assert_eq!(ask("/pan", "192.168.1.4:8443", origin), Request::Refused(403, "Forbidden"), "{origin}");
         }
     }
 
     #[test]
     fn names_of_others_and_other_paths_are_refused() {
-        assert_eq!(ask("/", "localhost:8443", "https://localhost:8443"), Asked::Page { host: "localhost:8443".into() });
-        assert_eq!(ask("/", "rebound.example:8443", ""), Asked::Refused(421, "Misdirected Request"));
-        assert_eq!(ask("/../etc/passwd", "127.0.0.1", ""), Asked::Refused(404, "Not Found"));
-        assert_eq!(asked(b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"), Asked::Refused(405, "Method Not Allowed"));
-        assert_eq!(asked(b"\x00\xff\r\n\r\n"), Asked::Refused(400, "Bad Request"));
+        assert_eq!(
+            ask("/", "localhost:8443", "https://localhost:8443"),
+            Request::Page { host: "localhost:8443".into() }
+        );
+        assert_eq!(ask("/", "rebound.example:8443", ""), Request::Refused(421, "Misdirected Request"));
+        assert_eq!(ask("/../etc/passwd", "127.0.0.1", ""), Request::Refused(404, "Not Found"));
+        assert_eq!(parse(b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"), Request::Refused(405, "Method Not Allowed"));
+        assert_eq!(parse(b"\x00\xff\r\n\r\n"), Request::Refused(400, "Bad Request"));
     }
 
     #[test]
     fn the_page_may_talk_to_its_own_host_alone() {
-        let page = answer(&ask("/", "192.168.1.4:8443", ""));
+        let page = response(&ask("/", "192.168.1.4:8443", ""));
         assert!(page.contains("connect-src 'self' wss://192.168.1.4:8443; base-uri"), "{}", &page[..600]);
     }
 
     proptest! {
         #[test]
         fn no_bytes_open_the_socket_by_chance(bytes in prop::collection::vec(any::<u8>(), 0..400), text in "\\PC{0,60}") {
-            prop_assert!(matches!(asked(&bytes), Asked::Refused(..)));
+            prop_assert!(matches!(parse(&bytes), Request::Refused(..)));
             let head = format!("GET /pan HTTP/1.1\r\nHost: {text}\r\nOrigin: https://{text}\r\nUpgrade: websocket\r\nSec-WebSocket-Key: k\r\n\r\n");
             let plain = text.trim().chars().all(|c| c.is_ascii_hexdigit() || ".:[]".contains(c)) || text.contains("localhost");
-            prop_assert!(plain || matches!(asked(head.as_bytes()), Asked::Refused(..)));
+            prop_assert!(plain || matches!(parse(head.as_bytes()), Request::Refused(..)));
         }
     }
 

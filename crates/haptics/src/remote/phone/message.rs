@@ -1,98 +1,98 @@
-//! What a phone's page and this program say to each other, as JSON.
+//! Messages between a phone's page and the server, as JSON.
 
 use saute_kitchen::dynamics::Pose;
 use serde::{Deserialize, Serialize};
 
 use crate::control::rumble::Rumble;
 
-/// Longest message [bytes] (chosen: motion with all its digits has 300).
+/// Longest message [bytes] (chosen: a motion message with all digits has 300).
 pub const LONGEST: usize = 1024;
-/// Largest acceleration that a phone measures [m/s²] (chosen: sensors end at 16 g).
+/// Largest accepted acceleration [m/s²] (chosen: above the 16 g range of phone sensors).
 const LARGEST_M_S2: f64 = 200.0;
-/// Largest angle that browsers tell [°].
+/// Largest angle of the DeviceOrientation event [°].
 const LARGEST_DEG: f64 = 360.0;
 
-/// From the phone.
+/// A message from the phone.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum FromPhone {
-    /// The code that its user has typed.
+    /// The pairing code that the user typed.
     Hello {
         /// Six digits.
         code: String,
     },
-    /// How it is turned and pushed.
+    /// Orientation and acceleration.
     Motion(Measured),
-    /// It lies flat in the hand now: this is level, and its top points away from the cook.
+    /// Sets the present orientation as level, with the phone's top pointing away from the cook.
     Flat {},
-    /// A finger on the page, or none.
+    /// A finger touches or leaves the page.
     Button {
-        /// Whether it is down.
+        /// True if it touches.
         down: bool,
     },
 }
 
-/// What its sensors say.
+/// Readings of the phone's sensors.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Measured {
-    /// alpha, beta, gamma of the DeviceOrientation event [°].
+    /// Angles alpha, beta, gamma of the DeviceOrientation event [°].
     pub turn: [f64; 3],
-    /// Acceleration without gravity along the phone's axes, where it is known [m/s²].
+    /// Acceleration without gravity along the phone's axes, if known [m/s²].
     #[serde(default)]
     pub push: Option<[f64; 3]>,
-    /// Acceleration with gravity, where it is known [m/s²].
+    /// Acceleration with gravity along the phone's axes, if known [m/s²].
     #[serde(default)]
     pub felt: Option<[f64; 3]>,
 }
 
-/// To the phone.
+/// A message to the phone.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum ToPhone {
-    /// The code was right.
+    /// The code is correct.
     Welcome,
-    /// The code was wrong; another one is looked at after a while.
+    /// The code is wrong; the next attempt must wait.
     Refused {
-        /// How long to wait [s].
+        /// Wait before the next attempt [s].
         wait_s: f64,
-        /// Whether no code is taken any more.
+        /// True if no code is accepted any more.
         closed: bool,
     },
-    /// Whether the phone lay flat enough to be told that this is level.
+    /// Result of setting the level.
     Flat {
-        /// Whether it did.
+        /// True if the phone was flat enough.
         taken: bool,
     },
-    /// How the pan in the kitchen is turned, and how hard to shake.
+    /// Orientation of the pan in the kitchen, and rumble.
     Pan {
-        /// Quaternion x, y, z, w [-].
+        /// Orientation as a quaternion x, y, z, w [-].
         turn: [f64; 4],
-        /// Collisions, 0 to 1.
+        /// Rumble of collisions, 0 to 1 [-].
         strong: f64,
-        /// Boiling, sliding, scraping, 0 to 1.
+        /// Rumble of boiling, sliding and scraping, 0 to 1 [-].
         weak: f64,
     },
-    /// Another phone holds the pan now.
+    /// Another phone has taken over the pan.
     Replaced,
 }
 
-/// A message that means nothing.
+/// Why a message is invalid.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum BadMessage {
-    /// Too long.
+    /// The message is too long.
     #[error("a message of {0} bytes is too long")]
     Long(usize),
-    /// No JSON of a known kind.
+    /// The text is not JSON of a known kind.
     #[error("{0}")]
     Json(String),
-    /// A number that no sensor tells.
+    /// A number is outside a sensor's range.
     #[error("{0} is out of range")]
     Range(&'static str),
 }
 
 impl FromPhone {
-    /// Reads and checks a message.
+    /// Parses and checks a message.
     pub fn parse(text: &str) -> Result<Self, BadMessage> {
         if text.len() > LONGEST {
             return Err(BadMessage::Long(text.len()));
@@ -119,15 +119,15 @@ impl Measured {
 }
 
 impl ToPhone {
-    /// The pan as it is held.
+    /// Creates the message about the pan, rounded to four decimals.
     pub fn pan(pose: &Pose, rumble: &Rumble) -> Self {
         let round = |v: f64| (v * 1e4).round() * 1e-4;
         Self::Pan { turn: pose.rotation.to_array().map(round), strong: round(rumble.strong), weak: round(rumble.weak) }
     }
 
-    /// As JSON.
+    /// Returns the message as JSON.
     pub fn json(&self) -> String {
-        // Numbers and fixed names always can be written.
+        // Serialising finite numbers and fixed names cannot fail.
         serde_json::to_string(self).unwrap_or_default()
     }
 }

@@ -1,4 +1,4 @@
-//! A phone as a pan: its page sends how it is turned and pushed, over TLS, after the code on the screen has been typed.
+//! A phone as a pan: its page sends orientation and acceleration over TLS, after pairing with the code on the screen.
 
 mod bounded;
 mod certificate;
@@ -20,55 +20,56 @@ use crate::device::{
     Capabilities, HapticCommand, HapticDevice, HapticSample, Health, Limits, Sensed, Vibration, Workspace,
 };
 use crate::open::{Networked, OpenError, Opened};
+use crate::remote::inbox::{Inbox, age};
 use crate::remote::network_thread::NetworkThread;
-use crate::remote::remote_pose::{FOLLOW_S, HOME_S, SILENCE_S, reckoned};
+use crate::remote::remote_pose::{FOLLOW_S, HOME_S, SILENCE_S, limited_step};
 use crate::remote::tilt::{eased, within_tilt};
 use crate::wrench::Twist;
 use toss::Toss;
 
-/// How long an acceleration counts [s] (chosen: three messages).
+/// Time for which an acceleration stays valid [s] (chosen: three messages).
 const PUSH_S: f64 = 0.05;
 
-/// Phones, as devices that are reached over a network.
+/// Phones, as networked devices.
 pub const PHONE: Networked =
     Networked { id: "phone", default_place: "127.0.0.1:8443", capabilities, open: |address| open(address) };
 
-/// What the network's thread last heard.
+/// Latest data from the phone.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Heard {
-    /// Counts messages of motion.
+pub struct Incoming {
+    /// Number of motion messages so far.
     pub number: u64,
-    /// How the pan shall be turned.
+    /// Rotation of the pan.
     pub rotation: DQuat,
-    /// Acceleration in the kitchen's directions [m/s²].
+    /// Acceleration in the kitchen's axes [m/s²].
     pub push: DVec3,
-    /// Counts accelerations.
+    /// Number of accelerations so far.
     pub pushes: u64,
-    /// Whether a finger is on the page.
+    /// True if a finger touches the page.
     pub button: bool,
-    /// Whether a phone is there.
+    /// True if a phone is connected.
     pub connected: bool,
-    /// Messages that were thrown away.
+    /// Number of rejected messages.
     pub rejected: u32,
 }
 
-/// What the network's thread shall tell.
+/// Data to the phone.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Told {
-    /// How the pan is held.
+pub struct Outgoing {
+    /// Pose of the pan.
     pub pose: Pose,
-    /// How hard to shake.
+    /// Rumble [-].
     pub rumble: Rumble,
 }
 
-/// A phone.
+/// A phone that moves the pan.
 pub struct Phone {
     capabilities: Capabilities,
-    heard: triple_buffer::Output<Heard>,
-    told: triple_buffer::Input<Told>,
-    _server: Option<NetworkThread>,
-    last: Heard,
+    inbox: Inbox<Incoming>,
+    outgoing: triple_buffer::Input<Outgoing>,
+    /// Age of the last motion [s].
     silent: f64,
+    /// Age of the last acceleration [s].
     unpushed: f64,
     toss: Toss,
     rotation: DQuat,
@@ -76,14 +77,14 @@ pub struct Phone {
     health: Health,
 }
 
-/// What a phone can do.
+/// Returns the capabilities of a phone.
 pub fn capabilities() -> Capabilities {
     Capabilities {
         name: "A phone in the hand".into(),
         sensed: Sensed::Turning,
         dof_actuated: 0,
         limits: Limits::NONE,
-        // The pan stands on the hob at home; a toss lifts it.
+        // At home the pan stands on the hob; a toss lifts it.
         workspace: Workspace {
             home_m: [0.0; 3],
             half_m: [0.15, 0.15, 0.2],
@@ -98,25 +99,23 @@ pub fn capabilities() -> Capabilities {
 
 /// Serves the page at an address and waits for a phone.
 pub fn open(address: SocketAddr) -> Result<Opened, OpenError> {
-    let (heard_in, heard) = triple_buffer::triple_buffer(&Heard::default());
-    let (told, told_out) = triple_buffer::triple_buffer(&Told::default());
-    let (access, server) = server::start(address, heard_in, told_out)?;
-    Ok(Opened { device: Box::new(Phone::new(heard, told, Some(server))), access })
+    let (incoming_in, incoming) = triple_buffer::triple_buffer(&Incoming::default());
+    let (outgoing, outgoing_out) = triple_buffer::triple_buffer(&Outgoing::default());
+    let (access, server) = server::start(address, incoming_in, outgoing_out)?;
+    Ok(Opened { device: Box::new(Phone::new(incoming, outgoing, Some(server))), access })
 }
 
 impl Phone {
-    /// A phone whose messages come from, and whose orders go to, another thread, which ends with it where it is given.
+    /// Creates a phone that exchanges data with a network thread; the thread, if given, ends with the phone.
     pub fn new(
-        heard: triple_buffer::Output<Heard>,
-        told: triple_buffer::Input<Told>,
+        incoming: triple_buffer::Output<Incoming>,
+        outgoing: triple_buffer::Input<Outgoing>,
         server: Option<NetworkThread>,
     ) -> Self {
         Self {
             capabilities: capabilities(),
-            heard,
-            told,
-            _server: server,
-            last: Heard::default(),
+            inbox: Inbox::new(incoming, server),
+            outgoing,
             silent: 0.0,
             unpushed: 0.0,
             toss: Toss::default(),
@@ -126,30 +125,30 @@ impl Phone {
         }
     }
 
-    /// Takes what has come; tells whether that was new.
-    fn listen(&mut self, dt: f64) -> bool {
-        let heard = *self.heard.read();
-        let fresh = heard.number != self.last.number;
-        self.silent = if fresh { 0.0 } else { self.silent + dt };
-        self.unpushed = if heard.pushes != self.last.pushes { 0.0 } else { self.unpushed + dt };
-        self.last = heard;
+    /// Takes the latest data and updates the health; returns true if the data is new.
+    fn receive(&mut self, dt: f64) -> bool {
+        let before = self.inbox.receive();
+        let now = self.inbox.last();
+        let fresh = now.number != before.number;
+        self.silent = age(self.silent, fresh, dt);
+        self.unpushed = age(self.unpushed, now.pushes != before.pushes, dt);
         if self.health != Health::Stopped {
             self.health = match (fresh, self.health) {
                 (true, _) => Health::Running,
-                (false, Health::Running) if self.silent > SILENCE_S || !heard.connected => Health::Lost,
+                (false, Health::Running) if self.silent > SILENCE_S || !now.connected => Health::Lost,
                 (false, health) => health,
             };
         }
         fresh
     }
 
-    /// Moves the pan where the phone is, or home where there is none.
+    /// Moves the pan with the phone, or home without one; returns its twist.
     fn follow(&mut self, dt: f64) -> Twist {
         let held = self.health == Health::Running;
-        let push = (held && self.unpushed < PUSH_S).then_some(self.last.push);
+        let push = (held && self.unpushed < PUSH_S).then_some(self.inbox.last().push);
         let workspace = &self.capabilities.workspace;
         self.toss.step(push, DVec3::from_array(workspace.half_m), dt);
-        let (target, tau) = if held { (self.last.rotation, FOLLOW_S) } else { (DQuat::IDENTITY, HOME_S) };
+        let (target, tau) = if held { (self.inbox.last().rotation, FOLLOW_S) } else { (DQuat::IDENTITY, HOME_S) };
         let before = self.rotation;
         self.rotation = eased(before, within_tilt(target, workspace.tilt_rad), dt, tau);
         let angular = rotation_between(before, self.rotation) / dt.max(1e-6);
@@ -163,24 +162,23 @@ impl HapticDevice for Phone {
     }
 
     fn exchange(&mut self, command: &HapticCommand, dt: f64) -> HapticSample {
-        let dt = reckoned(dt);
-        let fresh = self.listen(dt);
+        let dt = limited_step(dt);
+        let fresh = self.receive(dt);
         let twist = self.follow(dt);
         self.time_s += dt;
         let home = DVec3::from_array(self.capabilities.workspace.home_m);
         let pose = Pose { position: home + self.toss.place, rotation: self.rotation };
         let running = self.health == Health::Running;
-        let lively = command.enabled && running;
-        let rumble = if lively { command.rumble } else { Rumble::default() };
-        self.told.write(Told { pose, rumble });
+        let rumble = if command.enabled && running { command.rumble } else { Rumble::default() };
+        self.outgoing.write(Outgoing { pose, rumble });
         HapticSample {
             time_s: self.time_s,
             pose,
             twist,
             health: self.health,
             fresh,
-            buttons: u32::from(running && self.last.button),
-            rejected: self.last.rejected,
+            buttons: u32::from(running && self.inbox.last().button),
+            rejected: self.inbox.last().rejected,
             ..HapticSample::default()
         }
     }

@@ -1,4 +1,4 @@
-//! How a phone lies in the hand, as a browser's angles tell it, and how the pan is turned then.
+//! Orientation: from the browser's angles to the pan's rotation.
 
 use glam::{DQuat, DVec3};
 use saute_kitchen::dynamics::pose::turn;
@@ -6,37 +6,39 @@ use saute_kitchen::dynamics::pose::turn;
 use super::message::Measured;
 use crate::kitchen::kitchen_watch::GRAVITY;
 
-/// Steepest phone that may be called flat [rad] (chosen: 30°, as it lies in a hand).
+/// Largest tilt that can be set as level [rad] (chosen: 30°, as a phone lies in a hand).
 const FLAT: f64 = 0.52;
 
-/// From the angles of a DeviceOrientation event [°] to the turn from the phone's axes (x right, y to its top, z out of the screen) to
-/// east, north, up: R = R_z(α) R_x(β) R_y(γ), the specification's intrinsic Z-X′-Y″.
+/// Returns the rotation from the phone's axes to east, north, up for the angles of a DeviceOrientation event [°].
+///
+/// R = R_z(α) R_x(β) R_y(γ), the specification's intrinsic Z-X′-Y″ angles. The phone's axes are x right, y to its top, z out of the
+/// screen (W3C Device Orientation and Motion).
 pub fn from_angles([alpha, beta, gamma]: [f64; 3]) -> DQuat {
     turn(DVec3::Z, alpha.to_radians()) * turn(DVec3::X, beta.to_radians()) * turn(DVec3::Y, gamma.to_radians())
 }
 
-/// What counts as level and straight ahead.
+/// The reference orientation: level and straight ahead.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Level {
-    /// Heading of the cook, about the vertical [rad]; none before the first message.
+    /// Heading of the cook, a rotation about the vertical; none before the first message.
     heading: Option<DQuat>,
-    /// How the phone lies when the pan is level, after the heading.
+    /// Tilt of the phone when the pan is level, relative to the heading.
     tilt: DQuat,
 }
 
 impl Level {
-    /// Turn of the pan in the kitchen; the first one tells where the cook looks.
+    /// Returns the pan's rotation in the kitchen; the first call sets the heading of the cook.
     pub fn pan(&mut self, phone: DQuat) -> DQuat {
         let heading = *self.heading.get_or_insert_with(|| heading(phone));
         (heading.conjugate() * phone * self.tilt.conjugate()).normalize()
     }
 
-    /// A direction of the phone, in the kitchen.
+    /// Returns a direction of the phone in the kitchen's axes.
     pub fn direction(&self, phone: DQuat, v: DVec3) -> DVec3 {
         self.heading.unwrap_or(DQuat::IDENTITY).conjugate() * (phone * v)
     }
 
-    /// The phone lies level now and its top points away from the cook; false where it is too steep for that.
+    /// Sets the present orientation as level and straight ahead; returns false if the phone is too steep.
     pub fn set(&mut self, phone: DQuat) -> bool {
         let steep = libm::acos((phone * DVec3::Z).z.clamp(-1.0, 1.0));
         if steep > FLAT {
@@ -48,17 +50,17 @@ impl Level {
     }
 }
 
-/// The turn about the vertical alone by which the phone's top points where it does.
+/// Returns the rotation about the vertical that gives the direction of the phone's top.
 fn heading(phone: DQuat) -> DQuat {
     let top = phone * DVec3::Y;
     let length = libm::hypot(top.x, top.y);
     if length < 1e-6 { DQuat::IDENTITY } else { turn(DVec3::Z, libm::atan2(-top.x, top.y)) }
 }
 
-/// Acceleration of the phone without gravity, along its own axes [m/s²]; none where nothing is known.
+/// Returns the acceleration of the phone without gravity, along its own axes [m/s²]; `None` if it is unknown.
 ///
-/// Some systems tell all accelerations with the opposite sign: what they feel at rest points down then, and both are
-/// turned round.
+/// Some systems report all accelerations with the opposite sign. Their reading at rest then points down, and both readings are
+/// negated.
 pub fn acceleration(measured: &Measured, phone: DQuat) -> Option<DVec3> {
     let up = phone.conjugate() * DVec3::Z;
     let felt = measured.felt.map(DVec3::from_array);

@@ -1,4 +1,4 @@
-//! The thread that waits for phones, and one for each that has come.
+//! The server: a thread that accepts connections, and one thread for each of them.
 
 use std::io::Write;
 use std::net::{SocketAddr, TcpListener, TcpStream};
@@ -9,55 +9,55 @@ use std::time::{Duration, Instant};
 use rustls::{ServerConfig, ServerConnection, StreamOwned};
 
 use super::bounded::Bounded;
-use super::http::{Asked, answer, asked, read_head};
+use super::http::{Request, parse, read_head, response};
 use super::session;
-use super::{Heard, Told, certificate};
+use super::{Incoming, Outgoing, certificate};
 use crate::open::{Access, OpenError, Reach};
 use crate::remote::network_thread::NetworkThread;
 use crate::remote::pairing::Pairing;
 use crate::remote::reachable::reachable;
 
-/// Connections at once (chosen: a page, a socket, and some that hang).
+/// Maximum number of connections (chosen: a page, a socket, and some stalled ones).
 const MOST_CONNECTIONS: usize = 8;
-/// How long handshake, request and answer may take together (chosen: a slow radio).
-const PATIENCE: Duration = Duration::from_secs(5);
-/// Time between two looks for a new phone (chosen: nobody notices).
-const LOOK: Duration = Duration::from_millis(20);
-/// How long a read waits before the thread looks whether there is something to tell (chosen: a third of a message).
-const TURN: Duration = Duration::from_millis(5);
-/// How long a write may take (chosen: a phone that takes nothing for so long is away).
-pub const WRITE: Duration = Duration::from_secs(1);
+/// Timeout of handshake, request and response together (chosen: enough for slow radio).
+const REQUEST_TIMEOUT: Duration = Duration::from_secs(5);
+/// Polling interval for new connections (chosen: imperceptible).
+const POLL: Duration = Duration::from_millis(20);
+/// Read timeout, after which the thread checks for outgoing messages (chosen: a third of a message interval).
+const READ_TIMEOUT: Duration = Duration::from_millis(5);
+/// Write timeout (chosen: a phone that accepts no data for so long is gone).
+pub const WRITE_TIMEOUT: Duration = Duration::from_secs(1);
 
-/// A phone's encrypted connection.
-pub type Line = StreamOwned<ServerConnection, Bounded>;
+/// A phone's TLS connection.
+pub type TlsStream = StreamOwned<ServerConnection, Bounded>;
 
-/// What all connections share; the control loop never touches it.
+/// State that all connections share; the control loop never locks it.
 pub struct Shared {
-    /// The code.
+    /// Pairing code.
     pub pairing: Mutex<Pairing>,
-    /// Where motion goes; together with what is counted.
-    pub heard: Mutex<(triple_buffer::Input<Heard>, Heard)>,
-    /// What phones shall be told.
-    pub told: Mutex<triple_buffer::Output<Told>>,
-    /// Number of the phone that was paired last; earlier ones are let go.
+    /// Buffer to the device, with its latest contents.
+    pub incoming: Mutex<(triple_buffer::Input<Incoming>, Incoming)>,
+    /// Buffer from the device: what phones receive.
+    pub outgoing: Mutex<triple_buffer::Output<Outgoing>>,
+    /// Number of the phone that was paired last; earlier phones are disconnected.
     pub holder: AtomicU64,
-    /// Whether the device is gone.
+    /// True once the device is closed.
     pub end: Arc<AtomicBool>,
     connections: AtomicUsize,
     tls: Arc<ServerConfig>,
 }
 
-/// Room for one connection, given back whatever ends it.
+/// One slot for a connection, released on drop.
 struct Slot(Arc<Shared>);
 
-/// Listens at an address; tells what a person must know.
+/// Starts the server at an address; returns how a person reaches it.
 pub fn start(
     address: SocketAddr,
-    heard: triple_buffer::Input<Heard>,
-    told: triple_buffer::Output<Told>,
+    incoming: triple_buffer::Input<Incoming>,
+    outgoing: triple_buffer::Output<Outgoing>,
 ) -> Result<(Access, NetworkThread), OpenError> {
     let failed = |message: String| OpenError::place(address, message, "name another port: phone@HOST:PORT");
-    let listener = TcpListener::bind(address).map_err(|e| failed(format!("cannot be listened at: {e}")))?;
+    let listener = TcpListener::bind(address).map_err(|e| failed(format!("cannot be bound: {e}")))?;
     let bound = listener.local_addr().map_err(|e| failed(e.to_string()))?;
     listener.set_nonblocking(true).map_err(|e| failed(e.to_string()))?;
     let host = reachable(bound.ip());
@@ -70,7 +70,7 @@ pub fn start(
         code: Some(pairing.code()),
         fingerprint: Some(fingerprint),
     };
-    let serve = move |end| wait_for_phones(&listener, &Arc::new(Shared::new(pairing, heard, told, end, tls)));
+    let serve = move |end| accept_phones(&listener, &Arc::new(Shared::new(pairing, incoming, outgoing, end, tls)));
     let thread = NetworkThread::spawn("phone", serve).map_err(|e| failed(format!("no thread: {e}")))?;
     Ok((access, thread))
 }
@@ -78,15 +78,15 @@ pub fn start(
 impl Shared {
     fn new(
         pairing: Pairing,
-        heard: triple_buffer::Input<Heard>,
-        told: triple_buffer::Output<Told>,
+        incoming: triple_buffer::Input<Incoming>,
+        outgoing: triple_buffer::Output<Outgoing>,
         end: Arc<AtomicBool>,
         tls: Arc<ServerConfig>,
     ) -> Self {
         Self {
             pairing: Mutex::new(pairing),
-            heard: Mutex::new((heard, Heard::default())),
-            told: Mutex::new(told),
+            incoming: Mutex::new((incoming, Incoming::default())),
+            outgoing: Mutex::new(outgoing),
             holder: AtomicU64::new(0),
             end,
             connections: AtomicUsize::new(0),
@@ -96,7 +96,7 @@ impl Shared {
 }
 
 impl Slot {
-    /// Room for one more, where there is any.
+    /// Takes a slot if one is free.
     fn take(shared: &Arc<Shared>) -> Option<Self> {
         let before = shared.connections.fetch_add(1, Ordering::AcqRel);
         let slot = Self(Arc::clone(shared));
@@ -110,42 +110,42 @@ impl Drop for Slot {
     }
 }
 
-fn wait_for_phones(listener: &TcpListener, shared: &Arc<Shared>) {
+fn accept_phones(listener: &TcpListener, shared: &Arc<Shared>) {
     while !shared.end.load(Ordering::Acquire) {
         match listener.accept() {
-            Ok((stream, _)) => welcome(stream, shared),
-            Err(_) => std::thread::sleep(LOOK),
+            Ok((stream, _)) => spawn_connection(stream, shared),
+            Err(_) => std::thread::sleep(POLL),
         }
     }
 }
 
-/// A thread for a connection, as long as there are not too many.
-fn welcome(stream: TcpStream, shared: &Arc<Shared>) {
+/// Starts a thread for a connection if a slot is free.
+fn spawn_connection(stream: TcpStream, shared: &Arc<Shared>) {
     let Some(slot) = Slot::take(shared) else { return };
     let serve = move || {
-        // What ends a connection ends it alone; the phone tries again.
+        // An error ends this connection only; the phone reconnects.
         let _ = serve(stream, &slot.0);
     };
-    // Without a thread the connection is closed, and the phone tries again.
+    // Without a thread the connection is closed, and the phone reconnects.
     let _ = std::thread::Builder::new().name("phone connection".into()).spawn(serve);
 }
 
 fn serve(stream: TcpStream, shared: &Shared) -> Result<(), Box<dyn std::error::Error>> {
     stream.set_nonblocking(false)?;
     stream.set_nodelay(true)?;
-    stream.set_read_timeout(Some(TURN))?;
-    stream.set_write_timeout(Some(WRITE))?;
-    let until = Instant::now() + PATIENCE;
-    let mut line = Line::new(ServerConnection::new(Arc::clone(&shared.tls))?, Bounded::new(stream, until));
-    let head = read_head(&mut line, until)?;
-    let asked = asked(&head);
-    line.write_all(answer(&asked).as_bytes())?;
-    line.flush()?;
-    if matches!(asked, Asked::Socket { .. }) {
-        session::run(line, shared);
+    stream.set_read_timeout(Some(READ_TIMEOUT))?;
+    stream.set_write_timeout(Some(WRITE_TIMEOUT))?;
+    let until = Instant::now() + REQUEST_TIMEOUT;
+    let mut stream = TlsStream::new(ServerConnection::new(Arc::clone(&shared.tls))?, Bounded::new(stream, until));
+    let head = read_head(&mut stream, until)?;
+    let request = parse(&head);
+    stream.write_all(response(&request).as_bytes())?;
+    stream.flush()?;
+    if matches!(request, Request::Socket { .. }) {
+        session::run(stream, shared);
     } else {
-        line.conn.send_close_notify();
-        line.flush()?;
+        stream.conn.send_close_notify();
+        stream.flush()?;
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! The talk with one phone: first its code, then its motion, and back how the pan is and how hard to shake.
+//! A session with one phone: first its pairing code, then its motion; back go the pan's pose and rumble.
 
 use std::io::ErrorKind;
 use std::sync::atomic::Ordering;
@@ -10,28 +10,28 @@ use tungstenite::{Error, Message, WebSocket};
 
 use super::message::{FromPhone, LONGEST, Measured, ToPhone};
 use super::orientation::{Level, acceleration, from_angles};
-use super::server::{Line, Shared, WRITE};
+use super::server::{Shared, TlsStream, WRITE_TIMEOUT};
 use crate::remote::allowance::Allowance;
 use crate::remote::pairing::Verdict;
 use crate::remote::remote_pose::SILENCE_S;
 use crate::remote::timeout::is_timeout;
 
-/// How long a phone may take to be paired (chosen: the page connects when the code has been typed; whoever waits longer only takes up room).
+/// Timeout of pairing (chosen: the page connects after the code was typed; a longer wait would only occupy a slot).
 const PAIRING: Duration = Duration::from_secs(5);
-/// How long one message may be listened for (chosen: three reports; empty pieces without end would keep the thread for ever else).
-const LISTEN: Duration = Duration::from_millis(100);
-/// Time between two reports to the phone (chosen: thirty a second).
-const REPORT: Duration = Duration::from_millis(33);
-/// Messages a second that are heard; faster ones are thrown away (chosen: three times what the page sends).
+/// Timeout of one message (chosen: three reports; endless empty fragments would otherwise block the thread).
+const MESSAGE_TIMEOUT: Duration = Duration::from_millis(100);
+/// Interval between two reports to the phone (chosen: thirty per second look smooth).
+const REPORT_INTERVAL: Duration = Duration::from_millis(33);
+/// Maximum message rate; further messages are rejected [Hz] (chosen: three times the page's rate).
 const FASTEST_HZ: f64 = 180.0;
-/// Messages that may come at once (chosen: a second's, held up by the radio).
+/// Maximum burst of messages (chosen: a second's messages, delayed by the radio).
 const BURST: f64 = 60.0;
-/// Thrown-away messages in a row after which the talk is ended (chosen: no page does that).
+/// Number of consecutive rejected messages that ends the session (chosen: the page never reaches it).
 const MOST_BAD: u32 = 500;
 
-/// A talk.
-struct Talk<'a> {
-    socket: WebSocket<Line>,
+/// A session.
+struct Session<'a> {
+    socket: WebSocket<TlsStream>,
     shared: &'a Shared,
     number: Option<u64>,
     level: Level,
@@ -39,18 +39,18 @@ struct Talk<'a> {
     allowance: Allowance,
     bad: u32,
     pressed: bool,
-    spoke: Instant,
+    received: Instant,
     reported: Instant,
 }
 
-/// Talks until one of both sides ends it.
-pub fn run(stream: Line, shared: &Shared) {
+/// Runs the session until one side ends it.
+pub fn run(stream: TlsStream, shared: &Shared) {
     let config = WebSocketConfig::default()
         .max_message_size(Some(LONGEST))
         .max_frame_size(Some(LONGEST))
         .max_write_buffer_size(1 << 20);
     let now = Instant::now();
-    let mut talk = Talk {
+    let mut session = Session {
         socket: WebSocket::from_raw_socket(stream, Role::Server, Some(config)),
         shared,
         number: None,
@@ -59,22 +59,22 @@ pub fn run(stream: Line, shared: &Shared) {
         allowance: Allowance::new(FASTEST_HZ, BURST, now),
         bad: 0,
         pressed: false,
-        spoke: now,
+        received: now,
         reported: now,
     };
-    while talk.turn(now) {}
-    talk.leave();
+    while session.step(now) {}
+    session.leave();
 }
 
-impl Talk<'_> {
-    /// One message, or a little while without one; tells whether to go on.
-    fn turn(&mut self, begun: Instant) -> bool {
-        self.socket.get_mut().sock.allow(LISTEN);
+impl Session<'_> {
+    /// Handles one message or one timeout; returns false at the end of the session.
+    fn step(&mut self, begun: Instant) -> bool {
+        self.socket.get_mut().sock.allow(MESSAGE_TIMEOUT);
         let on = match self.socket.read() {
-            Ok(Message::Text(text)) => self.hear(&text),
+            Ok(Message::Text(text)) => self.receive(&text),
             Ok(Message::Binary(_)) => self.reject(),
             Ok(Message::Close(_)) => false,
-            Ok(_) => self.allowance.takes(Instant::now()) || self.reject(),
+            Ok(_) => self.allowance.allows(Instant::now()) || self.reject(),
             Err(Error::Io(e)) => is_timeout(&e),
             Err(Error::Capacity(_) | Error::Protocol(_) | Error::Utf8(_)) => {
                 self.reject();
@@ -82,26 +82,26 @@ impl Talk<'_> {
             }
             Err(_) => false,
         };
-        self.let_go_in_silence();
+        self.release_after_silence();
         let paired_in_time = self.number.is_some() || begun.elapsed() < PAIRING;
-        on && paired_in_time && self.bad < MOST_BAD && self.still_wanted() && self.report()
+        on && paired_in_time && self.bad < MOST_BAD && self.is_current() && self.report()
     }
 
-    /// Whether the device is still there and no other phone holds the pan.
-    fn still_wanted(&mut self) -> bool {
+    /// Returns true if the device is open and no other phone has taken over.
+    fn is_current(&mut self) -> bool {
         if self.shared.end.load(Ordering::Acquire) {
             return false;
         }
         let replaced = self.number.is_some_and(|n| n != self.shared.holder.load(Ordering::Acquire));
         if replaced {
-            self.tell(&ToPhone::Replaced);
+            self.send(&ToPhone::Replaced);
         }
         !replaced
     }
 
-    fn hear(&mut self, text: &str) -> bool {
+    fn receive(&mut self, text: &str) -> bool {
         let now = Instant::now();
-        if !self.allowance.takes(now) {
+        if !self.allowance.allows(now) {
             return self.reject();
         }
         match (FromPhone::parse(text), self.number) {
@@ -109,12 +109,12 @@ impl Talk<'_> {
             (Ok(FromPhone::Motion(measured)), Some(_)) => self.move_pan(&measured),
             (Ok(FromPhone::Flat {}), Some(_)) => {
                 let taken = self.level.set(self.phone);
-                return self.tell(&ToPhone::Flat { taken });
+                return self.send(&ToPhone::Flat { taken });
             }
             (Ok(FromPhone::Button { down }), Some(_)) => self.press(down),
             _ => return self.reject(),
         }
-        (self.bad, self.spoke) = (0, now);
+        (self.bad, self.received) = (0, now);
         true
     }
 
@@ -123,17 +123,17 @@ impl Talk<'_> {
         match verdict {
             Verdict::Paired => {
                 self.number = Some(1 + self.shared.holder.fetch_add(1, Ordering::AcqRel));
-                // The one before may have left with its finger down.
+                // The previous phone may have left with its finger down.
                 self.press(false);
-                self.tell(&ToPhone::Welcome)
+                self.send(&ToPhone::Welcome)
             }
             Verdict::Wait(wait) => {
                 self.reject();
-                self.tell(&ToPhone::Refused { wait_s: wait.as_secs_f64(), closed: false })
+                self.send(&ToPhone::Refused { wait_s: wait.as_secs_f64(), closed: false })
             }
             Verdict::Closed => {
                 self.reject();
-                self.tell(&ToPhone::Refused { wait_s: 0.0, closed: true });
+                self.send(&ToPhone::Refused { wait_s: 0.0, closed: true });
                 false
             }
         }
@@ -143,61 +143,61 @@ impl Talk<'_> {
         self.phone = from_angles(measured.turn);
         let rotation = self.level.pan(self.phone);
         let push = acceleration(measured, self.phone).map(|a| self.level.direction(self.phone, a));
-        self.publish(|heard| {
-            heard.number += 1;
-            heard.rotation = rotation;
-            heard.connected = true;
+        self.publish(|incoming| {
+            incoming.number += 1;
+            incoming.rotation = rotation;
+            incoming.connected = true;
             if let Some(push) = push {
-                heard.push = push;
-                heard.pushes += 1;
+                incoming.push = push;
+                incoming.pushes += 1;
             }
         });
     }
 
     fn press(&mut self, down: bool) {
         self.pressed = down;
-        self.publish(|heard| heard.button = down);
+        self.publish(|incoming| incoming.button = down);
     }
 
-    /// A phone that has fallen silent presses nothing, also when it speaks again.
-    fn let_go_in_silence(&mut self) {
-        if self.pressed && self.spoke.elapsed().as_secs_f64() > SILENCE_S {
+    /// Releases the button of a silent phone; it stays released when the phone returns.
+    fn release_after_silence(&mut self) {
+        if self.pressed && self.received.elapsed().as_secs_f64() > SILENCE_S {
             self.press(false);
         }
     }
 
-    /// Tells the device, unless another phone holds the pan by now.
-    fn publish(&self, change: impl FnOnce(&mut super::Heard)) {
-        if let Ok(mut out) = self.shared.heard.lock() {
+    /// Publishes a change to the device, unless another phone has taken over.
+    fn publish(&self, change: impl FnOnce(&mut super::Incoming)) {
+        if let Ok(mut out) = self.shared.incoming.lock() {
             if self.number.is_some_and(|n| n != self.shared.holder.load(Ordering::Acquire)) {
                 return;
             }
-            let (input, heard) = &mut *out;
-            change(heard);
-            input.write(*heard);
+            let (input, incoming) = &mut *out;
+            change(incoming);
+            input.write(*incoming);
         }
     }
 
-    /// Counts a message that is thrown away.
+    /// Counts a rejected message.
     fn reject(&mut self) -> bool {
         self.bad += 1;
-        self.publish(|heard| heard.rejected = heard.rejected.wrapping_add(1));
+        self.publish(|incoming| incoming.rejected = incoming.rejected.wrapping_add(1));
         true
     }
 
-    /// Tells the phone about the pan when it is time.
+    /// Sends the pan's pose and rumble when the interval has passed; returns false if the phone is gone.
     fn report(&mut self) -> bool {
-        if self.number.is_none() || self.reported.elapsed() < REPORT {
+        if self.number.is_none() || self.reported.elapsed() < REPORT_INTERVAL {
             return true;
         }
         self.reported = Instant::now();
-        let told = self.shared.told.lock().map(|mut told| *told.read()).unwrap_or_default();
-        self.tell(&ToPhone::pan(&told.pose, &told.rumble))
+        let outgoing = self.shared.outgoing.lock().map(|mut outgoing| *outgoing.read()).unwrap_or_default();
+        self.send(&ToPhone::pan(&outgoing.pose, &outgoing.rumble))
     }
 
-    /// Sends a message; tells whether the phone still takes any.
-    fn tell(&mut self, message: &ToPhone) -> bool {
-        self.socket.get_mut().sock.allow(WRITE);
+    /// Sends a message; returns false if the phone is gone.
+    fn send(&mut self, message: &ToPhone) -> bool {
+        self.socket.get_mut().sock.allow(WRITE_TIMEOUT);
         match self.socket.send(Message::text(message.json())) {
             Ok(()) => true,
             Err(Error::Io(e)) => e.kind() == ErrorKind::Interrupted,
@@ -205,13 +205,13 @@ impl Talk<'_> {
         }
     }
 
-    /// The phone is gone, unless another one holds the pan already.
+    /// Closes the socket and publishes that the phone is gone, unless another one has taken over.
     fn leave(&mut self) {
-        self.socket.get_mut().sock.allow(WRITE);
+        self.socket.get_mut().sock.allow(WRITE_TIMEOUT);
         let _ = self.socket.close(None);
         let _ = self.socket.flush();
         if self.number.is_some() {
-            self.publish(|heard| (heard.connected, heard.button) = (false, false));
+            self.publish(|incoming| (incoming.connected, incoming.button) = (false, false));
         }
     }
 }

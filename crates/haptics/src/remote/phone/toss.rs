@@ -1,28 +1,27 @@
-//! How far a phone has been pushed: acceleration integrated twice, leaking back to home.
+//! Toss detection: acceleration integrated twice, with a leak back to home.
 
 use glam::DVec3;
 
-/// Slower changes than this count as the sensor's offset [s] (chosen: longer than a toss, shorter than a warm-up).
+/// Time constant of the sensor's offset [s] (chosen: longer than a toss, shorter than the sensor's warm-up).
 const OFFSET_S: f64 = 3.0;
-/// Rate with which the place leaks home [rad/s] (chosen: a toss of a quarter of a second passes by three quarters, and 4 s later the
-/// pan is home).
+/// Rate of the leak [rad/s] (chosen: three quarters of a toss of 0.25 s pass, and 4 s later the pan is home).
 const LEAK: f64 = 1.0;
 
-/// Where the pan has been pushed, by x″ = a_h − 2ω x′ − ω² x with ω = 1 rad/s, where a_h is the acceleration less its mean over 3 s.
+/// Displacement of the pan by x″ = a_h − 2ω x′ − ω² x with ω = 1 rad/s; a_h is the acceleration minus its mean over 3 s [m].
 ///
-/// That is a double integration above ω/2π = 0.16 Hz and a way home below it; a sensor's steady offset moves nothing. At
-/// the workspace's bounds the place stops.
+/// The filter integrates twice above ω/2π = 0.16 Hz and returns home below it; a constant sensor offset has no effect. The
+/// displacement stops at the workspace's bounds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Toss {
-    /// From home [m].
+    /// Displacement from home [m].
     pub place: DVec3,
-    /// Its velocity [m/s].
+    /// Velocity [m/s].
     pub velocity: DVec3,
     offset: DVec3,
 }
 
 impl Toss {
-    /// One step of `dt` [s] under an acceleration [m/s²]; none where it is not known.
+    /// Advances by `dt` [s] under an acceleration [m/s²]; `None` if it is unknown. `half` is the workspace's half width [m].
     pub fn step(&mut self, push: Option<DVec3>, half: DVec3, dt: f64) {
         let push = push.filter(|p| p.is_finite());
         let free = push.map_or(DVec3::ZERO, |p| p - self.offset);

@@ -1,26 +1,26 @@
-//! A way for frames to travel.
+//! Links that transport frames.
 
 use std::io;
 use std::net::{SocketAddr, UdpSocket};
 
 use super::frame::{FRAME, Frame, FrameError};
 
-/// Sends and receives frames without waiting.
+/// A link that sends and receives frames without blocking.
 pub trait Link: Send {
     /// Sends a frame.
     fn send(&mut self, frame: &Frame) -> io::Result<()>;
-    /// A frame that has come, damaged ones as errors; none where nothing has.
+    /// Returns a received frame, or an error for a damaged one; `None` if nothing was received.
     fn receive(&mut self) -> Option<Result<Frame, FrameError>>;
 }
 
-/// Frames as datagrams.
+/// Frames as UDP datagrams.
 #[derive(Debug)]
 pub struct UdpLink {
     socket: UdpSocket,
 }
 
 impl UdpLink {
-    /// Speaks to a device at an address; only what comes from there is heard.
+    /// Connects to a device's address; datagrams from elsewhere are ignored.
     pub fn connect(device: SocketAddr) -> io::Result<Self> {
         let any: SocketAddr = if device.is_ipv4() { ([0, 0, 0, 0], 0).into() } else { ([0u16; 8], 0).into() };
         let local = if device.ip().is_loopback() { SocketAddr::new(device.ip(), 0) } else { any };
@@ -37,7 +37,7 @@ impl Link for UdpLink {
     }
 
     fn receive(&mut self) -> Option<Result<Frame, FrameError>> {
-        // One byte more than a frame, so that longer datagrams are seen to be too long.
+        // One byte more than a frame, so that longer datagrams are detected.
         let mut bytes = [0; FRAME + 1];
         let count = self.socket.recv(&mut bytes).ok()?;
         Some(Frame::decode(&bytes[..count]))

@@ -1,81 +1,81 @@
-//! What host and device say to each other.
+//! Messages between host and device, and their payloads.
 
 use crate::strings::STRINGS;
 
-/// Bytes of a payload.
+/// Length of a payload [bytes].
 pub const PAYLOAD: usize = 64;
 
-/// A message.
+/// A message of the protocol.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Message {
-    /// Host: who is there?
+    /// Host: asks for a device.
     Hello(Hello),
-    /// Device: what I am.
+    /// Device: states its capabilities.
     Caps(Caps),
-    /// Host: pull with the least tension.
+    /// Host: requests the minimum tension.
     Arm,
-    /// Host: pull so.
+    /// Host: commands tensions.
     Command(Command),
-    /// Device: where I am.
+    /// Device: reports encoders, tensions and state.
     Sample(Sample),
-    /// Host: let go.
+    /// Host: releases all tensions.
     Stop,
-    /// Device: no.
+    /// Device: refuses a request.
     Refused(Refusal),
 }
 
-/// Hello.
+/// Payload of a hello.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hello {
-    /// Code that the device shows; 0 where it needs none.
+    /// Pairing code that the device shows; 0 if it needs none.
     pub pairing: u32,
-    /// Rate at which commands will come [Hz].
+    /// Rate of the host's commands [Hz].
     pub rate_hz: u16,
 }
 
-/// Units in which a device speaks, as codes.
+/// Codes of a device's units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Units {
-    /// Of counts: 1 is nanometres per count.
+    /// Unit of counts: 1 is nanometres per count.
     pub length: u8,
-    /// Of tensions: 1 is millinewtons.
+    /// Unit of tensions: 1 is millinewtons.
     pub tension: u8,
-    /// Of times: 1 is microseconds.
+    /// Unit of times: 1 is microseconds.
     pub time: u8,
 }
 
 impl Units {
-    /// Those of this version.
+    /// Units of this protocol version.
     pub const SPOKEN: Self = Self { length: 1, tension: 1, time: 1 };
 }
 
-/// What a device is.
+/// Capabilities of a device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Caps {
-    /// Strings.
+    /// Number of strings.
     pub strings: u8,
     /// Units.
     pub units: Units,
-    /// String length of one count [nm].
+    /// String length per encoder count [nm].
     pub pitch_nm: u32,
-    /// Least tension [mN].
+    /// Minimum tension [mN].
     pub min_mn: u16,
-    /// Largest tension [mN].
+    /// Maximum tension [mN].
     pub max_mn: u16,
-    /// Fastest rate [Hz].
+    /// Maximum command rate [Hz].
     pub rate_hz: u16,
-    /// After this time without a command it goes to the least tension [ms].
+    /// Watchdog: time without a command after which the device falls back to the minimum tension [ms].
     pub watchdog_ms: u16,
-    /// Changes whenever the encoders have lost their count.
+    /// Boot number, which changes whenever the encoders have lost their count.
     pub boot: u32,
-    /// Name in ASCII, padded with zeros.
+    /// ASCII name, padded with zeros.
     pub name: [u8; 16],
 }
 
-/// Tensions.
+/// Payload of a command: tensions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Command {
-    /// The host's time; wraps [µs].
+    /// Host clock, wrapping [µs].
     pub time_us: u32,
     /// Tension of each string [mN].
     pub tension_mn: [u16; STRINGS],
@@ -84,84 +84,84 @@ pub struct Command {
 /// State of a device.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DeviceState {
-    /// Waits for a hello; no current.
+    /// Waits for a hello, without motor current.
     #[default]
     Idle,
-    /// Has answered a hello.
+    /// Has answered a hello, without motor current.
     Greeted,
-    /// Least tension.
+    /// Holds the minimum tension.
     Armed,
     /// Follows commands.
     Running,
-    /// Something is broken; no current.
+    /// Reports a fault, without motor current.
     Fault,
 }
 
-/// What is broken.
+/// Fault of a device.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FaultCode {
-    /// Nothing.
+    /// No fault.
     #[default]
     None,
-    /// A motor is too hot.
+    /// A motor is overheated.
     MotorHot,
     /// An encoder jumps.
     Encoder,
-    /// A string is slack or torn.
+    /// A string is slack or broken.
     Slack,
-    /// The supply is too low.
+    /// The supply voltage is too low.
     Supply,
 }
 
-/// Where a device is.
+/// Payload of a sample: measured state.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sample {
     /// State.
     pub state: DeviceState,
-    /// What is broken.
+    /// Fault.
     pub fault: FaultCode,
-    /// Place of the jig whose contact is closed, from 1; 0 for none.
+    /// Jig place whose contact is closed, counted from 1; 0 for none.
     pub jig: u8,
     /// Buttons, one bit each.
     pub buttons: u8,
-    /// The device's time; wraps [µs].
+    /// Device clock, wrapping [µs].
     pub time_us: u32,
-    /// Number of the last command that was obeyed.
+    /// Sequence number of the last executed command.
     pub obeyed: u32,
-    /// Encoders.
+    /// Encoder counts.
     pub count: [i32; STRINGS],
-    /// Tensions by the motors' currents [mN].
+    /// Tensions derived from the motor currents [mN].
     pub tension_mn: [u16; STRINGS],
 }
 
-/// Why a device refuses.
+/// Why a device refuses a request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
     /// The pairing code is wrong.
     WrongCode,
-    /// Another host is at work.
+    /// Another host is connected.
     Busy,
-    /// Not in this state.
+    /// The request is not allowed in the present state.
     OutOfOrder,
 }
 
-/// Why a payload means nothing.
+/// Why a payload is invalid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PayloadError {
-    /// Unknown kind of message.
+    /// The kind of message is unknown.
     #[error("there is no message of kind {0}")]
     Kind(u8),
-    /// Unknown code in a field.
+    /// A field contains an unknown code.
     #[error("{field} has no code {code}")]
     Code {
-        /// Which field.
+        /// Name of the field.
         field: &'static str,
-        /// What it holds.
+        /// The code.
         code: u8,
     },
 }
 
-/// Writes numbers one after the other.
+/// Writes numbers sequentially.
 struct Writer {
     bytes: [u8; PAYLOAD],
     at: usize,
@@ -175,7 +175,7 @@ impl Writer {
     }
 }
 
-/// Reads numbers one after the other.
+/// Reads numbers sequentially.
 struct Reader<'a> {
     bytes: &'a [u8; PAYLOAD],
     at: usize,
@@ -206,7 +206,7 @@ impl Reader<'_> {
     }
 }
 
-/// The entry of a list whose place is a code.
+/// Returns the entry of a list at the index `code`.
 fn coded<T: Copy>(field: &'static str, code: u8, list: &[T]) -> Result<T, PayloadError> {
     list.get(code as usize).copied().ok_or(PayloadError::Code { field, code })
 }
@@ -218,7 +218,7 @@ const FAULTS: [FaultCode; 5] =
 const REFUSALS: [Refusal; 3] = [Refusal::WrongCode, Refusal::Busy, Refusal::OutOfOrder];
 
 impl Message {
-    /// Kind and payload.
+    /// Returns kind and payload.
     pub fn encode(&self) -> (u8, [u8; PAYLOAD]) {
         let mut w = Writer { bytes: [0; PAYLOAD], at: 0 };
         let kind = match self {
@@ -251,7 +251,7 @@ impl Message {
         (kind, w.bytes)
     }
 
-    /// From kind and payload.
+    /// Parses kind and payload.
     pub fn decode(kind: u8, payload: &[u8; PAYLOAD]) -> Result<Self, PayloadError> {
         let mut r = Reader { bytes: payload, at: 0 };
         Ok(match kind {

@@ -1,6 +1,5 @@
-//! The SPIDAR protocol, version 1, from the host's side; `docs/spidar-protocol.md` is its definition.
+//! The SPIDAR protocol, version 1, on the host's side; `docs/spidar-protocol.md` defines it.
 
-mod checksum;
 pub mod frame;
 pub mod link;
 pub mod message;

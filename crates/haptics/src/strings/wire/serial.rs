@@ -1,4 +1,4 @@
-//! Frames on a serial port, or any other stream of bytes.
+//! Frames on a serial port or any other byte stream.
 
 use std::io::{self, Read, Write};
 use std::time::Duration;
@@ -7,13 +7,13 @@ use super::frame::{Frame, FrameError};
 use super::link::Link;
 use super::stuffing::{Deframer, stuff};
 
-/// Bytes that are read at once (chosen: three frames).
+/// Size of the read buffer [bytes] (chosen: three frames).
 const CHUNK: usize = 256;
 
-/// How long a frame may take to be written (chosen: a fifth of a tick; more is a lost frame).
-const WRITE_TIME: Duration = Duration::from_micros(200);
+/// Write timeout of a frame (chosen: a fifth of a step; a slower frame counts as lost).
+const WRITE_TIMEOUT: Duration = Duration::from_micros(200);
 
-/// Frames on a stream whose reads do not wait: they fail with `WouldBlock` or `TimedOut`, or give nothing.
+/// Frames on a non-blocking stream: a read without data fails with `WouldBlock` or `TimedOut`, or returns 0.
 #[derive(Debug)]
 pub struct SerialLink<S> {
     stream: S,
@@ -23,7 +23,7 @@ pub struct SerialLink<S> {
     end: usize,
 }
 
-/// A serial port that is read only when something has come: waiting for nothing would make an error, and errors allocate.
+/// A serial port that is read only when data has arrived: a timeout would create an error, and errors allocate.
 pub struct Port(Box<dyn serialport::SerialPort>);
 
 impl Read for Port {
@@ -46,15 +46,15 @@ impl Write for Port {
 }
 
 impl SerialLink<Port> {
-    /// Opens a serial port such as `/dev/ttyACM0`; 1 Mbaud carries a thousand frames each way, 2 Mbaud with ease.
+    /// Opens a serial port such as `/dev/ttyACM0`; 1 Mbaud is the minimum for a thousand frames per second each way.
     pub fn open(port: &str, baud: u32) -> io::Result<Self> {
-        let stream = serialport::new(port, baud).timeout(WRITE_TIME).open()?;
+        let stream = serialport::new(port, baud).timeout(WRITE_TIMEOUT).open()?;
         Ok(Self::over(Port(stream)))
     }
 }
 
 impl<S: Read + Write> SerialLink<S> {
-    /// Frames over a stream.
+    /// Creates a link over a stream.
     pub fn over(stream: S) -> Self {
         Self { stream, deframer: Deframer::default(), held: [0; CHUNK], next: 0, end: 0 }
     }

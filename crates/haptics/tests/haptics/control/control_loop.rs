@@ -1,12 +1,12 @@
-//! Promise: the loop runs on its own thread at the device's rate, tells how punctual it was, and stops when told.
+//! Promise: the loop runs on its own thread at the device's rate, reports its jitter, and stops on request.
 
 use std::time::{Duration, Instant};
 
 use saute_haptics::contact_model::{ContactModel, Payload};
 use saute_haptics::control_loop::{ControlLoop, LoopState};
-use saute_haptics::{Capabilities, HapticCommand, HapticDevice, HapticSample, Health, WeightOnSpring, shelf};
+use saute_haptics::{Capabilities, HapticCommand, HapticDevice, HapticSample, Health, WeightOnSpring, library};
 
-/// Publishes a weight of 0.4 kg until something is seen, for at most five seconds.
+/// Publishes a weight of 0.4 kg until a condition is met, for at most five seconds.
 fn until(control: &mut ControlLoop, number: &mut u64, seen: impl Fn(&LoopState) -> bool) -> LoopState {
     let begun = Instant::now();
     loop {
@@ -26,11 +26,11 @@ fn until(control: &mut ControlLoop, number: &mut u64, seen: impl Fn(&LoopState) 
 }
 
 fn start() -> ControlLoop {
-    ControlLoop::start(Box::new(WeightOnSpring::default()), &shelf::feel().unwrap(), 1000).unwrap()
+    ControlLoop::start(Box::new(WeightOnSpring::default()), &library::feel().unwrap(), 1000).unwrap()
 }
 
 #[test]
-fn a_published_weight_is_felt_and_the_run_is_reported() {
+fn a_published_weight_is_rendered_and_the_run_is_reported() {
     let (mut control, mut number) = (start(), 0);
     let weight = 0.4 * 9.80665;
     until(&mut control, &mut number, |s| (s.command.wrench.force.z + weight).abs() < 0.05 && s.steps > 900);
@@ -43,7 +43,7 @@ fn a_published_weight_is_felt_and_the_run_is_reported() {
 }
 
 #[test]
-fn the_emergency_stop_lets_go_at_once_and_for_good() {
+fn the_emergency_stop_releases_all_forces_at_once_and_for_good() {
     let (mut control, mut number) = (start(), 0);
     until(&mut control, &mut number, |s| s.command.wrench.force.z < -1.0);
     control.emergency_stop();
@@ -54,7 +54,7 @@ fn the_emergency_stop_lets_go_at_once_and_for_good() {
     assert!(!later.command.enabled && later.sample.achieved.force == glam::DVec3::ZERO, "{later:?}");
 }
 
-/// Works for some exchanges, then its driver breaks.
+/// A driver that panics after some exchanges.
 struct Breaking(WeightOnSpring, u32);
 
 impl HapticDevice for Breaking {
@@ -63,7 +63,7 @@ impl HapticDevice for Breaking {
     }
 
     fn exchange(&mut self, command: &HapticCommand, dt: f64) -> HapticSample {
-        assert!(self.1 > 0, "this driver breaks on purpose");
+        assert!(self.1 > 0, "this driver panics on purpose");
         self.1 -= 1;
         self.0.exchange(command, dt)
     }
@@ -74,9 +74,9 @@ impl HapticDevice for Breaking {
 }
 
 #[test]
-fn a_loop_that_broke_off_does_not_look_alive() {
+fn a_loop_that_panicked_is_reported_as_lost() {
     let device = Box::new(Breaking(WeightOnSpring::default(), 1500));
-    let (mut control, mut number) = (ControlLoop::start(device, &shelf::feel().unwrap(), 0).unwrap(), 0);
+    let (mut control, mut number) = (ControlLoop::start(device, &library::feel().unwrap(), 0).unwrap(), 0);
     until(&mut control, &mut number, |s| s.sample.health == Health::Running && s.rate_hz > 0.0);
     let state = until(&mut control, &mut number, |s| s.sample.health == Health::Lost);
     assert!(state.rate_hz == 0.0 && !state.command.enabled && !state.sample.fresh, "{state:?}");

@@ -1,10 +1,10 @@
-//! Promise: what a device lacks degrades by stated rules: wrench, force, rumble, sound and picture.
+//! Promise: rendering degrades by stated rules: wrench, force, rumble, sound and picture.
 
 use saute_haptics::contact_model::{ContactModel, Impulse};
 use saute_haptics::degrade::RULES;
 use saute_haptics::device::{Capabilities, HapticDevice, Vibration};
 use saute_haptics::rumble::{Rumble, RumbleRule};
-use saute_haptics::{HapticCommand, HapticSample, Health, Renderer, Rendering, WeightOnSpring, Wrench, shelf};
+use saute_haptics::{HapticCommand, HapticSample, Health, Renderer, Rendering, WeightOnSpring, Wrench, library};
 
 const ALL: Wrench = Wrench { force: glam::DVec3::X, torque: glam::DVec3::Y };
 const SHAKE: Rumble = Rumble { strong: 0.7, weak: 0.2 };
@@ -33,7 +33,7 @@ fn a_wrench_becomes_a_force_then_a_rumble_then_sound_and_picture_alone() {
 }
 
 #[test]
-fn a_weak_device_leaves_the_pan_s_own_weight_out_so_that_its_contents_are_felt() {
+fn a_weak_device_omits_the_pan_s_own_weight_so_that_its_contents_are_felt() {
     let held = |force_n: f64, holds_real_pan: bool| {
         let base = device(3, Vibration::Wrench);
         Capabilities { limits: saute_haptics::device::Limits { force_n, ..base.limits }, holds_real_pan, ..base }
@@ -44,7 +44,7 @@ fn a_weak_device_leaves_the_pan_s_own_weight_out_so_that_its_contents_are_felt()
 }
 
 #[test]
-fn every_device_meets_a_rule_and_the_last_one_asks_for_nothing() {
+fn every_device_meets_a_rule_and_the_last_one_requires_nothing() {
     assert_eq!(RULES[RULES.len() - 1], (0, false, Rendering::SoundAndPicture));
     for dof in 0..=6 {
         for vibration in [Vibration::None, Vibration::Rumble, Vibration::Wrench] {
@@ -56,8 +56,8 @@ fn every_device_meets_a_rule_and_the_last_one_asks_for_nothing() {
 }
 
 #[test]
-fn a_blow_is_a_strong_rumble_that_rings_out_and_boiling_a_weak_one_that_stays() {
-    let mut rule = RumbleRule::new(&shelf::feel().unwrap());
+fn a_collision_is_a_decaying_strong_rumble_and_boiling_a_constant_weak_one() {
+    let mut rule = RumbleRule::new(&library::feel().unwrap());
     let mut model = ContactModel { number: 1, vapour: 5e-4, ..ContactModel::default() };
     assert_eq!(rule.step(&model, 1e-3).strong, 0.0);
     model.impulses[0] = Impulse { number: 1, impulse: glam::DVec3::NEG_Z * 0.05, ..Impulse::default() };
@@ -67,12 +67,12 @@ fn a_blow_is_a_strong_rumble_that_rings_out_and_boiling_a_weak_one_that_stays() 
     assert!(later.strong < 0.01 && later.weak == hit.weak, "{later:?}");
     model.impulses[0].impulse = glam::DVec3::splat(f64::NAN);
     model.impulses[0].number = 2;
-    assert!(rule.step(&model, 1e-3).strong < later.strong, "what is not a number shakes nothing");
+    assert!(rule.step(&model, 1e-3).strong < later.strong, "NaN adds no rumble");
 }
 
 #[test]
-fn blows_from_before_the_hand_was_there_do_not_ring() {
-    let mut rule = RumbleRule::new(&shelf::feel().unwrap());
+fn collisions_before_the_first_model_are_not_rendered() {
+    let mut rule = RumbleRule::new(&library::feel().unwrap());
     rule.step(&ContactModel::default(), 1e-3);
     let mut model = ContactModel { number: 1, ..ContactModel::default() };
     model.impulses[0] = Impulse { number: 7, impulse: glam::DVec3::NEG_Z * 0.05, ..Impulse::default() };
@@ -82,8 +82,8 @@ fn blows_from_before_the_hand_was_there_do_not_ring() {
 }
 
 #[test]
-fn blows_while_the_device_was_away_do_not_ring_when_it_comes_back() {
-    let mut renderer = Renderer::new(&device(0, Vibration::Rumble), &shelf::feel().unwrap());
+fn collisions_during_a_disconnection_are_not_rendered_afterwards() {
+    let mut renderer = Renderer::new(&device(0, Vibration::Rumble), &library::feel().unwrap());
     let (there, away) = (Health::Running, Health::Lost);
     let mut model = ContactModel::default();
     let mut strongest = 0.0_f64;
@@ -99,9 +99,9 @@ fn blows_while_the_device_was_away_do_not_ring_when_it_comes_back() {
     assert!(strongest < 1e-3, "{strongest}");
 }
 
-/// What the loop tells a device over a boiling pan.
-fn told(capabilities: Capabilities) -> HapticCommand {
-    let mut renderer = Renderer::new(&capabilities, &shelf::feel().unwrap());
+/// The loop's command to a device over a boiling pan.
+fn command(capabilities: Capabilities) -> HapticCommand {
+    let mut renderer = Renderer::new(&capabilities, &library::feel().unwrap());
     let sample = HapticSample { health: Health::Running, ..HapticSample::default() };
     let mut command = HapticCommand::default();
     for number in 1..1000 {
@@ -112,8 +112,8 @@ fn told(capabilities: Capabilities) -> HapticCommand {
 }
 
 #[test]
-fn the_loop_tells_a_device_without_forces_to_rumble_and_one_with_forces_not_to() {
-    let pad = told(device(0, Vibration::Rumble));
+fn a_device_without_forces_is_commanded_to_rumble_and_one_with_forces_is_not() {
+    let pad = command(device(0, Vibration::Rumble));
     assert!(pad.rumble.weak > 0.1 && pad.wrench == Wrench::ZERO, "{pad:?}");
-    assert_eq!(told(device(3, Vibration::Wrench)).rumble, Rumble::default());
+    assert_eq!(command(device(3, Vibration::Wrench)).rumble, Rumble::default());
 }

@@ -1,9 +1,9 @@
-//! Promise: what is felt is bounded, passive, starts softly and fades when the kitchen falls silent.
+//! Promise: rendered forces are bounded and passive, start softly, and fade without fresh models.
 
 use glam::DVec3;
 use saute_haptics::contact_model::{ContactModel, Impulse, Payload, Plane};
 use saute_haptics::device::{HapticCommand, HapticDevice, HapticSample, Health};
-use saute_haptics::{Capabilities, Pose, Renderer, Twist, WeightOnSpring, shelf};
+use saute_haptics::{Capabilities, Pose, Renderer, Twist, WeightOnSpring, library};
 
 use crate::random::{Random, device};
 
@@ -14,7 +14,7 @@ fn strings() -> Capabilities {
 }
 
 fn renderer(capabilities: &Capabilities) -> Renderer {
-    Renderer::new(capabilities, &shelf::feel().unwrap())
+    Renderer::new(capabilities, &library::feel().unwrap())
 }
 
 fn held(position: DVec3, linear: DVec3) -> HapticSample {
@@ -31,7 +31,7 @@ fn weighing(number: u64, mass: f64) -> ContactModel {
     ContactModel { number, payload: Payload::point(mass, DVec3::ZERO), ..ContactModel::default() }
 }
 
-/// Steps with a model that is published anew every 16 ms.
+/// Steps with a model that is published every 16 ms.
 fn steps(renderer: &mut Renderer, sample: &HapticSample, model: &ContactModel, steps: u64) -> Vec<HapticCommand> {
     let fresh = |k: u64| ContactModel { number: model.number + k / 16, ..*model };
     (0..steps).map(|k| renderer.step(sample, &fresh(k), DT)).collect()
@@ -57,15 +57,15 @@ fn without_a_fresh_model_for_50_ms_forces_fade_and_come_back_with_the_next() {
     let old = weighing(1000, 0.5);
     let felt: Vec<HapticCommand> = (0..400).map(|_| renderer.step(&still, &old, DT)).collect();
     let force = |k: usize| -felt[k].wrench.force.z;
-    assert!(force(45) > 4.8, "whole before 50 ms: {}", force(45));
+    assert!(force(45) > 4.8, "full before 50 ms: {}", force(45));
     assert!(force(160) < 3.0 && force(160) > 1.0, "fading: {}", force(160));
-    assert_eq!(felt[299], HapticCommand::default(), "gone, and the strings at their least tension");
+    assert_eq!(felt[299], HapticCommand::default(), "zero, and the strings at minimum tension");
     let back = steps(&mut renderer, &still, &weighing(2000, 0.5), 700);
     assert!((-back[699].wrench.force.z - 4.9).abs() < 0.05);
 }
 
 #[test]
-fn a_collision_is_felt_once_and_whole() {
+fn a_collision_is_rendered_once_with_its_whole_impulse() {
     let mut renderer = renderer(&strings());
     let still = held(DVec3::Z * 0.1, DVec3::ZERO);
     steps(&mut renderer, &still, &weighing(1, 0.0), 1000);
@@ -77,14 +77,14 @@ fn a_collision_is_felt_once_and_whole() {
     let turn: DVec3 = felt.iter().map(|c| c.wrench.torque * DT).sum();
     assert!((sum - impulse).length() < 0.02 * impulse.length(), "{sum}");
     assert!((turn.y - 0.05 * 0.06).abs() < 1e-4, "{turn}");
-    assert!(felt[20..].iter().all(|c| c.wrench.force.length() < 1e-9), "over after its time");
+    assert!(felt[20..].iter().all(|c| c.wrench.force.length() < 1e-9), "zero after its duration");
 }
 
 #[test]
 fn inertia_is_felt_when_the_pan_is_accelerated() {
     let mut renderer = renderer(&strings());
     steps(&mut renderer, &held(DVec3::Z * 0.1, DVec3::ZERO), &weighing(1, 0.6), 1000);
-    // Evenly accelerated to the right: the contents hang back with m a.
+    // Constant acceleration to the right: the contents resist with m a.
     let acceleration = 2.0;
     let mut last = HapticCommand::default();
     for k in 0..250u64 {
@@ -96,7 +96,7 @@ fn inertia_is_felt_when_the_pan_is_accelerated() {
 }
 
 #[test]
-fn nothing_that_a_kitchen_says_exceeds_the_limits() {
+fn no_contact_model_exceeds_the_limits() {
     let capabilities = strings();
     let mut renderer = renderer(&capabilities);
     let mut random = Random(2);
@@ -118,8 +118,8 @@ fn nothing_that_a_kitchen_says_exceeds_the_limits() {
 }
 
 #[test]
-fn a_world_that_feeds_energy_is_held_at_the_reserve() {
-    // A force along every motion, as a spring that is read too late makes it.
+fn an_active_world_is_limited_to_the_reserve() {
+    // A force along every motion, as from a spring with a delayed measurement.
     let mut renderer = renderer(&strings());
     let mut arm = WeightOnSpring::default();
     let mut command = HapticCommand::default();
@@ -137,7 +137,7 @@ fn a_world_that_feeds_energy_is_held_at_the_reserve() {
 }
 
 #[test]
-fn sizzle_grows_with_the_vapour_and_lasts_as_fine_vibration() {
+fn sizzle_grows_with_the_vapour_flow_and_persists_as_vibration() {
     let rms = |vapour: f64| {
         let mut renderer = renderer(&strings());
         let model = ContactModel { number: 1, vapour, ..ContactModel::default() };
@@ -163,7 +163,7 @@ fn the_hobs_glass_pushes_back() {
 }
 
 #[test]
-fn a_device_without_a_real_pan_weighs_as_the_pan_does() {
+fn a_device_without_a_real_pan_renders_the_pan_s_weight() {
     let model = ContactModel { own: Payload::point(1.2, DVec3::ZERO), ..weighing(1, 0.3) };
     let weigh = |name: &str| {
         let mut renderer = renderer(&device(name).capabilities());
@@ -173,8 +173,8 @@ fn a_device_without_a_real_pan_weighs_as_the_pan_does() {
     assert!((weigh("spidar-frame") - 1.5).abs() < 1e-2);
 }
 
-/// A pan that only forces make is swung to and fro by a hand: work that the hand does and that it gets back [J], and the lowest
-/// value of the observer's account.
+/// Swings a rendered pan: returns the work that the hand does and gets back [J], and the lowest value of the observer's
+/// account [J].
 fn swung(capabilities: &Capabilities, mass: impl Fn(f64) -> f64, reach: f64, hz: f64) -> ([f64; 2], f64) {
     let mut renderer = renderer(capabilities);
     steps(&mut renderer, &held(DVec3::Z * 0.1, DVec3::ZERO), &weighing(1, mass(0.0)), 1500);
@@ -182,7 +182,7 @@ fn swung(capabilities: &Capabilities, mass: impl Fn(f64) -> f64, reach: f64, hz:
     for k in 0..4000u64 {
         let t = k as f64 * DT;
         let (sin, cos) = (std::f64::consts::TAU * hz * t).sin_cos();
-        // Begins gently.
+        // The motion fades in.
         let size = reach * (t / 0.5).min(1.0);
         let speed = DVec3::X * (size * std::f64::consts::TAU * hz * cos);
         let power = command.wrench.force.dot(speed);
@@ -194,12 +194,12 @@ fn swung(capabilities: &Capabilities, mass: impl Fn(f64) -> f64, reach: f64, hz:
 }
 
 #[test]
-fn a_swung_pan_gives_back_what_the_hand_put_into_it_and_never_more() {
+fn a_swung_pan_returns_the_energy_that_the_hand_put_into_it_and_no_more() {
     let frame = device("spidar-frame").capabilities();
     for (reach, hz) in [(0.05, 0.8), (0.07, 1.0), (0.08, 1.2)] {
         let ([put, back], lowest) = swung(&frame, |_| 1.6, reach, hz);
         assert!(lowest >= 0.0 && back <= put + 0.005, "{hz} Hz: {put} J in, {back} J out, lowest {lowest} J");
-        assert!(back > 0.7 * put, "{hz} Hz: of {put} J only {back} J come back");
+        assert!(back > 0.7 * put, "{hz} Hz: of {put} J only {back} J return");
     }
 }
 

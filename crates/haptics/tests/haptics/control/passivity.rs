@@ -1,4 +1,4 @@
-//! Promise: the hand never gets more energy than it gave, whatever is late, wrong or no number.
+//! Promise: the hand never receives more energy than it gave, in spite of delays, errors and NaN.
 
 use std::collections::VecDeque;
 
@@ -8,7 +8,7 @@ use saute_haptics::coupled_payload::CoupledPayload;
 use saute_haptics::device::{HapticCommand, HapticDevice, HapticSample, Health};
 use saute_haptics::passivity::Passivity;
 use saute_haptics::safety_limits::SafetyLimits;
-use saute_haptics::{Capabilities, Pose, Renderer, Twist, WeightOnSpring, Wrench, shelf};
+use saute_haptics::{Capabilities, Pose, Renderer, Twist, WeightOnSpring, Wrench, library};
 
 use crate::random::device;
 
@@ -34,7 +34,7 @@ fn at(x: f64, speed: f64) -> HapticSample {
 }
 
 #[test]
-fn a_held_force_costs_its_way_and_a_held_torque_its_turn() {
+fn a_force_costs_its_displacement_and_a_torque_its_rotation() {
     let mut passivity = Passivity::new(RESERVE, 50.0);
     passivity.observe(&Pose::default(), &Wrench::ZERO, 0.0, DT);
     passivity.shown(&Wrench { force: DVec3::X * 2.0, torque: DVec3::Z * 0.5 }, &Wrench::ZERO);
@@ -43,7 +43,7 @@ fn a_held_force_costs_its_way_and_a_held_torque_its_turn() {
 }
 
 #[test]
-fn what_is_no_number_empties_the_account_instead_of_filling_it() {
+fn nan_empties_the_account_instead_of_filling_it() {
     let nan = DVec3::splat(f64::NAN);
     let filled = || {
         let mut passivity = Passivity::new(RESERVE, 50.0);
@@ -63,12 +63,12 @@ fn what_is_no_number_empties_the_account_instead_of_filling_it() {
     let mut shown = filled();
     shown.shown(&Wrench { force: nan, ..Wrench::ZERO }, &Wrench::ZERO);
     shown.observe(&Pose::at(1.0, 0.0, 0.0), &Wrench::ZERO, 0.0, DT);
-    assert_eq!(shown.account(), RESERVE, "nothing was shown");
+    assert_eq!(shown.account(), RESERVE, "nothing was rendered");
 }
 
 #[test]
-fn contents_come_back_after_what_was_no_number() {
-    let feel = shelf::feel().unwrap();
+fn contents_are_rendered_again_after_nan() {
+    let feel = library::feel().unwrap();
     let good = Payload { mass: 0.5, centre: DVec3::ZERO, inertia: DMat3::IDENTITY * 1e-3 };
     let nan = DVec3::splat(f64::NAN);
     let (still, calm) = (Pose::default(), Twist::default());
@@ -87,8 +87,8 @@ fn contents_come_back_after_what_was_no_number() {
 }
 
 #[test]
-fn a_device_that_does_not_know_where_it_is_is_not_pulled() {
-    let mut renderer = Renderer::new(&strings(), &shelf::feel().unwrap());
+fn a_device_without_a_valid_pose_gets_no_force() {
+    let mut renderer = Renderer::new(&strings(), &library::feel().unwrap());
     let mut step = |number: u64, sample: &HapticSample| {
         let payload = Payload::point(0.5, DVec3::ZERO);
         renderer.step(sample, &ContactModel { number, payload, ..ContactModel::default() }, DT)
@@ -100,15 +100,15 @@ fn a_device_that_does_not_know_where_it_is_is_not_pulled() {
     assert!((back.wrench.force.z + 4.9).abs() < 0.05, "{back:?}");
 }
 
-/// A world that pushes to the right for ever.
+/// A world that pushes to the right for the whole run.
 fn pushing(number: u64, force: f64) -> ContactModel {
     ContactModel { number, loose: along(force), ..ContactModel::default() }
 }
 
 #[test]
 fn a_velocity_that_lags_hides_no_energy_from_the_account() {
-    // The pan is carried to the right at 0.5 m/s; the device says all the time that it stands still.
-    let mut renderer = Renderer::new(&strings(), &shelf::feel().unwrap());
+    // The pan moves to the right at 0.5 m/s; the device reports zero velocity all the time.
+    let mut renderer = Renderer::new(&strings(), &library::feel().unwrap());
     let (mut given, mut force) = (0.0, 0.0);
     for k in 1..2000u64 {
         let way = 0.5 * DT;
@@ -119,9 +119,9 @@ fn a_velocity_that_lags_hides_no_energy_from_the_account() {
 }
 
 #[test]
-fn a_spring_that_is_read_late_gives_no_more_than_the_reserve() {
-    // What the device says of place and velocity is 3 ms old, and its velocity is smoothed with 40 Hz as that of strings is.
-    let mut renderer = Renderer::new(&strings(), &shelf::feel().unwrap());
+fn a_spring_with_a_delayed_measurement_gives_no_more_than_the_reserve() {
+    // Reported pose and velocity are 3 ms old, and the velocity has a bandwidth of 40 Hz like that of strings.
+    let mut renderer = Renderer::new(&strings(), &library::feel().unwrap());
     let (mut arm, mut command) = (WeightOnSpring::default(), HapticCommand::default());
     let (mut given, mut before, mut smooth) = (0.0, DVec3::Z * 0.1, DVec3::ZERO);
     let mut late: VecDeque<HapticSample> = VecDeque::new();
@@ -141,7 +141,7 @@ fn a_spring_that_is_read_late_gives_no_more_than_the_reserve() {
 }
 
 #[test]
-fn a_device_that_makes_more_than_it_was_asked_for_pays_for_what_it_made() {
+fn a_device_that_makes_more_than_the_command_is_charged_for_what_it_made() {
     let left = |made: Wrench| {
         let mut passivity = Passivity::new(RESERVE, 50.0);
         let weight = Wrench { force: DVec3::NEG_Z * 5.0, ..Wrench::ZERO };
@@ -151,14 +151,14 @@ fn a_device_that_makes_more_than_it_was_asked_for_pays_for_what_it_made() {
         passivity.account()
     };
     let made = |x: f64| Wrench { force: DVec3::new(x, 0.0, -5.0), ..Wrench::ZERO };
-    assert!((left(made(3.0)) - 2e-3).abs() < 1e-12, "more than was asked for");
-    assert!((left(made(1.0)) - 3e-3).abs() < 1e-12, "less than was asked for is not believed");
-    assert!((left(Wrench::ZERO) - 3e-3).abs() < 1e-12, "a device that tells nothing");
+    assert!((left(made(3.0)) - 2e-3).abs() < 1e-12, "more than commanded");
+    assert!((left(made(1.0)) - 3e-3).abs() < 1e-12, "a report below the command is not credited");
+    assert!((left(Wrench::ZERO) - 3e-3).abs() < 1e-12, "a device that reports nothing");
 }
 
 #[test]
-fn a_wall_that_the_device_is_too_weak_for_costs_nothing_by_being_touched() {
-    // Asked for is a spring of 1000 N/m, made is at most 2 N of it; a force that is held as for the middle of its way is conservative.
+fn touching_a_wall_that_the_device_is_too_weak_for_costs_nothing() {
+    // The command is a spring of 1000 N/m, of which the device makes at most 2 N; a force held at the middle of its step is conservative.
     let mut passivity = Passivity::new(RESERVE, 50.0);
     let place = |k: u32| 5e-3 * (f64::from(k) * 0.01).sin();
     let spring = |k: u32| -1000.0 * 0.5 * (place(k) + place(k + 1));
@@ -171,7 +171,7 @@ fn a_wall_that_the_device_is_too_weak_for_costs_nothing_by_being_touched() {
 }
 
 #[test]
-fn energy_is_limited_by_what_was_given_not_by_what_was_wanted() {
+fn energy_is_limited_by_what_was_given_not_by_what_was_commanded() {
     let mut limits = SafetyLimits::new(strings().limits);
     let twist = Twist { linear: DVec3::X, ..Twist::default() };
     let wanted = along(20.0);
@@ -181,18 +181,18 @@ fn energy_is_limited_by_what_was_given_not_by_what_was_wanted() {
     }
     for _ in 0..1000 {
         limits.charge(0.02, 0.02, DT);
-        assert_eq!(limits.within_energy(&wanted, &twist, DT), wanted, "the hand's own energy comes back");
+        assert_eq!(limits.within_energy(&wanted, &twist, DT), wanted, "the hand's own energy returns");
     }
     (0..100).for_each(|_| limits.charge(0.02, 0.0, DT));
     assert_eq!(limits.within_energy(&wanted, &twist, DT), Wrench::ZERO, "2 J within 0.1 s");
-    assert_eq!(limits.within_energy(&(wanted * -1.0), &twist, DT), wanted * -1.0, "what takes energy is free");
+    assert_eq!(limits.within_energy(&(wanted * -1.0), &twist, DT), wanted * -1.0, "dissipation is free");
     (0..3000).for_each(|_| limits.charge(0.0, 0.0, DT));
     assert_eq!(limits.within_energy(&wanted, &twist, DT), wanted, "later");
 }
 
 #[test]
-fn contents_do_not_move_on_by_themselves_after_a_break() {
-    let mut renderer = Renderer::new(&strings(), &shelf::feel().unwrap());
+fn contents_do_not_keep_moving_after_a_pause() {
+    let mut renderer = Renderer::new(&strings(), &library::feel().unwrap());
     let mut step = |number: u64, sample: &HapticSample| {
         let payload = Payload::point(0.6, DVec3::ZERO);
         renderer.step(sample, &ContactModel { number, payload, ..ContactModel::default() }, DT)
@@ -201,5 +201,5 @@ fn contents_do_not_move_on_by_themselves_after_a_break() {
     let lost = HapticSample { health: Health::Lost, ..at(1.0, 0.0) };
     assert!((1000..1100).all(|k| step(k, &lost) == HapticCommand::default()));
     let sideways = (1100..1600).map(|k| step(k, &at(1.0, 0.0)).wrench.force.x.abs()).fold(0.0, f64::max);
-    assert!(sideways < 1e-9, "{sideways} N in a hand that stands still");
+    assert!(sideways < 1e-9, "{sideways} N in a hand at rest");
 }

@@ -1,4 +1,4 @@
-//! Promise: a device's hand leads pan and turner, and what it leaves is laid down gently.
+//! Promise: a device moves pan and turner, and what it releases is laid down gently.
 
 use glam::{DQuat, DVec3};
 use saute_haptics::device::HapticSample;
@@ -7,7 +7,7 @@ use saute_kitchen::dynamics::Against;
 use saute_kitchen::food::Rules;
 use saute_kitchen::{Command, FRAME_S, Kitchen, Library, MeshSize, PieceOrder, kelvin};
 
-/// A cold pan with a steak that lies still.
+/// A cold pan with a steak at rest.
 fn kitchen() -> Kitchen {
     let library = Library::embedded().unwrap();
     let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(20.0)).unwrap();
@@ -65,7 +65,7 @@ fn a_pan_follows_the_hand_and_is_laid_down_gently_when_the_device_is_gone() {
 }
 
 #[test]
-fn a_device_that_tells_the_turner_alone_leaves_the_pan_where_it_is() {
+fn a_device_for_the_turner_alone_does_not_move_the_pan() {
     let (mut kitchen, mut hand) = (kitchen(), PanInHand::default());
     let ring = pan(&kitchen);
     let sample = HapticSample { leads_pan: false, ..at(Pose::at(0.1, 0.1, 0.2), Health::Running) };
@@ -93,7 +93,7 @@ fn another_hand_may_take_a_pan_that_is_being_laid_down() {
     assert!((pan(&kitchen).position - pose.position).length() < 1e-3 && !hand.lays_down());
 }
 
-/// A grip whose blade lies level, turned from away from the cook [rad], so far above the pan's floor [m].
+/// A grip with a level blade, at a distance away from the cook and a height above the pan's floor [m].
 fn grip(kitchen: &Kitchen, y: f64, height: f64) -> Pose {
     let position = DVec3::new(0.0, y, pan(kitchen).position.z + height);
     Pose { position, rotation: DQuat::IDENTITY }

@@ -1,16 +1,16 @@
-//! Promise: a kitchen's foods are felt through the strings: their weight, where they lie, the toss and the catch, the sizzle.
+//! Promise: the strings render a kitchen's foods: their weight and position, toss and catch, and sizzle.
 
 use glam::DVec3;
 use saute_haptics::contact_model::ContactModel;
 use saute_haptics::control::loop_step::LoopStep;
-use saute_haptics::{Feel, Handover, KitchenWatch, Pose, Renderer, Spidar, Wrench, shelf};
+use saute_haptics::{Feel, Handover, KitchenWatch, Pose, Renderer, Spidar, Wrench, library};
 use saute_kitchen::food::Rules;
 use saute_kitchen::{Command, FRAME_S, Kitchen, Library, MeshSize, PieceOrder};
 
 use crate::bench_device::Bench;
 use crate::random::device;
 
-/// A kitchen with a steak of about 300 g that waits.
+/// A kitchen with a waiting steak of about 300 g.
 fn kitchen(pan_c: f64) -> Kitchen {
     let library = Library::embedded().unwrap();
     let mut kitchen = Kitchen::new(&library, "carbon-steel-26", saute_kitchen::kelvin(pan_c)).unwrap();
@@ -32,7 +32,7 @@ fn put(kitchen: &mut Kitchen, x: f64) {
     kitchen.apply(&Command::Put { food: "steak".into(), at: [x, 0.0], heap: true }).unwrap();
 }
 
-/// Frames, each looked at.
+/// Advances by frames and returns each contact model.
 fn watch(kitchen: &mut Kitchen, watch: &mut KitchenWatch, frames: u32) -> Vec<ContactModel> {
     let mut look = || {
         kitchen.advance_frame();
@@ -42,10 +42,10 @@ fn watch(kitchen: &mut Kitchen, watch: &mut KitchenWatch, frames: u32) -> Vec<Co
 }
 
 fn feel() -> Feel {
-    shelf::feel().unwrap()
+    library::feel().unwrap()
 }
 
-/// Mean wrench of the strings over the last second of two, while the kitchen stands at rest.
+/// Mean wrench of the strings over the last of six seconds, while the kitchen is at rest.
 fn pulled(model: &ContactModel) -> Wrench {
     let geometry = device("spidar-pan-crossed");
     let bench = Bench::new(&geometry);
@@ -63,7 +63,7 @@ fn pulled(model: &ContactModel) -> Wrench {
 }
 
 #[test]
-fn a_300_g_steak_weighs_at_the_strings_what_it_weighs_and_turns_the_pan_where_it_lies() {
+fn a_300_g_steak_has_its_weight_at_the_strings_and_its_torque_where_it_lies() {
     let felt = |x: Option<f64>| {
         let mut kitchen = kitchen(20.0);
         if let Some(x) = x {
@@ -114,7 +114,7 @@ fn tossed_food_weighs_nothing_in_the_air_and_lands_with_its_momentum() {
 }
 
 #[test]
-fn sizzle_oil_and_water_are_told() {
+fn sizzle_and_oil_are_in_the_contact_model() {
     let mut kitchen = kitchen(220.0);
     let cold = watch(&mut kitchen, &mut KitchenWatch::default(), 12);
     let before = cold[11].payload.mass;

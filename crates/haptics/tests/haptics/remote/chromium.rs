@@ -1,4 +1,4 @@
-//! A real browser, led over the DevTools protocol.
+//! A real browser, controlled with the DevTools protocol.
 
 use std::net::TcpStream;
 use std::path::Path;
@@ -11,7 +11,7 @@ use tungstenite::{Message, WebSocket};
 
 const PROGRAMS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 
-/// A headless Chromium with one page; it ends with this.
+/// A headless Chromium with one page; dropping it ends the process.
 pub struct Chromium {
     child: Child,
     socket: WebSocket<MaybeTlsStream<TcpStream>>,
@@ -21,7 +21,7 @@ pub struct Chromium {
 }
 
 impl Chromium {
-    /// Starts it; fails loudly where there is none.
+    /// Starts the browser; panics if there is none.
     pub fn start() -> Self {
         let profile = tempfile::tempdir().unwrap();
         let child = PROGRAMS.iter().find_map(|program| launch(program, profile.path()).ok());
@@ -36,7 +36,7 @@ impl Chromium {
         browser
     }
 
-    /// Calls a method and waits for its answer.
+    /// Calls a method and returns its result.
     pub fn call(&mut self, method: &str, params: Value) -> Value {
         self.number += 1;
         let mut order = json!({ "id": self.number, "method": method, "params": params });
@@ -54,7 +54,7 @@ impl Chromium {
         }
     }
 
-    /// The value of an expression on the page.
+    /// Returns the value of an expression on the page.
     pub fn value(&mut self, expression: &str) -> Value {
         let params =
             json!({ "expression": expression, "awaitPromise": true, "returnByValue": true, "userGesture": true });
@@ -65,7 +65,7 @@ impl Chromium {
     pub fn wait_for(&mut self, expression: &str) {
         let begun = Instant::now();
         while self.value(expression) != Value::Bool(true) {
-            assert!(begun.elapsed() < Duration::from_secs(15), "in vain: {expression}");
+            assert!(begun.elapsed() < Duration::from_secs(15), "timeout: {expression}");
             std::thread::sleep(Duration::from_millis(30));
         }
     }
@@ -99,7 +99,7 @@ fn launch(program: &str, profile: &Path) -> std::io::Result<Child> {
         .spawn()
 }
 
-/// Where the browser listens, as it writes down once it does.
+/// Returns the browser's DevTools address, which it writes to a file when it is ready.
 fn devtools(profile: &Path) -> String {
     let begun = Instant::now();
     loop {
@@ -107,7 +107,7 @@ fn devtools(profile: &Path) -> String {
         if let [port, path] = text.lines().collect::<Vec<_>>()[..] {
             return format!("ws://127.0.0.1:{port}{path}");
         }
-        assert!(begun.elapsed() < Duration::from_secs(60), "Chromium does not say where it listens");
+        assert!(begun.elapsed() < Duration::from_secs(60), "Chromium does not report its DevTools address");
         std::thread::sleep(Duration::from_millis(50));
     }
 }

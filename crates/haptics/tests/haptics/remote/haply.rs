@@ -1,4 +1,4 @@
-//! Promise: an Inverse3 behind its maker's service leads the pan and feels limited forces, and comes back by itself; nothing that is answered breaks it.
+//! Promise: an Inverse3 at its maker's service moves the pan with limited forces and reconnects; no answer breaks the driver.
 
 use std::time::{Duration, Instant};
 
@@ -50,7 +50,7 @@ fn the_pan_follows_the_cursor_in_the_kitchen_s_directions() {
         until(&mut opened, &push(DVec3::ZERO), |s| (s.pose.position - there).length() < 1e-9).expect("follows");
     assert_eq!(sample.twist.linear, DVec3::X * 0.1);
     let before = service.felt().2;
-    until(&mut opened, &push(DVec3::ZERO), |_| service.felt().2 > before + 200).expect("it is asked again and again");
+    until(&mut opened, &push(DVec3::ZERO), |_| service.felt().2 > before + 200).expect("messages continue");
 }
 
 #[test]
@@ -68,12 +68,12 @@ fn forces_arrive_without_torques_and_never_above_the_limit() {
 }
 
 #[test]
-fn a_loop_that_has_stopped_makes_no_force_any_more() {
+fn a_stopped_loop_makes_no_force() {
     let service = InverseService::start();
     let mut opened = running(&service);
     until(&mut opened, &push(DVec3::Z * 3.0), |_| service.felt().0.z > 2.9).expect("pushed");
     std::thread::sleep(Duration::from_millis(300));
-    assert_eq!(service.felt().0, DVec3::ZERO, "nobody has ordered anything for 0.3 s");
+    assert_eq!(service.felt().0, DVec3::ZERO, "no command for 0.3 s");
     until(&mut opened, &push(DVec3::Z * 3.0), |_| service.felt().0.z > 2.9).expect("pushed again");
     opened.device.stop();
     let stopped = until(&mut opened, &push(DVec3::Z * 3.0), |_| service.felt().0 == DVec3::ZERO).expect("let go");
@@ -81,7 +81,7 @@ fn a_loop_that_has_stopped_makes_no_force_any_more() {
 }
 
 #[test]
-fn a_device_that_is_gone_has_let_go_before_the_program_goes_on() {
+fn dropping_a_device_releases_its_force_before_the_program_continues() {
     let service = InverseService::start();
     let mut opened = running(&service);
     until(&mut opened, &push(DVec3::Z * 3.0), |_| service.felt().0.z > 2.9).expect("pushed");
@@ -90,12 +90,12 @@ fn a_device_that_is_gone_has_let_go_before_the_program_goes_on() {
 }
 
 #[test]
-fn a_talk_that_breaks_off_ends_with_no_force() {
+fn an_interrupted_session_ends_with_zero_force() {
     let service = InverseService::start();
     let mut opened = running(&service);
     until(&mut opened, &push(DVec3::Z * 3.0), |_| service.felt().0.z > 2.9).expect("pushed");
     service.babble(&[&"x".repeat(100_000)]);
-    // Looked for again only after 0.3 s; without exchanges no order grows old on a talk that is over.
+    // The reconnection takes 0.3 s; without exchanges no command can become stale after the session's end.
     let begun = Instant::now();
     while service.felt().0 != DVec3::ZERO {
         assert!(begun.elapsed() < Duration::from_millis(250), "still {} N", service.felt().0.z);
@@ -104,7 +104,7 @@ fn a_talk_that_breaks_off_ends_with_no_force() {
 }
 
 #[test]
-fn a_service_that_is_lost_is_found_again() {
+fn a_lost_service_is_reconnected() {
     let service = InverseService::start();
     let mut opened = running(&service);
     service.hang_up(true);
@@ -115,31 +115,31 @@ fn a_service_that_is_lost_is_found_again() {
 }
 
 #[test]
-fn without_a_service_it_is_looked_for_and_an_uncalibrated_device_says_so() {
+fn a_missing_service_is_awaited_and_an_uncalibrated_device_is_reported() {
     let free = std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap();
     let mut opened = open(&format!("haply@{free}"), 0).unwrap();
     assert!(until(&mut opened, &push(DVec3::Z), |s| s.health != Health::Connecting).is_none());
     let service = InverseService::at(free);
     service.calibrate(false);
-    until(&mut opened, &push(DVec3::Z), |s| s.health == Health::Uncalibrated).expect("says so");
-    assert_eq!(service.felt().1, 0.0, "no force before it knows where it is");
+    until(&mut opened, &push(DVec3::Z), |s| s.health == Health::Uncalibrated).expect("reported");
+    assert_eq!(service.felt().1, 0.0, "no force before the calibration");
     service.calibrate(true);
     until(&mut opened, &push(DVec3::Z), |s| s.health == Health::Running).expect("running");
 }
 
 #[test]
-fn a_grip_turns_the_pan_from_where_it_was_level() {
+fn a_grip_rotates_the_pan_relative_to_its_level() {
     let service = InverseService::start();
     service.hold([0.5f64.sqrt(), 0.5f64.sqrt(), 0.0, 0.0], [false; 3]);
     let mut opened = running(&service);
     let tilted = |s: &HapticSample| (s.pose.rotation * DVec3::Z).angle_between(DVec3::Z).to_degrees();
-    until(&mut opened, &push(DVec3::ZERO), |s| tilted(s) < 1e-6).expect("as it was held first is level");
+    until(&mut opened, &push(DVec3::ZERO), |s| tilted(s) < 1e-6).expect("the first orientation is level");
     let half = 65f64.to_radians();
     service.hold([half.cos(), half.sin(), 0.0, 0.0], [true, false, true]);
     let sample = until(&mut opened, &push(DVec3::ZERO), |s| (tilted(s) - 40.0).abs() < 1e-6).expect("turns");
     assert_eq!(sample.buttons, 0b101);
     service.hold([half.cos(), half.sin(), 0.0, 0.0], [false, true, false]);
-    until(&mut opened, &push(DVec3::ZERO), |s| tilted(s) < 1e-6).expect("button b: this is level");
+    until(&mut opened, &push(DVec3::ZERO), |s| tilted(s) < 1e-6).expect("button b sets the level");
 }
 
 #[test]
@@ -159,7 +159,7 @@ fn garbage_is_counted_and_survived() {
 
 proptest! {
     #[test]
-    fn no_answer_makes_a_place_that_is_no_number(text in "\\PC{0,300}", x in proptest::num::f64::ANY) {
+    fn every_accepted_position_is_finite_and_in_range(text in "\\PC{0,300}", x in proptest::num::f64::ANY) {
         let _ = State::parse(&text);
         let text = format!(r#"{{"inverse3":[{{"device_id":"a","state":{{"cursor_position":{{"x":{x:?}}}}}}}]}}"#);
         if let Ok(state) = State::parse(&text) {

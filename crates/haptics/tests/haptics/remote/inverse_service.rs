@@ -1,4 +1,4 @@
-//! A simulated Inverse service: an inventory at first, then one answer for each message.
+//! A simulated Inverse service: first an inventory, then one answer per message.
 
 use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::sync::{Arc, Mutex};
@@ -8,7 +8,7 @@ use glam::DVec3;
 use serde_json::{Value, json};
 use tungstenite::{Message, WebSocket};
 
-/// What the test sees and moves.
+/// State that the test sets and reads.
 #[derive(Clone)]
 pub struct InverseService {
     pub address: SocketAddr,
@@ -59,17 +59,17 @@ impl InverseService {
         self.state.lock().unwrap().uncalibrated = !calibrated;
     }
 
-    /// The next answers are these instead.
+    /// Sets the next answers.
     pub fn babble(&self, garbage: &[&str]) {
         self.state.lock().unwrap().garbage = garbage.iter().map(|s| (*s).to_owned()).collect();
     }
 
-    /// Ends the talk, and all that follow, until told otherwise.
+    /// Closes this and all further connections while `hangs_up` is true.
     pub fn hang_up(&self, hangs_up: bool) {
         self.state.lock().unwrap().hangs_up = hangs_up;
     }
 
-    /// The last force, the strongest one, and how many messages there were.
+    /// Returns the last force, the largest force, and the number of messages.
     pub fn felt(&self) -> (DVec3, f64, u64) {
         let state = self.state.lock().unwrap();
         (state.force, state.strongest, state.messages)
@@ -98,7 +98,7 @@ impl InverseService {
             if state.hangs_up {
                 return false;
             }
-            state.hear(&text);
+            state.receive(&text);
             state.garbage.pop().unwrap_or_else(|| state.answer(false))
         };
         socket.send(Message::text(answer)).is_ok()
@@ -110,7 +110,7 @@ fn vector(v: DVec3) -> Value {
 }
 
 impl State {
-    fn hear(&mut self, text: &str) {
+    fn receive(&mut self, text: &str) {
         let message: Value = serde_json::from_str(text).unwrap();
         let device = &message["inverse3"][0];
         assert_eq!(device["device_id"], "049D");

@@ -1,4 +1,4 @@
-//! Promise: paired senders of OSC lead pan and turner, all others are ignored and counted, and nothing that is sent breaks it.
+//! Promise: paired OSC senders move pan and turner, all others are ignored and counted, and no message breaks the listener.
 
 use std::net::UdpSocket;
 use std::time::{Duration, Instant};
@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use rosc::{OscBundle, OscMessage, OscPacket, OscTime, OscType};
 use saute_haptics::device::{HapticCommand, HapticSample};
 use saute_haptics::open::Reach;
-use saute_haptics::osc::message::{Order, read};
+use saute_haptics::osc::message::{Event, read};
 use saute_haptics::{Health, Opened, Rendering, open};
 
 const DT: f64 = 4e-3;
@@ -76,7 +76,7 @@ fn up(sample: &HapticSample) -> DVec3 {
 }
 
 #[test]
-fn a_paired_sender_leads_pan_turner_and_buttons() {
+fn a_paired_sender_moves_pan_and_turner_and_presses_buttons() {
     let mut bench = bench();
     assert_eq!(bench.opened.access.reach, Reach::ThisMachine);
     assert_eq!(bench.opened.device.capabilities().rendering(), Rendering::SoundAndPicture);
@@ -110,14 +110,14 @@ fn a_sender_that_has_not_paired_is_ignored_and_counted() {
     let mut bench = bench();
     let (friend, stranger) = (bench.paired(), bench.sender());
     friend.send(packet("/saute/pan/tilt", floats(&[0.0, 0.0])));
-    bench.until(|s| s.health == Health::Running).expect("the friend is heard");
+    bench.until(|s| s.health == Health::Running).expect("the paired sender works");
     for _ in 0..10 {
         stranger.send(packet("/saute/pan/tilt", floats(&[40.0, 0.0])));
     }
     let wrong = format!("{:06}", (bench.code.parse::<u32>().unwrap() + 1) % 1_000_000);
     stranger.send(packet("/saute/pair", vec![OscType::String(wrong)]));
     stranger.send(packet("/saute/pair", vec![OscType::String(bench.code.clone())]));
-    let seen = bench.until(|s| s.rejected >= 12).expect("counted; the right code too soon after a wrong one, too");
+    let seen = bench.until(|s| s.rejected >= 12).expect("counted, with the right code too soon after a wrong one");
     assert!((up(&seen) - DVec3::Z).length() < 1e-6, "{seen:?}");
 }
 
@@ -134,7 +134,7 @@ fn the_code_may_come_as_a_number_and_bundles_are_opened() {
 }
 
 #[test]
-fn a_sender_that_falls_silent_is_lost_and_the_pan_eases_home() {
+fn a_silent_sender_is_lost_and_the_pan_returns_home() {
     let mut bench = bench();
     let sender = bench.paired();
     sender.pose("/saute/pan/pose", [0.2, 0.0, 0.2, 0.3, 0.0, 0.0, 1.0]);
@@ -146,7 +146,7 @@ fn a_sender_that_falls_silent_is_lost_and_the_pan_eases_home() {
 }
 
 #[test]
-fn a_button_of_a_sender_that_is_lost_is_up_also_when_it_comes_back() {
+fn the_button_of_a_lost_sender_stays_released_when_it_returns() {
     let mut bench = bench();
     let sender = bench.paired();
     sender.send(packet("/saute/button", vec![OscType::Int(5), OscType::Bool(true)]));
@@ -160,7 +160,7 @@ fn a_button_of_a_sender_that_is_lost_is_up_also_when_it_comes_back() {
 }
 
 #[test]
-fn a_sender_that_tells_the_turner_alone_leads_no_pan_and_its_turner_stays_in_the_workspace() {
+fn a_sender_of_the_turner_alone_does_not_move_the_pan_and_its_turner_stays_in_the_workspace() {
     let mut bench = bench();
     let sender = bench.paired();
     let far = |s: &HapticSample| {
@@ -177,10 +177,10 @@ fn a_sender_that_tells_the_turner_alone_leads_no_pan_and_its_turner_stays_in_the
 }
 
 #[test]
-fn the_port_is_free_at_once_when_the_device_is_gone() {
+fn the_port_is_free_as_soon_as_the_device_is_dropped() {
     let bench = bench();
     let text = format!("osc@{}", bench.opened.access.place);
-    assert!(open(&text, 0).is_err(), "it is taken");
+    assert!(open(&text, 0).is_err(), "it is in use");
     drop(bench);
     assert!(open(&text, 0).is_ok());
 }
@@ -207,25 +207,25 @@ fn garbage_is_counted_and_survived_and_poses_stay_in_the_workspace() {
     for _ in 0..2000 {
         sender.pose("/saute/pan/pose", [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
     }
-    assert!(bench.until(|s| s.rejected > 500).is_some(), "a flood is thrown away");
+    assert!(bench.until(|s| s.rejected > 500).is_some(), "a flood is rejected");
 }
 
 proptest! {
     #[test]
-    fn no_datagram_makes_an_order_that_is_no_number(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+    fn no_datagram_makes_the_parser_panic(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
         let _ = read(&bytes);
     }
 
     #[test]
-    fn every_pose_that_is_taken_is_a_pose(numbers in prop::array::uniform7(proptest::num::f32::ANY)) {
+    fn every_accepted_pose_is_valid(numbers in prop::array::uniform7(proptest::num::f32::ANY)) {
         let bytes = rosc::encoder::encode(&packet("/saute/pan/pose", floats(&numbers))).unwrap();
-        if let Ok(Order::Pan(pose)) = &read(&bytes).unwrap()[0] {
+        if let Ok(Event::Pan(pose)) = &read(&bytes).unwrap()[0] {
             prop_assert!(pose.position.length() <= 2.0 && (pose.rotation.length() - 1.0).abs() < 1e-9);
         }
     }
 
     #[test]
-    fn damaged_messages_are_read_without_harm(at in 0usize..60, byte in any::<u8>(), cut in 0usize..60) {
+    fn damaged_messages_do_not_make_the_parser_panic(at in 0usize..60, byte in any::<u8>(), cut in 0usize..60) {
         let mut bytes = rosc::encoder::encode(&packet("/saute/pan/pose", floats(&[0.1; 7]))).unwrap();
         let last = bytes.len() - 1;
         bytes[at.min(last)] = byte;

@@ -1,4 +1,4 @@
-//! Promise: a phone leads the pan after pairing and only then; it tosses, comes home when it is gone, and nothing that is sent breaks it.
+//! Promise: a phone moves the pan only after pairing, tosses it, and no message breaks the server; without a phone the pan returns home.
 
 use std::net::SocketAddr;
 use std::time::{Duration, Instant};
@@ -32,7 +32,7 @@ fn bench() -> Bench {
 }
 
 impl Bench {
-    /// Exchanges in real time until something is seen, for at most three seconds.
+    /// Exchanges in real time until a condition is met, for at most three seconds.
     fn until(&mut self, command: &HapticCommand, mut seen: impl FnMut(&HapticSample) -> bool) -> Option<HapticSample> {
         let begun = Instant::now();
         while begun.elapsed() < Duration::from_secs(3) {
@@ -60,7 +60,7 @@ fn tilt(sample: &HapticSample) -> f64 {
 }
 
 #[test]
-fn the_page_is_served_by_tls_to_this_machine_alone_unless_asked_and_says_so() {
+fn by_default_the_page_is_served_by_tls_to_this_machine_alone() {
     let bench = bench();
     assert_eq!(bench.opened.access.reach, Reach::ThisMachine);
     let said = bench.opened.access.lines().join("\n");
@@ -75,7 +75,7 @@ fn the_page_is_served_by_tls_to_this_machine_alone_unless_asked_and_says_so() {
 }
 
 #[test]
-fn asked_for_the_whole_network_it_says_that_it_is_open_to_it() {
+fn a_device_on_all_interfaces_is_stated_to_be_open_to_the_network() {
     let opened = open("phone@0.0.0.0:0", 0).unwrap();
     assert_eq!(opened.access.reach, Reach::Network);
     let said = opened.access.lines().join("\n");
@@ -95,23 +95,23 @@ fn after_the_code_the_pan_follows_the_phone_s_tilt() {
     let up = sample.pose.rotation * DVec3::Z;
     assert!(up.y < -0.3 && up.x.abs() < 0.01, "the phone's top was raised, so the pan leans towards the cook: {up}");
     phone.send(r#"{"kind":"flat"}"#);
-    assert_eq!(phone.hear("flat").unwrap()["taken"], true);
+    assert_eq!(phone.receive("flat").unwrap()["taken"], true);
     phone.send(&motion([40.0, 20.0, 0.0]));
     assert!(bench.until(&command, |s| tilt(s) < 0.5).is_some(), "20° are level now");
 }
 
 #[test]
-fn a_wrong_code_is_refused_and_moves_nothing_and_the_next_try_must_wait() {
+fn a_wrong_code_is_refused_and_moves_nothing_and_the_next_attempt_must_wait() {
     let mut bench = bench();
     let mut phone = PhoneClient::connect(bench.address);
     phone.send(&motion([0.0, 30.0, 0.0]));
     phone.send(&format!(r#"{{"kind":"hello","code":"{}"}}"#, bench.wrong_code()));
-    assert_eq!(phone.hear("refused").unwrap()["wait_s"], 1.0);
+    assert_eq!(phone.receive("refused").unwrap()["wait_s"], 1.0);
     phone.send(&motion([0.0, 30.0, 0.0]));
     phone.send(&format!(r#"{{"kind":"hello","code":"{}"}}"#, bench.code));
-    assert!(phone.hear("refused").unwrap()["wait_s"].as_f64() > Some(0.5), "the right code too soon");
+    assert!(phone.receive("refused").unwrap()["wait_s"].as_f64() > Some(0.5), "the right code too soon");
     let command = HapticCommand::default();
-    let seen = bench.until(&command, |s| s.rejected >= 4).expect("what was refused is counted");
+    let seen = bench.until(&command, |s| s.rejected >= 4).expect("refused messages are counted");
     assert!(seen.health == Health::Connecting && tilt(&seen) == 0.0 && seen.pose.position == DVec3::ZERO);
 }
 
@@ -123,7 +123,7 @@ fn another_site_s_page_cannot_open_the_socket() {
 }
 
 #[test]
-fn a_phone_that_is_gone_is_lost_its_pan_eases_home_and_it_comes_back_by_itself() {
+fn a_disconnected_phone_is_lost_its_pan_returns_home_and_it_reconnects() {
     let mut bench = bench();
     let command = HapticCommand::default();
     let mut phone = PhoneClient::connect(bench.address);
@@ -148,7 +148,7 @@ fn a_phone_that_is_gone_is_lost_its_pan_eases_home_and_it_comes_back_by_itself()
 }
 
 #[test]
-fn a_finger_of_a_phone_that_is_lost_is_not_on_the_page_when_it_comes_back() {
+fn the_button_of_a_lost_phone_stays_released_when_it_returns() {
     let mut bench = bench();
     let command = HapticCommand::default();
     let mut phone = PhoneClient::connect(bench.address);
@@ -160,10 +160,10 @@ fn a_finger_of_a_phone_that_is_lost_is_not_on_the_page_when_it_comes_back() {
     assert_eq!(lost.buttons, 0);
     phone.send(&motion([0.0; 3]));
     let back = bench.until(&command, |s| s.health == Health::Running).expect("the same phone");
-    assert_eq!(back.buttons, 0, "nobody has pressed anew");
+    assert_eq!(back.buttons, 0, "not pressed again");
     phone.send(r#"{"kind":"button","down":true}"#);
     phone.send(&motion([0.0; 3]));
-    bench.until(&command, |s| s.buttons == 1).expect("pressed anew");
+    bench.until(&command, |s| s.buttons == 1).expect("pressed again");
     let mut second = PhoneClient::connect(bench.address);
     second.pair(&bench.code);
     second.send(&motion([0.0; 3]));
@@ -171,7 +171,7 @@ fn a_finger_of_a_phone_that_is_lost_is_not_on_the_page_when_it_comes_back() {
 }
 
 #[test]
-fn the_phone_is_told_to_shake_and_the_phone_that_was_paired_last_holds_the_pan() {
+fn rumble_reaches_the_phone_and_the_phone_that_was_paired_last_moves_the_pan() {
     let mut bench = bench();
     let mut first = PhoneClient::connect(bench.address);
     first.pair(&bench.code);
@@ -180,11 +180,11 @@ fn the_phone_is_told_to_shake_and_the_phone_that_was_paired_last_holds_the_pan()
         HapticCommand { enabled: true, rumble: Rumble { strong: 0.75, weak: 0.25 }, ..HapticCommand::default() };
     bench.until(&shake, |s| s.health == Health::Running).expect("running");
     bench.opened.device.exchange(&shake, DT);
-    let told = std::iter::from_fn(|| first.hear("pan")).find(|m| m["strong"] == 0.75).unwrap();
-    assert_eq!(told["weak"], 0.25);
+    let pan = std::iter::from_fn(|| first.receive("pan")).find(|m| m["strong"] == 0.75).unwrap();
+    assert_eq!(pan["weak"], 0.25);
     let mut second = PhoneClient::connect(bench.address);
     second.pair(&bench.code);
-    assert!(first.hear("replaced").is_some());
+    assert!(first.receive("replaced").is_some());
 }
 
 #[test]
@@ -211,32 +211,32 @@ fn garbage_of_every_kind_is_counted_and_survived() {
     let _ = phone.0.send(tungstenite::Message::binary(vec![0xff; 100]));
     let command = HapticCommand::default();
     let seen = bench.until(&command, |s| s.rejected >= 9).expect("nine are counted");
-    assert_eq!(seen.health, Health::Connecting, "nothing of it was motion");
+    assert_eq!(seen.health, Health::Connecting, "none was motion");
     phone.send(&motion([0.0, 0.0, 0.0]));
-    assert!(bench.until(&command, |s| s.health == Health::Running).is_some(), "and it still listens");
+    assert!(bench.until(&command, |s| s.health == Health::Running).is_some(), "and it still works");
     phone.send(&"x".repeat(5000));
-    assert!(phone.hear("never").is_none(), "an oversized message ends the talk");
+    assert!(phone.receive("never").is_none(), "an oversized message ends the session");
     let mut again = PhoneClient::connect(bench.address);
     again.pair(&bench.code);
     for _ in 0..400 {
         again.send(&motion([0.0, 5.0, 0.0]));
     }
-    let flooded = bench.until(&command, |s| s.rejected > 100).expect("what comes too fast is thrown away");
+    let flooded = bench.until(&command, |s| s.rejected > 100).expect("messages above the rate limit are rejected");
     assert!(tilt(&flooded) < 6.0, "{flooded:?}");
 }
 
 #[test]
-fn questions_whether_somebody_is_there_are_counted_as_messages() {
+fn pings_count_against_the_rate_limit() {
     let mut bench = bench();
     let mut phone = PhoneClient::connect(bench.address);
     for _ in 0..300 {
         let _ = phone.0.send(tungstenite::Message::Ping(Default::default()));
     }
-    bench.until(&HapticCommand::default(), |s| s.rejected >= 100).expect("sixty at once, 180 a second");
+    bench.until(&HapticCommand::default(), |s| s.rejected >= 100).expect("a burst of sixty, then 180 per second");
 }
 
 #[test]
-fn the_port_is_free_at_once_when_the_device_is_gone_and_a_taken_one_is_named() {
+fn the_port_is_free_as_soon_as_the_device_is_dropped_and_a_used_port_is_named() {
     let first = bench();
     let mut phone = PhoneClient::connect(first.address);
     phone.pair(&first.code);
@@ -244,11 +244,11 @@ fn the_port_is_free_at_once_when_the_device_is_gone_and_a_taken_one_is_named() {
     let taken = open(&text, 0).err().unwrap().to_string();
     assert!(taken.contains(&first.address.to_string()) && taken.contains("remedy"), "{taken}");
     drop(first);
-    assert!(open(&text, 0).is_ok(), "the port stays taken");
+    assert!(open(&text, 0).is_ok(), "the port stays in use");
 }
 
 #[test]
-fn a_toss_goes_up_and_leaks_home_and_a_sensor_s_offset_moves_nothing_for_long() {
+fn a_toss_rises_and_leaks_home_and_a_sensor_s_offset_has_no_lasting_effect() {
     let half = DVec3::new(0.15, 0.15, 0.2);
     let run = |toss: &mut Toss, push: f64, seconds: f64| {
         (0..(seconds / 1e-3) as u32).for_each(|_| toss.step(Some(DVec3::Z * push), half, 1e-3));
@@ -257,7 +257,7 @@ fn a_toss_goes_up_and_leaks_home_and_a_sensor_s_offset_moves_nothing_for_long() 
     let mut toss = Toss::default();
     run(&mut toss, 8.0, 0.12);
     let top = run(&mut toss, -8.0, 0.12);
-    assert!((0.08..0.115).contains(&top), "of 115 mm, the double integral, three quarters pass: {top}");
+    assert!((0.08..0.115).contains(&top), "three quarters of the double integral of 115 mm: {top}");
     assert!(run(&mut toss, 0.0, 4.0).abs() < 0.01, "home after four seconds");
     let mut skewed = Toss::default();
     run(&mut skewed, 0.2, 20.0);
@@ -266,7 +266,7 @@ fn a_toss_goes_up_and_leaks_home_and_a_sensor_s_offset_moves_nothing_for_long() 
 }
 
 #[test]
-fn angles_are_turned_into_the_cook_s_directions_wherever_he_looks() {
+fn angles_are_converted_to_the_cook_s_directions_for_any_heading() {
     for alpha in [0.0, 90.0, 200.0, 350.0] {
         let mut level = Level::default();
         assert!((level.pan(from_angles([alpha, 0.0, 0.0])) * DVec3::Y - DVec3::Y).length() < 1e-9);
@@ -277,7 +277,7 @@ fn angles_are_turned_into_the_cook_s_directions_wherever_he_looks() {
 }
 
 #[test]
-fn accelerations_are_the_same_on_systems_that_turn_their_sign_round() {
+fn accelerations_agree_on_systems_with_the_opposite_sign() {
     let phone = from_angles([10.0, 25.0, -15.0]);
     let up = phone.conjugate() * DVec3::Z;
     let push = DVec3::new(1.0, -2.0, 3.0);
@@ -301,12 +301,12 @@ fn accelerations_are_the_same_on_systems_that_turn_their_sign_round() {
 
 proptest! {
     #[test]
-    fn no_text_makes_a_message_that_is_no_number(text in "\\PC{0,200}") {
+    fn no_text_makes_the_parser_panic(text in "\\PC{0,200}") {
         let _ = FromPhone::parse(&text);
     }
 
     #[test]
-    fn every_motion_that_is_taken_turns_the_pan_within_its_bounds(turn in prop::array::uniform3(-1e3..1e3f64), push in prop::array::uniform3(-1e3..1e3f64)) {
+    fn every_accepted_motion_rotates_the_pan_within_its_bounds(turn in prop::array::uniform3(-1e3..1e3f64), push in prop::array::uniform3(-1e3..1e3f64)) {
         let text = format!(r#"{{"kind":"motion","turn":{turn:?},"push":{push:?}}}"#);
         if let Ok(FromPhone::Motion(measured)) = FromPhone::parse(&text) {
             let phone = from_angles(measured.turn);
@@ -319,7 +319,7 @@ proptest! {
     }
 
     #[test]
-    fn the_tilt_s_bound_leaves_what_is_within_it(angle in 0.0..3.1f64) {
+    fn the_tilt_limit_keeps_smaller_tilts(angle in 0.0..3.1f64) {
         let rotation = DQuat::from_axis_angle(DVec3::new(0.6, 0.8, 0.0), angle);
         let bound = within_tilt(rotation, 1.0);
         prop_assert!(((bound * DVec3::Z).angle_between(DVec3::Z) - angle.min(1.0)).abs() < 1e-6);

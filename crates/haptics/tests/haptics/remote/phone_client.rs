@@ -12,7 +12,7 @@ use rustls::{ClientConfig, ClientConnection, DigitallySignedStruct, SignatureSch
 use serde_json::Value;
 use tungstenite::{Message, WebSocket};
 
-/// Takes any certificate, as a person does who has compared its fingerprint.
+/// Accepts any certificate, like a person who has compared its fingerprint.
 #[derive(Debug)]
 struct Trusting;
 
@@ -67,7 +67,7 @@ pub fn connect(address: SocketAddr) -> Tls {
     StreamOwned::new(ClientConnection::new(Arc::new(config), name).unwrap(), tcp)
 }
 
-/// What a plain request is answered with.
+/// Returns the response to a plain request.
 pub fn get(address: SocketAddr, path: &str) -> String {
     let mut stream = connect(address);
     write!(stream, "GET {path} HTTP/1.1\r\nHost: {address}\r\n\r\n").unwrap();
@@ -91,12 +91,12 @@ impl PhoneClient {
     }
 
     pub fn send(&mut self, text: &str) {
-        // A server that has had enough hangs up; the tests look at what came of it.
+        // The server may close the connection; the tests check the effect.
         let _ = self.0.send(Message::text(text));
     }
 
-    /// The next message of a kind, within five seconds; none where the other side hangs up.
-    pub fn hear(&mut self, kind: &str) -> Option<Value> {
+    /// Returns the next message of a kind within five seconds, or `None` if the connection closes.
+    pub fn receive(&mut self, kind: &str) -> Option<Value> {
         let begun = Instant::now();
         while begun.elapsed() < Duration::from_secs(5) {
             let Ok(message) = self.0.read() else { return None };
@@ -111,6 +111,6 @@ impl PhoneClient {
 
     pub fn pair(&mut self, code: &str) {
         self.send(&format!(r#"{{"kind":"hello","code":"{code}"}}"#));
-        assert!(self.hear("welcome").is_some(), "the right code was refused");
+        assert!(self.receive("welcome").is_some(), "the right code was refused");
     }
 }

@@ -1,4 +1,4 @@
-//! Promise: the page works in a real browser: the code is typed, the phone is tilted, and the kitchen's pan follows.
+//! Promise: the page works in a real browser: the user enters the code, tilts the phone, and the kitchen's pan follows.
 
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -11,7 +11,7 @@ use serde_json::json;
 
 use super::chromium::Chromium;
 
-/// A kitchen whose pan the phone leads, in real time.
+/// A kitchen whose pan the phone moves, in real time.
 struct Led {
     opened: Opened,
     kitchen: Kitchen,
@@ -44,17 +44,17 @@ impl Led {
         self.kitchen.world().motion.pose
     }
 
-    /// Cooks on until something is seen, for at most ten seconds.
+    /// Advances the kitchen until a condition is met, for at most ten seconds.
     fn until(&mut self, what: &str, seen: impl Fn(&Self) -> bool) {
         let begun = Instant::now();
         while !seen(self) {
-            assert!(begun.elapsed() < Duration::from_secs(10), "in vain: {what}; {:?}", self.sample);
+            assert!(begun.elapsed() < Duration::from_secs(10), "timeout: {what}; {:?}", self.sample);
             self.frame();
         }
     }
 }
 
-/// Where the pan's axis leans [°]: to the right, and away from the cook.
+/// Tilt of the pan's axis to the right and away from the cook [°].
 fn lean(pose: &Pose) -> [f64; 2] {
     let up = pose.rotation * DVec3::Z;
     [up.x.asin().to_degrees(), up.y.asin().to_degrees()]
@@ -92,7 +92,7 @@ fn open_page(browser: &mut Chromium, url: &str, locale: &str) {
 }
 
 #[test]
-fn the_code_is_typed_on_the_page_and_the_kitchen_s_pan_follows_the_phone() {
+fn after_the_code_is_entered_on_the_page_the_kitchen_s_pan_follows_the_phone() {
     let mut led = Led::new();
     let url = led.opened.access.url.clone().unwrap();
     let code = led.opened.access.code.clone().unwrap();
@@ -102,7 +102,7 @@ fn the_code_is_typed_on_the_page_and_the_kitchen_s_pan_follows_the_phone() {
     browser.picture(&pictures().join("pairing.png"));
     turn(&mut browser, [30.0, 0.0, 0.0]);
 
-    // A wrong code is refused, says so, and moves nothing.
+    // A wrong code is refused with a message and moves nothing.
     let wrong = format!("{:06}", (code.parse::<u32>().unwrap() + 7) % 1_000_000);
     type_code(&mut browser, &wrong);
     browser.wait_for("document.getElementById('said').textContent.includes('not the code')");
@@ -130,7 +130,7 @@ fn the_code_is_typed_on_the_page_and_the_kitchen_s_pan_follows_the_phone() {
 
     // Hold flat and tap: these 15 degrees are level now.
     browser.value("document.getElementById('flat').click()");
-    led.until("level is what the hand says", |l| lean(&l.pan()).iter().all(|v| v.abs() < 0.5));
+    led.until("the present orientation is level", |l| lean(&l.pan()).iter().all(|v| v.abs() < 0.5));
 
     // A toss: the pan rises by more than five centimetres and comes back.
     let before = led.pan().position.z;
@@ -138,26 +138,26 @@ fn the_code_is_typed_on_the_page_and_the_kitchen_s_pan_follows_the_phone() {
     led.until("the pan is tossed", |l| l.pan().position.z > before + 0.05);
     led.until("the pan comes back", |l| l.pan().position.z < before + 0.02);
 
-    // The page goes away: the phone is lost.
+    // The page is closed: the phone is lost.
     browser.call("Page.navigate", json!({ "url": "about:blank" }));
     led.until("the phone is lost", |l| l.sample.health == Health::Lost);
 }
 
-/// Motion events as a phone's sensors fire them: up for 0.15 s, down for as long.
+/// Motion events like those of a phone's sensors: upward acceleration for 0.15 s, then downward.
 const TOSS: &str = "(() => { let n = 0;
   const timer = setInterval(() => { const a = n < 9 ? 9 : -9; if (++n > 18) { clearInterval(timer); return; }
     const acceleration = { x: 0, y: a * Math.sin(15 * Math.PI / 180), z: a * Math.cos(15 * Math.PI / 180) };
     dispatchEvent(new DeviceMotionEvent('devicemotion', { acceleration, interval: 16 })); }, 16); })()";
 
 #[test]
-fn the_page_speaks_japanese_where_the_browser_does() {
+fn the_page_is_japanese_in_a_japanese_browser() {
     let led = Led::new();
     let mut browser = Chromium::start();
     open_page(&mut browser, &led.opened.access.url.clone().unwrap(), "ja-JP");
     assert_eq!(browser.value("document.documentElement.lang"), "ja");
     assert_eq!(browser.value("document.querySelector('h1').textContent"), "スマホがフライパンになります");
-    let untold = browser.value("[...document.querySelectorAll('[data-text]')].filter(e => !e.textContent).length");
-    assert_eq!(untold, 0);
+    let missing = browser.value("[...document.querySelectorAll('[data-text]')].filter(e => !e.textContent).length");
+    assert_eq!(missing, 0);
     assert_eq!(browser.value("JSON.stringify(Object.keys(TEXT.en)) === JSON.stringify(Object.keys(TEXT.ja))"), true);
     browser.picture(&pictures().join("pairing-ja.png"));
 }

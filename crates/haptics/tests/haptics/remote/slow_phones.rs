@@ -1,4 +1,4 @@
-//! Promise: nobody without the code keeps a phone out for long, however slowly he drips.
+//! Promise: unpaired connections cannot block a phone for long, however slowly they send.
 
 use std::io::{self, Write};
 use std::net::{SocketAddr, TcpStream};
@@ -9,12 +9,12 @@ use saute_haptics::open;
 
 use super::phone_client::PhoneClient;
 
-/// Connections that are served at once.
+/// Number of connection slots of the server.
 const ROOM: usize = 8;
-/// Time between two drops: short beside the server's own patience with a read.
+/// Interval between two bytes: shorter than the server's read timeout.
 const DROP: Duration = Duration::from_millis(1);
 
-/// Drips until it is hung up on; tells after how long that was.
+/// Sends slowly until the server closes the connection; returns the time until then.
 fn drip(
     mut write: impl FnMut(&[u8]) -> io::Result<()> + Send + 'static,
     beginning: &'static [u8],
@@ -31,14 +31,14 @@ fn drip(
     })
 }
 
-/// The beginning of a handshake of 16 kB, byte by byte.
+/// Sends the start of a 16 kB handshake byte by byte.
 fn dripping_handshake(address: SocketAddr) -> JoinHandle<Duration> {
     let mut tcp = TcpStream::connect(address).unwrap();
     tcp.set_nodelay(true).unwrap();
     drip(move |bytes| tcp.write_all(bytes), &[0x16, 3, 1, 0x40, 0, 1, 0, 0x3f, 0xfc], &[3])
 }
 
-/// A socket whose message goes on in empty pieces; no code is sent.
+/// Sends a message in endless empty fragments over a WebSocket, without a code.
 fn dripping_socket(address: SocketAddr) -> JoinHandle<Duration> {
     let mut phone = PhoneClient::connect(address);
     let write = move |bytes: &[u8]| {
@@ -49,16 +49,16 @@ fn dripping_socket(address: SocketAddr) -> JoinHandle<Duration> {
 }
 
 #[test]
-fn eight_that_drip_without_the_code_keep_a_phone_out_for_seconds_not_for_ever() {
+fn eight_slow_unpaired_connections_block_a_phone_for_seconds_only() {
     let opened = open("phone@127.0.0.1:0", 0).unwrap();
     let address = opened.access.place.parse().unwrap();
     let mut dripping: Vec<_> = (0..4).map(|_| dripping_socket(address)).collect();
     dripping.extend((dripping.len()..ROOM).map(|_| dripping_handshake(address)));
     sleep(Duration::from_millis(200));
-    assert!(PhoneClient::from(address, &format!("https://{address}")).is_err(), "all room is taken");
+    assert!(PhoneClient::from(address, &format!("https://{address}")).is_err(), "all slots are in use");
     for one in dripping {
         let took = one.join().unwrap();
-        assert!(took < Duration::from_secs(9), "kept its room for {took:?}");
+        assert!(took < Duration::from_secs(9), "kept its slot for {took:?}");
     }
     PhoneClient::connect(address).pair(&opened.access.code.clone().unwrap());
 }

@@ -1,4 +1,4 @@
-//! Promise: half a millimetre of workshop error and unknown offsets are found on the jig and calibrated away.
+//! Promise: the jig calibrates half a millimetre of manufacturing error and unknown offsets away.
 
 use saute_haptics::jig_calibration::{Accuracy, CalibrationError, JigReading};
 use saute_haptics::{Calibration, Geometry, PoseEstimator, StringRig};
@@ -49,7 +49,7 @@ fn half_a_millimetre_of_geometry_error_is_calibrated_away() {
 }
 
 #[test]
-fn too_few_places_and_a_wrong_drawing_are_refused_with_what_to_do() {
+fn too_few_places_and_a_wrong_drawing_are_refused_with_a_remedy() {
     let geometry = device("spidar-pan-crossed");
     let mut random = Random(4);
     let (mut rig, offset) = built(&geometry, &mut random);
@@ -62,7 +62,7 @@ fn too_few_places_and_a_wrong_drawing_are_refused_with_what_to_do() {
     let wrong = readings(&geometry, &rig, &offset);
     let error = Calibration::fit(&geometry.rig(), &wrong, Accuracy::default()).unwrap_err();
     assert!(matches!(error, CalibrationError::DoesNotFit { string: 3, .. }), "{error}");
-    // The whole device is another one.
+    // The geometry of another device.
     let (other, offset) = built(&device("spidar-pan"), &mut random);
     let wrong = readings(&geometry, &other, &offset);
     let error = Calibration::fit(&geometry.rig(), &wrong, Accuracy::default()).unwrap_err();

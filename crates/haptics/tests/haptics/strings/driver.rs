@@ -1,4 +1,4 @@
-//! Promise: the driver finds its device, calibrates it, holds its limits, and comes back by itself.
+//! Promise: the driver finds its device, calibrates it, respects its limits, and reconnects automatically.
 
 use saute_haptics::device::{HapticCommand, HapticDevice, HapticSample, Health};
 use saute_haptics::wire::Units;
@@ -26,11 +26,11 @@ fn pull(force: glam::DVec3) -> HapticCommand {
 }
 
 #[test]
-fn it_goes_from_hello_over_the_jig_to_a_true_pose() {
+fn a_hello_and_the_jig_lead_to_a_true_pose() {
     let bench = Bench::new(&device("spidar-pan-crossed"));
     let mut spidar = Spidar::new(bench.link(), device("spidar-pan-crossed"), 42);
     assert_eq!(after(&mut spidar, &HapticCommand::default(), 5).health, Health::Uncalibrated);
-    assert!(bench.tensions().iter().all(|t| (t - 0.3).abs() < 1e-9), "least tension before the calibration");
+    assert!(bench.tensions().iter().all(|t| (t - 0.3).abs() < 1e-9), "minimum tension before the calibration");
     after(&mut spidar, &HapticCommand::default(), 4000);
     let there = Pose::at(0.05, -0.04, 0.13).turned(glam::DVec3::X, 0.2);
     bench.put(there);
@@ -52,7 +52,7 @@ fn the_achieved_wrench_is_what_the_strings_do_beyond_the_empty_device() {
 }
 
 #[test]
-fn while_its_preload_builds_up_the_empty_device_does_nothing_to_the_hand() {
+fn the_empty_device_reports_no_wrench_while_its_preload_builds_up() {
     let bench = Bench::new(&device("spidar-pan-crossed"));
     let mut spidar = running(&bench);
     for step in 0..600 {
@@ -76,7 +76,7 @@ fn no_command_pulls_harder_than_the_limit() {
 }
 
 #[test]
-fn unplugged_it_is_lost_and_plugged_in_it_runs_again_without_the_jig() {
+fn an_unplugged_device_is_lost_and_runs_again_without_the_jig_when_plugged_in() {
     let bench = Bench::new(&device("spidar-pan-crossed"));
     let mut spidar = running(&bench);
     bench.plug(false);
@@ -112,7 +112,7 @@ fn wrong_units_and_wrong_codes_are_refused_until_they_are_right() {
 }
 
 #[test]
-fn stopped_it_lets_go_and_stays_so() {
+fn a_stopped_device_releases_all_forces_for_good() {
     let bench = Bench::new(&device("spidar-pan-crossed"));
     let mut spidar = running(&bench);
     after(&mut spidar, &pull(glam::DVec3::NEG_Z * 5.0), 1000);
@@ -123,7 +123,7 @@ fn stopped_it_lets_go_and_stays_so() {
 }
 
 #[test]
-fn a_device_that_is_not_as_drawn_is_told_apart_from_one_that_waits_for_its_jig() {
+fn a_device_that_is_not_as_drawn_is_distinguished_from_an_uncalibrated_one() {
     let bench = Bench::new(&device("spidar-pan-crossed"));
     let mut spidar = Spidar::new(bench.link(), device("spidar-pan"), 42);
     assert_eq!(after(&mut spidar, &HapticCommand::default(), 100).health, Health::Uncalibrated);

@@ -1,22 +1,22 @@
-//! Promise: a device's file that cannot be used is refused with its line, key and remedy.
+//! Promise: an invalid geometry file is refused with line, key and remedy.
 
-use saute_haptics::{Feel, Geometry, shelf};
+use saute_haptics::{Feel, Geometry, library};
 
 fn refused(change: impl Fn(&str) -> String) -> String {
-    let text = shelf::device_texts().remove(shelf::DEFAULT_DEVICE).unwrap();
+    let text = library::device_texts().remove(library::DEFAULT_DEVICE).unwrap();
     let changed = change(&text);
-    assert_ne!(text, changed, "the change did nothing");
+    assert_ne!(text, changed, "the change has no effect");
     Geometry::parse(&changed, "mine.toml").unwrap_err().to_string()
 }
 
 #[test]
 fn three_devices_are_shipped() {
-    let names: Vec<String> = shelf::devices().unwrap().into_keys().collect();
+    let names: Vec<String> = library::devices().unwrap().into_keys().collect();
     assert_eq!(names, ["spidar-frame", "spidar-pan", "spidar-pan-crossed"]);
 }
 
 #[test]
-fn what_is_wrong_is_said_with_line_key_and_remedy() {
+fn an_error_names_line_key_and_remedy() {
     let said = refused(|t| t.replace("max_tension_n = 12", "max_tension_n = 900"));
     assert!(
         said.starts_with("mine.toml:") && said.contains("max_tension_n = 900") && said.contains("0.1 to 60"),

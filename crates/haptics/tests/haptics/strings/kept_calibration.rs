@@ -1,4 +1,4 @@
-//! Promise: what the jig told is kept, and holds at the next start as long as it still fits.
+//! Promise: a calibration is stored, and valid at the next start as long as it still fits.
 
 use saute_haptics::device::{HapticCommand, HapticDevice, HapticSample};
 use saute_haptics::kept_calibration::{CalibrationMemory, KeptCalibration, file_in};
@@ -13,7 +13,7 @@ fn after(spidar: &mut Spidar<BenchLink>, steps: u32) -> HapticSample {
     (0..steps).map(|_| spidar.exchange(&HapticCommand::default(), 1e-3)).last().unwrap()
 }
 
-/// What a device on its jig tells.
+/// The calibration of a device on its jig.
 fn found(bench: &Bench) -> KeptCalibration {
     let mut spidar = Spidar::new(bench.link(), device(DEVICE), 42);
     let (memory, mut news) = CalibrationMemory::new(None);
@@ -21,7 +21,7 @@ fn found(bench: &Bench) -> KeptCalibration {
     assert!(news.take().is_none());
     assert_eq!(after(&mut spidar, 4000).health, Health::Running);
     let found = news.take().unwrap();
-    assert!(news.take().is_none(), "told once");
+    assert!(news.take().is_none(), "reported once");
     spidar.stop();
     found
 }
@@ -34,7 +34,7 @@ fn started(bench: &Bench, kept: KeptCalibration) -> Spidar<BenchLink> {
 }
 
 #[test]
-fn what_the_jig_told_is_read_back_from_its_file_and_needs_no_jig_again() {
+fn a_stored_calibration_is_read_back_from_its_file_and_needs_no_jig() {
     let bench = Bench::new(&device(DEVICE));
     let kept = found(&bench);
     let text = kept.text().unwrap();
@@ -52,17 +52,17 @@ fn what_the_jig_told_is_read_back_from_its_file_and_needs_no_jig_again() {
 }
 
 #[test]
-fn encoders_that_have_lost_their_count_send_the_pan_to_its_jig_again() {
+fn encoders_that_have_lost_their_count_require_the_jig_again() {
     let bench = Bench::new(&device(DEVICE));
     let kept = found(&bench);
     bench.power_cycle();
     let mut spidar = started(&bench, kept);
     assert_eq!(after(&mut spidar, 50).health, Health::Uncalibrated);
-    assert_eq!(after(&mut spidar, 4000).health, Health::Running, "the jig settles it");
+    assert_eq!(after(&mut spidar, 4000).health, Health::Running, "calibrated on the jig");
 }
 
 #[test]
-fn a_string_that_has_slipped_is_noticed_at_the_start() {
+fn a_slipped_string_is_detected_at_the_start() {
     let bench = Bench::new(&device(DEVICE));
     let kept = found(&bench);
     bench.slip(0.02);
@@ -74,7 +74,7 @@ fn a_string_that_has_slipped_is_noticed_at_the_start() {
 }
 
 #[test]
-fn a_file_that_cannot_be_used_says_what_to_do() {
+fn an_invalid_file_is_refused_with_a_remedy() {
     let text = found(&Bench::new(&device(DEVICE))).text().unwrap();
     let refused = |text: &str, words: &str| {
         let said = KeptCalibration::parse(text, "pan.toml").unwrap_err().to_string();

@@ -4,7 +4,7 @@ use saute_haptics::{Geometry, PoseEstimator, STRINGS};
 
 use crate::random::{Random, apart, device, somewhere};
 
-/// Lengths as encoders of the device's pitch read them, middle of the count.
+/// Lengths as the device's encoders read them, at the middle of the count.
 fn read(geometry: &Geometry, lengths: [f64; STRINGS]) -> [f64; STRINGS] {
     lengths.map(|l| ((l / geometry.pitch()).floor() + 0.5) * geometry.pitch())
 }
@@ -49,14 +49,14 @@ fn a_string_stiffness_that_is_a_tenth_off_costs_less_than_half_a_millimetre() {
 }
 
 #[test]
-fn lengths_that_are_not_numbers_change_nothing() {
+fn lengths_that_are_not_finite_change_nothing() {
     let geometry = device("spidar-pan-crossed");
     let mut estimator = PoseEstimator::new(geometry.rig(), geometry.home());
     assert_eq!(estimator.update(&[f64::NAN; STRINGS], 1e-3), geometry.home());
 }
 
 #[test]
-fn drift_of_one_encoder_is_learned_from_the_two_lengths_too_many() {
+fn drift_of_one_encoder_is_estimated_from_the_two_redundant_lengths() {
     let geometry = device("spidar-pan-crossed");
     let mut estimator = PoseEstimator::new(geometry.rig(), geometry.home());
     let mut drifted = geometry.rig().lengths(&geometry.home());

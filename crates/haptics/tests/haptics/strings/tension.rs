@@ -1,4 +1,4 @@
-//! Promise: tensions lie within their limits and are the best there are, to 1e-6 of an independent solver.
+//! Promise: tensions respect their limits and are optimal to 1e-6 of an independent solver.
 
 use saute_haptics::strings::Lines;
 use saute_haptics::workspace::{largest, report, smallest_singular_value};
@@ -6,7 +6,7 @@ use saute_haptics::{STRINGS, TensionRule, TensionSolver, Wrench};
 
 use crate::random::{Random, device, somewhere};
 
-/// What the tensions are to make small.
+/// Objective function of the tension distribution.
 fn cost(lines: &Lines, wanted: &Wrench, rule: &TensionRule, t: &[f64; STRINGS]) -> f64 {
     let off = lines.wrench(t) - *wanted;
     let slack: f64 = t.iter().map(|t| (t - rule.min).powi(2)).sum();
@@ -19,9 +19,9 @@ fn slope(lines: &Lines, wanted: &Wrench, rule: &TensionRule, t: &[f64; STRINGS],
     2.0 * (lines.direction[i].dot(off.force) + torque + rule.regularisation * (t[i] - rule.min))
 }
 
-/// Accelerated projected gradient, run for long: slow, plain, and unlike the solver under test.
+/// Accelerated projected gradient with many iterations: slow, simple, and independent of the solver under test.
 fn by_gradient(lines: &Lines, wanted: &Wrench, rule: &TensionRule) -> [f64; STRINGS] {
-    // The largest slope of slopes is at most the trace: 8 unit directions and their levers.
+    // The largest eigenvalue of the Hessian is at most its trace: 8 unit directions and their levers.
     let trace: f64 = (0..STRINGS).map(|i| 1.0 + lines.lever[i].length_squared() / rule.lever.powi(2)).sum();
     let step = 0.5 / (trace + rule.regularisation);
     let (mut t, mut ahead, mut momentum) = ([rule.min; STRINGS], [rule.min; STRINGS], 1.0f64);
@@ -62,8 +62,8 @@ fn tensions_are_optimal_to_1e_6_against_a_long_projected_gradient() {
 }
 
 #[test]
-fn no_bound_and_no_free_tension_can_be_bettered() {
-    // The conditions of Karush, Kuhn and Tucker hold to 1e-6 with the shipped regularisation, wherever the search began.
+fn the_optimality_conditions_hold_for_every_bound_and_free_tension() {
+    // The Karush–Kuhn–Tucker conditions hold to 1e-6 with the shipped regularisation, from any start.
     let geometry = device("spidar-pan-crossed");
     let rule = geometry.tension_rule();
     let mut solver = TensionSolver::new(rule);
@@ -77,8 +77,8 @@ fn no_bound_and_no_free_tension_can_be_bettered() {
         for (i, t) in solved.tension.iter().enumerate() {
             let slope = slope(&lines, &wanted, &rule, &solved.tension, i);
             assert!((rule.min..=rule.max).contains(t));
-            assert!(*t > rule.min || slope >= -1e-6, "{slope} at the least tension");
-            assert!(*t < rule.max || slope <= 1e-6, "{slope} at the largest");
+            assert!(*t > rule.min || slope >= -1e-6, "{slope} at the minimum tension");
+            assert!(*t < rule.max || slope <= 1e-6, "{slope} at the maximum");
             assert!(*t == rule.min || *t == rule.max || slope.abs() <= 1e-6, "{slope} at {t}");
         }
     }
@@ -94,7 +94,7 @@ fn motors_below_pull_down_and_sideways_but_push_up_no_more_than_their_preload() 
 }
 
 #[test]
-fn the_frame_shows_wrenches_all_around() {
+fn the_frame_renders_wrenches_in_all_directions() {
     let report = report(&device("spidar-frame"));
     let reach = report.home.plus.iter().chain(&report.home.minus);
     assert!(reach.clone().take(3).all(|f| *f > 4.0), "{report:?}");

@@ -1,4 +1,4 @@
-//! Promise: frames are as docs/spidar-protocol.md says, and nothing that comes over a wire can break the host.
+//! Promise: frames match docs/spidar-protocol.md, and no received bytes can break the host.
 
 use std::io::{self, Read, Write};
 
@@ -77,14 +77,14 @@ fn every_single_bit_error_is_noticed() {
 }
 
 #[test]
-fn another_version_is_told_apart_from_damage() {
+fn another_version_needs_an_intact_checksum() {
     let mut frame = vector("caps");
     frame[2] = 2;
     assert_eq!(Frame::decode(&frame), Err(FrameError::Checksum));
     assert_eq!(Frame::decode(&frame[..70]), Err(FrameError::Length(70)));
 }
 
-/// A stream from which bytes come in pieces, and which keeps what is written.
+/// A stream that delivers bytes in pieces and stores what is written.
 struct Wire {
     coming: Vec<u8>,
     piece: usize,
@@ -136,7 +136,7 @@ proptest! {
     fn no_payload_makes_a_message_panic(kind in any::<u8>(), bytes in proptest::collection::vec(any::<u8>(), 64)) {
         let payload: [u8; 64] = bytes.try_into().unwrap();
         if let Ok(message) = Message::decode(kind, &payload) {
-            // What was understood is said again in the same way, but for bytes that mean nothing.
+            // A decoded message encodes to the same meaning; unused bytes may differ.
             let (again, said) = message.encode();
             prop_assert_eq!(kind, again);
             prop_assert_eq!(Message::decode(again, &said).unwrap(), message);
@@ -154,10 +154,10 @@ proptest! {
     }
 
     #[test]
-    fn a_stream_finds_its_beat_again_after_any_garbage(
+    fn a_stream_resynchronises_after_any_garbage(
         garbage in proptest::collection::vec(any::<u8>(), 0..400), lost in 0usize..STUFFED, piece in 1usize..300,
     ) {
-        // Garbage, a frame whose beginning is lost, then two whole ones: at the least the last one is found.
+        // Garbage, a truncated frame, then two whole ones: both are found.
         let whole = vector("sample-stuffed");
         let mut coming = garbage;
         coming.extend(&whole[lost..]);

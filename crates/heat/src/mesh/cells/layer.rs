@@ -1,40 +1,42 @@
-//! Nodes in layers below the surface and on a lattice inside.
+//! Node placement: layers below the surface and a lattice inside.
 
+use glam::DVec3;
+
+use crate::mesh::bounds::bounds;
 use crate::mesh::cells::point_grid::PointGrid;
 use crate::mesh::cells::sample::Sample;
 use crate::mesh::surface::DepthFinder;
-use crate::vector::{Vec3, along, bounds, dot};
 
-/// Layers become thicker by this factor inwards [-] (chosen; convergence is tested).
+/// Ratio of the thicknesses of successive layers [-] (chosen; convergence is tested).
 const GROWTH: f64 = 1.4;
-/// Distance of neighbours on the lattice over the spacing of the surface's samples [-] (chosen: a lattice cell then holds
-/// about as much as a cell of the last layer).
+/// Distance of neighbours on the lattice ÷ spacing on the surface [-] (chosen: lattice cells then have about the volume of
+/// cells in the last layer).
 const LATTICE: f64 = 0.55;
-/// A copy must lie at least this share of its depth below every part of the surface [-] (chosen: less belongs to another
-/// part).
+/// Least depth below any part of the surface ÷ depth below its own sample, for a node of a layer [-] (chosen: a smaller
+/// value means that another part of the surface is nearer).
 const OWN_DEPTH: f64 = 0.85;
-/// Copies of one layer that come nearer than this share of the spacing are thinned [-] (chosen).
+/// Least distance of nodes of one layer ÷ spacing [-] (chosen).
 const CROWDED: f64 = 0.5;
-/// Cosine beyond which two samples are of one face, whose copies may be thinned [-] (chosen: 45°; thinning either column
-/// beside a sharp edge would spoil their symmetry, by which cells end where faces do).
+/// Cosine of the angle between normals below which two samples belong to one face and their columns may be thinned [-]
+/// (chosen: 45°; columns on both sides of a sharp edge stay symmetric, so that cells end exactly at the edge).
 const ONE_FACE: f64 = 0.707;
-/// Nodes of different layers stay apart by this share of the layers' distance [-] (chosen).
+/// Least distance of nodes of different layers ÷ layer thickness [-] (chosen).
 const LAYERS_APART: f64 = 0.6;
-/// Lattice points stay away from other nodes by this share of the lattice's distance [-] (chosen).
+/// Least distance of a lattice node from other nodes ÷ lattice distance [-] (chosen).
 const LATTICE_APART: f64 = 0.75;
 
-/// A node.
+/// A node of the mesh, with its position [m].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
-    /// Place [m].
-    pub position: Vec3,
+    /// Position [m].
+    pub position: DVec3,
     /// Depth below the surface [m].
     pub depth: f64,
-    /// The sample of the surface that it lies below.
+    /// Index of the surface sample above it.
     pub sample: u32,
 }
 
-/// Depths of the layers below the first, which is the surface itself [m].
+/// Returns the depths of the layers below the surface [m].
 pub fn depths(first: f64, spacing: f64) -> Vec<f64> {
     let (mut gap, mut depth, mut depths) = (first, 0.0, Vec::new());
     while gap < LATTICE * spacing {
@@ -45,9 +47,9 @@ pub fn depths(first: f64, spacing: f64) -> Vec<f64> {
     depths
 }
 
-/// Places nodes: the samples themselves first, in their order, then their copies inwards, then the lattice.
+/// Returns all nodes: the surface samples in their order, then the layers, then the lattice [m].
 pub fn nodes(finder: &DepthFinder, samples: &[Sample], first: f64, spacing: f64) -> Vec<Node> {
-    let bounds = bounds(finder.surface().vertices.iter().copied());
+    let bounds = bounds(finder.surface().points());
     let grid = PointGrid::over(bounds, 0.5 * spacing);
     let mut placed = Placed { samples, grid, nodes: Vec::new(), layers: Vec::new() };
     for (i, sample) in samples.iter().enumerate() {
@@ -58,7 +60,7 @@ pub fn nodes(finder: &DepthFinder, samples: &[Sample], first: f64, spacing: f64)
     placed.nodes
 }
 
-/// What has been placed so far.
+/// The nodes placed so far, each with its layer.
 struct Placed<'a> {
     samples: &'a [Sample],
     grid: PointGrid,
@@ -73,26 +75,26 @@ impl Placed<'_> {
         self.layers.push(layer);
     }
 
-    /// Whether a copy of a sample would stand too near to what there is.
+    /// Returns true if a new node of a layer is too close to an existing one.
     fn crowded(&self, copy: &Node, layer: u32, gap: f64, spacing: f64) -> bool {
         let normal = |sample: u32| self.samples[sample as usize].normal;
         let same_layer = |i: u32| {
             let other = &self.nodes[i as usize];
-            self.layers[i as usize] == layer && dot(normal(other.sample), normal(copy.sample)) > ONE_FACE
+            self.layers[i as usize] == layer && normal(other.sample).dot(normal(copy.sample)) > ONE_FACE
         };
         self.grid.any_within(copy.position, CROWDED * spacing, same_layer)
             || self.grid.any_within(copy.position, LAYERS_APART * gap, |_| true)
     }
 }
 
-/// Copies the samples inwards layer by layer; returns the depth that each reached [m].
+/// Offsets the samples inwards, layer by layer; returns the deepest node of each column [m].
 fn copies(finder: &DepthFinder, samples: &[Sample], first: f64, spacing: f64, placed: &mut Placed) -> Vec<f64> {
     let mut deepest = vec![0.0; samples.len()];
     let mut open = vec![true; samples.len()];
     let mut before = 0.0;
     for (layer, depth) in (1u32..).zip(depths(first, spacing)) {
         for (i, sample) in samples.iter().enumerate() {
-            let position = along(sample.position, sample.normal, -depth);
+            let position = sample.position + -depth * sample.normal;
             let copy = Node { position, depth, sample: i as u32 };
             open[i] &= finder.depth(position).depth >= OWN_DEPTH * depth
                 && !placed.crowded(&copy, layer, depth - before, spacing);
@@ -106,30 +108,30 @@ fn copies(finder: &DepthFinder, samples: &[Sample], first: f64, spacing: f64, pl
     deepest
 }
 
-/// Fills what is left with a body-centred cubic lattice about the origin.
+/// Fills the remaining interior with a body-centred cubic lattice about the origin.
 fn lattice(
     finder: &DepthFinder,
     samples: &[Sample],
     deepest: &[f64],
     spacing: f64,
-    [low, high]: [Vec3; 2],
+    [low, high]: [DVec3; 2],
     placed: &mut Placed,
 ) {
-    let positions: Vec<Vec3> = samples.iter().map(|s| s.position).collect();
+    let positions: Vec<DVec3> = samples.iter().map(|s| s.position).collect();
     let surface = PointGrid::of(&positions, spacing);
     let apart = LATTICE * spacing;
     let edge = apart * 2.0 / libm::sqrt(3.0);
-    let from = low.map(|v| libm::floor(v / edge) as i64);
-    let to = high.map(|v| libm::ceil(v / edge) as i64);
+    let from = low.to_array().map(|v| libm::floor(v / edge) as i64);
+    let to = high.to_array().map(|v| libm::ceil(v / edge) as i64);
     for (z, y, x) in triples(from, to) {
         for half in [0.0, 0.5] {
-            let position = [x, y, z].map(|v| (v as f64 + half) * edge);
+            let position = DVec3::from([x, y, z].map(|v| (v as f64 + half) * edge));
             let found = finder.depth(position);
             if found.depth < 0.5 * apart {
                 continue;
             }
             let normal = finder.normal(found.triangle);
-            let facing = |i: u32| dot(samples[i as usize].normal, normal) > 0.0;
+            let facing = |i: u32| samples[i as usize].normal.dot(normal) > 0.0;
             let sample = surface.nearest(found.nearest, spacing, facing).unwrap_or(0);
             let clear = found.depth > deepest[sample as usize] + 0.5 * apart
                 && !placed.grid.any_within(position, LATTICE_APART * apart, |_| true);

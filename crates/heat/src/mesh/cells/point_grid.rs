@@ -1,47 +1,51 @@
-//! Points sorted into cubes, to find those near a place.
+//! A uniform grid of points for neighbour search.
+//!
+//! Points are visited in a fixed order, bucket by bucket; sums over neighbours depend on it to the last bit.
 
-use crate::vector::{Vec3, bounds, distance, sub};
+use glam::DVec3;
 
-/// Most cubes along an edge (chosen: bounds memory where points lie far apart).
+use crate::mesh::bounds::bounds;
+
+/// Most buckets along an edge of the box [-] (chosen: limits the memory where points lie far apart).
 const MOST_CUBES: usize = 128;
 
-/// Points in cubes.
+/// Points in cubic buckets [m].
 #[derive(Clone, Debug, Default)]
 pub struct PointGrid {
-    low: Vec3,
+    low: DVec3,
     cube: f64,
     counts: [usize; 3],
     buckets: Vec<Vec<u32>>,
-    /// The points in the order in which they came.
-    pub points: Vec<Vec3>,
+    /// The points in order of insertion [m].
+    pub points: Vec<DVec3>,
 }
 
 impl PointGrid {
-    /// An empty grid over a box, with cubes of about the given edge [m].
-    pub fn over([low, high]: [Vec3; 2], cube: f64) -> Self {
-        let edges = sub(high, low);
+    /// Returns an empty grid over a box, with buckets of about the given edge [m].
+    pub fn over([low, high]: [DVec3; 2], cube: f64) -> Self {
+        let edges = (high - low).to_array();
         let largest = edges.into_iter().fold(0.0, f64::max);
         let cube = cube.max(largest / MOST_CUBES as f64).max(f64::MIN_POSITIVE);
         let counts = edges.map(|e| (e / cube) as usize + 1);
         Self { low, cube, counts, buckets: vec![Vec::new(); counts[0] * counts[1] * counts[2]], points: Vec::new() }
     }
 
-    /// A grid of given points.
-    pub fn of(points: &[Vec3], cube: f64) -> Self {
+    /// Returns a grid of given points, with buckets of about the given edge [m].
+    pub fn of(points: &[DVec3], cube: f64) -> Self {
         let mut grid = Self::over(bounds(points.iter().copied()), cube);
         points.iter().for_each(|p| grid.push(*p));
         grid
     }
 
-    /// Adds a point.
-    pub fn push(&mut self, p: Vec3) {
+    /// Adds a point [m].
+    pub fn push(&mut self, p: DVec3) {
         let at = self.place(p);
         let bucket = self.bucket(at);
         self.buckets[bucket].push(self.points.len() as u32);
         self.points.push(p);
     }
 
-    fn place(&self, p: Vec3) -> [usize; 3] {
+    fn place(&self, p: DVec3) -> [usize; 3] {
         [0, 1, 2].map(|k| (((p[k] - self.low[k]) / self.cube).max(0.0) as usize).min(self.counts[k] - 1))
     }
 
@@ -49,14 +53,14 @@ impl PointGrid {
         (z * self.counts[1] + y) * self.counts[0] + x
     }
 
-    /// Visits the points within a distance, with their distance [m].
-    pub fn within(&self, p: Vec3, reach: f64, mut visit: impl FnMut(u32, f64)) {
-        let (from, to) = (self.place(p.map(|v| v - reach)), self.place(p.map(|v| v + reach)));
+    /// Visits the points within a distance of `p`, with their distances [m].
+    pub fn within(&self, p: DVec3, reach: f64, mut visit: impl FnMut(u32, f64)) {
+        let (from, to) = (self.place(p - DVec3::splat(reach)), self.place(p + DVec3::splat(reach)));
         for z in from[2]..=to[2] {
             for y in from[1]..=to[1] {
                 for x in from[0]..=to[0] {
                     for &i in &self.buckets[self.bucket([x, y, z])] {
-                        let d = distance(self.points[i as usize], p);
+                        let d = self.points[i as usize].distance(p);
                         if d <= reach {
                             visit(i, d);
                         }
@@ -66,17 +70,18 @@ impl PointGrid {
         }
     }
 
-    /// Whether a point lies nearer than a distance that `accept`s being counted.
-    pub fn any_within(&self, p: Vec3, reach: f64, accept: impl Fn(u32) -> bool) -> bool {
+    /// Returns true if a point that `accept` admits lies closer to `p` than a distance [m].
+    pub fn any_within(&self, p: DVec3, reach: f64, accept: impl Fn(u32) -> bool) -> bool {
         let mut any = false;
         self.within(p, reach, |i, d| any |= d < reach && accept(i));
         any
     }
 
-    /// The nearest of the points that `accept` takes, looked for in growing distances from `reach` on [m].
-    pub fn nearest(&self, p: Vec3, mut reach: f64, accept: impl Fn(u32) -> bool) -> Option<u32> {
-        let [low, high] = [self.low, [0, 1, 2].map(|k| self.low[k] + self.cube * self.counts[k] as f64)];
-        let farthest = distance(low, high) + distance(p, low).min(distance(p, high));
+    /// Returns the nearest point that `accept` admits, searched in doubling distances from `reach` on [m].
+    pub fn nearest(&self, p: DVec3, mut reach: f64, accept: impl Fn(u32) -> bool) -> Option<u32> {
+        let low = self.low;
+        let high = low + self.cube * DVec3::from(self.counts.map(|n| n as f64));
+        let farthest = low.distance(high) + p.distance(low).min(p.distance(high));
         loop {
             let mut best: Option<(f64, u32)> = None;
             self.within(p, reach, |i, d| {

@@ -1,34 +1,35 @@
-//! Triangles of the surface to be drawn, fed by the nodes that lie on it.
+//! The refined surface of a cell mesh for drawing, with interpolation weights from the nodes on it.
 
 use std::collections::BTreeMap;
+
+use glam::DVec3;
 
 use crate::mesh::cells::point_grid::PointGrid;
 use crate::mesh::cells::sample::Sample;
 use crate::mesh::surface::Surface;
-use crate::vector::{Vec3, add, distance, dot, scale, unit};
 
-/// Longest edge that is drawn over the spacing of the surface's nodes [-] (chosen: what is finer shows nothing new).
+/// Longest edge of a drawn triangle ÷ spacing of the surface nodes [-] (chosen: smaller triangles show no more detail).
 const LONGEST: f64 = 1.0;
-/// Most halvings of an edge (chosen: an edge of 300 mm then ends below the finest spacing).
+/// Most bisections of an edge [-] (chosen: an edge of 300 mm is then shorter than the finest spacing).
 const HALVINGS: usize = 10;
 
-/// A closed surface whose vertices read fields from nodes.
+/// A closed surface for drawing, with vertices in [m], that interpolates fields of the surface nodes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Skin {
     /// Vertices [m].
-    pub vertices: Vec<Vec3>,
-    /// Outward unit normals.
-    pub normals: Vec<Vec3>,
+    pub vertices: Vec<[f64; 3]>,
+    /// Outward unit normals [-].
+    pub normals: Vec<[f64; 3]>,
     /// Triangles, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// The nodes that each vertex reads.
+    /// Nodes from which each vertex is interpolated.
     pub nodes: Vec<[u32; 4]>,
-    /// Their weights; they sum to 1 [-].
+    /// Weights of these nodes; they sum to 1 [-].
     pub weights: Vec<[f64; 4]>,
 }
 
 impl Skin {
-    /// Refines a surface to the spacing of its nodes [m]; sample i is node i.
+    /// Returns the surface refined to the spacing of its nodes [m]; sample i is node i.
     pub(super) fn new(surface: &Surface, samples: &[Sample], spacing: f64) -> Self {
         let mut fine = Surface::clone(surface);
         for _ in 0..HALVINGS {
@@ -37,97 +38,99 @@ impl Skin {
             }
         }
         let (vertices, normals, triangles) = split_at_creases(&fine);
-        let positions: Vec<Vec3> = samples.iter().map(|s| s.position).collect();
+        let positions: Vec<DVec3> = samples.iter().map(|s| s.position).collect();
         let grid = PointGrid::of(&positions, spacing);
-        let read = |(p, n): (&Vec3, &Vec3)| weights(&grid, samples, *p, *n, spacing);
+        let read = |(p, n): (&DVec3, &DVec3)| weights(&grid, samples, *p, *n, spacing);
         let (nodes, weights) = vertices.iter().zip(&normals).map(read).unzip();
-        Self { vertices, normals, triangles, nodes, weights }
+        let arrays = |v: Vec<DVec3>| v.iter().map(DVec3::to_array).collect();
+        Self { vertices: arrays(vertices), normals: arrays(normals), triangles, nodes, weights }
     }
 
-    /// Value of a node field at a vertex.
+    /// Returns the value of a node field at a vertex, in the unit of the field.
     #[inline]
     pub fn read(&self, vertex: usize, field: &[f64]) -> f64 {
         (0..4).map(|k| self.weights[vertex][k] * field[self.nodes[vertex][k] as usize]).sum()
     }
 }
 
-/// Puts a vertex into the middle of every edge that is too long; tells whether there was one.
+/// Bisects every edge longer than `longest` [m]; returns true if there was one.
 fn halve_long_edges(surface: &mut Surface, longest: f64) -> bool {
     let mut middles = BTreeMap::<[u32; 2], u32>::new();
     let mut triangles = Vec::with_capacity(surface.triangles.len());
     for t in std::mem::take(&mut surface.triangles) {
         let mids = [0, 1, 2].map(|k| {
             let (a, b) = (t[k], t[(k + 1) % 3]);
-            let [p, q] = [a, b].map(|v| surface.vertices[v as usize]);
-            (distance(p, q) > longest).then(|| {
+            let [p, q] = [a, b].map(|v| surface.vertex(v));
+            (p.distance(q) > longest).then(|| {
                 *middles.entry([a.min(b), a.max(b)]).or_insert_with(|| {
-                    surface.vertices.push(scale(add(p, q), 0.5));
+                    surface.vertices.push(((p + q) * 0.5).to_array());
                     surface.vertices.len() as u32 - 1
                 })
             })
         });
-        split(&surface.vertices, t, mids, &mut triangles);
+        split(surface, t, mids, &mut triangles);
     }
     surface.triangles = triangles;
     !middles.is_empty()
 }
 
-/// Divides a triangle along the middles of its edges that have one.
-fn split(vertices: &[Vec3], t: [u32; 3], mids: [Option<u32>; 3], triangles: &mut Vec<[u32; 3]>) {
+/// Divides a triangle at the midpoints of its bisected edges into two, three or four.
+fn split(surface: &Surface, t: [u32; 3], mids: [Option<u32>; 3], triangles: &mut Vec<[u32; 3]>) {
     if let [Some(p), Some(q), Some(r)] = mids {
         triangles.extend([[t[0], p, r], [p, t[1], q], [r, q, t[2]], [p, q, r]]);
         return;
     }
-    let Some(k) = (0..3).find(|&k| mids[k].is_some() && mids[(k + 2) % 3].is_none()) else {
+    let first = (0..3).find_map(|k| mids[k].filter(|_| mids[(k + 2) % 3].is_none()).map(|p| (k, p)));
+    let Some((k, p)) = first else {
         triangles.push(t);
         return;
     };
     let [a, b, c] = [t[k], t[(k + 1) % 3], t[(k + 2) % 3]];
-    match (mids[k], mids[(k + 1) % 3]) {
-        (Some(p), Some(q)) => {
-            triangles.push([p, b, q]);
-            let d = |u: u32, v: u32| distance(vertices[u as usize], vertices[v as usize]);
-            // The shorter diagonal keeps the triangles fat.
-            if d(a, q) < d(p, c) {
-                triangles.extend([[a, p, q], [a, q, c]]);
-            } else {
-                triangles.extend([[a, p, c], [p, q, c]]);
-            }
-        }
-        (Some(p), None) => triangles.extend([[a, p, c], [p, b, c]]),
-        _ => triangles.push(t),
+    let Some(q) = mids[(k + 1) % 3] else {
+        triangles.extend([[a, p, c], [p, b, c]]);
+        return;
+    };
+    triangles.push([p, b, q]);
+    let d = |u: u32, v: u32| surface.vertex(u).distance(surface.vertex(v));
+    // The shorter diagonal gives the better aspect ratio.
+    if d(a, q) < d(p, c) {
+        triangles.extend([[a, p, q], [a, q, c]]);
+    } else {
+        triangles.extend([[a, p, c], [p, q, c]]);
     }
 }
 
-/// Cosine between faces beyond which a vertex is drawn with one normal [-] (chosen: 45°).
+/// Cosine of the angle between faces below which they share one vertex normal [-] (chosen: 45°).
 const SMOOTH: f64 = 0.707;
 
-/// Doubles the vertices at sharp edges, so that each has one normal.
-fn split_at_creases(surface: &Surface) -> (Vec<Vec3>, Vec<Vec3>, Vec<[u32; 3]>) {
-    let mut sides: Vec<Vec<(Vec3, u32)>> = vec![Vec::new(); surface.vertices.len()];
-    let (mut vertices, mut sums) = (Vec::new(), Vec::<Vec3>::new());
+/// Returns vertices, vertex normals and triangles, with vertices duplicated at sharp edges so that each has one normal.
+fn split_at_creases(surface: &Surface) -> (Vec<DVec3>, Vec<DVec3>, Vec<[u32; 3]>) {
+    let mut sides: Vec<Vec<(DVec3, u32)>> = vec![Vec::new(); surface.vertices.len()];
+    let (mut vertices, mut sums) = (Vec::new(), Vec::<DVec3>::new());
     let mut triangles = Vec::with_capacity(surface.triangles.len());
     for (t, ids) in surface.triangles.iter().enumerate() {
         let (doubled, normal) = (surface.doubled_area(t), surface.normal(t));
         triangles.push(ids.map(|v| {
-            let known = sides[v as usize].iter().find(|(n, _)| dot(*n, normal) > SMOOTH).map(|s| s.1);
+            let known = sides[v as usize].iter().find(|(n, _)| n.dot(normal) > SMOOTH).map(|s| s.1);
             let at = known.unwrap_or_else(|| {
-                vertices.push(surface.vertices[v as usize]);
-                sums.push([0.0; 3]);
+                vertices.push(surface.vertex(v));
+                sums.push(DVec3::ZERO);
                 sides[v as usize].push((normal, vertices.len() as u32 - 1));
                 vertices.len() as u32 - 1
             });
-            sums[at as usize] = add(sums[at as usize], doubled);
+            sums[at as usize] += doubled;
             at
         }));
     }
-    (vertices, sums.into_iter().map(unit).collect(), triangles)
+    (vertices, sums.into_iter().map(DVec3::normalize_or_zero).collect(), triangles)
 }
 
-/// Nodes near a vertex on its side of the body, weighted so that the field is continuous (Franke & Little's weights: those
-/// of the fifth and farther nodes are 0).
-fn weights(grid: &PointGrid, samples: &[Sample], p: Vec3, normal: Vec3, spacing: f64) -> ([u32; 4], [f64; 4]) {
-    let facing = |i: u32| dot(samples[i as usize].normal, normal) > 0.0;
+/// Returns the four nearest nodes on the same side of the body with Franke–Little weights [-].
+///
+/// wₖ = ((R − dₖ) / (R dₖ))², normalised, with R the distance of the fifth node: the interpolated field is continuous.
+/// Source: Franke & Nielson 1980, Int. J. Numer. Meth. Eng. 15:1691.
+fn weights(grid: &PointGrid, samples: &[Sample], p: DVec3, normal: DVec3, spacing: f64) -> ([u32; 4], [f64; 4]) {
+    let facing = |i: u32| samples[i as usize].normal.dot(normal) > 0.0;
     let mut near: Vec<(f64, u32)> = Vec::new();
     let mut reach = 1.5 * spacing;
     while near.len() < 5 && reach < 8.0 * spacing {

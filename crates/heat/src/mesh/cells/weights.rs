@@ -1,30 +1,32 @@
-//! Values between the nodes of a body of cells.
+//! Interpolation between the nodes of a body of cells.
+
+use glam::DVec3;
 
 use crate::mesh::cells::cell::{Cell, Wall};
 use crate::mesh::cells::cell_mesh::CellMesh;
-use crate::vector::{Vec3, distance, dot, sub};
-
-/// The nodes around a point and their shares; they sum to 1.
+/// Nodes around a point with their interpolation weights; the weights sum to 1 [-].
 pub type Weights = Vec<(u32, f64)>;
 
 impl CellMesh {
-    /// The node nearest to a point.
-    pub fn nearest(&self, p: Vec3) -> u32 {
-        self.grid.nearest(p, 0.5 * self.fineness.spacing, |_| true).unwrap_or(0)
+    /// Returns the node nearest to a point [m].
+    pub fn nearest(&self, p: [f64; 3]) -> u32 {
+        self.grid.nearest(p.into(), 0.5 * self.fineness.spacing, |_| true).unwrap_or(0)
     }
 
-    /// Whether a point lies inside: below the surface over its nearest node.
-    pub fn contains(&self, p: Vec3) -> bool {
+    /// Returns true if a point [m] lies inside: below the surface plane over its nearest node.
+    pub fn contains(&self, p: [f64; 3]) -> bool {
         let node = self.nearest(p) as usize;
-        let above = dot(sub(p, self.positions[node]), self.normals[node]);
+        let above = (DVec3::from(p) - self.node(node)).dot(self.normals[node]);
         above <= self.depth[node] * (1.0 + 1e-9) + 1e-12
     }
 
-    /// Weights with which a field is read at a point, exact for linear fields inside (Laplace weights: the faces of the cell
-    /// that the point would have, over their distances).
-    pub fn weights(&self, p: Vec3) -> Weights {
-        let nearest = self.nearest(p);
-        let gap = distance(self.positions[nearest as usize], p);
+    /// Returns the interpolation weights at a point [m], exact for linear fields inside [-].
+    ///
+    /// Laplace (non-Sibson) natural-neighbour weights: wₖ ∝ face area ÷ distance of the Voronoi cell that a node at the
+    /// point would have. Source: Belikov et al. 1997, Comput. Math. Math. Phys. 37:9.
+    pub fn weights(&self, p: [f64; 3]) -> Weights {
+        let (nearest, p) = (self.nearest(p), DVec3::from(p));
+        let gap = self.node(nearest as usize).distance(p);
         if gap < 1e-6 * self.fineness.spacing {
             return vec![(nearest, 1.0)];
         }
@@ -33,7 +35,7 @@ impl CellMesh {
         let cell = loop {
             let mut cell = Cell::cube(2.0 * spacing);
             let normal = self.normals[nearest as usize];
-            let plane = dot(sub(self.positions[nearest as usize], p), normal) + self.depth[nearest as usize];
+            let plane = (self.node(nearest as usize) - p).dot(normal) + self.depth[nearest as usize];
             cell.clip(normal, plane.max(0.0), Wall::Skin(0));
             self.grid.clip_bisectors(&mut cell, p, reach, None);
             if 2.0 * cell.reach() <= reach || reach > 8.0 * spacing {
@@ -52,8 +54,8 @@ impl CellMesh {
         if sum > 0.0 { weights } else { vec![(nearest, 1.0)] }
     }
 
-    /// Value of a node field at a point.
-    pub fn at(&self, field: &[f64], p: Vec3) -> f64 {
+    /// Returns the value of a node field at a point [m], in the unit of the field.
+    pub fn at(&self, field: &[f64], p: [f64; 3]) -> f64 {
         self.weights(p).iter().map(|&(node, w)| w * field[node as usize]).sum()
     }
 }

@@ -1,22 +1,21 @@
-//! What may be wrong with a surface, and how one finds it.
+//! Defects of a triangulated surface and the checks that find them.
 
 use std::collections::BTreeMap;
 
 use super::{EXTENT, MOST_TRIANGLES, Surface};
-use crate::vector::{Vec3, add, scale};
 
-/// How often something is wrong, and where first.
+/// The number of occurrences of a defect [-] and the first place [m].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trouble {
-    /// How often.
+    /// Number of occurrences [-].
     pub count: usize,
-    /// The first place [m].
-    pub place: Vec3,
+    /// First place [m].
+    pub place: [f64; 3],
 }
 
 impl Trouble {
-    /// Some trouble, first at a place [m].
-    pub fn at(count: usize, place: Vec3) -> Self {
+    /// Returns the record of `count` occurrences, the first at `place` [m].
+    pub(super) fn at(count: usize, place: [f64; 3]) -> Self {
         Self { count, place }
     }
 }
@@ -28,50 +27,50 @@ impl std::fmt::Display for Trouble {
     }
 }
 
-/// Why a surface cannot be meshed inside.
+/// The reason why a surface does not bound a body that can be meshed.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Defect {
-    /// No triangle at all.
-    #[error("holds no triangle")]
+    /// The file contains no triangle.
+    #[error("contains no triangle")]
     Empty,
-    /// More than [`MOST_TRIANGLES`].
-    #[error("has {0} triangles, more than {MOST_TRIANGLES}")]
+    /// There are more than [`MOST_TRIANGLES`] triangles.
+    #[error("has {0} triangles; the limit is {MOST_TRIANGLES}")]
     TooMany(usize),
-    /// A triangle names a corner that there is not.
-    #[error("a triangle names corner {0}, which there is not")]
+    /// A triangle refers to a corner that does not exist.
+    #[error("a triangle refers to corner {0}, which does not exist")]
     NoSuchVertex(u32),
-    /// Corners that are no finite numbers.
+    /// Coordinates of corners are not finite.
     #[error("{0} corners are not finite numbers")]
     NotFinite(usize),
-    /// Triangles whose corners lie on a line.
+    /// Triangles have collinear corners.
     #[error("triangles without area: {0}")]
     Degenerate(Trouble),
-    /// Edges that belong to one triangle alone.
+    /// Edges belong to one triangle only.
     #[error("not closed: edges with one triangle alone: {0}")]
     Open(Trouble),
-    /// Edges of more than two triangles, and corners at which parts of the surface merely touch.
+    /// Edges belong to more than two triangles, or parts of the surface touch in one corner.
     #[error("parts that merely touch: edges of more than two triangles, or corners between parts: {0}")]
     NonManifold(Trouble),
-    /// Neighbouring triangles of which one shows its back.
+    /// Neighbouring triangles have opposite orientation.
     #[error("neighbouring triangles that face opposite ways: {0}")]
     Orientation(Trouble),
-    /// Several closed surfaces.
+    /// The file contains several closed surfaces.
     #[error("{} separate bodies or hollows instead of one; another begins at ({:.2}, {:.2}, {:.2}) mm",
         .0.count, 1e3 * .0.place[0], 1e3 * .0.place[1], 1e3 * .0.place[2])]
     Bodies(Trouble),
-    /// Too thin in one direction [m].
-    #[error("only {:.4} mm thick; a body may be {} mm and more", 1e3 * .0, 1e3 * EXTENT[0])]
+    /// The smallest edge of the bounding box is below the limit [m].
+    #[error("only {:.4} mm thick; the minimum is {} mm", 1e3 * .0, 1e3 * EXTENT[0])]
     TooSmall(f64),
-    /// Too long in one direction [m].
-    #[error("{:.0} mm long; a body may be {} mm at most", 1e3 * .0, 1e3 * EXTENT[1])]
+    /// The largest edge of the bounding box is above the limit [m].
+    #[error("{:.0} mm long; the maximum is {} mm", 1e3 * .0, 1e3 * EXTENT[1])]
     TooLarge(f64),
-    /// Triangles that pass through each other.
-    #[error("crosses itself: pairs of triangles that pass through each other: {0}")]
+    /// Triangles intersect each other.
+    #[error("crosses itself: pairs of intersecting triangles: {0}")]
     Crossing(Trouble),
 }
 
 impl Defect {
-    /// What to do about it.
+    /// Returns the remedy, as an instruction to the user.
     pub fn remedy(&self) -> String {
         let remedy = match self {
             Self::Empty => "export the body as triangles (points, lines and curved patches are not read)",
@@ -80,18 +79,18 @@ impl Defect {
             Self::Degenerate(_) => "in your modeller, merge vertices by distance and dissolve degenerate faces",
             Self::Open(_) => "fill the holes in your modeller and merge vertices that lie together",
             Self::NonManifold(_) => {
-                "remove inner faces and doubled faces, and pull apart what touches at an edge or a corner"
+                "remove inner faces and doubled faces, and separate parts that touch at an edge or a corner"
             }
             Self::Orientation(_) => "in your modeller, recalculate the normals so that all point outwards",
             Self::Bodies(_) => "keep one closed body in the file: join the others to it by a union, or delete them",
-            Self::TooSmall(_) | Self::TooLarge(_) => "give scale_mm, the millimetres in one unit of the file",
-            Self::Crossing(_) => "unite the parts that overlap (boolean union, or remesh) and export it again",
+            Self::TooSmall(_) | Self::TooLarge(_) => "give scale_mm, the length of the file's unit in millimetres",
+            Self::Crossing(_) => "unite overlapping parts (boolean union, or remesh) and export it again",
         };
         remedy.to_owned()
     }
 }
 
-/// One side of a triangle: its ends in the triangle's order.
+/// The triangles on both sides of an edge, with the number of triangles that run along it in either direction.
 #[derive(Clone, Copy)]
 struct Sides {
     forth: u32,
@@ -99,10 +98,13 @@ struct Sides {
     triangles: [u32; 2],
 }
 
-/// Checks that edges have two triangles each which face the same way, and that all is one body.
+/// Checks that the surface is one closed, consistently oriented two-manifold.
+///
+/// # Errors
+/// The first defect in the order open, non-manifold edge, orientation, several bodies, non-manifold corner.
 pub fn closed(surface: &Surface) -> Result<(), Defect> {
     let edges = edges(surface);
-    let middle = |&[a, b]: &[u32; 2]| scale(add(surface.vertices[a as usize], surface.vertices[b as usize]), 0.5);
+    let middle = |&[a, b]: &[u32; 2]| ((surface.vertex(a) + surface.vertex(b)) * 0.5).to_array();
     let trouble = |wrong: &dyn Fn(&Sides) -> bool| {
         let mut found = edges.iter().filter(|(_, s)| wrong(s));
         found.next().map(|(edge, _)| Trouble::at(1 + found.count(), middle(edge)))
@@ -120,6 +122,7 @@ pub fn closed(surface: &Surface) -> Result<(), Defect> {
     whole_corners(surface)
 }
 
+/// Returns all edges, by their ascending ends, with the triangles on their sides.
 fn edges(surface: &Surface) -> BTreeMap<[u32; 2], Sides> {
     let mut edges = BTreeMap::new();
     for (t, corners) in (0u32..).zip(&surface.triangles) {
@@ -133,11 +136,12 @@ fn edges(surface: &Surface) -> BTreeMap<[u32; 2], Sides> {
     edges
 }
 
-/// The edges of a closed surface with the triangles on both sides.
+/// Returns the edges of a closed surface with the triangles on both sides.
 pub(super) fn neighbours(surface: &Surface) -> Vec<([u32; 2], [u32; 2])> {
     edges(surface).into_iter().map(|(edge, sides)| (edge, sides.triangles)).collect()
 }
 
+/// Checks that all triangles are connected by edges.
 fn one_body(surface: &Surface, edges: &BTreeMap<[u32; 2], Sides>) -> Result<(), Defect> {
     let mut groups = Groups::new(surface.triangles.len());
     edges.values().for_each(|s| groups.unite(s.triangles[0], s.triangles[1]));
@@ -145,13 +149,13 @@ fn one_body(surface: &Surface, edges: &BTreeMap<[u32; 2], Sides>) -> Result<(), 
     let roots: std::collections::BTreeSet<u32> = (0..surface.triangles.len() as u32).map(|t| groups.root(t)).collect();
     match (0..surface.triangles.len()).find(|&t| groups.root(t as u32) != first) {
         None => Ok(()),
-        Some(other) => Err(Defect::Bodies(Trouble::at(roots.len(), surface.corners(other)[0]))),
+        Some(other) => Err(Defect::Bodies(Trouble::at(roots.len(), surface.corners(other)[0].to_array()))),
     }
 }
 
-/// Every corner must have one fan of triangles around it.
+/// Checks that every vertex has one closed fan of triangles.
 fn whole_corners(surface: &Surface) -> Result<(), Defect> {
-    // A fan is closed where following the edges that leave a corner comes round after all of them.
+    // A fan is closed if the walk from triangle to triangle around the vertex returns after all of them.
     let mut leaving: Vec<Vec<[u32; 2]>> = vec![Vec::new(); surface.vertices.len()];
     for &[a, b, c] in &surface.triangles {
         leaving[a as usize].push([b, c]);
@@ -174,7 +178,7 @@ fn whole_corners(surface: &Surface) -> Result<(), Defect> {
     }
 }
 
-/// Checks the edges of the box around it.
+/// Checks the edges of the bounding box against [`EXTENT`].
 pub fn sized(surface: &Surface) -> Result<(), Defect> {
     let extent = surface.extent();
     let largest = extent.into_iter().fold(0.0, f64::max);
@@ -188,7 +192,7 @@ pub fn sized(surface: &Surface) -> Result<(), Defect> {
     Ok(())
 }
 
-/// Disjoint groups of indices.
+/// Disjoint sets of indices (union–find with path halving).
 struct Groups(Vec<u32>);
 
 impl Groups {

@@ -1,38 +1,39 @@
-//! Sharp edges of a surface, chained into lines.
+//! Sharp edges of a surface, chained into polylines.
 
 use std::collections::BTreeMap;
 
+use glam::DVec3;
+
 use super::Surface;
 use super::defect::neighbours;
-use crate::vector::{Vec3, cross, distance, dot, sub, unit};
 
-/// Faces that meet at more than this angle meet at a sharp edge: its cosine [-] (chosen: 35°; a tessellated round has less).
+/// Cosine of the angle between face normals above which an edge is sharp [-] (chosen: 35°; more than in a tessellated round).
 const SHARP: f64 = 0.819;
-/// A line of sharp edges that turns by more than this ends: its cosine [-] (chosen: 40°).
+/// Cosine of the turning angle at which a polyline of sharp edges ends [-] (chosen: 40°).
 const TURN: f64 = 0.766;
 
-/// A stretch of sharp edge between two corners, or a loop of it.
+/// A polyline of sharp edges between two corners, or a closed loop [m].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Feature {
-    /// Its corners in order [m].
-    pub points: Vec<Vec3>,
-    /// For each of its edges, the directions into the faces on both sides, across the edge.
-    pub into: Vec<[Vec3; 2]>,
+    /// Its vertices in order [m].
+    pub points: Vec<DVec3>,
+    /// For each edge, the unit directions perpendicular to it into both adjacent faces [-].
+    pub into: Vec<[DVec3; 2]>,
 }
 
 impl Feature {
-    /// Length [m].
+    /// Returns the length [m].
     pub fn length(&self) -> f64 {
-        self.points.windows(2).map(|w| distance(w[0], w[1])).sum()
+        self.points.windows(2).map(|w| w[0].distance(w[1])).sum()
     }
 
-    /// The point at a length along it [m], and the directions into both faces there.
-    pub fn at(&self, mut along: f64) -> (Vec3, [Vec3; 2]) {
+    /// Returns the point at an arc length [m], with the directions into both faces there [-].
+    pub fn at(&self, mut along: f64) -> (DVec3, [DVec3; 2]) {
         for (w, into) in self.points.windows(2).zip(&self.into) {
-            let step = distance(w[0], w[1]);
+            let step = w[0].distance(w[1]);
             if along <= step {
                 let share = along / step;
-                return ([0, 1, 2].map(|k| w[0][k] + share * (w[1][k] - w[0][k])), *into);
+                return (w[0] + share * (w[1] - w[0]), *into);
             }
             along -= step;
         }
@@ -41,15 +42,15 @@ impl Feature {
     }
 }
 
-/// A sharp edge and the directions into its faces.
-type Sharp = BTreeMap<[u32; 2], [Vec3; 2]>;
+/// Sharp edges with the directions into their faces [-].
+type Sharp = BTreeMap<[u32; 2], [DVec3; 2]>;
 
-/// The sharp edges of a surface.
+/// Returns the sharp edges of a surface as polylines [m].
 pub fn features(surface: &Surface) -> Vec<Feature> {
     let mut left: Sharp = BTreeMap::new();
     for (edge, [s, t]) in neighbours(surface) {
         let (m, n) = (surface.normal(s as usize), surface.normal(t as usize));
-        if dot(m, n) < SHARP {
+        if m.dot(n) < SHARP {
             left.insert(edge, [into(surface, edge, s as usize), into(surface, edge, t as usize)]);
         }
     }
@@ -71,26 +72,28 @@ pub fn features(surface: &Surface) -> Vec<Feature> {
     features
 }
 
+/// Returns the key of an edge: its vertices in ascending order.
 fn key(a: u32, b: u32) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// Direction across an edge into a triangle.
-fn into(surface: &Surface, [a, b]: [u32; 2], triangle: usize) -> Vec3 {
+/// Returns the unit direction perpendicular to an edge into a triangle [-].
+fn into(surface: &Surface, [a, b]: [u32; 2], triangle: usize) -> DVec3 {
     let ids = surface.triangles[triangle];
     let third = ids.into_iter().find(|v| *v != a && *v != b).unwrap_or(a);
-    let [p, q, r] = [a, b, third].map(|v| surface.vertices[v as usize]);
-    let (edge, to) = (unit(sub(q, p)), sub(r, p));
-    unit(cross(cross(edge, to), edge))
+    let [p, q, r] = [a, b, third].map(|v| surface.vertex(v));
+    let edge = (q - p).normalize_or_zero();
+    edge.cross(r - p).cross(edge).normalize_or_zero()
 }
 
+/// Returns true if a polyline ends at a vertex: a branch, an open end or a sharp turn.
 fn ends_at(surface: &Surface, v: u32, to: &[u32]) -> bool {
     let &[a, b] = to else { return true };
-    let p = |i: u32| surface.vertices[i as usize];
-    dot(unit(sub(p(v), p(a))), unit(sub(p(b), p(v)))) < TURN
+    let p = |i: u32| surface.vertex(i);
+    (p(v) - p(a)).normalize_or_zero().dot((p(b) - p(v)).normalize_or_zero()) < TURN
 }
 
-/// Follows sharp edges from a corner to the next one, taking them out of what is left.
+/// Returns the polyline of sharp edges from a vertex to its end, and removes these edges from `left`.
 fn chain(
     surface: &Surface,
     [start, mut next]: [u32; 2],
@@ -98,17 +101,17 @@ fn chain(
     ends: &[u32],
     left: &mut Sharp,
 ) -> Feature {
-    let mut feature = Feature { points: vec![surface.vertices[start as usize]], into: Vec::new() };
+    let mut feature = Feature { points: vec![surface.vertex(start)], into: Vec::new() };
     let mut from = start;
     while let Some(mut sides) = left.remove(&key(from, next)) {
-        // The same face stays on the same side along the line.
+        // The same face stays on the same side along the polyline.
         if let Some(&[before, _]) = feature.into.last()
-            && dot(before, sides[1]) > dot(before, sides[0])
+            && before.dot(sides[1]) > before.dot(sides[0])
         {
             sides.swap(0, 1);
         }
         feature.into.push(sides);
-        feature.points.push(surface.vertices[next as usize]);
+        feature.points.push(surface.vertex(next));
         if ends.contains(&next) {
             break;
         }

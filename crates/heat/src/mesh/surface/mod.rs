@@ -1,4 +1,4 @@
-//! Closed surfaces: read as loose triangles, checked, and asked for distances.
+//! Closed triangulated surfaces: welded from loose triangles, checked for defects, and queried for distances.
 
 mod crossing;
 mod defect;
@@ -8,19 +8,21 @@ mod triangle_tree;
 mod weld;
 
 pub use defect::{Defect, Trouble};
-pub use distance::{Depth, DepthFinder};
-pub use feature::{Feature, features};
+pub(crate) use distance::DepthFinder;
+pub(crate) use feature::features;
 
-use crate::vector::{Vec3, add, bounds, cross, dot, length, scale, sub, unit};
+use glam::DVec3;
 
-/// Triangles as a file holds them: corners that belong together need not be shared.
+use crate::mesh::bounds::bounds;
+
+/// Loose triangles as a file contains them, in the unit of the file; coincident corners need not be shared.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Soup {
-    /// Corners, in the file's unit.
-    pub vertices: Vec<Vec3>,
-    /// Triangles by their corners, counter-clockwise seen from outside.
+    /// Corners, in the unit of the file.
+    pub vertices: Vec<[f64; 3]>,
+    /// Triangles as indices of corners, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// Millimetres in one of those units, unless the user says otherwise [mm].
+    /// Length of the file's unit, unless the user gives another [mm].
     pub unit_mm: f64,
 }
 
@@ -30,25 +32,50 @@ impl Default for Soup {
     }
 }
 
-/// A closed surface of one body that does not cross itself; normals point outwards.
+/// A closed, oriented surface of one body without self-intersection, with vertices in [m].
+///
+/// [`Surface::close`] establishes these properties; normals point outwards.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
-    /// Corners [m].
-    pub vertices: Vec<Vec3>,
-    /// Triangles, counter-clockwise seen from outside.
+    /// Vertices [m].
+    pub vertices: Vec<[f64; 3]>,
+    /// Triangles as indices of vertices, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// Smallest thickness and largest length of a body [m] (chosen: below, the surface layers do not fit; above, nothing fits a pan).
+/// Smallest and largest edge of a body's bounding box [m].
+///
+/// Chosen: the surface layers do not fit into a thinner body; a longer one does not fit into a pan.
 pub const EXTENT: [f64; 2] = [3e-3, 0.3];
 
-/// Most triangles of a surface (chosen: a scan at full detail has more, and shows no more once it is meshed inside).
+/// Largest number of triangles of a surface [-] (chosen: more detail is lost in the volume mesh).
 pub const MOST_TRIANGLES: usize = 100_000;
 
 impl Surface {
-    /// Joins loose triangles, given how many metres the file's unit has, and checks that they close one sound body.
+    /// Returns the closed surface of loose triangles whose unit has the given length [m].
     ///
-    /// A body that is inside out is turned; all else that is wrong is told with its number and place.
+    /// Vertices closer than 10⁻⁶ of the diagonal are merged. A body whose normals all point inwards is inverted.
+    ///
+    /// # Errors
+    /// A [`Defect`] with the number of occurrences and the first place, if the triangles do not form one closed, oriented
+    /// two-manifold of admissible size without self-intersection.
+    ///
+    /// ```
+    /// use saute_heat::{Soup, Surface};
+    ///
+    /// // A tetrahedron with legs of 10 mm.
+    /// let vertices = vec![[0.0; 3], [10.0, 0.0, 0.0], [0.0, 10.0, 0.0], [0.0, 0.0, 10.0]];
+    /// let triangles = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+    /// let mut soup = Soup { vertices, triangles, unit_mm: 1.0 };
+    /// let surface = Surface::close(&soup, 1e-3)?;
+    /// assert!((surface.volume() - 1e-6 / 6.0).abs() < 1e-18, "{} m³", surface.volume());
+    ///
+    /// soup.triangles.pop();
+    /// let defect = Surface::close(&soup, 1e-3).unwrap_err();
+    /// assert!(defect.to_string().starts_with("not closed"));
+    /// assert!(defect.remedy().contains("fill the holes"));
+    /// # Ok::<(), saute_heat::Defect>(())
+    /// ```
     pub fn close(soup: &Soup, metres: f64) -> Result<Self, Defect> {
         let mut surface = weld::weld(soup, metres)?;
         defect::closed(&surface)?;
@@ -62,57 +89,75 @@ impl Surface {
         }
     }
 
-    /// Corners of a triangle [m].
+    /// Returns the position of a vertex [m].
     #[inline]
-    pub fn corners(&self, triangle: usize) -> [Vec3; 3] {
-        self.triangles[triangle].map(|i| self.vertices[i as usize])
+    pub(crate) fn vertex(&self, vertex: u32) -> DVec3 {
+        self.vertices[vertex as usize].into()
     }
 
-    /// Vector along the normal of a triangle, twice its area long [m²].
+    /// Returns the positions of all vertices [m].
+    pub(crate) fn points(&self) -> impl Iterator<Item = DVec3> + '_ {
+        self.vertices.iter().map(|p| DVec3::from(*p))
+    }
+
+    /// Returns the corners of a triangle [m].
     #[inline]
-    pub fn doubled_area(&self, triangle: usize) -> Vec3 {
+    pub(crate) fn corners(&self, triangle: usize) -> [DVec3; 3] {
+        self.triangles[triangle].map(|i| self.vertex(i))
+    }
+
+    /// Returns the outward normal of a triangle with a length of twice its area [m²].
+    #[inline]
+    pub(crate) fn doubled_area(&self, triangle: usize) -> DVec3 {
         let [a, b, c] = self.corners(triangle);
-        cross(sub(b, a), sub(c, a))
+        (b - a).cross(c - a)
     }
 
-    /// Outward unit normal of a triangle.
-    pub fn normal(&self, triangle: usize) -> Vec3 {
-        unit(self.doubled_area(triangle))
+    /// Returns the outward unit normal of a triangle [-].
+    pub(crate) fn normal(&self, triangle: usize) -> DVec3 {
+        self.doubled_area(triangle).normalize_or_zero()
     }
 
-    /// Area [m²].
+    /// Returns the area [m²].
     pub fn area(&self) -> f64 {
-        (0..self.triangles.len()).map(|t| 0.5 * length(self.doubled_area(t))).sum()
+        (0..self.triangles.len()).map(|t| 0.5 * self.doubled_area(t).length()).sum()
     }
 
-    /// Enclosed volume [m³]; negative while the surface is inside out.
+    /// Returns the enclosed volume, negative if the normals point inwards [m³].
+    ///
+    /// V = Σ a · (b × c) / 6 over all triangles (divergence theorem).
     pub fn volume(&self) -> f64 {
-        let reference = self.vertices.first().copied().unwrap_or_default();
-        let corners = |t: usize| self.corners(t).map(|p| sub(p, reference));
-        (0..self.triangles.len()).map(corners).map(|[a, b, c]| dot(a, cross(b, c)) / 6.0).sum()
+        let reference = self.reference();
+        let corners = |t: usize| self.corners(t).map(|p| p - reference);
+        (0..self.triangles.len()).map(corners).map(|[a, b, c]| a.dot(b.cross(c)) / 6.0).sum()
     }
 
-    /// Centre of the enclosed volume [m].
-    pub fn centroid(&self) -> Vec3 {
-        let reference = self.vertices.first().copied().unwrap_or_default();
-        let mut sum = [0.0; 3];
+    /// Returns the centroid of the enclosed volume [m].
+    pub fn centroid(&self) -> [f64; 3] {
+        let reference = self.reference();
+        let mut sum = DVec3::ZERO;
         for t in 0..self.triangles.len() {
-            let [a, b, c] = self.corners(t).map(|p| sub(p, reference));
-            sum = add(sum, scale(add(add(a, b), c), dot(a, cross(b, c)) / 24.0));
+            let [a, b, c] = self.corners(t).map(|p| p - reference);
+            sum += (a + b + c) * (a.dot(b.cross(c)) / 24.0);
         }
-        add(reference, scale(sum, 1.0 / self.volume()))
+        (reference + sum * (1.0 / self.volume())).to_array()
     }
 
-    /// Edges of the box around it [m].
-    pub fn extent(&self) -> Vec3 {
-        let [low, high] = bounds(self.vertices.iter().copied());
-        sub(high, low)
+    /// Returns a vertex near the body, from which volumes are summed with little cancellation [m].
+    fn reference(&self) -> DVec3 {
+        self.vertices.first().copied().unwrap_or_default().into()
     }
 
-    /// Moved so that its volume's centre is the origin, and scaled about it by a factor [-].
+    /// Returns the edges of the axis-aligned bounding box [m].
+    pub fn extent(&self) -> [f64; 3] {
+        let [low, high] = bounds(self.points());
+        (high - low).to_array()
+    }
+
+    /// Returns the surface with its centroid at the origin, scaled by a factor [-].
     pub fn centred(mut self, factor: f64) -> Self {
-        let centre = self.centroid();
-        self.vertices.iter_mut().for_each(|p| *p = scale(sub(*p, centre), factor));
+        let centre = DVec3::from(self.centroid());
+        self.vertices.iter_mut().for_each(|p| *p = ((DVec3::from(*p) - centre) * factor).to_array());
         self
     }
 }

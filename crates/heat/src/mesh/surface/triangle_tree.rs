@@ -1,23 +1,29 @@
-//! A tree of boxes around a surface's triangles.
+//! A bounding volume hierarchy over the triangles of a surface.
+//!
+//! Visits happen in a fixed order, and the first of several triangles at the same distance wins. Nodes and normals of a
+//! mesh depend on that choice to the last bit, so the tree of a geometry crate (parry3d-f64) cannot replace this one.
+
+use glam::DVec3;
 
 use super::Surface;
-use crate::vector::{Vec3, bounds};
+use crate::mesh::bounds::bounds;
 
-/// Triangles in a leaf (chosen: fewer make more boxes than they spare tests).
+/// Most triangles in a leaf [-] (chosen: smaller leaves cost more box tests than they save triangle tests).
 const LEAF: usize = 4;
 
-/// A box, and what lies in it.
+/// An axis-aligned box with its content.
 #[derive(Clone, Debug)]
 struct Node {
-    low: Vec3,
-    high: Vec3,
-    /// First of its triangles in the order, and their number; for a branch the number is 0 and the children are the
-    /// next node and `first`.
+    low: DVec3,
+    high: DVec3,
+    /// For a leaf, the index of its first triangle in `order`; for a branch, the second child. The first child of a branch
+    /// is the next node.
     first: u32,
+    /// Number of triangles of a leaf; 0 for a branch.
     count: u32,
 }
 
-/// Boxes within boxes.
+/// The bounding volume hierarchy, nodes in depth-first order [m].
 #[derive(Clone, Debug)]
 pub struct TriangleTree {
     nodes: Vec<Node>,
@@ -25,15 +31,16 @@ pub struct TriangleTree {
 }
 
 impl TriangleTree {
-    /// Sorts a surface's triangles into boxes.
+    /// Returns the hierarchy of a surface, split at the median along the longest axis.
     pub fn new(surface: &Surface) -> Self {
-        let boxes: Vec<[Vec3; 2]> = (0..surface.triangles.len()).map(|t| bounds(surface.corners(t))).collect();
+        let boxes: Vec<[DVec3; 2]> = (0..surface.triangles.len()).map(|t| bounds(surface.corners(t))).collect();
         let mut tree = Self { nodes: Vec::new(), order: (0..boxes.len() as u32).collect() };
         tree.split(&boxes, 0, boxes.len());
         tree
     }
 
-    fn split(&mut self, boxes: &[[Vec3; 2]], from: usize, to: usize) {
+    /// Adds the node of the triangles `from..to` of the order, with all its children.
+    fn split(&mut self, boxes: &[[DVec3; 2]], from: usize, to: usize) {
         let inside = self.order[from..to].iter().flat_map(|&t| boxes[t as usize]);
         let [low, high] = bounds(inside);
         let here = self.nodes.len();
@@ -52,8 +59,8 @@ impl TriangleTree {
         self.split(boxes, middle, to);
     }
 
-    /// Visits the triangles whose boxes overlap a box.
-    pub fn overlapping(&self, low: Vec3, high: Vec3, mut visit: impl FnMut(u32)) {
+    /// Visits the triangles of all leaves that overlap a box [m].
+    pub fn overlapping(&self, low: DVec3, high: DVec3, mut visit: impl FnMut(u32)) {
         let mut stack = vec![0usize];
         while let Some(at) = stack.pop() {
             let node = &self.nodes[at];
@@ -68,9 +75,10 @@ impl TriangleTree {
         }
     }
 
-    /// Visits triangles near a point, nearer boxes first; `visit` returns the square of the distance within which it
-    /// still wants any.
-    pub fn nearest(&self, p: Vec3, mut visit: impl FnMut(u32) -> f64) {
+    /// Visits triangles near a point, nearer boxes first.
+    ///
+    /// `visit` returns the squared distance beyond which no more boxes are visited [m²].
+    pub fn nearest(&self, p: DVec3, mut visit: impl FnMut(u32) -> f64) {
         let mut stack = vec![(0usize, self.gap(0, p))];
         let mut within = f64::INFINITY;
         while let Some((at, gap)) = stack.pop() {
@@ -90,8 +98,8 @@ impl TriangleTree {
         }
     }
 
-    /// Square of the distance of a point from a box.
-    fn gap(&self, node: usize, p: Vec3) -> f64 {
+    /// Returns the squared distance of a point from a box [m²].
+    fn gap(&self, node: usize, p: DVec3) -> f64 {
         let Node { low, high, .. } = &self.nodes[node];
         (0..3).map(|k| (low[k] - p[k]).max(p[k] - high[k]).max(0.0)).map(|d| d * d).sum()
     }

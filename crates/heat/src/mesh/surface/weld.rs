@@ -1,24 +1,31 @@
-//! Loose triangles become an indexed surface.
+//! Vertex welding: loose triangles become an indexed surface.
 
 use std::collections::BTreeMap;
 
+use glam::DVec3;
+
 use super::defect::{Defect, Trouble};
 use super::{MOST_TRIANGLES, Soup, Surface};
-use crate::vector::{Vec3, bounds, cross, distance, length, scale, sub};
+use crate::mesh::bounds::bounds;
 
-/// Corners nearer than this share of the body's diagonal are one [-] (chosen: single precision leaves about a tenth of it).
+/// Weld distance ÷ diagonal of the bounding box [-] (chosen: ten times the rounding error of single precision).
 const TOGETHER: f64 = 1e-6;
 
-/// Width of a bucket over the distance within which corners are one [-] (chosen: few searches then look into a second bucket).
+/// Width of a bucket ÷ weld distance [-] (chosen: few searches then reach into a second bucket).
 const BUCKET: f64 = 16.0;
 
-/// Joins corners that lie together, drops triangles that shrank to an edge, and scales to metres.
+/// Returns the surface with coincident corners merged, scaled from a unit of the given length [m].
+///
+/// Triangles that collapse to an edge or a point are removed.
+///
+/// # Errors
+/// A [`Defect`] if triangles are missing, too many, out of range, not finite or without area.
 pub fn weld(soup: &Soup, metres: f64) -> Result<Surface, Defect> {
     sound(soup)?;
-    let points: Vec<Vec3> = soup.vertices.iter().map(|p| scale(*p, metres)).collect();
+    let points: Vec<DVec3> = soup.vertices.iter().map(|p| DVec3::from(*p) * metres).collect();
     let used = soup.triangles.iter().flatten().map(|&i| points[i as usize]);
     let [low, high] = bounds(used);
-    let tolerance = TOGETHER * distance(low, high);
+    let tolerance = TOGETHER * low.distance(high);
     let mut welder = Welder { tolerance, vertices: Vec::new(), buckets: BTreeMap::new() };
     let mut index = vec![u32::MAX; points.len()];
     let mut triangles = Vec::with_capacity(soup.triangles.len());
@@ -34,11 +41,12 @@ pub fn weld(soup: &Soup, metres: f64) -> Result<Surface, Defect> {
             triangles.push(joined);
         }
     }
-    let surface = Surface { vertices: welder.vertices, triangles };
+    let surface = Surface { vertices: welder.vertices.iter().map(DVec3::to_array).collect(), triangles };
     slivers(&surface, tolerance)?;
     Ok(surface)
 }
 
+/// Checks the number of triangles, their indices and the coordinates.
 fn sound(soup: &Soup) -> Result<(), Defect> {
     if soup.triangles.is_empty() {
         return Err(Defect::Empty);
@@ -50,37 +58,36 @@ fn sound(soup: &Soup) -> Result<(), Defect> {
     if let Some(&i) = missing {
         return Err(Defect::NoSuchVertex(i));
     }
-    let finite = |p: &Vec3| p.iter().all(|v| v.is_finite());
-    match soup.vertices.iter().filter(|p| !finite(p)).count() {
+    match soup.vertices.iter().filter(|p| !DVec3::from(**p).is_finite()).count() {
         0 => Ok(()),
         count => Err(Defect::NotFinite(count)),
     }
 }
 
-/// Triangles without height: their corners lie on a line.
+/// Checks that no triangle has collinear corners, to the weld distance [m].
 fn slivers(surface: &Surface, tolerance: f64) -> Result<(), Defect> {
     let flat = |&t: &usize| {
         let [a, b, c] = surface.corners(t);
-        let longest = distance(a, b).max(distance(b, c)).max(distance(c, a));
-        length(cross(sub(b, a), sub(c, a))) <= tolerance * longest
+        let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
+        (b - a).cross(c - a).length() <= tolerance * longest
     };
     let found: Vec<usize> = (0..surface.triangles.len()).filter(flat).collect();
     match found.first() {
         None => Ok(()),
-        Some(&first) => Err(Defect::Degenerate(Trouble::at(found.len(), surface.corners(first)[0]))),
+        Some(&first) => Err(Defect::Degenerate(Trouble::at(found.len(), surface.corners(first)[0].to_array()))),
     }
 }
 
-/// Buckets of the corners so far.
+/// The vertices found so far, in buckets.
 struct Welder {
     tolerance: f64,
-    vertices: Vec<Vec3>,
+    vertices: Vec<DVec3>,
     buckets: BTreeMap<[i64; 3], Vec<u32>>,
 }
 
 impl Welder {
-    /// Index of the corner at a place, a new one if there is none.
-    fn join(&mut self, p: Vec3) -> u32 {
+    /// Returns the index of the vertex at a place, and adds a vertex if there is none.
+    fn join(&mut self, p: DVec3) -> u32 {
         if let Some(found) = self.find(p) {
             return found;
         }
@@ -90,16 +97,17 @@ impl Welder {
         new
     }
 
-    fn bucket(&self, p: Vec3) -> [i64; 3] {
-        p.map(|v| libm::floor(v / (BUCKET * self.tolerance).max(f64::MIN_POSITIVE)) as i64)
+    fn bucket(&self, p: DVec3) -> [i64; 3] {
+        p.to_array().map(|v| libm::floor(v / (BUCKET * self.tolerance).max(f64::MIN_POSITIVE)) as i64)
     }
 
-    fn find(&self, p: Vec3) -> Option<u32> {
-        let [low, high] = [-self.tolerance, self.tolerance].map(|d| self.bucket(p.map(|v| v + d)));
+    /// Returns the first vertex within the weld distance of a place.
+    fn find(&self, p: DVec3) -> Option<u32> {
+        let [low, high] = [-self.tolerance, self.tolerance].map(|d| self.bucket(p + DVec3::splat(d)));
         for x in low[0]..=high[0] {
             for y in low[1]..=high[1] {
                 for z in low[2]..=high[2] {
-                    let near = |i: &&u32| distance(self.vertices[**i as usize], p) <= self.tolerance;
+                    let near = |i: &&u32| self.vertices[**i as usize].distance(p) <= self.tolerance;
                     if let Some(&found) = self.buckets.get(&[x, y, z]).and_then(|b| b.iter().find(near)) {
                         return Some(found);
                     }

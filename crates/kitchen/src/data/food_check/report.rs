@@ -85,18 +85,18 @@ impl FoodReport {
             FoodModel::build(food, &library.kinetics[&food.kinetics], &library.components, &spec)
         };
         let model = build(1.0)?;
-        let volume: f64 = model.mesh.graph.volume.iter().sum();
+        let volume: f64 = model.mesh().volumes().iter().sum();
         let lean = [food.lean.water, food.lean.lean_solids(), food.lean.fat];
         Ok(Self {
             name: food.name.clone(),
             form: food.form.name().to_owned(),
             dimensions: food.form.dimensions().iter().map(|d| (*d).to_owned()).collect(),
             size_mm: food.size.default_mm.clone(),
-            mass_g: 1e3 * model.raw_mass,
-            nodes: model.mesh.node_count(),
-            density_kg_m3: model.raw_mass / volume,
-            conductivity_w_mk: [20.0, 60.0].map(|c| model.properties.conductivity(&lean, kelvin(c))),
-            first_layer_mm: 1e3 * model.mesh.first_layer(),
+            mass_g: 1e3 * model.raw_mass(),
+            nodes: model.mesh().node_count(),
+            density_kg_m3: model.raw_mass() / volume,
+            conductivity_w_mk: [20.0, 60.0].map(|c| model.properties().conductivity(&lean, kelvin(c))),
+            first_layer_mm: 1e3 * model.mesh().first_layer(),
             core_55_c_min: minutes_in_a_bath(&build(COARSE)?, library),
             surface: food.body.as_deref().map(SurfaceReport::of),
         })
@@ -107,7 +107,7 @@ impl FoodReport {
 fn minutes_in_a_bath(model: &FoodModel, library: &Library) -> Option<f64> {
     let mut state = FoodState::raw(model, kelvin(START_C));
     let mut solver = FoodSolver::default();
-    let touch = vec![Touch { conductance: BATH_CONDUCTANCE, temperature: kelvin(BATH_C) }; model.patches.len()];
+    let touch = vec![Touch { conductance: BATH_CONDUCTANCE, temperature: kelvin(BATH_C) }; model.patches().len()];
     // Every patch lies in water, so that the air passes nothing.
     let air = [library.room.still_air(); 3];
     let around = Surroundings { touch: &touch, air: &air };
