@@ -16,7 +16,6 @@ if [ ! -x "${CARGO_TARGET_DIR:-target}/release/saute" ]; then
 elif [ ! -t 2 ]; then
     progress=(--quiet)
 fi
-# `saute haptics check` looks for it beside saute.
-cargo build --release ${progress[@]+"${progress[@]}"} -p saute-spidar-sim
-cargo build --release ${progress[@]+"${progress[@]}"} -p saute
+# `saute haptics check` looks for the simulator beside saute.
+cargo build --release ${progress[@]+"${progress[@]}"} -p saute -p saute-spidar-sim
 exec cargo run --release --quiet -p saute -- "$@"
