@@ -79,16 +79,18 @@ impl FoodModel {
             let squeezed = self.squeezed(state, first);
             for (node, squeezed) in (first..state.juice.len()).zip(squeezed) {
                 // A node can hold what the peak temperature leaves, or the changes if they leave less.
-                let capacity = self.initial_water[node] * self.held.at(state.peak[node]).min(1.0 - squeezed);
-                let surplus = (state.water[node] - capacity).max(0.0);
+                let (held, unsqueezed) = (self.held.at(state.peak[node]), 1.0 - squeezed);
+                let capacity = self.initial_water[node] * if held < unsqueezed { held } else { unsqueezed };
+                let surplus = positive(state.water[node] - capacity);
                 let juice = &mut state.juice[node];
                 if surplus <= 0.0 && *juice >= 0.0 {
                     *juice = 0.0;
                     continue;
                 }
-                let bound = (surplus - *juice).max(0.0);
+                let bound = positive(surplus - *juice);
                 let released = 1.0 - 1.0 / (1.0 + self.release.at(state.temperature[node]) * dt);
-                *juice = (*juice + released * bound).min(surplus);
+                let free = *juice + released * bound;
+                *juice = if free < surplus { free } else { surplus };
             }
         }
     }
@@ -159,4 +161,10 @@ impl FoodModel {
             runoff.enthalpy += enthalpy;
         }
     }
+}
+
+/// A mass, or none where it is negative.
+#[inline]
+fn positive(mass: f64) -> f64 {
+    if mass > 0.0 { mass } else { 0.0 }
 }

@@ -6,13 +6,18 @@ pub struct Table {
     start: f64,
     per_unit: f64,
     values: Vec<f64>,
+    /// Place of the last entry, and the number of the last cell.
+    last: f64,
+    last_cell: u32,
 }
 
 impl Table {
     /// Tabulates `f` at `start`, `start + step`, … up to `end`.
     pub fn new(start: f64, end: f64, step: f64, f: impl Fn(f64) -> f64) -> Self {
         let count = libm::ceil((end - start) / step) as usize + 1;
-        Self { start, per_unit: 1.0 / step, values: (0..count).map(|i| f(start + i as f64 * step)).collect() }
+        let values = (0..count).map(|i| f(start + i as f64 * step)).collect();
+        let last_cell = count.saturating_sub(2) as u32;
+        Self { start, per_unit: 1.0 / step, values, last: count.saturating_sub(1) as f64, last_cell }
     }
 
     /// Value at `x`.
@@ -25,10 +30,12 @@ impl Table {
     /// Cell of `x`, and the share of it that lies below `x`: the same for all tables of one grid.
     #[inline]
     pub(crate) fn place(&self, x: f64) -> (usize, f64) {
-        let last = self.values.len() - 1;
-        let position = ((x - self.start) * self.per_unit).clamp(0.0, last as f64);
-        let cell = (position as u32 as usize).min(last - 1);
-        (cell, position - cell as f64)
+        let position = (x - self.start) * self.per_unit;
+        // As `clamp` does, without its check of the bounds.
+        let position = if position < 0.0 { 0.0 } else { position };
+        let position = if position > self.last { self.last } else { position };
+        let cell = (position as u32).min(self.last_cell);
+        (cell as usize, position - f64::from(cell))
     }
 
     /// Value at a share of a cell.

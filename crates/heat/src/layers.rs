@@ -18,9 +18,9 @@ pub struct Layers {
     ends: Vec<u32>,
     starts: Vec<u32>,
     /// Edges within layers, those of the layers that are swept together side by side.
-    within: Vec<Within>,
+    within: Edges<Lanes>,
     /// Edges between layers.
-    between: Vec<Between>,
+    between: Edges<f64>,
     /// Sum of the conductances at each node [W/K].
     total: Vec<f64>,
     /// Values at the nodes of the layers that are swept together, and sums over their edges.
@@ -28,22 +28,19 @@ pub struct Layers {
     sums: Vec<Lanes>,
 }
 
-/// Edges that stand one above the other in several layers.
-#[derive(Clone, Copy, Debug, Default)]
-struct Within {
+/// Edges, one after the other.
+#[derive(Clone, Debug)]
+struct Edges<T> {
     /// Area over length [m].
-    shape: Lanes,
+    shape: Vec<T>,
     /// Conductance [W/K].
-    conductance: Lanes,
+    conductance: Vec<T>,
 }
 
-/// An edge from a layer to the next one.
-#[derive(Clone, Copy, Debug, Default)]
-struct Between {
-    /// Area over length [m].
-    shape: f64,
-    /// Conductance [W/K].
-    conductance: f64,
+impl<T: Clone> Edges<T> {
+    fn new(nothing: T, count: usize) -> Self {
+        Self { shape: vec![nothing.clone(); count], conductance: vec![nothing; count] }
+    }
 }
 
 impl Layers {
@@ -68,8 +65,8 @@ impl Layers {
                 layers,
                 ends: first.iter().map(|e| e[1]).collect(),
                 starts: (0..=nodes).map(starts).collect(),
-                within: vec![Within::default(); edges * layers.div_ceil(TOGETHER)],
-                between: Vec::with_capacity((layers - 1) * nodes),
+                within: Edges::new([0.0; TOGETHER], edges * layers.div_ceil(TOGETHER)),
+                between: Edges::new(0.0, (layers - 1) * nodes),
                 total: vec![0.0; layers * nodes],
                 values: vec![[0.0; TOGETHER]; nodes],
                 sums: vec![[0.0; TOGETHER]; nodes],
@@ -84,9 +81,9 @@ impl Layers {
         for (layer, all) in shapes.chunks(edges + self.nodes).enumerate() {
             let (within, between) = all.split_at(edges);
             let (first, lane) = (layer / TOGETHER * edges, layer % TOGETHER);
-            let to = &mut self.within[first..first + edges];
-            to.iter_mut().zip(within).for_each(|(to, from)| to.shape[lane] = *from);
-            self.between.extend(between.iter().map(|&shape| Between { shape, conductance: 0.0 }));
+            let to = &mut self.within.shape[first..first + edges];
+            to.iter_mut().zip(within).for_each(|(to, from)| to[lane] = *from);
+            self.between.shape[layer * self.nodes..][..between.len()].copy_from_slice(between);
         }
     }
 
@@ -94,11 +91,12 @@ impl Layers {
     /// the nodes within layers and between them [W/(m·K)].
     pub fn refresh(&mut self, within: &[f64], between: &[f64]) {
         let n = self.nodes;
-        for ((edge, ka), kb) in self.between.iter_mut().zip(between).zip(&between[n..]) {
-            edge.conductance = edge.shape * 2.0 * ka * kb / (ka + kb);
+        let edges = self.between.conductance.iter_mut().zip(&self.between.shape);
+        for (((conductance, shape), ka), kb) in edges.zip(between).zip(&between[n..]) {
+            *conductance = shape * 2.0 * ka * kb / (ka + kb);
         }
         self.total.fill(0.0);
-        self.total[n..].iter_mut().zip(&self.between).for_each(|(sum, edge)| *sum += edge.conductance);
+        self.total[n..].iter_mut().zip(&self.between.conductance).for_each(|(sum, g)| *sum += g);
         for (block, first) in (0..self.layers).step_by(TOGETHER).enumerate() {
             let count = (self.layers - first).min(TOGETHER);
             gather(&mut self.values, &within[first * n..], count);
@@ -106,26 +104,28 @@ impl Layers {
             self.conduct(block);
             scatter(&self.sums, &mut self.total[first * n..], count);
         }
-        self.total.iter_mut().zip(&self.between).for_each(|(sum, edge)| *sum += edge.conductance);
+        self.total.iter_mut().zip(&self.between.conductance).for_each(|(sum, g)| *sum += g);
     }
 
     /// Conductances within the layers of a block.
     fn conduct(&mut self, block: usize) {
         let edges = self.ends.len();
-        let within = &mut self.within[block * edges..][..edges];
+        let within = block * edges..(block + 1) * edges;
+        let (shapes, conductances) = (&self.within.shape[within.clone()], &mut self.within.conductance[within]);
         for (a, edges) in self.starts.windows(2).enumerate() {
             let (ka, mut sum) = (self.values[a], self.sums[a]);
             let edges = edges[0] as usize..edges[1] as usize;
-            for (&b, edge) in self.ends[edges.clone()].iter().zip(&mut within[edges]) {
+            let ends = self.ends[edges.clone()].iter();
+            for ((&b, shape), g) in ends.zip(&shapes[edges.clone()]).zip(&mut conductances[edges]) {
                 // Taken out and put back, so that the lanes are computed side by side.
-                let (kb, mut to, shape) = (self.values[b as usize], self.sums[b as usize], edge.shape);
+                let (kb, mut to) = (self.values[b as usize], self.sums[b as usize]);
                 let mut conductance = [0.0; TOGETHER];
                 for k in 0..TOGETHER {
                     conductance[k] = shape[k] * 2.0 * ka[k] * kb[k] / (ka[k] + kb[k]);
                     sum[k] += conductance[k];
                     to[k] += conductance[k];
                 }
-                (edge.conductance, self.sums[b as usize]) = (conductance, to);
+                (*g, self.sums[b as usize]) = (conductance, to);
             }
             self.sums[a] = sum;
         }
@@ -140,8 +140,8 @@ impl Layers {
     /// the order of the edges.
     pub fn add_power(&mut self, temperature: &[f64], power: &mut [f64]) {
         let n = self.nodes;
-        let flow = |((edge, t), above): ((&Between, &f64), &f64)| edge.conductance * (above - t);
-        let flows = self.between.iter().zip(temperature).zip(&temperature[n..]).map(flow);
+        let flow = |((g, t), above): ((&f64, &f64), &f64)| g * (above - t);
+        let flows = self.between.conductance.iter().zip(temperature).zip(&temperature[n..]).map(flow);
         power[n..].iter_mut().zip(flows).for_each(|(p, flow)| *p -= flow);
         for (block, first) in (0..self.layers).step_by(TOGETHER).enumerate() {
             let count = (self.layers - first).min(TOGETHER);
@@ -150,20 +150,20 @@ impl Layers {
             self.sweep(block);
             scatter(&self.sums, &mut power[first * n..], count);
         }
-        let flows = self.between.iter().zip(temperature).zip(&temperature[n..]).map(flow);
+        let flows = self.between.conductance.iter().zip(temperature).zip(&temperature[n..]).map(flow);
         power.iter_mut().zip(flows).for_each(|(p, flow)| *p += flow);
     }
 
     /// Adds what flows within the layers of a block.
     fn sweep(&mut self, block: usize) {
         let edges = self.ends.len();
-        let within = &self.within[block * edges..][..edges];
+        let within = &self.within.conductance[block * edges..][..edges];
         for (a, edges) in self.starts.windows(2).enumerate() {
             let (t, mut sum) = (self.values[a], self.sums[a]);
             let edges = edges[0] as usize..edges[1] as usize;
-            for (&b, edge) in self.ends[edges.clone()].iter().zip(&within[edges]) {
+            for (&b, g) in self.ends[edges.clone()].iter().zip(&within[edges]) {
                 // Taken out and put back, so that the lanes are computed side by side.
-                let (other, mut to, g) = (self.values[b as usize], self.sums[b as usize], edge.conductance);
+                let (other, mut to) = (self.values[b as usize], self.sums[b as usize]);
                 for k in 0..TOGETHER {
                     let flow = g[k] * (other[k] - t[k]);
                     sum[k] += flow;
