@@ -27,6 +27,11 @@ impl Table {
         self.within(cell, share)
     }
 
+    /// Lowest entry.
+    pub(crate) fn lowest(&self) -> f64 {
+        self.values.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
     /// Cell of `x`, and the share of it that lies below `x`: the same for all tables of one grid.
     #[inline]
     pub(crate) fn place(&self, x: f64) -> (usize, f64) {

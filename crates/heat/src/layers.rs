@@ -136,13 +136,15 @@ impl Layers {
         stable_step(capacity, &self.total)
     }
 
-    /// As [`Conduction::add_power`](crate::Conduction::add_power), to the last bit: at every node the flows are added in
-    /// the order of the edges.
-    pub fn add_power(&mut self, temperature: &[f64], power: &mut [f64]) {
+    /// Net heat that conduction brings to every node [W], in place of what `power` holds; as
+    /// [`Conduction::add_power`](crate::Conduction::add_power) to the last bit: at every node the flows are added in the
+    /// order of the edges.
+    pub fn power(&mut self, temperature: &[f64], power: &mut [f64]) {
         let n = self.nodes;
         let flow = |((g, t), above): ((&f64, &f64), &f64)| g * (above - t);
         let flows = self.between.conductance.iter().zip(temperature).zip(&temperature[n..]).map(flow);
-        power[n..].iter_mut().zip(flows).for_each(|(p, flow)| *p -= flow);
+        power[..n].fill(0.0);
+        power[n..].iter_mut().zip(flows).for_each(|(p, flow)| *p = 0.0 - flow);
         for (block, first) in (0..self.layers).step_by(TOGETHER).enumerate() {
             let count = (self.layers - first).min(TOGETHER);
             gather(&mut self.values, &temperature[first * n..], count);
@@ -227,8 +229,8 @@ mod tests {
             let mut found = Layers::of(&mesh.graph, mesh.nodes_per_level()).expect("layers");
             found.refresh(&t, &along);
             assert_eq!(found.total, conduction.total, "{layers} layers");
-            let mut power = vec![0.0; t.len()];
-            found.add_power(&t, &mut power);
+            let mut power = vec![f64::NAN; t.len()];
+            found.power(&t, &mut power);
             assert!(power.iter().zip(&expected).all(|(p, e)| p.to_bits() == e.to_bits()), "{layers} layers");
         }
     }
