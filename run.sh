@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing and runs saute: ./run.sh [ARGS]. Without arguments the window opens.
+# Installs what is missing, builds saute and runs it: ./run.sh [ARGS]. Without arguments the window opens.
 set -euo pipefail
 cd "$(dirname "$0")"
 source scripts/requirements.sh
@@ -8,6 +8,14 @@ need_cargo
 need_packages
 # Without it graphics drivers complain on stderr while they look for a Wayland display.
 export XDG_RUNTIME_DIR="${XDG_RUNTIME_DIR:-/tmp}"
-# `saute haptics check` looks for it beside saute.
-cargo build --release --quiet -p saute-spidar-sim
+
+# Cargo shows its progress on a terminal as a bar, elsewhere as lines. Later builds are silent unless on a terminal.
+progress=()
+if [ ! -x "${CARGO_TARGET_DIR:-target}/release/saute" ]; then
+    say "first build: about 6 minutes on 2 cores; later starts take seconds"
+elif [ ! -t 2 ]; then
+    progress=(--quiet)
+fi
+# `saute haptics check` looks for the simulator beside saute.
+cargo build --release ${progress[@]+"${progress[@]}"} -p saute -p saute-spidar-sim
 exec cargo run --release --quiet -p saute -- "$@"

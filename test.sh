@@ -1,36 +1,83 @@
 #!/usr/bin/env bash
-# Everything that must hold: format, lints, tests (window and pictures on software Vulkan), docs, and the browser build.
-# `./test.sh bless` draws the reference pictures anew instead and tells by how much (ΔE) each of them has changed.
+# Everything that must hold: format, lints, tests (window and pictures on software Vulkan), instruction counts, docs,
+# and the browser build. Shows each step, and at the end how long each of them took.
+#
+#   ./test.sh                all of it
+#   ./test.sh quick          format, lints and unit tests of the crates that were changed
+#   ./test.sh bless          draws the reference pictures again and prints the colour difference (ΔE) of each
+#   ./test.sh bless-counts   writes new instruction counts to scripts/counts.toml
+#
+# What takes longer by nature is in scripts/campaign.sh; this runs the share of it that is stated there.
 set -euo pipefail
 cd "$(dirname "$0")"
 source scripts/requirements.sh
+source scripts/steps.sh
 source scripts/wasm.sh
+source scripts/counts.sh
+source scripts/changed.sh
+source scripts/campaign_share.sh
 
-step() { printf '\n== %s\n' "$*"; }
+# Crates that must compile for the browser.
+BROWSER_CRATES=(heat surface food kitchen recipe lab scene picture window)
+
+tests() {
+    local output="${CARGO_TARGET_DIR:-target}/test-output.txt"
+    mkdir -p "$(dirname "$output")"
+    # libtest's --quiet prints dots instead of names; cargo names the programs.
+    cargo test --release --workspace -- --quiet 2>&1 | tee "$output"
+    TESTS_PASSED="$(awk '/^test result:/ { sum += $4 } END { print sum + 0 }' "$output")"
+}
+
+docs() { RUSTDOCFLAGS="-D warnings" cargo doc --release --workspace --no-deps; }
+
+everything() {
+    step "format" cargo fmt --all --check
+    step "lints" cargo clippy --release --workspace --all-targets -- -D warnings
+    # Apart from the tests, so that cargo can show how far it is.
+    step "build of the tests" cargo test --release --workspace --no-run
+    step "tests" tests
+    step "instruction counts" compare_counts
+    step "docs" docs
+    step "browser" check_wasm "${BROWSER_CRATES[@]}"
+    finish "all passed: $TESTS_PASSED tests"
+}
+
+quick() {
+    local packages
+    mapfile -t packages < <(changed_packages)
+    step "format" cargo fmt --all --check
+    if [ ${#packages[@]} = 0 ]; then
+        finish "no crate was changed"
+        return
+    fi
+    say "changed: ${packages[*]}"
+    step "lints" cargo clippy --release "${packages[@]/#/--package=}" --all-targets -- -D warnings
+    step "unit tests" cargo test --release "${packages[@]/#/--package=}" --lib --bins -- --quiet
+    finish "quick checks passed"
+}
 
 need_cargo
 need_packages
-need_test_packages
-
 # Tests draw on the software rasteriser wherever one is, so that pictures do not depend on the machine's GPU.
 for icd in /usr/share/vulkan/icd.d/lvp_icd*.json; do
     [ -e "$icd" ] && export VK_DRIVER_FILES="$icd"
 done
 export XDG_RUNTIME_DIR="${XDG_RUNTIME_DIR:-$(mktemp -d)}"
+fix_campaign_share
 
-if [ "${1:-}" = bless ]; then
-    SAUTE_BLESS=1 cargo test --release --quiet -p saute-app --test pictures looks:: -- --nocapture
-    exit
-fi
-
-step "format"
-cargo fmt --all --check
-step "lints"
-cargo clippy --release --workspace --all-targets --quiet -- -D warnings
-step "tests"
-cargo test --release --workspace --quiet
-step "docs"
-RUSTDOCFLAGS="-D warnings" cargo doc --release --workspace --no-deps --quiet
-step "browser"
-check_wasm heat food kitchen app
-step "all passed"
+case "${1:-}" in
+    "")
+        need_test_packages
+        everything
+        ;;
+    quick) quick ;;
+    bless) SAUTE_BLESS=1 cargo test --release --quiet -p saute-picture --test pictures looks:: -- --nocapture ;;
+    bless-counts)
+        need_test_packages
+        bless_counts
+        ;;
+    *)
+        sed -n '5,8p' "$0" | sed 's/^# *//' >&2
+        exit 2
+        ;;
+esac

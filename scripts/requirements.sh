@@ -4,8 +4,8 @@
 # a font with kana and kanji for the window in Japanese.
 RUN_PACKAGES=(gcc libc6-dev pkg-config libxkbcommon0 libxkbcommon-x11-0 libudev-dev libwayland-client0 libx11-6 libx11-xcb1 libxcursor1 libxi6 libxrandr2 libvulkan1 mesa-vulkan-drivers fonts-ipafont-gothic)
 
-# What the tests need besides: a real browser that plays the phone.
-TEST_PACKAGES=(chromium)
+# What the tests need besides: a real browser that plays the phone, and Callgrind, which counts instructions.
+TEST_PACKAGES=(chromium valgrind)
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -54,5 +54,5 @@ need_packages() {
 # need_test_packages: as need_packages, for what only the tests need; without it they fail and say so.
 need_test_packages() {
     if [ "$(uname -s)" != Linux ] || ! command -v apt-get >/dev/null; then return 0; fi
-    install "${TEST_PACKAGES[@]}" || say "could not install ${TEST_PACKAGES[*]}: the tests with a real browser will fail"
+    install "${TEST_PACKAGES[@]}" || say "could not install ${TEST_PACKAGES[*]}: the tests with a real browser will fail, and no instructions are counted"
 }

@@ -3,5 +3,4 @@
 fn main() {
     println!("cargo::rerun-if-changed=../../data");
     println!("cargo::rerun-if-changed=../../recipes");
-    println!("cargo::rerun-if-changed=../../validation");
 }

@@ -1,4 +1,4 @@
-//! Devices are embedded: a file that is changed or added must rebuild this crate.
+//! Rebuilds the crate when an embedded device file is changed or added.
 
 fn main() {
     println!("cargo::rerun-if-changed=../../data/haptics");

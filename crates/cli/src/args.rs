@@ -1,4 +1,4 @@
-//! What may stand on the command line.
+//! The arguments of the command line.
 
 use std::path::PathBuf;
 
@@ -9,75 +9,76 @@ use crate::bench_heat::BenchHeatArgs;
 use crate::bench_paper::BenchPaperArgs;
 use crate::gallery::GalleryArgs;
 use crate::haptics::{CheckArgs, DevicesArgs};
-use crate::picture::{BenchFrameArgs, ShotArgs};
+use crate::picture::bench_frame::BenchFrameArgs;
+use crate::picture::shot::ShotArgs;
 
-/// A frying pan, what lies in it, and your hands on it. Without a command the window opens.
+/// Simulates a frying pan and the food in it. Without a command the window opens.
 #[derive(Debug, Parser)]
 #[command(name = "saute", version, after_help = EXIT_CODES)]
 pub struct Args {
-    /// Folder with foods/, pans/, recipes/, kinetics/, coatings/ or oils/ of your own, or doneness.toml; adds to the
-    /// shipped ones or replaces those of the same name.
+    /// Folder with your own foods/, pans/, recipes/, kinetics/, coatings/ or oils/, or doneness.toml. Its files are added to
+    /// the shipped ones; a file of the same name replaces the shipped one.
     #[arg(long, global = true, value_name = "DIR")]
     pub data: Option<PathBuf>,
-    /// Devices that hands hold.
+    /// Haptic devices for the window.
     #[command(flatten)]
     pub hands: HandArgs,
-    /// What to do.
+    /// The command; without one the window opens.
     #[command(subcommand)]
     pub command: Option<Command>,
 }
 
-/// Devices for the window.
+/// Haptic devices for the window.
 #[derive(Clone, Debug, clap::Args)]
 pub struct HandArgs {
-    /// A device of `saute haptics list` or a geometry file that holds the pan in the window: simulated; with @HOST:PORT or
-    /// @SERIAL-PORT the real one there.
+    /// Haptic device that holds the pan in the window: a name from `saute haptics list` or a geometry file. It is simulated
+    /// unless @HOST:PORT or @SERIAL-PORT names a real one.
     #[arg(long, value_name = "NAME[@PLACE]")]
     pub device: Option<String>,
-    /// A device of 6 sensed degrees of freedom that leads the turner in the window.
+    /// Device with 6 sensed degrees of freedom that moves the turner in the window.
     #[arg(long, value_name = "NAME[@PLACE]")]
     pub turner: Option<String>,
-    /// Pairing code that the real device shows.
+    /// Pairing code that the real device displays.
     #[arg(long, value_name = "CODE", default_value_t = 0)]
     pub pairing: u32,
-    /// Where the calibration of --device is kept; among the settings unless given.
+    /// File that stores the calibration of --device [default: with the settings].
     #[arg(long, value_name = "FILE", requires = "device")]
     pub calibration: Option<PathBuf>,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done, 1 the recipe was stopped by its max_s, a validation case falls short or a goal of `bench paper` or `haptics check` is missed, 2 something was wrong.";
+const EXIT_CODES: &str = "Exit codes: 0 done; 1 ran but fell short: max_s stopped the recipe, a validation case failed, `lab` warned, or `bench paper` or `haptics check` missed a goal; 2 wrong usage or input.";
 
-/// What to do.
+/// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Opens the window and plays a recipe in it.
+    /// Opens the window and plays a recipe.
     Open {
-        /// A recipe file, or the id of a shipped recipe.
+        /// Recipe file, or id of a shipped recipe.
         #[arg(value_name = "RECIPE")]
         recipe: String,
     },
     /// Cooks a recipe without a window.
     Cook(CookArgs),
-    /// Runs the solver on a plain body with any boundary, for checks.
+    /// Solves heat conduction in a plain body with given boundary conditions, from a case file.
     Lab(LabArgs),
-    /// Runs the cases whose answers come from outside, and compares.
+    /// Runs the validation cases and compares them with published values and exact solutions.
     Validate(ValidateArgs),
-    /// Draws one picture of a recipe at one moment.
+    /// Renders one picture of a recipe at a given time.
     Shot(ShotArgs),
-    /// Draws the figures of the 2013 paper with this simulator's foods, each with its numbers.
+    /// Renders the figures of the 2013 paper with this simulator's foods, each with its numbers.
     Gallery(GalleryArgs),
-    /// Measures the program.
+    /// Benchmarks of the renderer and the solvers.
     #[command(subcommand)]
     Bench(Bench),
-    /// Lists what there is to cook with.
+    /// Lists foods, pans, recipes, scales, views or actions.
     List(ListArgs),
-    /// Helps with foods of one's own.
+    /// Tools for your own foods.
     #[command(subcommand)]
     Food(Food),
-    /// Prints the schema of a file format.
+    /// Prints the JSON Schema of a file format.
     #[command(subcommand)]
     Schema(Schema),
-    /// Devices that hands hold.
+    /// Lists and checks haptic devices.
     #[command(subcommand)]
     Haptics(Haptics),
 }
@@ -85,27 +86,27 @@ pub enum Command {
 /// `saute haptics`.
 #[derive(Debug, Subcommand)]
 pub enum Haptics {
-    /// Lists devices with what they can do.
+    /// Lists devices and their capabilities.
     List(DevicesArgs),
-    /// Closes the control loop through a device, or through a simulated one in a process of its own, while a steak fries;
-    /// exit code 1 where a goal is missed.
+    /// Runs the control loop with a device, or with a simulated one in its own process, while a steak fries. Exit code 1 if
+    /// a goal is missed.
     Check(CheckArgs),
 }
 
 /// `saute cook`.
 #[derive(Debug, clap::Args)]
 pub struct CookArgs {
-    /// A recipe file, or the id of a shipped recipe.
+    /// Recipe file, or id of a shipped recipe.
     #[arg(value_name = "RECIPE")]
     pub recipe: String,
-    /// Folder for summary.json, series.csv, report.html and pictures of the cross-section at each step; made if it is
-    /// missing. Those of an earlier cook in it are replaced.
+    /// Folder for summary.json, series.csv, report.html and pictures of the cross-section at each step; created if missing.
+    /// Files of an earlier cook in it are replaced.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Scale of doneness of the summary and the report: see `saute list scales`. JSON holds them all.
+    /// Scale of doneness for the summary and the report, see `saute list scales`. JSON contains all scales.
     #[arg(long, value_name = "SCALE", default_value = DEFAULT_SCALE)]
     pub doneness: String,
-    /// Pictures of every piece of a group; of its first piece alone unless given.
+    /// Writes pictures of every piece of a group instead of its first piece only.
     #[arg(long, requires = "out")]
     pub every_piece: bool,
     /// Prints the numbers as JSON.
@@ -116,7 +117,7 @@ pub struct CookArgs {
 /// `saute lab`.
 #[derive(Debug, clap::Args)]
 pub struct LabArgs {
-    /// A case file.
+    /// Case file.
     #[arg(value_name = "CASE.toml")]
     pub case: PathBuf,
     /// Prints the numbers as JSON.
@@ -127,13 +128,13 @@ pub struct LabArgs {
 /// `saute validate`.
 #[derive(Debug, clap::Args)]
 pub struct ValidateArgs {
-    /// Runs this case alone: its id, the name of its file.
+    /// Runs this case only: its id is the name of its file.
     #[arg(long, value_name = "ID")]
     pub case: Option<String>,
     /// Prints the verdicts as JSON.
     #[arg(long)]
     pub json: bool,
-    /// Writes VALIDATION.md in the current folder and its pictures and pages under docs/.
+    /// Writes VALIDATION.md to the current folder and its pictures and pages to docs/.
     #[arg(long, conflicts_with = "case")]
     pub write: bool,
 }
@@ -141,26 +142,26 @@ pub struct ValidateArgs {
 /// `saute bench`.
 #[derive(Debug, Subcommand)]
 pub enum Bench {
-    /// Draws whole frames off-screen as the window would and counts them.
+    /// Renders whole frames of the window off-screen and measures the frame rate.
     Frame(BenchFrameArgs),
-    /// Times the solver on one thread, checks it against an exact series, and compares it with the machine's memory.
+    /// Times the heat solver on one thread, checks it against an exact series, and compares it with the memory bandwidth.
     Heat(BenchHeatArgs),
-    /// Runs the tables of the 2013 paper anew: cycles a second of pans full of carrots and shrimps; exit code 1 where a
-    /// goal is missed.
+    /// Repeats the tables of the 2013 paper: cycles per second of pans full of carrots and shrimps. Exit code 1 if a goal is
+    /// missed.
     Paper(BenchPaperArgs),
 }
 
 /// `saute food`.
 #[derive(Debug, Subcommand)]
 pub enum Food {
-    /// Explains what is wrong with a food's file, or what it makes.
+    /// Checks a food file or a surface: reports every mistake, or the properties of the food.
     Check(FoodCheckArgs),
 }
 
 /// `saute food check`.
 #[derive(Debug, clap::Args)]
 pub struct FoodCheckArgs {
-    /// A food's file (.toml), or a surface alone (.stl, .obj, .gltf, .glb).
+    /// Food file (.toml), or a surface on its own (.stl, .obj, .gltf, .glb).
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     /// Prints the findings and numbers as JSON.
@@ -171,14 +172,14 @@ pub struct FoodCheckArgs {
 /// `saute list`.
 #[derive(Debug, clap::Args)]
 pub struct ListArgs {
-    /// Which list.
+    /// The list to print.
     pub what: Listed,
     /// Prints the list as JSON.
     #[arg(long)]
     pub json: bool,
 }
 
-/// What can be listed.
+/// The lists.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum Listed {
     /// Foods, for the `kind` of a food.
@@ -189,9 +190,9 @@ pub enum Listed {
     Recipes,
     /// Scales of doneness, for `--doneness`.
     Scales,
-    /// Views, for `--view` and `--split`, with what their colours say.
+    /// Views, for `--view` and `--split`, with the meaning of their colours.
     Views,
-    /// Actions of a recipe's steps, with the keys of their tables and the defaults.
+    /// Actions of a recipe's steps, with the keys of their tables and their defaults.
     Actions,
 }
 

@@ -1,15 +1,15 @@
-//! Everything that can go wrong, each with what to do about it.
+//! The errors of the command, each with a remedy.
 
-use saute_app::offscreen::OffscreenError;
-use saute_app::png_file::PngError;
-use saute_app::shot::ShotError;
 use saute_kitchen::InputError;
 use saute_kitchen::kitchen::SetupError;
+use saute_picture::still::png_file::PngError;
+use saute_picture::still::shot::ShotError;
+use saute_window::offscreen::OffscreenError;
 
 /// Why the command failed.
 #[derive(Debug, thiserror::Error)]
 pub enum CliError {
-    /// A recipe or a lab case that cannot be used, or a step that went wrong.
+    /// A recipe or a lab case that cannot be used, or a step that failed.
     #[error(transparent)]
     Input(#[from] InputError),
     /// A recipe whose pan or food cannot be built.
@@ -17,19 +17,19 @@ pub enum CliError {
         "{file}: {source}\n  remedy: choose another size or kind of food or pan: saute list foods, saute list pans"
     )]
     Setup {
-        /// Which recipe.
+        /// File of the recipe.
         file: String,
-        /// What could not be built.
+        /// Why it cannot be built.
         source: SetupError,
     },
     /// A data file that cannot be used.
     #[error(
-        "{file}:{line}: {message}\n  remedy: mend this line, or take the file out of the --data folder to use the shipped one"
+        "{file}:{line}: {message}\n  remedy: correct this line, or remove the file from the --data folder to use the shipped one"
     )]
     Data {
-        /// Which file.
+        /// The file.
         file: String,
-        /// Line, from 1.
+        /// Line number, from 1.
         line: usize,
         /// What is wrong.
         message: String,
@@ -37,43 +37,46 @@ pub enum CliError {
     /// A file, folder or stream that cannot be used.
     #[error("{place}: {message}\n  remedy: {remedy}")]
     Place {
-        /// Which one, with the line where there is one.
+        /// The place, with the line if there is one.
         place: String,
         /// What is wrong.
         message: String,
-        /// What to do instead.
+        /// How to correct it.
         remedy: String,
     },
     /// A device that cannot be opened.
     #[error(transparent)]
     Device(#[from] saute_haptics::OpenError),
-    /// There is no screen to open a window on.
+    /// The window cannot be opened.
     #[error("{0}")]
     NoDisplay(String),
-    /// A picture that could not be made.
+    /// A picture that cannot be rendered.
     #[error(transparent)]
     Shot(#[from] ShotError),
     /// A rig of the half mirror that cannot be used.
     #[error(transparent)]
-    Rig(#[from] saute_app::mirror::rig_file::RigFileError),
-    /// Frames that could not be drawn.
+    Rig(#[from] saute_window::mirror::rig_file::RigFileError),
+    /// Frames that cannot be rendered.
     #[error(transparent)]
     Offscreen(#[from] OffscreenError),
-    /// A picture that could not be encoded.
-    #[error("{0}\n  remedy: leave --out away and report this as a bug")]
+    /// A picture that cannot be encoded.
+    #[error("{0}\n  remedy: run it without --out and report this as a bug")]
     Png(#[from] PngError),
-    /// A control loop that could not be run.
+    /// A control loop that cannot run.
     #[error("{0}\n  remedy: close other programs and try again")]
     Loop(#[from] saute_haptics::control_loop::LoopError),
-    /// Numbers that could not be written as JSON.
+    /// Series that cannot be written as CSV.
+    #[error("the series cannot be written as CSV: {0}\n  remedy: run it without --out and report this as a bug")]
+    Csv(#[from] csv::Error),
+    /// Numbers that cannot be written as JSON.
     #[error(
-        "the numbers could not be written as JSON: {0}\n  remedy: leave --json and --out away and report this as a bug"
+        "the numbers cannot be written as JSON: {0}\n  remedy: run it without --json and --out and report this as a bug"
     )]
     Json(#[from] serde_json::Error),
 }
 
 impl CliError {
-    /// A file, folder or stream that cannot be used.
+    /// Returns the error of a file, folder or stream.
     pub fn place(place: impl std::fmt::Display, message: impl Into<String>, remedy: impl Into<String>) -> Self {
         Self::Place { place: place.to_string(), message: message.into(), remedy: remedy.into() }
     }

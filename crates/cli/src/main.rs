@@ -1,32 +1,18 @@
 //! The command `saute`: a frying pan with a steak in it, in a window or from a recipe file.
 
-mod action_list;
 mod args;
 mod bench_heat;
 mod bench_paper;
-mod cook_command;
+mod commands;
 mod error;
-mod food_check;
+mod exit_code;
 mod gallery;
 mod haptics;
-mod lab;
-mod list;
-mod out_dir;
-mod out_file;
+mod input;
+mod output;
 mod picture;
-mod progress;
-mod recipe_source;
 mod report;
-mod schema;
-mod section_files;
-mod shelf;
-mod stderr;
-mod stdout;
-mod surface_file;
-mod text_file;
-mod text_summary;
 mod validate;
-mod window;
 mod wording;
 
 use std::process::ExitCode;
@@ -35,55 +21,50 @@ use std::time::Instant;
 use clap::Parser;
 
 use crate::args::{Args, Bench, Command, Food, Haptics};
+use crate::commands::{cook, food_check, lab, list, open, schema};
 use crate::error::CliError;
-use crate::shelf::Shelf;
-
-/// Exit code for wrong usage, wrong input and failed runs.
-const FAILED: u8 = 2;
+use crate::input::data_library::DataLibrary;
+use crate::input::recipe_source;
+use crate::output::stderr;
 
 fn main() -> ExitCode {
     let process_start = Instant::now();
     let args = match Args::try_parse() {
         Ok(args) => args,
         Err(usage) => {
-            // Help and version come this way too and go to stdout; a closed pipe there is not an error.
+            // Help and version arrive here too and go to stdout; a closed pipe there is not an error.
             let _ = usage.print();
-            return if usage.use_stderr() { ExitCode::from(FAILED) } else { ExitCode::SUCCESS };
+            return if usage.use_stderr() { exit_code::failed() } else { ExitCode::SUCCESS };
         }
     };
     run(args, process_start).unwrap_or_else(|error| {
         stderr::say(format!("error: {error}"));
-        ExitCode::from(FAILED)
+        exit_code::failed()
     })
 }
 
 fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
+    let library = || DataLibrary::open(args.data.as_deref());
     match args.command {
-        Some(Command::Schema(which)) => return schema::run(which),
-        // The file under examination may lie in the --data folder, which as a whole could not be read then.
-        Some(Command::Food(Food::Check(check))) => return food_check::run(&check, args.data.as_deref()),
-        Some(Command::Haptics(Haptics::List(list))) => return haptics::list(&list),
-        _ => {}
-    }
-    let shelf = Shelf::open(args.data.as_deref())?;
-    match args.command {
-        None => window::open(&shelf, None, args.hands),
+        None => open::run(library()?.library, None, args.hands),
         Some(Command::Open { recipe }) => {
-            let recipe = recipe_source::load(&recipe, &shelf)?;
-            window::open(&shelf, Some(recipe), args.hands)
+            let data = library()?;
+            let recipe = recipe_source::load(&recipe, &data)?;
+            open::run(data.library, Some(recipe), args.hands)
         }
-        Some(Command::Cook(args)) => cook_command::run(&args, &shelf),
-        Some(Command::Shot(args)) => picture::shot(&args, &shelf),
-        Some(Command::Gallery(args)) => gallery::run(&args, &shelf),
-        Some(Command::Bench(Bench::Frame(args))) => picture::bench_frame(&args, &shelf, process_start),
-        Some(Command::Bench(Bench::Heat(args))) => bench_heat::run(&args, &shelf),
-        Some(Command::Bench(Bench::Paper(args))) => bench_paper::run(&args, &shelf),
-        Some(Command::Lab(args)) => lab::lab(&args, &shelf),
-        Some(Command::Validate(args)) => validate::validate(&args, &shelf),
-        Some(Command::List(args)) => list::run(&args, &shelf),
-        Some(Command::Schema(which)) => schema::run(which),
+        Some(Command::Cook(args)) => cook::run(&args, &library()?),
+        Some(Command::Lab(args)) => lab::run(&args, &library()?),
+        Some(Command::Validate(args)) => validate::run(&args, &library()?),
+        Some(Command::Shot(args)) => picture::shot::run(&args, &library()?),
+        Some(Command::Gallery(args)) => gallery::run(&args, &library()?),
+        Some(Command::Bench(Bench::Frame(args))) => picture::bench_frame::run(&args, &library()?, process_start),
+        Some(Command::Bench(Bench::Heat(args))) => bench_heat::run(&args, &library()?.library),
+        Some(Command::Bench(Bench::Paper(args))) => bench_paper::run(&args, &library()?.library),
+        Some(Command::List(args)) => list::run(&args, &library()?),
+        // The file under check may lie in the --data folder, which as a whole could not be read then.
         Some(Command::Food(Food::Check(check))) => food_check::run(&check, args.data.as_deref()),
-        Some(Command::Haptics(Haptics::List(list))) => haptics::list(&list),
-        Some(Command::Haptics(Haptics::Check(check))) => haptics::check(&check, &shelf),
+        Some(Command::Schema(which)) => schema::run(which),
+        Some(Command::Haptics(Haptics::List(args))) => haptics::list(&args),
+        Some(Command::Haptics(Haptics::Check(args))) => haptics::check(&args, &library()?.library),
     }
 }

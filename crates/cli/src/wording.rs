@@ -1,15 +1,15 @@
-//! How numbers and steps are said.
+//! Numbers and steps as text.
 
 use saute_kitchen::food::Scale;
-use saute_kitchen::step_record::StepRecord;
+use saute_recipe::step_record::StepRecord;
 
-/// A time as a cook says it: `45.0 s`, `16 min 38 s`.
+/// Returns a time as text: `45.0 s`, `16 min 38 s`.
 pub fn duration(seconds: f64) -> String {
     let whole = seconds.round() as u64;
     if seconds < 60.0 { format!("{seconds:.1} s") } else { format!("{} min {:02} s", whole / 60, whole % 60) }
 }
 
-/// A step as it was carried out: `hob 2000 W`, `flip steak`.
+/// Returns a step as it was carried out: `hob 2000 W`, `flip steak`.
 pub fn step(step: &StepRecord) -> String {
     let food = step.target.as_deref().unwrap_or_default();
     match (step.action, &step.value) {
@@ -22,12 +22,12 @@ pub fn step(step: &StepRecord) -> String {
             format!("press {food} with {} N for {} s", number(&value["n"]), number(&value["for_s"]))
         }
         ("move", value) => format!("move {food} to {value} mm"),
-        ("put" | "flip", _) => format!("{} {food}", step.action),
+        ("put" | "flip" | "halve", _) => format!("{} {food}", step.action),
         (action, value) => on_pan(action, value),
     }
 }
 
-/// What concerns no single food.
+/// Returns a step that concerns no single food.
 fn on_pan(action: &str, value: &serde_json::Value) -> String {
     let n = |key: &str| number(&value[key]);
     match action {
@@ -44,7 +44,7 @@ fn on_pan(action: &str, value: &serde_json::Value) -> String {
     }
 }
 
-/// A step in one word, for marks in a plot; the hob has a curve of its own and needs none.
+/// Returns a step in one word for the marks of a plot; none for the hob, which has its own curve.
 pub fn mark(step: &StepRecord) -> Option<&'static str> {
     match step.action {
         "hob_w" => None,
@@ -59,12 +59,26 @@ fn number(value: &serde_json::Value) -> String {
     value.as_f64().map_or_else(|| value.to_string(), |v| format!("{v}"))
 }
 
-/// Where a class of doneness lies, as `50–60 °C`.
+/// Returns the range of a class of doneness, as `50–60 °C`.
 pub fn class_range(scale: &Scale, place: usize) -> String {
     let from = scale.class.get(place).map_or(0.0, |c| c.from_c);
     match (place, scale.end_c(place)) {
         (0, Some(end)) => format!("< {end} °C"),
         (_, Some(end)) => format!("{from}–{end} °C"),
         (_, None) => format!("> {from} °C"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_action_on_a_food_names_its_food() {
+        for action in ["put", "flip", "rest", "halve", "press", "move"] {
+            let (target, foods) = (Some("steak".to_owned()), vec!["steak".to_owned()]);
+            let record = StepRecord { time_s: 1.0, action, target, foods, value: serde_json::Value::Null };
+            assert!(step(&record).starts_with(&format!("{action} steak")), "{}", step(&record));
+        }
     }
 }

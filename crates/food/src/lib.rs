@@ -1,58 +1,97 @@
-//! What heat does to food: properties, water, proteins, browning and colour.
+//! Heat transfer and cooking of a piece of food: temperature, water, proteins, browning, shrinkage and colour.
 //!
-//! A [`FoodModel`] is what never changes after it is built (rest mesh, composition, tables of rates); a
-//! [`FoodState`] is what does. [`FoodSolver::advance`] moves a state through one tick between given surroundings.
+//! A [`FoodModel`] holds everything that heating does not change: rest mesh, composition and tables of rates. A
+//! [`FoodState`] holds everything that it changes. [`FoodSolver::advance`] advances a state by one tick with given
+//! [`Surroundings`]. The crate is a pure function of model, state, surroundings and time step: it reads no clock and no
+//! files.
+//!
+//! A coin of gel, 60 mm across and 10 mm thick, lies from 5 °C in a water bath of 60 °C:
+//!
+//! ```
+//! use saute_food::components::Components;
+//! use saute_food::{
+//!     FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, MeshSize, PieceSpec, Rules, Surroundings,
+//!     Touch, ZERO_C,
+//! };
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let food: FoodDescription = toml::from_str(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/doc/gel.toml")))?;
+//! let kinetics: Kinetics =
+//!     toml::from_str(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/doc/gel-kinetics.toml")))?;
+//! let components: Components =
+//!     toml::from_str(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/doc/constant-components.toml")))?;
+//!
+//! let piece = PieceSpec {
+//!     size: [0.060, 0.060, 0.010], // length, width, thickness [m]
+//!     seed: 1,
+//!     coarseness: 2.0, // twice the default spacing: fewer nodes
+//!     mesh: MeshSize::Default,
+//!     rules: Rules::Full,
+//! };
+//! let model = FoodModel::build(&food, &kinetics, &components, &piece)?;
+//! let mut state = FoodState::raw(&model, ZERO_C + 5.0);
+//!
+//! // Every patch touches water: 1000 W/(m²·K) at 60 °C. Without a free patch the air does not matter.
+//! let touch = vec![Touch { conductance: 1000.0, temperature: ZERO_C + 60.0 }; model.patches().len()];
+//! let air = FreeAir {
+//!     temperature: ZERO_C + 20.0,
+//!     convection: 7.0,
+//!     radiation: 1.0,
+//!     vapour_density: 0.01,
+//!     mass_transfer: 4.0e-3,
+//! };
+//! let around = Surroundings { touch: &touch, air: &[air; 3] };
+//!
+//! let mut solver = FoodSolver::default();
+//! let before = state.total_enthalpy();
+//! let mut gained = 0.0;
+//! for _ in 0..6000 {
+//!     solver.advance(&model, &mut state, &around, 0.1); // a tick of 0.1 s
+//!     gained += solver.contact_heat.iter().sum::<f64>();
+//! }
+//!
+//! // After ten minutes the core is within 1 K of the bath [°C].
+//! let core = model.core_temperature(&state) - ZERO_C;
+//! assert!((59.0..60.1).contains(&core), "{core} °C");
+//! // The heat from the bath is in the gel [J].
+//! assert!((state.total_enthalpy() - before - gained).abs() < 1e-6 * gained);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! Modules: [`body`] holds mesh, faces and shape, [`tissue`] marbling and other variation, [`change`] kinetics, browning,
+//! doneness and colour, [`water`] everything that leaves a piece, [`description`] the tables of the data files.
 
 pub mod advance;
-pub mod air_film;
 pub mod body;
-pub mod browning;
-mod cell_body;
-pub mod changes;
-pub mod colour;
+mod build_error;
+pub mod change;
 pub mod components;
 pub mod description;
-pub mod doneness;
-pub mod fat;
-mod films;
-pub mod form;
-pub mod halving;
-pub mod juice;
-mod juice_way;
-pub mod limp;
-pub mod marbling;
-pub mod marbling_volume;
 pub mod model;
-mod node_means;
-pub mod noise;
 pub mod paper_2013;
-pub mod patch;
-pub mod present_shape;
 pub mod readings;
-pub mod rounded;
-pub mod shrimp;
-pub mod shrink;
-pub mod solid;
-pub mod sorption;
 pub mod state;
-pub mod surface;
 pub mod table;
 pub mod tissue;
 pub mod water;
 
+pub use body::{form, halving, limp, patch, present_shape, rounded, shrimp, shrink, solid, surface};
+pub use change::{browning, changes, colour, doneness};
+pub use tissue::{marbling, marbling_volume, noise};
+pub use water::{air_film, fat, juice, sorption};
+
 pub use advance::{Exchange, FoodSolver, Surroundings, Touch, present_area};
-pub use air_film::FreeAir;
-pub use body::Body;
-pub use colour::Lab;
+pub use body::{Body, Capsule, Face, Form, Patch, PatchGeometry, PatchPose, Solid};
+pub use change::{Lab, Scale, Shares};
 pub use description::{FoodDescription, Kinetics};
-pub use doneness::{Scale, Shares};
-pub use form::Form;
 pub use model::{BuildError, FoodModel, PieceSpec};
 pub use paper_2013::{MeshSize, Rules};
-pub use patch::{Face, Patch};
-pub use solid::{Capsule, Solid};
 pub use state::FoodState;
-pub use surface::{PatchGeometry, PatchPose};
+pub use water::FreeAir;
 
 /// Absolute temperature of 0 °C [K].
 pub const ZERO_C: f64 = 273.15;
+
+/// Standard acceleration of gravity [m/s²] (3rd General Conference on Weights and Measures, CGPM 1901).
+pub const GRAVITY: f64 = 9.806_65;

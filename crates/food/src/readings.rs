@@ -1,21 +1,21 @@
-//! What is read off a piece: core, faces, shares of doneness, colour.
+//! Readings of a piece: core, faces, colour, texture, shares of doneness.
 
-use saute_heat::{Cut, CutPoint};
+use saute_heat::{Cut, CutPoint, Layout};
 
-use crate::colour::{Appearance, Lab};
+use crate::change::colour::{Appearance, Lab};
+use crate::change::doneness::{MOST_CLASSES, Scale, Shares};
 use crate::description::{MOST_CHANGES, PerChange};
-use crate::doneness::{MOST_CLASSES, Scale, Shares};
 use crate::model::FoodModel;
 use crate::state::FoodState;
 
-/// The changes at a point, each read off its field.
+/// Returns the changes at a point, each read from its node field [-].
 pub fn changed_at(state: &FoodState, read: impl Fn(&[f64]) -> f64) -> PerChange {
     let mut changed = [0.0; MOST_CHANGES];
     changed.iter_mut().zip(&state.changed).for_each(|(c, field)| *c = read(field));
     changed
 }
 
-/// Area means and area shares of one face.
+/// Area means and area shares of a face.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FaceReading {
     /// Mean temperature [K].
@@ -28,163 +28,161 @@ pub struct FaceReading {
     pub charred_pct: f64,
     /// Mean browning [-].
     pub browning: f64,
-    /// Mean water over the raw water [-].
+    /// Mean water relative to the raw water [-].
     pub moisture: f64,
 }
 
 impl FoodModel {
-    /// Core temperature: at the rest shape's centroid [K].
+    /// Core temperature [K]: at the rest shape's centroid, or in the middle of the thickest section of a curved body.
     pub fn core_temperature(&self, state: &FoodState) -> f64 {
         self.at_core(&state.temperature)
     }
 
-    /// Area-mean temperature of the face that lies below where `up` points up in the world, a direction of the body
-    /// frame; that of the upper face with the opposite direction [K].
+    /// Area-mean temperature of the lower face [K].
+    ///
+    /// `up` is the world's upward direction in the body frame; the opposite direction gives the upper face.
     pub fn face_temperature(&self, state: &FoodState, up: [f64; 3]) -> f64 {
         let (mut sum, mut area) = (0.0, 0.0);
-        for patch in self.patches_below(up).map(|i| &self.patches[i]) {
+        for patch in self.patches_below(up).map(|i| &self.shape.patches[i]) {
             sum += patch.area * state.temperature[patch.node as usize];
             area += patch.area;
         }
         sum / area
     }
 
-    /// Mean browning of the face that lies below, as [`Self::face_reading`] has it [-].
+    /// Mean browning of the lower face [-], with `up` as in [`Self::face_temperature`].
     pub fn face_browning(&self, state: &FoodState, up: [f64; 3]) -> f64 {
-        let whole: f64 = self.patches_below(up).map(|i| self.patches[i].area).sum();
-        let below = self.patches_below(up).map(|i| &self.patches[i]);
+        let whole: f64 = self.patches_below(up).map(|i| self.shape.patches[i].area).sum();
+        let below = self.patches_below(up).map(|i| &self.shape.patches[i]);
         below.fold(0.0, |sum, patch| sum + patch.area / whole * state.browning[patch.node as usize])
     }
 
-    /// Everything that is read off the face that lies below, as [`Self::face_temperature`] has it.
+    /// Returns area means and shares of the lower face, with `up` as in [`Self::face_temperature`].
     pub fn face_reading(&self, state: &FoodState, up: [f64; 3]) -> FaceReading {
         let mut reading = FaceReading::default();
-        let whole: f64 = self.patches_below(up).map(|i| self.patches[i].area).sum();
-        for patch in self.patches_below(up).map(|i| &self.patches[i]) {
+        let whole: f64 = self.patches_below(up).map(|i| self.shape.patches[i].area).sum();
+        for patch in self.patches_below(up).map(|i| &self.shape.patches[i]) {
             let (node, share) = (patch.node as usize, patch.area / whole);
             let colour = self.node_colour(state, node).0;
             (0..3).for_each(|k| reading.lab.0[k] += share * colour[k]);
             reading.temperature += share * state.temperature[node];
             reading.browning += share * state.browning[node];
-            reading.moisture += share * state.water[node] / self.initial_water[node];
+            reading.moisture += share * state.water[node] / self.tissue.initial_water[node];
             reading.browned_pct += 100.0 * share * f64::from(u8::from(state.browning[node] > 0.5));
             reading.charred_pct += 100.0 * share * f64::from(u8::from(state.charring[node] > 0.2));
         }
-        // The shares of the whole add up to 100 but for rounding.
+        // Rounding may carry the sum of the shares above 100.
         reading.browned_pct = reading.browned_pct.min(100.0);
         reading.charred_pct = reading.charred_pct.min(100.0);
         reading
     }
 
-    /// What colours a node.
+    /// Returns the state that determines the colour of a node.
     pub fn appearance(&self, state: &FoodState, node: usize) -> Appearance {
         Appearance {
             changed: changed_at(state, |field| field[node]),
             browning: state.browning[node],
             charring: state.charring[node],
-            tissue: self.tissue[node],
+            tissue: self.tissue.second[node],
         }
     }
 
-    /// Mean colour of a node's lean and fat.
+    /// Mean colour of the lean flesh and the fat of a node.
     pub fn node_colour(&self, state: &FoodState, node: usize) -> Lab {
         let (lean, fat) = self.colours(self.appearance(state, node));
-        lean.lerp(fat, self.adipose[node])
+        lean.lerp(fat, self.tissue.adipose[node])
     }
 
-    /// Volume mean of a node field.
+    /// Volume mean of a node field, in the unit of the field.
     pub fn volume_mean(&self, field: &[f64]) -> f64 {
-        let volume = &self.mesh.graph.volume;
+        let volume = self.shape.mesh.volumes();
         field.iter().zip(volume).map(|(f, v)| f * v).sum::<f64>() / volume.iter().sum::<f64>()
     }
 
-    /// Log₁₀ reduction of pathogens at the core and at the least heated point of the surface that it was cooked
-    /// with [-].
+    /// Returns the log₁₀ reduction of pathogens at the core and at the least heated point of the original surface [-].
     pub fn log_reduction(&self, state: &FoodState) -> (f64, f64) {
-        let surface = self.patches[..self.fresh_faces().start].iter().filter(|p| p.area > 0.0);
+        let surface = self.shape.patches[..self.fresh_faces().start].iter().filter(|p| p.area > 0.0);
         let least = surface.map(|p| state.lethality[p.node as usize]).fold(f64::INFINITY, f64::min);
         (self.at_core(&state.lethality), least)
     }
 
-    /// A value plus what the changes of a node contribute.
+    /// A base value plus the contributions of the changes of a node.
     fn with_changes(&self, base: f64, contributions: &PerChange, state: &FoodState, node: usize) -> f64 {
         state.changed.iter().zip(contributions).fold(base, |sum, (x, c)| sum + c * x[node])
     }
 
     /// Elastic modulus of a node [kPa].
     pub fn node_modulus_kpa(&self, state: &FoodState, node: usize) -> f64 {
-        self.with_changes(self.kinetics.texture.raw_kpa, &self.modulus, state, node)
+        self.with_changes(self.kinetics.texture.raw_kpa, &self.response.modulus, state, node)
     }
 
-    /// Volume mean of a value that depends on a node.
+    /// Volume mean of a value of each node.
     fn mean_of(&self, value: impl Fn(usize) -> f64) -> f64 {
-        let volume = &self.mesh.graph.volume;
+        let volume = self.shape.mesh.volumes();
         let sum: f64 = volume.iter().enumerate().map(|(node, v)| v * value(node)).sum();
         sum / volume.iter().sum::<f64>()
     }
 
-    /// Volume mean of the elastic modulus: raw plus each change's share of its contribution [kPa].
+    /// Volume mean of the elastic modulus [kPa]: the raw modulus plus the contributions of the changes.
     pub fn elastic_modulus_kpa(&self, state: &FoodState) -> f64 {
         self.mean_of(|node| self.node_modulus_kpa(state, node))
     }
 
-    /// Volume mean of the hardness on biting over that of the raw food [-].
+    /// Volume mean of the hardness on biting relative to the raw food [-].
     pub fn hardness_index(&self, state: &FoodState) -> f64 {
-        self.mean_of(|node| self.with_changes(1.0, &self.hardness, state, node))
+        self.mean_of(|node| self.with_changes(1.0, &self.response.hardness, state, node))
     }
 
-    /// Volume mean of the juiciness: water left over raw water, times one plus the changes' contributions [%].
+    /// Volume mean of the juiciness [%]: the remaining share of the raw water, times 1 plus the contributions of the changes.
     pub fn juiciness_pct(&self, state: &FoodState) -> f64 {
-        let left = |node: usize| (state.water[node] / self.initial_water[node]).min(1.0);
-        100.0 * self.mean_of(|node| left(node) * self.with_changes(1.0, &self.juiciness, state, node))
+        let left = |node: usize| (state.water[node] / self.tissue.initial_water[node]).min(1.0);
+        100.0 * self.mean_of(|node| left(node) * self.with_changes(1.0, &self.response.juiciness, state, node))
     }
 
-    /// Angle by which the body has curled: difference of contraction over its depth, times length [rad].
+    /// Angle of the curl [rad]: difference of contraction over the depth, times the length.
     pub fn curl(&self, state: &FoodState) -> f64 {
-        if self.curl.iter().all(|c| *c == 0.0) {
+        if self.response.curl.iter().all(|c| *c == 0.0) {
             return 0.0;
         }
-        let difference = self.mean_of(|node| self.with_changes(0.0, &self.curl, state, node));
-        // A body on its side curls across its width, a slice would through its thickness.
-        difference * self.size[0] / if self.is_slice() { self.size[2] } else { self.size[1] }
+        let difference = self.mean_of(|node| self.with_changes(0.0, &self.response.curl, state, node));
+        // A body on its side curls across its width, a slice through its thickness.
+        difference * self.shape.size[0] / if self.shape.is_slice() { self.shape.size[2] } else { self.shape.size[1] }
     }
 
-    /// Doneness by volume.
+    /// Shares of doneness by volume [%].
     pub fn volume_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
-        if self.cells().is_some() {
-            return self.cell_volume_shares(state, scale);
-        }
+        let Some(mesh) = self.shape.mesh.swept() else { return self.cell_volume_shares(state, scale) };
         let mut sums = [0.0; MOST_CLASSES];
-        let n = self.mesh.nodes_per_level();
-        for level in 0..self.mesh.levels.len() - 1 {
+        let n = mesh.nodes_per_level();
+        for level in 0..mesh.levels.len() - 1 {
             let (lower, upper) = state.peak[level * n..(level + 2) * n].split_at(n);
             for i in 0..n {
-                scale.add_stretch(&mut sums, lower[i], upper[i], self.mesh.between(level, i));
+                scale.add_stretch(&mut sums, lower[i], upper[i], mesh.between(level, i));
             }
         }
         Shares::from_weights(sums)
     }
 
-    /// The cut that shows the inside: of a slice across its longest axis at distance `x` from the centroid along it
-    /// [m]; a body that is no slice is cut along its middle plane, wherever `x` is.
+    /// Returns the cut that shows the inside: of a slice across its longest axis, at the distance `x` from the centroid [m].
+    ///
+    /// A body along stations is cut in its middle plane, whatever `x` is. The cut of a body of cells is empty.
     pub fn cut_across(&self, x: f64) -> Cut {
-        if !self.is_slice() {
-            return Cut::new(&self.mesh.section, [0.0, 0.0], [1.0, 0.0]);
+        let along_x = self.shape.size[0] >= self.shape.size[1];
+        match self.shape.mesh.layout() {
+            Layout::Upright(mesh) if along_x => Cut::new(&mesh.section, [x, 0.0], [0.0, 1.0]),
+            Layout::Upright(mesh) => Cut::new(&mesh.section, [0.0, x], [-1.0, 0.0]),
+            Layout::Along(mesh, _) => Cut::new(&mesh.section, [0.0, 0.0], [1.0, 0.0]),
+            Layout::Cells(_) => Cut::default(),
         }
-        let direction = if self.size[0] >= self.size[1] { [0.0, 1.0] } else { [-1.0, 0.0] };
-        let point = if self.size[0] >= self.size[1] { [x, 0.0] } else { [0.0, x] };
-        Cut::new(&self.mesh.section, point, direction)
     }
 
-    /// Doneness of a cut by area; of a body of cells, of its middle cut.
+    /// Shares of doneness of a cut by area, or of the middle cut of a body of cells [%].
     pub fn cut_shares(&self, state: &FoodState, cut: &Cut, scale: &Scale) -> Shares {
-        if self.cells().is_some() {
-            return self.cell_cut_shares(state, scale);
-        }
+        let Some(mesh) = self.shape.mesh.swept() else { return self.cell_cut_shares(state, scale) };
         let mut sums = [0.0; MOST_CLASSES];
-        let n = self.mesh.nodes_per_level();
+        let n = mesh.nodes_per_level();
         let lengths = cut.lengths();
-        for (level, height) in self.mesh.levels.windows(2).map(|w| w[1] - w[0]).enumerate() {
+        for (level, height) in mesh.levels.windows(2).map(|w| w[1] - w[0]).enumerate() {
             let (lower, upper) = state.peak[level * n..(level + 2) * n].split_at(n);
             let wide = 0.5 * (self.cut_breadth(cut, level) + self.cut_breadth(cut, level + 1));
             for (i, length) in lengths.iter().enumerate() {
@@ -194,14 +192,12 @@ impl FoodModel {
         Shares::from_weights(sums)
     }
 
-    /// Breadth of the body along a cut at a level over that of the section [-].
+    /// Breadth of the body along a cut at a level, relative to that of the section [-].
     pub fn cut_breadth(&self, cut: &Cut, level: usize) -> f64 {
         let (Some(first), Some(last)) = (cut.points.first(), cut.points.last()) else { return 1.0 };
-        if self.is_slice() {
-            return 1.0;
-        }
+        let Layout::Along(_, stations) = self.shape.mesh.layout() else { return 1.0 };
         let across = |level: usize, p: &CutPoint| {
-            let at = |k: usize| self.mesh.section_at(level).points[p.nodes[k] as usize][0];
+            let at = |k: usize| stations[level].section.points[p.nodes[k] as usize][0];
             at(0) * (1.0 - p.share) + at(1) * p.share
         };
         (across(level, last) - across(level, first)) / (last.along - first.along)

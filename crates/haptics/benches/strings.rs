@@ -1,18 +1,18 @@
-//! How long pose and tensions take: `cargo bench -p saute-haptics`.
+//! Timing of pose estimation and tension distribution: `cargo bench -p saute-haptics`.
 
 use std::hint::black_box;
 use std::io::Write;
 use std::time::Instant;
 
 use glam::DVec3;
-use saute_haptics::{Pose, PoseEstimator, TensionSolver, Wrench, shelf};
+use saute_haptics::{Pose, PoseEstimator, TensionSolver, Wrench, library};
 
-/// Poses along a motion.
+/// Number of poses along a motion.
 const ROUNDS: u32 = 20_000;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut out = std::io::stdout().lock();
-    for (name, geometry) in shelf::devices()? {
+    for (name, geometry) in library::devices()? {
         let rig = geometry.rig();
         let home = geometry.home();
         let at = |k: u32| {

@@ -1,35 +1,37 @@
-//! What every haptic device is to the control loop: capabilities as data, and one exchange.
+//! The interface of every haptic device: capabilities as data, and one exchange per step.
 
 use saute_kitchen::dynamics::Pose;
 use serde::Serialize;
 
-use crate::kept_calibration::CalibrationMemory;
-use crate::rumble::Rumble;
+use crate::control::rumble::Rumble;
+use crate::strings::kept_calibration::CalibrationMemory;
 use crate::strings::{STRINGS, StringRig};
 use crate::wrench::{Twist, Wrench};
 
-/// What a device may do to a hand.
+/// Limits of what a device may do to a hand.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Limits {
     /// Force [N].
     pub force_n: f64,
     /// Torque [N·m].
     pub torque_nm: f64,
-    /// Change of force [N/s].
+    /// Slew rate of force [N/s].
     pub slew_n_s: f64,
-    /// Change of torque [N·m/s].
+    /// Slew rate of torque [N·m/s].
     pub slew_nm_s: f64,
-    /// Energy given to the hand within a second [J]; the work of weights, and what a felt body gives back of what the hand had put into
-    /// it, are left out. Older gifts fade out of the count as e^(−t/1 s): the mean power stays below this much a second.
+    /// Energy given to the hand per second [J].
+    ///
+    /// The work of weights and energy that a virtual body returns to the hand do not count. Earlier energy decays as
+    /// e^(−t/1 s), so the mean power stays below this value per second.
     pub energy_j: f64,
-    /// Stiffest spring that stays stable [N/m].
+    /// Greatest stable stiffness [N/m].
     pub stiffness_n_m: f64,
-    /// Stiffest spring of turning that stays stable [N·m/rad].
+    /// Greatest stable rotational stiffness [N·m/rad].
     pub stiffness_nm_rad: f64,
 }
 
 impl Limits {
-    /// Of a device that makes no forces.
+    /// Limits of a device without forces.
     pub const NONE: Self = Self {
         force_n: 0.0,
         torque_nm: 0.0,
@@ -41,131 +43,131 @@ impl Limits {
     };
 }
 
-/// Where a device may be moved.
+/// Range of motion of a device.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Workspace {
-    /// Middle, in the kitchen [m].
+    /// Centre, in the kitchen [m].
     pub home_m: [f64; 3],
-    /// Reach to either side [m].
+    /// Half width along each axis [m].
     pub half_m: [f64; 3],
-    /// Tilt to either side [rad].
+    /// Largest tilt to either side [rad].
     pub tilt_rad: f64,
 }
 
-/// How a device vibrates.
+/// How a device renders vibration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Vibration {
-    /// Not at all: sizzle is heard and seen.
+    /// Not at all: sizzle is audible and visible only.
     None,
-    /// By rumble motors.
+    /// With rumble motors.
     Rumble,
-    /// By its forces.
+    /// With its forces.
     Wrench,
 }
 
-/// What a device knows of the hand.
+/// What a device measures of the hand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sensed {
-    /// Place and turning.
+    /// Position and orientation.
     Pose,
-    /// Place alone.
+    /// Position only.
     Place,
-    /// Turning; place only as far as it tosses.
+    /// Orientation; position only during a toss.
     Turning,
 }
 
-/// What a device can do.
+/// Capabilities of a device.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Capabilities {
-    /// Name for people.
+    /// Display name.
     pub name: String,
-    /// What it knows of the hand; what it does not know stays as it is at home.
+    /// What it measures; the rest keeps its value at home.
     pub sensed: Sensed,
-    /// Degrees of freedom that it moves: 6 wrench, 3 force alone, 0 none.
+    /// Actuated degrees of freedom: 6 wrench, 3 force only, 0 none.
     pub dof_actuated: u8,
-    /// What it may do to a hand.
+    /// Limits of what it may do to a hand.
     pub limits: Limits,
-    /// Where it may be moved.
+    /// Range of motion.
     pub workspace: Workspace,
     /// Rate of exchanges [Hz].
     pub rate_hz: f64,
-    /// How it vibrates.
+    /// How it renders vibration.
     pub vibration: Vibration,
-    /// Whether the hand holds a real pan; else the pan's own weight is rendered too.
+    /// True if the hand holds a real pan; otherwise the pan's own weight is rendered too.
     pub holds_real_pan: bool,
-    /// Mass of what the hand really holds [kg].
+    /// Mass of the real object in the hand [kg].
     pub real_mass_kg: f64,
 }
 
-/// What the hand shall feel beyond the empty device.
+/// Command to a device: what the hand feels beyond the empty device.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HapticCommand {
     /// Wrench on the hand [N, N·m].
     pub wrench: Wrench,
-    /// Whether forces may be shown at all; else the device goes to its rest.
+    /// True if forces are enabled; otherwise the device goes to its rest state.
     pub enabled: bool,
-    /// What a device shakes with that makes no forces.
+    /// Rumble, for devices without forces [-].
     pub rumble: Rumble,
 }
 
-/// How a device is.
+/// Health of a device.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Health {
-    /// Looked for.
+    /// Not found yet.
     #[default]
     Connecting,
-    /// There, but its encoders count from an unknown place: put it on its jig.
+    /// Connected, but its encoders count from an unknown zero: put it on its jig.
     Uncalibrated,
-    /// What was measured on the jig fits no device near the drawing.
+    /// The readings on the jig fit no device near the drawing.
     Misfit,
-    /// At work.
+    /// Running.
     Running,
-    /// It has fallen silent.
+    /// Silent for longer than its timeout.
     Lost,
-    /// It refused the pairing code.
+    /// The pairing code was refused.
     WrongCode,
-    /// It states units, strings or a version that this program does not speak.
+    /// Units, number of strings or protocol version are not supported.
     WrongUnits,
-    /// It reports a fault of its own.
+    /// The device reports a fault.
     Fault,
-    /// It was stopped and stays so.
+    /// Stopped for good.
     Stopped,
 }
 
-/// What a device said last.
+/// Last sample of a device.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HapticSample {
-    /// The device's own time [s].
+    /// The device's clock [s].
     pub time_s: f64,
     /// Pose of the pan in the kitchen.
     pub pose: Pose,
-    /// Whether it tells that pose: a device may know the turner alone, and then the pan is not its own.
+    /// True if the device moves the pan; a device may measure the turner only.
     pub leads_pan: bool,
-    /// Its velocity [m/s, rad/s].
+    /// Twist of the pan [m/s, rad/s].
     pub twist: Twist,
-    /// The wrench that its last command really makes beyond the empty device [N, N·m].
+    /// Wrench that the last command really makes beyond the empty device [N, N·m].
     pub achieved: Wrench,
-    /// Force with which the device really pulls, rest included [N].
+    /// Total force of the device, its rest state included [N].
     pub total_force_n: f64,
-    /// Tension of each string, for a device of strings [N].
+    /// Tension of each string, for string devices [N].
     pub tension_n: Option<[f64; STRINGS]>,
-    /// Pose of the turner in the other hand, where the device knows it.
+    /// Pose of the turner in the other hand, if measured.
     pub turner: Option<Pose>,
-    /// How it is.
+    /// Health of the device.
     pub health: Health,
-    /// Whether it said something new since the last exchange.
+    /// True if the sample is new since the last exchange.
     pub fresh: bool,
     /// Buttons, one bit each.
     pub buttons: u32,
-    /// Messages that were thrown away because they were damaged, old or meant nothing.
+    /// Number of rejected messages: damaged, outdated or meaningless.
     pub rejected: u32,
 }
 
 impl Default for HapticSample {
-    /// A device that is looked for and that will lead the pan, as nearly all do.
+    /// Returns the sample of a device that is not found yet and that moves the pan, as nearly all do.
     fn default() -> Self {
         Self {
             time_s: 0.0,
@@ -184,27 +186,27 @@ impl Default for HapticSample {
     }
 }
 
-/// A device that a hand holds.
+/// A haptic device that a hand holds.
 ///
-/// `exchange` is called from the control loop: it neither blocks, nor allocates, nor locks; a device that is away answers with
-/// its [`Health`] and goes on looking.
+/// The control loop calls `exchange`: it must not block, allocate or lock. A device without connection returns its [`Health`]
+/// and keeps looking.
 pub trait HapticDevice: Send {
-    /// What it can do.
+    /// Returns the device's capabilities.
     fn capabilities(&self) -> &Capabilities;
-    /// Tells it what the hand shall feel, `dt` after the last exchange [s], and takes what it said last.
+    /// Sends a command and returns the last sample; `dt` is the time since the last exchange [s].
     fn exchange(&mut self, command: &HapticCommand, dt: f64) -> HapticSample;
-    /// Lets go of the hand at once.
+    /// Releases all forces at once, for good.
     fn stop(&mut self);
-    /// Its strings as drawn, for a device of strings.
+    /// Returns the strings as drawn, for string devices.
     fn strings(&self) -> Option<StringRig> {
         None
     }
-    /// Takes over what was found on its jig before, and keeps there what it finds; nothing for a device without a jig.
+    /// Restores a stored calibration, and stores new ones there; does nothing for devices without a jig.
     fn remember(&mut self, _memory: CalibrationMemory) {}
 }
 
 impl Sensed {
-    /// Degrees of freedom.
+    /// Returns the number of measured degrees of freedom.
     pub fn dof(self) -> u8 {
         match self {
             Self::Pose => 6,
@@ -213,12 +215,12 @@ impl Sensed {
     }
 }
 
-/// Most damping over what the hand really holds [1/s] (chosen: a third of the delay of 6 ms with which velocity is known; more
-/// would shake a light grip).
+/// Greatest damping per mass in the hand [1/s] (chosen: a third of the inverse delay of 6 ms of the measured velocity; more would
+/// shake a light grip).
 const DAMPING_RATE: f64 = 50.0;
 
 impl Capabilities {
-    /// Most damping that the delay of the measured velocity allows [N·s/m].
+    /// Returns the greatest damping that the delay of the measured velocity allows [N·s/m].
     pub fn most_damping(&self) -> f64 {
         DAMPING_RATE * self.real_mass_kg
     }

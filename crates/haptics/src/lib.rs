@@ -1,53 +1,57 @@
-//! Devices that hands hold: the pan's pose in, forces out.
+//! Haptic devices for the frying-pan simulator: the pan's pose in, forces out.
 //!
-//! A kitchen publishes a [`ContactModel`] sixty times a second; a [`ControlLoop`] on a thread of its own reads the last one,
-//! asks a [`HapticDevice`] a thousand times a second where the pan is, and tells it what the hand shall feel.
+//! The kitchen publishes a [`ContactModel`] sixty times a second. A [`ControlLoop`] on its own real-time thread reads the latest
+//! model, exchanges with a [`HapticDevice`] at 1 kHz, and renders the wrench on the hand with time-domain passivity.
+//!
+//! - [`control`]: force rendering by virtual coupling, passivity observer and controller, safety limits, the loop's thread
+//! - [`strings`]: the SPIDAR, an eight-string device: tension distribution, pose estimation, calibration, wire protocol
+//! - [`remote`]: networked devices: phones, the Haply Inverse3, OSC senders
+//! - [`kitchen`]: the contact model, and the pan and turner in hand
+//!
+//! A simulated device carries 0.3 kg of food:
+//!
+//! ```
+//! use saute_haptics::contact_model::{ContactModel, Payload};
+//! use saute_haptics::{HapticCommand, HapticDevice, Renderer, WeightOnSpring, library};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let mut device = WeightOnSpring::default();
+//! let mut renderer = Renderer::new(device.capabilities(), &library::feel()?);
+//! let mut command = HapticCommand::default();
+//! for step in 1..=2000 {
+//!     let sample = device.exchange(&command, 1e-3);
+//!     let payload = Payload::point(0.3, glam::DVec3::ZERO);
+//!     let model = ContactModel { number: step, payload, ..ContactModel::default() };
+//!     command = renderer.step(&sample, &model, 1e-3);
+//! }
+//! let weight_n = 0.3 * 9.80665;
+//! assert!((command.wrench.force.z + weight_n).abs() < 0.05, "{} N", command.wrench.force.z);
+//! # Ok(())
+//! # }
+//! ```
 
-mod allowance;
-pub mod contact_model;
-pub mod control_loop;
-pub mod coupled_payload;
-pub mod degrade;
+pub mod control;
 pub mod device;
-pub mod feel;
-pub mod geometry;
-pub mod guard_planes;
-pub mod handover;
-pub mod haply;
-pub mod impulse_train;
-pub mod jig_calibration;
-pub mod jitter;
-pub mod kept_calibration;
-pub mod kitchen_watch;
-pub mod lay_down;
-mod led_from_afar;
-mod linear;
-pub mod network_thread;
+pub mod kitchen;
+pub mod library;
 pub mod open;
-pub mod osc;
-pub mod pairing;
-pub mod pan_in_hand;
-pub mod passivity;
-pub mod phone;
-pub mod pose_from_lengths;
-mod quiet;
-mod reachable;
-pub mod renderer;
-pub mod rumble;
-pub mod safety_limits;
-pub mod scheduling;
-pub mod shelf;
-pub mod simulator;
-pub mod spidar;
+pub mod remote;
 pub mod strings;
 mod template;
-pub mod tension;
-pub mod tilt;
-pub mod turner_in_hand;
-pub mod vibration;
-pub mod wire;
-pub mod workspace;
 pub mod wrench;
+
+pub use control::{
+    control_loop, coupled_payload, degrade, feel, guard_planes, impulse_train, jitter, passivity, renderer, rumble,
+    safety_limits, scheduling, vibration,
+};
+pub use kitchen::{contact_model, handover, kitchen_watch, lay_down, pan_in_hand, turner_in_hand};
+// The former name of `library`, until window and command line use the new one.
+#[doc(hidden)]
+pub use library as shelf;
+pub use remote::{haply, network_thread, osc, pairing, phone, tilt};
+pub use strings::{
+    geometry, jig_calibration, kept_calibration, pose_from_lengths, simulator, spidar, tension, wire, workspace,
+};
 
 pub use contact_model::ContactModel;
 pub use control_loop::ControlLoop;

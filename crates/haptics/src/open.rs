@@ -1,4 +1,4 @@
-//! One way to open a device: from NAME, FILE.toml or NAME@PLACE to a driver, and what a person must know to reach it.
+//! Opens a device from NAME, FILE.toml or NAME@PLACE, and states how a person reaches it.
 
 use std::io::Read;
 use std::net::{SocketAddr, ToSocketAddrs};
@@ -8,118 +8,118 @@ use saute_kitchen::InputError;
 use serde::Serialize;
 
 use crate::device::{Capabilities, HapticDevice};
-use crate::geometry::Geometry;
-use crate::shelf;
-use crate::spidar::Spidar;
-use crate::wire::{SerialLink, UdpLink};
-use crate::{haply, osc, phone};
+use crate::library;
+use crate::remote::{haply, osc, phone};
+use crate::strings::geometry::Geometry;
+use crate::strings::spidar::Spidar;
+use crate::strings::wire::{SerialLink, UdpLink};
 
-/// Speed of serial lines [baud] (chosen: a thousand frames each way need one million).
+/// Baud rate of serial links [baud] (chosen: twice what a thousand frames per second each way need).
 const BAUD: u32 = 2_000_000;
-/// Larger files are no geometry [bytes] (chosen: the largest shipped one has 4 kB).
+/// Largest geometry file [bytes] (chosen: the largest shipped one has 4 kB).
 const LARGEST: u64 = 1 << 20;
 
-/// Kinds of devices that are reached over a network. To add one, write its file and name it here.
+/// All kinds of networked devices. To add one, write its file and list it here.
 pub static NETWORKED: &[Networked] = &[phone::PHONE, haply::HAPLY, osc::OSC];
 
-/// A kind of device that is reached over a network.
+/// A kind of networked device.
 #[derive(Clone, Copy, Debug)]
 pub struct Networked {
-    /// Its name.
+    /// Name on the command line.
     pub id: &'static str,
-    /// Where it is unless a place is given: HOST:PORT.
+    /// Default place, HOST:PORT.
     pub default_place: &'static str,
-    /// What it can do.
+    /// Returns its capabilities.
     pub capabilities: fn() -> Capabilities,
-    /// Opens it at an address.
+    /// Opens the device at an address.
     pub open: fn(SocketAddr) -> Result<Opened, OpenError>,
 }
 
-/// Who can reach a device, or be reached by it.
+/// Network reach of a device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Reach {
-    /// A cable.
+    /// Connected by cable.
     Cable,
-    /// Programs of this machine.
+    /// Reachable by programs on this machine only.
     ThisMachine,
-    /// All machines of the network.
+    /// Reachable by all machines on the network.
     Network,
 }
 
-/// What a person must know to reach a device.
+/// How a person reaches a device.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Access {
     /// Address or port.
     pub place: String,
-    /// Who can reach it.
+    /// Network reach.
     pub reach: Reach,
     /// Page to open on the device.
     pub url: Option<String>,
-    /// Pairing code to type or send.
+    /// Pairing code to enter or send.
     pub code: Option<String>,
-    /// Beginning of the SHA-256 fingerprint of the certificate that the page shows.
+    /// First bytes of the SHA-256 fingerprint of the page's certificate.
     pub fingerprint: Option<String>,
 }
 
-/// A device that has been opened.
+/// An open device.
 pub struct Opened {
-    /// Its driver.
+    /// The driver.
     pub device: Box<dyn HapticDevice>,
-    /// What a person must know to reach it.
+    /// How a person reaches it.
     pub access: Access,
 }
 
-/// Why a device cannot be opened.
+/// Why a device could not be opened.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum OpenError {
-    /// A geometry file that cannot be used.
+    /// An invalid geometry file.
     #[error(transparent)]
     Geometry(#[from] InputError),
-    /// A name or a place that cannot be used.
+    /// An unusable name or place.
     #[error("{place}: {message}\n  remedy: {remedy}")]
     Place {
-        /// Which one.
+        /// The name or place.
         place: String,
-        /// What is wrong.
+        /// The problem.
         message: String,
-        /// What to do instead.
+        /// The remedy.
         remedy: String,
     },
 }
 
-/// How a device is built.
+/// The two kinds of devices.
 #[derive(Clone, Debug)]
 enum Build {
-    /// Of strings.
+    /// A string device.
     Strings(Box<Geometry>),
-    /// As something on a network.
+    /// A networked device.
     Networked(Networked),
 }
 
-/// A device by name or file, and where it is.
+/// A device by name or file, with its place.
 #[derive(Clone, Debug)]
 pub struct Named {
-    /// Name or file.
+    /// Device name or geometry file.
     pub name: String,
     build: Build,
     place: Option<String>,
 }
 
 impl OpenError {
-    /// A name or a place that cannot be used.
+    /// Creates the error of an unusable name or place.
     pub fn place(place: impl std::fmt::Display, message: impl Into<String>, remedy: impl Into<String>) -> Self {
         Self::Place { place: place.to_string(), message: message.into(), remedy: remedy.into() }
     }
 }
 
 impl Access {
-    /// What can be reached at an address, without page or code.
+    /// Creates the access of a device at an address, without page or code.
     pub fn at(address: SocketAddr) -> Self {
         Self { place: address.to_string(), reach: Reach::of(address), url: None, code: None, fingerprint: None }
     }
 
-    /// In words, a line each.
+    /// Returns the access in words, one fact per line.
     pub fn lines(&self) -> Vec<String> {
         let reach = match self.reach {
             Reach::Cable => "by cable",
@@ -135,32 +135,33 @@ impl Access {
 }
 
 impl Reach {
-    /// Who is reached by an address.
+    /// Returns the reach of an address.
     pub fn of(address: SocketAddr) -> Self {
         if address.ip().is_loopback() { Self::ThisMachine } else { Self::Network }
     }
 }
 
-/// Names of all devices: those of strings first.
+/// Returns the names of all devices, string devices first.
 pub fn names() -> Result<Vec<String>, OpenError> {
-    let strings = shelf::devices()?.into_keys();
+    let strings = library::devices()?.into_keys();
     Ok(strings.chain(NETWORKED.iter().map(|n| n.id.to_owned())).collect())
 }
 
-/// Opens a device: NAME, FILE.toml, NAME@HOST:PORT or NAME@SERIAL-PORT; the pairing code is the one that a real device shows, 0
-/// where it needs none.
+/// Opens a device from NAME, FILE.toml, NAME@HOST:PORT or NAME@SERIAL-PORT.
+///
+/// `pairing` is the code that a real string device shows, or 0 if it needs none.
 pub fn open(text: &str, pairing: u32) -> Result<Opened, OpenError> {
     Named::parse(text)?.open(pairing)
 }
 
 impl Named {
-    /// From NAME, FILE.toml, NAME@HOST:PORT or NAME@SERIAL-PORT.
+    /// Parses NAME, FILE.toml, NAME@HOST:PORT or NAME@SERIAL-PORT.
     pub fn parse(text: &str) -> Result<Self, OpenError> {
         let (name, place) = text.split_once('@').map_or((text, None), |(n, p)| (n, Some(p.to_owned())));
         Ok(Self { name: name.to_owned(), build: Build::of(name)?, place })
     }
 
-    /// How it is built of strings, if it is.
+    /// Returns the geometry of a string device.
     pub fn geometry(&self) -> Option<&Geometry> {
         match &self.build {
             Build::Strings(geometry) => Some(geometry),
@@ -168,7 +169,7 @@ impl Named {
         }
     }
 
-    /// What it can do.
+    /// Returns the device's capabilities.
     pub fn capabilities(&self) -> Capabilities {
         match &self.build {
             Build::Strings(geometry) => geometry.capabilities(),
@@ -176,12 +177,12 @@ impl Named {
         }
     }
 
-    /// Whether it can only be simulated: strings at no place.
+    /// Returns true if the device can only be simulated: a string device without a place.
     pub fn is_simulated(&self) -> bool {
         self.place.is_none() && self.geometry().is_some()
     }
 
-    /// Opens the device at its place; the pairing code is the one that a real device shows.
+    /// Opens the device at its place; `pairing` is the code that a real string device shows.
     pub fn open(&self, pairing: u32) -> Result<Opened, OpenError> {
         match (&self.build, &self.place) {
             (Build::Networked(networked), place) => {
@@ -190,13 +191,13 @@ impl Named {
             }
             (Build::Strings(geometry), Some(place)) => strings_at(geometry, place, pairing),
             (Build::Strings(_), None) => {
-                let remedy = format!("say where it is: {}@HOST:PORT or {0}@SERIAL-PORT", self.name);
-                Err(OpenError::place(&self.name, "is a device of strings, and no place is given", remedy))
+                let remedy = format!("give its place: {}@HOST:PORT or {0}@SERIAL-PORT", self.name);
+                Err(OpenError::place(&self.name, "is a string device, and no place is given", remedy))
             }
         }
     }
 
-    /// Opens a device of strings at an address, such as that of a simulator.
+    /// Opens the device at an address, such as that of a simulator.
     pub fn open_at(&self, address: SocketAddr, pairing: u32) -> Result<Opened, OpenError> {
         match &self.build {
             Build::Strings(geometry) => strings_over_udp(geometry, address, pairing),
@@ -207,14 +208,14 @@ impl Named {
 
 impl Build {
     fn of(name: &str) -> Result<Self, OpenError> {
-        // Before files: one that happens to be called `phone` here is no device of strings.
+        // Names come before files: a file that happens to be called `phone` is not a geometry.
         if let Some(networked) = NETWORKED.iter().find(|n| n.id == name) {
             return Ok(Self::Networked(*networked));
         }
         if Path::new(name).is_file() {
             return Ok(Self::Strings(Box::new(Geometry::parse(&read(name)?, name)?)));
         }
-        match shelf::devices()?.remove(name) {
+        match library::devices()?.remove(name) {
             Some(geometry) => Ok(Self::Strings(Box::new(geometry))),
             None => {
                 let known = names()?.join(", ");
@@ -229,16 +230,20 @@ impl Build {
 fn read(file: &str) -> Result<String, OpenError> {
     let mut text = String::new();
     let took = std::fs::File::open(file).and_then(|f| f.take(LARGEST).read_to_string(&mut text));
-    took.map_err(|e| OpenError::place(file, format!("cannot be read: {e}"), "name a geometry file of your own"))?;
+    took.map_err(|e| OpenError::place(file, format!("cannot be read: {e}"), "give the path of a geometry file"))?;
     Ok(text)
 }
 
-/// HOST:PORT, or a HOST with the usual port.
-fn address_of(place: &str, usual: &str) -> Result<SocketAddr, OpenError> {
-    let port = usual.rsplit_once(':').map_or("", |(_, port)| port);
+/// Resolves HOST:PORT, or HOST with the default port.
+fn address_of(place: &str, default_place: &str) -> Result<SocketAddr, OpenError> {
+    let port = default_place.rsplit_once(':').map_or("", |(_, port)| port);
     let find = |text: &str| text.to_socket_addrs().ok().and_then(|mut found| found.next());
     find(place).or_else(|| find(&format!("{place}:{port}"))).ok_or_else(|| {
-        OpenError::place(place, "is no address", format!("give HOST:PORT, such as {usual} for this machine alone"))
+        OpenError::place(
+            place,
+            "is no address",
+            format!("give HOST:PORT, such as {default_place} for this machine alone"),
+        )
     })
 }
 
@@ -256,7 +261,7 @@ fn strings_at(geometry: &Geometry, place: &str, pairing: u32) -> Result<Opened, 
     }
     let link = SerialLink::open(place, BAUD).map_err(|e| {
         let remedy = "give HOST:PORT, or a serial port that you may open, such as /dev/ttyACM0";
-        OpenError::place(place, format!("is no address, and no serial port that can be opened: {e}"), remedy)
+        OpenError::place(place, format!("is no address and no serial port that can be opened: {e}"), remedy)
     })?;
     let access = Access { place: place.to_owned(), reach: Reach::Cable, url: None, code: None, fingerprint: None };
     Ok(Opened { device: Box::new(Spidar::new(link, geometry.clone(), pairing)), access })

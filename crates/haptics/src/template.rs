@@ -1,4 +1,4 @@
-//! A driver to start from: a weight on a spring that lives in memory. To add a device, copy this file and follow the steps.
+//! A template for drivers: a simulated weight on a spring. To add a device, copy this file and follow the steps.
 
 use glam::DVec3;
 
@@ -8,7 +8,9 @@ use crate::device::{
 use crate::wrench::Wrench;
 use saute_kitchen::dynamics::Pose;
 
-/// Step 1. Hold what the device needs: a port, a socket, what was read last. All memory is taken here, none later.
+/// A simulated mass on a spring that a relaxed arm holds.
+///
+/// Step 1. Hold what the device needs: a port, a socket, the last sample. All memory is allocated here and none later.
 #[derive(Clone, Debug)]
 pub struct WeightOnSpring {
     capabilities: Capabilities,
@@ -18,12 +20,12 @@ pub struct WeightOnSpring {
     stopped: bool,
 }
 
-/// A hand of this stiffness [N/m], damping [N·s/m] and mass [kg] holds it (chosen: a relaxed arm).
+/// Stiffness [N/m], damping [N·s/m] and mass [kg] of the holding hand (chosen: a relaxed arm).
 const HAND: [f64; 3] = [200.0, 8.0, 1.0];
 
 impl Default for WeightOnSpring {
-    /// Step 2. State what the device can do, as data. Everything else follows from it: what it cannot do is left out by
-    /// [`Capabilities::shown`], no force exceeds its limits, and a device without a real pan feels the pan's weight too.
+    /// Step 2. State the device's capabilities as data. Everything else follows: [`Capabilities::shown`] leaves out what the
+    /// device cannot render, no force exceeds its limits, and without a real pan the pan's weight is rendered too.
     fn default() -> Self {
         let capabilities = Capabilities {
             name: "A weight on a spring, in memory".into(),
@@ -54,10 +56,10 @@ impl HapticDevice for WeightOnSpring {
         &self.capabilities
     }
 
-    /// Step 3. Send the command, take what has come, answer at once. Never wait, lock or allocate. When the device is away, answer
-    /// with its [`Health`] and go on looking for it.
+    /// Step 3. Send the command, receive the sample, return at once. Never wait, lock or allocate. When the device is not
+    /// connected, return its [`Health`] and keep looking for it.
     fn exchange(&mut self, command: &HapticCommand, dt: f64) -> HapticSample {
-        // Step 4. Show only what was asked for while forces are enabled.
+        // Step 4. Make force only while forces are enabled.
         let shown = if command.enabled && !self.stopped { command.wrench.force } else { DVec3::ZERO };
         let home = DVec3::from_array(self.capabilities.workspace.home_m);
         let [stiffness, damping, mass] = HAND;
@@ -65,7 +67,7 @@ impl HapticDevice for WeightOnSpring {
         self.velocity += force * (dt / mass);
         self.position += self.velocity * dt;
         self.time_s += dt;
-        // Step 5. Tell pose and velocity in the kitchen's frame, and the wrench that the device really makes.
+        // Step 5. Return pose and twist in the kitchen's frame, and the wrench that the device really makes.
         HapticSample {
             time_s: self.time_s,
             pose: Pose { position: self.position, ..Pose::default() },
@@ -82,7 +84,7 @@ impl HapticDevice for WeightOnSpring {
         }
     }
 
-    /// Step 6. Let go at once, and stay so.
+    /// Step 6. Release all forces at once, for good.
     fn stop(&mut self) {
         self.stopped = true;
     }

@@ -1,18 +1,18 @@
-//! Promise: the control loop allocates nothing, whatever the kitchen says and whether the device is there or not.
+//! Promise: the control loop allocates nothing, for any contact model, with and without a connected device.
 
-// A test that unwraps in vain says where.
+// A failed unwrap in a test names its line.
 #![allow(clippy::unwrap_used)]
 
 use std::net::UdpSocket;
 
 use glam::DVec3;
 use saute_haptics::contact_model::{ContactModel, Impulse, Payload};
-use saute_haptics::control_loop::Beat;
-use saute_haptics::phone::{Heard, Phone, Told};
+use saute_haptics::control::loop_step::LoopStep;
+use saute_haptics::phone::{Incoming, Outgoing, Phone};
 use saute_haptics::wire::{Caps, DeviceState, Frame, Message, Sample, UdpLink, Units};
-use saute_haptics::{HapticDevice, Pose, Renderer, Spidar, haply, osc, shelf};
+use saute_haptics::{HapticDevice, Pose, Renderer, Spidar, haply, library, osc};
 
-/// Answers as a device does, through the real socket.
+/// Answers like a device, through a real socket.
 fn answer(socket: &UdpSocket, time_us: u32, count: [i32; 8], jig: u8) {
     let mut bytes = [0; 80];
     while let Ok((length, from)) = socket.recv_from(&mut bytes) {
@@ -41,14 +41,14 @@ fn answer(socket: &UdpSocket, time_us: u32, count: [i32; 8], jig: u8) {
 }
 
 #[test]
-fn a_beat_allocates_nothing() {
-    let geometry = shelf::devices().unwrap().remove(shelf::DEFAULT_DEVICE).unwrap();
+fn a_loop_step_allocates_nothing() {
+    let geometry = library::devices().unwrap().remove(library::DEFAULT_DEVICE).unwrap();
     let socket = UdpSocket::bind("127.0.0.1:0").unwrap();
     socket.set_nonblocking(true).unwrap();
     let link = UdpLink::connect(socket.local_addr().unwrap()).unwrap();
-    let feel = shelf::feel().unwrap();
+    let feel = library::feel().unwrap();
     let renderer = Renderer::new(&geometry.capabilities(), &feel);
-    let mut beat = Beat::new(Box::new(Spidar::new(link, geometry.clone(), 0)), renderer, 10_000);
+    let mut control = LoopStep::new(Box::new(Spidar::new(link, geometry.clone(), 0)), renderer, 10_000);
     let (rig, jig) = (geometry.rig(), geometry.jig());
     let mut calibrated = false;
     for k in 0..6000u32 {
@@ -68,35 +68,35 @@ fn a_beat_allocates_nothing() {
             answer(&socket, k * 1000 + 1, count, if place < jig.len() { place as u8 + 1 } else { 0 });
         }
         let mut health = None;
-        let counted = allocation_counter::measure(|| health = Some(beat.step(&model, 1e-3).sample.health));
+        let counted = allocation_counter::measure(|| health = Some(control.step(&model, 1e-3).sample.health));
         assert_eq!(counted.count_total, 0, "step {k} ({health:?})");
         calibrated |= health == Some(saute_haptics::Health::Running);
     }
-    assert!(calibrated, "the whole way was gone");
+    assert!(calibrated, "the whole sequence ran");
 }
 
 #[test]
 fn a_phone_s_exchange_allocates_nothing() {
-    let (mut heard_in, heard) = triple_buffer::triple_buffer(&Heard::default());
-    let (told, _told_out) = triple_buffer::triple_buffer(&Told::default());
-    let phone = Phone::new(heard, told, None);
-    let hear = |number: u64| {
+    let (mut incoming_in, incoming) = triple_buffer::triple_buffer(&Incoming::default());
+    let (outgoing, _outgoing_out) = triple_buffer::triple_buffer(&Outgoing::default());
+    let phone = Phone::new(incoming, outgoing, None);
+    let publish = |number: u64| {
         let number = (number / 4).min(250);
-        heard_in.write(Heard { number, connected: true, push: DVec3::Z, pushes: number, ..Heard::default() });
+        incoming_in.write(Incoming { number, connected: true, push: DVec3::Z, pushes: number, ..Incoming::default() });
     };
-    assert!(beats(Box::new(phone), hear));
+    assert!(steps_without_allocation(Box::new(phone), publish));
 }
 
-/// Beats of a device without a link, each with a new message of another thread; nothing is allocated.
-fn beats(device: Box<dyn HapticDevice>, mut hear: impl FnMut(u64)) -> bool {
-    let renderer = Renderer::new(device.capabilities(), &shelf::feel().unwrap());
-    let mut beat = Beat::new(device, renderer, 1000);
+/// Steps a device with a new message of another thread each time, and checks that nothing is allocated.
+fn steps_without_allocation(device: Box<dyn HapticDevice>, mut publish: impl FnMut(u64)) -> bool {
+    let renderer = Renderer::new(device.capabilities(), &library::feel().unwrap());
+    let mut control = LoopStep::new(device, renderer, 1000);
     let mut ran = false;
     for k in 1..2000u64 {
-        hear(k);
+        publish(k);
         let model = ContactModel { number: k / 16 + 1, vapour: 1e-4, ..ContactModel::default() };
         let mut health = None;
-        let counted = allocation_counter::measure(|| health = Some(beat.step(&model, 1e-3).sample.health));
+        let counted = allocation_counter::measure(|| health = Some(control.step(&model, 1e-3).sample.health));
         assert_eq!(counted.count_total, 0, "step {k} ({health:?})");
         ran |= health == Some(saute_haptics::Health::Running);
     }
@@ -105,19 +105,23 @@ fn beats(device: Box<dyn HapticDevice>, mut hear: impl FnMut(u64)) -> bool {
 
 #[test]
 fn an_inverse3_s_exchange_allocates_nothing() {
-    let (mut heard_in, heard) = triple_buffer::triple_buffer(&haply::Heard::default());
-    let (told, _told_out) = triple_buffer::triple_buffer(&haply::Told::default());
-    let device = haply::Haply::new(heard, told, None);
-    let hear = |number: u64| {
-        heard_in.write(haply::Heard { number: number.min(1000), link: haply::Link::Up, ..haply::Heard::default() });
+    let (mut incoming_in, incoming) = triple_buffer::triple_buffer(&haply::Incoming::default());
+    let (outgoing, _outgoing_out) = triple_buffer::triple_buffer(&haply::Outgoing::default());
+    let device = haply::Haply::new(incoming, outgoing, None);
+    let publish = |number: u64| {
+        incoming_in.write(haply::Incoming {
+            number: number.min(1000),
+            link: haply::Link::Up,
+            ..haply::Incoming::default()
+        });
     };
-    assert!(beats(Box::new(device), hear));
+    assert!(steps_without_allocation(Box::new(device), publish));
 }
 
 #[test]
 fn an_osc_sender_s_exchange_allocates_nothing() {
-    let (mut heard_in, heard) = triple_buffer::triple_buffer(&osc::Heard::default());
-    let device = osc::Osc::new(heard, None);
-    let hear = |number: u64| heard_in.write(osc::Heard { pans: number.min(1000), ..osc::Heard::default() });
-    assert!(beats(Box::new(device), hear));
+    let (mut incoming_in, incoming) = triple_buffer::triple_buffer(&osc::Incoming::default());
+    let device = osc::Osc::new(incoming, None);
+    let publish = |number: u64| incoming_in.write(osc::Incoming { pans: number.min(1000), ..osc::Incoming::default() });
+    assert!(steps_without_allocation(Box::new(device), publish));
 }

@@ -1,4 +1,4 @@
-//! Promise: conduction agrees with closed-form solutions, converges at second order in space, loses no energy and
+//! Promise: conduction agrees with closed-form solutions, converges at second order in space, conserves energy and
 //! never leaves the range of the data. Solutions: Carslaw & Jaeger, Conduction of Heat in Solids (1959), ch. 3.
 
 mod bath;
@@ -33,7 +33,7 @@ impl Body {
         Self { mesh, capacity, exchange, conduction, t }
     }
 
-    /// Runs to `until` and returns the heat taken up [J].
+    /// Advances by a duration [s] and returns the absorbed heat [J].
     fn run(&mut self, until: f64, ambient: f64) -> f64 {
         let Self { mesh, capacity, exchange, conduction, t } = self;
         Bath { graph: &mesh.graph, conduction, capacity, exchange }.soak(t, ambient, until)
@@ -97,7 +97,7 @@ fn the_error_falls_at_second_order() {
 }
 
 #[test]
-fn energy_taken_in_is_energy_stored() {
+fn absorbed_energy_equals_stored_energy() {
     let mut body = Body::new(brick([0.04, 0.03, 0.02], 10.0), 10.0, 200.0);
     let taken = body.run(200.0, 150.0);
     let stored: f64 = body.t.iter().zip(&body.capacity).map(|(t, c)| (t - 10.0) * c).sum();

@@ -1,5 +1,5 @@
-//! Promise: bodies swept along any path have the volume, the surface and the conductance of the solid they stand for,
-//! conduct by weights that are never negative, and obey the maximum principle.
+//! Promise: bodies swept along any path have the volume, the surface and the conductance of the solid they represent,
+//! have no negative weight, and obey the maximum principle.
 
 use core::f64::consts::PI;
 
@@ -57,7 +57,7 @@ fn a_truncated_cone_has_its_volume_and_its_side() {
     };
     let (coarse, fine) = (error(16), error(32));
     assert!(fine.0 < 0.01 && fine.1 < 0.005, "{fine:?}");
-    // What is left is the polygon for the circle: it falls with the square of the number of corners.
+    // The remaining error is that of the polygon for the circle: it falls with the square of the number of corners.
     assert!((3.5..4.5).contains(&(coarse.0 / fine.0)), "{coarse:?} {fine:?}");
     let of_polygons = disc(0.012, 32).area() * 0.04 / 3.0 * (1.0 + 1.0 / 3.0 + 1.0 / 9.0);
     assert!((volume(&cone(32, 9)) / of_polygons - 1.0).abs() < 1e-9, "levels add no error");
@@ -86,7 +86,7 @@ fn weights_are_never_negative_under_both_rules() {
     }
 }
 
-/// Heat flow between the two ends of a path, held one kelvin apart, for k = 1 [W]: relaxed to the steady state.
+/// Heat flow between the two ends of a path, at a difference of 1 K, for k = 1, in the steady state [W].
 fn flow_between_ends(mesh: &SweptMesh) -> f64 {
     let n = mesh.nodes_per_level();
     let last = mesh.levels.len() - 1;
@@ -118,7 +118,7 @@ fn flow_between_ends(mesh: &SweptMesh) -> f64 {
 
 /// A square bent about an axis: k h ln(r₂/r₁) / Θ.
 #[test]
-fn a_bend_conducts_between_its_ends_as_the_exact_solution_says() {
+fn a_bend_conducts_between_its_ends_like_the_exact_solution() {
     let exact = 0.01 * (0.025f64 / 0.015).ln() / (0.5 * PI);
     let error = |cells: usize, levels: usize| {
         (flow_between_ends(&bend(cells, levels, Rule::ShapeFunctions)) / exact - 1.0).abs()
@@ -127,9 +127,9 @@ fn a_bend_conducts_between_its_ends_as_the_exact_solution_says() {
     assert!(fine < 5e-3 && coarse > 2.5 * fine, "{coarse} {fine}");
 }
 
-/// A slender cone between its ends: k π r₁ r₂ / L, within the 2 % by which isotherms are no planes.
+/// A slender cone between its ends: k π r₁ r₂ / L, within the 2 % by which isotherms deviate from planes.
 #[test]
-fn a_cone_conducts_between_its_ends_as_its_sections_in_series() {
+fn a_cone_conducts_between_its_ends_like_its_sections_in_series() {
     let section = disc(0.003, 16);
     let station = |level: usize| {
         let share = level as f64 / 12.0;
@@ -142,7 +142,7 @@ fn a_cone_conducts_between_its_ends_as_its_sections_in_series() {
     assert!((flow / exact - 1.0).abs() < 0.03, "{flow} of {exact}");
 }
 
-/// The straight, unscaled path along stations is the upright body.
+/// A straight, unscaled path along stations gives the upright body.
 #[test]
 fn stations_on_a_straight_line_are_the_upright_body() {
     let section = disc(0.012, 20);
@@ -163,7 +163,7 @@ fn stations_on_a_straight_line_are_the_upright_body() {
     assert!(close(a, b));
 }
 
-/// Uneven columns keep the mean height, and with it the volume; the even body is that of before, bit for bit.
+/// Uneven columns conserve the mean height and the volume; without variation the body is the even one, bit for bit.
 #[test]
 fn uneven_columns_keep_the_volume() {
     let section = disc(0.03, 32);

@@ -5,19 +5,19 @@ use std::sync::Arc;
 
 use saute_food::{BuildError, FoodModel, MeshSize, PieceSpec, Rules};
 
-use crate::cloth::Cloth;
-use crate::command::Refused;
+use crate::data::library::Library;
+use crate::data::room::Room;
 use crate::dynamics::{Gesture, Hand, PanShape, Pose, Task, World};
-use crate::energy::Energy;
-use crate::event::EventLog;
-use crate::food_contact::Touching;
-use crate::hob::HobDescription;
-use crate::layout::{Floor, Footprint};
-use crate::lead::Led;
-use crate::library::Library;
-use crate::pan::{PanModel, PanSolver, PanState};
-use crate::piece::{Piece, Place};
-use crate::room::Room;
+use crate::hands::command::Refused;
+use crate::hands::lead::Led;
+use crate::pan::cloth::Cloth;
+use crate::pan::hob::HobDescription;
+use crate::pan::pan_model::{PanModel, PanSolver, PanState};
+use crate::piece::food_contact::Touching;
+use crate::piece::layout::{Floor, Footprint};
+use crate::piece::piece_state::{Piece, Place};
+use crate::tick::energy::Energy;
+use crate::tick::event::EventLog;
 use crate::{FRAME_S, TICK_S};
 
 /// What never changes while cooking.
@@ -183,7 +183,7 @@ impl Kitchen {
 
     /// The rules that the pieces follow: those of 2013 if any piece does.
     pub fn rules(&self) -> Rules {
-        let simple = self.pieces.iter().any(|p| p.model.rules == Rules::Paper2013);
+        let simple = self.pieces.iter().any(|p| p.model.rules() == Rules::Paper2013);
         if simple { Rules::Paper2013 } else { Rules::Full }
     }
 
@@ -281,7 +281,7 @@ impl Kitchen {
 
     /// Mean electrical power that is drawn: none while the pan is off the hob or the hob's limit holds, less beside the
     /// ring [W].
-    pub fn drawn_w(&self) -> f64 {
+    pub fn hob_drawn_w(&self) -> f64 {
         let off = self.cloth.is_some() || self.pan.limited;
         if off { 0.0 } else { self.hob_w * self.pan.ring_shares.iter().sum::<f64>() }
     }

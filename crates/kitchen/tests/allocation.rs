@@ -1,6 +1,7 @@
 //! Promise: a kitchen in steady state steps without allocating.
 
-use saute_kitchen::{Action, Library, Recipe};
+use saute_kitchen::Library;
+use saute_recipe::{Action, Recipe};
 
 #[test]
 fn a_step_in_steady_state_allocates_nothing() {

@@ -2,7 +2,8 @@
 //! kept, and nothing else in the kitchen feels them.
 
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, Cook, Kitchen, Library, MeshSize, PieceOrder, Recipe, RestOn, TICK_S, kelvin};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, RestOn, TICK_S, kelvin};
+use saute_recipe::{Cook, Recipe};
 
 fn library() -> Library {
     Library::embedded().expect("embedded data")

@@ -2,7 +2,8 @@
 //! overheated one is limited; and the rules of 2013 are there for comparison, labelled.
 
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, Cook, Kitchen, Library, Recipe, TICK_S, celsius, kelvin};
+use saute_kitchen::{Command, Kitchen, Library, TICK_S, celsius, kelvin};
+use saute_recipe::{Cook, Recipe};
 
 fn library() -> Library {
     Library::embedded().expect("embedded data")
@@ -35,7 +36,7 @@ fn a_pan_lifted_more_than_15_mm_or_off_its_ring_gets_no_power_and_cools() {
         run(&mut kitchen, 2.0);
         let on_its_way = kitchen.energy().hob;
         run(&mut kitchen, 60.0);
-        assert_eq!((kitchen.energy().hob, kitchen.drawn_w()), (on_its_way, 0.0));
+        assert_eq!((kitchen.energy().hob, kitchen.hob_drawn_w()), (on_its_way, 0.0));
         assert!(on_its_way < 1000.0, "it is there within two thirds of a second: {on_its_way} J");
         assert!(celsius(kitchen.pan_temperature()) < 200.0);
         kitchen.apply(&Command::MovePan { at: [0.0, 0.0], lift: 0.0 }).expect("moves");

@@ -3,9 +3,8 @@
 
 use saute_kitchen::carry_over::foreseen_peak;
 use saute_kitchen::food::Rules;
-use saute_kitchen::{
-    Command, Cook, Kitchen, Library, MeshSize, PieceOrder, Recipe, Refused, RestOn, TICK_S, celsius, kelvin,
-};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, Refused, RestOn, TICK_S, celsius, kelvin};
+use saute_recipe::{Cook, Recipe};
 
 fn library() -> Library {
     Library::embedded().expect("embedded data")
@@ -226,7 +225,7 @@ fn the_same_recipe_gives_the_same_bytes_and_a_clone_goes_the_same_way() {
         while fork.stopped().is_none() {
             fork.advance().expect("runs");
         }
-        (cook.recorder.csv(&["s"], &[]), fork.recorder.csv(&["s"], &[]))
+        (cook.recorder.csv(&["s"], &[]).expect("CSV"), fork.recorder.csv(&["s"], &[]).expect("CSV"))
     };
     let (first, fork) = cook();
     assert_eq!(first, fork);

@@ -2,10 +2,8 @@
 //! the energy of the cook still adds up.
 
 use saute_kitchen::food::Rules;
-use saute_kitchen::{
-    Action, Command, Cook, Deed, EventKind, Kitchen, Library, MeshSize, PieceOrder, Recipe, Refused, RestOn, TICK_S,
-    kelvin,
-};
+use saute_kitchen::{Command, EventKind, Kitchen, Library, MeshSize, PieceOrder, Refused, RestOn, TICK_S, kelvin};
+use saute_recipe::{Action, Cook, Deed, Recipe};
 
 fn library() -> Library {
     Library::embedded().expect("embedded data")

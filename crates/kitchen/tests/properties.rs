@@ -134,8 +134,13 @@ fn progress(kitchen: &Kitchen) -> Vec<f64> {
     sums
 }
 
+/// Number of random cooks: SAUTE_RANDOM_COOKS, or as many as `./test.sh` takes (scripts/campaign_share.sh).
+fn random_cooks() -> u32 {
+    std::env::var("SAUTE_RANDOM_COOKS").map_or(24, |count| count.parse().expect("a number"))
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: random_cooks(), ..ProptestConfig::default() })]
 
     #[test]
     fn any_cook_keeps_the_laws(draw in draw()) {

@@ -5,9 +5,8 @@ use glam::DQuat;
 use saute_kitchen::dynamics::{Pose, Tool};
 use saute_kitchen::food::{Face, Rules};
 use saute_kitchen::sear_lines::SearLines;
-use saute_kitchen::{
-    Command, Cook, Kitchen, Library, MeshSize, PieceOrder, Recipe, StoppedBy, TICK_S, celsius, kelvin,
-};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, TICK_S, celsius, kelvin};
+use saute_recipe::{Cook, Recipe, StoppedBy};
 
 const GRILL: &str = "cast-iron-grill-26";
 

@@ -1,10 +1,10 @@
-//! The device's side of docs/spidar-protocol.md, version 1.
+//! The device's side of docs/spidar-protocol.md, version 1: an implementation independent of the driver's.
 
-/// Bytes of a frame.
+/// Length of a frame [bytes].
 pub const FRAME: usize = 80;
 const PAYLOAD: std::ops::Range<usize> = 12..76;
 
-/// What a host asks.
+/// A request of a host.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Request {
     Hello { pairing: u32 },
@@ -13,15 +13,15 @@ pub enum Request {
     Stop,
 }
 
-/// A request with its number and session.
+/// A request with its sequence number and session.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Asked {
+pub struct Received {
     pub sequence: u32,
     pub session: u32,
     pub request: Request,
 }
 
-/// The checksum of IEEE 802.3, bit by bit.
+/// Returns the CRC-32 of IEEE 802.3, computed bit by bit.
 fn crc(bytes: &[u8]) -> u32 {
     let mut crc = u32::MAX;
     for byte in bytes {
@@ -45,8 +45,8 @@ fn u16_at(bytes: &[u8], at: usize) -> u16 {
     u16::from(bytes[at]) | u16::from(bytes[at + 1]) << 8
 }
 
-/// Reads a request; none where the bytes are no whole frame of a host's.
-pub fn parse(bytes: &[u8]) -> Option<Asked> {
+/// Parses a request; returns `None` if the bytes are not a valid frame of a host.
+pub fn parse(bytes: &[u8]) -> Option<Received> {
     let sound = bytes.len() == FRAME && bytes[0] == b'S' && bytes[1] == b'P' && bytes[2] == 1;
     if !sound || u32_at(bytes, PAYLOAD.end) != crc(&bytes[..PAYLOAD.end]) {
         return None;
@@ -59,10 +59,10 @@ pub fn parse(bytes: &[u8]) -> Option<Asked> {
         6 => Request::Stop,
         _ => return None,
     };
-    Some(Asked { sequence: u32_at(bytes, 4), session: u32_at(bytes, 8), request })
+    Some(Received { sequence: u32_at(bytes, 4), session: u32_at(bytes, 8), request })
 }
 
-/// What a device answers, as bytes that grow.
+/// An answer under construction.
 struct Answer {
     bytes: Vec<u8>,
 }
@@ -83,7 +83,7 @@ impl Answer {
     }
 }
 
-/// What a device says of itself.
+/// Properties that the device reports.
 #[derive(Clone, Debug)]
 pub struct Identity {
     pub tension_unit: u8,
@@ -96,7 +96,7 @@ pub struct Identity {
     pub name: String,
 }
 
-/// Capabilities.
+/// Returns the frame of the capabilities.
 pub fn caps(identity: &Identity, sequence: u32, session: u32) -> Vec<u8> {
     let mut answer = Answer::new(2, sequence, session);
     answer.bytes.extend([8, 1, identity.tension_unit, 1]);
@@ -109,7 +109,7 @@ pub fn caps(identity: &Identity, sequence: u32, session: u32) -> Vec<u8> {
     answer.finish()
 }
 
-/// Where the device is.
+/// Measured state of the device.
 #[derive(Clone, Copy, Debug)]
 pub struct Reading {
     pub state: u8,
@@ -120,7 +120,7 @@ pub struct Reading {
     pub tension_mn: [u16; 8],
 }
 
-/// A sample.
+/// Returns the frame of a sample.
 pub fn sample(reading: &Reading, sequence: u32, session: u32) -> Vec<u8> {
     let mut answer = Answer::new(5, sequence, session);
     answer.bytes.extend([reading.state, 0, reading.jig, 0]);
@@ -131,7 +131,7 @@ pub fn sample(reading: &Reading, sequence: u32, session: u32) -> Vec<u8> {
     answer.finish()
 }
 
-/// A refusal: 0 wrong code, 1 busy, 2 out of order.
+/// Returns the frame of a refusal: 0 wrong code, 1 busy, 2 out of order.
 pub fn refused(reason: u8, sequence: u32, session: u32) -> Vec<u8> {
     let mut answer = Answer::new(7, sequence, session);
     answer.bytes.push(reason);
@@ -144,7 +144,7 @@ mod tests {
 
     const DOCUMENT: &str = include_str!("../../../docs/spidar-protocol.md");
 
-    /// The frame of a test vector of the document.
+    /// Returns a test vector of the document.
     fn vector(name: &str) -> Vec<u8> {
         let after = DOCUMENT.split(&format!("vector {name}\n")).nth(1).expect("the vector is in the document");
         let hex: String = after.split("```").next().expect("text").split_whitespace().collect();
@@ -152,17 +152,20 @@ mod tests {
     }
 
     #[test]
-    fn requests_are_read_as_the_document_says() {
-        let asked = |name| parse(&vector(name)).expect(name);
-        assert_eq!(asked("hello"), Asked { sequence: 1, session: 7, request: Request::Hello { pairing: 123_456 } });
-        assert_eq!(asked("arm"), Asked { sequence: 2, session: 7, request: Request::Arm });
+    fn requests_are_parsed_as_the_document_states() {
+        let received = |name| parse(&vector(name)).expect(name);
+        assert_eq!(
+            received("hello"),
+            Received { sequence: 1, session: 7, request: Request::Hello { pairing: 123_456 } }
+        );
+        assert_eq!(received("arm"), Received { sequence: 2, session: 7, request: Request::Arm });
         let tension_mn = [300, 400, 500, 600, 700, 800, 900, 12_000];
-        assert_eq!(asked("command"), Asked { sequence: 3, session: 7, request: Request::Command { tension_mn } });
-        assert_eq!(asked("stop"), Asked { sequence: 4, session: 7, request: Request::Stop });
+        assert_eq!(received("command"), Received { sequence: 3, session: 7, request: Request::Command { tension_mn } });
+        assert_eq!(received("stop"), Received { sequence: 4, session: 7, request: Request::Stop });
     }
 
     #[test]
-    fn answers_are_written_as_the_document_says() {
+    fn answers_are_encoded_as_the_document_states() {
         let identity = Identity {
             tension_unit: 1,
             pitch_nm: 20_000,
@@ -187,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn damaged_frames_are_no_requests() {
+    fn damaged_frames_are_not_requests() {
         let sound = vector("command");
         for bit in 0..8 * FRAME {
             let mut damaged = sound.clone();

@@ -1,4 +1,4 @@
-//! What can go wrong on the way, on request.
+//! Simulated faults of the network: loss, delay, damage and silence.
 
 use std::collections::VecDeque;
 use std::net::SocketAddr;
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use crate::random::Random;
 
-/// Faults that are on, and frames that are still on their way.
+/// Active faults, and frames in transit.
 #[derive(Debug)]
 pub struct Faults {
     loss: f64,
@@ -18,7 +18,7 @@ pub struct Faults {
 }
 
 impl Faults {
-    /// None.
+    /// Creates a network without faults.
     pub fn new(seed: u64) -> Self {
         Self {
             loss: 0.0,
@@ -30,7 +30,7 @@ impl Faults {
         }
     }
 
-    /// Turns a fault on; tells whether the words mean one.
+    /// Switches a fault; returns false if the words name none.
     pub fn order(&mut self, words: &[&str]) -> bool {
         let number = words.get(1).and_then(|w| w.parse::<f64>().ok()).filter(|v| (0.0..=3600e3).contains(v));
         match (words.first().copied(), number) {
@@ -44,17 +44,17 @@ impl Faults {
         true
     }
 
-    /// Whether the cable is out.
+    /// Returns true while the cable is unplugged.
     pub fn is_silent(&self) -> bool {
         self.silent_until.is_some_and(|until| Instant::now() < until)
     }
 
-    /// Whether a frame that has come is lost or not heard.
+    /// Returns true if the next frame is lost.
     pub fn loses(&mut self) -> bool {
         self.is_silent() || self.random.happens(self.loss)
     }
 
-    /// Puts an answer on its way.
+    /// Sends an answer with the active faults.
     pub fn send(&mut self, to: SocketAddr, mut bytes: Vec<u8>) {
         if self.loses() {
             return;
@@ -65,7 +65,7 @@ impl Faults {
         self.waiting.push_back((Instant::now() + self.delay, to, bytes));
     }
 
-    /// Cuts, lengthens or garbles a frame.
+    /// Truncates, lengthens or corrupts a frame.
     fn damage(&mut self, bytes: &mut Vec<u8>) {
         let random = self.random.bits();
         let at = (random >> 8) as usize % bytes.len();
@@ -76,7 +76,7 @@ impl Faults {
         }
     }
 
-    /// An answer that has arrived, and at whom.
+    /// Returns an answer whose delay has passed, with its recipient.
     pub fn arrived(&mut self) -> Option<(SocketAddr, Vec<u8>)> {
         let due = self.waiting.front().is_some_and(|(at, ..)| *at <= Instant::now());
         if due { self.waiting.pop_front().map(|(_, to, bytes)| (to, bytes)) } else { None }

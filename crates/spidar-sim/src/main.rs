@@ -1,6 +1,6 @@
-//! A simulated SPIDAR that speaks docs/spidar-protocol.md over UDP: eight motors and strings, a real pan on them, and a hand.
+//! A simulated SPIDAR on UDP: eight motors and strings, a real pan on them, and a hand.
 //!
-//! It shares no code with the driver that talks to it, only the document.
+//! It shares no code with its driver, only the protocol in docs/spidar-protocol.md.
 
 mod arm;
 mod codec;
@@ -20,38 +20,38 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-/// A simulated eight-string haptic device. Prints its address and pairing code, then serves until it is ended.
+/// A simulated eight-string haptic device. Prints its address and pairing code, then serves until it is stopped.
 ///
-/// Reads orders on stdin: "loss SHARE", "delay MS", "malformed SHARE", "silence S" (unplugged for so long), "units wrong",
+/// Reads commands on stdin: "loss SHARE", "delay MS", "malformed SHARE", "silence S" (unplugged for that time), "units wrong",
 /// "units right", "power-cycle" (encoders lose their count), "clear", "quit".
 #[derive(Debug, Parser)]
 #[command(name = "saute-spidar-sim", version)]
 struct Args {
-    /// A device's name, or its geometry file (.toml).
+    /// Name of a device, or a geometry file (.toml).
     #[arg(long, value_name = "NAME|FILE", default_value = "spidar-pan-crossed")]
     device: String,
-    /// Address to serve on. Only this machine can reach the default; anything else is reachable from the network.
+    /// Address to serve on. Only this machine can reach the default; other addresses are reachable from the network.
     #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1:0")]
     bind: std::net::SocketAddr,
-    /// Pairing code that a host must give; drawn at random and printed unless given. 0 asks for none.
+    /// Pairing code that a host must send; random unless given. 0 disables pairing.
     #[arg(long, value_name = "CODE")]
     pairing: Option<u32>,
-    /// Seed of workshop errors, offsets and the hand's motion.
+    /// Seed of manufacturing errors, encoder zeros and the hand's motion.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Workshop error of each coordinate of motors and attachments, to either side [mm].
+    /// Largest manufacturing error of each coordinate of motors and attachments [mm].
     #[arg(long, default_value_t = 0.5)]
     error_mm: f64,
-    /// How lively the hand moves: 0 holds still, 1 shakes and tilts.
+    /// Amplitude of the hand's motion: 0 holds still, 1 shakes and tilts.
     #[arg(long, default_value_t = 1.0)]
     hand: f64,
-    /// Writes what is true at every sample to this file (CSV).
+    /// Writes the true state at every sample to this file (CSV).
     #[arg(long, value_name = "FILE")]
     truth: Option<PathBuf>,
-    /// Ends when stdin ends, as it does with the program that started it.
+    /// Ends when stdin ends, and so with the program that started it.
     #[arg(long)]
     end_with_stdin: bool,
-    /// Shows no state on stderr.
+    /// Prints no state on stderr.
     #[arg(long)]
     quiet: bool,
 }

@@ -1,4 +1,4 @@
-//! A rigid pan that strings and a hand pull.
+//! The rigid pan, moved by strings and hand.
 
 use glam::{DQuat, DVec3};
 
@@ -7,7 +7,7 @@ use crate::rig::Pose;
 /// Radius of gyration [m] (chosen: a 26 cm pan without handle).
 const GYRATION: f64 = 0.085;
 
-/// A moving pan.
+/// State of the pan.
 #[derive(Clone, Copy, Debug)]
 pub struct PanBody {
     pub pose: Pose,
@@ -17,12 +17,12 @@ pub struct PanBody {
 }
 
 impl PanBody {
-    /// At rest.
+    /// Creates a pan at rest.
     pub fn new(mass: f64, pose: Pose) -> Self {
         Self { pose, velocity: DVec3::ZERO, turning: DVec3::ZERO, mass }
     }
 
-    /// One step of `dt` [s] under a force and a torque about its middle [N, N·m].
+    /// Advances by `dt` [s] under a force and a torque about its centre [N, N·m].
     pub fn step(&mut self, force: DVec3, torque: DVec3, dt: f64) {
         self.velocity += force * (dt / self.mass);
         self.turning += torque * (dt / (self.mass * GYRATION * GYRATION));

@@ -1,16 +1,16 @@
-//! Numbers that look random and are the same for the same seed (SplitMix64, Steele et al. 2014).
+//! Seeded pseudo-random numbers (SplitMix64, Steele et al. 2014 `[@steele-2014]`).
 
-/// A stream of random numbers.
+/// A random number generator.
 #[derive(Clone, Copy, Debug)]
 pub struct Random(u64);
 
 impl Random {
-    /// A stream of a seed.
+    /// Creates a generator from a seed.
     pub fn seeded(seed: u64) -> Self {
         Self(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ 0x6a09_e667_f3bc_c909)
     }
 
-    /// 64 bits.
+    /// Returns 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -19,18 +19,18 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Evenly between −1 and 1.
+    /// Returns a number uniform between −1 and 1 [-].
     pub fn signed(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 
-    /// Whether something of this probability happens.
+    /// Returns true with a probability.
     pub fn happens(&mut self, probability: f64) -> bool {
         0.5 * (self.signed() + 1.0) < probability
     }
 }
 
-/// A pairing code of six digits that nobody can foresee without the clock.
+/// Returns a six-digit pairing code derived from clock and process id.
 pub fn code_from_clock() -> u32 {
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap_or_default();
     let mixed = Random::seeded(now.as_nanos() as u64 ^ (u64::from(std::process::id()) << 40)).bits();

@@ -1,4 +1,4 @@
-//! What a simulated device needs of a geometry file.
+//! The part of a geometry file that the simulator uses.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 static DEVICES: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../data/haptics/devices");
 
-/// A device's file; what else it holds is the driver's business.
+/// A device's file; keys for the driver alone are ignored.
 #[derive(Clone, Debug, Deserialize)]
 pub struct RigFile {
     pub name: String,
@@ -50,10 +50,10 @@ pub struct Jig {
     pub pose: Vec<[f64; 6]>,
 }
 
-/// Why there is no device.
+/// Why a device could not be loaded.
 #[derive(Debug, thiserror::Error)]
 pub enum RigFileError {
-    #[error("{0}: there is no such file and no device of that name\n  remedy: name a .toml file or one of: {1}")]
+    #[error("{0}: there is no such file or device\n  remedy: name a .toml file or one of: {1}")]
     Unknown(String, String),
     #[error("{0} cannot be read: {1}\n  remedy: check the path and the file's permissions")]
     Unreadable(String, std::io::Error),
@@ -61,7 +61,7 @@ pub enum RigFileError {
     Wrong(String, String),
 }
 
-/// Reads the device of that name or path.
+/// Loads a device by name or path.
 pub fn load(device: &str) -> Result<RigFile, RigFileError> {
     let path = Path::new(device);
     let text = if path.is_file() {

@@ -1,4 +1,4 @@
-//! Strings, pan and hand together: first on the jig, then free.
+//! The physical scene: strings, pan and hand, first on the jig and then free.
 
 use glam::{DQuat, DVec3};
 
@@ -9,14 +9,15 @@ use crate::rig::{Pose, Rig};
 use crate::rig_file::RigFile;
 use crate::string_drive::StringDrive;
 
-/// Length of a step [s] (chosen: a sixth of the currents' time constant).
+/// Time step [s] (chosen: a sixth of the motor currents' time constant).
 const STEP_S: f64 = 2e-4;
-/// How long the pan stands in each place of the jig, and how long it takes to get there [s] (chosen).
+/// Time that the pan stands in each place of the jig [s] (chosen: the fifth of a second that the protocol asks for).
 const STANDING_S: f64 = 0.2;
+/// Time between two places of the jig [s] (chosen: short, so that a test need not wait).
 const MOVING_S: f64 = 0.05;
-/// How well the jig's pins place the pan [m] (chosen: reamed holes).
+/// Position error of the jig's pins [m] (chosen: reamed holes).
 const JIG_ERROR: f64 = 10e-6;
-/// Steps that are made up for at once at most (chosen: a second; after a longer sleep the world has stood still).
+/// Maximum number of steps per call (chosen: one second; time lost in a longer sleep is skipped).
 const MOST_STEPS: u32 = 5000;
 
 /// The physical side of the device.
@@ -27,7 +28,7 @@ pub struct Scene {
     pub pan: PanBody,
     arm: Arm,
     jig: Vec<Pose>,
-    /// Time on the jig; none once it is left [s].
+    /// Time on the jig; none once the pan has left it [s].
     jigging: Option<f64>,
     waiting: bool,
     random: Random,
@@ -35,7 +36,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// A device that stands on the first place of its jig until it is armed.
+    /// Creates a device that stands on the first place of its jig until it is armed.
     pub fn new(file: &RigFile, seed: u64, error: f64, liveliness: f64) -> Self {
         let mut random = Random::seeded(seed);
         let rig = Rig::built(file, error, &mut random);
@@ -48,26 +49,26 @@ impl Scene {
         Self { rig, drives, pan, arm, jig, jigging: Some(0.0), waiting: true, random, owed: 0.0 }
     }
 
-    /// The host has come: the calibration begins.
+    /// Starts the calibration when the host arms the device.
     pub fn armed(&mut self) {
         self.waiting = false;
     }
 
-    /// The encoders have lost their count; the pan is put on the jig again.
+    /// Simulates a power cycle: the encoders lose their count and the pan returns to the jig.
     pub fn power_cycle(&mut self) {
         self.drives.iter_mut().for_each(|d| d.lose_count(&mut self.random));
         self.jigging = Some(0.0);
         self.waiting = true;
     }
 
-    /// Place of the jig whose contact is closed, from 1; 0 for none.
+    /// Returns the jig place whose contact is closed, counted from 1; 0 for none.
     pub fn jig_contact(&self) -> u8 {
         let Some(time) = self.jigging else { return 0 };
         let (place, within) = (time / (STANDING_S + MOVING_S), time % (STANDING_S + MOVING_S));
         if within < STANDING_S { place as u8 + 1 } else { 0 }
     }
 
-    /// Lets time pass [s].
+    /// Advances the scene [s].
     pub fn advance(&mut self, seconds: f64) {
         self.owed += seconds;
         let mut steps = 0;
@@ -83,7 +84,7 @@ impl Scene {
 
     fn step(&mut self) {
         match self.jigging {
-            Some(time) => self.stand(time),
+            Some(time) => self.stand_on_jig(time),
             None => {
                 let (mut force, mut torque) = self.arm.pull(&self.pan, STEP_S);
                 let (strings, twist) = self.wrench();
@@ -98,7 +99,7 @@ impl Scene {
         }
     }
 
-    fn stand(&mut self, time: f64) {
+    fn stand_on_jig(&mut self, time: f64) {
         let place = (time / (STANDING_S + MOVING_S)) as usize;
         if let Some(pose) = self.jig.get(place) {
             self.pan.pose = *pose;
@@ -111,19 +112,19 @@ impl Scene {
         }
     }
 
-    /// What the strings really do to the pan, about its origin [N, N·m].
+    /// Returns the true force and torque of the strings about the pan's origin [N, N·m].
     pub fn wrench(&self) -> (DVec3, DVec3) {
         let pulls = (0..8).map(|i| self.rig.pull(i, &self.pan.pose, self.drives[i].tension()));
         pulls.fold((DVec3::ZERO, DVec3::ZERO), |(f, t), (force, torque)| (f + force, t + torque))
     }
 
-    /// Whether the pan is in the hand.
+    /// Returns true if the pan is in the hand.
     pub fn is_free(&self) -> bool {
         self.jigging.is_none()
     }
 }
 
-/// A place of the jig as it was really drilled.
+/// Returns a jig place with its manufacturing error.
 fn placed(p: &[f64; 6], random: &mut Random) -> Pose {
     let off = DVec3::new(random.signed(), random.signed(), random.signed()) * JIG_ERROR;
     let turn = DVec3::new(p[3], p[4], p[5]) * (std::f64::consts::PI / 180.0);

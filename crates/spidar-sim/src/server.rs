@@ -1,4 +1,4 @@
-//! The device's firmware: states, watchdog, answers.
+//! The device's firmware: states, watchdog and answers.
 
 use std::io::{BufRead, Write};
 use std::net::{SocketAddr, UdpSocket};
@@ -6,29 +6,29 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::time::{Duration, Instant};
 
 use crate::Args;
-use crate::codec::{self, Asked, FRAME, Identity, Reading, Request};
+use crate::codec::{self, FRAME, Identity, Reading, Received, Request};
 use crate::faults::Faults;
 use crate::rig_file::{RigFile, RigFileError};
 use crate::scene::Scene;
 use crate::truth_log::TruthLog;
 
-/// Time without a command after which the device pulls with the least tension only [ms].
+/// Watchdog: time without a command after which the device falls back to the minimum tension [ms] (chosen: a hundred commands).
 const WATCHDOG_MS: u16 = 100;
-/// How long the socket is listened to at once (chosen: orders and strings wait no longer).
-const LISTEN: Duration = Duration::from_millis(1);
-/// Time between two lines of state (chosen).
+/// Read timeout of the socket (chosen: one command interval, the longest delay of strings and stdin).
+const READ_TIMEOUT: Duration = Duration::from_millis(1);
+/// Interval between two printed states (chosen: readable).
 const VIEW: Duration = Duration::from_millis(500);
-/// Priority among the machine's threads (chosen: a microcontroller waits for nobody).
+/// Requested real-time priority (chosen: a microcontroller shares its time with nothing, and the driver's loop has 60).
 const PRIORITY: u8 = 50;
 
-/// Why there is no device to talk to.
+/// Why the device cannot be served.
 #[derive(Debug, thiserror::Error)]
 pub enum ServeError {
     #[error(transparent)]
     Rig(#[from] RigFileError),
     #[error("{0} cannot be served on: {1}\n  remedy: choose a free port, or 127.0.0.1:0 for any")]
     Bind(SocketAddr, std::io::Error),
-    #[error("{0} cannot be written: {1}\n  remedy: choose another place for --truth")]
+    #[error("{0} cannot be written: {1}\n  remedy: choose another path for --truth")]
     Truth(String, std::io::Error),
     #[error(
         "--pairing 0 would let anyone on the network pull the strings\n  remedy: give a code, or bind to 127.0.0.1"
@@ -46,7 +46,7 @@ enum State {
     Running,
 }
 
-/// A device with its host.
+/// The device with its host.
 struct Device {
     scene: Scene,
     identity: Identity,
@@ -62,7 +62,7 @@ struct Device {
     truth: TruthLog,
 }
 
-/// Serves until it is told to quit.
+/// Serves until a quit command.
 pub fn serve(args: &Args, scene: Scene, file: &RigFile, pairing: u32) -> Result<(), ServeError> {
     if !(0.0..=5.0).contains(&args.error_mm) || !(0.0..=2.0).contains(&args.hand) {
         return Err(ServeError::Range(args.error_mm, args.hand));
@@ -72,32 +72,32 @@ pub fn serve(args: &Args, scene: Scene, file: &RigFile, pairing: u32) -> Result<
     }
     let bind = |e| ServeError::Bind(args.bind, e);
     let socket = UdpSocket::bind(args.bind).map_err(bind)?;
-    socket.set_read_timeout(Some(LISTEN)).map_err(bind)?;
+    socket.set_read_timeout(Some(READ_TIMEOUT)).map_err(bind)?;
     let address = socket.local_addr().map_err(bind)?;
     announce(&address, pairing, &file.name);
     let place = args.truth.as_deref().map_or_else(String::new, |p| p.display().to_string());
     let truth = TruthLog::create(args.truth.as_deref()).map_err(|e| ServeError::Truth(place, e))?;
     ask_for_priority();
     let mut device = Device::new(scene, file, pairing, args.seed, truth);
-    let orders = orders(args.end_with_stdin);
+    let commands = stdin_commands(args.end_with_stdin);
     let (mut last, mut viewed) = (Instant::now(), Instant::now());
     let mut bytes = [0; FRAME + 1];
     loop {
-        let heard = socket.recv_from(&mut bytes).ok();
+        let received = socket.recv_from(&mut bytes).ok();
         let now = Instant::now();
-        device.pass((now - last).as_secs_f64(), now);
+        device.advance((now - last).as_secs_f64(), now);
         last = now;
-        if let Some((count, from)) = heard {
-            device.hear(&bytes[..count], from, now);
+        if let Some((count, from)) = received {
+            device.receive(&bytes[..count], from, now);
         }
         device.deliver(&socket);
-        match obey(&mut device, &orders) {
-            Obeyed::Quit => break,
-            Obeyed::Yes => {}
+        match execute(&mut device, &commands) {
+            Executed::Quit => break,
+            Executed::Continue => {}
         }
         if !args.quiet && viewed.elapsed() > VIEW {
             viewed = now;
-            say(&device.view());
+            print(&device.view());
         }
     }
     device.truth.flush();
@@ -109,18 +109,18 @@ fn announce(address: &SocketAddr, pairing: u32, name: &str) {
     let _ = writeln!(out, "{name}\nlistening on {address}\npairing code {pairing}");
     let _ = out.flush();
     if !address.ip().is_loopback() {
-        say("this device can be reached from the network; hosts need the pairing code");
+        print("this device can be reached from the network; hosts need the pairing code");
     }
 }
 
-fn say(text: &str) {
+fn print(text: &str) {
     let _ = writeln!(std::io::stderr(), "{text}");
 }
 
 fn ask_for_priority() {
     use thread_priority::{RealtimeThreadSchedulePolicy, ThreadPriority, ThreadSchedulePolicy};
     if let Ok(priority) = PRIORITY.try_into() {
-        // A refusal is no failure: the device is less punctual then.
+        // A refusal is no error: the device only has more jitter.
         let _ = thread_priority::set_thread_priority_and_policy(
             thread_priority::thread_native_id(),
             ThreadPriority::Crossplatform(priority),
@@ -129,8 +129,8 @@ fn ask_for_priority() {
     }
 }
 
-/// Lines of stdin; the channel ends with it where that shall end the device.
-fn orders(end_with_stdin: bool) -> Receiver<String> {
+/// Returns the lines of stdin; the channel closes with stdin if that should end the device.
+fn stdin_commands(end_with_stdin: bool) -> Receiver<String> {
     let (send, receive) = channel();
     std::thread::spawn(move || {
         for line in std::io::stdin().lock().lines().map_while(Result::ok) {
@@ -148,27 +148,27 @@ fn orders(end_with_stdin: bool) -> Receiver<String> {
     receive
 }
 
-enum Obeyed {
-    Yes,
+enum Executed {
+    Continue,
     Quit,
 }
 
-fn obey(device: &mut Device, orders: &Receiver<String>) -> Obeyed {
-    match orders.try_recv() {
-        Err(TryRecvError::Empty) => Obeyed::Yes,
-        Err(TryRecvError::Disconnected) => Obeyed::Quit,
+fn execute(device: &mut Device, commands: &Receiver<String>) -> Executed {
+    match commands.try_recv() {
+        Err(TryRecvError::Empty) => Executed::Continue,
+        Err(TryRecvError::Disconnected) => Executed::Quit,
         Ok(line) => {
             let words: Vec<&str> = line.split_whitespace().collect();
             match words.as_slice() {
-                ["quit"] => return Obeyed::Quit,
+                ["quit"] => return Executed::Quit,
                 ["units", "wrong"] => device.restate_units(2),
                 ["units", "right"] => device.restate_units(1),
                 ["power-cycle"] => device.power_cycle(),
                 [] => {}
                 words if device.faults.order(words) => {}
-                _ => say(&format!("\"{line}\" is no order: see --help")),
+                _ => print(&format!("\"{line}\" is not a command: see --help")),
             }
-            Obeyed::Yes
+            Executed::Continue
         }
     }
 }
@@ -202,8 +202,8 @@ impl Device {
         }
     }
 
-    /// Time passes; without commands the motors let go down to the least tension.
-    fn pass(&mut self, seconds: f64, now: Instant) {
+    /// Advances the scene [s]; the watchdog reduces tensions to the minimum.
+    fn advance(&mut self, seconds: f64, now: Instant) {
         let silent = now - self.commanded > Duration::from_millis(u64::from(WATCHDOG_MS));
         if self.state == State::Running && silent {
             self.state = State::Armed;
@@ -212,28 +212,28 @@ impl Device {
         self.scene.advance(seconds);
     }
 
-    fn hear(&mut self, bytes: &[u8], from: SocketAddr, now: Instant) {
+    fn receive(&mut self, bytes: &[u8], from: SocketAddr, now: Instant) {
         if self.faults.loses() {
             return;
         }
-        let Some(asked) = codec::parse(bytes) else { return };
+        let Some(received) = codec::parse(bytes) else { return };
         self.sequence = self.sequence.wrapping_add(1);
-        match asked.request {
-            Request::Hello { pairing } => self.greet(&asked, pairing, from, now),
-            _ if self.host != Some(from) || asked.session != self.session => {}
+        match received.request {
+            Request::Hello { pairing } => self.greet(&received, pairing, from, now),
+            _ if self.host != Some(from) || received.session != self.session => {}
             Request::Arm if self.state != State::Idle => {
                 self.state = State::Armed;
                 self.scene.drives.iter_mut().for_each(|d| d.idle());
                 self.scene.armed();
-                self.tell(from, now);
+                self.send_sample(from, now);
             }
             Request::Command { tension_mn } if matches!(self.state, State::Armed | State::Running) => {
                 self.state = State::Running;
-                (self.commanded, self.obeyed) = (now, asked.sequence);
+                (self.commanded, self.obeyed) = (now, received.sequence);
                 for (drive, t) in self.scene.drives.iter_mut().zip(tension_mn) {
-                    drive.want(f64::from(t) * 1e-3);
+                    drive.command(f64::from(t) * 1e-3);
                 }
-                self.tell(from, now);
+                self.send_sample(from, now);
             }
             Request::Stop => {
                 self.state = State::Idle;
@@ -245,22 +245,22 @@ impl Device {
         }
     }
 
-    fn greet(&mut self, asked: &Asked, pairing: u32, from: SocketAddr, now: Instant) {
-        let at_work = self.state == State::Running && self.host.is_some_and(|h| h != from);
+    fn greet(&mut self, received: &Received, pairing: u32, from: SocketAddr, now: Instant) {
+        let is_busy = self.state == State::Running && self.host.is_some_and(|h| h != from);
         let reason = match () {
             () if self.pairing != 0 && pairing != self.pairing => Some(0),
-            () if at_work && now - self.commanded < Duration::from_secs(1) => Some(1),
+            () if is_busy && now - self.commanded < Duration::from_secs(1) => Some(1),
             () => None,
         };
         if let Some(reason) = reason {
-            return self.faults.send(from, codec::refused(reason, self.sequence, asked.session));
+            return self.faults.send(from, codec::refused(reason, self.sequence, received.session));
         }
-        (self.host, self.session, self.state) = (Some(from), asked.session, State::Greeted);
+        (self.host, self.session, self.state) = (Some(from), received.session, State::Greeted);
         self.scene.drives.iter_mut().for_each(|d| d.release());
         self.faults.send(from, codec::caps(&self.identity, self.sequence, self.session));
     }
 
-    fn tell(&mut self, to: SocketAddr, now: Instant) {
+    fn send_sample(&mut self, to: SocketAddr, now: Instant) {
         let time_us = (now - self.started).as_micros() as u32;
         let reading = Reading {
             state: self.state as u8,
@@ -276,7 +276,7 @@ impl Device {
 
     fn deliver(&mut self, socket: &UdpSocket) {
         while let Some((host, bytes)) = self.faults.arrived() {
-            // A host that is gone is no reason to stop.
+            // The loss of a host does not stop the device.
             let _ = socket.send_to(&bytes, host);
         }
     }

@@ -1,18 +1,18 @@
-//! One motor with its encoder and string.
+//! A string drive: one motor with its encoder and string.
 
 use crate::random::Random;
 use crate::rig_file::Drive;
 
-/// Time constant of the current [s] (chosen: a small coreless motor behind a current controller).
+/// Time constant of the motor current [s] (chosen: a small coreless motor with a current controller).
 const CURRENT_LAG_S: f64 = 1.2e-3;
 /// Coulomb friction of pulley and guide, as tension [N] (chosen: a ball-bearing pulley and a ceramic eye).
 const FRICTION_N: f64 = 0.02;
-/// Speed over which friction changes its sign [m/s] (chosen).
+/// Speed scale of the friction's sign change [m/s] (chosen: slow against hand motion, and smooth at the step length).
 const REVERSAL: f64 = 0.01;
-/// How far strings differ from their data sheet in stiffness [-] (chosen: a tenth).
+/// Relative error of the string stiffness [-] (chosen: a tenth, typical of braided line).
 const STIFFNESS_ERROR: f64 = 0.1;
 
-/// A motor that winds up a string.
+/// State of a string drive.
 #[derive(Clone, Copy, Debug)]
 pub struct StringDrive {
     min: f64,
@@ -29,7 +29,7 @@ pub struct StringDrive {
 }
 
 impl StringDrive {
-    /// At rest with a length [m]; the encoder counts from an arbitrary place.
+    /// Creates a drive at rest with a string length [m]; the encoder counts from a random zero.
     pub fn new(drive: &Drive, length: f64, random: &mut Random) -> Self {
         let stiffness = drive.axial_stiffness_n * (1.0 + STIFFNESS_ERROR * random.signed());
         Self {
@@ -46,27 +46,27 @@ impl StringDrive {
         }
     }
 
-    /// What the motor shall pull [N].
-    pub fn want(&mut self, tension: f64) {
+    /// Sets the commanded tension [N].
+    pub fn command(&mut self, tension: f64) {
         self.wanted = tension.clamp(0.0, self.max);
     }
 
-    /// Pulls with the least tension.
+    /// Commands the minimum tension.
     pub fn idle(&mut self) {
         self.wanted = self.min;
     }
 
-    /// Pulls with nothing.
+    /// Commands zero tension.
     pub fn release(&mut self) {
         self.wanted = 0.0;
     }
 
-    /// The encoder has lost its count.
+    /// Simulates the loss of the encoder's count.
     pub fn lose_count(&mut self, random: &mut Random) {
         self.zero = self.unstretched + 0.05 * random.signed();
     }
 
-    /// One step of `dt` [s] after which the string has a length [m].
+    /// Advances by `dt` [s] to a new string length [m].
     pub fn step(&mut self, length: f64, dt: f64) {
         self.motor += (self.wanted - self.motor) * (1.0 - libm::exp(-dt / CURRENT_LAG_S));
         let winding_in = (self.length - length) / dt;
@@ -75,17 +75,17 @@ impl StringDrive {
         self.unstretched = length / (1.0 + self.tension / self.stiffness);
     }
 
-    /// Tension at the pan [N].
+    /// Returns the tension at the pan [N].
     pub fn tension(&self) -> f64 {
         self.tension
     }
 
-    /// Tension as the motor's current tells it [N].
+    /// Returns the tension derived from the motor current [N].
     pub fn by_current(&self) -> f64 {
         self.motor
     }
 
-    /// What the encoder counts.
+    /// Returns the encoder count.
     pub fn count(&self) -> i32 {
         libm::floor((self.unstretched - self.zero) / self.pitch) as i32
     }

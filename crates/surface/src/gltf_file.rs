@@ -1,7 +1,6 @@
 //! glTF 2.0 files.
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
+use data_encoding::BASE64;
 use gltf::accessor::Accessor;
 use gltf::buffer::Source;
 use gltf::mesh::Mode;
@@ -9,19 +8,22 @@ use gltf::{Gltf, Node, Primitive, Semantic};
 
 use crate::{DAMAGED, ReadError, Soup};
 
-/// A transformation in columns, as glTF writes them.
+/// A transformation in column-major order, as in glTF.
 type Matrix = [[f32; 4]; 4];
 
 const UNIT: Matrix = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
-/// Nodes within nodes are followed to this depth (chosen: a sound file has far less; a damaged one may go in circles).
+/// Largest nesting depth of nodes [-] (chosen: valid files have far less; a damaged file may contain a cycle).
 const DEEPEST: usize = 64;
 
-/// Reads the triangles of a file's scene, turned so that z points up.
-pub fn read(bytes: &[u8], beside: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Soup, ReadError> {
+/// Returns the triangles of a file's default scene, rotated so that z points up.
+///
+/// # Errors
+/// [`ReadError`] if the file is not valid, a buffer is missing or too short, or the geometry uses an unsupported feature.
+pub fn read(bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Soup, ReadError> {
     let Gltf { document, blob } =
-        Gltf::from_slice(bytes).map_err(|e| ReadError::new(format!("is no sound glTF file: {e}"), DAMAGED))?;
-    let buffers = buffers(&document, blob, beside)?;
+        Gltf::from_slice(bytes).map_err(|e| ReadError::new(format!("is not a valid glTF file: {e}"), DAMAGED))?;
+    let buffers = buffers(&document, blob, sibling)?;
     let mut reader = Reader { buffers, soup: Soup::default() };
     let scene = document.default_scene().or_else(|| document.scenes().next());
     match scene {
@@ -31,21 +33,22 @@ pub fn read(bytes: &[u8], beside: impl Fn(&str) -> Option<Vec<u8>>) -> Result<So
     Ok(reader.soup)
 }
 
+/// Returns the bytes of all buffers: the binary chunk, a data URI, or a file in the same folder.
 fn buffers(
     document: &gltf::Document,
     mut blob: Option<Vec<u8>>,
-    beside: impl Fn(&str) -> Option<Vec<u8>>,
+    sibling: impl Fn(&str) -> Option<Vec<u8>>,
 ) -> Result<Vec<Vec<u8>>, ReadError> {
     let bytes = |buffer: gltf::Buffer| {
         let bytes = match buffer.source() {
             Source::Bin => blob.take(),
             Source::Uri(uri) if uri.starts_with("data:") => {
-                uri.split_once(";base64,").and_then(|(_, data)| STANDARD.decode(data).ok())
+                uri.split_once(";base64,").and_then(|(_, data)| from_base64(data))
             }
             Source::Uri(uri) => {
-                let missing = format!("needs \"{uri}\" beside it, which cannot be read");
-                Some(beside(uri).ok_or_else(|| {
-                    ReadError::new(missing, "put that file beside it, or export everything into one .glb file")
+                let missing = format!("refers to \"{uri}\" in the same folder, which cannot be read");
+                Some(sibling(uri).ok_or_else(|| {
+                    ReadError::new(missing, "put that file into the same folder, or export a single .glb file")
                 })?)
             }
         };
@@ -57,15 +60,25 @@ fn buffers(
     document.buffers().map(bytes).collect()
 }
 
+/// Returns the bytes of padded standard base64 text (RFC 4648, section 4), or `None` if the text is not canonical.
+///
+/// `BASE64` alone also decodes a concatenation of padded texts; RFC 4648 permits padding only at the end.
+fn from_base64(text: &str) -> Option<Vec<u8>> {
+    let is_padded_inside = text.trim_end_matches('=').contains('=');
+    if is_padded_inside { None } else { BASE64.decode(text.as_bytes()).ok() }
+}
+
+/// The buffers of a file and the triangles read so far.
 struct Reader {
     buffers: Vec<Vec<u8>>,
     soup: Soup,
 }
 
 impl Reader {
+    /// Adds the meshes of a node and of its children, transformed by `outer`.
     fn node(&mut self, node: &Node, outer: Matrix, depth: usize) -> Result<(), ReadError> {
         if depth > DEEPEST {
-            return Err(ReadError::new("its nodes hold each other", DAMAGED));
+            return Err(ReadError::new("has nodes that contain each other", DAMAGED));
         }
         let matrix = product(outer, node.transform().matrix());
         if let Some(mesh) = node.mesh() {
@@ -74,15 +87,14 @@ impl Reader {
         node.children().try_for_each(|child| self.node(&child, matrix, depth + 1))
     }
 
+    /// Adds the triangles of a primitive, transformed by `matrix`; skips points and lines.
     fn primitive(&mut self, primitive: &Primitive, matrix: Matrix) -> Result<(), ReadError> {
-        if primitive.mode() != Mode::Triangles {
-            return match primitive.mode() {
-                Mode::TriangleStrip | Mode::TriangleFan => {
-                    Err(ReadError::new("holds strips or fans of triangles", "export it as plain triangles"))
-                }
-                // Points and lines are no part of a surface.
-                _ => Ok(()),
-            };
+        match primitive.mode() {
+            Mode::Triangles => {}
+            Mode::TriangleStrip | Mode::TriangleFan => {
+                return Err(ReadError::new("contains strips or fans of triangles", "export it as plain triangles"));
+            }
+            Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip => return Ok(()),
         }
         let accessors = primitive.get(&Semantic::Positions).into_iter().chain(primitive.indices());
         accessors.clone().try_for_each(|a| self.readable(&a))?;
@@ -102,10 +114,10 @@ impl Reader {
         Ok(())
     }
 
-    /// Whether all that an accessor names lies in its buffer.
+    /// Checks that an accessor is dense and lies within its buffer.
     fn readable(&self, accessor: &Accessor) -> Result<(), ReadError> {
         let Some(view) = accessor.view().filter(|_| accessor.sparse().is_none()) else {
-            return Err(ReadError::new("holds sparse accessors", "export it without them"));
+            return Err(ReadError::new("contains sparse accessors", "export it without sparse accessors"));
         };
         let stride = view.stride().unwrap_or(accessor.size());
         let end = accessor.offset() + stride * accessor.count().saturating_sub(1) + accessor.size();
@@ -117,10 +129,12 @@ impl Reader {
     }
 }
 
+/// Returns the matrix product a b.
 fn product(a: Matrix, b: Matrix) -> Matrix {
     b.map(|column| [0, 1, 2, 3].map(|row| (0..4).map(|k| a[k][row] * column[k]).sum()))
 }
 
+/// Returns a transformed point, computed in double precision.
 fn apply(m: Matrix, p: [f32; 3]) -> [f64; 3] {
     let [x, y, z] = p.map(f64::from);
     [0, 1, 2].map(|r| {
@@ -129,12 +143,13 @@ fn apply(m: Matrix, p: [f32; 3]) -> [f64; 3] {
     })
 }
 
+/// Returns the determinant of the linear part; it is negative for a reflection.
 fn determinant(m: Matrix) -> f32 {
     let [a, b, c] = [m[0], m[1], m[2]];
     a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
 }
 
-/// Turns y up to z up.
+/// Returns a point rotated from y up to z up.
 fn upright([x, y, z]: [f64; 3]) -> [f64; 3] {
     [x, -z, y]
 }

@@ -4,14 +4,17 @@ use std::io::Cursor;
 
 use crate::{DAMAGED, ReadError, Soup};
 
-/// Reads all objects of a file; faces with more than three corners are divided.
+/// Returns the triangles of all objects of a file; faces with more than three corners are triangulated.
+///
+/// # Errors
+/// [`ReadError`] if the file is not valid.
 pub fn read(bytes: &[u8]) -> Result<Soup, ReadError> {
     let options =
         tobj::LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..Default::default() };
-    // Materials tell nothing about the shape.
+    // Materials do not affect the shape.
     let no_materials = |_: &std::path::Path| Ok(Default::default());
     let (models, _) = tobj::load_obj_buf(&mut Cursor::new(bytes), &options, no_materials)
-        .map_err(|e| ReadError::new(format!("is no sound OBJ file: {e}"), DAMAGED))?;
+        .map_err(|e| ReadError::new(format!("is not a valid OBJ file: {e}"), DAMAGED))?;
     let mut soup = Soup::default();
     for mesh in models.iter().map(|m| &m.mesh) {
         let first = soup.vertices.len() as u32;

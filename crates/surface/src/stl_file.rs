@@ -5,14 +5,18 @@ use std::io::Cursor;
 
 use crate::{DAMAGED, ReadError, Soup};
 
-/// Bytes before the triangles of a binary file, and of each triangle.
+/// Size of the header of a binary file, with the number of triangles in its last four bytes [B].
 const HEAD: usize = 84;
+/// Size of a triangle in a binary file [B].
 const TRIANGLE: usize = 50;
 
-/// Reads a binary or ASCII file.
+/// Returns the triangles of a binary or ASCII file.
+///
+/// # Errors
+/// [`ReadError`] if the file is not valid or its length does not match its number of triangles.
 pub fn read(bytes: &[u8]) -> Result<Soup, ReadError> {
     let prepared = prepare(bytes)?;
-    let error = |e: std::io::Error| ReadError::new(format!("is no sound STL file: {e}"), DAMAGED);
+    let error = |e: std::io::Error| ReadError::new(format!("is not a valid STL file: {e}"), DAMAGED);
     let mut cursor = Cursor::new(prepared.as_ref());
     let mut soup = Soup::default();
     for triangle in stl_io::create_stl_reader(&mut cursor).map_err(error)? {
@@ -23,10 +27,12 @@ pub fn read(bytes: &[u8]) -> Result<Soup, ReadError> {
     Ok(soup)
 }
 
-/// Tells binary from ASCII by the length, not by the first word: many binary files begin with "solid" too.
+/// Returns the file in the form that `stl_io` recognises as binary or ASCII.
+///
+/// The length decides, not the first word: many binary files also begin with "solid".
 fn prepare(bytes: &[u8]) -> Result<Cow<'_, [u8]>, ReadError> {
-    let told = bytes.get(HEAD - 4..HEAD).and_then(|b| b.try_into().ok()).map(u32::from_le_bytes);
-    let needed = told.map(|n| HEAD as u64 + TRIANGLE as u64 * u64::from(n));
+    let count = bytes.get(HEAD - 4..HEAD).and_then(|b| b.try_into().ok()).map(u32::from_le_bytes);
+    let needed = count.map(|n| HEAD as u64 + TRIANGLE as u64 * u64::from(n));
     let is_text = bytes.starts_with(b"solid");
     match needed {
         Some(needed) if bytes.len() as u64 == needed => {
@@ -35,11 +41,11 @@ fn prepare(bytes: &[u8]) -> Result<Cow<'_, [u8]>, ReadError> {
             Ok(Cow::Owned(plain))
         }
         Some(needed) if !is_text => {
-            let message = format!("is cut short or too long: {} bytes instead of {needed}", bytes.len());
+            let message = format!("is truncated or too long: {} bytes instead of {needed}", bytes.len());
             Err(ReadError::new(message, DAMAGED))
         }
-        None if !is_text => Err(ReadError::new("is no STL file", DAMAGED)),
-        // A body without a name is legal and frequent.
+        None if !is_text => Err(ReadError::new("is not an STL file", DAMAGED)),
+        // An ASCII body without a name is valid and frequent.
         _ if bytes.get(5) != Some(&b' ') => Ok(Cow::Owned([b"solid ", &bytes[5..]].concat())),
         _ => Ok(Cow::Borrowed(bytes)),
     }

@@ -1,10 +1,9 @@
-//! Promise: STL, OBJ and glTF files give the triangles they hold, and damaged ones are told without a crash.
+//! Promise: STL, OBJ and glTF files give the triangles they contain, and damaged files give errors without a crash.
 
-// A test that unwraps in vain says where.
+// A failed unwrap in a test reports its line.
 #![allow(clippy::unwrap_used)]
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
+use data_encoding::BASE64;
 use saute_heat::Surface;
 use saute_surface::{Format, ReadError, Soup, read};
 
@@ -47,7 +46,7 @@ fn buffer() -> Vec<u8> {
     corners.chain(FACES.iter().flatten().flat_map(|i| i.to_le_bytes())).collect()
 }
 
-/// glTF of the tetrahedron; the node doubles it, which the scale of the file would undo.
+/// glTF of the tetrahedron; the outer node doubles it.
 fn gltf(uri: &str) -> String {
     let uri = if uri.is_empty() { String::new() } else { format!(r#","uri":"{uri}""#) };
     format!(
@@ -71,7 +70,7 @@ fn glb() -> Vec<u8> {
 }
 
 #[test]
-fn stl_is_read_as_text_and_binary_whatever_its_header_says() {
+fn stl_is_read_as_text_and_binary_independent_of_its_header() {
     for bytes in [ascii_stl(" tetra"), ascii_stl(""), binary_stl(b"made by hand"), binary_stl(b"solid tetra")] {
         let soup = plain("A.STL", &bytes).unwrap();
         assert_eq!((soup.triangles.len(), soup.vertices.len()), (4, 12));
@@ -80,7 +79,7 @@ fn stl_is_read_as_text_and_binary_whatever_its_header_says() {
 }
 
 #[test]
-fn obj_is_read_with_polygons_divided_and_materials_left_alone() {
+fn obj_is_read_with_polygons_triangulated_and_materials_ignored() {
     let cube = "mtllib none.mtl\no cube\nv 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 0 0 10\nv 10 0 10\nv 10 10 10\nv 0 10 10\n\
         vn 0 0 1\nusemtl skin\nf 4 3 2 1\nf 5//1 6//1 7//1 8//1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf -8 -4 -1 -5\n";
     let soup = plain("cube.obj", cube.as_bytes()).unwrap();
@@ -89,8 +88,8 @@ fn obj_is_read_with_polygons_divided_and_materials_left_alone() {
 }
 
 #[test]
-fn gltf_is_read_from_all_kinds_of_buffers_and_turned_upright() {
-    let inline = format!("data:application/octet-stream;base64,{}", STANDARD.encode(buffer()));
+fn gltf_is_read_from_all_kinds_of_buffers_and_rotated_to_z_up() {
+    let inline = data_uri(&BASE64.encode(&buffer()));
     let beside = |name: &str| (name == "piece.bin").then(buffer);
     let soups = [
         plain("a.glb", &glb()).unwrap(),
@@ -99,10 +98,31 @@ fn gltf_is_read_from_all_kinds_of_buffers_and_turned_upright() {
     ];
     for soup in &soups {
         assert!((volume(soup) - 8000.0 / 6.0).abs() < 1e-4, "{}", volume(soup));
-        assert_eq!(soup.vertices[0], [2.0, -6.0, 4.0], "moved by (1, 2, 3), doubled, y up turned to z up");
+        assert_eq!(soup.vertices[0], [2.0, -6.0, 4.0], "moved by (1, 2, 3), doubled, rotated from y up to z up");
     }
     assert!(soups.iter().all(|s| s.unit_mm == 1000.0), "glTF is in metres");
     assert_eq!((Format::of("x.GLB"), plain("x.stl", &binary_stl(b"")).unwrap().unit_mm), (Some(Format::Gltf), 1.0));
+}
+
+fn data_uri(base64: &str) -> String {
+    format!("data:application/octet-stream;base64,{base64}")
+}
+
+#[test]
+fn only_canonical_padded_base64_is_read() {
+    let read = |base64: &str| plain("a.gltf", gltf(&data_uri(base64)).as_bytes());
+    // The buffer has 72 bytes, a multiple of three; two more bytes make padding necessary.
+    let padded = BASE64.encode(&[buffer(), vec![7, 7]].concat());
+    assert!(padded.ends_with('=') && read(&padded).is_ok());
+    let unpadded = padded.trim_end_matches('=');
+    assert!(read(unpadded).is_err(), "padding is missing");
+    assert!(read(&format!("{unpadded}==")).is_err(), "too much padding");
+    assert!(read(&format!("{padded}====")).is_err(), "a block of padding");
+    assert!(read(&format!("{padded}{padded}")).is_err(), "padding in the middle");
+    let last = unpadded.len() - 1;
+    assert!(read(&format!("{}d=", &unpadded[..last])).is_err(), "trailing bits are not zero");
+    assert!(read(&format!(" {padded}")).is_err(), "white space");
+    assert!(read(&padded.replacen('/', "_", 1).replacen('A', "-", 1)).is_err(), "the URL alphabet");
 }
 
 #[test]
@@ -112,7 +132,7 @@ fn a_missing_buffer_is_named() {
 }
 
 #[test]
-fn files_that_end_early_or_hold_nonsense_are_told() {
+fn truncated_and_random_files_give_errors() {
     let whole: [(&str, Vec<u8>); 5] = [
         ("a.stl", binary_stl(b"x")),
         ("a.stl", ascii_stl(" t")),
@@ -122,7 +142,7 @@ fn files_that_end_early_or_hold_nonsense_are_told() {
     ];
     for (name, bytes) in &whole {
         for cut in [0, 1, 20, 83, bytes.len() / 2, bytes.len() - 1] {
-            // A shorter file may still be a sound one; what must not happen is a crash.
+            // A truncated file may still be valid; it must not cause a crash.
             let _ = plain(name, &bytes[..cut.min(bytes.len())]);
         }
         assert!(plain(name, &bytes[..bytes.len() / 2]).is_err(), "{name}");
@@ -134,7 +154,7 @@ fn files_that_end_early_or_hold_nonsense_are_told() {
 }
 
 #[test]
-fn indices_beyond_the_corners_are_told_when_the_surface_is_closed() {
+fn indices_out_of_range_are_an_error_when_the_surface_is_closed() {
     let wild = gltf("piece.bin");
     let beside = |_: &str| {
         let mut bytes = buffer();

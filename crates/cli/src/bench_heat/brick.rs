@@ -1,52 +1,53 @@
-//! The steak-shaped brick that is flipped once, against its exact series.
+//! A steak-sized brick that is flipped once, compared with its exact series.
 
 use std::time::Instant;
 
-use saute_kitchen::lab::{Case, LabReport, run};
-use saute_kitchen::{InputError, Library};
+use saute_kitchen::InputError;
+use saute_kitchen::Library;
+use saute_lab::{Case, LabReport, run};
 use serde::Serialize;
 
 use super::exact_brick::Brick;
 
-/// Centre, and 2.5 mm under both faces [mm].
+/// Probes: the centre, and 2.5 mm below both faces [mm].
 const PLACES: [[f64; 3]; 3] = [[50.0, 35.0, 12.5], [50.0, 35.0, 2.5], [50.0, 35.0, 22.5]];
-/// When they are compared [s].
+/// Times of the comparison [s].
 const TIMES: [f64; 4] = [150.0, 300.0, 450.0, 600.0];
 /// Largest spacing along x, y and z [mm] (chosen: weak air on the sides lets x and y be coarse).
 const SPACING: [f64; 3] = [14.0, 12.0, 0.7];
-/// Length of a step over the lab's own, which is chosen for orders of convergence [-] (chosen: the error in time stays
-/// below half of that in space; the error at half the step is told beside it).
+/// Length of a step over the lab's default, which resolves orders of convergence [-] (chosen: the error in time stays
+/// below half of the error in space; the error at half the step is reported too).
 const STEP_FACTOR: f64 = 8.0;
-/// Runs of which the median counts.
+/// Number of runs; their median is reported.
 const RUNS: usize = 15;
 
-/// The brick's numbers.
+/// Time and accuracy of the brick.
 #[derive(Debug, Serialize)]
 pub struct BrickBench {
-    /// Time loop, median of several runs [s].
+    /// Time of the time loop, median of the runs [s].
     pub loop_s: f64,
-    /// Largest error at any place and time [K].
+    /// Largest error over all probes and times [K].
     pub max_error_k: f64,
-    /// The same with steps of half the length [K].
+    /// Largest error with steps of half the length [K].
     pub half_step_error_k: f64,
-    /// Nodes.
+    /// Number of nodes.
     pub nodes: usize,
-    /// Time steps.
+    /// Number of time steps.
     pub steps: usize,
 }
 
-/// A whole run on one mesh.
+/// One run on one mesh.
 #[derive(Debug, Serialize)]
 pub struct WholeRun {
-    /// Nodes.
+    /// Number of nodes.
     pub nodes: usize,
-    /// Time loop [s].
+    /// Time of the time loop [s].
     pub seconds: f64,
     /// Largest error [K].
     pub max_error_k: f64,
 }
 
-/// Exact temperatures at all times and places [°C].
+/// Returns the exact temperatures at all times and probes [°C].
 pub fn exact() -> Vec<Vec<f64>> {
     let brick = Brick {
         size: [0.1, 0.07, 0.025],
@@ -84,7 +85,7 @@ fn timed(case: &Case) -> LabReport {
 
 fn max_error(report: &LabReport, exact: &[Vec<f64>]) -> f64 {
     let errors = exact.iter().enumerate().flat_map(|(i, row)| {
-        // The start is read too, before the first of the times.
+        // The first reading of a probe is the initial temperature.
         row.iter().enumerate().map(move |(place, exact)| (report.probes[&place.to_string()][i + 1][1] - exact).abs())
     });
     errors.fold(0.0, f64::max)
@@ -105,7 +106,7 @@ pub fn measure(exact: &[Vec<f64>], library: &Library) -> Result<BrickBench, Inpu
     })
 }
 
-/// Whole runs with all spacings scaled alike.
+/// Measures runs on meshes of different fineness: all spacings are scaled by the same factor.
 pub fn whole_runs(exact: &[Vec<f64>], library: &Library) -> Result<Vec<WholeRun>, InputError> {
     let run = |scale: f64| {
         let case = case(scale, STEP_FACTOR, library)?;
@@ -116,7 +117,7 @@ pub fn whole_runs(exact: &[Vec<f64>], library: &Library) -> Result<Vec<WholeRun>
     [2.0, 1.4, 1.0, 0.7, 0.5, 0.35].into_iter().map(run).collect()
 }
 
-/// Time to an error, on a straight line between runs in logarithms [s]; none where no run brackets it.
+/// Returns the time that reaches an error, by log-linear interpolation between runs [s]; none if no pair brackets it.
 pub fn seconds_to(error: f64, runs: &[WholeRun]) -> Option<f64> {
     let pair = runs.windows(2).find(|w| w[0].max_error_k >= error && w[1].max_error_k <= error)?;
     let share = (pair[0].max_error_k / error).ln() / (pair[0].max_error_k / pair[1].max_error_k).ln();
@@ -128,7 +129,7 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
 
-    /// The series is judged by a mesh: errors fall fourfold when spacings and steps halve, and end near nothing.
+    /// The series is checked by a mesh: errors fall fourfold when spacings and steps are halved.
     #[test]
     fn the_mesh_converges_to_the_series_at_second_order() {
         let (exact, library) = (exact(), Library::embedded().unwrap());

@@ -1,13 +1,13 @@
-//! The exact temperatures of the brick that is flipped once, as series of eigenfunctions.
+//! The exact temperatures of a brick that is flipped once, as eigenfunction series.
 //!
-//! Sides and top meet one air, so T − air is a product of symmetric cosines across and a profile c(z, t) for each pair of
-//! them: ∂c/∂t = α (c″ − κ² c), driven from the hot face. Each profile is its steady state and a sum over the
-//! eigenfunctions of its two faces; at the flip the profile is mirrored and expanded again. Source: Carslaw & Jaeger,
-//! Conduction of Heat in Solids (1959), ch. 2, 3 and 5.
+//! Sides and top face the same air. T − T_air is therefore a sum over pairs of symmetric cosines across the brick, each
+//! times a profile c(z, t) with ∂c/∂t = α (c″ − κ² c), driven by the hot face. Each profile is its steady state plus a sum
+//! over the eigenfunctions of the thickness. At the flip the profile is mirrored and expanded again. Source: Carslaw & Jaeger,
+//! Conduction of Heat in Solids (1959) `[@carslaw-jaeger-1959]`, ch. 2, 3 and 5.
 
 use std::f64::consts::PI;
 
-/// A brick in air, its bottom on a hot plate.
+/// A brick in air with its bottom on a hot plate (Robin boundaries).
 #[derive(Clone, Copy, Debug)]
 pub struct Brick {
     /// Sizes [m].
@@ -16,24 +16,24 @@ pub struct Brick {
     pub conductivity: f64,
     /// Thermal diffusivity [m²/s].
     pub diffusivity: f64,
-    /// Coefficients of the air and of the plate [W/(m²·K)].
+    /// Heat transfer coefficients of the air and of the plate [W/(m²·K)].
     pub h: [f64; 2],
-    /// Start, air, plate [°C].
+    /// Temperatures: initial, air, plate [°C].
     pub celsius: [f64; 3],
-    /// When it is flipped [s].
+    /// Time of the flip [s].
     pub flip: f64,
 }
 
-/// Terms of each series (chosen: ten times as many change no digit of a thousandth of a kelvin from 60 s on).
+/// Terms of the series across and along the thickness (chosen: ten times as many change less than 1 mK from 60 s on).
 const ACROSS: usize = 40;
 const ALONG: usize = 60;
-/// Panels of the quadrature over the thickness, of [`GAUSS`] points each (chosen: five panels an oscillation).
+/// Panels of the quadrature over the thickness, with the points of [`GAUSS`] in each (chosen: five panels per oscillation).
 const PANELS: usize = 300;
-/// Gauss–Legendre points and weights on [−1, 1] for polynomials of degree 5.
+/// Gauss–Legendre points and weights on [−1, 1], exact up to degree 5.
 const GAUSS: [(f64, f64); 3] =
     [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
 
-/// A symmetric cosine across the brick: wave number [1/m] and its share of a constant 1.
+/// A symmetric cosine across the brick: wave number [1/m] and its coefficient in the expansion of 1 [-].
 #[derive(Clone, Copy, Debug)]
 struct Cosine {
     wave: f64,
@@ -52,9 +52,9 @@ impl Cosine {
 struct Along {
     wave: f64,
     steepness: f64,
-    /// Its values at the quadrature's points over the integral of its square.
+    /// Values times weights at the quadrature points, over the integral of the square.
     projector: Vec<f64>,
-    /// As above, of its mirror image.
+    /// Values at the quadrature points.
     values: Vec<f64>,
 }
 
@@ -64,7 +64,7 @@ impl Along {
     }
 }
 
-/// The steady profile over the plate's temperature: A e^(−κz) + B e^(−κ(L−z)).
+/// The steady profile per kelvin of the plate above the air: A e^(−κz) + B e^(−κ(L−z)).
 #[derive(Clone, Copy, Debug)]
 struct Steady {
     kappa: f64,
@@ -85,7 +85,7 @@ impl Steady {
     }
 }
 
-/// The root of a function between two places where its sign differs.
+/// Returns the root of a function between two points of different sign, by bisection.
 fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let negative = f(low) < 0.0;
     for _ in 0..200 {
@@ -96,7 +96,7 @@ fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
 }
 
 impl Brick {
-    /// Temperatures [°C] at every place [m] at every time [s], times outermost.
+    /// Returns the temperatures [°C] at the given places [m], one row for each time [s].
     pub fn temperatures(&self, places: &[[f64; 3]], times: &[f64]) -> Vec<Vec<f64>> {
         let (x, y) = (self.cosines(self.size[0]), self.cosines(self.size[1]));
         let nodes = quadrature(self.size[2]);
@@ -142,7 +142,7 @@ impl Brick {
     }
 }
 
-/// One profile through the thickness: before and after the flip.
+/// One profile through the thickness: coefficients before and after the flip.
 struct Profile<'a> {
     brick: &'a Brick,
     along: &'a [Along],
@@ -163,7 +163,7 @@ impl<'a> Profile<'a> {
         let steady: Vec<f64> = nodes.iter().map(|(z, _)| profile.steady_at(*z)).collect();
         let whole = |i: usize| steady[i] + along.iter().zip(&decayed).map(|(a, b)| a.values[i] * b).sum::<f64>();
         let whole: Vec<f64> = (0..nodes.len()).map(whole).collect();
-        // The quadrature is symmetric, so the mirror image is the list backwards.
+        // The quadrature is symmetric, so the reversed list is the mirror image.
         let rest: Vec<f64> = whole.iter().rev().zip(&steady).map(|(w, s)| w - s).collect();
         profile.after = project(along, &rest);
         profile
@@ -177,7 +177,7 @@ impl<'a> Profile<'a> {
         (-self.brick.diffusivity * (wave * wave + self.steady.kappa * self.steady.kappa) * time).exp()
     }
 
-    /// Excess over the air at a height of the body [K].
+    /// Returns the contribution to T − T_air at a height of the body [K].
     fn at(&self, z: f64, time: f64) -> f64 {
         let flipped = time > self.brick.flip;
         let (shares, z, since) = if flipped {
@@ -190,12 +190,12 @@ impl<'a> Profile<'a> {
     }
 }
 
-/// Shares of the eigenfunctions in a profile.
+/// Returns the coefficients of the eigenfunctions in a profile.
 fn project(along: &[Along], profile: &[f64]) -> Vec<f64> {
     along.iter().map(|a| a.projector.iter().zip(profile).map(|(p, v)| p * v).sum()).collect()
 }
 
-/// Places and weights over a length [m].
+/// Returns points and weights of the composite quadrature over a length [m].
 fn quadrature(length: f64) -> Vec<(f64, f64)> {
     let panel = length / PANELS as f64;
     let places = |i: usize| GAUSS.map(|(x, w)| ((i as f64 + 0.5 + 0.5 * x) * panel, 0.5 * panel * w));

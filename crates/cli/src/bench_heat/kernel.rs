@@ -1,4 +1,4 @@
-//! How fast the operator sweeps over a mesh, and how fast memory is.
+//! Speed of the conduction operator and of the memory.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -14,27 +14,27 @@ use serde::Serialize;
 const EDGES: [usize; 5] = [22, 32, 47, 68, 100];
 /// Stages of a step.
 const STAGES: usize = 9;
-/// Sweeps of a step: one a stage, which are one more at its start less the first, which needs none of its own.
+/// Operator applications in a step: one per stage; the one at the start replaces the one of the first stage.
 const SWEEPS: f64 = STAGES as f64;
-/// Arrays that a stage touches: the stages before and before that, the start, its rates.
+/// Arrays that a stage reads or writes: the two previous stages, the start, the rates.
 const ARRAYS: f64 = 4.0;
-/// Elements of the triad's arrays (chosen: each larger than any cache).
+/// Elements of the arrays of the triad (chosen: each array exceeds the caches).
 const TRIAD: usize = 1 << 23;
-/// Shortest measurement [s].
+/// Shortest duration of a measurement [s] (chosen: well above the resolution of the clock).
 const LONG_ENOUGH: f64 = 0.15;
-/// Measurements of which the best counts.
+/// Number of measurements; the shortest is reported (chosen).
 const TRIES: usize = 5;
 
 /// Time of a step against mesh size.
 #[derive(Debug, Serialize)]
 pub struct StepTimes {
-    /// Nodes.
+    /// Numbers of nodes.
     pub nodes: Vec<usize>,
-    /// Time of one step of as many stages [s].
+    /// Time of one step [s].
     pub seconds: Vec<f64>,
     /// Stages of a step.
     pub stages: usize,
-    /// Slope of a straight line through them in logarithms [-].
+    /// Slope of log time against log nodes, by least squares [-].
     pub exponent: f64,
 }
 
@@ -58,7 +58,7 @@ fn step_time(edge: usize) -> f64 {
     best_time(|| step.advance(&mut t, dt, STAGES, &operator))
 }
 
-/// Shortest mean time of one call [s].
+/// Returns the shortest mean time of one call [s].
 fn best_time(mut call: impl FnMut()) -> f64 {
     call();
     let start = Instant::now();
@@ -80,18 +80,19 @@ fn slope(nodes: &[usize], seconds: &[f64]) -> f64 {
     above / points.iter().map(|p| (p[0] - x) * (p[0] - x)).sum::<f64>()
 }
 
-/// Node updates in a second on the smallest mesh.
+/// Returns the node updates per second on the smallest mesh [1/s].
 pub fn updates_per_s(times: &StepTimes) -> f64 {
     SWEEPS * times.nodes[0] as f64 / times.seconds[0]
 }
 
-/// Bytes moved in a second on the largest mesh.
+/// Returns the memory traffic on the largest mesh [B/s].
 pub fn bandwidth(times: &StepTimes) -> f64 {
     let last = times.nodes.len() - 1;
     SWEEPS * ARRAYS * 8.0 * times.nodes[last] as f64 / times.seconds[last]
 }
 
-/// Bytes moved in a second by a = b + s c, each array counted once; source: McCalpin's STREAM benchmark.
+/// Returns the memory bandwidth of a = b + s c, each array counted once [B/s]. Source: McCalpin's STREAM benchmark
+/// `[@mccalpin-stream]`.
 pub fn triad_bandwidth() -> f64 {
     let (mut a, b, c) = (vec![0.0_f64; TRIAD], vec![1.0_f64; TRIAD], vec![2.0_f64; TRIAD]);
     let seconds = best_time(|| {

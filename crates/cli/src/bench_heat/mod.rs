@@ -8,11 +8,11 @@ mod table;
 
 use std::process::ExitCode;
 
+use saute_kitchen::Library;
 use serde::Serialize;
 
 use crate::error::CliError;
-use crate::shelf::Shelf;
-use crate::{stderr, stdout};
+use crate::output::{json, stderr, stdout};
 
 /// `saute bench heat`.
 #[derive(Debug, clap::Args)]
@@ -26,9 +26,9 @@ pub struct BenchHeatArgs {
 #[derive(Debug, Serialize)]
 struct HeatBench {
     brick: brick::BrickBench,
-    /// Node updates in a second, a node moved by one stage counting as one, on a mesh as large as the brick's.
+    /// Node updates per second, one per node and stage, on a mesh as large as the brick's [1/s].
     updates_per_s: f64,
-    /// Bytes moved in a second at 10⁶ nodes, each array of a stage counted once, over those of a STREAM triad [-].
+    /// Memory traffic at 10⁶ nodes, each array of a stage counted once, over the bandwidth of a STREAM triad [-].
     bandwidth_fraction: f64,
     scaling: Scaling,
     steak: steak::SteakBench,
@@ -39,19 +39,19 @@ struct HeatBench {
 struct Scaling {
     #[serde(flatten)]
     steps: kernel::StepTimes,
-    /// Whole runs of the brick, finer and finer.
+    /// Runs of the brick on finer and finer meshes.
     runs: Vec<brick::WholeRun>,
-    /// Time of a whole run of the brick to an error of 0.1 K, between those above [s].
+    /// Time of a run of the brick with an error of 0.1 K, interpolated [s].
     seconds_to_0_1_k: Option<f64>,
 }
 
-/// Measures and tells.
-pub fn run(args: &BenchHeatArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
-    stderr::say("brick: exact series, then the time loop");
+/// Measures and prints the numbers.
+pub fn run(args: &BenchHeatArgs, library: &Library) -> Result<ExitCode, CliError> {
+    stderr::say("brick: exact series, time loop");
     let exact = brick::exact();
-    let brick = brick::measure(&exact, &shelf.library)?;
-    stderr::say("brick: whole runs, finer and finer");
-    let runs = brick::whole_runs(&exact, &shelf.library)?;
+    let brick = brick::measure(&exact, library)?;
+    stderr::say("brick: runs on finer and finer meshes");
+    let runs = brick::whole_runs(&exact, library)?;
     stderr::say("kernel: 10⁴ to 10⁶ nodes");
     let steps = kernel::step_times();
     stderr::say("memory: STREAM triad");
@@ -62,12 +62,8 @@ pub fn run(args: &BenchHeatArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
         bandwidth_fraction,
         scaling: Scaling { steps, seconds_to_0_1_k: brick::seconds_to(0.1, &runs), runs },
         brick,
-        steak: steak::measure(&shelf.library)?,
+        steak: steak::measure(library)?,
     };
-    stdout::print(&if args.json {
-        format!("{}\n", serde_json::to_string_pretty(&bench)?)
-    } else {
-        table::text(&bench)
-    })?;
+    stdout::print(&if args.json { json::text(&bench)? } else { table::text(&bench) })?;
     Ok(ExitCode::SUCCESS)
 }

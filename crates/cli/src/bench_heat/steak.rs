@@ -1,13 +1,14 @@
-//! A steak of 10,000 nodes with all that a kitchen knows of it.
+//! A steak of 10,000 nodes with the full physics of a kitchen.
 
 use std::time::Instant;
 
-use saute_kitchen::{Cook, Library, Recipe};
+use saute_kitchen::Library;
+use saute_recipe::{Cook, Recipe};
 use serde::Serialize;
 
 use crate::error::CliError;
 
-/// A steak that is fried on both sides and rests (sizes chosen: they mesh into 10,000 nodes).
+/// A steak that is fried on both sides and rests (size chosen: its mesh has 10,000 nodes).
 const RECIPE: &str = r#"title = "Steak"
 [pan]
 kind = "carbon-steel-26"
@@ -34,20 +35,20 @@ after_s = 120
 end = true
 "#;
 
-/// The steak's numbers.
+/// Size and speed of the steak.
 #[derive(Debug, Serialize)]
 pub struct SteakBench {
-    /// Nodes of the steak.
+    /// Number of nodes.
     pub nodes: usize,
     /// Simulated time over wall time [-].
     pub real_time_factor: f64,
 }
 
-/// Cooks it.
+/// Cooks the steak.
 pub fn measure(library: &Library) -> Result<SteakBench, CliError> {
     let recipe = Recipe::parse(RECIPE, "steak", library)?;
     let mut cook = Cook::new(recipe, library).map_err(|source| CliError::Setup { file: "steak".to_owned(), source })?;
-    let nodes = cook.kitchen.pieces().iter().map(|p| p.model.mesh.node_count()).sum();
+    let nodes = cook.kitchen.pieces().iter().map(|p| p.model.mesh().node_count()).sum();
     let start = Instant::now();
     while cook.stopped().is_none() {
         cook.advance()?;

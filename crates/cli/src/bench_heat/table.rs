@@ -1,15 +1,15 @@
-//! The numbers as text.
+//! The numbers of `saute bench heat` as text.
 
 use std::fmt::Write;
 
 use super::HeatBench;
 
-/// A table for people.
+/// Returns the numbers as text.
 pub fn text(bench: &HeatBench) -> String {
     let (brick, scaling) = (&bench.brick, &bench.scaling);
     let mut text = format!(
         "brick of {} nodes, {} steps: {:.4} s; error {:.4} K, with half the step {:.4} K\n\
-         kernel: {:.0} million node updates/s; {:.2} of a STREAM triad's bytes at 10⁶ nodes\n\
+         kernel: {:.0} million node updates/s; {:.2} of the bandwidth of a STREAM triad at 10⁶ nodes\n\
          \n   nodes   one step of {} stages [s]\n",
         brick.nodes,
         brick.steps,
@@ -32,10 +32,6 @@ pub fn text(bench: &HeatBench) -> String {
         let _ = writeln!(text, "to 0.1 K: {seconds:.4} s");
     }
     let steak = &bench.steak;
-    let _ = writeln!(
-        text,
-        "\nsteak of {} nodes, everything computed: {:.0} × real time",
-        steak.nodes, steak.real_time_factor
-    );
+    let _ = writeln!(text, "\nsteak of {} nodes, full physics: {:.0} × real time", steak.nodes, steak.real_time_factor);
     text
 }

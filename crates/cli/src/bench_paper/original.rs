@@ -1,22 +1,22 @@
-//! The original's engine on today's machines.
+//! The engine of the original on a current machine.
 
 use serde::Serialize;
 
-/// What the original's engine does on such a machine: built anew and measured on one thread of two cores, in steps of
-/// 1/60 s.
+/// Speed of the engine of the original, rebuilt and measured on one thread of a machine with two cores, in
+/// steps of 1/60 s.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct OriginalEngine {
-    /// Rigid steps with 10 carrots and 10 shrimps [1/s].
+    /// Rigid-body steps with 10 carrots and 10 shrimps [1/s].
     pub rigid_20_mixed_per_s: f64,
-    /// Rigid steps with 35 shrimps of three hulls each [1/s].
+    /// Rigid-body steps with 35 shrimps of three hulls each [1/s].
     pub rigid_35_shrimps_per_s: f64,
-    /// Its heat solver: vertices, and time of one step [ms].
+    /// Heat solver: number of vertices and time of one step [ms].
     pub heat_step_ms: [(u32, f64); 4],
-    /// What both come to with 35 shrimps [cycles/s].
+    /// Both together with 35 shrimps [cycles/s].
     pub cycles_35_shrimps_per_s: f64,
 }
 
-/// As measured.
+/// The measured values.
 pub const MEASURED: OriginalEngine = OriginalEngine {
     rigid_20_mixed_per_s: 722.0,
     rigid_35_shrimps_per_s: 222.0,

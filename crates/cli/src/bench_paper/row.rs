@@ -1,4 +1,4 @@
-//! The rows of the tables: which scenes, what was published, what is wanted.
+//! The rows of the tables: scenes, published speeds and goals.
 
 use std::collections::BTreeSet;
 
@@ -10,8 +10,9 @@ use super::scene::{PAN, Scene};
 use super::stopwatch;
 use crate::error::CliError;
 
-/// The published tables: name, carrots, shrimps, cycles a second, measured on hardware of 2009; of the last "more than 60"
-/// (source: Kato, Hasegawa, "Interactive Cooking Simulator", SIGGRAPH Asia 2013).
+/// The published tables: name, carrots, shrimps and speed [cycles/s], measured on hardware of 2009; the last row says
+/// "more than 60" (source: Kato, Hasegawa, "Interactive Cooking Simulator", SIGGRAPH Asia 2013
+/// `[@kato-hasegawa-2013]`).
 const PUBLISHED: [(&str, usize, usize, f64); 15] = [
     ("3", 5, 0, 310.0),
     ("3", 10, 0, 205.0),
@@ -29,62 +30,62 @@ const PUBLISHED: [(&str, usize, usize, f64); 15] = [
     ("4", 11, 11, 116.0),
     ("35", 0, 35, 60.0),
 ];
-/// Wanted over published at the meshes of 2013, at rest and while the pan is shaken [-].
-const WANTED: [f64; 2] = [20.0, 10.0];
-/// Wanted with 35 shrimps at the default meshes [cycles/s].
-const WANTED_DEFAULT: f64 = 240.0;
+/// Goals over published speeds with the meshes of 2013, at rest and while the pan is shaken [-] (chosen).
+const GOAL_RATIOS: [f64; 2] = [20.0, 10.0];
+/// Goal with 35 shrimps of the default meshes [cycles/s] (chosen).
+const GOAL_DEFAULT: f64 = 240.0;
 
 /// A scene of a table.
 #[derive(Clone, Debug)]
 pub struct Case {
     table: &'static str,
     published: f64,
-    /// What is timed.
+    /// The scene that is timed.
     pub scene: Scene,
 }
 
 /// A row, as `--json` prints it.
 #[derive(Debug, Serialize)]
 pub struct Row {
-    /// "3", "4" or "35".
+    /// Table: "3", "4" or "35".
     pub table: &'static str,
-    /// Carrot coins.
+    /// Number of carrot coins.
     pub carrots: usize,
-    /// Shrimps.
+    /// Number of shrimps.
     pub shrimps: usize,
-    /// "2013" or "default".
+    /// Meshes: "2013" or "default".
     pub mesh: MeshSize,
-    /// "segments" or "shape functions".
+    /// Rule of the conductances: "segments" or "shape functions".
     pub rule: &'static str,
-    /// Whether the pan is shaken.
+    /// True if the pan is shaken.
     pub shaking: bool,
-    /// Nodes of all pieces.
+    /// Number of nodes of all pieces.
     pub nodes: usize,
-    /// Rigid steps in a second of simulated time [1/s].
+    /// Rigid-body steps per second of simulated time [1/s].
     pub rigid_hz: u32,
-    /// As what the pieces collide.
+    /// Collision shapes of the pieces.
     pub collider: String,
-    /// Deepest overlap that was seen [mm].
+    /// Largest penetration [mm].
     pub max_penetration_mm: f64,
-    /// How far cores rose over the timed part, mean of the pieces [K].
+    /// Rise of the core temperature over the timed part, mean of the pieces [K].
     pub core_rise_k: f64,
     /// Median of the runs [cycles/s].
     pub cycles_per_s: f64,
-    /// As published [cycles/s].
+    /// Published speed [cycles/s].
     pub published: Option<f64>,
     /// Measured over published [-].
     pub ratio: Option<f64>,
-    /// What is wanted [cycles/s].
+    /// Goal [cycles/s].
     pub goal: Option<f64>,
-    /// Whether that is reached.
+    /// True if the goal is met; none without a goal.
     pub met: Option<bool>,
-    /// Pieces that fell out of the pan.
+    /// Number of pieces that fell out of the pan.
     pub lost: usize,
-    /// Each run [cycles/s].
+    /// Speed of each run [cycles/s].
     pub runs: Vec<f64>,
 }
 
-/// All rows: at the meshes of 2013, then at the default ones, each at rest and shaken.
+/// Returns all rows: with the meshes of 2013, then with the default ones, each at rest and shaken.
 pub fn cases() -> Vec<Case> {
     let sorts = [MeshSize::Paper2013, MeshSize::Default].into_iter().flat_map(|m| [(m, false), (m, true)]);
     let rows = |(mesh, shaking): (MeshSize, bool)| {
@@ -100,8 +101,8 @@ pub fn cases() -> Vec<Case> {
 impl Case {
     fn goal(&self) -> Option<f64> {
         match self.scene.mesh {
-            MeshSize::Paper2013 => Some(WANTED[usize::from(self.scene.shaking)] * self.published),
-            MeshSize::Default => (self.table == "35").then_some(WANTED_DEFAULT),
+            MeshSize::Paper2013 => Some(GOAL_RATIOS[usize::from(self.scene.shaking)] * self.published),
+            MeshSize::Default => (self.table == "35").then_some(GOAL_DEFAULT),
         }
     }
 }
@@ -118,7 +119,7 @@ pub fn measure(case: &Case, library: &Library) -> Result<Row, CliError> {
         mesh: scene.mesh,
         rule: if paper { "segments" } else { "shape functions" },
         shaking: scene.shaking,
-        nodes: kitchen.pieces().iter().map(|p| p.model.mesh.node_count()).sum(),
+        nodes: kitchen.pieces().iter().map(|p| p.model.mesh().node_count()).sum(),
         rigid_hz: RIGID_HZ,
         collider: colliders(kitchen),
         max_penetration_mm: timed.max_penetration_mm,
@@ -133,7 +134,7 @@ pub fn measure(case: &Case, library: &Library) -> Result<Row, CliError> {
     })
 }
 
-/// Names of what the pieces collide as.
+/// Returns the names of the collision shapes of the pieces.
 fn colliders(kitchen: &Kitchen) -> String {
     let solids = kitchen.pieces().iter().filter_map(|p| kitchen.world().solid(p.key));
     let names: BTreeSet<&str> = solids.map(solid_shape::name).collect();
@@ -146,7 +147,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_row_tells_every_number() {
+    fn a_row_has_every_number() {
         let case = cases().into_iter().find(|c| c.table == "4" && c.scene.shaking).unwrap();
         let row = measure(&case, &Library::embedded().unwrap()).unwrap();
         let row = serde_json::to_value(row).unwrap();
@@ -162,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn thirty_five_shrimps_are_wanted_at_1200_at_rest_600_shaken_and_240_at_our_meshes() {
+    fn the_goals_of_thirty_five_shrimps_are_1200_at_rest_600_shaken_and_240_with_default_meshes() {
         let goals: Vec<Option<f64>> = cases().iter().filter(|c| c.table == "35").map(Case::goal).collect();
         assert_eq!(goals, [Some(1200.0), Some(600.0), Some(240.0), Some(240.0)]);
         assert_eq!(cases().len(), 60);

@@ -1,4 +1,4 @@
-//! How the cost of a cycle grows with the number of pieces.
+//! Growth of the cost of a cycle with the number of pieces.
 
 use saute_kitchen::{Library, MeshSize};
 use serde::Serialize;
@@ -6,44 +6,44 @@ use serde::Serialize;
 use super::scene::{PAN, Scene};
 use super::stopwatch;
 use crate::error::CliError;
-use crate::progress::Progress;
+use crate::output::progress::Progress;
 
-/// Pieces, half of them carrots and half shrimps.
+/// Numbers of pieces, half of them carrots and half shrimps.
 const PIECES: [usize; 5] = [10, 20, 40, 70, 100];
-/// Pieces for which the ordinary pan is just large enough (chosen: they cover its floor once).
+/// Number of pieces that the ordinary pan is just large enough for (chosen: they cover its floor once).
 const FILLS: f64 = 20.0;
-/// Largest exponent that is wanted [-].
-const WANTED: f64 = 1.1;
-/// Scenes that are timed.
+/// Goal: the largest exponent [-] (chosen: close to linear).
+const GOAL: f64 = 1.1;
+/// Number of scenes that are timed.
 pub const SCENES: usize = 2 * PIECES.len();
-/// Name of the pan that grows.
+/// Id of the pan that grows.
 const GROWING: &str = "growing";
 
-/// A number of pieces.
+/// One scene of the series.
 #[derive(Debug, Serialize)]
 pub struct Point {
-    /// Pieces.
+    /// Number of pieces.
     pub pieces: usize,
     /// Radius of the pan's floor [mm].
     pub floor_radius_mm: f64,
     /// Median of the runs [cycles/s].
     pub cycles_per_s: f64,
-    /// Deepest overlap that was seen [mm].
+    /// Largest penetration [mm].
     pub max_penetration_mm: f64,
-    /// Pieces that fell out of the pan.
+    /// Number of pieces that fell out of the pan.
     pub lost: usize,
 }
 
-/// Cost against pieces, at rest at the meshes of 2013.
+/// Cost against the number of pieces, at rest with the meshes of 2013.
 #[derive(Debug, Serialize)]
 pub struct Scaling {
     /// In a pan whose floor grows with the count.
     pub growing: Vec<Point>,
     /// Slope of a straight line through their costs in logarithms [-].
     pub exponent: f64,
-    /// What is wanted of it [-].
+    /// Goal for the exponent [-].
     pub goal: f64,
-    /// Whether that is reached.
+    /// True if the goal is met.
     pub met: bool,
     /// In the 26 cm pan, where they pile up.
     pub fixed: Vec<Point>,
@@ -55,7 +55,7 @@ pub fn measure(library: &Library, progress: &Progress) -> Result<Scaling, CliErr
         |grows: bool| PIECES.iter().map(|n| point(*n, grows, library, progress)).collect::<Result<Vec<_>, _>>();
     let (growing, fixed) = (series(true)?, series(false)?);
     let exponent = exponent(&growing);
-    Ok(Scaling { growing, exponent, goal: WANTED, met: exponent <= WANTED, fixed })
+    Ok(Scaling { growing, exponent, goal: GOAL, met: exponent <= GOAL, fixed })
 }
 
 fn point(pieces: usize, grows: bool, library: &Library, progress: &Progress) -> Result<Point, CliError> {
@@ -76,7 +76,7 @@ fn point(pieces: usize, grows: bool, library: &Library, progress: &Progress) -> 
     Ok(Point { pieces, floor_radius_mm, cycles_per_s, max_penetration_mm, lost })
 }
 
-/// Slope of the cost of a cycle against pieces, both in logarithms, by least squares [-].
+/// Returns the slope of log cost against log pieces, by least squares [-].
 fn exponent(points: &[Point]) -> f64 {
     let logs: Vec<[f64; 2]> = points.iter().map(|p| [(p.pieces as f64).ln(), -p.cycles_per_s.ln()]).collect();
     let mean = |k: usize| logs.iter().map(|l| l[k]).sum::<f64>() / logs.len() as f64;

@@ -1,54 +1,55 @@
-//! A pan full of carrots and shrimps, as a recipe that `saute cook` plays too.
+//! A pan full of carrots and shrimps, as a recipe that `saute cook` could play too.
 
 use std::fmt::Write;
 
-use saute_kitchen::{Cook, Library, MeshSize, Recipe, TICK_S};
+use saute_kitchen::{Library, MeshSize, TICK_S};
+use saute_recipe::{Cook, Recipe};
 
 use crate::error::CliError;
 
-/// Angle between two places of a spiral that fills a disc evenly [rad] (the golden angle).
+/// Angle between consecutive places on a spiral that fills a disc evenly: the golden angle [rad].
 const GOLDEN: f64 = 2.399_963;
-/// Radius of that disc over the floor's [-] (chosen: a shrimp at its edge still lies on the floor).
+/// Radius of the disc over the radius of the floor [-] (chosen: a shrimp at its edge still lies on the floor).
 const SPREAD: f64 = 0.7;
-/// Time after the last piece until everything lies still [s] (chosen: the dynamics promise rest within it).
+/// Time from the last piece until everything is at rest [s] (chosen: the dynamics promise rest within it).
 const SETTLING_S: f64 = 2.0;
-/// How long the pan has been shaken before anything is timed [s] (chosen: three strokes).
+/// Time that the pan is shaken before the measurement [s] (chosen: three strokes).
 const SHAKEN_S: f64 = 1.0;
-/// Farthest the pan is moved to either side [mm], and how often [Hz], while it is shaken (the published operation).
+/// Amplitude [mm] and frequency [Hz] of the shaking (source: as in the 2013 paper).
 const SHAKE: [f64; 2] = [20.0, 3.0];
-/// The pan of every scene.
+/// Id of the pan.
 pub const PAN: &str = "carbon-steel-26";
 
-/// What lies in the pan and what is done with it.
+/// The contents of the pan and its motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// Carrot coins.
+    /// Number of carrot coins.
     pub carrots: usize,
-    /// Shrimps.
+    /// Number of shrimps.
     pub shrimps: usize,
-    /// Fineness of their meshes.
+    /// Size of their meshes.
     pub mesh: MeshSize,
-    /// Whether the pan is shaken.
+    /// True if the pan is shaken.
     pub shaking: bool,
-    /// Which pan.
+    /// Id of the pan.
     pub pan: String,
 }
 
 impl Scene {
-    /// How many pieces it has.
+    /// Returns the number of pieces.
     pub fn pieces(&self) -> usize {
         self.carrots + self.shrimps
     }
 
-    /// What it is, for the one who waits.
+    /// Returns a description for the progress bar.
     pub fn in_words(&self) -> String {
-        let mesh = if self.mesh == MeshSize::Paper2013 { "meshes of 2013" } else { "our meshes" };
+        let mesh = if self.mesh == MeshSize::Paper2013 { "meshes of 2013" } else { "default meshes" };
         let pan = if self.shaking { "shaken" } else { "at rest" };
         format!("{} carrots and {} shrimps, {mesh}, {pan}", self.carrots, self.shrimps)
     }
 
-    /// The scene as a recipe that goes on for `seconds` after everything has come to rest [s]: the foods fall into a hot pan
-    /// one after the other, carrots and shrimps by turns.
+    /// Returns the scene as a recipe that runs for `seconds` after everything is at rest [s]. The foods fall into a hot pan
+    /// one after the other, carrots and shrimps alternating.
     fn recipe(&self, floor_mm: f64, seconds: f64) -> String {
         let paper = self.mesh == MeshSize::Paper2013;
         let preset = if paper { "preset = \"2013\"\n" } else { "" };
@@ -61,7 +62,7 @@ impl Scene {
             }
         }
         text.push_str("[[step]]\nhob_w = 900\n");
-        for (i, food) in self.by_turns().iter().enumerate() {
+        for (i, food) in self.alternating().iter().enumerate() {
             let angle = GOLDEN * i as f64;
             let radius = SPREAD * floor_mm * ((i as f64 + 0.5) / self.pieces() as f64).sqrt();
             let [x, y] = [radius * angle.cos(), radius * angle.sin()];
@@ -79,20 +80,20 @@ impl Scene {
         text
     }
 
-    /// Names of the foods, carrots and shrimps by turns.
-    fn by_turns(&self) -> Vec<String> {
+    /// Returns the ids of the pieces, carrots and shrimps alternating.
+    fn alternating(&self) -> Vec<String> {
         let name = |group: &str, i: usize, count: usize| (i < count).then(|| format!("{group}.{}", i + 1));
         let most = self.carrots.max(self.shrimps);
         let pair = |i: usize| [name("carrots", i, self.carrots), name("shrimps", i, self.shrimps)];
         (0..most).flat_map(pair).flatten().collect()
     }
 
-    /// When everything lies still, or has been shaken for a while [s].
+    /// Returns the time at which everything is at rest, or has been shaken for a while [s].
     pub fn ready_at_s(&self) -> f64 {
         TICK_S * self.pieces() as f64 + SETTLING_S + if self.shaking { SHAKEN_S } else { 0.0 }
     }
 
-    /// The cook, with nothing done yet; it ends `seconds` after it is ready [s].
+    /// Returns the cook at its start; it ends `seconds` after it is ready [s].
     pub fn cook(&self, library: &Library, seconds: f64) -> Result<Cook, CliError> {
         let floor_mm = library.pans.get(&self.pan).map_or(0.0, |pan| pan.floor.radius_mm);
         let recipe = Recipe::parse(&self.recipe(floor_mm, seconds), "bench", library)?;

@@ -1,44 +1,45 @@
-//! How many cycles a second a scene runs at: one cycle is one frame, all that `saute cook` does in it.
+//! The speed of a scene in cycles per second. A cycle is one frame with all the physics of `saute cook`.
 
 use std::time::Instant;
 
-use saute_kitchen::{Cook, FRAME_S, Kitchen, Library};
+use saute_kitchen::{FRAME_S, Kitchen, Library};
+use saute_recipe::Cook;
 
 use super::scene::Scene;
 use crate::error::CliError;
 
-/// Runs of which the median counts.
+/// Number of runs; their median is reported (chosen).
 pub const RUNS: usize = 7;
-/// Stretches of a run, between which the clock stands and bodies are looked at.
-const STRETCHES: usize = 10;
-/// Frames in a stretch: two ticks of heat.
+/// Parts of a run; the penetration is measured between them, outside the timing (chosen).
+const PARTS: usize = 10;
+/// Frames in a part: two ticks of heat.
 const FRAMES: usize = 12;
 
-/// What a scene came to.
+/// The measurements of a scene.
 #[derive(Clone, Debug)]
 pub struct Timed {
-    /// Median of the runs [1/s].
+    /// Median of the runs [cycles/s].
     pub cycles_per_s: f64,
-    /// Each run [1/s].
+    /// Speed of each run [cycles/s].
     pub runs: Vec<f64>,
-    /// How far cores rose over all runs, mean of the pieces [K].
+    /// Rise of the core temperature over all runs, mean of the pieces [K].
     pub core_rise_k: f64,
-    /// Deepest overlap that was seen [mm].
+    /// Largest penetration [mm].
     pub max_penetration_mm: f64,
-    /// Pieces that are no longer in the pan.
+    /// Number of pieces that are no longer in the pan.
     pub lost: usize,
     /// The kitchen at the end.
     pub kitchen: Kitchen,
 }
 
-/// Simulated time of all runs [s].
+/// Returns the simulated time of all runs [s].
 pub fn timed_s() -> f64 {
-    (RUNS * STRETCHES * FRAMES) as f64 * FRAME_S
+    (RUNS * PARTS * FRAMES) as f64 * FRAME_S
 }
 
 /// Plays a scene until it is ready, then times it.
 pub fn time(scene: &Scene, library: &Library) -> Result<Timed, CliError> {
-    // To spare: shaking must not end before the clock does.
+    // One second more: shaking must not end before the measurement.
     let mut cook = scene.cook(library, timed_s() + 1.0)?;
     cook.kitchen.let_sleep(false);
     play_to(&mut cook, scene.ready_at_s())?;
@@ -57,7 +58,7 @@ pub fn time(scene: &Scene, library: &Library) -> Result<Timed, CliError> {
     })
 }
 
-/// Cooks on until a time [s].
+/// Continues a cook until a time [s].
 fn play_to(cook: &mut Cook, until_s: f64) -> Result<(), CliError> {
     while cook.kitchen.time_s() < until_s - 0.5 * FRAME_S && cook.stopped().is_none() {
         cook.advance()?;
@@ -65,10 +66,10 @@ fn play_to(cook: &mut Cook, until_s: f64) -> Result<(), CliError> {
     Ok(())
 }
 
-/// One run [cycles/s].
+/// Measures one run [cycles/s].
 fn run(kitchen: &mut Kitchen, deepest: &mut f64) -> f64 {
     let mut seconds = 0.0;
-    for _ in 0..STRETCHES {
+    for _ in 0..PARTS {
         let start = Instant::now();
         for _ in 0..FRAMES {
             kitchen.advance_frame();
@@ -76,7 +77,7 @@ fn run(kitchen: &mut Kitchen, deepest: &mut f64) -> f64 {
         seconds += start.elapsed().as_secs_f64();
         *deepest = deepest.max(kitchen.world().deepest_overlap());
     }
-    (STRETCHES * FRAMES) as f64 / seconds
+    (PARTS * FRAMES) as f64 / seconds
 }
 
 fn mean_core(kitchen: &Kitchen) -> f64 {
@@ -90,7 +91,7 @@ mod tests {
     use super::*;
     use saute_kitchen::MeshSize;
 
-    /// The same recipe as `saute cook` plays it, where bodies at rest sleep.
+    /// Rise of the core in the same recipe as `saute cook` plays it, with bodies at rest asleep [K].
     fn cooked_rise(scene: &Scene, library: &Library) -> f64 {
         let mut cook = scene.cook(library, timed_s() + 1.0).unwrap();
         play_to(&mut cook, scene.ready_at_s()).unwrap();

@@ -1,4 +1,4 @@
-//! The numbers as text.
+//! The numbers of `saute bench paper` as text.
 
 use std::fmt::Write;
 
@@ -11,15 +11,15 @@ use super::scaling::{Point, Scaling};
 const HEAD: &str =
     "table  carrots  shrimps    nodes  pan     cycles/s  published    ratio    goal            overlap  core\n";
 
-/// A table for people.
+/// Returns the numbers as text.
 pub fn text(bench: &PaperBench) -> String {
     let mut text = String::from(
-        "Cycles a second: rigid bodies, contacts, heat and changes of 1/60 s; medians of 7 runs, bodies never asleep.\n\
+        "Cycles per second; a cycle is 1/60 s of rigid bodies, contacts, heat and changes. Medians of 7 runs, no body asleep.\n\
          Published figures come from hardware of 2009.\n",
     );
     for (mesh, title) in [
         (MeshSize::Paper2013, "Meshes and rules of 2013 (heat along segments)"),
-        (MeshSize::Default, "Our meshes, full physics (published figures are of the small meshes)"),
+        (MeshSize::Default, "Default meshes, full physics (published figures are of the small meshes)"),
     ] {
         let _ = write!(text, "\n{title}\n{HEAD}");
         bench.rows.iter().filter(|r| r.mesh == mesh).for_each(|r| row(&mut text, r));
@@ -62,9 +62,9 @@ fn original(text: &mut String, bench: &PaperBench) {
     let steps = engine.heat_step_ms.map(|(vertices, ms)| format!("{ms} ms at {vertices}"));
     let _ = writeln!(
         text,
-        "\nThe original's engine on a machine of two cores (one thread, steps of 1/60 s): rigid bodies alone {:.0} steps/s\n\
-         with 20 mixed pieces, {:.0} with 35 shrimps of three hulls each; a step of heat\n{} vertices.\n\
-         That makes about {:.0} cycles/s with 35 shrimps.",
+        "\nThe engine of the original on a machine with two cores (one thread, steps of 1/60 s): rigid bodies alone {:.0} steps/s\n\
+         with 20 mixed pieces, {:.0} with 35 shrimps of three hulls each; a heat step takes\n{} vertices.\n\
+         Together about {:.0} cycles/s with 35 shrimps.",
         engine.rigid_20_mixed_per_s,
         engine.rigid_35_shrimps_per_s,
         steps.join(", "),
@@ -75,7 +75,7 @@ fn original(text: &mut String, bench: &PaperBench) {
 fn scaling(text: &mut String, scaling: &Scaling) {
     let _ = writeln!(
         text,
-        "\nCost against pieces (half carrots, half shrimps, meshes of 2013, at rest): to the power of {:.2} where the floor\n\
+        "\nCost against number of pieces (half carrots, half shrimps, meshes of 2013, at rest): power of {:.2} if the floor\n\
          grows with them; goal at most {} – {}",
         scaling.exponent,
         scaling.goal,

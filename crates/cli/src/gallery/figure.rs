@@ -1,43 +1,43 @@
-//! What the gallery shows: figures of panels, each a moment of a cook seen in one way.
+//! The figures of the gallery: panels, each a view of a cook at one time.
 
-use saute_app::View;
+use saute_picture::View;
 
-/// Where the eye is.
+/// Position of the camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Eye {
     /// Near one piece.
     Piece,
-    /// Near one piece, on the side to which its cut looks.
+    /// Near one piece, on the side of its cut.
     Cut,
-    /// Over the whole pan.
+    /// Above the whole pan.
     Pan,
 }
 
 /// One picture of a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Panel {
-    /// Which cook: the name of a file in `gallery/`.
+    /// Cook: the name of a file in `gallery/`.
     pub cook: &'static str,
     /// Time after the first food went into the pan [s].
     pub after_s: f64,
-    /// What the colours mean.
+    /// View: the meaning of the colours.
     pub view: View,
-    /// Where the eye is.
+    /// Position of the camera.
     pub eye: Eye,
 }
 
 /// A figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
-    /// Name of its file, without the ending.
+    /// Name of its file, without the extension.
     pub name: &'static str,
-    /// What it is of.
+    /// Title.
     pub title: &'static str,
-    /// What there is to see.
+    /// Caption.
     pub caption: &'static str,
-    /// Its pictures, row by row.
-    pub panels: Vec<Panel>,
-    /// Pictures in a row.
+    /// Panels, row by row.
+    pub panels: &'static [Panel],
+    /// Number of panels in a row.
     pub columns: usize,
 }
 
@@ -51,69 +51,87 @@ pub const COOKS: [(&str, &str); 6] = [
     ("stir-fried", include_str!("../../../../gallery/stir-fried.toml")),
 ];
 
-/// All figures, in the order of the paper's.
-pub fn figures() -> Vec<Figure> {
-    let panel = |cook, after_s, view, eye| Panel { cook, after_s, view, eye };
-    let looks = |cook, times: &[f64], eye| times.iter().map(|t| panel(cook, *t, View::Look, eye)).collect::<Vec<_>>();
-    vec![
-        Figure {
-            name: "1-one-side",
-            title: "A steak heated from one side",
-            caption: "The cut at four times. Heat climbs from the pan; flesh turns from red over pink to grey-brown from below, and browns where it touches.",
-            panels: looks("one-side", &[10.0, 90.0, 180.0, 360.0], Eye::Cut),
-            columns: 2,
-        },
-        Figure {
-            name: "2-turned",
-            title: "The same steak, turned after three minutes",
-            caption: "The cut just before it is turned and three times after. The browned face lies above; the band below it goes on cooking from its own heat while the other face catches up.",
-            panels: looks("turned", &[178.0, 190.0, 260.0, 420.0], Eye::Cut),
-            columns: 2,
-        },
-        Figure {
-            name: "3-temperature",
-            title: "Temperature and look at one instant",
-            caption: "Outside and cut, 80 seconds after it was turned: the temperature on the left, what the eye sees on the right.",
-            panels: vec![
-                panel("turned", 260.0, View::Temperature, Eye::Piece),
-                panel("turned", 260.0, View::Look, Eye::Piece),
-                panel("turned", 260.0, View::Temperature, Eye::Cut),
-                panel("turned", 260.0, View::Look, Eye::Cut),
-            ],
-            columns: 2,
-        },
-        Figure {
-            name: "4-lean-and-marbled",
-            title: "Lean and marbled",
-            caption: "Left lean, right marbled: raw, the cut after 90 seconds, and its temperature. Fat conducts heat less well than flesh and holds less of it, so that heat takes other ways round the seams.",
-            panels: vec![
-                panel("one-side", 2.0, View::Look, Eye::Piece),
-                panel("marbled", 2.0, View::Look, Eye::Piece),
-                panel("one-side", 90.0, View::Look, Eye::Cut),
-                panel("marbled", 90.0, View::Look, Eye::Cut),
-                panel("one-side", 90.0, View::Temperature, Eye::Cut),
-                panel("marbled", 90.0, View::Temperature, Eye::Cut),
-            ],
-            columns: 2,
-        },
-        Figure {
-            name: "5-untouched-and-turned",
-            title: "Carrots, shrimps and leeks: untouched and turned",
-            caption: "Left nobody touches the pan, right everything is turned every minute: after one minute and after nearly four.",
-            panels: vec![
-                panel("untouched", 60.0, View::Look, Eye::Pan),
-                panel("turned-often", 60.0, View::Look, Eye::Pan),
-                panel("untouched", 230.0, View::Look, Eye::Pan),
-                panel("turned-often", 230.0, View::Look, Eye::Pan),
-            ],
-            columns: 2,
-        },
-        Figure {
-            name: "6-stir-fried",
-            title: "Carrots, leeks and shrimps, stir-fried",
-            caption: "Shaken and tossed all the time: in the air, at half time, and at the end.",
-            panels: looks("stir-fried", &[20.0, 115.0, 240.0], Eye::Pan),
-            columns: 3,
-        },
-    ]
+const fn panel(cook: &'static str, after_s: f64, view: View, eye: Eye) -> Panel {
+    Panel { cook, after_s, view, eye }
 }
+
+const fn look(cook: &'static str, after_s: f64, eye: Eye) -> Panel {
+    panel(cook, after_s, View::Look, eye)
+}
+
+/// All figures, in the order of the paper.
+pub const FIGURES: [Figure; 6] = [
+    Figure {
+        name: "1-one-side",
+        title: "A steak heated from one side",
+        caption: "The cut at four times. Heat climbs from the pan; flesh turns from red over pink to grey-brown from below, and browns where it touches.",
+        panels: &[
+            look("one-side", 10.0, Eye::Cut),
+            look("one-side", 90.0, Eye::Cut),
+            look("one-side", 180.0, Eye::Cut),
+            look("one-side", 360.0, Eye::Cut),
+        ],
+        columns: 2,
+    },
+    Figure {
+        name: "2-turned",
+        title: "The same steak, turned after three minutes",
+        caption: "The cut just before it is turned and three times after. The browned face lies above; the band below it goes on cooking from its own heat while the other face catches up.",
+        panels: &[
+            look("turned", 178.0, Eye::Cut),
+            look("turned", 190.0, Eye::Cut),
+            look("turned", 260.0, Eye::Cut),
+            look("turned", 420.0, Eye::Cut),
+        ],
+        columns: 2,
+    },
+    Figure {
+        name: "3-temperature",
+        title: "Temperature and look at one instant",
+        caption: "Outside and cut, 80 seconds after it was turned: the temperature on the left, what the eye sees on the right.",
+        panels: &[
+            panel("turned", 260.0, View::Temperature, Eye::Piece),
+            look("turned", 260.0, Eye::Piece),
+            panel("turned", 260.0, View::Temperature, Eye::Cut),
+            look("turned", 260.0, Eye::Cut),
+        ],
+        columns: 2,
+    },
+    Figure {
+        name: "4-lean-and-marbled",
+        title: "Lean and marbled",
+        caption: "Left lean, right marbled: raw, the cut after 90 seconds, and its temperature. Fat conducts heat less well than flesh and holds less of it, so that heat takes other ways round the seams.",
+        panels: &[
+            look("one-side", 2.0, Eye::Piece),
+            look("marbled", 2.0, Eye::Piece),
+            look("one-side", 90.0, Eye::Cut),
+            look("marbled", 90.0, Eye::Cut),
+            panel("one-side", 90.0, View::Temperature, Eye::Cut),
+            panel("marbled", 90.0, View::Temperature, Eye::Cut),
+        ],
+        columns: 2,
+    },
+    Figure {
+        name: "5-untouched-and-turned",
+        title: "Carrots, shrimps and leeks: untouched and turned",
+        caption: "Left nobody touches the pan, right everything is turned every minute: after one minute and after nearly four.",
+        panels: &[
+            look("untouched", 60.0, Eye::Pan),
+            look("turned-often", 60.0, Eye::Pan),
+            look("untouched", 230.0, Eye::Pan),
+            look("turned-often", 230.0, Eye::Pan),
+        ],
+        columns: 2,
+    },
+    Figure {
+        name: "6-stir-fried",
+        title: "Carrots, leeks and shrimps, stir-fried",
+        caption: "Shaken and tossed all the time: in the air, at half time, and at the end.",
+        panels: &[
+            look("stir-fried", 20.0, Eye::Pan),
+            look("stir-fried", 115.0, Eye::Pan),
+            look("stir-fried", 240.0, Eye::Pan),
+        ],
+        columns: 3,
+    },
+];

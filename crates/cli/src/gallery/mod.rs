@@ -1,4 +1,4 @@
-//! `saute gallery`: the figures of the 2013 paper with our own foods, each with its numbers.
+//! `saute gallery`: the figures of the 2013 paper with this simulator's foods, each with its numbers.
 
 mod figure;
 mod moment;
@@ -8,22 +8,23 @@ mod plate;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use saute_app::headless::Gpu;
-use saute_app::png_file::png_bytes;
-use saute_app::shot::ShotError;
 use saute_kitchen::library::DEFAULT_SCALE;
+use saute_picture::still::headless::Gpu;
+use saute_picture::still::png_file::png_bytes;
+use saute_picture::still::shot::ShotError;
 
+use self::figure::{COOKS, FIGURES};
 use crate::error::CliError;
-use crate::out_dir::OutDir;
-use crate::picture::size;
-use crate::progress::Progress;
-use crate::shelf::Shelf;
-use crate::stderr;
+use crate::input::data_library::DataLibrary;
+use crate::output::out_dir::OutDir;
+use crate::output::progress::Progress;
+use crate::output::stderr;
+use crate::picture::size::size;
 
 /// `saute gallery`.
 #[derive(Debug, clap::Args)]
 pub struct GalleryArgs {
-    /// Folder for the figures (PNG) and the page with their numbers (gallery.md); made if it is missing.
+    /// Folder for the figures (PNG) and the page with their numbers (gallery.md); created if missing.
     #[arg(long, value_name = "DIR", default_value = "gallery-out")]
     pub out: PathBuf,
     /// Size of one panel in pixels.
@@ -31,30 +32,26 @@ pub struct GalleryArgs {
     pub size: [u32; 2],
 }
 
-/// Room that the files of a gallery need at most, per pixel of a panel [bytes] (chosen: 26 panels, 3 bytes a pixel).
-const BYTES_PER_PIXEL: u64 = 26 * 3;
-
-/// Cooks, draws and writes the gallery.
-pub fn run(args: &GalleryArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
-    let figures = figure::figures();
-    let scale = shelf.scale(DEFAULT_SCALE)?;
-    let out = OutDir::prepare(&args.out, BYTES_PER_PIXEL * u64::from(args.size[0]) * u64::from(args.size[1]))?;
+/// Cooks the recipes of the gallery, renders its figures and writes them.
+pub fn run(args: &GalleryArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
+    let scale = data.scale(DEFAULT_SCALE)?;
+    let out = OutDir::prepare(&args.out)?;
     let gpu = Gpu::open().map_err(ShotError::from)?;
-    let progress = Progress::over((figure::COOKS.len() + figures.len()) as u64);
+    let progress = Progress::over((COOKS.len() + FIGURES.len()) as u64);
     let mut moments = Vec::new();
-    for (cook, _) in figure::COOKS {
+    for (cook, _) in COOKS {
         progress.next(format!("cooking {cook}"));
-        moments.extend(moment::moments(cook, &figures, &shelf.library)?);
+        moments.extend(moment::moments(cook, &data.library)?);
     }
     let mut files = Vec::new();
-    for figure in &figures {
+    for figure in &FIGURES {
         progress.next(format!("drawing {}", figure.title));
         let picture = plate::plate(&gpu, figure, &moments, &scale, args.size);
         files.push((format!("{}.png", figure.name), png_bytes(&picture)?));
     }
-    files.push(("gallery.md".to_owned(), page::page(&figures, &moments).into_bytes()));
-    let (count, place) = (figures.len(), out.place());
+    files.push(("gallery.md".to_owned(), page::page(&moments).into_bytes()));
+    let place = out.place();
     out.fill(files)?;
-    stderr::say(format!("{count} figures and gallery.md are in {place}"));
+    stderr::say(format!("{} figures and gallery.md are in {place}", FIGURES.len()));
     Ok(ExitCode::SUCCESS)
 }

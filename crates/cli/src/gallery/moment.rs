@@ -1,16 +1,17 @@
-//! A cook of the gallery at one moment: kitchen and numbers.
+//! A cook of the gallery at one time: kitchen and numbers.
 
-use saute_app::shot::ShotError;
-use saute_kitchen::summary::Summary;
-use saute_kitchen::{Cook, Kitchen, Library, Piece, Recipe, TICK_S};
+use saute_kitchen::{Kitchen, Library, Piece, TICK_S};
+use saute_picture::still::shot::ShotError;
+use saute_recipe::summary::Summary;
+use saute_recipe::{Cook, Recipe};
 
-use super::figure::{COOKS, Figure};
+use super::figure::{COOKS, FIGURES};
 
-/// A kitchen as it stands at a time after the first food went in, and its numbers.
+/// A kitchen at a time after the first food was put in, with its numbers.
 pub struct Moment {
-    /// Which cook.
+    /// Name of the cook.
     pub cook: &'static str,
-    /// Time after the first food went in [s].
+    /// Time after the first food was put in [s].
     pub after_s: f64,
     /// The kitchen.
     pub kitchen: Kitchen,
@@ -18,9 +19,9 @@ pub struct Moment {
     pub summary: Summary,
 }
 
-/// Plays a cook once and keeps every moment that some figure shows.
-pub fn moments(cook: &'static str, figures: &[Figure], library: &Library) -> Result<Vec<Moment>, ShotError> {
-    let panels = figures.iter().flat_map(|figure| &figure.panels);
+/// Plays a cook once and keeps every moment that a figure shows.
+pub fn moments(cook: &'static str, library: &Library) -> Result<Vec<Moment>, ShotError> {
+    let panels = FIGURES.iter().flat_map(|figure| figure.panels);
     let mut times: Vec<f64> = panels.filter(|panel| panel.cook == cook).map(|panel| panel.after_s).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();

@@ -2,18 +2,18 @@
 
 use std::fmt::Write;
 
-use saute_kitchen::summary::FoodSummary;
+use saute_recipe::summary::FoodSummary;
 
-use super::figure::{Figure, Panel};
+use super::figure::{FIGURES, Figure, Panel};
 use super::moment::Moment;
 use super::plate::moment_of;
 
-/// The whole page in Markdown.
-pub fn page(figures: &[Figure], moments: &[Moment]) -> String {
+/// Returns the page as Markdown.
+pub fn page(moments: &[Moment]) -> String {
     let mut text = String::from(
-        "# Gallery\n\nThe figures of the 2013 paper with this simulator's foods, drawn by `saute gallery`. Every picture is a moment of a\ncook in `gallery/`; the numbers under it are those of the same moment.\n",
+        "# Gallery\n\nThe figures of the 2013 paper with this simulator's foods, drawn by `saute gallery`. Every picture shows a moment of a\ncook in `gallery/`; the numbers below it belong to the same moment.\n",
     );
-    for (number, figure) in figures.iter().enumerate() {
+    for (number, figure) in FIGURES.iter().enumerate() {
         let _ = write!(
             text,
             "\n## {}. {}\n\n![{}]({}.png)\n\n{}\n\n",
@@ -49,7 +49,7 @@ fn same_moment(a: &Panel, b: &Panel) -> bool {
     a.cook == b.cook && a.after_s == b.after_s
 }
 
-/// Groups by their means, and what is in no group.
+/// Returns the means of the groups and the foods outside groups.
 fn shown(moment: &Moment) -> impl Iterator<Item = &FoodSummary> {
     let alone = moment.summary.foods.iter().filter(|food| food.group.is_none());
     moment.summary.groups.iter().map(|group| &group.mean).chain(alone)

@@ -1,33 +1,34 @@
-//! Draws the panels of a figure and lays them side by side.
+//! Renders the panels of a figure into one picture.
 
 use std::sync::Arc;
 
-use saute_app::Picture;
-use saute_app::headless::{Gpu, still};
-use saute_app::scene::camera::Camera;
-use saute_app::scene::quality::Quality;
-use saute_app::shot::ShotOptions;
-use saute_app::stage::nearness;
 use saute_kitchen::Kitchen;
 use saute_kitchen::food::Scale;
+use saute_picture::Picture;
+use saute_picture::stage::nearness;
+use saute_picture::still::headless::{Gpu, still};
+use saute_picture::still::shot::ShotOptions;
+use saute_scene::camera::Camera;
+use saute_scene::quality::Quality;
 
 use super::figure::{Eye, Figure, Panel};
 use super::moment::Moment;
 
-/// Pixels between two panels (chosen).
+/// Gap between two panels [px] (chosen).
 const GAP: usize = 8;
-/// Grey between them (chosen: that of a dark page).
+/// Colour of the gap (chosen: that of a dark page).
 const GROUND: [u8; 4] = [24, 24, 24, 255];
-/// Distance from one steak, and from the pan [m] (chosen: they fill the picture).
+/// Distance of the camera from a steak [m] (chosen: it fills the picture).
 const NEAR: f32 = 0.215;
+/// Distance of the camera from the pan [m] (chosen: it fills the picture).
 const OVER_PAN: f32 = 0.36;
 
-/// The moment that a panel shows.
+/// Returns the moment that a panel shows.
 pub fn moment_of<'a>(panel: &Panel, moments: &'a [Moment]) -> Option<&'a Moment> {
     moments.iter().find(|m| m.cook == panel.cook && m.after_s == panel.after_s)
 }
 
-/// Draws a figure; `size` is that of one panel in pixels.
+/// Renders a figure; `size` is the size of one panel [px].
 pub fn plate(gpu: &Gpu, figure: &Figure, moments: &[Moment], scale: &Arc<Scale>, size: [u32; 2]) -> Picture {
     let [width, height] = size.map(|n| n as usize);
     let rows = figure.panels.len().div_ceil(figure.columns);

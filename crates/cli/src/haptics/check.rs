@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use saute_haptics::control_loop::{ControlLoop, LoopState};
 use saute_haptics::simulator::open_or_simulate;
 use saute_haptics::{Geometry, Health, Named, shelf};
+use saute_kitchen::Library;
 
 use super::fault_run;
 use super::fry::Fry;
@@ -13,34 +14,34 @@ use super::network_check;
 use super::report::CheckReport;
 use super::truth;
 use crate::error::CliError;
-use crate::shelf::Shelf;
-use crate::{stderr, stdout};
+use crate::exit_code;
+use crate::output::{json, stderr, stdout};
 
-/// How long a device may take to be found and to pass its jig [s] (chosen: a person with a jig of 17 places).
+/// Longest times to find a device and to calibrate it on its jig [s] (chosen: a person with a jig of 17 places).
 const PATIENCE_S: [f64; 2] = [30.0, 300.0];
-/// Time after the jig that is left out: the hand begins to move, forces grow [s] (chosen).
+/// Time after the calibration that is not measured: the hand starts to move and forces grow [s] (chosen).
 const SETTLING_S: f64 = 1.0;
-/// Time for which there is room in the log beyond the check itself [s] (chosen: jig and faults).
+/// Capacity of the log beyond the measurement [s] (chosen: calibration and faults).
 const MORE_LOG_S: f64 = 60.0;
 
 /// `saute haptics check`.
 #[derive(Debug, clap::Args)]
 pub struct CheckArgs {
-    /// A device of `saute haptics list` or a geometry file. Strings are simulated; with @HOST:PORT or @SERIAL-PORT the real
-    /// ones there. phone, haply and osc are real, on this machine alone unless @HOST:PORT says otherwise (phone@0.0.0.0:8443:
-    /// the whole network).
+    /// Device: a name from `saute haptics list` or a geometry file. String devices are simulated unless @HOST:PORT or
+    /// @SERIAL-PORT names a real one. phone, haply and osc are real; they are served to this machine only unless @HOST:PORT
+    /// names another address (phone@0.0.0.0:8443: the whole network).
     #[arg(long, value_name = "NAME", default_value = shelf::DEFAULT_DEVICE)]
     pub device: String,
-    /// Pairing code that the real device shows.
+    /// Pairing code that the real device displays.
     #[arg(long, value_name = "CODE", default_value_t = 0)]
     pub pairing: u32,
-    /// How long a phone, haply or osc may take to be found [s]; two minutes unless given.
+    /// Longest time to find a phone, haply or osc [s] [default: 120].
     #[arg(long, value_name = "S")]
     pub wait_s: Option<f64>,
-    /// How long to measure [s].
+    /// Duration of the measurement [s].
     #[arg(long, value_name = "S", default_value_t = 60.0)]
     pub for_s: f64,
-    /// Lets things go wrong afterwards; needs the simulator.
+    /// Injects faults after the measurement; needs the simulator.
     #[arg(long)]
     pub faults: bool,
     /// Prints the numbers as JSON.
@@ -48,36 +49,36 @@ pub struct CheckArgs {
     pub json: bool,
 }
 
-/// Runs the loop, measures, tells.
-pub fn check(args: &CheckArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+/// Runs the control loop, measures it and prints the numbers.
+pub fn check(args: &CheckArgs, library: &Library) -> Result<ExitCode, CliError> {
     if !(1.0..=3600.0).contains(&args.for_s) {
         return Err(CliError::place(format!("--for-s {}", args.for_s), "is out of range", "give 1 to 3600 seconds"));
     }
     let named = Named::parse(&args.device)?;
     if args.faults && !named.is_simulated() {
-        let remedy = "leave --faults away, or check a simulated device of strings";
-        return Err(CliError::place("--faults", "a real device cannot be told to fail", remedy));
+        let remedy = "leave out --faults, or check a simulated string device";
+        return Err(CliError::place("--faults", "faults cannot be injected into a real device", remedy));
     }
     let (json, text, is_met) = match named.geometry() {
         Some(geometry) => {
-            let report = measure(args, &named, geometry, shelf)?.judged();
-            (serde_json::to_string_pretty(&report)?, report.text(), report.missed.is_empty())
+            let report = measure(args, &named, geometry, library)?.judged();
+            (json::text(&report)?, report.text(), report.missed.is_empty())
         }
         None => {
-            let report = network_check::measure(args, &named, shelf)?;
-            (serde_json::to_string_pretty(&report)?, report.text(), report.missed.is_empty())
+            let report = network_check::measure(args, &named, library)?;
+            (json::text(&report)?, report.text(), report.missed.is_empty())
         }
     };
-    stdout::print(&if args.json { json + "\n" } else { text })?;
-    Ok(if is_met { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    stdout::print(&if args.json { json } else { text })?;
+    Ok(exit_code::of_goal(is_met))
 }
 
-fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, shelf: &Shelf) -> Result<CheckReport, CliError> {
+fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, library: &Library) -> Result<CheckReport, CliError> {
     let truth_file = TruthFile::new();
     let (opened, mut simulator) = open_or_simulate(named, args.pairing, Some(&truth_file.0))?;
     let feel = shelf::feel()?;
     let rows = (args.for_s + MORE_LOG_S) * geometry.drive.rate_hz;
-    let mut fry = Fry::new(&shelf.library, ControlLoop::start(opened.device, &feel, rows as usize)?)?;
+    let mut fry = Fry::new(library, ControlLoop::start(opened.device, &feel, rows as usize)?)?;
     calibrate(&mut fry, named, geometry)?;
     let before = fry.control.state();
     stderr::say(format!("measuring for {} s", args.for_s));
@@ -85,19 +86,16 @@ fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, shelf: &Shelf) 
     let after = fry.control.state();
     let contents_kg = fry.contents_kg();
     let force_limit_n = geometry.limits.force_n;
-    let faults = match (&mut simulator, args.faults) {
-        (Some(simulator), true) => {
-            stderr::say("letting things go wrong");
-            fault_run::run(&mut fry, simulator, force_limit_n)
-        }
-        _ => Vec::new(),
+    let faults = match simulator.as_mut().filter(|_| args.faults) {
+        Some(simulator) => fault_run::run(&mut fry, simulator, force_limit_n),
+        None => Vec::new(),
     };
     let kitchen_hz = fry.rate_hz();
     let run = fry.control.end()?;
+    let measured = [before.sample.time_s, after.sample.time_s];
     let errors = match &mut simulator {
         Some(simulator) => {
             simulator.end();
-            let measured = [before.sample.time_s, after.sample.time_s];
             truth::compare(&truth_file.0, &run.log, measured, &geometry.preload())?
         }
         None => None,
@@ -132,39 +130,44 @@ fn calibrate(fry: &mut Fry, named: &Named, geometry: &Geometry) -> Result<(), Cl
         return Err(not_there(health));
     }
     stderr::say(format!("found; put the pan into each of the {} places of its jig", geometry.jig.pose.len()));
-    let settled = |s: &LoopState| matches!(s.sample.health, Health::Running | Health::Misfit);
-    fry.until(jig, settled);
-    match fry.control.state().sample.health {
-        Health::Running => {}
-        Health::Misfit => {
-            let remedy = "check how its strings are led, and that this is its geometry file";
-            return Err(CliError::place(&named.name, "what was measured on the jig does not fit the drawing", remedy));
-        }
-        _ => {
-            let remedy = "leave the pan in each place of the jig until all have been measured";
-            return Err(CliError::place(&named.name, "was not calibrated in time", remedy));
-        }
+    let is_done = |s: &LoopState| matches!(s.sample.health, Health::Running | Health::Misfit);
+    fry.until(jig, is_done);
+    let health = fry.control.state().sample.health;
+    if health != Health::Running {
+        return Err(not_calibrated(named, health));
     }
     fry.until(SETTLING_S, |_| false);
     Ok(())
 }
 
-/// What to do where no device has come.
+/// Returns the error of a device that has been found but not calibrated.
+fn not_calibrated(named: &Named, health: Health) -> CliError {
+    let (message, remedy) = match health {
+        Health::Misfit => (
+            "the measurements on the jig do not match the geometry file",
+            "check the routing of its strings, and that this is its geometry file",
+        ),
+        _ => ("was not calibrated in time", "leave the pan in each place of the jig until all have been measured"),
+    };
+    CliError::place(&named.name, message, remedy)
+}
+
+/// Returns the error of a device that has not been found.
 pub fn not_there(health: Health) -> CliError {
     let (message, remedy) = match health {
         Health::WrongCode => ("refuses the pairing code", "give the code that the device shows: --pairing CODE"),
         Health::WrongUnits => (
-            "states units, strings or a version that this program does not speak",
-            "see docs/spidar-protocol.md; it must speak nanometres, millinewtons and microseconds",
+            "uses units, strings or a protocol version that this program does not support",
+            "see docs/spidar-protocol.md: the units are nanometres, millinewtons and microseconds",
         ),
         Health::Fault => ("reports a fault", "look at the device"),
-        Health::Uncalibrated => ("is not calibrated", "calibrate it as its maker says"),
+        Health::Uncalibrated => ("is not calibrated", "calibrate it as its manual says"),
         _ => ("does not answer", "switch it on, and check its address, network and pairing code"),
     };
     CliError::place("the device", message, remedy)
 }
 
-/// A temporary file that goes away with this.
+/// A temporary file that is removed on drop.
 struct TruthFile(PathBuf);
 
 impl TruthFile {

@@ -1,4 +1,4 @@
-//! What goes wrong on purpose, and what comes of it.
+//! Injected faults and their outcomes.
 
 use std::time::Instant;
 
@@ -7,29 +7,31 @@ use saute_haptics::{Health, Simulator};
 use serde::Serialize;
 
 use super::fry::Fry;
+use crate::output::stderr;
 
-/// How long each fault lasts [s] (chosen: long enough for a loop to run away).
+/// Duration of each fault [s] (chosen: long enough for an unstable loop to diverge).
 const LASTS_S: f64 = 3.0;
-/// How long the cable is out [s] (chosen).
+/// Time without the cable [s] (chosen).
 const UNPLUGGED_S: f64 = 1.5;
-/// Time in which forces have grown again [s] (chosen: twice the soft start).
+/// Time in which forces are back at full strength [s] (chosen: twice the soft start).
 const SOFT_START_S: f64 = 1.0;
-/// How long to wait for the device to come back [s] (chosen: a refused device is asked again after one).
+/// Longest time until the device is back [s] (chosen: a refused device is tried again after 1 s).
 const BACK_S: f64 = 5.0;
 
 /// One fault and its outcome.
 #[derive(Debug, Serialize)]
 pub struct FaultOutcome {
-    /// Which.
+    /// Name of the fault.
     pub kind: &'static str,
-    /// What came of it, in words.
+    /// Outcome in words.
     pub outcome: String,
-    /// Whether that is as it should be.
+    /// True if the outcome is correct.
     pub passed: bool,
 }
 
-/// Runs all faults, one after the other.
+/// Injects all faults, one after the other.
 pub fn run(fry: &mut Fry, simulator: &mut Simulator, force_limit_n: f64) -> Vec<FaultOutcome> {
+    stderr::say("injecting faults");
     let mut bench = Bench { fry, simulator, force_limit_n };
     vec![
         bench.noisy("packet loss 1 %", "loss 0.01"),
@@ -37,7 +39,7 @@ pub fn run(fry: &mut Fry, simulator: &mut Simulator, force_limit_n: f64) -> Vec<
         bench.noisy("malformed packets 5 %", "malformed 0.05"),
         bench.unplugged(),
         bench.wrong_units(),
-        bench.silent_kitchen(),
+        bench.no_contact_model(),
     ]
 }
 
@@ -52,13 +54,13 @@ fn is_running(state: &LoopState) -> bool {
 }
 
 impl Bench<'_> {
-    /// Waits; tells how long [s], none if it was in vain.
+    /// Waits until `enough` returns true and returns the time that it took [s]; none after `seconds`.
     fn wait(&mut self, seconds: f64, enough: impl FnMut(&LoopState) -> bool) -> Option<f64> {
         let begun = Instant::now();
         self.fry.until(seconds, enough).then(|| begun.elapsed().as_secs_f64())
     }
 
-    /// A fault under which the loop must go on.
+    /// Injects a fault that the loop must survive.
     fn noisy(&mut self, kind: &'static str, order: &str) -> FaultOutcome {
         let before = self.fry.control.state();
         self.simulator.order(order);
@@ -77,7 +79,7 @@ impl Bench<'_> {
         let passed = !lost && farthest < 0.5 && after.max_force_n <= self.force_limit_n && after.passivity_j >= 0.0;
         let ran = if lost { "lost for a while" } else { "ran on" };
         let outcome = format!(
-            "{ran}; {dropouts} dropouts, {rejected} messages thrown away, largest force {:.1} N",
+            "{ran}; {dropouts} dropouts, {rejected} messages rejected, largest force {:.1} N",
             after.max_force_n
         );
         FaultOutcome { kind, outcome, passed }
@@ -112,7 +114,7 @@ impl Bench<'_> {
         let passed = refused.is_some() && back.is_some();
         let outcome = match (refused, back) {
             (Some(_), Some(back)) => format!(
-                "refused: tension in gram-force, this program speaks millinewtons; running {back:.2} s after it was mended"
+                "refused: tension in gram-force, this program uses millinewtons; running {back:.2} s after it was corrected"
             ),
             (Some(_), None) => "refused, but it did not come back".into(),
             _ => "was not noticed".into(),
@@ -120,15 +122,15 @@ impl Bench<'_> {
         FaultOutcome { kind: "wrong units", outcome, passed }
     }
 
-    fn silent_kitchen(&mut self) -> FaultOutcome {
+    fn no_contact_model(&mut self) -> FaultOutcome {
         self.fry.until(SOFT_START_S, |_| false);
-        self.fry.silence(true);
+        self.fry.pause_contact_model(true);
         let faded = self.wait(2.0, |s| !s.command.enabled);
-        self.fry.silence(false);
+        self.fry.pause_contact_model(false);
         let back = self.wait(2.0, |s| s.command.enabled);
         let outcome = match (faded, back) {
             (Some(faded), Some(_)) => {
-                format!("faded to the least tension within {faded:.2} s, back with the next model")
+                format!("faded to the minimum tension within {faded:.2} s, back with the next model")
             }
             (Some(_), None) => "faded, but forces did not come back".into(),
             _ => "forces did not fade".into(),

@@ -8,7 +8,7 @@ use saute_haptics::{Capabilities, Geometry, Rendering, shelf};
 use serde::Serialize;
 
 use crate::error::CliError;
-use crate::stdout;
+use crate::output::{json, stdout};
 
 /// `saute haptics list`.
 #[derive(Debug, clap::Args)]
@@ -24,14 +24,14 @@ struct Entry {
     id: String,
     capabilities: Capabilities,
     rendering: Rendering,
-    /// Where it is unless a place is given; none for strings, which are simulated then.
+    /// Default address; none for string devices, which are simulated by default.
     #[serde(skip_serializing_if = "Option::is_none")]
     place: Option<&'static str>,
     #[serde(flatten)]
     strings: Option<Strings>,
 }
 
-/// What only devices of strings have.
+/// Properties of string devices only.
 #[derive(Debug, Serialize)]
 struct Strings {
     encoder_pitch_um: f64,
@@ -57,7 +57,7 @@ impl Strings {
             numbers.collect::<Vec<_>>().join("  ")
         };
         format!(
-            "    strings {}–{} N, {} µm a count, preload {} N\n    shows at home towards +  {}\n                  towards −  {}   (N, N·m)\n    smallest singular value {:.2} at home, {:.2} over the workspace; {} of {} poses singular\n",
+            "    strings {}–{} N, {} µm per count, preload {} N\n    shows at home towards +  {}\n                  towards −  {}   (N, N·m)\n    smallest singular value {:.2} at home, {:.2} over the workspace; {} of {} poses singular\n",
             self.tension_n[0],
             self.tension_n[1],
             self.encoder_pitch_um,
@@ -94,7 +94,7 @@ impl Entry {
             c.sensed.dof(),
             c.dof_actuated,
             c.rate_hz,
-            if c.holds_real_pan { "holds a real pan" } else { "the hand holds no pan" },
+            if c.holds_real_pan { "holds a real pan" } else { "holds no real pan" },
         );
         let half = c.workspace.half_m.map(|m| format!("{:.0}", m * 1e3)).join(" × ");
         let workspace = format!("workspace ±{half} mm, ±{:.0}°", c.workspace.tilt_rad.to_degrees());
@@ -105,27 +105,23 @@ impl Entry {
                 l.force_n, l.torque_nm, l.stiffness_n_m
             ),
             Rendering::Force => format!(
-                "    force up to {} N, stiffness {} N/m, torques are seen; {workspace}\n",
+                "    force up to {} N, stiffness {} N/m, torques are shown on the screen; {workspace}\n",
                 l.force_n, l.stiffness_n_m
             ),
-            Rendering::Rumble => format!("    rumbles, weights are seen; {workspace}\n"),
-            Rendering::SoundAndPicture => format!("    nothing is felt, all is heard and seen; {workspace}\n"),
+            Rendering::Rumble => format!("    rumbles, weights are shown on the screen; {workspace}\n"),
+            Rendering::SoundAndPicture => format!("    no forces: sound and picture only; {workspace}\n"),
         };
-        let at = |p: &str| format!("    at {p} unless @HOST:PORT is given: this machine alone\n");
+        let at = |p: &str| format!("    at {p} unless @HOST:PORT is given: this machine only\n");
         text += &self.place.map_or_else(String::new, at);
         text + &self.strings.as_ref().map_or_else(String::new, Strings::text)
     }
 }
 
-/// Prints devices and what they can do.
+/// Prints the devices and their capabilities.
 pub fn list(args: &DevicesArgs) -> Result<ExitCode, CliError> {
     let strings = shelf::devices()?.into_iter().map(Entry::of_strings);
     let entries: Vec<Entry> = strings.chain(NETWORKED.iter().map(Entry::of_network)).collect();
-    let text = if args.json {
-        serde_json::to_string_pretty(&entries)? + "\n"
-    } else {
-        entries.iter().map(Entry::text).collect()
-    };
+    let text = if args.json { json::text(&entries)? } else { entries.iter().map(Entry::text).collect() };
     stdout::print(&text)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -1,4 +1,4 @@
-//! `saute haptics`: devices that hands hold.
+//! `saute haptics`: lists and checks haptic devices.
 
 mod check;
 mod fault_run;

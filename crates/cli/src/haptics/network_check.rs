@@ -1,20 +1,20 @@
-//! `saute haptics check` of a device without strings: it is found, it leads the kitchen's pan, and what comes of it is counted.
+//! `saute haptics check` of a device without strings: it moves the pan, and messages, motion and forces are measured.
 
 use saute_haptics::control_loop::{ControlLoop, LogRow, LoopState};
 use saute_haptics::{Health, Named, Pose, Rendering, shelf};
+use saute_kitchen::Library;
 use serde::Serialize;
 
 use super::check::{CheckArgs, not_there};
 use super::fry::Fry;
 use crate::error::CliError;
-use crate::shelf::Shelf;
-use crate::stderr;
+use crate::output::stderr;
 
-/// How long a device may take to be found [s] (chosen: a person who looks for a phone and types a code).
+/// Longest time to find a device [s] (chosen: a person fetches a phone and types a code).
 const PATIENCE_S: f64 = 120.0;
-/// Messages come at least so often [Hz] (chosen: half of what the page sends; less is felt as a drag).
+/// Lowest rate of messages [Hz] (chosen: half of what the page sends; a lower rate feels sluggish).
 const LEAST_HZ: f64 = 30.0;
-/// A rounding of the device's own report of forces [N].
+/// Rounding of the forces that the device reports [N].
 const ROUNDING_N: f64 = 0.01;
 
 /// All numbers, as `--json` prints them.
@@ -22,39 +22,39 @@ const ROUNDING_N: f64 = 0.01;
 pub struct NetworkReport {
     /// Device.
     pub device: String,
-    /// What it shows of what a hand should feel.
+    /// How it renders forces.
     pub rendering: Rendering,
-    /// Exchanges a second [Hz].
+    /// Rate of exchanges [Hz].
     pub rate_hz: f64,
-    /// New messages a second while it was measured [Hz].
+    /// Rate of new messages during the measurement [Hz].
     pub messages_hz: f64,
     /// Longest time without a new message [s].
     pub longest_gap_s: f64,
-    /// Messages that were thrown away.
+    /// Number of rejected messages.
     pub rejected: u32,
-    /// How far the pan was moved from its middle place at most [mm].
+    /// Largest displacement of the pan from its home position [mm].
     pub moved_mm: f64,
-    /// How far it was tilted at most [°].
+    /// Largest tilt of the pan [°].
     pub tilted_deg: f64,
     /// Largest force [N].
     pub max_force_n: f64,
-    /// What it may not exceed [N].
+    /// Limit of the force [N].
     pub force_limit_n: f64,
-    /// Frames a second of the kitchen beside the loop [Hz].
+    /// Rate of frames of the kitchen next to the loop [Hz].
     pub kitchen_hz: f64,
-    /// Whether the device was there at the end.
+    /// State of the device at the end.
     pub health: Health,
-    /// Goals that are missed, in words.
+    /// Missed goals, in words.
     pub missed: Vec<String>,
 }
 
-/// Opens the device, waits for it, and cooks with it.
-pub fn measure(args: &CheckArgs, named: &Named, shelf: &Shelf) -> Result<NetworkReport, CliError> {
+/// Opens the device, waits for it and cooks with it.
+pub fn measure(args: &CheckArgs, named: &Named, library: &Library) -> Result<NetworkReport, CliError> {
     let opened = named.open(args.pairing)?;
     let capabilities = opened.device.capabilities().clone();
     opened.access.lines().into_iter().for_each(stderr::say);
     let rows = (args.for_s * capabilities.rate_hz) as usize;
-    let mut fry = Fry::new(&shelf.library, ControlLoop::start(opened.device, &shelf::feel()?, rows)?)?;
+    let mut fry = Fry::new(library, ControlLoop::start(opened.device, &shelf::feel()?, rows)?)?;
     if !fry.until(args.wait_s.unwrap_or(PATIENCE_S), |s| s.sample.health == Health::Running) {
         return Err(not_there(fry.control.state().sample.health));
     }
@@ -93,7 +93,7 @@ fn most(log: &[LogRow], of: impl Fn(&Pose) -> f64) -> f64 {
     log.iter().map(|row| of(&row.pose)).fold(0.0, f64::max)
 }
 
-/// The longest time between two messages, beginning and end of the measurement included [s].
+/// Returns the longest time between two messages, start and end of the measurement included [s].
 fn longest_gap(log: &[LogRow], before: &LoopState, after: &LoopState) -> f64 {
     let ends = [before.sample.time_s, after.sample.time_s];
     let times: Vec<f64> = [ends[0]].into_iter().chain(log.iter().map(|r| r.time_s)).chain([ends[1]]).collect();
@@ -108,30 +108,30 @@ impl NetworkReport {
                 missed.push(words);
             }
         };
-        goal(self.messages_hz >= LEAST_HZ, format!("{LEAST_HZ} messages a second: {:.1}", self.messages_hz));
+        goal(self.messages_hz >= LEAST_HZ, format!("{LEAST_HZ} messages/s: {:.1}", self.messages_hz));
         goal(self.health == Health::Running, "the device was lost".into());
         let (force, limit) = (self.max_force_n, self.force_limit_n);
         goal(force <= limit + ROUNDING_N, format!("force within {limit} N: {force:.2} N"));
         missed
     }
 
-    /// In words.
+    /// Returns the numbers as text.
     pub fn text(&self) -> String {
         let shown = match self.rendering {
             Rendering::Wrench => "forces and torques",
-            Rendering::Force => "forces; torques are seen",
-            Rendering::Rumble => "rumble; weights are seen",
-            Rendering::SoundAndPicture => "nothing in the hand: sound and picture",
+            Rendering::Force => "forces; torques on the screen",
+            Rendering::Rumble => "rumble; weights on the screen",
+            Rendering::SoundAndPicture => "no forces: sound and picture",
         };
         let mut lines = vec![
             format!("device        {}", self.device),
             format!("shows         {shown}"),
             format!("rate          {:.1} Hz", self.rate_hz),
-            format!("messages      {:.1} a second, longest gap {:.0} ms", self.messages_hz, self.longest_gap_s * 1e3),
-            format!("thrown away   {}", self.rejected),
+            format!("messages      {:.1} per second, longest gap {:.0} ms", self.messages_hz, self.longest_gap_s * 1e3),
+            format!("rejected      {}", self.rejected),
             format!("pan           moved by {:.0} mm, tilted by {:.1}° at most", self.moved_mm, self.tilted_deg),
             format!("force         {:.1} N at most, limit {} N", self.max_force_n, self.force_limit_n),
-            format!("kitchen       {:.1} frames a second beside the loop", self.kitchen_hz),
+            format!("kitchen       {:.1} frames per second next to the loop", self.kitchen_hz),
         ];
         lines.extend(self.missed.iter().map(|m| format!("missed        {m}")));
         lines.join("\n") + "\n"

@@ -6,10 +6,11 @@ use serde::Serialize;
 use super::fault_run::FaultOutcome;
 use super::truth::{PoseError, WrenchError};
 
-/// Goals: rate at least [Hz], lateness of 99 of 100 steps below [µs].
+/// Goal: the lowest rate of the loop [Hz] (chosen: 1 kHz less 1 %).
 const LEAST_RATE_HZ: f64 = 990.0;
+/// Goal: the 99th percentile of lateness stays below [µs] (chosen: a fifth of a tick).
 const LATEST_P99_US: f64 = 200.0;
-/// A rounding of the device's own report of forces [N].
+/// Rounding of the forces that the device reports [N].
 const ROUNDING_N: f64 = 0.01;
 
 /// All numbers, as `--json` prints them.
@@ -17,40 +18,40 @@ const ROUNDING_N: f64 = 0.01;
 pub struct CheckReport {
     /// Device.
     pub device: String,
-    /// Whether it was simulated.
+    /// True if it was simulated.
     pub simulated: bool,
-    /// Control ticks a second, unplugged or not [Hz].
+    /// Rate of control ticks, faults included [Hz].
     pub rate_hz: f64,
-    /// Scheduling that the control thread got.
+    /// Scheduling policy of the control thread.
     pub scheduler: String,
     /// Lateness of control ticks [µs].
     pub jitter_us: Lateness,
-    /// Control ticks left out because the thread was late.
+    /// Number of control ticks that were skipped because the thread was late.
     pub missed_ticks: u64,
-    /// Error of poses against the simulator's truth; none for a real device.
+    /// Error of poses against the true poses of the simulator; none for a real device.
     pub pose_error: Option<PoseError>,
-    /// Error of wrenches against the simulator's truth.
+    /// Error of wrenches against the true wrenches of the simulator; none for a real device.
     pub wrench_error: Option<WrenchError>,
-    /// Largest force of the strings, rest included [N].
+    /// Largest force of the strings, preload included [N].
     pub max_force_n: f64,
-    /// What it may not exceed [N].
+    /// Limit of the force [N].
     pub force_limit_n: f64,
-    /// Lowest value of the passivity observer's account, after correction [J].
+    /// Lowest energy of the passivity observer after correction [J].
     pub passivity_j: f64,
-    /// Gaps of more than 10 ms without a fresh sample, faults left out.
+    /// Number of gaps of more than 10 ms without a new sample, faults excluded.
     pub dropouts: u64,
-    /// Frames a second of the kitchen beside the loop [Hz].
+    /// Rate of frames of the kitchen next to the loop [Hz].
     pub kitchen_hz: f64,
     /// Food in the pan at the end of the measurement [kg].
     pub contents_kg: f64,
-    /// Faults.
+    /// Injected faults.
     pub faults: Vec<FaultOutcome>,
-    /// Goals that are missed, in words.
+    /// Missed goals, in words.
     pub missed: Vec<String>,
 }
 
 impl CheckReport {
-    /// Notes which goals are missed.
+    /// Returns the report with its missed goals.
     pub fn judged(mut self) -> Self {
         let mut missed = Vec::new();
         let mut goal = |met: bool, words: String| {
@@ -71,13 +72,13 @@ impl CheckReport {
         self
     }
 
-    /// In words.
+    /// Returns the numbers as text.
     pub fn text(&self) -> String {
-        let known = |words: Option<String>| words.unwrap_or_else(|| "not known: the device is real".into());
+        let known = |words: Option<String>| words.unwrap_or_else(|| "unknown: the device is real".into());
         let pose = known(self.pose_error.map(|e| format!("{:.3} mm, {:.3}° (99 of 100 samples)", e.mm, e.deg)));
         let wrench = known(
             self.wrench_error
-                .map(|e| format!("{:.3} N, {:.4} N·m (rms, motors' lag and friction included)", e.n, e.nm)),
+                .map(|e| format!("{:.3} N, {:.4} N·m (rms, lag and friction of the motors included)", e.n, e.nm)),
         );
         let j = &self.jitter_us;
         let mut lines = vec![
@@ -86,7 +87,7 @@ impl CheckReport {
                 self.device,
                 if self.simulated { ", simulated in its own process" } else { "" }
             ),
-            format!("rate          {:.1} Hz, {}, {} ticks left out", self.rate_hz, self.scheduler, self.missed_ticks),
+            format!("rate          {:.1} Hz, {}, {} ticks skipped", self.rate_hz, self.scheduler, self.missed_ticks),
             format!("lateness      {} µs median, {} µs for 99 of 100 ticks, {:.0} µs at most", j.p50, j.p99, j.max),
             format!("pose error    {pose}"),
             format!("wrench error  {wrench}"),
@@ -94,7 +95,7 @@ impl CheckReport {
             format!("passivity     {:.2} mJ at the lowest, of 5 mJ", self.passivity_j * 1e3),
             format!("dropouts      {}", self.dropouts),
             format!(
-                "kitchen       {:.1} frames a second beside the loop, {:.0} g of food in the pan",
+                "kitchen       {:.1} frames per second next to the loop, {:.0} g of food in the pan",
                 self.kitchen_hz,
                 self.contents_kg * 1e3
             ),

@@ -1,22 +1,22 @@
-//! The emergency stop at the keyboard: Enter.
+//! The emergency stop on the keyboard: Enter.
 
 use std::io::IsTerminal;
 use std::sync::mpsc::{Receiver, channel};
 
-use crate::stderr;
+use crate::output::stderr;
 
-/// Hears of Enter; of nothing where stdin is no keyboard.
+/// Returns a channel that receives a message when Enter is pressed; it stays empty if stdin is not a terminal.
 pub fn listen() -> Receiver<()> {
-    let (pressed, hear) = channel();
+    let (pressed, stop) = channel();
     if std::io::stdin().is_terminal() {
         stderr::say("Enter is the emergency stop");
         std::thread::spawn(move || {
             let mut line = String::new();
             if std::io::stdin().read_line(&mut line).is_ok() {
-                // Nobody listens any more when the check is over.
+                // The receiver is gone once the check is over.
                 let _ = pressed.send(());
             }
         });
     }
-    hear
+    stop
 }

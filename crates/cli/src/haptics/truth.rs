@@ -1,4 +1,4 @@
-//! What the simulator says was true, against what the driver believed.
+//! Errors of the driver's poses and wrenches against the true ones of the simulator.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -13,29 +13,29 @@ use crate::error::CliError;
 /// Error of poses.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PoseError {
-    /// 99 of 100 samples are nearer [mm].
+    /// 99th percentile of the position error [mm].
     pub mm: f64,
-    /// 99 of 100 samples are nearer [°].
+    /// 99th percentile of the rotation error [°].
     pub deg: f64,
 }
 
 /// Error of wrenches.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct WrenchError {
-    /// Root mean square of what really pulled the pan less what the driver says [N].
+    /// Root mean square of the true force less the reported one [N].
     pub n: f64,
-    /// The same of torques [N·m].
+    /// Root mean square of the true torque less the reported one [N·m].
     pub nm: f64,
 }
 
-/// What was true at one moment.
-struct True {
+/// The true state at one sample.
+struct TrueState {
     position: DVec3,
     rotation: DQuat,
     wrench: Wrench,
 }
 
-/// Compares the log between two device times [s] with the simulator's file.
+/// Compares the log between two device times [s] with the file of the simulator; none without common samples.
 pub fn compare(
     file: &Path,
     log: &[LogRow],
@@ -44,26 +44,26 @@ pub fn compare(
 ) -> Result<Option<(PoseError, WrenchError)>, CliError> {
     let truth = read(file)?;
     let (mut mm, mut deg, mut force, mut torque) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    let mut told: Option<Wrench> = None;
+    let mut reported: Option<Wrench> = None;
     for row in log.iter().skip_while(|r| r.time_s < from_s).take_while(|r| r.time_s <= until_s) {
         let now = truth.get(&((row.time_s * 1e6).round() as u64)).filter(|_| row.health == Health::Running);
         if let Some(now) = now {
             mm.push((row.pose.position - now.position).length() * 1e3);
             deg.push(angle(row.pose.rotation, now.rotation).to_degrees());
-            // A command acts until the next sample tells what it did.
-            if let Some(told) = told {
-                let off = now.wrench - *preload - told;
+            // A command acts until the next sample, so the wrench reported before is compared.
+            if let Some(reported) = reported {
+                let off = now.wrench - *preload - reported;
                 force.push(off.force.length_squared());
                 torque.push(off.torque.length_squared());
             }
         }
-        told = now.map(|_| row.achieved);
+        reported = now.map(|_| row.achieved);
     }
     if mm.is_empty() || force.is_empty() {
         return Ok(None);
     }
     let rms = |squares: &[f64]| (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
-    let pose = PoseError { mm: of_100(&mut mm, 99), deg: of_100(&mut deg, 99) };
+    let pose = PoseError { mm: percentile_99(&mut mm), deg: percentile_99(&mut deg) };
     Ok(Some((pose, WrenchError { n: rms(&force), nm: rms(&torque) })))
 }
 
@@ -72,24 +72,24 @@ fn angle(a: DQuat, b: DQuat) -> f64 {
     2.0 * DVec3::new(d.x, d.y, d.z).length().atan2(d.w.abs())
 }
 
-/// The value that so many of a hundred do not exceed.
-fn of_100(values: &mut [f64], count: usize) -> f64 {
+/// Returns the 99th percentile.
+fn percentile_99(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);
-    values[(values.len() - 1) * count / 100]
+    values[(values.len() - 1) * 99 / 100]
 }
 
-fn read(file: &Path) -> Result<BTreeMap<u64, True>, CliError> {
-    let text = std::fs::read_to_string(file).map_err(|e| {
+fn read(file: &Path) -> Result<BTreeMap<u64, TrueState>, CliError> {
+    let reader = csv::Reader::from_path(file).map_err(|e| {
         CliError::place(file.display(), format!("cannot be read: {e}"), "free some space for temporary files")
     })?;
-    Ok(text.lines().skip(1).filter_map(row).collect())
+    // The last line is incomplete if the simulator ended while it wrote.
+    Ok(reader.into_deserialize::<Row>().filter_map(Result::ok).map(true_at).collect())
 }
 
-fn row(line: &str) -> Option<(u64, True)> {
-    let (time, rest) = line.split_once(',')?;
-    let numbers: Vec<f64> = rest.split(',').map(str::parse).collect::<Result<_, _>>().ok()?;
-    let [x, y, z, qx, qy, qz, qw, ref wrench @ ..] = numbers[..] else { return None };
-    let wrench = Wrench::from_rows(wrench.try_into().ok()?);
-    let rotation = DQuat::from_xyzw(qx, qy, qz, qw);
-    Some((time.parse().ok()?, True { position: DVec3::new(x, y, z), rotation, wrench }))
+/// Columns of the simulator's file: time [µs], position [m], rotation as a quaternion x, y, z, w, force [N] and torque [N·m].
+type Row = (u64, [f64; 3], [f64; 4], [f64; 6]);
+
+fn true_at((time_us, position, rotation, wrench): Row) -> (u64, TrueState) {
+    let (position, rotation) = (DVec3::from_array(position), DQuat::from_array(rotation));
+    (time_us, TrueState { position, rotation, wrench: Wrench::from_rows(wrench) })
 }

@@ -1,46 +1,59 @@
 //! Temperatures, power and mass against time.
 
-use saute_kitchen::recorder::Row;
-use saute_kitchen::summary::Told;
-use saute_kitchen::{Cook, Summary};
+use maud::{Markup, PreEscaped, html};
+use saute_recipe::recorder::Row;
+use saute_recipe::step_record::StepRecord;
+use saute_recipe::summary::Told;
+use saute_recipe::{Cook, Summary};
 
-use super::markup::escaped;
-use super::plot::{Panel, Scale, marks, nice_range, nice_step};
+use super::plot::{Mark, Panel, Scale, marks, nice_range, nice_step};
 use crate::wording;
 
-/// Curves of a food: class in the style sheet, name, place in a row's numbers.
-const CURVES: [(&str, &str, usize); 3] = [("bottom", "bottom", 2), ("top", "top", 1), ("core", "core", 0)];
+/// Curves of a food: class in the style sheet and name, place in a row's numbers.
+const CURVES: [(&str, usize); 3] = [("bottom", 2), ("top", 1), ("core", 0)];
 
-/// Widths of the picture for a desk and for a phone [px]: scaled letters would be too small to read.
+/// Widths of the picture on a desktop and on a phone [px]: letters of one scaled picture would be too small to read.
 const WIDTHS: [(&str, f64); 2] = [("wide", 760.0), ("narrow", 350.0)];
 
-/// Rows beyond this many are thinned out (chosen: twice the pixels).
+/// Largest number of rows that are drawn; longer series are thinned (chosen: twice the pixels).
 const MOST_ROWS: usize = 1600;
 
-/// Changes larger than this are never thinned out [K]: a flip is a jump.
+/// Larger changes between two rows are kept when a series is thinned [K] (chosen: a flip is a jump).
 const JUMP: f64 = 2.0;
 
-/// A figure for each food; of a group the means.
-pub fn section(cook: &Cook, summary: &Summary) -> String {
+/// Returns a figure for each food, for groups of the means.
+pub fn section(cook: &Cook, summary: &Summary) -> Markup {
     let rows = thinned(&cook.recorder.rows);
-    let figures: String = summary.told().iter().map(|told| figure(&rows, summary, told)).collect();
-    format!("<section><h2>Temperatures</h2>{figures}</section>")
+    html! {
+        section {
+            h2 { "Temperatures" }
+            @for told in summary.told() { (figure(&rows, summary, &told)) }
+        }
+    }
 }
 
-fn figure(rows: &[&Row], summary: &Summary, told: &Told) -> String {
-    let id = escaped(&told.food.id);
-    let names = [("pan", "pan, mean of the floor".to_owned())]
-        .into_iter()
-        .chain(CURVES.iter().rev().map(|(class, name, _)| (*class, format!("{name} of {id}"))));
-    let legend: String = names
-        .map(|(class, name)| format!("<li><svg viewBox=\"0 0 28 8\" aria-hidden=\"true\"><path class=\"curve {class}\" d=\"M1 4H27\"/></svg>{name}</li>"))
-        .collect();
-    let pictures: String =
-        WIDTHS.iter().map(|(class, width)| Drawing::new(rows, summary, told, *width).svg(class)).collect();
-    format!(
-        "<figure class=\"plot\"><ul class=\"legend\">{legend}</ul>{pictures}\
-         <figcaption>Top and bottom are means of the face that lies above or below at that moment, so they change places at a flip.</figcaption></figure>"
-    )
+fn figure(rows: &[&Row], summary: &Summary, told: &Told) -> Markup {
+    html! {
+        figure.plot {
+            ul.legend {
+                (legend_entry("pan", "pan, mean of the floor"))
+                @for (name, _) in CURVES.iter().rev() { (legend_entry(name, &format!("{name} of {}", told.food.id))) }
+            }
+            @for (class, width) in WIDTHS { (Drawing { rows, summary, told, width }.svg(class)) }
+            figcaption {
+                "Top and bottom are means of the face that lies above or below at that moment, so they change places at a flip."
+            }
+        }
+    }
+}
+
+fn legend_entry(class: &str, name: &str) -> Markup {
+    html! {
+        li {
+            svg viewBox="0 0 28 8" aria-hidden="true" { path class={ "curve " (class) } d="M1 4H27" {} }
+            (name)
+        }
+    }
 }
 
 fn thinned(rows: &[Row]) -> Vec<&Row> {
@@ -73,33 +86,29 @@ const HEIGHT: f64 = 540.0;
 const LEFT: f64 = 40.0;
 const RIGHT: f64 = 8.0;
 
-impl<'a> Drawing<'a> {
-    fn new(rows: &'a [&'a Row], summary: &'a Summary, told: &'a Told<'a>, width: f64) -> Self {
-        Self { rows, summary, told, width }
-    }
-
-    fn svg(&self, class: &str) -> String {
-        let moments: Vec<(f64, String, String)> = self.summary.steps.iter().filter_map(|s| self.moment(s)).collect();
+impl Drawing<'_> {
+    fn svg(&self, class: &str) -> Markup {
+        let moments: Vec<Mark> = self.summary.steps.iter().filter_map(|s| self.mark(s)).collect();
         let lines = marks(self.time(), self.width, [PANELS[0][0] - 18.0, PANELS[2][1]], &moments);
-        let label = format!("Temperatures, power of the hob and mass against time for {}", escaped(&self.told.food.id));
-        format!(
-            "<svg class=\"{class}\" viewBox=\"0 0 {} {HEIGHT}\" role=\"img\" aria-label=\"{label}\">{lines}{}{}{}</svg>",
-            self.width,
-            self.temperatures(),
-            self.power(),
-            self.mass()
-        )
+        let panels = [lines, self.temperatures(), self.power(), self.mass()].concat();
+        html! {
+            svg class=(class) viewBox={ "0 0 " (self.width) " " (HEIGHT) } role="img"
+                aria-label={ "Temperatures, power of the hob and mass against time for " (self.told.food.id) } {
+                (PreEscaped(panels))
+            }
+        }
     }
 
-    /// Steps that concern this food, or all.
-    fn moment(&self, step: &saute_kitchen::step_record::StepRecord) -> Option<(f64, String, String)> {
+    /// Returns the mark of a step that concerns this food or no single food.
+    fn mark(&self, step: &StepRecord) -> Option<Mark> {
         let members = &self.summary.foods[self.told.members.clone()];
-        let mine = step.target.is_none() || members.iter().any(|f| step.foods.contains(&f.id));
-        let full = format!("{}: {}", wording::duration(step.time_s), escaped(&wording::step(step)));
-        wording::mark(step).filter(|_| mine).map(|name| (step.time_s, name.to_owned(), full))
+        let concerns = step.target.is_none() || members.iter().any(|f| step.foods.contains(&f.id));
+        let name = wording::mark(step).filter(|_| concerns)?.to_owned();
+        let tooltip = format!("{}: {}", wording::duration(step.time_s), wording::step(step));
+        Some(Mark { time_s: step.time_s, name, tooltip })
     }
 
-    /// Core, top, bottom [°C] and mass [g] of a row.
+    /// Returns core, top, bottom [°C] and mass [g] of a row.
     fn readings(&self, row: &Row) -> [f64; 4] {
         row.mean(&self.told.members)
     }
@@ -123,18 +132,19 @@ impl<'a> Drawing<'a> {
         let pan = panel.curve("pan", self.rows.iter().map(|r| (r.time_s, r.pan_c)));
         let food: String = CURVES
             .iter()
-            .map(|(class, _, k)| panel.curve(class, self.rows.iter().map(|r| (r.time_s, self.readings(r)[*k]))))
+            .map(|(class, k)| panel.curve(class, self.rows.iter().map(|r| (r.time_s, self.readings(r)[*k]))))
             .collect();
         panel.y_axis(range, step, "°C") + &pan + &food
     }
 
     fn power(&self) -> String {
-        let highest = self.rows.iter().map(|r| r.hob_w).fold(100.0, f64::max);
+        let highest = self.rows.iter().map(|r| r.hob_drawn_w).fold(100.0, f64::max);
         let (range, step) = nice_range(0.0, highest, 2.0);
         let panel = self.panel(PANELS[1], range);
-        let pairs = self.rows.windows(2).flat_map(|w| [(w[0].time_s, w[0].hob_w), (w[1].time_s, w[0].hob_w)]);
+        let pairs =
+            self.rows.windows(2).flat_map(|w| [(w[0].time_s, w[0].hob_drawn_w), (w[1].time_s, w[0].hob_drawn_w)]);
         panel.y_axis(range, step, "hob [W]")
-            + &panel.curve("hob", pairs.chain(self.rows.last().map(|r| (r.time_s, r.hob_w))))
+            + &panel.curve("hob", pairs.chain(self.rows.last().map(|r| (r.time_s, r.hob_drawn_w))))
     }
 
     fn mass(&self) -> String {

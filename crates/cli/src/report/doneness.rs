@@ -1,17 +1,17 @@
-//! Doneness bars: colour, pattern and number say the same.
+//! Doneness bars: each class has a colour, a pattern and a number.
 
-use saute_app::colour_map::Tone;
-use saute_kitchen::Summary;
+use maud::{Markup, html};
 use saute_kitchen::food::Scale;
-use saute_kitchen::summary::{ClassShares, FoodSummary};
+use saute_picture::colour::map::Tone;
+use saute_recipe::Summary;
+use saute_recipe::summary::{ClassShares, FoodSummary};
 
-use super::markup::escaped;
 use crate::wording;
 
-/// Narrower parts have no room for their number [%].
+/// Narrower parts of a bar have no room for their number [%].
 const ROOM_FOR_NUMBER: f64 = 15.0;
 
-/// Class of a tone in the style sheet.
+/// Returns the class of a tone in the style sheet.
 fn css(tone: Tone) -> &'static str {
     match tone {
         Tone::Raw => "raw",
@@ -22,7 +22,7 @@ fn css(tone: Tone) -> &'static str {
     }
 }
 
-/// The app's colours of the classes, for the style sheet.
+/// Returns the rules of the style sheet for the tones, in the colours of the doneness view.
 pub fn style() -> String {
     let rule = |tone: &Tone| {
         let [r, g, b] = tone.colour();
@@ -31,37 +31,50 @@ pub fn style() -> String {
     Tone::of_scale(saute_kitchen::food::doneness::MOST_CLASSES).iter().map(rule).collect()
 }
 
-/// Bars of all foods about which the scale says anything; of a group the means.
-pub fn section(summary: &Summary, scale: &Scale) -> String {
-    let bars: String = summary.told().iter().map(|t| bars(t.food, scale)).collect();
-    if bars.is_empty() {
-        return String::new();
+/// Returns bars for all foods that the scale covers, for groups the means; nothing if it covers none.
+pub fn section(summary: &Summary, scale: &Scale) -> Markup {
+    let told = summary.told();
+    let covered = || told.iter().map(|t| t.food).filter(|food| food.doneness.get(&scale.id).is_some());
+    html! {
+        @if covered().next().is_some() {
+            section {
+                h2 { "Doneness" }
+                p { "By the highest temperature that each point has reached, on the scale of " (scale.name) "." }
+                @for food in covered() { (bars(food, scale)) }
+            }
+        }
     }
-    format!(
-        "<section><h2>Doneness</h2><p>By the highest temperature that each point has reached, on the scale of {}.</p>{bars}</section>",
-        escaped(&scale.name)
-    )
 }
 
-fn bars(food: &FoodSummary, scale: &Scale) -> String {
-    let Some(reading) = food.doneness.get(&scale.id) else { return String::new() };
-    let (id, label, class) = (escaped(&food.id), escaped(&reading.label), escaped(&reading.class));
-    let section = format!("Cross-section of {id}, by area (scale: {label}); core: {class}");
-    let volume = format!("All of {id}, by volume (scale: {label})");
-    bar(&section, &reading.section_pct, scale) + &bar(&volume, &reading.volume_pct, scale)
+fn bars(food: &FoodSummary, scale: &Scale) -> Markup {
+    html! {
+        @if let Some(reading) = food.doneness.get(&scale.id) {
+            (bar(html! { "Cross-section of " (food.id) ", by area (scale: " (reading.label) "); core: " (reading.class) }, &reading.section_pct, scale))
+            (bar(html! { "All of " (food.id) ", by volume (scale: " (reading.label) ")" }, &reading.volume_pct, scale))
+        }
+    }
 }
 
-fn bar(title: &str, shares: &ClassShares, scale: &Scale) -> String {
-    let (mut parts, mut keys) = (String::new(), String::new());
-    for (place, (name, share)) in shares.0.iter().enumerate() {
-        let tone = css(Tone::of(scale, place));
-        let number =
-            if *share >= ROOM_FOR_NUMBER { format!("<b class=\"{tone}\">{share:.0} %</b>") } else { String::new() };
-        parts += &format!("<span class=\"pattern {tone}\" style=\"flex-grow:{share:.3}\">{number}</span>");
-        let (name, range) = (escaped(name), escaped(&wording::class_range(scale, place)));
-        keys += &format!("<li><i class=\"pattern {tone}\"></i><b>{share:.1} %</b> {name} {range}</li>");
+fn bar(title: Markup, shares: &ClassShares, scale: &Scale) -> Markup {
+    let parts = || shares.0.iter().enumerate().map(|(place, part)| (place, css(Tone::of(scale, place)), part));
+    html! {
+        figure.doneness {
+            figcaption { (title) }
+            div.bar aria-hidden="true" {
+                @for (_, tone, (_, share)) in parts() {
+                    span class={ "pattern " (tone) } style=(format!("flex-grow:{share:.3}")) {
+                        @if *share >= ROOM_FOR_NUMBER { b class=(tone) { (format!("{share:.0} %")) } }
+                    }
+                }
+            }
+            ul {
+                @for (place, tone, (name, share)) in parts() {
+                    li {
+                        i class={ "pattern " (tone) } {}
+                        b { (format!("{share:.1} %")) } " " (name) " " (wording::class_range(scale, place))
+                    }
+                }
+            }
+        }
     }
-    format!(
-        "<figure class=\"doneness\"><figcaption>{title}</figcaption><div class=\"bar\" aria-hidden=\"true\">{parts}</div><ul>{keys}</ul></figure>"
-    )
 }

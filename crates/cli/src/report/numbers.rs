@@ -1,32 +1,39 @@
 //! The tables: food, pan, energy, steps.
 
-use saute_kitchen::group_summary::GroupSummary;
-use saute_kitchen::step_record::StepRecord;
-use saute_kitchen::summary::{FoodSummary, Surface, Told};
-use saute_kitchen::{Cook, Summary};
+use maud::{Markup, Render, html};
+use saute_recipe::group_summary::GroupSummary;
+use saute_recipe::step_record::StepRecord;
+use saute_recipe::summary::{FoodSummary, Surface, Told};
+use saute_recipe::{Cook, Summary};
 
-use super::markup::escaped;
 use crate::wording::{self, duration};
 
-/// All tables.
-pub fn section(cook: &Cook, summary: &Summary) -> String {
-    let foods: String = summary.told().iter().map(food).collect();
-    let members: String = summary.groups.iter().map(|group| members(summary, group)).collect();
-    format!(
-        "<section><h2>Numbers</h2><div class=\"tables\">{foods}{}{}</div>{members}{}</section>",
-        pan(summary),
-        energy(summary),
-        steps(cook, summary)
-    )
+/// Returns all tables.
+pub fn section(cook: &Cook, summary: &Summary) -> Markup {
+    html! {
+        section {
+            h2 { "Numbers" }
+            div.tables {
+                @for told in summary.told() { (food(&told)) }
+                (pan(summary))
+                (energy(summary))
+            }
+            @for group in &summary.groups { (members(summary, group)) }
+            (steps(cook, summary))
+        }
+    }
 }
 
-fn table(caption: &str, rows: &[(String, String)]) -> String {
-    let rows: String =
-        rows.iter().map(|(name, value)| format!("<tr><th scope=\"row\">{name}</th><td>{value}</td></tr>")).collect();
-    format!("<table><caption>{caption}</caption>{rows}</table>")
+fn table(caption: &str, rows: impl IntoIterator<Item = (impl Render, impl Render)>) -> Markup {
+    html! {
+        table {
+            caption { (caption) }
+            @for (name, value) in rows { tr { th scope="row" { (name) } td { (value) } } }
+        }
+    }
 }
 
-fn food(told: &Told) -> String {
+fn food(told: &Told) -> Markup {
     let f = told.food;
     let mut rows = vec![
         ("Core, highest".to_owned(), format!("{:.1} °C after {}", f.core_c.peak, duration(f.core_c.peak_at_s))),
@@ -35,47 +42,24 @@ fn food(told: &Told) -> String {
         ("Water, evaporated".to_owned(), format!("{:.1} g", f.water_g.evaporated)),
         ("Juice, dripped".to_owned(), format!("{:.1} g", f.water_g.dripped)),
     ];
-    let changed = f.denatured.iter();
     rows.extend(
-        changed.map(|(name, share)| (format!("{}, changed", escaped(name)), format!("{:.0} %", 100.0 * share))),
+        f.denatured.iter().map(|(name, share)| (format!("{name}, changed"), format!("{:.0} %", 100.0 * share))),
     );
-    rows.push(("Fat, rendered".to_owned(), format!("{:.1} g", f.fat_rendered_g)));
-    rows.push(("Volume over raw".to_owned(), format!("{:.1} %", f.shape.volume_pct)));
-    rows.push(("Thickness".to_owned(), format!("{:.1} mm", f.shape.thickness_mm)));
-    rows.push(("Hardness over raw".to_owned(), format!("{:.1}", f.hardness_index)));
-    rows.push(("Juiciness".to_owned(), format!("{:.0} %", f.juiciness_pct)));
-    rows.push(("Elastic modulus".to_owned(), format!("{:.0} kPa", f.elastic_modulus_kpa)));
     let l = &f.log_reduction;
-    rows.push(("E. coli log reduction, core · surface".to_owned(), format!("{:.1} · {:.1}", l.core, l.surface)));
+    rows.extend([
+        ("Fat, rendered".to_owned(), format!("{:.1} g", f.fat_rendered_g)),
+        ("Volume over raw".to_owned(), format!("{:.1} %", f.shape.volume_pct)),
+        ("Thickness".to_owned(), format!("{:.1} mm", f.shape.thickness_mm)),
+        ("Hardness over raw".to_owned(), format!("{:.1}", f.hardness_index)),
+        ("Juiciness".to_owned(), format!("{:.0} %", f.juiciness_pct)),
+        ("Elastic modulus".to_owned(), format!("{:.0} kPa", f.elastic_modulus_kpa)),
+        ("E. coli log reduction, core · surface".to_owned(), format!("{:.1} · {:.1}", l.core, l.surface)),
+    ]);
     rows.extend(surface("Top", &f.surfaces.top));
     rows.extend(surface("Bottom", &f.surfaces.bottom));
     rows.push(("Nodes of the mesh".to_owned(), f.nodes.to_string()));
     let means = if told.group { format!("means of {} × ", told.members.len()) } else { String::new() };
-    table(&format!("{} ({means}{})", escaped(&f.id), escaped(&f.kind)), &rows)
-}
-
-/// A line for each piece of a group.
-fn members(summary: &Summary, group: &GroupSummary) -> String {
-    let rows: String = summary.foods[group.members.clone()].iter().map(member).collect();
-    let heads = ["core, highest", "core, at the end", "mass, start → end", "lost", "browned, bottom · top", "place"];
-    let heads: String = heads.iter().map(|head| format!("<th scope=\"col\">{head}</th>")).collect();
-    format!(
-        "<table class=\"steps\"><caption>{}, piece by piece</caption><tr><th scope=\"col\">piece</th>{heads}</tr>{rows}</table>",
-        escaped(&group.mean.id)
-    )
-}
-
-fn member(f: &FoodSummary) -> String {
-    let cells = [
-        format!("{:.1} °C", f.core_c.peak),
-        format!("{:.1} °C", f.core_c.end),
-        format!("{:.1} g → {:.1} g", f.mass_g.start, f.mass_g.end),
-        format!("{:.1} %", f.lost_pct),
-        format!("{:.0} % · {:.0} %", f.surfaces.bottom.browned_pct, f.surfaces.top.browned_pct),
-        f.place.to_owned(),
-    ];
-    let cells: String = cells.iter().map(|cell| format!("<td>{cell}</td>")).collect();
-    format!("<tr><th scope=\"row\">{}</th>{cells}</tr>", escaped(&f.id))
+    table(&format!("{} ({means}{})", f.id, f.kind), rows)
 }
 
 fn surface(name: &str, s: &Surface) -> [(String, String); 3] {
@@ -87,7 +71,33 @@ fn surface(name: &str, s: &Surface) -> [(String, String); 3] {
     ]
 }
 
-fn pan(s: &Summary) -> String {
+/// Returns a table with one line for each piece of a group.
+fn members(summary: &Summary, group: &GroupSummary) -> Markup {
+    let heads =
+        ["piece", "core, highest", "core, at the end", "mass, start → end", "lost", "browned, bottom · top", "place"];
+    html! {
+        table.steps {
+            caption { (group.mean.id) ", piece by piece" }
+            tr { @for head in heads { th scope="col" { (head) } } }
+            @for food in &summary.foods[group.members.clone()] {
+                tr { th scope="row" { (food.id) } @for cell in member(food) { td { (cell) } } }
+            }
+        }
+    }
+}
+
+fn member(f: &FoodSummary) -> [String; 6] {
+    [
+        format!("{:.1} °C", f.core_c.peak),
+        format!("{:.1} °C", f.core_c.end),
+        format!("{:.1} g → {:.1} g", f.mass_g.start, f.mass_g.end),
+        format!("{:.1} %", f.lost_pct),
+        format!("{:.0} % · {:.0} %", f.surfaces.bottom.browned_pct, f.surfaces.top.browned_pct),
+        f.place.to_owned(),
+    ]
+}
+
+fn pan(s: &Summary) -> Markup {
     let celsius = |c: Option<f64>| c.map_or_else(|| "–".to_owned(), |c| format!("{c:.1} °C"));
     let p = &s.pan_c;
     let rows = [
@@ -96,10 +106,10 @@ fn pan(s: &Summary) -> String {
         ("Highest", Some(p.peak)),
         ("At the end", Some(p.end)),
     ];
-    table("Pan, mean of the floor", &rows.map(|(name, c)| (name.to_owned(), celsius(c))))
+    table("Pan, mean of the floor", rows.map(|(name, c)| (name, celsius(c))))
 }
 
-fn energy(s: &Summary) -> String {
+fn energy(s: &Summary) -> Markup {
     let e = &s.energy_j;
     let entries = [
         ("Hob, electrical", e.hob),
@@ -113,30 +123,35 @@ fn energy(s: &Summary) -> String {
     let share = |j: f64| if e.hob > 0.0 { 100.0 * j / e.hob } else { 0.0 };
     // Adding zero turns −0.0 into 0.0, which would print as −0.0.
     let tidy = |v: f64| (v * 10.0).round() / 10.0 + 0.0;
-    let rows: Vec<(String, String)> = entries
-        .iter()
-        .map(|(name, j)| {
-            ((*name).to_owned(), format!("{:.1} kJ<small>{:.1} %</small>", tidy(j / 1e3), tidy(share(*j))))
-        })
-        .collect();
-    table("Energy", &rows)
+    let value = |j: f64| {
+        html! { (format!("{:.1} kJ", tidy(j / 1e3))) small { (format!("{:.1} %", tidy(share(j)))) } }
+    };
+    table("Energy", entries.map(|(name, j)| (name, value(j))))
 }
 
-fn steps(cook: &Cook, summary: &Summary) -> String {
+fn steps(cook: &Cook, summary: &Summary) -> Markup {
     let told = summary.told();
-    let name = |t: &Told| format!("<th scope=\"col\">core of {}</th>", escaped(&t.food.id));
-    let names: String = told.iter().map(name).collect();
-    let rows: String = summary.steps.iter().map(|s| step_row(cook, &told, s)).collect();
-    format!(
-        "<table class=\"steps\"><caption>Steps</caption><tr><th scope=\"col\">time</th><th scope=\"col\">step</th>\
-         <th scope=\"col\">pan</th>{names}</tr>{rows}</table>"
-    )
+    html! {
+        table.steps {
+            caption { "Steps" }
+            tr {
+                @for head in ["time", "step", "pan"] { th scope="col" { (head) } }
+                @for told in &told { th scope="col" { "core of " (told.food.id) } }
+            }
+            @for step in &summary.steps { (step_row(cook, &told, step)) }
+        }
+    }
 }
 
-fn step_row(cook: &Cook, told: &[Told], step: &StepRecord) -> String {
-    let cells: String = super::row_at(cook, step.time_s).map_or(String::new(), |r| {
-        let cores = told.iter().map(|t| r.mean(&t.members)[0]);
-        std::iter::once(r.pan_c).chain(cores).map(|c| format!("<td>{c:.1} °C</td>")).collect()
-    });
-    format!("<tr><td>{:.1} s</td><th scope=\"row\">{}</th>{cells}</tr>", step.time_s, escaped(&wording::step(step)))
+fn step_row(cook: &Cook, told: &[Told], step: &StepRecord) -> Markup {
+    html! {
+        tr {
+            td { (format!("{:.1} s", step.time_s)) }
+            th scope="row" { (wording::step(step)) }
+            @if let Some(row) = super::row_at(cook, step.time_s) {
+                td { (format!("{:.1} °C", row.pan_c)) }
+                @for told in told { td { (format!("{:.1} °C", row.mean(&told.members)[0])) } }
+            }
+        }
+    }
 }

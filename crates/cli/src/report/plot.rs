@@ -1,8 +1,15 @@
-//! Plots as SVG, drawn for a page: axes, curves, marks. Colours come from the page's style sheet.
+//! Plots as SVG: axes, curves, marks. Colours come from the style sheet of the page.
 
 use std::fmt::Write;
 
-/// A linear scale from values to pixels.
+use maud::html;
+
+/// Returns a text with the characters escaped that HTML and SVG read as markup.
+pub fn escaped(text: &str) -> String {
+    html! { (text) }.into_string()
+}
+
+/// A linear map from values to pixels [px].
 #[derive(Clone, Copy, Debug)]
 pub struct Scale {
     from: [f64; 2],
@@ -10,26 +17,27 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// Maps one range onto another.
+    /// Returns the map of the range `from` onto the range `to` [px].
     pub fn new(from: [f64; 2], to: [f64; 2]) -> Self {
         Self { from, to }
     }
 
-    /// Pixel of a value.
+    /// Returns the position of a value [px].
     pub fn at(&self, value: f64) -> f64 {
         let span = (self.from[1] - self.from[0]).max(f64::MIN_POSITIVE);
         self.to[0] + (value - self.from[0]) / span * (self.to[1] - self.to[0])
     }
 }
 
-/// A step of 1, 2 or 5 times a power of ten that cuts a span into at most `most` pieces.
+/// Returns the smallest step of 1, 2 or 5 times a power of ten that divides a span into at most `most` parts.
 pub fn nice_step(span: f64, most: f64) -> f64 {
     let rough = (span / most).max(1e-9);
     let power = 10_f64.powf(rough.log10().floor());
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= rough * (1.0 - 1e-9)).unwrap_or(10.0 * power)
 }
 
-/// The range that holds all values and ends on steps; steps are whole numbers, as the labels are.
+/// Returns the smallest range that contains both values and ends on steps, with the step; steps are whole numbers, as the
+/// labels are.
 pub fn nice_range(low: f64, high: f64, most: f64) -> ([f64; 2], f64) {
     let step = nice_step(high - low, most).max(1.0);
     let from = (low / step + 1e-9).floor() * step;
@@ -49,7 +57,7 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// Horizontal lines with their values at the left, and the quantity above them.
+    /// Returns horizontal grid lines with their values at the left and the quantity above them.
     pub fn y_axis(&self, range: [f64; 2], step: f64, title: &str) -> String {
         let [left, right, top, _] = self.edges;
         let mut svg = format!("<text class=\"quantity\" x=\"{left:.0}\" y=\"{:.1}\">{title}</text>", top - 7.0);
@@ -68,7 +76,7 @@ impl Panel {
         svg
     }
 
-    /// Values below the panel.
+    /// Returns the tick labels below the panel and the quantity below them.
     pub fn x_axis(&self, end: f64, step: f64, per_label: f64, title: &str) -> String {
         let [_, right, _, bottom] = self.edges;
         let mut svg = String::new();
@@ -92,7 +100,7 @@ impl Panel {
         svg
     }
 
-    /// A curve through points.
+    /// Returns a curve through points.
     pub fn curve(&self, class: &str, points: impl Iterator<Item = (f64, f64)>) -> String {
         let mut path = String::new();
         for (x, y) in points {
@@ -105,13 +113,24 @@ impl Panel {
 /// Width of a letter [px] (chosen: wide enough for every usual font of 12 px).
 const LETTER: f64 = 7.4;
 
-/// Vertical lines from `top` to `bottom` at named moments; a name is left out where the one before needs the room.
-pub fn marks(x: Scale, right: f64, [top, bottom]: [f64; 2], moments: &[(f64, String, String)]) -> String {
+/// One named moment on the time axis.
+#[derive(Clone, Debug)]
+pub struct Mark {
+    /// When [s].
+    pub time_s: f64,
+    /// Short name above the line.
+    pub name: String,
+    /// Full text of the tooltip.
+    pub tooltip: String,
+}
+
+/// Returns vertical lines from `top` to `bottom` at moments; a name that would overlap the one before is left out.
+pub fn marks(x: Scale, right: f64, [top, bottom]: [f64; 2], moments: &[Mark]) -> String {
     let mut svg = String::new();
     let mut free_from = f64::NEG_INFINITY;
-    for (time, name, full) in moments {
-        let at = x.at(*time);
-        let _ = write!(svg, "<path class=\"mark\" d=\"M{at:.1} {top:.1}V{bottom:.1}\"><title>{full}</title></path>");
+    for Mark { time_s, name, tooltip } in moments {
+        let (at, name, tooltip) = (x.at(*time_s), escaped(name), escaped(tooltip));
+        let _ = write!(svg, "<path class=\"mark\" d=\"M{at:.1} {top:.1}V{bottom:.1}\"><title>{tooltip}</title></path>");
         let width = LETTER * name.chars().count() as f64;
         let left = (at - width / 2.0).min(right - 1.0 - width);
         if left > free_from {
@@ -125,6 +144,11 @@ pub fn marks(x: Scale, right: f64, [top, bottom]: [f64; 2], moments: &[(f64, Str
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_title_cannot_smuggle_markup_into_the_page() {
+        assert_eq!(escaped("<b>\"A & B\"</b>"), "&lt;b&gt;&quot;A &amp; B&quot;&lt;/b&gt;");
+    }
 
     #[test]
     fn an_axis_ends_on_its_steps_and_holds_every_value() {

@@ -2,17 +2,18 @@
 
 use std::sync::Arc;
 
-use saute_app::headless::Gpu;
-use saute_app::seen_colour::Colorimeter;
-use saute_app::shot::ShotError;
-use saute_kitchen::cook_case::{CookCase, SeenAt};
+use crate::validate::colorimeter::Colorimeter;
+use saute_kitchen::Library;
 use saute_kitchen::food::{Lab, Scale};
-use saute_kitchen::lab::Verdict;
-use saute_kitchen::{Cook, Library};
+use saute_lab::Verdict;
+use saute_lab::cook_case::{CookCase, SeenAt};
+use saute_picture::still::headless::Gpu;
+use saute_picture::still::shot::ShotError;
+use saute_recipe::Cook;
 
 use crate::error::CliError;
 
-/// Compares all colours of a case.
+/// Compares all colours of a case with their expected values.
 pub fn verdicts(case: &CookCase, library: &Library, scale: &Arc<Scale>) -> Result<Vec<Verdict>, CliError> {
     if case.seen().is_empty() && case.courses().is_empty() {
         return Ok(Vec::new());

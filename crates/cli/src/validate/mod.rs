@@ -1,26 +1,26 @@
 //! `saute validate`.
 
+mod colorimeter;
 mod colour;
 mod page;
 mod picture;
 mod segments;
+mod workers;
 
 use std::process::ExitCode;
 use std::time::Instant;
 
 use saute_kitchen::Library;
-use saute_kitchen::cook_case::CookCase;
-use saute_kitchen::lab::{Case, LabReport, Verdict, run, verdicts};
 use saute_kitchen::library::DEFAULT_SCALE;
+use saute_lab::cook_case::CookCase;
+use saute_lab::{Case, LabReport, Verdict, verdicts};
 use serde::Serialize;
 
 use crate::args::ValidateArgs;
 use crate::error::CliError;
-use crate::shelf::Shelf;
-use crate::{stderr, stdout};
-
-/// Exit code when a case falls short.
-const SHORT: u8 = 1;
+use crate::exit_code;
+use crate::input::data_library::DataLibrary;
+use crate::output::{json, stderr, stdout};
 
 /// All verdicts, as `--json` prints them.
 #[derive(Serialize)]
@@ -32,51 +32,46 @@ struct Verdicts {
 struct CaseRun {
     /// Name of its file.
     id: String,
-    /// The case, if it is one of the lab.
+    /// The case if it is a lab case.
     lab: Option<Case>,
-    /// What came of it.
+    /// Its verdicts.
     verdicts: Vec<Verdict>,
 }
 
-/// Runs the cases and tells their verdicts.
-pub fn validate(args: &ValidateArgs, shelf: &Shelf) -> Result<ExitCode, CliError> {
+/// Runs the cases and prints their verdicts.
+pub fn run(args: &ValidateArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let pages = args.write.then(page::Pages::prepare).transpose()?;
-    let runs = run_cases(args.case.as_deref(), shelf)?;
+    let runs = run_cases(args.case.as_deref(), data)?;
     if let Some(pages) = pages {
-        stderr::say("pages and pictures");
+        stderr::say("writing pages and pictures");
         pages.fill(&runs)?;
     }
     let verdicts = Verdicts { cases: runs.into_iter().flat_map(|r| r.verdicts).collect() };
-    stdout::print(&if args.json {
-        format!("{}\n", serde_json::to_string_pretty(&verdicts)?)
-    } else {
-        page::text(&verdicts.cases)
-    })?;
-    let all = verdicts.cases.iter().all(|v| v.pass);
-    Ok(if all { ExitCode::SUCCESS } else { ExitCode::from(SHORT) })
+    stdout::print(&if args.json { json::text(&verdicts)? } else { page::text(&verdicts.cases) })?;
+    Ok(exit_code::of_goal(verdicts.cases.iter().all(|v| v.pass)))
 }
 
-fn run_cases(only: Option<&str>, shelf: &Shelf) -> Result<Vec<CaseRun>, CliError> {
-    let cases = Library::validation_cases();
+fn run_cases(only: Option<&str>, data: &DataLibrary) -> Result<Vec<CaseRun>, CliError> {
+    let cases = saute_lab::validation_cases();
     if let Some(id) = only.filter(|id| !cases.contains_key(*id)) {
         let remedy = format!("use one of: {}", Library::names(&cases));
         return Err(CliError::place(format!("--case {id}"), "there is no such case", remedy));
     }
     let chosen: Vec<_> = cases.iter().filter(|(id, _)| only.is_none_or(|o| o == *id)).collect();
-    let run = |(i, (id, text)): (usize, &(&String, &String))| {
+    let run = |i: usize, (id, text): &(&String, &String)| {
         stderr::say(format!("{} of {}: {id}", i + 1, chosen.len()));
-        run_case(id, text, shelf)
+        run_case(id, text, data)
     };
-    chosen.iter().enumerate().map(run).collect()
+    workers::map_all(&chosen, run).into_iter().collect()
 }
 
-fn run_case(id: &str, text: &str, shelf: &Shelf) -> Result<CaseRun, CliError> {
+fn run_case(id: &str, text: &str, data: &DataLibrary) -> Result<CaseRun, CliError> {
     let file = format!("validation/{id}.toml");
-    let library = &shelf.library;
+    let library = &data.library;
     if CookCase::is_one(text) {
         let case = CookCase::parse(text, &file, library)?;
         let mut verdicts = case.verdicts(library)?;
-        verdicts.extend(colour::verdicts(&case, library, &shelf.scale(DEFAULT_SCALE)?)?);
+        verdicts.extend(colour::verdicts(&case, library, &data.scale(DEFAULT_SCALE)?)?);
         return Ok(CaseRun { id: id.to_owned(), lab: None, verdicts });
     }
     let case = Case::parse(text, &file, library)?;
@@ -86,5 +81,5 @@ fn run_case(id: &str, text: &str, shelf: &Shelf) -> Result<CaseRun, CliError> {
 
 fn timed(case: &Case) -> LabReport {
     let start = Instant::now();
-    run(case, || start.elapsed().as_secs_f64())
+    saute_lab::run(case, || start.elapsed().as_secs_f64())
 }

@@ -1,39 +1,39 @@
-//! The verdicts as text and as pages.
+//! The verdicts as text and as Markdown pages.
 
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use saute_kitchen::lab::Verdict;
+use saute_lab::Verdict;
 
 use super::{CaseRun, picture, segments};
 use crate::error::CliError;
-use crate::out_file::OutFile;
+use crate::output::out_file::OutFile;
 
-/// The table.
+/// File of the table.
 const TABLE: &str = "VALIDATION.md";
-/// Where pictures lie.
+/// Folder of the pictures.
 const PICTURES: &str = "docs/validation";
-/// The page of the segments.
+/// File of the comparison with segments.
 const SEGMENTS: &str = "docs/segments.md";
 
-/// The places of all pages and pictures, tried out.
+/// The output files, probed before the cases run.
 pub struct Pages {
     table: OutFile,
     segments: OutFile,
 }
 
 impl Pages {
-    /// Tries the places out.
+    /// Probes the places of the files.
     pub fn prepare() -> Result<Self, CliError> {
         fs::create_dir_all(PICTURES).map_err(|e| {
-            let remedy = "run it where you may write, as in the project's own folder";
-            CliError::place(PICTURES, format!("cannot be made: {e}"), remedy)
+            let remedy = "run it in a folder with write permission, as in the folder of the project";
+            CliError::place(PICTURES, format!("cannot be created: {e}"), remedy)
         })?;
         Ok(Self { table: OutFile::prepare(Path::new(TABLE))?, segments: OutFile::prepare(Path::new(SEGMENTS))? })
     }
 
-    /// Draws and writes everything.
+    /// Draws the pictures and writes all files.
     pub fn fill(self, runs: &[CaseRun]) -> Result<(), CliError> {
         let mut drawn = vec![("errors".to_owned(), picture::errors(runs))];
         drawn.extend(runs.iter().filter_map(|run| Some((run.id.clone(), picture::curves(run)?))));
@@ -49,7 +49,7 @@ impl Pages {
     }
 }
 
-/// Removes pictures of cases that are no more.
+/// Removes the pictures of cases that no longer exist.
 fn clear_old_pictures(drawn: &[(String, String)]) -> Result<(), CliError> {
     let clear = || {
         for entry in fs::read_dir(PICTURES)? {
@@ -74,12 +74,12 @@ fn word(verdict: &Verdict) -> &'static str {
     if verdict.pass { "holds" } else { "FALLS SHORT" }
 }
 
-/// A value, as many digits as it bears.
+/// Returns a value with four decimals, or `none`.
 pub fn number(value: Option<f64>) -> String {
     value.map_or_else(|| "none".into(), |v| format!("{v:.4}"))
 }
 
-/// The table for a terminal.
+/// Returns the table for a terminal.
 pub fn text(verdicts: &[Verdict]) -> String {
     let mut text = String::new();
     let mut name = "";
@@ -109,29 +109,14 @@ fn markdown(runs: &[CaseRun], pictures: &[&str]) -> String {
     let held = verdicts.iter().filter(|v| v.pass).count();
     let mut text = format!(
         "# Validation\n\nWritten by `saute validate --write`. Every case is a file in `validation/`; the expected values come \
-         from outside this program. {held} of {} values hold. What the shape functions gain over the segments of earlier \
-         work stands in [docs/segments.md](docs/segments.md).\n\n![every error over its tolerance]({PICTURES}/errors.svg)\n\n\
+         from outside this program. {held} of {} values hold. [docs/segments.md](docs/segments.md) shows what the shape functions \
+         gain over the segments of earlier work.\n\n![every error over its tolerance]({PICTURES}/errors.svg)\n\n\
          | case | quantity | expected | tolerance | got | error | |\n|---|---|---:|---:|---:|---:|---|\n",
         verdicts.len()
     );
     for run in runs {
-        for v in &run.verdicts {
-            let name = if pictures.contains(&run.id.as_str()) {
-                format!("[{}]({PICTURES}/{}.svg)", v.name, run.id)
-            } else {
-                v.name.clone()
-            };
-            let (got, error) = (number(v.got), number(v.error));
-            let _ = writeln!(
-                text,
-                "| {name} | {} [{}] | {:.4} | {:.4} | {got} | {error} | {} |",
-                v.quantity,
-                v.unit,
-                v.expected,
-                v.tolerance,
-                word(v)
-            );
-        }
+        let is_pictured = pictures.contains(&run.id.as_str());
+        run.verdicts.iter().for_each(|v| text.push_str(&table_row(run, v, is_pictured)));
     }
     text.push_str("\n## Sources\n\n");
     let mut sources: Vec<&str> = verdicts.iter().map(|v| v.source.as_str()).collect();
@@ -139,4 +124,18 @@ fn markdown(runs: &[CaseRun], pictures: &[&str]) -> String {
     sources.dedup();
     sources.iter().for_each(|s| text.push_str(&format!("- {s}\n")));
     text
+}
+
+/// Returns a row of the Markdown table; the name links to the picture of the case if there is one.
+fn table_row(run: &CaseRun, v: &Verdict, is_pictured: bool) -> String {
+    let name = if is_pictured { format!("[{}]({PICTURES}/{}.svg)", v.name, run.id) } else { v.name.clone() };
+    let (got, error) = (number(v.got), number(v.error));
+    format!(
+        "| {name} | {} [{}] | {:.4} | {:.4} | {got} | {error} | {} |\n",
+        v.quantity,
+        v.unit,
+        v.expected,
+        v.tolerance,
+        word(v)
+    )
 }

@@ -1,22 +1,21 @@
-//! Pictures of the validation: curves with the expected values on them, and all errors at a glance.
+//! Pictures of the validation: curves with expected values, and all errors over their tolerances.
 
 use std::fmt::Write;
 
-use saute_kitchen::lab::{Case, LabReport, Subject};
+use saute_lab::{Case, LabReport, Subject};
 
 use super::{CaseRun, timed};
-use crate::report::markup::escaped;
-use crate::report::plot::{Panel, Scale, nice_range, nice_step};
+use crate::report::plot::{Panel, Scale, escaped, nice_range, nice_step};
 
-/// Size [px].
+/// Size of a picture [px].
 const SIZE: [f64; 2] = [720.0, 400.0];
 /// Edges of the panel: left, right, top, bottom [px].
 const EDGES: [f64; 4] = [52.0, 470.0, 46.0, 350.0];
-/// Points of a curve (chosen: one every other pixel).
+/// Number of points of a curve (chosen: one for every other pixel).
 const POINTS: usize = 240;
-/// Colours of curves, told apart by eyes that see few (Okabe & Ito 2008).
+/// Colours of curves that colour-blind readers can distinguish (source: Okabe & Ito 2008 `[@okabe-ito-2008]`).
 const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
-/// Letters and lines of a picture that stands alone.
+/// Style sheet of a picture.
 const STYLE: &str = "text{font:12px sans-serif;fill:#222}.grid{stroke:#ddd;fill:none}.curve{fill:none;stroke-width:1.6}\
      .title{font-weight:bold}.bound{stroke:#999;stroke-dasharray:4 3;fill:none}";
 
@@ -26,23 +25,23 @@ pub struct Curve {
     pub name: String,
     /// Time [s] and temperature [°C].
     pub series: Vec<[f64; 2]>,
-    /// Drawn with dashes.
+    /// True for a dashed line.
     pub dashed: bool,
-    /// Place in the list of colours.
+    /// Index of the colour.
     pub colour: usize,
 }
 
-/// The same case with its probes read often.
+/// Runs a case with its probes read at many times.
 pub fn dense(case: &Case) -> LabReport {
     let outputs = (1..=POINTS).map(|i| case.duration * i as f64 / POINTS as f64).collect();
     timed(&Case { outputs, compare: None, ..case.clone() })
 }
 
-/// Expected temperatures: probe, time [s], value [°C].
+/// Returns the expected temperatures: probe, time [s], value [°C].
 pub fn expected(case: &Case) -> Vec<(&str, f64, f64)> {
-    let point = |e: &'_ saute_kitchen::lab::Expectation| match &e.subject {
+    let point = |e: &'_ saute_lab::Expectation| match &e.subject {
         Subject::Probe(quantity, name, time) if quantity.is_temperature() => {
-            // The name lives as long as the case does.
+            // The name is borrowed from the case.
             case.probes.iter().map(|p| p.name.as_str()).find(|n| n == name).map(|n| (n, *time, e.value))
         }
         _ => None,
@@ -50,7 +49,7 @@ pub fn expected(case: &Case) -> Vec<(&str, f64, f64)> {
     case.expectations.iter().filter_map(point).collect()
 }
 
-/// The curves of a case with the expected values on them; none for a case that expects fewer than two temperatures.
+/// Draws the curves of a case with its expected values; none for a case with fewer than two expected temperatures.
 pub fn curves(run: &CaseRun) -> Option<String> {
     let case = run.lab.as_ref()?;
     let points = expected(case);
@@ -68,7 +67,7 @@ pub fn curves(run: &CaseRun) -> Option<String> {
     Some(draw(&case.name, &curves, &points))
 }
 
-/// A picture of curves against time, with rings at expected values.
+/// Draws curves against time, with rings at expected values.
 pub fn draw(title: &str, curves: &[Curve], points: &[(&str, f64, f64)]) -> String {
     let values = || curves.iter().flat_map(|c| c.series.iter().copied()).chain(points.iter().map(|p| [p.1, p.2]));
     let end = values().map(|v| v[0]).fold(0.0, f64::max);
@@ -78,18 +77,7 @@ pub fn draw(title: &str, curves: &[Curve], points: &[(&str, f64, f64)]) -> Strin
     let panel = Panel { x: Scale::new([0.0, end], [left, right]), y: Scale::new(range, [bottom, top]), edges: EDGES };
     let mut svg = panel.y_axis(range, step, "°C") + &panel.x_axis(end, nice_step(end, 6.0), 1.0, "time [s]");
     for (row, curve) in curves.iter().enumerate() {
-        let colour = COLOURS[curve.colour % COLOURS.len()];
-        let dashes = if curve.dashed { " stroke-dasharray=\"6 4\"" } else { "" };
-        let path = panel.curve("", curve.series.iter().map(|p| (p[0], p[1])));
-        let y = top + 18.0 * row as f64;
-        let _ = write!(
-            svg,
-            "<g stroke=\"{colour}\"{dashes}>{path}<path class=\"curve\" d=\"M{:.0} {y:.0}h24\"/></g><text x=\"{:.0}\" y=\"{:.0}\">{}</text>",
-            right + 12.0,
-            right + 42.0,
-            y + 4.0,
-            escaped(&curve.name)
-        );
+        svg += &curve_with_legend(&panel, curve, top + 18.0 * row as f64);
     }
     for (_, time, value) in points {
         let (x, y) = (panel.x.at(*time), panel.y.at(*value));
@@ -106,6 +94,21 @@ pub fn draw(title: &str, curves: &[Curve], points: &[(&str, f64, f64)]) -> Strin
     page(title, &svg)
 }
 
+/// Draws a curve and its entry in the legend at the height `y` [px].
+fn curve_with_legend(panel: &Panel, curve: &Curve, y: f64) -> String {
+    let colour = COLOURS[curve.colour % COLOURS.len()];
+    let dashes = if curve.dashed { " stroke-dasharray=\"6 4\"" } else { "" };
+    let path = panel.curve("", curve.series.iter().map(|p| (p[0], p[1])));
+    let right = EDGES[1];
+    format!(
+        "<g stroke=\"{colour}\"{dashes}>{path}<path class=\"curve\" d=\"M{:.0} {y:.0}h24\"/></g><text x=\"{:.0}\" y=\"{:.0}\">{}</text>",
+        right + 12.0,
+        right + 42.0,
+        y + 4.0,
+        escaped(&curve.name)
+    )
+}
+
 fn page(title: &str, inside: &str) -> String {
     let [width, height] = SIZE;
     let title = escaped(title);
@@ -116,7 +119,7 @@ fn page(title: &str, inside: &str) -> String {
     )
 }
 
-/// Every error over its tolerance, in the order of the table: what lies between the dashed lines holds.
+/// Draws every error over its tolerance in the order of the table; values between the dashed lines hold.
 pub fn errors(runs: &[CaseRun]) -> String {
     let shares: Vec<f64> = runs
         .iter()

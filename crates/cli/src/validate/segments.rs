@@ -1,17 +1,18 @@
-//! Segments beside shape functions on the cases of the lab.
+//! Segments compared with shape functions on the cases of the lab.
 
 use std::fmt::Write;
 
 use saute_kitchen::heat::Rule;
-use saute_kitchen::lab::{Case, Shape, Verdict, verdicts};
+use saute_lab::{Case, Shape, Verdict, verdicts};
 
 use super::page::number;
 use super::picture::{Curve, dense, draw, expected};
+use super::workers::map_all;
 use super::{CaseRun, timed};
 
-/// Cases with more nodes are left out: segments are summed edge by edge (chosen: some seconds each).
+/// Cases with more nodes are left out: segments are summed edge by edge (chosen: some seconds per case).
 const MOST_NODES: usize = 40_000;
-/// Pictures (chosen: the cases in which segments stray farthest).
+/// Number of pictures (chosen: the cases with the largest errors of the segments).
 const PICTURES: usize = 3;
 
 /// A case under both rules.
@@ -19,38 +20,23 @@ struct Pair<'a> {
     run: &'a CaseRun,
     case: Case,
     segments: Vec<Verdict>,
-    /// Segments on a mesh that is not graded.
+    /// Verdicts of segments on a mesh without grading.
     even: Vec<Verdict>,
 }
 
 impl Pair<'_> {
-    /// Largest error of the segments over its tolerance [-].
+    /// Returns the largest error of the segments over its tolerance [-].
     fn worst(&self) -> f64 {
         let shares = self.segments.iter().map(|v| v.error.map_or(f64::INFINITY, |e| e.abs() / v.tolerance));
         shares.fold(0.0, f64::max)
     }
 }
 
-/// The page, and its pictures by name.
+/// Returns the page and its pictures by name.
 pub fn page(runs: &[CaseRun]) -> (String, Vec<(String, String)>) {
-    let mut pairs: Vec<Pair> = runs.iter().filter_map(pair).collect();
+    let mut pairs: Vec<Pair> = map_all(runs, |_, run| pair(run)).into_iter().flatten().collect();
     let mut text = String::from(INTRODUCTION);
-    for pair in &pairs {
-        for ((shape, segment), even) in pair.run.verdicts.iter().zip(&pair.segments).zip(&pair.even) {
-            let _ = writeln!(
-                text,
-                "| {} | {} [{}] | {:.4} | {:.4} | {} | {} | {} |",
-                shape.name,
-                shape.quantity,
-                shape.unit,
-                shape.expected,
-                shape.tolerance,
-                number(shape.error),
-                number(segment.error),
-                number(even.error)
-            );
-        }
-    }
+    pairs.iter().for_each(|pair| rows(&mut text, pair));
     let held = |of: fn(&Pair) -> usize| pairs.iter().map(of).sum::<usize>();
     let _ = writeln!(
         text,
@@ -70,15 +56,34 @@ pub fn page(runs: &[CaseRun]) -> (String, Vec<(String, String)>) {
     (text, pictures)
 }
 
-const INTRODUCTION: &str = "# What the shape functions gain\n\nWritten by `saute validate --write`. Earlier work took every edge \
-    of a mesh for a rod: conductance k · V^(2/3) / length, with V the mean of both nodes' shares of the volume; capacity \
-    ρ c V; heat enters at the vertices within a stated distance of the pan (here zero: the nodes on the face, each with its \
-    share of it). Linear shape functions take the area over length of the cells that meet at the edge instead.\n\n\
-    The rods are right inside a lattice of cubes and nowhere else. At a face the cells are halved, and the rods along it \
-    and into it are too thick for them; where a mesh gets finer towards a face, the rods across its flat cells are too \
-    thin. Finer meshes do not help as long as the cells keep their proportions.\n\n\
-    Below are the lab's slabs and boxes under both rules. A slab counts as a column as wide as its mean spacing. The last \
-    column is the kindest to the segments: a mesh without grading.\n\n\
+/// Adds a row for each value of a case.
+fn rows(text: &mut String, pair: &Pair) {
+    for ((shape, segment), even) in pair.run.verdicts.iter().zip(&pair.segments).zip(&pair.even) {
+        let _ = writeln!(
+            text,
+            "| {} | {} [{}] | {:.4} | {:.4} | {} | {} | {} |",
+            shape.name,
+            shape.quantity,
+            shape.unit,
+            shape.expected,
+            shape.tolerance,
+            number(shape.error),
+            number(segment.error),
+            number(even.error)
+        );
+    }
+}
+
+const INTRODUCTION: &str = "# What the shape functions gain\n\n\
+    Written by `saute validate --write`. Earlier work models each mesh edge as a rod: conductance k · V^(2/3) / \
+    length, where V is the mean of both nodes' shares of the volume; capacity ρ c V; heat enters at the vertices \
+    within a given distance of the pan (here zero: the nodes on the face, each with its share of the face). \
+    Linear shape functions use the area over length of the cells that share the edge.\n\n\
+    Rods are accurate only inside a lattice of cubes. At a face the cells are halved, and the rods along the \
+    face and into it conduct too much; where the mesh is graded towards a face, the rods across its flat cells \
+    conduct too little. Refining the mesh does not help while the cells keep their proportions.\n\n\
+    The table compares both rules on the lab's slabs and boxes. A slab counts as a column as wide as its mean \
+    spacing. The last column is the most favourable case for the segments: a mesh without grading.\n\n\
     | case | quantity | expected | tolerance | error, shape functions | error, segments | error, segments, even mesh |\n\
     |---|---|---:|---:|---:|---:|---:|\n";
 
@@ -86,7 +91,7 @@ fn holding(verdicts: &[Verdict]) -> usize {
     verdicts.iter().filter(|v| v.pass).count()
 }
 
-/// A case under the segments; none where the rule has nothing to say or the case is large.
+/// Runs a case with segments; none if the rule does not apply or the case is large.
 fn pair(run: &CaseRun) -> Option<Pair<'_>> {
     let lab = run.lab.as_ref().filter(|c| c.rule == Rule::ShapeFunctions && c.bodies.len() == 1)?;
     let plain = matches!(lab.shape, Shape::Slab | Shape::Box)

@@ -1,4 +1,4 @@
-//! `saute haptics`: what devices can do, and the control loop closed through a simulated one in its own process.
+//! `saute haptics`: capabilities of devices, and the control loop with a simulated device in its own process.
 
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
@@ -6,9 +6,9 @@ use std::process::{Child, Command, Stdio};
 
 use serde_json::Value;
 
-use crate::running::{Said, run};
+use crate::running::{Ran, run};
 
-/// Builds the simulator beside the command, as ./run.sh does.
+/// Builds the simulator next to the command, as ./run.sh does.
 fn build_simulator() {
     let beside = Path::new(env!("CARGO_BIN_EXE_saute")).parent().unwrap();
     let mut cargo = Command::new(env!("CARGO"));
@@ -34,19 +34,19 @@ fn devices_are_listed_with_their_capabilities_and_what_they_can_show() {
     let shown: Vec<&str> = list.as_array().unwrap().iter().map(|d| d["rendering"].as_str().unwrap()).collect();
     assert_eq!(shown, ["wrench", "wrench", "wrench", "rumble", "force", "sound-and-picture"]);
     assert!((3..6).all(|i| list[i].get("tension_n").is_none() && list[i]["place"].is_string()), "{list}");
-    let said = run(&["haptics", "list"]).out;
+    let ran = run(&["haptics", "list"]).out;
     assert!(
-        said.contains("spidar-frame  Eight strings in a frame") && said.contains("phone  A phone in the hand"),
-        "{said}"
+        ran.contains("spidar-frame  Eight strings in a frame") && ran.contains("phone  A phone in the hand"),
+        "{ran}"
     );
-    assert!(said.contains("at 127.0.0.1:8443 unless @HOST:PORT is given: this machine alone"), "{said}");
+    assert!(ran.contains("at 127.0.0.1:8443 unless @HOST:PORT is given: this machine only"), "{ran}");
 }
 
 #[test]
 fn the_loop_holds_through_the_real_socket_and_survives_every_fault() {
     build_simulator();
-    let said = run(&["haptics", "check", "--for-s", "5", "--faults", "--json"]);
-    let report: Value = serde_json::from_str(&said.out).unwrap_or_else(|e| panic!("{e}: {}", said.err));
+    let ran = run(&["haptics", "check", "--for-s", "5", "--faults", "--json"]);
+    let report: Value = serde_json::from_str(&ran.out).unwrap_or_else(|e| panic!("{e}: {}", ran.err));
     let number =
         |path: &str| report.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("{path}: {report}"));
     // How punctual a thread is depends on the machine; that it is measured does not.
@@ -79,29 +79,29 @@ fn the_loop_holds_through_the_real_socket_and_survives_every_fault() {
 #[test]
 fn an_uncrossed_device_is_checked_by_name_in_words() {
     build_simulator();
-    let said = run(&["haptics", "check", "--device", "spidar-pan", "--for-s", "1"]);
+    let ran = run(&["haptics", "check", "--device", "spidar-pan", "--for-s", "1"]);
     for word in ["rate", "lateness", "pose error", "wrench error", "passivity", "simulated in its own process"] {
-        assert!(said.out.contains(word), "{word}: {} {}", said.out, said.err);
+        assert!(ran.out.contains(word), "{word}: {} {}", ran.out, ran.err);
     }
 }
 
 #[test]
 fn bad_orders_are_refused_with_what_to_do() {
     let refused = |args: &[&str], words: &[&str]| {
-        let said = run(&[&["haptics", "check"], args].concat());
-        assert_eq!(said.code, Some(2), "{args:?}: {}", said.err);
-        assert!(words.iter().all(|w| said.err.contains(w)), "{args:?}: {}", said.err);
+        let ran = run(&[&["haptics", "check"], args].concat());
+        assert_eq!(ran.code, Some(2), "{args:?}: {}", ran.err);
+        assert!(words.iter().all(|w| ran.err.contains(w)), "{args:?}: {}", ran.err);
     };
     refused(&["--device", "spidar-pot"], &["spidar-pot", "there is no such device", "spidar-pan-crossed"]);
     refused(&["--device", "spidar-pot"], &["phone, haply, osc"]);
     refused(&["--device", "phone@no-such-host"], &["no-such-host", "is no address", "give HOST:PORT"]);
-    refused(&["--device", "phone", "--faults"], &["--faults", "cannot be told to fail"]);
+    refused(&["--device", "phone", "--faults"], &["--faults", "faults cannot be injected"]);
     refused(
         &["--device", "phone@127.0.0.1:0", "--wait-s", "0.3"],
         &["does not answer", "pairing code", "this machine alone"],
     );
     refused(&["--for-s", "0"], &["--for-s 0", "1 to 3600"]);
-    refused(&["--faults", "--device", "spidar-pan@127.0.0.1:9"], &["--faults", "cannot be told to fail"]);
+    refused(&["--faults", "--device", "spidar-pan@127.0.0.1:9"], &["--faults", "faults cannot be injected"]);
     refused(&["--device", "spidar-pan@/dev/no-such-port"], &["/dev/no-such-port", "serial port", "HOST:PORT"]);
 }
 
@@ -113,16 +113,12 @@ fn a_missing_simulator_is_named_with_the_remedy() {
     if std::fs::hard_link(own, &lonely).is_err() {
         std::fs::copy(own, &lonely).unwrap();
     }
-    let said: Said = Command::new(&lonely).args(["haptics", "check", "--for-s", "1"]).output().unwrap().into();
-    assert_eq!(said.code, Some(2));
-    assert!(
-        said.err.contains("the simulator is not there") && said.err.contains("cargo build --release"),
-        "{}",
-        said.err
-    );
+    let ran: Ran = Command::new(&lonely).args(["haptics", "check", "--for-s", "1"]).output().unwrap().into();
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.err.contains("the simulator is not there") && ran.err.contains("cargo build --release"), "{}", ran.err);
 }
 
-/// The simulator as a device that somebody else has switched on, and where it listens.
+/// Starts the simulator as a device that is already switched on; returns it with its address.
 fn switched_on(pairing: &str) -> (Child, String) {
     build_simulator();
     let program = Path::new(env!("CARGO_BIN_EXE_saute")).with_file_name("saute-spidar-sim");
@@ -157,12 +153,12 @@ fn a_device_at_an_address_is_used_with_its_pairing_code_and_only_with_it() {
 fn the_simulator_does_not_open_itself_to_the_network_without_a_code() {
     build_simulator();
     let program = Path::new(env!("CARGO_BIN_EXE_saute")).with_file_name("saute-spidar-sim");
-    let said: Said = Command::new(program).args(["--bind", "0.0.0.0:0", "--pairing", "0"]).output().unwrap().into();
-    assert_eq!(said.code, Some(2));
-    assert!(said.err.contains("remedy: give a code"), "{}", said.err);
+    let ran: Ran = Command::new(program).args(["--bind", "0.0.0.0:0", "--pairing", "0"]).output().unwrap().into();
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.err.contains("remedy: give a code"), "{}", ran.err);
 }
 
-/// A check that listens for OSC, and what it says while it waits: where it listens and its code.
+/// Starts a check that listens for OSC; returns it with its address and pairing code.
 fn listening() -> (Child, String, String) {
     let args = ["haptics", "check", "--device", "osc@127.0.0.1:0", "--for-s", "2", "--wait-s", "20", "--json"];
     let mut command = Command::new(env!("CARGO_BIN_EXE_saute"));
@@ -171,7 +167,7 @@ fn listening() -> (Child, String, String) {
     let mut lines = BufReader::new(child.stderr.take().unwrap()).lines().map_while(Result::ok);
     let place = lines.find_map(|l| Some(l.strip_prefix("at ")?.split(',').next()?.to_owned())).unwrap();
     let code = lines.find_map(|l| Some(l.strip_prefix("pairing code ")?.to_owned())).unwrap();
-    // The rest must be read, or the child would wait for room.
+    // The rest must be read, or the child would block on a full pipe.
     std::thread::spawn(move || lines.count());
     (child, place, code)
 }
@@ -182,12 +178,12 @@ fn a_sender_of_osc_is_checked_with_the_code_that_the_screen_shows() {
     let socket = std::net::UdpSocket::bind("127.0.0.1:0").unwrap();
     let send = |addr: &str, args: Vec<rosc::OscType>| {
         let packet = rosc::OscPacket::Message(rosc::OscMessage { addr: addr.into(), args });
-        // Nobody listens any more when the check is over.
+        // Nobody listens once the check is over.
         let _ = socket.send_to(&rosc::encoder::encode(&packet).unwrap(), &place);
     };
     send("/saute/pair", vec![rosc::OscType::String(code)]);
     let sending = std::sync::atomic::AtomicBool::new(true);
-    let said: Said = std::thread::scope(|scope| {
+    let ran: Ran = std::thread::scope(|scope| {
         scope.spawn(|| {
             while sending.load(std::sync::atomic::Ordering::Acquire) {
                 send("/saute/pan/tilt", vec![rosc::OscType::Float(0.0), rosc::OscType::Float(12.0)]);
@@ -199,8 +195,8 @@ fn a_sender_of_osc_is_checked_with_the_code_that_the_screen_shows() {
         sending.store(false, std::sync::atomic::Ordering::Release);
         output.into()
     });
-    let report: Value = serde_json::from_str(&said.out).unwrap();
-    assert_eq!((said.code, &report["health"]), (Some(0), &"running".into()), "{report}");
+    let report: Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!((ran.code, &report["health"]), (Some(0), &"running".into()), "{report}");
     assert!((report["tilted_deg"].as_f64().unwrap() - 12.0).abs() < 0.1, "{report}");
     assert!(report["messages_hz"].as_f64() > Some(30.0) && report["rejected"].as_u64() > Some(50), "{report}");
 }

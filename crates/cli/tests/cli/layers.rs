@@ -1,64 +1,195 @@
-//! Promise: the layers of the house stay apart: `heat` and `food` reach no window, graphics, sound, rigid bodies,
-//! command line or async runtime, and depend only on what lies below them.
+//! Promise: dependencies point one way. Every arrow between the crates of the workspace, and from them to the notable crates
+//! outside, is stated here; an arrow that is not stated fails, and so does a stated one that does not exist.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
+use std::sync::OnceLock;
 
-/// Crates that belong to the shells.
-const SHELLS: [&str; 14] = [
-    "wgpu",
-    "egui",
-    "eframe",
-    "winit",
-    "rapier3d",
-    "parry3d",
-    "cpal",
-    "fundsp",
-    "clap",
-    "tokio",
-    "rayon",
-    "gilrs",
-    "saute-app",
-    "saute",
+use serde_json::Value;
+
+/// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
+/// skipped.
+const ARROWS: [(&str, &[&str]); 13] = [
+    ("saute-heat", &[]),
+    ("saute-food", &["saute-heat"]),
+    ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
+    ("saute-recipe", &["saute-food", "saute-kitchen"]),
+    ("saute-lab", &["saute-heat", "saute-food", "saute-kitchen", "saute-recipe"]),
+    ("saute-plan", &["saute-recipe"]),
+    ("saute-surface", &["saute-heat"]),
+    ("saute-scene", &["wgpu"]),
+    ("saute-picture", &["saute-kitchen", "saute-recipe", "saute-scene", "wgpu"]),
+    (
+        "saute-haptics",
+        &[
+            "saute-kitchen",
+            "httparse",
+            "rcgen",
+            "ring",
+            "rosc",
+            "rustls",
+            "serialport",
+            "thread-priority",
+            "tungstenite",
+        ],
+    ),
+    ("saute-spidar-sim", &["clap", "thread-priority"]),
+    (
+        "saute-window",
+        &[
+            "saute-kitchen",
+            "saute-recipe",
+            "saute-scene",
+            "saute-picture",
+            "saute-haptics",
+            "eframe",
+            "egui",
+            "egui-wgpu",
+            "gilrs",
+            "wgpu",
+        ],
+    ),
+    (
+        "saute",
+        &[
+            "saute-kitchen",
+            "saute-recipe",
+            "saute-lab",
+            "saute-surface",
+            "saute-scene",
+            "saute-picture",
+            "saute-haptics",
+            "saute-window",
+            "clap",
+        ],
+    ),
 ];
 
-fn dependencies(package: &str) -> Vec<String> {
-    let output = Command::new(env!("CARGO"))
-        .args(["tree", "--offline", "--prefix", "none", "--edges", "normal", "--format", "{p}", "--package", package])
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .output()
-        .expect("cargo tree");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let text = String::from_utf8(output.stdout).expect("text");
-    text.lines().filter_map(|line| line.split_whitespace().next()).map(str::to_owned).collect()
+/// Crates outside the workspace whose arrows are stated, by kind.
+const NOTABLE: [&[&str]; 6] = [RIGID_BODIES, GRAPHICS, WINDOW, SOUND, COMMAND_LINE, OUTSIDE_WORLD];
+const RIGID_BODIES: &[&str] = &["rapier3d", "parry3d"];
+const GRAPHICS: &[&str] = &["wgpu"];
+const WINDOW: &[&str] = &["egui", "eframe", "egui-wgpu", "winit", "gilrs", "rfd"];
+const SOUND: &[&str] = &["cpal", "rodio", "kira", "fundsp"];
+const COMMAND_LINE: &[&str] = &["clap"];
+/// Networks, ports, threads and asynchronous runtimes.
+const OUTSIDE_WORLD: &[&str] = &[
+    "httparse",
+    "hyper",
+    "mio",
+    "rayon",
+    "rcgen",
+    "reqwest",
+    "ring",
+    "rosc",
+    "rustls",
+    "serialport",
+    "socket2",
+    "thread-priority",
+    "tokio",
+    "tungstenite",
+    "ureq",
+];
+
+/// The core: a pure function of model, state, commands and time step.
+const CORE: [&str; 6] = ["saute-heat", "saute-food", "saute-kitchen", "saute-recipe", "saute-lab", "saute-plan"];
+
+/// The normal dependencies of every crate, on the platform of this machine.
+struct Graph {
+    needs: BTreeMap<String, BTreeSet<String>>,
+    members: BTreeSet<String>,
 }
 
-fn reaches(package: &str, forbidden: &[&str]) {
-    let found = dependencies(package);
-    assert!(found.len() > 2, "cargo tree listed only {found:?}");
-    for name in forbidden {
-        assert!(!found.iter().any(|f| f == name), "{package} must not depend on {name}");
+impl Graph {
+    fn read() -> &'static Self {
+        static GRAPH: OnceLock<Graph> = OnceLock::new();
+        GRAPH.get_or_init(|| Self::new(&metadata()))
+    }
+
+    fn new(metadata: &Value) -> Self {
+        let list = |value: &Value| value.as_array().unwrap().clone();
+        let packages = list(&metadata["packages"]);
+        let name_of: BTreeMap<&str, &str> =
+            packages.iter().map(|p| (p["id"].as_str().unwrap(), p["name"].as_str().unwrap())).collect();
+        let name = |id: &Value| name_of[id.as_str().unwrap()].to_owned();
+        let is_normal = |dep: &Value| list(&dep["dep_kinds"]).iter().any(|kind| kind["kind"].is_null());
+        let mut needs: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+        for node in list(&metadata["resolve"]["nodes"]) {
+            let deps = list(&node["deps"]).into_iter().filter(is_normal).map(|dep| name(&dep["pkg"]));
+            // Versions of one crate are not distinguished.
+            needs.entry(name(&node["id"])).or_default().extend(deps);
+        }
+        Self { needs, members: list(&metadata["workspace_members"]).iter().map(name).collect() }
+    }
+
+    /// Returns everything that a crate needs, directly or not.
+    fn reached<'a>(&'a self, from: &'a str) -> BTreeSet<&'a str> {
+        let (mut reached, mut open) = (BTreeSet::new(), vec![from]);
+        while let Some(next) = open.pop() {
+            open.extend(self.needs[next].iter().map(String::as_str).filter(|need| reached.insert(*need)));
+        }
+        reached
+    }
+
+    fn assert_reaches_none(&self, from: &[&str], forbidden: &[&[&str]]) {
+        for from in from.iter().filter(|name| self.members.contains(**name)) {
+            let reached = self.reached(from);
+            assert!(reached.len() > 2, "{from} needs only {reached:?}");
+            for name in forbidden.concat() {
+                assert!(!reached.contains(name), "{from} must not depend on {name}");
+            }
+        }
+    }
+}
+
+fn cargo(args: &[&str]) -> String {
+    let output = Command::new(env!("CARGO")).args(args).current_dir(env!("CARGO_MANIFEST_DIR")).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Reads the dependency graph for the platform of this machine, whose crates are on the disk.
+fn metadata() -> Value {
+    let version = cargo(&["--version", "--verbose"]);
+    let host = version.lines().find_map(|line| line.strip_prefix("host: ")).unwrap();
+    let text = cargo(&["metadata", "--offline", "--format-version", "1", "--filter-platform", host]);
+    serde_json::from_str(&text).unwrap()
+}
+
+#[test]
+fn every_arrow_between_crates_is_stated_and_every_stated_arrow_exists() {
+    let graph = Graph::read();
+    let stated: BTreeMap<&str, BTreeSet<&str>> =
+        ARROWS.iter().map(|(name, needs)| (*name, needs.iter().copied().collect())).collect();
+    let is_stated = |name: &&str| graph.members.contains(*name) || NOTABLE.concat().contains(name);
+    for member in &graph.members {
+        let stated = stated.get(member.as_str()).unwrap_or_else(|| panic!("the arrows of {member} are not stated"));
+        let found: BTreeSet<&str> = graph.needs[member].iter().map(String::as_str).filter(is_stated).collect();
+        let (new, gone) = (found.difference(stated), stated.difference(&found));
+        let (new, gone): (Vec<_>, Vec<_>) = (new.collect(), gone.collect());
+        assert!(new.is_empty() && gone.is_empty(), "{member}: not stated {new:?}, stated but absent {gone:?}");
     }
 }
 
 #[test]
-fn heat_knows_no_food_and_no_shell() {
-    reaches("saute-heat", &SHELLS);
-    reaches("saute-heat", &["saute-food", "saute-kitchen"]);
+fn the_core_reaches_no_graphics_no_window_no_sound_no_command_line_and_no_network() {
+    Graph::read().assert_reaches_none(&CORE, &[GRAPHICS, WINDOW, SOUND, COMMAND_LINE, OUTSIDE_WORLD]);
+    Graph::read().assert_reaches_none(&["saute-heat", "saute-food"], &[RIGID_BODIES]);
 }
 
 #[test]
-fn food_knows_no_kitchen_and_no_shell() {
-    reaches("saute-food", &SHELLS);
-    reaches("saute-food", &["saute-kitchen"]);
+fn pictures_are_rendered_without_a_window() {
+    let forbidden = [WINDOW, SOUND, COMMAND_LINE, OUTSIDE_WORLD];
+    Graph::read().assert_reaches_none(&["saute-scene", "saute-picture"], &forbidden);
+    let above_scene = ["saute-food", "saute-kitchen", "saute-recipe", "saute-lab", "saute-picture", "saute-haptics"];
+    Graph::read().assert_reaches_none(&["saute-scene"], &[&above_scene]);
 }
 
 #[test]
-fn the_kitchen_knows_no_shell() {
-    reaches("saute-kitchen", &["wgpu", "egui", "eframe", "winit", "clap", "tokio", "rayon", "saute-app", "saute"]);
-}
-
-#[test]
-fn haptics_know_no_shell_and_the_simulator_shares_no_code_with_its_driver() {
-    reaches("saute-haptics", &["wgpu", "egui", "eframe", "winit", "clap", "tokio", "rayon", "saute-app", "saute"]);
-    reaches("saute-spidar-sim", &["saute-haptics", "saute-kitchen", "saute-food", "saute-heat"]);
+fn haptics_reach_no_shell_and_the_simulator_shares_no_code_with_its_driver() {
+    let shells = ["saute-recipe", "saute-lab", "saute-scene", "saute-picture", "saute-window", "saute"];
+    Graph::read().assert_reaches_none(&["saute-haptics"], &[GRAPHICS, WINDOW, SOUND, COMMAND_LINE, &shells]);
+    Graph::read().assert_reaches_none(&["saute-haptics"], &[&["tokio", "rayon"]]);
+    let reached = Graph::read().reached("saute-spidar-sim");
+    assert!(!reached.iter().any(|name| name.starts_with("saute")), "{reached:?}");
 }

@@ -1,23 +1,15 @@
-//! The command as its users see it: what it prints, writes, refuses, and how it exits.
+//! The command from outside: output, files, refusals and exit codes.
 
-// A test that unwraps in vain says where.
+// A test that fails at an unwrap names its line.
 #![allow(clippy::unwrap_used)]
 
-mod bad_input;
-mod cooked;
-mod data_folder;
-mod doneness;
-mod food_check;
-mod gallery;
-mod groups;
+mod architecture;
+mod cook;
+mod folders;
 mod haptics;
 mod layers;
-mod lists;
-mod looks;
-mod out_folder;
-mod output;
-mod recipes;
+mod library;
+mod pictures;
 mod running;
-mod schema;
-mod stopping;
+mod sources;
 mod validation;

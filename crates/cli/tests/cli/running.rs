@@ -1,10 +1,10 @@
-//! Runs the command and keeps what it said.
+//! Runs the command and keeps its output.
 
 use std::ffi::OsStr;
 use std::path::Path;
 use std::process::{Command, Output};
 
-/// The command, ready for arguments.
+/// Returns the command, ready for arguments.
 pub fn saute() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_saute"));
     for display in ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"] {
@@ -13,27 +13,27 @@ pub fn saute() -> Command {
     command
 }
 
-/// What one run said.
+/// Exit code and output of one run.
 #[derive(Debug)]
-pub struct Said {
+pub struct Ran {
     pub code: Option<i32>,
     pub out: String,
     pub err: String,
 }
 
-impl From<Output> for Said {
+impl From<Output> for Ran {
     fn from(output: Output) -> Self {
-        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the command speaks UTF-8");
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the output is UTF-8");
         Self { code: output.status.code(), out: text(output.stdout), err: text(output.stderr) }
     }
 }
 
 /// Runs the command with arguments.
-pub fn run<S: AsRef<OsStr>>(args: &[S]) -> Said {
+pub fn run<S: AsRef<OsStr>>(args: &[S]) -> Ran {
     saute().args(args).output().expect("the command starts").into()
 }
 
-/// Names of all files in a folder; none if it does not exist.
+/// Returns the names of all files in a folder; none if it does not exist.
 pub fn names_in(dir: &Path) -> Vec<String> {
     let Ok(entries) = std::fs::read_dir(dir) else {
         return Vec::new();

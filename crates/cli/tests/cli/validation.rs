@@ -1,17 +1,17 @@
-//! Promise: every validation case holds, and the lab explains itself.
+//! Promise: every validation case holds, and the lab prints and documents its numbers.
 
 use std::path::Path;
 
-use crate::running::{Said, run, saute};
+use crate::running::{Ran, run, saute};
 
-/// One run for all that it promises: verdicts, progress, pages and pictures in a folder that has neither.
+/// One run for all promises: verdicts, progress, pages and pictures in an empty folder.
 #[test]
 fn every_validation_case_holds_and_its_page_is_written_with_pictures() {
     let dir = tempfile::tempdir().unwrap();
-    let said: Said = saute().args(["validate", "--json", "--write"]).current_dir(dir.path()).output().unwrap().into();
-    assert_eq!(said.code, Some(0), "{}{}", said.out, said.err);
-    assert!(said.err.contains("1 of "), "{}", said.err);
-    let verdicts: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    let ran: Ran = saute().args(["validate", "--json", "--write"]).current_dir(dir.path()).output().unwrap().into();
+    assert_eq!(ran.code, Some(0), "{}{}", ran.out, ran.err);
+    assert!(ran.err.contains("1 of "), "{}", ran.err);
+    let verdicts: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
     let cases = verdicts["cases"].as_array().unwrap();
     assert!(cases.len() > 140, "only {} values", cases.len());
     for case in cases {
@@ -35,9 +35,9 @@ fn check_pages(dir: &Path) {
 
 #[test]
 fn an_unknown_case_is_refused_with_the_known_ones() {
-    let said = run(&["validate", "--case", "nothing"]);
-    assert_eq!(said.code, Some(2));
-    assert!(said.err.contains("remedy:") && said.err.contains("burger-flipped-once"), "{}", said.err);
+    let ran = run(&["validate", "--case", "nothing"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.err.contains("remedy:") && ran.err.contains("burger-flipped-once"), "{}", ran.err);
 }
 
 #[test]
@@ -48,9 +48,9 @@ fn the_lab_prints_every_key_and_refuses_bad_cases() {
         [material]\nfood = \"beef-lean\"\n[[boundary]]\nface = \"all\"\nh_w_m2k = 50\nambient_c = 90\n\
         [[probe]]\nname = \"centre\"\nat_mm = [0, 0, 0]\n[report]\nvolume_above_c = [40]\n";
     std::fs::write(&path, good).unwrap();
-    let said = run(&["lab", path.to_str().unwrap(), "--json"]);
-    assert_eq!(said.code, Some(0), "{}", said.err);
-    let report: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    let ran = run(&["lab", path.to_str().unwrap(), "--json"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let report: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
     for key in
         ["nodes", "steps", "wall_s", "stopped_at_s", "probes", "volume_pct_above", "absorbed_j", "max_c", "min_c"]
     {
@@ -58,16 +58,16 @@ fn the_lab_prints_every_key_and_refuses_bad_cases() {
     }
     assert_eq!(report["probes"]["centre"].as_array().unwrap().len(), 3);
     std::fs::write(&path, good.replace("sphere", "cone")).unwrap();
-    let said = run(&["lab", path.to_str().unwrap()]);
-    assert_eq!(said.code, Some(2));
-    assert!(said.err.contains("case.toml:4:") && said.err.contains("remedy:"), "{}", said.err);
+    let ran = run(&["lab", path.to_str().unwrap()]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.err.contains("case.toml:4:") && ran.err.contains("remedy:"), "{}", ran.err);
 }
 
 #[test]
-fn the_heat_bench_tells_every_number_and_its_brick_is_exact() {
-    let said = run(&["bench", "heat", "--json"]);
-    assert_eq!(said.code, Some(0), "{}", said.err);
-    let bench: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+fn the_heat_bench_prints_every_number_and_its_brick_is_exact() {
+    let ran = run(&["bench", "heat", "--json"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let bench: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
     let number = |pointer: &str| bench.pointer(pointer).and_then(serde_json::Value::as_f64).expect(pointer);
     assert!(number("/brick/max_error_k") <= 0.1 && number("/brick/half_step_error_k") <= 0.1, "{bench}");
     for pointer in [
@@ -87,7 +87,7 @@ fn the_heat_bench_tells_every_number_and_its_brick_is_exact() {
 }
 
 #[test]
-fn the_lab_tells_fluxes_phases_and_vapour_and_its_schema_names_their_keys() {
+fn the_lab_prints_fluxes_phases_and_vapour_and_its_schema_names_their_keys() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("stack.toml");
     let stack = "duration_s = 60\n[pan]\nkind = \"cast-iron-26\"\ninitial_c = 200\nq_w_m2 = 5000\n\
@@ -97,9 +97,9 @@ fn the_lab_tells_fluxes_phases_and_vapour_and_its_schema_names_their_keys() {
         [[phase]]\nuntil = { at_s = 20 }\n[[phase]]\n[[phase.boundary]]\nface = \"top\"\nh_w_m2k = 15\nambient_c = 25\n\
         [[probe]]\nname = \"border\"\nat_mm = [10]\nflux = true\n[report]\npeak_of = \"border\"\n";
     std::fs::write(&path, stack).unwrap();
-    let said = run(&["lab", path.to_str().unwrap(), "--json"]);
-    assert_eq!(said.code, Some(0), "{}", said.err);
-    let report: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    let ran = run(&["lab", path.to_str().unwrap(), "--json"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let report: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
     assert_eq!(report["phases_ended_s"][0], 20.0, "{report}");
     assert!(
         report["evaporated_kg_m2"].as_f64().unwrap() > 0.0 && report["core_peak_c"].as_f64().unwrap() > 5.0,
@@ -112,8 +112,8 @@ fn the_lab_tells_fluxes_phases_and_vapour_and_its_schema_names_their_keys() {
     }
     for (from, to, line) in [("cast-iron-26", "wok", 3), ("at_mm = [10]", "at_mm = [16]", 29), ("0.48", "nan", 16)] {
         std::fs::write(&path, stack.replace(from, to)).unwrap();
-        let said = run(&["lab", path.to_str().unwrap()]);
-        assert_eq!(said.code, Some(2), "{}", said.out);
-        assert!(said.err.contains(&format!("stack.toml:{line}:")) && said.err.contains("remedy:"), "{}", said.err);
+        let ran = run(&["lab", path.to_str().unwrap()]);
+        assert_eq!(ran.code, Some(2), "{}", ran.out);
+        assert!(ran.err.contains(&format!("stack.toml:{line}:")) && ran.err.contains("remedy:"), "{}", ran.err);
     }
 }

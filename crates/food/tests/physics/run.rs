@@ -7,10 +7,11 @@ use saute_food::{
     FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, MeshSize, PieceSpec, Rules, Surroundings,
     Touch, ZERO_C,
 };
+use saute_heat::SweptMesh;
 
 pub const DT: f64 = 0.1;
 
-/// The body frame's direction that points up while the bottom lies below, and after a flip.
+/// The world's upward direction in the body frame, before and after a flip.
 pub const UP: [f64; 3] = [0.0, 0.0, 1.0];
 pub const FLIPPED: [f64; 3] = [0.0, 0.0, -1.0];
 
@@ -22,7 +23,7 @@ pub fn piece(kind: &str, spec: &PieceSpec) -> FoodModel {
     shaped(kind, spec, |_| {})
 }
 
-/// A piece of a food whose description is changed first.
+/// A piece of a food with a changed description.
 pub fn shaped(kind: &str, spec: &PieceSpec, change: impl Fn(&mut FoodDescription)) -> FoodModel {
     let data = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
     let read = |path: String| std::fs::read_to_string(data.join(path)).expect("data file");
@@ -48,7 +49,7 @@ pub fn kitchen_air() -> FreeAir {
     }
 }
 
-/// What passed in a whole run.
+/// Heat and mass exchanged in a whole run.
 #[derive(Default)]
 pub struct Passed {
     pub contact: f64,
@@ -81,9 +82,9 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Fries on a plate at one temperature and conductance.
+    /// Fries on a plate of constant temperature and contact conductance.
     pub fn fry(&mut self, seconds: f64, plate_c: f64, h: f64, air: FreeAir) {
-        let mut touch = vec![Touch::default(); self.model.patches.len()];
+        let mut touch = vec![Touch::default(); self.model.patches().len()];
         for patch in self.model.patches_below(self.up) {
             touch[patch] = Touch { conductance: h, temperature: ZERO_C + plate_c };
         }
@@ -107,4 +108,9 @@ impl<'a> Run<'a> {
     pub fn core(&self) -> f64 {
         self.model.core_temperature(&self.state) - ZERO_C
     }
+}
+
+/// The layers of a swept body.
+pub fn swept_mesh(model: &FoodModel) -> &SweptMesh {
+    model.mesh().swept().expect("a swept body")
 }

@@ -1,4 +1,4 @@
-//! A device on the bench: it speaks the protocol in memory, stands where it is told, and shows what was pulled.
+//! A bench device: it implements the protocol in memory, with a prescribed pose and visible tensions.
 
 use std::collections::VecDeque;
 use std::io;
@@ -8,7 +8,7 @@ use saute_haptics::strings::Lines;
 use saute_haptics::wire::{Caps, DeviceState, Frame, FrameError, Link, Message, Refusal, Sample, Units};
 use saute_haptics::{Geometry, Pose, Wrench};
 
-/// What the test sees and moves.
+/// State that the test sets and reads.
 #[derive(Clone)]
 pub struct Bench(Arc<Mutex<State>>);
 
@@ -30,7 +30,7 @@ struct State {
 pub struct BenchLink(Bench);
 
 impl Bench {
-    /// A device exactly as drawn, whose encoders count from elsewhere.
+    /// Creates a device exactly as drawn, with arbitrary encoder zeros.
     pub fn new(geometry: &Geometry) -> Self {
         Self(Arc::new(Mutex::new(State {
             geometry: geometry.clone(),
@@ -64,7 +64,7 @@ impl Bench {
         self.0.lock().unwrap().units = units;
     }
 
-    /// The encoders lose their count; the pan goes to the jig.
+    /// Simulates a power cycle: the encoders lose their count and the pan goes to the jig.
     pub fn power_cycle(&self) {
         let mut state = self.0.lock().unwrap();
         state.boot += 1;
@@ -72,7 +72,7 @@ impl Bench {
         state.jigging = Some(0);
     }
 
-    /// A string slips on its pulley by a length [m], unnoticed.
+    /// Lets a string slip on its pulley by a length [m].
     pub fn slip(&self, by: f64) {
         self.0.lock().unwrap().offset[3] += by;
     }
@@ -85,7 +85,7 @@ impl Bench {
         self.0.lock().unwrap().tension_mn.map(|t| f64::from(t) * 1e-3)
     }
 
-    /// What the strings do to the pan [N, N·m].
+    /// Returns the wrench of the strings on the pan [N, N·m].
     pub fn wrench(&self) -> Wrench {
         let state = self.0.lock().unwrap();
         let lines: Lines = state.geometry.rig().lines(&state.pose);
@@ -94,7 +94,7 @@ impl Bench {
 }
 
 impl State {
-    fn hear(&mut self, frame: &Frame) {
+    fn receive(&mut self, frame: &Frame) {
         self.time_us += 1000;
         let answer = match frame.message {
             Message::Hello(hello) if hello.pairing != self.pairing => Message::Refused(Refusal::WrongCode),
@@ -152,7 +152,7 @@ impl Link for BenchLink {
     fn send(&mut self, frame: &Frame) -> io::Result<()> {
         let mut state = self.0.0.lock().unwrap();
         if state.plugged {
-            state.hear(frame);
+            state.receive(frame);
         }
         Ok(())
     }

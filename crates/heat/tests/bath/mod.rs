@@ -1,8 +1,8 @@
-//! Bodies of lumped nodes that soak in surroundings of one temperature.
+//! Bodies of lumped nodes in surroundings of one temperature.
 
 use saute_heat::{Conduction, Graph};
 
-/// What a body is made of, as far as heat is concerned.
+/// The thermal description of a body.
 pub struct Bath<'a> {
     /// Volumes and edges.
     pub graph: &'a Graph,
@@ -15,7 +15,7 @@ pub struct Bath<'a> {
 }
 
 impl Bath<'_> {
-    /// Soaks the nodes at temperatures `t` for some time [s] by explicit steps; returns the heat taken up [J].
+    /// Advances the temperatures `t` by a time [s] with explicit steps; returns the absorbed heat [J].
     pub fn soak(&self, t: &mut [f64], ambient: f64, duration: f64) -> f64 {
         let limit = 0.9 * self.conduction.stable_step_with(self.capacity, self.exchange);
         let steps = (duration / limit).ceil();

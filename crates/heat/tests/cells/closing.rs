@@ -1,4 +1,4 @@
-//! Promise: what is wrong with a surface is told with its number, place and remedy, and nothing wrong is meshed.
+//! Promise: what is wrong with a surface is reported with its number, place and remedy, and no defective surface is meshed.
 
 use saute_heat::{Defect, Soup, Surface};
 
@@ -30,14 +30,14 @@ fn loose_corners_are_joined_and_measured() {
 }
 
 #[test]
-fn a_body_inside_out_is_turned() {
+fn a_body_inside_out_is_inverted() {
     let mut inverted = cube();
     inverted.triangles.iter_mut().for_each(|t| t.swap(0, 1));
     assert!(close(&inverted).unwrap().volume() > 0.0);
 }
 
 #[test]
-fn a_hole_is_told_with_its_edges() {
+fn a_hole_is_reported_with_its_edges() {
     let mut open = cube();
     open.triangles.remove(3);
     let defect = close(&open).unwrap_err();
@@ -47,14 +47,14 @@ fn a_hole_is_told_with_its_edges() {
 }
 
 #[test]
-fn a_turned_triangle_is_told() {
+fn an_inverted_triangle_is_reported() {
     let mut turned = cube();
     turned.triangles[5].swap(0, 1);
     assert!(matches!(close(&turned), Err(Defect::Orientation(t)) if t.count == 3));
 }
 
 #[test]
-fn bodies_that_share_an_edge_or_a_corner_are_told() {
+fn bodies_that_share_an_edge_or_a_corner_are_reported() {
     let edge = joined(&[cube(), brick([20.0, 20.0, 0.0], [20.0; 3])]);
     assert!(matches!(close(&edge), Err(Defect::NonManifold(t)) if t.count == 1), "{:?}", close(&edge));
     let corner = joined(&[cube(), brick([20.0, 20.0, 20.0], [20.0; 3])]);
@@ -62,7 +62,7 @@ fn bodies_that_share_an_edge_or_a_corner_are_told() {
 }
 
 #[test]
-fn separate_bodies_and_hollows_are_told() {
+fn separate_bodies_and_hollows_are_reported() {
     let apart = joined(&[cube(), brick([50.0, 0.0, 0.0], [10.0; 3])]);
     assert!(matches!(close(&apart), Err(Defect::Bodies(t)) if t.count == 2));
     let mut hollow = brick([5.0; 3], [5.0; 3]);
@@ -71,7 +71,7 @@ fn separate_bodies_and_hollows_are_told() {
 }
 
 #[test]
-fn triangles_without_area_are_told() {
+fn triangles_without_area_are_reported() {
     let mut sliver = loose(&cube());
     // The first triangle's first edge gets a corner in its middle that leaves a triangle without height.
     let [a, b, c] = sliver[0];
@@ -82,7 +82,7 @@ fn triangles_without_area_are_told() {
 }
 
 #[test]
-fn sizes_out_of_range_are_told_with_the_remedy() {
+fn sizes_out_of_range_are_reported_with_the_remedy() {
     let thin = close(&brick([0.0; 3], [20.0, 20.0, 1.0])).unwrap_err();
     assert!(matches!(thin, Defect::TooSmall(_)) && thin.remedy().contains("scale_mm"), "{thin}");
     let metres = Surface::close(&cube(), 1.0).unwrap_err();
@@ -90,7 +90,7 @@ fn sizes_out_of_range_are_told_with_the_remedy() {
 }
 
 #[test]
-fn a_body_that_crosses_itself_is_told() {
+fn a_body_that_crosses_itself_is_reported() {
     // A long prism bent back through itself: its top is pushed down through its bottom.
     let square = [[-10.0, -10.0], [10.0, -10.0], [10.0, 10.0], [-10.0, 10.0]];
     let mut pushed = prism(&square, 20.0);
@@ -103,7 +103,7 @@ fn a_body_that_crosses_itself_is_told() {
 }
 
 #[test]
-fn folded_faces_that_lie_on_each_other_are_told() {
+fn folded_faces_that_lie_on_each_other_are_reported() {
     // A flat fold: the top's middle pulled sideways in the top's plane beyond an edge.
     let square = [[-10.0, -10.0], [10.0, -10.0], [10.0, 10.0], [-10.0, 10.0]];
     let mut folded = prism(&square, 20.0);
@@ -112,7 +112,7 @@ fn folded_faces_that_lie_on_each_other_are_told() {
 }
 
 #[test]
-fn what_is_no_surface_is_told() {
+fn input_that_is_no_surface_is_reported() {
     assert_eq!(close(&Soup::default()), Err(Defect::Empty));
     let mut broken = cube();
     broken.vertices[4][1] = f64::NAN;

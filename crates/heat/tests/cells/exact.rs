@@ -1,5 +1,5 @@
 //! Promise: conduction in bodies of cells agrees with the closed-form solutions of cube, ball and cylinder (Carslaw &
-//! Jaeger 1959), converges, keeps energy and never leaves the range of the data.
+//! Jaeger 1959), converges, conserves energy and never leaves the range of the data.
 
 use saute_heat::{CellMesh, Conduction, Soup};
 
@@ -34,7 +34,7 @@ impl Body {
         Self { mesh, capacity, exchange, conduction, t }
     }
 
-    /// Runs for some time and returns the heat taken up [J].
+    /// Advances by a time [s] and returns the absorbed heat [J].
     fn run(&mut self, duration: f64) -> f64 {
         let Self { mesh, capacity, exchange, conduction, t } = self;
         Bath { graph: &mesh.graph, conduction, capacity, exchange }.soak(t, AMBIENT, duration)
@@ -45,14 +45,14 @@ impl Body {
         sum / self.mesh.graph.volume.iter().sum::<f64>()
     }
 
-    /// Temperature in the middle, mean temperature.
+    /// Returns the temperature at the centre and the mean temperature [°C].
     fn after(&mut self, duration: f64) -> [f64; 2] {
         self.run(duration);
         [self.mesh.at(&self.t, [0.0; 3]), self.mean()]
     }
 }
 
-/// Roots of an increasing function in the intervals between its poles.
+/// Returns the root of an increasing function in an interval, by bisection.
 fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     for _ in 0..200 {
         let mid = 0.5 * (low + high);
@@ -61,7 +61,7 @@ fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Excess ratio in the middle and on average of a slab of half-thickness l after a time.
+/// Returns the excess ratios at the centre and on average of a slab of half-thickness l after a time [-].
 fn slab(l: f64, time: f64) -> [f64; 2] {
     let (bi, fo) = (H * l / K, 1.3e-7 * time / (l * l));
     let mut sums = [0.0; 2];
@@ -75,7 +75,7 @@ fn slab(l: f64, time: f64) -> [f64; 2] {
     sums
 }
 
-/// The same of a ball of radius r.
+/// Returns the same ratios of a ball of radius r [-].
 fn sphere(r: f64, time: f64) -> [f64; 2] {
     let (bi, fo) = (H * r / K, 1.3e-7 * time / (r * r));
     let mut sums = [0.0; 2];
@@ -90,7 +90,7 @@ fn sphere(r: f64, time: f64) -> [f64; 2] {
     sums
 }
 
-/// Bessel functions of the first kind, order 0 and 1, by their integrals.
+/// Returns the Bessel function of the first kind of integer order, by its integral.
 fn bessel(order: f64, x: f64) -> f64 {
     let n = 400;
     let step = std::f64::consts::PI / f64::from(n);
@@ -99,7 +99,7 @@ fn bessel(order: f64, x: f64) -> f64 {
     (inner + 0.5 * (value(0) + value(n))) / f64::from(n)
 }
 
-/// The same of a long cylinder of radius r.
+/// Returns the same ratios of a long cylinder of radius r [-].
 fn long_cylinder(r: f64, time: f64) -> [f64; 2] {
     let (bi, fo) = (H * r / K, 1.3e-7 * time / (r * r));
     let mut sums = [0.0; 2];
@@ -134,7 +134,7 @@ fn product(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] * b[0], a[1] * b[1]]
 }
 
-/// Largest difference of the middle's and the mean temperature from the exact ones over several times [K].
+/// Returns the largest errors of the central and of the mean temperature over several times [K].
 fn error(soup: &Soup, coarseness: f64, times: &[f64], exact: impl Fn(f64) -> [f64; 2]) -> [f64; 2] {
     let mut body = Body::new(soup, coarseness, H);
     let (mut worst, mut before) = ([0.0f64; 2], 0.0);
@@ -163,9 +163,9 @@ fn cylinder_error(coarseness: f64) -> [f64; 2] {
     error(&cylinder(15.0, 20.0, 128), coarseness, &[60.0, 180.0, 360.0, 720.0], exact)
 }
 
-/// Of a step of 140 K, the middle and the mean are right to about a percent.
+/// The centre and the mean are exact to about one percent of a step of 140 K.
 #[test]
-fn cube_ball_and_cylinder_warm_as_the_series_say() {
+fn cube_ball_and_cylinder_follow_the_series() {
     for (name, [middle, mean]) in
         [("cube", cube_error(1.0)), ("ball", ball_error(1.0)), ("cylinder", cylinder_error(1.0))]
     {
@@ -175,7 +175,7 @@ fn cube_ball_and_cylinder_warm_as_the_series_say() {
 }
 
 #[test]
-fn finer_meshes_are_nearer() {
+fn finer_meshes_have_smaller_errors() {
     for (name, error) in [("cube", cube_error as fn(f64) -> [f64; 2]), ("ball", ball_error)] {
         let [coarse, fine] = [error(2.0), error(0.75)];
         println!("{name}: {coarse:?} -> {fine:?}");
@@ -184,7 +184,7 @@ fn finer_meshes_are_nearer() {
 }
 
 #[test]
-fn energy_taken_in_is_energy_stored() {
+fn absorbed_energy_equals_stored_energy() {
     let mut body = Body::new(&ball(12.0, 4), 1.0, H);
     let taken = body.run(200.0);
     let stored: f64 = body.t.iter().zip(&body.capacity).map(|(t, c)| (t - START) * c).sum();

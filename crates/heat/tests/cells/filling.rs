@@ -1,8 +1,8 @@
-//! Promise: cells fill the surface, conduct linear fields exactly inside, and never with a negative conductance.
+//! Promise: cells fill the surface, conduct linear fields exactly inside, and have no negative conductance.
 
 use std::time::Instant;
 
-use saute_heat::vector::{dot, length};
+use glam::DVec3;
 use saute_heat::{CellMesh, Fineness, Soup, Surface};
 
 use crate::bodies::{angle_piece, ball, brick, cylinder};
@@ -25,7 +25,7 @@ fn all() -> [(&'static str, Soup); 6] {
 }
 
 #[test]
-fn volumes_and_areas_add_up_to_the_surface_s() {
+fn volumes_and_areas_sum_to_those_of_the_surface() {
     for (name, soup) in all() {
         let start = Instant::now();
         let mesh = meshed(&soup, 1.0);
@@ -58,7 +58,7 @@ fn stable_step(mesh: &CellMesh) -> f64 {
     mesh.graph.volume.iter().zip(&total).map(|(v, t)| v / (1.3e-7 * t)).fold(f64::INFINITY, f64::min)
 }
 
-/// The area vectors of a closed surface add up to nothing. Planes beside a re-entrant edge fit less well.
+/// The area vectors of a closed surface sum to zero. The planes next to a re-entrant edge fit less well.
 #[test]
 fn patches_close_the_body() {
     for (name, soup) in all() {
@@ -71,7 +71,7 @@ fn patches_close_the_body() {
     }
 }
 
-/// What a linear field brings to a node inside, it takes away again.
+/// A linear field has no divergence.
 #[test]
 fn a_linear_field_carries_no_net_flux_to_nodes_inside() {
     let mesh = meshed(&brick([0.0; 3], [60.0, 40.0, 20.0]), 1.0);
@@ -84,7 +84,7 @@ fn a_linear_field_carries_no_net_flux_to_nodes_inside() {
         }
         let face = mesh.fineness.spacing.powi(2);
         for (i, value) in net.iter().enumerate().filter(|(i, _)| mesh.depth[*i] > 0.0) {
-            // Cells near an edge of the box may reach the surface and miss what enters there.
+            // Cells near an edge of the box may reach the surface, where heat enters at other nodes.
             let limit = if next_face(mesh.positions[i]) > mesh.fineness.spacing { 1e-5 } else { 0.03 };
             assert!(value.abs() < limit * face, "node {i} at {:?}: {value:e}", mesh.positions[i]);
         }
@@ -104,7 +104,7 @@ fn next_face(p: [f64; 3]) -> f64 {
 }
 
 #[test]
-fn linear_fields_are_read_exactly_inside() {
+fn linear_fields_are_interpolated_exactly_inside() {
     let mesh = meshed(&brick([0.0; 3], [60.0, 40.0, 20.0]), 1.0);
     let field = |p: [f64; 3]| 20.0 + 1000.0 * p[0] - 700.0 * p[1] + 300.0 * p[2];
     let values: Vec<f64> = mesh.positions.iter().map(|p| field(*p)).collect();
@@ -117,7 +117,7 @@ fn linear_fields_are_read_exactly_inside() {
 }
 
 #[test]
-fn every_vertex_of_the_skin_reads_nodes_near_it() {
+fn every_vertex_of_the_skin_is_interpolated_from_nodes_near_it() {
     for (name, soup) in all() {
         let mesh = meshed(&soup, 1.0);
         let skin = &mesh.skin;
@@ -125,10 +125,10 @@ fn every_vertex_of_the_skin_reads_nodes_near_it() {
             let sum: f64 = skin.weights[v].iter().sum();
             assert!((sum - 1.0).abs() < 1e-9 && skin.weights[v].iter().all(|w| *w >= 0.0));
             for (node, w) in skin.nodes[v].iter().zip(skin.weights[v]).filter(|(_, w)| *w > 0.01) {
-                let d = [0, 1, 2].map(|k| skin.vertices[v][k] - mesh.positions[*node as usize][k]);
-                assert!(length(d) < 3.5 * mesh.fineness.spacing, "{name}: {w} of a node {} mm away", 1e3 * length(d));
+                let d = DVec3::from(skin.vertices[v]).distance(mesh.positions[*node as usize].into());
+                assert!(d < 3.5 * mesh.fineness.spacing, "{name}: {w} of a node {} mm away", 1e3 * d);
             }
-            assert!((dot(skin.normals[v], skin.normals[v]) - 1.0).abs() < 1e-9);
+            assert!((DVec3::from(skin.normals[v]).length_squared() - 1.0).abs() < 1e-9);
         }
         let area: f64 = skin_area(&mesh);
         assert!((area / mesh.surface.area() - 1.0).abs() < 1e-9);
@@ -140,16 +140,15 @@ fn skin_area(mesh: &CellMesh) -> f64 {
     surface.area()
 }
 
-/// A cut through a ball is a disc, and reads linear fields as they are.
 #[test]
-fn a_cut_is_the_section_of_the_body() {
+fn a_cut_through_a_ball_is_a_disc_and_interpolates_linear_fields_exactly() {
     let mesh = meshed(&ball(12.0, 4), 1.0);
     for (axis, at) in [(0, 0.0), (2, 0.005)] {
         let cut = mesh.slice(axis, at).unwrap();
         let area: f64 = cut.areas.iter().sum();
         let expected = std::f64::consts::PI * (0.012f64.powi(2) - at * at);
         assert!((area / expected - 1.0).abs() < 0.02, "{area} {expected}");
-        for (i, p) in cut.points.iter().enumerate().filter(|(_, p)| length(**p) < 0.008) {
+        for (i, p) in cut.points.iter().enumerate().filter(|(_, p)| DVec3::from(**p).length() < 0.008) {
             let read = cut.read(i, |node| mesh.positions[node][1]);
             assert!((read - p[1]).abs() < 1e-8, "{p:?} {read}");
         }
@@ -157,9 +156,8 @@ fn a_cut_is_the_section_of_the_body() {
     assert!(mesh.slice(0, 0.013).is_err());
 }
 
-/// The same surface gives the same mesh, to the last bit.
 #[test]
-fn meshing_is_deterministic() {
+fn the_same_surface_gives_the_same_mesh_to_the_last_bit() {
     let [a, b] = [0, 1].map(|_| meshed(&ball(12.0, 4), 1.0));
     assert_eq!(a.positions, b.positions);
     assert_eq!(a.graph.shape, b.graph.shape);

@@ -1,6 +1,6 @@
-//! Closed surfaces and the cells inside them: what is refused, what is kept exactly, and how near the answers are.
+//! Closed surfaces and the cells inside them: defects, conservation, and accuracy.
 
-// A test that unwraps in vain says where.
+// A failed unwrap in a test reports its line.
 #![allow(clippy::unwrap_used)]
 
 #[path = "../bath/mod.rs"]

@@ -9,7 +9,7 @@ use super::pose::{Pose, rotation_between, turn};
 use super::scoop::Under;
 use super::spring::Spring;
 use super::world::{RIGID_S, World};
-use crate::piece::GRAVITY;
+use crate::piece::piece_state::GRAVITY;
 
 /// Which tool the hand holds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

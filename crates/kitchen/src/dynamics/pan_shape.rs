@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use rapier3d::math::Vector;
 use rapier3d::prelude::{ColliderBuilder, SharedShape};
 
-use crate::pan_description::PanDescription;
+use crate::pan::pan_description::PanDescription;
 
 use super::pose::{Pose, about, rotation_between};
 use super::scale;

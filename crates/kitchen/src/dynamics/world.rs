@@ -20,7 +20,7 @@ use super::pan_motion::{PanMotion, PanTarget};
 use super::pan_shape::PanShape;
 use super::pose::Pose;
 use super::{scale, solid_shape};
-use crate::piece::GRAVITY;
+use crate::piece::piece_state::GRAVITY;
 
 /// Rigid steps a second [1/s] (chosen: at 240 even 35 shrimps, shaken, sink into each other by less than 0.5 mm).
 pub const RIGID_HZ: u32 = 240;

@@ -1,0 +1,133 @@
+//! `saute list`.
+
+use std::process::ExitCode;
+use std::sync::Arc;
+
+use clap::ValueEnum;
+use saute_kitchen::Library;
+use saute_kitchen::food::{FoodDescription, Scale};
+use saute_picture::View;
+use saute_recipe::Recipe;
+use saute_window::ViewWords;
+use saute_window::settings::Settings;
+use serde::Serialize;
+
+use super::list_actions;
+use crate::args::{ListArgs, Listed};
+use crate::error::CliError;
+use crate::input::data_library::DataLibrary;
+use crate::output::{json, stdout};
+use crate::picture::choices::ViewName;
+use crate::wording;
+
+/// One line of a list.
+#[derive(Debug, Serialize)]
+struct Entry {
+    id: String,
+    name: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    size_mm: Option<Sizes>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    class: Option<Vec<ClassEntry>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    source: Option<String>,
+}
+
+impl Entry {
+    fn new(id: &str, name: &str) -> Self {
+        Self { id: id.to_owned(), name: name.to_owned(), size_mm: None, class: None, source: None }
+    }
+}
+
+/// A class of a scale of doneness.
+#[derive(Debug, Serialize)]
+struct ClassEntry {
+    name: String,
+    /// Lower bound; the first class has none [°C].
+    from_c: f64,
+    /// The range as text.
+    #[serde(skip)]
+    range: String,
+}
+
+/// Allowed lengths, widths and thicknesses of a food [mm].
+#[derive(Debug, Serialize)]
+struct Sizes {
+    default: Vec<f64>,
+    min: Vec<f64>,
+    max: Vec<f64>,
+}
+
+/// Prints a list, for people or for programs.
+pub fn run(args: &ListArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
+    let entries = match args.what {
+        Listed::Foods => foods(&data.library),
+        Listed::Pans => pans(&data.library),
+        Listed::Recipes => recipes(data)?,
+        Listed::Scales => scales(&data.library),
+        Listed::Views => views(),
+        Listed::Actions => return list_actions::run(args.json),
+    };
+    let text = if args.json { json::text(&entries)? } else { table(&entries) };
+    stdout::print(&text)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn foods(library: &Library) -> Vec<Entry> {
+    let sizes = |f: &FoodDescription| Sizes {
+        default: f.size.default_mm.clone(),
+        min: f.size.min_mm.clone(),
+        max: f.size.max_mm.clone(),
+    };
+    library.foods.iter().map(|(id, f)| Entry { size_mm: Some(sizes(f)), ..Entry::new(id, &f.name) }).collect()
+}
+
+fn pans(library: &Library) -> Vec<Entry> {
+    library.pans.iter().map(|(id, p)| Entry::new(id, &p.name)).collect()
+}
+
+fn recipes(data: &DataLibrary) -> Result<Vec<Entry>, CliError> {
+    let entry = |(id, text): (&String, &String)| {
+        let recipe = Recipe::parse(text, &data.recipe_place(id), &data.library)?;
+        Ok(Entry::new(id, &recipe.title))
+    };
+    data.library.recipes.iter().map(entry).collect()
+}
+
+fn scales(library: &Library) -> Vec<Entry> {
+    let class = |scale: &Scale, place: usize| ClassEntry {
+        name: scale.class[place].name.clone(),
+        from_c: scale.class[place].from_c,
+        range: wording::class_range(scale, place),
+    };
+    let entry = |scale: &Arc<Scale>| Entry {
+        class: Some((0..scale.class.len()).map(|place| class(scale, place)).collect()),
+        source: Some(scale.source.clone()),
+        ..Entry::new(&scale.id, &scale.name)
+    };
+    library.scales.iter().map(entry).collect()
+}
+
+fn views() -> Vec<Entry> {
+    let (names, settings) = (ViewName::value_variants(), Settings::default());
+    let id = |name: &ViewName| name.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
+    names.iter().map(|name| Entry::new(&id(name), &View::from(*name).meaning(&settings))).collect()
+}
+
+fn table(entries: &[Entry]) -> String {
+    let width = entries.iter().map(|e| e.id.chars().count()).max().unwrap_or(0);
+    let more = |e: &Entry| {
+        e.size_mm.as_ref().map_or(String::new(), sizes) + &e.class.as_ref().map_or(String::new(), |c| classes(c))
+    };
+    entries.iter().map(|e| format!("{:width$}  {}{}\n", e.id, e.name, more(e))).collect()
+}
+
+fn classes(classes: &[ClassEntry]) -> String {
+    let ranges: Vec<String> = classes.iter().map(|c| format!("{} {}", c.name, c.range)).collect();
+    format!(" ({})", ranges.join(", "))
+}
+
+fn sizes(sizes: &Sizes) -> String {
+    let ranges: Vec<String> = sizes.min.iter().zip(&sizes.max).map(|(low, high)| format!("{low}–{high}")).collect();
+    format!(" ({} mm)", ranges.join(" × "))
+}

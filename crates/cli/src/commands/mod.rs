@@ -1,0 +1,9 @@
+//! The commands that need one file each.
+
+pub mod cook;
+pub mod food_check;
+pub mod lab;
+pub mod list;
+mod list_actions;
+pub mod open;
+pub mod schema;

@@ -1,0 +1,39 @@
+//! `saute` and `saute open`: the window.
+
+use std::process::ExitCode;
+use std::sync::Arc;
+
+use saute_kitchen::Library;
+use saute_recipe::Recipe;
+use saute_window::Start;
+use saute_window::hand::HandsStart;
+
+use crate::args::HandArgs;
+use crate::error::CliError;
+
+/// Opens the window and plays a recipe if there is one.
+pub fn run(library: Library, recipe: Option<Recipe>, hands: HandArgs) -> Result<ExitCode, CliError> {
+    if !has_display() {
+        return Err(CliError::NoDisplay(NO_DISPLAY.to_owned()));
+    }
+    let HandArgs { device, turner, pairing, calibration } = hands;
+    let hands = HandsStart { pan: device, turner, pairing, calibration };
+    let start = Start { library: Some(Arc::new(library)), recipe, hands };
+    saute_window::window::run(start)
+        .map_err(|e| CliError::NoDisplay(format!("the window cannot be opened: {e}\n{NO_DISPLAY}")))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+const NO_DISPLAY: &str = "there is no display; commands that need none:\n  \
+    saute cook RECIPE.toml                            cook and print the numbers\n  \
+    saute shot RECIPE.toml --at 300 --out steak.png   render a picture";
+
+/// Returns false if the environment names no display. Only X11 and Wayland systems can be asked.
+fn has_display() -> bool {
+    if !cfg!(all(unix, not(target_os = "macos"))) {
+        return true;
+    }
+    ["WAYLAND_DISPLAY", "WAYLAND_SOCKET", "DISPLAY"]
+        .iter()
+        .any(|key| std::env::var_os(key).is_some_and(|v| !v.is_empty()))
+}

@@ -1,0 +1,6 @@
+//! Files that the command reads: recipes, the library with the user's data folder, surfaces.
+
+pub mod data_library;
+pub mod recipe_source;
+pub mod surface_file;
+pub mod text_file;

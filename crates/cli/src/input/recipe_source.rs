@@ -1,0 +1,30 @@
+//! A recipe by the path of its file or by its id in the library.
+
+use std::path::Path;
+
+use saute_kitchen::Library;
+use saute_recipe::Recipe;
+
+use crate::error::CliError;
+use crate::input::data_library::DataLibrary;
+use crate::input::text_file;
+
+/// Reads and checks the recipe with a path or an id. A file takes precedence over an id of the same name.
+pub fn load(name: &str, data: &DataLibrary) -> Result<Recipe, CliError> {
+    let path = Path::new(name);
+    let text = match data.library.recipes.get(name) {
+        Some(text) if !path.is_file() => return parse(text, &data.recipe_place(name), data),
+        _ if path.exists() => text_file::read(path)?,
+        _ => return Err(not_found(name, data)),
+    };
+    parse(&text, name, data)
+}
+
+fn parse(text: &str, place: &str, data: &DataLibrary) -> Result<Recipe, CliError> {
+    Ok(Recipe::parse(text, place, &data.library)?)
+}
+
+fn not_found(name: &str, data: &DataLibrary) -> CliError {
+    let remedy = format!("name a .toml file or one of the shipped recipes: {}", Library::names(&data.library.recipes));
+    CliError::place(name, "there is no such file and no recipe with this id", remedy)
+}

@@ -1,0 +1,36 @@
+//! Text files.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use crate::error::CliError;
+
+/// Larger files are not read [bytes] (chosen: the largest shipped file has 4 kB).
+const LARGEST: u64 = 4 << 20;
+
+/// Reads a UTF-8 file.
+pub fn read(path: &Path) -> Result<String, CliError> {
+    let place = path.display();
+    if path.is_dir() {
+        return Err(CliError::place(place, "is a folder, not a file", "name a .toml file in it"));
+    }
+    let mut bytes = Vec::new();
+    File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes)).map_err(|e| {
+        CliError::place(place, format!("cannot be read: {e}"), "check the path and the file's permissions")
+    })?;
+    if bytes.len() as u64 > LARGEST {
+        return Err(CliError::place(
+            path.display(),
+            "is larger than 4 MiB",
+            "name a TOML file of the documented format",
+        ));
+    }
+    String::from_utf8(bytes).map_err(|e| not_text(path, &e))
+}
+
+fn not_text(path: &Path, error: &std::string::FromUtf8Error) -> CliError {
+    let good = error.utf8_error().valid_up_to();
+    let line = 1 + error.as_bytes()[..good].iter().filter(|&&b| b == b'\n').count();
+    CliError::place(format!("{}:{line}", path.display()), "is not UTF-8 text", "save the file as UTF-8")
+}

@@ -1,0 +1,62 @@
+//! A progress bar on a terminal.
+
+use std::io::IsTerminal;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use saute_recipe::Cook;
+
+use crate::wording::duration;
+
+/// Ticks between two updates (chosen: smooth to the eye, no cost in time).
+const EVERY: u64 = 50;
+
+/// A bar over simulated time or parts; none if stderr is not a terminal.
+#[derive(Debug)]
+pub struct Progress(Option<ProgressBar>);
+
+impl Progress {
+    /// Starts the bar of a cook.
+    pub fn start(max_s: f64) -> Self {
+        Self::over(max_s.ceil() as u64)
+    }
+
+    /// Starts a bar over a number of parts.
+    pub fn over(parts: u64) -> Self {
+        let style =
+            ProgressStyle::with_template("{bar:24} {wide_msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
+        let bar = || ProgressBar::new(parts).with_style(style);
+        Self(std::io::stderr().is_terminal().then(bar))
+    }
+
+    /// Starts the next part, described by `what`.
+    pub fn next(&self, what: String) {
+        if let Some(bar) = &self.0 {
+            bar.inc(1);
+            bar.set_message(what);
+        }
+    }
+
+    /// Shows the time of the cook and the condition that it waits for.
+    pub fn show(&self, cook: &Cook) {
+        let Some(bar) = &self.0 else { return };
+        if cook.kitchen.tick().is_multiple_of(EVERY) {
+            let (time, most) = (cook.kitchen.time_s(), cook.runner.recipe().max_s);
+            bar.set_position(time as u64);
+            bar.set_message(format!(
+                "{} of at most {}; next: {}",
+                duration(time),
+                duration(most),
+                cook.runner.waiting_for()
+            ));
+        }
+    }
+}
+
+impl Drop for Progress {
+    /// Removes the bar before the result or the error is printed.
+    fn drop(&mut self) {
+        if let Some(bar) = &self.0 {
+            bar.finish_and_clear();
+        }
+    }
+}

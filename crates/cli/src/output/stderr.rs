@@ -1,0 +1,8 @@
+//! Messages on stderr; all of them go through this file.
+
+use std::io::Write;
+
+/// Prints a line to stderr. A closed pipe is not an error.
+pub fn say(text: impl std::fmt::Display) {
+    let _ = writeln!(std::io::stderr(), "{text}");
+}

@@ -1,0 +1,77 @@
+//! `saute bench frame`: the frame rate of the window, rendered off-screen.
+
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::time::Instant;
+
+use clap::ValueEnum;
+use saute_recipe::Recipe;
+use saute_window::Start;
+use saute_window::bench_frame::{DISH, DISH_FROM_S, FROM_S, SHRIMPS, SHRIMPS_FROM_S};
+use saute_window::ui::quality_choice::QualityChoice;
+
+use super::choices::QualityName;
+use super::size::size;
+use crate::error::CliError;
+use crate::input::data_library::DataLibrary;
+use crate::input::recipe_source;
+use crate::output::{json, stdout};
+
+/// `saute bench frame`.
+#[derive(Debug, clap::Args)]
+pub struct BenchFrameArgs {
+    /// Recipe file, or id of a shipped recipe.
+    #[arg(value_name = "RECIPE", default_value = "medium")]
+    pub recipe: String,
+    /// Built-in scene instead of a recipe.
+    #[arg(long, value_enum)]
+    pub scene: Option<SceneName>,
+    /// Size of the frame in pixels.
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
+    pub size: [u32; 2],
+    /// Rendering quality [default: automatic].
+    #[arg(long, value_enum)]
+    pub quality: Option<QualityName>,
+    /// Prints the numbers as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Built-in scenes.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum SceneName {
+    /// 35 shrimps of the default mesh in the pan.
+    Shrimps,
+    /// A frying steak with 11 carrots and 11 leeks.
+    Dish,
+}
+
+/// Measures the frame rate and prints it.
+pub fn run(args: &BenchFrameArgs, data: &DataLibrary, process_start: Instant) -> Result<ExitCode, CliError> {
+    let (recipe, from_s) = match args.scene {
+        Some(SceneName::Dish) => (Recipe::parse(DISH, "dish", &data.library)?, DISH_FROM_S),
+        Some(SceneName::Shrimps) => (Recipe::parse(SHRIMPS, "shrimps", &data.library)?, SHRIMPS_FROM_S),
+        None => (recipe_source::load(&args.recipe, data)?, FROM_S),
+    };
+    let quality = args.quality.map_or(QualityChoice::Automatic, |name| QualityChoice::Always(name.into()));
+    let start = Start { library: Some(Arc::new(data.library.clone())), recipe: Some(recipe), ..Start::default() };
+    let bench = saute_window::bench_frame::bench_frame(start, args.size, from_s, quality, process_start)?;
+    if args.json {
+        stdout::print(&json::text(&bench)?)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let [w, h] = bench.scene_size;
+    stdout::print(&format!(
+        "{}, {}\nwindow {} × {}, scene {w} × {h}, quality {}, {} frames\nmedian {:.1} frames/s, 5th percentile {:.1} frames/s, first frame after {:.2} s\n",
+        bench.recipe,
+        bench.adapter,
+        bench.size[0],
+        bench.size[1],
+        format!("{:?}", bench.quality).to_lowercase(),
+        bench.frames,
+        bench.frames_per_s.median,
+        bench.frames_per_s.p5,
+        bench.first_frame_s
+    ))?;
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,103 @@
+//! Names of views, white balances, qualities and stereo modes on the command line.
+
+use clap::ValueEnum;
+use saute_picture::View;
+use saute_scene::light::white_balance::WhiteBalance;
+use saute_scene::quality::Quality;
+use saute_window::mirror::stereo::Stereo;
+
+/// Names of the views.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum ViewName {
+    /// Appearance to the eye.
+    Look,
+    /// Temperature now.
+    Temperature,
+    /// Water content relative to the raw food.
+    Moisture,
+    /// Doneness by the highest temperature so far.
+    Doneness,
+    /// Browning index.
+    Browning,
+    /// Log reduction of pathogens.
+    Lethality,
+    /// Fat in the flesh.
+    Marbling,
+}
+
+impl From<ViewName> for View {
+    fn from(name: ViewName) -> Self {
+        match name {
+            ViewName::Look => Self::Look,
+            ViewName::Temperature => Self::Temperature,
+            ViewName::Moisture => Self::Moisture,
+            ViewName::Doneness => Self::Doneness,
+            ViewName::Browning => Self::Browning,
+            ViewName::Lethality => Self::Lethality,
+            ViewName::Marbling => Self::Marbling,
+        }
+    }
+}
+
+/// Names of the white balances.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum WhiteName {
+    /// A kitchen in the evening sun (5750 K).
+    AsShot,
+    /// Daylight (6500 K).
+    Neutral,
+    /// Overcast sky (8000 K).
+    Cool,
+    /// Lamp (4500 K).
+    Warm,
+}
+
+impl From<WhiteName> for WhiteBalance {
+    fn from(name: WhiteName) -> Self {
+        match name {
+            WhiteName::AsShot => Self::AsShot,
+            WhiteName::Neutral => Self::Neutral,
+            WhiteName::Cool => Self::Cool,
+            WhiteName::Warm => Self::Warm,
+        }
+    }
+}
+
+/// Names of the rendering qualities.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum QualityName {
+    /// The quality of the window without a graphics card.
+    Quick,
+    /// Antialiased edges.
+    Smooth,
+    /// In addition contact shadows and finer maps and textures.
+    Best,
+}
+
+impl From<QualityName> for Quality {
+    fn from(name: QualityName) -> Self {
+        match name {
+            QualityName::Quick => Self::Quick,
+            QualityName::Smooth => Self::Smooth,
+            QualityName::Best => Self::Best,
+        }
+    }
+}
+
+/// Names of the stereo modes.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum StereoName {
+    /// Red for the left eye, cyan for the right.
+    Anaglyph,
+    /// The picture of the left eye in the left half.
+    SideBySide,
+}
+
+impl From<StereoName> for Stereo {
+    fn from(name: StereoName) -> Self {
+        match name {
+            StereoName::Anaglyph => Self::Anaglyph,
+            StereoName::SideBySide => Self::SideBySide,
+        }
+    }
+}

@@ -1,0 +1,6 @@
+//! Pictures from the renderer of the window: `saute shot` and `saute bench frame`.
+
+pub mod bench_frame;
+pub mod choices;
+pub mod shot;
+pub mod size;

@@ -1,0 +1,10 @@
+//! `saute cook`: recipes, what it prints and writes, refusals and exit codes.
+
+mod bad_input;
+pub mod cooked;
+mod doneness;
+mod groups;
+mod out_folder;
+mod output;
+mod recipes;
+mod stopping;

@@ -1,0 +1,85 @@
+//! `saute list`.
+
+use serde_json::Value;
+
+use crate::cook::cooked::{DISHES, SHIPPED};
+use crate::running::run;
+
+fn ids(what: &str) -> Vec<String> {
+    let ran = run(&["list", what, "--json"]);
+    assert_eq!(ran.code, Some(0));
+    let list: Value = serde_json::from_str(&ran.out).unwrap();
+    let text = run(&["list", what]).out;
+    list.as_array()
+        .unwrap()
+        .iter()
+        .map(|entry| {
+            let (id, name) = (entry["id"].as_str().unwrap(), entry["name"].as_str().unwrap());
+            assert!(text.lines().any(|l| l.starts_with(id) && l.contains(name)), "{id}, {name}:\n{text}");
+            id.to_owned()
+        })
+        .collect()
+}
+
+#[test]
+fn the_foods_are_beef_shrimp_carrot_and_leek() {
+    let expected = ["beef-lean", "beef-marbled", "beef-patty", "carrot-coin", "carrot-stick", "leek-ring", "shrimp"];
+    assert_eq!(ids("foods"), expected);
+}
+
+#[test]
+fn every_view_is_listed_with_the_unit_of_its_colours() {
+    let expected = ["look", "temperature", "moisture", "doneness", "browning", "lethality", "marbling"];
+    assert_eq!(ids("views"), expected);
+    let text = run(&["list", "views"]).out;
+    assert!(["°C", "% of the raw food's", "log₁₀", "% of the mass"].iter().all(|unit| text.contains(unit)), "{text}");
+}
+
+#[test]
+fn the_scales_of_doneness_are_listed_with_their_classes_and_sources() {
+    assert_eq!(ids("scales"), ["paper-2013", "chefs", "academic"]);
+    let scales: Value = serde_json::from_str(&run(&["list", "scales", "--json"]).out).unwrap();
+    let classes = |i: usize| -> Vec<(String, f64)> {
+        let class = scales[i]["class"].as_array().unwrap().iter();
+        class.map(|c| (c["name"].as_str().unwrap().to_owned(), c["from_c"].as_f64().unwrap())).collect()
+    };
+    let expected = [("raw", 0.0), ("rare", 50.0), ("medium", 60.0), ("well-done", 70.0)];
+    assert_eq!(classes(0), expected.map(|(name, c)| (name.to_owned(), c)));
+    assert!((0..3).all(|i| !scales[i]["source"].as_str().unwrap().is_empty()));
+    assert!(run(&["list", "scales"]).out.contains("medium-rare 55–60 °C"));
+}
+
+#[test]
+fn there_are_five_pans_each_also_with_a_nonstick_coating() {
+    let bare = ["aluminium-26", "carbon-steel-26", "cast-iron-26", "cast-iron-grill-26", "stainless-clad-26"];
+    let expected: Vec<String> = bare.iter().flat_map(|p| [(*p).to_owned(), format!("{p}-nonstick")]).collect();
+    assert_eq!(ids("pans"), expected);
+}
+
+#[test]
+fn the_shipped_recipes_are_listed_by_id_and_title() {
+    let mut all: Vec<&str> = SHIPPED.into_iter().chain(DISHES).collect();
+    all.sort_unstable();
+    assert_eq!(ids("recipes"), all);
+}
+
+/// Every action of a step.
+pub const ACTIONS: [&str; 17] = [
+    "butter_g", "cool", "end", "flip", "halve", "hob_w", "lid", "move", "move_pan", "oil_g", "press", "put", "rest",
+    "shake", "tilt", "toss", "water_g",
+];
+
+#[test]
+fn the_actions_are_listed_with_the_keys_of_their_tables_their_ranges_and_defaults() {
+    assert_eq!(ids("actions"), ACTIONS);
+    let actions: Value = serde_json::from_str(&run(&["list", "actions", "--json"]).out).unwrap();
+    let shake = actions.as_array().unwrap().iter().find(|a| a["id"] == "shake").unwrap();
+    let keys: Vec<&str> = shake["key"].as_array().unwrap().iter().map(|k| k["id"].as_str().unwrap()).collect();
+    assert_eq!(keys, ["amplitude_mm", "for_s", "hz"]);
+    let amplitude = &shake["key"][0];
+    assert_eq!(
+        (&amplitude["default"], &amplitude["min"], &amplitude["max"]),
+        (&20.0.into(), &0.0.into(), &100.0.into())
+    );
+    assert!(run(&["list", "actions"]).out.contains("How often a second [Hz]; 3 by default. 0–8."));
+}

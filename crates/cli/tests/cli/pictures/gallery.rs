@@ -1,0 +1,25 @@
+//! `saute gallery`.
+
+use crate::running::run;
+
+#[test]
+fn every_figure_of_the_gallery_is_drawn_with_its_numbers() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("gallery");
+    let ran = run(&["gallery", "--size", "96x64", "--out", out.to_str().unwrap()]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let page = std::fs::read_to_string(out.join("gallery.md")).unwrap();
+    let figures: Vec<&str> =
+        page.lines().filter_map(|l| l.strip_prefix("![")?.split("](").nth(1)?.strip_suffix(")")).collect();
+    assert_eq!(figures.len(), 6, "{page}");
+    for figure in figures {
+        let png = std::fs::read(out.join(figure)).unwrap();
+        assert!(png.starts_with(b"\x89PNG") && png.len() > 4000, "{figure}: {} bytes", png.len());
+    }
+    // Heat climbs: the numbers of the first figure's panels a to d.
+    let core = |row: &str| row.split('|').nth(5).unwrap().trim().parse::<f64>().unwrap();
+    let rows: Vec<f64> = page.lines().filter(|l| l.contains("| one-side |")).take(4).map(core).collect();
+    assert!(rows.windows(2).all(|pair| pair[0] < pair[1]), "{rows:?}");
+    // Two panels of one moment have one row.
+    assert!(page.contains("| abcd | turned |"), "{page}");
+}

@@ -1,0 +1,4 @@
+//! `saute shot` and `saute gallery`.
+
+mod gallery;
+mod looks;

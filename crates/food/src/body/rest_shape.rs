@@ -1,0 +1,85 @@
+//! The rest shape of a piece: mesh, faces and outline before anything contracts.
+
+use saute_heat::{BodyMesh, Layout, Outline, Probe, Station, SweptMesh};
+
+use crate::body::cell_body::{cell_core, middle_cut};
+use crate::body::halving::Halving;
+use crate::body::{Body, Face, Patch, Surface};
+use crate::paper_2013::Rules;
+
+/// Mesh of a piece, its faces towards the outside and its outline, at rest.
+#[derive(Clone, Debug)]
+pub(crate) struct RestShape {
+    /// Of a slice z goes from 0 to the thickness, with the origin at the outline's centroid.
+    pub(crate) mesh: BodyMesh,
+    /// Length, width, thickness; of a curved body along its curve, across it in its plane, and its height [m].
+    pub(crate) size: [f64; 3],
+    pub(crate) outline: Outline,
+    /// In the order of both ends of the path, then the side; fresh faces of a cut come last.
+    pub(crate) patches: Vec<Patch>,
+    pub(crate) surface: Surface,
+    /// Outward normal of each patch in the body frame [-].
+    pub(crate) rest_normals: Vec<[f64; 3]>,
+    pub(crate) contracts: bool,
+    /// True if the lower end of the path is no face, as the centre of a ball is not.
+    pub(crate) closed_below: bool,
+    pub(crate) core: Probe,
+    /// Distance of the core along the path [m]; 0 in a body of cells.
+    pub(crate) core_z: f64,
+    /// Area of the middle cut of a body of cells that belongs to each of its nodes [m²]; empty in a swept body.
+    pub(crate) middle_cut: Vec<(u32, f64)>,
+    pub(crate) halving: Option<Halving>,
+}
+
+impl RestShape {
+    /// The rest shape of a body; a body under the rules of 2013 does not contract.
+    pub(crate) fn new(body: Body, rules: Rules) -> Self {
+        let Body { size, mesh, outline, patches, contracts } = body;
+        let closed_below = !patches.iter().any(|p| p.face == Face::Bottom && p.area > 0.0);
+        let (core, core_z) = core_of(&mesh, closed_below);
+        let surface = mesh.swept().map(|swept| Surface::of(swept, &patches)).unwrap_or_default();
+        let mut shape = Self {
+            contracts: contracts && rules == Rules::Full,
+            middle_cut: mesh.cells().map(middle_cut).unwrap_or_default(),
+            rest_normals: Vec::new(),
+            halving: None,
+            mesh,
+            size,
+            outline,
+            patches,
+            surface,
+            closed_below,
+            core,
+            core_z,
+        };
+        shape.rest_normals = shape.rest_poses().into_iter().map(|p| p.normal).collect();
+        shape
+    }
+
+    /// Returns true if the body is a slice: its section carried straight up.
+    #[inline]
+    pub(crate) fn is_slice(&self) -> bool {
+        self.mesh.is_slice()
+    }
+}
+
+/// The core and its distance along the path [m].
+fn core_of(mesh: &BodyMesh, closed_below: bool) -> (Probe, f64) {
+    let at = |swept: &SweptMesh, z: f64| (swept.probe_at(&swept.locate_or_nearest([0.0, 0.0]), z), z);
+    match mesh.layout() {
+        Layout::Upright(swept) => at(swept, if closed_below { 0.0 } else { 0.5 * swept.thickness() }),
+        Layout::Along(swept, stations) => at(swept, deepest_level(swept, stations)),
+        Layout::Cells(cells) => (Probe::Cells(cell_core(cells)), 0.0),
+    }
+}
+
+/// Distance along the path of the level whose middle is deepest below the skin [m].
+fn deepest_level(mesh: &SweptMesh, stations: &[Station]) -> f64 {
+    let depth = |level: usize| {
+        let z = mesh.levels[level];
+        let rim = stations[level].section.points.iter().map(|p| p[1]).fold(0.0, f64::max);
+        rim.min(z).min(mesh.thickness() - z)
+    };
+    let deepest = (0..mesh.levels.len()).max_by(|a, b| depth(*a).total_cmp(&depth(*b))).unwrap_or(0);
+    mesh.levels[deepest]
+}

@@ -1,0 +1,55 @@
+//! A slice: an outline swept upwards through an uneven thickness.
+
+use saute_heat::{MeshError, Outline, Section, SweptMesh, graded_levels};
+
+use crate::body::{Body, even_levels, harmonics, paper_mesh, rule};
+use crate::description::FoodDescription;
+use crate::model::{BuildError, PieceSpec};
+use crate::tissue::noise::{fractal, uniform};
+
+/// In-plane spacing of the default mesh [m] (chosen: the gradient length √(αt) is 9 mm after 10 minutes).
+const SPACING: f64 = 5.0e-3;
+/// First layer below a big face [m] (chosen: a crust is 0.5–1.5 mm thick).
+pub(crate) const FIRST_LAYER: f64 = 0.35e-3;
+/// Growth of the layers inwards [-] and the thickest layer [m] (chosen; convergence is tested).
+const LAYER_GROWTH: f64 = 1.38;
+const THICKEST_LAYER: f64 = 2.2e-3;
+/// Run of the bumps of a cut over the smaller of length and width [-] (chosen: two or three of them side by side).
+const BUMP_RUN: f64 = 0.35;
+
+impl Body {
+    /// Meshes a slice: its outline swept upwards.
+    pub(crate) fn slice(description: &FoodDescription, piece: &PieceSpec) -> Result<Self, BuildError> {
+        let outline = outline(description, piece);
+        let (section, levels) = match paper_mesh(description, piece) {
+            Some((rings, levels)) => (Section::concentric(&outline, rings)?, even_levels(piece.size[2], levels)),
+            None => graded(&outline, piece)?,
+        };
+        let mesh = SweptMesh::uneven(section, levels, |p| unevenness(description, piece, p), rule(piece));
+        Ok(Self::swept(piece.size, mesh, outline))
+    }
+}
+
+fn outline(description: &FoodDescription, piece: &PieceSpec) -> Outline {
+    let exponent = description.outline.exponent;
+    Outline::superellipse(piece.size[0], piece.size[1], exponent, &harmonics(description, piece))
+}
+
+fn graded(outline: &Outline, piece: &PieceSpec) -> Result<(Section, Vec<f64>), MeshError> {
+    let smallest = piece.size[0].min(piece.size[1]);
+    let spacing = (SPACING * piece.coarseness).min(smallest / 8.0);
+    let section = Section::mesh(outline, spacing, 0.38 * spacing)?;
+    let levels =
+        graded_levels(piece.size[2], FIRST_LAYER * piece.coarseness, LAYER_GROWTH, THICKEST_LAYER * piece.coarseness);
+    Ok((section, levels))
+}
+
+/// Relative deviation of the thickness from its mean: a wedge in a seeded direction and gentle bumps [-].
+fn unevenness(description: &FoodDescription, piece: &PieceSpec, [x, y]: [f64; 2]) -> f64 {
+    let (shape, [length, width, _]) = (&description.outline, piece.size);
+    let angle = core::f64::consts::TAU * uniform(piece.seed, 201);
+    let slope = x / length * libm::cos(angle) + y / width * libm::sin(angle);
+    let run = BUMP_RUN * length.min(width);
+    let steep = 0.5 + 0.5 * uniform(piece.seed, 202);
+    steep * shape.wedge * slope + shape.bumps * fractal(piece.seed ^ 0x0b_0e55, [x / run, y / run, 0.0])
+}

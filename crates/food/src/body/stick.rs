@@ -1,0 +1,43 @@
+//! A stick: a rounded cross-section swept lengthwise.
+
+use saute_heat::{Outline, Section, Station, SweptMesh, graded_levels};
+
+use crate::body::rounded::{ring_shares, ringed};
+use crate::body::slice::FIRST_LAYER;
+use crate::body::{Body, even_levels, harmonics, paper_mesh, rule};
+use crate::description::FoodDescription;
+use crate::model::{BuildError, PieceSpec};
+
+/// Nodes around a stick and rings below its skin (chosen: 1.6 mm apart on a baton of 10 mm).
+const STICK_AROUND: usize = 24;
+const STICK_RINGS: usize = 4;
+/// Growth of a stick's layers from its ends inwards [-], and the longest over the length [-] (chosen).
+const STICK_GROWTH: f64 = 1.5;
+const STICK_LONGEST: f64 = 0.05;
+
+impl Body {
+    /// Meshes a bar along x: its rounded cross-section swept lengthwise.
+    pub(crate) fn stick(description: &FoodDescription, piece: &PieceSpec) -> Result<Self, BuildError> {
+        let [length, width, thickness] = piece.size;
+        let exponent = description.outline.exponent;
+        let edge = Outline::superellipse(width, thickness, exponent, &harmonics(description, piece));
+        let half = 0.5 * width.min(thickness);
+        let first = FIRST_LAYER * piece.coarseness;
+        let (section, levels) = match paper_mesh(description, piece) {
+            Some((rings, levels)) => (Section::concentric(&edge, rings)?, even_levels(length, levels)),
+            None => {
+                let around = ((STICK_AROUND as f64 / piece.coarseness) as usize).max(12);
+                let rings = ringed(around, &ring_shares(half, first, STICK_RINGS));
+                (
+                    Section::concentric(&edge, &rings)?,
+                    graded_levels(length, first, STICK_GROWTH, STICK_LONGEST * length),
+                )
+            }
+        };
+        let across = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let at = |level: &f64| Station::scaled(&section, [level - 0.5 * length, 0.0, 0.0], across, [1.0; 2]);
+        let path = levels.iter().map(at).collect::<Result<Vec<_>, _>>()?;
+        let outline = Outline::superellipse(length, width, 2.0 * exponent, &[]);
+        Ok(Self::swept(piece.size, SweptMesh::along(section, path, rule(piece)), outline))
+    }
+}

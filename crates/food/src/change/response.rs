@@ -1,0 +1,56 @@
+//! The response of flesh to heat: rates of its changes and their effects on texture, shape and colour.
+
+use crate::ZERO_C;
+use crate::change::browning::Browning;
+use crate::change::changes::ChangeRates;
+use crate::change::colour::Palette;
+use crate::description::{FoodDescription, Kinetics, Lethality, MOST_CHANGES, NoSuchChange, PerChange};
+use crate::table::Table;
+
+/// Rates of the changes, and the contribution of each complete change to texture, shape and colour.
+#[derive(Clone, Debug)]
+pub(crate) struct HeatResponse {
+    pub(crate) rates: ChangeRates,
+    pub(crate) browning: Browning,
+    /// Log₁₀ reduction of pathogens against temperature [1/s].
+    pub(crate) lethality: Table,
+    /// Contribution to the elastic modulus [kPa].
+    pub(crate) modulus: PerChange,
+    /// Contribution to the hardness index [-].
+    pub(crate) hardness: PerChange,
+    /// Contribution to the juiciness factor [-].
+    pub(crate) juiciness: PerChange,
+    /// Contraction across and along the fibres [-].
+    pub(crate) contraction: [PerChange; 2],
+    /// Difference of contraction between belly and back [-].
+    pub(crate) curl: PerChange,
+    pub(crate) palette: Palette,
+}
+
+impl HeatResponse {
+    /// Tabulates the rates and puts the contributions into the order of the changes.
+    pub(crate) fn new(food: &FoodDescription, kinetics: &Kinetics) -> Result<Self, NoSuchChange> {
+        let shrinkage = &kinetics.shrinkage;
+        Ok(Self {
+            rates: ChangeRates::new(kinetics),
+            browning: Browning::new(&kinetics.browning, &kinetics.charring),
+            lethality: lethality(&kinetics.lethality),
+            modulus: kinetics.in_order("texture", &kinetics.texture.change_kpa)?,
+            hardness: kinetics.in_order("hardness", &kinetics.hardness.change)?,
+            juiciness: kinetics.in_order("juiciness", &kinetics.juiciness.change)?,
+            contraction: [
+                kinetics.in_order("shrinkage", &shrinkage.across)?,
+                kinetics.in_order("shrinkage", &shrinkage.along)?,
+            ],
+            curl: kinetics.curl.as_ref().map_or(Ok([0.0; MOST_CHANGES]), |c| kinetics.in_order("curl", &c.change))?,
+            palette: Palette::new(&food.colour, food.second_colour(), kinetics)?,
+        })
+    }
+}
+
+/// Rate 10^((T − 60)/z) / D₆₀, tabulated from 40 to 100 °C and held beyond (below nothing dies, above all is dead).
+fn lethality(data: &Lethality) -> Table {
+    let per_second = 1.0 / (60.0 * data.d60_min);
+    let z = data.z_k;
+    Table::new(ZERO_C + 40.0, ZERO_C + 100.0, 0.25, |t| per_second * libm::pow(10.0, (t - ZERO_C - 60.0) / z))
+}

@@ -1,0 +1,134 @@
+//! Fat seams as a volume of cells; both the masses of the nodes and the pictures derive from it.
+
+use saute_heat::BodyMesh;
+
+use crate::description::Marbling;
+use crate::tissue::marbling::{self, MarblingField, share_at};
+use crate::tissue::node_means::Grown;
+
+/// Largest number of cells [-] (chosen: 0.9 mm cells in a default steak; seams are smooth between them).
+const CELLS: f64 = 3.2e5;
+/// Largest number of cells along an axis [-] (chosen: the limit that every graphics adapter supports).
+const MOST_ALONG: f64 = 256.0;
+/// Margin of the volume around the nodes [m] (chosen: the unevenness of the drawn surface).
+const MARGIN: f64 = 0.7e-3;
+/// Largest depth within or outside a seam, in widths of its edge [-] (chosen: the share of fat is 0 or 1 beyond half a
+/// width).
+pub const DEEPEST_WITHIN: f32 = 3.0;
+
+/// Depth within the fat seams on a regular grid of cells [-]: trilinear between their centres, constant beyond the outermost.
+#[derive(Clone, Debug)]
+pub struct MarblingVolume {
+    /// Number of cells along x, y and z [-].
+    pub size: [u32; 3],
+    /// Lowest corner in the rest mesh's frame [m].
+    pub low: [f64; 3],
+    /// Extent along x, y and z [m].
+    pub extent: [f64; 3],
+    /// Cells per metre [1/m], and index step to the next cell along each axis; 0 along an axis of one cell.
+    per_cell: [f64; 3],
+    step: [usize; 3],
+    within: Vec<f32>,
+    share: f64,
+}
+
+impl MarblingVolume {
+    /// The seams in the bounding box of a mesh with the mean share of adipose tissue that the food states; one lean cell
+    /// without marbling.
+    pub fn new(marbling: Option<&Marbling>, seed: u64, mesh: &BodyMesh) -> Self {
+        let marbling = marbling.filter(|m| m.adipose_share > 0.0);
+        let mut volume = Self::empty(mesh, marbling.is_some());
+        let Some(marbling) = marbling else { return volume };
+        volume.share = marbling.adipose_share;
+        let field = MarblingField::new(marbling, seed);
+        let ridges: Vec<f64> = volume.cells().map(|cell| field.ridge(volume.middle(cell))).collect();
+        // Interpolation lowers the ridges between cell centres, so the threshold is found on the interpolated field.
+        volume.within = ridges.into_iter().map(|ridge| ridge as f32).collect();
+        let at = |node: usize| (volume.within(mesh.position(node)), mesh.volumes()[node]);
+        let threshold = marbling::threshold_for(volume.share, &(0..mesh.node_count()).map(at).collect::<Vec<_>>());
+        let depth =
+            |ridge: f32| (marbling::within(f64::from(ridge), threshold) as f32).clamp(-DEEPEST_WITHIN, DEEPEST_WITHIN);
+        volume.within.iter_mut().for_each(|ridge| *ridge = depth(*ridge));
+        volume
+    }
+
+    /// Lean cells over the bounding box of a mesh; a single cell without marbling.
+    fn empty(mesh: &BodyMesh, marbled: bool) -> Self {
+        let mut corners = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+        for p in (0..mesh.node_count()).map(|node| mesh.position(node)) {
+            corners[0] = std::array::from_fn(|k| corners[0][k].min(p[k] - MARGIN));
+            corners[1] = std::array::from_fn(|k| corners[1][k].max(p[k] + MARGIN));
+        }
+        let low = corners[0];
+        let extent: [f64; 3] = std::array::from_fn(|k| corners[1][k] - low[k]);
+        let cell = libm::cbrt(extent.iter().product::<f64>() / CELLS);
+        let size = extent.map(|v| if marbled { libm::ceil(v / cell).clamp(1.0, MOST_ALONG) as u32 } else { 1 });
+        let per_cell = std::array::from_fn(|k| f64::from(size[k]) / extent[k]);
+        let strides = [1, size[0] as usize, (size[0] * size[1]) as usize];
+        let step = std::array::from_fn(|k| if size[k] > 1 { strides[k] } else { 0 });
+        let count = size.iter().product::<u32>() as usize;
+        Self { size, low, extent, per_cell, step, within: vec![-DEEPEST_WITHIN; count], share: 0.0 }
+    }
+
+    /// Indices of all cells, x fastest.
+    pub fn cells(&self) -> impl Iterator<Item = [u32; 3]> + use<> {
+        let [nx, ny, nz] = self.size;
+        (0..nx * ny * nz).map(move |index| [index % nx, index / nx % ny, index / nx / ny])
+    }
+
+    /// Centre of a cell in the rest mesh's frame [m].
+    pub fn middle(&self, cell: [u32; 3]) -> [f64; 3] {
+        std::array::from_fn(|k| self.low[k] + (f64::from(cell[k]) + 0.5) / f64::from(self.size[k]) * self.extent[k])
+    }
+
+    /// Mean share of adipose tissue, as the food states it [-].
+    pub fn mean_share(&self) -> f64 {
+        self.share
+    }
+
+    /// Share of adipose tissue at a point of the rest mesh's frame [-].
+    pub fn at(&self, p: [f64; 3]) -> f64 {
+        share_at(self.within(p))
+    }
+
+    /// Depth of a point within a seam, in widths of the seam's soft edge, trilinear between cell centres [-].
+    pub fn within(&self, p: [f64; 3]) -> f64 {
+        let (mut first, mut share) = (0, [0.0f32; 3]);
+        for k in (0..3).rev() {
+            let cells = self.size[k];
+            let place = (p[k] - self.low[k]) * self.per_cell[k] - 0.5;
+            let place = place.clamp(0.0, f64::from(cells - 1)) as f32;
+            let near = (place as u32).min(cells.saturating_sub(2));
+            share[k] = place - near as f32;
+            first = first * cells as usize + near as usize;
+        }
+        let mix = |a: f32, b: f32, t: f32| a + t * (b - a);
+        let row = |at: usize| mix(self.within[at], self.within[at + self.step[0]], share[0]);
+        let plane = |at: usize| mix(row(at), row(at + self.step[1]), share[1]);
+        f64::from(mix(plane(first), plane(first + self.step[2]), share[2]))
+    }
+}
+
+impl Grown for MarblingVolume {
+    fn at(&self, p: [f64; 3]) -> f64 {
+        Self::at(self, p)
+    }
+
+    // A trilinear value lies between the smallest and the largest of its cells.
+    fn even(&self, low: [f64; 3], high: [f64; 3]) -> Option<f64> {
+        let cell =
+            |p: f64, k: usize| ((p - self.low[k]) * self.per_cell[k] - 0.5).clamp(0.0, f64::from(self.size[k] - 1));
+        let [from, to] =
+            [[0, 1, 2].map(|k| cell(low[k], k) as usize), [0, 1, 2].map(|k| libm::ceil(cell(high[k], k)) as usize)];
+        let row = &|y: usize, z: usize| {
+            let start = self.size[0] as usize * (y + self.size[1] as usize * z);
+            &self.within[start + from[0]..=start + to[0]]
+        };
+        let depths = (from[2]..=to[2]).flat_map(|z| (from[1]..=to[1]).flat_map(move |y| row(y, z)));
+        if depths.clone().all(|depth| *depth <= -0.5) {
+            Some(0.0)
+        } else {
+            depths.clone().all(|depth| *depth >= 0.5).then_some(1.0)
+        }
+    }
+}

@@ -1,0 +1,13 @@
+//! The natural variation inside a piece: marbling, a second tissue, and the seeded noise that places them.
+
+pub mod marbling;
+pub mod marbling_volume;
+mod node_means;
+mod node_tissue;
+pub mod noise;
+pub mod second_tissue;
+
+pub use marbling_volume::MarblingVolume;
+pub use second_tissue::TissueField;
+
+pub(crate) use node_tissue::NodeTissue;

@@ -1,0 +1,173 @@
+//! Juice: release of water that the flesh no longer holds, its transport along the fibres and its run-off.
+
+use saute_heat::{BodyMesh, Layout, SweptMesh};
+
+use crate::body::rest_shape::RestShape;
+use crate::model::FoodModel;
+use crate::state::FoodState;
+
+/// Number of nodes in a block of the release [-] (chosen: a block stays in the processor's cache).
+const BLOCK: usize = 64;
+
+/// Mass and enthalpy of juice or fat that ran off a piece.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Runoff {
+    /// Mass of the run-off [kg].
+    pub mass: f64,
+    /// Enthalpy of the run-off above 0 °C [J].
+    pub enthalpy: f64,
+}
+
+impl FoodModel {
+    /// Releases and moves juice for `dt` [s] and returns the juice that ran off.
+    ///
+    /// Water beyond the capacity of the flesh becomes free juice by a first-order rate. The capacity follows from the peak
+    /// temperature and from the changes. Free juice moves along the fibres towards the nearer face at a speed v,
+    /// dF/dt = −F v/Δz, and carries its heat. Flesh that has dried below its capacity takes juice up. On a face juice forms a
+    /// film; beyond the largest film it runs off. In a body along stations the fibres run along the path, and juice also runs
+    /// off the skin. In a body of cells juice follows the fibres or the shortest way to the skin.
+    pub fn release_juice(&self, state: &mut FoodState, dt: f64) -> Runoff {
+        let reach = 1e-6 * self.kinetics.water_holding.juice_speed_um_s * dt;
+        let mut runoff = Runoff::default();
+        self.free(state, dt);
+        match &self.shape.mesh {
+            BodyMesh::Swept(mesh) => self.drain(mesh, state, reach),
+            BodyMesh::Cells(_) => self.drain_cells(state, reach),
+        }
+        for &(node, area) in &self.water.outlets {
+            self.run_off(state, node as usize, area, &mut runoff);
+        }
+        state.dripped += runoff.mass;
+        runoff
+    }
+
+    /// Film of juice on the face of each node, relative to the largest film [-]; 0 at nodes without an outlet.
+    pub fn juice_films(&self, state: &FoodState) -> Vec<f64> {
+        let mut films = vec![0.0; state.juice.len()];
+        for &(node, area) in &self.water.outlets {
+            let most = self.kinetics.water_holding.film_kg_m2 * area;
+            films[node as usize] = (state.juice[node as usize] / most).clamp(0.0, 1.0);
+        }
+        films
+    }
+
+    /// Shares of the raw water that the changes squeeze out of a block of nodes from `first` on [-].
+    fn squeezed(&self, state: &FoodState, first: usize) -> [f64; BLOCK] {
+        let mut squeezed = [0.0; BLOCK];
+        for (x, s) in state.changed.iter().zip(&self.water.squeeze) {
+            squeezed.iter_mut().zip(&x[first..]).for_each(|(sum, x)| *sum += s * x);
+        }
+        squeezed
+    }
+
+    /// Turns a share of the water beyond the capacity of each node into free juice; dried flesh takes up juice.
+    fn free(&self, state: &mut FoodState, dt: f64) {
+        for first in (0..state.juice.len()).step_by(BLOCK) {
+            let squeezed = self.squeezed(state, first);
+            for (node, squeezed) in (first..state.juice.len()).zip(squeezed) {
+                // Water-holding capacity: the smaller of the limits by the peak temperature and by the changes.
+                let (held, unsqueezed) = (self.water.held.at(state.peak[node]), 1.0 - squeezed);
+                let capacity = self.tissue.initial_water[node] * if held < unsqueezed { held } else { unsqueezed };
+                let surplus = positive(state.water[node] - capacity);
+                let juice = &mut state.juice[node];
+                if surplus <= 0.0 && *juice >= 0.0 {
+                    *juice = 0.0;
+                    continue;
+                }
+                let bound = positive(surplus - *juice);
+                let released = 1.0 - 1.0 / (1.0 + self.water.release.at(state.temperature[node]) * dt);
+                let free = *juice + released * bound;
+                *juice = if free < surplus { free } else { surplus };
+            }
+        }
+    }
+
+    /// Moves free juice outwards from the middle level, which sends half either way. Outer levels come first, so that no
+    /// juice moves by two levels in one step.
+    fn drain(&self, mesh: &SweptMesh, state: &mut FoodState, reach: f64) {
+        let last = mesh.levels.len() - 1;
+        if self.shape.closed_below {
+            for to in (1..=last).rev() {
+                self.carry_level(mesh, state, [to - 1, to], self.share(mesh, to - 1, to, reach));
+            }
+            return;
+        }
+        for to in 0..last.div_ceil(2) {
+            for (from, to) in [(to + 1, to), (last - to - 1, last - to)] {
+                let part = if 2 * from == last { 0.5 } else { 1.0 };
+                self.carry_level(mesh, state, [from, to], part * self.share(mesh, from, to, reach));
+            }
+        }
+    }
+
+    /// Moves a share of a level's free juice to another level, in every column.
+    fn carry_level(&self, mesh: &SweptMesh, state: &mut FoodState, levels: [usize; 2], share: f64) {
+        for column in 0..mesh.nodes_per_level() {
+            let nodes = levels.map(|level| mesh.node(level, column));
+            if state.juice[nodes[0]] > 0.0 {
+                self.carry(state, nodes, share);
+            }
+        }
+    }
+
+    /// Share of a level's free juice that passes to the next level while juice moves by `reach` [m] [-]; 0 across a cut.
+    fn share(&self, mesh: &SweptMesh, from: usize, to: usize, reach: f64) -> f64 {
+        if self.shape.parts_levels(from, to) {
+            return 0.0;
+        }
+        let spacing = libm::fabs(mesh.levels[from] - mesh.levels[to]);
+        1.0 - 1.0 / (1.0 + reach / spacing)
+    }
+
+    /// Moves a share of a node's free juice, with its heat, to another node.
+    pub(crate) fn carry(&self, state: &mut FoodState, [from, to]: [usize; 2], share: f64) {
+        let mass = share * state.juice[from];
+        if mass <= 0.0 {
+            return;
+        }
+        let enthalpy = mass * self.properties.water_enthalpy(state.temperature[from]);
+        state.juice[from] -= mass;
+        state.juice[to] += mass;
+        for (node, sign) in [(from, -1.0), (to, 1.0)] {
+            state.water[node] += sign * mass;
+            state.enthalpy[node] += sign * enthalpy;
+        }
+    }
+
+    /// Removes the juice beyond the largest film on a face.
+    fn run_off(&self, state: &mut FoodState, face: usize, area: f64, runoff: &mut Runoff) {
+        let film = self.kinetics.water_holding.film_kg_m2 * area;
+        let excess = (state.juice[face] - film).max(0.0);
+        if excess > 0.0 {
+            let enthalpy = excess * self.properties.water_enthalpy(state.temperature[face]);
+            state.juice[face] -= excess;
+            state.water[face] -= excess;
+            state.enthalpy[face] -= enthalpy;
+            runoff.mass += excess;
+            runoff.enthalpy += enthalpy;
+        }
+    }
+}
+
+/// Nodes from which juice runs off, with their area [m²]: of a slice those of its cut faces, column by column; of other
+/// bodies all of the skin.
+pub(crate) fn juice_outlets(shape: &RestShape) -> Vec<(u32, f64)> {
+    let Layout::Upright(mesh) = shape.mesh.layout() else {
+        let mut areas = vec![0.0; shape.mesh.node_count()];
+        shape.patches.iter().for_each(|p| areas[p.node as usize] += p.area);
+        return (0u32..).zip(areas).filter(|(_, area)| *area > 0.0).collect();
+    };
+    let last = mesh.levels.len() - 1;
+    let first = if shape.closed_below { last } else { 0 };
+    let column = |i: usize| {
+        let at = move |level: usize| (mesh.node(level, i) as u32, mesh.section.areas[i]);
+        (first..=last).step_by(last).map(at)
+    };
+    (0..mesh.nodes_per_level()).flat_map(column).collect()
+}
+
+/// Returns a mass, or 0 where it is negative [kg].
+#[inline]
+fn positive(mass: f64) -> f64 {
+    if mass > 0.0 { mass } else { 0.0 }
+}

@@ -1,0 +1,6 @@
+//! Tests of the bodies: forms, cells, halves and shrinkage.
+
+pub mod cells;
+mod forms;
+mod halving;
+mod shrinking;

@@ -1,0 +1,61 @@
+//! Promise: changes are irreversible and proceed at the published rates.
+
+use saute_food::{FreeAir, ZERO_C};
+
+use crate::run::{Run, UP, kitchen_air, lean, model};
+
+#[test]
+fn nothing_uncooks_when_it_cools() {
+    let mut run = Run::new(lean(), 20.0);
+    run.fry(240.0, 220.0, 500.0, kitchen_air());
+    let before = run.state.clone();
+    run.fry(120.0, 10.0, 2000.0, kitchen_air());
+    assert!(run.state.range().1 < before.range().1);
+    for k in 0..4 {
+        assert!(run.state.changed[k].iter().zip(&before.changed[k]).all(|(now, then)| now >= then));
+    }
+    assert!(run.state.browning.iter().zip(&before.browning).all(|(now, then)| now >= then));
+    assert!(run.state.charring.iter().zip(&before.charring).all(|(now, then)| now >= then));
+    assert!(run.state.peak.iter().zip(&before.peak).all(|(now, then)| now >= then));
+}
+
+#[test]
+fn a_hotter_plate_browns_and_then_chars() {
+    let browning = |plate: f64, seconds: f64| {
+        let mut run = Run::new(lean(), 20.0);
+        run.fry(seconds, plate, 400.0, kitchen_air());
+        let face = run.model.face_reading(&run.state, UP);
+        (face.browning, face.charred_pct, face.lab.0[0])
+    };
+    let (cool, medium, hot, burnt) =
+        (browning(120.0, 180.0), browning(180.0, 180.0), browning(230.0, 180.0), browning(320.0, 300.0));
+    assert!(cool.0 < 0.15 && cool.0 < medium.0 && medium.0 < hot.0, "{cool:?} {medium:?} {hot:?}");
+    assert!(hot.1 < 5.0 && burnt.1 > 90.0, "{hot:?} {burnt:?}");
+    assert!(hot.2 < cool.2 && burnt.2 < hot.2, "{cool:?} {hot:?} {burnt:?}");
+}
+
+/// USDA-FSIS Appendix A asks 12 min at 60 °C for 6.5 log of Salmonella; E. coli O157:H7 (D60 2.6 min) loses 4.6.
+#[test]
+fn lethality_adds_up_at_the_published_rate() {
+    let steak = model("beef-lean", 2.5, [0.05, 0.05, 0.012]);
+    let mut run = Run::new(&steak, 60.0);
+    run.fry(
+        720.0,
+        60.0,
+        5000.0,
+        FreeAir { temperature: ZERO_C + 60.0, convection: 5000.0, mass_transfer: 0.0, ..kitchen_air() },
+    );
+    let (core, surface) = steak.log_reduction(&run.state);
+    assert!((core / 4.6 - 1.0).abs() < 0.05 && (surface / 4.6 - 1.0).abs() < 0.05, "{core} {surface}");
+}
+
+/// Ishiwatari et al. 2013: raw 6 kPa, myosin denatured up to 14, actin too 60.
+#[test]
+fn cooked_meat_is_as_stiff_as_measured() {
+    let mut run = Run::new(lean(), 20.0);
+    assert!((run.model.elastic_modulus_kpa(&run.state) - 6.0).abs() < 1e-9);
+    run.state.changed[0].fill(1.0);
+    assert!((run.model.elastic_modulus_kpa(&run.state) - 14.0).abs() < 1e-9);
+    run.state.changed[2].fill(1.0);
+    assert!((run.model.elastic_modulus_kpa(&run.state) - 60.0).abs() < 1e-9);
+}

@@ -1,0 +1,138 @@
+//! One step of the control loop: exchange with the device, render the next command, record the result.
+
+use crate::control::jitter::Lateness;
+use crate::control::loop_state::{LogRow, LoopState};
+use crate::control::renderer::Renderer;
+use crate::device::{HapticCommand, HapticDevice, HapticSample};
+use crate::kitchen::contact_model::ContactModel;
+
+/// Time without a fresh sample that counts as a dropout [s] (chosen: ten samples).
+const DROPOUT_S: f64 = 0.01;
+/// Longest step of force rendering [s] (chosen: shorter than a collision's 8 ms, so that a late step skips none, and a fifth of the
+/// stability limit of the contents' spring).
+const LONGEST_STEP_S: f64 = 0.005;
+
+/// A device with its renderer, stepped without a clock or a thread; a step allocates nothing.
+pub struct LoopStep {
+    device: Box<dyn HapticDevice>,
+    renderer: Renderer,
+    command: HapticCommand,
+    state: LoopState,
+    /// Time since the last fresh sample [s].
+    stale: f64,
+    dropouts: u64,
+    max_force: f64,
+    max_wanted: f64,
+    host_s: f64,
+    log: Vec<LogRow>,
+    stopped: bool,
+}
+
+impl LoopStep {
+    /// Creates a loop before its first step; the log holds `log_rows` rows.
+    pub fn new(device: Box<dyn HapticDevice>, renderer: Renderer, log_rows: usize) -> Self {
+        Self {
+            device,
+            renderer,
+            command: HapticCommand::default(),
+            state: LoopState::default(),
+            stale: 0.0,
+            dropouts: 0,
+            max_force: 0.0,
+            max_wanted: 0.0,
+            host_s: 0.0,
+            log: Vec::with_capacity(log_rows),
+            stopped: false,
+        }
+    }
+
+    /// Sends the last command, receives a sample, and renders the next command; `dt` is the time since the last step [s].
+    pub fn step(&mut self, model: &ContactModel, dt: f64) -> LoopState {
+        let sample = self.device.exchange(&self.command, dt);
+        self.host_s += dt;
+        self.count(&sample, dt);
+        self.record(&sample);
+        self.command = if self.stopped {
+            HapticCommand::default()
+        } else {
+            self.renderer.step(&sample, model, dt.min(LONGEST_STEP_S))
+        };
+        self.max_wanted = self.max_wanted.max(self.command.wrench.force.length());
+        self.state = LoopState {
+            steps: self.state.steps + 1,
+            sample,
+            command: self.command,
+            passivity_j: self.renderer.passivity().lowest(),
+            dropouts: self.dropouts,
+            max_force_n: self.max_force,
+            account_j: self.renderer.passivity().account(),
+            ..self.state
+        };
+        self.state
+    }
+
+    /// Returns the device's nominal rate [Hz].
+    pub fn rate_hz(&self) -> f64 {
+        self.device.capabilities().rate_hz
+    }
+
+    /// Sets rate [Hz] and lateness [µs] in the published state.
+    pub(crate) fn set_timing(&mut self, rate_hz: f64, lateness: Lateness) {
+        (self.state.rate_hz, self.state.lateness) = (rate_hz, lateness);
+    }
+
+    /// Stops the device: it makes no force any more.
+    pub fn stop(&mut self) {
+        if !self.stopped {
+            self.device.stop();
+        }
+        self.stopped = true;
+    }
+
+    fn count(&mut self, sample: &HapticSample, dt: f64) {
+        let before = self.stale;
+        self.stale = if sample.fresh { 0.0 } else { self.stale + dt };
+        if before <= DROPOUT_S && self.stale > DROPOUT_S && self.state.sample.time_s > 0.0 && !self.stopped {
+            self.dropouts += 1;
+        }
+        self.max_force = self.max_force.max(sample.total_force_n);
+    }
+
+    fn record(&mut self, sample: &HapticSample) {
+        if self.log.len() < self.log.capacity() && sample.fresh {
+            self.log.push(LogRow {
+                time_s: sample.time_s,
+                host_s: self.host_s,
+                pose: sample.pose,
+                wanted: self.command.wrench,
+                achieved: sample.achieved,
+                health: sample.health,
+            });
+        }
+    }
+
+    /// Returns the log, and the totals of all steps.
+    pub(crate) fn into_totals(self) -> Totals {
+        Totals {
+            dropouts: self.dropouts,
+            max_force_n: self.max_force,
+            max_wanted_n: self.max_wanted,
+            passivity_j: self.renderer.passivity().lowest(),
+            log: self.log,
+        }
+    }
+}
+
+/// Totals of all steps of a loop.
+pub(crate) struct Totals {
+    /// Number of dropouts.
+    pub dropouts: u64,
+    /// Largest reported force [N].
+    pub max_force_n: f64,
+    /// Largest commanded force [N].
+    pub max_wanted_n: f64,
+    /// Lowest value of the passivity account [J].
+    pub passivity_j: f64,
+    /// Logged steps.
+    pub log: Vec<LogRow>,
+}

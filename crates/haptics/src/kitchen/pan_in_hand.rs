@@ -1,0 +1,48 @@
+//! Moves the kitchen's pan with a device, and lays it down without one.
+
+use saute_kitchen::{Command, Kitchen};
+
+use crate::device::{HapticSample, Health};
+use crate::kitchen::handover::Handover;
+use crate::kitchen::lay_down::LayDown;
+
+/// State of the pan that a device moves, frame by frame.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PanInHand {
+    handover: Handover,
+    holds: bool,
+    laying: Option<LayDown>,
+}
+
+impl PanInHand {
+    /// Moves the pan before a frame of `dt` [s].
+    ///
+    /// A running device that moves the pan holds it at its pose. Otherwise (stopped, lost, `None`, or a device for the turner only) a
+    /// held pan is laid down.
+    pub fn step(&mut self, sample: Option<&HapticSample>, kitchen: &mut Kitchen, dt: f64) {
+        if let Some(sample) = sample.filter(|s| s.health == Health::Running && s.leads_pan) {
+            (self.holds, self.laying) = (true, None);
+            let pose = self.handover.pose(&kitchen.held_pan(), &sample.pose, dt);
+            // Only poses that are not finite are refused, and drivers return none.
+            let _ = kitchen.apply(&Command::HoldPan { pose });
+            return;
+        }
+        if std::mem::take(&mut self.holds) {
+            self.handover.let_go();
+            self.laying = Some(LayDown::begin(kitchen));
+        }
+        if self.laying.as_mut().is_some_and(|way| way.step(kitchen, dt)) {
+            self.laying = None;
+        }
+    }
+
+    /// Returns true while a device holds the pan.
+    pub fn holds(&self) -> bool {
+        self.holds
+    }
+
+    /// Returns true while the pan is being laid down.
+    pub fn lays_down(&self) -> bool {
+        self.laying.is_some()
+    }
+}

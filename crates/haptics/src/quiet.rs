@@ -1,8 +1,0 @@
-//! Reads that end without a word.
-
-use std::io::{Error, ErrorKind};
-
-/// Whether nothing has come yet, as systems say it after a read's patience.
-pub fn is_quiet(error: &Error) -> bool {
-    matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut | ErrorKind::Interrupted)
-}

@@ -1,0 +1,64 @@
+//! Promise: unpaired connections cannot block a phone for long, however slowly they send.
+
+use std::io::{self, Write};
+use std::net::{SocketAddr, TcpStream};
+use std::thread::{JoinHandle, sleep, spawn};
+use std::time::{Duration, Instant};
+
+use saute_haptics::open;
+
+use super::phone_client::PhoneClient;
+
+/// Number of connection slots of the server.
+const ROOM: usize = 8;
+/// Interval between two bytes: shorter than the server's read timeout.
+const DROP: Duration = Duration::from_millis(1);
+
+/// Sends slowly until the server closes the connection; returns the time until then.
+fn drip(
+    mut write: impl FnMut(&[u8]) -> io::Result<()> + Send + 'static,
+    beginning: &'static [u8],
+    drop: &'static [u8],
+) -> JoinHandle<Duration> {
+    spawn(move || {
+        let begun = Instant::now();
+        let mut go_on = write(beginning).is_ok();
+        while go_on && begun.elapsed() < Duration::from_secs(12) {
+            go_on = write(drop).is_ok();
+            sleep(DROP);
+        }
+        begun.elapsed()
+    })
+}
+
+/// Sends the start of a 16 kB handshake byte by byte.
+fn dripping_handshake(address: SocketAddr) -> JoinHandle<Duration> {
+    let mut tcp = TcpStream::connect(address).unwrap();
+    tcp.set_nodelay(true).unwrap();
+    drip(move |bytes| tcp.write_all(bytes), &[0x16, 3, 1, 0x40, 0, 1, 0, 0x3f, 0xfc], &[3])
+}
+
+/// Sends a message in endless empty fragments over a WebSocket, without a code.
+fn dripping_socket(address: SocketAddr) -> JoinHandle<Duration> {
+    let mut phone = PhoneClient::connect(address);
+    let write = move |bytes: &[u8]| {
+        let line = phone.0.get_mut();
+        line.write_all(bytes).and_then(|()| line.flush())
+    };
+    drip(write, &[0x01, 0x80, 0, 0, 0, 0], &[0x00, 0x80, 0, 0, 0, 0])
+}
+
+#[test]
+fn eight_slow_unpaired_connections_block_a_phone_for_seconds_only() {
+    let opened = open("phone@127.0.0.1:0", 0).unwrap();
+    let address = opened.access.place.parse().unwrap();
+    let mut dripping: Vec<_> = (0..4).map(|_| dripping_socket(address)).collect();
+    dripping.extend((dripping.len()..ROOM).map(|_| dripping_handshake(address)));
+    sleep(Duration::from_millis(200));
+    assert!(PhoneClient::from(address, &format!("https://{address}")).is_err(), "all slots are in use");
+    for one in dripping {
+        let took = one.join().unwrap();
+        assert!(took < Duration::from_secs(9), "kept its slot for {took:?}");
+    }
+    PhoneClient::connect(address).pair(&opened.access.code.clone().unwrap());
+}

@@ -1,0 +1,41 @@
+//! Promise: an invalid geometry file is refused with line, key and remedy.
+
+use saute_haptics::{Feel, Geometry, library};
+
+fn refused(change: impl Fn(&str) -> String) -> String {
+    let text = library::device_texts().remove(library::DEFAULT_DEVICE).unwrap();
+    let changed = change(&text);
+    assert_ne!(text, changed, "the change has no effect");
+    Geometry::parse(&changed, "mine.toml").unwrap_err().to_string()
+}
+
+#[test]
+fn three_devices_are_shipped() {
+    let names: Vec<String> = library::devices().unwrap().into_keys().collect();
+    assert_eq!(names, ["spidar-frame", "spidar-pan", "spidar-pan-crossed"]);
+}
+
+#[test]
+fn an_error_names_line_key_and_remedy() {
+    let said = refused(|t| t.replace("max_tension_n = 12", "max_tension_n = 900"));
+    assert!(
+        said.starts_with("mine.toml:") && said.contains("max_tension_n = 900") && said.contains("0.1 to 60"),
+        "{said}"
+    );
+    let said = refused(|t| t.replace("[60, 350, -200], [-60, 350, -200],", ""));
+    assert!(said.contains("motor_mm has 6 places") && said.contains("give eight"), "{said}");
+    let said = refused(|t| t.replace("max_tension_n = 12", "max_tension_n = 0.2"));
+    assert!(said.contains("no more than min_tension_n"), "{said}");
+    let said = refused(|t| t.replace("preload_n", "preloud_n"));
+    assert!(said.contains("preloud_n") && said.contains("remedy"), "{said}");
+    let said = refused(|t| t.replacen("source = ", "sauce = ", 1));
+    assert!(said.contains("sauce"), "{said}");
+}
+
+#[test]
+fn a_feel_out_of_range_is_refused() {
+    let text = saute_kitchen::Library::embedded_files().remove("haptics/feel.toml").unwrap();
+    let said =
+        Feel::parse(&text.replace("frequency_hz = 12", "frequency_hz = 400"), "feel.toml").unwrap_err().to_string();
+    assert!(said.contains("frequency_hz = 400") && said.contains("0.5 to 40"), "{said}");
+}

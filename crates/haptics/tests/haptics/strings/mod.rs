@@ -1,0 +1,9 @@
+//! What string devices promise: poses, tensions, calibration and the wire protocol.
+
+mod calibration;
+mod driver;
+mod geometry_file;
+mod kept_calibration;
+mod pose;
+mod tension;
+mod wire;

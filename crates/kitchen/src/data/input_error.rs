@@ -1,0 +1,67 @@
+//! What is wrong with a file of the user's.
+
+use toml::Spanned;
+
+use crate::data::library::line_of;
+
+/// A file that cannot be used: where, what is wrong, and what to write instead.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{file}:{line}: {message}\n  remedy: {remedy}")]
+pub struct InputError {
+    /// Which file.
+    pub file: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// What is wrong, with the key.
+    pub message: String,
+    /// What to write instead.
+    pub remedy: String,
+}
+
+/// A file's text with its name: says where something is wrong.
+#[derive(Clone, Copy, Debug)]
+pub struct InputText<'a> {
+    /// Text.
+    pub text: &'a str,
+    /// Name in messages.
+    pub file: &'a str,
+}
+
+impl InputText<'_> {
+    /// An error at a byte offset.
+    pub fn error<T>(&self, at: usize, message: impl Into<String>, remedy: impl Into<String>) -> Result<T, InputError> {
+        let line = line_of(self.text, at);
+        Err(InputError { file: self.file.to_owned(), line, message: message.into(), remedy: remedy.into() })
+    }
+
+    /// A number in its range.
+    pub fn ranged(&self, key: &str, value: &Spanned<f64>, low: f64, high: f64) -> Result<f64, InputError> {
+        let v = *value.get_ref();
+        if (low..=high).contains(&v) {
+            return Ok(v);
+        }
+        let number =
+            |v: f64| if v != 0.0 && !(1e-4..1e7).contains(&v.abs()) { format!("{v:e}") } else { v.to_string() };
+        let range = if high >= f64::MAX {
+            format!("{key} may be {} and more", number(low))
+        } else {
+            format!("{key} may be {} to {}", number(low), number(high))
+        };
+        self.error(value.span().start, format!("{key} = {} is out of range", number(v)), range)
+    }
+
+    /// The key to the left of a value, as "key: "; nothing where there is none.
+    fn key_at(&self, at: usize) -> String {
+        let line = self.text[..at.min(self.text.len())].rsplit('\n').next().unwrap_or_default();
+        let key = line.rsplit_once('=').map(|(key, _)| key.rsplit(['{', ',']).next().unwrap_or_default().trim());
+        key.filter(|k| !k.is_empty()).map_or_else(String::new, |k| format!("{k}: "))
+    }
+
+    /// Reads the text as TOML; `remedy` says where the keys are listed.
+    pub fn parse<T: serde::de::DeserializeOwned>(&self, remedy: &str) -> Result<T, InputError> {
+        toml::from_str(self.text).or_else(|e| {
+            let at = e.span().map_or(0, |s| s.start);
+            self.error(at, format!("{}{}", self.key_at(at), e.message().trim()), remedy)
+        })
+    }
+}

@@ -1,0 +1,267 @@
+//! What a command does, or why it is refused.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+use saute_food::Rules;
+
+use crate::dynamics::extent::{radius, reach};
+use crate::dynamics::gesture::tilt;
+use crate::dynamics::world::{BOARD_AT, BOARD_HALF};
+use crate::dynamics::{Gesture, Pose, Task};
+use crate::hands::command::{Command, Refused, RestOn};
+use crate::hands::pour::Pouring;
+use crate::kelvin;
+use crate::kitchen::Kitchen;
+use crate::pan::cloth::Cloth;
+use crate::piece::piece_state::{Piece, Place};
+
+/// How far the pan may be moved or lifted [m] (chosen: within reach).
+const FARTHEST_PAN: f64 = 0.5;
+/// Height above what lies below from which a piece is laid [m] (chosen: it lands in a tenth of a tick).
+const LAY: f64 = 0.2e-3;
+/// The same for one that is dropped onto others [m] (chosen).
+const HEAP: f64 = 4.0e-3;
+
+/// Distances that food on the board keeps from its edge and from other food [m] (chosen: fingers need them).
+const MARGIN: f64 = 0.015;
+const BESIDE: f64 = 0.005;
+
+impl Kitchen {
+    /// Carries out a command, or says why not.
+    pub fn apply(&mut self, command: &Command) -> Result<(), Refused> {
+        if self.pan.lid.is_some() && command.needs_open_pan() {
+            return Err(Refused::LidIsOn);
+        }
+        match command {
+            Command::Hob(power) => self.set_hob(*power),
+            Command::Put { food, at, heap } => self.put(food, *at, *heap),
+            Command::Flip { food } => self.order(food, |key| Task::Flip { key }),
+            Command::Rest { food, on } => self.rest(food, *on),
+            Command::Halve { food, at } => self.halve(food, *at),
+            Command::MovePan { at, lift } => self.move_pan(*at, *lift),
+            Command::Cool { for_s } => {
+                self.cool_at_once();
+                let fresh = Cloth::fresh(&self.fixed.room.cloth, self.fixed.room.temperature(), *for_s);
+                self.cloth.get_or_insert(fresh).remaining_s = *for_s;
+                Ok(())
+            }
+            Command::Toss { .. } if !self.pieces.iter().any(Piece::in_pan) => Err(Refused::EmptyPan),
+            Command::Toss { height } => self.begin(Gesture::Toss { height: *height }),
+            Command::Shake { amplitude, hz, for_s } => {
+                self.begin(Gesture::Shake { amplitude: *amplitude, hz: *hz, for_s: *for_s })
+            }
+            Command::Tilt { angle, towards } => {
+                let [x, y, lift] = self.stands_at();
+                let floor = *self.world.pan_shape();
+                self.held_at = floor.standing([x, y], lift, tilt(*angle, *towards));
+                Ok(())
+            }
+            Command::Press { food, newtons, for_s } => {
+                self.order(food, |key| Task::Press { key, newtons: *newtons, for_s: *for_s })
+            }
+            Command::Move { food, to } => self.order(food, |key| Task::Move { key, to: *to }),
+            Command::Lead { tool, to, grip } => self.lead(*tool, to, grip.as_deref()),
+            Command::LetGo => {
+                self.let_go();
+                Ok(())
+            }
+            Command::HoldPan { pose } => self.hold_pan(pose),
+            Command::Oil { .. } | Command::Butter(_) | Command::Water(_) | Command::Lid(_) => self.pour(command),
+        }
+    }
+
+    /// Under the rules of 2013 the pan is cool as soon as it touches the cloth.
+    fn cool_at_once(&mut self) {
+        if self.rules() == Rules::Paper2013 {
+            let fixed = Arc::clone(&self.fixed);
+            let before = fixed.pan.stored(&self.pan);
+            let cool = kelvin(fixed.room.rules_2013.cloth_c);
+            self.pan.temperature.iter_mut().for_each(|t| *t = t.min(cool));
+            self.flows.other += before - fixed.pan.stored(&self.pan);
+        }
+    }
+
+    /// Pours or lays something into the pan.
+    fn pour(&mut self, command: &Command) -> Result<(), Refused> {
+        let fixed = Arc::clone(&self.fixed);
+        let time = self.time_s();
+        let mut at = Pouring { room: &fixed.room, covered: &self.covered, time, events: &mut self.events };
+        let brought = fixed.pan.pour(&mut self.pan, command, &mut at)?;
+        self.bring(brought.stored);
+        self.flows.air += brought.air;
+        self.flows.evaporation += brought.evaporation;
+        self.flows.other += brought.other;
+        Ok(())
+    }
+
+    fn set_hob(&mut self, power: f64) -> Result<(), Refused> {
+        let largest = self.fixed.hob.coil.largest_w;
+        if !(0.0..=largest).contains(&power) {
+            return Err(Refused::Power { largest_w: largest as i64 });
+        }
+        self.hob_w = power;
+        Ok(())
+    }
+
+    fn move_pan(&mut self, at: [f64; 2], lift: f64) -> Result<(), Refused> {
+        let reach = 0.0..=FARTHEST_PAN;
+        if !reach.contains(&lift) || !reach.contains(&libm::hypot(at[0], at[1])) {
+            return Err(Refused::PanPlace { farthest_mm: libm::round(FARTHEST_PAN * 1e3) as i64 });
+        }
+        self.held_at = self.world.pan_shape().standing(at, lift, self.held_at.rotation);
+        Ok(())
+    }
+
+    fn hold_pan(&mut self, pose: &Pose) -> Result<(), Refused> {
+        if !pose.position.is_finite() || !pose.rotation.is_finite() {
+            return Err(Refused::PanPlace { farthest_mm: libm::round(FARTHEST_PAN * 1e3) as i64 });
+        }
+        self.gesture = None;
+        self.held_at = self.world.pan_shape().within_reach(pose, FARTHEST_PAN);
+        Ok(())
+    }
+
+    /// Where the pan is held and how high its lowest edge is above the glass [m].
+    fn stands_at(&self) -> [f64; 3] {
+        let (shape, held) = (self.world.pan_shape(), &self.held_at);
+        [held.position.x, held.position.y, held.position.z - shape.thickness - shape.raise(held.rotation)]
+    }
+
+    fn begin(&mut self, gesture: Gesture) -> Result<(), Refused> {
+        self.gesture = Some((gesture, 0.0));
+        Ok(())
+    }
+
+    /// Gives the other hand something to do with a piece that is in the pan.
+    fn order(&mut self, food: &str, task: impl Fn(u32) -> Task) -> Result<(), Refused> {
+        let piece = self.piece_mut(food)?;
+        if !piece.in_pan() {
+            return Err(Refused::NotInPan(food.into()));
+        }
+        let task = task(piece.key);
+        self.hand_over(task);
+        Ok(())
+    }
+
+    /// Gives the other hand a task; a tool that a person leads is laid down for it.
+    fn hand_over(&mut self, task: Task) {
+        self.let_go();
+        self.tasks.push_back(task);
+    }
+
+    fn rest(&mut self, food: &str, on: RestOn) -> Result<(), Refused> {
+        let index = self.index(food)?;
+        let piece = &self.pieces[index];
+        if piece.place == Place::Waiting {
+            return Err(Refused::NotInPan(food.into()));
+        }
+        let to = self.free_board(piece);
+        let key = piece.key;
+        self.pieces[index].resting_on = on;
+        if matches!(self.pieces[index].place, Place::Rest(_)) {
+            self.pieces[index].place = Place::Rest(on);
+            return Ok(());
+        }
+        self.hand_over(Task::TakeOut { key, to });
+        Ok(())
+    }
+
+    /// The place on the board that is farthest from all that lies or shall lie there, from the left and front.
+    fn free_board(&self, piece: &Piece) -> [f64; 2] {
+        let taken: Vec<([f64; 2], f64)> = self.on_board();
+        let own = self.world.solid(piece.key).map_or(0.0, radius);
+        let (nx, ny) = (17, 13);
+        let along =
+            |i: usize, n: usize, half: f64| (half - own - MARGIN).max(0.0) * (2.0 * i as f64 / (n - 1) as f64 - 1.0);
+        let places = (0..nx).flat_map(|i| (0..ny).map(move |j| (i, j)));
+        let places =
+            places.map(|(i, j)| [BOARD_AT.x + along(i, nx, BOARD_HALF.x), BOARD_AT.y + along(j, ny, BOARD_HALF.y)]);
+        let room = |p: &[f64; 2]| {
+            let gaps = taken.iter().map(|(q, r)| libm::hypot(p[0] - q[0], p[1] - q[1]) - r - own);
+            gaps.fold(f64::INFINITY, f64::min) - BESIDE
+        };
+        let mut best = ([BOARD_AT.x, BOARD_AT.y], room(&[BOARD_AT.x, BOARD_AT.y]));
+        for place in places {
+            let free = room(&place);
+            // The first place with room will do; else the one with the most.
+            if best.1 < 0.0 && free > best.1 {
+                best = (place, free);
+            }
+        }
+        best.0
+    }
+
+    fn on_board(&self) -> Vec<([f64; 2], f64)> {
+        let size = |key: u32| self.world.solid(key).map_or(0.0, radius);
+        let lying = self.pieces.iter().filter(|p| matches!(p.place, Place::Rest(_)));
+        let lying = lying.map(|p| ([p.pose.position.x, p.pose.position.y], size(p.key)));
+        let coming = self.tasks.iter().chain(&self.at_work).filter_map(|task| match *task {
+            Task::TakeOut { key, to } => Some((to, size(key))),
+            _ => None,
+        });
+        lying.chain(coming).collect()
+    }
+
+    fn put(&mut self, food: &str, at: [f64; 2], heap: bool) -> Result<(), Refused> {
+        let index = self.index(food)?;
+        let piece = &self.pieces[index];
+        if piece.in_pan() {
+            return Err(Refused::AlreadyInPan(food.into()));
+        }
+        if !heap {
+            self.check_room(piece, at)?;
+        }
+        if piece.place != Place::Waiting {
+            let key = piece.key;
+            self.hand_over(Task::PutBack { key, to: at });
+            return Ok(());
+        }
+        let solid = piece.model.solid(&piece.state);
+        let below = reach(&solid, -DVec3::Z);
+        let height = if heap { self.heap_height(at, radius(&solid)) + HEAP } else { LAY };
+        let pan = self.world.motion.pose;
+        let pose = pan.then(&Pose::at(at[0], at[1], height + below));
+        let (key, mass) = (piece.key, piece.mass());
+        let friction = piece.friction(self.fixed.pan.film_at(&self.pan, at), &self.fixed.room);
+        self.world.add(key, solid, mass, &pose);
+        self.world.set_friction(key, friction);
+        let piece = &mut self.pieces[index];
+        (piece.pose, piece.place, piece.since_contact) = (pose, Place::Pan(at), 0.0);
+        piece.lie();
+        Ok(())
+    }
+
+    /// A piece that is laid fits onto the floor, beside all others.
+    fn check_room(&self, piece: &Piece, at: [f64; 2]) -> Result<(), Refused> {
+        let floor = self.world.pan_shape().floor;
+        let footprint = piece.footprint();
+        let reach = footprint.reach_from(at);
+        if reach > floor {
+            let mm = |v: f64| libm::ceil(v * 1e3) as i64;
+            return Err(Refused::DoesNotFit { food: piece.id.clone(), reach_mm: mm(reach), floor_mm: mm(floor) });
+        }
+        for other in self.pieces.iter().filter(|p| p.key != piece.key) {
+            if let Place::Pan(there) = other.place
+                && footprint.overlaps(at, &other.footprint(), there)
+            {
+                return Err(Refused::Occupied { food: piece.id.clone(), other: other.id.clone() });
+            }
+        }
+        Ok(())
+    }
+
+    /// Height above the floor of what lies within a distance of a place in the pan [m].
+    fn heap_height(&self, at: [f64; 2], within: f64) -> f64 {
+        let pan = self.world.motion.pose;
+        let surface = self.world.pan_shape();
+        let floor = surface.surface_height(libm::hypot(at[0], at[1]) + within);
+        let tops = self.pieces.iter().filter(|p| p.in_pan()).filter_map(|p| {
+            let (seen, solid) = (p.pose.seen_from(&pan), self.world.solid(p.key)?);
+            let apart = libm::hypot(seen.position.x - at[0], seen.position.y - at[1]);
+            (apart < within + radius(solid))
+                .then(|| seen.position.z + reach(solid, seen.rotation.conjugate() * DVec3::Z))
+        });
+        tops.fold(floor, f64::max)
+    }
+}

@@ -1,0 +1,421 @@
+//! All that is liquid in the pan: oil, water, butter; how they run, boil, smoke and spatter.
+
+use saute_food::{FreeAir, ZERO_C};
+
+use crate::data::library::Library;
+use crate::data::room::Room;
+use crate::liquids::butter::{Butter, ButterModel};
+use crate::liquids::drop_flight::Vessel;
+use crate::liquids::film_flow::FilmFlow;
+use crate::liquids::fond::{Fond, FondBed, FondModel};
+use crate::liquids::oil::Oil;
+use crate::liquids::oil_film::{Dose, Ground, OilFilm};
+use crate::liquids::smoke::{OilFire, Smoke};
+use crate::liquids::spatter::{self, Spatter};
+use crate::liquids::water_film::{Vapour, WaterFilm, WaterModel};
+use crate::pan::bed::Bed;
+use crate::pan::pan_description::PanDescription;
+use crate::tick::event::{Event, EventLog};
+
+/// What never changes about liquids in a pan.
+#[derive(Clone, Debug)]
+pub struct LiquidModel {
+    /// The pan's surface.
+    pub bed: Bed,
+    /// Kinds of oil, in the order of their ids.
+    pub oils: Vec<Oil>,
+    /// Water.
+    pub water: WaterModel,
+    /// Butter.
+    pub butter: Option<ButterModel>,
+    /// What juice leaves.
+    pub fond: FondModel,
+    /// Volume up to the rim [m³].
+    pub volume: f64,
+    /// Nodes of the floor.
+    floor_nodes: usize,
+    floor_area: f64,
+    /// Film of oil that stays on a drained pan [m].
+    clinging: f64,
+    default: usize,
+    rendered: usize,
+}
+
+/// Liquids in a pan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Liquids {
+    /// Oil and fat.
+    pub oil: OilFilm,
+    /// Water.
+    pub water: WaterFilm,
+    /// Butter.
+    pub butter: Butter,
+    /// What juice left: dried on the pan, or dissolved in its water.
+    pub fond: Fond,
+    /// Smoke and fire.
+    pub smoke: Smoke,
+    /// Spatter.
+    pub spatter: Spatter,
+    /// What ran over the rim [kg].
+    pub spilled: f64,
+    /// Thickness of the oil film for contact and for drawing, at each node [m].
+    pub film: Vec<f64>,
+    oil_pace: Pace,
+    water_pace: Pace,
+    ticks: u64,
+}
+
+/// How often a liquid is looked at: each tick while it runs, more rarely the slower it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Pace {
+    /// Time between two looks [s].
+    interval: f64,
+    /// Time since the last one [s].
+    since: f64,
+    /// Gravity in the pan's frame when it was last looked at [m/s²].
+    gravity: [f64; 3],
+}
+
+/// A liquid's thickness may change by about this between two looks [m] (chosen: two per cent of a film of 0.2 mm).
+const CHANGE_PER_LOOK: f64 = 4e-6;
+/// A lean that differs by less is the same [m/s²] (chosen: a hundredth of a degree).
+const SAME_LEAN: f64 = 2e-3;
+/// A liquid that lies still is looked at again after this time [s] (chosen).
+const LOOK_AGAIN_S: f64 = 1.0;
+/// Ticks between two looks at smoke and milk solids (chosen: half a second).
+const SLOW_TICKS: u64 = 5;
+/// Stream of the random numbers of spatter (chosen).
+const SPATTER_SEED: u64 = 0x5a17_7e55;
+
+/// Scratch space of the liquids.
+#[derive(Clone, Debug, Default)]
+pub struct LiquidSolver {
+    oil: FilmFlow,
+    water: FilmFlow,
+    /// Steam that was made at each node in this tick [kg].
+    pub steam: Vec<f64>,
+}
+
+impl Pace {
+    /// Time to be made up in this tick of `dt` [s]; 0 while the liquid may be left alone.
+    fn due(&mut self, gravity: [f64; 3], dt: f64) -> f64 {
+        if (0..3).any(|k| libm::fabs(gravity[k] - self.gravity[k]) > SAME_LEAN) {
+            *self = Self { gravity, ..Self::default() };
+        }
+        self.since += dt;
+        if self.since < self.interval - 0.5 * dt {
+            return 0.0;
+        }
+        core::mem::take(&mut self.since)
+    }
+
+    /// Chooses when to look again after a look that made up for `due` [s] and moved the thickness by `moved` [m].
+    fn choose(&mut self, due: f64, moved: f64) {
+        self.interval = (due * CHANGE_PER_LOOK / moved.max(1e-30)).min(LOOK_AGAIN_S);
+    }
+
+    /// The liquid was stirred: look at it in the next tick.
+    fn stir(&mut self) {
+        self.interval = 0.0;
+    }
+}
+
+impl LiquidModel {
+    /// Liquids on a pan's mesh.
+    pub fn new(bed: Bed, floor_nodes: usize, pan: &PanDescription, library: &Library) -> Self {
+        let kinds = &library.oils;
+        let oils: Vec<Oil> = kinds.iter().map(|(id, oil)| Oil::new(id, oil)).collect();
+        // The library does not load with a kind that is not there.
+        let kind = |id: &String| kinds.keys().position(|k| k == id).unwrap_or(0);
+        let use_of = &library.room.oil;
+        let [floor, rim, height] = [pan.floor.radius_mm, pan.wall.rim_radius_mm, pan.wall.height_mm].map(|v| 1e-3 * v);
+        Self {
+            butter: ButterModel::new(&oils, kind(&use_of.butter), &library.room.foam),
+            water: WaterModel::new(&library.room.puddle),
+            fond: FondModel::new(&library.fond),
+            volume: core::f64::consts::PI / 3.0 * height * (floor * floor + floor * rim + rim * rim),
+            floor_area: bed.areas[..floor_nodes].iter().sum(),
+            clinging: 1e-3 * use_of.clinging_mm,
+            default: kind(&use_of.default),
+            rendered: kind(&use_of.rendered),
+            floor_nodes,
+            oils,
+            bed,
+        }
+    }
+
+    /// Which oil is butter.
+    pub fn butter_kind(&self) -> Option<usize> {
+        self.butter.as_ref().map(|b| b.kind)
+    }
+
+    /// The room's oil on an otherwise dry pan of one temperature [K].
+    pub fn fresh(&self, pan: f64, room: &Room) -> Liquids {
+        let nodes = self.bed.areas.len();
+        let mut liquids = Liquids {
+            oil: OilFilm::none(nodes),
+            water: WaterFilm::none(nodes),
+            butter: Butter::default(),
+            fond: Fond::none(nodes),
+            smoke: Smoke::default(),
+            spatter: Spatter::seeded(SPATTER_SEED),
+            spilled: 0.0,
+            film: vec![0.0; nodes],
+            oil_pace: Pace::default(),
+            water_pace: Pace::default(),
+            ticks: 0,
+        };
+        let mut temperature = vec![pan; nodes];
+        let dose = Dose { kind: self.default, mass: 1e-3 * room.contact.oil_g, temperature: pan };
+        self.pour_oil(&mut liquids, dose, &vec![0.0; nodes], &mut temperature);
+        self.refresh_film(&mut liquids, room);
+        liquids
+    }
+
+    /// Pours oil evenly over the floor, of a metal with these heat capacities [J/K].
+    pub fn pour_oil(&self, liquids: &mut Liquids, dose: Dose, metal: &[f64], temperature: &mut [f64]) {
+        for i in 0..self.floor_nodes {
+            let part = Dose { mass: dose.mass * self.bed.areas[i] / self.floor_area, ..dose };
+            liquids.oil.add(&self.oils, i, part, metal[i], &mut temperature[i]);
+        }
+        liquids.oil_pace.stir();
+    }
+
+    /// Adds water with its enthalpy [kg], [J] evenly over the floor.
+    pub fn pour_water(&self, liquids: &mut Liquids, water: Vapour) {
+        for i in 0..self.floor_nodes {
+            let share = self.bed.areas[i] / self.floor_area;
+            liquids.water.add(i, share * water.mass, share * water.enthalpy);
+        }
+        liquids.water_pace.stir();
+    }
+
+    /// Adds fat that a food renders [kg] with its enthalpy [J], which holds its latent heat of fusion [J/kg]. It joins the
+    /// oil where that lies: boiling and sliding mix them. Returns the heat that oil does not count.
+    pub fn render(
+        &self,
+        liquids: &mut Liquids,
+        (mass, enthalpy): (f64, f64),
+        latent: f64,
+        metal: &[f64],
+        temperature: &mut [f64],
+    ) -> f64 {
+        if mass <= 0.0 {
+            return enthalpy;
+        }
+        let capacity = mass * self.oils[self.rendered].specific_heat;
+        let warmth = ((enthalpy - mass * latent) / capacity).clamp(0.0, 200.0);
+        let dose = Dose { kind: self.rendered, mass, temperature: ZERO_C + warmth };
+        let whole = liquids.oil.total();
+        if whole <= 0.0 {
+            self.pour_oil(liquids, dose, metal, temperature);
+        } else {
+            for i in 0..metal.len() {
+                let part = Dose { mass: mass * liquids.oil.mass[i] / whole, ..dose };
+                if part.mass > 0.0 {
+                    liquids.oil.add(&self.oils, i, part, metal[i], &mut temperature[i]);
+                }
+            }
+        }
+        enthalpy - capacity * warmth
+    }
+
+    /// Heat of all liquids above 0 °C [J].
+    pub fn stored(&self, liquids: &Liquids, temperature: &[f64]) -> f64 {
+        let lump = liquids.butter.lump.as_ref().zip(self.butter.as_ref()).map_or(0.0, |(l, m)| m.stored(l));
+        liquids.oil.stored(temperature) + liquids.water.stored() + lump
+    }
+
+    /// Oil and water run for `dt` [s] and butter melts; returns the heat that ran over the rim [J].
+    pub fn run(
+        &self,
+        liquids: &mut Liquids,
+        solver: &mut LiquidSolver,
+        gravity: [f64; 3],
+        metal: &[f64],
+        temperature: &mut [f64],
+        dt: f64,
+    ) -> f64 {
+        self.melt(liquids, metal, temperature, dt);
+        let mut lost = 0.0;
+        let due = liquids.oil_pace.due(gravity, dt);
+        if due > 0.0 {
+            let on = Ground { bed: &self.bed, oils: &self.oils, metal, clinging: self.clinging };
+            let run = liquids.oil.run(&mut solver.oil, &on, gravity, temperature, due);
+            liquids.spilled += run.spilled;
+            liquids.oil_pace.choose(due, run.moved);
+            lost += run.spilled_heat;
+        }
+        let due = liquids.water_pace.due(gravity, dt);
+        if due > 0.0 {
+            let Liquids { water, fond, .. } = liquids;
+            let run = water.run(&mut solver.water, fond, (&self.water, &self.bed), gravity, due);
+            liquids.spilled += run.spilled;
+            liquids.water_pace.choose(due, run.moved);
+            lost += run.spilled_heat;
+        }
+        lost
+    }
+
+    fn melt(&self, liquids: &mut Liquids, metal: &[f64], temperature: &mut [f64], dt: f64) {
+        let Some(model) = &self.butter else { return };
+        if liquids.butter.lump.is_none() {
+            return;
+        }
+        let Liquids { oil, water, butter, .. } = liquids;
+        let before = oil.total_of(model.kind);
+        let mut fresh = 0.0;
+        butter.melt(model, temperature, dt, |molten, t| {
+            let i = molten.node;
+            *t -= molten.heat / (metal[i] + oil.capacity[i]);
+            if molten.fat > 0.0 {
+                let dose = Dose { kind: model.kind, mass: molten.fat, temperature: molten.temperature };
+                oil.add(&self.oils, i, dose, metal[i], t);
+                let warmth = crate::liquids::water_film::WATER_SPECIFIC_HEAT * (molten.temperature - ZERO_C);
+                water.add(i, molten.water, molten.water * warmth);
+                fresh += molten.fat;
+            }
+        });
+        butter.freshen(before, fresh);
+        liquids.oil_pace.stir();
+        liquids.water_pace.stir();
+    }
+
+    /// Evaporation, spatter, foam, smoke and browning at the end of a tick that began at `time` [s]; returns the vapour
+    /// and the heat that left with oil [J].
+    pub fn finish(
+        &self,
+        liquids: &mut Liquids,
+        solver: &LiquidSolver,
+        around: &Around,
+        temperature: &[f64],
+        events: &mut EventLog,
+        dt: f64,
+    ) -> (Vapour, f64) {
+        let room = around.room;
+        let vapour = self.evaporate(liquids, around, dt);
+        let mut heat = 0.0;
+        let mut tell = |kind, node: usize, amount| {
+            events.push(Event { time_s: around.time, kind, at: self.bed.places[node], amount });
+        };
+        let Liquids { oil, spatter, smoke, .. } = liquids;
+        let flying = spatter::Around {
+            vessel: around.vessel,
+            middle: around.middle,
+            covered: around.covered,
+            time: [around.time, dt],
+        };
+        if !around.lidded {
+            let pan = (&self.bed, &flying);
+            heat += spatter.advance(&room.spatter, pan, oil, temperature, &solver.steam, &mut tell);
+        }
+        spatter.land(&flying, around.time + dt);
+        liquids.ticks += 1;
+        if liquids.ticks.is_multiple_of(SLOW_TICKS) {
+            let (oils, bed, lidded) = (&self.oils, &self.bed, around.lidded);
+            let over = OilFire { data: &room.smoke, oils, bed, temperature, lidded };
+            let tell = |kind, node: usize| tell(kind, node, temperature[node]);
+            heat += smoke.advance(&over, oil, dt * SLOW_TICKS as f64, tell);
+        }
+        self.froth_and_brown(liquids, &solver.steam, temperature, dt);
+        if liquids.ticks.is_multiple_of(SLOW_TICKS) {
+            let Liquids { fond, water, .. } = liquids;
+            let on = FondBed { bed: &self.bed, water, water_model: &self.water, metal: temperature };
+            fond.advance(&self.fond, &on, dt * SLOW_TICKS as f64);
+        }
+        self.refresh_film(liquids, room);
+        (vapour, heat)
+    }
+
+    /// Foam and milk solids, where there is butter.
+    fn froth_and_brown(&self, liquids: &mut Liquids, steam: &[f64], temperature: &[f64], dt: f64) {
+        let Some(model) = &self.butter else { return };
+        let Liquids { oil, water, butter, ticks, .. } = liquids;
+        let there = oil.fats.iter().any(|f| f.kind == model.kind);
+        let through = |(i, s): (usize, &f64)| if *s > 0.0 { s * oil.share(model.kind, i) } else { 0.0 };
+        let foaming = if there { steam.iter().enumerate().map(through).sum::<f64>() / dt } else { 0.0 };
+        butter.froth(model, foaming, dt);
+        if ticks.is_multiple_of(SLOW_TICKS) {
+            let long = dt * SLOW_TICKS as f64;
+            butter.brown(model, oil, (water, &self.water), &self.bed, temperature, long);
+        }
+    }
+
+    fn evaporate(&self, liquids: &mut Liquids, around: &Around, dt: f64) -> Vapour {
+        let mut total = Vapour::default();
+        for i in 0..self.bed.areas.len() {
+            if liquids.water.mass[i] > 0.0 {
+                let bare = if i < self.floor_nodes { 1.0 - around.covered[i] } else { 1.0 };
+                let vapour = liquids.water.breathe(&self.water, i, self.bed.areas[i], bare, &around.air, dt);
+                total = Vapour { mass: total.mass + vapour.mass, enthalpy: total.enthalpy + vapour.enthalpy };
+            }
+        }
+        total
+    }
+
+    /// Brings the film's thickness up to date, reckoned with the density of the contact model.
+    pub fn refresh_film(&self, liquids: &mut Liquids, room: &Room) {
+        let per_mass = 1.0 / room.contact.oil_density_kg_m3;
+        let fields = liquids.film.iter_mut().zip(&liquids.oil.mass).zip(&self.bed.areas);
+        fields.for_each(|((film, mass), area)| *film = mass * per_mass / area);
+    }
+
+    /// Colour of the oil by its kinds and the milk solids in it, sRGB 0–255; none without oil.
+    pub fn colour(&self, liquids: &Liquids) -> Option<[f64; 3]> {
+        let whole = liquids.oil.total();
+        if whole <= 0.0 {
+            return None;
+        }
+        let mut colour = [0.0; 3];
+        for fat in &liquids.oil.fats {
+            let share = fat.mass.iter().sum::<f64>() / whole;
+            let own = self.oils[fat.kind].description.look.colour_srgb.map(f64::from);
+            let milky = self.butter.as_ref().is_some_and(|b| b.kind == fat.kind);
+            let (brown, char) = if milky { (liquids.butter.browning, liquids.butter.charring) } else { (0.0, 0.0) };
+            for k in 0..3 {
+                let browned = own[k] + brown * (BROWNED[k] - own[k]);
+                colour[k] += share * (browned + char * (CHARRED[k] - browned));
+            }
+        }
+        Some(colour)
+    }
+}
+
+/// Brown butter, sRGB (chosen: hazelnut).
+const BROWNED: [f64; 3] = [132.0, 78.0, 26.0];
+/// Burnt butter, sRGB (chosen).
+const CHARRED: [f64; 3] = [34.0, 24.0, 18.0];
+
+/// What is around the liquids at the end of a tick.
+#[derive(Clone, Copy, Debug)]
+pub struct Around<'a> {
+    /// The room.
+    pub room: &'a Room,
+    /// Air over the pan.
+    pub air: FreeAir,
+    /// Whether there is a lid on it.
+    pub lidded: bool,
+    /// Share of each node under food [-].
+    pub covered: &'a [f64],
+    /// The pan as drops fly in and out of it.
+    pub vessel: Vessel,
+    /// Middle of the pan from that of the ring [m].
+    pub middle: [f64; 2],
+    /// Time at the start of the tick [s].
+    pub time: f64,
+}
+
+impl Liquids {
+    /// Adds water with its enthalpy [kg], [J] at one node, as juice does, and the solids that are dissolved in it beside
+    /// that [kg].
+    pub fn drip(&mut self, node: usize, mass: f64, enthalpy: f64, solids: f64) {
+        self.water.add(node, mass, enthalpy);
+        self.fond.shed(node, solids);
+        self.water_pace.stir();
+    }
+
+    /// Mass of all liquids and of butter that is not molten yet [kg].
+    pub fn total(&self) -> f64 {
+        self.oil.total() + self.water.total() + self.butter.lump.as_ref().map_or(0.0, |l| l.mass)
+    }
+}

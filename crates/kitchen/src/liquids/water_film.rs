@@ -1,0 +1,193 @@
+//! Water on the pan: juice, water thrown in, the water of butter. It lies in puddles, runs, and boils by a boiling curve.
+
+use saute_food::table::{Table, interpolate};
+use saute_food::water::{latent_heat, saturation_density};
+use saute_food::{FreeAir, ZERO_C, sourced_table};
+
+use crate::liquids::film_flow::{FilmFlow, Manner, Run, Sweep};
+use crate::liquids::fond::Fond;
+use crate::pan::bed::Bed;
+use crate::{celsius, kelvin};
+
+sourced_table! {
+    /// Water that lies in the pan.
+    PuddleData {
+        /// Depth to which a puddle spreads [mm].
+        depth_mm: f64,
+        /// What stays on a tilted pan in drops, spread out [mm].
+        clinging_mm: f64,
+        /// Temperatures of the pan of the boiling curve, ascending [°C].
+        base_c: Vec<f64>,
+        /// Conductance from pan to water at those [W/(m²·K)].
+        conductance_w_m2k: Vec<f64>,
+        /// Temperatures at which the viscosity is given, ascending [°C].
+        viscosity_c: Vec<f64>,
+        /// Dynamic viscosity of water at those [mPa·s].
+        viscosity_mpa_s: Vec<f64>,
+    }
+}
+
+/// Specific heat with which temperatures of liquid water are reckoned [J/(kg·K)] (standard tables).
+pub const WATER_SPECIFIC_HEAT: f64 = 4190.0;
+/// Density of water with which depths are reckoned [kg/m³] (0.96 to 1.00 in standard tables).
+pub const WATER_DENSITY: f64 = 1000.0;
+/// Water that covers less than this share of a node on a hot pan boils off at once [-] (chosen: it takes a
+/// thousandth of a kelvin from the metal there).
+const LAST_BREATH: f64 = 1e-5;
+
+/// Enthalpy of vapour above liquid water at 0 °C [J/kg].
+pub fn vapour_enthalpy(temperature: f64) -> f64 {
+    WATER_SPECIFIC_HEAT * (temperature - ZERO_C) + latent_heat(temperature)
+}
+
+/// What never changes about water on a pan.
+#[derive(Clone, Debug)]
+pub struct WaterModel {
+    depth: f64,
+    clinging: f64,
+    conductance: Table,
+    fluidity: Table,
+    vapour: Table,
+}
+
+/// Water in the pan.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct WaterFilm {
+    /// Mass at each node [kg].
+    pub mass: Vec<f64>,
+    /// Enthalpy at each node above liquid water at 0 °C [J].
+    pub enthalpy: Vec<f64>,
+}
+
+/// Vapour with its enthalpy.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Vapour {
+    /// Mass [kg].
+    pub mass: f64,
+    /// Enthalpy above liquid water at 0 °C [J].
+    pub enthalpy: f64,
+}
+
+impl WaterModel {
+    /// Tabulates the boiling curve, viscosity and vapour density.
+    pub fn new(data: &PuddleData) -> Self {
+        let conductance = |t: f64| interpolate(&data.base_c, &data.conductance_w_m2k, celsius(t));
+        let fluidity =
+            |t: f64| WATER_DENSITY / (1e-3 * interpolate(&data.viscosity_c, &data.viscosity_mpa_s, celsius(t)));
+        Self {
+            depth: 1e-3 * data.depth_mm,
+            clinging: 1e-3 * data.clinging_mm,
+            conductance: Table::new(kelvin(0.0), kelvin(450.0), 1.0, conductance),
+            fluidity: Table::new(kelvin(0.0), kelvin(100.0), 1.0, fluidity),
+            vapour: Table::new(kelvin(0.0), kelvin(100.0), 0.5, saturation_density),
+        }
+    }
+
+    /// Density of saturated vapour, up to 100 °C [kg/m³].
+    pub fn saturated(&self, temperature: f64) -> f64 {
+        self.vapour.at(temperature)
+    }
+
+    /// Share of an area that so much water covers [-].
+    pub fn coverage(&self, mass: f64, area: f64) -> f64 {
+        (mass / (WATER_DENSITY * self.depth * area)).min(1.0)
+    }
+}
+
+impl WaterFilm {
+    /// No water on so many nodes.
+    pub fn none(nodes: usize) -> Self {
+        Self { mass: vec![0.0; nodes], enthalpy: vec![0.0; nodes] }
+    }
+
+    /// Mass of all water [kg].
+    pub fn total(&self) -> f64 {
+        self.mass.iter().sum()
+    }
+
+    /// Enthalpy of all water [J].
+    pub fn stored(&self) -> f64 {
+        self.enthalpy.iter().sum()
+    }
+
+    /// Adds water with its enthalpy [kg], [J].
+    pub fn add(&mut self, node: usize, mass: f64, enthalpy: f64) {
+        self.mass[node] += mass;
+        self.enthalpy[node] += enthalpy;
+    }
+
+    /// Temperature at a wet node [K].
+    pub fn temperature(&self, node: usize) -> f64 {
+        ZERO_C + self.enthalpy[node] / (self.mass[node] * WATER_SPECIFIC_HEAT)
+    }
+
+    /// Takes heat from the pan at `base` [K] for `dt` [s] at a wet node, and boils what that brings above 100 °C.
+    /// Returns the heat [J] and the vapour.
+    pub fn heat(&mut self, model: &WaterModel, node: usize, area: f64, base: f64, dt: f64) -> (f64, Vapour) {
+        let (mass, latent) = (self.mass[node], latent_heat(kelvin(100.0)));
+        let boiling = WATER_SPECIFIC_HEAT * 100.0;
+        let to_vapour = mass * (boiling + latent) - self.enthalpy[node];
+        let coverage = model.coverage(mass, area);
+        let conductance = model.conductance.at(base) * coverage * area;
+        let heat = if base > kelvin(101.0) && coverage < LAST_BREATH {
+            to_vapour
+        } else {
+            (conductance * (base - self.temperature(node)) * dt).min(to_vapour)
+        };
+        self.enthalpy[node] += heat;
+        let excess = self.enthalpy[node] - mass * boiling;
+        if excess <= 0.0 {
+            return (heat, Vapour::default());
+        }
+        let gone = excess / latent;
+        let all = gone >= mass * (1.0 - 1e-12);
+        let vapour = if all {
+            Vapour { mass, enthalpy: self.enthalpy[node] }
+        } else {
+            Vapour { mass: gone, enthalpy: gone * (boiling + latent) }
+        };
+        self.mass[node] = if all { 0.0 } else { mass - gone };
+        self.enthalpy[node] = if all { 0.0 } else { self.enthalpy[node] - vapour.enthalpy };
+        (heat, vapour)
+    }
+
+    /// What a wet node gives off into the air by evaporation for `dt` [s]; `bare` is the share of it under no food.
+    pub fn breathe(&mut self, model: &WaterModel, node: usize, area: f64, bare: f64, air: &FreeAir, dt: f64) -> Vapour {
+        let mass = self.mass[node];
+        let t = self.temperature(node);
+        let excess = model.saturated(t) - air.vapour_density;
+        let open = bare * model.coverage(mass, area) * area;
+        let gone = (air.mass_transfer * open * excess * dt).clamp(0.0, 0.2 * mass);
+        let enthalpy = (gone * vapour_enthalpy(t)).min(self.enthalpy[node].max(0.0));
+        self.mass[node] -= gone;
+        self.enthalpy[node] -= enthalpy;
+        Vapour { mass: gone, enthalpy }
+    }
+
+    /// Moves the water with what is dissolved in it through `dt` [s] under a gravity in the pan's frame [m/s²].
+    pub fn run(
+        &mut self,
+        flow: &mut FilmFlow,
+        fond: &mut Fond,
+        (model, bed): (&WaterModel, &Bed),
+        gravity: [f64; 3],
+        dt: f64,
+    ) -> Run {
+        let mut run = Run::default();
+        if self.mass.iter().all(|m| *m <= 0.0) {
+            return run;
+        }
+        let mean = ZERO_C + self.stored() / (self.total() * WATER_SPECIFIC_HEAT);
+        let manner = Manner { density: WATER_DENSITY, puddle: model.depth, clinging: model.clinging };
+        flow.fluidity.clear();
+        flow.fluidity.resize(self.mass.len(), model.fluidity.at(mean));
+        flow.lean(bed, gravity);
+        for sweep in Sweep::BOTH {
+            run.moved = run.moved.max(flow.sweep(bed, &manner, &self.mass, sweep, 0.5 * dt));
+            run.spilled += flow.carry(bed, &mut self.mass);
+            run.spilled_heat += flow.carry(bed, &mut self.enthalpy);
+            fond.carry(flow, bed);
+        }
+        run
+    }
+}

@@ -1,0 +1,13 @@
+//! The pan on its hob: metal, glass, cloth, lid, and what foods see of its surface.
+
+pub mod bed;
+pub mod cloth;
+pub mod heat_tint;
+pub mod hob;
+pub mod lid;
+pub(crate) mod near_pan;
+pub mod pan_description;
+pub mod pan_model;
+pub mod ridges;
+
+pub use pan_model::{LEVEL, PanExchange, PanLoad, PanModel, PanSolver, PanState};

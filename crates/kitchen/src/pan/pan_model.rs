@@ -1,0 +1,482 @@
+//! The pan: a heated plate with a wall, conducting along its metal.
+
+use saute_food::air_film::radiation_coefficient;
+use saute_food::juice::Runoff;
+use saute_food::{Exchange, FreeAir};
+use saute_heat::{Conduction, Graph, Located, Locator, MeshError, Section};
+
+use crate::data::library::Library;
+use crate::data::room::Room;
+use crate::dynamics::PanShape;
+use crate::liquids::drop_flight::Vessel;
+use crate::liquids::liquid_layer::{Around, LiquidModel, LiquidSolver, Liquids};
+use crate::liquids::water_film::Vapour;
+use crate::pan::bed::Bed;
+use crate::pan::cloth::Cloth;
+use crate::pan::hob::{HobDescription, PanPose};
+use crate::pan::lid::Lid;
+use crate::pan::pan_description::PanDescription;
+use crate::pan::ridges::Ridges;
+use crate::tick::event::EventLog;
+
+/// Rings of nodes on the floor (chosen: 8 mm; the ring of heat is 50 mm wide).
+const FLOOR_RINGS: usize = 12;
+
+/// What never changes in a pan on its hob.
+#[derive(Clone, Debug)]
+pub struct PanModel {
+    /// What its file says.
+    pub description: PanDescription,
+    /// Mesh of floor and unrolled wall.
+    pub section: Section,
+    /// Finds points on it.
+    pub locator: Locator,
+    /// Nodes of the floor come first; this many.
+    pub floor_nodes: usize,
+    /// Area of the floor [m²].
+    pub floor_area: f64,
+    /// Ridges on the floor of a grill pan.
+    pub ridges: Option<Ridges>,
+    /// Liquids on it.
+    pub liquids: LiquidModel,
+    pub(crate) capacity: Vec<f64>,
+    graph: Graph,
+    conduction: Conduction,
+    /// Conductance of air and glass at its largest [W/K]; bounds the stable step.
+    steepest: Vec<f64>,
+}
+
+/// What changes in a pan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PanState {
+    /// Metal [K].
+    pub temperature: Vec<f64>,
+    /// Highest temperature that the metal has had at each node [K].
+    pub peak: Vec<f64>,
+    /// Hob glass under the floor [K].
+    pub glass: Vec<f64>,
+    /// Oil, water and butter in the pan.
+    pub liquids: Liquids,
+    /// The lid, while it is on.
+    pub lid: Option<Lid>,
+    /// Where the pan stands.
+    pub pose: PanPose,
+    /// Share of the hob's power that goes into each node of the floor [-].
+    pub ring_shares: Vec<f64>,
+    /// Whether the hob's limit keeps the power off.
+    pub limited: bool,
+}
+
+/// Scratch space of a pan.
+#[derive(Clone, Debug, Default)]
+pub struct PanSolver {
+    heat: Vec<f64>,
+    /// Heat capacity of metal and oil [J/K].
+    capacity: Vec<f64>,
+    liquids: LiquidSolver,
+}
+
+/// What acts on the pan during one tick.
+#[derive(Clone, Copy, Debug)]
+pub struct PanLoad<'a> {
+    /// The hob under it.
+    pub hob: &'a HobDescription,
+    /// The room around it.
+    pub room: &'a Room,
+    /// Electrical power that is set [W].
+    pub hob_w: f64,
+    /// Time at the start of the tick [s].
+    pub time: f64,
+    /// Heat flow from each node into food [W].
+    pub food: &'a [f64],
+    /// Share of each node's area under food [-].
+    pub covered: &'a [f64],
+    /// Steam that food made at each node in this tick [kg].
+    pub steam: &'a [f64],
+    /// Gravity less the pan's acceleration, in the pan's frame [m/s²].
+    pub gravity: [f64; 3],
+}
+
+/// Gravity in the frame of a pan that is level and at rest [m/s²].
+pub const LEVEL: [f64; 3] = [0.0, 0.0, -crate::piece::piece_state::GRAVITY];
+
+/// Thermal conductivity of warm air under a lifted pan [W/(m·K)] (standard tables, 100 °C).
+const AIR_CONDUCTIVITY: f64 = 0.031;
+/// Convection and radiation of both faces of a very hot wall [W/(m²·K)]; bounds the stable step.
+const STEEPEST_AIR_LOSS: f64 = 100.0;
+
+/// What the pan exchanged in one tick [J].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PanExchange {
+    /// Electrical energy.
+    pub hob: f64,
+    /// To air and walls.
+    pub air: f64,
+    /// Into the glass, the coil and the cloth, and with what left the pan.
+    pub other: f64,
+    /// Vapour from the pan's water to the room.
+    pub vapour: Vapour,
+    /// Vapour from the cloth [kg].
+    pub cloth_vapour: f64,
+}
+
+impl PanModel {
+    /// Meshes a pan: rings on the floor, then up the wall, which is unrolled into the plane.
+    pub fn build(description: &PanDescription, library: &Library) -> Result<Self, MeshError> {
+        let floor = description.floor.radius_mm * 1e-3;
+        let step = floor / (FLOOR_RINGS as f64 - 0.5);
+        let rise =
+            libm::hypot(description.wall.height_mm, description.wall.rim_radius_mm - description.floor.radius_mm)
+                * 1e-3;
+        let wall_rings = libm::round(rise / step).max(1.0) as usize;
+        let radii: Vec<f64> = (0..FLOOR_RINGS + wall_rings).map(|i| i as f64 * step).collect();
+        let section = Section::rings(&radii, step)?;
+        let floor_nodes = section.points.iter().filter(|p| libm::hypot(p[0], p[1]) < floor).count();
+        let thickness = |i: usize| {
+            1e-3 * if i < floor_nodes { description.floor.thickness_mm } else { description.wall.thickness_mm }
+        };
+        let metal = &description.metal;
+        let areas = &section.areas;
+        let ridges = description.ridges.as_ref().map(Ridges::of);
+        // Ridges store heat; along the floor the plate between them conducts.
+        let storing = |i: usize| {
+            let on_top = ridges.filter(|_| i < floor_nodes).map_or(0.0, |r| r.spread_out());
+            thickness(i) + on_top
+        };
+        let capacity =
+            (0..areas.len()).map(|i| areas[i] * storing(i) * metal.density_kg_m3 * metal.specific_heat_j_kgk).collect();
+        let mut graph =
+            Graph { volume: (0..areas.len()).map(|i| areas[i] * thickness(i)).collect(), ..Graph::default() };
+        for &(a, b, weight) in &section.edges {
+            graph.push(a, b, weight * 0.5 * (thickness(a as usize) + thickness(b as usize)));
+        }
+        let mut conduction = Conduction::default();
+        conduction.refresh(&graph, &vec![metal.conductivity_w_mk; areas.len()]);
+        let bed = Bed::new(&section, description);
+        Ok(Self {
+            liquids: LiquidModel::new(bed, floor_nodes, description, library),
+            steepest: areas.iter().map(|a| a * (STEEPEST_AIR_LOSS + library.hob.glass.gap_conductance_w_m2k)).collect(),
+            floor_area: areas[..floor_nodes].iter().sum(),
+            locator: Locator::new(&section),
+            description: description.clone(),
+            ridges,
+            floor_nodes,
+            capacity,
+            graph,
+            conduction,
+            section,
+        })
+    }
+
+    /// The pan and the glass at given temperatures [K], with the room's oil in it, on its ring.
+    pub fn at(&self, pan: f64, room: &Room, hob: &HobDescription) -> PanState {
+        let pose = PanPose::default();
+        PanState {
+            temperature: vec![pan; self.capacity.len()],
+            peak: vec![pan; self.capacity.len()],
+            glass: vec![room.temperature(); self.floor_nodes],
+            liquids: self.liquids.fresh(pan, room),
+            lid: None,
+            ring_shares: self.ring_shares(hob, &pose),
+            pose,
+            limited: false,
+        }
+    }
+
+    fn ring_shares(&self, hob: &HobDescription, pose: &PanPose) -> Vec<f64> {
+        let floor = self.floor_nodes;
+        hob.ring_shares(&self.section.points[..floor], &self.section.areas[..floor], pose)
+    }
+
+    /// Moves the pan over the hob.
+    pub fn place(&self, state: &mut PanState, hob: &HobDescription, pose: PanPose) {
+        state.ring_shares = self.ring_shares(hob, &pose);
+        state.pose = pose;
+    }
+
+    /// Thickness of the oil at a place of the floor [m].
+    pub(crate) fn film_at(&self, state: &PanState, at: [f64; 2]) -> f64 {
+        state.oil_film(&self.locator.locate_or_nearest(&self.section, at))
+    }
+
+    /// Area mean of the flat floor [K].
+    pub fn floor_temperature(&self, state: &PanState) -> f64 {
+        let sum: f64 = state.temperature[..self.floor_nodes].iter().zip(&self.section.areas).map(|(t, a)| t * a).sum();
+        sum / self.floor_area
+    }
+
+    /// Heat stored above 0 °C in metal, liquids and lid [J].
+    pub fn stored(&self, state: &PanState) -> f64 {
+        let metal: f64 = state.temperature.iter().zip(&self.capacity).map(|(t, c)| (t - saute_food::ZERO_C) * c).sum();
+        metal + self.liquids.stored(&state.liquids, &state.temperature) + state.lid.map_or(0.0, |lid| lid.stored())
+    }
+
+    /// Air over and beside food whose upper face is at `surface` [K]: in the pan's plume, or under the lid.
+    pub fn airs(&self, state: &PanState, room: &Room, surface: impl FnOnce() -> f64) -> [FreeAir; 3] {
+        match &state.lid {
+            Some(lid) => [lid.air_over(room, surface()).0; 3],
+            None => {
+                let (up, side) = room.plume(self.floor_temperature(state));
+                [up, up, side]
+            }
+        }
+    }
+
+    /// Takes up fat that food in the pan renders, which holds its latent heat of fusion [J/kg]; returns the heat that oil
+    /// does not count [J].
+    pub fn render(&self, state: &mut PanState, fat: &Runoff, latent: f64) -> f64 {
+        let PanState { liquids, temperature, .. } = state;
+        self.liquids.render(liquids, (fat.mass, fat.enthalpy), latent, &self.capacity, temperature)
+    }
+
+    /// Takes up what food in the pan gave to the air: all of it passes on to the room unless a lid holds it. Returns heat
+    /// and enthalpy of vapour that go to the room [J].
+    pub fn take_up(
+        &self,
+        state: &mut PanState,
+        room: &Room,
+        surface: impl FnOnce() -> f64,
+        exchange: &Exchange,
+    ) -> (f64, f64) {
+        let Some(lid) = &mut state.lid else { return (exchange.air, exchange.evaporation) };
+        let condensing = lid.air_over(room, surface()).1;
+        lid.take_vapour(Vapour { mass: exchange.evaporated, enthalpy: exchange.evaporation });
+        let dew = lid.take_heat(exchange.air, condensing);
+        self.liquids.pour_water(&mut state.liquids, dew);
+        (0.0, 0.0)
+    }
+
+    /// Moves the pan through `dt` [s]; with a cloth it stands off the hob, which then gives no power.
+    pub fn advance(
+        &self,
+        state: &mut PanState,
+        solver: &mut PanSolver,
+        load: &PanLoad,
+        cloth: &mut Option<Cloth>,
+        events: &mut EventLog,
+        dt: f64,
+    ) -> PanExchange {
+        let limit = 0.8 * self.conduction.stable_step_with(&self.capacity, &self.steepest);
+        let steps = libm::ceil(dt / limit).clamp(1.0, 1000.0);
+        let control = &load.hob.control;
+        let bound = control.limit_c - if state.limited { control.resume_k } else { 0.0 };
+        // The sensor sits in the middle of the coil; node 0 lies above it.
+        state.limited = state.glass[0] > crate::kelvin(bound);
+        let mut total = PanExchange::default();
+        let PanState { liquids, temperature, .. } = state;
+        let scratch = &mut solver.liquids;
+        total.other += self.liquids.run(liquids, scratch, load.gravity, &self.capacity, temperature, dt);
+        scratch.steam.clear();
+        scratch.steam.extend_from_slice(load.steam);
+        solver.capacity.clear();
+        solver.capacity.extend(self.capacity.iter().zip(&liquids.oil.capacity).map(|(metal, oil)| metal + oil));
+        for _ in 0..steps as usize {
+            self.step(state, solver, load, cloth, dt / steps, &mut total);
+        }
+        self.finish(state, solver, load, events, dt, &mut total);
+        state.peak.iter_mut().zip(&state.temperature).for_each(|(peak, t)| *peak = peak.max(*t));
+        total
+    }
+
+    /// What liquids and lid do at the end of a tick.
+    fn finish(
+        &self,
+        state: &mut PanState,
+        solver: &PanSolver,
+        load: &PanLoad,
+        events: &mut EventLog,
+        dt: f64,
+        total: &mut PanExchange,
+    ) {
+        let [air, ..] = self.airs(state, load.room, || self.floor_temperature(state));
+        let around = Around {
+            room: load.room,
+            air,
+            lidded: state.lid.is_some(),
+            covered: load.covered,
+            vessel: self.vessel(state),
+            middle: state.pose.at,
+            time: load.time,
+        };
+        let PanState { liquids, temperature, .. } = state;
+        let (vapour, heat) = self.liquids.finish(liquids, &solver.liquids, &around, temperature, events, dt);
+        total.other += heat;
+        self.release(state, vapour, total);
+        if let Some(lid) = &mut state.lid {
+            let settled = lid.settle(load.room, dt);
+            total.air += settled.to_room;
+            total.vapour.mass += settled.escaped.mass;
+            total.vapour.enthalpy += settled.escaped.enthalpy;
+            self.liquids.pour_water(&mut state.liquids, settled.condensate);
+        }
+    }
+
+    /// The pan as drops fly in and out of it.
+    fn vessel(&self, state: &PanState) -> Vessel {
+        let shape = PanShape::of(&self.description);
+        Vessel { floor: shape.floor, rim: shape.rim, height: shape.height, stands: shape.thickness + state.pose.lift }
+    }
+
+    /// Vapour from the pan's water rises to the room or under the lid.
+    fn release(&self, state: &mut PanState, vapour: Vapour, total: &mut PanExchange) {
+        match &mut state.lid {
+            Some(lid) => lid.take_vapour(vapour),
+            None => {
+                total.vapour.mass += vapour.mass;
+                total.vapour.enthalpy += vapour.enthalpy;
+            }
+        }
+    }
+
+    fn step(
+        &self,
+        state: &mut PanState,
+        solver: &mut PanSolver,
+        load: &PanLoad,
+        cloth: &mut Option<Cloth>,
+        dt: f64,
+        total: &mut PanExchange,
+    ) {
+        let heat = &mut solver.heat;
+        heat.clear();
+        heat.extend(load.food.iter().map(|p| -p));
+        self.conduction.add_power(&self.graph, &state.temperature, heat);
+        heat.iter_mut().for_each(|q| *q *= dt);
+        self.add_air_losses(state, load, dt, heat, total);
+        self.add_water(state, &mut solver.liquids.steam, dt, heat, total);
+        match cloth {
+            None => self.add_hob(state, load, dt, heat, total),
+            Some(cloth) => self.add_cloth(state, load.room, cloth, dt, heat, total),
+        }
+        for ((t, q), c) in state.temperature.iter_mut().zip(heat.iter()).zip(&solver.capacity) {
+            *t += q / c;
+        }
+        self.cool_glass(state, load, dt);
+    }
+
+    /// Convection and radiation of both faces of the wall and of the bare floor; under a lid the inner ones meet its air.
+    fn add_air_losses(&self, state: &mut PanState, load: &PanLoad, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
+        let room = load.room.temperature();
+        let emissivity = self.description.surface.emissivity;
+        let inside = state.lid.map(|lid| (lid.air_temperature(), load.room.lid.convection_w_m2k));
+        let mut under_lid = 0.0;
+        for (i, &t) in state.temperature.iter().enumerate() {
+            let area = self.section.areas[i] * dt;
+            let bare = if i < self.floor_nodes { 1.0 - load.covered[i] } else { 1.0 };
+            let wall = if i < self.floor_nodes { 0.0 } else { 1.0 };
+            let mut outer = wall;
+            match inside {
+                Some((air, convection)) => {
+                    let lost = bare * (convection + radiation_coefficient(emissivity, t, air)) * area * (t - air);
+                    heat[i] -= lost;
+                    under_lid += lost;
+                }
+                None => outer += bare,
+            }
+            let excess = t - room;
+            let convection = load.room.pan_air.convection_coefficient * libm::sqrt(libm::sqrt(libm::fabs(excess)));
+            let lost = outer * (convection + radiation_coefficient(emissivity, t, room)) * area * excess;
+            heat[i] -= lost;
+            total.air += lost;
+        }
+        if let Some(lid) = &mut state.lid {
+            lid.take_heat(under_lid, 0.0);
+        }
+    }
+
+    /// Water takes heat from the pan under it and boils.
+    fn add_water(&self, state: &mut PanState, steam: &mut [f64], dt: f64, heat: &mut [f64], total: &mut PanExchange) {
+        let mut vapour = Vapour::default();
+        for i in 0..state.temperature.len() {
+            if state.liquids.water.mass[i] > 0.0 {
+                let (base, area) = (state.temperature[i], self.liquids.bed.areas[i]);
+                let (taken, boiled) = state.liquids.water.heat(&self.liquids.water, i, area, base, dt);
+                heat[i] -= taken;
+                steam[i] += boiled.mass;
+                vapour.mass += boiled.mass;
+                vapour.enthalpy += boiled.enthalpy;
+            }
+        }
+        self.release(state, vapour, total);
+    }
+
+    /// Heat from the ring, and between floor and glass: through their contact, or through the air under a lifted pan.
+    fn add_hob(&self, state: &mut PanState, load: &PanLoad, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
+        let PanLoad { hob, time, .. } = *load;
+        let power = if state.limited { 0.0 } else { hob.switched(load.hob_w, time, crate::TICK_S) };
+        let glass = &hob.glass;
+        let gap = 1.0 / (1.0 / glass.gap_conductance_w_m2k + state.pose.lift / AIR_CONDUCTIVITY);
+        for (i, share) in state.ring_shares.iter().enumerate() {
+            let drawn = power * share * dt;
+            total.hob += drawn;
+            total.other += (1.0 - hob.coil.efficiency) * drawn;
+            heat[i] += hob.coil.efficiency * drawn;
+            let lost = gap * self.section.areas[i] * (state.temperature[i] - state.glass[i]) * dt;
+            heat[i] -= lost;
+            total.other += lost;
+            state.glass[i] += lost / (glass.areal_capacity_j_m2k * self.section.areas[i]);
+        }
+    }
+
+    fn add_cloth(
+        &self,
+        state: &PanState,
+        room: &Room,
+        cloth: &mut Cloth,
+        dt: f64,
+        heat: &mut [f64],
+        total: &mut PanExchange,
+    ) {
+        let floor = state.temperature.iter().zip(&self.section.areas).take(self.floor_nodes);
+        for (q, (&base, area)) in heat.iter_mut().zip(floor) {
+            let taken = cloth.flux(&room.cloth, base) * area * dt;
+            *q -= taken;
+            total.other += taken;
+            total.cloth_vapour += cloth.absorb(taken, base > crate::kelvin(100.0));
+        }
+    }
+
+    fn cool_glass(&self, state: &mut PanState, load: &PanLoad, dt: f64) {
+        let hob = load.hob;
+        let share = hob.glass.loss_w_m2k * dt / hob.glass.areal_capacity_j_m2k;
+        let air = load.room.temperature();
+        state.glass.iter_mut().for_each(|t| *t -= share * (*t - air));
+    }
+}
+
+impl PanState {
+    /// Highest temperature that the metal has had at a place on the pan's mesh [K].
+    pub fn peak_at(&self, at: &Located) -> f64 {
+        (0..3).map(|k| at.weights[k] * self.peak[at.nodes[k] as usize]).sum()
+    }
+
+    /// Mass of oil and fat [kg].
+    pub fn oil_mass(&self) -> f64 {
+        self.liquids.oil.total()
+    }
+
+    /// Mass of water that lies in the pan [kg].
+    pub fn water_mass(&self) -> f64 {
+        self.liquids.water.total()
+    }
+
+    /// Smoke that rises from the oil [mg/s].
+    pub fn smoke_mg_s(&self) -> f64 {
+        1e6 * self.liquids.smoke.rate
+    }
+
+    /// Foam of butter, 0 none – 1 the pan full [-].
+    pub fn foam(&self) -> f64 {
+        self.liquids.butter.foam
+    }
+
+    /// Browning of butter's milk solids, 0–1 [-].
+    pub fn milk_solids_browning(&self) -> f64 {
+        self.liquids.butter.browning
+    }
+
+    /// Thickness of the oil film at a place on the pan's mesh [m].
+    pub fn oil_film(&self, at: &Located) -> f64 {
+        (0..3).map(|k| at.weights[k] * self.liquids.film[at.nodes[k] as usize]).sum()
+    }
+}

@@ -1,0 +1,11 @@
+//! A piece of food in the kitchen: where it lies, what it touches, how heat passes.
+
+pub mod board;
+pub mod carry_over;
+pub mod contact;
+pub(crate) mod food_contact;
+pub mod layout;
+pub mod piece_state;
+pub mod sear_lines;
+
+pub use piece_state::{Piece, Place};

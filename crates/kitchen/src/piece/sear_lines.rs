@@ -1,0 +1,341 @@
+//! Lines that ridges sear into food: where they touched it, in its own frame, and how much of its browning came there.
+//!
+//! The mesh of a piece is as coarse as the ridges: a node browns as the mixture of what lies on them and over the grooves. Of
+//! what a face browned on them as much as fits belongs to the lines. Along these it lies as the strips on the ridges brown,
+//! each between the ridge and the water that boils below it: T_s = (h_top T_pan + g T_boil) / (h_top + g).
+
+use glam::DVec3;
+use saute_food::advance::REFRESH_TICKS;
+use saute_food::{Face, FoodModel};
+
+use crate::TICK_S;
+use crate::data::room::Room;
+use crate::dynamics::Pose;
+use crate::pan::near_pan::NearPatch;
+use crate::pan::pan_model::PanState;
+use crate::pan::ridges::Ridges;
+use crate::piece::contact::FaceContact;
+use crate::piece::piece_state::Piece;
+
+/// Sets of lines that a face keeps (chosen: crossed lines and one more; what is browned beyond counts as even).
+const MOST_SETS: usize = 3;
+/// Sine of the angle up to which lines run alike [-] (chosen: 8°).
+const ALIKE: f64 = 0.14;
+/// Cosine of the lean from which on a piece does not lie on a big face [-] (chosen: 45°).
+const FLAT: f64 = 0.7;
+/// Temperature of the water that boils under a strip's crust [K] (100 °C).
+const BOILING: f64 = 373.15;
+/// Thickness of that crust [m] (chosen: a line that has just turned brown; only ratios between strips follow from it).
+const STRIP: f64 = 0.3e-3;
+/// Water activity of a strip's crust [-] (chosen: where browning is fastest; it cancels in ratios).
+const DRY: f64 = 0.65;
+
+/// Parallel lines on a face, in the rest frame of the body as seen from +z.
+///
+/// A point (x, y) lies on a line where x·d_y − y·d_x − phase is within half a width of a multiple of the pitch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SearLines {
+    /// Unit vector along the lines, its x not negative [-].
+    pub direction: [f64; 2],
+    /// Distance across the lines, towards (d_y, −d_x), of the middle of one of them from the origin, 0 to pitch [m].
+    pub phase: f64,
+    /// From the middle of one line to that of the next [m].
+    pub pitch: f64,
+    /// Width of a line [m].
+    pub width: f64,
+    /// Share of the face's mean browning that came while it lay on these ridges [-].
+    pub share: f64,
+    /// Browning that came while it lay on these ridges, on the lines and between them; their mean by area is what the face's
+    /// mean gained there [-].
+    pub browning: [f64; 2],
+    /// Charring likewise [-].
+    pub charring: [f64; 2],
+}
+
+impl SearLines {
+    const NONE: Self = Self {
+        direction: [1.0, 0.0],
+        phase: 0.0,
+        pitch: 1.0,
+        width: 0.0,
+        share: 0.0,
+        browning: [0.0; 2],
+        charring: [0.0; 2],
+    };
+
+    /// What of a face's mean came on the lines and what between them [-]: as much as fits on them lies there.
+    fn divided(&self, mean: f64) -> [f64; 2] {
+        let duty = self.width / self.pitch;
+        let on = (mean / duty).min(1.0);
+        [on, (mean - duty * on) / (1.0 - duty)]
+    }
+
+    /// The lines that ridges leave on a body whose rest shape has shrunk to `lateral`, seen at a pose in the pan's frame.
+    fn at(ridges: &Ridges, seen: &Pose, lateral: f64) -> Self {
+        let back = seen.rotation.conjugate();
+        let (along, across) = (back * DVec3::Y, back * DVec3::X);
+        let length = libm::hypot(along.x, along.y);
+        let turn = if along.x < 0.0 || (along.x == 0.0 && along.y < 0.0) { -1.0 / length } else { 1.0 / length };
+        let direction = [along.x * turn, along.y * turn];
+        let sign = if across.x * direction[1] - across.y * direction[0] < 0.0 { -1.0 } else { 1.0 };
+        let pitch = ridges.pitch / lateral;
+        let phase = (-sign * seen.position.x / lateral).rem_euclid(pitch);
+        Self { direction, phase, pitch, width: ridges.width / lateral, ..Self::NONE }
+    }
+
+    /// Whether other lines lie over these.
+    fn is_over(&self, other: &Self) -> bool {
+        let sine = self.direction[0] * other.direction[1] - self.direction[1] * other.direction[0];
+        let cosine = self.direction[0] * other.direction[0] + self.direction[1] * other.direction[1];
+        // Upright lines may look either way.
+        let phase = if cosine < 0.0 { -other.phase } else { other.phase };
+        let off = (self.phase - phase).rem_euclid(self.pitch);
+        sine.abs() < ALIKE && off.min(self.pitch - off) < 0.5 * self.width
+    }
+}
+
+/// What a piece remembers of the ridges on which it lay.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SearRecord {
+    /// Lines of the lower and the upper face of the rest shape; their share is mean browning gained so far.
+    faces: [Vec<SearLines>; 2],
+    /// The face that lay below at the last look, and its mean browning.
+    seen: Option<(usize, f64)>,
+    /// What the strip of each patch that lay on a ridge would have browned so far, were it alone and dry [-].
+    strips: Vec<f64>,
+}
+
+impl SearRecord {
+    /// Which big face lies below where `up` points up, a direction of the body frame.
+    fn face_below(up: [f64; 3]) -> Option<Face> {
+        if up[2] > FLAT {
+            Some(Face::Bottom)
+        } else if up[2] < -FLAT {
+            Some(Face::Top)
+        } else {
+            None
+        }
+    }
+
+    /// Looks at a face with a mean browning that lies on ridges; the piece is seen at a pose in the pan's frame.
+    fn look(&mut self, ridges: &Ridges, (face, browning): (Face, f64), seen: &Pose, lateral: f64) {
+        let index = index(face);
+        let gained = match self.seen {
+            Some((before, browned)) if before == index => (browning - browned).max(0.0),
+            _ => 0.0,
+        };
+        self.seen = Some((index, browning));
+        if gained <= 0.0 {
+            return;
+        }
+        let lines = SearLines { share: gained, ..SearLines::at(ridges, seen, lateral) };
+        let sets = &mut self.faces[index];
+        match sets.iter().position(|set| set.is_over(&lines)) {
+            Some(at) => sets[at].share += gained,
+            None if sets.len() < MOST_SETS => sets.push(lines),
+            None => {}
+        }
+    }
+
+    /// The piece no longer lies on ridges.
+    pub(crate) fn leave(&mut self) {
+        self.seen = None;
+    }
+
+    /// Adds what the strip of a patch browned [-].
+    pub(crate) fn brown_strip(&mut self, patch: usize, gained: f64) {
+        if self.strips.len() <= patch {
+            self.strips.resize(patch + 1, 0.0);
+        }
+        self.strips[patch] += gained;
+    }
+
+    /// All sets of lines of a face whose mean browning and charring are now so much, the strongest first.
+    fn lines(&self, face: Face, browning: f64, charring: f64) -> Vec<SearLines> {
+        let of = |set: &SearLines| {
+            let share = (set.share / browning).min(1.0);
+            let [browning, charring] = [browning, charring].map(|mean| set.divided(share * mean));
+            SearLines { share, browning, charring, ..*set }
+        };
+        let mut lines: Vec<SearLines> = self.faces[index(face)].iter().map(of).collect();
+        lines.sort_by(|a, b| b.share.total_cmp(&a.share));
+        lines
+    }
+}
+
+impl Piece {
+    /// Remembers where ridges touch it.
+    pub(crate) fn note_ridges(&mut self, ridges: &Ridges, seen: &Pose) {
+        match SearRecord::face_below(seen.up()) {
+            Some(face) if !self.near.patches.is_empty() => {
+                if self.state.ticks.is_multiple_of(REFRESH_TICKS) {
+                    let browning = self.face_mean(face, &self.state.browning);
+                    self.sear.look(ridges, (face, browning), seen, self.state.stretch.lateral);
+                }
+            }
+            _ => self.sear.leave(),
+        }
+    }
+
+    /// Area mean of a field of the nodes over the lower or the upper face of the rest shape.
+    fn face_mean(&self, face: Face, field: &[f64]) -> f64 {
+        let (mut sum, mut area) = (0.0, 0.0);
+        for patch in on_face(&self.model, face).map(|i| &self.model.patches()[i]) {
+            sum += patch.area * field[patch.node as usize];
+            area += patch.area;
+        }
+        sum / area
+    }
+
+    /// Browns the strip of a patch that lies on a ridge for the time between two looks.
+    ///
+    /// Where it stands off beyond the face's mean the flesh gives way as ridges press into it.
+    pub(crate) fn sear_strip(
+        &mut self,
+        near: &NearPatch,
+        face: &FaceContact,
+        mean: f64,
+        (ridges, pan): (&Ridges, &PanState),
+        room: &Room,
+    ) {
+        let (patch, located) = (near.patch as usize, &near.located);
+        let off = self.uneven[patch] + near.gap + self.dome_gap(patch);
+        let given = ridges.pressed_in(face.pressure, 1e3 * self.model.kinetics().texture.raw_kpa);
+        let film = FaceContact { film: pan.oil_film(located), ..*face };
+        let share = self.model.description().surface.contact_share;
+        let top = film.conductance(&room.contact, mean + (off - given).max(0.0)) * share;
+        let below = self.model.description().crust.conductivity_w_mk / STRIP;
+        let metal: f64 = (0..3).map(|k| located.weights[k] * pan.temperature[located.nodes[k] as usize]).sum();
+        let strip = (top * metal + below * BOILING) / (top + below);
+        let look = REFRESH_TICKS as f64 * TICK_S;
+        let gained = if strip > BOILING { self.model.browning().advance((0.0, 0.0), strip, DRY, look).0 } else { 0.0 };
+        self.sear.brown_strip(patch, gained);
+    }
+
+    /// How dark the lines are at each node over their mean on its face [-]; empty where no ridge ever seared it.
+    pub fn sear_strength(&self) -> Vec<f64> {
+        let strips = &self.sear.strips;
+        if strips.is_empty() {
+            return Vec::new();
+        }
+        let mut strength = vec![0.0; self.model.mesh().node_count()];
+        for face in [Face::Bottom, Face::Top] {
+            let strip = |patch: usize| strips.get(patch).copied().unwrap_or(0.0);
+            let area = |patch: usize| self.model.patches()[patch].area;
+            let (sum, whole) = on_face(&self.model, face)
+                .fold((0.0, 0.0), |(sum, whole), i| (sum + strip(i) * area(i), whole + area(i)));
+            for patch in on_face(&self.model, face).filter(|_| sum > 0.0) {
+                strength[self.node_of(patch as u32)] = strip(patch) * whole / sum;
+            }
+        }
+        strength
+    }
+
+    /// The strongest lines that ridges seared into the lower ([`Face::Bottom`]) or the upper face of the rest shape.
+    pub fn sear_lines(&self, face: Face) -> Option<SearLines> {
+        self.all_sear_lines(face).into_iter().next()
+    }
+
+    /// All sets of such lines, crossed ones too, the strongest first; none on a side.
+    pub fn all_sear_lines(&self, face: Face) -> Vec<SearLines> {
+        if face == Face::Side {
+            return Vec::new();
+        }
+        let [browning, charring] = [&self.state.browning, &self.state.charring].map(|f| self.face_mean(face, f));
+        self.sear.lines(face, browning, charring)
+    }
+}
+
+/// Patches of the lower or the upper face of the rest shape.
+fn on_face(model: &FoodModel, face: Face) -> impl Iterator<Item = usize> {
+    model.patches_below([0.0, 0.0, if face == Face::Top { -1.0 } else { 1.0 }])
+}
+
+/// The upper face of the rest shape comes second; a side has no lines of its own and counts to the lower face.
+fn index(face: Face) -> usize {
+    usize::from(face == Face::Top)
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DQuat;
+
+    use super::*;
+
+    const RIDGES: Ridges = Ridges { pitch: 0.012, width: 0.005, height: 0.005 };
+
+    fn seen(x: f64, turned_deg: f64, upside_down: bool) -> Pose {
+        let mut pose = Pose::at(x, 0.0, 0.0);
+        pose.rotation = DQuat::from_rotation_z(turned_deg.to_radians());
+        if upside_down {
+            pose.rotation *= DQuat::from_rotation_x(core::f64::consts::PI);
+        }
+        pose
+    }
+
+    /// Whether a point of the rest shape lies on a line, by the rule that the type documents.
+    fn on_line(lines: &SearLines, [x, y]: [f64; 2]) -> bool {
+        let [dx, dy] = lines.direction;
+        let off = (x * dy - y * dx - lines.phase).rem_euclid(lines.pitch);
+        off.min(lines.pitch - off) < 0.5 * lines.width
+    }
+
+    /// A point is on a line exactly where a ridge lies under it, however the piece lies.
+    #[test]
+    fn lines_are_where_the_ridges_were() {
+        for (x, turned, upside_down) in
+            [(0.0, 0.0, false), (0.004, 90.0, false), (-0.007, 33.0, true), (0.02, 200.0, true)]
+        {
+            let (pose, lateral) = (seen(x, turned, upside_down), 0.9);
+            let lines = SearLines::at(&RIDGES, &pose, lateral);
+            for i in 0..400 {
+                let p = [0.0013 * f64::from(i % 20) - 0.0127, 0.0017 * f64::from(i / 20) - 0.0163];
+                let over = pose.to_world(DVec3::new(lateral * p[0], lateral * p[1], 0.0)).x.rem_euclid(RIDGES.pitch);
+                let off = over.min(RIDGES.pitch - over) - 0.5 * RIDGES.width;
+                assert!(off.abs() < 1e-9 || on_line(&lines, p) == (off < 0.0), "{x} {turned} {p:?} {lines:?}");
+            }
+        }
+    }
+
+    /// Turned by 90° between, a face has two sets of lines across each other, each with what it gained.
+    #[test]
+    fn lines_turn_with_the_piece() {
+        let mut record = SearRecord::default();
+        for (turned, from, to) in [(0.0, 0.0, 0.3), (90.0, 0.3, 0.4)] {
+            record.look(&RIDGES, (Face::Bottom, from), &seen(0.001, turned, false), 1.0);
+            record.look(&RIDGES, (Face::Bottom, to), &seen(0.001, turned, false), 1.0);
+            record.leave();
+        }
+        let lines = record.lines(Face::Bottom, 0.5, 0.0);
+        assert_eq!(lines.len(), 2);
+        let cosine = lines[0].direction[0] * lines[1].direction[0] + lines[0].direction[1] * lines[1].direction[1];
+        assert!(cosine.abs() < 1e-12 && (lines[0].share - 0.6).abs() < 1e-12 && (lines[1].share - 0.2).abs() < 1e-12);
+        assert!(record.lines(Face::Top, 0.5, 0.0).is_empty());
+    }
+
+    #[test]
+    fn what_browned_elsewhere_belongs_to_no_line() {
+        let mut record = SearRecord::default();
+        record.look(&RIDGES, (Face::Top, 0.0), &seen(0.0, 0.0, true), 1.0);
+        record.leave();
+        record.look(&RIDGES, (Face::Top, 0.6), &seen(0.0, 0.0, true), 1.0);
+        assert!(record.lines(Face::Top, 0.6, 0.0).is_empty());
+    }
+
+    /// What a face gained on ridges is neither more nor less for being divided between lines and the rest.
+    #[test]
+    fn lines_and_what_lies_between_them_hold_the_face_s_mean_browning() {
+        let mut record = SearRecord::default();
+        for browned in [0.0, 0.2, 0.8] {
+            record.look(&RIDGES, (Face::Bottom, browned), &seen(0.001, 0.0, false), 1.0);
+            if browned > 0.0 {
+                let line = record.lines(Face::Bottom, browned, 0.1 * browned)[0];
+                let duty = line.width / line.pitch;
+                for ([on, between], mean) in [(line.browning, browned), (line.charring, 0.1 * browned)] {
+                    assert!((duty * on + (1.0 - duty) * between - mean).abs() < 1e-12, "{line:?}");
+                    assert!(on > between && on <= 1.0, "{line:?}");
+                }
+            }
+        }
+    }
+}

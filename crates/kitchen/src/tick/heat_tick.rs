@@ -1,0 +1,300 @@
+//! One tick of heat: what every piece exchanges with pan, ground, air and other pieces, then the pan with the rest.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+use saute_food::Exchange;
+use saute_food::water::latent_heat;
+
+use crate::data::room::Room;
+use crate::dynamics::world::{Contact, GLASS_HALF};
+use crate::dynamics::{Against, Pose};
+use crate::hands::command::RestOn;
+use crate::kitchen::{Fixed, Kitchen};
+use crate::pan::hob::PanPose;
+use crate::pan::pan_model::{LEVEL, PanLoad};
+use crate::piece::food_contact::{self, Touching};
+use crate::piece::piece_state::{GRAVITY, Piece, Place, Under};
+use crate::{TICK_S, kelvin};
+
+impl Kitchen {
+    pub(crate) fn heat_tick(&mut self) {
+        let fixed = Arc::clone(&self.fixed);
+        self.pan_flow.fill(0.0);
+        self.covered.fill(0.0);
+        self.steam.fill(0.0);
+        self.follow_pan(&fixed);
+        if !self.world.is_settled() {
+            for piece in self.pieces.iter_mut().filter(|p| p.is_out()) {
+                piece.contacts = self.world.contacts(piece.key);
+            }
+        }
+        self.find_places();
+        self.follow_shapes();
+        self.exchange_between_foods(&fixed.room);
+        for index in 0..self.pieces.len() {
+            self.step_piece(&fixed, index);
+        }
+        self.covered.iter_mut().for_each(|c| *c = c.min(1.0));
+        self.step_pan(&fixed);
+        self.tick += 1;
+    }
+
+    fn step_pan(&mut self, fixed: &Fixed) {
+        let gravity = self.felt_gravity();
+        let load = PanLoad {
+            hob: &fixed.hob,
+            room: &fixed.room,
+            hob_w: self.hob_w,
+            time: self.tick as f64 * TICK_S,
+            food: &self.pan_flow,
+            covered: &self.covered,
+            steam: &self.steam,
+            gravity,
+        };
+        let (pan, solver) = (&mut self.pan, &mut self.pan_solver);
+        let exchange = fixed.pan.advance(pan, solver, &load, &mut self.cloth, &mut self.events, TICK_S);
+        self.flows.hob += exchange.hob;
+        self.flows.air += exchange.air;
+        self.flows.other += exchange.other;
+        self.cloth_vapour = exchange.cloth_vapour / TICK_S;
+        self.flows.evaporation += exchange.vapour.enthalpy;
+        self.puddle_vapour = exchange.vapour.mass / TICK_S;
+        self.lift_off_cloth();
+    }
+
+    fn lift_off_cloth(&mut self) {
+        if let Some(cloth) = &mut self.cloth {
+            cloth.remaining_s -= TICK_S;
+            if cloth.remaining_s < 0.5 * TICK_S {
+                self.cloth = None;
+            }
+        }
+    }
+
+    /// Gravity less the pan's mean acceleration since the last tick, in the pan's frame [m/s²].
+    fn felt_gravity(&mut self) -> [f64; 3] {
+        let motion = &self.world.motion;
+        if motion.is_still() && motion.velocity == self.pan_velocity && motion.pose.rotation == Pose::default().rotation
+        {
+            return LEVEL;
+        }
+        let acceleration = (motion.velocity - self.pan_velocity) / TICK_S;
+        let felt = DVec3::new(0.0, 0.0, -GRAVITY) - acceleration;
+        self.pan_velocity = motion.velocity;
+        (motion.pose.rotation.conjugate() * felt).to_array()
+    }
+
+    /// Tells hob and pan where the pan is now.
+    fn follow_pan(&mut self, fixed: &Fixed) {
+        let at = self.world.motion.pose.position;
+        let lift = at.z - self.world.pan_shape().thickness;
+        let pose = PanPose { at: [at.x, at.y], lift: if lift < STANDING { 0.0 } else { lift } };
+        if pose != self.pan.pose {
+            fixed.pan.place(&mut self.pan, &fixed.hob, pose);
+        }
+    }
+
+    /// Tells every piece where it is.
+    fn find_places(&mut self) {
+        let pan = self.world.motion.pose;
+        let surface = *self.world.pan_shape();
+        for piece in self.pieces.iter_mut().filter(|p| p.is_out()) {
+            let seen = pan.to_body(piece.pose.position);
+            let place = if self.hand.gripped() == Some(piece.key) {
+                Place::Held
+            } else if surface.holds(seen) {
+                Place::Pan([seen.x, seen.y])
+            } else if self.world.is_settled() {
+                continue;
+            } else {
+                ground(piece)
+            };
+            if piece.in_pan() && !matches!(place, Place::Pan(_)) {
+                piece.leave_pan();
+            }
+            if place != piece.place && !matches!(place, Place::Pan(_) | Place::Held) {
+                piece.onto_wood(self.fixed.room.temperature());
+            }
+            piece.place = place;
+        }
+    }
+
+    fn follow_shapes(&mut self) {
+        for piece in self.pieces.iter_mut().filter(|p| p.is_out()) {
+            piece.free_all();
+            if piece.follow_shape() {
+                let film = match piece.place {
+                    Place::Pan(at) => self.fixed.pan.film_at(&self.pan, at),
+                    _ => 0.0,
+                };
+                self.world.set_solid(piece.key, piece.model.solid(&piece.state));
+                self.world.set_mass(piece.key, piece.state.mass_left(&piece.model));
+                self.world.set_friction(piece.key, piece.friction(film, &self.fixed.room));
+            }
+        }
+    }
+
+    /// Heat between foods that touch; their patches there are closed to the air.
+    fn exchange_between_foods(&mut self, room: &Room) {
+        if !self.world.is_settled() {
+            self.find_touching();
+        }
+        for touching in &self.touching {
+            let index = |key: u32| self.pieces.iter().position(|p| p.key == key);
+            let [Some(i), Some(j)] = touching.pair.map(index) else { continue };
+            // Keys ascend with the pieces: the first of a pair comes first.
+            let (first, rest) = self.pieces.split_at_mut(j);
+            let (a, b) = (&mut first[i], &mut rest[0]);
+            food_contact::exchange(&room.food_contact, a, b, &touching.links, TICK_S);
+            for link in &touching.links {
+                a.close(link.a);
+                b.close(link.b);
+            }
+        }
+    }
+
+    fn find_touching(&mut self) {
+        let mut before = core::mem::take(&mut self.touching);
+        for (i, a) in self.pieces.iter().enumerate().filter(|(_, p)| p.is_out()) {
+            for contact in &a.contacts {
+                let Against::Piece(other) = contact.against else { continue };
+                let Some(b) = self.pieces[i..].iter().find(|b| b.key == other) else { continue };
+                let known = before.iter().position(|t| t.pair == [a.key, other]).map(|k| before.swap_remove(k));
+                self.touching.push(Touching::between(a, b, known));
+            }
+        }
+    }
+
+    fn step_piece(&mut self, fixed: &Fixed, index: usize) {
+        let under = match self.pieces[index].place {
+            Place::Waiting => return,
+            Place::Pan(_) | Place::Held | Place::Rest(RestOn::Rack) => Under::Air,
+            Place::Rest(_) | Place::Table => Under::Wood,
+            Place::Glass => Under::Glass(self.glass_under(index)),
+        };
+        self.meet(fixed, index, under);
+        let piece = &mut self.pieces[index];
+        let air = match piece.place {
+            Place::Pan(_) => fixed.pan.airs(&self.pan, &fixed.room, || piece.face(false)),
+            Place::Rest(RestOn::Foil) => [fixed.room.under_foil(); 3],
+            _ => [fixed.room.still_air(); 3],
+        };
+        let exchange = piece.advance(air, TICK_S);
+        if under == Under::Wood {
+            piece.warm_wood(&fixed.room, TICK_S);
+        }
+        let (core, time) = (piece.core(), (self.tick + 1) as f64 * TICK_S);
+        if core > piece.core_peak.0 {
+            piece.core_peak = (core, time);
+        }
+        self.book(fixed, index, &exchange);
+    }
+
+    /// Finds what a piece touches in this tick.
+    fn meet(&mut self, fixed: &Fixed, index: usize, under: Under) {
+        let (force, pan_pose, surface) = (self.pan_force(index), self.world.motion.pose, *self.world.pan_shape());
+        let time = (self.tick + 1) as f64 * TICK_S;
+        let piece = &mut self.pieces[index];
+        if piece.in_pan() {
+            let seen = piece.pose.seen_from(&pan_pose);
+            piece.meet_pan(&fixed.pan, &surface, &seen, force, time, TICK_S);
+            piece.touch_pan(&fixed.pan, &self.pan, &fixed.room);
+        }
+        piece.touch_ground(under, &fixed.room);
+    }
+
+    /// Books what a piece exchanged: heat from the pan's nodes below it, juice and fat that ran off.
+    fn book(&mut self, fixed: &Fixed, index: usize, exchange: &Exchange) {
+        let piece = &self.pieces[index];
+        let taken: f64 = piece.solver.contact_heat.iter().sum();
+        if !piece.in_pan() {
+            self.flows.air += exchange.air;
+            self.flows.evaporation += exchange.evaporation;
+            self.flows.other += exchange.drip.enthalpy + exchange.rendered.enthalpy - taken;
+            return;
+        }
+        let (air, evaporation) = fixed.pan.take_up(&mut self.pan, &fixed.room, || piece.face(false), exchange);
+        self.flows.air += air;
+        self.flows.evaporation += evaporation;
+        let whole: f64 = piece.near.patches.iter().map(|n| piece.patch_area(n.patch as usize)).sum();
+        // What boils at the face that lies below rises through the oil there.
+        let boiled = exchange.evaporated.min(taken.max(0.0) / latent_heat(kelvin(100.0)));
+        for near in &piece.near.patches {
+            let (patch, located) = (near.patch as usize, &near.located);
+            let (heat, area) = (piece.solver.contact_heat[patch], piece.patch_area(patch));
+            let wet = piece.is_wet(piece.node_of(near.patch));
+            for k in 0..3 {
+                let (node, weight) = (located.nodes[k] as usize, located.weights[k]);
+                self.pan_flow[node] += weight * heat / TICK_S;
+                self.covered[node] += weight * area / fixed.pan.section.areas[node];
+                let steam = weight * area / whole * boiled;
+                self.steam[node] += steam;
+                if wet {
+                    let model = &fixed.pan.liquids;
+                    self.pan.liquids.fond.stick(&model.bed, node, steam * model.fond.left_by_steam);
+                }
+                if exchange.drip.mass > 0.0 {
+                    let share = weight * area / whole;
+                    let [mass, enthalpy] = [exchange.drip.mass, exchange.drip.enthalpy].map(|v| share * v);
+                    self.pan.liquids.drip(node, mass, enthalpy, mass * fixed.pan.liquids.fond.juice_solids);
+                }
+            }
+        }
+        if piece.near.patches.is_empty() && exchange.drip.mass > 0.0 {
+            self.drip_from_above(fixed, index, exchange);
+        }
+        let latent = self.pieces[index].model.description().fat_melting.latent_j_kg;
+        self.flows.other += fixed.pan.render(&mut self.pan, &exchange.rendered, latent);
+    }
+
+    /// Juice of a piece that lies on others or is in the air runs down to the floor below it.
+    fn drip_from_above(&mut self, fixed: &Fixed, index: usize, exchange: &Exchange) {
+        let Place::Pan(at) = self.pieces[index].place else { return };
+        let located = fixed.pan.locator.locate_or_nearest(&fixed.pan.section, at);
+        for (node, share) in located.nodes.into_iter().zip(located.weights) {
+            let [mass, enthalpy] = [exchange.drip.mass, exchange.drip.enthalpy].map(|v| share * v);
+            self.pan.liquids.drip(node as usize, mass, enthalpy, mass * fixed.pan.liquids.fond.juice_solids);
+        }
+    }
+
+    /// Temperature of the hob's glass under a piece [K].
+    fn glass_under(&self, index: usize) -> f64 {
+        let p = self.pieces[index].pose.position;
+        let points = &self.fixed.pan.section.points[..self.pan.glass.len()];
+        if libm::hypot(p.x, p.y) > self.world.pan_shape().floor {
+            return self.fixed.room.temperature();
+        }
+        let distance = |i: &usize| libm::hypot(points[*i][0] - p.x, points[*i][1] - p.y);
+        let nearest = (0..points.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        nearest.map_or_else(|| self.fixed.room.temperature(), |i| self.pan.glass[i])
+    }
+
+    /// Force of a piece on floor and wall of the pan [N].
+    fn pan_force(&self, index: usize) -> f64 {
+        let piece = &self.pieces[index];
+        if self.world.is_settled() {
+            return piece.pan_force;
+        }
+        let on_pan = |c: &Contact| matches!(c.against, Against::Floor | Against::Wall);
+        piece.contacts.iter().filter(|c| on_pan(c)).map(|c| c.force).sum()
+    }
+}
+
+/// A pan that is lower than this stands on the glass [m] (chosen: below rounding of the follower).
+const STANDING: f64 = 1e-6;
+
+/// Where a piece is that is not over the pan.
+fn ground(piece: &Piece) -> Place {
+    let on = |against: Against| piece.contacts.iter().any(|c| c.against == against);
+    let p = piece.pose.position;
+    if on(Against::Board) {
+        Place::Rest(piece.resting_on)
+    } else if !on(Against::Ground) {
+        piece.place
+    } else if p.x.abs() < GLASS_HALF && p.y.abs() < GLASS_HALF {
+        Place::Glass
+    } else {
+        Place::Table
+    }
+}

@@ -1,0 +1,5 @@
+//! Validation cases are embedded: a file that is added to their folder must rebuild this crate.
+
+fn main() {
+    println!("cargo::rerun-if-changed=../../validation");
+}

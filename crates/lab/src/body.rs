@@ -1,0 +1,151 @@
+//! Shapes of the lab as products of axes, with their faces by name.
+
+use saute_heat::axis::{Axis, End, Metric};
+use saute_heat::column::{Between, Column};
+use saute_heat::tensor::TensorBody;
+
+use crate::case::{BodyCase, Case};
+use crate::case_file::{Face, Shape};
+
+/// Sizes a shape needs and what they are called.
+pub fn sizes(shape: Shape) -> &'static [&'static str] {
+    match shape {
+        Shape::Box => &["x", "y", "z"],
+        Shape::Cylinder => &["diameter", "height"],
+        Shape::Sphere => &["diameter"],
+        Shape::Slab => &["thickness"],
+    }
+}
+
+/// The mesh of a case.
+pub fn mesh(case: &Case) -> TensorBody {
+    let Some(first) = case.bodies.first() else {
+        let plate = case.pan.map_or(0.0, |p| p.capacity);
+        let column = Column { between: Vec::new(), plate };
+        return TensorBody::stacked(vec![Axis::straight(vec![0.0])], Some(0), column);
+    };
+    let Some(vertical) = vertical(case.shape) else {
+        return TensorBody::new(vec![radius(Metric::Spherical, first)]);
+    };
+    let mut axes = match case.shape {
+        Shape::Box => vec![Axis::straight(levels(first, 0)), Axis::straight(levels(first, 1))],
+        Shape::Cylinder => vec![radius(Metric::Cylindrical, first)],
+        Shape::Sphere | Shape::Slab => Vec::new(),
+    };
+    let (axis, column) = stack(case, vertical);
+    axes.push(axis);
+    TensorBody::stacked(axes, Some(vertical), column)
+}
+
+/// The vertical axis of a stack, the pan's node first where it has one of its own.
+fn stack(case: &Case, vertical: usize) -> (Axis, Column) {
+    let (mut nodes, mut column) = (vec![0.0], Column::default());
+    column.plate = case.pan.map_or(0.0, |p| p.capacity);
+    let mut base = 0.0;
+    for (layer, body) in case.bodies.iter().enumerate() {
+        if let Some(h) = body.contact {
+            column.between.push(Between::Contact(h));
+            nodes.push(base);
+        }
+        let levels = levels(body, vertical);
+        column.between.extend(levels[1..].iter().map(|_| Between::Layer(layer)));
+        nodes.extend(levels[1..].iter().map(|z| base + z));
+        base += body.size[vertical];
+    }
+    (Axis::straight(nodes), column)
+}
+
+fn levels(body: &BodyCase, axis: usize) -> Vec<f64> {
+    graded(body.size[axis], body.resolution[axis], body.grading)
+}
+
+fn radius(metric: Metric, body: &BodyCase) -> Axis {
+    let across = levels(body, 0);
+    let middle = across.len() / 2;
+    Axis { metric, nodes: across[middle..].iter().map(|x| x - across[middle]).collect() }
+}
+
+/// Cells over a length: an even number, so that there is a middle.
+fn cells(length: f64, largest: f64, grading: f64) -> f64 {
+    let stretch = if grading > 0.0 { grading / libm::tanh(grading) } else { 1.0 };
+    (2.0 * libm::ceil(0.5 * stretch * length / largest - 1e-9)).max(2.0)
+}
+
+/// Nodes over a length, finer towards both ends, at most `largest` apart [m]: x = L/2 (1 + tanh(β (2ξ − 1)) / tanh β) with
+/// β the grading; one smooth map for all resolutions keeps the order of convergence.
+fn graded(length: f64, largest: f64, grading: f64) -> Vec<f64> {
+    let cells = cells(length, largest, grading);
+    let place = |i: f64| {
+        let even = 2.0 * i / cells - 1.0;
+        let bent = if grading > 0.0 { libm::tanh(grading * even) / libm::tanh(grading) } else { even };
+        0.5 * length * (1.0 + bent)
+    };
+    let mut nodes: Vec<f64> = (0..=cells as usize).map(|i| place(i as f64)).collect();
+    let (middle, last) = (nodes.len() / 2, nodes.len() - 1);
+    (nodes[0], nodes[middle], nodes[last]) = (0.0, 0.5 * length, length);
+    nodes
+}
+
+/// Nodes that a stack of bodies would have, before any is made.
+pub fn node_count(shape: Shape, bodies: &[BodyCase]) -> f64 {
+    let along = |body: &BodyCase, axis: usize| cells(body.size[axis], body.resolution[axis], body.grading) + 1.0;
+    let Some(first) = bodies.first() else { return 1.0 };
+    let across: f64 = match shape {
+        Shape::Box => along(first, 0) * along(first, 1),
+        Shape::Cylinder => 0.5 * along(first, 0),
+        Shape::Sphere => return 0.5 * along(first, 0),
+        Shape::Slab => 1.0,
+    };
+    across * bodies.iter().map(|b| along(b, b.size.len() - 1)).sum::<f64>()
+}
+
+/// Ends of axes that a face name means; none where the shape has no such face.
+pub fn ends(shape: Shape, face: Face) -> Option<Vec<(usize, End)>> {
+    let both = |axis: usize| vec![(axis, End::Low), (axis, End::High)];
+    let bottom_and_top = |axis: usize| match face {
+        Face::Bottom => Some(vec![(axis, End::Low)]),
+        Face::Top => Some(vec![(axis, End::High)]),
+        Face::Z => Some(both(axis)),
+        _ => None,
+    };
+    match (shape, face) {
+        (Shape::Box, Face::X) => Some(both(0)),
+        (Shape::Box, Face::Y) => Some(both(1)),
+        (Shape::Box, Face::Side) => Some([both(0), both(1)].concat()),
+        (Shape::Box, Face::All) => Some([both(0), both(1), both(2)].concat()),
+        (Shape::Box, _) => bottom_and_top(2),
+        (Shape::Cylinder, Face::Side) => Some(vec![(0, End::High)]),
+        (Shape::Cylinder, Face::All) => Some([vec![(0, End::High)], both(1)].concat()),
+        (Shape::Cylinder, _) => bottom_and_top(1),
+        (Shape::Sphere, Face::All | Face::Side) => Some(vec![(0, End::High)]),
+        (Shape::Sphere, _) => None,
+        (Shape::Slab, Face::All) => Some(both(0)),
+        (Shape::Slab, _) => bottom_and_top(0),
+    }
+}
+
+/// The vertical axis, along which a flip turns the body, if it has one.
+pub fn vertical(shape: Shape) -> Option<usize> {
+    match shape {
+        Shape::Box => Some(2),
+        Shape::Cylinder => Some(1),
+        Shape::Sphere => None,
+        Shape::Slab => Some(0),
+    }
+}
+
+/// Where a point of the body's coordinates lies on its axes [m]; none outside the body.
+pub fn on_axes(shape: Shape, size: &[f64], p: &[f64]) -> Option<Vec<f64>> {
+    let within = |x: f64, low: f64, high: f64| (low - 1e-9..=high + 1e-9).contains(&x).then_some(x);
+    match (shape, p) {
+        (Shape::Box, [x, y, z]) => {
+            Some(vec![within(*x, 0.0, size[0])?, within(*y, 0.0, size[1])?, within(*z, 0.0, size[2])?])
+        }
+        (Shape::Cylinder, [x, y, z]) => {
+            Some(vec![within(libm::hypot(*x, *y), 0.0, 0.5 * size[0])?, within(*z, 0.0, size[1])?])
+        }
+        (Shape::Sphere, [x, y, z]) => Some(vec![within(libm::hypot(libm::hypot(*x, *y), *z), 0.0, 0.5 * size[0])?]),
+        (Shape::Slab, [z] | [_, _, z]) => Some(vec![within(*z, 0.0, size[0])?]),
+        _ => None,
+    }
+}

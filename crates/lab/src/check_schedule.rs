@@ -1,0 +1,144 @@
+//! Checks what happens to a lab body and when: boundaries, phases, flips.
+
+use saute_heat::axis::End;
+use saute_heat::boundary::Boundary;
+use toml::Spanned;
+
+use crate::body::{ends, vertical};
+use crate::case::{Phase, Until};
+use crate::case_file::{BoundaryEntry, CaseFile, Contact, Face, FlipsEntry, PhaseEntry, Shape};
+use crate::check::{Check, Checked, cooks, repeated};
+use saute_kitchen::kelvin;
+
+impl Check<'_> {
+    /// Phases, each with the boundaries that always hold and its own; one that lasts where none is given.
+    pub(super) fn phases(&self, raw: &CaseFile, shape: Shape, duration: f64) -> Checked<Vec<Phase>> {
+        let mut always = Phase { boundaries: Vec::new(), contacts: Vec::new(), until: Until::Forever };
+        if let Some(pan) = &raw.pan {
+            always.boundaries.push((vertical(shape).unwrap_or(0), End::Low, self.pan(pan)?.1));
+        }
+        self.add_boundaries(raw, shape, &raw.boundary, &mut always)?;
+        if raw.phase.is_empty() {
+            return Ok(vec![always]);
+        }
+        let phase = |(i, entry): (usize, &Spanned<PhaseEntry>)| {
+            let mut phase = always.clone();
+            self.add_boundaries(raw, shape, &entry.get_ref().boundary, &mut phase)?;
+            phase.until = self.until(raw, entry, i + 1 == raw.phase.len(), duration)?;
+            Ok(phase)
+        };
+        raw.phase.iter().enumerate().map(phase).collect()
+    }
+
+    fn until(&self, raw: &CaseFile, entry: &Spanned<PhaseEntry>, last: bool, duration: f64) -> Checked<Until> {
+        let at = entry.get_ref().until.as_ref().map_or(entry.span().start, |u| u.span().start);
+        let until = entry.get_ref().until.as_ref().map(Spanned::get_ref);
+        match until.map(|u| (u.at_s, &u.probe, u.reaches_c)) {
+            None if last => Ok(Until::Forever),
+            Some((Some(time), None, None)) if (0.0..=duration).contains(&time) => Ok(Until::Time(time)),
+            Some((None, Some(probe), Some(c))) if c.is_finite() => {
+                Ok(Until::Probe(self.probe_index(raw, probe, at)?, kelvin(c)))
+            }
+            _ => self.input.error(
+                at,
+                "the phase does not say when it ends",
+                "write until = { at_s = 60 } within the duration, or until = { probe = \"centre\", reaches_c = 50 }; \
+                 the last phase may do without",
+            ),
+        }
+    }
+
+    /// Adds boundaries by end, a later entry in place of an earlier one.
+    fn add_boundaries(
+        &self,
+        raw: &CaseFile,
+        shape: Shape,
+        entries: &[Spanned<BoundaryEntry>],
+        found: &mut Phase,
+    ) -> Checked<()> {
+        for entry in entries {
+            let face = &entry.get_ref().face;
+            let Some(mut ends) = ends(shape, *face.get_ref()) else {
+                let remedy = "use all, bottom, top, side, x, y or z as far as the shape has them";
+                return self.input.error(face.span().start, "the body has no such face", remedy);
+            };
+            if raw.pan.is_some() {
+                if *face.get_ref() == Face::Bottom || raw.body.is_none() {
+                    let remedy = "write the pan's h_w_m2k, ambient_c and q_w_m2 into [pan]";
+                    return self.input.error(face.span().start, "the bottom lies on the pan", remedy);
+                }
+                ends.retain(|(axis, end)| (Some(*axis), *end) != (vertical(shape), End::Low));
+            }
+            let boundary = self.boundary(raw, entry)?;
+            for (axis, end) in ends {
+                found.boundaries.retain(|f| (f.0, f.1) != (axis, end));
+                found.contacts.retain(|f| (f.0, f.1) != (axis, end));
+                found.boundaries.push((axis, end, boundary));
+                found.contacts.extend(entry.get_ref().contact.map(|contact| (axis, end, contact)));
+            }
+        }
+        Ok(())
+    }
+
+    fn boundary(&self, raw: &CaseFile, entry: &Spanned<BoundaryEntry>) -> Checked<Boundary> {
+        let b = entry.get_ref();
+        let cooks = cooks(raw);
+        if b.contact.is_some() && !cooks {
+            let remedy = "leave it out, or write physics = \"cooking\" into [solver] and food into [material]";
+            return self.input.error(entry.span().start, "contact belongs to cooking", remedy);
+        }
+        if let (true, Some(flux)) = (cooks, &b.q_w_m2) {
+            let remedy = "write h_w_m2k and ambient_c, or contact = \"pan\" and ambient_c";
+            return self.input.error(flux.span().start, "q_w_m2 does not go with physics = \"cooking\"", remedy);
+        }
+        let flux = self.optional("q_w_m2", b.q_w_m2.as_ref(), -1e7, 1e7)?;
+        let outside = self.optional("ambient_c", b.ambient_c.as_ref(), -200.0, 2000.0)?.map(kelvin);
+        let h = self.optional("h_w_m2k", b.h_w_m2k.as_ref(), 0.0, 1e7)?;
+        match (h, b.fixed, outside, flux) {
+            // The contact model gives the coefficient.
+            (None, false, Some(outside), None) if b.contact == Some(Contact::Pan) => {
+                Ok(Boundary::convective(1.0, outside))
+            }
+            (Some(h), false, Some(outside), q) => Ok(Boundary::Exchange { h, source: h * outside + q.unwrap_or(0.0) }),
+            (None, true, Some(outside), None) => Ok(Boundary::Fixed(outside)),
+            (None, false, None, Some(source)) => Ok(Boundary::Exchange { h: 0.0, source }),
+            _ => self.input.error(
+                entry.span().start,
+                "the boundary needs one of h_w_m2k and fixed, with ambient_c, or q_w_m2 alone",
+                "write h_w_m2k = 25 and ambient_c = 180, or fixed = true and ambient_c = 180, or q_w_m2 = 20000",
+            ),
+        }
+    }
+
+    pub(super) fn flips(&self, raw: &CaseFile, shape: Shape, duration: f64) -> Checked<Vec<f64>> {
+        let Some(entry) = &raw.flips else { return Ok(Vec::new()) };
+        if raw.pan.is_some() {
+            let remedy =
+                "leave [flips] out, or put the plate's h_w_m2k and ambient_c into [[boundary]] instead of [pan]";
+            return self.input.error(entry.span().start, "a body does not flip together with its pan", remedy);
+        }
+        self.flip_times(shape, entry, duration)
+    }
+
+    pub(super) fn flip_times(&self, shape: Shape, entry: &Spanned<FlipsEntry>, duration: f64) -> Checked<Vec<f64>> {
+        let (at, flips) = (entry.span().start, entry.get_ref());
+        if vertical(shape).is_none() {
+            return self.input.error(at, "a sphere has no bottom to flip", "leave [flips] out");
+        }
+        match (&flips.at_s, flips.every_s) {
+            (Some(times), None) if times.iter().all(|t| (0.0..=duration).contains(t)) && times.is_sorted() => {
+                Ok(times.clone())
+            }
+            (None, Some(every)) if every > duration * 1e-5 => {
+                let mut times = repeated(every, duration);
+                times.pop();
+                Ok(times)
+            }
+            _ => self.input.error(
+                at,
+                "flips need at_s, ascending and within the duration, or every_s > 0",
+                "write at_s = [300] or every_s = 30",
+            ),
+        }
+    }
+}

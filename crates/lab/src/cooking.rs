@@ -1,0 +1,299 @@
+//! Cooks a body of the lab: all that a kitchen knows of a food, between given boundaries.
+
+use std::collections::BTreeMap;
+
+use saute_food::{Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Lab, Surroundings, Touch};
+use saute_heat::axis::End;
+use saute_heat::boundary::Boundary;
+
+use crate::body::vertical;
+use crate::case::{Case, CookingCase, Phase, Until};
+use crate::case_file::{Contact, Shape};
+use crate::cooking_body::FoodBody;
+use crate::recording::LINEAR;
+use crate::report::LabReport;
+use crate::solver::opposite;
+use saute_kitchen::piece::contact::{FaceContact, steam_share};
+use saute_kitchen::piece::piece_state::WET_SHARE;
+use saute_kitchen::{TICK_S, celsius};
+
+/// Coefficients up to this mean air, more a solid or a liquid [W/(m²·K)] (chosen: forced convection of air reaches 100).
+const MOST_OF_AIR: f64 = 100.0;
+/// Conductance of a surface that is held at a temperature [W/(m²·K)] (chosen: a thousand times that of any node).
+const HELD: f64 = 1e7;
+/// Conductance of an insulated face [W/(m²·K)] (chosen: nothing, yet not free).
+const INSULATED: f64 = 1e-12;
+
+/// Runs a case whose physics is cooking; `clock` tells wall seconds, for the report alone.
+pub fn cook(case: &Case, cooking: &CookingCase, clock: &impl Fn() -> f64) -> LabReport {
+    // Whatever could fail is checked with the case: composition and names of changes with the library.
+    let Ok(body) = FoodBody::new(case, cooking) else { return LabReport::empty(case) };
+    let mut run = Cooking::new(case, cooking, body);
+    let start = clock();
+    run.read();
+    for &output in &case.outputs {
+        while run.stopped_at.is_none() && run.time() < output - 0.5 * run.dt {
+            run.step();
+        }
+        run.read();
+        if run.stopped_at.is_some() {
+            break;
+        }
+    }
+    run.report(clock() - start)
+}
+
+/// A cook of the lab on its way.
+struct Cooking<'a> {
+    case: &'a Case,
+    cooking: &'a CookingCase,
+    body: FoodBody,
+    state: FoodState,
+    solver: FoodSolver,
+    dt: f64,
+    steps: usize,
+    flips: usize,
+    phase: usize,
+    /// When the faces last changed [s].
+    laid_at: f64,
+    touch: Vec<Touch>,
+    /// Air before each end of each axis.
+    air: Vec<FreeAir>,
+    probes: Vec<Vec<(usize, f64)>>,
+    series: Vec<Vec<[f64; 2]>>,
+    absorbed: f64,
+    /// Time [s] and mean conductance of the contact with a pan [W/(m²·K)], every second.
+    contact: Vec<[f64; 2]>,
+    range: [f64; 2],
+    core_peak: [f64; 2],
+    phases_ended: Vec<f64>,
+    stopped_at: Option<f64>,
+}
+
+impl<'a> Cooking<'a> {
+    fn new(case: &'a Case, cooking: &'a CookingCase, body: FoodBody) -> Self {
+        let initial = case.bodies[0].initial;
+        let mut run = Self {
+            state: FoodState::raw(&body.model, initial),
+            solver: FoodSolver::default(),
+            dt: (TICK_S * case.step_factor).min(case.duration),
+            steps: 0,
+            flips: 0,
+            phase: 0,
+            laid_at: 0.0,
+            touch: vec![Touch::default(); body.model.patches().len()],
+            air: vec![cooking.room.still_air(); body.ends.len()],
+            probes: case.probes.iter().map(|p| body.tensor.locate(&p.place, LINEAR)).collect(),
+            series: vec![Vec::new(); case.probes.len()],
+            absorbed: 0.0,
+            contact: Vec::new(),
+            range: [initial; 2],
+            core_peak: [initial, 0.0],
+            phases_ended: Vec::new(),
+            stopped_at: None,
+            case,
+            cooking,
+            body,
+        };
+        run.meet();
+        run
+    }
+
+    fn time(&self) -> f64 {
+        self.steps as f64 * self.dt
+    }
+
+    /// The present phase; past the last one its boundaries stay on.
+    fn phase(&self) -> &'a Phase {
+        &self.case.phases[self.phase.min(self.case.phases.len() - 1)]
+    }
+
+    /// The end of the present phase; none past the last one.
+    fn until(&self) -> Until {
+        self.case.phases.get(self.phase).map_or(Until::Forever, |p| p.until)
+    }
+
+    fn probe(&self, probe: usize) -> f64 {
+        self.probes[probe].iter().map(|(node, weight)| weight * self.state.temperature[*node]).sum()
+    }
+
+    /// The temperature whose highest value is told: a named probe's, or that of the middle.
+    fn core(&self) -> f64 {
+        match self.case.peak_of {
+            Some(probe) => self.probe(probe),
+            None => self.body.model.at_core(&self.state.temperature),
+        }
+    }
+
+    fn step(&mut self) {
+        self.events();
+        self.meet();
+        let around = Surroundings { touch: &self.touch, air: &self.air };
+        let before = self.to_target();
+        let exchange = self.solver.advance(&self.body.model, &mut self.state, &around, self.dt);
+        self.steps += 1;
+        self.observe(&exchange);
+        if before.zip(self.to_target()).is_some_and(|(before, now)| before * now <= 0.0) {
+            self.end_phase();
+        }
+    }
+
+    /// How far the probe that ends the phase is above its target [K].
+    fn to_target(&self) -> Option<f64> {
+        match self.until() {
+            Until::Probe(probe, target) => Some(self.probe(probe) - target),
+            _ => None,
+        }
+    }
+
+    /// Flips and ends of phases that are due.
+    fn events(&mut self) {
+        let now = self.time() + 0.5 * self.dt;
+        while self.case.flips.get(self.flips).is_some_and(|at| *at < now) {
+            self.flips += 1;
+            self.laid_at = self.time();
+        }
+        while matches!(self.until(), Until::Time(end) if end < now) {
+            self.end_phase();
+        }
+    }
+
+    fn end_phase(&mut self) {
+        self.phases_ended.push(self.time());
+        self.phase += 1;
+        self.laid_at = self.time();
+    }
+
+    /// Brings up to date what every patch meets.
+    fn meet(&mut self) {
+        let phase = self.phase();
+        self.touch.fill(Touch { conductance: INSULATED, temperature: self.case.bodies[0].initial });
+        let upside_down = self.flips % 2 == 1;
+        for at in 0..self.body.ends.len() {
+            let (axis, end, _) = self.body.ends[at];
+            let swapped = upside_down && vertical(self.case.shape) == Some(axis);
+            let outer = if swapped { opposite(end) } else { end };
+            let here = |f: &(usize, End)| *f == (axis, outer);
+            let Some((.., boundary)) = phase.boundaries.iter().find(|b| here(&(b.0, b.1))) else { continue };
+            let contact = phase.contacts.iter().find(|c| here(&(c.0, c.1))).map(|c| c.2);
+            self.meet_end(at, boundary, contact);
+        }
+    }
+
+    fn meet_end(&mut self, at: usize, boundary: &Boundary, contact: Option<Contact>) {
+        let range = self.body.ends[at].2.clone();
+        let (h, outside) = match *boundary {
+            Boundary::Fixed(temperature) => (HELD, temperature),
+            Boundary::Exchange { h, source } => (h, if h > 0.0 { source / h } else { self.air[0].temperature }),
+        };
+        match contact {
+            Some(Contact::Pan) => self.meet_pan(range, outside),
+            Some(Contact::Air) => self.meet_air(at, h, outside),
+            None if h <= MOST_OF_AIR => self.meet_air(at, h, outside),
+            _ => self.touch[range].fill(Touch { conductance: h, temperature: outside }),
+        }
+    }
+
+    fn meet_air(&mut self, at: usize, h: f64, outside: f64) {
+        let moving = self.cooking.room.air_moving(h);
+        self.air[at] = FreeAir { temperature: outside, radiation: 0.0, ..moving };
+        self.touch[self.body.ends[at].2.clone()].fill(Touch::default());
+    }
+
+    fn meet_pan(&mut self, range: std::ops::Range<usize>, pan: f64) {
+        let gap = &self.cooking.room.contact;
+        let model = &self.body.model;
+        let area: f64 = model.patches()[range.clone()].iter().map(|p| p.area).sum();
+        let face = FaceContact {
+            since: self.time() - self.laid_at,
+            pressure: saute_kitchen::piece::piece_state::GRAVITY * self.state.mass_left(model) / area,
+            film: self.cooking.room.default_film(),
+            coating: f64::INFINITY,
+        };
+        let conductance = face.conductance(gap, face.mean_gap(gap)) * model.description().surface.contact_share;
+        let mut mean = 0.0;
+        for patch in range {
+            let node = model.patches()[patch].node as usize;
+            let wet = self.state.water[node] > WET_SHARE * model.initial_water()[node];
+            let conductance = conductance * steam_share(gap, pan, wet);
+            self.touch[patch] = Touch { conductance, temperature: pan };
+            mean += conductance * model.patches()[patch].area / area;
+        }
+        if self.contact.last().is_none_or(|[last, _]| self.time() > last + 0.999) {
+            self.contact.push([self.time(), mean]);
+        }
+    }
+
+    fn observe(&mut self, exchange: &Exchange) {
+        self.absorbed += self.solver.contact_heat.iter().sum::<f64>() - exchange.air;
+        let (low, high) = self.state.range();
+        self.range = [self.range[0].min(low), self.range[1].max(high)];
+        let core = self.core();
+        if core > self.core_peak[0] {
+            self.core_peak = [core, self.time()];
+        }
+        // Peaks are kept by the food every half second; a stop is exact to one step.
+        self.state.peak.iter_mut().zip(&self.state.temperature).for_each(|(p, t)| *p = p.max(*t));
+        if self.case.stop_at.is_some_and(|target| self.state.peak.iter().all(|p| *p >= target)) {
+            self.stopped_at = Some(self.time());
+        }
+    }
+
+    fn read(&mut self) {
+        for probe in 0..self.probes.len() {
+            let value = [self.time(), celsius(self.probe(probe))];
+            self.series[probe].push(value);
+        }
+    }
+
+    fn report(self, wall_s: f64) -> LabReport {
+        let model = &self.body.model;
+        let volume = model.mesh().volumes();
+        let whole: f64 = volume.iter().sum();
+        let above = |c: f64| {
+            let hot = self.state.peak.iter().zip(volume).filter(|(p, _)| celsius(**p) > c).map(|(_, v)| v);
+            100.0 * hot.sum::<f64>() / whole
+        };
+        let slab = self.case.shape == Shape::Slab;
+        let (lateral, thickness) =
+            (self.state.stretch.lateral, model.mesh().swept().map_or(0.0, |mesh| mesh.thickness()));
+        let unsound = "a value became non-finite: the food stopped changing; use another resolution_mm or size_mm";
+        let names = self.case.probes.iter().map(|p| p.name.clone());
+        LabReport {
+            nodes: model.mesh().node_count(),
+            steps: self.steps,
+            wall_s,
+            warnings: if self.state.healthy { Vec::new() } else { vec![unsound.to_owned()] },
+            stopped_at_s: self.stopped_at,
+            volume_pct_above: self.case.volume_above_c.iter().map(|&c| (format!("{c}"), above(c))).collect(),
+            absorbed_j: self.absorbed,
+            max_c: celsius(self.range[1]),
+            min_c: celsius(self.range[0]),
+            evaporated_kg_m2: slab.then_some(self.state.evaporated),
+            evaporated_g: Some(1e3 * self.state.evaporated),
+            dripped_g: Some(1e3 * self.state.dripped),
+            rendered_g: Some(1e3 * self.state.rendered),
+            section_shrunk_pct: model.contracts().then_some(100.0 * (1.0 - lateral * lateral)),
+            thickness_shrunk_pct: model.contracts().then(|| 100.0 * (1.0 - model.thickness(&self.state) / thickness)),
+            contact_w_m2k: self.contact.clone(),
+            lost_pct: Some(100.0 * (1.0 - self.state.mass(model) / model.raw_mass())),
+            surface_lab: surface_lab(model, &self.state),
+            core_peak_c: Some(celsius(self.core_peak[0])),
+            core_peak_at_s: Some(self.core_peak[1]),
+            probes: names.zip(self.series.iter().cloned()).collect(),
+            phases_ended_s: self.phases_ended.clone(),
+            ..LabReport::empty(self.case)
+        }
+    }
+}
+
+fn surface_lab(model: &FoodModel, state: &FoodState) -> BTreeMap<String, [f64; 3]> {
+    let sides = [("bottom", [0.0, 0.0, 1.0]), ("top", [0.0, 0.0, -1.0])];
+    let there = sides.into_iter().filter(|(name, _)| *name == "top" || !model.closed_below());
+    there
+        .map(|(name, up)| {
+            let Lab(lab) = model.face_reading(state, up).lab;
+            (name.to_owned(), lab)
+        })
+        .collect()
+}

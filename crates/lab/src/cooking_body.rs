@@ -1,0 +1,103 @@
+//! Bodies of the lab filled with food.
+
+use std::ops::Range;
+
+use saute_food::{Body, BuildError, Face, FoodModel, Patch, Rules};
+use saute_heat::axis::End;
+use saute_heat::tensor::TensorBody;
+use saute_heat::{Outline, Section, SweptMesh};
+
+use crate::body::{mesh, vertical};
+use crate::case::{Case, CookingCase};
+use crate::case_file::Shape;
+
+/// A body filled with food.
+pub struct FoodBody {
+    /// The product mesh, for probes.
+    pub tensor: TensorBody,
+    /// The food on it.
+    pub model: FoodModel,
+    /// The patches of each end of each axis.
+    pub ends: Vec<EndPatches>,
+}
+
+/// An axis, one of its ends, and which patches lie there.
+pub type EndPatches = (usize, End, Range<usize>);
+
+impl FoodBody {
+    /// Fills the body of a case.
+    pub fn new(case: &Case, cooking: &CookingCase) -> Result<Self, BuildError> {
+        let tensor = mesh(case);
+        let (patches, ends) = patches(&tensor, vertical(case.shape));
+        let body = Body {
+            size: extent(case),
+            outline: outline(case),
+            mesh: swept(&tensor, case, &patches).into(),
+            patches,
+            contracts: case.shape != Shape::Sphere,
+        };
+        let CookingCase { food, kinetics, components, .. } = cooking;
+        let model = FoodModel::fill_body(food, kinetics, components, body, 1, Rules::Full)?;
+        Ok(Self { tensor, model, ends })
+    }
+}
+
+/// Patches of every end of every axis, each end with an air of its own: the bottom's and the top's first, node by node.
+fn patches(tensor: &TensorBody, vertical: Option<usize>) -> (Vec<Patch>, Vec<EndPatches>) {
+    let all = match vertical {
+        Some(axis) => {
+            let across = (0..tensor.axes.len()).filter(|a| *a != axis);
+            let sides = across.flat_map(|a| [(a, End::Low, Face::Side), (a, End::High, Face::Side)]);
+            [(axis, End::Low, Face::Bottom), (axis, End::High, Face::Top)].into_iter().chain(sides).collect()
+        }
+        // The surface of a ball ends its only axis, and the path of its fibres.
+        None => vec![(0, End::High, Face::Top)],
+    };
+    let (mut patches, mut ends) = (Vec::new(), Vec::new());
+    for (air, (axis, end, face)) in all.into_iter().enumerate() {
+        let first = patches.len();
+        let nodes = tensor.face(axis, end).into_iter();
+        patches.extend(nodes.map(|(node, area)| Patch { node: node as u32, face, air, area }));
+        ends.push((axis, end, first..patches.len()));
+    }
+    (patches, ends)
+}
+
+/// The product mesh as a section carried along a path: its vertical axis, or a ball's radius.
+fn swept(tensor: &TensorBody, case: &Case, patches: &[Patch]) -> SweptMesh {
+    let levels = tensor.axes[vertical(case.shape).unwrap_or(0)].nodes.clone();
+    let n = tensor.node_count() / levels.len();
+    let across = |axis: usize, index: usize| {
+        let nodes = &tensor.axes[axis].nodes;
+        nodes[index] - if case.shape == Shape::Box { 0.5 * nodes[nodes.len() - 1] } else { 0.0 }
+    };
+    let point = |i: usize| match case.shape {
+        Shape::Box => [across(0, i % tensor.axes[0].nodes.len()), across(1, i / tensor.axes[0].nodes.len())],
+        Shape::Cylinder => [across(0, i), 0.0],
+        Shape::Slab | Shape::Sphere => [0.0, 0.0],
+    };
+    let section = Section {
+        points: (0..n).map(point).collect(),
+        areas: patches[..n].iter().map(|p| p.area).collect(),
+        triangles: Vec::new(),
+        edges: Vec::new(),
+        boundary: Vec::new(),
+        clamped_edges: 0,
+    };
+    SweptMesh::with_graph(section, levels, tensor.layered_graph(case.rule).graph)
+}
+
+/// Length, width, thickness [m]; a slab is a square metre.
+fn extent(case: &Case) -> [f64; 3] {
+    match (case.shape, case.bodies[0].size.as_slice()) {
+        (Shape::Box, &[x, y, z]) => [x, y, z],
+        (Shape::Cylinder, &[diameter, height]) => [diameter, diameter, height],
+        (Shape::Sphere, &[diameter]) => [diameter; 3],
+        (_, size) => [1.0, 1.0, size[0]],
+    }
+}
+
+fn outline(case: &Case) -> Outline {
+    let [length, width, _] = extent(case);
+    if case.shape == Shape::Box { Outline::rectangle(length, width) } else { Outline::circle(0.5 * length) }
+}

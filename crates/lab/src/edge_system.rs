@@ -1,0 +1,185 @@
+//! Rates of a lab body edge by edge: properties that change, water that boils, segments.
+
+use saute_heat::Conduction;
+use saute_heat::boundary::Boundary;
+use saute_heat::product::FaceBoundary;
+use saute_heat::super_step::{Rates, SuperStep};
+use saute_heat::tensor::{LayeredGraph, TensorBody};
+
+use crate::case::Case;
+use crate::material::Boiling;
+use crate::solver::capacity;
+
+/// Edges, conductances and water of a body.
+pub(super) struct EdgeSystem {
+    edges: LayeredGraph,
+    conduction: Conduction,
+    capacity: Vec<f64>,
+    /// Exchange with the outside: conductance [W/K] and source [W].
+    exchange: Vec<[f64; 2]>,
+    fixed: Vec<bool>,
+    varies: bool,
+    water: Option<Water>,
+}
+
+/// Water of every node.
+struct Water {
+    /// Boiling of the node's material; none where it does not boil.
+    boiling: Vec<Option<Boiling>>,
+    /// Mass at the start [kg]; without end where that is made up for.
+    initial: Vec<f64>,
+    /// Mass left [kg].
+    left: Vec<f64>,
+    /// Volume that boils [m³].
+    volume: Vec<f64>,
+    /// Mass that has gone [kg].
+    evaporated: f64,
+}
+
+impl EdgeSystem {
+    pub(super) fn new(case: &Case, body: &TensorBody) -> Self {
+        let n = body.node_count();
+        let boils = case.materials.iter().any(|m| m.boiling.is_some());
+        Self {
+            edges: body.layered_graph(case.rule),
+            conduction: Conduction::default(),
+            capacity: vec![0.0; n],
+            exchange: vec![[0.0; 2]; n],
+            fixed: vec![false; n],
+            varies: case.materials.iter().any(|m| m.constants().is_none()),
+            water: boils.then(|| Water::new(case, body)),
+        }
+    }
+
+    /// Puts boundaries on.
+    pub(super) fn put_on(&mut self, body: &TensorBody, boundaries: &[FaceBoundary]) {
+        self.exchange.fill([0.0; 2]);
+        self.fixed.fill(false);
+        for &(axis, end, boundary) in boundaries {
+            for (node, area) in body.face(axis, end) {
+                match boundary {
+                    Boundary::Exchange { h, source } => {
+                        self.exchange[node][0] += h * area;
+                        self.exchange[node][1] += source * area;
+                    }
+                    Boundary::Fixed(_) => self.fixed[node] = true,
+                }
+            }
+        }
+    }
+
+    /// Takes properties at the nodes' temperatures [K]; returns the longest explicit step [s].
+    pub(super) fn refresh(&mut self, body: &TensorBody, case: &Case, temperature: &[f64]) -> f64 {
+        for (node, c) in self.capacity.iter_mut().enumerate() {
+            *c = capacity(case, body, node, &|_| temperature[node]);
+        }
+        let Self { conduction, edges, water, .. } = self;
+        conduction.refresh_layers(edges, |layer, node| {
+            let dried = water.as_ref().map_or(0.0, |w| w.dried_share(node));
+            case.materials[layer].conductivity(temperature[node], dried)
+        });
+        // ΣG/C bounds half the largest eigenvalue, which explicit steps of that length resolve (Gershgorin).
+        let totals = self.conduction.total.iter().zip(&self.exchange).zip(&self.capacity);
+        totals.map(|((g, e), c)| c / (g + e[0])).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Moves by `dt` [s]; returns the heat that it took [J].
+    pub(super) fn advance(&mut self, t: &mut Vec<f64>, dt: f64, step: &mut SuperStep, explicit: f64) -> f64 {
+        let Some(mut water) = self.water.take() else {
+            step.advance(t, dt, SuperStep::stages_for(dt, explicit), self);
+            return self.stored_since(t, step.start());
+        };
+        step.euler(t, dt, self);
+        let latent = water.boil(t, &self.capacity, &self.fixed);
+        self.water = Some(water);
+        self.stored_since(t, step.start()) + latent
+    }
+
+    /// Heat stored between two states [J].
+    pub(super) fn stored_since(&self, now: &[f64], before: &[f64]) -> f64 {
+        now.iter().zip(before).zip(&self.capacity).map(|((n, b), c)| (n - b) * c).sum()
+    }
+
+    pub(super) fn varies(&self) -> bool {
+        self.varies
+    }
+
+    pub(super) fn boils(&self) -> bool {
+        self.water.is_some()
+    }
+
+    /// Water evaporated [kg] and volume dried [m³].
+    pub(super) fn dried(&self) -> [f64; 2] {
+        self.water
+            .as_ref()
+            .map_or([0.0; 2], |w| [w.evaporated, w.volume.iter().enumerate().map(|(n, v)| v * w.dried_share(n)).sum()])
+    }
+
+    pub(super) fn dried_share(&self, node: usize) -> f64 {
+        self.water.as_ref().map_or(0.0, |w| w.dried_share(node))
+    }
+}
+
+impl Rates for EdgeSystem {
+    fn rates(&self, t: &[f64], rate: &mut [f64]) {
+        for ((r, t), [g, s]) in rate.iter_mut().zip(t).zip(&self.exchange) {
+            *r = s - g * t;
+        }
+        self.conduction.add_power(&self.edges.graph, t, rate);
+        for ((r, c), fixed) in rate.iter_mut().zip(&self.capacity).zip(&self.fixed) {
+            *r = if *fixed { 0.0 } else { *r / c };
+        }
+    }
+}
+
+impl Water {
+    fn new(case: &Case, body: &TensorBody) -> Self {
+        let n = body.node_count();
+        let mut water = Self {
+            boiling: vec![None; n],
+            initial: vec![0.0; n],
+            left: Vec::new(),
+            volume: vec![0.0; n],
+            evaporated: 0.0,
+        };
+        for node in 0..n {
+            for part in body.parts(node) {
+                let Some(boiling) = case.materials[part.layer].boiling else { continue };
+                water.boiling[node] = Some(boiling);
+                water.volume[node] += part.volume;
+                water.initial[node] += boiling.water.map_or(f64::INFINITY, |w| w * part.volume);
+            }
+        }
+        water.left.clone_from(&water.initial);
+        water
+    }
+
+    fn dried_share(&self, node: usize) -> f64 {
+        let initial = self.initial[node];
+        if initial > 0.0 && initial.is_finite() { 1.0 - self.left[node] / initial } else { 0.0 }
+    }
+
+    /// Turns heat above the boiling point into vapour while there is water; returns the heat that left with it [J].
+    ///
+    /// A face held above the boiling point is dry at once, without a balance of its own.
+    fn boil(&mut self, t: &mut [f64], capacity: &[f64], fixed: &[bool]) -> f64 {
+        let mut latent = 0.0;
+        for (node, t) in t.iter_mut().enumerate() {
+            let Some(boiling) = self.boiling[node] else { continue };
+            let excess = capacity[node] * (*t - boiling.at);
+            if excess <= 0.0 || self.left[node] <= 0.0 {
+                continue;
+            }
+            let vapour =
+                if fixed[node] && self.left[node].is_finite() { self.left[node] } else { excess / boiling.latent };
+            let vapour = vapour.min(self.left[node]);
+            self.left[node] -= vapour;
+            self.evaporated += vapour;
+            latent += vapour * boiling.latent;
+            if !fixed[node] {
+                *t -= vapour * boiling.latent / capacity[node];
+            }
+        }
+        latent
+    }
+}

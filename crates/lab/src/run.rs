@@ -1,0 +1,115 @@
+//! Runs a lab case.
+
+use crate::case::{Case, Until};
+use crate::case_file::Physics;
+use crate::cooking::cook;
+use crate::recording::Recording;
+use crate::report::LabReport;
+use crate::solver::Solver;
+
+/// Runs a case; `clock` tells wall seconds, for the report alone.
+pub fn run(case: &Case, clock: impl Fn() -> f64) -> LabReport {
+    let mut report = run_one(case, &clock);
+    report.compared = case.compare.as_ref().map(|other| Box::new(run_one(other, &clock)));
+    report
+}
+
+fn run_one(case: &Case, clock: &impl Fn() -> f64) -> LabReport {
+    match case.physics {
+        Physics::Conduction => conduct(case, clock),
+        Physics::Cooking => case.cooking.as_ref().map_or_else(|| conduct(case, clock), |c| cook(case, c, clock)),
+    }
+}
+
+fn conduct(case: &Case, clock: &impl Fn() -> f64) -> LabReport {
+    let solver = Solver::new(case);
+    let recording = Recording::new(case, &solver);
+    let start = clock();
+    let mut run = Run { case, solver, recording, phase: 0, flips: 0 };
+    for &output in &case.outputs {
+        while !run.is_over() && run.solver.time < output {
+            run.advance_to(output.min(run.next_event()));
+            run.meet_events();
+        }
+        if run.is_over() {
+            break;
+        }
+        run.recording.read(case, &run.solver);
+    }
+    if run.is_over() {
+        run.recording.read(case, &run.solver);
+    }
+    run.recording.report(case, &run.solver, clock() - start)
+}
+
+/// A run and what comes next in it.
+struct Run<'a> {
+    case: &'a Case,
+    solver: Solver,
+    recording: Recording,
+    /// Which phase it is in.
+    phase: usize,
+    /// Flips so far.
+    flips: usize,
+}
+
+impl Run<'_> {
+    fn is_over(&self) -> bool {
+        self.recording.stopped_at.is_some()
+    }
+
+    /// When a flip or the end of a phase is due [s].
+    fn next_event(&self) -> f64 {
+        let flip = self.case.flips.get(self.flips).copied().unwrap_or(f64::INFINITY);
+        match self.until() {
+            Until::Time(end) => flip.min(end),
+            _ => flip,
+        }
+    }
+
+    fn meet_events(&mut self) {
+        while self.case.flips.get(self.flips).is_some_and(|at| *at <= self.solver.time) {
+            self.flips += 1;
+            self.solver.flip(self.case);
+        }
+        while matches!(self.until(), Until::Time(end) if end <= self.solver.time) {
+            self.end_phase();
+        }
+    }
+
+    fn end_phase(&mut self) {
+        self.recording.phases_ended.push(self.solver.time);
+        self.phase += 1;
+        if self.phase < self.case.phases.len() {
+            self.solver.enter(self.phase, self.case);
+        }
+    }
+
+    /// The end of the present phase; past the last one its boundaries stay on.
+    fn until(&self) -> Until {
+        self.case.phases.get(self.phase).map_or(Until::Forever, |p| p.until)
+    }
+
+    /// Moves to `until`, or to the end of the phase or of the run if that comes first.
+    fn advance_to(&mut self, until: f64) {
+        while self.solver.time < until {
+            let dt = self.solver.next_step(until, self.case);
+            self.solver.advance(dt, self.case);
+            self.solver.settle_at(until);
+            let crossed = match self.until() {
+                Until::Probe(probe, target) => self.recording.crossing(probe, target, &self.solver),
+                _ => None,
+            };
+            if let Some(share) = crossed {
+                self.solver.rewind(share, self.case);
+            }
+            self.recording.observe(self.case, &self.solver);
+            if crossed.is_some() {
+                self.end_phase();
+            }
+            if self.is_over() {
+                return;
+            }
+        }
+    }
+}

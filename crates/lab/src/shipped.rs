@@ -1,0 +1,18 @@
+//! The validation cases that the program carries.
+
+use std::collections::BTreeMap;
+
+use include_dir::{Dir, include_dir};
+
+static VALIDATION: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../validation");
+
+/// Returns the text of every shipped validation case by its id (the file's name without `.toml`).
+pub fn validation_cases() -> BTreeMap<String, String> {
+    VALIDATION
+        .files()
+        .filter_map(|file| {
+            let id = file.path().to_str()?.strip_suffix(".toml")?;
+            Some((id.to_owned(), file.contents_utf8()?.to_owned()))
+        })
+        .collect()
+}

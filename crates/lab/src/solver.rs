@@ -1,0 +1,270 @@
+//! A lab body on its way through time.
+
+use saute_heat::Rule;
+use saute_heat::axis::End;
+use saute_heat::boundary::Boundary;
+use saute_heat::product::{Constants, FaceBoundary, ProductOperator};
+use saute_heat::super_step::SuperStep;
+use saute_heat::tensor::{Part, TensorBody};
+
+use crate::body::mesh;
+use crate::case::Case;
+use crate::edge_system::EdgeSystem;
+use crate::material::Material;
+
+/// Most stages of a super-step with constant properties at a step factor of 1 (chosen: the error in time stays well
+/// below that in space, which falls at its own order).
+const MOST_STAGES: usize = 9;
+
+/// Most stages where properties change and are taken afresh at every step (chosen: seven explicit steps' length).
+const MOST_STAGES_VARYING: usize = 5;
+/// Share of the stability limit that is used [-].
+const SAFETY: f64 = 0.95;
+/// A step over the time since the last sudden change [-] (chosen: profiles grow as the square root of time, so equal
+/// shares of it cost equal accuracy).
+const GROWTH: f64 = 0.01;
+/// The same where properties are held over a step, which is then of first order in them [-] (chosen: less than 0.05 K).
+const GROWTH_VARYING: f64 = 0.04;
+/// First step of a lone plate over its time constant [-] (chosen: an error of 1e-4 of the way in each).
+const LUMPED_STEP: f64 = 0.01;
+
+/// How rates of change are computed.
+enum System {
+    /// Constant properties under the shape functions.
+    Product(Box<ProductOperator>),
+    /// Anything else: edge by edge.
+    Edges(Box<EdgeSystem>),
+}
+
+impl System {
+    fn new(case: &Case, body: &TensorBody) -> Self {
+        let layers: Option<Vec<Constants>> = case.materials.iter().map(Material::constants).collect();
+        match layers {
+            Some(layers) if case.rule == Rule::ShapeFunctions => {
+                Self::Product(Box::new(ProductOperator::new(body, &layers, &[])))
+            }
+            _ => Self::Edges(Box::new(EdgeSystem::new(case, body))),
+        }
+    }
+}
+
+/// The body and its present state.
+pub(super) struct Solver {
+    /// Mesh.
+    pub body: TensorBody,
+    /// Temperature of each node [K].
+    pub temperature: Vec<f64>,
+    /// Time [s].
+    pub time: f64,
+    /// Steps so far.
+    pub steps: usize,
+    system: System,
+    step: SuperStep,
+    explicit: f64,
+    boundaries: Vec<FaceBoundary>,
+    upside_down: bool,
+    changed_at: f64,
+    last_dt: f64,
+    /// Heat taken up by changing capacities, by boiling and by faces that were set [J].
+    absorbed: f64,
+    /// Heat stored at the start over the capacities, where these are constant [J].
+    stored_at_start: f64,
+    capacity: Vec<f64>,
+}
+
+impl Solver {
+    pub(super) fn new(case: &Case) -> Self {
+        let body = mesh(case);
+        let n = body.node_count();
+        let initial = |layer: usize| case.bodies[layer].initial;
+        let capacity: Vec<f64> = (0..n).map(|node| capacity(case, &body, node, &initial)).collect();
+        let temperature = start(case, &body);
+        let mut solver = Self {
+            system: System::new(case, &body),
+            stored_at_start: stored(&temperature, &capacity),
+            temperature,
+            time: 0.0,
+            steps: 0,
+            step: SuperStep::new(n),
+            explicit: 0.0,
+            boundaries: case.phases[0].boundaries.clone(),
+            upside_down: false,
+            changed_at: 0.0,
+            last_dt: 0.0,
+            absorbed: 0.0,
+            capacity,
+            body,
+        };
+        solver.put_on(case);
+        solver
+    }
+
+    /// Sets the boundaries of a phase.
+    pub(super) fn enter(&mut self, phase: usize, case: &Case) {
+        self.boundaries.clone_from(&case.phases[phase].boundaries);
+        self.put_on(case);
+    }
+
+    /// Bottom and top change places.
+    pub(super) fn flip(&mut self, case: &Case) {
+        self.upside_down = !self.upside_down;
+        self.put_on(case);
+    }
+
+    /// Puts the boundaries on; after a flip bottom and top have changed places.
+    fn put_on(&mut self, case: &Case) {
+        let swapped = |axis: usize| self.upside_down && self.body.vertical == Some(axis);
+        let turned = |&(axis, end, b): &FaceBoundary| (axis, if swapped(axis) { opposite(end) } else { end }, b);
+        let boundaries: Vec<FaceBoundary> = self.boundaries.iter().map(turned).collect();
+        self.hold_fixed_faces(&boundaries, case);
+        match &mut self.system {
+            System::Product(operator) => {
+                let layers: Vec<Constants> = case.materials.iter().filter_map(Material::constants).collect();
+                **operator = ProductOperator::new(&self.body, &layers, &boundaries);
+                self.explicit = operator.stable_step();
+            }
+            System::Edges(edges) => {
+                edges.put_on(&self.body, &boundaries);
+                self.explicit = edges.refresh(&self.body, case, &self.temperature);
+            }
+        }
+        self.changed_at = self.time;
+    }
+
+    /// Brings fixed faces to their temperature.
+    fn hold_fixed_faces(&mut self, boundaries: &[FaceBoundary], case: &Case) {
+        for &(axis, end, boundary) in boundaries {
+            let Boundary::Fixed(at) = boundary else { continue };
+            for (node, _) in self.body.face(axis, end) {
+                let before = self.temperature[node];
+                self.absorbed += capacity(case, &self.body, node, &|_| before) * (at - before);
+                self.temperature[node] = at;
+            }
+        }
+    }
+
+    /// Length of the next step on the way to `until` [s].
+    pub(super) fn next_step(&self, until: f64, case: &Case) -> f64 {
+        let (reach, growth) = match &self.system {
+            System::Edges(edges) if edges.boils() => (1.0, GROWTH),
+            System::Edges(edges) if edges.varies() => (SuperStep::reach(MOST_STAGES_VARYING), GROWTH_VARYING),
+            System::Product(_) | System::Edges(_) => (SuperStep::reach(MOST_STAGES), GROWTH),
+        };
+        let most = SAFETY * reach * self.explicit;
+        let since = self.time - self.changed_at;
+        let first = if self.temperature.len() == 1 { LUMPED_STEP } else { SAFETY } * self.explicit;
+        let wanted = case.step_factor * most.min((growth * since).max(first));
+        let left = until - self.time;
+        left / libm::ceil(left / wanted - 1e-9).max(1.0)
+    }
+
+    /// Moves by `dt` [s].
+    pub(super) fn advance(&mut self, dt: f64, case: &Case) {
+        self.last_dt = dt;
+        self.time += dt;
+        self.steps += 1;
+        self.super_step(dt, case);
+    }
+
+    /// Takes rounding away from a time that was to be reached [s].
+    pub(super) fn settle_at(&mut self, until: f64) {
+        if (self.time - until).abs() <= 1e-9 * until.max(1.0) {
+            self.time = until;
+        }
+    }
+
+    fn super_step(&mut self, dt: f64, case: &Case) {
+        let stages = SuperStep::stages_for(dt, self.explicit);
+        match &mut self.system {
+            System::Product(operator) => self.step.advance(&mut self.temperature, dt, stages, &**operator),
+            System::Edges(edges) => {
+                if edges.varies() {
+                    self.explicit = edges.refresh(&self.body, case, &self.temperature);
+                }
+                self.absorbed += edges.advance(&mut self.temperature, dt, &mut self.step, self.explicit);
+            }
+        }
+    }
+
+    /// Goes back into the last step, so that only `share` of it has been made; no way back where water has boiled.
+    pub(super) fn rewind(&mut self, share: f64, case: &Case) {
+        let boils = matches!(&self.system, System::Edges(edges) if edges.boils());
+        if boils || share >= 1.0 {
+            return;
+        }
+        if let System::Edges(edges) = &self.system {
+            self.absorbed -= edges.stored_since(&self.temperature, self.step.start());
+        }
+        self.temperature.copy_from_slice(self.step.start());
+        let dt = self.last_dt * share;
+        self.time -= self.last_dt - dt;
+        self.last_dt = dt;
+        if dt > 0.0 {
+            self.super_step(dt, case);
+        }
+    }
+
+    /// Temperatures before the last step [K].
+    pub(super) fn before(&self) -> &[f64] {
+        self.step.start()
+    }
+
+    /// Length of the last step [s].
+    pub(super) fn last_dt(&self) -> f64 {
+        self.last_dt
+    }
+
+    /// Heat taken up since the start [J]; of a slab per m².
+    pub(super) fn absorbed(&self) -> f64 {
+        match &self.system {
+            System::Product(_) => stored(&self.temperature, &self.capacity) - self.stored_at_start,
+            System::Edges(_) => self.absorbed,
+        }
+    }
+
+    /// Water evaporated so far [kg] and volume that has dried [m³], where water boils; of a slab per m².
+    pub(super) fn dried(&self) -> Option<[f64; 2]> {
+        match &self.system {
+            System::Edges(edges) if edges.boils() => Some(edges.dried()),
+            _ => None,
+        }
+    }
+
+    /// Conductivity of a layer around a node [W/(m·K)].
+    pub(super) fn conductivity(&self, case: &Case, layer: usize, node: usize) -> f64 {
+        let dried = match &self.system {
+            System::Edges(edges) => edges.dried_share(node),
+            System::Product(_) => 0.0,
+        };
+        case.materials[layer].conductivity(self.temperature[node], dried)
+    }
+}
+
+fn stored(temperature: &[f64], capacity: &[f64]) -> f64 {
+    temperature.iter().zip(capacity).map(|(t, c)| t * c).sum()
+}
+
+/// The other end of an axis.
+pub(super) fn opposite(end: End) -> End {
+    if end == End::Low { End::High } else { End::Low }
+}
+
+/// Heat capacity of a node [J/K] where each layer has a temperature [K]; of a slab per m².
+pub(super) fn capacity(case: &Case, body: &TensorBody, node: usize, temperature: &dyn Fn(usize) -> f64) -> f64 {
+    let heat = |p: Part| p.volume * case.materials[p.layer].capacity(temperature(p.layer));
+    body.parts(node).map(heat).sum::<f64>() + body.plate_capacity(node)
+}
+
+/// Temperatures at the start [K]; where two bodies share a node, their heat does too.
+fn start(case: &Case, body: &TensorBody) -> Vec<f64> {
+    let of = |n: usize| {
+        let parts = body.parts(n).map(|p| {
+            let initial = case.bodies[p.layer].initial;
+            (p.volume * case.materials[p.layer].capacity(initial), initial)
+        });
+        let plate = case.pan.map_or((0.0, 0.0), |pan| (body.plate_capacity(n), pan.initial));
+        let (heat, capacity) = parts.chain([plate]).fold((0.0, 0.0), |(q, c), (part, t)| (q + part * t, c + part));
+        heat / capacity
+    };
+    (0..body.node_count()).map(of).collect()
+}

@@ -1,0 +1,5 @@
+//! Colours of values: tables, maps, and the patterns of classes.
+
+pub mod hatch;
+pub mod map;
+pub mod path;

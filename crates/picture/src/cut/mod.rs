@@ -1,0 +1,6 @@
+//! Faces that a cut lays open, in the scene and as pictures of their own.
+
+pub(crate) mod face;
+pub(crate) mod path;
+pub(crate) mod rim;
+pub mod section;

@@ -1,0 +1,324 @@
+//! The skin of a piece of food: a surface with a state at every vertex, as the renderer reads it.
+
+use std::sync::Arc;
+
+use glam::Vec3;
+use saute_kitchen::Piece;
+use saute_kitchen::food::colour::Appearance;
+use saute_kitchen::food::noise::{fractal, mix};
+use saute_kitchen::food::{FoodModel, FoodState};
+use saute_kitchen::heat::{Layout, Section, SweptMesh};
+use saute_scene::input::{FoodMesh, FoodVertex};
+
+use crate::colour::map::ColourMap;
+use crate::skin::cells::CellLook;
+use crate::skin::grain::{browning_palette, flesh_texture, grain_volume};
+use crate::view::View;
+
+/// Radius of the rounded rim between a big face and the side of a steak [m] (chosen; only the picture is rounded).
+const RIM_RADIUS: f32 = 1.6e-3;
+/// How far the drawn surface of a steak strays from the smooth shape [m], and over which distance [m] (chosen:
+/// hand-cut).
+pub(crate) const UNEVEN: [f64; 2] = [0.7e-3, 11.0e-3];
+/// Moisture that shows on a cut over that of the flesh [-] (chosen: the blade wipes it).
+pub(crate) const CUT_MOISTURE: f64 = 0.75;
+/// Least extent of a piece to which both apply; with a smaller one they shrink [m] (chosen: a thick steak).
+const TUNED_FOR: f64 = 0.022;
+
+/// The drawn surface of one piece: which node feeds each vertex, and where it lies.
+#[derive(Clone, Debug)]
+pub struct Skin {
+    /// What the renderer caches.
+    pub mesh: Arc<FoodMesh>,
+    nodes: Vec<u32>,
+    positions: Vec<[f32; 3]>,
+    normals: Vec<[f32; 3]>,
+    /// Place on the body of each vertex; empty where the look does not depend on it.
+    bodies: Vec<[f32; 2]>,
+}
+
+/// Size of rim and unevenness over those of a steak [-].
+pub(crate) fn fineness(model: &FoodModel) -> f64 {
+    let least = model.size().iter().fold(f64::INFINITY, |least, v| least.min(*v));
+    (least / TUNED_FOR).min(1.0)
+}
+
+/// Radius of the rounded rim of a piece [m].
+pub(crate) fn rim_radius(model: &FoodModel) -> f32 {
+    RIM_RADIUS * fineness(model) as f32
+}
+
+impl Skin {
+    /// Builds the skin of a piece: of a slice both faces from the section's triangles and the side from its boundary,
+    /// with a sharp rim between; of any other body its smooth surface.
+    pub fn new(piece: &Piece) -> Self {
+        let model = &piece.model;
+        match model.mesh().layout() {
+            Layout::Upright(mesh) => Self::with_rims(piece, mesh),
+            Layout::Along(..) => Self::smooth(piece),
+            // Its vertices read several nodes each: see [`CellLook`].
+            Layout::Cells(cells) => Self::empty(food_mesh(piece, cells.skin.triangles.clone())),
+        }
+    }
+
+    fn empty(mesh: Arc<FoodMesh>) -> Self {
+        Self { mesh, nodes: Vec::new(), positions: Vec::new(), normals: Vec::new(), bodies: Vec::new() }
+    }
+
+    /// The two faces and the side of a slice.
+    fn with_rims(piece: &Piece, mesh: &SweptMesh) -> Self {
+        let model = &piece.model;
+        let mut skin = Self::empty(food_mesh(piece, Vec::new()));
+        let mut triangles = Vec::new();
+        let outward = outward_normals(&mesh.section);
+        let last = mesh.levels.len() - 1;
+        skin.add_face(model, mesh, 0, &outward, &mut triangles);
+        skin.add_face(model, mesh, last, &outward, &mut triangles);
+        skin.add_side(model, mesh, &outward, &mut triangles);
+        skin.mesh = Arc::new(FoodMesh { triangles, ..(*skin.mesh).clone() });
+        skin
+    }
+
+    /// The surface over the nodes of a body without rims.
+    fn smooth(piece: &Piece) -> Self {
+        let model = &piece.model;
+        let mut normal_of = vec![Vec3::ZERO; model.mesh().node_count()];
+        for (patch, normal) in model.patches().iter().zip(model.rest_normals()).take(model.fresh_faces().start) {
+            let normal = Vec3::from_array(normal.map(|v| v as f32));
+            normal_of[patch.node as usize] += normal * patch.area as f32;
+        }
+        let mut vertex_of = vec![u32::MAX; normal_of.len()];
+        let (mut nodes, mut positions, mut normals) = (Vec::new(), Vec::new(), Vec::new());
+        let mut vertex = |node: u32| {
+            let place = &mut vertex_of[node as usize];
+            if *place == u32::MAX {
+                *place = nodes.len() as u32;
+                nodes.push(node);
+                positions.push(model.rest_position(node as usize).map(|v| v as f32));
+                normals.push(normal_of[node as usize].normalize_or_zero().to_array());
+            }
+            *place
+        };
+        let triangles = model.surface().triangles.iter().map(|t| t.map(&mut vertex)).collect();
+        let mesh = food_mesh(piece, triangles);
+        let bodies = nodes.iter().map(|node| on_body(model, *node as usize)).collect();
+        Self { mesh, nodes, positions, normals, bodies }
+    }
+
+    fn add_face(
+        &mut self,
+        model: &FoodModel,
+        mesh: &SweptMesh,
+        level: usize,
+        outward: &[Option<Vec3>],
+        triangles: &mut Vec<[u32; 3]>,
+    ) {
+        let first = self.nodes.len() as u32;
+        let up = if level == 0 { -1.0 } else { 1.0 };
+        for (i, out) in outward.iter().enumerate() {
+            let normal = match out {
+                Some(out) => (*out * 0.7 + Vec3::Z * up).normalize(),
+                None => Vec3::Z * up,
+            };
+            self.push(model, mesh, level, i, out.unwrap_or(Vec3::ZERO) * -rim_radius(model), normal);
+        }
+        for t in &mesh.section.triangles {
+            let [a, b, c] = t.map(|i| first + i);
+            triangles.push(if level == 0 { [a, c, b] } else { [a, b, c] });
+        }
+    }
+
+    fn add_side(
+        &mut self,
+        model: &FoodModel,
+        mesh: &SweptMesh,
+        outward: &[Option<Vec3>],
+        triangles: &mut Vec<[u32; 3]>,
+    ) {
+        let thickness = mesh.thickness() as f32;
+        let mut first_of = vec![0u32; outward.len()];
+        for (i, out) in outward.iter().enumerate() {
+            let Some(out) = out else { continue };
+            first_of[i] = self.nodes.len() as u32;
+            for (level, &z) in mesh.levels.iter().enumerate() {
+                let [sine, cosine] = rim(model, mesh, level);
+                let up = if 2.0 * z as f32 > thickness { 1.0 } else { -1.0 };
+                let normal = (*out * (cosine + 0.3) + Vec3::Z * (up * sine)).normalize();
+                self.push(model, mesh, level, i, rim_inset(model, mesh, level, *out), normal);
+            }
+        }
+        for &[a, b] in &mesh.section.boundary {
+            let (a, b) = (first_of[a as usize], first_of[b as usize]);
+            for level in 0..mesh.levels.len() as u32 - 1 {
+                triangles.push([a + level, b + level, b + level + 1]);
+                triangles.push([a + level, b + level + 1, a + level + 1]);
+            }
+        }
+    }
+
+    fn push(&mut self, model: &FoodModel, mesh: &SweptMesh, level: usize, i: usize, shift: Vec3, normal: Vec3) {
+        self.nodes.push(mesh.node(level, i) as u32);
+        self.positions.push(drawn(model, mesh, level, i, shift).to_array());
+        self.normals.push(normal.to_array());
+    }
+
+    /// The node that feeds a vertex, where one alone does.
+    pub(crate) fn node(&self, vertex: usize) -> u32 {
+        self.nodes[vertex]
+    }
+
+    /// State of every vertex.
+    pub fn vertices(&self, piece: &Piece, view: View, map: Option<&ColourMap>) -> Vec<FoodVertex> {
+        let (model, state) = (&*piece.model, &piece.state);
+        let strength = piece.sear_strength();
+        let juice = model.juice_films(state);
+        let seared = |node: usize| strength.get(node).copied().unwrap_or(0.0);
+        if let Some(cells) = model.mesh().cells() {
+            return CellLook { cells, model, state, view, map }.skin(&seared, &|node| juice[node]);
+        }
+        let shape = PresentShape::new(model, state);
+        let vertex = |k: usize| {
+            let node = self.nodes[k] as usize;
+            let field = map.map_or(0.0, |m| m.coordinate(view.value(model, state, node)));
+            let moisture = state.water[node] / model.initial_water()[node];
+            let place = Place {
+                rest: self.positions[k],
+                now: shape.moved(self.positions[k], |f| f(node)),
+                body: self.bodies.get(k).copied().unwrap_or_default(),
+            };
+            let seen = vertex(model, model.appearance(state, node), moisture, field, place, self.normals[k]);
+            FoodVertex { seared: seared(node) as f32, juice: juice[node] as f32, ..seen }
+        };
+        (0..self.nodes.len()).map(vertex).collect()
+    }
+}
+
+/// Where a node of a slice's surface is drawn in the rest frame, given how far the rounded rim shifts it [m].
+pub(crate) fn drawn(model: &FoodModel, mesh: &SweptMesh, level: usize, i: usize, shift: Vec3) -> Vec3 {
+    let p = Vec3::from_array(model.rest_position(mesh.node(level, i)).map(|v| v as f32));
+    p + shift + uneven(p, model, mesh)
+}
+
+/// How far the rounded rim shifts the side at a level, given the direction outwards [m].
+pub(crate) fn rim_inset(model: &FoodModel, mesh: &SweptMesh, level: usize, out: Vec3) -> Vec3 {
+    out * (-rim_radius(model) * (1.0 - rim(model, mesh, level)[1]))
+}
+
+/// Sine and cosine of the angle at which the rounded rim leans at a level.
+fn rim(model: &FoodModel, mesh: &SweptMesh, level: usize) -> [f32; 2] {
+    let (z, thickness) = (mesh.levels[level] as f32, mesh.thickness() as f32);
+    let radius = rim_radius(model);
+    let sine = 1.0 - z.min(thickness - z).min(radius) / radius;
+    [sine, (1.0 - sine * sine).sqrt()]
+}
+
+/// How far every node has moved from the rest shape [m].
+pub(crate) struct PresentShape {
+    moved: Vec<[f64; 3]>,
+}
+
+impl PresentShape {
+    pub(crate) fn new(model: &FoodModel, state: &FoodState) -> Self {
+        let mut moved = model.positions(state);
+        for (node, shift) in moved.iter_mut().enumerate() {
+            let rest = model.rest_position(node);
+            (0..3).for_each(|axis| shift[axis] -= rest[axis]);
+        }
+        Self { moved }
+    }
+
+    /// Where a point of the rest shape is now; `at` reads the shift off its nodes.
+    pub(crate) fn moved(&self, rest: [f32; 3], at: impl Fn(&dyn Fn(usize) -> [f64; 3]) -> [f64; 3]) -> [f32; 3] {
+        let shift = at(&|node| self.moved[node]);
+        std::array::from_fn(|axis| rest[axis] + shift[axis] as f32)
+    }
+}
+
+/// A point in the rest shape and in the present one [m], and where on the body that is.
+#[derive(Clone, Copy)]
+pub(crate) struct Place {
+    pub(crate) rest: [f32; 3],
+    pub(crate) now: [f32; 3],
+    /// Share of the body's length, and belly to back: see [`FoodVertex`].
+    pub(crate) body: [f32; 2],
+}
+
+pub(crate) fn vertex(
+    model: &FoodModel,
+    a: Appearance,
+    moisture: f64,
+    field: f32,
+    place: Place,
+    normal: [f32; 3],
+) -> FoodVertex {
+    let first_tissue = Appearance { tissue: 0.0, ..a };
+    let lab = |lab: saute_kitchen::food::Lab| lab.0.map(|v| 0.01 * v as f32);
+    // A film of water stands on raw flesh; cooked flesh is matt, and fried flesh sheds it (chosen).
+    let done = a.changed[model.change_count() - 1];
+    let matt = (1.0 - 0.5 * done) * (1.0 - 0.9 * (2.5 * a.browning).min(1.0));
+    let wet = ((moisture - 0.25) / 0.75).clamp(0.0, 1.0) * matt;
+    FoodVertex {
+        rest: place.rest,
+        position: place.now,
+        normal,
+        lean: lab(model.palette().lean_unbrowned(first_tissue)),
+        fat: lab(model.palette().fat_unbrowned(a)),
+        browning: a.browning as f32,
+        charring: a.charring as f32,
+        wetness: wet as f32,
+        cooked: a.opaque() as f32,
+        field,
+        along: place.body[0],
+        dorsal: place.body[1],
+        seared: 0.0,
+        juice: 0.0,
+    }
+}
+
+/// Where a node of a body that is carried along stations lies: share of the length, and belly (−1) to back (1).
+pub(crate) fn on_body(model: &FoodModel, node: usize) -> [f32; 2] {
+    let Layout::Along(mesh, stations) = model.mesh().layout() else { return [0.0; 2] };
+    let n = mesh.nodes_per_level();
+    let (level, i) = (node / n, node % n);
+    let points = &stations[level].section.points;
+    let reach = points.iter().fold(1e-9f64, |most, p| most.max(p[0].abs()));
+    [mesh.levels[level] / mesh.thickness(), points[i][0] / reach].map(|v| v as f32)
+}
+
+/// A hand-cut surface: faces undulate, and the side with them. Where both meet, both give the same.
+pub(crate) fn uneven(p: Vec3, model: &FoodModel, mesh: &SweptMesh) -> Vec3 {
+    let (thickness, [height, run]) = (mesh.thickness() as f32, UNEVEN.map(|v| v * fineness(model)));
+    let wave = |seed: u64| (height * fractal(seed, p.to_array().map(|v| f64::from(v) / run))) as f32;
+    let face = (2.0 * p.z.abs() / thickness).powi(8);
+    Vec3::new(wave(21), wave(22), wave(23) * face)
+}
+
+/// Mean outward direction at each boundary node of the section.
+pub(crate) fn outward_normals(section: &Section) -> Vec<Option<Vec3>> {
+    let mut sums = vec![Vec3::ZERO; section.points.len()];
+    for &[a, b] in &section.boundary {
+        let (p, q) = (section.points[a as usize], section.points[b as usize]);
+        let out = Vec3::new((q[1] - p[1]) as f32, (p[0] - q[0]) as f32, 0.0);
+        sums[a as usize] += out;
+        sums[b as usize] += out;
+    }
+    sums.into_iter().map(|s| s.try_normalize()).collect()
+}
+
+fn key(piece: &Piece) -> u64 {
+    let bits =
+        piece.model.size().into_iter().map(f64::to_bits).chain([piece.seed, piece.model.mesh().node_count() as u64]);
+    let text = piece.kind.bytes().map(u64::from);
+    bits.chain(text).fold(0x5a07e, |hash, v| mix(hash ^ mix(v)))
+}
+
+fn food_mesh(piece: &Piece, triangles: Vec<[u32; 3]>) -> Arc<FoodMesh> {
+    let model = &piece.model;
+    Arc::new(FoodMesh {
+        key: key(piece),
+        triangles,
+        texture: flesh_texture(model),
+        palette: browning_palette(model),
+        grain: grain_volume(model),
+    })
+}

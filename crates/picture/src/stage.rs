@@ -1,0 +1,341 @@
+//! The stage: turns a kitchen into the renderer's input.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use glam::{Quat, Vec2, Vec3};
+use saute_kitchen::dynamics::Tool;
+use saute_kitchen::food::colour::decoded;
+use saute_kitchen::food::{Face, Scale};
+use saute_kitchen::heat::Layout;
+use saute_kitchen::sear_lines::SearLines;
+use saute_kitchen::{Kitchen, Piece, Place, RestOn, celsius};
+use saute_scene::camera::Camera;
+use saute_scene::input::{
+    Colouring, FLOOR_FIELD_RINGS, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RestKind, RestLook, SEAR_SETS,
+    SceneInput, SearLook, ToolKind, ToolLook,
+};
+use saute_scene::light::white_balance::WhiteBalance;
+use saute_scene::mesh::props::BOARD_CENTRE;
+
+use crate::colour::map::{ColourMap, TemperatureMap};
+use crate::cut::face::slice;
+use crate::cut::path::path_cut;
+use crate::pan::film::PanFilm;
+use crate::pan::spatter::Spots;
+use crate::pan::tint::PanTint;
+use crate::skin::halves::opened;
+use crate::skin::surface::Skin;
+use crate::vapour::steam;
+use crate::view::View;
+
+pub use crate::pose::{Places, Pose, following, pan_pose, poses};
+
+/// Options of a picture; by default the whole food as the eye sees it, from the working view.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StageOptions {
+    /// The eye.
+    pub camera: Camera,
+    /// View that the colours show.
+    pub view: View,
+    /// Which map shows temperatures.
+    pub map: TemperatureMap,
+    /// The scale of doneness; none where no scale says anything about the food.
+    pub scale: Option<Arc<Scale>>,
+    /// The cut: distance along the longest axis from the centroid over half the length (−1…1); none for no cut.
+    pub slice: Option<f64>,
+    /// The piece that is cut; all of them unless one is named.
+    pub cut: Option<String>,
+    /// White balance of the look.
+    pub white_balance: WhiteBalance,
+    /// Unlit, exactly decodable colours.
+    pub flat: bool,
+}
+
+/// Angle of the eye about the vertical axis when the cut is opened [rad] (chosen: the face is seen at a slant, the pan
+/// stays in view).
+pub const CUT_YAW: f32 = 0.62;
+
+/// The stage; caches the skins of the pieces between frames.
+#[derive(Clone, Debug, Default)]
+pub struct Stage {
+    skins: BTreeMap<String, CachedSkin>,
+    film: PanFilm,
+    tint: PanTint,
+    spots: Spots,
+    /// Index at which the next round of updates begins.
+    round: usize,
+    /// Tick of the last round.
+    refreshed: Option<u64>,
+    /// The colours of the view, and what they were made for.
+    colours: Option<(Shades, ColourMap)>,
+}
+
+/// View, colour map of temperatures and id of the scale of doneness.
+type Shades = (View, TemperatureMap, Option<String>);
+
+/// A skin with the vertices it has now.
+#[derive(Clone, Debug)]
+struct CachedSkin {
+    model: usize,
+    skin: Skin,
+    vertices: Arc<Vec<FoodVertex>>,
+    /// What the vertices were made for.
+    made_for: Option<SkinKey>,
+}
+
+/// State and view that vertices show.
+#[derive(Clone, Debug, PartialEq)]
+struct SkinKey {
+    ticks: u64,
+    view: View,
+    map: TemperatureMap,
+    scale: Option<String>,
+}
+
+/// A state this much older than shown is not yet worth new vertices, where there are many pieces [ticks] (chosen: 0.5
+/// s).
+const STALE_TICKS: u64 = 5;
+/// Pieces of which every one is shown as it is in every frame (chosen).
+pub(crate) const ALWAYS_FRESH: usize = 6;
+
+impl Stage {
+    /// Returns the renderer's input for one frame.
+    pub fn scene(&mut self, kitchen: &Kitchen, options: &StageOptions, places: &Places) -> SceneInput {
+        let pan = places.pan(kitchen);
+        let map = self.colours(options);
+        self.refresh(kitchen, options, map.as_ref());
+        let poses = places.all(kitchen);
+        let looks = kitchen.pieces().iter().zip(&poses);
+        let look = PanLook {
+            position: pan.position,
+            rotation: pan.rotation,
+            film: self.film.picture(kitchen),
+            tint: self.tint.picture(kitchen),
+            ..pan_look(kitchen, options.view, map.as_ref())
+        };
+        let spatter = self.spots.look(kitchen, &look);
+        SceneInput {
+            camera: following(&options.camera, places.followed(kitchen)),
+            hob: HobLook { power: (kitchen.hob_drawn_w() / 2000.0).min(1.0) as f32 },
+            pan: look,
+            foods: looks.flat_map(|(piece, pose)| self.food(piece, pose, options, map.as_ref())).collect(),
+            tool: tool(kitchen),
+            strings: Vec::new(),
+            rest: kitchen.pieces().iter().find_map(rest_look),
+            steam: steam(kitchen, &pan, &poses),
+            spatter,
+            time_s: kitchen.time_s() as f32,
+            colouring: map.map_or(Colouring::Look, |m| m.colouring()),
+            white_balance: options.white_balance,
+            flat: options.flat,
+            mirror: None,
+        }
+    }
+
+    /// The colours of the view: the same table as long as they are the same, so that it is not uploaded again.
+    fn colours(&mut self, options: &StageOptions) -> Option<ColourMap> {
+        let wanted = (options.view, options.map, options.scale.as_ref().map(|s| s.id.clone()));
+        if self.colours.as_ref().is_none_or(|(made_for, _)| *made_for != wanted) {
+            let map = options.view.colour_map(options.map, options.scale.as_deref());
+            self.colours = map.map(|map| (wanted, map));
+        }
+        self.colours.as_ref().map(|(_, map)| map.clone())
+    }
+
+    /// Drawn surface of a piece.
+    pub(crate) fn skin(&self, id: &str) -> Option<&Skin> {
+        self.skins.get(id).map(|cached| &cached.skin)
+    }
+
+    /// The drawn points of a piece in its body's frame [m], as far as it has been drawn.
+    pub fn points(&self, id: &str) -> &[FoodVertex] {
+        self.skins.get(id).map_or(&[], |cached| cached.vertices.as_slice())
+    }
+
+    /// Brings vertices up to date: of a few pieces all, of many a part at each tick, those that have waited longest
+    /// first.
+    fn refresh(&mut self, kitchen: &Kitchen, options: &StageOptions, map: Option<&ColourMap>) {
+        self.skins.retain(|id, _| kitchen.piece(id).is_some());
+        let count = kitchen.pieces().len();
+        let ticked = self.refreshed != Some(kitchen.tick());
+        self.refreshed = Some(kitchen.tick());
+        let mut left = if ticked { ALWAYS_FRESH.max(count.div_ceil(STALE_TICKS as usize)) } else { 0 };
+        let scale = options.scale.as_ref().map(|s| s.id.clone());
+        let first = if count > ALWAYS_FRESH { self.round } else { 0 };
+        for piece in kitchen.pieces().iter().cycle().skip(first % count.max(1)).take(count) {
+            let ticks = piece.state.ticks;
+            let wanted = SkinKey { ticks, view: options.view, map: options.map, scale: scale.clone() };
+            let cached = self.cached(piece);
+            let patient = count > ALWAYS_FRESH && cached.is_nearly(&wanted);
+            if cached.made_for.as_ref() == Some(&wanted) || (patient && left == 0) {
+                continue;
+            }
+            if patient {
+                left -= 1;
+            }
+            cached.vertices = Arc::new(cached.skin.vertices(piece, options.view, map));
+            cached.made_for = Some(wanted);
+            self.round += usize::from(patient);
+        }
+    }
+
+    fn cached(&mut self, piece: &Piece) -> &mut CachedSkin {
+        let model = Arc::as_ptr(&piece.model) as usize;
+        if self.skins.get(&piece.id).is_none_or(|cached| cached.model != model) {
+            let cached = CachedSkin { model, skin: Skin::new(piece), vertices: Arc::default(), made_for: None };
+            self.skins.insert(piece.id.clone(), cached);
+        }
+        self.skins.entry(piece.id.clone()).or_insert_with(|| CachedSkin {
+            model,
+            skin: Skin::new(piece),
+            vertices: Arc::default(),
+            made_for: None,
+        })
+    }
+
+    /// Returns the renderer's input for a piece; two for a piece that was halved.
+    fn food(&self, piece: &Piece, pose: &Pose, options: &StageOptions, map: Option<&ColourMap>) -> Vec<FoodLook> {
+        let Some(cached) = self.skins.get(&piece.id) else { return Vec::new() };
+        let sear = [Face::Bottom, Face::Top].map(|face| sear_looks(piece, face));
+        let whole = FoodLook {
+            mesh: cached.skin.mesh.clone(),
+            vertices: Arc::clone(&cached.vertices),
+            world_from_rest: pose.matrix(),
+            slice: None,
+            sear,
+        };
+        let curved = matches!(piece.model.mesh().layout(), Layout::Along(..));
+        let across = if curved { path_cut } else { slice };
+        if let Some(cut) = piece.halved().and_then(|cut| across(piece, cut.at, options.view, map)) {
+            return opened(piece, whole, cut).into();
+        }
+        let cut = options.cut.as_ref().is_none_or(|id| *id == piece.id);
+        let place = options.slice.filter(|_| cut);
+        vec![FoodLook { slice: place.and_then(|s| slice(piece, s * half_length(piece), options.view, map)), ..whole }]
+    }
+}
+
+/// The strongest sets of lines that ridges seared into a face.
+fn sear_looks(piece: &Piece, face: Face) -> [Option<SearLook>; SEAR_SETS] {
+    let mut sets = piece.all_sear_lines(face).into_iter().map(sear_look);
+    std::array::from_fn(|_| sets.next())
+}
+
+fn sear_look(lines: SearLines) -> SearLook {
+    SearLook {
+        direction: Vec2::from_array(lines.direction.map(|v| v as f32)),
+        phase: lines.phase as f32,
+        pitch: lines.pitch as f32,
+        width: lines.width as f32,
+        share: lines.share as f32,
+        browning: lines.browning.map(|v| v as f32),
+        charring: lines.charring.map(|v| v as f32),
+    }
+}
+
+impl CachedSkin {
+    /// Returns true if the update of the vertices may wait.
+    fn is_nearly(&self, wanted: &SkinKey) -> bool {
+        self.made_for.as_ref().is_some_and(|shown| {
+            let same = SkinKey { ticks: wanted.ticks, ..shown.clone() } == *wanted;
+            same && wanted.ticks.abs_diff(shown.ticks) < STALE_TICKS
+        })
+    }
+}
+
+/// The tool in the cook's hand.
+fn tool(kitchen: &Kitchen) -> Option<ToolLook> {
+    let hand = kitchen.hand();
+    let kind = match hand.tool {
+        Tool::Turner => ToolKind::Turner,
+        Tool::Tongs => ToolKind::Tongs { open: hand.gripped().is_none() },
+    };
+    hand.is_active()
+        .then(|| ToolLook { kind, world_from_tool: Pose::of_body(&hand.tool_pose(kitchen.world())).matrix() })
+}
+
+/// Rack or foil where a piece rests on or under one.
+fn rest_look(piece: &Piece) -> Option<RestLook> {
+    let kind = match piece.place {
+        Place::Rest(RestOn::Rack) => RestKind::Rack,
+        Place::Rest(RestOn::Foil) => RestKind::Foil,
+        _ => return None,
+    };
+    let [length, width, thickness] = piece.model.size().map(|v| v as f32);
+    let turn = Vec2::from_angle(piece.pose.rotation.as_quat().to_euler(glam::EulerRot::ZYX).0);
+    let half = 0.5 * (turn.abs() * length + turn.perp().abs() * width);
+    let centre = piece.pose.position.as_vec3().with_z(BOARD_CENTRE.z);
+    Some(RestLook { kind, centre, half, height: thickness })
+}
+
+/// The scale, where it says anything about what is cooked: about the first piece.
+pub fn fitting(kitchen: &Kitchen, scale: &Arc<Scale>) -> Option<Arc<Scale>> {
+    fitting_piece(kitchen.pieces().first(), scale)
+}
+
+/// The scale, where it says anything about a piece.
+pub fn fitting_piece(piece: Option<&Piece>, scale: &Arc<Scale>) -> Option<Arc<Scale>> {
+    piece.is_none_or(|p| scale.fits(p.model.kinetics())).then(|| Arc::clone(scale))
+}
+
+/// Factor by which the eye is nearer to a small piece [-]: it fills as much of the picture as a steak of 120 mm, and
+/// never nearer than is sharp (chosen).
+pub fn nearness(piece: &Piece) -> f32 {
+    ((half_length(piece) / 0.06) as f32).clamp(0.5, 1.0)
+}
+
+/// Half the longest extent of a piece [m].
+pub fn half_length(piece: &Piece) -> f64 {
+    0.5 * piece.model.size()[0].max(piece.model.size()[1])
+}
+
+fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
+    let description = &kitchen.pan_model().description;
+    let look = &description.look;
+    let linear = |v: f32| decoded(f64::from(v) / 255.0) as f32;
+    let oil_colour = kitchen.pan_model().liquids.colour(&kitchen.pan_state().liquids);
+    PanLook {
+        floor_radius: description.floor.radius_mm as f32 * 1e-3,
+        rim_radius: description.wall.rim_radius_mm as f32 * 1e-3,
+        rim_height: description.wall.height_mm as f32 * 1e-3,
+        thickness: kitchen.world().pan_shape().thickness as f32,
+        colour: Vec3::from_array(look.colour_srgb.map(|v| linear(f32::from(v)))),
+        metalness: look.metalness as f32,
+        roughness: look.roughness as f32,
+        film: Arc::default(),
+        tint: Arc::default(),
+        oil_colour: oil_colour.map_or(Vec3::ONE, |srgb| Vec3::from_array(srgb.map(|v| linear(v as f32)))),
+        ridges: kitchen.pan_model().ridges.map(|r| [r.pitch, r.width, r.height].map(|v| v as f32)),
+        lid: kitchen.pan_state().lid.as_ref().map(|lid| LidLook { fog: fog(lid) }),
+        position: Vec3::ZERO,
+        rotation: Quat::IDENTITY,
+        on_cloth: kitchen.cloth().is_some(),
+        floor_field: floor_field(kitchen, map.filter(|_| view == View::Temperature)),
+    }
+}
+
+/// Fogging of the lid's glass [-] (chosen): rises with the vapour under it until the glass is as hot as the vapour.
+fn fog(lid: &saute_kitchen::lid::Lid) -> f32 {
+    let damp = (lid.vapour_density() / 0.10).clamp(0.0, 1.0);
+    let cold = ((celsius(lid.air_temperature()) - celsius(lid.temperature)) / 12.0).clamp(0.25, 1.0);
+    (damp * cold) as f32
+}
+
+/// Mean temperature of the floor in rings, as map coordinates; −1 where the view does not colour the pan.
+fn floor_field(kitchen: &Kitchen, map: Option<&ColourMap>) -> [f32; FLOOR_FIELD_RINGS] {
+    let Some(map) = map else { return [-1.0; FLOOR_FIELD_RINGS] };
+    let (pan, state) = (kitchen.pan_model(), kitchen.pan_state());
+    let floor = pan.description.floor.radius_mm * 1e-3;
+    let mut sums = [(0.0, 0.0); FLOOR_FIELD_RINGS];
+    for (p, t) in pan.section.points[..pan.floor_nodes].iter().zip(&state.temperature) {
+        let place = p[0].hypot(p[1]) / floor * (FLOOR_FIELD_RINGS - 1) as f64;
+        for (ring, sum) in sums.iter_mut().enumerate() {
+            // A tent one node ring (8 mm) wide keeps every drawn ring fed.
+            let weight = (1.0 - (place - ring as f64).abs() / 1.6).max(0.0);
+            *sum = (sum.0 + weight * t, sum.1 + weight);
+        }
+    }
+    let mean = celsius(kitchen.pan_temperature());
+    sums.map(|(t, w)| map.coordinate(if w > 0.0 { celsius(t / w) } else { mean }))
+}

@@ -1,0 +1,152 @@
+//! A still of a recipe at one instant, drawn by the window's own renderer.
+
+use std::sync::Arc;
+
+use saute_kitchen::food::Scale;
+use saute_kitchen::kitchen::SetupError;
+use saute_kitchen::{InputError, Kitchen, Library, Piece, TICK_S};
+use saute_recipe::{Cook, Recipe};
+use saute_scene::camera::Camera;
+use saute_scene::light::white_balance::WhiteBalance;
+use saute_scene::quality::Quality;
+use saute_scene::renderer::SceneRenderer;
+
+use crate::colour::map::TemperatureMap;
+use crate::cut::section::Picture;
+use crate::split::scenes;
+use crate::stage::{CUT_YAW, Stage, StageOptions, fitting};
+use crate::still::headless::{Gpu, GpuError, still_at};
+use crate::view::View;
+use crate::waiting::FIRST_ON_BOARD;
+
+/// Errors of a still.
+#[derive(Debug, thiserror::Error)]
+pub enum ShotError {
+    /// The recipe ends before the requested time.
+    #[error(
+        "{file}:{line}: --at {at_s} is past the end: this step ends the cook at {end_s:.1} s\n  remedy: choose a time from 0 to {end_s:.1}"
+    )]
+    PastTheEnd {
+        /// Which recipe.
+        file: String,
+        /// Line of its last step, from 1.
+        line: usize,
+        /// The requested time [s].
+        at_s: f64,
+        /// When the recipe ends [s].
+        end_s: f64,
+    },
+    /// A step failed.
+    #[error(transparent)]
+    Run(#[from] InputError),
+    /// The kitchen cannot be set up.
+    #[error(transparent)]
+    Setup(#[from] SetupError),
+    /// Nothing can be drawn.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+}
+
+/// Cooks a recipe up to a time [s]; steps that are due then have been carried out.
+pub fn cook_until(recipe: Recipe, library: &Library, at_s: f64) -> Result<Cook, ShotError> {
+    let mut cook = Cook::new(recipe, library)?;
+    while cook.kitchen.time_s() < at_s - 0.5 * TICK_S {
+        cook.advance()?;
+        if cook.stopped().is_some() {
+            let end_s = cook.kitchen.time_s();
+            if end_s < at_s - 0.5 * TICK_S {
+                let recipe = cook.runner.recipe();
+                let line = recipe.steps.last().map_or(1, |step| step.line);
+                return Err(ShotError::PastTheEnd { file: recipe.file.clone(), line, at_s, end_s });
+            }
+        }
+    }
+    let Cook { runner, kitchen, .. } = &mut cook;
+    runner.poll(kitchen)?;
+    Ok(cook)
+}
+
+/// Options of a still.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShotOptions {
+    /// View that the colours show.
+    pub view: View,
+    /// True if the look is shown to its left.
+    pub split: bool,
+    /// True if the food is cut open.
+    pub slice: bool,
+    /// White balance of the look.
+    pub white_balance: WhiteBalance,
+    /// Rendering quality.
+    pub quality: Quality,
+    /// Unlit, exactly decodable colours.
+    pub flat: bool,
+    /// The scale of doneness.
+    pub scale: Arc<Scale>,
+}
+
+impl ShotOptions {
+    /// The eye: over hob and board, or, for a cut, near to the food and on the side to which the cut looks.
+    pub fn stage(&self, kitchen: &Kitchen) -> StageOptions {
+        let mut camera = Camera::three_quarter();
+        if self.slice {
+            let in_pan = kitchen.pieces().iter().any(Piece::in_pan);
+            camera.zoom(CUT_DISTANCE);
+            camera.target.x = 0.0;
+            camera.yaw = CUT_YAW;
+            if !in_pan {
+                camera.target = FIRST_ON_BOARD;
+            }
+        }
+        let slice = self.slice.then_some(0.0);
+        let scale = fitting(kitchen, &self.scale);
+        StageOptions {
+            camera,
+            view: self.view,
+            map: TemperatureMap::default(),
+            scale,
+            slice,
+            cut: None,
+            white_balance: self.white_balance,
+            flat: self.flat,
+        }
+    }
+}
+
+/// Factor on the distance from which a cut is seen [-] (chosen: the pan fills the picture).
+const CUT_DISTANCE: f32 = 0.62;
+
+/// Width of the line between the halves of a split picture at least [pixels].
+const LINE: u32 = 2;
+
+/// Cooks a recipe up to a time [s] and draws the kitchen.
+pub fn shot(
+    recipe: Recipe,
+    library: &Library,
+    at_s: f64,
+    options: ShotOptions,
+    size: [u32; 2],
+) -> Result<Picture, ShotError> {
+    let cook = cook_until(recipe, library, at_s)?;
+    let (gpu, stage) = (Gpu::open()?, options.stage(&cook.kitchen));
+    let draw = if options.split { pair } else { still_at };
+    Ok(draw(&gpu, &cook.kitchen, &stage, size, options.quality))
+}
+
+/// The look and the view of one instant side by side, each in half the width, with a dark line between.
+fn pair(gpu: &Gpu, kitchen: &Kitchen, options: &StageOptions, [width, height]: [u32; 2], quality: Quality) -> Picture {
+    let half = [(width - LINE) / 2, height];
+    let input = Stage::default().scene(kitchen, options, &Default::default());
+    let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
+    let scenes = scenes(input, true);
+    let halves = scenes.iter().map(|scene| renderer.render_to_image(&gpu.device, &gpu.queue, scene, half, quality));
+    let [row, all] = [half[0], width].map(|pixels| 4 * pixels as usize);
+    let mut rgba = [24, 24, 24, 255].repeat((width * height) as usize);
+    for (side, picture) in halves.enumerate() {
+        let left = side * (all - row);
+        for (from, to) in picture.chunks(row).zip(rgba.chunks_mut(all)) {
+            to[left..left + row].copy_from_slice(from);
+        }
+    }
+    Picture { width: width as usize, height: height as usize, rgba }
+}

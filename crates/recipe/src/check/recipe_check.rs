@@ -1,0 +1,281 @@
+//! Checks a recipe as it is written and turns it into SI units.
+
+use saute_food::{FoodDescription, MeshSize, Rules};
+use toml::Spanned;
+
+use crate::check::sequence_check::Sequence;
+use crate::file::recipe_file::{FoodEntry, MOST_PIECES, MeshName, PanEntry, Preset, RecipeFile, StepEntry, WhenEntry};
+use crate::recipe::{ALL, Group, Quantity, Recipe, Step, Target, Trigger};
+use saute_kitchen::data::library::{Library, line_of};
+use saute_kitchen::kelvin;
+use saute_kitchen::kitchen::PieceOrder;
+use saute_kitchen::{InputError, InputText};
+
+/// A recipe's text with what it may name.
+pub(crate) struct Check<'a> {
+    pub(crate) input: InputText<'a>,
+    pub(crate) library: &'a Library,
+}
+
+/// The foods of a recipe by their names.
+pub(crate) struct Cast {
+    foods: Vec<PieceOrder>,
+    groups: Vec<Group>,
+}
+
+pub(crate) type Checked<T> = Result<T, InputError>;
+
+impl Check<'_> {
+    pub(crate) fn recipe(&self) -> Checked<Recipe> {
+        if self.input.text.trim().is_empty() {
+            return self.input.error(0, "the file is empty", "start from a shipped recipe: saute list recipes");
+        }
+        let raw: RecipeFile = self.input.parse("the keys and their types are listed by: saute schema recipe")?;
+        let max_s = raw.max_s.as_ref().map_or(Ok(3600.0), |s| self.input.ranged("max_s", s, 1.0, 86_400.0))?;
+        let (pan_kind, pan_temperature) = self.pan(raw.pan.as_ref().map(Spanned::get_ref))?;
+        let rules = if raw.preset == Some(Preset::Paper2013) { Rules::Paper2013 } else { Rules::Full };
+        let cast = self.cast(&raw.food, rules)?;
+        let steps = raw.step.iter().map(|s| self.step(s, &cast)).collect::<Checked<Vec<_>>>()?;
+        let places: Vec<usize> = raw.step.iter().map(|s| s.span().start).collect();
+        Sequence::new(self.input, cast.foods.iter().map(|f| f.id.as_str())).check(&steps, &places)?;
+        Ok(Recipe {
+            title: labelled(raw.title.unwrap_or_else(|| self.input.file.to_owned()), rules),
+            max_s,
+            pan_kind,
+            pan_temperature,
+            foods: cast.foods,
+            groups: cast.groups,
+            steps,
+            file: self.input.file.to_owned(),
+            text: self.input.text.to_owned(),
+        })
+    }
+
+    fn pan(&self, entry: Option<&PanEntry>) -> Checked<(String, f64)> {
+        let default = PanEntry::default();
+        let entry = entry.unwrap_or(&default);
+        let initial =
+            entry.initial_c.as_ref().map_or(Ok(20.0), |c| self.input.ranged("pan.initial_c", c, 0.0, 300.0))?;
+        let Some(kind) = &entry.kind else { return Ok(("carbon-steel-26".into(), kelvin(initial))) };
+        if !self.library.pans.contains_key(kind.get_ref()) {
+            let remedy = format!("use one of: {}", Library::names(&self.library.pans));
+            return self.input.error(
+                kind.span().start,
+                format!("pan.kind = \"{}\" is not a pan", kind.get_ref()),
+                remedy,
+            );
+        }
+        Ok((kind.get_ref().clone(), kelvin(initial)))
+    }
+
+    fn cast(&self, entries: &[Spanned<FoodEntry>], rules: Rules) -> Checked<Cast> {
+        let mut cast = Cast { foods: Vec::new(), groups: Vec::new() };
+        for entry in entries {
+            let entry = entry.get_ref();
+            let one = self.food(entry, rules)?;
+            let Some(count) = self.count(entry)? else {
+                cast.foods.push(one);
+                continue;
+            };
+            let first = cast.foods.len();
+            cast.foods.extend((0..count).map(|i| PieceOrder {
+                id: format!("{}.{}", one.id, i + 1),
+                seed: one.seed + i,
+                ..one.clone()
+            }));
+            cast.groups.push(Group { id: one.id, kind: one.kind, members: first..cast.foods.len() });
+        }
+        self.check_ids(entries)?;
+        Ok(cast)
+    }
+
+    fn food(&self, entry: &FoodEntry, rules: Rules) -> Checked<PieceOrder> {
+        let Some(description) = self.library.foods.get(entry.kind.get_ref()) else {
+            let remedy = format!("use one of: {}", Library::names(&self.library.foods));
+            let message = format!("food kind = \"{}\" is not a food", entry.kind.get_ref());
+            return self.input.error(entry.kind.span().start, message, remedy);
+        };
+        self.check_id(&entry.id)?;
+        let size_mm = self.size(entry, description)?;
+        let initial =
+            entry.initial_c.as_ref().map_or(Ok(5.0), |c| self.input.ranged("food.initial_c", c, 0.0, 60.0))?;
+        Ok(PieceOrder {
+            id: entry.id.get_ref().clone(),
+            kind: entry.kind.get_ref().clone(),
+            size: size_mm.map(|v| v * 1e-3),
+            temperature: kelvin(initial),
+            seed: u64::from(entry.seed.unwrap_or(1)),
+            coarseness: 1.0,
+            rules,
+            mesh: match entry.mesh.unwrap_or_default() {
+                MeshName::Default => MeshSize::Default,
+                MeshName::Paper2013 => MeshSize::Paper2013,
+            },
+        })
+    }
+
+    fn check_id(&self, id: &Spanned<String>) -> Checked<()> {
+        let (name, at) = (id.get_ref(), id.span().start);
+        let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+        if name == ALL {
+            let message = "food id = \"all\" stands for all foods of a recipe";
+            return self.input.error(at, message, "choose another id, as in id = \"steak\"");
+        }
+        if name.is_empty() || !name.chars().all(plain) {
+            let message = format!("food id = \"{name}\" cannot be used");
+            return self.input.error(at, message, "use letters, digits, - and _, as in id = \"steak\"");
+        }
+        Ok(())
+    }
+
+    /// How many pieces a group has; none where the food is a single piece.
+    fn count(&self, entry: &FoodEntry) -> Checked<Option<u64>> {
+        let Some(count) = &entry.count else { return Ok(None) };
+        if (1..=MOST_PIECES).contains(count.get_ref()) {
+            return Ok(Some(count.get_ref().unsigned_abs()));
+        }
+        let message = format!("count = {} is out of range", count.get_ref());
+        self.input.error(count.span().start, message, format!("a group has 1 to {MOST_PIECES} pieces"))
+    }
+
+    fn size(&self, entry: &FoodEntry, description: &FoodDescription) -> Checked<[f64; 3]> {
+        let (form, range) = (description.form, &description.size);
+        let (given, at) = match &entry.size_mm {
+            Some(given) => (given.get_ref().as_slice(), given.span().start),
+            None => (range.default_mm.as_slice(), entry.kind.span().start),
+        };
+        let names = form.dimensions();
+        let Some(size) = form.extent(given) else {
+            let defaults: Vec<String> = range.default_mm.iter().map(f64::to_string).collect();
+            return self.input.error(
+                at,
+                format!("size_mm needs {} numbers", ["no", "one", "two", "three"][names.len()]),
+                format!("write size_mm = [{}], for instance [{}]", names.join(", "), defaults.join(", ")),
+            );
+        };
+        for (axis, name) in names.iter().enumerate() {
+            let (low, high) = (range.min_mm[axis], range.max_mm[axis]);
+            if !(low..=high).contains(&given[axis]) {
+                let message = format!("size_mm: the {name} of {} mm is out of range", given[axis]);
+                return self.input.error(at, message, format!("the {name} may be {low} to {high} mm"));
+            }
+        }
+        if size[2] > size[0].max(size[1]) {
+            let message = format!("size_mm: the thickness of {} mm is larger than length and width", size[2]);
+            return self.input.error(at, message, "lay the piece on its side: write size_mm = [length, width, thickness] with the thickness not the largest");
+        }
+        Ok(size)
+    }
+
+    fn check_ids(&self, foods: &[Spanned<FoodEntry>]) -> Checked<()> {
+        let mut seen = std::collections::BTreeSet::new();
+        for food in foods {
+            let id = &food.get_ref().id;
+            if !seen.insert(id.get_ref()) {
+                return self.input.error(
+                    id.span().start,
+                    format!("food id = \"{}\" is used twice", id.get_ref()),
+                    "give every food its own id",
+                );
+            }
+        }
+        Ok(())
+    }
+
+    fn step(&self, entry: &Spanned<StepEntry>, cast: &Cast) -> Checked<Step> {
+        let at = entry.span().start;
+        let step = entry.get_ref();
+        Ok(Step {
+            trigger: self.trigger(at, step, cast)?,
+            action: self.action(at, step, cast)?,
+            line: line_of(self.input.text, at),
+        })
+    }
+
+    fn trigger(&self, at: usize, step: &StepEntry, cast: &Cast) -> Checked<Trigger> {
+        match (&step.at_s, &step.after_s, &step.when) {
+            (None, None, None) => Ok(Trigger::After(0.0)),
+            (Some(s), None, None) => Ok(Trigger::At(self.input.ranged("at_s", s, 0.0, 86_400.0)?)),
+            (None, Some(s), None) => Ok(Trigger::After(self.input.ranged("after_s", s, 0.0, 86_400.0)?)),
+            (None, None, Some(when)) => self.condition(when, cast),
+            _ => self.input.error(at, "the step has more than one trigger", "keep one of at_s, after_s, when"),
+        }
+    }
+
+    fn condition(&self, when: &Spanned<WhenEntry>, cast: &Cast) -> Checked<Trigger> {
+        let at = when.span().start;
+        let w = when.get_ref();
+        let given: Vec<(Quantity, f64)> = [
+            (Quantity::Core, w.core_c.map(kelvin)),
+            (Quantity::Top, w.top_c.map(kelvin)),
+            (Quantity::Bottom, w.bottom_c.map(kelvin)),
+            (Quantity::Mass, w.mass_g.map(|g| g * 1e-3)),
+        ]
+        .into_iter()
+        .filter_map(|(q, v)| Some((q, v?)))
+        .collect();
+        let trigger = match (w.pan_c, &w.food, given.as_slice()) {
+            (Some(c), None, []) => Trigger::Pan(kelvin(c)),
+            (None, Some(food), [(quantity, value)]) => {
+                Trigger::Food { food: self.target(food, "when.food", cast)?, quantity: *quantity, value: *value }
+            }
+            _ => {
+                return self.input.error(at, "when needs one condition", "write when = { pan_c = 180 } or when = { food = \"steak\", core_c = 57 } (also top_c, bottom_c, mass_g)");
+            }
+        };
+        let value = match &trigger {
+            Trigger::Pan(v) | Trigger::Food { value: v, .. } => *v,
+            _ => 0.0,
+        };
+        if !value.is_finite() || value < 0.0 || value > kelvin(500.0) {
+            return self.input.error(
+                at,
+                "the condition's value is out of range",
+                "temperatures may be 0 to 500 °C, masses 0 to 500 kg",
+            );
+        }
+        Ok(trigger)
+    }
+
+    /// The foods behind a name: a piece, a group, or all.
+    pub(crate) fn target(&self, id: &Spanned<String>, key: &str, cast: &Cast) -> Checked<Target> {
+        let name = id.get_ref();
+        let ids = |foods: &[PieceOrder]| foods.iter().map(|f| f.id.clone()).collect();
+        let target = |foods: Vec<String>, group: bool| Ok(Target { name: name.clone(), foods, group });
+        if let Some(group) = cast.groups.iter().find(|g| g.id == *name) {
+            return target(ids(&cast.foods[group.members.clone()]), true);
+        }
+        if cast.foods.iter().any(|f| f.id == *name) {
+            return target(vec![name.clone()], false);
+        }
+        if name == ALL && !cast.foods.is_empty() {
+            return target(ids(&cast.foods), true);
+        }
+        self.input.error(id.span().start, format!("{key} = \"{name}\" names no food of this recipe"), cast.remedy())
+    }
+}
+
+impl Cast {
+    /// Which names could be used.
+    fn remedy(&self) -> String {
+        if self.foods.is_empty() {
+            return "add a [[food]] with that id".to_owned();
+        }
+        let single = |i: &usize| !self.groups.iter().any(|g| g.members.contains(i));
+        let singles = (0..self.foods.len()).filter(single).map(|i| self.foods[i].id.clone());
+        let groups = self.groups.iter().map(|g| match g.members.len() {
+            1 => format!("{0} ({0}.1)", g.id),
+            n => format!("{0} ({0}.1 to {0}.{n})", g.id),
+        });
+        let names: Vec<String> = singles.chain(groups).collect();
+        format!("use one of the recipe's foods: {}; or all", names.join(", "))
+    }
+}
+
+/// A title that says which rules were followed, unless it was all of them.
+fn labelled(title: String, rules: Rules) -> String {
+    match rules {
+        Rules::Full => title,
+        Rules::Paper2013 => format!("{title} [rules of 2013]"),
+    }
+}

@@ -1,0 +1,117 @@
+//! What is remembered while cooking: series and extremes.
+
+use std::ops::Range;
+
+use crate::cook::step_record::{StepRecord, rounded};
+use crate::recipe::Group;
+use saute_kitchen::celsius;
+use saute_kitchen::kitchen::Kitchen;
+
+/// One row of the series.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Time [s].
+    pub time_s: f64,
+    /// Electrical power drawn from the mains [W].
+    pub hob_drawn_w: f64,
+    /// Area mean of the pan's floor [°C].
+    pub pan_c: f64,
+    /// For each food: core, top, bottom [°C], mass [g].
+    pub foods: Vec<[f64; 4]>,
+}
+
+impl Row {
+    /// Means over foods: core, top, bottom [°C], mass [g].
+    pub fn mean(&self, members: &Range<usize>) -> [f64; 4] {
+        let foods = &self.foods[members.clone()];
+        core::array::from_fn(|k| foods.iter().map(|f| f[k]).sum::<f64>() / foods.len() as f64)
+    }
+}
+
+/// Series and extremes of a cook.
+#[derive(Clone, Debug, Default)]
+pub struct Recorder {
+    /// Rows, every second and at every step.
+    pub rows: Vec<Row>,
+    /// Highest pan temperature [°C].
+    pub pan_peak_c: f64,
+    /// Pan temperature when the first food went in [°C].
+    pub pan_at_first_put_c: Option<f64>,
+    /// Lowest pan temperature since [°C].
+    pub pan_lowest_after_c: Option<f64>,
+}
+
+impl Recorder {
+    /// Looks at the kitchen after a tick (or at the start).
+    pub fn observe(&mut self, kitchen: &Kitchen) {
+        let pan = celsius(kitchen.pan_temperature());
+        self.pan_peak_c = if kitchen.tick() == 0 { pan } else { self.pan_peak_c.max(pan) };
+        if let Some(lowest) = &mut self.pan_lowest_after_c {
+            *lowest = lowest.min(pan);
+        }
+        if kitchen.tick().is_multiple_of(TICKS_PER_ROW) {
+            self.write_row(kitchen);
+        }
+    }
+
+    /// Remembers the pan at the first put.
+    pub fn on_put(&mut self, kitchen: &Kitchen) {
+        let pan = celsius(kitchen.pan_temperature());
+        self.pan_at_first_put_c.get_or_insert(pan);
+        self.pan_lowest_after_c.get_or_insert(pan);
+    }
+
+    /// Remembers the steps that were fired now.
+    pub fn on_steps(&mut self, kitchen: &Kitchen, fired: &[StepRecord]) {
+        if fired.iter().any(|step| step.action == "put") {
+            self.on_put(kitchen);
+        }
+        if !fired.is_empty() {
+            self.write_row(kitchen);
+        }
+    }
+
+    /// Adds a row for now; one that repeats the last row's time replaces it.
+    pub fn write_row(&mut self, kitchen: &Kitchen) {
+        let food = |p: &saute_kitchen::Piece| {
+            [celsius(p.core()), celsius(p.face(false)), celsius(p.face(true)), 1e3 * p.mass()]
+        };
+        let row = Row {
+            time_s: rounded(kitchen.time_s()),
+            hob_drawn_w: kitchen.hob_drawn_w(),
+            pan_c: celsius(kitchen.pan_temperature()),
+            foods: kitchen.pieces().iter().map(food).collect(),
+        };
+        if self.rows.last().is_some_and(|last| last.time_s == row.time_s) {
+            self.rows.pop();
+        }
+        self.rows.push(row);
+    }
+
+    /// Returns the series as CSV: columns for each food by its id, then for the means of each group. Decimals are fixed, so that
+    /// the same cook gives the same bytes.
+    pub fn csv(&self, ids: &[&str], groups: &[Group]) -> Result<String, csv::Error> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        let names = ids.iter().copied().chain(groups.iter().map(|g| g.id.as_str()));
+        let columns = names.flat_map(|id| FOOD_COLUMNS.map(|column| format!("{id}.{column}")));
+        writer.write_record(COLUMNS.map(str::to_owned).into_iter().chain(columns))?;
+        for row in &self.rows {
+            let own = [format!("{:.1}", row.time_s), format!("{:.0}", row.hob_drawn_w), format!("{:.3}", row.pan_c)];
+            let means = groups.iter().map(|g| row.mean(&g.members));
+            let foods = row.foods.iter().copied().chain(means).flat_map(|[core, top, bottom, mass]| {
+                [format!("{core:.3}"), format!("{top:.3}"), format!("{bottom:.3}"), format!("{mass:.4}")]
+            });
+            writer.write_record(own.into_iter().chain(foods))?;
+        }
+        let bytes = writer.into_inner().map_err(|e| e.into_error())?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+}
+
+/// Columns of the series that belong to no food.
+const COLUMNS: [&str; 3] = ["time_s", "hob_drawn_w", "pan_c"];
+/// Columns of each food and of the mean of each group, after the id and a dot.
+const FOOD_COLUMNS: [&str; 4] = ["core_c", "top_c", "bottom_c", "mass_g"];
+
+/// Ticks between two rows: one second.
+const TICKS_PER_ROW: u64 = 10;

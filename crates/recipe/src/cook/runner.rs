@@ -1,0 +1,249 @@
+//! Runs the steps of a recipe against a kitchen.
+
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use crate::cook::step_record::{StepRecord, parts, record};
+use crate::cook::watch::Watch;
+use crate::recipe::{ALL, Action, Deed, Quantity, Recipe, Target, Trigger};
+use saute_kitchen::InputError;
+use saute_kitchen::hands::command::{Command, Refused};
+use saute_kitchen::kitchen::Kitchen;
+use saute_kitchen::{TICK_S, celsius};
+
+/// Why a cook stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum StoppedBy {
+    /// The recipe's last step.
+    End,
+    /// The recipe's `max_s`.
+    MaxS,
+}
+
+/// Walks through a recipe's steps.
+#[derive(Clone, Debug)]
+pub struct Runner {
+    recipe: Arc<Recipe>,
+    next: usize,
+    begun: bool,
+    ready_at: f64,
+    armed: Option<Watch>,
+    stopped: Option<StoppedBy>,
+}
+
+/// Times closer than this count as equal [s] (chosen: far below a tick, far above rounding).
+const SAME_TIME: f64 = 1e-6;
+
+impl Runner {
+    /// Starts at the first step.
+    pub fn new(recipe: Arc<Recipe>) -> Self {
+        Self { recipe, next: 0, begun: false, ready_at: 0.0, armed: None, stopped: None }
+    }
+
+    /// The recipe.
+    pub fn recipe(&self) -> &Arc<Recipe> {
+        &self.recipe
+    }
+
+    /// Why the cook stopped, once it has.
+    pub fn stopped(&self) -> Option<StoppedBy> {
+        self.stopped
+    }
+
+    /// Index of the step that is waited for.
+    pub fn waiting_step(&self) -> usize {
+        self.next
+    }
+
+    /// What the step that is waited for does, as recipes write it, and to which food or group.
+    pub fn waiting_deed(&self) -> Option<(&'static str, Option<&str>)> {
+        let (key, target, _) = parts(&self.recipe.steps.get(self.next)?.action);
+        Some((key, target))
+    }
+
+    /// When the action before has ended, from which `after_s` counts [s].
+    pub fn ready_at_s(&self) -> f64 {
+        self.ready_at
+    }
+
+    /// Fires every step that is due now and returns what was done; call it between ticks.
+    pub fn poll(&mut self, kitchen: &mut Kitchen) -> Result<Vec<StepRecord>, InputError> {
+        if !self.begun {
+            self.begun = true;
+            self.check_room(kitchen)?;
+        }
+        let mut fired = Vec::new();
+        while self.stopped.is_none() {
+            if kitchen.time_s() > self.recipe.max_s - SAME_TIME && !self.due_at_the_end(kitchen) {
+                self.stopped = Some(StoppedBy::MaxS);
+            } else if self.due(kitchen)? {
+                fired.push(self.fire(kitchen)?);
+            } else {
+                break;
+            }
+        }
+        Ok(fired)
+    }
+
+    /// Groups that do not even fit into the empty pan are refused before anything is cooked.
+    fn check_room(&self, kitchen: &Kitchen) -> Result<(), InputError> {
+        for (step, entry) in self.recipe.steps.iter().enumerate() {
+            if let Action::Each(target, deed @ Deed::Put { at, heap: false }) = &entry.action
+                && target.group
+                && target.name != ALL
+            {
+                let places = kitchen.free_places(&target.foods, *at);
+                self.all_fit(step, &target.name, [places.len(), target.foods.len()], *deed)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// At `max_s` itself a step that is due still counts.
+    fn due_at_the_end(&mut self, kitchen: &Kitchen) -> bool {
+        matches!(self.due(kitchen), Ok(true))
+    }
+
+    fn due(&mut self, kitchen: &Kitchen) -> Result<bool, InputError> {
+        let now = kitchen.time_s();
+        // A step at a time of its own fires then; all others wait until the hands are done with the step before.
+        let at_its_time = matches!(self.recipe.steps[self.next].trigger, Trigger::At(_));
+        if kitchen.busy() && !at_its_time {
+            return Ok(false);
+        }
+        if now < self.ready_at - SAME_TIME {
+            return Ok(false);
+        }
+        let recipe = Arc::clone(&self.recipe);
+        match &recipe.steps[self.next].trigger {
+            Trigger::At(s) => {
+                if now > s + TICK_S - SAME_TIME && self.armed.is_none() {
+                    return Err(self.error(
+                        self.next,
+                        format!("at_s = {s} is already past: the step before it ended at {now:.1} s"),
+                        "use a later at_s, or after_s",
+                    ));
+                }
+                self.armed = Some(Watch::on(&[]));
+                Ok(now >= s - SAME_TIME)
+            }
+            Trigger::After(s) => Ok(now >= self.ready_at + s - SAME_TIME),
+            Trigger::Pan(value) => Ok(self.crossed(&[kitchen.pan_temperature() - value])),
+            Trigger::Food { food, quantity, value } => {
+                let difference = |id: &String| kitchen.piece(id).map_or(f64::NAN, |p| quantity.of(p)) - value;
+                Ok(self.crossed(&food.foods.iter().map(difference).collect::<Vec<f64>>()))
+            }
+        }
+    }
+
+    /// Whether the differences have crossed zero since the step was armed.
+    fn crossed(&mut self, differences: &[f64]) -> bool {
+        self.armed.get_or_insert_with(|| Watch::on(differences)).look(differences)
+    }
+
+    fn fire(&mut self, kitchen: &mut Kitchen) -> Result<StepRecord, InputError> {
+        let action = self.recipe.steps[self.next].action.clone();
+        let now = kitchen.time_s();
+        let foods = match &action {
+            Action::Do(command) => self.apply(kitchen, command).map(|()| Vec::new()),
+            Action::Each(target, deed) => self.fire_each(kitchen, target, *deed),
+            Action::End => Ok(Vec::new()),
+        }?;
+        self.ready_at = now + action.duration_s();
+        self.armed = None;
+        if action == Action::End {
+            self.stopped = Some(StoppedBy::End);
+        } else {
+            self.next += 1;
+        }
+        Ok(record(&action, foods, now))
+    }
+
+    fn apply(&self, kitchen: &mut Kitchen, command: &Command) -> Result<(), InputError> {
+        let refused = |r: Refused| self.error(self.next, r.to_string(), "change this step or the ones before it");
+        kitchen.apply(command).map_err(refused)
+    }
+
+    /// Gives a command for each food that the deed can concern; returns those.
+    fn fire_each(&self, kitchen: &mut Kitchen, target: &Target, deed: Deed) -> Result<Vec<String>, InputError> {
+        let foods = concerned(kitchen, target, deed);
+        let places = self.places(kitchen, target, &foods, deed)?;
+        for (food, at) in foods.iter().zip(places) {
+            self.apply(kitchen, &deed.command(food.clone(), at))?;
+        }
+        Ok(foods)
+    }
+
+    /// Where each food goes: a single one, and those that are heaped, where the recipe says; a group side by side.
+    fn places(
+        &self,
+        kitchen: &Kitchen,
+        target: &Target,
+        foods: &[String],
+        deed: Deed,
+    ) -> Result<Vec<[f64; 2]>, InputError> {
+        let around = match deed {
+            Deed::Put { at, heap: false } | Deed::Move(at) if target.group => at,
+            Deed::Put { at, .. } | Deed::Move(at) => return Ok(vec![at; foods.len()]),
+            _ => return Ok(vec![[0.0; 2]; foods.len()]),
+        };
+        let places = kitchen.free_places(foods, around);
+        self.all_fit(self.next, &target.name, [places.len(), foods.len()], deed)?;
+        Ok(places)
+    }
+
+    /// An error where fewer foods than all find room.
+    fn all_fit(&self, step: usize, name: &str, [fit, all]: [usize; 2], deed: Deed) -> Result<(), InputError> {
+        if fit == all {
+            return Ok(());
+        }
+        let message = format!("not all of \"{name}\" find room on the floor of the pan: {fit} of {all} fit");
+        let heap = format!("write put = {{ food = \"{name}\", heap = true }} to drop them onto each other");
+        let other = if matches!(deed, Deed::Move(_)) { "take something out before this step" } else { &heap };
+        Err(self.error(step, message, &format!("choose fewer or smaller pieces, or {other}")))
+    }
+
+    fn error(&self, step: usize, message: String, remedy: &str) -> InputError {
+        let line = self.recipe.steps[step].line;
+        InputError { file: self.recipe.file.clone(), line, message, remedy: remedy.to_owned() }
+    }
+
+    /// What the waiting step waits for, in words.
+    pub fn waiting_for(&self) -> String {
+        let Some(step) = self.recipe.steps.get(self.next) else { return "the end".into() };
+        let (key, target, _) = parts(&step.action);
+        let what = target.map_or_else(|| key.to_owned(), |t| format!("{key} {t}"));
+        match &step.trigger {
+            Trigger::At(s) => format!("{what} at {s:.0} s"),
+            Trigger::After(s) => format!("{what} at {:.0} s", self.ready_at + s),
+            Trigger::Pan(t) => format!("{what} when the pan reaches {:.0} °C", celsius(*t)),
+            Trigger::Food { food, quantity, value } => format!("{what} when {}", expected(food, *quantity, *value)),
+        }
+    }
+}
+
+/// A condition on foods in words.
+fn expected(target: &Target, quantity: Quantity, value: f64) -> String {
+    let name = match (target.group, target.name.as_str()) {
+        (true, ALL) => "every food".to_owned(),
+        (true, group) => format!("each of {group}"),
+        (false, food) => food.to_owned(),
+    };
+    let degrees = celsius(value);
+    match quantity {
+        Quantity::Mass => format!("{name} weighs {:.0} g", value * 1e3),
+        Quantity::Core => format!("the core of {name} reaches {degrees:.0} °C"),
+        Quantity::Top => format!("the top of {name} reaches {degrees:.0} °C"),
+        Quantity::Bottom => format!("the underside of {name} reaches {degrees:.0} °C"),
+    }
+}
+
+/// The foods that a deed can concern: of a group those that lie where the deed needs them. Where there is none,
+/// all of them, so that the kitchen says why.
+fn concerned(kitchen: &Kitchen, target: &Target, deed: Deed) -> Vec<String> {
+    let fits = |id: &&String| kitchen.piece(id).is_some_and(|p| deed.concerns(p));
+    let fitting: Vec<String> = target.foods.iter().filter(fits).cloned().collect();
+    if target.group && !fitting.is_empty() { fitting } else { target.foods.clone() }
+}

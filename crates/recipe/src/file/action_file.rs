@@ -1,0 +1,304 @@
+//! The actions of a recipe as they are written: each is a table with defaults, and a bare value takes those.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+use toml::Spanned;
+
+use crate::file::shorthand::Shorthand;
+use saute_kitchen::hands::command::RestOn;
+
+/// Smallest and largest value of a key and what it is unless given, in the unit of the key.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Smallest.
+    pub low: f64,
+    /// Largest.
+    pub high: f64,
+    /// Unless given.
+    pub default: f64,
+}
+
+const fn limits(low: f64, high: f64, default: f64) -> Limits {
+    Limits { low, high, default }
+}
+
+/// Least and most oil or butter at a time [g] (chosen: more is deep frying).
+pub const FAT_G: [f64; 2] = [0.0, 300.0];
+/// Least and most water at a time [g] (chosen: the shipped pans overflow at 2 kg).
+pub const WATER_G: [f64; 2] = [0.0, 1000.0];
+/// Least and most tilt of the pan [°] (chosen: beyond 80° everything falls out).
+pub const TILT_DEG: [f64; 2] = [0.0, 80.0];
+/// Height of a toss [mm] (chosen: a cook's toss clears the rim by a hand; half a metre is a show).
+pub const TOSS_HEIGHT_MM: Limits = limits(50.0, 500.0, 250.0);
+/// Amplitude of shaking [mm] (chosen: an arm shakes a pan by ± 20 mm at ease; 100 mm leaves the hob).
+pub const SHAKE_AMPLITUDE_MM: Limits = limits(0.0, 100.0, 20.0);
+/// Frequency of shaking [Hz] (chosen: a cook shakes three times a second; nobody faster than eight times).
+pub const SHAKE_HZ: Limits = limits(0.0, 8.0, 3.0);
+/// How long shaking and pressing last [s] (chosen: a few strokes).
+pub const FOR_S: Limits = limits(0.1, 600.0, 5.0);
+/// Direction of a tilt [°] (chosen: any; to the right).
+pub const TOWARDS_DEG: Limits = limits(-360.0, 360.0, 0.0);
+/// Force of pressing [N] (chosen: the weight of one kilogram; a hand on a turner hardly gives more than 100 N).
+pub const PRESS_N: Limits = limits(0.0, 100.0, 10.0);
+/// Place of the knife's cut from the middle of a food [mm] (chosen: half of the longest food).
+pub const HALVE_AT_MM: Limits = limits(-150.0, 150.0, 0.0);
+/// Height of the pan above the glass [mm] (chosen: within reach; it stands).
+pub const LIFT_MM: Limits = limits(0.0, 500.0, 0.0);
+/// How long the pan stands on the cloth [s]; its default stands in `kitchen.toml`.
+pub const COOL_S: Limits = limits(0.1, 600.0, 3.0);
+
+/// Sets the hob.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HobTable {
+    /// Electrical power [W].
+    #[schemars(with = "f64", range(min = 0, max = 3500))]
+    pub w: Spanned<f64>,
+}
+
+/// Puts a food into the pan.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PutTable {
+    /// A food, a group, or "all"; of several those that are not in the pan. They are laid side by side.
+    #[schemars(with = "String")]
+    pub food: Spanned<String>,
+    /// Place of its centre relative to the pan's, or that about which a group lies [mm]; [0, 0] by default.
+    #[schemars(with = "Option<[f64; 2]>", extend("default" = [0, 0]))]
+    pub at_mm: Option<Spanned<Vec<f64>>>,
+    /// Drops it from above onto what lies there, one piece after the other; false by default.
+    #[schemars(extend("default" = false))]
+    pub heap: Option<bool>,
+}
+
+/// Turns foods over.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FlipTable {
+    /// A food, a group, or "all"; of several those that are in the pan.
+    #[schemars(with = "String")]
+    pub food: Spanned<String>,
+}
+
+/// Takes foods out of the pan to rest.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RestTable {
+    /// A food, a group, or "all"; of several those that are in the pan.
+    #[schemars(with = "String")]
+    pub food: Spanned<String>,
+    /// Onto what; the board by default.
+    #[schemars(extend("default" = "board"))]
+    pub on: Option<RestOn>,
+}
+
+/// Cuts foods that lie on the board in halves across their long axis, once, and opens them; foil is
+/// taken off.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HalveTable {
+    /// A food, a group, or "all"; of several those that lie on the board whole.
+    #[schemars(with = "String")]
+    pub food: Spanned<String>,
+    /// Place of the cut along the long axis, from the middle [mm]; 0 by default.
+    #[schemars(with = "Option<f64>", range(min = HALVE_AT_MM.low, max = HALVE_AT_MM.high), extend("default" = HALVE_AT_MM.default))]
+    pub at_mm: Option<Spanned<f64>>,
+}
+
+/// Moves the pan over the hob, or lifts it, until it is moved again: back onto its ring by default. More than 15 mm above the
+/// glass or off the ring it gets no power.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MovePanTable {
+    /// Its centre relative to the ring's [mm]; [0, 0] by default.
+    #[schemars(with = "Option<[f64; 2]>", extend("default" = [0, 0]))]
+    pub at_mm: Option<Spanned<Vec<f64>>>,
+    /// Its height above the glass [mm]; 0 by default.
+    #[schemars(with = "Option<f64>", range(min = LIFT_MM.low, max = LIFT_MM.high), extend("default" = LIFT_MM.default))]
+    pub lift_mm: Option<Spanned<f64>>,
+}
+
+/// Sets the pan on something cool, off the hob.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CoolTable {
+    /// What cools it.
+    pub by: CoolBy,
+    /// How long [s]; 3 by default.
+    #[schemars(with = "Option<f64>", range(min = COOL_S.low, max = COOL_S.high), extend("default" = COOL_S.default))]
+    pub for_s: Option<Spanned<f64>>,
+}
+
+/// What cools the pan.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CoolBy {
+    /// A folded wet cloth.
+    WetCloth,
+}
+
+/// Pours oil into the pan.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OilTable {
+    /// How much [g].
+    #[schemars(with = "f64", range(min = FAT_G[0], max = FAT_G[1]))]
+    pub g: Spanned<f64>,
+    /// Which oil; the kitchen's own by default.
+    #[schemars(with = "Option<String>")]
+    pub kind: Option<Spanned<String>>,
+}
+
+/// Puts butter into the pan.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ButterTable {
+    /// How much [g].
+    #[schemars(with = "f64", range(min = FAT_G[0], max = FAT_G[1]))]
+    pub g: Spanned<f64>,
+}
+
+/// Pours water into the pan.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WaterTable {
+    /// How much [g].
+    #[schemars(with = "f64", range(min = WATER_G[0], max = WATER_G[1]))]
+    pub g: Spanned<f64>,
+}
+
+/// Tosses what lies in the pan.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TossTable {
+    /// How high the foods shall fly [mm]; 250 by default, which turns most of them over.
+    #[schemars(with = "Option<f64>", range(min = TOSS_HEIGHT_MM.low, max = TOSS_HEIGHT_MM.high), extend("default" = TOSS_HEIGHT_MM.default))]
+    pub height_mm: Option<Spanned<f64>>,
+}
+
+/// Shakes the pan to and fro.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ShakeTable {
+    /// Farthest from the middle, to either side [mm]; 20 by default.
+    #[schemars(with = "Option<f64>", range(min = SHAKE_AMPLITUDE_MM.low, max = SHAKE_AMPLITUDE_MM.high), extend("default" = SHAKE_AMPLITUDE_MM.default))]
+    pub amplitude_mm: Option<Spanned<f64>>,
+    /// How often a second [Hz]; 3 by default.
+    #[schemars(with = "Option<f64>", range(min = SHAKE_HZ.low, max = SHAKE_HZ.high), extend("default" = SHAKE_HZ.default))]
+    pub hz: Option<Spanned<f64>>,
+    /// How long [s]; 5 by default.
+    #[schemars(with = "Option<f64>", range(min = FOR_S.low, max = FOR_S.high), extend("default" = FOR_S.default))]
+    pub for_s: Option<Spanned<f64>>,
+}
+
+/// Tilts the pan until it is tilted otherwise; 0 levels it.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TiltTable {
+    /// Angle between floor and horizontal [°].
+    #[schemars(with = "f64", range(min = TILT_DEG[0], max = TILT_DEG[1]))]
+    pub deg: Spanned<f64>,
+    /// Where the floor goes down, from +x over +y as seen from above [°]; 0 by default.
+    #[schemars(with = "Option<f64>", range(min = TOWARDS_DEG.low, max = TOWARDS_DEG.high), extend("default" = TOWARDS_DEG.default))]
+    pub towards_deg: Option<Spanned<f64>>,
+}
+
+/// Presses foods onto the floor with the turner, one after the other.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PressTable {
+    /// A food, a group, or "all"; of several those that are in the pan.
+    #[schemars(with = "String")]
+    pub food: Spanned<String>,
+    /// Force [N]; 10 by default.
+    #[schemars(with = "Option<f64>", range(min = PRESS_N.low, max = PRESS_N.high), extend("default" = PRESS_N.default))]
+    pub n: Option<Spanned<f64>>,
+    /// How long each [s]; 5 by default.
+    #[schemars(with = "Option<f64>", range(min = FOR_S.low, max = FOR_S.high), extend("default" = FOR_S.default))]
+    pub for_s: Option<Spanned<f64>>,
+}
+
+/// Pushes or carries foods to a place in the pan.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MoveTable {
+    /// A food, a group, or "all"; of several those that are in the pan. They come to lie side by side.
+    #[schemars(with = "String")]
+    pub food: Spanned<String>,
+    /// Place of its centre relative to the pan's, or that about which a group lies [mm]; [0, 0] by default.
+    #[schemars(with = "Option<[f64; 2]>", extend("default" = [0, 0]))]
+    pub to_mm: Option<Spanned<Vec<f64>>>,
+}
+
+/// Lays the lid on, or takes it off.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LidTable {
+    /// Whether it lies on the pan.
+    pub on: OnOff,
+}
+
+/// Yes or no, also in words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, JsonSchema)]
+#[schemars(with = "OnOffWords")]
+pub struct OnOff(pub bool);
+
+/// How it is written.
+#[derive(Deserialize, JsonSchema)]
+#[serde(untagged, expecting = "expected true, false, \"on\" or \"off\"")]
+enum OnOffWords {
+    /// As true or false.
+    Truth(bool),
+    /// In words.
+    Word(OnOffWord),
+}
+
+#[derive(Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+enum OnOffWord {
+    On,
+    Off,
+}
+
+impl<'de> Deserialize<'de> for OnOff {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Ok(Self(match OnOffWords::deserialize(deserializer)? {
+            OnOffWords::Truth(truth) => truth,
+            OnOffWords::Word(word) => matches!(word, OnOffWord::On),
+        }))
+    }
+}
+
+/// A bare value for a table whose other keys have defaults.
+macro_rules! shorthand {
+    ($($table:ident: $bare:ty = |$value:ident| $make:expr;)*) => {
+        $(impl Shorthand for $table {
+            type Bare = $bare;
+
+            fn from_bare($value: Spanned<$bare>) -> Result<Self, &'static str> {
+                $make
+            }
+        })*
+    };
+}
+
+shorthand! {
+    HobTable: f64 = |w| Ok(Self { w });
+    PutTable: String = |food| Ok(Self { food, at_mm: None, heap: None });
+    FlipTable: String = |food| Ok(Self { food });
+    RestTable: String = |food| Ok(Self { food, on: None });
+    HalveTable: String = |food| Ok(Self { food, at_mm: None });
+    MovePanTable: bool = |yes| yes.into_inner().then(Self::default).ok_or(SAYS_NOTHING);
+    CoolTable: CoolBy = |by| Ok(Self { by: by.into_inner(), for_s: None });
+    OilTable: f64 = |g| Ok(Self { g, kind: None });
+    ButterTable: f64 = |g| Ok(Self { g });
+    WaterTable: f64 = |g| Ok(Self { g });
+    TossTable: bool = |yes| yes.into_inner().then(Self::default).ok_or(SAYS_NOTHING);
+    ShakeTable: f64 = |for_s| Ok(Self { for_s: Some(for_s), ..Self::default() });
+    TiltTable: f64 = |deg| Ok(Self { deg, towards_deg: None });
+    PressTable: String = |food| Ok(Self { food, n: None, for_s: None });
+    MoveTable: String = |food| Ok(Self { food, to_mm: None });
+    LidTable: OnOff = |on| Ok(Self { on: on.into_inner() });
+}
+
+const SAYS_NOTHING: &str = "false does nothing: write true, or leave the step out";

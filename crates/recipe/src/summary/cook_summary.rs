@@ -1,0 +1,447 @@
+//! The numbers of a whole cook, as `saute cook --json` prints them.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+use saute_food::{Rules, Scale, Shares};
+use serde::{Serialize, Serializer};
+
+use crate::cook::recorder::Recorder;
+use crate::cook::runner::{Runner, StoppedBy};
+use crate::cook::step_record::{self, StepRecord, rounded};
+use crate::summary::group_summary::GroupSummary;
+use saute_kitchen::celsius;
+use saute_kitchen::data::library::DEFAULT_SCALE;
+use saute_kitchen::kitchen::Kitchen;
+use saute_kitchen::liquids::butter::ButterModel;
+use saute_kitchen::piece::piece_state::Piece;
+use saute_kitchen::tick::energy::Energy;
+use saute_kitchen::tick::event::Tally;
+
+/// Everything about one cook.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// Title of the recipe.
+    pub title: String,
+    /// Rules that were followed: "full" or "2013".
+    pub rules: Rules,
+    /// Simulated time [s].
+    pub simulated_s: f64,
+    /// Wall time of the simulation [s].
+    pub wall_s: f64,
+    /// Why it stopped.
+    pub stopped_by: StoppedBy,
+    /// Step that was still waited for, from 1, if `max_s` stopped it.
+    pub waiting_step: Option<usize>,
+    /// Foods.
+    pub foods: Vec<FoodSummary>,
+    /// Groups of foods.
+    pub groups: Vec<GroupSummary>,
+    /// Pan temperatures [°C].
+    pub pan_c: PanSummary,
+    /// Liquids of the pan [g].
+    pub liquids_g: LiquidsSummary,
+    /// What happened, by kind.
+    pub events: Vec<Tally>,
+    /// Energy [J].
+    pub energy_j: Energy,
+    /// Steps in the order they fired.
+    pub steps: Vec<StepRecord>,
+    /// Warnings; empty if all went well.
+    pub warnings: Vec<String>,
+}
+
+/// Pan temperatures [°C].
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct PanSummary {
+    /// Highest.
+    pub peak: f64,
+    /// When the first food went in.
+    pub at_first_put: Option<f64>,
+    /// Lowest after that.
+    pub lowest_after_first_put: Option<f64>,
+    /// At the end.
+    pub end: f64,
+}
+
+/// Liquids of the pan [g].
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct LiquidsSummary {
+    /// Oil and fat of all kinds that lie in the pan.
+    pub oil: f64,
+    /// Butter's part of that, milk solids left out.
+    pub butter_fat: f64,
+    /// Water that lies in the pan.
+    pub water: f64,
+    /// Oil that went up in smoke.
+    pub smoked: f64,
+    /// Oil that burnt.
+    pub burnt: f64,
+    /// Oil that spattered out of the pan.
+    pub spattered: f64,
+    /// What ran over the rim.
+    pub spilled: f64,
+    /// Solids that juice left dried on the pan.
+    pub fond: f64,
+    /// The part of them that is browned, mass × browning.
+    pub fond_browned: f64,
+    /// The part of them that is charred, mass × charring.
+    pub fond_charred: f64,
+    /// Solids of juice that are dissolved in the pan's water, beside its mass.
+    pub dissolved: f64,
+}
+
+impl LiquidsSummary {
+    fn new(kitchen: &Kitchen) -> Self {
+        let (model, liquids) = (&kitchen.pan_model().liquids, &kitchen.pan_state().liquids);
+        let [dried, browned, charred] = liquids.fond.dried_kg(&model.bed);
+        let fat = |b: &ButterModel| liquids.oil.total_of(b.kind) * (1.0 - b.solids_share());
+        Self {
+            oil: 1e3 * liquids.oil.total(),
+            butter_fat: 1e3 * model.butter.as_ref().map_or(0.0, fat),
+            water: 1e3 * liquids.water.total(),
+            smoked: 1e3 * liquids.smoke.smoked,
+            burnt: 1e3 * liquids.smoke.burnt,
+            spattered: 1e3 * liquids.spatter.spattered,
+            spilled: 1e3 * liquids.spilled,
+            fond: 1e3 * dried,
+            fond_browned: 1e3 * browned,
+            fond_charred: 1e3 * charred,
+            dissolved: 1e3 * liquids.fond.dissolved_kg(),
+        }
+    }
+}
+
+/// One food.
+#[derive(Clone, Debug, Serialize)]
+pub struct FoodSummary {
+    /// Name in the recipe.
+    pub id: String,
+    /// Kind of food.
+    pub kind: String,
+    /// Group to which it belongs.
+    pub group: Option<String>,
+    /// Where it is: "waiting", "pan", "board", "rack" or "foil"; of a group "several" where its pieces are in several places.
+    pub place: &'static str,
+    /// Nodes of its mesh.
+    pub nodes: usize,
+    /// Mass [g].
+    pub mass_g: StartEnd,
+    /// Mass lost over the mass at the start [%].
+    pub lost_pct: f64,
+    /// Water that left [g].
+    pub water_g: WaterSummary,
+    /// Fat that ran off into the pan's oil [g].
+    pub fat_rendered_g: f64,
+    /// Core temperature [°C].
+    pub core_c: CoreSummary,
+    /// Where a knife cut it in halves, from the middle of its long axis [mm]; null of a whole piece; of a group where all
+    /// pieces were cut, their mean.
+    pub halved_at_mm: Option<f64>,
+    /// Doneness of the section by area, by the scale of 2013 [%].
+    pub section_pct: Doneness,
+    /// Doneness by volume, by the scale of 2013 [%].
+    pub volume_pct: Doneness,
+    /// Doneness by every scale that says anything about this food, by the scales' ids.
+    pub doneness: ByScale,
+    /// Shares of the first-order changes by name, volume means [-].
+    pub denatured: BTreeMap<String, f64>,
+    /// Volume mean of the elastic modulus [kPa].
+    pub elastic_modulus_kpa: f64,
+    /// Volume mean of the hardness on biting over that of the raw food [-].
+    pub hardness_index: f64,
+    /// Volume mean of juiciness, raw 100 [%].
+    pub juiciness_pct: f64,
+    /// How far it has contracted and bent.
+    pub shape: Shape,
+    /// Log₁₀ reduction of E. coli O157:H7 [-].
+    pub log_reduction: LogReduction,
+    /// Both faces, as they lie.
+    pub surfaces: Surfaces,
+}
+
+/// Log₁₀ reduction of pathogens [-]; 6.5 and more count as safe for beef.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct LogReduction {
+    /// At the core.
+    pub core: f64,
+    /// At the least heated point of the surface.
+    pub surface: f64,
+}
+
+/// First and last value.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct StartEnd {
+    /// At the start.
+    pub start: f64,
+    /// At the end.
+    pub end: f64,
+}
+
+/// Water that left a food [g].
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct WaterSummary {
+    /// As vapour.
+    pub evaporated: f64,
+    /// As juice.
+    pub dripped: f64,
+}
+
+/// Core temperature [°C].
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct CoreSummary {
+    /// At the end.
+    pub end: f64,
+    /// Highest.
+    pub peak: f64,
+    /// When it was highest [s].
+    pub peak_at_s: f64,
+}
+
+/// Shares by highest temperature so far [%].
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Doneness {
+    /// Below 50 °C.
+    pub raw: f64,
+    /// 50–60 °C.
+    pub rare: f64,
+    /// 60–70 °C.
+    pub medium: f64,
+    /// Above 70 °C.
+    pub well_done: f64,
+}
+
+impl From<Shares> for Doneness {
+    fn from(s: Shares) -> Self {
+        let [raw, rare, medium, well_done, _] = s.0;
+        Self { raw, rare, medium, well_done }
+    }
+}
+
+/// Doneness by each scale, in the order of the scales.
+#[derive(Clone, Debug, Default)]
+pub struct ByScale(pub Vec<(String, ScaleReading)>);
+
+impl ByScale {
+    /// What a scale says; nothing where it says nothing about this food.
+    pub fn get(&self, id: &str) -> Option<&ScaleReading> {
+        self.0.iter().find(|(own, _)| own == id).map(|(_, reading)| reading)
+    }
+}
+
+impl Serialize for ByScale {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_map(self.0.iter().map(|(id, reading)| (id, reading)))
+    }
+}
+
+/// Doneness by one scale.
+#[derive(Clone, Debug, Serialize)]
+pub struct ScaleReading {
+    /// Label of the scale.
+    pub label: String,
+    /// Class of the core's peak.
+    pub class: String,
+    /// Shares of the section by area [%].
+    pub section_pct: ClassShares,
+    /// Shares of the volume [%].
+    pub volume_pct: ClassShares,
+}
+
+/// Classes with their shares, in the order of their scale [%].
+#[derive(Clone, Debug)]
+pub struct ClassShares(pub Vec<(String, f64)>);
+
+impl ClassShares {
+    fn new(scale: &Scale, shares: Shares) -> Self {
+        Self(scale.class.iter().map(|c| c.name.clone()).zip(shares.0).collect())
+    }
+}
+
+impl Serialize for ClassShares {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_map(self.0.iter().map(|(name, share)| (name, share)))
+    }
+}
+
+impl ScaleReading {
+    fn new(piece: &Piece, scale: &Scale) -> Self {
+        let (model, state) = (&piece.model, &piece.state);
+        Self {
+            label: scale.name.clone(),
+            class: scale.name_of(piece.core_peak.0).to_owned(),
+            section_pct: ClassShares::new(scale, model.cut_shares(state, &model.cut_across(0.0), scale)),
+            volume_pct: ClassShares::new(scale, model.volume_shares(state, scale)),
+        }
+    }
+}
+
+/// Present shape.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Shape {
+    /// Volume over the raw volume [%].
+    pub volume_pct: f64,
+    /// Lengths across the fibres over the raw ones [%].
+    pub across_pct: f64,
+    /// Mean thickness [mm].
+    pub thickness_mm: f64,
+    /// How far the middle of the lower face stands off its rim; negative where the rim stands off [mm].
+    pub dome_mm: f64,
+    /// Angle by which a body curls, as shrimp do [°]; 0 for others.
+    pub curl_deg: f64,
+}
+
+/// Both faces of a food.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Surfaces {
+    /// The face that lies above.
+    pub top: Surface,
+    /// The face that lies below.
+    pub bottom: Surface,
+}
+
+/// Area means and shares of a face.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Surface {
+    /// Temperature [°C].
+    pub temperature_c: f64,
+    /// L*, a*, b*.
+    pub lab: [f64; 3],
+    /// Area with browning above 0.5 [%].
+    pub browned_pct: f64,
+    /// Area with charring above 0.2 [%].
+    pub charred_pct: f64,
+}
+
+impl Summary {
+    /// Reads everything off a kitchen after a cook.
+    pub fn new(
+        kitchen: &Kitchen,
+        recorder: &Recorder,
+        runner: &Runner,
+        steps: &[StepRecord],
+        masses_at_start: &[f64],
+        scales: &[Arc<Scale>],
+        wall_s: f64,
+    ) -> Self {
+        let stopped_by = runner.stopped().unwrap_or(StoppedBy::MaxS);
+        let groups = &runner.recipe().groups;
+        let group_of = |i: usize| groups.iter().find(|g| g.members.contains(&i)).map(|g| g.id.clone());
+        let pieces = kitchen.pieces().iter().zip(masses_at_start).enumerate();
+        let foods: Vec<FoodSummary> =
+            pieces.map(|(i, (p, m))| FoodSummary { group: group_of(i), ..FoodSummary::new(p, *m, scales) }).collect();
+        let dangers = kitchen.events().tallies().filter(|t| t.kind.endangers()).filter_map(|t| t.kind.advice());
+        let dangers = dangers.map(str::to_owned);
+        let blocked = kitchen.blocked().into_iter();
+        let blocked =
+            blocked.map(|id| format!("{id} could not be moved as asked: something was in the way, or it is too heavy"));
+        let unhealthy = kitchen.pieces().iter().filter(|p| !p.state.healthy);
+        Self {
+            title: runner.recipe().title.clone(),
+            rules: kitchen.rules(),
+            simulated_s: rounded(kitchen.time_s()),
+            wall_s,
+            stopped_by,
+            waiting_step: (stopped_by == StoppedBy::MaxS).then(|| runner.waiting_step() + 1),
+            groups: groups.iter().map(|g| GroupSummary::new(g, &foods[g.members.clone()], scales)).collect(),
+            foods,
+            pan_c: PanSummary {
+                peak: recorder.pan_peak_c,
+                at_first_put: recorder.pan_at_first_put_c,
+                lowest_after_first_put: recorder.pan_lowest_after_c,
+                end: celsius(kitchen.pan_temperature()),
+            },
+            liquids_g: LiquidsSummary::new(kitchen),
+            events: kitchen.events().tallies().copied().collect(),
+            energy_j: kitchen.energy(),
+            steps: steps.to_vec(),
+            warnings: unhealthy
+                .map(|p| format!("{} became non-finite and was frozen", p.id))
+                .chain(dangers)
+                .chain(blocked)
+                .collect(),
+        }
+    }
+}
+
+/// What a page tells as one: a food that belongs to no group, or the means of a group.
+#[derive(Clone, Debug)]
+pub struct Told<'a> {
+    /// Its numbers.
+    pub food: &'a FoodSummary,
+    /// Which of the foods it stands for.
+    pub members: Range<usize>,
+    /// Whether it is a group.
+    pub group: bool,
+}
+
+impl Summary {
+    /// Foods and groups in the order of the recipe.
+    pub fn told(&self) -> Vec<Told<'_>> {
+        let group_at = |i: usize| self.groups.iter().find(|g| g.members.start == i);
+        let told = |(i, food): (usize, _)| match group_at(i) {
+            Some(group) => Some(Told { food: &group.mean, members: group.members.clone(), group: true }),
+            None => self.foods[i].group.is_none().then_some(Told { food, members: i..i + 1, group: false }),
+        };
+        self.foods.iter().enumerate().filter_map(told).collect()
+    }
+}
+
+/// Word for the place in the pan.
+pub(crate) const IN_PAN: &str = "pan";
+
+impl FoodSummary {
+    fn new(piece: &Piece, mass_at_start: f64, scales: &[Arc<Scale>]) -> Self {
+        let (model, state) = (&piece.model, &piece.state);
+        let surface = |up| {
+            let face = model.face_reading(state, up);
+            Surface {
+                temperature_c: celsius(face.temperature),
+                lab: face.lab.0,
+                browned_pct: face.browned_pct,
+                charred_pct: face.charred_pct,
+            }
+        };
+        let (core, least) = model.log_reduction(state);
+        // There always is one: the library does not load without it.
+        let default = scales.iter().find(|s| s.id == DEFAULT_SCALE);
+        let fitting = scales.iter().filter(|s| s.fits(model.kinetics()));
+        let names = model.kinetics().names();
+        let mean = |field: &Vec<f64>| model.volume_mean(field);
+        let upwards = if piece.upside_down() { -1.0 } else { 1.0 };
+        Self {
+            id: piece.id.clone(),
+            kind: piece.kind.clone(),
+            group: None,
+            place: piece.place.name(),
+            nodes: model.mesh().node_count(),
+            mass_g: StartEnd { start: 1e3 * mass_at_start, end: 1e3 * piece.mass() },
+            lost_pct: 100.0 * (1.0 - piece.mass() / mass_at_start),
+            water_g: WaterSummary { evaporated: 1e3 * state.evaporated, dripped: 1e3 * state.dripped },
+            fat_rendered_g: 1e3 * state.rendered,
+            core_c: CoreSummary {
+                end: celsius(piece.core()),
+                peak: celsius(piece.core_peak.0),
+                peak_at_s: rounded(piece.core_peak.1),
+            },
+            halved_at_mm: piece.halved().map(|cut| step_record::mm(cut.at)),
+            section_pct: default.map(|s| model.cut_shares(state, &model.cut_across(0.0), s).into()).unwrap_or_default(),
+            volume_pct: default.map(|s| model.volume_shares(state, s).into()).unwrap_or_default(),
+            doneness: ByScale(fitting.map(|s| (s.id.clone(), ScaleReading::new(piece, s))).collect()),
+            denatured: names.into_iter().map(str::to_owned).zip(state.changed.iter().map(mean)).collect(),
+            elastic_modulus_kpa: model.elastic_modulus_kpa(state),
+            hardness_index: model.hardness_index(state),
+            juiciness_pct: model.juiciness_pct(state),
+            shape: Shape {
+                volume_pct: 100.0 * model.relative_volume(state),
+                across_pct: 100.0 * state.stretch.lateral,
+                thickness_mm: 1e3 * model.thickness(state),
+                dome_mm: 1e3 * upwards * state.stretch.dome,
+                curl_deg: model.curl(state).to_degrees(),
+            },
+            log_reduction: LogReduction { core, surface: least },
+            surfaces: Surfaces { top: surface(piece.up().map(|v| -v)), bottom: surface(piece.up()) },
+        }
+    }
+}

@@ -1,0 +1,184 @@
+//! The numbers of a group: means over its pieces, and how far they spread.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+use saute_food::Scale;
+use serde::Serialize;
+
+use crate::recipe::Group;
+use crate::summary::cook_summary::{
+    ByScale, ClassShares, CoreSummary, Doneness, FoodSummary, IN_PAN, LogReduction, ScaleReading, Shape, StartEnd,
+    Surface, Surfaces, WaterSummary,
+};
+use saute_kitchen::kelvin;
+
+/// A group of foods.
+#[derive(Clone, Debug, Serialize)]
+pub struct GroupSummary {
+    /// Means over its pieces under the group's name; of the log reductions the least, for safety is not an average.
+    #[serde(flatten)]
+    pub mean: FoodSummary,
+    /// Pieces.
+    pub count: usize,
+    /// Pieces that are in the pan.
+    pub in_pan: usize,
+    /// How far the pieces spread.
+    pub spread: Spread,
+    /// Which of the foods.
+    #[serde(skip)]
+    pub members: Range<usize>,
+}
+
+/// Least and largest value among the pieces of a group.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Spread {
+    /// Core at the end [°C].
+    pub core_end_c: [f64; 2],
+    /// Highest core temperature [°C].
+    pub core_peak_c: [f64; 2],
+    /// Mass lost over the mass at the start [%].
+    pub lost_pct: [f64; 2],
+    /// Browned area of both faces [%].
+    pub browned_pct: [f64; 2],
+}
+
+impl GroupSummary {
+    /// Sums a group up.
+    pub(crate) fn new(group: &Group, pieces: &[FoodSummary], scales: &[Arc<Scale>]) -> Self {
+        let extremes = |value: fn(&FoodSummary) -> f64| {
+            let values = pieces.iter().map(value);
+            values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
+        };
+        Self {
+            mean: mean_food(group, pieces, scales),
+            count: pieces.len(),
+            in_pan: pieces.iter().filter(|p| p.place == IN_PAN).count(),
+            spread: Spread {
+                core_end_c: extremes(|p| p.core_c.end),
+                core_peak_c: extremes(|p| p.core_c.peak),
+                lost_pct: extremes(|p| p.lost_pct),
+                browned_pct: extremes(FoodSummary::browned_pct),
+            },
+            members: group.members.clone(),
+        }
+    }
+}
+
+impl FoodSummary {
+    /// Mean browned area of both faces [%].
+    pub fn browned_pct(&self) -> f64 {
+        0.5 * (self.surfaces.top.browned_pct + self.surfaces.bottom.browned_pct)
+    }
+}
+
+/// Means over pieces of one kind, of which there is one at least.
+struct Pieces<'a>(&'a [FoodSummary]);
+
+impl Pieces<'_> {
+    fn mean(&self, value: impl Fn(&FoodSummary) -> f64) -> f64 {
+        self.0.iter().map(value).sum::<f64>() / self.0.len() as f64
+    }
+
+    fn least(&self, value: impl Fn(&FoodSummary) -> f64) -> f64 {
+        self.0.iter().map(value).fold(f64::INFINITY, f64::min)
+    }
+
+    fn doneness(&self, of: impl Fn(&FoodSummary) -> Doneness) -> Doneness {
+        Doneness {
+            raw: self.mean(|p| of(p).raw),
+            rare: self.mean(|p| of(p).rare),
+            medium: self.mean(|p| of(p).medium),
+            well_done: self.mean(|p| of(p).well_done),
+        }
+    }
+
+    /// Readings by every scale; pieces of one kind have the same scales in the same order.
+    fn by_scale(&self, scales: &[Arc<Scale>]) -> ByScale {
+        let peak = kelvin(self.mean(|p| p.core_c.peak));
+        let Some(first) = self.0.first() else { return ByScale::default() };
+        let reading = |(k, (id, reading)): (usize, &(String, ScaleReading))| {
+            let shares = |of: fn(&ScaleReading) -> &ClassShares| self.shares(|p| of(&p.doneness.0[k].1));
+            let scale = scales.iter().find(|s| s.id == *id);
+            let class = scale.map_or(reading.class.as_str(), |s| s.name_of(peak)).to_owned();
+            let (section_pct, volume_pct) = (shares(|r| &r.section_pct), shares(|r| &r.volume_pct));
+            (id.clone(), ScaleReading { label: reading.label.clone(), class, section_pct, volume_pct })
+        };
+        ByScale(first.doneness.0.iter().enumerate().map(reading).collect())
+    }
+
+    fn shares<'a>(&'a self, of: impl Fn(&'a FoodSummary) -> &'a ClassShares) -> ClassShares {
+        let mean = |(class, (name, _)): (usize, &(String, f64))| {
+            (name.clone(), self.0.iter().map(|p| of(p).0[class].1).sum::<f64>() / self.0.len() as f64)
+        };
+        ClassShares(self.0.first().map(|p| of(p).0.iter().enumerate().map(mean).collect()).unwrap_or_default())
+    }
+
+    fn denatured(&self) -> BTreeMap<String, f64> {
+        let names = self.0.first().map(|p| p.denatured.keys()).into_iter().flatten();
+        names.map(|name| (name.clone(), self.mean(|p| p.denatured[name]))).collect()
+    }
+
+    fn surface(&self, of: impl Fn(&FoodSummary) -> Surface) -> Surface {
+        Surface {
+            temperature_c: self.mean(|p| of(p).temperature_c),
+            lab: core::array::from_fn(|k| self.mean(|p| of(p).lab[k])),
+            browned_pct: self.mean(|p| of(p).browned_pct),
+            charred_pct: self.mean(|p| of(p).charred_pct),
+        }
+    }
+
+    fn shape(&self) -> Shape {
+        Shape {
+            volume_pct: self.mean(|p| p.shape.volume_pct),
+            across_pct: self.mean(|p| p.shape.across_pct),
+            thickness_mm: self.mean(|p| p.shape.thickness_mm),
+            dome_mm: self.mean(|p| p.shape.dome_mm),
+            curl_deg: self.mean(|p| p.shape.curl_deg),
+        }
+    }
+
+    /// The place of all of them.
+    fn place(&self) -> &'static str {
+        let first = self.0.first().map_or("waiting", |p| p.place);
+        if self.0.iter().all(|p| p.place == first) { first } else { "several" }
+    }
+}
+
+fn mean_food(group: &Group, pieces: &[FoodSummary], scales: &[Arc<Scale>]) -> FoodSummary {
+    let all = Pieces(pieces);
+    FoodSummary {
+        id: group.id.clone(),
+        kind: group.kind.clone(),
+        group: None,
+        place: all.place(),
+        nodes: libm::round(all.mean(|p| p.nodes as f64)) as usize,
+        mass_g: StartEnd { start: all.mean(|p| p.mass_g.start), end: all.mean(|p| p.mass_g.end) },
+        lost_pct: all.mean(|p| p.lost_pct),
+        water_g: WaterSummary {
+            evaporated: all.mean(|p| p.water_g.evaporated),
+            dripped: all.mean(|p| p.water_g.dripped),
+        },
+        fat_rendered_g: all.mean(|p| p.fat_rendered_g),
+        core_c: CoreSummary {
+            end: all.mean(|p| p.core_c.end),
+            peak: all.mean(|p| p.core_c.peak),
+            peak_at_s: all.mean(|p| p.core_c.peak_at_s),
+        },
+        halved_at_mm: pieces.iter().map(|p| p.halved_at_mm).sum::<Option<f64>>().map(|sum| sum / pieces.len() as f64),
+        section_pct: all.doneness(|p| p.section_pct),
+        volume_pct: all.doneness(|p| p.volume_pct),
+        doneness: all.by_scale(scales),
+        denatured: all.denatured(),
+        elastic_modulus_kpa: all.mean(|p| p.elastic_modulus_kpa),
+        hardness_index: all.mean(|p| p.hardness_index),
+        juiciness_pct: all.mean(|p| p.juiciness_pct),
+        shape: all.shape(),
+        log_reduction: LogReduction {
+            core: all.least(|p| p.log_reduction.core),
+            surface: all.least(|p| p.log_reduction.surface),
+        },
+        surfaces: Surfaces { top: all.surface(|p| p.surfaces.top), bottom: all.surface(|p| p.surfaces.bottom) },
+    }
+}

@@ -1,0 +1,19 @@
+//! Pipelines, buffers and textures.
+
+pub(crate) mod dirty;
+pub(crate) mod foods;
+pub(crate) mod history;
+pub mod overlay;
+pub(crate) mod passes;
+pub(crate) mod pipeline_build;
+pub(crate) mod pipeline_set;
+pub(crate) mod pipelines;
+pub mod readback;
+pub(crate) mod shown;
+pub(crate) mod solids;
+pub(crate) mod sprites;
+pub(crate) mod still;
+pub(crate) mod targets;
+pub(crate) mod textures;
+pub(crate) mod uniforms;
+pub(crate) mod views;

@@ -1,0 +1,72 @@
+//! GPU buffers of the sprites: bubbles around frying foods, drops in the air, steam, and spots of oil.
+
+use std::sync::Arc;
+
+use crate::input::{Colouring, SceneInput, SpotLook};
+use crate::mesh::fry::{FRY_VERTICES_MAX, fry};
+use crate::mesh::spatter::{DROPS_MAX, SPOTS_MAX, drops, spots};
+use crate::mesh::steam::{PUFFS_MAX, PuffVertex, puffs};
+
+/// All sprites on the device.
+pub(crate) struct SpriteBuffers {
+    /// What lies round frying foods with the drops in the air first, then steam.
+    pub moving: wgpu::Buffer,
+    /// Vertices of the first kind, and of both.
+    pub ends: [u32; 2],
+    /// Spots of oil, which lie still.
+    pub spots: wgpu::Buffer,
+    pub spot_vertices: u32,
+    /// What they were made for.
+    spots_of: Arc<Vec<SpotLook>>,
+}
+
+impl SpriteBuffers {
+    pub fn new(device: &wgpu::Device) -> Self {
+        let room_for = |label, vertices: usize| {
+            device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size: (vertices * size_of::<PuffVertex>()) as u64,
+                usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
+        };
+        Self {
+            moving: room_for("sprites", (PUFFS_MAX + DROPS_MAX) * 6 + FRY_VERTICES_MAX),
+            ends: [0; 2],
+            spots: room_for("spots", SPOTS_MAX * 6),
+            spot_vertices: 0,
+            spots_of: Arc::default(),
+        }
+    }
+
+    /// Steam, frying fat and drops in the air; none where they would falsify the colours of a field.
+    pub fn update(&mut self, queue: &wgpu::Queue, input: &SceneInput) -> Vec<PuffVertex> {
+        let mut sprites = Vec::new();
+        if matches!(input.colouring, Colouring::Look) {
+            sprites = fry(input);
+            sprites.extend(drops(input));
+            self.ends[0] = sprites.len() as u32;
+            sprites.extend(puffs(&input.steam, input.time_s));
+        } else {
+            self.ends[0] = 0;
+        }
+        self.ends[1] = sprites.len() as u32;
+        queue.write_buffer(&self.moving, 0, bytemuck::cast_slice(&sprites));
+        sprites
+    }
+
+    /// Takes other spots of oil, likewise; returns those that have come or gone.
+    pub fn update_spots(&mut self, queue: &wgpu::Queue, input: &SceneInput) -> Vec<SpotLook> {
+        let seen = matches!(input.colouring, Colouring::Look);
+        let wanted = if seen { Arc::clone(&input.spatter.spots) } else { Arc::default() };
+        if Arc::ptr_eq(&self.spots_of, &wanted) || self.spots_of == wanted {
+            return Vec::new();
+        }
+        let sprites = spots(&wanted);
+        queue.write_buffer(&self.spots, 0, bytemuck::cast_slice(&sprites));
+        self.spot_vertices = sprites.len() as u32;
+        let old = std::mem::replace(&mut self.spots_of, wanted);
+        let same = old.iter().zip(self.spots_of.iter()).take_while(|(a, b)| a == b).count();
+        [&old[same..], &self.spots_of[same..]].concat()
+    }
+}

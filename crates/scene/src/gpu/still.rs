@@ -1,0 +1,51 @@
+//! Cache key of the static layer: when the kept picture of what does not move is still valid.
+
+use crate::camera::Camera;
+use crate::gpu::solids::MovableKey;
+use crate::gpu::uniforms::balance;
+use crate::input::SceneInput;
+use crate::light::white_balance::WhiteBalance;
+
+/// Cache key of the static layer.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct StillKey {
+    camera: Camera,
+    size: [u32; 2],
+    /// Hob power in steps too small to be seen.
+    power: u32,
+    pan: MovableKey,
+    disturbances: u64,
+    white: WhiteBalance,
+}
+
+impl StillKey {
+    pub fn new(input: &SceneInput, size: [u32; 2], disturbances: u64) -> Self {
+        Self {
+            camera: input.camera.clone(),
+            size,
+            power: (input.hob.power * 128.0).round() as u32,
+            pan: MovableKey::of(input),
+            disturbances,
+            white: balance(input),
+        }
+    }
+
+    /// Returns true if two keys differ only in their foods.
+    pub fn same_view(&self, other: &Self) -> bool {
+        Self { disturbances: other.disturbances, ..self.clone() } == *other
+    }
+}
+
+/// The cached static layer.
+pub(crate) struct Still {
+    pub key: StillKey,
+    /// False while the eye moves: then only the key is kept.
+    pub drawn: bool,
+}
+
+impl Still {
+    /// Returns true if the layer is drawn in its final quality for a key.
+    pub fn is_best_for(&self, key: &StillKey) -> bool {
+        self.key == *key && self.drawn
+    }
+}

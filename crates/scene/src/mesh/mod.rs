@@ -1,0 +1,12 @@
+//! Triangle meshes: props, pan, lid, tools, strings, and the sprites of steam and oil.
+
+pub(crate) mod fry;
+pub(crate) mod lid;
+pub mod pan;
+pub mod props;
+pub(crate) mod rest;
+pub(crate) mod solid;
+pub(crate) mod spatter;
+pub(crate) mod steam;
+pub mod strings;
+pub(crate) mod tool;

@@ -1,0 +1,328 @@
+//! The program's window.
+
+mod frame;
+
+use std::sync::Arc;
+
+use egui::{Rect, Ui};
+use saute_kitchen::{Command, Library};
+use saute_picture::stage::{Places, Stage, following};
+use saute_recipe::Recipe;
+use saute_scene::camera::Camera;
+use saute_scene::quality::Quality;
+
+use crate::governor::Governor;
+use crate::input::pad_input::Pad;
+use crate::input::pan_keys::PanKeys;
+use crate::input::pouring::Portion;
+use crate::input::tool_hand::ToolHand;
+use crate::mirror::presenter::MirrorCallback;
+use crate::mirror::view::MirrorView;
+use crate::paint::ground::GroundCallback;
+use crate::paint::scene::SceneCallback;
+use crate::panels::window_state::PanelMemory;
+use crate::session::Session;
+use crate::settings::Settings;
+use crate::ui::motion::Motions;
+use crate::ui::notice::Notice;
+use crate::ui::scene_view::SceneView;
+use crate::ui::theme;
+use crate::words::language::Language;
+
+/// Where settings are remembered.
+const SETTINGS_KEY: &str = "saute.settings";
+/// Remembered settings at the first start: none.
+const FIRST_START: &str = "{}";
+
+/// Start options of the window.
+#[derive(Clone, Debug, Default)]
+pub struct Start {
+    /// Library of foods, pans and recipes; the embedded one unless given.
+    pub library: Option<Arc<Library>>,
+    /// A recipe to play at once.
+    pub recipe: Option<Recipe>,
+    /// Devices that hands hold.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub hands: crate::hand::HandsStart,
+}
+
+/// The window's state.
+pub struct SauteApp {
+    pub(crate) session: Session,
+    pub(crate) settings: Settings,
+    pub(crate) stage: Stage,
+    pub(crate) camera: Camera,
+    pub(crate) camera_preset: usize,
+    /// Place of the cut (−1…1), or none.
+    pub(crate) slice: Option<f64>,
+    pub(crate) help: bool,
+    /// True if the card of the settings is open.
+    pub(crate) settings_open: bool,
+    pub(crate) notice: Notice,
+    pub(crate) motions: Motions,
+    pub(crate) scene: SceneView,
+    /// What panels keep from frame to frame.
+    pub(crate) memory: PanelMemory,
+    pub(crate) pan_keys: PanKeys,
+    pub(crate) tool_hand: ToolHand,
+    /// Portion that is poured at once.
+    pub(crate) portion: Portion,
+    pub(crate) pad: Pad,
+    last_time: Option<f64>,
+    /// True if the card of the first steps is shown.
+    pub(crate) first_steps: bool,
+    /// True if the system has a font with kana and kanji.
+    pub(crate) japanese_font: bool,
+    /// True if the scene can be drawn (a graphics device is there).
+    drawable: bool,
+    software: bool,
+    /// Chooses the quality of the picture where that is left to the program.
+    pub(crate) governor: Governor,
+    pub(crate) mirror: MirrorView,
+}
+
+/// Errors of starting the window.
+#[derive(Debug, thiserror::Error)]
+pub enum StartError {
+    /// Embedded or user data is broken.
+    #[error(transparent)]
+    Library(#[from] saute_kitchen::LibraryError),
+    /// The first kitchen cannot be set up.
+    #[error(transparent)]
+    Setup(#[from] saute_kitchen::kitchen::SetupError),
+}
+
+impl SauteApp {
+    /// Sets out the remembered food, or plays the given recipe.
+    pub fn new(cc: &eframe::CreationContext<'_>, start: Start) -> Result<Self, StartError> {
+        let stored = cc.storage.map(|s| s.get_string(SETTINGS_KEY).unwrap_or_else(|| FIRST_START.to_owned()));
+        #[cfg(not(target_arch = "wasm32"))]
+        let hands = start.hands.clone();
+        let mut app = Self::start(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), stored, start)?;
+        app.pad = Pad::connected();
+        #[cfg(not(target_arch = "wasm32"))]
+        {
+            app.session.hands.folder = eframe::storage_dir("saute").map(|folder| folder.join("calibrations"));
+            app.begin_hands(hands);
+        }
+        Ok(app)
+    }
+
+    /// As [`Self::new`], with any egui context and graphics state, and remembered settings as JSON: `{}` at the first
+    /// start, when the system's language holds and the card of the first steps is shown; none where nothing is ever
+    /// remembered, as for pictures: then the window speaks English.
+    pub fn start(
+        context: &egui::Context,
+        graphics: Option<&egui_wgpu::RenderState>,
+        stored: Option<String>,
+        start: Start,
+    ) -> Result<Self, StartError> {
+        theme::install(context);
+        let japanese_font = crate::ui::japanese_font::install(context);
+        let remembers = stored.is_some() && start.recipe.is_none();
+        let (settings, refused) = stored.map_or_else(Default::default, |text| Settings::remembered(&text));
+        let library = start.library.map_or_else(|| Library::embedded().map(Arc::new), Ok)?;
+        let mut session = Session::new(Arc::clone(&library), &settings.choice)
+            .or_else(|_| Session::new(library, &Default::default()))?;
+        session.set_speed(settings.speed);
+        if let Some(recipe) = start.recipe {
+            session.play(recipe)?;
+        }
+        let mut software = false;
+        if let Some(state) = graphics {
+            SceneCallback::install(state);
+            GroundCallback::install(state);
+            MirrorCallback::install(state);
+            software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
+        }
+        let language = settings.language;
+        let first_steps = remembers && !settings.introduced;
+        let mut app = Self {
+            session,
+            settings,
+            stage: Stage::default(),
+            camera: Camera::three_quarter(),
+            camera_preset: 0,
+            slice: None,
+            help: false,
+            settings_open: false,
+            notice: Notice::default(),
+            motions: Motions::default(),
+            scene: SceneView::default(),
+            memory: PanelMemory::default(),
+            pan_keys: PanKeys::default(),
+            tool_hand: ToolHand::default(),
+            portion: Portion::default(),
+            pad: Pad::default(),
+            last_time: None,
+            drawable: graphics.is_some(),
+            software,
+            governor: Governor::new(Quality::Best),
+            first_steps,
+            japanese_font,
+            mirror: MirrorView::default(),
+        };
+        app.settings.language = Language::English;
+        app.set_language(language);
+        if refused {
+            app.say("notice.settings_refused");
+        }
+        Ok(app)
+    }
+
+    /// The world behind the window.
+    pub fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// The world behind the window, to drive it from outside.
+    pub fn session_mut(&mut self) -> &mut Session {
+        &mut self.session
+    }
+
+    /// The settings that are remembered.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Place of the cut (−1…1), or none.
+    pub fn slice(&self) -> Option<f64> {
+        self.slice
+    }
+
+    /// Chooses how many pieces the pantry adds at once.
+    pub fn set_count(&mut self, count: usize) {
+        self.memory.count = count;
+    }
+
+    /// Chooses the window's language; without a font for Japanese it stays English and says what is missing.
+    pub fn set_language(&mut self, language: Language) {
+        if language == Language::Japanese && !self.japanese_font {
+            self.say("notice.no_font");
+            return;
+        }
+        self.settings.language = language;
+    }
+
+    /// Returns true if the card of the first steps is shown.
+    pub fn first_steps_are_open(&self) -> bool {
+        self.first_steps
+    }
+
+    pub(crate) fn close_first_steps(&mut self) {
+        self.first_steps = false;
+        self.settings.introduced = true;
+    }
+
+    /// Returns true if the list of keys is open.
+    pub fn help_is_open(&self) -> bool {
+        self.help
+    }
+
+    /// Returns true if the card of the settings is open.
+    pub fn settings_are_open(&self) -> bool {
+        self.settings_open
+    }
+
+    /// Size at which the scene was drawn last [pixels].
+    pub fn scene_size(&self) -> [u32; 2] {
+        self.scene.drawn_size
+    }
+
+    /// Gives the kitchen a command and says so if it refuses.
+    pub(crate) fn command(&mut self, command: &Command) {
+        let played = self.session.runner.is_some();
+        match self.session.command(command) {
+            Ok(()) if played => self.say("notice.taken_over"),
+            Ok(()) => {}
+            Err(refused) => self.say_refused(&refused),
+        }
+    }
+
+    /// Says a text that leaves nothing open.
+    pub(crate) fn say(&self, key: &'static str) {
+        self.notice.say(self.settings.language.text(key));
+    }
+
+    /// Says why the kitchen refused.
+    pub(crate) fn say_refused(&self, refused: &saute_kitchen::Refused) {
+        self.notice.say(crate::words::refusal::words(refused, self.settings.language));
+    }
+
+    /// Says what the core could not do; recipes and data have their own words, with file and line.
+    pub(crate) fn say_trouble(&self, error: &dyn std::fmt::Display) {
+        self.notice.say(self.settings.language.fill("notice.trouble", &[("error", error)]));
+    }
+
+    /// Opens a recipe's text, as from a dropped file.
+    pub fn open_recipe(&mut self, text: &str, file: &str) {
+        let l = self.settings.language;
+        let recipe = match Recipe::parse(text, file, &self.session.library) {
+            Ok(recipe) => recipe,
+            Err(wrong) => {
+                let parts: [(&str, &dyn std::fmt::Display); 4] = [
+                    ("file", &wrong.file),
+                    ("line", &wrong.line),
+                    ("message", &wrong.message),
+                    ("remedy", &wrong.remedy),
+                ];
+                return self.notice.say(l.fill("notice.wrong_recipe", &parts));
+            }
+        };
+        match self.session.play(recipe) {
+            Ok(()) => {
+                let title = l.called("recipe", self.session.recipe_title().unwrap_or(file));
+                self.notice.say(l.fill("notice.playing", &[("title", &title)]));
+            }
+            Err(error) => self.say_trouble(&error),
+        }
+    }
+
+    /// Size at which to draw the scene [pixels]: in full, or on a software rasteriser, unless the best is chosen,
+    /// scaled down to 960 × 540 at least.
+    pub(crate) fn scene_pixels(&self, rect: Rect, pixels_per_point: f32) -> [u32; 2] {
+        let (w, h) = (rect.width() * pixels_per_point, rect.height() * pixels_per_point);
+        let scaled = self.software && self.quality() < Quality::Best;
+        let least = if scaled { (960.0 / w).max(540.0 / h).clamp(0.1, 1.0) } else { 1.0 };
+        let most = 2048.0 / w.max(h);
+        let scale = least.min(most);
+        [(w * scale).round().max(1.0) as u32, (h * scale).round().max(1.0) as u32]
+    }
+
+    /// Returns true if the graphics are software.
+    pub(crate) fn software(&self) -> bool {
+        self.software
+    }
+
+    pub(crate) fn drawable(&self) -> bool {
+        self.drawable
+    }
+
+    pub(crate) fn places(&self) -> Places {
+        let mut places = self.motions.places();
+        places.pieces.extend(self.scene.carried.clone());
+        places
+    }
+
+    /// The eye as the scene is drawn with it.
+    pub(crate) fn eye(&self) -> Camera {
+        following(&self.camera, self.places().followed(&self.session.kitchen))
+    }
+}
+
+impl eframe::App for SauteApp {
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        self.frame(ui);
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        self.settings.choice = if self.session.recipe_title().is_some() {
+            self.settings.choice.clone()
+        } else {
+            self.session.choice().clone()
+        };
+        if let Ok(text) = serde_json::to_string(&self.settings) {
+            storage.set_string(SETTINGS_KEY, text);
+        }
+    }
+}

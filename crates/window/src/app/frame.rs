@@ -1,0 +1,134 @@
+//! One frame of the window: input, time, scene and panels.
+
+use egui::Ui;
+use web_time::{Duration, Instant};
+
+use super::SauteApp;
+use crate::act::{Act, Acts, BINDINGS};
+use crate::panels;
+use crate::panels::window_state::WindowState;
+use crate::ui::layout::Layout;
+
+/// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
+const STEP_BUDGET_MS: u64 = 20;
+/// Held keys move the pan no further at once than in this time [s] (chosen: a slow frame makes no leap).
+const LONGEST_FRAME_S: f64 = 0.1;
+
+impl SauteApp {
+    /// One frame: takes input, lets time pass, shows everything.
+    pub fn frame(&mut self, ui: &mut Ui) {
+        let ctx = ui.ctx().clone();
+        self.settings.display(&ctx);
+        #[cfg(not(target_arch = "wasm32"))]
+        self.take_devices(&ctx);
+        self.take_keys(&ctx);
+        self.take_dropped_files(&ctx);
+        self.let_time_pass(&ctx);
+        self.show(ui);
+        self.show_mirror(&ctx);
+    }
+
+    fn show(&mut self, ui: &mut Ui) {
+        let whole = ui.max_rect();
+        let layout = Layout::new(whole, &self.settings);
+        #[cfg(not(target_arch = "wasm32"))]
+        let layout = crate::hand::make_room(layout, &self.session.hands);
+        self.session.probes.forget_gone(&self.session.kitchen);
+        self.show_scene(ui, &layout);
+        let acts = self.show_panels(ui, &layout);
+        if !acts.is_empty() {
+            ui.ctx().request_repaint();
+        }
+        acts.into_iter().for_each(|act| self.act(act, ui.ctx()));
+    }
+
+    /// Shows the panels and cards; returns what they ask for.
+    fn show_panels(&mut self, ui: &mut Ui, layout: &Layout) -> Acts {
+        let goal = self.scale().map(|_| self.settings.goal_c);
+        let (advice, quality) = (self.session.advice(goal), self.quality());
+        if self.mirror.card {
+            // The card shows the error of a rig that cannot be read.
+            let _ = self.mirror.rig(&self.settings.mirror.rig);
+        }
+        let state = WindowState {
+            session: &self.session,
+            settings: &self.settings,
+            scene: &self.scene,
+            mirror: &self.mirror,
+            tool: self.tool_hand.tool,
+            turner_in_hand: self.tool_hand.turner.is_some(),
+            portion: self.portion,
+            slice: self.slice,
+            help: self.help,
+            settings_open: self.settings_open,
+            first_steps: self.first_steps,
+            japanese_font: self.japanese_font,
+            quality,
+            advice,
+            notice: self.notice.current(),
+        };
+        let mut acts = Acts::new();
+        panels::show_all(&state, &mut self.memory, ui, &mut acts, layout);
+        acts
+    }
+
+    fn take_keys(&mut self, ctx: &egui::Context) {
+        self.settings.size = self.settings.size.by_keys(ctx);
+        if ctx.egui_wants_keyboard_input() {
+            return;
+        }
+        let pressed: Vec<Act> = ctx.input(|i| {
+            // With Shift, letters move the pan.
+            let plain = !i.modifiers.command && !i.modifiers.alt && !i.modifiers.shift;
+            let times = |b: &crate::act::Binding| if plain { i.num_presses(b.key) } else { 0 };
+            BINDINGS.iter().flat_map(|b| std::iter::repeat_n(b.act.clone(), times(b))).collect()
+        });
+        pressed.into_iter().for_each(|act| self.act(act, ctx));
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    fn take_dropped_files(&mut self, ctx: &egui::Context) {
+        for file in ctx.input(|i| i.raw.dropped_files.clone()) {
+            let name = file.path().display().to_string();
+            match file.bytes().map(String::from_utf8) {
+                Ok(Ok(text)) => self.open_recipe(&text, &name),
+                Ok(Err(_)) => self.notice.say(self.settings.language.fill("notice.not_text", &[("file", &name)])),
+                Err(error) => {
+                    let open: [(&str, &dyn std::fmt::Display); 2] = [("file", &name), ("error", &error)];
+                    self.notice.say(self.settings.language.fill("notice.not_read", &open));
+                }
+            }
+        }
+    }
+
+    /// Browsers hand files over later, which the page does not wait for yet.
+    #[cfg(target_arch = "wasm32")]
+    fn take_dropped_files(&mut self, ctx: &egui::Context) {
+        if ctx.input(|i| !i.raw.dropped_files.is_empty()) {
+            self.say("notice.no_drop");
+        }
+    }
+
+    fn let_time_pass(&mut self, ctx: &egui::Context) {
+        let now = ctx.input(|i| i.time);
+        let wall = now - self.last_time.unwrap_or(now);
+        self.last_time = Some(now);
+        self.take_hands(ctx, wall.clamp(0.0, LONGEST_FRAME_S));
+        let begun = Instant::now();
+        let passed =
+            self.session.advance(Duration::from_secs_f64(wall.max(0.0)), Duration::from_millis(STEP_BUDGET_MS));
+        // While time stands still frames come when there is something to see.
+        if !self.session.paused {
+            self.governor.frame(wall, begun.elapsed().as_secs_f64());
+        }
+        if let Err(error) = passed {
+            self.say_trouble(&error);
+        }
+        self.motions.advance(&self.session.kitchen, self.session.generation, wall as f32);
+        if !self.session.paused || self.motions.moving() {
+            ctx.request_repaint();
+        } else {
+            ctx.request_repaint_after(std::time::Duration::from_millis(250));
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! Measures whole frames of the window, off-screen, with the simulation running.
+
+use std::time::Instant;
+
+use saute_recipe::Recipe;
+use saute_scene::quality::Quality;
+use serde::Serialize;
+
+use crate::app::Start;
+use crate::offscreen::{Offscreen, OffscreenError};
+use crate::ui::quality_choice::QualityChoice;
+
+/// Simulated time from which frames are measured, as a rule [s].
+pub const FROM_S: f64 = 60.0;
+/// How long they are measured [s].
+const FOR_S: f64 = 30.0;
+
+/// A full pan: 35 shrimps of the default mesh, in five small heaps.
+pub const SHRIMPS: &str = r#"
+title = "35 shrimps"
+[pan]
+initial_c = 190
+[[food]]
+id = "middle"
+kind = "shrimp"
+count = 7
+seed = 1
+[[food]]
+id = "left"
+kind = "shrimp"
+count = 7
+seed = 2
+[[food]]
+id = "right"
+kind = "shrimp"
+count = 7
+seed = 3
+[[food]]
+id = "far"
+kind = "shrimp"
+count = 7
+seed = 4
+[[food]]
+id = "near"
+kind = "shrimp"
+count = 7
+seed = 5
+[[step]]
+hob_w = 1100
+[[step]]
+put = { food = "middle", at_mm = [0, 0], heap = true }
+[[step]]
+put = { food = "left", at_mm = [-50, 0], heap = true }
+[[step]]
+put = { food = "right", at_mm = [50, 0], heap = true }
+[[step]]
+put = { food = "far", at_mm = [0, 50], heap = true }
+[[step]]
+put = { food = "near", at_mm = [0, -50], heap = true }
+[[step]]
+after_s = 900
+end = true
+"#;
+
+/// When the shrimps of that scene lie [s].
+pub const SHRIMPS_FROM_S: f64 = 8.0;
+
+/// The paper's dish all at once: steak, carrots and leeks that fry and steam.
+pub const DISH: &str = r#"
+title = "Steak, 11 carrots, 11 leeks"
+[pan]
+initial_c = 200
+[[food]]
+id = "steak"
+kind = "beef-lean"
+size_mm = [80, 60, 22]
+[[food]]
+id = "carrots"
+kind = "carrot-coin"
+count = 11
+[[food]]
+id = "leeks"
+kind = "leek-ring"
+count = 11
+[[step]]
+hob_w = 1200
+[[step]]
+put = "steak"
+[[step]]
+put = { food = "carrots", heap = true, at_mm = [-62, 0] }
+[[step]]
+put = { food = "leeks", heap = true, at_mm = [62, 0] }
+[[step]]
+after_s = 600
+end = true
+"#;
+
+/// When the foods of that dish lie and steam [s].
+pub const DISH_FROM_S: f64 = 20.0;
+
+/// What was measured.
+#[derive(Clone, Debug, Serialize)]
+pub struct FrameBench {
+    /// Frames per second.
+    pub frames_per_s: FrameRates,
+    /// From the start of the process to the first frame [s].
+    pub first_frame_s: f64,
+    /// Graphics adapter.
+    pub adapter: String,
+    /// Size of the window [pixels].
+    pub size: [u32; 2],
+    /// Size at which the scene was drawn [pixels].
+    pub scene_size: [u32; 2],
+    /// Quality at which the last frame was drawn.
+    pub quality: Quality,
+    /// Title of the recipe.
+    pub recipe: String,
+    /// Frames that were measured.
+    pub frames: usize,
+    /// Simulated time at the start and at the end [s].
+    pub simulated_s: [f64; 2],
+}
+
+/// Frames per second: the middle, and what 95 % of the frames reach.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct FrameRates {
+    /// Median.
+    pub median: f64,
+    /// 5th percentile.
+    pub p5: f64,
+}
+
+/// Plays a recipe from a time on, half a minute long at 1×, and draws frames as fast as they come.
+pub fn bench_frame(
+    start: Start,
+    size: [u32; 2],
+    from_s: f64,
+    quality: QualityChoice,
+    process_start: Instant,
+) -> Result<FrameBench, OffscreenError> {
+    let recipe = start.recipe.as_ref().map(|r: &Recipe| r.title.clone()).unwrap_or_default();
+    let mut window = Offscreen::open(start, size)?;
+    window.app.set_quality(quality);
+    window.frame(0.0);
+    let first_frame_s = process_start.elapsed().as_secs_f64();
+    while window.app.session().kitchen.time_s() < from_s && !window.app.session().paused {
+        // A recipe that goes wrong shows as frames of a standing kitchen; its title and times are reported.
+        if window.app.session_mut().tick().is_err() {
+            break;
+        }
+    }
+    let simulated_from = window.app.session().kitchen.time_s();
+    let begin = Instant::now();
+    let mut durations = Vec::new();
+    while begin.elapsed().as_secs_f64() < FOR_S {
+        let frame = Instant::now();
+        window.frame(begin.elapsed().as_secs_f64());
+        durations.push(frame.elapsed().as_secs_f64());
+    }
+    durations.sort_by(f64::total_cmp);
+    let at = |share: f64| durations[((durations.len() - 1) as f64 * share).round() as usize];
+    Ok(FrameBench {
+        frames_per_s: FrameRates { median: 1.0 / at(0.5), p5: 1.0 / at(0.95) },
+        first_frame_s,
+        adapter: window.adapter(),
+        size,
+        scene_size: window.app.scene_size(),
+        quality: window.app.quality(),
+        recipe,
+        frames: durations.len(),
+        simulated_s: [simulated_from, window.app.session().kitchen.time_s()],
+    })
+}

@@ -1,0 +1,179 @@
+//! Hands at haptic devices: what they do to the kitchen in every frame, and what they feel.
+
+use std::path::PathBuf;
+
+use saute_haptics::kept_calibration::file_in;
+use saute_haptics::rumble::{Rumble, RumbleRule};
+use saute_haptics::{ContactModel, HapticDevice, Health, KitchenWatch, PanInHand, TurnerInHand, shelf};
+use saute_kitchen::{FRAME_S, Kitchen};
+
+use super::connected::{ConnectError, Connected};
+
+/// A gamepad falls silent when nothing has happened for so long [s] (chosen: three frames).
+const SILENT_S: f64 = 0.05;
+/// Degrees of freedom that a turner's device must sense.
+const TURNER_DOF: u8 = 6;
+
+/// What a device holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Role {
+    /// The pan.
+    #[default]
+    Pan,
+    /// The turner, without force.
+    Turner,
+}
+
+/// Devices with which the window starts.
+#[derive(Clone, Debug, Default)]
+pub struct HandsStart {
+    /// NAME[@PLACE] of the device that holds the pan.
+    pub pan: Option<String>,
+    /// NAME[@PLACE] of the device that leads the turner.
+    pub turner: Option<String>,
+    /// Pairing code that a real device shows; 0 where it needs none.
+    pub pairing: u32,
+    /// Where the calibration of the pan's device is kept, instead of among the settings.
+    pub calibration: Option<PathBuf>,
+}
+
+/// Devices that hands hold.
+#[derive(Default)]
+pub struct Hands {
+    pan: Option<Connected>,
+    turner: Option<Connected>,
+    pan_in_hand: PanInHand,
+    turner_in_hand: TurnerInHand,
+    watch: KitchenWatch,
+    model: ContactModel,
+    /// Time since the contact model was sent last [s].
+    silent: f64,
+    /// True if a gamepad renders what is felt.
+    listened: bool,
+    rumble: Option<RumbleRule>,
+    /// Distance of the eye before it stepped back to see the strings [m]; none while they are not shown.
+    pub(crate) eye_before: Option<f32>,
+    /// Folder of calibrations; none where nothing is remembered.
+    pub folder: Option<PathBuf>,
+    /// File of the pan's calibration, instead of one in the folder.
+    pub file: Option<PathBuf>,
+}
+
+impl Hands {
+    /// Connects a device by NAME[@PLACE] in place of the one that had its role.
+    pub fn connect(&mut self, role: Role, text: &str, pairing: u32) -> Result<(), ConnectError> {
+        self.disconnect(role);
+        let among = self.folder.as_ref().map(|folder| file_in(folder, text));
+        let file = if role == Role::Pan { self.file.clone().or(among) } else { among };
+        self.take(role, Connected::open(text, pairing, file)?)
+    }
+
+    /// Connects a device that lives in this program.
+    pub fn hold(&mut self, role: Role, name: &str, device: Box<dyn HapticDevice>) -> Result<(), ConnectError> {
+        self.disconnect(role);
+        self.take(role, Connected::start(name, device, self.file.clone())?)
+    }
+
+    fn take(&mut self, role: Role, device: Connected) -> Result<(), ConnectError> {
+        let dof = device.capabilities.sensed.dof();
+        match role {
+            Role::Pan => self.pan = Some(device),
+            Role::Turner if dof < TURNER_DOF => return Err(ConnectError::TooFew { name: device.name.clone(), dof }),
+            Role::Turner => self.turner = Some(device),
+        }
+        Ok(())
+    }
+
+    /// Ends a device's loop; what it held is laid down.
+    pub fn disconnect(&mut self, role: Role) {
+        match role {
+            Role::Pan => (self.pan, self.eye_before) = (None, None),
+            Role::Turner => self.turner = None,
+        }
+    }
+
+    /// The device of a role.
+    pub fn device(&self, role: Role) -> Option<&Connected> {
+        match role {
+            Role::Pan => self.pan.as_ref(),
+            Role::Turner => self.turner.as_ref(),
+        }
+    }
+
+    /// The device of strings that holds the pan.
+    pub fn strung(&self) -> Option<&Connected> {
+        self.pan.as_ref().filter(|device| device.strings.is_some())
+    }
+
+    /// Returns true while strings are shown: there are some, and a person has turned them on.
+    pub fn strings_are_shown(&self) -> bool {
+        self.eye_before.is_some() && self.strung().is_some()
+    }
+
+    /// Returns true if any device is connected.
+    pub fn any(&self) -> bool {
+        self.pan.is_some() || self.turner.is_some()
+    }
+
+    /// Stops all devices; they stay stopped.
+    pub fn stop(&self) {
+        self.pan.iter().chain(&self.turner).for_each(Connected::stop);
+    }
+
+    /// Returns true if a hand holds the pan, or it is being laid down.
+    pub fn has_pan(&self) -> bool {
+        self.pan_in_hand.holds() || self.pan_in_hand.lays_down()
+    }
+
+    /// A new kitchen: hands take hold of it gently.
+    pub fn begin(&mut self) {
+        (self.pan_in_hand, self.turner_in_hand) = Default::default();
+        self.watch.forget();
+    }
+
+    /// Reads the state of the devices; returns the files into which calibrations were written, and errors.
+    pub fn update(&mut self) -> Vec<Result<PathBuf, ConnectError>> {
+        let mut kept = Vec::new();
+        for device in self.pan.iter_mut().chain(&mut self.turner) {
+            device.update();
+            kept.extend(device.keep_calibration().transpose());
+        }
+        kept
+    }
+
+    /// Before a frame of the kitchen: pan and turner go where hands hold them.
+    pub fn lead(&mut self, kitchen: &mut Kitchen) {
+        let pan = self.pan.as_mut().map(|d| d.update().sample);
+        let other = self.turner.as_mut().map(|d| d.update().sample).filter(|s| s.health == Health::Running);
+        let running = pan.filter(|s| s.health == Health::Running);
+        let led = other.and_then(|s| s.turner.or(s.leads_pan.then_some(s.pose)));
+        let turner = led.or(running.and_then(|s| s.turner));
+        self.pan_in_hand.step(pan.as_ref(), kitchen, FRAME_S);
+        self.turner_in_hand.step(turner.as_ref(), kitchen);
+    }
+
+    /// After a frame at the pace of the clock: sends the contact model to the device that holds the pan.
+    pub fn send(&mut self, kitchen: &Kitchen) {
+        if self.pan.is_none() && !self.listened {
+            return;
+        }
+        self.model = self.watch.look(kitchen, FRAME_S);
+        self.silent = 0.0;
+        if let Some(pan) = &mut self.pan {
+            pan.send(&self.model);
+        }
+    }
+
+    /// Returns the rumble of a gamepad now, `wall` after the last call [s]; none while time stands still or runs
+    /// faster.
+    pub fn rumble(&mut self, wall: f64) -> Rumble {
+        self.listened = true;
+        self.silent += wall;
+        if self.rumble.is_none() {
+            // The program's own file is whole, or nothing at all is felt.
+            self.rumble = shelf::feel().ok().map(|feel| RumbleRule::new(&feel));
+        }
+        let (silent, model) = (self.silent > SILENT_S + wall, &self.model);
+        self.rumble.as_mut().filter(|_| !silent).map_or_else(Rumble::default, |rule| rule.step(model, wall))
+    }
+}

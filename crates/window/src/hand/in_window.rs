@@ -1,0 +1,73 @@
+//! Haptic devices in the window: connecting, the emergency stop, and notices about them.
+
+use egui::{Context, Key, Modifiers};
+
+use super::hands::{HandsStart, Role};
+use crate::app::SauteApp;
+
+/// Interval at which the panel is redrawn while time stands still [s] (chosen: numbers that can be read).
+const ANEW_S: f64 = 0.1;
+
+impl SauteApp {
+    /// Connects the devices with which the window starts.
+    pub(crate) fn begin_hands(&mut self, start: HandsStart) {
+        self.session.hands.file = start.calibration;
+        for (role, text) in [(Role::Pan, start.pan), (Role::Turner, start.turner)] {
+            if let Some(text) = text {
+                self.connect_hand(role, &text, start.pairing);
+            }
+        }
+    }
+
+    /// Connects a device; time then runs at the pace of the clock, the only pace at which forces are rendered.
+    pub(crate) fn connect_hand(&mut self, role: Role, text: &str, pairing: u32) {
+        match self.session.hands.connect(role, text, pairing) {
+            Ok(()) => self.set_speed(1.0),
+            Err(error) => self.say_trouble(&error),
+        }
+    }
+
+    /// The emergency stop: all devices stop and stay stopped.
+    pub(crate) fn stop_hands(&mut self) {
+        if self.session.hands.any() {
+            self.session.hands.stop();
+            self.say("notice.hands_stopped");
+        }
+    }
+
+    /// Enter in a window stops the devices.
+    pub(crate) fn take_stop(&mut self, ctx: &Context) {
+        if self.session.hands.any() && ctx.input_mut(enter) {
+            self.stop_hands();
+        }
+    }
+
+    /// Reads the state of the devices, first of all in a frame. While one is connected, Enter stops it, whichever
+    /// widget has the focus.
+    pub(crate) fn take_devices(&mut self, ctx: &Context) {
+        let shaken = ctx.input(|i| f64::from(i.stable_dt));
+        if self.pad.is_plugged() {
+            let rumble = self.session.hands.rumble(shaken);
+            self.pad.shake(&rumble);
+        }
+        if !self.session.hands.any() {
+            return;
+        }
+        self.take_stop(ctx);
+        for kept in self.session.hands.update() {
+            match kept {
+                Ok(file) => {
+                    self.notice.say(self.settings.language.fill("notice.calibrated", &[("file", &file.display())]))
+                }
+                Err(error) => self.say_trouble(&error),
+            }
+        }
+        ctx.request_repaint_after(std::time::Duration::from_secs_f64(ANEW_S));
+    }
+}
+
+/// Returns true if Enter was pressed, with any modifiers; the key is consumed.
+fn enter(input: &mut egui::InputState) -> bool {
+    let held = input.modifiers;
+    [Modifiers::NONE, held].into_iter().any(|with| input.consume_key(with, Key::Enter))
+}

@@ -1,0 +1,14 @@
+//! Keys, mouse and gamepad, and what they do to the kitchen.
+
+pub mod gamepad;
+#[cfg(not(target_arch = "wasm32"))]
+mod gamepad_device;
+pub(crate) mod grab;
+pub(crate) mod pad_input;
+pub(crate) mod pan_keys;
+pub(crate) mod picking;
+pub mod pouring;
+pub(crate) mod probe_hand;
+mod put_in;
+mod scale_choice;
+pub(crate) mod tool_hand;

@@ -1,0 +1,70 @@
+//! The gamepad in the window: its state from frame to frame.
+
+use egui::Context;
+
+use crate::app::SauteApp;
+use crate::input::gamepad::{PadMotion, PadState, acts, motion};
+#[cfg(not(target_arch = "wasm32"))]
+use crate::input::gamepad_device::GamepadDevice;
+
+/// The gamepad with its last state.
+#[derive(Default)]
+pub(crate) struct Pad {
+    #[cfg(not(target_arch = "wasm32"))]
+    device: GamepadDevice,
+    /// True if a device is plugged in; its state is dropped when it is unplugged.
+    #[cfg(not(target_arch = "wasm32"))]
+    plugged: bool,
+    now: PadState,
+    before: PadState,
+}
+
+impl Pad {
+    /// Reads the gamepad that is plugged in; in a browser none.
+    pub(crate) fn connected() -> Self {
+        Self {
+            #[cfg(not(target_arch = "wasm32"))]
+            device: GamepadDevice::connect(),
+            ..Self::default()
+        }
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Pad {
+    /// Returns true if a device is plugged in.
+    pub(crate) fn is_plugged(&self) -> bool {
+        self.plugged
+    }
+
+    /// Lets its motors shake.
+    pub(crate) fn shake(&mut self, rumble: &saute_haptics::Rumble) {
+        self.device.shake(rumble);
+    }
+}
+
+impl SauteApp {
+    /// Sets the gamepad's state, until one that is plugged in reports another.
+    pub fn set_pad(&mut self, state: PadState) {
+        self.pad.now = state;
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    fn listen(&mut self) {
+        let said = self.pad.device.read();
+        if said.is_some() || self.pad.plugged {
+            self.pad.now = said.unwrap_or_default();
+        }
+        self.pad.plugged = said.is_some();
+    }
+
+    /// Carries out what the gamepad's buttons ask for and returns what its sticks do.
+    pub(crate) fn take_pad(&mut self, ctx: &Context) -> PadMotion {
+        #[cfg(not(target_arch = "wasm32"))]
+        self.listen();
+        let (before, now) = (self.pad.before, self.pad.now);
+        self.pad.before = now;
+        acts(&before, &now).for_each(|act| self.act(act, ctx));
+        motion(&now)
+    }
+}

@@ -1,0 +1,40 @@
+//! The window of the frying-pan simulator: session, panels, input, haptic hands and the half mirror.
+//!
+//! [`SauteApp`] owns the state. Panels read it as a [`panels::window_state::WindowState`] and return [`act::Act`]s;
+//! keys and gamepads give acts too. [`SauteApp::act`] alone carries them out.
+//!
+//! ```
+//! use saute_window::settings::Settings;
+//!
+//! let celsius = Settings::default();
+//! let fahrenheit = Settings { fahrenheit: true, ..Settings::default() };
+//! // Core temperature of a medium steak, as the panels write it.
+//! assert_eq!(celsius.temperature(60.0), "60\u{a0}°C");
+//! assert_eq!(fahrenheit.temperature(60.0), "140\u{a0}°F");
+//! ```
+
+pub mod act;
+pub mod app;
+mod apply;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod bench_frame;
+pub mod governor;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod hand;
+pub mod input;
+pub mod mirror;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod offscreen;
+pub mod paint;
+pub mod panels;
+mod remembered;
+pub mod session;
+pub mod settings;
+pub mod ui;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod window;
+pub mod words;
+
+pub use app::{SauteApp, Start, StartError};
+pub use words::language::Language;
+pub use words::view_words::ViewWords;

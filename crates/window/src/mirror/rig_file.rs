@@ -1,0 +1,354 @@
+//! Rig files: what is measured of a rig, as TOML.
+
+use glam::{DQuat, DVec2, DVec3};
+use serde::Deserialize;
+
+use super::lens::Lens;
+use super::optics::Plane;
+use super::registration::{Registered, RegistrationError, Rigid, register};
+use super::rig::{Measured, Rig, RigFault, Sheet};
+use super::screen::{Panel, Projector, Screen};
+
+/// The rigs that come with the program, by name: the first one is used unless another is named.
+pub const SHIPPED: [(&str, &str); 2] = [
+    ("flat-screen", include_str!("../../../../data/rigs/flat-screen.toml")),
+    ("projector", include_str!("../../../../data/rigs/projector.toml")),
+];
+
+/// Errors of a rig file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum RigFileError {
+    /// It is no rig file.
+    #[error("{file}:{line}: {message}\n  remedy: write this key as data/rigs/flat-screen.toml has it")]
+    Format {
+        /// Which file.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// What is wrong.
+        message: String,
+    },
+    /// What it says makes no rig.
+    #[error("{file}: {fault}")]
+    Fault {
+        /// Which file.
+        file: String,
+        /// What is wrong.
+        fault: RigFault,
+    },
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RigFile {
+    name: String,
+    #[expect(dead_code, reason = "every table of the data says where it is from")]
+    source: String,
+    #[expect(dead_code, reason = "and how sure it is")]
+    confidence: String,
+    eye: EyeTable,
+    mirror: PlaneTable,
+    panel: Option<PanelTable>,
+    projector: Option<ProjectorTable>,
+    #[serde(default)]
+    kitchen: KitchenTable,
+    sheet: SheetTable,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct EyeTable {
+    position_m: [f64; 3],
+    distance_mm: f64,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PlaneTable {
+    point_m: [f64; 3],
+    normal: [f64; 3],
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PanelTable {
+    pixels: [u32; 2],
+    top_left_m: [f64; 3],
+    top_right_m: [f64; 3],
+    bottom_left_m: [f64; 3],
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ProjectorTable {
+    pixels: [u32; 2],
+    position_m: [f64; 3],
+    axis: [f64; 3],
+    right: [f64; 3],
+    focal_px: f64,
+    principal_px: [f64; 2],
+    k1: f64,
+    k2: f64,
+    board: PlaneTable,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct KitchenTable {
+    #[serde(default)]
+    origin_m: [f64; 3],
+    #[serde(default)]
+    turn_deg: f64,
+    #[serde(default)]
+    touched: Vec<TouchedTable>,
+    home: Option<HomeTable>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TouchedTable {
+    kitchen_m: [f64; 3],
+    rig_m: [f64; 3],
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct HomeTable {
+    position_m: [f64; 3],
+    rotation_xyzw: [f64; 4],
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SheetTable {
+    middle_m: [f64; 3],
+    size_m: [f64; 2],
+}
+
+/// Reads a rig file.
+pub fn parse(text: &str, file: &str) -> Result<Rig, RigFileError> {
+    let format = |e: toml::de::Error| {
+        let before = e.span().map_or(0, |span| span.start.min(text.len()));
+        let line = 1 + text.as_bytes()[..before].iter().filter(|&&b| b == b'\n').count();
+        RigFileError::Format { file: file.to_owned(), line, message: e.message().to_owned() }
+    };
+    let read: RigFile = toml::from_str(text).map_err(format)?;
+    read.rig().map_err(|fault| RigFileError::Fault { file: file.to_owned(), fault })
+}
+
+/// A shipped rig by its name.
+pub fn shipped(name: &str) -> Option<Result<Rig, RigFileError>> {
+    let (name, text) = SHIPPED.iter().find(|(shipped, _)| *shipped == name)?;
+    Some(parse(text, &format!("data/rigs/{name}.toml")))
+}
+
+impl RigFile {
+    fn rig(self) -> Result<Rig, RigFault> {
+        let eye_distance = 1e-3 * within("eye.distance_mm", self.eye.distance_mm, 0.0, 120.0)?;
+        let (rig_from_kitchen, residual) = self.kitchen.transform()?;
+        let [width, depth] = self.sheet.size_m;
+        let size = DVec2::new(within("sheet.size_m", width, 0.05, 3.0)?, within("sheet.size_m", depth, 0.05, 3.0)?);
+        let measured = Measured {
+            eye: point("eye.position_m", self.eye.position_m)?,
+            eye_distance,
+            mirror: self.mirror.plane("mirror")?,
+            screen: screen(self.panel, self.projector)?,
+            rig_from_kitchen,
+            residual,
+            sheet: Sheet { middle: point("sheet.middle_m", self.sheet.middle_m)?, size },
+            name: self.name,
+        };
+        measured.rig()
+    }
+}
+
+fn screen(panel: Option<PanelTable>, projector: Option<ProjectorTable>) -> Result<Screen, RigFault> {
+    match (panel, projector) {
+        (Some(panel), None) => panel.screen(),
+        (None, Some(projector)) => projector.screen(),
+        _ => Err(RigFault::new("panel", "one of [panel] and [projector] must be there", "write one of the tables")),
+    }
+}
+
+impl PlaneTable {
+    fn plane(&self, key: &str) -> Result<Plane, RigFault> {
+        let at = point(&format!("{key}.point_m"), self.point_m)?;
+        Ok(Plane { point: at, normal: direction(&format!("{key}.normal"), self.normal)? })
+    }
+}
+
+impl PanelTable {
+    fn screen(&self) -> Result<Screen, RigFault> {
+        let first = point("panel.top_left_m", self.top_left_m)?;
+        let row = point("panel.top_right_m", self.top_right_m)? - first;
+        let column = point("panel.bottom_left_m", self.bottom_left_m)? - first;
+        if row.cross(column).length() < 1e-4 || row.dot(column).abs() > 0.02 * row.length() * column.length() {
+            let message = "the three corners make no right angle";
+            return Err(RigFault::new("panel.top_left_m", message, "measure the corners of the lit area again"));
+        }
+        Ok(Screen::Panel(Panel { pixels: pixels("panel.pixels", self.pixels)?, first, row, column }))
+    }
+}
+
+impl ProjectorTable {
+    fn screen(&self) -> Result<Screen, RigFault> {
+        let axis = direction("projector.axis", self.axis)?;
+        let right = direction("projector.right", self.right)?;
+        let across = (right - right.dot(axis) * axis).try_normalize();
+        let along = || RigFault::new("projector.right", "it runs along the axis", "give the direction of a pixel row");
+        let focal = within("projector.focal_px", self.focal_px, 10.0, 1e6)?;
+        let [x, y] = self.principal_px;
+        let centre = DVec2::new(
+            within("projector.principal_px", x, -FARTHEST_PX, FARTHEST_PX)?,
+            within("projector.principal_px", y, -FARTHEST_PX, FARTHEST_PX)?,
+        );
+        let k = [within("projector.k1", self.k1, -1.0, 1.0)?, within("projector.k2", self.k2, -1.0, 1.0)?];
+        Ok(Screen::Projector(Projector {
+            pixels: pixels("projector.pixels", self.pixels)?,
+            position: point("projector.position_m", self.position_m)?,
+            axis,
+            right: across.ok_or_else(along)?,
+            focal,
+            lens: Lens { k, centre, unit: focal },
+            board: self.board.plane("projector.board")?,
+        }))
+    }
+}
+
+impl KitchenTable {
+    /// By touched points, else by the pan's home, else as given.
+    fn transform(&self) -> Result<(Rigid, Option<f64>), RigFault> {
+        if !self.touched.is_empty() {
+            return self.touched();
+        }
+        if let Some(home) = &self.home {
+            let [x, y, z, w] = home.rotation_xyzw;
+            let turn = DQuat::from_xyzw(x, y, z, w);
+            if !turn.is_finite() || (turn.length() - 1.0).abs() > 0.01 {
+                let message = "its length is not 1";
+                return Err(RigFault::new("kitchen.home.rotation_xyzw", message, "write a unit quaternion x, y, z, w"));
+            }
+            let home = Rigid { rotation: turn.normalize(), shift: point("kitchen.home.position_m", home.position_m)? };
+            // At home the kitchen's pan stands on the middle of the hob.
+            return Ok((Rigid::from_home(&home, &Rigid::IDENTITY), None));
+        }
+        let turn = within("kitchen.turn_deg", self.turn_deg, -180.0, 180.0)?.to_radians();
+        let shift = point("kitchen.origin_m", self.origin_m)?;
+        Ok((Rigid { rotation: DQuat::from_rotation_z(turn), shift }, None))
+    }
+
+    fn touched(&self) -> Result<(Rigid, Option<f64>), RigFault> {
+        let mut pairs = Vec::new();
+        for (number, touched) in self.touched.iter().enumerate() {
+            let key = format!("kitchen.touched[{number}]");
+            pairs.push([point(&key, touched.kitchen_m)?, point(&key, touched.rig_m)?]);
+        }
+        let refused = |e: RegistrationError| {
+            RigFault::new("kitchen.touched", e.to_string(), "touch three or more points spread over pan and table")
+        };
+        let Registered { transform, residual } = register(&pairs).map_err(refused)?;
+        if residual > LARGEST_RESIDUAL {
+            let message = format!("the points are {:.1} mm off each other's places (RMS)", 1e3 * residual);
+            return Err(RigFault::new(
+                "kitchen.touched",
+                message,
+                "check which point is which, and their units: metres",
+            ));
+        }
+        Ok((transform, Some(residual)))
+    }
+}
+
+/// Touched points that agree no better than this were mixed up [m] (chosen: twenty times a careful hand's error).
+const LARGEST_RESIDUAL: f64 = 0.02;
+/// Farthest pixel that an axis may meet [pixels] (chosen: four times the widest picture there is, for shifted lenses).
+const FARTHEST_PX: f64 = 32_768.0;
+/// Farthest from the rig's origin that anything is [m] (chosen: a room; catches millimetres written for metres).
+const ROOM: f64 = 10.0;
+
+fn within(key: &str, value: f64, least: f64, most: f64) -> Result<f64, RigFault> {
+    if (least..=most).contains(&value) {
+        return Ok(value);
+    }
+    Err(RigFault::new(key, format!("{value} is out of range"), &format!("write a number from {least} to {most}")))
+}
+
+fn point(key: &str, at: [f64; 3]) -> Result<DVec3, RigFault> {
+    for value in at {
+        within(key, value, -ROOM, ROOM)?;
+    }
+    Ok(DVec3::from_array(at))
+}
+
+fn direction(key: &str, along: [f64; 3]) -> Result<DVec3, RigFault> {
+    let none = || RigFault::new(key, "it has no direction", "write three numbers that are not all 0");
+    DVec3::from_array(along).try_normalize().ok_or_else(none)
+}
+
+fn pixels(key: &str, sides: [u32; 2]) -> Result<DVec2, RigFault> {
+    for side in sides {
+        within(key, f64::from(side), 64.0, 16_384.0)?;
+    }
+    Ok(DVec2::from_array(sides.map(f64::from)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refused(from: &str, to: &str) -> String {
+        let (name, text) = SHIPPED[0];
+        assert!(text.contains(from), "{from}");
+        parse(&text.replacen(from, to, 1), name).expect_err("is refused").to_string()
+    }
+
+    #[test]
+    fn the_shipped_rigs_are_read_and_a_panel_before_a_mirror_is_flipped() {
+        let [panel, behind] = SHIPPED.map(|(name, _)| shipped(name).expect("is there").expect("is read"));
+        assert!(panel.nominal.flips());
+        // A board that is lit from behind and seen in a mirror turns the picture over twice.
+        assert!(!behind.nominal.flips());
+    }
+
+    #[test]
+    fn all_marks_of_the_sheet_are_shown_with_room_for_their_crosses() {
+        for (name, _) in SHIPPED {
+            let rig = shipped(name).expect("is there").expect("is read");
+            let size = rig.screen.pixels();
+            for place in rig.mark_places().expect("before the eye") {
+                let pixel = rig.nominal.pixel(place);
+                let room = pixel.min(size - pixel).min_element();
+                assert!(room > 40.0, "{name}: {pixel}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_bad_number_is_refused_with_file_key_and_remedy() {
+        let said = refused("position_m = [0.0, -0.35, 0.55]", "position_m = [0.0, -350.0, 550.0]");
+        assert!(said.contains("flat-screen") && said.contains("eye.position_m") && said.contains("remedy"), "{said}");
+        let said = refused("normal = [0.0, 0.1736, 0.9848]", "normal = [0.0, 0.0, 0.0]");
+        assert!(said.contains("mirror.normal"), "{said}");
+        let said = refused("position_m = [0.0, -0.35, 0.55]", "position_m = [0.0, -0.35, 0.05]");
+        assert!(said.contains("screen") && said.contains("behind the mirror"), "{said}");
+        let said = refused("distance_mm", "distance_m");
+        assert!(said.contains("flat-screen:") && said.contains("distance_m"), "{said}");
+    }
+
+    #[test]
+    fn touched_points_and_a_home_pose_place_the_kitchen() {
+        let (name, text) = SHIPPED[0];
+        let with = |kitchen: &str| parse(&text.replace("origin_m = [0.0, 0.0, 0.0]\nturn_deg = 0.0", kitchen), name);
+        let rig = with(
+            "touched = [{ kitchen_m = [0.0, 0.0, 0.0], rig_m = [0.01, 0.02, 0.0] }, { kitchen_m = [0.1, 0.0, 0.0], rig_m = [0.01, 0.12, 0.0] }, { kitchen_m = [0.0, 0.1, 0.0], rig_m = [-0.09, 0.02, 0.0] }]",
+        )
+        .expect("is read");
+        let at = rig.rig_from_kitchen.point(DVec3::new(0.1, 0.1, 0.05));
+        assert!(at.distance(DVec3::new(-0.09, 0.12, 0.05)) < 1e-9, "{at}");
+        assert!(rig.residual.is_some_and(|r| r < 1e-9));
+        let rig = with("home = { position_m = [0.0, 0.05, 0.01], rotation_xyzw = [0.0, 0.0, 0.0, 1.0] }");
+        assert_eq!(rig.expect("is read").rig_from_kitchen.shift, DVec3::new(0.0, 0.05, 0.01));
+        let said = with("touched = [{ kitchen_m = [0, 0, 0], rig_m = [0, 0, 0] }]").expect_err("is refused");
+        assert!(said.to_string().contains("three or more"), "{said}");
+    }
+}

@@ -1,0 +1,202 @@
+//! The window of the half mirror: the picture for the device, or the calibration pattern.
+
+use std::io::Read;
+use std::sync::Arc;
+
+use egui::{Color32, Key, Sense, Ui};
+use glam::DVec2;
+use saute_scene::input::SceneInput;
+use saute_scene::quality::Quality;
+
+use super::aim::Aim;
+use super::frame::MirrorFrame;
+use super::pattern::Pattern;
+use super::presenter::MirrorCallback;
+use super::rig::Rig;
+use super::rig_file;
+use super::settings::MirrorSettings;
+use crate::app::SauteApp;
+use crate::words::language::Language;
+
+/// State of the mirror's window.
+#[derive(Clone, Debug, Default)]
+pub struct MirrorView {
+    /// True if the window is open.
+    pub open: bool,
+    /// True if it fills its screen.
+    pub full: bool,
+    /// True if the card with its choices is open.
+    pub card: bool,
+    /// True if the pattern is shown instead of the picture.
+    pub calibrating: bool,
+    /// The mark that is moved.
+    pub aim: Aim,
+    /// Size drawn last [pixels].
+    pub size: DVec2,
+    /// The rig, and what it was read from.
+    rig: Option<(String, Result<Arc<Rig>, String>)>,
+}
+
+impl MirrorView {
+    /// The rig of the settings, read when it is another; or why it cannot be used.
+    pub fn rig(&mut self, named: &str) -> Result<Arc<Rig>, String> {
+        match &self.rig {
+            Some((read, rig)) if read == named => rig.clone(),
+            _ => {
+                let rig = read(named).map(Arc::new);
+                self.rig = Some((named.to_owned(), rig.clone()));
+                rig
+            }
+        }
+    }
+
+    /// The rig that was read last, or why it cannot be used.
+    pub fn rig_read(&self) -> Result<Arc<Rig>, String> {
+        self.rig.as_ref().map_or_else(|| Err(String::new()), |(_, rig)| rig.clone())
+    }
+
+    /// Reads the rig's file again at the next frame.
+    pub fn forget_rig(&mut self) {
+        self.rig = None;
+    }
+
+    /// Shows the picture or the pattern over the whole of a window.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        settings: &mut MirrorSettings,
+        scene: Option<&SceneInput>,
+        quality: Quality,
+        l: Language,
+    ) {
+        let rect = ui.max_rect();
+        let response = ui.interact(rect, ui.scope_id().with("mirror"), Sense::click_and_drag());
+        response.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, l.text("half_mirror.spoken"))
+        });
+        ui.painter().rect_filled(rect, 0.0, Color32::BLACK);
+        let scale = ui.ctx().pixels_per_point();
+        self.size = DVec2::new(f64::from(rect.width() * scale), f64::from(rect.height() * scale)).round();
+        if !self.calibrating && response.hovered() {
+            ui.ctx().set_cursor_icon(egui::CursorIcon::None);
+        }
+        let Ok(rig) = self.rig(&settings.rig) else { return };
+        // A window that is being made small has no pixels for a while.
+        if self.size.min_element() < 1.0 {
+            return;
+        }
+        let mut calibration = settings.calibration();
+        if self.calibrating && self.aim.take(ui, &response, &mut calibration, &rig, self.size) {
+            // Three corners on a line show nothing: such a move is not made.
+            if calibration.fitted(&rig, self.size).is_some() {
+                settings.keep(calibration.clone());
+            } else {
+                calibration = settings.calibration();
+            }
+        }
+        let Some(fitted) = calibration.fitted(&rig, self.size) else { return };
+        if self.calibrating {
+            let Some(pixels) = calibration.pixels(&rig, self.size) else { return };
+            let pattern = Pattern { rig: &rig, warp: &fitted.warp, pixels, chosen: self.aim.chosen };
+            pattern.paint(ui.painter(), rect, scale);
+        } else if let Some(scene) = scene {
+            let frame = MirrorFrame::new(scene, &rig, &fitted.warp, &settings.options(&rig), self.size, quality);
+            ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, MirrorCallback { frame }));
+        }
+    }
+
+    /// F11 fills the screen, F10 calibrates, Esc closes.
+    pub fn take_keys(&mut self, ui: &mut Ui) {
+        let pressed = |ui: &Ui, key: Key| ui.input(|i| i.key_pressed(key));
+        if pressed(ui, Key::F11) {
+            self.full = !self.full;
+        }
+        if pressed(ui, Key::F10) {
+            self.calibrating = !self.calibrating;
+        }
+        if pressed(ui, Key::Escape) || pressed(ui, Key::F9) || ui.input(|i| i.viewport().close_requested()) {
+            (self.open, self.full, self.calibrating) = (false, false, false);
+        }
+    }
+}
+
+/// Longest rig file that is read [bytes] (chosen: a thousand times what one has).
+const LARGEST: u64 = 1 << 20;
+
+/// A shipped rig, else a file.
+fn read(named: &str) -> Result<Rig, String> {
+    if let Some(rig) = rig_file::shipped(named) {
+        return rig.map_err(|e| e.to_string());
+    }
+    rig_file::parse(&text_of(named).map_err(|e| format!("{named}: {e}"))?, named).map_err(|e| e.to_string())
+}
+
+/// Text of a file, its beginning where it is too long for a rig.
+fn text_of(file: &str) -> std::io::Result<String> {
+    if !std::path::Path::new(file).is_file() {
+        return Err(std::io::ErrorKind::NotFound.into());
+    }
+    let mut text = String::new();
+    std::fs::File::open(file)?.take(LARGEST).read_to_string(&mut text)?;
+    Ok(text)
+}
+
+/// Size of the mirror's window before it fills a screen [points].
+const WINDOW: [f32; 2] = [960.0, 540.0];
+
+impl SauteApp {
+    /// The mirror's window, while it is open: the picture and nothing else; the main window stays the operator's.
+    pub(crate) fn show_mirror(&mut self, ctx: &egui::Context) {
+        if !self.mirror.open {
+            return;
+        }
+        let title = self.settings.language.text("half_mirror.window");
+        let builder = egui::ViewportBuilder::default()
+            .with_title(title)
+            .with_inner_size(WINDOW)
+            .with_fullscreen(self.mirror.full);
+        ctx.show_viewport_immediate(egui::ViewportId::from_hash_of("mirror"), builder, |ui, class| {
+            // A hand that is hurt stops its device wherever the keys go.
+            #[cfg(not(target_arch = "wasm32"))]
+            self.take_stop(ui.ctx());
+            if class == egui::ViewportClass::EmbeddedWindow {
+                ui.set_min_size(WINDOW.into());
+            } else {
+                // The keys of a part of the main window are the main window's.
+                self.mirror.take_keys(ui);
+            }
+            let quality = self.quality();
+            let scene = self.scene.shown.clone();
+            if self.drawable() {
+                let l = self.settings.language;
+                self.mirror.show(ui, &mut self.settings.mirror, scene.as_deref(), quality, l);
+            }
+        });
+    }
+
+    /// Opens the mirror's window or closes it, and says how to use it.
+    pub(crate) fn toggle_mirror(&mut self) {
+        self.mirror.open = !self.mirror.open;
+        self.mirror.full = false;
+        match self.mirror.rig(&self.settings.mirror.rig) {
+            Err(error) if self.mirror.open => self.say_trouble(&error),
+            Ok(_) if self.mirror.open => self.say("half_mirror.opened"),
+            _ => {}
+        }
+    }
+
+    /// State of the mirror's window.
+    pub fn mirror(&self) -> &MirrorView {
+        &self.mirror
+    }
+}
+
+/// Name of a stereo mode.
+pub(crate) fn stereo_word(stereo: super::stereo::Stereo, l: Language) -> &'static str {
+    use super::stereo::Stereo;
+    l.text(match stereo {
+        Stereo::Off => "half_mirror.mono",
+        Stereo::Anaglyph => "half_mirror.anaglyph",
+        Stereo::SideBySide => "half_mirror.side_by_side",
+    })
+}

@@ -1,0 +1,65 @@
+//! Short messages over the scene: a machine too slow, and what was said last.
+
+use egui::{Align2, Area, FontId, Id, RichText, Ui};
+use saute_kitchen::food::Rules;
+use saute_picture::view::View;
+
+use crate::act::Acts;
+use crate::panels::legend;
+use crate::panels::window_state::WindowState;
+use crate::ui::layout::{GAP, Layout};
+use crate::ui::theme;
+
+/// Shows the badges and the notice where there is something to say.
+pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+    standing(state, ui, acts, layout);
+    if let Some(behind) = state.session.behind_s() {
+        let text = state.settings.language.fill(
+            "scene.behind",
+            &[("speed", &format!("{:.0}", state.session.speed)), ("seconds", &format!("{behind:.0}"))],
+        );
+        message(ui, layout, "behind", 12.0, &text);
+    }
+    if let Some(text) = &state.notice {
+        message(ui, layout, "notice", 52.0, text);
+    }
+}
+
+/// What holds all the time: the legend of the view, and simplified rules.
+fn standing(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+    let simple = state.session.kitchen.rules() == Rules::Paper2013;
+    let coloured = state.settings.view != View::Look;
+    if !simple && !coloured {
+        return;
+    }
+    let pane = layout.field_pane(state.settings.is_split());
+    let at = pane.free.left_bottom() + egui::vec2(GAP, -GAP);
+    let width = layout.whole.right().min(layout.free.right()) - at.x - 2.0 * GAP - 16.0;
+    let area = Area::new(Id::unique("standing")).fixed_pos(at).pivot(Align2::LEFT_BOTTOM);
+    area.show(ui.ctx(), |ui| {
+        theme::of(ui).panel().inner_margin(8).show(ui, |ui| {
+            legend::show(state, ui, acts, width);
+            if simple {
+                ui.label(
+                    RichText::new(state.settings.language.text("scene.rules_2013"))
+                        .size(15.0)
+                        .strong()
+                        .color(theme::of(ui).accent),
+                );
+            }
+        });
+    });
+}
+
+fn message(ui: &Ui, layout: &Layout, name: &str, drop: f32, text: &str) {
+    let at = layout.free.center_top() + egui::vec2(0.0, drop);
+    Area::new(Id::unique(("message", name))).fixed_pos(at).pivot(Align2::CENTER_TOP).interactable(false).show(
+        ui.ctx(),
+        |ui| {
+            theme::of(ui).panel().show(ui, |ui| {
+                ui.set_max_width(layout.free.width() - 40.0);
+                ui.label(RichText::new(text).font(FontId::proportional(14.5)));
+            });
+        },
+    );
+}

@@ -1,0 +1,289 @@
+//! What is inside now: the cut, doneness, temperatures, the goal and the curves.
+
+use egui::{RichText, TextureHandle, TextureOptions, Ui, vec2};
+use saute_kitchen::advice::{Advice, goal_c};
+use saute_kitchen::food::{Scale, Shares};
+use saute_kitchen::heat::Layout;
+use saute_kitchen::{Piece, celsius, kelvin};
+use saute_picture::colour::map::TemperatureMap;
+use saute_picture::cut::section::section_picture;
+use saute_picture::view::View;
+
+use crate::act::{Act, Acts, Setting};
+use crate::panels::window_state::WindowState;
+use crate::panels::{curves, doneness_bar, probes};
+use crate::settings::Settings;
+use crate::ui::theme;
+
+/// Pictures of the cut of a steak are painted at this scale [pixels/mm] (chosen: sharp in the panel, 4 ms a picture).
+const PER_MM: f64 = 3.2;
+/// Width of the picture's place in the panel [points]; narrower pieces are painted finer.
+const PANEL_WIDTH: f64 = 290.0;
+/// Interval at which the picture is repainted [wall s] (chosen).
+const REPAINT_S: f64 = 0.4;
+
+/// What the panel keeps between frames.
+#[derive(Default)]
+pub struct Inside {
+    texture: Option<TextureHandle>,
+    painted_at: f64,
+    painted_for: Option<Painted>,
+    /// Doneness of the section, by the chosen scale.
+    pub(crate) shares: Shares,
+    /// Names and mean shares of what heat has changed.
+    pub(crate) changed: Vec<(String, f64)>,
+    /// Hardness over that of the raw food [-] and juiciness [%].
+    bite: [f64; 2],
+}
+
+/// What a picture of the cut was painted for.
+#[derive(Clone, Debug, PartialEq)]
+struct Painted {
+    generation: u64,
+    place: i64,
+    view: View,
+    map: TemperatureMap,
+    scale: Option<String>,
+    flipped: bool,
+}
+
+/// Height of the picture of the cut at most [points].
+const CUT_HEIGHT: f32 = 84.0;
+/// Room for two lines of advice [points].
+const ADVICE_HEIGHT: f32 = 40.0;
+
+/// Shows the panel.
+pub fn show(state: &WindowState, inside: &mut Inside, ui: &mut Ui, acts: &mut Acts) {
+    let Some(piece) = state.session.steak() else {
+        ui.label(state.settings.language.text("inside.no_food"));
+        return;
+    };
+    inside.refresh(state, piece, ui);
+    cut(state, inside, ui, acts);
+    doneness_bar::show(state, inside, ui, acts);
+    ui.separator();
+    readings(state, inside, piece, ui);
+    ui.separator();
+    goal(state, ui, acts);
+    probes::show(state, ui, acts);
+    if state.settings.curves_open {
+        ui.separator();
+        let height = (ui.available_height() - 32.0).clamp(112.0, 260.0);
+        curves::show(state, ui, height);
+    }
+}
+
+impl Inside {
+    /// Reads everything again and paints the cut, at intervals and as soon as it should look different.
+    fn refresh(&mut self, state: &WindowState, piece: &Piece, ui: &Ui) {
+        let now = ui.input(|i| i.time);
+        let wanted = Painted::wanted(state, piece);
+        if self.painted_for.as_ref() == Some(&wanted) && now - self.painted_at < REPAINT_S {
+            return;
+        }
+        self.read(piece, state.scale().as_deref());
+        self.paint(state, piece, ui, &wanted);
+        (self.painted_at, self.painted_for) = (now, Some(wanted));
+    }
+
+    fn read(&mut self, piece: &Piece, scale: Option<&Scale>) {
+        let (model, now) = (&piece.model, &piece.state);
+        let means = now.changed.iter().map(|field| model.volume_mean(field));
+        self.shares = scale.map(|s| model.cut_shares(now, &model.cut_across(0.0), s)).unwrap_or_default();
+        self.changed = model.kinetics().names().into_iter().map(str::to_owned).zip(means).collect();
+        self.bite = [model.hardness_index(now), model.juiciness_pct(now)];
+    }
+
+    fn paint(&mut self, state: &WindowState, piece: &Piece, ui: &Ui, wanted: &Painted) {
+        let x = state.slice.unwrap_or(0.0) * saute_picture::stage::half_length(piece);
+        let colours = wanted.view.colour_map(wanted.map, state.scale().as_deref());
+        let picture = section_picture(piece, x, wanted.view, colours.as_ref(), per_mm(piece));
+        let image = egui::ColorImage::from_rgba_unmultiplied([picture.width, picture.height], &picture.rgba);
+        match &mut self.texture {
+            Some(texture) => texture.set(image, TextureOptions::LINEAR),
+            None => self.texture = Some(ui.ctx().load_texture("cut", image, TextureOptions::LINEAR)),
+        }
+    }
+}
+
+impl Painted {
+    fn wanted(state: &WindowState, piece: &Piece) -> Self {
+        Self {
+            generation: state.session.generation,
+            place: (state.slice.unwrap_or(0.0) * 1e4) as i64,
+            view: state.settings.view,
+            map: state.settings.map,
+            scale: state.scale().map(|s| s.id.clone()),
+            flipped: piece.upside_down(),
+        }
+    }
+}
+
+/// Fineness at which the cut of a piece is sharp in the panel [pixels/mm].
+fn per_mm(piece: &Piece) -> f64 {
+    let model = &piece.model;
+    // A cut that follows a curved body shows all of its length.
+    let across = 1e3
+        * match model.mesh().layout() {
+            Layout::Along(mesh, _) => mesh.thickness(),
+            Layout::Upright(_) | Layout::Cells(_) => model.size()[0].min(model.size()[1]),
+        };
+    (PANEL_WIDTH / across).clamp(PER_MM, 8.0 * PER_MM)
+}
+
+fn cut(state: &WindowState, inside: &Inside, ui: &mut Ui, acts: &mut Acts) {
+    let Some(texture) = &inside.texture else { return };
+    let width = ui.available_width();
+    let size = texture.size_vec2();
+    let scale = (width / size.x).min(CUT_HEIGHT / size.y);
+    let l = state.settings.language;
+    let noun = state.session.noun();
+    let food = l.called("noun", &noun);
+    let alt = l.fill("inside.section", &[("food", &food)]);
+    ui.vertical_centered(|ui| {
+        ui.add(egui::Image::new((texture.id(), size * scale)).corner_radius(5).alt_text(alt));
+    });
+    let mut place = state.slice.unwrap_or(0.0);
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(l.text("inside.cut_at")).size(13.0).color(theme::of(ui).quiet));
+        let beside = if state.scene.placing { 124.0 } else { 84.0 };
+        ui.spacing_mut().slider_width = ui.available_width() - beside - 16.0;
+        let slider = egui::Slider::new(&mut place, -0.95..=0.95).show_value(false);
+        let response = ui.add(slider);
+        let name = l.fill("inside.place_of_cut", &[("food", &food)]);
+        response.widget_info(|| egui::WidgetInfo::slider(true, place, &name));
+        if response.changed() {
+            acts.push(Act::SliceAt(place));
+        }
+        probes::add_button(state, ui, acts);
+    });
+}
+
+fn readings(state: &WindowState, inside: &Inside, piece: &Piece, ui: &mut Ui) {
+    let settings = state.settings;
+    let kitchen = &state.session.kitchen;
+    let mass = 1e3 * piece.mass();
+    let lost = 100.0 * (1.0 - mass / state.session.start_mass_g());
+    let since = piece.flipped_at.map(|t| kitchen.time_s() - t);
+    let hardness = format!("{:.1}", inside.bite[0]);
+    let juiciness = inside.bite[1];
+    let temperature = |kelvin: f64| settings.temperature(celsius(kelvin));
+    let rows = [
+        [("inside.core", temperature(piece.core())), ("inside.pan", temperature(kitchen.pan_temperature()))],
+        [("inside.underside", temperature(piece.face(true))), ("inside.upper_side", temperature(piece.face(false)))],
+        [("inside.mass", grams(mass)), ("inside.lost", format!("{:.1} %", tidy(lost)))],
+        [
+            ("inside.hardness", settings.language.fill("inside.hardness_value", &[("value", &hardness)])),
+            ("inside.juiciness", format!("{juiciness:.0} %")),
+        ],
+        [("inside.time", clock(kitchen.time_s())), ("inside.since_flip", since.map_or_else(|| "–".into(), clock))],
+    ];
+    ui.spacing_mut().interact_size.y = 21.0;
+    egui::Grid::new("readings").num_columns(4).min_col_width(56.0).spacing(vec2(10.0, 3.0)).show(ui, |ui| {
+        for row in rows {
+            for (name, value) in row {
+                ui.label(RichText::new(settings.language.text(name)).size(12.5).color(theme::of(ui).quiet));
+                ui.label(RichText::new(value).size(15.0).strong());
+            }
+            ui.end_row();
+        }
+    });
+}
+
+/// A mass with as many places as it takes to see it change.
+fn grams(mass: f64) -> String {
+    if mass < 50.0 { format!("{mass:.1} g") } else { format!("{mass:.0} g") }
+}
+
+/// A percentage rounded to a tenth; adding zero turns −0.0 into 0.0, which would print as −0.0.
+fn tidy(percent: f64) -> f64 {
+    (10.0 * percent).round() / 10.0 + 0.0
+}
+
+/// Minutes and seconds.
+pub fn clock(seconds: f64) -> String {
+    let whole = seconds.max(0.0) as u64;
+    format!("{}:{:02}", whole / 60, whole % 60)
+}
+
+fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let Some(scale) = state.scale() else {
+        show_advice(state, ui);
+        return;
+    };
+    let l = state.settings.language;
+    ui.horizontal(|ui| {
+        let many = scale.class.len() > 4;
+        (ui.spacing_mut().button_padding.x, ui.spacing_mut().item_spacing.x) =
+            if many { (4.0, 2.0) } else { (7.0, 8.0) };
+        ui.label(RichText::new(l.text("inside.goal")).size(if many { 11.0 } else { 12.5 }).color(theme::of(ui).quiet));
+        goals(state.settings, &scale, ui, acts);
+        let mut degrees = state.settings.degrees(state.settings.goal_c);
+        let range = state.settings.degrees(45.0)..=state.settings.degrees(85.0);
+        let drag =
+            egui::DragValue::new(&mut degrees).range(range).speed(0.2).max_decimals(0).suffix(state.settings.unit());
+        let response = ui.add(drag);
+        response.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::accesskit::Role::SpinButton, true, l.text("inside.goal_spoken"))
+        });
+        if response.changed() {
+            acts.push(Act::Set(Setting::Goal(state.settings.celsius(degrees))));
+        }
+    });
+    show_advice(state, ui);
+}
+
+/// A button for each class but the least done.
+fn goals(settings: &Settings, scale: &Scale, ui: &mut Ui, acts: &mut Acts) {
+    for (place, class) in scale.class.iter().enumerate().skip(1) {
+        let goal = goal_c(scale, place);
+        let name = RichText::new(settings.language.called("class", &class.name)).size(if scale.class.len() > 4 {
+            11.5
+        } else {
+            15.0
+        });
+        if ui.selectable_label((settings.goal_c - goal).abs() < 0.5, name).clicked() {
+            acts.push(Act::Set(Setting::Goal(goal)));
+        }
+    }
+}
+
+/// Shows what to do next.
+pub fn show_advice(state: &WindowState, ui: &mut Ui) {
+    let text = state.advice.map_or_else(String::new, |advice| advice_words(advice, state));
+    let text = RichText::new(text).size(14.5);
+    let now = state.advice.is_some_and(Advice::is_due);
+    let label = egui::Label::new(if now { text.color(theme::of(ui).accent).strong() } else { text });
+    // Always the same height, so that the curves below stay where they are.
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ADVICE_HEIGHT), egui::Sense::hover());
+    ui.scope_builder(egui::UiBuilder::new().max_rect(rect), |ui| ui.add(label));
+}
+
+/// Advice in the cook's words.
+fn advice_words(advice: Advice, state: &WindowState) -> String {
+    let l = state.settings.language;
+    let at = |key, celsius: f64| l.fill(key, &[("temperature", &state.settings.temperature(celsius))]);
+    match advice {
+        Advice::TurnOn { .. } => l.text("advice.turn_on").to_owned(),
+        Advice::Heating { until_c, .. } => at("advice.heating", until_c),
+        Advice::TooHot { .. } => l.text("advice.too_hot").to_owned(),
+        Advice::PutIn { .. } => l.fill("advice.put_in", &[("food", &l.called("noun", &state.session.noun()))]),
+        Advice::Wet { .. } => l.text("advice.wet").to_owned(),
+        Advice::Browns { .. } => l.text("advice.browns").to_owned(),
+        Advice::TakeOut { peak_c } => at("advice.take_out", peak_c),
+        Advice::WouldPeak { peak_c, wet: true } => at("advice.would_peak_wet", peak_c),
+        Advice::WouldPeak { peak_c, wet: false } => at("advice.would_peak", peak_c),
+        Advice::Resting { peak_c } => resting_words(peak_c, state),
+    }
+}
+
+/// What a resting piece has reached, with its class where a scale says anything about it.
+fn resting_words(peak_c: f64, state: &WindowState) -> String {
+    let l = state.settings.language;
+    let temperature = state.settings.temperature(peak_c);
+    let Some(scale) = state.scale() else { return l.fill("advice.resting", &[("temperature", &temperature)]) };
+    let peak = state.session.steak().map_or_else(|| kelvin(peak_c), |piece| piece.core_peak.0);
+    let class = l.called("class", scale.name_of(peak));
+    let scale = l.called("scale", &scale.name);
+    l.fill("advice.resting_class", &[("temperature", &temperature), ("class", &class), ("scale", &scale)])
+}

@@ -1,0 +1,165 @@
+//! The card of the half mirror: window, rig, projector, stereo, calibration with its numbers.
+
+use egui::{Align, DragValue, Id, Layout, Modal, Response, RichText, ScrollArea, TextEdit, Ui, vec2};
+
+use super::settings_card::{NAMES, NARROW, WIDTH, explained, row};
+use crate::act::{Act, Acts, Card, Setting};
+use crate::mirror::calibration::Calibration;
+use crate::mirror::rig::Rig;
+use crate::mirror::rig_file::SHIPPED;
+use crate::mirror::settings::{MirrorSettings, WIDEST_MM};
+use crate::mirror::stereo::Stereo;
+use crate::mirror::view::stereo_word;
+use crate::panels::window_state::WindowState;
+use crate::ui::theme;
+
+/// Shows the card over everything; Esc, the button or a click beside it closes it.
+pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
+    let l = state.settings.language;
+    let palette = theme::of(ui);
+    let mut done = false;
+    let modal = Modal::new(Id::unique("mirror")).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
+        ui.set_width((whole.width() - 56.0).min(WIDTH));
+        ui.horizontal(|ui| {
+            ui.heading(l.text("half_mirror.title"));
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                done = ui.add(palette.button(l.text("settings.done"), true)).clicked();
+            });
+        });
+        ui.separator();
+        let height = whole.height() - 112.0;
+        let scrolled = ScrollArea::vertical().auto_shrink([false, true]).max_height(height).min_scrolled_height(height);
+        scrolled.show(ui, |ui| {
+            let narrow = whole.width() < NARROW;
+            let mut chosen = state.settings.mirror.clone();
+            window(state, &mut chosen, ui, acts, narrow);
+            place(state, &mut chosen, ui, acts, narrow);
+            eyes(state, &mut chosen, ui, narrow);
+            calibration(state, &mut chosen, ui, acts, narrow);
+            if chosen != state.settings.mirror {
+                acts.push(Act::Set(Setting::Mirror(Box::new(chosen))));
+            }
+        });
+    });
+    if done || modal.should_close() {
+        acts.push(Act::Shut(Card::Mirror));
+    }
+}
+
+/// The window, and what it shows.
+fn window(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+    let l = state.settings.language;
+    let open = [(l.text("half_mirror.closed"), !state.mirror.open), (l.text("half_mirror.open"), state.mirror.open)];
+    if let Some(chosen) = row(ui, narrow, l.text("half_mirror.window"), &open) {
+        acts.push(Act::MirrorWindow(chosen == 1));
+    }
+    explained(ui, true, l.text("half_mirror.opened"));
+    let shown = settings.pan_shown;
+    let pan = [(l.text("half_mirror.pan_real"), !shown), (l.text("half_mirror.pan_drawn"), shown)];
+    if let Some(chosen) = row(ui, narrow, l.text("half_mirror.pan"), &pan) {
+        settings.pan_shown = chosen == 1;
+    }
+}
+
+/// Rig and projector.
+fn place(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+    let l = state.settings.language;
+    let now = settings.rig.clone();
+    let rigs = SHIPPED.map(|(name, _)| (l.called("rig", name), name == now));
+    if let Some(chosen) = row(ui, narrow, l.text("half_mirror.rig"), &rigs) {
+        settings.rig = SHIPPED[chosen].0.to_owned();
+    }
+    let typed = &mut settings.rig;
+    if beside(ui, narrow, l.text("half_mirror.rig_file"), |ui| text_field(ui, typed)).lost_focus() {
+        acts.push(Act::ReadRig);
+    }
+    let said = match state.mirror.rig_read() {
+        Err(error) => error,
+        Ok(rig) => registered(state, &rig),
+    };
+    explained(ui, narrow, &said);
+    let typed = &mut settings.projector;
+    beside(ui, narrow, l.text("half_mirror.projector"), |ui| text_field(ui, typed));
+}
+
+/// A name and the field that it is the name of.
+fn beside(ui: &mut Ui, narrow: bool, name: &str, field: impl FnOnce(&mut Ui) -> Response) -> Response {
+    ui.horizontal(|ui| {
+        let width = if narrow { 0.5 * ui.available_width() } else { NAMES };
+        let place = vec2(width, theme::TOUCH);
+        let label = ui.allocate_ui_with_layout(place, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_size(place);
+            ui.label(name)
+        });
+        field(ui).labelled_by(label.inner.id)
+    })
+    .inner
+}
+
+fn text_field(ui: &mut Ui, typed: &mut String) -> Response {
+    let room = ui.available_width() - 2.0 * ui.spacing().item_spacing.x;
+    ui.add(TextEdit::singleline(typed).desired_width(room.min(280.0)))
+}
+
+/// What a rig is called, and how well touched points agree with it.
+fn registered(state: &WindowState, rig: &Rig) -> String {
+    let l = state.settings.language;
+    let residual = rig.residual.map(|metres| format!("{:.2}", 1e3 * metres));
+    let name = l.called("rig", &rig.name);
+    residual.map_or_else(|| name.to_owned(), |mm| l.fill("half_mirror.registered", &[("rig", &name), ("mm", &mm)]))
+}
+
+/// Stereo and the distance of the eyes.
+fn eyes(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, narrow: bool) {
+    let l = state.settings.language;
+    let now = settings.stereo;
+    let ways = Stereo::ALL.map(|way| (stereo_word(way, l), way == now));
+    if let Some(chosen) = row(ui, narrow, l.text("half_mirror.stereo"), &ways) {
+        settings.stereo = Stereo::ALL[chosen];
+    }
+    let Ok(rig) = state.mirror.rig_read() else { return };
+    let mut mm = 1e3 * settings.eye_distance(&rig);
+    let drag = DragValue::new(&mut mm).range(0.0..=WIDEST_MM).speed(0.1).fixed_decimals(1).suffix(" mm");
+    if beside(ui, narrow, l.text("half_mirror.eyes"), |ui| ui.add(drag)).changed() {
+        settings.eye_distance_mm = Some(mm);
+    }
+}
+
+/// Calibration: on or off, what to do, the numbers.
+fn calibration(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+    let l = state.settings.language;
+    let on = state.mirror.calibrating;
+    let shown = [(l.text("half_mirror.picture"), !on), (l.text("half_mirror.pattern"), on)];
+    if let Some(chosen) = row(ui, narrow, l.text("half_mirror.calibration"), &shown) {
+        acts.push(Act::Calibrate(chosen == 1));
+    }
+    if let Ok(rig) = state.mirror.rig_read() {
+        let [width, depth] = (1e3 * rig.sheet.size).round().to_array();
+        explained(ui, true, &l.fill("half_mirror.how", &[("width", &width), ("depth", &depth)]));
+    }
+    if ui.add(theme::of(ui).button(l.text("half_mirror.reset"), false)).clicked() {
+        settings.keep(Calibration::default());
+    }
+    if let Some(lines) = numbers(state, &settings.calibration(), if narrow { 1 } else { 3 }) {
+        lines.iter().for_each(|line| {
+            ui.label(RichText::new(line).monospace().size(14.0));
+        });
+    }
+}
+
+/// Where every mark is shown, the lens, and what is left.
+fn numbers(state: &WindowState, calibration: &Calibration, columns: usize) -> Option<Vec<String>> {
+    let l = state.settings.language;
+    let (rig, size) = (state.mirror.rig_read().ok()?, state.mirror.size);
+    let size = if size.min_element() < 1.0 { rig.screen.pixels() } else { size };
+    let (fitted, pixels) = (calibration.fitted(&rig, size)?, calibration.pixels(&rig, size)?);
+    let mark = |mark: usize| format!("{} {:7.1} {:7.1}", mark + 1, pixels[mark].x, pixels[mark].y);
+    let rows = pixels.iter().enumerate().map(|(k, _)| mark(k)).collect::<Vec<_>>();
+    let mut lines: Vec<String> = rows.chunks(columns).map(|three| three.join("   ")).collect();
+    let [k1, k2] = fitted.warp.lens.k.map(|k| format!("{k:.4}"));
+    let centre = fitted.warp.lens.centre;
+    let (x, y) = (format!("{:.0}", centre.x), format!("{:.0}", centre.y));
+    let residual = format!("{:.2}", fitted.residual);
+    lines.push(l.fill("half_mirror.lens", &[("k1", &k1), ("k2", &k2), ("x", &x), ("y", &y), ("residual", &residual)]));
+    Some(lines)
+}

@@ -1,0 +1,141 @@
+//! Choosing the food and the pan.
+
+use egui::{RichText, Ui};
+use saute_kitchen::Library;
+use saute_kitchen::food::FoodDescription;
+
+use crate::act::{Act, Acts, Setting};
+use crate::panels::window_state::WindowState;
+use crate::session::{SteakChoice, noun};
+use crate::ui::theme;
+use crate::words::language::Language;
+
+/// Most pieces that are added at once (chosen: a full pan).
+const MOST_AT_ONCE: usize = 35;
+
+/// Shows the choices; they take effect with "Set out".
+pub fn show(state: &WindowState, count: &mut usize, ui: &mut Ui, acts: &mut Acts) {
+    let library = &state.session.library;
+    let l = state.settings.language;
+    let noun = noun(library, &state.settings.choice.kind);
+    let food = l.called("noun", &noun);
+    ui.heading(l.fill("pantry.mine", &[("food", &food)]));
+    set_out(state, *count, ui, acts);
+    how_many(count, ui, l);
+    crate::panels::pieces::all_at_once(state, ui, acts);
+    let starts = l.fill("pantry.starts", &[("food", &food)]);
+    ui.label(RichText::new(starts).size(12.5).color(theme::of(ui).quiet));
+    let mut choice = state.settings.choice.clone();
+    food_and_pan(state, &mut choice, ui);
+    if choice != state.settings.choice {
+        acts.push(Act::Set(Setting::Choice(choice)));
+    }
+    ui.separator();
+    recipes(state, ui, acts);
+}
+
+/// The kind of food, its size and temperature, and the pan.
+fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, ui: &mut Ui) {
+    let (library, l, fahrenheit) = (&state.session.library, state.settings.language, state.settings.fahrenheit);
+    ui.scope(|ui| kinds(ui, library, choice, l));
+    if let Some(food) = library.foods.get(&choice.kind) {
+        sizes(ui, food, &mut choice.size_mm, l);
+    }
+    temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, 0.0, 30.0, fahrenheit);
+    ui.separator();
+    ui.heading(l.text("pantry.pan"));
+    let name = l.called("pan", library.pans.get(&choice.pan).map_or(choice.pan.as_str(), |p| &p.name)).to_owned();
+    let combo = egui::ComboBox::from_id_salt("pan").selected_text(&name).width(ui.available_width() - 8.0);
+    let response = combo.show_ui(ui, |ui| {
+        for (id, pan) in &library.pans {
+            ui.selectable_value(&mut choice.pan, id.clone(), l.called("pan", &pan.name));
+        }
+    });
+    response.response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, l.fill("pantry.pan_spoken", &[("pan", &name)]))
+    });
+    temperature(ui, l.text("pantry.preheated"), &mut choice.preheat_c, 20.0, 260.0, fahrenheit);
+}
+
+/// One button for each kind of food; another kind begins with its own size.
+fn kinds(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, l: Language) {
+    (ui.spacing_mut().interact_size.y, ui.spacing_mut().item_spacing.y) = (24.0, 3.0);
+    for (id, food) in &library.foods {
+        if ui.radio(choice.kind == *id, l.called("food", &food.name)).clicked() && choice.kind != *id {
+            choice.kind.clone_from(id);
+            choice.size_mm.clone_from(&food.size.default_mm);
+        }
+    }
+}
+
+/// A slider for each dimension of the form, the thickness first.
+fn sizes(ui: &mut Ui, food: &FoodDescription, size_mm: &mut Vec<f64>, l: Language) {
+    let (names, range) = (food.form.dimensions(), &food.size);
+    if size_mm.len() != names.len() {
+        size_mm.clone_from(&range.default_mm);
+    }
+    let thickness = names.len() - 1;
+    for axis in std::iter::once(thickness).chain(0..thickness) {
+        // The window keeps pieces on the 200 mm floor: length and width end where their corner still fits. Nothing
+        // stands on edge: no piece is thicker than long.
+        let longest = size_mm[..thickness].iter().copied().fold(0.0, f64::max);
+        let most = if axis == thickness { longest.min(60.0) } else { 150.0 };
+        slider(
+            ui,
+            l.called("dimension", names[axis]),
+            &mut size_mm[axis],
+            range.min_mm[axis],
+            range.max_mm[axis].min(most),
+            " mm",
+        );
+    }
+}
+
+fn set_out(state: &WindowState, count: usize, ui: &mut Ui, acts: &mut Acts) {
+    let l = state.settings.language;
+    ui.horizontal(|ui| {
+        let half = 0.5 * (ui.available_width() - ui.spacing().item_spacing.x) - 4.0;
+        let palette = theme::of(ui);
+        let button = |text: &str, on| palette.button(text, on).min_size(egui::vec2(half, theme::TOUCH));
+        if ui.add(button(l.text("pantry.set_out"), true)).clicked() {
+            acts.push(Act::SetOut);
+        }
+        if ui.add(button(&l.fill("pantry.add", &[("count", &count)]), false)).clicked() {
+            acts.push(Act::Add(count));
+        }
+    });
+}
+
+fn how_many(count: &mut usize, ui: &mut Ui, l: Language) {
+    let mut shown = *count as f64;
+    slider(ui, l.text("pantry.count"), &mut shown, 1.0, MOST_AT_ONCE as f64, "");
+    *count = (shown.round() as usize).clamp(1, MOST_AT_ONCE);
+}
+
+fn recipes(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let l = state.settings.language;
+    ui.heading(l.text("pantry.play"));
+    ui.label(RichText::new(l.text("pantry.drop")).size(12.5).color(theme::of(ui).quiet));
+    for id in state.session.library.recipes.keys() {
+        let plain = id.replace('-', " ");
+        let title = l.called("recipe_file", &plain);
+        let clicked = ui.add(egui::Button::new(title).min_size(egui::vec2(ui.available_width(), 34.0))).clicked();
+        if clicked {
+            acts.push(Act::Play(id.clone()));
+        }
+    }
+}
+
+fn slider(ui: &mut Ui, name: &str, value: &mut f64, low: f64, high: f64, suffix: &str) {
+    ui.label(RichText::new(name).size(13.0).color(theme::of(ui).quiet));
+    let response = ui.add(egui::Slider::new(value, low..=high).fixed_decimals(0).suffix(suffix));
+    let shown = *value;
+    response.widget_info(|| egui::WidgetInfo::slider(true, shown, name));
+}
+
+fn temperature(ui: &mut Ui, name: &str, celsius: &mut f64, low: f64, high: f64, fahrenheit: bool) {
+    let show = move |c: f64| if fahrenheit { c * 1.8 + 32.0 } else { c };
+    let mut degrees = show(*celsius);
+    slider(ui, name, &mut degrees, show(low), show(high), if fahrenheit { " °F" } else { " °C" });
+    *celsius = if fahrenheit { (degrees - 32.0) / 1.8 } else { degrees };
+}

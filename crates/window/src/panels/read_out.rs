@@ -1,0 +1,48 @@
+//! Read-out next to the pointer: the state of the piece under it, and the value at its point.
+
+use egui::{Area, Id, Order, Rect, RichText, Ui, vec2};
+use saute_kitchen::{Piece, celsius};
+use saute_picture::stage::fitting_piece;
+
+use crate::panels::window_state::WindowState;
+use crate::ui::theme;
+use crate::words::piece_words::{doneness, grams, name, place};
+use crate::words::view_words::ViewWords;
+
+/// Shows the read-out while the pointer rests on a piece.
+pub fn show(state: &WindowState, ui: &Ui, whole: Rect) {
+    let piece = state.scene.hovered.as_ref().and_then(|id| state.session.kitchen.piece(id));
+    let (Some(piece), Some(at)) = (piece, ui.ctx().pointer_hover_pos()) else { return };
+    let l = state.settings.language;
+    let shown = |kelvin: f64| state.settings.temperature(celsius(kelvin));
+    let (above, below) = (shown(piece.face(false)), shown(piece.face(true)));
+    let lines = [
+        l.fill("piece.core", &[("core", &shown(piece.core()))]),
+        l.fill("piece.surface", &[("above", &above), ("below", &below)]),
+        format!("{} · {}", grams(piece), doneness(state.chosen_scale(), piece, l)),
+        place(piece, l).to_owned(),
+    ];
+    let area = Area::new(Id::unique("read-out")).order(Order::Tooltip).interactable(false);
+    area.fixed_pos(at + vec2(18.0, 14.0)).constrain_to(whole.shrink(6.0)).show(ui.ctx(), |ui| {
+        theme::of(ui).panel().fill(theme::of(ui).solid).inner_margin(9).show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 2.0;
+            ui.label(RichText::new(name(&piece.id, l)).size(14.5).strong().color(theme::of(ui).accent));
+            if let Some(here) = here(state, piece) {
+                ui.add(egui::Label::new(RichText::new(here).size(14.5).strong()).extend());
+            }
+            for line in lines {
+                ui.add(egui::Label::new(RichText::new(line).size(13.0)).extend());
+            }
+        });
+    });
+}
+
+/// The value of the view at the point under the pointer, with its unit.
+fn here(state: &WindowState, piece: &Piece) -> Option<String> {
+    let point = state.scene.pointed.as_ref().filter(|p| p.piece == piece.id)?;
+    let piece = point.piece(&state.session.kitchen)?;
+    let view = state.settings.view;
+    let value = point.shares.read(|node| view.value(&piece.model, &piece.state, node));
+    let scale = state.chosen_scale().and_then(|scale| fitting_piece(Some(piece), scale));
+    Some(state.settings.language.fill("value.here", &[("value", &view.words(value, state.settings, scale.as_deref()))]))
+}

@@ -1,0 +1,159 @@
+//! The card of the settings: how everything looks and reads, not what is cooked.
+
+use egui::{Id, Modal, RichText, ScrollArea, Ui, vec2};
+use saute_scene::light::white_balance::WhiteBalance;
+use saute_scene::quality::Quality;
+
+use crate::act::{Act, Acts, Card, Setting};
+use crate::panels::language;
+use crate::panels::window_state::{PanelMemory, WindowState};
+use crate::ui::interface_size::InterfaceSize;
+use crate::ui::quality_choice::QualityChoice;
+use crate::ui::theme::{self, Theme};
+use crate::words::language::Language;
+
+/// Below this width names stand above their choices [points].
+pub(super) const NARROW: f32 = 640.0;
+/// Width of the card at most, and of the names where they stand to the left of their choices [points].
+pub(super) const WIDTH: f32 = 660.0;
+pub(super) const NAMES: f32 = 128.0;
+
+/// Shows the card over everything; Esc, F2, the button or a click beside it closes it.
+pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
+    let l = state.settings.language;
+    let palette = theme::of(ui);
+    let mut done = false;
+    let modal = Modal::new(Id::unique("settings")).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
+        ui.set_width((whole.width() - 56.0).min(WIDTH));
+        ui.horizontal(|ui| {
+            ui.heading(l.text("settings.title"));
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                done = ui.add(palette.button(l.text("settings.done"), true)).clicked();
+                if ui.add(palette.button(l.text("half_mirror.more"), false)).clicked() {
+                    acts.push(Act::Open(Card::Mirror));
+                }
+            });
+        });
+        ui.separator();
+        let height = whole.height() - 112.0;
+        let scrolled = ScrollArea::vertical().auto_shrink([false, true]).max_height(height).min_scrolled_height(height);
+        scrolled.show(ui, |ui| choices(state, memory, ui, acts, whole.width() < NARROW));
+    });
+    if done || modal.should_close() {
+        acts.push(Act::Shut(Card::Settings));
+    }
+}
+
+fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+    let (l, now) = (state.settings.language, state.settings);
+    let mut set = |setting| acts.push(Act::Set(setting));
+    if let Some(theme) =
+        row(ui, narrow, l.text("settings.theme"), &Theme::ALL.map(|t| (theme_word(t, l), t == now.theme)))
+    {
+        set(Setting::Theme(Theme::ALL[theme]));
+    }
+    let whites = WhiteBalance::ALL.map(|w| (white_word(w, l), w == now.white_balance));
+    if let Some(white) = row(ui, narrow, l.text("settings.white"), &whites) {
+        set(Setting::White(WhiteBalance::ALL[white]));
+    }
+    let kelvin = format!("{:.0}", now.white_balance.appears_k());
+    explained(ui, narrow, &l.fill("settings.white_now", &[("kelvin", &kelvin)]));
+    let qualities = QualityChoice::ALL.map(|q| (quality_word(q, l), q == now.quality));
+    if let Some(quality) = row(ui, narrow, l.text("settings.quality"), &qualities) {
+        set(Setting::Quality(QualityChoice::ALL[quality]));
+    }
+    let drawn = quality_word(QualityChoice::Always(state.quality), l);
+    explained(ui, narrow, &l.fill("settings.quality_now", &[("quality", &drawn)]));
+    let languages = Language::ALL.map(|other| (language::name(state.japanese_font, other), other == now.language));
+    if let Some(chosen) = row(ui, narrow, l.text("settings.language"), &languages) {
+        set(Setting::Language(Language::ALL[chosen]));
+    }
+    let units = [("°C", !now.fahrenheit), ("°F", now.fahrenheit)];
+    if let Some(unit) = row(ui, narrow, l.text("settings.unit"), &units) {
+        set(Setting::Fahrenheit(unit == 1));
+    }
+    let sizes = InterfaceSize::ALL.map(|s| (format!("{:.0} %", 100.0 * s.factor()), s == now.size));
+    let sizes = sizes.each_ref().map(|(text, on)| (text.as_str(), *on));
+    if let Some(size) = row(ui, narrow, l.text("settings.size"), &sizes) {
+        set(Setting::Size(InterfaceSize::ALL[size]));
+    }
+    #[cfg(target_arch = "wasm32")]
+    let _ = memory;
+    #[cfg(not(target_arch = "wasm32"))]
+    crate::hand::section(state, &mut memory.hand_choice, ui, acts, narrow);
+}
+
+/// A name and its choices, of which one is on; returns the one that was clicked.
+pub(crate) fn row(ui: &mut Ui, narrow: bool, name: &str, choices: &[(&str, bool)]) -> Option<usize> {
+    named(ui, narrow, name, |ui| buttons(ui, name, choices))
+}
+
+/// A name and what belongs to it: to its right, or below it where it is narrow.
+pub(crate) fn named<R>(ui: &mut Ui, narrow: bool, name: &str, content: impl FnOnce(&mut Ui) -> R) -> R {
+    if narrow {
+        ui.label(RichText::new(name).size(14.0).color(theme::of(ui).quiet));
+        return ui.horizontal_wrapped(content).inner;
+    }
+    ui.horizontal(|ui| {
+        let beside = egui::Layout::left_to_right(egui::Align::Center);
+        ui.allocate_ui_with_layout(vec2(NAMES, theme::TOUCH), beside, |ui| {
+            ui.set_min_size(vec2(NAMES, theme::TOUCH));
+            ui.label(name);
+        });
+        ui.horizontal_wrapped(content).inner
+    })
+    .inner
+}
+
+fn buttons(ui: &mut Ui, name: &str, choices: &[(&str, bool)]) -> Option<usize> {
+    ui.spacing_mut().item_spacing = vec2(5.0, 5.0);
+    let mut clicked = None;
+    for (place, &(text, on)) in choices.iter().enumerate() {
+        let response = ui.add(theme::of(ui).button(text, on));
+        // Read out with what it is a choice of.
+        let spoken = format!("{name}: {text}");
+        response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, &spoken));
+        if response.clicked() {
+            clicked = Some(place);
+        }
+    }
+    clicked
+}
+
+/// What the choice above amounts to.
+pub(crate) fn explained(ui: &mut Ui, narrow: bool, text: &str) {
+    let text = RichText::new(text).size(13.0).color(theme::of(ui).quiet);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().interact_size.y = 16.0;
+        if !narrow {
+            ui.add_space(NAMES + ui.spacing().item_spacing.x);
+        }
+        ui.label(text);
+    });
+}
+
+fn theme_word(theme: Theme, l: Language) -> &'static str {
+    l.text(match theme {
+        Theme::Dark => "settings.dark",
+        Theme::Light => "settings.light",
+        Theme::System => "settings.system",
+    })
+}
+
+fn white_word(white: WhiteBalance, l: Language) -> &'static str {
+    l.text(match white {
+        WhiteBalance::AsShot => "settings.as_shot",
+        WhiteBalance::Neutral => "settings.neutral",
+        WhiteBalance::Cool => "settings.cool",
+        WhiteBalance::Warm => "settings.warm",
+    })
+}
+
+fn quality_word(quality: QualityChoice, l: Language) -> &'static str {
+    l.text(match quality {
+        QualityChoice::Automatic => "settings.automatic",
+        QualityChoice::Always(Quality::Quick) => "settings.quick",
+        QualityChoice::Always(Quality::Smooth) => "settings.smooth",
+        QualityChoice::Always(Quality::Best) => "settings.best",
+    })
+}

@@ -1,0 +1,91 @@
+//! What panels read of the window, and what they keep from frame to frame.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use saute_kitchen::advice::Advice;
+use saute_kitchen::dynamics::Tool;
+use saute_kitchen::food::Scale;
+use saute_scene::quality::Quality;
+
+use crate::input::pouring::Portion;
+use crate::mirror::view::MirrorView;
+use crate::panels::Drawer;
+use crate::panels::inside::Inside;
+use crate::session::Session;
+use crate::settings::Settings;
+use crate::ui::scene_view::SceneView;
+
+/// The window's state as panels read it; what they want changed they say with an [`crate::act::Act`].
+pub struct WindowState<'a> {
+    /// The world behind the window.
+    pub session: &'a Session,
+    /// The settings that are remembered.
+    pub settings: &'a Settings,
+    /// The scene's part of the window.
+    pub scene: &'a SceneView,
+    /// The half mirror's window.
+    pub mirror: &'a MirrorView,
+    /// The tool that mouse and right stick lead.
+    pub tool: Tool,
+    /// True while a turner is in the hand.
+    pub turner_in_hand: bool,
+    /// Portion that is poured at once.
+    pub portion: Portion,
+    /// Place of the cut (−1…1), or none.
+    pub slice: Option<f64>,
+    /// True while the list of keys is open.
+    pub help: bool,
+    /// True while the card of the settings is open.
+    pub settings_open: bool,
+    /// True while the card of the first steps is open.
+    pub first_steps: bool,
+    /// True if the system has a font with kana and kanji.
+    pub japanese_font: bool,
+    /// The quality at which the scene is drawn.
+    pub quality: Quality,
+    /// What to do next with the piece that the panels are about.
+    pub advice: Option<Advice>,
+    /// What was said last, while it is still shown.
+    pub notice: Option<String>,
+}
+
+impl WindowState<'_> {
+    /// The chosen scale of doneness, where it says anything about the food.
+    pub fn scale(&self) -> Option<Arc<Scale>> {
+        self.session.scale(&self.settings.scale)
+    }
+
+    /// The chosen scale; where the data no longer knows it, the first.
+    pub fn chosen_scale(&self) -> Option<&Arc<Scale>> {
+        self.session.chosen_scale(&self.settings.scale)
+    }
+}
+
+/// What panels keep from frame to frame.
+pub struct PanelMemory {
+    /// The section and what was read with it.
+    pub inside: Inside,
+    /// The open part of the drawer of a narrow window.
+    pub drawer: Drawer,
+    /// Groups of which the list shows every piece.
+    pub unfolded: BTreeSet<String>,
+    /// How many pieces the pantry adds at once.
+    pub count: usize,
+    /// What was typed and chosen about a device.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) hand_choice: crate::hand::Choice,
+}
+
+impl Default for PanelMemory {
+    fn default() -> Self {
+        Self {
+            inside: Inside::default(),
+            drawer: Drawer::default(),
+            unfolded: BTreeSet::new(),
+            count: 1,
+            #[cfg(not(target_arch = "wasm32"))]
+            hand_choice: Default::default(),
+        }
+    }
+}

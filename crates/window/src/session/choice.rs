@@ -1,0 +1,82 @@
+//! The chosen food and pan, and the orders that follow from it.
+
+use saute_kitchen::food::{Form, Rules};
+use saute_kitchen::kitchen::SetupError;
+use saute_kitchen::{Kitchen, Library, MeshSize, PieceOrder, kelvin};
+
+/// What the person chooses before putting the food in.
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
+#[serde(default)]
+pub struct SteakChoice {
+    /// Id of the food.
+    pub kind: String,
+    /// Its dimensions: those of its form [mm].
+    pub size_mm: Vec<f64>,
+    /// Start temperature [°C].
+    pub initial_c: f64,
+    /// Id of the pan.
+    pub pan: String,
+    /// Temperature to which the pan is preheated [°C]; room temperature starts cold.
+    pub preheat_c: f64,
+}
+
+impl Default for SteakChoice {
+    fn default() -> Self {
+        Self {
+            kind: "beef-lean".into(),
+            size_mm: vec![120.0, 80.0, 25.0],
+            initial_c: 5.0,
+            pan: "carbon-steel-26".into(),
+            preheat_c: 20.0,
+        }
+    }
+}
+
+/// Name of a steak that the window sets out; another food bears the name of its kind.
+pub const STEAK: &str = "steak";
+
+/// Noun for a kind of food in a sentence.
+pub fn noun(library: &Library, kind: &str) -> String {
+    let name = library.foods.get(kind).map_or(kind, |f| f.name.as_str()).to_lowercase();
+    if name.contains(STEAK) { STEAK.to_owned() } else { name }
+}
+
+/// The group that a piece belongs to: its name up to the number, its own name where there is none.
+pub fn group_of(id: &str) -> &str {
+    match id.rsplit_once('.') {
+        Some((group, number)) if number.parse::<u32>().is_ok() => group,
+        _ => id,
+    }
+}
+
+/// Name of a food that is set out: that of a steak, or of its kind.
+pub(super) fn base_name(library: &Library, kind: &str) -> String {
+    if noun(library, kind) == STEAK { STEAK.into() } else { kind.into() }
+}
+
+pub(super) fn set_out(library: &Library, choice: &SteakChoice) -> Result<Kitchen, SetupError> {
+    let mut kitchen = Kitchen::new(library, &choice.pan, kelvin(choice.preheat_c))?;
+    for order in orders(library, choice, &base_name(library, &choice.kind), 1) {
+        kitchen.add(library, &order)?;
+    }
+    Ok(kitchen)
+}
+
+/// Orders of pieces under one name; each has a seed of its own, so that no two are the same.
+pub(super) fn orders(library: &Library, choice: &SteakChoice, group: &str, count: usize) -> Vec<PieceOrder> {
+    let food = library.foods.get(&choice.kind);
+    let form = food.map_or(Form::Steak, |f| f.form);
+    let default = || food.and_then(|f| form.extent(&f.size.default_mm)).unwrap_or_default();
+    let size = form.extent(&choice.size_mm).unwrap_or_else(default);
+    let order = |k: usize| PieceOrder {
+        id: if count == 1 { group.to_owned() } else { format!("{group}.{}", k + 1) },
+        kind: choice.kind.clone(),
+        size: size.map(|mm| mm * 1e-3),
+        temperature: kelvin(choice.initial_c),
+        seed: k as u64 + 1,
+        coarseness: 1.0,
+        rules: Rules::Full,
+        mesh: MeshSize::Default,
+    };
+    (0..count).map(order).collect()
+}

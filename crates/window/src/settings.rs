@@ -1,0 +1,122 @@
+//! Settings that are remembered from one start to the next.
+
+use saute_kitchen::library::DEFAULT_SCALE;
+use saute_picture::colour::map::TemperatureMap;
+use saute_picture::view::View;
+use saute_scene::light::white_balance::WhiteBalance;
+
+use crate::mirror::settings::MirrorSettings;
+use crate::session::SteakChoice;
+use crate::ui::interface_size::InterfaceSize;
+use crate::ui::quality_choice::QualityChoice;
+use crate::ui::theme::Theme;
+use crate::words::language::Language;
+
+/// Remembered settings.
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
+#[serde(default)]
+pub struct Settings {
+    /// Language of the window; that of the system where none was ever chosen.
+    #[serde(default = "Language::of_system")]
+    pub language: Language,
+    /// Dark or light panels.
+    pub theme: Theme,
+    /// Size of the interface.
+    pub size: InterfaceSize,
+    /// White balance of the look.
+    pub white_balance: WhiteBalance,
+    /// Rendering quality.
+    pub quality: QualityChoice,
+    /// True if the card of the first start was closed.
+    pub introduced: bool,
+    /// Show °F instead of °C.
+    pub fahrenheit: bool,
+    /// Colour map of temperatures.
+    pub map: TemperatureMap,
+    /// View that the colours show.
+    pub view: View,
+    /// True if the look is shown next to the view.
+    pub split: bool,
+    /// Id of the scale of doneness.
+    pub scale: String,
+    /// Simulated seconds a wall second.
+    pub speed: f64,
+    /// The food and the pan.
+    pub choice: SteakChoice,
+    /// Goal for the core's peak [°C].
+    pub goal_c: f64,
+    /// True if the panel with the food's choices is open.
+    pub pantry_open: bool,
+    /// True if the list of the pieces is open.
+    pub pieces_open: bool,
+    /// True if the curves are shown.
+    pub curves_open: bool,
+    /// True if all panels are hidden.
+    pub panels_hidden: bool,
+    /// The half mirror.
+    pub mirror: MirrorSettings,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            language: Language::English,
+            theme: Theme::default(),
+            size: InterfaceSize::default(),
+            white_balance: WhiteBalance::default(),
+            quality: QualityChoice::default(),
+            introduced: false,
+            fahrenheit: false,
+            map: TemperatureMap::default(),
+            view: View::default(),
+            split: false,
+            scale: DEFAULT_SCALE.to_owned(),
+            speed: 1.0,
+            choice: SteakChoice::default(),
+            goal_c: 60.0,
+            pantry_open: false,
+            pieces_open: false,
+            curves_open: true,
+            panels_hidden: false,
+            mirror: MirrorSettings::default(),
+        }
+    }
+}
+
+impl Settings {
+    /// Gives the interface the chosen theme and size.
+    pub fn display(&self, ctx: &egui::Context) {
+        ctx.set_theme(self.theme.preference());
+        ctx.set_zoom_factor(self.size.fitting(ctx));
+    }
+
+    /// Returns true if the look and a view of a field stand side by side.
+    pub fn is_split(&self) -> bool {
+        self.split && self.view != View::Look
+    }
+
+    /// A temperature in the chosen unit, with its unit, never broken over two lines.
+    pub fn temperature(&self, celsius: f64) -> String {
+        format!("{:.0}\u{a0}{}", self.degrees(celsius), self.unit())
+    }
+
+    /// As [`Self::temperature`], to a tenth.
+    pub fn fine_temperature(&self, celsius: f64) -> String {
+        format!("{:.1}\u{a0}{}", self.degrees(celsius), self.unit())
+    }
+
+    /// A temperature in the chosen unit.
+    pub fn degrees(&self, celsius: f64) -> f64 {
+        if self.fahrenheit { celsius * 1.8 + 32.0 } else { celsius }
+    }
+
+    /// °C from the chosen unit.
+    pub fn celsius(&self, degrees: f64) -> f64 {
+        if self.fahrenheit { (degrees - 32.0) / 1.8 } else { degrees }
+    }
+
+    /// The chosen unit.
+    pub fn unit(&self) -> &'static str {
+        if self.fahrenheit { "°F" } else { "°C" }
+    }
+}

@@ -1,0 +1,12 @@
+//! Theme, layout and the scene's part of the window.
+
+pub mod interface_size;
+pub(crate) mod japanese_font;
+pub mod layout;
+pub mod motion;
+pub mod notice;
+pub mod palette;
+pub mod quality_choice;
+pub(crate) mod save_picture;
+pub mod scene_view;
+pub mod theme;

@@ -1,0 +1,40 @@
+//! Screenshots of the window.
+
+use crate::ui::notice::Notice;
+use crate::words::language::Language;
+
+/// Requests a picture of the window; it is written into the working folder as `saute-N.png`.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn save_picture(ctx: &egui::Context, notice: &Notice, l: Language) {
+    let (notice, repaint) = (notice.clone(), ctx.clone());
+    ctx.request_screenshot(move |image| {
+        let picture = saute_picture::cut::section::Picture {
+            width: image.width(),
+            height: image.height(),
+            rgba: image.pixels.iter().flat_map(|p| p.to_array()).collect(),
+        };
+        notice.say(match write(&picture) {
+            Ok(path) => l.fill("notice.saved", &[("path", &path)]),
+            Err(error) => l.fill("notice.not_saved", &[("error", &error)]),
+        });
+        repaint.request_repaint();
+    });
+}
+
+/// Browsers save pages themselves.
+#[cfg(target_arch = "wasm32")]
+pub fn save_picture(_ctx: &egui::Context, notice: &Notice, l: Language) {
+    notice.say(l.text("notice.save_in_browser"));
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn write(picture: &saute_picture::cut::section::Picture) -> Result<String, String> {
+    let bytes = saute_picture::still::png_file::png_bytes(picture).map_err(|e| e.to_string())?;
+    let folder = std::env::current_dir().map_err(|e| e.to_string())?;
+    let path = (1..10_000)
+        .map(|n| folder.join(format!("saute-{n}.png")))
+        .find(|p| !p.exists())
+        .ok_or_else(|| format!("{} holds too many pictures", folder.display()))?;
+    std::fs::write(&path, bytes).map_err(|e| format!("{}: {e}", path.display()))?;
+    Ok(path.display().to_string())
+}

@@ -1,0 +1,117 @@
+//! The theme of the panels: which palette holds, type and spacing.
+
+use egui::{CornerRadius, FontFamily, FontId, Frame, Margin, Stroke, Style, TextStyle, Ui, Visuals};
+use serde::{Deserialize, Serialize};
+
+use crate::ui::palette::Palette;
+
+/// Corner radius of a panel [points].
+pub const CORNER: u8 = 12;
+/// Height of a control that a finger can hit [points].
+pub const TOUCH: f32 = 44.0;
+
+/// Dark or light panels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Theme {
+    /// Light text on a dark ground.
+    #[default]
+    Dark,
+    /// Dark text on paper.
+    Light,
+    /// As the system says; dark where it says nothing.
+    System,
+}
+
+impl Theme {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Dark, Self::Light, Self::System];
+
+    /// The preference that is passed to egui.
+    pub fn preference(self) -> egui::ThemePreference {
+        match self {
+            Self::Dark => egui::ThemePreference::Dark,
+            Self::Light => egui::ThemePreference::Light,
+            Self::System => egui::ThemePreference::System,
+        }
+    }
+}
+
+/// The colours that hold here.
+pub fn of(ui: &Ui) -> &'static Palette {
+    Palette::of(ui.visuals().dark_mode)
+}
+
+/// Sets up both themes; [`Theme::preference`] then chooses.
+pub fn install(ctx: &egui::Context) {
+    // The size of the interface is a setting, which has those keys.
+    ctx.options_mut(|options| options.zoom_with_keyboard = false);
+    for theme in [egui::Theme::Dark, egui::Theme::Light] {
+        ctx.style_mut_of(theme, |style| {
+            style.visuals = visuals(Palette::of(theme == egui::Theme::Dark));
+            shape(style);
+        });
+    }
+}
+
+/// Spacing and type.
+fn shape(style: &mut Style) {
+    style.spacing.item_spacing = egui::vec2(8.0, 7.0);
+    style.spacing.button_padding = egui::vec2(12.0, 6.0);
+    style.spacing.interact_size.y = 30.0;
+    style.spacing.slider_width = 150.0;
+    let size = |text_style: &TextStyle| match text_style {
+        TextStyle::Small => 12.5,
+        TextStyle::Heading => 19.0,
+        _ => 15.0,
+    };
+    let family = |text_style: &TextStyle| {
+        if *text_style == TextStyle::Monospace { FontFamily::Monospace } else { FontFamily::Proportional }
+    };
+    for (text_style, font) in &mut style.text_styles {
+        *font = FontId::new(size(text_style), family(text_style));
+    }
+}
+
+fn visuals(p: &Palette) -> Visuals {
+    let mut v = if p.dark { Visuals::dark() } else { Visuals::light() };
+    v.override_text_color = Some(p.text);
+    v.panel_fill = p.ground;
+    v.window_fill = p.ground;
+    v.extreme_bg_color = p.sunken;
+    v.selection.bg_fill = p.accent;
+    v.selection.stroke = Stroke::new(1.0, p.on_accent);
+    v.slider_trailing_fill = true;
+    for widget in [
+        &mut v.widgets.inactive,
+        &mut v.widgets.hovered,
+        &mut v.widgets.active,
+        &mut v.widgets.open,
+        &mut v.widgets.noninteractive,
+    ] {
+        widget.corner_radius = CornerRadius::same(8);
+    }
+    v.widgets.inactive.weak_bg_fill = p.raised;
+    v.widgets.inactive.bg_fill = p.raised;
+    v.widgets.hovered.weak_bg_fill = p.hovered;
+    v.widgets.hovered.bg_stroke = Stroke::new(1.0, p.quiet);
+    v.widgets.active.weak_bg_fill = p.pressed;
+    v.widgets.open.weak_bg_fill = p.hovered;
+    v.widgets.noninteractive.bg_stroke = Stroke::new(1.0, p.line);
+    v
+}
+
+impl Palette {
+    /// The frame of a floating panel.
+    pub fn panel(&self) -> Frame {
+        Frame::new().fill(self.ground).corner_radius(CornerRadius::same(CORNER)).inner_margin(Margin::same(12))
+    }
+
+    /// A large button; filled with the accent where `on`.
+    pub fn button(&self, text: &str, on: bool) -> egui::Button<'static> {
+        let rich = egui::RichText::new(text.to_owned()).size(15.0);
+        let rich = if on { rich.color(self.on_accent) } else { rich };
+        let button = egui::Button::new(rich).min_size(egui::vec2(TOUCH, TOUCH));
+        if on { button.fill(self.accent) } else { button }
+    }
+}

@@ -1,0 +1,7 @@
+//! Texts in the window's languages.
+
+pub mod language;
+pub(crate) mod next_step;
+pub(crate) mod piece_words;
+pub mod refusal;
+pub mod view_words;

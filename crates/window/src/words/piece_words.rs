@@ -1,0 +1,56 @@
+//! The state of a piece in few words.
+
+use std::sync::Arc;
+
+use saute_kitchen::food::Scale;
+use saute_kitchen::{Piece, Place, RestOn};
+use saute_picture::stage::fitting_piece;
+
+use crate::session::group_of;
+use crate::words::language::Language;
+
+/// How done it is: the class of its core's peak, or how far the last of its changes has come.
+pub fn doneness(chosen: Option<&Arc<Scale>>, piece: &Piece, l: Language) -> String {
+    let scale = chosen.and_then(|scale| fitting_piece(Some(piece), scale));
+    if let Some(scale) = scale {
+        return l.called("class", scale.name_of(piece.core_peak.0)).to_owned();
+    }
+    let (names, fields) = (piece.model.kinetics().names(), &piece.state.changed);
+    match (names.last(), fields.last()) {
+        (Some(name), Some(field)) => change(l, name, piece.model.volume_mean(field)),
+        _ => String::new(),
+    }
+}
+
+/// What heat has changed, and how far it has come.
+pub fn change(l: Language, name: &str, share: f64) -> String {
+    l.fill("doneness.change", &[("name", &l.called("change", name)), ("percent", &format!("{:.0}", 100.0 * share))])
+}
+
+/// Where it is.
+pub fn place(piece: &Piece, l: Language) -> &'static str {
+    l.text(match piece.place {
+        Place::Waiting => "place.waiting",
+        Place::Pan(_) => "place.pan",
+        Place::Held => "place.held",
+        Place::Rest(RestOn::Board) => "place.board",
+        Place::Rest(RestOn::Rack) => "place.rack",
+        Place::Rest(RestOn::Foil) => "place.foil",
+        Place::Glass => "place.glass",
+        Place::Table => "place.table",
+    })
+}
+
+/// Name of a piece or a group: our own names in the language, with their numbers; others as they are.
+pub fn name(id: &str, l: Language) -> String {
+    let group = group_of(id);
+    let numbered = group.rsplit_once('-').filter(|(_, number)| number.parse::<u32>().is_ok());
+    let base = numbered.map_or(group, |(base, _)| base);
+    format!("{}{}", l.called("id", base), &id[base.len()..])
+}
+
+/// Its mass, with as many places as it takes to see it change.
+pub fn grams(piece: &Piece) -> String {
+    let mass = 1e3 * piece.mass();
+    if mass < 50.0 { format!("{mass:.1} g") } else { format!("{mass:.0} g") }
+}

@@ -1,0 +1,180 @@
+//! The texts of the window: both languages say everything, and nothing is said that no file holds.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use saute_kitchen::{Library, Refused};
+use saute_recipe::Recipe;
+use saute_window::Language;
+
+type Texts = BTreeMap<String, BTreeMap<String, String>>;
+
+/// Sections of names that come from the core's data: found by the English text, not by a key in the code.
+const NAMES: [&str; 17] = [
+    "food",
+    "noun",
+    "id",
+    "pan",
+    "recipe",
+    "recipe_file",
+    "scale",
+    "class",
+    "change",
+    "dimension",
+    "amount",
+    "oil",
+    "event",
+    "mark",
+    "deed",
+    "button",
+    "rig",
+];
+
+fn texts(l: Language) -> Texts {
+    toml::from_str(l.file()).unwrap_or_else(|e| panic!("{l:?}: {e}"))
+}
+
+fn keys(texts: &Texts) -> BTreeSet<String> {
+    texts.iter().flat_map(|(section, keys)| keys.keys().map(move |key| format!("{section}.{key}"))).collect()
+}
+
+/// What a text leaves open, in the order of the alphabet.
+fn open(text: &str) -> Vec<&str> {
+    let mut open: Vec<&str> = text.split('{').skip(1).filter_map(|rest| rest.split('}').next()).collect();
+    open.sort_unstable();
+    open.dedup();
+    open
+}
+
+#[test]
+fn no_key_is_missing_in_one_language() {
+    let [english, japanese] = Language::ALL.map(|l| keys(&texts(l)));
+    let differ: Vec<_> = english.symmetric_difference(&japanese).collect();
+    assert!(differ.is_empty() && english.len() > 250, "{differ:?}");
+}
+
+#[test]
+fn both_languages_leave_the_same_things_open() {
+    let [english, japanese] = Language::ALL.map(texts);
+    for (section, keys) in &english {
+        for (key, text) in keys {
+            // A language may repeat a thing; it may not forget or invent one.
+            assert_eq!(open(text), open(&japanese[section][key]), "{section}.{key}");
+        }
+    }
+}
+
+/// Every `"section.key"` in the sources.
+fn used(sections: &BTreeSet<String>) -> BTreeSet<String> {
+    fn sources(folder: &Path, all: &mut String) {
+        for entry in std::fs::read_dir(folder).expect("reads").flatten() {
+            if entry.path().is_dir() {
+                sources(&entry.path(), all);
+            } else if entry.path().extension().is_some_and(|e| e == "rs") {
+                all.push_str(&std::fs::read_to_string(entry.path()).expect("reads"));
+            }
+        }
+    }
+    let mut all = String::new();
+    sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut all);
+    let is_key = |s: &&str| {
+        let letters =
+            |t: &str| !t.is_empty() && t.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
+        s.split_once('.').is_some_and(|(a, b)| sections.contains(a) && letters(b) && b != "toml")
+    };
+    all.split('"').filter(is_key).map(str::to_owned).collect()
+}
+
+#[test]
+fn every_key_in_the_code_has_a_text_and_every_text_is_used() {
+    let english = texts(Language::English);
+    let (known, used) = (keys(&english), used(&english.keys().cloned().collect()));
+    let missing: Vec<_> = used.difference(&known).collect();
+    assert!(missing.is_empty(), "no text for {missing:?}");
+    let idle: Vec<_> =
+        known.difference(&used).filter(|key| !NAMES.contains(&key.split('.').next().unwrap_or(""))).collect();
+    assert!(idle.is_empty(), "nothing uses {idle:?}");
+}
+
+#[test]
+fn every_name_in_the_data_has_a_japanese_one() {
+    let library = Library::embedded().expect("embedded data");
+    let same = ["AMSA / USDA"];
+    let known = |section: &str, name: &str| {
+        assert!(same.contains(&name) || Language::Japanese.called(section, name) != name, "{section}: {name}");
+        assert_eq!(Language::English.called(section, name), name);
+    };
+    for (id, food) in &library.foods {
+        known("food", &food.name);
+        known("id", if food.name.contains("steak") { "steak" } else { id });
+        food.form.dimensions().iter().for_each(|name| known("dimension", name));
+    }
+    library.oils.keys().for_each(|id| known("oil", id));
+    library.pans.values().for_each(|pan| known("pan", &pan.name));
+    for (id, _) in saute_window::mirror::rig_file::SHIPPED {
+        known("rig", id);
+        known("rig", &saute_window::mirror::rig_file::shipped(id).expect("is there").expect("is read").name);
+    }
+    for scale in &library.scales {
+        known("scale", &scale.name);
+        scale.class.iter().for_each(|class| known("class", &class.name));
+    }
+    for (id, text) in &library.recipes {
+        known("recipe_file", &id.replace('-', " "));
+        known("recipe", &Recipe::parse(text, id, &library).expect("parses").title);
+    }
+}
+
+/// One of each; a new kind of refusal does not compile until it stands here.
+fn refusals() -> Vec<Refused> {
+    let (food, other) = (|| "steak".to_owned(), || "carrots-2".to_owned());
+    let next = |refused: &Refused| match refused {
+        Refused::NoSuchFood(_) => Some(Refused::NotInPan(food())),
+        Refused::NotInPan(_) => Some(Refused::NotOnBoard(food())),
+        Refused::NotOnBoard(_) => Some(Refused::AlreadyHalved(food())),
+        Refused::AlreadyHalved(_) => Some(Refused::BesideFood { food: food(), most_mm: 30 }),
+        Refused::BesideFood { .. } => Some(Refused::AlreadyInPan(other())),
+        Refused::AlreadyInPan(_) => Some(Refused::DoesNotFit { food: food(), reach_mm: 140, floor_mm: 105 }),
+        Refused::DoesNotFit { .. } => Some(Refused::Occupied { food: food(), other: other() }),
+        Refused::Occupied { .. } => Some(Refused::Waiting(food())),
+        Refused::Waiting(_) => Some(Refused::EmptyPan),
+        Refused::EmptyPan => Some(Refused::PanPlace { farthest_mm: 400 }),
+        Refused::PanPlace { .. } => Some(Refused::Power { largest_w: 3500 }),
+        Refused::Power { .. } => {
+            Some(Refused::NoSuchOil { kind: "butter".into(), known: "olive, clarified-butter".into() })
+        }
+        Refused::NoSuchOil { .. } => Some(Refused::Amount { what: "oil", holds_g: 900 }),
+        Refused::Amount { .. } => Some(Refused::LidIsOn),
+        Refused::LidIsOn => None,
+    };
+    std::iter::successors(Some(Refused::NoSuchFood(food())), next).collect()
+}
+
+#[test]
+fn refusals_in_japanese_hold_no_english_but_units() {
+    for refused in refusals() {
+        let words = saute_window::words::refusal::words(&refused, Language::Japanese);
+        let latin = words.split(|c: char| !c.is_ascii_alphabetic()).filter(|w| !w.is_empty());
+        let english: Vec<&str> = latin.filter(|w| !["mm", "g", "W"].contains(w)).collect();
+        assert!(english.is_empty() && !words.contains(['{', '}']), "{english:?} in {words}");
+        assert!(!saute_window::words::refusal::words(&refused, Language::English).contains('{'), "{refused:?}");
+    }
+}
+
+#[test]
+fn a_name_of_a_users_own_stays_as_it_is() {
+    assert_eq!(Language::Japanese.called("food", "Grandma's dumpling"), "Grandma's dumpling");
+}
+
+#[test]
+fn the_systems_locale_chooses_the_language() {
+    for (locale, language) in [
+        ("ja_JP.UTF-8", Language::Japanese),
+        ("ja", Language::Japanese),
+        ("C.UTF-8", Language::English),
+        ("jam_JM", Language::English),
+        ("de_DE.UTF-8", Language::English),
+    ] {
+        assert_eq!(Language::of_locale(locale), language, "{locale}");
+    }
+}

@@ -1,0 +1,172 @@
+//! Promise: the window serves every food: its own name, its own sizes, and doneness by the scale that was chosen.
+
+use egui::Key;
+use egui_kittest::{Harness, kittest::Queryable};
+use saute_kitchen::Command;
+use saute_picture::View;
+use saute_window::{SauteApp, Start};
+
+use crate::harness::{cook, press, save, steps, window};
+
+const WIDE: egui::Vec2 = egui::vec2(1280.0, 720.0);
+const PHONE: egui::Vec2 = egui::vec2(390.0, 844.0);
+
+/// A window that plays a recipe, some seconds on.
+fn playing(size: egui::Vec2, recipe: &str, seconds: f64) -> Harness<'static, SauteApp> {
+    let mut harness = window(size);
+    harness.state_mut().open_recipe(recipe, "own.toml");
+    cook(&mut harness, seconds);
+    harness
+}
+
+fn frying(kind: &str, id: &str, more: &str) -> String {
+    format!(
+        "{more}[pan]\ninitial_c = 190\n[[food]]\nid = \"{id}\"\nkind = \"{kind}\"\n[[step]]\nhob_w = 800\n\
+         [[step]]\nput = \"{id}\"\n[[step]]\nafter_s = 900\nend = true\n"
+    )
+}
+
+#[test]
+fn the_scale_of_doneness_is_cycled_by_key_and_always_labelled() {
+    let mut harness = playing(WIDE, &frying("beef-lean", "steak", ""), 240.0);
+    for (id, label) in [("chefs", "Chefs"), ("academic", "AMSA / USDA"), ("paper-2013", "Kato & Hasegawa 2013")] {
+        press(&mut harness, Key::D);
+        steps(&mut harness, 10);
+        assert_eq!(harness.state().settings().scale, id);
+        harness.get_by_label(&format!("Scale of doneness: {label}"));
+        harness.get_by_label_contains(&format!("Cross-section by {label}: raw"));
+        press(&mut harness, Key::Num4);
+        harness.get_by_label(&format!("Doneness by {label}"));
+        save(&mut harness, &format!("scale-{id}"));
+        let right = harness.get_by_label("Goal for the core").rect().right();
+        assert!(right < WIDE.x - 20.0, "the goals stay in their panel: {right}");
+        press(&mut harness, Key::Num1);
+    }
+}
+
+#[test]
+fn the_scale_of_doneness_is_chosen_at_the_bar_and_remembered() {
+    let mut harness = window(WIDE);
+    harness.get_by_label("Scale of doneness: Kato & Hasegawa 2013").click();
+    steps(&mut harness, 3);
+    harness.get_by_label("Chefs").click();
+    steps(&mut harness, 3);
+    assert_eq!(harness.state().settings().scale, "chefs");
+    harness.get_by_label_contains("medium-rare 0 %");
+    let stored = serde_json::to_string(harness.state().settings()).expect("settings");
+    let again = SauteApp::start(&egui::Context::default(), None, Some(stored), Start::default()).expect("starts");
+    assert_eq!(again.scale().expect("a scale").id, "chefs");
+}
+
+#[test]
+fn a_scale_that_is_no_longer_there_gives_way_to_the_first() {
+    let stored = Some("{\"scale\": \"of-old\"}".to_owned());
+    let app = SauteApp::start(&egui::Context::default(), None, stored, Start::default()).expect("starts");
+    assert_eq!(app.scale().expect("a scale").id, "paper-2013");
+}
+
+#[test]
+fn the_view_of_doneness_is_labelled_without_panels_and_on_a_phone() {
+    let mut harness = window(WIDE);
+    press(&mut harness, Key::Num4);
+    press(&mut harness, Key::H);
+    harness.get_by_label("Doneness by Kato & Hasegawa 2013");
+    let mut phone = playing(PHONE, &frying("beef-lean", "steak", ""), 200.0);
+    press(&mut phone, Key::D);
+    press(&mut phone, Key::Num4);
+    steps(&mut phone, 60);
+    phone.get_by_label("Doneness by Chefs");
+    save(&mut phone, "phone-doneness");
+    phone.get_by_label("Inside").click();
+    steps(&mut phone, 12);
+    save(&mut phone, "phone-chefs");
+}
+
+#[test]
+fn every_food_is_set_out_with_its_own_name_and_size() {
+    let mut harness = window(WIDE);
+    press(&mut harness, Key::N);
+    let library = harness.state().session().library.clone();
+    for (id, food) in &library.foods {
+        harness.get_by_label(&food.name).click();
+        steps(&mut harness, 2);
+        let choice = &harness.state().settings().choice;
+        assert_eq!((&choice.kind, &choice.size_mm), (id, &food.size.default_mm));
+        harness.get_by_label("Set out").click();
+        steps(&mut harness, 3);
+        let piece = harness.state().session().steak().expect("a piece");
+        assert_eq!(&piece.kind, id);
+        let noun = harness.state().session().noun();
+        harness.get_by_label_contains(&format!("a raw {noun}"));
+        let button = format!("{}{} in", noun[..1].to_uppercase(), &noun[1..]);
+        harness.get_by_label(&button).click();
+        steps(&mut harness, 14);
+        assert!(harness.state().session().steak().expect("a piece").in_pan(), "{id}");
+        save(&mut harness, &format!("food-{id}"));
+    }
+}
+
+#[test]
+fn a_vegetable_shows_its_changes_instead_of_the_doneness_of_meat() {
+    let mut harness = playing(WIDE, &frying("carrot-coin", "coin", ""), 240.0);
+    harness.get_by_label_contains("turgor");
+    harness.get_by_label_contains("pectin");
+    harness.get_by_label("Juiciness");
+    assert!(harness.query_by_label_contains("Scale of doneness").is_none());
+    press(&mut harness, Key::Num4);
+    steps(&mut harness, 10);
+    assert_eq!(harness.state().settings().view, View::Doneness);
+    assert!(harness.query_by_label_contains("Doneness by").is_none());
+    save(&mut harness, "carrot-doneness");
+    press(&mut harness, Key::Num1);
+    press(&mut harness, Key::V);
+    press(&mut harness, Key::V);
+    press(&mut harness, Key::X);
+    steps(&mut harness, 10);
+    save(&mut harness, "carrot-close");
+    let mut phone = playing(PHONE, &frying("leek-ring", "ring", ""), 120.0);
+    phone.get_by_label("Inside").click();
+    steps(&mut phone, 12);
+    save(&mut phone, "phone-leek");
+    phone.get_by_label("Food").click();
+    steps(&mut phone, 3);
+    save(&mut phone, "phone-food");
+}
+
+#[test]
+fn the_rules_of_2013_are_labelled_at_all_times() {
+    let mut harness = playing(WIDE, &frying("beef-lean", "steak", "preset = \"2013\"\n"), 30.0);
+    harness.get_by_label("rules of 2013");
+    save(&mut harness, "rules-2013");
+    press(&mut harness, Key::H);
+    harness.get_by_label("rules of 2013");
+    assert!(window(WIDE).query_by_label("rules of 2013").is_none());
+}
+
+#[test]
+fn the_hob_says_why_it_gives_no_power() {
+    let mut harness = window(WIDE);
+    let command = |h: &mut Harness<'static, SauteApp>, c: Command| {
+        h.state_mut().session_mut().command(&c).expect("is done");
+        cook(h, 1.0);
+    };
+    command(&mut harness, Command::Hob(1100.0));
+    assert!(harness.query_by_label_contains("No power").is_none());
+    command(&mut harness, Command::MovePan { at: [0.0; 2], lift: 0.1 });
+    harness.get_by_label("No power: the pan is lifted");
+    command(&mut harness, Command::MovePan { at: [0.3, 0.0], lift: 0.0 });
+    harness.get_by_label("No power: the pan is off its ring");
+    command(&mut harness, Command::MovePan { at: [0.0; 2], lift: 0.0 });
+    command(&mut harness, Command::Cool { for_s: 3.0 });
+    harness.get_by_label("No power: the pan is on the cloth");
+    let empty = "[pan]\ninitial_c = 290\n[[step]]\nhob_w = 2000\n[[step]]\nafter_s = 900\nend = true\n";
+    let mut hot = playing(WIDE, empty, 0.0);
+    let limited = |h: &Harness<'static, SauteApp>| h.state().session().kitchen.pan_state().limited;
+    for _ in 0..90 {
+        if !limited(&hot) {
+            cook(&mut hot, 1.0);
+        }
+    }
+    hot.get_by_label("No power: overheat protection");
+    save(&mut hot, "limit");
+}

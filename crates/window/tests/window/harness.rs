@@ -1,0 +1,67 @@
+//! The window without a screen: steps, simulated time, pictures.
+
+use egui::{Key, Pos2, Rect, pos2};
+use egui_kittest::Harness;
+use saute_window::{SauteApp, Start};
+
+/// The window at a size.
+pub fn window(size: egui::Vec2) -> Harness<'static, SauteApp> {
+    let mut harness = Harness::builder()
+        .with_size(size)
+        .with_step_dt(0.05)
+        .wgpu()
+        .build_eframe(|cc| SauteApp::new(cc, Start::default()).expect("starts"));
+    harness.step();
+    harness
+}
+
+/// Draws some frames.
+pub fn steps(harness: &mut Harness<'static, SauteApp>, count: usize) {
+    (0..count).for_each(|_| harness.step());
+}
+
+/// Presses a key and draws what comes of it.
+pub fn press(harness: &mut Harness<'static, SauteApp>, key: Key) {
+    harness.key_press(key);
+    steps(harness, 3);
+}
+
+/// Lets simulated time pass without frames.
+pub fn cook(harness: &mut Harness<'static, SauteApp>, seconds: f64) {
+    for _ in 0..(seconds / saute_kitchen::TICK_S) as usize {
+        harness.state_mut().session_mut().tick().expect("ticks");
+    }
+    steps(harness, 12);
+}
+
+/// Keeps a picture of the window for people to look at.
+pub fn save(harness: &mut Harness<'static, SauteApp>, name: &str) {
+    let image = harness.render().expect("renders");
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("window");
+    std::fs::create_dir_all(&folder).expect("folder");
+    image.save(folder.join(format!("{name}.png"))).expect("saves");
+}
+
+/// The usual window.
+pub const WINDOW: Rect = Rect { min: Pos2::ZERO, max: pos2(1280.0, 720.0) };
+
+/// Clicks at a place.
+pub fn click(harness: &mut Harness<'static, SauteApp>, at: Pos2) {
+    drag(harness, at, at);
+}
+
+/// Drags from one place to another, a good second long.
+pub fn drag(harness: &mut Harness<'static, SauteApp>, from: Pos2, to: Pos2) {
+    harness.hover_at(from);
+    harness.step();
+    harness.drag_at(from);
+    harness.step();
+    if from != to {
+        for k in 1..=16u8 {
+            harness.hover_at(from + (to - from) * (f32::from(k) / 16.0));
+            harness.step();
+        }
+    }
+    harness.drop_at(to);
+    steps(harness, 14);
+}

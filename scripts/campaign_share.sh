@@ -1,0 +1,20 @@
+# Which share of the campaign `./test.sh` runs. Sourced, not run.
+
+# Random cooks of crates/kitchen/tests/properties.rs. All random tests are drawn from one seed, so that every run of
+# ./test.sh makes the same ones; the campaign draws new ones.
+SHARE_RANDOM_COOKS=24
+SHARE_SEED=20131120
+CAMPAIGN_RANDOM_COOKS=250
+
+# Random packets for each door to a device; of ./test.sh 256, the default of proptest.
+CAMPAIGN_RANDOM_PACKETS=20000
+
+# Length of each check of the haptic loop with faults in the campaign [s]. Of ./test.sh it is 5 s, stated in
+# crates/cli/tests/cli/haptics.rs.
+CAMPAIGN_HAPTICS_S=60
+
+# fix_campaign_share: hands the share to the tests.
+fix_campaign_share() {
+    export SAUTE_RANDOM_COOKS="$SHARE_RANDOM_COOKS"
+    export PROPTEST_RNG_SEED="$SHARE_SEED"
+}
