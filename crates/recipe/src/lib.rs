@@ -2,6 +2,13 @@
 //!
 //! A [`Recipe`] is checked text in SI units. A [`Cook`] is a [`Kitchen`](saute_kitchen::Kitchen), a [`Runner`] and a
 //! [`Recorder`] together; a [`Summary`] is its result. Nothing here opens a file or reads a clock.
+//!
+//! A recipe is a list of steps. Between ticks, `Runner::poll` starts each step that is due; it continues when the
+//! duration of the action has passed and the kitchen is no longer busy with it. The value of an action is a table; a
+//! bare value is shorthand for one. The documentation, ranges and defaults of actions are those of the JSON Schema,
+//! from which `saute list actions` is printed. A group is several pieces under one name: the runner finds places for
+//! them and sends the kitchen one command for each. `saute cook`, `saute shot`, the tests and the window play recipes
+//! through the same `Cook`.
 
 mod check;
 pub mod cook;
