@@ -326,7 +326,19 @@ impl Kitchen {
         (self.puddle_vapour, self.cloth_vapour)
     }
 
-    /// Where the energy went since the start.
+    /// Energy account since the start [J].
+    ///
+    /// ```
+    /// use saute_kitchen::{Command, Kitchen, Library, kelvin};
+    ///
+    /// let mut kitchen = Kitchen::new(&Library::embedded()?, "cast-iron-26", kelvin(20.0))?;
+    /// kitchen.apply(&Command::Hob(1000.0))?;
+    /// (0..100).for_each(|_| kitchen.step());
+    /// let energy = kitchen.energy();
+    /// assert!((energy.hob - 10e3).abs() < 1.0);
+    /// assert!(energy.imbalance.abs() < 1e-6 * energy.hob);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn energy(&self) -> Energy {
         let foods: f64 = self.pieces.iter().map(|p| p.state.total_enthalpy()).sum();
         Energy {

@@ -28,7 +28,17 @@ const MARGIN: f64 = 0.015;
 const BESIDE: f64 = 0.005;
 
 impl Kitchen {
-    /// Carries out a command, or says why not.
+    /// Carries out a command. On an error the kitchen is unchanged.
+    ///
+    /// ```
+    /// use saute_kitchen::{Command, Kitchen, Library, Refused, kelvin};
+    ///
+    /// let mut kitchen = Kitchen::new(&Library::embedded()?, "carbon-steel-26", kelvin(20.0))?;
+    /// kitchen.apply(&Command::Lid(true))?;
+    /// let refused = kitchen.apply(&Command::Oil { kind: None, mass: 0.010 });
+    /// assert_eq!(refused, Err(Refused::LidIsOn));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn apply(&mut self, command: &Command) -> Result<(), Refused> {
         if self.pan.lid.is_some() && command.needs_open_pan() {
             return Err(Refused::LidIsOn);
