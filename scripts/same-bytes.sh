@@ -17,8 +17,8 @@
 # Both programs read the same recipe files: those saved with BASE. Shipped recipes are inside the programs.
 #
 # Allowed differences: the line `wall_s` of a JSON; the texts in `warnings` (their number counts); the name of the second
-# column of series.csv, `hob_w` before and `hob_drawn_w` now; the sources of validation cases. Checksums of the pictures of cross-sections (sections.sums)
-# are compared too, but a difference there is only a notice.
+# column of series.csv, `hob_w` before and `hob_drawn_w` now; the sources of validation cases. Checksums of the pictures
+# of cross-sections (sections.sums) are compared too, but a difference there is only a notice.
 set -euo pipefail
 here="$(cd "$(dirname "$0")/.." && pwd)"
 
