@@ -1,9 +1,10 @@
 //! The shapes that pieces are cut to, and what their sizes mean.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// The shapes that can be built.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
 #[serde(rename_all = "kebab-case")]
 pub enum Form {
     /// A superellipse outline times an uneven thickness; fibres run through the thickness.

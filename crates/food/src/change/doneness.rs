@@ -1,5 +1,6 @@
 //! Doneness by the highest temperature that a point has reached: scales of named classes, and shares of them.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::description::{Confidence, Kinetics};
@@ -8,30 +9,38 @@ use crate::description::{Confidence, Kinetics};
 pub const MOST_CLASSES: usize = 5;
 
 /// A class of doneness.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Class {
     /// Its name.
+    #[schemars(example = &"medium")]
     pub name: String,
     /// Where it begins [°C].
+    #[schemars(range(min = 0.0, max = 120.0), example = 60.0)]
     pub from_c: f64,
 }
 
 /// A scale of doneness: two to five classes, ascending.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Scale {
     /// Name in files and on the command line.
+    #[schemars(example = &"my-scale")]
     pub id: String,
     /// Label for people.
+    #[schemars(example = &"My scale")]
     pub name: String,
     /// The classes; each reaches up to the next, and the first down to any cold.
+    #[schemars(length(min = 2, max = MOST_CLASSES))]
     pub class: Vec<Class>,
     /// The change that a food must know for this scale to mean anything: a protein, as the scales are those of meat.
+    #[schemars(example = &"myosin")]
     pub for_change: String,
     /// Where the numbers come from.
+    #[schemars(example = &"chosen: …")]
     pub source: String,
     /// How well they are known.
+    #[schemars(example = &"low")]
     pub confidence: Confidence,
 }
 
