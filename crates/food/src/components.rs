@@ -1,5 +1,6 @@
 //! Thermal properties from composition (Choi & Okos 1986 `[@choi-okos-1986]`).
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::ZERO_C;
@@ -7,20 +8,24 @@ use crate::description::{Composition, Confidence, FatMelting};
 
 /// Properties of one component as polynomials a + bT + cT² of the temperature T [°C] (Choi & Okos 1986
 /// `[@choi-okos-1986]`).
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Component {
     /// Thermal conductivity [W/(m·K)].
+    #[schemars(inner(range(min = -1e6, max = 1e6)))]
     pub conductivity_w_mk: [f64; 3],
     /// Specific heat [J/(kg·K)].
+    #[schemars(inner(range(min = -1e6, max = 1e6)))]
     pub specific_heat_j_kgk: [f64; 3],
     /// Density [kg/m³].
+    #[schemars(inner(range(min = -1e6, max = 1e6)))]
     pub density_kg_m3: [f64; 3],
 }
 
 /// The six components of food: water, protein, fat, carbohydrate, fibre, ash.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "saute components")]
 pub struct Components {
     /// Source of the numbers.
     pub source: String,

@@ -1,9 +1,10 @@
 //! Forms of pieces and the meaning of their dimensions.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Form of a piece.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
 #[serde(rename_all = "kebab-case")]
 pub enum Form {
     /// A superellipse outline times an uneven thickness; fibres run through the thickness.

@@ -1,5 +1,6 @@
 //! Doneness by the peak temperature of each point: scales of named classes, and their shares.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::description::{Confidence, Kinetics};
@@ -8,12 +9,14 @@ use crate::description::{Confidence, Kinetics};
 pub const MOST_CLASSES: usize = 5;
 
 /// A class of doneness.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Class {
     /// Name of the class.
+    #[schemars(example = &"medium")]
     pub name: String,
     /// Lowest peak temperature of the class [°C].
+    #[schemars(range(min = 0.0, max = 120.0), example = 60.0)]
     pub from_c: f64,
 }
 
@@ -30,20 +33,26 @@ pub struct Class {
 /// assert_eq!(scale.name_of(ZERO_C + 60.0), "done");
 /// # Ok::<(), toml::de::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Scale {
     /// Name in files and on the command line.
+    #[schemars(example = &"my-scale")]
     pub id: String,
     /// Label for people.
+    #[schemars(example = &"My scale")]
     pub name: String,
     /// The classes, ascending; each ends where the next begins, and the first has no lower end.
+    #[schemars(length(min = 2, max = MOST_CLASSES))]
     pub class: Vec<Class>,
     /// Name of the change that a food's kinetics must contain for the scale to apply, such as a protein of meat.
+    #[schemars(example = &"myosin")]
     pub for_change: String,
     /// Source of the numbers.
+    #[schemars(example = &"chosen: …")]
     pub source: String,
     /// Confidence in the numbers.
+    #[schemars(example = &"low")]
     pub confidence: Confidence,
 }
 

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::sourced_table;
@@ -10,12 +11,16 @@ sourced_table! {
     /// A first-order change given by its rate at an anchor temperature.
     Change {
         /// Name of the change, as colours, texture and shrinkage refer to it.
+        #[schemars(example = &"myosin")]
         name: String,
         /// Activation energy [kJ/mol].
+        #[schemars(range(min = 1.0, max = 1000.0), example = 241.0)]
         activation_energy_kj_mol: f64,
         /// Temperature at which the rate is given [°C].
+        #[schemars(range(min = 0.0, max = 200.0), example = 57.0)]
         anchor_c: f64,
         /// Rate at the anchor temperature [1/min].
+        #[schemars(range(min = 1e-6, max = 1e4), example = 2.66)]
         anchor_rate_per_min: f64,
     }
 }
@@ -24,24 +29,34 @@ sourced_table! {
     /// Water-holding capacity of the flesh and release of the rest.
     WaterHolding {
         /// Share of the raw water that is lost far above the transition [-].
+        #[schemars(range(min = 0.0, max = 0.9), example = 0.46)]
         drop: f64,
         /// Spread of the transition [-]; see the equation of the held share in the crate's water module.
+        #[schemars(range(min = 1e-3, max = 1e6), example = 30.0)]
         spread: f64,
         /// Steepness of the transition [1/K].
+        #[schemars(range(min = 0.0, max = 5.0), example = 0.25)]
         slope_per_k: f64,
         /// Temperature of the transition [°C].
+        #[schemars(range(min = -100.0, max = 300.0), example = 52.0)]
         middle_c: f64,
         /// Least share of the raw water that is lost when a change is complete, by the name of the change [-].
+        #[schemars(extend("examples" = [{ "myosin": 0.13 }]))]
         change: BTreeMap<String, f64>,
         /// Rate of release of the water that is no longer held, at `release_anchor_c` [1/s].
+        #[schemars(range(min = 0.0, max = 1.0), example = 1.5e-3)]
         release_per_s: f64,
         /// Temperature at which the release rate is given [°C].
+        #[schemars(range(min = 0.0, max = 150.0), example = 65.0)]
         release_anchor_c: f64,
         /// Activation energy of the release [kJ/mol].
+        #[schemars(range(min = 0.0, max = 500.0), example = 60.0)]
         release_activation_energy_kj_mol: f64,
         /// Speed of free juice along the fibres [µm/s].
+        #[schemars(range(min = 0.0, max = 1e4), example = 10.0)]
         juice_speed_um_s: f64,
         /// Largest film of juice on a face; more runs off [kg/m²].
+        #[schemars(range(min = 0.0, max = 2.0), example = 0.1)]
         film_kg_m2: f64,
     }
 }
@@ -50,14 +65,19 @@ sourced_table! {
     /// Rate of browning: an Arrhenius rate times a factor of the water activity.
     BrowningRate {
         /// Activation energy [kJ/mol].
+        #[schemars(range(min = 0.0, max = 1000.0), example = 100.0)]
         activation_energy_kj_mol: f64,
         /// Temperature at which the rate is given [°C].
+        #[schemars(range(min = -50.0, max = 500.0), example = 140.0)]
         anchor_c: f64,
         /// Rate at the anchor temperature with a factor of 1 [1/s].
+        #[schemars(range(min = 0.0, max = 100.0), example = 5.0e-3)]
         anchor_rate_per_s: f64,
         /// Water activities at which the factor is given, ascending [-].
+        #[schemars(inner(range(min = -1.0, max = 2.0)), extend("examples" = [[0.0, 0.65, 1.0]]))]
         activity: Vec<f64>,
         /// Factor of the rate at those activities [-].
+        #[schemars(inner(range(min = 0.0, max = 1e6)), extend("examples" = [[0.4, 1.0, 0.02]]))]
         factor: Vec<f64>,
     }
 }
@@ -66,10 +86,13 @@ sourced_table! {
     /// Rate of charring of browned flesh.
     CharringRate {
         /// Activation energy [kJ/mol].
+        #[schemars(range(min = 0.0, max = 1000.0), example = 140.0)]
         activation_energy_kj_mol: f64,
         /// Temperature at which the rate is given [°C].
+        #[schemars(range(min = -50.0, max = 500.0), example = 250.0)]
         anchor_c: f64,
         /// Rate at the anchor temperature [1/s].
+        #[schemars(range(min = 0.0, max = 100.0), example = 5.0e-3)]
         anchor_rate_per_s: f64,
     }
 }
@@ -78,8 +101,10 @@ sourced_table! {
     /// Lethality: thermal death of pathogens.
     Lethality {
         /// Time of a tenfold reduction at 60 °C, D₆₀ [min].
+        #[schemars(range(min = 1e-3, max = 1e4), example = 2.6)]
         d60_min: f64,
         /// Temperature difference for a tenfold change of that time, z [K].
+        #[schemars(range(min = 1.0, max = 30.0), example = 6.0)]
         z_k: f64,
     }
 }
@@ -88,10 +113,13 @@ sourced_table! {
     /// Elastic modulus as a function of the changes.
     Texture {
         /// Modulus of the raw flesh [kPa].
+        #[schemars(range(min = 0.1, max = 1e5), example = 6.0)]
         raw_kpa: f64,
         /// Contribution of a complete change, by the name of the change [kPa].
+        #[schemars(extend("examples" = [{ "myosin": 8.0 }]))]
         change_kpa: BTreeMap<String, f64>,
         /// Share of a bending stress that remains after a minute [-].
+        #[schemars(range(min = 0.01, max = 1.0), example = 0.4)]
         relaxed_share: f64,
     }
 }
@@ -100,6 +128,7 @@ sourced_table! {
     /// Hardness on biting relative to the raw food, as a function of the changes.
     Hardness {
         /// Contribution of a complete change, by the name of the change [-].
+        #[schemars(extend("examples" = [{ "myosin": 0.7 }]))]
         change: BTreeMap<String, f64>,
     }
 }
@@ -108,6 +137,7 @@ sourced_table! {
     /// Juiciness on biting: the remaining share of the raw water, times 1 plus the contributions of the changes.
     Juiciness {
         /// Contribution of a complete change to the factor, by the name of the change [-].
+        #[schemars(extend("examples" = [{ "actin": -0.5 }]))]
         change: BTreeMap<String, f64>,
     }
 }
@@ -116,10 +146,13 @@ sourced_table! {
     /// Contraction of free tissue.
     Shrinkage {
         /// Contraction of a length across the fibres by a complete change, by the name of the change [-].
+        #[schemars(extend("examples" = [{ "myosin": 0.05 }]))]
         across: BTreeMap<String, f64>,
         /// Contraction along the fibres (a steak's thickness) by a complete change, by the name of the change [-].
+        #[schemars(extend("examples" = [{ "actin": 0.25 }]))]
         along: BTreeMap<String, f64>,
         /// Least volume relative to the raw volume; losses beyond it leave pores [-].
+        #[schemars(range(min = 0.05, max = 1.0), example = 0.585)]
         least_volume: f64,
     }
 }
@@ -128,6 +161,7 @@ sourced_table! {
     /// Curling of a body whose belly contracts more than its back.
     Curl {
         /// Difference of the contractions along the body by a complete change, by the name of the change [-].
+        #[schemars(extend("examples" = [{ "myosin": 0.1 }]))]
         change: BTreeMap<String, f64>,
     }
 }
@@ -136,23 +170,30 @@ sourced_table! {
     /// Release of molten fat from the tissue.
     FatRelease {
         /// Share of the lean tissue's fat that can leave [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.15)]
         fine_share: f64,
         /// Share of the fat in seams that can leave [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.6)]
         seam_share: f64,
         /// Temperatures at which the release rate is given, ascending [°C].
+        #[schemars(inner(range(min = -100.0, max = 600.0)), extend("examples" = [[45.0, 100.0]]))]
         celsius: Vec<f64>,
         /// Release rate at those temperatures of fat at a face [1/s].
+        #[schemars(inner(range(min = 0.0, max = 100.0)), extend("examples" = [[0.0, 1.0e-3]]))]
         rate_per_s: Vec<f64>,
         /// Depth below a face at which the rate is 1/e of that at the face [mm].
+        #[schemars(range(min = 0.1, max = 1000.0), example = 3.0)]
         depth_mm: f64,
     }
 }
 
 /// Kinetics of one kind of flesh, as its file states them.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "saute kinetics")]
 pub struct Kinetics {
     /// First-order changes, at most [`MOST_CHANGES`]; the first determines the look of fat, the last the doneness.
+    #[schemars(length(min = 1, max = MOST_CHANGES))]
     pub change: Vec<Change>,
     /// Water holding.
     pub water_holding: WaterHolding,

@@ -1,12 +1,14 @@
 //! Descriptions of foods and kinetics, as their TOML files state them.
 
 mod kinetics;
+mod lab_colour;
 mod properties;
 mod shape;
 mod tissue;
 
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::body::form::Form;
@@ -15,12 +17,13 @@ pub use kinetics::{
     BrowningRate, Change, CharringRate, Curl, FatRelease, Hardness, Juiciness, Kinetics, Lethality, MOST_CHANGES,
     NoSuchChange, PerChange, Shrinkage, Texture, WaterHolding,
 };
+pub use lab_colour::{LabColour, LabShift};
 pub use properties::{Anisotropy, Colours, Crust, FatMelting, Sorption, SurfaceProperties};
 pub use shape::{OutlineShape, SizeRange, Spine, SurfaceFile};
 pub use tissue::{Composition, Core, Marbling, Sheaths};
 
 /// Confidence in the numbers of a table.
-#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
 #[serde(rename_all = "lowercase")]
 pub enum Confidence {
     /// Measured values or a standard.
@@ -37,33 +40,41 @@ pub enum Confidence {
 macro_rules! sourced_table {
     ($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident : $kind:ty),* $(,)? }) => {
         $(#[$doc])*
-        #[derive(Clone, Debug, serde::Deserialize)]
+        #[derive(Clone, Debug, serde::Deserialize, schemars::JsonSchema)]
         #[serde(deny_unknown_fields)]
         pub struct $name {
             $($(#[$field_doc])* pub $field: $kind,)*
             /// Source of the numbers, or "chosen" and the reason.
+            #[schemars(example = &"chosen: …")]
             pub source: String,
             /// Confidence in the numbers.
+            #[schemars(example = &"low")]
             pub confidence: $crate::description::Confidence,
         }
     };
 }
 
 /// A food, as its file describes it.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "saute food")]
 pub struct FoodDescription {
     /// Display name.
+    #[schemars(example = &"My food")]
     pub name: String,
-    /// Id of the kinetics file.
+    /// Id of the kinetics file: what heat does to this kind of flesh.
+    #[schemars(example = &"beef")]
     pub kinetics: String,
     /// Form of the pieces.
+    #[schemars(example = &"steak")]
     pub form: Form,
     /// Allowed sizes; of a closed surface those of its own file, unless stated.
     #[serde(default = "SizeRange::unset")]
+    #[schemars(with = "Option<SizeRange>")]
     pub size: SizeRange,
     /// Outline: of slices seen from above, of sticks and shrimps in cross-section; bodies of cells have none.
     #[serde(default = "OutlineShape::unset")]
+    #[schemars(with = "Option<OutlineShape>")]
     pub outline: OutlineShape,
     /// File of a closed surface that is filled with cells; absent in swept forms.
     pub mesh: Option<SurfaceFile>,
@@ -76,23 +87,23 @@ pub struct FoodDescription {
     pub core: Option<Core>,
     /// Sheaths of a shaft; absent in other foods.
     pub sheaths: Option<Sheaths>,
-    /// Lean tissue.
+    /// What the flesh consists of: mass fractions that add up to 1.
     pub lean: Composition,
     /// Fat tissue; absent in foods without it.
     pub adipose: Option<Composition>,
     /// Seams of fat tissue; absent in foods without them.
     pub marbling: Option<Marbling>,
-    /// Melting of fat.
+    /// Melting of the fat.
     pub fat_melting: FatMelting,
-    /// Sorption isotherm.
+    /// GAB sorption isotherm: how tightly the last water is held.
     pub sorption: Sorption,
-    /// Dry crust.
+    /// The dry crust.
     pub crust: Crust,
     /// Anisotropy of conduction; isotropic if absent.
     pub anisotropy: Option<Anisotropy>,
     /// Surface properties.
     pub surface: SurfaceProperties,
-    /// Colours.
+    /// Colours and their changes, L*, a*, b* under D65.
     pub colour: Colours,
 }
 

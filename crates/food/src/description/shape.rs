@@ -7,10 +7,13 @@ sourced_table! {
     /// Allowed sizes of a piece, in the order of the form's dimensions.
     SizeRange {
         /// Default size [mm].
+        #[schemars(length(min = 1, max = 3), inner(range(min = 2.0, max = 300.0)), extend("examples" = [[120.0, 80.0, 25.0]]))]
         default_mm: Vec<f64>,
         /// Smallest size [mm].
+        #[schemars(length(min = 1, max = 3), inner(range(min = 2.0, max = 300.0)), extend("examples" = [[30.0, 30.0, 10.0]]))]
         min_mm: Vec<f64>,
         /// Largest size [mm].
+        #[schemars(length(min = 1, max = 3), inner(range(min = 2.0, max = 300.0)), extend("examples" = [[190.0, 190.0, 60.0]]))]
         max_mm: Vec<f64>,
     }
 }
@@ -19,14 +22,18 @@ sourced_table! {
     /// Outline of the cross-section.
     OutlineShape {
         /// Superellipse exponent [-]; 2 is an ellipse.
+        #[schemars(range(min = 2.0, max = 20.0), example = 2.5)]
         exponent: f64,
         /// Amplitude of the natural waviness relative to the radius [-].
+        #[schemars(range(min = 0.0, max = 0.1), example = 0.02)]
         ripple: f64,
         /// Largest difference of the thickness between two ends, relative to its mean [-].
         #[serde(default)]
+        #[schemars(range(min = 0.0, max = 0.3), example = 0.05)]
         wedge: f64,
         /// Amplitude of the gentle bumps of a cut, relative to the mean thickness [-].
         #[serde(default)]
+        #[schemars(range(min = 0.0, max = 0.1), example = 0.01)]
         bumps: f64,
     }
 }
@@ -35,10 +42,13 @@ sourced_table! {
     /// Reference to a file with a closed surface.
     SurfaceFile {
         /// Path of the file, relative to the food's own file.
+        #[schemars(example = &"my-piece.obj")]
         file: String,
         /// Length of one unit of the file [mm].
+        #[schemars(range(min = 1e-6, max = 1e6), example = 1.0)]
         scale_mm: Option<f64>,
         /// Direction of the fibres, along which juice moves [-]; without it juice takes the shortest way to the skin.
+        #[schemars(inner(range(min = -1e6, max = 1e6)), extend("examples" = [[0.0, 0.0, 1.0]]))]
         fibres: Option<[f64; 3]>,
     }
 }
@@ -72,10 +82,13 @@ sourced_table! {
     /// The curve of a shrimp.
     Spine {
         /// Angle of the turn from end to end [°].
+        #[schemars(range(min = 0.0, max = 200.0), example = 125.0)]
         turn_deg: f64,
         /// Largest deviation of that angle between pieces [°].
+        #[schemars(range(min = 0.0, max = 60.0), example = 20.0)]
         turn_varies_deg: f64,
         /// Breadth over depth of the body [-].
+        #[schemars(range(min = 0.5, max = 1.5), example = 0.9)]
         flattening: f64,
     }
 }

@@ -3,6 +3,7 @@
 use toml::Spanned;
 
 use crate::data::library::line_of;
+use crate::data::number_text::number_text;
 
 /// A file that cannot be used: where, what is wrong, and what to write instead.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -40,14 +41,12 @@ impl InputText<'_> {
         if (low..=high).contains(&v) {
             return Ok(v);
         }
-        let number =
-            |v: f64| if v != 0.0 && !(1e-4..1e7).contains(&v.abs()) { format!("{v:e}") } else { v.to_string() };
         let range = if high >= f64::MAX {
-            format!("{key} may be {} and more", number(low))
+            format!("{key} may be {} and more", number_text(low))
         } else {
-            format!("{key} may be {} to {}", number(low), number(high))
+            format!("{key} may be {} to {}", number_text(low), number_text(high))
         };
-        self.error(value.span().start, format!("{key} = {} is out of range", number(v)), range)
+        self.error(value.span().start, format!("{key} = {} is out of range", number_text(v)), range)
     }
 
     /// The key to the left of a value, as "key: "; nothing where there is none.

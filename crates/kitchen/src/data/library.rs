@@ -8,11 +8,11 @@ use saute_food::components::Components;
 use saute_food::{FoodDescription, Kinetics, Scale};
 use saute_heat::surface::EXTENT;
 use saute_heat::{Soup, Surface};
+use schemars::JsonSchema;
 use serde::Deserialize;
-use serde::de::DeserializeOwned;
-use toml::Spanned;
 
-use crate::data::data_check;
+use crate::data::data_file::DataFile;
+use crate::data::format::{Format, FormatSchema};
 use crate::data::room::Room;
 use crate::liquids::fond::FondData;
 use crate::liquids::oil::OilDescription;
@@ -44,10 +44,12 @@ pub struct LibraryError {
 pub const DEFAULT_SCALE: &str = "paper-2013";
 
 /// `doneness.toml` as it is written.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "saute doneness")]
 pub(crate) struct DonenessFile {
-    pub(crate) scale: Vec<Spanned<Scale>>,
+    /// Scales.
+    pub(crate) scale: Vec<Scale>,
 }
 
 /// How far a body may be scaled where its file does not say [-] (chosen: a small one and a large one of a kind).
@@ -99,13 +101,13 @@ impl Library {
         collect(&DATA, "", &mut files);
         collect(&RECIPES, "recipes/", &mut files);
         files.extend(own.iter().cloned());
-        let bare = parse_folder(&files, "pans/", data_check::pan)?;
-        let coatings = parse_folder(&files, "coatings/", data_check::coating)?;
+        let bare = parse_folder(&files, "pans/")?;
+        let coatings: BTreeMap<String, CoatingDescription> = parse_folder(&files, "coatings/")?;
         let mut library = Self {
-            foods: parse_folder(&files, "foods/", data_check::food)?,
-            kinetics: parse_folder(&files, "kinetics/", data_check::kinetics)?,
+            foods: parse_folder(&files, "foods/")?,
+            kinetics: parse_folder(&files, "kinetics/")?,
             pans: with_coatings(bare, &coatings),
-            oils: parse_folder(&files, "oils/", data_check::oil)?,
+            oils: parse_folder(&files, "oils/")?,
             recipes: in_folder(&files, "recipes/").map(|(id, text)| (id.to_owned(), text.clone())).collect(),
             scales: scales(&files)?,
             components: parse(&files, "components.toml")?,
@@ -115,28 +117,26 @@ impl Library {
         };
         for (id, food) in std::mem::take(&mut library.foods) {
             let file = format!("foods/{id}.toml");
-            let food = with_body(food, surfaces.get(&file), &file, files.get(&file).map_or("", String::as_str))?;
+            let food = with_body(food, surfaces.get(&file), &data_file(&files, &file))?;
             library.foods.insert(id, food);
         }
         for (id, food) in &library.foods {
             let file = format!("foods/{id}.toml");
-            library.check_kinetics(food, &file, files.get(&file).map_or("", String::as_str))?;
+            library.check_kinetics(food, &data_file(&files, &file))?;
         }
         library.check_oils()?;
-        data_check::fond(&library.fond, FOND_FILE, files.get(FOND_FILE).map_or("", String::as_str))?;
         Ok(library)
     }
 
     /// Checks that a food's kinetics are there and change what the food colours.
-    pub(crate) fn check_kinetics(&self, food: &FoodDescription, file: &str, text: &str) -> Result<(), LibraryError> {
-        let error = |line, message| LibraryError { file: file.to_owned(), line, message };
+    pub(crate) fn check_kinetics(&self, food: &FoodDescription, file: &DataFile) -> Result<(), LibraryError> {
         let Some(kinetics) = self.kinetics.get(&food.kinetics) else {
             let known = Self::names(&self.kinetics);
             let message = format!("kinetics = \"{}\" is unknown; there are: {known}", food.kinetics);
-            return Err(error(line_of(text, data_check::place(text, "", "kinetics")), message));
+            return Err(file.error("kinetics", message));
         };
-        let line = || line_of(text, data_check::place(text, "colour", "change"));
-        kinetics.in_order("colour", &food.colour.change).map(|_| ()).map_err(|e| error(line(), e.to_string()))
+        let named = kinetics.in_order("colour", &food.colour.change);
+        named.map(|_| ()).map_err(|e| file.error("colour.change", e.to_string()))
     }
 
     /// The kitchen names oils that are there, and butter that melts.
@@ -190,38 +190,31 @@ fn in_folder<'a>(files: &'a BTreeMap<String, String>, folder: &'a str) -> impl I
     files.iter().filter_map(move |(path, text)| Some((path.strip_prefix(folder)?.strip_suffix(".toml")?, text)))
 }
 
-/// Parses every file of a folder, by id, and checks its numbers.
-fn parse_folder<T: DeserializeOwned>(
+fn data_file<'a>(files: &'a BTreeMap<String, String>, name: &'a str) -> DataFile<'a> {
+    DataFile { name, text: files.get(name).map_or("", String::as_str) }
+}
+
+/// Reads and checks every file of a folder, by id.
+fn parse_folder<T: Format>(
     files: &BTreeMap<String, String>,
     folder: &str,
-    check: impl Fn(&T, &str, &str) -> Result<(), LibraryError>,
 ) -> Result<BTreeMap<String, T>, LibraryError> {
+    let format = FormatSchema::of::<T>();
     in_folder(files, folder)
         .map(|(id, text)| {
-            let file = format!("{folder}{id}.toml");
-            let parsed = parse_text(text, &file)?;
-            check(&parsed, &file, text)?;
-            Ok((id.to_owned(), parsed))
+            let name = format!("{folder}{id}.toml");
+            Ok((id.to_owned(), format.read(&DataFile { name: &name, text })?))
         })
         .collect()
 }
 
 fn scales(files: &BTreeMap<String, String>) -> Result<Vec<Arc<Scale>>, LibraryError> {
     let parsed: DonenessFile = parse(files, DONENESS_FILE)?;
-    data_check::doneness(&parsed.scale, DONENESS_FILE, files.get(DONENESS_FILE).map_or("", String::as_str))?;
-    Ok(parsed.scale.into_iter().map(|s| Arc::new(s.into_inner())).collect())
+    Ok(parsed.scale.into_iter().map(Arc::new).collect())
 }
 
-fn parse<T: DeserializeOwned>(files: &BTreeMap<String, String>, path: &str) -> Result<T, LibraryError> {
-    parse_text(files.get(path).map_or("", String::as_str), path)
-}
-
-fn parse_text<T: DeserializeOwned>(text: &str, file: &str) -> Result<T, LibraryError> {
-    toml::from_str(text).map_err(|e| LibraryError {
-        file: file.to_owned(),
-        line: line_of(text, e.span().map_or(0, |s| s.start)),
-        message: e.message().to_owned(),
-    })
+fn parse<T: Format>(files: &BTreeMap<String, String>, path: &str) -> Result<T, LibraryError> {
+    FormatSchema::of::<T>().read(&data_file(files, path))
 }
 
 /// Line number, from 1, of a byte offset.
@@ -239,12 +232,10 @@ pub fn surface_file(text: &str) -> Option<String> {
 pub(crate) fn with_body(
     mut food: FoodDescription,
     soup: Option<&Soup>,
-    file: &str,
-    text: &str,
+    file: &DataFile,
 ) -> Result<FoodDescription, LibraryError> {
     let Some(mesh) = food.mesh.clone() else { return Ok(food) };
-    let line = line_of(text, data_check::place(text, "mesh", "file"));
-    let error = |message| LibraryError { file: file.to_owned(), line, message };
+    let error = |message: String| file.error("mesh.file", message);
     let soup = soup.ok_or_else(|| error(format!("the surface \"{}\" was not read", mesh.file)))?;
     let surface = close_surface(soup, &mesh.file, mesh.scale_mm).map_err(error)?;
     if !food.size.is_set() {

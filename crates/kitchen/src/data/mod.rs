@@ -1,7 +1,13 @@
-//! Data files: what a kitchen is built from, each format with its checks.
+//! Data files: what a kitchen is built from. The types of the descriptions state each format once.
 
-mod data_check;
+pub mod data_file;
+pub mod finding;
 pub mod food_check;
+pub mod format;
 pub mod input_error;
 pub mod library;
+mod number_text;
+mod relations;
 pub mod room;
+mod schema_text;
+mod schema_walk;

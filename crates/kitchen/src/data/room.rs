@@ -2,6 +2,7 @@
 
 use saute_food::water::saturation_density;
 use saute_food::{FreeAir, sourced_table};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::kelvin;
@@ -15,8 +16,10 @@ sourced_table! {
     /// Air of the room.
     Air {
         /// Temperature [°C].
+        #[schemars(range(min = -50.0, max = 100.0), example = 23.0)]
         temperature_c: f64,
         /// Relative humidity [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.5)]
         relative_humidity: f64,
     }
 }
@@ -25,18 +28,25 @@ sourced_table! {
     /// Heat and vapour transfer at a free face of food.
     FreeFace {
         /// Convection [W/(m²·K)].
+        #[schemars(range(min = 0.0, max = 1e4), example = 7.0)]
         convection_w_m2k: f64,
         /// Lewis number of vapour in air [-].
+        #[schemars(range(min = 0.1, max = 10.0), example = 0.87)]
         lewis_number: f64,
         /// Density of the air [kg/m³].
+        #[schemars(range(min = 0.01, max = 10.0), example = 1.1)]
         air_density_kg_m3: f64,
         /// Specific heat of the air [J/(kg·K)].
+        #[schemars(range(min = 100.0, max = 10_000.0), example = 1007.0)]
         air_specific_heat_j_kgk: f64,
         /// Evaporation above a hot pan over that in still air [-].
+        #[schemars(range(min = 0.0, max = 10.0), example = 0.6)]
         plume_factor: f64,
         /// Excess of the air over food in the pan, over the pan's own excess [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.22)]
         plume_warmth: f64,
         /// The same for air and walls around its side [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.4)]
         side_warmth: f64,
     }
 }
@@ -45,6 +55,7 @@ sourced_table! {
     /// Convection at the pan.
     PanAir {
         /// h over (T − T_air)^¼ [W/(m²·K^1.25)].
+        #[schemars(range(min = 0.0, max = 1e3), example = 2.5)]
         convection_coefficient: f64,
     }
 }
@@ -53,36 +64,52 @@ sourced_table! {
     /// The gap between food and pan.
     ContactGap {
         /// Oil in the pan at the start [g].
+        #[schemars(range(min = 0.0, max = 1e4), example = 5.0)]
         oil_g: f64,
         /// Density of hot oil [kg/m³].
+        #[schemars(range(min = 100.0, max = 2000.0), example = 900.0)]
         oil_density_kg_m3: f64,
         /// Thermal conductivity of oil [W/(m·K)].
+        #[schemars(range(min = 1e-3, max = 10.0), example = 0.16)]
         oil_conductivity_w_mk: f64,
         /// Thermal conductivity of steam and air in the gap [W/(m·K)].
+        #[schemars(range(min = 1e-3, max = 10.0), example = 0.03)]
         vapour_conductivity_w_mk: f64,
         /// What the mean gap is wider when the food has just been laid down [mm].
+        #[schemars(range(min = 0.0, max = 100.0), example = 0.05)]
         settling_gap_mm: f64,
         /// Time constant of settling [s].
+        #[schemars(range(min = 1e-3, max = 1e5), example = 2.0)]
         settling_s: f64,
         /// Mean gap when the food has settled [mm].
+        #[schemars(range(min = 0.0, max = 100.0), example = 0.19)]
         initial_gap_mm: f64,
         /// Mean gap after steam and crust have lifted it [mm].
+        #[schemars(range(min = 0.0, max = 100.0), example = 0.244)]
         final_gap_mm: f64,
         /// Time constant of that [s].
+        #[schemars(range(min = 1e-3, max = 1e5), example = 40.0)]
         time_constant_s: f64,
         /// Standard deviation of the gap along the face [mm].
+        #[schemars(range(min = 0.0, max = 100.0), example = 0.045)]
         unevenness_mm: f64,
         /// Wavelength of the unevenness [mm].
+        #[schemars(range(min = 0.01, max = 1e4), example = 9.0)]
         unevenness_scale_mm: f64,
         /// Smallest gap [mm].
+        #[schemars(range(min = 1e-6, max = 100.0), example = 0.05)]
         least_gap_mm: f64,
         /// Pressure at which the mean gap is as given [Pa].
+        #[schemars(range(min = 0.0, max = 1e7), example = 260.0)]
         pressure_pa: f64,
         /// Pressure on top of that which halves the mean gap [Pa].
+        #[schemars(range(min = 1e-3, max = 1e9), example = 22.0e3)]
         halving_pressure_pa: f64,
         /// A wet face begins to ride on steam where the pan is hotter than the first, and does so fully at the second [°C].
+        #[schemars(inner(range(min = 0.0, max = 1000.0)), extend("examples" = [[190.0, 260.0]]))]
         steam_c: [f64; 2],
         /// Conductance of a face that rides on steam over that of one that does not [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.4)]
         steam_factor: f64,
     }
 }
@@ -91,6 +118,7 @@ sourced_table! {
     /// Food on food.
     FoodContact {
         /// Conductance between wet foods that touch [W/(m²·K)].
+        #[schemars(range(min = 0.0, max = 1e6), example = 300.0)]
         conductance_w_m2k: f64,
     }
 }
@@ -99,12 +127,16 @@ sourced_table! {
     /// Friction of food in the pan.
     Friction {
         /// Raw, wet flesh on dry metal [-].
+        #[schemars(range(min = 0.0, max = 10.0), example = 0.6)]
         raw: f64,
         /// A crust on dry metal [-].
+        #[schemars(range(min = 0.0, max = 10.0), example = 0.35)]
         crust: f64,
         /// Factor that a film of oil leaves [-].
+        #[schemars(range(min = 0.0, max = 10.0), example = 0.4)]
         oiled_factor: f64,
         /// Film at which it is halfway there [mm].
+        #[schemars(range(min = 1e-6, max = 100.0), example = 0.05)]
         film_mm: f64,
     }
 }
@@ -113,12 +145,16 @@ sourced_table! {
     /// Oil and fat by kind, and what stays of them on a drained pan.
     OilUse {
         /// Oil in the pan at the start, and unless told otherwise.
+        #[schemars(example = &"canola")]
         default: String,
         /// Fat that foods render.
+        #[schemars(example = &"beef-fat")]
         rendered: String,
         /// Butter.
+        #[schemars(example = &"butter")]
         butter: String,
         /// Film that stays on a drained pan [mm].
+        #[schemars(range(min = 0.0, max = 100.0), example = 0.01)]
         clinging_mm: f64,
     }
 }
@@ -127,14 +163,19 @@ sourced_table! {
     /// A wet cloth to set the pan on.
     ClothData {
         /// Water in the cloth [g].
+        #[schemars(range(min = 0.0, max = 1e5), example = 100.0)]
         water_g: f64,
         /// How long the pan stands on it unless told otherwise [s].
+        #[schemars(range(min = 0.0, max = 3600.0), example = 3.0)]
         default_s: f64,
         /// Share of the floor that touches [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.85)]
         contact_share: f64,
         /// Base temperatures of the boiling curve [°C].
+        #[schemars(inner(range(min = -100.0, max = 1000.0)), extend("examples" = [[20.0, 140.0, 400.0]]))]
         base_c: Vec<f64>,
         /// Heat flux at those [kW/m²].
+        #[schemars(inner(range(min = 0.0, max = 1e5)), extend("examples" = [[0.0, 400.0, 220.0]]))]
         flux_kw_m2: Vec<f64>,
     }
 }
@@ -143,12 +184,16 @@ sourced_table! {
     /// The wooden board.
     BoardData {
         /// Contact conductance [W/(m²·K)].
+        #[schemars(range(min = 0.0, max = 1e6), example = 150.0)]
         conductance_w_m2k: f64,
         /// Thermal conductivity [W/(m·K)].
+        #[schemars(range(min = 1e-3, max = 1000.0), example = 0.16)]
         conductivity_w_mk: f64,
         /// Heat capacity of one layer [J/(m²·K)].
+        #[schemars(range(min = 1.0, max = 1e7), example = 4000.0)]
         areal_capacity_j_m2k: f64,
         /// Thickness of one layer [mm].
+        #[schemars(range(min = 0.01, max = 1000.0), example = 4.0)]
         layer_mm: f64,
     }
 }
@@ -157,10 +202,13 @@ sourced_table! {
     /// Loose foil over resting food.
     FoilData {
         /// Convection through the air gap [W/(m²·K)].
+        #[schemars(range(min = 0.0, max = 1e4), example = 3.0)]
         convection_w_m2k: f64,
         /// Radiation that passes [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.1)]
         radiation_share: f64,
         /// Evaporation that goes on [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.1)]
         evaporation_share: f64,
     }
 }
@@ -169,10 +217,13 @@ sourced_table! {
     /// What the rules of 2013 put in place of contact, and of the cloth.
     Rules2013 {
         /// Nodes whose gap is below this take heat [mm].
+        #[schemars(range(min = 0.0, max = 1000.0), example = 1.0)]
         contact_distance_mm: f64,
         /// Conductance of those [W/(m²·K)].
+        #[schemars(range(min = 0.0, max = 1e6), example = 400.0)]
         conductance_w_m2k: f64,
         /// Temperature of the pan as soon as it touches the cloth [°C].
+        #[schemars(range(min = 0.0, max = 1000.0), example = 120.0)]
         cloth_c: f64,
     }
 }
@@ -181,8 +232,9 @@ sourced_table! {
 const FLOOR_RADIUS: f64 = 0.1;
 
 /// `data/kitchen.toml`.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "saute kitchen")]
 pub struct Room {
     /// Air.
     pub air: Air,

@@ -14,8 +14,10 @@ sourced_table! {
     /// Foam of butter while steam passes through it.
     FoamData {
         /// Steam at which half of the most foam stands [g/s].
+        #[schemars(range(min = 1e-9, max = 1e6), example = 0.015)]
         half_g_s: f64,
         /// How quickly foam rises and subsides [s].
+        #[schemars(range(min = 1e-3, max = 1e5), example = 3.0)]
         time_constant_s: f64,
     }
 }

@@ -8,6 +8,7 @@ use saute_food::changes::arrhenius;
 use saute_food::sourced_table;
 use saute_food::table::Table;
 use saute_heat::Located;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::kelvin;
@@ -22,8 +23,10 @@ sourced_table! {
     /// Juice that food sheds.
     JuiceData {
         /// Dissolved solids in it [-].
+        #[schemars(range(min = 0.0, max = 0.5), example = 0.05)]
         solids: f64,
         /// Share of the solids that stay on the metal where a wet face boils dry against it [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.5)]
         sticking: f64,
     }
 }
@@ -32,6 +35,7 @@ sourced_table! {
     /// How much it takes to hide the pan.
     CoverData {
         /// Solids that hide the metal [kg/m²].
+        #[schemars(range(min = 1e-5, max = 10.0), example = 0.006)]
         full_kg_m2: f64,
     }
 }
@@ -40,19 +44,24 @@ sourced_table! {
     /// How dried solids dissolve.
     DissolvingData {
         /// Activation energy [kJ/mol].
+        #[schemars(range(min = 1.0, max = 1000.0), example = 25.0)]
         activation_energy_kj_mol: f64,
         /// Temperature of the water at which the rate is given [°C].
+        #[schemars(range(min = 0.0, max = 150.0), example = 100.0)]
         anchor_c: f64,
         /// Rate there [1/s].
+        #[schemars(range(min = 0.0, max = 100.0), example = 0.05)]
         anchor_rate_per_s: f64,
         /// Most solids in water [kg/kg].
+        #[schemars(range(min = 1e-3, max = 10.0), example = 0.6)]
         saturation: f64,
     }
 }
 
 /// Fond as its file describes it.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "saute fond")]
 pub struct FondData {
     /// Where it comes from.
     pub juice: JuiceData,

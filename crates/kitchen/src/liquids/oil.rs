@@ -2,6 +2,7 @@
 
 use saute_food::sourced_table;
 use saute_food::table::{Table, interpolate};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::kelvin;
@@ -10,14 +11,19 @@ sourced_table! {
     /// How it flows and stores heat.
     OilFluid {
         /// Density at 20 °C [kg/m³].
+        #[schemars(range(min = 700.0, max = 1100.0), example = 920.0)]
         density_kg_m3: f64,
         /// How the density changes with temperature [kg/(m³·K)].
+        #[schemars(range(min = -1.0, max = 0.0), example = -0.66)]
         density_per_k: f64,
         /// Specific heat, mean over cooking temperatures [J/(kg·K)].
+        #[schemars(range(min = 1000.0, max = 4000.0), example = 2250.0)]
         specific_heat_j_kgk: f64,
         /// Temperatures at which the viscosity is given, ascending [°C].
+        #[schemars(inner(range(min = -100.0, max = 600.0)), extend("examples" = [[20.0, 180.0]]))]
         viscosity_c: Vec<f64>,
         /// Dynamic viscosity at those [mPa·s].
+        #[schemars(inner(range(min = 0.01, max = 1e6)), extend("examples" = [[65.0, 2.9]]))]
         viscosity_mpa_s: Vec<f64>,
     }
 }
@@ -26,10 +32,13 @@ sourced_table! {
     /// What too much heat does to it.
     OilHeat {
         /// Smoke point [°C].
+        #[schemars(range(min = 80.0, max = 400.0), example = 220.0)]
         smoke_c: f64,
         /// Flash point: its vapour can be lit [°C].
+        #[schemars(range(min = 80.0, max = 500.0), example = 315.0)]
         flash_c: f64,
         /// Fire point: it goes on burning [°C].
+        #[schemars(range(min = 80.0, max = 600.0), example = 345.0)]
         fire_c: f64,
     }
 }
@@ -38,6 +47,7 @@ sourced_table! {
     /// What it looks like.
     OilLook {
         /// sRGB, 0–255.
+        #[schemars(extend("examples" = [[190, 172, 40]]))]
         colour_srgb: [u8; 3],
     }
 }
@@ -46,10 +56,13 @@ sourced_table! {
     /// A first-order change of the milk solids.
     SolidsChange {
         /// Activation energy [kJ/mol].
+        #[schemars(range(min = 1.0, max = 1000.0), example = 105.0)]
         activation_energy_kj_mol: f64,
         /// Temperature at which the rate is given [°C].
+        #[schemars(range(min = 0.0, max = 400.0), example = 140.0)]
         anchor_c: f64,
         /// Rate there [1/s].
+        #[schemars(range(min = 1e-9, max = 10.0), example = 6.0e-3)]
         anchor_rate_per_s: f64,
     }
 }
@@ -58,16 +71,22 @@ sourced_table! {
     /// Water and milk solids of butter, and how it melts.
     Emulsion {
         /// Water [-].
+        #[schemars(range(min = 0.0, max = 0.6), example = 0.16)]
         water: f64,
         /// Milk solids [-].
+        #[schemars(range(min = 0.0, max = 0.3), example = 0.03)]
         solids: f64,
         /// Melting point [°C].
+        #[schemars(range(min = 0.0, max = 80.0), example = 34.0)]
         melting_c: f64,
         /// Latent heat of fusion of the whole [J/kg].
+        #[schemars(range(min = 1e3, max = 3e5), example = 65.0e3)]
         latent_j_kg: f64,
         /// Conductance between a melting piece and the pan [W/(m²·K)].
+        #[schemars(range(min = 1.0, max = 1e4), example = 800.0)]
         conductance_w_m2k: f64,
         /// Thickness of a piece [mm].
+        #[schemars(range(min = 1.0, max = 100.0), example = 8.0)]
         lump_mm: f64,
         /// Browning of the milk solids.
         browning: SolidsChange,
@@ -77,10 +96,12 @@ sourced_table! {
 }
 
 /// A kind of oil as its file describes it.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "saute oil")]
 pub struct OilDescription {
     /// Name for people.
+    #[schemars(example = &"My oil")]
     pub name: String,
     /// How it flows.
     pub fluid: OilFluid,

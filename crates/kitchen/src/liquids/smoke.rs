@@ -12,10 +12,13 @@ sourced_table! {
     /// Smoke and fire of oil.
     SmokeData {
         /// Flux at the smoke point [mg/(m²·s)].
+        #[schemars(range(min = 0.0, max = 1e9), example = 1.0)]
         flux_mg_m2s: f64,
         /// Kelvins that double it [K].
+        #[schemars(range(min = 1e-3, max = 1000.0), example = 12.0)]
         doubling_k: f64,
         /// Oil that burns once it is on fire [g/(m²·s)].
+        #[schemars(range(min = 0.0, max = 1e6), example = 5.0)]
         burning_g_m2s: f64,
     }
 }

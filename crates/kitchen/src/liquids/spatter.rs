@@ -14,16 +14,22 @@ sourced_table! {
     /// Spatter of oil by steam.
     SpatterData {
         /// Drops for each gram of steam that passes through a film of `film_mm` [1/g].
+        #[schemars(range(min = 0.0, max = 1e6), example = 20.0)]
         events_per_g: f64,
         /// Mean mass of a drop [mg].
+        #[schemars(range(min = 1e-6, max = 1e4), example = 0.1)]
         droplet_mg: f64,
         /// Share of the events that are pops [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.1)]
         pop_share: f64,
         /// Mean mass that a pop throws out [mg].
+        #[schemars(range(min = 1e-6, max = 1e4), example = 0.6)]
         pop_mg: f64,
         /// Film for which the rate is given; it goes with the film's thickness [mm].
+        #[schemars(range(min = 1e-6, max = 100.0), example = 0.2)]
         film_mm: f64,
         /// Thickness over that beyond which the rate rises no more [-].
+        #[schemars(range(min = 0.0, max = 1e6), example = 10.0)]
         deepest: f64,
     }
 }

@@ -13,16 +13,22 @@ sourced_table! {
     /// Water that lies in the pan.
     PuddleData {
         /// Depth to which a puddle spreads [mm].
+        #[schemars(range(min = 1e-6, max = 100.0), example = 0.7)]
         depth_mm: f64,
         /// What stays on a tilted pan in drops, spread out [mm].
+        #[schemars(range(min = 0.0, max = 100.0), example = 0.02)]
         clinging_mm: f64,
         /// Temperatures of the pan of the boiling curve, ascending [°C].
+        #[schemars(inner(range(min = -100.0, max = 1000.0)), extend("examples" = [[20.0, 120.0, 400.0]]))]
         base_c: Vec<f64>,
         /// Conductance from pan to water at those [W/(m²·K)].
+        #[schemars(inner(range(min = 0.0, max = 1e6)), extend("examples" = [[1500.0, 7500.0, 230.0]]))]
         conductance_w_m2k: Vec<f64>,
         /// Temperatures at which the viscosity is given, ascending [°C].
+        #[schemars(inner(range(min = -50.0, max = 400.0)), extend("examples" = [[0.0, 100.0]]))]
         viscosity_c: Vec<f64>,
         /// Dynamic viscosity of water at those [mPa·s].
+        #[schemars(inner(range(min = 1e-3, max = 1e6)), extend("examples" = [[1.79, 0.282]]))]
         viscosity_mpa_s: Vec<f64>,
     }
 }

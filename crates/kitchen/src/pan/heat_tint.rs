@@ -6,10 +6,13 @@ sourced_table! {
     /// Reflectance of a surface by the highest temperature that it has had.
     HeatTint {
         /// Highest temperatures, rising [°C]; below the first one the surface is as new at `new_c`.
+        #[schemars(inner(range(min = -50.0, max = 3000.0)), extend("examples" = [[300.0, 400.0]]))]
         celsius: Vec<f64>,
         /// Reflectance of red, green and blue light there over that of the new surface, 0–2 [-].
+        #[schemars(inner(inner(range(min = 0.0, max = 2.0))), extend("examples" = [[[1.2, 1.1, 0.9], [1.6, 1.2, 0.8]]]))]
         share: Vec<[f64; 3]>,
         /// Up to here nothing changes [°C].
+        #[schemars(range(min = -100.0, max = 3000.0), example = 255.0)]
         new_c: f64,
     }
 }

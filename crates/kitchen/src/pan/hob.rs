@@ -1,5 +1,6 @@
 //! The induction hob: a ring-shaped heat source and the glass between it and the pan.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use saute_food::sourced_table;
@@ -8,14 +9,19 @@ sourced_table! {
     /// Coil of an induction hob.
     Coil {
         /// Electrical power to pan metal [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.87)]
         efficiency: f64,
         /// Radius beyond which no heat is made [mm].
+        #[schemars(range(min = 10.0, max = 500.0), example = 90.0)]
         radius_mm: f64,
         /// Radius of the strongest heating over the coil radius [-].
+        #[schemars(range(min = 0.01, max = 10.0), example = 0.575)]
         ring_over_radius: f64,
         /// Largest power that may be set [W].
+        #[schemars(range(min = 1.0, max = 1e5), example = 3500.0)]
         largest_w: f64,
         /// Settings on the dial [W].
+        #[schemars(inner(range(min = 0.0, max = 1e5)), extend("examples" = [[0.0, 400.0, 1100.0, 2000.0]]))]
         settings_w: Vec<f64>,
     }
 }
@@ -24,16 +30,22 @@ sourced_table! {
     /// What the hob's electronics do.
     Control {
         /// Settings below this are switched on and off [W].
+        #[schemars(range(min = 0.0, max = 1e5), example = 500.0)]
         duty_below_w: f64,
         /// Period of that [s].
+        #[schemars(range(min = 0.01, max = 600.0), example = 2.0)]
         duty_period_s: f64,
         /// The power goes off while the glass in the middle of the coil, where the sensor sits, is hotter than this [°C].
+        #[schemars(range(min = 0.0, max = 1000.0), example = 250.0)]
         limit_c: f64,
         /// How far it must cool until the power comes back [K].
+        #[schemars(range(min = 0.0, max = 500.0), example = 15.0)]
         resume_k: f64,
         /// A pan that stands higher than this is not detected [mm].
+        #[schemars(range(min = 0.1, max = 500.0), example = 15.0)]
         lift_limit_mm: f64,
         /// Share of the power that reaches a pan at that height; it falls evenly up to there [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.4)]
         coupling_at_limit: f64,
     }
 }
@@ -42,19 +54,24 @@ sourced_table! {
     /// Glass of the hob.
     Glass {
         /// Conductance between pan and glass [W/(m²·K)].
+        #[schemars(range(min = 0.0, max = 1e6), example = 200.0)]
         gap_conductance_w_m2k: f64,
         /// Heat capacity [J/(m²·K)].
+        #[schemars(range(min = 1.0, max = 1e6), example = 8000.0)]
         areal_capacity_j_m2k: f64,
         /// Loss to the inside of the hob [W/(m²·K)].
+        #[schemars(range(min = 0.0, max = 1e5), example = 10.0)]
         loss_w_m2k: f64,
     }
 }
 
 /// A hob as its file describes it.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "saute hob")]
 pub struct HobDescription {
     /// Name for people.
+    #[schemars(example = &"Induction hob")]
     pub name: String,
     /// Coil.
     pub coil: Coil,

@@ -17,12 +17,16 @@ sourced_table! {
     /// A lid.
     LidData {
         /// Heat capacity [J/(m²·K)].
+        #[schemars(range(min = 1.0, max = 1e7), example = 8400.0)]
         areal_capacity_j_m2k: f64,
         /// Convection of the air under it [W/(m²·K)].
+        #[schemars(range(min = 0.0, max = 1e4), example = 7.0)]
         convection_w_m2k: f64,
         /// Thermal emissivity of its outside [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.9)]
         emissivity: f64,
         /// Most that condensation adds at a cold face [W/(m²·K)].
+        #[schemars(range(min = 0.0, max = 1e6), example = 500.0)]
         condensing_limit_w_m2k: f64,
     }
 }

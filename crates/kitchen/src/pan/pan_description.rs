@@ -1,6 +1,7 @@
 //! Pans and coatings as their files describe them.
 
 use saute_food::sourced_table;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::pan::heat_tint::HeatTint;
@@ -9,8 +10,10 @@ sourced_table! {
     /// The flat floor.
     Floor {
         /// Radius [mm].
+        #[schemars(range(min = 40.0, max = 250.0), example = 100.0)]
         radius_mm: f64,
         /// Thickness, of a pan with ridges that of the plate between them [mm].
+        #[schemars(range(min = 0.5, max = 20.0), example = 2.5)]
         thickness_mm: f64,
     }
 }
@@ -19,10 +22,13 @@ sourced_table! {
     /// Ridges of a grill pan, on the tops of which food lies.
     RidgesData {
         /// From the middle of one to that of the next [mm].
+        #[schemars(range(min = 2.0, max = 50.0), example = 12.0)]
         pitch_mm: f64,
         /// Width of their tops [mm].
+        #[schemars(range(min = 0.5, max = 47.5), example = 5.0)]
         width_mm: f64,
         /// Height of their tops above the plate between them [mm].
+        #[schemars(range(min = 0.5, max = 20.0), example = 5.0)]
         height_mm: f64,
     }
 }
@@ -31,10 +37,13 @@ sourced_table! {
     /// The flared wall.
     Wall {
         /// Radius at the rim [mm].
+        #[schemars(range(min = 40.0, max = 400.0), example = 130.0)]
         rim_radius_mm: f64,
         /// Height of the rim above the floor, of a pan with ridges above their tops [mm].
+        #[schemars(range(min = 5.0, max = 300.0), example = 54.0)]
         height_mm: f64,
         /// Thickness [mm].
+        #[schemars(range(min = 0.5, max = 20.0), example = 2.5)]
         thickness_mm: f64,
     }
 }
@@ -43,10 +52,13 @@ sourced_table! {
     /// The metal.
     Metal {
         /// Thermal conductivity along the floor [W/(m·K)].
+        #[schemars(range(min = 1.0, max = 500.0), example = 50.0)]
         conductivity_w_mk: f64,
         /// Density [kg/m³].
+        #[schemars(range(min = 1000.0, max = 20_000.0), example = 7850.0)]
         density_kg_m3: f64,
         /// Specific heat [J/(kg·K)].
+        #[schemars(range(min = 100.0, max = 2000.0), example = 490.0)]
         specific_heat_j_kgk: f64,
     }
 }
@@ -55,6 +67,7 @@ sourced_table! {
     /// The cooking surface.
     PanSurface {
         /// Thermal emissivity [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.9)]
         emissivity: f64,
     }
 }
@@ -63,19 +76,24 @@ sourced_table! {
     /// What it looks like.
     Look {
         /// sRGB, 0–255.
+        #[schemars(extend("examples" = [[66, 65, 65]]))]
         colour_srgb: [u8; 3],
         /// 0 dielectric – 1 metal.
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.35)]
         metalness: f64,
         /// Roughness [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.6)]
         roughness: f64,
     }
 }
 
 /// A pan as its file describes it.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "saute pan")]
 pub struct PanDescription {
     /// Name for people.
+    #[schemars(example = &"My pan")]
     pub name: String,
     /// Floor.
     pub floor: Floor,
@@ -97,18 +115,24 @@ pub struct PanDescription {
 }
 
 /// A coating that any pan can have.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "saute coating")]
 pub struct CoatingDescription {
     /// Name for people.
+    #[schemars(example = &"my coating")]
     pub name: String,
     /// Conductance [W/(m²·K)].
+    #[schemars(range(min = 10.0, max = 1e7), example = 8000.0)]
     pub conductance_w_m2k: f64,
     /// Emissivity [-].
+    #[schemars(range(min = 0.0, max = 1.0), example = 0.9)]
     pub emissivity: f64,
     /// Where the numbers come from.
+    #[schemars(example = &"chosen: …")]
     pub source: String,
     /// How well they are known.
+    #[schemars(example = &"low")]
     pub confidence: saute_food::description::Confidence,
     /// Look.
     pub look: Look,

@@ -1,0 +1,122 @@
+//! Relations in food files.
+
+use saute_food::description::Composition;
+use saute_food::{FoodDescription, Form};
+
+use crate::data::data_file::DataFile;
+use crate::data::format::Format;
+use crate::data::library::LibraryError;
+
+/// Largest deviation of a sum of mass fractions from 1 [-] (chosen: the rounding of food tables).
+const FRACTIONS_OFF: f64 = 0.005;
+/// Largest dimension of a piece [mm], as the range of its keys.
+const LARGEST_MM: f64 = 300.0;
+
+type Checked = Result<(), LibraryError>;
+
+impl Format for FoodDescription {
+    fn relations(&self, file: &DataFile) -> Checked {
+        shape(self, file)?;
+        spine(self, file)?;
+        tissues(self, file)?;
+        sizes(self, file)?;
+        let core = self.core.as_ref().and_then(|c| c.tissue.as_ref());
+        let sheaths = self.sheaths.as_ref().and_then(|s| s.tissue.as_ref());
+        let tissues = [
+            ("lean", Some(&self.lean)),
+            ("adipose", self.adipose.as_ref()),
+            ("core.tissue", core),
+            ("sheaths.tissue", sheaths),
+        ];
+        tissues.into_iter().try_for_each(|(table, tissue)| tissue.map_or(Ok(()), |t| composition(table, t, file)))
+    }
+}
+
+/// Sizes and outline belong to all forms but "mesh", which has a table of its own.
+fn shape(food: &FoodDescription, file: &DataFile) -> Checked {
+    if food.form == Form::Mesh {
+        return mesh(food, file);
+    }
+    let error = |path: &str, message: &str| Err(file.error(path, message));
+    match (&food.mesh, food.size.is_set(), food.outline.is_set()) {
+        (Some(_), ..) => error("mesh", "[mesh] belongs to form = \"mesh\": leave it out, or write form = \"mesh\""),
+        (_, false, _) => error("form", "a table [size] is missing: write default_mm, min_mm and max_mm"),
+        (.., false) => error("form", "a table [outline] is missing: write exponent and ripple"),
+        _ => Ok(()),
+    }
+}
+
+fn mesh(food: &FoodDescription, file: &DataFile) -> Checked {
+    let Some(mesh) = &food.mesh else {
+        return Err(file.error("form", "form = \"mesh\" needs a table [mesh]: write file = \"my-piece.obj\""));
+    };
+    if food.outline.is_set() {
+        return Err(file.error("outline", "[outline] does not go with form = \"mesh\": leave it out"));
+    }
+    if mesh.fibres.is_some_and(|f| f.iter().all(|v| *v == 0.0)) {
+        let message = "fibres has no direction: write [x, y, z], for instance [0.0, 0.0, 1.0]";
+        return Err(file.error("mesh.fibres", message));
+    }
+    Ok(())
+}
+
+/// Shrimps have a spine, and nothing else has.
+fn spine(food: &FoodDescription, file: &DataFile) -> Checked {
+    match (&food.spine, food.form == Form::Shrimp) {
+        (Some(_), false) => Err(file.error("spine", "[spine] belongs to form = \"shrimp\": leave it out")),
+        (None, true) => {
+            let message = "form = \"shrimp\" needs a table [spine] with turn_deg, turn_varies_deg and flattening";
+            Err(file.error("form", message))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A food has at most one second tissue, and a form that may hold it.
+fn tissues(food: &FoodDescription, file: &DataFile) -> Checked {
+    let table = match (&food.core, &food.sheaths) {
+        (Some(_), Some(_)) => {
+            return Err(file.error("sheaths", "[core] and [sheaths] exclude each other: keep one of them"));
+        }
+        (Some(_), None) => "core",
+        (None, Some(_)) => "sheaths",
+        (None, None) => return Ok(()),
+    };
+    if food.form.may_hold_tissues() {
+        return Ok(());
+    }
+    Err(file.error(table, format!("[{table}] cannot lie in form = \"{}\": leave it out", food.form.name())))
+}
+
+/// There are as many sizes as the form has dimensions, ascending from the smallest to the largest.
+fn sizes(food: &FoodDescription, file: &DataFile) -> Checked {
+    if food.form == Form::Mesh && !food.size.is_set() {
+        return Ok(());
+    }
+    let names = food.form.dimensions();
+    let range = &food.size;
+    let mut low: Option<&[f64]> = None;
+    for (key, size) in [("min_mm", &range.min_mm), ("default_mm", &range.default_mm), ("max_mm", &range.max_mm)] {
+        let path = format!("size.{key}");
+        if size.len() != names.len() {
+            let message = format!("{key} needs the {} of this form: write {key} = [{}]", names.len(), names.join(", "));
+            return Err(file.error(&path, message));
+        }
+        if let Some(low) = low {
+            low.iter().zip(size).try_for_each(|(low, size)| file.within(&path, *size, *low, LARGEST_MM))?;
+        }
+        low = Some(size);
+    }
+    Ok(())
+}
+
+/// Mass fractions add up to 1.
+fn composition(table: &str, tissue: &Composition, file: &DataFile) -> Checked {
+    let total = tissue.total();
+    if (total - 1.0).abs() <= FRACTIONS_OFF {
+        return Ok(());
+    }
+    let message =
+        format!("the mass fractions of [{table}] add up to {total:.4}; they must add up to 1 (± {FRACTIONS_OFF})");
+    Err(file.error(&format!("{table}.water"), message))
+}

@@ -1,0 +1,41 @@
+//! Relations between the keys of data files, which ranges of single keys cannot state.
+
+mod doneness;
+mod food;
+mod kinetics;
+mod oil;
+mod pan;
+
+use saute_food::components::Components;
+
+use crate::data::data_file::DataFile;
+use crate::data::format::Format;
+use crate::data::library::LibraryError;
+use crate::data::room::Room;
+use crate::liquids::fond::FondData;
+use crate::pan::hob::HobDescription;
+
+impl Format for Components {
+    fn relations(&self, _: &DataFile) -> Result<(), LibraryError> {
+        Ok(())
+    }
+}
+
+impl Format for FondData {
+    fn relations(&self, _: &DataFile) -> Result<(), LibraryError> {
+        Ok(())
+    }
+}
+
+impl Format for HobDescription {
+    fn relations(&self, _: &DataFile) -> Result<(), LibraryError> {
+        Ok(())
+    }
+}
+
+/// The names of the oils are checked against the library, once all files are read.
+impl Format for Room {
+    fn relations(&self, _: &DataFile) -> Result<(), LibraryError> {
+        Ok(())
+    }
+}

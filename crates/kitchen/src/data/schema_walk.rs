@@ -1,0 +1,203 @@
+//! Compares a parsed TOML document with a JSON Schema.
+
+use serde_json::Value;
+use toml::Spanned;
+use toml::de::{DeArray, DeFloat, DeInteger, DeTable, DeValue};
+
+use crate::data::finding::Finding;
+use crate::data::library::line_of;
+use crate::data::number_text::number_text;
+use crate::data::schema_text::{self, Kind};
+
+/// A walk over a document, which collects what the schema refuses.
+pub(crate) struct SchemaWalk<'a> {
+    text: &'a str,
+    /// Name of the format in messages.
+    format: &'a str,
+    findings: Vec<Finding>,
+}
+
+/// Place of a value: its path from the top, as `ridges.width_mm`, and its line.
+#[derive(Clone, Copy)]
+struct At<'a> {
+    path: &'a str,
+    line: usize,
+    in_list: bool,
+}
+
+impl At<'_> {
+    fn key(&self) -> &str {
+        self.path.rsplit('.').next().unwrap_or_default()
+    }
+
+    fn inner(&self, name: &str) -> String {
+        if self.path.is_empty() { name.to_owned() } else { format!("{}.{name}", self.path) }
+    }
+}
+
+impl<'a> SchemaWalk<'a> {
+    /// Returns what the schema refuses, in the order of the keys.
+    pub(crate) fn over(schema: &'a Value, text: &'a str, top: &DeTable) -> Vec<Finding> {
+        let format = schema["title"].as_str().unwrap_or_default().trim_start_matches("saute ");
+        let mut walk = Self { text, format, findings: Vec::new() };
+        walk.table(At { path: "", line: 1, in_list: false }, schema, top);
+        walk.findings
+    }
+
+    fn find(&mut self, at: At, message: String, remedy: impl Into<String>) {
+        self.findings.push(Finding::new(at.line, at.key(), message, remedy));
+    }
+
+    fn table(&mut self, at: At, schema: &Value, entries: &DeTable) {
+        for (name, value) in entries {
+            let path = at.inner(name.get_ref());
+            let inner = At { path: &path, line: line_of(self.text, name.span().start), in_list: false };
+            match schema["properties"].get(name.get_ref().as_ref()) {
+                Some(known) => self.value(inner, known, value),
+                None if schema["additionalProperties"].is_object() => {
+                    self.value(inner, &schema["additionalProperties"], value);
+                }
+                None => self.unknown(inner, schema),
+            }
+        }
+        for name in schema["required"].as_array().into_iter().flatten().filter_map(Value::as_str) {
+            if !entries.contains_key(name) {
+                let path = at.inner(name);
+                self.missing(At { path: &path, ..at }, &schema["properties"][name]);
+            }
+        }
+    }
+
+    fn unknown(&mut self, at: At, schema: &Value) {
+        let known: Vec<&str> =
+            schema["properties"].as_object().into_iter().flatten().map(|(k, _)| k.as_str()).collect();
+        let remedy = match nearest(at.key(), &known) {
+            Some(near) => format!("write {near}"),
+            None => format!("leave it out; there are: {}", known.join(", ")),
+        };
+        self.find(at, format!("{} is no key of the {} format", at.path, self.format), remedy);
+    }
+
+    fn missing(&mut self, at: At, schema: &Value) {
+        let resolved = schema_text::resolved(schema);
+        let meaning = schema_text::meaning(schema);
+        if resolved["properties"].is_object() {
+            let line = self.text.lines().count().max(1);
+            let keys = schema_text::required_examples(resolved).join(", ");
+            let message = format!("[{}] is missing: {meaning}", at.path);
+            self.find(At { line, ..at }, message, format!("write [{}] with {keys}", at.path));
+        } else {
+            let remedy = format!("write {}", schema_text::example(at.key(), schema));
+            self.find(at, format!("{} is missing: {meaning}", at.path), remedy);
+        }
+    }
+
+    fn value(&mut self, at: At, schema: &Value, value: &Spanned<DeValue>) {
+        let resolved = schema_text::resolved(schema);
+        match (schema_text::kind(resolved), value.get_ref()) {
+            (Kind::Table, DeValue::Table(entries)) => self.table(at, resolved, entries),
+            (Kind::List, DeValue::Array(items)) => self.list(at, resolved, items),
+            (Kind::Number, DeValue::Float(number)) => self.number(at, resolved, float(number)),
+            (Kind::Number | Kind::Integer, DeValue::Integer(number)) => self.number(at, resolved, integer(number)),
+            (Kind::Text, DeValue::String(text)) => self.choice(at, resolved, text),
+            (Kind::Flag, DeValue::Boolean(_)) | (Kind::Any, _) => {}
+            (wanted, found) => self.mistyped(at, schema, wanted, schema_text::kind_of(found)),
+        }
+    }
+
+    fn mistyped(&mut self, at: At, schema: &Value, wanted: Kind, found: Kind) {
+        let meaning = schema_text::meaning(schema);
+        let message = format!("{} is {} and must be {}: {meaning}", at.path, found.name(), wanted.name());
+        let remedy = if schema_text::resolved(schema)["properties"].is_object() {
+            format!("write [{}] and its keys below it", at.path)
+        } else {
+            format!("write, for instance, {}", schema_text::example(at.key(), schema))
+        };
+        self.find(at, message, remedy);
+    }
+
+    fn list(&mut self, at: At, schema: &Value, items: &DeArray) {
+        if schema["prefixItems"].is_array() {
+            self.tuple(at, schema, items);
+            return;
+        }
+        let count = items.len();
+        let bound = |key: &str| schema[key].as_u64().map(|n| n as usize);
+        let (least, most) = (bound("minItems").unwrap_or(0), bound("maxItems"));
+        if count < least || most.is_some_and(|most| count > most) {
+            let wanted = match most {
+                Some(most) if most == least => least.to_string(),
+                Some(most) => format!("{least} to {most}"),
+                None => format!("{least} or more"),
+            };
+            self.find(at, format!("{} has {count} entries", at.path), format!("write {wanted}"));
+        }
+        for item in items.iter() {
+            self.value(At { line: line_of(self.text, item.span().start), in_list: true, ..at }, &schema["items"], item);
+        }
+    }
+
+    /// Checks a list with a range for each place, such as a colour.
+    fn tuple(&mut self, at: At, schema: &Value, items: &DeArray) {
+        let places = schema["prefixItems"].as_array().map_or(&[][..], Vec::as_slice);
+        let values: Vec<Option<f64>> = items.iter().map(|item| finite(item.get_ref())).collect();
+        let within = |(value, place): (&Option<f64>, &Value)| {
+            let (low, high) = schema_text::bounds(place);
+            value.is_some_and(|v| (low..=high).contains(&v))
+        };
+        if values.len() != places.len() || !values.iter().zip(places).all(within) {
+            let shown: Vec<String> =
+                values.iter().map(|v| v.map_or_else(|| "?".to_owned(), |v| format!("{v:?}"))).collect();
+            let noun = schema["title"].as_str().unwrap_or("list of the right form");
+            let remedy = schema["x-remedy"].as_str().unwrap_or("use the range of each place");
+            self.find(at, format!("{} = [{}] is no {noun}", at.key(), shown.join(", ")), remedy);
+        }
+    }
+
+    fn number(&mut self, at: At, schema: &Value, value: f64) {
+        let (low, high) = schema_text::bounds(schema);
+        if !value.is_finite() {
+            let message = format!("{} = {value} is no finite number", at.key());
+            self.find(at, message, schema_text::range_remedy(low, high, at.in_list));
+        } else if !(low..=high).contains(&value) {
+            let message = format!("{} = {} is out of range", at.key(), number_text(value));
+            self.find(at, message, schema_text::range_remedy(low, high, at.in_list));
+        }
+    }
+
+    fn choice(&mut self, at: At, schema: &Value, text: &str) {
+        let choices = schema_text::choices(schema);
+        if !choices.is_empty() && !choices.contains(&text) {
+            let remedy = match nearest(text, &choices) {
+                Some(near) => format!("write \"{near}\"; there are: {}", choices.join(", ")),
+                None => format!("use one of: {}", choices.join(", ")),
+            };
+            self.find(at, format!("{} = \"{text}\" is unknown", at.key()), remedy);
+        }
+    }
+}
+
+/// Returns the number of a value; not-a-number if it does not fit.
+fn float(number: &DeFloat) -> f64 {
+    number.as_str().parse().unwrap_or(f64::NAN)
+}
+
+fn integer(number: &DeInteger) -> f64 {
+    i64::from_str_radix(number.as_str(), number.radix()).map_or(f64::NAN, |v| v as f64)
+}
+
+/// Returns a value that is a finite number.
+fn finite(value: &DeValue) -> Option<f64> {
+    let number = match value {
+        DeValue::Float(number) => float(number),
+        DeValue::Integer(number) => integer(number),
+        _ => return None,
+    };
+    number.is_finite().then_some(number)
+}
+
+/// Returns the known name with the smallest Levenshtein distance to another name, if the distance is small.
+fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
+    let near = known.iter().map(|k| (strsim::levenshtein(name, k), *k)).min()?;
+    (near.0 <= 2.max(name.len() / 3)).then_some(near.1)
+}
