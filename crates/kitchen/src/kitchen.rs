@@ -1,4 +1,4 @@
-//! The whole world: hob, pan, foods, time.
+//! The facade of the crate: one kitchen with its hob, pan, foods and time.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -20,7 +20,7 @@ use crate::tick::energy::Energy;
 use crate::tick::event::EventLog;
 use crate::{FRAME_S, TICK_S};
 
-/// What never changes while cooking.
+/// Immutable model of a kitchen.
 #[derive(Clone, Debug)]
 pub(crate) struct Fixed {
     pub(crate) room: Room,
@@ -28,28 +28,28 @@ pub(crate) struct Fixed {
     pub(crate) pan: PanModel,
 }
 
-/// A piece that is asked for.
+/// Order for a piece of food.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PieceOrder {
     /// Name in recipes.
     pub id: String,
     /// Kind of food.
     pub kind: String,
-    /// Length, width, thickness [m].
+    /// Length, width and thickness [m].
     pub size: [f64; 3],
     /// Start temperature [K].
     pub temperature: f64,
     /// Seed of its natural variation.
     pub seed: u64,
-    /// Mesh spacing over the default [-].
+    /// Mesh spacing relative to the default [-].
     pub coarseness: f64,
-    /// Rules that it follows.
+    /// Rules of heat and water transfer that it follows.
     pub rules: Rules,
     /// Fineness of its mesh.
     pub mesh: MeshSize,
 }
 
-/// The world of one cook.
+/// The state of one cook: hob, pan, liquids, foods, tools and time.
 #[derive(Clone, Debug)]
 pub struct Kitchen {
     pub(crate) fixed: Arc<Fixed>,
@@ -66,7 +66,7 @@ pub struct Kitchen {
     foods_at_start: f64,
     pub(crate) pan_flow: Vec<f64>,
     pub(crate) covered: Vec<f64>,
-    /// Steam that foods made at each node of the pan in this tick [kg].
+    /// Steam from foods at each node of the pan in this tick [kg].
     pub(crate) steam: Vec<f64>,
     pub(crate) events: EventLog,
     pub(crate) puddle_vapour: f64,
@@ -76,23 +76,23 @@ pub struct Kitchen {
     pub(crate) world: World,
     /// The pan's velocity at the last tick [m/s].
     pub(crate) pan_velocity: glam::DVec3,
-    /// Where the hand holds the pan when it makes no gesture.
+    /// Pose at which the pan is held between gestures.
     pub(crate) held_at: Pose,
-    /// A gesture and the time since its start [s].
+    /// Gesture of the pan and the time since its start [s].
     pub(crate) gesture: Option<(Gesture, f64)>,
-    /// The other hand, what it still has to do, and what it is doing.
+    /// The second hand, its queue of tasks and its current task.
     pub(crate) hand: Hand,
     pub(crate) tasks: VecDeque<Task>,
     pub(crate) at_work: Option<Task>,
-    /// A tool that a person leads.
+    /// Tool that a person moves freely.
     pub(crate) led: Option<Led>,
-    /// Foods that touch each other.
+    /// Pairs of pieces in contact.
     pub(crate) touching: Vec<Touching>,
-    /// Tasks that failed because something was in the way.
+    /// Tasks that failed because the tool was blocked.
     pub(crate) blocked: Vec<Task>,
 }
 
-/// Why a kitchen could not be set up.
+/// Reason why a kitchen cannot be set up.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SetupError {
     /// Unknown pan.
@@ -101,13 +101,13 @@ pub enum SetupError {
     /// Unknown food.
     #[error("there is no food \"{0}\"; there are: {1}")]
     NoSuchFood(String, String),
-    /// A piece that cannot be built.
+    /// The model of a piece or of the pan cannot be built.
     #[error(transparent)]
     Build(#[from] BuildError),
 }
 
 impl Kitchen {
-    /// A pan at one temperature [K] on a cold hob.
+    /// Sets up a kitchen with a pan at a uniform temperature [K] on a cold hob.
     pub fn new(library: &Library, pan_kind: &str, pan_temperature: f64) -> Result<Self, SetupError> {
         let description = library
             .pans
@@ -148,7 +148,7 @@ impl Kitchen {
         })
     }
 
-    /// Cuts a piece; it waits at its start temperature until it is put into the pan.
+    /// Adds a piece. It waits at its start temperature, without heat exchange, until it is put into the pan.
     pub fn add(&mut self, library: &Library, order: &PieceOrder) -> Result<(), SetupError> {
         let food = library
             .foods
@@ -171,7 +171,7 @@ impl Kitchen {
         Ok(())
     }
 
-    /// Removes a piece altogether, with what it stores.
+    /// Removes a piece and the energy stored in it.
     pub fn remove(&mut self, id: &str) {
         if let Some(i) = self.pieces.iter().position(|p| p.id == id) {
             let piece = self.pieces.remove(i);
@@ -181,7 +181,7 @@ impl Kitchen {
         }
     }
 
-    /// The rules that the pieces follow: those of 2013 if any piece does.
+    /// Returns the rules in force: those of 2013 if any piece follows them.
     pub fn rules(&self) -> Rules {
         let simple = self.pieces.iter().any(|p| p.model.rules() == Rules::Paper2013);
         if simple { Rules::Paper2013 } else { Rules::Full }
@@ -196,12 +196,12 @@ impl Kitchen {
         Ok(&mut self.pieces[index])
     }
 
-    /// Whether tools or gestures are still at work on what they were told to do.
+    /// Returns true while a gesture, a tool or a queued task is active.
     pub fn busy(&self) -> bool {
         self.gesture.is_some() || self.hand.is_active() || self.at_work.is_some() || !self.tasks.is_empty()
     }
 
-    /// Books what the pan holds more than it did [J].
+    /// Adds energy that a command brought into the pan to the energy account [J].
     pub(crate) fn bring(&mut self, stored: f64) {
         self.stored_at_start += stored;
     }
@@ -211,7 +211,7 @@ impl Kitchen {
         &self.world
     }
 
-    /// Names of the pieces with which the other hand failed because something was in the way, in order.
+    /// Names of the pieces whose tasks failed because the tool was blocked, in order of failure.
     pub fn blocked(&self) -> Vec<String> {
         let name = |task: &Task| self.pieces.iter().find(|p| p.key == task.key()).map(|p| p.id.clone());
         self.blocked.iter().filter_map(name).collect()
@@ -222,28 +222,28 @@ impl Kitchen {
         &self.hand
     }
 
-    /// Where the hand holds the pan when it makes no gesture.
+    /// Pose at which the pan is held between gestures.
     pub fn held_pan(&self) -> Pose {
         self.held_at
     }
 
-    /// The pan's gesture, while it lasts.
+    /// The pan's gesture while it lasts.
     pub fn gesture(&self) -> Option<Gesture> {
         self.gesture.map(|(gesture, _)| gesture)
     }
 
-    /// Whether the last frame ended a tick: what a recipe does, it does then.
+    /// Returns true if the last frame ended a tick; a recipe carries out its steps only then.
     pub fn is_between_ticks(&self) -> bool {
         self.frame == 0
     }
 
-    /// Whether bodies at rest stop being computed until something stirs them; they do unless told otherwise.
+    /// Enables or disables sleeping of bodies at rest; it is enabled by default. A sleeping body costs no computation.
     pub fn let_sleep(&mut self, may_sleep: bool) {
         self.world.let_sleep(may_sleep);
     }
 
-    /// Free places on the floor for pieces, in their order, the first ones nearest to `around` [m]; fewer than pieces where
-    /// not all of them fit. What lies in the pan is left where it is, but for the pieces themselves.
+    /// Free places on the pan's floor for pieces, in their order, starting nearest to `around` [m]. Returns fewer places
+    /// than pieces if not all fit. Other pieces in the pan keep their places.
     pub fn free_places(&self, foods: &[String], around: [f64; 2]) -> Vec<[f64; 2]> {
         let named = |p: &&Piece| foods.contains(&p.id);
         let lying = self.pieces.iter().filter(|p| !named(p)).filter_map(|p| match p.place {
@@ -274,13 +274,13 @@ impl Kitchen {
         self.pieces.iter().find(|p| p.id == id)
     }
 
-    /// Electrical power that is set [W].
+    /// Electrical power to which the hob is set [W].
     pub fn hob_w(&self) -> f64 {
         self.hob_w
     }
 
-    /// Mean electrical power that is drawn: none while the pan is off the hob or the hob's limit holds, less beside the
-    /// ring [W].
+    /// Mean electrical power that the hob draws [W]: zero while the pan stands on the cloth or at the temperature limit,
+    /// reduced while the pan is lifted or off the ring.
     pub fn hob_drawn_w(&self) -> f64 {
         let off = self.cloth.is_some() || self.pan.limited;
         if off { 0.0 } else { self.hob_w * self.pan.ring_shares.iter().sum::<f64>() }
@@ -291,12 +291,12 @@ impl Kitchen {
         self.fixed.pan.floor_temperature(&self.pan)
     }
 
-    /// What never changes in the pan.
+    /// The pan's immutable model.
     pub fn pan_model(&self) -> &PanModel {
         &self.fixed.pan
     }
 
-    /// What changes in the pan.
+    /// The pan's state.
     pub fn pan_state(&self) -> &PanState {
         &self.pan
     }
@@ -311,17 +311,17 @@ impl Kitchen {
         &self.fixed.hob
     }
 
-    /// The cloth, while the pan stands on it.
+    /// The wet cloth while the pan stands on it.
     pub fn cloth(&self) -> Option<&Cloth> {
         self.cloth.as_ref()
     }
 
-    /// What happened since the start.
+    /// Events since the start.
     pub fn events(&self) -> &EventLog {
         &self.events
     }
 
-    /// Vapour from water in the pan and from the cloth [kg/s].
+    /// Vapour flows from water in the pan and from the cloth [kg/s].
     pub fn other_vapour(&self) -> (f64, f64) {
         (self.puddle_vapour, self.cloth_vapour)
     }

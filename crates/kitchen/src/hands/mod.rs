@@ -1,4 +1,4 @@
-//! What hands do: commands, what carries them out, and the tool that a person leads.
+//! Commands, their execution, and tools that a person moves freely.
 
 pub mod command;
 mod knife;

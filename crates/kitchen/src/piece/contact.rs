@@ -2,10 +2,10 @@
 
 use crate::data::room::ContactGap;
 
-/// What the contact of a whole face depends on.
+/// State of the contact of a whole face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FaceContact {
-    /// Time since the face was laid down [s].
+    /// Time since the start of the contact [s].
     pub since: f64,
     /// Pressure on it [Pa].
     pub pressure: f64,
@@ -16,7 +16,7 @@ pub struct FaceContact {
 }
 
 impl FaceContact {
-    /// Mean gap of the face [m]: it settles, then steam and crust lift it; pressure narrows it.
+    /// Mean gap of the face [m]. The face settles, then steam and crust widen the gap; pressure narrows it.
     ///
     /// δ = (δ_final + (δ_initial − δ_final) e^(−t/τ) + δ_settling e^(−t/τ_s)) / (1 + (p − p₀)/p_½).
     pub fn mean_gap(&self, gap: &ContactGap) -> f64 {
@@ -29,7 +29,7 @@ impl FaceContact {
         1e-3 * free / pressed
     }
 
-    /// Conductance across a gap that oil fills up to its film's thickness and vapour beyond [W/(m²·K)].
+    /// Contact conductance across a gap filled with oil up to the film's thickness and with vapour above [W/(m²·K)].
     ///
     /// 1/h = min(δ, δ_oil)/k_oil + max(0, δ − δ_oil)/k_vapour + 1/h_coating.
     pub fn conductance(&self, gap: &ContactGap, thickness: f64) -> f64 {
@@ -40,8 +40,8 @@ impl FaceContact {
     }
 }
 
-/// Share of the conductance that steam leaves to a wet face on a pan at `pan` [K]: 1 up to the Leidenfrost region,
-/// falling linearly through it [-].
+/// Factor on the contact conductance of a face on a pan at `pan` [K]: for a wet face 1 below the Leidenfrost region,
+/// falling linearly to `steam_factor` across it; for a dry face 1 [-].
 pub fn steam_share(gap: &ContactGap, pan: f64, wet: bool) -> f64 {
     let [from, to] = gap.steam_c;
     let riding = if wet { ((crate::celsius(pan) - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };

@@ -1,4 +1,5 @@
-//! One tick of heat: what every piece exchanges with pan, ground, air and other pieces, then the pan with the rest.
+//! One tick of heat and mass transfer: first each piece with pan, ground, air and other pieces, then the pan with hob and
+//! room.
 
 use std::sync::Arc;
 
@@ -72,7 +73,7 @@ impl Kitchen {
         }
     }
 
-    /// Gravity less the pan's mean acceleration since the last tick, in the pan's frame [m/s²].
+    /// Gravity minus the pan's mean acceleration since the last tick, in the pan's frame [m/s²].
     fn felt_gravity(&mut self) -> [f64; 3] {
         let motion = &self.world.motion;
         if motion.is_still() && motion.velocity == self.pan_velocity && motion.pose.rotation == Pose::default().rotation
@@ -85,7 +86,7 @@ impl Kitchen {
         (motion.pose.rotation.conjugate() * felt).to_array()
     }
 
-    /// Tells hob and pan where the pan is now.
+    /// Updates the pan's place over the hob from its rigid body.
     fn follow_pan(&mut self, fixed: &Fixed) {
         let at = self.world.motion.pose.position;
         let lift = at.z - self.world.pan_shape().thickness;
@@ -95,7 +96,7 @@ impl Kitchen {
         }
     }
 
-    /// Tells every piece where it is.
+    /// Updates the place of every piece from its pose.
     fn find_places(&mut self) {
         let pan = self.world.motion.pose;
         let surface = *self.world.pan_shape();
@@ -135,7 +136,7 @@ impl Kitchen {
         }
     }
 
-    /// Heat between foods that touch; their patches there are closed to the air.
+    /// Exchanges heat between pieces in contact; their patches in contact are closed to the air.
     fn exchange_between_foods(&mut self, room: &Room) {
         if !self.world.is_settled() {
             self.find_touching();
@@ -191,7 +192,7 @@ impl Kitchen {
         self.book(fixed, index, &exchange);
     }
 
-    /// Finds what a piece touches in this tick.
+    /// Updates the contacts of a piece with pan and ground for this tick.
     fn meet(&mut self, fixed: &Fixed, index: usize, under: Under) {
         let (force, pan_pose, surface) = (self.pan_force(index), self.world.motion.pose, *self.world.pan_shape());
         let time = (self.tick + 1) as f64 * TICK_S;
@@ -204,7 +205,7 @@ impl Kitchen {
         piece.touch_ground(under, &fixed.room);
     }
 
-    /// Books what a piece exchanged: heat from the pan's nodes below it, juice and fat that ran off.
+    /// Adds the exchange of a piece to the pan and to the energy account: heat from the pan's nodes, juice and fat.
     fn book(&mut self, fixed: &Fixed, index: usize, exchange: &Exchange) {
         let piece = &self.pieces[index];
         let taken: f64 = piece.solver.contact_heat.iter().sum();
@@ -218,7 +219,7 @@ impl Kitchen {
         self.flows.air += air;
         self.flows.evaporation += evaporation;
         let whole: f64 = piece.near.patches.iter().map(|n| piece.patch_area(n.patch as usize)).sum();
-        // What boils at the face that lies below rises through the oil there.
+        // Steam that boils off at the lower face rises through the oil there.
         let boiled = exchange.evaporated.min(taken.max(0.0) / latent_heat(kelvin(100.0)));
         for near in &piece.near.patches {
             let (patch, located) = (near.patch as usize, &near.located);
@@ -248,7 +249,7 @@ impl Kitchen {
         self.flows.other += fixed.pan.render(&mut self.pan, &exchange.rendered, latent);
     }
 
-    /// Juice of a piece that lies on others or is in the air runs down to the floor below it.
+    /// Juice of a piece without contact with the pan drips to the floor below it.
     fn drip_from_above(&mut self, fixed: &Fixed, index: usize, exchange: &Exchange) {
         let Place::Pan(at) = self.pieces[index].place else { return };
         let located = fixed.pan.locator.locate_or_nearest(&fixed.pan.section, at);
@@ -270,7 +271,7 @@ impl Kitchen {
         nearest.map_or_else(|| self.fixed.room.temperature(), |i| self.pan.glass[i])
     }
 
-    /// Force of a piece on floor and wall of the pan [N].
+    /// Normal force of a piece on floor and wall of the pan [N].
     fn pan_force(&self, index: usize) -> f64 {
         let piece = &self.pieces[index];
         if self.world.is_settled() {
@@ -281,10 +282,10 @@ impl Kitchen {
     }
 }
 
-/// A pan that is lower than this stands on the glass [m] (chosen: below rounding of the follower).
+/// Lift below which the pan stands on the glass [m] (chosen: above the rounding of the pan's motion).
 const STANDING: f64 = 1e-6;
 
-/// Where a piece is that is not over the pan.
+/// Returns the place of a piece that is not over the pan.
 fn ground(piece: &Piece) -> Place {
     let on = |against: Against| piece.contacts.iter().any(|c| c.against == against);
     let p = piece.pose.position;

@@ -1,4 +1,4 @@
-//! Time: frames in which bodies move, ticks in which heat flows, and what is recorded of them.
+//! Time: frames of rigid-body motion, ticks of heat and mass transfer, the energy account and the event log.
 
 pub mod energy;
 pub mod event;

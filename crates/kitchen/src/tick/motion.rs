@@ -1,20 +1,20 @@
-//! Time in frames: bodies move, tools work, gestures run, and at every tick heat flows.
+//! Frames: rigid bodies, tools and gestures advance in each frame; heat and mass transfer in each tick.
 
 use crate::FRAMES_PER_TICK;
 use crate::dynamics::{Ended, PanTarget, RIGID_HZ, RIGID_S, Task};
 use crate::kitchen::Kitchen;
 
-/// Rigid steps in a frame.
+/// Rigid steps in a frame [-].
 const STEPS_PER_FRAME: u32 = RIGID_HZ / 60;
 
 impl Kitchen {
-    /// Moves the world on to its next tick.
+    /// Advances the kitchen to its next tick.
     pub fn step(&mut self) {
         while !self.advance_frame() {}
     }
 
-    /// Moves the world by one frame: bodies and tools move; at every sixth frame heat flows and foods change. Tells
-    /// whether that was a tick.
+    /// Advances the kitchen by one frame of [`crate::FRAME_S`]. Bodies and tools move in each frame; heat flows and foods
+    /// change in every sixth. Returns true if the frame ended a tick.
     pub fn advance_frame(&mut self) -> bool {
         self.take_up_task();
         let mut moved = false;
@@ -51,7 +51,7 @@ impl Kitchen {
         self.world.step(&target);
     }
 
-    /// Tells every piece where its body is.
+    /// Copies the poses of the rigid bodies to the pieces.
     fn follow_bodies(&mut self) {
         for piece in self.pieces.iter_mut().filter(|p| p.is_out()) {
             if let Some(pose) = self.world.pose(piece.key) {
@@ -60,7 +60,7 @@ impl Kitchen {
         }
     }
 
-    /// Where the pan should be now: at a gesture's moment, or where it is held.
+    /// Target of the pan in this step: the gesture's present pose, or the pose at which the pan is held.
     fn pan_target(&mut self) -> PanTarget {
         let standing = PanTarget { pose: self.held_at, ..PanTarget::default() };
         let Some((gesture, since)) = &mut self.gesture else { return standing };
