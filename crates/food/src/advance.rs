@@ -240,10 +240,12 @@ impl FoodSolver {
     /// conduction, so that both balance in a steady state: T ← (C T + Δt (P + G T₀)) / (C + Δt G). Both obey the maximum
     /// principle.
     fn step(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64, total: &mut Exchange) {
-        self.power.fill(0.0);
         match &mut self.layers {
-            Some(layers) => layers.add_power(&state.temperature, &mut self.power),
-            None => self.conduction.add_power(model.shape.mesh.graph(), &state.temperature, &mut self.power),
+            Some(layers) => layers.power(&state.temperature, &mut self.power),
+            None => {
+                self.power.fill(0.0);
+                self.conduction.add_power(model.shape.mesh.graph(), &state.temperature, &mut self.power);
+            }
         }
         let fields = state.enthalpy.iter_mut().zip(&mut state.temperature);
         for ((h, t), (p, per_c)) in fields.zip(self.power.iter().zip(&self.per_capacity)) {
@@ -260,11 +262,12 @@ impl FoodSolver {
     /// The boiling point of a node rises as it dries (sorption isotherm). Newton's method solves for mass and temperature
     /// together: dm = C (T − T_b) / (L + C · |dT_b/dm|).
     fn boil(&mut self, model: &FoodModel, state: &mut FoodState, total: &mut Exchange) {
+        let from = model.water.isotherm.lowest_boiling_point().max(NEARLY_BOILING);
         self.hot.clear();
         for (first, block) in (0u32..).step_by(BLOCK).zip(state.temperature.chunks(BLOCK)) {
             // Most blocks are far from boiling: without a branch at each node.
-            if block.iter().fold(false, |hot, t| hot | (*t > NEARLY_BOILING)) {
-                let hot = (first..).zip(block).filter(|(_, t)| **t > NEARLY_BOILING);
+            if block.iter().fold(false, |hot, t| hot | (*t > from)) {
+                let hot = (first..).zip(block).filter(|(_, t)| **t > from);
                 self.hot.extend(hot.map(|(i, _)| i));
             }
         }
@@ -272,11 +275,14 @@ impl FoodSolver {
         for &node in &self.hot {
             let i = node as usize;
             for _ in 0..4 {
+                if state.water[i] <= 0.0 {
+                    break;
+                }
                 let moisture = state.water[i] / model.tissue.lean_solids[i];
                 let wet = model.water.isotherm.wet_boiling_point(moisture);
                 let boiling = wet.unwrap_or_else(|| model.water.isotherm.boiling_point(moisture));
                 let excess = state.temperature[i] - boiling;
-                if excess <= 1e-3 || state.water[i] <= 0.0 {
+                if excess <= 1e-3 {
                     break;
                 }
                 let capacity = self.capacity[i];

@@ -90,6 +90,7 @@ pub type Masses = [f64; 3];
 
 const COLDEST: i32 = -40;
 const HOTTEST: i32 = 450;
+const LAST_CELL: u32 = (HOTTEST - COLDEST - 1) as u32;
 
 impl Properties {
     /// Tabulates the properties every kelvin from −40 to 450 °C; enthalpies are zero at 0 °C.
@@ -114,8 +115,8 @@ impl Properties {
     fn place(&self, temperature: f64) -> (usize, f64) {
         // Beyond both ends the table is extrapolated linearly, so that enthalpy stays invertible.
         let position = temperature - ZERO_C - f64::from(COLDEST);
-        let index = (position as u32 as usize).min(self.heat.len() - 1);
-        (index, position - index as f64)
+        let index = (position as u32).min(LAST_CELL);
+        (index as usize, position - f64::from(index))
     }
 
     /// Returns enthalpy above 0 °C [J] and heat capacity [J/K] of the given masses.

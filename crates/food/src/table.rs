@@ -14,13 +14,18 @@ pub struct Table {
     start: f64,
     per_unit: f64,
     values: Vec<f64>,
+    /// Position of the last entry, and index of the last cell.
+    last: f64,
+    last_cell: u32,
 }
 
 impl Table {
     /// Tabulates `f` at `start`, `start + step`, … up to `end`, in the unit of `f`.
     pub fn new(start: f64, end: f64, step: f64, f: impl Fn(f64) -> f64) -> Self {
         let count = libm::ceil((end - start) / step) as usize + 1;
-        Self { start, per_unit: 1.0 / step, values: (0..count).map(|i| f(start + i as f64 * step)).collect() }
+        let values = (0..count).map(|i| f(start + i as f64 * step)).collect();
+        let last_cell = count.saturating_sub(2) as u32;
+        Self { start, per_unit: 1.0 / step, values, last: count.saturating_sub(1) as f64, last_cell }
     }
 
     /// Returns the value at `x`, in the unit of the tabulated function.
@@ -30,13 +35,20 @@ impl Table {
         self.within(cell, share)
     }
 
+    /// Returns the smallest entry.
+    pub(crate) fn lowest(&self) -> f64 {
+        self.values.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
     /// Returns the cell of `x` and the relative position in it; the same for all tables with one grid [-].
     #[inline]
     pub(crate) fn place(&self, x: f64) -> (usize, f64) {
-        let last = self.values.len() - 1;
-        let position = ((x - self.start) * self.per_unit).clamp(0.0, last as f64);
-        let cell = (position as u32 as usize).min(last - 1);
-        (cell, position - cell as f64)
+        let position = (x - self.start) * self.per_unit;
+        // As `clamp`, without its check of the bounds.
+        let position = if position < 0.0 { 0.0 } else { position };
+        let position = if position > self.last { self.last } else { position };
+        let cell = (position as u32).min(self.last_cell);
+        (cell as usize, position - f64::from(cell))
     }
 
     /// Returns the value at a relative position in a cell.

@@ -80,7 +80,7 @@ fn used(sections: &BTreeSet<String>) -> BTreeSet<String> {
     let is_key = |s: &&str| {
         let letters =
             |t: &str| !t.is_empty() && t.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
-        s.split_once('.').is_some_and(|(a, b)| sections.contains(a) && letters(b) && b != "toml")
+        s.split_once('.').is_some_and(|(a, b)| sections.contains(a) && letters(b) && !["toml", "wgsl"].contains(&b))
     };
     all.split('"').filter(is_key).map(str::to_owned).collect()
 }

@@ -9,7 +9,7 @@ use serde_json::Value;
 
 /// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
 /// skipped.
-const ARROWS: [(&str, &[&str]); 13] = [
+const ARROWS: [(&str, &[&str]); 14] = [
     ("saute-heat", &[]),
     ("saute-food", &["saute-heat"]),
     ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
@@ -33,6 +33,7 @@ const ARROWS: [(&str, &[&str]); 13] = [
             "tungstenite",
         ],
     ),
+    ("saute-counts", &["saute-kitchen", "saute-recipe", "saute-lab", "saute-picture"]),
     ("saute-spidar-sim", &["clap", "thread-priority"]),
     (
         "saute-window",

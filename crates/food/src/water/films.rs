@@ -18,6 +18,8 @@ type Lanes = [f64; TOGETHER];
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Films {
     blocks: Vec<Block>,
+    /// Conductances [W/K] and mass transfer coefficients × areas [m³/s] of the blocks.
+    rates: Vec<[Lanes; 2]>,
     /// Number of patches [-].
     pub(crate) count: usize,
     /// Length of the steps that the films are prepared for [s].
@@ -28,8 +30,8 @@ pub(crate) struct Films {
 #[derive(Clone, Copy, Debug)]
 struct Block {
     count: usize,
-    nodes: [usize; TOGETHER],
-    air: [usize; TOGETHER],
+    nodes: [u32; TOGETHER],
+    air: [u32; TOGETHER],
     /// True for four patches with consecutive nodes and one air zone: they are computed together.
     together: bool,
     /// Heat capacity of the nodes [J/K].
@@ -38,12 +40,10 @@ struct Block {
     step: StepLanes,
 }
 
-/// The fields of [`AirFilm`].
+/// Fields of [`AirFilm`].
 #[derive(Clone, Copy, Debug, Default)]
 struct FilmLanes {
     area: Lanes,
-    heat: Lanes,
-    transfer: Lanes,
     density: Lanes,
     slope: Lanes,
     temperature: Lanes,
@@ -74,8 +74,18 @@ impl Films {
     /// Linearises the films of all patches about the present state; `capacity` holds the nodes' heat capacities [J/K].
     pub(crate) fn refresh(&mut self, model: &FoodModel, state: &FoodState, around: &Surroundings, capacity: &[f64]) {
         self.blocks.clear();
-        let film = |patch: &Patch| AirFilm::of(model, state, patch, &around.air[patch.air]);
-        self.blocks.extend(model.shape.patches.chunks(TOGETHER).map(|patches| Block::of(patches, film, capacity)));
+        self.rates.clear();
+        for patches in model.shape.patches.chunks(TOGETHER) {
+            let (mut block, mut rates) = (Block::of(patches), [[0.0; TOGETHER]; 2]);
+            for (k, patch) in patches.iter().enumerate() {
+                let film = AirFilm::of(model, state, patch, &around.air[patch.air]);
+                (rates[0][k], rates[1][k]) = (film.heat, film.transfer);
+                block.capacity[k] = capacity[patch.node as usize];
+                block.film.set(k, &film);
+            }
+            self.blocks.push(block);
+            self.rates.push(rates);
+        }
         (self.count, self.step) = (model.shape.patches.len(), f64::NAN);
     }
 
@@ -83,7 +93,7 @@ impl Films {
     pub(crate) fn prepare(&mut self, dt: f64) {
         if self.step != dt {
             self.step = dt;
-            self.blocks.iter_mut().for_each(|block| block.prepare(dt));
+            self.blocks.iter_mut().zip(&self.rates).for_each(|(block, rates)| block.prepare(rates, dt));
         }
     }
 
@@ -119,7 +129,7 @@ impl Films {
 }
 
 impl Block {
-    fn of(patches: &[Patch], film: impl Fn(&Patch) -> AirFilm, capacity: &[f64]) -> Self {
+    fn of(patches: &[Patch]) -> Self {
         let mut block = Self {
             count: patches.len(),
             nodes: [0; TOGETHER],
@@ -130,19 +140,17 @@ impl Block {
             step: StepLanes::default(),
         };
         for (k, patch) in patches.iter().enumerate() {
-            (block.nodes[k], block.air[k]) = (patch.node as usize, patch.air);
-            block.capacity[k] = capacity[patch.node as usize];
-            block.film.set(k, &film(patch));
+            (block.nodes[k], block.air[k]) = (patch.node, patch.air as u32);
         }
         let follow = block.nodes.windows(2).all(|pair| pair[1] == pair[0] + 1);
         block.together = patches.len() == TOGETHER && follow && block.air.iter().all(|air| *air == block.air[0]);
         block
     }
 
-    fn prepare(&mut self, dt: f64) {
+    fn prepare(&mut self, [heat, volume]: &[Lanes; 2], dt: f64) {
         let film = &self.film;
         for k in 0..TOGETHER {
-            let (conductance, transfer) = (film.heat[k] * dt, film.transfer[k] * dt);
+            let (conductance, transfer) = (heat[k] * dt, volume[k] * dt);
             self.step.conductance[k] = conductance;
             self.step.whole[k] = self.capacity[k] + conductance;
             self.step.transfer[k] = transfer;
@@ -154,8 +162,8 @@ impl Block {
     /// Exchanges heat and vapour of four patches with the air (Robin boundary).
     #[inline]
     fn air_together(&self, nodes: &mut Nodes, around: &Surroundings, total: &mut Exchange) {
-        let (film, step, capacity, air) = (&self.film, &self.step, &self.capacity, &around.air[self.air[0]]);
-        let Some([mut t, mut h, mut w]) = nodes.from(self.nodes[0]) else { return };
+        let (film, step, capacity, air) = (&self.film, &self.step, &self.capacity, &around.air[self.air[0] as usize]);
+        let Some([mut t, mut h, mut w]) = nodes.from(self.nodes[0] as usize) else { return };
         let (mut given, mut mass, mut enthalpy) = ([0.0; TOGETHER], [0.0; TOGETHER], [0.0; TOGETHER]);
         for k in 0..TOGETHER {
             let change = step.conductance[k] * (air.temperature - t[k]) / step.whole[k];
@@ -171,7 +179,7 @@ impl Block {
             h[k] -= enthalpy[k];
             t[k] -= mass[k] * film.latent[k] / capacity[k];
         }
-        nodes.put(self.nodes[0], [t, h, w]);
+        nodes.put(self.nodes[0] as usize, [t, h, w]);
         for k in 0..TOGETHER {
             total.air -= given[k];
             total.evaporated += mass[k];
@@ -182,7 +190,7 @@ impl Block {
     /// Exchanges heat of four patches with their contacts.
     #[inline]
     fn touch_together(&self, nodes: &mut Nodes, touch: &[Touch], dt: f64, heat: &mut [f64]) {
-        let Some([mut t, mut h, w]) = nodes.from(self.nodes[0]) else { return };
+        let Some([mut t, mut h, w]) = nodes.from(self.nodes[0] as usize) else { return };
         let conductance: Lanes = from_fn(|k| touch[k].conductance * self.film.area[k] * dt);
         let outside: Lanes = from_fn(|k| touch[k].temperature);
         let mut gained = [0.0; TOGETHER];
@@ -192,7 +200,7 @@ impl Block {
             gained[k] = self.capacity[k] * change;
             h[k] += gained[k];
         }
-        nodes.put(self.nodes[0], [t, h, w]);
+        nodes.put(self.nodes[0] as usize, [t, h, w]);
         heat.iter_mut().zip(gained).for_each(|(heat, gained)| *heat += gained);
     }
 
@@ -218,7 +226,7 @@ impl Block {
     ///
     /// The conductance × time is given alone and as its sum with the node's heat capacity [J/K].
     fn gain(&self, nodes: &mut Nodes, k: usize, [conductance, whole]: [f64; 2], outside: f64) -> f64 {
-        let node = self.nodes[k];
+        let node = self.nodes[k] as usize;
         let change = conductance * (outside - nodes.temperature[node]) / whole;
         nodes.temperature[node] += change;
         nodes.enthalpy[node] += self.capacity[k] * change;
@@ -227,7 +235,8 @@ impl Block {
 
     /// Exchanges heat and vapour of a patch with the air (Robin boundary).
     fn exchange_air(&self, nodes: &mut Nodes, k: usize, around: &Surroundings, total: &mut Exchange) {
-        let (film, step, air, node) = (&self.film, &self.step, &around.air[self.air[k]], self.nodes[k]);
+        let (film, step, air, node) =
+            (&self.film, &self.step, &around.air[self.air[k] as usize], self.nodes[k] as usize);
         total.air -= self.gain(nodes, k, [step.conductance[k], step.whole[k]], air.temperature);
         let surface = nodes.temperature[node].min(HOTTEST_WET);
         let density = film.density[k] + film.slope[k] * (surface - film.temperature[k]);
@@ -268,8 +277,6 @@ impl Nodes<'_> {
 impl FilmLanes {
     fn set(&mut self, k: usize, film: &AirFilm) {
         self.area[k] = film.area;
-        self.heat[k] = film.heat;
-        self.transfer[k] = film.transfer;
         self.density[k] = film.density;
         self.slope[k] = film.slope;
         self.temperature[k] = film.temperature;

@@ -66,17 +66,18 @@ impl FoodModel {
             let squeezed = self.squeezed(state, first);
             for (node, squeezed) in (first..state.juice.len()).zip(squeezed) {
                 // Water-holding capacity: the smaller of the limits by the peak temperature and by the changes.
-                let held = self.water.held.at(state.peak[node]).min(1.0 - squeezed);
-                let capacity = self.tissue.initial_water[node] * held;
-                let surplus = (state.water[node] - capacity).max(0.0);
+                let (held, unsqueezed) = (self.water.held.at(state.peak[node]), 1.0 - squeezed);
+                let capacity = self.tissue.initial_water[node] * if held < unsqueezed { held } else { unsqueezed };
+                let surplus = positive(state.water[node] - capacity);
                 let juice = &mut state.juice[node];
                 if surplus <= 0.0 && *juice >= 0.0 {
                     *juice = 0.0;
                     continue;
                 }
-                let bound = (surplus - *juice).max(0.0);
+                let bound = positive(surplus - *juice);
                 let released = 1.0 - 1.0 / (1.0 + self.water.release.at(state.temperature[node]) * dt);
-                *juice = (*juice + released * bound).min(surplus);
+                let free = *juice + released * bound;
+                *juice = if free < surplus { free } else { surplus };
             }
         }
     }
@@ -163,4 +164,10 @@ pub(crate) fn juice_outlets(shape: &RestShape) -> Vec<(u32, f64)> {
         (first..=last).step_by(last).map(at)
     };
     (0..mesh.nodes_per_level()).flat_map(column).collect()
+}
+
+/// Returns a mass, or 0 where it is negative [kg].
+#[inline]
+fn positive(mass: f64) -> f64 {
+    if mass > 0.0 { mass } else { 0.0 }
 }

@@ -12,8 +12,9 @@ use crate::water::vapour::{ATMOSPHERE, saturation_pressure};
 pub struct Isotherm {
     activity: Table,
     boiling: Table,
-    /// Boiling point at moistures beyond the table [K].
+    /// Boiling point at moistures beyond the table, and the lowest one in the table [K].
     wet_boiling: f64,
+    lowest: f64,
 }
 
 /// Moisture above which a food counts as wet [kg/kg] (chosen: the GAB activity is within 1 % of that of fresh food).
@@ -27,13 +28,22 @@ impl Isotherm {
     pub fn new(gab: &Sorption) -> Self {
         let activity = Table::new(0.0, WETTEST, 0.005, |x| gab_activity(gab, x));
         let boiling = Table::new(0.0, WETTEST, 0.005, |x| boiling_point(gab_activity(gab, x)));
-        Self { wet_boiling: boiling.at(2.0 * WETTEST), activity, boiling }
+        Self::of(activity, boiling)
     }
 
     /// Isotherm of free water: activity 1 and a constant boiling point [K].
     pub fn free_water(boiling: f64) -> Self {
         let table = |value: f64| Table::new(0.0, WETTEST, WETTEST, move |_| value);
-        Self { activity: table(1.0), boiling: table(boiling), wet_boiling: table(boiling).at(2.0 * WETTEST) }
+        Self::of(table(1.0), table(boiling))
+    }
+
+    fn of(activity: Table, boiling: Table) -> Self {
+        Self { wet_boiling: boiling.at(2.0 * WETTEST), lowest: boiling.lowest(), activity, boiling }
+    }
+
+    /// Lowest boiling point at any moisture [K].
+    pub(crate) fn lowest_boiling_point(&self) -> f64 {
+        self.lowest
     }
 
     /// Water activity at moisture `x` [-].

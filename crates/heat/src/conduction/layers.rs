@@ -20,9 +20,9 @@ pub struct Layers {
     ends: Vec<u32>,
     starts: Vec<u32>,
     /// Edges within layers, block by block.
-    within: Vec<Within>,
+    within: Edges<Lanes>,
     /// Edges between layers.
-    between: Vec<Between>,
+    between: Edges<f64>,
     /// Sum of the conductances at each node [W/K].
     total: Vec<f64>,
     /// Values at the nodes of a block, and sums over their edges.
@@ -30,22 +30,19 @@ pub struct Layers {
     sums: Vec<Lanes>,
 }
 
-/// The same edge in all layers of a block.
-#[derive(Clone, Copy, Debug, Default)]
-struct Within {
+/// Edges in the order of the sweep.
+#[derive(Clone, Debug)]
+struct Edges<T> {
     /// Area over length [m].
-    shape: Lanes,
+    shape: Vec<T>,
     /// Conductance [W/K].
-    conductance: Lanes,
+    conductance: Vec<T>,
 }
 
-/// An edge from a layer to the next one.
-#[derive(Clone, Copy, Debug, Default)]
-struct Between {
-    /// Area over length [m].
-    shape: f64,
-    /// Conductance [W/K].
-    conductance: f64,
+impl<T: Clone> Edges<T> {
+    fn new(nothing: T, count: usize) -> Self {
+        Self { shape: vec![nothing.clone(); count], conductance: vec![nothing; count] }
+    }
 }
 
 impl Layers {
@@ -70,8 +67,8 @@ impl Layers {
                 layers,
                 ends: first.iter().map(|e| e[1]).collect(),
                 starts: (0..=nodes).map(starts).collect(),
-                within: vec![Within::default(); edges * layers.div_ceil(TOGETHER)],
-                between: Vec::with_capacity((layers - 1) * nodes),
+                within: Edges::new([0.0; TOGETHER], edges * layers.div_ceil(TOGETHER)),
+                between: Edges::new(0.0, (layers - 1) * nodes),
                 total: vec![0.0; layers * nodes],
                 values: vec![[0.0; TOGETHER]; nodes],
                 sums: vec![[0.0; TOGETHER]; nodes],
@@ -86,9 +83,9 @@ impl Layers {
         for (layer, all) in shapes.chunks(edges + self.nodes).enumerate() {
             let (within, between) = all.split_at(edges);
             let (first, lane) = (layer / TOGETHER * edges, layer % TOGETHER);
-            let to = &mut self.within[first..first + edges];
-            to.iter_mut().zip(within).for_each(|(to, from)| to.shape[lane] = *from);
-            self.between.extend(between.iter().map(|&shape| Between { shape, conductance: 0.0 }));
+            let to = &mut self.within.shape[first..first + edges];
+            to.iter_mut().zip(within).for_each(|(to, from)| to[lane] = *from);
+            self.between.shape[layer * self.nodes..][..between.len()].copy_from_slice(between);
         }
     }
 
@@ -97,11 +94,12 @@ impl Layers {
     /// Bitwise equal to [`Conduction::refresh_each`](crate::Conduction::refresh_each).
     pub fn refresh(&mut self, within: &[f64], between: &[f64]) {
         let n = self.nodes;
-        for ((edge, ka), kb) in self.between.iter_mut().zip(between).zip(&between[n..]) {
-            edge.conductance = edge.shape * 2.0 * ka * kb / (ka + kb);
+        let edges = self.between.conductance.iter_mut().zip(&self.between.shape);
+        for (((conductance, shape), ka), kb) in edges.zip(between).zip(&between[n..]) {
+            *conductance = shape * 2.0 * ka * kb / (ka + kb);
         }
         self.total.fill(0.0);
-        self.total[n..].iter_mut().zip(&self.between).for_each(|(sum, edge)| *sum += edge.conductance);
+        self.total[n..].iter_mut().zip(&self.between.conductance).for_each(|(sum, g)| *sum += g);
         for (block, first) in (0..self.layers).step_by(TOGETHER).enumerate() {
             let count = (self.layers - first).min(TOGETHER);
             gather(&mut self.values, &within[first * n..], count);
@@ -109,26 +107,28 @@ impl Layers {
             self.conduct(block);
             scatter(&self.sums, &mut self.total[first * n..], count);
         }
-        self.total.iter_mut().zip(&self.between).for_each(|(sum, edge)| *sum += edge.conductance);
+        self.total.iter_mut().zip(&self.between.conductance).for_each(|(sum, g)| *sum += g);
     }
 
     /// Sets the conductances within the layers of a block.
     fn conduct(&mut self, block: usize) {
         let edges = self.ends.len();
-        let within = &mut self.within[block * edges..][..edges];
+        let within = block * edges..(block + 1) * edges;
+        let (shapes, conductances) = (&self.within.shape[within.clone()], &mut self.within.conductance[within]);
         for (a, edges) in self.starts.windows(2).enumerate() {
             let (ka, mut sum) = (self.values[a], self.sums[a]);
             let edges = edges[0] as usize..edges[1] as usize;
-            for (&b, edge) in self.ends[edges.clone()].iter().zip(&mut within[edges]) {
+            let ends = self.ends[edges.clone()].iter();
+            for ((&b, shape), g) in ends.zip(&shapes[edges.clone()]).zip(&mut conductances[edges]) {
                 // Local copies let the compiler vectorise over the layers.
-                let (kb, mut to, shape) = (self.values[b as usize], self.sums[b as usize], edge.shape);
+                let (kb, mut to) = (self.values[b as usize], self.sums[b as usize]);
                 let mut conductance = [0.0; TOGETHER];
                 for k in 0..TOGETHER {
                     conductance[k] = shape[k] * 2.0 * ka[k] * kb[k] / (ka[k] + kb[k]);
                     sum[k] += conductance[k];
                     to[k] += conductance[k];
                 }
-                (edge.conductance, self.sums[b as usize]) = (conductance, to);
+                (*g, self.sums[b as usize]) = (conductance, to);
             }
             self.sums[a] = sum;
         }
@@ -140,15 +140,16 @@ impl Layers {
         stable_step(capacity, &self.total)
     }
 
-    /// Adds the net conducted heat flow into each node to `power` [W].
+    /// Sets `power` to the net conducted heat flow into each node [W].
     ///
     /// Bitwise equal to [`Conduction::add_power`](crate::Conduction::add_power): the flows into each node are added in the
     /// order of the edges.
-    pub fn add_power(&mut self, temperature: &[f64], power: &mut [f64]) {
+    pub fn power(&mut self, temperature: &[f64], power: &mut [f64]) {
         let n = self.nodes;
-        let flow = |((edge, t), above): ((&Between, &f64), &f64)| edge.conductance * (above - t);
-        let flows = self.between.iter().zip(temperature).zip(&temperature[n..]).map(flow);
-        power[n..].iter_mut().zip(flows).for_each(|(p, flow)| *p -= flow);
+        let flow = |((g, t), above): ((&f64, &f64), &f64)| g * (above - t);
+        let flows = self.between.conductance.iter().zip(temperature).zip(&temperature[n..]).map(flow);
+        power[..n].fill(0.0);
+        power[n..].iter_mut().zip(flows).for_each(|(p, flow)| *p = 0.0 - flow);
         for (block, first) in (0..self.layers).step_by(TOGETHER).enumerate() {
             let count = (self.layers - first).min(TOGETHER);
             gather(&mut self.values, &temperature[first * n..], count);
@@ -156,20 +157,20 @@ impl Layers {
             self.sweep(block);
             scatter(&self.sums, &mut power[first * n..], count);
         }
-        let flows = self.between.iter().zip(temperature).zip(&temperature[n..]).map(flow);
+        let flows = self.between.conductance.iter().zip(temperature).zip(&temperature[n..]).map(flow);
         power.iter_mut().zip(flows).for_each(|(p, flow)| *p += flow);
     }
 
     /// Adds the flows within the layers of a block.
     fn sweep(&mut self, block: usize) {
         let edges = self.ends.len();
-        let within = &self.within[block * edges..][..edges];
+        let within = &self.within.conductance[block * edges..][..edges];
         for (a, edges) in self.starts.windows(2).enumerate() {
             let (t, mut sum) = (self.values[a], self.sums[a]);
             let edges = edges[0] as usize..edges[1] as usize;
-            for (&b, edge) in self.ends[edges.clone()].iter().zip(&within[edges]) {
+            for (&b, g) in self.ends[edges.clone()].iter().zip(&within[edges]) {
                 // Local copies let the compiler vectorise over the layers.
-                let (other, mut to, g) = (self.values[b as usize], self.sums[b as usize], edge.conductance);
+                let (other, mut to) = (self.values[b as usize], self.sums[b as usize]);
                 for k in 0..TOGETHER {
                     let flow = g[k] * (other[k] - t[k]);
                     sum[k] += flow;
@@ -233,8 +234,8 @@ mod tests {
             let mut found = Layers::of(&mesh.graph, mesh.nodes_per_level()).expect("layers");
             found.refresh(&t, &along);
             assert_eq!(found.total, conduction.total, "{layers} layers");
-            let mut power = vec![0.0; t.len()];
-            found.add_power(&t, &mut power);
+            let mut power = vec![f64::NAN; t.len()];
+            found.power(&t, &mut power);
             assert!(power.iter().zip(&expected).all(|(p, e)| p.to_bits() == e.to_bits()), "{layers} layers");
         }
     }

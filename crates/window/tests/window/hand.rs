@@ -209,7 +209,7 @@ fn devices_are_chosen_on_the_settings_card() {
         harness.get_by_label("It holds: The turner").click();
         steps(&mut harness, 2);
         let typed = |h: &mut Harness<'static, SauteApp>| {
-            let line = h.get_by_role_and_label(egui::accesskit::Role::TextInput, "Where it is");
+            let line = h.get_by_role_and_label(egui::accesskit::Role::TextInput, "Address");
             line.focus();
             line.type_text("no-such-place");
         };

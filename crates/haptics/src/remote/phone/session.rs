@@ -104,6 +104,8 @@ impl Session<'_> {
         if !self.allowance.allows(now) {
             return self.reject();
         }
+        // Before the message ends the silence: else a phone that returns quickly would press again.
+        self.release_after_silence();
         match (FromPhone::parse(text), self.number) {
             (Ok(FromPhone::Hello { code }), None) => return self.pair(&code, now),
             (Ok(FromPhone::Motion(measured)), Some(_)) => self.move_pan(&measured),
