@@ -4,12 +4,12 @@
 //! torque. No pose is ever set: a body that is too heavy, stuck or held down stays in place.
 
 use glam::DVec3;
+use saute_food::GRAVITY;
 
 use super::pose::{Pose, rotation_between, turn};
 use super::scoop::Under;
 use super::spring::Spring;
 use super::world::{RIGID_S, World};
-use crate::piece::piece_state::GRAVITY;
 
 /// Tool of a hand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

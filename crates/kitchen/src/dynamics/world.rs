@@ -13,14 +13,13 @@ use rapier3d::geometry::{
 };
 use rapier3d::math::Vector;
 use rapier3d::pipeline::PhysicsPipeline;
-use saute_food::Solid;
+use saute_food::{GRAVITY, Solid};
 
 use super::blade::insert_blade;
 use super::pan_motion::{PanMotion, PanTarget};
 use super::pan_shape::PanShape;
 use super::pose::Pose;
 use super::{scale, solid_shape};
-use crate::piece::piece_state::GRAVITY;
 
 /// Rigid steps per second [1/s] (chosen: at 240 Hz 35 shaken shrimps penetrate each other by less than 0.5 mm).
 pub const RIGID_HZ: u32 = 240;

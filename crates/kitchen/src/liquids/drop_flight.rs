@@ -5,7 +5,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::piece::piece_state::GRAVITY;
+use saute_food::GRAVITY;
 
 /// Density of hot oil [kg/m³] (standard tables, 120 °C).
 pub(crate) const OIL_DENSITY: f64 = 855.0;

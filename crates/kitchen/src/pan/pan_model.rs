@@ -98,7 +98,7 @@ pub struct PanLoad<'a> {
 }
 
 /// Gravity in the frame of a level pan at rest [m/s²].
-pub const LEVEL: [f64; 3] = [0.0, 0.0, -crate::piece::piece_state::GRAVITY];
+pub const LEVEL: [f64; 3] = [0.0, 0.0, -saute_food::GRAVITY];
 
 /// Thermal conductivity of warm air under a lifted pan [W/(m·K)] (standard tables, 100 °C).
 const AIR_CONDUCTIVITY: f64 = 0.031;

@@ -444,7 +444,5 @@ impl Piece {
     }
 }
 
-/// Acceleration of gravity [m/s²] (standard).
-pub const GRAVITY: f64 = 9.806_65;
 /// Share of the raw water above which the face of a node is wet [-] (chosen: far above a crust, below bound water).
 pub const WET_SHARE: f64 = 0.4;

@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use saute_food::Exchange;
 use saute_food::water::latent_heat;
+use saute_food::{Exchange, GRAVITY};
 
 use crate::data::room::Room;
 use crate::dynamics::world::{Contact, GLASS_HALF};
@@ -15,7 +15,7 @@ use crate::kitchen::{Fixed, Kitchen};
 use crate::pan::hob::PanPose;
 use crate::pan::pan_model::{LEVEL, PanLoad};
 use crate::piece::food_contact::{self, Touching};
-use crate::piece::piece_state::{GRAVITY, Piece, Place, Under};
+use crate::piece::piece_state::{Piece, Place, Under};
 use crate::{TICK_S, kelvin};
 
 impl Kitchen {
