@@ -202,7 +202,7 @@ impl Kitchen {
     }
 
     /// Adds energy that a command brought into the pan to the energy account [J].
-    pub(crate) fn bring(&mut self, stored: f64) {
+    pub(crate) fn add_to_store(&mut self, stored: f64) {
         self.stored_at_start += stored;
     }
 
@@ -238,8 +238,8 @@ impl Kitchen {
     }
 
     /// Enables or disables sleeping of bodies at rest; it is enabled by default. A sleeping body costs no computation.
-    pub fn let_sleep(&mut self, may_sleep: bool) {
-        self.world.let_sleep(may_sleep);
+    pub fn set_sleeping(&mut self, may_sleep: bool) {
+        self.world.set_sleeping(may_sleep);
     }
 
     /// Free places on the pan's floor for pieces, in their order, starting nearest to `around` [m]. Returns fewer places

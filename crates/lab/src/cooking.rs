@@ -208,7 +208,7 @@ impl<'a> Cooking<'a> {
             since: self.time() - self.laid_at,
             pressure: saute_food::GRAVITY * self.state.mass_left(model) / area,
             film: self.cooking.room.default_film(),
-            coating: f64::INFINITY,
+            coating: None,
         };
         let conductance = face.conductance(gap, face.mean_gap(gap)) * model.description().surface.contact_share;
         let mut mean = 0.0;

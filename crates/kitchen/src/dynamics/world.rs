@@ -230,7 +230,7 @@ impl World {
     }
 
     /// Enables or disables sleeping of bodies at rest, and wakes all; it is enabled by default.
-    pub fn let_sleep(&mut self, may_sleep: bool) {
+    pub fn set_sleeping(&mut self, may_sleep: bool) {
         self.may_sleep = may_sleep;
         for food in self.foods.values() {
             set_sleep(&mut self.bodies[food.body], may_sleep);

@@ -98,7 +98,7 @@ impl Kitchen {
         let time = self.time_s();
         let mut at = Pouring { room: &fixed.room, covered: &self.covered, time, events: &mut self.events };
         let brought = fixed.pan.pour(&mut self.pan, command, &mut at)?;
-        self.bring(brought.stored);
+        self.add_to_store(brought.stored);
         self.flows.air += brought.air;
         self.flows.evaporation += brought.evaporation;
         self.flows.other += brought.other;

@@ -11,8 +11,8 @@ pub struct FaceContact {
     pub pressure: f64,
     /// Thickness of the oil film [m].
     pub film: f64,
-    /// Conductance of the pan's coating [W/(m²·K)].
-    pub coating: f64,
+    /// Conductance of the pan's coating; `None` on bare metal [W/(m²·K)].
+    pub coating: Option<f64>,
 }
 
 impl FaceContact {
@@ -36,7 +36,7 @@ impl FaceContact {
         let thickness = thickness.max(gap.least_gap_mm * 1e-3);
         let oil = thickness.min(self.film) / gap.oil_conductivity_w_mk;
         let vapour = (thickness - self.film).max(0.0) / gap.vapour_conductivity_w_mk;
-        1.0 / (oil + vapour + 1.0 / self.coating)
+        1.0 / (oil + vapour + self.coating.map_or(0.0, |conductance| 1.0 / conductance))
     }
 }
 
@@ -57,7 +57,7 @@ mod tests {
     }
 
     fn face(since: f64, pressure: f64) -> FaceContact {
-        FaceContact { since, pressure, film: 0.177e-3, coating: 1e9 }
+        FaceContact { since, pressure, film: 0.177e-3, coating: Some(1e9) }
     }
 
     fn mean(since: f64, pressure: f64) -> f64 {

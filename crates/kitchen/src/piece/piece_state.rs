@@ -350,7 +350,7 @@ impl Piece {
             // Ridges carry the weight on their tops only.
             pressure: self.pan_force / (area * pan.ridges.map_or(1.0, |r| r.share())).max(1e-6),
             film: 0.0,
-            coating: pan.description.coating_w_m2k.unwrap_or(f64::INFINITY),
+            coating: pan.description.coating_w_m2k,
         };
         let mean = face.mean_gap(&room.contact);
         for n in &near {

@@ -40,12 +40,12 @@ impl EventKind {
     ];
 
     /// Returns true if the amounts are masses, which add up; temperatures do not.
-    pub fn adds_up(self) -> bool {
+    pub fn is_additive(self) -> bool {
         !matches!(self, Self::SmokeBegins | Self::FlashPoint | Self::Fire)
     }
 
     /// Returns true if the event is a fire hazard; summaries warn of it.
-    pub fn endangers(self) -> bool {
+    pub fn is_fire_hazard(self) -> bool {
         matches!(self, Self::FlashPoint | Self::Fire)
     }
 
@@ -117,7 +117,8 @@ impl EventLog {
             tally.first_s = event.time_s;
         }
         tally.count += 1;
-        tally.amount = if event.kind.adds_up() { tally.amount + event.amount } else { tally.amount.max(event.amount) };
+        tally.amount =
+            if event.kind.is_additive() { tally.amount + event.amount } else { tally.amount.max(event.amount) };
         tally.last_s = event.time_s;
         self.latest.push_back(event);
     }
