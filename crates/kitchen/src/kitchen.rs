@@ -1,6 +1,5 @@
 //! The facade of the crate: one kitchen with its hob, pan, foods and time.
 
-use std::collections::VecDeque;
 use std::sync::Arc;
 
 use saute_food::{BuildError, FoodModel, MeshSize, PieceSpec, Rules};
@@ -9,16 +8,18 @@ use crate::data::library::Library;
 use crate::data::room::Room;
 use crate::dynamics::{Gesture, Hand, PanShape, Pose, Task, World};
 use crate::hands::command::Refused;
-use crate::hands::lead::Led;
+use crate::hands::pan_hold::PanHold;
+use crate::hands::second_hand::SecondHand;
 use crate::pan::cloth::Cloth;
+use crate::pan::food_load::FoodLoad;
 use crate::pan::hob::HobDescription;
 use crate::pan::pan_model::{PanModel, PanSolver, PanState};
 use crate::piece::food_contact::Touching;
 use crate::piece::layout::{Floor, Footprint};
 use crate::piece::piece_state::{Piece, Place};
-use crate::tick::energy::Energy;
+use crate::tick::clock::Clock;
+use crate::tick::energy::{Energy, EnergyAccount};
 use crate::tick::event::EventLog;
-use crate::{FRAME_S, TICK_S};
 
 /// Immutable model of a kitchen.
 #[derive(Clone, Debug)]
@@ -49,47 +50,36 @@ pub struct PieceOrder {
     pub mesh: MeshSize,
 }
 
+/// Vapour flows in the last tick that come from no food [kg/s].
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct OtherVapour {
+    /// From water in the pan.
+    pub(crate) puddle: f64,
+    /// From the cloth.
+    pub(crate) cloth: f64,
+}
+
 /// The state of one cook: hob, pan, liquids, foods, tools and time.
 #[derive(Clone, Debug)]
 pub struct Kitchen {
     pub(crate) fixed: Arc<Fixed>,
+    pub(crate) clock: Clock,
+    pub(crate) hob_w: f64,
     pub(crate) pan: PanState,
     pub(crate) pan_solver: PanSolver,
-    pub(crate) pieces: Vec<Piece>,
-    pub(crate) hob_w: f64,
     pub(crate) cloth: Option<Cloth>,
-    pub(crate) tick: u64,
-    /// Frames since the last tick.
-    pub(crate) frame: u32,
-    pub(crate) flows: Energy,
-    stored_at_start: f64,
-    foods_at_start: f64,
-    pub(crate) pan_flow: Vec<f64>,
-    pub(crate) covered: Vec<f64>,
-    /// Steam from foods at each node of the pan in this tick [kg].
-    pub(crate) steam: Vec<f64>,
-    pub(crate) events: EventLog,
-    pub(crate) puddle_vapour: f64,
-    pub(crate) cloth_vapour: f64,
+    pub(crate) load: FoodLoad,
+    pub(crate) vapour: OtherVapour,
+    pub(crate) pieces: Vec<Piece>,
     next_key: u32,
-    /// The rigid bodies.
-    pub(crate) world: World,
-    /// The pan's velocity at the last tick [m/s].
-    pub(crate) pan_velocity: glam::DVec3,
-    /// Pose at which the pan is held between gestures.
-    pub(crate) held_at: Pose,
-    /// Gesture of the pan and the time since its start [s].
-    pub(crate) gesture: Option<(Gesture, f64)>,
-    /// The second hand, its queue of tasks and its current task.
-    pub(crate) hand: Hand,
-    pub(crate) tasks: VecDeque<Task>,
-    pub(crate) at_work: Option<Task>,
-    /// Tool that a person moves freely.
-    pub(crate) led: Option<Led>,
     /// Pairs of pieces in contact.
     pub(crate) touching: Vec<Touching>,
-    /// Tasks that failed because the tool was blocked.
-    pub(crate) blocked: Vec<Task>,
+    /// The rigid bodies.
+    pub(crate) world: World,
+    pub(crate) pan_hold: PanHold,
+    pub(crate) second_hand: SecondHand,
+    pub(crate) account: EnergyAccount,
+    pub(crate) events: EventLog,
 }
 
 /// Reason why a kitchen cannot be set up.
@@ -117,33 +107,21 @@ impl Kitchen {
         let state = pan.at(pan_temperature, &library.room, &library.hob);
         let world = World::new(PanShape::of(description));
         Ok(Self {
-            pan_velocity: glam::DVec3::ZERO,
-            held_at: world.motion.pose,
-            world,
-            gesture: None,
-            hand: Hand::default(),
-            tasks: VecDeque::new(),
-            at_work: None,
-            led: None,
-            touching: Vec::new(),
-            blocked: Vec::new(),
-            next_key: 0,
-            frame: 0,
-            stored_at_start: pan.stored(&state),
-            foods_at_start: 0.0,
-            pan_flow: vec![0.0; state.temperature.len()],
-            steam: vec![0.0; state.temperature.len()],
-            covered: vec![0.0; state.temperature.len()],
-            pan: state,
-            pan_solver: PanSolver::default(),
-            pieces: Vec::new(),
+            clock: Clock::default(),
             hob_w: 0.0,
-            events: EventLog::default(),
+            pan_solver: PanSolver::default(),
             cloth: None,
-            tick: 0,
-            flows: Energy::default(),
-            puddle_vapour: 0.0,
-            cloth_vapour: 0.0,
+            load: FoodLoad::none(state.temperature.len()),
+            vapour: OtherVapour::default(),
+            pieces: Vec::new(),
+            next_key: 0,
+            touching: Vec::new(),
+            pan_hold: PanHold::at(world.motion.pose),
+            world,
+            second_hand: SecondHand::default(),
+            account: EnergyAccount::new(pan.stored(&state)),
+            events: EventLog::default(),
+            pan: state,
             fixed: Arc::new(Fixed { room: library.room.clone(), hob: library.hob.clone(), pan }),
         })
     }
@@ -166,7 +144,7 @@ impl Kitchen {
         let names = (order.id.clone(), order.kind.clone());
         let piece = Piece::new(names, order.seed, self.next_key, model, order.temperature, &self.fixed.room);
         self.next_key += 1;
-        self.foods_at_start += piece.state.total_enthalpy();
+        self.account.add_food(piece.state.total_enthalpy());
         self.pieces.push(piece);
         Ok(())
     }
@@ -177,7 +155,7 @@ impl Kitchen {
             let piece = self.pieces.remove(i);
             self.world.remove(piece.key);
             self.touching.retain(|t| !t.pair.contains(&piece.key));
-            self.foods_at_start -= piece.state.total_enthalpy();
+            self.account.remove_food(piece.state.total_enthalpy());
         }
     }
 
@@ -198,12 +176,7 @@ impl Kitchen {
 
     /// Returns true while a gesture, a tool or a queued task is active.
     pub fn busy(&self) -> bool {
-        self.gesture.is_some() || self.hand.is_active() || self.at_work.is_some() || !self.tasks.is_empty()
-    }
-
-    /// Adds energy that a command brought into the pan to the energy account [J].
-    pub(crate) fn add_to_store(&mut self, stored: f64) {
-        self.stored_at_start += stored;
+        self.pan_hold.gesture.is_some() || self.second_hand.is_busy()
     }
 
     /// The rigid bodies.
@@ -214,27 +187,27 @@ impl Kitchen {
     /// Names of the pieces whose tasks failed because the tool was blocked, in order of failure.
     pub fn blocked(&self) -> Vec<String> {
         let name = |task: &Task| self.pieces.iter().find(|p| p.key == task.key()).map(|p| p.id.clone());
-        self.blocked.iter().filter_map(name).collect()
+        self.second_hand.blocked.iter().filter_map(name).collect()
     }
 
     /// The hand with its tool.
     pub fn hand(&self) -> &Hand {
-        &self.hand
+        &self.second_hand.hand
     }
 
     /// Pose at which the pan is held between gestures.
     pub fn held_pan(&self) -> Pose {
-        self.held_at
+        self.pan_hold.pose
     }
 
     /// The pan's gesture while it lasts.
     pub fn gesture(&self) -> Option<Gesture> {
-        self.gesture.map(|(gesture, _)| gesture)
+        self.pan_hold.gesture.map(|(gesture, _)| gesture)
     }
 
     /// Returns true if the last frame ended a tick; a recipe carries out its steps only then.
     pub fn is_between_ticks(&self) -> bool {
-        self.frame == 0
+        self.clock.is_between_ticks()
     }
 
     /// Enables or disables sleeping of bodies at rest; it is enabled by default. A sleeping body costs no computation.
@@ -256,12 +229,12 @@ impl Kitchen {
 
     /// Simulated time [s].
     pub fn time_s(&self) -> f64 {
-        self.tick as f64 * TICK_S + f64::from(self.frame) * FRAME_S
+        self.clock.time_s()
     }
 
     /// Ticks since the start.
     pub fn tick(&self) -> u64 {
-        self.tick
+        self.clock.tick()
     }
 
     /// All pieces.
@@ -323,7 +296,7 @@ impl Kitchen {
 
     /// Vapour flows from water in the pan and from the cloth [kg/s].
     pub fn other_vapour(&self) -> (f64, f64) {
-        (self.puddle_vapour, self.cloth_vapour)
+        (self.vapour.puddle, self.vapour.cloth)
     }
 
     /// Energy account since the start [J].
@@ -341,11 +314,6 @@ impl Kitchen {
     /// ```
     pub fn energy(&self) -> Energy {
         let foods: f64 = self.pieces.iter().map(|p| p.state.total_enthalpy()).sum();
-        Energy {
-            pan_stored: self.fixed.pan.stored(&self.pan) - self.stored_at_start,
-            food_stored: foods - self.foods_at_start,
-            ..self.flows
-        }
-        .balanced()
+        self.account.balance(self.fixed.pan.stored(&self.pan), foods)
     }
 }

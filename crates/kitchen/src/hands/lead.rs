@@ -40,58 +40,58 @@ impl Kitchen {
             }
             None => None,
         };
-        if self.led.is_none_or(|led| led.tool != tool) {
-            self.hand.withdraw();
-            self.tasks.clear();
-            self.at_work = None;
-            self.hand.pose = *to;
+        if self.second_hand.free.is_none_or(|led| led.tool != tool) {
+            self.second_hand.hand.withdraw();
+            self.second_hand.tasks.clear();
+            self.second_hand.current = None;
+            self.second_hand.hand.pose = *to;
         }
-        self.led = Some(Led { tool, to: *to, grip: key, laying_s: None });
+        self.second_hand.free = Some(Led { tool, to: *to, grip: key, laying_s: None });
         // The hand becomes active at once: rigid steps are skipped while all bodies rest and no hand is active.
-        self.hand.lead(tool, to);
+        self.second_hand.hand.lead(tool, to);
         Ok(())
     }
 
     /// Returns the tool that a person moves, or `None` once it is being laid down.
     pub fn led_tool(&self) -> Option<Tool> {
-        self.led.filter(|led| led.laying_s.is_none()).map(|led| led.tool)
+        self.second_hand.free.filter(|led| led.laying_s.is_none()).map(|led| led.tool)
     }
 
     /// Starts to lay the gripped piece down; a tool without grip is put away at once.
     pub(crate) fn let_go(&mut self) {
-        match &mut self.led {
-            Some(led) if self.hand.gripped().is_some() => led.laying_s = Some(0.0),
+        match &mut self.second_hand.free {
+            Some(led) if self.second_hand.hand.gripped().is_some() => led.laying_s = Some(0.0),
             _ => self.end_lead(),
         }
     }
 
     fn end_lead(&mut self) {
-        if self.led.take().is_some() {
-            self.hand.withdraw();
+        if self.second_hand.free.take().is_some() {
+            self.second_hand.hand.withdraw();
         }
     }
 
     /// One rigid step of the free tool.
     pub(crate) fn follow_lead(&mut self) {
-        let Some(mut led) = self.led else { return };
+        let Some(mut led) = self.second_hand.free else { return };
         if let Some(since) = &mut led.laying_s {
             *since += RIGID_S;
-            let arrived = (led.to.position - self.hand.pose.position).truncate().length() < ARRIVED;
-            let lies = self.hand.hanging_below(&self.world).is_none_or(|low| low < -LIES);
+            let arrived = (led.to.position - self.second_hand.hand.pose.position).truncate().length() < ARRIVED;
+            let lies = self.second_hand.hand.hanging_below(&self.world).is_none_or(|low| low < -LIES);
             if *since > LAYING_S || (arrived && lies) {
                 return self.end_lead();
             }
             if arrived {
-                led.to.position = self.hand.pose.position - DVec3::Z * (LAYING_SPEED * RIGID_S);
+                led.to.position = self.second_hand.hand.pose.position - DVec3::Z * (LAYING_SPEED * RIGID_S);
             }
         }
-        self.hand.lead(led.tool, &led.to);
-        if let (Some(key), None, None) = (led.grip, self.hand.gripped(), led.laying_s) {
-            self.hand.grip(key, &self.world);
+        self.second_hand.hand.lead(led.tool, &led.to);
+        if let (Some(key), None, None) = (led.grip, self.second_hand.hand.gripped(), led.laying_s) {
+            self.second_hand.hand.grip(key, &self.world);
         }
         if (led.tool, led.grip, led.laying_s) == (Tool::Turner, None, None) {
-            self.hand.scoop(&led.to, &self.world);
+            self.second_hand.hand.scoop(&led.to, &self.world);
         }
-        self.led = Some(led);
+        self.second_hand.free = Some(led);
     }
 }

@@ -64,7 +64,7 @@ impl Kitchen {
             Command::Tilt { angle, towards } => {
                 let [x, y, lift] = self.stands_at();
                 let floor = *self.world.pan_shape();
-                self.held_at = floor.standing([x, y], lift, tilt(*angle, *towards));
+                self.pan_hold.pose = floor.standing([x, y], lift, tilt(*angle, *towards));
                 Ok(())
             }
             Command::Press { food, newtons, for_s } => {
@@ -88,7 +88,7 @@ impl Kitchen {
             let before = fixed.pan.stored(&self.pan);
             let cool = kelvin(fixed.room.rules_2013.cloth_c);
             self.pan.temperature.iter_mut().for_each(|t| *t = t.min(cool));
-            self.flows.other += before - fixed.pan.stored(&self.pan);
+            self.account.flows.other += before - fixed.pan.stored(&self.pan);
         }
     }
 
@@ -96,12 +96,12 @@ impl Kitchen {
     fn pour(&mut self, command: &Command) -> Result<(), Refused> {
         let fixed = Arc::clone(&self.fixed);
         let time = self.time_s();
-        let mut at = Pouring { room: &fixed.room, covered: &self.covered, time, events: &mut self.events };
+        let mut at = Pouring { room: &fixed.room, covered: &self.load.covered, time, events: &mut self.events };
         let brought = fixed.pan.pour(&mut self.pan, command, &mut at)?;
-        self.add_to_store(brought.stored);
-        self.flows.air += brought.air;
-        self.flows.evaporation += brought.evaporation;
-        self.flows.other += brought.other;
+        self.account.add_to_pan(brought.stored);
+        self.account.flows.air += brought.air;
+        self.account.flows.evaporation += brought.evaporation;
+        self.account.flows.other += brought.other;
         Ok(())
     }
 
@@ -119,7 +119,7 @@ impl Kitchen {
         if !reach.contains(&lift) || !reach.contains(&libm::hypot(at[0], at[1])) {
             return Err(Refused::PanPlace { farthest_mm: libm::round(FARTHEST_PAN * 1e3) as i64 });
         }
-        self.held_at = self.world.pan_shape().standing(at, lift, self.held_at.rotation);
+        self.pan_hold.pose = self.world.pan_shape().standing(at, lift, self.pan_hold.pose.rotation);
         Ok(())
     }
 
@@ -127,19 +127,19 @@ impl Kitchen {
         if !pose.position.is_finite() || !pose.rotation.is_finite() {
             return Err(Refused::PanPlace { farthest_mm: libm::round(FARTHEST_PAN * 1e3) as i64 });
         }
-        self.gesture = None;
-        self.held_at = self.world.pan_shape().within_reach(pose, FARTHEST_PAN);
+        self.pan_hold.gesture = None;
+        self.pan_hold.pose = self.world.pan_shape().within_reach(pose, FARTHEST_PAN);
         Ok(())
     }
 
     /// Position at which the pan is held and height of its lowest edge above the glass [m].
     fn stands_at(&self) -> [f64; 3] {
-        let (shape, held) = (self.world.pan_shape(), &self.held_at);
+        let (shape, held) = (self.world.pan_shape(), &self.pan_hold.pose);
         [held.position.x, held.position.y, held.position.z - shape.thickness - shape.raise(held.rotation)]
     }
 
     fn begin(&mut self, gesture: Gesture) -> Result<(), Refused> {
-        self.gesture = Some((gesture, 0.0));
+        self.pan_hold.gesture = Some((gesture, 0.0));
         Ok(())
     }
 
@@ -157,7 +157,7 @@ impl Kitchen {
     /// Queues a task of the second hand; a tool that a person moves is laid down first.
     fn hand_over(&mut self, task: Task) {
         self.let_go();
-        self.tasks.push_back(task);
+        self.second_hand.tasks.push_back(task);
     }
 
     fn rest(&mut self, food: &str, on: RestOn) -> Result<(), Refused> {
@@ -206,7 +206,7 @@ impl Kitchen {
         let size = |key: u32| self.world.solid(key).map_or(0.0, radius);
         let lying = self.pieces.iter().filter(|p| matches!(p.place, Place::Rest(_)));
         let lying = lying.map(|p| ([p.pose.position.x, p.pose.position.y], size(p.key)));
-        let coming = self.tasks.iter().chain(&self.at_work).filter_map(|task| match *task {
+        let coming = self.second_hand.tasks.iter().chain(&self.second_hand.current).filter_map(|task| match *task {
             Task::TakeOut { key, to } => Some((to, size(key))),
             _ => None,
         });

@@ -28,3 +28,44 @@ impl Energy {
         self
     }
 }
+
+/// Running sums behind the energy account [J].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct EnergyAccount {
+    /// Sums of the fluxes.
+    pub(crate) flows: Energy,
+    pan_at_start: f64,
+    foods_at_start: f64,
+}
+
+impl EnergyAccount {
+    /// An account that starts with the energy stored in the pan [J] and without foods.
+    pub(crate) fn new(pan_stored: f64) -> Self {
+        Self { flows: Energy::default(), pan_at_start: pan_stored, foods_at_start: 0.0 }
+    }
+
+    /// Adds energy that a command brought into the pan's store [J].
+    pub(crate) fn add_to_pan(&mut self, stored: f64) {
+        self.pan_at_start += stored;
+    }
+
+    /// Adds the energy stored in a new food [J].
+    pub(crate) fn add_food(&mut self, stored: f64) {
+        self.foods_at_start += stored;
+    }
+
+    /// Removes the energy stored in a food that leaves the kitchen [J].
+    pub(crate) fn remove_food(&mut self, stored: f64) {
+        self.foods_at_start -= stored;
+    }
+
+    /// Returns the balanced account, given the energy stored now in the pan and in the foods [J].
+    pub(crate) fn balance(&self, pan_stored: f64, foods_stored: f64) -> Energy {
+        Energy {
+            pan_stored: pan_stored - self.pan_at_start,
+            food_stored: foods_stored - self.foods_at_start,
+            ..self.flows
+        }
+        .balanced()
+    }
+}
