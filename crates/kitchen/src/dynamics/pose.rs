@@ -1,4 +1,8 @@
 //! Rigid transforms: position and orientation of a body.
+//!
+//! This is the rigid transform of the simulation, in 64-bit floats. The picture's pose is a 32-bit copy with the lift of
+//! racks and domes added, and the rigid-body solver's 32-bit pose is converted in `scale`. One common type would round
+//! one of them differently.
 
 use glam::{DQuat, DVec3};
 

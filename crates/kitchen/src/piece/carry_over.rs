@@ -16,6 +16,9 @@ const HORIZON_S: f64 = 1800.0;
 /// One-dimensional conduction through the thickness with Robin boundaries, starting from the mean profile of the inner
 /// half of the section. Losses through the edges are neglected, which biases the peak high. The error against the full
 /// model is below 3 K.
+///
+/// The explicit step is written out here and not taken from [`saute_heat::conduction`]: its operators multiply by
+/// precomputed conductances, which would round differently and change the forecast that people read and files hold.
 pub fn foreseen_peak(model: &FoodModel, state: &FoodState, room: &Room) -> (f64, f64) {
     let (levels, mut profile) = mean_profile(model, state);
     let heights = heights(&levels);
