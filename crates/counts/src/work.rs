@@ -78,7 +78,7 @@ fn ticks(mut kitchen: Kitchen) -> Result<u32, Box<dyn Error>> {
 /// A step of the rigid bodies while none of the shrimps sleeps; the frames of one tick but the last, which heats.
 fn shrimps_rigid_step() -> Result<u32, Box<dyn Error>> {
     let mut kitchen = kitchens::shrimps()?;
-    kitchen.let_sleep(false);
+    kitchen.set_sleeping(false);
     kitchen.step();
     let frames = FRAMES_PER_TICK - 1;
     counted(&mut || (0..frames).for_each(|_| _ = black_box(kitchen.advance_frame())));

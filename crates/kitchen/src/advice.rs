@@ -1,4 +1,4 @@
-//! What a cook could do next, from numbers that a cook can read; and why a hob that is on gives no power.
+//! Advice on the next step, from readings of the kitchen, and the reason why a hob that is on gives no power.
 
 use saute_food::Scale;
 
@@ -14,11 +14,11 @@ pub const TOO_HOT_C: f64 = 270.0;
 /// Mean temperature below which a face still boils its water off [°C] (chosen: a little above the boiling point, where
 /// a face stays as long as water reaches it).
 pub const WET_BELOW_C: f64 = 106.0;
-/// Distance of a class's goal for the core from the bound of that class [K] (chosen: within every class, clear of its
-/// bound).
+/// Distance of the core's goal from the lower bound of its class of doneness [K] (chosen: inside every class, clear of
+/// the bound).
 pub const GOAL_INTO_CLASS_K: f64 = 2.0;
 
-/// Advice, with the numbers it rests on.
+/// Advice with the readings that led to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Advice {
     /// Turn the hob on: the pan is cold and the hob is off.
@@ -81,7 +81,7 @@ impl Advice {
     }
 }
 
-/// What a cook wants, for food with a scale of doneness.
+/// Goal of a cook for food with a scale of doneness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Goal {
     /// Wanted highest core temperature [°C].
@@ -90,7 +90,7 @@ pub struct Goal {
     pub foreseen_c: f64,
 }
 
-/// What advice rests on.
+/// Readings from which advice is derived.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Situation {
     /// Where the piece is.
@@ -117,7 +117,7 @@ impl Situation {
         }
     }
 
-    /// Returns what to do next; none where there is nothing to say. Without a goal the advice is about the underside.
+    /// Returns what to do next, or `None` if nothing needs to be done. Without a goal the advice is about the underside.
     pub fn advice(&self, goal: Option<Goal>) -> Option<Advice> {
         match self.place {
             Place::Waiting => Some(self.before()),
@@ -153,7 +153,7 @@ impl Situation {
     }
 }
 
-/// Goal for the core that belongs to a class of a scale of doneness [°C]; the class by its place in the scale.
+/// Goal for the core of a class of doneness, given the index of the class in its scale [°C].
 ///
 /// # Panics
 ///
@@ -171,12 +171,12 @@ pub enum NoPower {
     Limit,
     /// The pan is lifted.
     Lifted,
-    /// The pan stands beside the ring.
+    /// The pan stands off the ring.
     OffRing,
 }
 
 impl NoPower {
-    /// Returns why the hob gives no power although it is on; none if it is off or gives power.
+    /// Returns why a hob that is on gives no power, or `None` if it is off or gives power.
     pub fn of(kitchen: &Kitchen) -> Option<Self> {
         let (pan, on) = (kitchen.pan_state(), kitchen.hob_w() > 0.0);
         match () {

@@ -1,6 +1,5 @@
-//! The whole world: hob, pan, foods, time.
+//! The facade of the crate: one kitchen with its hob, pan, foods and time.
 
-use std::collections::VecDeque;
 use std::sync::Arc;
 
 use saute_food::{BuildError, FoodModel, MeshSize, PieceSpec, Rules};
@@ -9,18 +8,20 @@ use crate::data::library::Library;
 use crate::data::room::Room;
 use crate::dynamics::{Gesture, Hand, PanShape, Pose, Task, World};
 use crate::hands::command::Refused;
-use crate::hands::lead::Led;
+use crate::hands::pan_hold::PanHold;
+use crate::hands::second_hand::SecondHand;
 use crate::pan::cloth::Cloth;
+use crate::pan::food_load::FoodLoad;
 use crate::pan::hob::HobDescription;
 use crate::pan::pan_model::{PanModel, PanSolver, PanState};
 use crate::piece::food_contact::Touching;
 use crate::piece::layout::{Floor, Footprint};
 use crate::piece::piece_state::{Piece, Place};
-use crate::tick::energy::Energy;
+use crate::tick::clock::Clock;
+use crate::tick::energy::{Energy, EnergyAccount};
 use crate::tick::event::EventLog;
-use crate::{FRAME_S, TICK_S};
 
-/// What never changes while cooking.
+/// Immutable model of a kitchen.
 #[derive(Clone, Debug)]
 pub(crate) struct Fixed {
     pub(crate) room: Room,
@@ -28,71 +29,60 @@ pub(crate) struct Fixed {
     pub(crate) pan: PanModel,
 }
 
-/// A piece that is asked for.
+/// Order for a piece of food.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PieceOrder {
     /// Name in recipes.
     pub id: String,
     /// Kind of food.
     pub kind: String,
-    /// Length, width, thickness [m].
+    /// Length, width and thickness [m].
     pub size: [f64; 3],
     /// Start temperature [K].
     pub temperature: f64,
     /// Seed of its natural variation.
     pub seed: u64,
-    /// Mesh spacing over the default [-].
+    /// Mesh spacing relative to the default [-].
     pub coarseness: f64,
-    /// Rules that it follows.
+    /// Rules of heat and water transfer that it follows.
     pub rules: Rules,
     /// Fineness of its mesh.
     pub mesh: MeshSize,
 }
 
-/// The world of one cook.
+/// Vapour flows in the last tick that come from no food [kg/s].
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct OtherVapour {
+    /// From water in the pan.
+    pub(crate) puddle: f64,
+    /// From the cloth.
+    pub(crate) cloth: f64,
+}
+
+/// The state of one cook: hob, pan, liquids, foods, tools and time.
 #[derive(Clone, Debug)]
 pub struct Kitchen {
     pub(crate) fixed: Arc<Fixed>,
+    pub(crate) clock: Clock,
+    pub(crate) hob_w: f64,
     pub(crate) pan: PanState,
     pub(crate) pan_solver: PanSolver,
-    pub(crate) pieces: Vec<Piece>,
-    pub(crate) hob_w: f64,
     pub(crate) cloth: Option<Cloth>,
-    pub(crate) tick: u64,
-    /// Frames since the last tick.
-    pub(crate) frame: u32,
-    pub(crate) flows: Energy,
-    stored_at_start: f64,
-    foods_at_start: f64,
-    pub(crate) pan_flow: Vec<f64>,
-    pub(crate) covered: Vec<f64>,
-    /// Steam that foods made at each node of the pan in this tick [kg].
-    pub(crate) steam: Vec<f64>,
-    pub(crate) events: EventLog,
-    pub(crate) puddle_vapour: f64,
-    pub(crate) cloth_vapour: f64,
+    pub(crate) load: FoodLoad,
+    pub(crate) vapour: OtherVapour,
+    pub(crate) pieces: Vec<Piece>,
     next_key: u32,
+    /// Pairs of pieces in contact.
+    pub(crate) touching: Vec<Touching>,
     /// The rigid bodies.
     pub(crate) world: World,
-    /// The pan's velocity at the last tick [m/s].
-    pub(crate) pan_velocity: glam::DVec3,
-    /// Where the hand holds the pan when it makes no gesture.
-    pub(crate) held_at: Pose,
-    /// A gesture and the time since its start [s].
-    pub(crate) gesture: Option<(Gesture, f64)>,
-    /// The other hand, what it still has to do, and what it is doing.
-    pub(crate) hand: Hand,
-    pub(crate) tasks: VecDeque<Task>,
-    pub(crate) at_work: Option<Task>,
-    /// A tool that a person leads.
-    pub(crate) led: Option<Led>,
-    /// Foods that touch each other.
-    pub(crate) touching: Vec<Touching>,
-    /// Tasks that failed because something was in the way.
-    pub(crate) blocked: Vec<Task>,
+    pub(crate) pan_hold: PanHold,
+    pub(crate) second_hand: SecondHand,
+    pub(crate) account: EnergyAccount,
+    pub(crate) events: EventLog,
 }
 
-/// Why a kitchen could not be set up.
+/// Reason why a kitchen cannot be set up.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SetupError {
     /// Unknown pan.
@@ -101,13 +91,13 @@ pub enum SetupError {
     /// Unknown food.
     #[error("there is no food \"{0}\"; there are: {1}")]
     NoSuchFood(String, String),
-    /// A piece that cannot be built.
+    /// The model of a piece or of the pan cannot be built.
     #[error(transparent)]
     Build(#[from] BuildError),
 }
 
 impl Kitchen {
-    /// A pan at one temperature [K] on a cold hob.
+    /// Sets up a kitchen with a pan at a uniform temperature [K] on a cold hob.
     pub fn new(library: &Library, pan_kind: &str, pan_temperature: f64) -> Result<Self, SetupError> {
         let description = library
             .pans
@@ -117,38 +107,26 @@ impl Kitchen {
         let state = pan.at(pan_temperature, &library.room, &library.hob);
         let world = World::new(PanShape::of(description));
         Ok(Self {
-            pan_velocity: glam::DVec3::ZERO,
-            held_at: world.motion.pose,
-            world,
-            gesture: None,
-            hand: Hand::default(),
-            tasks: VecDeque::new(),
-            at_work: None,
-            led: None,
-            touching: Vec::new(),
-            blocked: Vec::new(),
-            next_key: 0,
-            frame: 0,
-            stored_at_start: pan.stored(&state),
-            foods_at_start: 0.0,
-            pan_flow: vec![0.0; state.temperature.len()],
-            steam: vec![0.0; state.temperature.len()],
-            covered: vec![0.0; state.temperature.len()],
-            pan: state,
-            pan_solver: PanSolver::default(),
-            pieces: Vec::new(),
+            clock: Clock::default(),
             hob_w: 0.0,
-            events: EventLog::default(),
+            pan_solver: PanSolver::default(),
             cloth: None,
-            tick: 0,
-            flows: Energy::default(),
-            puddle_vapour: 0.0,
-            cloth_vapour: 0.0,
+            load: FoodLoad::none(state.temperature.len()),
+            vapour: OtherVapour::default(),
+            pieces: Vec::new(),
+            next_key: 0,
+            touching: Vec::new(),
+            pan_hold: PanHold::at(world.motion.pose),
+            world,
+            second_hand: SecondHand::default(),
+            account: EnergyAccount::new(pan.stored(&state)),
+            events: EventLog::default(),
+            pan: state,
             fixed: Arc::new(Fixed { room: library.room.clone(), hob: library.hob.clone(), pan }),
         })
     }
 
-    /// Cuts a piece; it waits at its start temperature until it is put into the pan.
+    /// Adds a piece. It waits at its start temperature, without heat exchange, until it is put into the pan.
     pub fn add(&mut self, library: &Library, order: &PieceOrder) -> Result<(), SetupError> {
         let food = library
             .foods
@@ -166,22 +144,22 @@ impl Kitchen {
         let names = (order.id.clone(), order.kind.clone());
         let piece = Piece::new(names, order.seed, self.next_key, model, order.temperature, &self.fixed.room);
         self.next_key += 1;
-        self.foods_at_start += piece.state.total_enthalpy();
+        self.account.add_food(piece.state.total_enthalpy());
         self.pieces.push(piece);
         Ok(())
     }
 
-    /// Removes a piece altogether, with what it stores.
+    /// Removes a piece and the energy stored in it.
     pub fn remove(&mut self, id: &str) {
         if let Some(i) = self.pieces.iter().position(|p| p.id == id) {
             let piece = self.pieces.remove(i);
             self.world.remove(piece.key);
             self.touching.retain(|t| !t.pair.contains(&piece.key));
-            self.foods_at_start -= piece.state.total_enthalpy();
+            self.account.remove_food(piece.state.total_enthalpy());
         }
     }
 
-    /// The rules that the pieces follow: those of 2013 if any piece does.
+    /// Returns the rules in force: those of 2013 if any piece follows them.
     pub fn rules(&self) -> Rules {
         let simple = self.pieces.iter().any(|p| p.model.rules() == Rules::Paper2013);
         if simple { Rules::Paper2013 } else { Rules::Full }
@@ -196,14 +174,9 @@ impl Kitchen {
         Ok(&mut self.pieces[index])
     }
 
-    /// Whether tools or gestures are still at work on what they were told to do.
+    /// Returns true while a gesture, a tool or a queued task is active.
     pub fn busy(&self) -> bool {
-        self.gesture.is_some() || self.hand.is_active() || self.at_work.is_some() || !self.tasks.is_empty()
-    }
-
-    /// Books what the pan holds more than it did [J].
-    pub(crate) fn bring(&mut self, stored: f64) {
-        self.stored_at_start += stored;
+        self.pan_hold.gesture.is_some() || self.second_hand.is_busy()
     }
 
     /// The rigid bodies.
@@ -211,39 +184,39 @@ impl Kitchen {
         &self.world
     }
 
-    /// Names of the pieces with which the other hand failed because something was in the way, in order.
+    /// Names of the pieces whose tasks failed because the tool was blocked, in order of failure.
     pub fn blocked(&self) -> Vec<String> {
         let name = |task: &Task| self.pieces.iter().find(|p| p.key == task.key()).map(|p| p.id.clone());
-        self.blocked.iter().filter_map(name).collect()
+        self.second_hand.blocked.iter().filter_map(name).collect()
     }
 
     /// The hand with its tool.
     pub fn hand(&self) -> &Hand {
-        &self.hand
+        &self.second_hand.hand
     }
 
-    /// Where the hand holds the pan when it makes no gesture.
+    /// Pose at which the pan is held between gestures.
     pub fn held_pan(&self) -> Pose {
-        self.held_at
+        self.pan_hold.pose
     }
 
-    /// The pan's gesture, while it lasts.
+    /// The pan's gesture while it lasts.
     pub fn gesture(&self) -> Option<Gesture> {
-        self.gesture.map(|(gesture, _)| gesture)
+        self.pan_hold.gesture.map(|(gesture, _)| gesture)
     }
 
-    /// Whether the last frame ended a tick: what a recipe does, it does then.
+    /// Returns true if the last frame ended a tick; a recipe carries out its steps only then.
     pub fn is_between_ticks(&self) -> bool {
-        self.frame == 0
+        self.clock.is_between_ticks()
     }
 
-    /// Whether bodies at rest stop being computed until something stirs them; they do unless told otherwise.
-    pub fn let_sleep(&mut self, may_sleep: bool) {
-        self.world.let_sleep(may_sleep);
+    /// Enables or disables sleeping of bodies at rest; it is enabled by default. A sleeping body costs no computation.
+    pub fn set_sleeping(&mut self, may_sleep: bool) {
+        self.world.set_sleeping(may_sleep);
     }
 
-    /// Free places on the floor for pieces, in their order, the first ones nearest to `around` [m]; fewer than pieces where
-    /// not all of them fit. What lies in the pan is left where it is, but for the pieces themselves.
+    /// Free places on the pan's floor for pieces, in their order, starting nearest to `around` [m]. Returns fewer places
+    /// than pieces if not all fit. Other pieces in the pan keep their places.
     pub fn free_places(&self, foods: &[String], around: [f64; 2]) -> Vec<[f64; 2]> {
         let named = |p: &&Piece| foods.contains(&p.id);
         let lying = self.pieces.iter().filter(|p| !named(p)).filter_map(|p| match p.place {
@@ -256,12 +229,12 @@ impl Kitchen {
 
     /// Simulated time [s].
     pub fn time_s(&self) -> f64 {
-        self.tick as f64 * TICK_S + f64::from(self.frame) * FRAME_S
+        self.clock.time_s()
     }
 
     /// Ticks since the start.
     pub fn tick(&self) -> u64 {
-        self.tick
+        self.clock.tick()
     }
 
     /// All pieces.
@@ -274,13 +247,13 @@ impl Kitchen {
         self.pieces.iter().find(|p| p.id == id)
     }
 
-    /// Electrical power that is set [W].
+    /// Electrical power to which the hob is set [W].
     pub fn hob_w(&self) -> f64 {
         self.hob_w
     }
 
-    /// Mean electrical power that is drawn: none while the pan is off the hob or the hob's limit holds, less beside the
-    /// ring [W].
+    /// Mean electrical power that the hob draws [W]: zero while the pan stands on the cloth or at the temperature limit,
+    /// reduced while the pan is lifted or off the ring.
     pub fn hob_drawn_w(&self) -> f64 {
         let off = self.cloth.is_some() || self.pan.limited;
         if off { 0.0 } else { self.hob_w * self.pan.ring_shares.iter().sum::<f64>() }
@@ -291,12 +264,12 @@ impl Kitchen {
         self.fixed.pan.floor_temperature(&self.pan)
     }
 
-    /// What never changes in the pan.
+    /// The pan's immutable model.
     pub fn pan_model(&self) -> &PanModel {
         &self.fixed.pan
     }
 
-    /// What changes in the pan.
+    /// The pan's state.
     pub fn pan_state(&self) -> &PanState {
         &self.pan
     }
@@ -311,19 +284,19 @@ impl Kitchen {
         &self.fixed.hob
     }
 
-    /// The cloth, while the pan stands on it.
+    /// The wet cloth while the pan stands on it.
     pub fn cloth(&self) -> Option<&Cloth> {
         self.cloth.as_ref()
     }
 
-    /// What happened since the start.
+    /// Events since the start.
     pub fn events(&self) -> &EventLog {
         &self.events
     }
 
-    /// Vapour from water in the pan and from the cloth [kg/s].
+    /// Vapour flows from water in the pan and from the cloth [kg/s].
     pub fn other_vapour(&self) -> (f64, f64) {
-        (self.puddle_vapour, self.cloth_vapour)
+        (self.vapour.puddle, self.vapour.cloth)
     }
 
     /// Energy account since the start [J].
@@ -341,11 +314,6 @@ impl Kitchen {
     /// ```
     pub fn energy(&self) -> Energy {
         let foods: f64 = self.pieces.iter().map(|p| p.state.total_enthalpy()).sum();
-        Energy {
-            pan_stored: self.fixed.pan.stored(&self.pan) - self.stored_at_start,
-            food_stored: foods - self.foods_at_start,
-            ..self.flows
-        }
-        .balanced()
+        self.account.balance(self.fixed.pan.stored(&self.pan), foods)
     }
 }

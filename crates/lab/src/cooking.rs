@@ -206,9 +206,9 @@ impl<'a> Cooking<'a> {
         let area: f64 = model.patches()[range.clone()].iter().map(|p| p.area).sum();
         let face = FaceContact {
             since: self.time() - self.laid_at,
-            pressure: saute_kitchen::piece::piece_state::GRAVITY * self.state.mass_left(model) / area,
+            pressure: saute_food::GRAVITY * self.state.mass_left(model) / area,
             film: self.cooking.room.default_film(),
-            coating: f64::INFINITY,
+            coating: None,
         };
         let conductance = face.conductance(gap, face.mean_gap(gap)) * model.description().surface.contact_share;
         let mut mean = 0.0;

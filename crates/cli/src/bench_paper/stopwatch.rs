@@ -41,7 +41,7 @@ pub fn timed_s() -> f64 {
 pub fn time(scene: &Scene, library: &Library) -> Result<Timed, CliError> {
     // One second more: shaking must not end before the measurement.
     let mut cook = scene.cook(library, timed_s() + 1.0)?;
-    cook.kitchen.let_sleep(false);
+    cook.kitchen.set_sleeping(false);
     play_to(&mut cook, scene.ready_at_s())?;
     let mut kitchen = cook.kitchen;
     let (before, mut deepest) = (mean_core(&kitchen), 0.0f64);

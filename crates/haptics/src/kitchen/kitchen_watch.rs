@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::{DMat3, DVec3};
 use saute_kitchen::dynamics::{Against, Pose, Tool};
-pub use saute_kitchen::piece::piece_state::GRAVITY;
+pub use saute_kitchen::food::GRAVITY;
 use saute_kitchen::{Kitchen, Piece, Place};
 
 use crate::kitchen::contact_model::{ContactModel, IMPULSES, Impulse, PLANES, Payload, Plane, Rubbing};

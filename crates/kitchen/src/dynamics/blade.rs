@@ -1,5 +1,5 @@
-//! The turner's blade as a body: on its way it goes where it is told; led by a free hand it is pulled by a spring whose
-//! force is bounded, so that what is in its way holds it up.
+//! The turner's blade as a rigid body. In a task it is a kinematic body; moved by a person it is a dynamic body on a
+//! spring–damper of bounded force, so obstacles stop it.
 
 use glam::DVec3;
 use rapier3d::dynamics::{MassProperties, RigidBodyBuilder, RigidBodyHandle, RigidBodySet, RigidBodyType};
@@ -11,17 +11,17 @@ use super::scale;
 use super::spring::Spring;
 use super::world::{Against, BLADE, FOODS, World, met_by, newtons};
 
-/// Half sizes of the turner's blade [m] (chosen: a fish slice).
+/// Half extents of the turner's blade [m] (chosen: a fish slice).
 pub const BLADE_HALF: DVec3 = DVec3::new(0.045, 0.04, 0.001);
-/// Mass [kg] of a led turner and its moment of inertia with the hand behind it [kg·m²] (chosen: a light tool that a wrist
-/// does not let turn).
+/// Mass [kg] of a free turner and its moment of inertia with the hand [kg·m²] (chosen: a light tool that a wrist keeps
+/// from turning).
 const MASS: f64 = 0.12;
 const INERTIA: f64 = 2.0e-3;
-/// Largest force [N] and torque [N·m] of a hand that leads it (chosen: as that of a grip).
+/// Largest force [N] and torque [N·m] on a free turner (chosen: equal to those of the grip).
 const LEAD_FORCE: f64 = 12.0;
 const LEAD_TORQUE: f64 = 1.5;
 
-/// A blade that is not there yet.
+/// Inserts the blade as a disabled body.
 pub(super) fn insert_blade(bodies: &mut RigidBodySet, colliders: &mut ColliderSet) -> RigidBodyHandle {
     let inertia = (INERTIA * scale::PER_KILOGRAM * scale::PER_METRE * scale::PER_METRE) as f32;
     let mass = MassProperties::new(Vector::ZERO, (MASS * scale::PER_KILOGRAM) as f32, Vector::splat(inertia));
@@ -34,7 +34,7 @@ pub(super) fn insert_blade(bodies: &mut RigidBodySet, colliders: &mut ColliderSe
 }
 
 impl World {
-    /// Moves the blade, or takes it away; the body that is `spared` it does not meet.
+    /// Moves the blade as a kinematic body, or disables it; it does not collide with the body `spared`.
     pub fn set_blade(&mut self, pose: Option<&Pose>, spared: Option<u32>) {
         match pose {
             Some(pose) if self.show_blade(pose, RigidBodyType::KinematicPositionBased) => {
@@ -48,7 +48,7 @@ impl World {
         self.spare(spared);
     }
 
-    /// Pulls the blade towards a pose during the next step; the body that is `spared` it does not meet.
+    /// Pulls the blade towards a pose during the next step; it does not collide with the body `spared`.
     pub fn lead_blade(&mut self, wanted: &Pose, spring: &mut Spring, spared: Option<u32>) {
         self.spare(spared);
         if !self.show_blade(wanted, RigidBodyType::Dynamic) {
@@ -64,12 +64,12 @@ impl World {
         body.add_torque(scale::torque((INERTIA * spin).clamp_length_max(LEAD_TORQUE)), true);
     }
 
-    /// Where the blade is; none while no hand holds the turner.
+    /// Pose of the blade; `None` while no hand holds the turner.
     pub fn blade_pose(&self) -> Option<Pose> {
         self.bodies.get(self.blade).filter(|b| b.is_enabled()).map(|b| scale::pose(b.position()))
     }
 
-    /// Force with which foods hold up the blade [N].
+    /// Sum of the contact forces of foods on the blade [N].
     pub fn blade_force(&self) -> f64 {
         let blade = self.bodies.get(self.blade).filter(|b| b.is_enabled());
         let colliders = blade.into_iter().flat_map(|b| b.colliders().iter());
@@ -77,7 +77,7 @@ impl World {
         pairs.map(|p| newtons(p.total_impulse_magnitude())).sum()
     }
 
-    /// Lets the blade be there, driven in a way; tells whether it was there so already.
+    /// Enables the blade as a body of the given type; returns true if it already was.
     fn show_blade(&mut self, pose: &Pose, driven: RigidBodyType) -> bool {
         self.settled = false;
         let Some(body) = self.bodies.get_mut(self.blade) else { return false };

@@ -1,9 +1,9 @@
-//! How far a solid reaches in a direction.
+//! Extents of collision shapes: support function, radius and outline.
 
 use glam::{DQuat, DVec3};
 use saute_food::Solid;
 
-/// How far a solid reaches from its origin along a unit direction of its own frame [m].
+/// Support function: reach of a solid from its origin along a unit direction of its own frame [m].
 pub fn reach(solid: &Solid, along: DVec3) -> f64 {
     let farthest =
         |points: &mut dyn Iterator<Item = DVec3>| points.map(|p| p.dot(along)).fold(f64::NEG_INFINITY, f64::max);
@@ -19,7 +19,7 @@ pub fn reach(solid: &Solid, along: DVec3) -> f64 {
     }
 }
 
-/// Radius of the circle about the origin that a solid covers, seen along z [m].
+/// Radius of the circle about the origin that encloses a solid, seen along z [m].
 pub fn radius(solid: &Solid) -> f64 {
     let far = |p: &[f64; 3]| libm::hypot(p[0], p[1]);
     match solid {
@@ -33,7 +33,7 @@ pub fn radius(solid: &Solid) -> f64 {
     }
 }
 
-/// Points whose convex hull is what a turned solid covers, seen from above, about its origin [m].
+/// Points whose convex hull is the outline of a rotated solid seen from above, about its origin [m].
 pub fn outline(solid: &Solid, rotation: DQuat) -> Vec<[f64; 2]> {
     let seen = |p: DVec3| {
         let q = rotation * p;
@@ -69,7 +69,7 @@ pub fn outline(solid: &Solid, rotation: DQuat) -> Vec<[f64; 2]> {
     }
 }
 
-/// Points on a circle (chosen: a polygon of 48 corners departs from it by 0.2 %).
+/// Points on a circle [-] (chosen: a polygon of 48 corners deviates by 0.2 %).
 const ROUND: usize = 48;
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Motions of the pan that a cook makes by habit: shaking and tossing.
+//! Gestures: scripted motions of the pan for shaking and tossing.
 
 use core::f64::consts::TAU;
 
@@ -7,30 +7,31 @@ use glam::{DQuat, DVec3};
 use super::pan_motion::PanTarget;
 use super::pose::{Pose, turn};
 
-/// A motion of the pan about the place where it is held.
+/// A scripted motion of the pan about the pose at which it is held.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gesture {
-    /// To and fro, left and right.
+    /// Oscillation left and right.
     Shake {
-        /// How far to either side [m].
+        /// Amplitude to either side [m].
         amplitude: f64,
-        /// How often [1/s].
+        /// Frequency [1/s].
         hz: f64,
-        /// How long [s].
+        /// Duration [s].
         for_s: f64,
     },
     /// A jerk that throws the food up, turns it over and catches it.
     Toss {
-        /// How high the food flies [m].
+        /// Height of the food's flight [m].
         height: f64,
     },
 }
 
-/// A moment of a toss: time [s], the pan's middle forwards and upwards [m], and its tilt, far edge up [rad].
+/// Key frame of a toss: time [s], displacement of the pan's centre forwards and upwards [m], and tilt, far edge up
+/// [rad].
 type Moment = [f64; 4];
 
 impl Gesture {
-    /// How long it takes [s].
+    /// Duration [s].
     pub fn duration_s(&self) -> f64 {
         match *self {
             Self::Shake { for_s, .. } => for_s,
@@ -38,7 +39,7 @@ impl Gesture {
         }
     }
 
-    /// Where the pan should be at a time since the start [s], held at `home` otherwise.
+    /// Target of the pan at a time since the start [s]; `home` is the pose at which the pan is held.
     pub fn target(&self, home: &Pose, t: f64) -> PanTarget {
         match *self {
             Self::Shake { amplitude, hz, for_s } => shake(home, amplitude, hz, for_s, t),
@@ -47,7 +48,7 @@ impl Gesture {
     }
 }
 
-/// A sine that starts and ends gently within half a period.
+/// Sine with smooth ramps of half a period at start and end.
 fn shake(home: &Pose, amplitude: f64, hz: f64, for_s: f64, t: f64) -> PanTarget {
     let ramp = (0.5 / hz.max(0.1)).min(0.5 * for_s).max(1e-6);
     let edge = (t.min(for_s - t) / ramp).clamp(0.0, 1.0);
@@ -65,12 +66,12 @@ fn shake(home: &Pose, amplitude: f64, hz: f64, for_s: f64, t: f64) -> PanTarget 
     }
 }
 
-/// Height to which [`toss`] throws unless it is scaled [m] (measured on coins, shrimps and a steak: 0.20 to 0.39 m).
+/// Height of the flight of an unscaled [`toss`] [m] (measured on coins, shrimps and a steak: 0.20 to 0.39 m).
 const TOSSED: f64 = 0.25;
 
-/// The moments of a toss: the pan is drawn back with its far edge up, pushed forwards, jerked up and tilted back, and drawn
-/// under the food as it falls (found by a random search for the way that turns over most of eleven coins, twelve shrimps
-/// and a steak and loses none: 100 %, 83 % and 100 % at that height).
+/// Key frames of a toss: the pan moves back with its far edge up, then forwards, jerks up and tilts back, and returns
+/// under the falling food (found by a random search for the trajectory that turns over most of eleven coins, twelve
+/// shrimps and a steak and loses none: 100 %, 83 % and 100 % at that height).
 fn toss(height: f64) -> Vec<Moment> {
     let lift = libm::sqrt(height / TOSSED).clamp(0.4, 1.5);
     vec![
@@ -84,7 +85,7 @@ fn toss(height: f64) -> Vec<Moment> {
     ]
 }
 
-/// Cubic way through the moments (Catmull–Rom), in the vertical plane that points away from the cook.
+/// Catmull–Rom spline through the key frames, in the vertical plane that points away from the cook.
 fn along(home: &Pose, moments: &[Moment], t: f64) -> PanTarget {
     let last = moments.len() - 1;
     let i = moments.iter().rposition(|m| m[0] <= t).unwrap_or(0).min(last - 1);
@@ -120,10 +121,10 @@ fn along(home: &Pose, moments: &[Moment], t: f64) -> PanTarget {
     }
 }
 
-/// How a pan is turned that is tilted by an angle towards a direction, from +x over +y [rad].
+/// Orientation of a pan tilted by an angle towards an azimuth, from +x towards +y [rad].
 pub fn tilt(angle: f64, towards: f64) -> DQuat {
     let (sin, cos) = libm::sincos(towards);
-    // Downwards in the direction: a turn about the horizontal axis to its right.
+    // The axis is horizontal and at right angles to the direction.
     turn(DVec3::new(-sin, cos, 0.0), angle)
 }
 

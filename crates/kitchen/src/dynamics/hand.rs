@@ -1,94 +1,94 @@
-//! The cook's other hand: a turner or tongs that work through forces.
+//! The second hand: turner or tongs that move food by forces.
 //!
-//! A tool moves along legs with bounded speed. What it grips follows it by a spring whose force and torque are bounded:
-//! nothing is put anywhere, and what is too heavy, stuck or held down stays where it is.
+//! A tool moves along legs with bounded speed. A gripped body follows it by a spring–damper with bounded force and
+//! torque. No pose is ever set: a body that is too heavy, stuck or held down stays in place.
 
 use glam::DVec3;
+use saute_food::GRAVITY;
 
 use super::pose::{Pose, rotation_between, turn};
 use super::scoop::Under;
 use super::spring::Spring;
 use super::world::{RIGID_S, World};
-use crate::piece::piece_state::GRAVITY;
 
-/// Which tool the hand holds.
+/// Tool of a hand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Tool {
-    /// A blade that goes under food, lifts, turns and presses it.
+    /// A blade that slides under food, lifts, turns and presses it.
     #[default]
     Turner,
-    /// Two fingers that hold food anywhere.
+    /// Tongs that grip food at any place.
     Tongs,
 }
 
-/// Largest force [N] and torque [N·m] of the grip (chosen: what a hand holds with a turner without effort).
+/// Largest force [N] and torque [N·m] of the grip (chosen: held without effort with a turner).
 pub const GRIP_FORCE: f64 = 12.0;
 const GRIP_TORQUE: f64 = 1.5;
-/// Distance [m] and angle [rad] beyond which the grip is lost, and for how long [s] (chosen).
+/// Distance [m] and angle [rad] beyond which a grip slips, and the time until it is lost [s] (chosen).
 const SLIP: f64 = 0.03;
 const SLIP_ANGLE: f64 = 0.9;
 const SLIP_S: f64 = 0.15;
-/// How far from a tool food can be gripped [m] (chosen: forgiving).
+/// Largest distance between tool and food for a grip [m] (chosen: forgiving).
 pub const REACH: f64 = 0.05;
-/// Force on the blade beyond which the hand yields [N] (chosen).
+/// Force on the blade above which the hand waits [N] (chosen: equal to the grip's force).
 const YIELD_FORCE: f64 = 12.0;
-/// How long a tool waits for a way before it gives up [s] (chosen).
+/// Longest wait of a blocked tool before its task fails [s] (chosen).
 const PATIENCE_S: f64 = 0.5;
 
-/// In which frame a leg is laid.
+/// Frame of reference of a leg.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Frame {
-    /// It moves along with the pan.
+    /// Moves with the pan.
     Pan,
-    /// It stands in the kitchen.
+    /// Fixed in the kitchen.
     Kitchen,
 }
 
-/// What a tool does when it has come to the end of a leg.
+/// Action of a tool at the end of a leg.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Act {
-    /// Goes on.
+    /// No action.
     Pass,
     /// Grips a body.
     Grip(u32),
-    /// Lets go.
+    /// Releases the grip.
     Release,
-    /// Pushes a body down where it is [N], for a time [s].
+    /// Presses a body down at its place.
     Press {
         /// Which body.
         key: u32,
-        /// How hard [N].
+        /// Force [N].
         newtons: f64,
-        /// How long [s].
+        /// Duration [s].
         for_s: f64,
     },
 }
 
-/// A stretch of a tool's way.
+/// A leg of a tool's path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leg {
-    /// In which frame it lies.
+    /// Frame of reference.
     pub frame: Frame,
-    /// Where it leads.
+    /// Pose at its end.
     pub to: Pose,
-    /// A turn on the way about an axis of the frame: axis times angle [rad].
+    /// Rotation on the way as a rotation vector in the frame [rad].
     pub turn: DVec3,
-    /// How long it takes [s].
+    /// Duration [s].
     pub for_s: f64,
-    /// What happens at its end.
+    /// Action at its end.
     pub act: Act,
 }
 
-/// How a task ended.
+/// Outcome of a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ended {
-    /// As it should.
+    /// Completed.
     Done,
-    /// The way was blocked, or the food slipped off.
+    /// Failed: the tool was blocked, or the food slipped off.
     Blocked,
 }
 
-/// What holds a body.
+/// A grip on a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Grip {
     key: u32,
@@ -101,9 +101,9 @@ struct Grip {
 /// The hand with its tool.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Hand {
-    /// What it holds.
+    /// Its tool.
     pub tool: Tool,
-    /// Pose of the tool's tip, as the hand wants it.
+    /// Commanded pose of the tool's tip.
     pub pose: Pose,
     legs: Vec<Leg>,
     leg: usize,
@@ -112,16 +112,16 @@ pub struct Hand {
     waited: f64,
     grip: Option<Grip>,
     spared: Option<u32>,
-    /// What a led turner is under.
+    /// Food above a free turner.
     pub(super) under: Option<Under>,
-    /// What pulls a led turner.
+    /// Spring–damper that pulls a free turner.
     spring: Option<Spring>,
-    /// Whether it is at work; else it is out of the way.
+    /// True while it works; else its tool is put away.
     active: bool,
 }
 
 impl Hand {
-    /// Sends the hand along a way; `spared` is the body that the blade slides under.
+    /// Starts a path of legs; `spared` is the body under which the blade slides.
     pub fn begin(&mut self, tool: Tool, legs: Vec<Leg>, spared: Option<u32>, world: &World) {
         let Some(first) = legs.first() else { return };
         let start = place(first, world);
@@ -136,34 +136,34 @@ impl Hand {
         };
     }
 
-    /// Whether it is at work.
+    /// Returns true while it works.
     pub fn is_active(&self) -> bool {
         self.active
     }
 
-    /// What it grips.
+    /// Key of the gripped body.
     pub fn gripped(&self) -> Option<u32> {
         self.grip.map(|g| g.key)
     }
 
-    /// Whether it goes where a person leads it.
+    /// Returns true if it follows no path of legs.
     pub(super) fn is_free(&self) -> bool {
         self.legs.is_empty()
     }
 
-    /// Where its tool is: a led turner may be held up on its way.
+    /// Actual pose of its tool; an obstacle can stop a free turner short of the commanded pose.
     pub fn tool_pose(&self, world: &World) -> Pose {
         world.blade_pose().filter(|_| self.leads_turner()).unwrap_or(self.pose)
     }
 
-    /// How far what it grips hangs below where it is pulled to; negative where something holds it up [m].
+    /// Height of the grip's target above the gripped body; negative if the body is supported from below [m].
     pub fn hanging_below(&self, world: &World) -> Option<f64> {
         let grip = self.grip?;
         let body = world.pose(grip.key)?;
         Some(self.pose.then(&grip.hold).position.z - body.position.z)
     }
 
-    /// Takes hold of a body within reach, as it lies.
+    /// Grips a body within reach in its present pose; returns true on success.
     pub fn grip(&mut self, key: u32, world: &World) -> bool {
         if world.distance(key, self.pose.position) > REACH {
             return false;
@@ -173,18 +173,18 @@ impl Hand {
         self.gripped().is_some()
     }
 
-    /// Holds a body as it lies to a pose of the tool.
+    /// Grips a body in its present pose relative to a pose of the tool.
     pub(super) fn hold(&mut self, key: u32, tool: &Pose, world: &World) {
         let grip = |body: Pose| Grip { key, hold: body.seen_from(tool), spring: Spring::at(body), slipping_s: 0.0 };
         self.grip = world.pose(key).map(grip);
     }
 
-    /// Lets go of what it holds.
+    /// Releases the grip.
     pub fn release(&mut self) {
         self.grip = None;
     }
 
-    /// Moves the tool freely towards a pose, with bounded speed; the body it grips follows.
+    /// Moves the free tool towards a pose with bounded speed; the gripped body follows.
     pub fn lead(&mut self, tool: Tool, to: &Pose) {
         (self.tool, self.active) = (tool, true);
         self.legs.clear();
@@ -199,7 +199,7 @@ impl Hand {
         *self = Self::default();
     }
 
-    /// One rigid step: the tool goes on, what it grips is pulled along. Tells when its way has ended.
+    /// Advances tool and grip by one rigid step; returns the outcome when the path ends.
     pub fn step(&mut self, world: &mut World) -> Option<Ended> {
         if !self.active {
             return None;
@@ -212,7 +212,7 @@ impl Hand {
         }
         let slipped = self.pull(world);
         if slipped && self.leads_turner() {
-            // What slipped off was held: so is the blade under it.
+            // The slipped food was held by an obstacle, and so is the blade below it.
             self.pose = self.tool_pose(world);
         }
         let ended = if slipped { Some(Ended::Blocked) } else { ended };
@@ -275,7 +275,7 @@ impl Hand {
         None
     }
 
-    /// The tool does not go through the pan.
+    /// Keeps the tool above the pan's surface.
     fn keep_above_pan(&mut self, world: &World) {
         let pan = world.motion.pose;
         let mut p = pan.to_body(self.pose.position);
@@ -285,7 +285,7 @@ impl Hand {
         }
     }
 
-    /// Pulls what is gripped along; tells whether it has slipped off.
+    /// Applies the grip's force and torque; returns true if the body has slipped off.
     fn pull(&mut self, world: &mut World) -> bool {
         let Some(grip) = &mut self.grip else { return false };
         let (Some(body), Some((velocity, turning))) = (world.pose(grip.key), world.velocity(grip.key)) else {
@@ -307,7 +307,7 @@ impl Hand {
         false
     }
 
-    /// Brings the blade to where the turner is, or pulls it there; there is none for tongs.
+    /// Moves or pulls the blade to the turner's pose; tongs have no blade.
     pub(crate) fn place_blade(&mut self, world: &mut World) {
         if !self.leads_turner() {
             let blade = (self.active && self.tool == Tool::Turner).then_some(self.pose);
@@ -321,11 +321,11 @@ impl Hand {
     }
 }
 
-/// How high above its way a tool comes in [m] (chosen).
+/// Height above the first leg at which a tool appears [m] (chosen).
 const HOVER: f64 = 0.06;
-/// Distance that a tool keeps from the pan [m] (chosen: a blade's thickness).
+/// Clearance between tool and pan [m] (chosen: a blade's thickness).
 pub(super) const TOOL_CLEARANCE: f64 = 0.0015;
-/// How quickly a free hand leads a tool [m/s] and turns it [rad/s] (chosen).
+/// Largest speed [m/s] and angular velocity [rad/s] of a free tool (chosen).
 const LEAD_SPEED: f64 = 1.0;
 const LEAD_TURN: f64 = 10.0;
 
@@ -340,7 +340,7 @@ fn place(leg: &Leg, world: &World) -> Pose {
     frame_pose(leg.frame, world).then(&leg.to)
 }
 
-/// Starts and ends gently: 3s² − 2s³ [-].
+/// Smoothstep 3s² − 2s³ [-].
 fn smooth(s: f64) -> f64 {
     s * s * (3.0 - 2.0 * s)
 }

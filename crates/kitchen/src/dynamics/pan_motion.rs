@@ -1,21 +1,21 @@
-//! How the pan follows the hand: with bounded speed and acceleration.
+//! Motion of the pan: it follows its target with bounded speed and acceleration.
 
 use glam::DVec3;
 
 use super::pose::{Pose, about, rotation_between};
 
-/// How quickly the pan closes up to its target [rad/s] (chosen: a firm wrist; a tenth of a second).
+/// Natural frequency of the follower [rad/s] (chosen: a firm wrist; settles in a tenth of a second).
 const STIFFNESS: f64 = 60.0;
 /// Largest speed [m/s] and acceleration [m/s²] (chosen: a quick toss; a strong arm reaches about 3 g with a 1.5 kg pan).
 const FASTEST: f64 = 2.0;
 const STRONGEST: f64 = 40.0;
-/// Largest turning speed [rad/s] and its change [rad/s²] (chosen: a quick wrist).
+/// Largest angular velocity [rad/s] and angular acceleration [rad/s²] (chosen: a quick wrist).
 const FASTEST_TURN: f64 = 12.0;
 const STRONGEST_TURN: f64 = 300.0;
-/// Below these the pan counts as standing [m, m/s].
+/// Distance [m] and speed scale [m/s] below which the pan is at its target (chosen: far below what motion shows).
 const STILL: f64 = 1e-7;
 
-/// Where the hand wants the pan, and how that place moves.
+/// Target of the pan: pose, velocity and acceleration.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PanTarget {
     /// Pose of the pan's floor.
@@ -24,30 +24,30 @@ pub struct PanTarget {
     pub velocity: DVec3,
     /// Acceleration of the target [m/s²].
     pub acceleration: DVec3,
-    /// Turning speed of the target [rad/s].
+    /// Angular velocity of the target [rad/s].
     pub turning: DVec3,
 }
 
 /// The moving pan.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PanMotion {
-    /// Pose of the middle of the floor's upper face.
+    /// Pose of the centre of the floor's upper face.
     pub pose: Pose,
     /// Velocity [m/s].
     pub velocity: DVec3,
-    /// Turning speed [rad/s].
+    /// Angular velocity [rad/s].
     pub turning: DVec3,
     /// Acceleration in the last step [m/s²].
     pub acceleration: DVec3,
 }
 
 impl PanMotion {
-    /// Standing at a pose.
+    /// A pan at rest at a pose.
     pub fn standing(pose: Pose) -> Self {
         Self { pose, ..Self::default() }
     }
 
-    /// One step of `dt` [s] towards the target: a critically damped follower whose acceleration and speed are bounded.
+    /// One step of `dt` [s] towards the target: a critically damped follower with bounded acceleration and speed.
     pub fn follow(&mut self, target: &PanTarget, dt: f64) {
         if self.is_at(target) {
             *self = Self::standing(target.pose);
@@ -75,7 +75,7 @@ impl PanMotion {
             && self.turning.length() < 1000.0 * STILL
     }
 
-    /// Whether the pan stands still.
+    /// Returns true if the pan is at rest.
     pub fn is_still(&self) -> bool {
         self.velocity == DVec3::ZERO && self.turning == DVec3::ZERO
     }

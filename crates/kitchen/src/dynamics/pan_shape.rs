@@ -1,4 +1,4 @@
-//! The pan as a surface: where a point lies on floor or wall, and what foods collide with.
+//! The pan as a surface: projection onto floor and wall, and its colliders.
 
 use core::f64::consts::TAU;
 
@@ -11,15 +11,15 @@ use super::pose::{Pose, about, rotation_between};
 use super::scale;
 use glam::{DQuat, DVec3};
 
-/// Flat pieces that the wall is made of (chosen: they depart from the cone by half a millimetre).
+/// Wedges of the wall [-] (chosen: they deviate from the cone by half a millimetre).
 const WALL_PIECES: usize = 32;
-/// How far the wall's solid reaches out below its rim [m] (chosen: fast food must not pass it within a step).
+/// Outward extent of the wall's wedges at their foot [m] (chosen: fast food cannot pass within one step).
 const WALL_DEPTH: f64 = 0.02;
 
-/// Steepest tilt at which a hand holds the pan [rad] (chosen: about 60°, food falls out).
+/// Steepest tilt of a held pan [rad] (chosen: about 60°, food falls out).
 const STEEPEST: f64 = 1.0;
 
-/// Floor and wall of a pan: a disc and a truncated cone, in the pan's frame; its origin is the middle of the floor.
+/// Floor and wall of a pan: a disc and a truncated cone, in the pan's frame; the origin is the centre of the floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PanShape {
     /// Radius of the floor [m].
@@ -32,12 +32,12 @@ pub struct PanShape {
     pub thickness: f64,
 }
 
-/// A point seen from the pan's surface.
+/// Projection of a point onto the pan's surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OverPan {
-    /// Distance from the nearest surface; negative behind it [m].
+    /// Signed distance from the surface; negative behind it [m].
     pub gap: f64,
-    /// Unit normal of that surface, into the pan.
+    /// Unit normal of the surface, into the pan [-].
     pub normal: DVec3,
     /// Place on the pan's unrolled mesh [m].
     pub on_mesh: [f64; 2],
@@ -56,7 +56,7 @@ impl PanShape {
         }
     }
 
-    /// The pose nearest to a wanted one at which the pan is within `farthest` of its ring and clears the glass [m].
+    /// Limits a pose: displacement and lift up to `farthest` [m], tilt up to [`STEEPEST`], clear of the glass.
     pub fn within_reach(&self, wanted: &Pose, farthest: f64) -> Pose {
         let mut turn = rotation_between(DQuat::IDENTITY, wanted.rotation);
         turn.z = 0.0;
@@ -71,7 +71,7 @@ impl PanShape {
         libm::hypot(self.rim - self.floor, self.height)
     }
 
-    /// Where a point lies over floor or wall; none beyond the rim.
+    /// Projects a point onto floor or wall; `None` beyond the rim.
     pub fn over(&self, p: DVec3) -> Option<OverPan> {
         let r = libm::hypot(p.x, p.y);
         if r <= self.floor {
@@ -89,34 +89,34 @@ impl PanShape {
         Some(OverPan { gap, normal: DVec3::new(-x * rise, -y * rise, out), on_mesh: [x * mesh, y * mesh] })
     }
 
-    /// Height of floor or wall at a distance from the axis [m]; that of the rim beyond it.
+    /// Height of floor or wall at a distance from the axis [m]; beyond the rim its height.
     pub fn surface_height(&self, r: f64) -> f64 {
         self.height * ((r - self.floor) / (self.rim - self.floor)).clamp(0.0, 1.0)
     }
 
-    /// Whether a point lies over the pan: within the rim, not under the floor.
+    /// Returns true if a point is over the pan: inside the rim and not below the floor.
     pub fn holds(&self, p: DVec3) -> bool {
         libm::hypot(p.x, p.y) < self.rim && p.z > -self.thickness - 0.01
     }
 
-    /// How far a turned pan is raised so that the edge of its floor clears the glass [m].
+    /// Rise of a rotated pan so that the edge of its floor clears the glass [m].
     pub fn raise(&self, rotation: DQuat) -> f64 {
         let up = rotation * DVec3::Z;
         self.floor * libm::hypot(up.x, up.y)
     }
 
-    /// The pose of a pan whose lowest edge is so high above the glass [m].
+    /// Pose of a pan whose lowest edge is `lift` above the glass [m].
     pub fn standing(&self, at: [f64; 2], lift: f64, rotation: DQuat) -> Pose {
         let z = self.thickness + lift + self.raise(rotation);
         Pose { position: DVec3::new(at[0], at[1], z), rotation }
     }
 
-    /// The floor: a half space, so that nothing passes it however fast; foods outside of the pan do not meet it.
+    /// Collider of the floor: a half space, which stops bodies at any speed. Foods outside the pan do not collide with it.
     pub fn floor_collider(&self) -> ColliderBuilder {
         ColliderBuilder::new(SharedShape::halfspace(Vector::Z))
     }
 
-    /// The wall: wedges, steep inside, falling off outside.
+    /// Colliders of the wall: wedges, steep inside, sloping down outside.
     pub fn wall_colliders(&self) -> impl Iterator<Item = ColliderBuilder> + '_ {
         (0..WALL_PIECES).filter_map(|i| {
             let angle = |k: usize| TAU * k as f64 / WALL_PIECES as f64;

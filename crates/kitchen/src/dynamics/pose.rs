@@ -1,14 +1,18 @@
-//! Where a body is and how it is turned.
+//! Rigid transforms: position and orientation of a body.
+//!
+//! This is the rigid transform of the simulation, in 64-bit floats. The picture's pose is a 32-bit copy with the lift of
+//! racks and domes added, and the rigid-body solver's 32-bit pose is converted in `scale`. One common type would round
+//! one of them differently.
 
 use glam::{DQuat, DVec3};
 
-/// Place and orientation of a body in the kitchen [m]: x to the right, y away from the cook, z up; the origin is the
+/// Position and orientation of a body in the kitchen [m]: x to the right, y away from the cook, z up; the origin is the
 /// ring's centre on the hob's glass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Where its origin is [m].
+    /// Position of its origin [m].
     pub position: DVec3,
-    /// How it is turned.
+    /// Orientation as a unit quaternion [-].
     pub rotation: DQuat,
 }
 
@@ -19,32 +23,32 @@ impl Default for Pose {
 }
 
 impl Pose {
-    /// Upright at a place [m].
+    /// Pose without rotation at a position [m].
     pub fn at(x: f64, y: f64, z: f64) -> Self {
         Self { position: DVec3::new(x, y, z), rotation: DQuat::IDENTITY }
     }
 
-    /// Whether all its numbers are finite.
+    /// Returns true if all components are finite.
     pub fn is_finite(&self) -> bool {
         self.position.is_finite() && self.rotation.is_finite()
     }
 
-    /// A point of the body, in the kitchen [m].
+    /// Transforms a point from the body's frame to the kitchen's [m].
     pub fn to_world(&self, point: DVec3) -> DVec3 {
         self.position + self.rotation * point
     }
 
-    /// A point of the kitchen, in the body's frame [m].
+    /// Transforms a point from the kitchen's frame to the body's [m].
     pub fn to_body(&self, point: DVec3) -> DVec3 {
         self.rotation.conjugate() * (point - self.position)
     }
 
-    /// The pose of a body that has the pose `inner` in this one's frame.
+    /// Composition: the pose of a body whose pose in this frame is `inner`.
     pub fn then(&self, inner: &Self) -> Self {
         Self { position: self.to_world(inner.position), rotation: (self.rotation * inner.rotation).normalize() }
     }
 
-    /// This pose as seen from another's frame.
+    /// This pose expressed in another frame.
     pub fn seen_from(&self, frame: &Self) -> Self {
         Self {
             position: frame.to_body(self.position),
@@ -52,17 +56,17 @@ impl Pose {
         }
     }
 
-    /// The kitchen's upward direction in the body's frame [-].
+    /// Upward direction of the kitchen in the body's frame [-].
     pub fn up(&self) -> [f64; 3] {
         (self.rotation.conjugate() * DVec3::Z).to_array()
     }
 
-    /// The same, turned by an angle about a unit axis of the kitchen through its origin [rad].
+    /// This pose rotated by an angle [rad] about a unit axis of the kitchen through the body's origin.
     pub fn turned(&self, axis: DVec3, angle: f64) -> Self {
         Self { position: self.position, rotation: (turn(axis, angle) * self.rotation).normalize() }
     }
 
-    /// Between this (0) and another (1): straight, and turning evenly the shorter way.
+    /// Interpolates from this (0) to another (1): linear in position, along the shorter arc in orientation.
     pub fn towards(&self, other: &Self, share: f64) -> Self {
         let turn = rotation_between(self.rotation, other.rotation) * share;
         Self {
@@ -72,12 +76,12 @@ impl Pose {
     }
 }
 
-/// A turn by an angle about a unit axis [rad].
+/// Rotation by an angle [rad] about a unit axis.
 pub fn turn(axis: DVec3, angle: f64) -> DQuat {
     about(axis * angle)
 }
 
-/// A turn by a rotation vector: axis times angle [rad].
+/// Rotation of a rotation vector, axis times angle [rad].
 pub fn about(vector: DVec3) -> DQuat {
     let angle = vector.length();
     if angle < 1e-12 {
@@ -88,7 +92,7 @@ pub fn about(vector: DVec3) -> DQuat {
     DQuat::from_xyzw(v.x, v.y, v.z, cos)
 }
 
-/// The rotation vector, the shorter way, that turns `from` into `to` in the kitchen's frame [rad].
+/// Rotation vector of the shorter arc from `from` to `to` in the kitchen's frame [rad].
 pub fn rotation_between(from: DQuat, to: DQuat) -> DVec3 {
     let mut q = to * from.conjugate();
     if q.w < 0.0 {

@@ -1,4 +1,4 @@
-//! What a food's solid becomes in the rigid-body solver.
+//! Collision shapes of foods for the rigid-body solver.
 
 use glam::DVec3;
 use rapier3d::math::{Pose as SolverPose, Rotation, Vector};
@@ -7,7 +7,7 @@ use saute_food::Solid;
 
 use super::scale;
 
-/// Convex shapes of a solid with their places in the body.
+/// Convex shapes of a solid with their poses in the body.
 pub fn shapes(solid: &Solid) -> Vec<(SolverPose, SharedShape)> {
     let point = |p: &[f64; 3]| scale::vector(DVec3::from_array(*p));
     let length = |v: f64| (v * scale::PER_METRE) as f32;
@@ -35,7 +35,7 @@ pub fn shapes(solid: &Solid) -> Vec<(SolverPose, SharedShape)> {
     }
 }
 
-/// Convex parts of a closed surface; its hull where it cannot be taken apart.
+/// Convex decomposition of a closed surface; its convex hull if that fails.
 fn convex_parts(points: &[Vector], triangles: &[[u32; 3]]) -> Vec<SharedShape> {
     let whole = SharedShape::convex_decomposition(points, triangles);
     if let Some(compound) = whole.as_compound() {
@@ -44,7 +44,7 @@ fn convex_parts(points: &[Vector], triangles: &[[u32; 3]]) -> Vec<SharedShape> {
     SharedShape::convex_hull(points).into_iter().collect()
 }
 
-/// Name of what a solid collides as, for tables.
+/// Name of a collision shape for tables.
 pub fn name(solid: &Solid) -> &'static str {
     match solid {
         Solid::Cylinder { .. } => "cylinder",

@@ -1,17 +1,17 @@
-//! How a hand holds a body: by a critically damped spring that moves along with what is led.
+//! The spring–damper by which a hand holds a body: critically damped, relative to the moving target.
 
 use glam::DVec3;
 
 use super::pose::{Pose, rotation_between};
 use super::world::RIGID_S;
 
-/// Natural frequency [rad/s] (chosen: food hangs 4 mm low without the weight's compensation).
+/// Natural frequency [rad/s] (chosen: 4 mm of sag without compensation of the weight).
 const STIFF: f64 = 50.0;
 
-/// A spring between where a hand wants a body and where that is.
+/// A spring–damper between the target pose of a body and its pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spring {
-    /// Where the body was wanted in the last step.
+    /// Target pose in the last step.
     wanted: Pose,
 }
 
@@ -21,9 +21,9 @@ impl Spring {
         Self { wanted }
     }
 
-    /// What pulls a body towards where it is wanted now, a step later: acceleration [m/s²] and that of turning [rad/s²].
+    /// Acceleration [m/s²] and angular acceleration [rad/s²] of a body towards its target, one step after the last call.
     ///
-    /// a = ω² x − 2ω (v − v_led); what is led moves along with the hand, the spring only mends what is left.
+    /// a = ω² x − 2ω (v − v_target); the damping acts on the velocity relative to the target.
     pub fn pull(&mut self, wanted: &Pose, body: &Pose, [velocity, turning]: [DVec3; 2]) -> [DVec3; 2] {
         let led = (wanted.position - self.wanted.position) / RIGID_S;
         let spun = rotation_between(self.wanted.rotation, wanted.rotation) / RIGID_S;

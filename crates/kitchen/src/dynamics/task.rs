@@ -1,4 +1,4 @@
-//! What the cook's other hand does when it is asked: the ways of its tools.
+//! Tasks of the second hand and the paths of its tools.
 
 use core::f64::consts::PI;
 
@@ -9,55 +9,55 @@ use super::hand::{Act, Frame, Leg, Tool};
 use super::pose::{Pose, turn};
 use super::world::{BOARD_AT, World};
 
-/// A thing to do with one body.
+/// A task with one body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Task {
-    /// Turns it over about its long axis where it lies.
+    /// Turns it over about its long axis at its place.
     Flip {
-        /// Which body.
+        /// Key of the body.
         key: u32,
     },
-    /// Carries it to a place in the pan, relative to the pan's middle [m].
+    /// Carries it to a place in the pan.
     Move {
-        /// Which body.
+        /// Key of the body.
         key: u32,
-        /// Where its middle goes [m].
+        /// Target of its centre relative to the pan's centre [m].
         to: [f64; 2],
     },
     /// Carries it out of the pan.
     TakeOut {
-        /// Which body.
+        /// Key of the body.
         key: u32,
-        /// Where its middle goes on the board, in the kitchen [m].
+        /// Target of its centre on the board, in the kitchen [m].
         to: [f64; 2],
     },
-    /// Puts it into the pan from wherever it lies.
+    /// Puts it into the pan from any place.
     PutBack {
-        /// Which body.
+        /// Key of the body.
         key: u32,
-        /// Where its middle goes, relative to the pan's middle [m].
+        /// Target of its centre relative to the pan's centre [m].
         to: [f64; 2],
     },
     /// Presses it onto the pan.
     Press {
-        /// Which body.
+        /// Key of the body.
         key: u32,
-        /// How hard [N].
+        /// Force [N].
         newtons: f64,
-        /// How long [s].
+        /// Duration [s].
         for_s: f64,
     },
 }
 
-/// How high food is carried above the table, over the pan's rim [m] (chosen).
+/// Height above the table at which food is carried [m] (chosen: over the pan's rim).
 const CARRY: f64 = 0.12;
-/// Radius up to which a piece is turned with tongs [m] (chosen: a blade would catch its neighbours).
+/// Largest radius of a piece that is turned with tongs [m] (chosen: a blade would catch its neighbours).
 const SMALL: f64 = 0.045;
-/// Height from which a tool lets go [m] (chosen: a millimetre).
+/// Height at which a tool releases food [m] (chosen: a millimetre).
 const DROP: f64 = 0.001;
 
 impl Task {
-    /// The body that it is about.
+    /// Key of its body.
     pub fn key(&self) -> u32 {
         match *self {
             Self::Flip { key }
@@ -68,7 +68,7 @@ impl Task {
         }
     }
 
-    /// The tool it is done with: the turner for what fills its blade, tongs for small pieces among others.
+    /// Its tool: the turner for pieces as large as its blade, tongs for small pieces.
     pub fn tool(&self, world: &World) -> Tool {
         let large = world.solid(self.key()).is_some_and(|s| radius(s) > SMALL);
         match self {
@@ -78,7 +78,7 @@ impl Task {
         }
     }
 
-    /// The way of the tool; empty where the body is gone.
+    /// Path of the tool; empty if the body does not exist.
     pub fn legs(&self, world: &World) -> Vec<Leg> {
         let key = self.key();
         let Some(at) = world.pose(key) else { return Vec::new() };
@@ -98,7 +98,7 @@ fn leg(frame: Frame, to: Pose, for_s: f64, act: Act) -> Leg {
     Leg { frame, to, turn: DVec3::ZERO, for_s, act }
 }
 
-/// How far a body reaches in a direction of the kitchen [m].
+/// Reach of a body along a direction of the kitchen [m].
 fn reach_of(world: &World, key: u32, at: &Pose, along: DVec3) -> f64 {
     world.solid(key).map_or(0.0, |s| reach(s, at.rotation.conjugate() * along))
 }
@@ -110,7 +110,7 @@ fn flip(world: &World, key: u32, at: &Pose) -> Vec<Leg> {
     let long = body.rotation * DVec3::X;
     let flat = DVec3::new(long.x, long.y, 0.0);
     let mut along = if flat.length() > 0.2 { flat.normalize() } else { DVec3::X };
-    // It comes from the side where there is more room.
+    // The tool approaches from the side with more room.
     if (body.position - along).truncate().length() > (body.position + along).truncate().length() {
         along = -along;
     }
@@ -125,7 +125,7 @@ fn flip(world: &World, key: u32, at: &Pose) -> Vec<Leg> {
     let lift = DVec3::Z * (width + 0.012 - below).max(0.02);
     let over =
         Leg { turn: along * PI, ..leg(Frame::Pan, blade(under + lift + DVec3::Z * (2.0 * below)), 0.22, Act::Pass) };
-    // Turned over about its own way, the blade lies on top: as high above the middle as it was below.
+    // After the turn about its path the blade lies on top, as high above the centre as it was below.
     let flipped = Pose { position: DVec3::ZERO, rotation: (turn(along, PI) * facing).normalize() };
     let on_top = |p: DVec3| Pose { position: p, ..flipped };
     let above = side(DVec3::Z);
@@ -140,8 +140,7 @@ fn flip(world: &World, key: u32, at: &Pose) -> Vec<Leg> {
     ]
 }
 
-/// Up, across and down; `low` is the point of the surface on which it will lie. Within the pan it is lifted just off
-/// what lies there.
+/// Up, across and down; `low` is the point of the target surface. Within the pan the lift only clears other pieces.
 fn carry(world: &World, key: u32, at: &Pose, low: DVec3, within: bool) -> Vec<Leg> {
     let (above, below) = (reach_of(world, key, at, DVec3::Z), reach_of(world, key, at, -DVec3::Z));
     let tip = DVec3::Z * (0.5 * above);

@@ -1,4 +1,4 @@
-//! Rigid bodies of the kitchen: pan, table, board, foods, and the step that moves them.
+//! The rigid-body world: pan, table, board, foods, and its time step.
 
 use std::collections::BTreeMap;
 
@@ -13,42 +13,40 @@ use rapier3d::geometry::{
 };
 use rapier3d::math::Vector;
 use rapier3d::pipeline::PhysicsPipeline;
-use saute_food::Solid;
+use saute_food::{GRAVITY, Solid};
 
 use super::blade::insert_blade;
 use super::pan_motion::{PanMotion, PanTarget};
 use super::pan_shape::PanShape;
 use super::pose::Pose;
 use super::{scale, solid_shape};
-use crate::piece::piece_state::GRAVITY;
 
-/// Rigid steps a second [1/s] (chosen: at 240 even 35 shrimps, shaken, sink into each other by less than 0.5 mm).
+/// Rigid steps per second [1/s] (chosen: at 240 Hz 35 shaken shrimps penetrate each other by less than 0.5 mm).
 pub const RIGID_HZ: u32 = 240;
 /// Length of one rigid step [s].
 pub const RIGID_S: f64 = 1.0 / RIGID_HZ as f64;
-/// Size of a typical body, from which the solver takes its tolerances [solver units] (chosen: 2 cm).
+/// Size of a typical body, which scales the solver's tolerances [solver units] (chosen: 2 cm).
 const TYPICAL: f32 = 2.0;
-/// Natural frequency [Hz] and damping ratio [-] of contacts (chosen: stiff enough for 0.1 mm at rest, damped enough not to
-/// ring at the step's length).
+/// Natural frequency [Hz] and damping ratio [-] of contacts (chosen: 0.1 mm of penetration at rest, no
+/// oscillation at this step).
 const CONTACT_HZ: f32 = 230.0;
 const CONTACT_DAMPING: f32 = 4.0;
-/// Solver iterations (chosen: with them and these contacts a pile of 35 shrimps comes to rest, and shaken sinks into itself
-/// by 0.3 mm).
+/// Solver iterations [-] (chosen: a pile of 35 shrimps comes to rest, and penetrates by 0.3 mm when shaken).
 const ITERATIONS: usize = 2;
-/// Relaxations in each iteration (chosen: with fewer, coins that lean against each other rattle).
+/// Stabilisation iterations per solver iteration [-] (chosen: with fewer, coins leaning on each other rattle).
 const RELAXATIONS: usize = 2;
-/// Speed below which a body counts as creeping [solver units/s] (chosen: 5 cm/s), and the damping of such a body's speed
-/// and turning [1/s] (chosen: soft, wet food loses what little motion it has within hundredths of a second).
+/// Speed below which a body creeps [solver units/s] (chosen: 5 cm/s), and the linear and angular damping of a creeping
+/// body [1/s] (chosen: soft, wet food stops within hundredths of a second).
 const CREEPING: f32 = 5.0;
 const CREEP_DAMPING: [f32; 2] = [30.0, 60.0];
-/// How far ahead contacts are made [TYPICAL] (chosen: a millimetre).
+/// Prediction distance of contacts [TYPICAL] (chosen: a millimetre).
 const PREDICTION: f32 = 0.05;
-/// Drift up to which a contact is kept [TYPICAL] (chosen: 0.2 mm).
+/// Drift up to which a contact is reused [TYPICAL] (chosen: 0.2 mm).
 const RECYCLING: f32 = 0.01;
-/// Mass change after which a body is weighed anew [-] (chosen).
+/// Relative change of mass that updates the rigid body [-] (chosen: below what motion shows).
 const NEW_MASS: f64 = 0.01;
 
-/// Speed below which a body may go to rest [TYPICAL/s] (chosen: a centimetre a second; wet food sticks where it creeps).
+/// Speed below which a body may sleep [TYPICAL/s] (chosen: 1 cm/s; wet food sticks when it creeps).
 const RESTING: f32 = 0.5;
 
 const FOOD_INSIDE: Group = Group::GROUP_1;
@@ -56,10 +54,10 @@ const FOOD_OUTSIDE: Group = Group::GROUP_2;
 const PAN_FLOOR: Group = Group::GROUP_3;
 const KITCHEN: Group = Group::GROUP_4;
 pub(super) const BLADE: Group = Group::GROUP_5;
-/// Foods wherever they are.
+/// Foods inside and outside the pan.
 pub(super) const FOODS: Group = Group::GROUP_1.union(Group::GROUP_2);
 
-/// What a body touches.
+/// Counterpart of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Against {
     /// The pan's floor.
@@ -103,17 +101,17 @@ impl Against {
 /// One contact of a piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// What it touches.
+    /// Counterpart.
     pub against: Against,
     /// Normal force [N].
     pub force: f64,
 }
 
-/// The board on which food rests: where it lies and its half sizes [m] (chosen: an ordinary board beside the hob, within view).
+/// Centre of the board on which food rests [m] (chosen: next to the hob, within view).
 pub const BOARD_AT: DVec3 = DVec3::new(0.335, 0.03, 0.008);
-/// Half sizes of the board [m].
+/// Half extents of the board [m] (chosen: an ordinary board).
 pub const BOARD_HALF: DVec3 = DVec3::new(0.13, 0.18, 0.008);
-/// Half the side of the hob's glass [m] (chosen: one zone with its frame).
+/// Half the side length of the hob's glass [m] (chosen: one zone with its frame).
 pub const GLASS_HALF: f64 = 0.2;
 
 #[derive(Clone, Debug)]
@@ -144,7 +142,7 @@ pub struct World {
     pub(super) blade: RigidBodyHandle,
     pub(super) spared: Option<u32>,
     pub(super) foods: BTreeMap<u32, FoodBody>,
-    /// How the pan moves.
+    /// Motion of the pan.
     pub motion: PanMotion,
     may_sleep: bool,
     pub(super) settled: bool,
@@ -153,7 +151,7 @@ pub struct World {
 impl Clone for World {
     fn clone(&self) -> Self {
         Self {
-            // Both hold scratch space only.
+            // Both hold scratch memory only.
             pipeline: PhysicsPipeline::new(),
             ccd: CCDSolver::new(),
             parameters: self.parameters,
@@ -184,7 +182,7 @@ impl core::fmt::Debug for World {
 }
 
 impl World {
-    /// A pan on its ring, a table, a board and no food.
+    /// A world with a pan on its ring, a table and a board, without food.
     pub fn new(shape: PanShape) -> Self {
         let mut bodies = RigidBodySet::new();
         let mut colliders = ColliderSet::new();
@@ -231,8 +229,8 @@ impl World {
         &self.shape
     }
 
-    /// Whether bodies at rest stop being computed until something stirs them; they do unless told otherwise.
-    pub fn let_sleep(&mut self, may_sleep: bool) {
+    /// Enables or disables sleeping of bodies at rest, and wakes all; it is enabled by default.
+    pub fn set_sleeping(&mut self, may_sleep: bool) {
         self.may_sleep = may_sleep;
         for food in self.foods.values() {
             set_sleep(&mut self.bodies[food.body], may_sleep);
@@ -240,7 +238,7 @@ impl World {
         self.stir();
     }
 
-    /// Lets a body into the world, at rest.
+    /// Adds a body at rest.
     pub fn add(&mut self, key: u32, solid: Solid, mass: f64, pose: &Pose) {
         let inside = self.shape.holds(self.motion.pose.to_body(pose.position));
         let mut body = RigidBodyBuilder::dynamic().pose(scale::solver_pose(pose)).ccd_enabled(true).build();
@@ -262,7 +260,7 @@ impl World {
         self.stir();
     }
 
-    /// Takes a body out of the world.
+    /// Removes a body.
     pub fn remove(&mut self, key: u32) {
         if let Some(food) = self.foods.remove(&key) {
             let Self { islands, bodies, colliders, joints, multibody_joints, soft_bodies, .. } = self;
@@ -271,7 +269,7 @@ impl World {
         }
     }
 
-    /// Weighs a body anew [kg].
+    /// Sets the mass of a body [kg]; changes below one per cent are ignored.
     pub fn set_mass(&mut self, key: u32, mass: f64) {
         let Some(food) = self.foods.get_mut(&key) else { return };
         if (mass / food.mass.max(1e-9) - 1.0).abs() < NEW_MASS {
@@ -287,7 +285,7 @@ impl World {
         }
     }
 
-    /// Friction of a body against whatever is smoother [-].
+    /// Sets the friction coefficient of a body [-]; a contact uses the smaller one of its two.
     pub fn set_friction(&mut self, key: u32, friction: f64) {
         let Some(food) = self.foods.get_mut(&key) else { return };
         if (friction - food.friction).abs() < 0.01 {
@@ -301,7 +299,7 @@ impl World {
         }
     }
 
-    /// Gives a body its present shape, when that has changed.
+    /// Sets the collision shape of a body if it has changed.
     pub fn set_solid(&mut self, key: u32, solid: Solid) {
         let Some(food) = self.foods.get_mut(&key) else { return };
         if food.solid == solid {
@@ -316,12 +314,12 @@ impl World {
         self.stir();
     }
 
-    /// The solid as which a body collides.
+    /// Collision shape of a body.
     pub fn solid(&self, key: u32) -> Option<&Solid> {
         self.foods.get(&key).map(|f| &f.solid)
     }
 
-    /// All bodies.
+    /// Keys of all bodies.
     pub fn keys(&self) -> impl Iterator<Item = u32> + '_ {
         self.foods.keys().copied()
     }
@@ -335,12 +333,12 @@ impl World {
         self.body(key).map(|b| scale::pose(b.position()))
     }
 
-    /// Velocity of a body [m/s] and its turning speed [rad/s].
+    /// Velocity [m/s] and angular velocity [rad/s] of a body.
     pub fn velocity(&self, key: u32) -> Option<(DVec3, DVec3)> {
         self.body(key).map(|b| (scale::metres(b.linvel()), scale::metres(b.angvel()) * scale::PER_METRE))
     }
 
-    /// Moments of inertia of a body, times a vector of turning [kg·m²].
+    /// Inertia tensor of a body [kg·m²] times an angular vector.
     pub fn inertia_times(&self, key: u32, turning: DVec3) -> DVec3 {
         let Some(body) = self.body(key) else { return DVec3::ZERO };
         let local = &body.mass_properties().local_mprops;
@@ -351,7 +349,7 @@ impl World {
         scale::metres(out) * scale::PER_METRE / (scale::PER_KILOGRAM * scale::PER_METRE * scale::PER_METRE)
     }
 
-    /// Pushes and twists a body during the next step [N, N·m].
+    /// Applies a force [N] and a torque [N·m] to a body during the next step.
     pub fn push(&mut self, key: u32, force: DVec3, torque: DVec3) {
         let Some(body) = self.foods.get(&key).and_then(|f| self.bodies.get_mut(f.body)) else { return };
         body.add_force(scale::force(force), true);
@@ -364,7 +362,7 @@ impl World {
         self.foods.get(&key).map_or(0.0, |f| f.mass)
     }
 
-    /// Everything that a body touches now, what it presses on most first.
+    /// Present contacts of a body, sorted by counterpart.
     pub fn contacts(&self, key: u32) -> Vec<Contact> {
         let mut found: BTreeMap<Against, f64> = BTreeMap::new();
         let Some(food) = self.foods.get(&key) else { return Vec::new() };
@@ -382,7 +380,7 @@ impl World {
         found.into_iter().map(|(against, force)| Contact { against, force }).collect()
     }
 
-    /// How deep any two bodies, or a body and the pan, overlap [m].
+    /// Deepest penetration between any two bodies, the pan included [m].
     pub fn deepest_overlap(&self) -> f64 {
         let apart = |a: &Collider, b: &Collider| a.parent() != b.parent();
         let mut deepest = 0.0f32;
@@ -408,7 +406,7 @@ impl World {
         f64::from(food.colliders.iter().map(to).fold(f32::INFINITY, f32::min)) / scale::PER_METRE
     }
 
-    /// Wakes everything.
+    /// Wakes all bodies.
     pub fn stir(&mut self) {
         self.settled = false;
         for food in self.foods.values() {
@@ -418,12 +416,12 @@ impl World {
         }
     }
 
-    /// Whether nothing moves and nothing needs to be computed.
+    /// Returns true if all bodies sleep, so that rigid steps are skipped.
     pub fn is_settled(&self) -> bool {
         self.settled
     }
 
-    /// One rigid step in which the pan follows its target.
+    /// Advances the world by one rigid step of [`RIGID_S`]; the pan follows its target as a kinematic body.
     pub fn step(&mut self, target: &PanTarget) {
         let stood = self.motion.is_still();
         self.motion.follow(target, RIGID_S);
@@ -478,7 +476,7 @@ impl World {
         self.settled = asleep && self.may_sleep && self.motion.is_still();
     }
 
-    /// Foods over the pan meet its floor; foods elsewhere meet table and board.
+    /// Sets the collision groups of a food: over the pan it collides with the floor, elsewhere with table and board.
     pub(super) fn set_groups(&mut self, key: u32, inside: bool) {
         let Some(food) = self.foods.get_mut(&key) else { return };
         food.inside = inside;
@@ -492,11 +490,11 @@ impl World {
     }
 }
 
-/// Friction of a body that nothing is known of [-] (chosen).
+/// Friction coefficient of a body before its first update [-] (chosen).
 const DEFAULT_FRICTION: f64 = 0.3;
-/// Restitution of food [-] (chosen: wet flesh hardly bounces).
+/// Coefficient of restitution of food [-] (chosen: wet flesh hardly bounces).
 const RESTITUTION: f32 = 0.05;
-/// Force [N] that makes an impulse of the solver in one step.
+/// Mean force over one step of a solver impulse [N].
 pub(super) fn newtons(impulse: f32) -> f64 {
     f64::from(impulse) / (RIGID_S * scale::PER_METRE * scale::PER_KILOGRAM)
 }

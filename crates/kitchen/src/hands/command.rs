@@ -1,10 +1,10 @@
-//! What hands, keys, devices and recipes may ask of a kitchen.
+//! Commands to a kitchen from hands, keys, devices and recipes, and the reasons for refusals.
 
 use serde::{Deserialize, Serialize};
 
 use crate::dynamics::{Pose, Tool};
 
-/// Where food rests.
+/// Surface on which food rests.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum RestOn {
@@ -17,7 +17,7 @@ pub enum RestOn {
     Foil,
 }
 
-/// A command; takes effect at the start of the next tick.
+/// A command. It takes effect at the start of the next tick.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
     /// Sets the hob's electrical power [W].
@@ -28,7 +28,7 @@ pub enum Command {
         food: String,
         /// Where its centroid goes [m].
         at: [f64; 2],
-        /// Dropped from above onto what lies there, instead of laid onto the floor.
+        /// True to drop it from above onto the pieces there, false to lay it onto the floor.
         heap: bool,
     },
     /// Turns a piece over about its long axis.
@@ -40,56 +40,56 @@ pub enum Command {
     Rest {
         /// Which piece.
         food: String,
-        /// Onto what.
+        /// Surface.
         on: RestOn,
     },
-    /// Cuts a piece that lies on the board in halves, across its long axis, and opens it.
+    /// Cuts a piece on the board into halves, across its long axis, and opens it.
     Halve {
         /// Which piece.
         food: String,
-        /// Distance of the cut from the middle along the long axis [m].
+        /// Distance of the cut from the centre along the long axis [m].
         at: f64,
     },
-    /// Moves the pan over the hob; what lies in it moves along.
+    /// Moves the pan over the hob with its contents.
     MovePan {
         /// Centre of the pan relative to the ring's [m].
         at: [f64; 2],
         /// Height above the glass [m].
         lift: f64,
     },
-    /// Sets the pan on the wet cloth for a while [s]; a fresh cloth unless one lies there already.
+    /// Sets the pan on the wet cloth; the cloth is fresh unless the pan stands on one already.
     Cool {
-        /// How long [s].
+        /// Duration [s].
         for_s: f64,
     },
-    /// Tosses what lies in the pan.
+    /// Tosses the contents of the pan.
     Toss {
-        /// How high the foods shall fly [m].
+        /// Height of the flight [m].
         height: f64,
     },
-    /// Shakes the pan to and fro.
+    /// Shakes the pan left and right.
     Shake {
-        /// Farthest from the middle, to either side [m].
+        /// Amplitude to either side [m].
         amplitude: f64,
-        /// How often [Hz].
+        /// Frequency [Hz].
         hz: f64,
-        /// How long [s].
+        /// Duration [s].
         for_s: f64,
     },
-    /// Tilts the pan until it is tilted otherwise.
+    /// Tilts the pan; the tilt stays until the next command that turns the pan.
     Tilt {
         /// Angle between floor and horizontal [rad].
         angle: f64,
-        /// Direction in which the floor goes down, from +x over +y [rad].
+        /// Azimuth of the descent of the floor, from +x towards +y [rad].
         towards: f64,
     },
     /// Presses a piece onto the floor.
     Press {
         /// Which piece.
         food: String,
-        /// With what force [N].
+        /// Force [N].
         newtons: f64,
-        /// How long [s].
+        /// Duration [s].
         for_s: f64,
     },
     /// Pushes or carries a piece to a place in the pan [m].
@@ -99,39 +99,40 @@ pub enum Command {
         /// Where its centroid goes, relative to the pan's centre [m].
         to: [f64; 2],
     },
-    /// Leads a tool freely to a pose; what it grips follows it by force.
+    /// Moves a tool freely to a pose. A gripped piece follows by a spring–damper of bounded force.
     Lead {
         /// Which tool.
         tool: Tool,
-        /// Where its tip shall be, in the kitchen.
+        /// Target pose of its tip in the kitchen.
         to: Pose,
-        /// Which piece it takes hold of, once within reach.
+        /// Piece to grip once it is within reach.
         grip: Option<String>,
     },
-    /// Lowers what a led tool grips until it lies, lets it go and puts the tool away.
+    /// Lowers a gripped piece until it is supported, releases it and puts the tool away.
     LetGo,
-    /// Holds the pan at a pose of the middle of its floor, within reach and above the glass; ends a gesture.
+    /// Holds the pan at a pose of the centre of its floor, limited to reach and to the space above the glass; ends a
+    /// gesture.
     HoldPan {
-        /// Where.
+        /// Pose of the centre of the floor.
         pose: Pose,
     },
     /// Pours oil into the pan.
     Oil {
-        /// Which oil; the kitchen's own unless given.
+        /// Kind of oil; the kitchen's default if `None`.
         kind: Option<String>,
-        /// How much [kg].
+        /// Mass [kg].
         mass: f64,
     },
     /// Puts butter into the pan [kg].
     Butter(f64),
     /// Pours water into the pan [kg].
     Water(f64),
-    /// Lays the lid on, or takes it off.
+    /// Puts the lid on (true) or takes it off.
     Lid(bool),
 }
 
 impl Command {
-    /// Whether it cannot be done while the lid is on.
+    /// Returns true if the lid prevents the command.
     pub fn needs_open_pan(&self) -> bool {
         match self {
             Self::Put { .. } | Self::Flip { .. } | Self::Rest { .. } => true,
@@ -145,7 +146,7 @@ impl Command {
     }
 }
 
-/// Why a command was not carried out; the kitchen is unchanged.
+/// Reason why a command is refused. The kitchen is unchanged.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Refused {
     /// No such piece.
@@ -155,30 +156,30 @@ pub enum Refused {
     #[error("\"{0}\" is not in the pan: put it in first")]
     NotInPan(String),
     /// Not on the board.
-    #[error("\"{0}\" does not lie on the board, where the knife works: rest it on the board first")]
+    #[error("\"{0}\" is not on the board, where it can be cut: take it out first")]
     NotOnBoard(String),
-    /// In halves already.
-    #[error("\"{0}\" is cut in halves already: it can be cut once")]
+    /// Halved already.
+    #[error("\"{0}\" is already halved: a piece can be cut once")]
     AlreadyHalved(String),
-    /// The knife would miss it.
+    /// The cut is beyond the end of the piece.
     #[error("the knife would miss \"{food}\": cut within {most_mm} mm of its middle")]
     BesideFood {
         /// Which piece.
         food: String,
-        /// Farthest from the middle [mm].
+        /// Largest distance from the centre [mm].
         most_mm: i64,
     },
     /// In the pan already.
     #[error("\"{0}\" is in the pan already")]
     AlreadyInPan(String),
-    /// Does not fit.
+    /// Does not fit onto the floor there.
     #[error(
         "\"{food}\" does not fit there: it reaches {reach_mm} mm from the pan's centre, the flat floor {floor_mm} mm; put it nearer to the centre or choose a smaller piece"
     )]
     DoesNotFit {
         /// Which piece.
         food: String,
-        /// How far it would reach [mm].
+        /// Reach of the piece from the pan's centre [mm].
         reach_mm: i64,
         /// Radius of the floor [mm].
         floor_mm: i64,
@@ -188,19 +189,19 @@ pub enum Refused {
     Occupied {
         /// Which piece.
         food: String,
-        /// What is in the way.
+        /// Piece in the way.
         other: String,
     },
-    /// Waits outside of the world of bodies.
-    #[error("\"{0}\" waits to be put in: no tool can lead it yet")]
+    /// Waiting: the piece has no rigid body yet.
+    #[error("\"{0}\" is not on the board or in the pan yet: put it in before you use a tool on it")]
     Waiting(String),
-    /// Nothing to toss.
+    /// The pan is empty: nothing to toss.
     #[error("there is nothing in the pan to toss: put a food in first")]
     EmptyPan,
-    /// The pan would be out of reach.
+    /// The pan's target is out of reach.
     #[error("the pan can be moved and lifted by up to {farthest_mm} mm")]
     PanPlace {
-        /// How far [mm].
+        /// Largest distance [mm].
         farthest_mm: i64,
     },
     /// Power out of range.
@@ -212,17 +213,17 @@ pub enum Refused {
     /// Unknown oil.
     #[error("there is no oil \"{kind}\"; there are: {known}")]
     NoSuchOil {
-        /// What was asked for.
+        /// Kind in the command.
         kind: String,
-        /// What there is.
+        /// Known kinds.
         known: String,
     },
-    /// No amount, or more than the pan holds.
-    #[error("that is no amount of {what} that the pan holds: give more than 0 and at most {holds_g} g")]
+    /// The amount is not positive or exceeds the free volume of the pan.
+    #[error("the pan cannot take this amount of {what}: give more than 0 and at most {holds_g} g")]
     Amount {
-        /// What.
+        /// Substance.
         what: &'static str,
-        /// Most [g].
+        /// Largest amount [g].
         holds_g: i64,
     },
     /// The lid is in the way.

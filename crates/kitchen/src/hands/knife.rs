@@ -1,11 +1,11 @@
-//! The knife: it cuts what lies on the board in halves and opens it.
+//! The knife: it halves a piece on the board and opens it.
 
 use crate::hands::command::Refused;
 use crate::kitchen::Kitchen;
 use crate::tick::event::{Event, EventKind};
 
 impl Kitchen {
-    /// Cuts a piece on the board across its long axis, at a distance from its middle [m].
+    /// Halves a piece on the board across its long axis, at a distance from its centre [m].
     pub(crate) fn halve(&mut self, food: &str, at: f64) -> Result<(), Refused> {
         let (time_s, pan) = (self.time_s(), self.world.motion.pose);
         let piece = self.piece_mut(food)?;

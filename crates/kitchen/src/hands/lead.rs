@@ -1,4 +1,4 @@
-//! A tool in a free hand: it is led to where a person points, takes hold of food, and lays it down again.
+//! A tool that a person moves freely: it follows a target pose, grips food and lays it down.
 
 use glam::DVec3;
 
@@ -7,27 +7,28 @@ use crate::hands::command::Refused;
 use crate::kitchen::Kitchen;
 use crate::piece::piece_state::Place;
 
-/// A tool that a person leads.
+/// Tool that a person moves freely, with its target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Led {
     tool: Tool,
     to: Pose,
     grip: Option<u32>,
-    /// Since when it lays down what it grips, if it does [s].
+    /// Time since the start of laying down; `None` before [s].
     laying_s: Option<f64>,
 }
 
-/// A tool this near to where it is led has arrived [m] (chosen).
+/// Horizontal distance from its target at which a tool has arrived [m] (chosen: small against the tool).
 const ARRIVED: f64 = 0.008;
-/// How quickly food is laid down [m/s] (chosen: gently).
+/// Speed of laying food down [m/s] (chosen: gently).
 const LAYING_SPEED: f64 = 0.25;
-/// How far the tool is below where its food would hang free when the food lies [m] (chosen: above what the spring gives).
+/// Slack of the grip's spring at which the gripped food is supported from below [m] (chosen: above the spring's
+/// deflection by weight).
 const LIES: f64 = 0.003;
-/// Longest time that laying food down takes [s] (chosen: then it is dropped).
+/// Longest duration of laying down; the food is dropped after it [s] (chosen).
 const LAYING_S: f64 = 2.0;
 
 impl Kitchen {
-    /// Leads a tool; a task of the other hand is given up.
+    /// Moves a tool towards a pose; the tasks of the second hand are cancelled.
     pub(crate) fn lead(&mut self, tool: Tool, to: &Pose, grip: Option<&str>) -> Result<(), Refused> {
         let key = match grip {
             Some(food) => {
@@ -39,58 +40,58 @@ impl Kitchen {
             }
             None => None,
         };
-        if self.led.is_none_or(|led| led.tool != tool) {
-            self.hand.withdraw();
-            self.tasks.clear();
-            self.at_work = None;
-            self.hand.pose = *to;
+        if self.second_hand.free.is_none_or(|led| led.tool != tool) {
+            self.second_hand.hand.withdraw();
+            self.second_hand.tasks.clear();
+            self.second_hand.current = None;
+            self.second_hand.hand.pose = *to;
         }
-        self.led = Some(Led { tool, to: *to, grip: key, laying_s: None });
-        // The hand is active at once, so that even a world at rest is looked at.
-        self.hand.lead(tool, to);
+        self.second_hand.free = Some(Led { tool, to: *to, grip: key, laying_s: None });
+        // The hand becomes active at once: rigid steps are skipped while all bodies rest and no hand is active.
+        self.second_hand.hand.lead(tool, to);
         Ok(())
     }
 
-    /// The tool that a person leads; none once it is laid down.
+    /// Returns the tool that a person moves, or `None` once it is being laid down.
     pub fn led_tool(&self) -> Option<Tool> {
-        self.led.filter(|led| led.laying_s.is_none()).map(|led| led.tool)
+        self.second_hand.free.filter(|led| led.laying_s.is_none()).map(|led| led.tool)
     }
 
-    /// Lays down what is gripped; a hand that grips nothing is put away at once.
+    /// Starts to lay the gripped piece down; a tool without grip is put away at once.
     pub(crate) fn let_go(&mut self) {
-        match &mut self.led {
-            Some(led) if self.hand.gripped().is_some() => led.laying_s = Some(0.0),
+        match &mut self.second_hand.free {
+            Some(led) if self.second_hand.hand.gripped().is_some() => led.laying_s = Some(0.0),
             _ => self.end_lead(),
         }
     }
 
     fn end_lead(&mut self) {
-        if self.led.take().is_some() {
-            self.hand.withdraw();
+        if self.second_hand.free.take().is_some() {
+            self.second_hand.hand.withdraw();
         }
     }
 
-    /// One rigid step of a led tool.
+    /// One rigid step of the free tool.
     pub(crate) fn follow_lead(&mut self) {
-        let Some(mut led) = self.led else { return };
+        let Some(mut led) = self.second_hand.free else { return };
         if let Some(since) = &mut led.laying_s {
             *since += RIGID_S;
-            let arrived = (led.to.position - self.hand.pose.position).truncate().length() < ARRIVED;
-            let lies = self.hand.hanging_below(&self.world).is_none_or(|low| low < -LIES);
+            let arrived = (led.to.position - self.second_hand.hand.pose.position).truncate().length() < ARRIVED;
+            let lies = self.second_hand.hand.hanging_below(&self.world).is_none_or(|low| low < -LIES);
             if *since > LAYING_S || (arrived && lies) {
                 return self.end_lead();
             }
             if arrived {
-                led.to.position = self.hand.pose.position - DVec3::Z * (LAYING_SPEED * RIGID_S);
+                led.to.position = self.second_hand.hand.pose.position - DVec3::Z * (LAYING_SPEED * RIGID_S);
             }
         }
-        self.hand.lead(led.tool, &led.to);
-        if let (Some(key), None, None) = (led.grip, self.hand.gripped(), led.laying_s) {
-            self.hand.grip(key, &self.world);
+        self.second_hand.hand.lead(led.tool, &led.to);
+        if let (Some(key), None, None) = (led.grip, self.second_hand.hand.gripped(), led.laying_s) {
+            self.second_hand.hand.grip(key, &self.world);
         }
         if (led.tool, led.grip, led.laying_s) == (Tool::Turner, None, None) {
-            self.hand.scoop(&led.to, &self.world);
+            self.second_hand.hand.scoop(&led.to, &self.world);
         }
-        self.led = Some(led);
+        self.second_hand.free = Some(led);
     }
 }

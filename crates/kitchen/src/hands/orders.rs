@@ -1,4 +1,4 @@
-//! What a command does, or why it is refused.
+//! Execution of commands.
 
 use std::sync::Arc;
 
@@ -16,14 +16,14 @@ use crate::kitchen::Kitchen;
 use crate::pan::cloth::Cloth;
 use crate::piece::piece_state::{Piece, Place};
 
-/// How far the pan may be moved or lifted [m] (chosen: within reach).
+/// Largest displacement and lift of the pan [m] (chosen: within reach).
 const FARTHEST_PAN: f64 = 0.5;
-/// Height above what lies below from which a piece is laid [m] (chosen: it lands in a tenth of a tick).
+/// Height above the floor from which a piece is laid [m] (chosen: it lands in a tenth of a tick).
 const LAY: f64 = 0.2e-3;
-/// The same for one that is dropped onto others [m] (chosen).
+/// Height above other pieces from which a piece is dropped [m] (chosen: clear of their uneven tops).
 const HEAP: f64 = 4.0e-3;
 
-/// Distances that food on the board keeps from its edge and from other food [m] (chosen: fingers need them).
+/// Distances of food on the board from the edge and from other food [m] (chosen: room for fingers).
 const MARGIN: f64 = 0.015;
 const BESIDE: f64 = 0.005;
 
@@ -64,7 +64,7 @@ impl Kitchen {
             Command::Tilt { angle, towards } => {
                 let [x, y, lift] = self.stands_at();
                 let floor = *self.world.pan_shape();
-                self.held_at = floor.standing([x, y], lift, tilt(*angle, *towards));
+                self.pan_hold.pose = floor.standing([x, y], lift, tilt(*angle, *towards));
                 Ok(())
             }
             Command::Press { food, newtons, for_s } => {
@@ -81,27 +81,27 @@ impl Kitchen {
         }
     }
 
-    /// Under the rules of 2013 the pan is cool as soon as it touches the cloth.
+    /// Cools the pan at once under the rules of 2013.
     fn cool_at_once(&mut self) {
         if self.rules() == Rules::Paper2013 {
             let fixed = Arc::clone(&self.fixed);
             let before = fixed.pan.stored(&self.pan);
             let cool = kelvin(fixed.room.rules_2013.cloth_c);
             self.pan.temperature.iter_mut().for_each(|t| *t = t.min(cool));
-            self.flows.other += before - fixed.pan.stored(&self.pan);
+            self.account.flows.other += before - fixed.pan.stored(&self.pan);
         }
     }
 
-    /// Pours or lays something into the pan.
+    /// Executes a command about liquids or the lid and adds it to the energy account.
     fn pour(&mut self, command: &Command) -> Result<(), Refused> {
         let fixed = Arc::clone(&self.fixed);
         let time = self.time_s();
-        let mut at = Pouring { room: &fixed.room, covered: &self.covered, time, events: &mut self.events };
+        let mut at = Pouring { room: &fixed.room, covered: &self.load.covered, time, events: &mut self.events };
         let brought = fixed.pan.pour(&mut self.pan, command, &mut at)?;
-        self.bring(brought.stored);
-        self.flows.air += brought.air;
-        self.flows.evaporation += brought.evaporation;
-        self.flows.other += brought.other;
+        self.account.add_to_pan(brought.stored);
+        self.account.flows.air += brought.air;
+        self.account.flows.evaporation += brought.evaporation;
+        self.account.flows.other += brought.other;
         Ok(())
     }
 
@@ -119,7 +119,7 @@ impl Kitchen {
         if !reach.contains(&lift) || !reach.contains(&libm::hypot(at[0], at[1])) {
             return Err(Refused::PanPlace { farthest_mm: libm::round(FARTHEST_PAN * 1e3) as i64 });
         }
-        self.held_at = self.world.pan_shape().standing(at, lift, self.held_at.rotation);
+        self.pan_hold.pose = self.world.pan_shape().standing(at, lift, self.pan_hold.pose.rotation);
         Ok(())
     }
 
@@ -127,23 +127,23 @@ impl Kitchen {
         if !pose.position.is_finite() || !pose.rotation.is_finite() {
             return Err(Refused::PanPlace { farthest_mm: libm::round(FARTHEST_PAN * 1e3) as i64 });
         }
-        self.gesture = None;
-        self.held_at = self.world.pan_shape().within_reach(pose, FARTHEST_PAN);
+        self.pan_hold.gesture = None;
+        self.pan_hold.pose = self.world.pan_shape().within_reach(pose, FARTHEST_PAN);
         Ok(())
     }
 
-    /// Where the pan is held and how high its lowest edge is above the glass [m].
+    /// Position at which the pan is held and height of its lowest edge above the glass [m].
     fn stands_at(&self) -> [f64; 3] {
-        let (shape, held) = (self.world.pan_shape(), &self.held_at);
+        let (shape, held) = (self.world.pan_shape(), &self.pan_hold.pose);
         [held.position.x, held.position.y, held.position.z - shape.thickness - shape.raise(held.rotation)]
     }
 
     fn begin(&mut self, gesture: Gesture) -> Result<(), Refused> {
-        self.gesture = Some((gesture, 0.0));
+        self.pan_hold.gesture = Some((gesture, 0.0));
         Ok(())
     }
 
-    /// Gives the other hand something to do with a piece that is in the pan.
+    /// Queues a task of the second hand for a piece in the pan.
     fn order(&mut self, food: &str, task: impl Fn(u32) -> Task) -> Result<(), Refused> {
         let piece = self.piece_mut(food)?;
         if !piece.in_pan() {
@@ -154,10 +154,10 @@ impl Kitchen {
         Ok(())
     }
 
-    /// Gives the other hand a task; a tool that a person leads is laid down for it.
+    /// Queues a task of the second hand; a tool that a person moves is laid down first.
     fn hand_over(&mut self, task: Task) {
         self.let_go();
-        self.tasks.push_back(task);
+        self.second_hand.tasks.push_back(task);
     }
 
     fn rest(&mut self, food: &str, on: RestOn) -> Result<(), Refused> {
@@ -177,7 +177,7 @@ impl Kitchen {
         Ok(())
     }
 
-    /// The place on the board that is farthest from all that lies or shall lie there, from the left and front.
+    /// Returns the first place on the board with room, from the left and front; else the place with the most room [m].
     fn free_board(&self, piece: &Piece) -> [f64; 2] {
         let taken: Vec<([f64; 2], f64)> = self.on_board();
         let own = self.world.solid(piece.key).map_or(0.0, radius);
@@ -194,7 +194,7 @@ impl Kitchen {
         let mut best = ([BOARD_AT.x, BOARD_AT.y], room(&[BOARD_AT.x, BOARD_AT.y]));
         for place in places {
             let free = room(&place);
-            // The first place with room will do; else the one with the most.
+            // The first place with room is kept; until then the best one so far.
             if best.1 < 0.0 && free > best.1 {
                 best = (place, free);
             }
@@ -206,7 +206,7 @@ impl Kitchen {
         let size = |key: u32| self.world.solid(key).map_or(0.0, radius);
         let lying = self.pieces.iter().filter(|p| matches!(p.place, Place::Rest(_)));
         let lying = lying.map(|p| ([p.pose.position.x, p.pose.position.y], size(p.key)));
-        let coming = self.tasks.iter().chain(&self.at_work).filter_map(|task| match *task {
+        let coming = self.second_hand.tasks.iter().chain(&self.second_hand.current).filter_map(|task| match *task {
             Task::TakeOut { key, to } => Some((to, size(key))),
             _ => None,
         });
@@ -242,7 +242,7 @@ impl Kitchen {
         Ok(())
     }
 
-    /// A piece that is laid fits onto the floor, beside all others.
+    /// Checks that a piece fits onto the floor without overlap.
     fn check_room(&self, piece: &Piece, at: [f64; 2]) -> Result<(), Refused> {
         let floor = self.world.pan_shape().floor;
         let footprint = piece.footprint();
@@ -261,7 +261,7 @@ impl Kitchen {
         Ok(())
     }
 
-    /// Height above the floor of what lies within a distance of a place in the pan [m].
+    /// Height of the highest piece or surface within a distance of a place in the pan, above the floor [m].
     fn heap_height(&self, at: [f64; 2], within: f64) -> f64 {
         let pan = self.world.motion.pose;
         let surface = self.world.pan_shape();

@@ -1,4 +1,4 @@
-//! What the cook pours, lays and sets on the pan: oil, butter, water, the lid.
+//! Commands that add oil, butter or water to the pan, or move the lid.
 
 use crate::data::room::Room;
 use crate::hands::command::{Command, Refused};
@@ -9,36 +9,36 @@ use crate::pan::lid::Lid;
 use crate::pan::pan_model::{PanModel, PanState};
 use crate::tick::event::{Event, EventKind, EventLog};
 
-/// Water that meets oil hotter than this spatters [K] (110 °C, chosen: well above its boiling point).
+/// Temperature of oil above which added water is reported as spattering [K] (110 °C, chosen: well above boiling).
 const HOT_OIL: f64 = 383.15;
 
-/// Where and when something is poured.
+/// Context of a pour.
 pub(crate) struct Pouring<'a> {
     /// The room.
     pub room: &'a Room,
     /// Share of each node under food [-].
     pub covered: &'a [f64],
-    /// When [s].
+    /// Time [s].
     pub time: f64,
-    /// Where to note what happens.
+    /// Event log.
     pub events: &'a mut EventLog,
 }
 
-/// Energy that came with what was poured, or left with what was taken off [J].
+/// Energy that crosses the kitchen's boundary by a command [J].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Brought {
-    /// Into the pan's store, from outside the kitchen.
+    /// Into the pan's store, with what was poured or put on.
     pub stored: f64,
     /// To the room's air.
     pub air: f64,
     /// To the room as vapour.
     pub evaporation: f64,
-    /// With the lid.
+    /// With the lid that was taken off.
     pub other: f64,
 }
 
 impl PanModel {
-    /// Carries out a command about liquids or the lid; all others bring nothing.
+    /// Executes a command about liquids or the lid; other commands change nothing.
     pub(crate) fn pour(&self, state: &mut PanState, what: &Command, at: &mut Pouring) -> Result<Brought, Refused> {
         if let Command::Lid(on) = what {
             return Ok(self.cover(state, *on, at));
@@ -104,7 +104,7 @@ impl PanModel {
         Err(Refused::Amount { what, holds_g: (1e3 * density * room_left) as i64 })
     }
 
-    /// Puts the lid on or takes it off; nothing where it is so already.
+    /// Puts the lid on or takes it off; no effect if it is in that state already.
     fn cover(&self, state: &mut PanState, on: bool, at: &mut Pouring) -> Brought {
         match (on, state.lid) {
             (true, None) => {

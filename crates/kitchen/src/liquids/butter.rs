@@ -1,4 +1,4 @@
-//! Butter: a piece melts, its water boils off in foam, its milk solids brown and then char.
+//! Butter: a lump melts, its water boils off with foam, its milk solids brown and then char.
 
 use saute_food::ZERO_C;
 use saute_food::sourced_table;
@@ -22,10 +22,10 @@ sourced_table! {
     }
 }
 
-/// What never changes about butter.
+/// Immutable model of butter.
 #[derive(Clone, Debug)]
 pub struct ButterModel {
-    /// Which oil its fat is, as the pan numbers them; the fat carries its milk solids with it.
+    /// Index of its fat among the pan's oils; the fat carries the milk solids.
     pub kind: usize,
     emulsion: Emulsion,
     /// Specific heat of the whole [J/(kg·K)].
@@ -35,36 +35,36 @@ pub struct ButterModel {
     foam: FoamData,
 }
 
-/// A piece of butter that has not molten yet.
+/// A lump of solid butter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lump {
     /// Mass [kg].
     pub mass: f64,
     /// Temperature [K].
     pub temperature: f64,
-    /// Nodes on which it lies, and the area of each that it covered at first [m²].
+    /// Nodes below it, and the initially covered area of each [m²].
     pub footprint: Vec<(usize, f64)>,
-    /// Mass that covered those [kg].
+    /// Initial mass on these areas [kg].
     pub whole: f64,
 }
 
-/// Butter in the pan, but for its fat and its water, which lie with the oil and the water.
+/// Butter in the pan, without its molten fat and water, which belong to the films of oil and water.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Butter {
-    /// Piece that is left.
+    /// Lump that has not melted yet.
     pub lump: Option<Lump>,
-    /// Foam, 0 none – 1 the pan full [-].
+    /// Foam, from 0 (none) to 1 (full pan) [-].
     pub foam: f64,
-    /// Browning of the milk solids, 0–1 [-].
+    /// Browning of the milk solids, from 0 to 1 [-].
     pub browning: f64,
-    /// Charring of the milk solids, 0–1 [-].
+    /// Charring of the milk solids, from 0 to 1 [-].
     pub charring: f64,
 }
 
-/// What a piece gives off at one node in one tick.
+/// Melt of a lump at one node in one tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Molten {
-    /// Where.
+    /// Node.
     pub node: usize,
     /// Fat with milk solids [kg].
     pub fat: f64,
@@ -77,7 +77,7 @@ pub struct Molten {
 }
 
 impl ButterModel {
-    /// From the oil that is butter; none where that has no water and milk solids.
+    /// Builds the model from the oil of an index; `None` if that oil is no emulsion.
     pub fn new(oils: &[Oil], kind: usize, foam: &FoamData) -> Option<Self> {
         let oil = oils.get(kind)?;
         let emulsion = oil.description.emulsion.clone()?;
@@ -91,19 +91,19 @@ impl ButterModel {
         })
     }
 
-    /// Share of milk solids in what lies with the oil [-].
+    /// Mass share of milk solids in the molten fat [-].
     pub fn solids_share(&self) -> f64 {
         self.emulsion.solids / (1.0 - self.emulsion.water)
     }
 
-    /// Enthalpy of a piece above molten butter at 0 °C [J].
+    /// Enthalpy of a lump above molten butter at 0 °C [J].
     pub fn stored(&self, lump: &Lump) -> f64 {
         lump.mass * (self.specific_heat * (lump.temperature - ZERO_C) - self.emulsion.latent_j_kg)
     }
 }
 
 impl Butter {
-    /// Lays a piece on the floor, as near to its middle as nothing `covers` it; a piece that lies there already joins it.
+    /// Puts a lump on the floor, on the uncovered nodes nearest to the centre; a lump in the pan merges with it.
     pub fn lay(&mut self, model: &ButterModel, bed: &Bed, covered: &[f64], mass: f64, temperature: f64) {
         let (old, warm) = self.lump.take().map_or((0.0, temperature), |l| (l.mass, l.temperature));
         let whole = old + mass;
@@ -128,8 +128,8 @@ impl Butter {
             Some(Lump { mass: whole, temperature: (old * warm + mass * temperature) / whole, footprint, whole });
     }
 
-    /// Warms and melts the piece for `dt` [s] on a pan of these temperatures [K], and tells what each node gets and gives,
-    /// with that node's temperature.
+    /// Warms and melts the lump for `dt` [s] on a pan of these temperatures [K]; calls `give` with the melt at each node
+    /// and the node's temperature.
     pub fn melt(
         &mut self,
         model: &ButterModel,
@@ -139,7 +139,7 @@ impl Butter {
     ) {
         let Some(lump) = &mut self.lump else { return };
         let melting = kelvin(model.emulsion.melting_c);
-        // It grows thinner as well as narrower.
+        // It becomes thinner as well as narrower.
         let left = libm::sqrt(lump.mass / lump.whole);
         let conductance = model.emulsion.conductance_w_m2k * left * dt;
         let cold = lump.temperature;
@@ -152,7 +152,7 @@ impl Butter {
         let warming = lump.mass * model.specific_heat * (melting - lump.temperature);
         let most = warming + lump.mass * model.emulsion.latent_j_kg;
         let net = (gained + lost).min(most);
-        // A piece takes no more than it needs to melt altogether.
+        // The heat is limited to complete melting.
         let scale = if gained > 0.0 { (net - lost) / gained } else { 1.0 };
         let molten = ((net - warming) / model.emulsion.latent_j_kg).clamp(0.0, lump.mass);
         for &(node, area) in &lump.footprint {
@@ -171,22 +171,22 @@ impl Butter {
         }
     }
 
-    /// Foam rises with the steam that passes through butter [kg/s] and subsides without it.
+    /// Relaxes the foam towards its equilibrium with the steam through butter [kg/s].
     pub fn froth(&mut self, model: &ButterModel, steam: f64, dt: f64) {
         let half = 1e-3 * model.foam.half_g_s;
         let change = 1.0 - libm::exp(-dt / model.foam.time_constant_s);
         self.foam += change * (steam / (steam + half) - self.foam);
     }
 
-    /// Fresh fat joins what is browned already [kg].
+    /// Dilutes browning and charring with fresh fat [kg].
     pub fn freshen(&mut self, before: f64, fresh: f64) {
         let share = if before + fresh > 0.0 { before / (before + fresh) } else { 0.0 };
         self.browning *= share;
         self.charring *= share;
     }
 
-    /// Browns the milk solids for `dt` [s]: dB/dt = k_B (1 − B), dC/dt = k_C B (1 − C), with the mean of the rates over
-    /// where the fat lies.
+    /// Browns the milk solids for `dt` [s]: dB/dt = k_B (1 − B), dC/dt = k_C B (1 − C), implicit Euler with the rates
+    /// averaged by mass of fat.
     pub fn brown(
         &mut self,
         model: &ButterModel,

@@ -1,39 +1,39 @@
-//! A drop of oil that flies off the pan: its path through the air, and where it ends.
+//! Flight of a drop of oil: trajectory and landing.
 //!
-//! Gravity and a drag in proportion to the speed, whose time constant is that of the drop at the speed it is thrown with
-//! (Schiller and Naumann): v(t) = v_t + (v_0 − v_t) e^(−t/τ). The frame is the pan's, its origin the middle of the floor.
+//! Gravity and linear drag, with the time constant of the drop at its initial speed (Schiller and Naumann):
+//! v(t) = v_t + (v_0 − v_t) e^(−t/τ). The frame is the pan's; its origin is the centre of the floor.
 
 use core::f64::consts::{PI, TAU};
 
-use crate::piece::piece_state::GRAVITY;
+use saute_food::GRAVITY;
 
 /// Density of hot oil [kg/m³] (standard tables, 120 °C).
 pub(crate) const OIL_DENSITY: f64 = 855.0;
 /// Density [kg/m³] and viscosity [Pa·s] of warm air over a pan (standard tables, 60 °C).
 const AIR: [f64; 2] = [1.06, 2.0e-5];
-/// Slowest and fastest start of a drop [m/s] (chosen: drops rise some 2 to 20 cm, as cooks see and feel them).
+/// Range of the initial speed [m/s] (chosen: drops rise some 2 to 20 cm, as cooks see and feel them).
 const SPEED: [f64; 2] = [0.7, 2.6];
-/// Least and greatest angle of a start over the horizontal [rad] (chosen: bursting bubbles throw steeply, 50° to 86°).
+/// Range of the initial elevation [rad] (chosen: bursting bubbles eject steeply, 50° to 86°).
 const STEEPNESS: [f64; 2] = [0.87, 1.5];
-/// How far a drop that comes out from under food may turn from the way out [rad] (chosen: 60°).
+/// Largest azimuth between a drop from under food and the shortest way out [rad] (chosen: 60°).
 const AWAY: f64 = 1.05;
-/// Step with which the end of a path is looked for [s] (chosen: a drop moves by 5 mm at most).
+/// Step of the search for the landing [s] (chosen: a drop moves by at most 5 mm).
 const STEP: f64 = 2.0e-3;
-/// No drop flies longer than this [s] (chosen: one that rises by 0.3 m is down after half of it).
+/// Longest flight [s] (chosen: a drop that rises by 0.3 m is down after half of it).
 const LONGEST: f64 = 1.0;
 
-/// Where a flight ends.
+/// Surface on which a flight ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Landing {
-    /// Back on the floor, among the oil.
+    /// The pan's floor; the drop joins the oil.
     Floor,
-    /// On the pan's wall.
+    /// The pan's wall.
     Wall,
-    /// On the plane on which the pan stands.
+    /// The plane below the pan.
     Outside,
 }
 
-/// What drops fly in: the pan's inside and the plane on which it stands.
+/// Geometry for flying drops: the pan's inside and the plane below it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vessel {
     /// Radius of the floor [m].
@@ -42,20 +42,20 @@ pub struct Vessel {
     pub rim: f64,
     /// Height of the rim above the floor [m].
     pub height: f64,
-    /// Height of the floor above the plane on which the pan stands [m].
+    /// Height of the floor above the plane below the pan [m].
     pub stands: f64,
 }
 
-/// A drop on its way.
+/// Ballistic flight of one drop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DropFlight {
-    /// When it was thrown [s].
+    /// Start time [s].
     pub thrown_s: f64,
-    /// How long it flies [s].
+    /// Duration [s].
     pub lasts_s: f64,
-    /// Its radius [m].
+    /// Radius of the drop [m].
     pub radius: f64,
-    /// Where it ends.
+    /// Surface at its end.
     pub landing: Landing,
     from: [f64; 3],
     velocity: [f64; 3],
@@ -64,7 +64,7 @@ pub struct DropFlight {
 }
 
 impl Vessel {
-    /// Where a drop at a place has landed.
+    /// Returns the surface that a drop at a place has reached.
     fn landing(&self, [x, y, z]: [f64; 3]) -> Option<Landing> {
         let away = libm::hypot(x, y);
         let wall = self.floor + (self.rim - self.floor) * (z / self.height).max(0.0);
@@ -81,8 +81,8 @@ impl Vessel {
 }
 
 impl DropFlight {
-    /// A drop of a mass [kg] thrown at a moment [s] from a place; `chance` are three numbers of 0–1 that stand for what is not known
-    /// of it, `out` the way out from under the food that covers it.
+    /// Launches a drop at a time [s] with a mass [kg] from a place. `chance` holds three random numbers in 0–1 for speed,
+    /// elevation and azimuth; `out` is the direction out from under the covering food.
     pub(crate) fn thrown(
         (thrown_s, mass): (f64, f64),
         from: [f64; 3],
@@ -117,7 +117,7 @@ impl DropFlight {
         self.lasts_s = age;
     }
 
-    /// Where it is some time after it was thrown [m].
+    /// Position at an age since the start [s] [m].
     pub fn place(&self, age: f64) -> [f64; 3] {
         let tau = self.relaxation;
         let slowed = tau * (1.0 - libm::exp(-age / tau));
@@ -125,20 +125,20 @@ impl DropFlight {
         core::array::from_fn(|k| self.from[k] + fall[k] * age + (self.velocity[k] - fall[k]) * slowed)
     }
 
-    /// Its velocity then [m/s].
+    /// Velocity at an age since the start [s] [m/s].
     pub fn velocity(&self, age: f64) -> [f64; 3] {
         let left = libm::exp(-age / self.relaxation);
         let fall = [0.0, 0.0, -GRAVITY * self.relaxation];
         core::array::from_fn(|k| fall[k] + (self.velocity[k] - fall[k]) * left)
     }
 
-    /// Where it ends [m].
+    /// Position at its end [m].
     pub fn end(&self) -> [f64; 3] {
         self.place(self.lasts_s)
     }
 }
 
-/// Time constant of the drag on a drop at a speed [s].
+/// Relaxation time of the drag on a drop at a speed [s].
 fn relaxation(radius: f64, speed: f64) -> f64 {
     let [density, viscosity] = AIR;
     let reynolds = 2.0 * radius * speed * density / viscosity;

@@ -1,37 +1,36 @@
 //! Flow of a thin liquid film over the pan under gravity and acceleration.
 //!
 //! Lubrication theory: a film of thickness h flows with the mean speed u = h²/(3ν) · |∇Π|, where Π = −g·x + g_n h is
-//! the potential of its surface; no film outruns a body that falls through the same potential, u < √(2 ΔΠ).
+//! the potential of its surface. The speed is limited to that of free fall through the same potential, u < √(2 ΔΠ).
 //!
-//! A tick is two sweeps over all faces, there and back. Each face is implicit in the two nodes that it joins, so it never
-//! passes more than lets their surfaces meet, and never more than its donor has: whatever the step, masses are kept to
-//! rounding, no thickness becomes negative, and no surface leaves the range of those around it by levelling.
+//! Each tick makes one forward and one backward Gauss–Seidel sweep over the faces; each face is solved implicitly for its
+//! two nodes. A face never passes more than equalises the two surfaces or more than the donor holds. For any step mass is
+//! conserved to rounding, no thickness becomes negative, and levelling creates no new extremum of the surface.
 
 use crate::pan::bed::{Bed, BedEdge, Mouth};
 
-/// Gravity that presses a film onto the pan is reckoned with at least this [m/s²] (chosen: keeps levelling defined on a
-/// pan that is tossed or stands on edge).
+/// Lower bound of the gravity normal to the pan [m/s²] (chosen: keeps levelling defined on a tossed or upright pan).
 const LEAST_PRESSING: f64 = 0.5;
-/// Potential difference that drives nothing [m²/s²] (chosen: a tenth of a nanometre of height).
+/// Potential difference below which nothing flows [m²/s²] (chosen: a tenth of a nanometre of height).
 const LEAST_DROP: f64 = 1e-9;
 
-/// How a liquid runs.
+/// Properties of a flowing liquid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Manner {
     /// Density [kg/m³].
     pub density: f64,
-    /// Thickness to which a puddle spreads; 0 for a liquid that wets [m].
+    /// Equilibrium thickness of a puddle; 0 for a wetting liquid [m].
     pub puddle: f64,
-    /// What stays behind, above 0: so no node runs dry by rounding [m].
+    /// Residual film, above 0 so that no node runs dry by rounding [m].
     pub clinging: f64,
 }
 
-/// What came of a liquid's flow in one tick.
+/// Result of a liquid's flow in one tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Run {
-    /// What ran over the rim [kg].
+    /// Mass spilled over the rim [kg].
     pub spilled: f64,
-    /// Its heat above 0 °C [J].
+    /// Spilled heat above 0 °C [J].
     pub spilled_heat: f64,
     /// Largest change of thickness [m].
     pub moved: f64,
@@ -40,10 +39,10 @@ pub struct Run {
 /// Direction of a sweep.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sweep {
-    /// From the middle to the rim.
+    /// Forward: from the centre to the rim.
     #[default]
     There,
-    /// From the rim to the middle.
+    /// Backward: from the rim to the centre.
     Back,
 }
 
@@ -51,29 +50,29 @@ impl Sweep {
     /// Both sweeps of a tick.
     pub const BOTH: [Self; 2] = [Self::There, Self::Back];
 
-    /// The numbers below `count` in the order of this sweep.
+    /// Indices below `count` in the order of this sweep.
     fn order(self, count: usize) -> impl Iterator<Item = usize> {
         (0..count).map(move |k| if self == Self::There { k } else { count - 1 - k })
     }
 }
 
-/// What drives a liquid through a face.
+/// Driving potential of a face.
 #[derive(Clone, Copy)]
 struct Driven {
     /// Difference of the potentials [m²/s²].
     drop: f64,
-    /// How quickly it falls with the volume that passes [1/(m·s²)].
+    /// Decrease of the difference per volume passed [1/(m·s²)].
     stiffness: f64,
-    /// For how long [s].
+    /// Time step [s].
     dt: f64,
 }
 
-/// What an edge passed.
+/// Flow through an edge in the last sweep.
 #[derive(Clone, Copy, Debug)]
 struct Passed {
     a: u32,
     b: u32,
-    /// Share of its donor's liquid; positive from `a` to `b` [-].
+    /// Share of the donor's liquid; positive from `a` to `b` [-].
     share: f64,
 }
 
@@ -82,20 +81,20 @@ struct Passed {
 pub struct FilmFlow {
     /// One over the kinematic viscosity at each node [s/m²]; set by the liquid before it runs.
     pub fluidity: Vec<f64>,
-    /// What passed in the last sweep, one edge after the other; edges that passed nothing are left out.
+    /// Flows in the last sweep in order; edges without flow are left out.
     passed: Vec<Passed>,
-    /// Share of its node's liquid that each rim face passed after them.
+    /// Share of its node's liquid that each rim face spilled after them [-].
     spilled: Vec<f64>,
     potential: Vec<f64>,
     pressing: Vec<f64>,
-    /// How quickly a node's potential rises with its volume [1/(m·s²)].
+    /// Increase of a node's potential per volume [1/(m·s²)].
     stiffness: Vec<f64>,
     thickness: Vec<f64>,
     lip: Vec<f64>,
 }
 
 impl FilmFlow {
-    /// Brings the potentials of the pan's places up to date with a gravity in the pan's frame [m/s²].
+    /// Updates the potentials for a gravity in the pan's frame [m/s²].
     pub fn lean(&mut self, bed: &Bed, gravity: [f64; 3]) {
         let along = |p: &[f64; 3]| p[0] * gravity[0] + p[1] * gravity[1] + p[2] * gravity[2];
         self.potential.clear();
@@ -148,7 +147,7 @@ impl FilmFlow {
         }
     }
 
-    /// The face between two nodes as liquid passes it; among ridges it runs in the grooves.
+    /// Cross-section between two nodes; on a ridged floor widened for flow in the grooves.
     #[inline]
     fn mouth(&self, bed: &Bed, edge: &BedEdge, from: usize) -> Mouth {
         let (Some(across), Some(ridges)) = (edge.across, &bed.ridges) else { return edge.mouth };
@@ -157,7 +156,7 @@ impl FilmFlow {
         Mouth { face: edge.mouth.face * ridges.widening(across, self.thickness[from], slope), ..edge.mouth }
     }
 
-    /// Passes liquid over the rim, where it falls away.
+    /// Spills liquid over the rim.
     fn spill(&mut self, bed: &Bed, manner: &Manner, r: usize, dt: f64) {
         let (rim, lip) = (&bed.rim[r], self.lip[r]);
         let i = rim.node as usize;
@@ -165,10 +164,10 @@ impl FilmFlow {
         self.spilled[r] = self.give(bed, manner, i, Driven { drop, stiffness: self.stiffness[i], dt }, rim.mouth).0;
     }
 
-    /// Takes from a node what runs through a mouth; returns its share of what was there, and the volume [m³].
+    /// Removes the flow through a cross-section from a node; returns its share of the node's liquid and the volume [m³].
     ///
-    /// u = u_v u_f / (u_v + u_f) with the film's own speed u_v = h² ΔΠ/(3 ν L) and that of a fall, u_f = √(2 ΔΠ). With
-    /// Q = K ΔΠ, backward Euler between the two nodes gives V = Δt K ΔΠ / (1 + Δt K Σ g/A); no more than is mobile.
+    /// u = u_v u_f / (u_v + u_f) with the viscous speed u_v = h² ΔΠ/(3 ν L) and the speed of free fall u_f = √(2 ΔΠ). With
+    /// Q = K ΔΠ, backward Euler between the two nodes gives V = Δt K ΔΠ / (1 + Δt K Σ g/A), limited to the mobile volume.
     #[inline]
     fn give(&mut self, bed: &Bed, manner: &Manner, from: usize, by: Driven, mouth: Mouth) -> (f64, f64) {
         let thickness = self.thickness[from];
@@ -187,11 +186,11 @@ impl FilmFlow {
         (given / thickness, given * bed.areas[from])
     }
 
-    /// Moves a quantity along with its liquid as in the last sweep. What runs over the rim is returned.
+    /// Advects a quantity with the flow of the last sweep; returns the amount spilled over the rim.
     pub fn carry(&self, bed: &Bed, field: &mut [f64]) -> f64 {
         for &Passed { a, b, share } in &self.passed {
             let (a, b) = (a as usize, b as usize);
-            // Without a branch: which way a face passes cannot be foreseen.
+            // Branch-free: the direction of flow is unpredictable.
             let amount = share.max(0.0) * field[a] + share.min(0.0) * field[b];
             field[a] -= amount;
             field[b] += amount;
@@ -205,8 +204,8 @@ impl FilmFlow {
         spilled
     }
 
-    /// Mixes temperatures [K] as the liquid of these heat capacities [J/K] runs over metal as in the last sweep; moves the
-    /// capacities along. Returns the heat above `zero` [K] that ran over the rim [J].
+    /// Advects heat capacities [J/K] with the flow of the last sweep and mixes the temperatures [K] of liquid and metal.
+    /// Returns the heat above `zero` [K] spilled over the rim [J].
     pub fn mix(&self, bed: &Bed, capacity: &mut [f64], metal: &[f64], temperature: &mut [f64], zero: f64) -> f64 {
         for &Passed { a, b, share } in &self.passed {
             let (a, b) = (a as usize, b as usize);

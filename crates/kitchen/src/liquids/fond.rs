@@ -1,8 +1,9 @@
-//! Fond: what juice leaves on the hot pan when it dries. It browns, then chars, and dissolves in water that comes later.
+//! Fond: dried juice solids on the hot pan. They brown, then char, and dissolve again in water.
 //!
-//! Where a wet face of food boils dry against the metal, a part of its juice's solids stays there. Juice that runs off
-//! brings them dissolved: they run with the water and stay behind as it boils off. What the water left cannot hold dries on; water dissolves it again with first order: ds/dt = −k(T_w) c s with the share c of the place under water.
-//! Solids carry no heat and are no part of the liquids' masses.
+//! A part of the solids in juice sticks to the metal where a wet face of food boils dry. Dripping juice carries dissolved
+//! solids, which flow with the water. Solids above saturation dry on; water dissolves them again with first-order
+//! kinetics, ds/dt = −k(T_w) c s, with the share c of the place under water. Solids carry no heat and are not part of the
+//! liquids' masses.
 
 use saute_food::changes::arrhenius;
 use saute_food::sourced_table;
@@ -75,12 +76,12 @@ pub struct FondData {
     pub charring: SolidsChange,
 }
 
-/// What never changes about fond.
+/// Immutable model of fond.
 #[derive(Clone, Debug)]
 pub struct FondModel {
     /// Dissolved solids in juice [-].
     pub juice_solids: f64,
-    /// Solids that stay on the metal for what boils off a wet face against it [kg/kg].
+    /// Solids left on the metal per mass of steam from a wet face [kg/kg].
     pub left_by_steam: f64,
     full: f64,
     saturation: f64,
@@ -88,7 +89,7 @@ pub struct FondModel {
     rates: SolidsRates,
 }
 
-/// Solids at every node; how browned and charred they are goes with them as mass × extent.
+/// Solids at every node; browning and charring are advected as mass × extent.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Solids {
     /// Mass at each node.
@@ -99,16 +100,16 @@ pub struct Solids {
     pub charred: Vec<f64>,
 }
 
-/// Fond, and what of it is dissolved in the pan's water.
+/// Dried and dissolved solids.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Fond {
-    /// Dried on [kg/m²].
+    /// Dried solids per area [kg/m²].
     pub dried: Solids,
-    /// Dissolved in the water [kg].
+    /// Solids dissolved in water [kg].
     pub dissolved: Solids,
-    /// What ran over the rim with water [kg].
+    /// Mass spilled over the rim with water [kg].
     pub spilled: f64,
-    /// All that food has brought so far [kg].
+    /// Total mass from food so far [kg].
     pub brought: f64,
     /// Mass over a full cover (at most 1) × browning at each node, for drawing [-].
     pub share: Vec<f64>,
@@ -127,14 +128,14 @@ pub struct FondReading {
     pub share: f64,
 }
 
-/// What fond lies on and under.
+/// Surface below the fond and water above it.
 #[derive(Clone, Copy, Debug)]
 pub struct FondBed<'a> {
     /// The pan's surface.
     pub bed: &'a Bed,
     /// Water over it.
     pub water: &'a WaterFilm,
-    /// How that covers the pan.
+    /// Model of the water.
     pub water_model: &'a WaterModel,
     /// Metal under it [K].
     pub metal: &'a [f64],
@@ -165,7 +166,7 @@ impl Solids {
         [&mut self.mass, &mut self.browned, &mut self.charred]
     }
 
-    /// Gives a share of what is at a node to others there, whose unit is so many of its own.
+    /// Moves a share of the solids at a node to `to`; `unit` converts between the two units.
     fn give(&mut self, node: usize, share: f64, to: &mut Self, unit: f64) {
         for (from, to) in self.parts().into_iter().zip(to.parts()) {
             let given = share * from[node];
@@ -176,43 +177,43 @@ impl Solids {
 }
 
 impl Fond {
-    /// None on so many nodes.
+    /// No solids on a number of nodes.
     pub fn none(nodes: usize) -> Self {
         let none = || Solids::none(nodes);
         Self { dried: none(), dissolved: none(), spilled: 0.0, brought: 0.0, share: vec![0.0; nodes] }
     }
 
-    /// Fresh dissolved solids come to a node [kg].
+    /// Adds fresh dissolved solids at a node [kg].
     pub fn shed(&mut self, node: usize, mass: f64) {
         self.dissolved.mass[node] += mass;
         self.brought += mass;
     }
 
-    /// Solids stay on the metal where a wet face boils dry against it [kg].
+    /// Adds solids that stick to the metal under a wet face [kg].
     pub fn stick(&mut self, bed: &Bed, node: usize, mass: f64) {
         self.dried.mass[node] += mass * bed.per_area[node];
         self.brought += mass;
     }
 
-    /// Dissolved solids run with the water as in its last sweep.
+    /// Advects dissolved solids with the last sweep of the water.
     pub fn carry(&mut self, flow: &FilmFlow, bed: &Bed) {
         self.spilled += flow.carry(bed, &mut self.dissolved.mass);
         flow.carry(bed, &mut self.dissolved.browned);
         flow.carry(bed, &mut self.dissolved.charred);
     }
 
-    /// All dried solids, then those that are browned and charred [kg].
+    /// Mass of dried solids, and its browned and charred parts [kg].
     pub fn dried_kg(&self, bed: &Bed) -> [f64; 3] {
         let sum = |field: &Vec<f64>| field.iter().zip(&bed.areas).map(|(m, a)| m * a).sum();
         [sum(&self.dried.mass), sum(&self.dried.browned), sum(&self.dried.charred)]
     }
 
-    /// All dissolved solids [kg].
+    /// Mass of dissolved solids [kg].
     pub fn dissolved_kg(&self) -> f64 {
         self.dissolved.mass.iter().sum()
     }
 
-    /// Dries, dissolves, browns and chars for `dt` [s].
+    /// Advances drying, dissolution, browning and charring by `dt` [s].
     pub fn advance(&mut self, model: &FondModel, on: &FondBed, dt: f64) {
         for node in 0..self.share.len() {
             if self.dissolved.mass[node] > 0.0 || self.dried.mass[node] > 0.0 {
@@ -222,7 +223,7 @@ impl Fond {
         }
     }
 
-    /// What water cannot hold dries on; what it can it dissolves.
+    /// Dries solids above saturation, or dissolves dried solids.
     fn pass(&mut self, model: &FondModel, on: &FondBed, node: usize, dt: f64) {
         let (water, area) = (on.water.mass[node], on.bed.areas[node]);
         let held = self.dissolved.mass[node];
@@ -254,7 +255,7 @@ impl Fond {
 }
 
 impl PanState {
-    /// What juice has left at a place on the pan's mesh.
+    /// Fond at a place on the pan's mesh.
     pub fn fond(&self, at: &Located) -> FondReading {
         let fond = &self.liquids.fond;
         let mean = |field: &[f64]| (0..3).map(|k| at.weights[k] * field[at.nodes[k] as usize]).sum::<f64>();

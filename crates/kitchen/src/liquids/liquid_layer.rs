@@ -1,4 +1,4 @@
-//! All that is liquid in the pan: oil, water, butter; how they run, boil, smoke and spatter.
+//! Liquids in the pan: flow, boiling, smoke and spatter of oil, water and butter.
 
 use saute_food::{FreeAir, ZERO_C};
 
@@ -11,31 +11,31 @@ use crate::liquids::fond::{Fond, FondBed, FondModel};
 use crate::liquids::oil::Oil;
 use crate::liquids::oil_film::{Dose, Ground, OilFilm};
 use crate::liquids::smoke::{OilFire, Smoke};
-use crate::liquids::spatter::{self, Spatter};
+use crate::liquids::spatter::{DropSurroundings, Spatter};
 use crate::liquids::water_film::{Vapour, WaterFilm, WaterModel};
 use crate::pan::bed::Bed;
 use crate::pan::pan_description::PanDescription;
 use crate::tick::event::{Event, EventLog};
 
-/// What never changes about liquids in a pan.
+/// Immutable model of the liquids in a pan.
 #[derive(Clone, Debug)]
 pub struct LiquidModel {
     /// The pan's surface.
     pub bed: Bed,
-    /// Kinds of oil, in the order of their ids.
+    /// Kinds of oil, sorted by id.
     pub oils: Vec<Oil>,
     /// Water.
     pub water: WaterModel,
     /// Butter.
     pub butter: Option<ButterModel>,
-    /// What juice leaves.
+    /// Fond.
     pub fond: FondModel,
     /// Volume up to the rim [m³].
     pub volume: f64,
-    /// Nodes of the floor.
+    /// Number of floor nodes [-].
     floor_nodes: usize,
     floor_area: f64,
-    /// Film of oil that stays on a drained pan [m].
+    /// Residual film of oil on a drained pan [m].
     clinging: f64,
     default: usize,
     rendered: usize,
@@ -50,13 +50,13 @@ pub struct Liquids {
     pub water: WaterFilm,
     /// Butter.
     pub butter: Butter,
-    /// What juice left: dried on the pan, or dissolved in its water.
+    /// Fond: solids dried on the pan or dissolved in its water.
     pub fond: Fond,
     /// Smoke and fire.
     pub smoke: Smoke,
     /// Spatter.
     pub spatter: Spatter,
-    /// What ran over the rim [kg].
+    /// Mass spilled over the rim [kg].
     pub spilled: f64,
     /// Thickness of the oil film for contact and for drawing, at each node [m].
     pub film: Vec<f64>,
@@ -65,39 +65,39 @@ pub struct Liquids {
     ticks: u64,
 }
 
-/// How often a liquid is looked at: each tick while it runs, more rarely the slower it is.
+/// Adaptive interval between updates of a liquid's flow: every tick while it flows fast, less often when slow.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Pace {
-    /// Time between two looks [s].
+    /// Time between two updates [s].
     interval: f64,
-    /// Time since the last one [s].
+    /// Time since the last update [s].
     since: f64,
-    /// Gravity in the pan's frame when it was last looked at [m/s²].
+    /// Gravity in the pan's frame at the last update [m/s²].
     gravity: [f64; 3],
 }
 
-/// A liquid's thickness may change by about this between two looks [m] (chosen: two per cent of a film of 0.2 mm).
-const CHANGE_PER_LOOK: f64 = 4e-6;
-/// A lean that differs by less is the same [m/s²] (chosen: a hundredth of a degree).
+/// Target change of thickness between two updates [m] (chosen: two per cent of a film of 0.2 mm).
+const CHANGE_PER_UPDATE: f64 = 4e-6;
+/// Change of gravity's components below which the tilt is unchanged [m/s²] (chosen: a hundredth of a degree).
 const SAME_LEAN: f64 = 2e-3;
-/// A liquid that lies still is looked at again after this time [s] (chosen).
-const LOOK_AGAIN_S: f64 = 1.0;
-/// Ticks between two looks at smoke and milk solids (chosen: half a second).
+/// Longest interval between two updates [s] (chosen).
+const LONGEST_INTERVAL_S: f64 = 1.0;
+/// Ticks between two updates of smoke, milk solids and fond [-] (chosen: half a second).
 const SLOW_TICKS: u64 = 5;
-/// Stream of the random numbers of spatter (chosen).
+/// Seed of the random numbers of spatter [-] (chosen).
 const SPATTER_SEED: u64 = 0x5a17_7e55;
 
-/// Scratch space of the liquids.
+/// Scratch memory of the liquids' solver.
 #[derive(Clone, Debug, Default)]
 pub struct LiquidSolver {
     oil: FilmFlow,
     water: FilmFlow,
-    /// Steam that was made at each node in this tick [kg].
+    /// Steam produced at each node in this tick [kg].
     pub steam: Vec<f64>,
 }
 
 impl Pace {
-    /// Time to be made up in this tick of `dt` [s]; 0 while the liquid may be left alone.
+    /// Time to integrate in this tick of `dt` [s]; 0 if no update is due.
     fn due(&mut self, gravity: [f64; 3], dt: f64) -> f64 {
         if (0..3).any(|k| libm::fabs(gravity[k] - self.gravity[k]) > SAME_LEAN) {
             *self = Self { gravity, ..Self::default() };
@@ -109,23 +109,23 @@ impl Pace {
         core::mem::take(&mut self.since)
     }
 
-    /// Chooses when to look again after a look that made up for `due` [s] and moved the thickness by `moved` [m].
+    /// Sets the next interval after an update over `due` [s] that changed the thickness by `moved` [m].
     fn choose(&mut self, due: f64, moved: f64) {
-        self.interval = (due * CHANGE_PER_LOOK / moved.max(1e-30)).min(LOOK_AGAIN_S);
+        self.interval = (due * CHANGE_PER_UPDATE / moved.max(1e-30)).min(LONGEST_INTERVAL_S);
     }
 
-    /// The liquid was stirred: look at it in the next tick.
+    /// Requests an update in the next tick.
     fn stir(&mut self) {
         self.interval = 0.0;
     }
 }
 
 impl LiquidModel {
-    /// Liquids on a pan's mesh.
+    /// Builds the model on a pan's mesh.
     pub fn new(bed: Bed, floor_nodes: usize, pan: &PanDescription, library: &Library) -> Self {
         let kinds = &library.oils;
         let oils: Vec<Oil> = kinds.iter().map(|(id, oil)| Oil::new(id, oil)).collect();
-        // The library does not load with a kind that is not there.
+        // The library checks on loading that the kinds exist.
         let kind = |id: &String| kinds.keys().position(|k| k == id).unwrap_or(0);
         let use_of = &library.room.oil;
         let [floor, rim, height] = [pan.floor.radius_mm, pan.wall.rim_radius_mm, pan.wall.height_mm].map(|v| 1e-3 * v);
@@ -144,12 +144,12 @@ impl LiquidModel {
         }
     }
 
-    /// Which oil is butter.
+    /// Index of butter among the oils.
     pub fn butter_kind(&self) -> Option<usize> {
         self.butter.as_ref().map(|b| b.kind)
     }
 
-    /// The room's oil on an otherwise dry pan of one temperature [K].
+    /// Initial state: the room's oil on a dry pan of uniform temperature [K].
     pub fn fresh(&self, pan: f64, room: &Room) -> Liquids {
         let nodes = self.bed.areas.len();
         let mut liquids = Liquids {
@@ -172,7 +172,7 @@ impl LiquidModel {
         liquids
     }
 
-    /// Pours oil evenly over the floor, of a metal with these heat capacities [J/K].
+    /// Adds oil evenly over the floor; `metal` holds the heat capacity of each node [J/K].
     pub fn pour_oil(&self, liquids: &mut Liquids, dose: Dose, metal: &[f64], temperature: &mut [f64]) {
         for i in 0..self.floor_nodes {
             let part = Dose { mass: dose.mass * self.bed.areas[i] / self.floor_area, ..dose };
@@ -181,7 +181,7 @@ impl LiquidModel {
         liquids.oil_pace.stir();
     }
 
-    /// Adds water with its enthalpy [kg], [J] evenly over the floor.
+    /// Adds water with its enthalpy evenly over the floor.
     pub fn pour_water(&self, liquids: &mut Liquids, water: Vapour) {
         for i in 0..self.floor_nodes {
             let share = self.bed.areas[i] / self.floor_area;
@@ -190,8 +190,8 @@ impl LiquidModel {
         liquids.water_pace.stir();
     }
 
-    /// Adds fat that a food renders [kg] with its enthalpy [J], which holds its latent heat of fusion [J/kg]. It joins the
-    /// oil where that lies: boiling and sliding mix them. Returns the heat that oil does not count.
+    /// Adds rendered fat [kg] with its enthalpy [J], which includes its latent heat of fusion [J/kg], in proportion to the
+    /// oil at each node: boiling and sliding mix them. Returns the part of the enthalpy that the oil does not store [J].
     pub fn render(
         &self,
         liquids: &mut Liquids,
@@ -226,7 +226,7 @@ impl LiquidModel {
         liquids.oil.stored(temperature) + liquids.water.stored() + lump
     }
 
-    /// Oil and water run for `dt` [s] and butter melts; returns the heat that ran over the rim [J].
+    /// Melts butter and advances the flow of oil and water by `dt` [s]; returns the heat spilled over the rim [J].
     pub fn run(
         &self,
         liquids: &mut Liquids,
@@ -281,13 +281,13 @@ impl LiquidModel {
         liquids.water_pace.stir();
     }
 
-    /// Evaporation, spatter, foam, smoke and browning at the end of a tick that began at `time` [s]; returns the vapour
-    /// and the heat that left with oil [J].
+    /// Evaporation, spatter, foam, smoke and browning at the end of a tick; returns the vapour and the heat that left with
+    /// oil [J].
     pub fn finish(
         &self,
         liquids: &mut Liquids,
         solver: &LiquidSolver,
-        around: &Around,
+        around: &PanSurroundings,
         temperature: &[f64],
         events: &mut EventLog,
         dt: f64,
@@ -295,11 +295,11 @@ impl LiquidModel {
         let room = around.room;
         let vapour = self.evaporate(liquids, around, dt);
         let mut heat = 0.0;
-        let mut tell = |kind, node: usize, amount| {
+        let mut report = |kind, node: usize, amount| {
             events.push(Event { time_s: around.time, kind, at: self.bed.places[node], amount });
         };
         let Liquids { oil, spatter, smoke, .. } = liquids;
-        let flying = spatter::Around {
+        let flying = DropSurroundings {
             vessel: around.vessel,
             middle: around.middle,
             covered: around.covered,
@@ -307,15 +307,15 @@ impl LiquidModel {
         };
         if !around.lidded {
             let pan = (&self.bed, &flying);
-            heat += spatter.advance(&room.spatter, pan, oil, temperature, &solver.steam, &mut tell);
+            heat += spatter.advance(&room.spatter, pan, oil, temperature, &solver.steam, &mut report);
         }
         spatter.land(&flying, around.time + dt);
         liquids.ticks += 1;
         if liquids.ticks.is_multiple_of(SLOW_TICKS) {
             let (oils, bed, lidded) = (&self.oils, &self.bed, around.lidded);
             let over = OilFire { data: &room.smoke, oils, bed, temperature, lidded };
-            let tell = |kind, node: usize| tell(kind, node, temperature[node]);
-            heat += smoke.advance(&over, oil, dt * SLOW_TICKS as f64, tell);
+            let report = |kind, node: usize| report(kind, node, temperature[node]);
+            heat += smoke.advance(&over, oil, dt * SLOW_TICKS as f64, report);
         }
         self.froth_and_brown(liquids, &solver.steam, temperature, dt);
         if liquids.ticks.is_multiple_of(SLOW_TICKS) {
@@ -327,7 +327,7 @@ impl LiquidModel {
         (vapour, heat)
     }
 
-    /// Foam and milk solids, where there is butter.
+    /// Updates foam and milk solids of butter.
     fn froth_and_brown(&self, liquids: &mut Liquids, steam: &[f64], temperature: &[f64], dt: f64) {
         let Some(model) = &self.butter else { return };
         let Liquids { oil, water, butter, ticks, .. } = liquids;
@@ -341,26 +341,26 @@ impl LiquidModel {
         }
     }
 
-    fn evaporate(&self, liquids: &mut Liquids, around: &Around, dt: f64) -> Vapour {
+    fn evaporate(&self, liquids: &mut Liquids, around: &PanSurroundings, dt: f64) -> Vapour {
         let mut total = Vapour::default();
         for i in 0..self.bed.areas.len() {
             if liquids.water.mass[i] > 0.0 {
                 let bare = if i < self.floor_nodes { 1.0 - around.covered[i] } else { 1.0 };
-                let vapour = liquids.water.breathe(&self.water, i, self.bed.areas[i], bare, &around.air, dt);
+                let vapour = liquids.water.evaporate(&self.water, i, self.bed.areas[i], bare, &around.air, dt);
                 total = Vapour { mass: total.mass + vapour.mass, enthalpy: total.enthalpy + vapour.enthalpy };
             }
         }
         total
     }
 
-    /// Brings the film's thickness up to date, reckoned with the density of the contact model.
+    /// Updates the film's thickness with the oil density of the contact model.
     pub fn refresh_film(&self, liquids: &mut Liquids, room: &Room) {
         let per_mass = 1.0 / room.contact.oil_density_kg_m3;
         let fields = liquids.film.iter_mut().zip(&liquids.oil.mass).zip(&self.bed.areas);
         fields.for_each(|((film, mass), area)| *film = mass * per_mass / area);
     }
 
-    /// Colour of the oil by its kinds and the milk solids in it, sRGB 0–255; none without oil.
+    /// Colour of the oil from its kinds and milk solids, sRGB 0–255 [-]; `None` without oil.
     pub fn colour(&self, liquids: &Liquids) -> Option<[f64; 3]> {
         let whole = liquids.oil.total();
         if whole <= 0.0 {
@@ -386,35 +386,35 @@ const BROWNED: [f64; 3] = [132.0, 78.0, 26.0];
 /// Burnt butter, sRGB (chosen).
 const CHARRED: [f64; 3] = [34.0, 24.0, 18.0];
 
-/// What is around the liquids at the end of a tick.
+/// Surroundings of the liquids at the end of a tick.
 #[derive(Clone, Copy, Debug)]
-pub struct Around<'a> {
+pub struct PanSurroundings<'a> {
     /// The room.
     pub room: &'a Room,
     /// Air over the pan.
     pub air: FreeAir,
-    /// Whether there is a lid on it.
+    /// True if a lid is on.
     pub lidded: bool,
     /// Share of each node under food [-].
     pub covered: &'a [f64],
-    /// The pan as drops fly in and out of it.
+    /// Geometry of the pan for flying drops.
     pub vessel: Vessel,
-    /// Middle of the pan from that of the ring [m].
+    /// Centre of the pan relative to that of the ring [m].
     pub middle: [f64; 2],
     /// Time at the start of the tick [s].
     pub time: f64,
 }
 
 impl Liquids {
-    /// Adds water with its enthalpy [kg], [J] at one node, as juice does, and the solids that are dissolved in it beside
-    /// that [kg].
+    /// Adds juice at one node: water [kg] with its enthalpy [J], and dissolved solids, which are not part of its mass
+    /// [kg].
     pub fn drip(&mut self, node: usize, mass: f64, enthalpy: f64, solids: f64) {
         self.water.add(node, mass, enthalpy);
         self.fond.shed(node, solids);
         self.water_pace.stir();
     }
 
-    /// Mass of all liquids and of butter that is not molten yet [kg].
+    /// Mass of all liquids and of solid butter [kg].
     pub fn total(&self) -> f64 {
         self.oil.total() + self.water.total() + self.butter.lump.as_ref().map_or(0.0, |l| l.mass)
     }

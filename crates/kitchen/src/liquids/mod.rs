@@ -19,4 +19,4 @@ pub mod solids_rates;
 pub mod spatter;
 pub mod water_film;
 
-pub use liquid_layer::{Around, LiquidModel, LiquidSolver, Liquids};
+pub use liquid_layer::{LiquidModel, LiquidSolver, Liquids, PanSurroundings};

@@ -1,4 +1,4 @@
-//! The film of oil on the pan: how much of which fat lies where. It has the temperature of the metal under it.
+//! The oil film on the pan: mass of each kind of fat at each node, at the temperature of the metal below.
 
 use saute_food::ZERO_C;
 
@@ -9,7 +9,7 @@ use crate::pan::bed::Bed;
 /// One kind of fat in the film.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fat {
-    /// Which oil, as the pan numbers them.
+    /// Index among the pan's oils.
     pub kind: usize,
     /// Mass at each node [kg].
     pub mass: Vec<f64>,
@@ -18,7 +18,7 @@ pub struct Fat {
 /// Oil and fat in the pan.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct OilFilm {
-    /// Kinds that are in the pan.
+    /// Kinds of fat in the pan.
     pub fats: Vec<Fat>,
     /// Mass of all kinds at each node [kg].
     pub mass: Vec<f64>,
@@ -26,10 +26,10 @@ pub struct OilFilm {
     pub capacity: Vec<f64>,
 }
 
-/// Fat that is added somewhere.
+/// An amount of fat to be added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dose {
-    /// Which oil, as the pan numbers them.
+    /// Index among the pan's oils.
     pub kind: usize,
     /// Mass [kg].
     pub mass: f64,
@@ -37,7 +37,7 @@ pub struct Dose {
     pub temperature: f64,
 }
 
-/// What oil lies on.
+/// Surface below the oil.
 #[derive(Clone, Copy, Debug)]
 pub struct Ground<'a> {
     /// The pan's surface.
@@ -46,12 +46,12 @@ pub struct Ground<'a> {
     pub oils: &'a [Oil],
     /// Heat capacity of the metal at each node [J/K].
     pub metal: &'a [f64],
-    /// Film that stays on a drained pan [m].
+    /// Residual film on a drained pan [m].
     pub clinging: f64,
 }
 
 impl OilFilm {
-    /// No oil on so many nodes.
+    /// An empty film on a number of nodes.
     pub fn none(nodes: usize) -> Self {
         Self { fats: Vec::new(), mass: vec![0.0; nodes], capacity: vec![0.0; nodes] }
     }
@@ -77,7 +77,7 @@ impl OilFilm {
         self.capacity.iter().zip(temperature).map(|(c, t)| c * (t - ZERO_C)).sum()
     }
 
-    /// Adds fat at a node of metal with heat capacity `metal` [J/K]; metal and film come to one temperature `t` [K].
+    /// Adds fat at a node of metal with heat capacity `metal` [J/K] and mixes it to one temperature `t` [K].
     pub fn add(&mut self, oils: &[Oil], node: usize, dose: Dose, metal: f64, t: &mut f64) {
         let added = dose.mass * oils[dose.kind].specific_heat;
         let at = self.fats.iter().position(|f| f.kind == dose.kind).unwrap_or_else(|| {
@@ -90,7 +90,7 @@ impl OilFilm {
         *t += added * (dose.temperature - *t) / (metal + self.capacity[node]);
     }
 
-    /// Takes oil from a node, all kinds alike, and with it its heat; returns what was there to take [kg] and that heat
+    /// Removes oil from a node, all kinds in proportion; returns the removed mass [kg], limited to the film, and its heat
     /// above 0 °C [J].
     pub fn take(&mut self, node: usize, mass: f64, temperature: f64) -> (f64, f64) {
         let taken = mass.min(self.mass[node]);
@@ -105,7 +105,7 @@ impl OilFilm {
         (taken, capacity * (temperature - ZERO_C))
     }
 
-    /// Moves the film through `dt` [s] under a gravity in the pan's frame [m/s²].
+    /// Advances the flow of the film by `dt` [s] under gravity in the pan's frame [m/s²].
     pub fn run(
         &mut self,
         flow: &mut FilmFlow,
@@ -133,7 +133,7 @@ impl OilFilm {
         run
     }
 
-    /// Masses and heat capacities of all kinds together.
+    /// Sums masses and heat capacities over all kinds.
     fn add_up(&mut self, oils: &[Oil]) {
         self.mass.fill(0.0);
         self.capacity.fill(0.0);
@@ -146,10 +146,10 @@ impl OilFilm {
         }
     }
 
-    /// One over the kinematic viscosity at each node; returns the film's density at its mean temperature [kg/m³].
+    /// Sets the inverse kinematic viscosity at each node; returns the film's density at its mean temperature [kg/m³].
     ///
-    /// Fluidities of a blend add by mass (Bingham). One density for the whole film: hydrostatics level the mass over each
-    /// area, not the height, where the pan is hot in one place.
+    /// Fluidities of a blend add by mass (Bingham). The whole film has one density: on an unevenly hot pan hydrostatics
+    /// level the mass per area, not the height.
     fn set_fluidity(&self, flow: &mut FilmFlow, oils: &[Oil], temperature: &[f64], whole: f64) -> f64 {
         let mean = self.mass.iter().zip(temperature).map(|(m, t)| m * t).sum::<f64>() / whole;
         flow.fluidity.clear();

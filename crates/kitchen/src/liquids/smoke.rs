@@ -1,4 +1,4 @@
-//! Oil that is too hot: it smokes, its vapour can be lit, it burns.
+//! Overheated oil: smoke, flash point and fire.
 
 use saute_food::sourced_table;
 
@@ -23,27 +23,27 @@ sourced_table! {
     }
 }
 
-/// How far the oil must cool below a point until passing it is told again [K] (chosen).
-const TOLD_AGAIN: f64 = 10.0;
-/// A kind of fat with less than this share in the film neither smokes nor burns by itself [-] (chosen: a trace).
+/// Hysteresis: cooling below a point after which passing it is reported again [K] (chosen).
+const HYSTERESIS: f64 = 10.0;
+/// Share in the film below which a kind of fat neither smokes nor burns by itself [-] (chosen: a trace).
 const TRACE: f64 = 0.02;
 
 /// Smoke and fire of the oil in the pan.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Smoke {
-    /// Smoke that rises now [kg/s].
+    /// Present flow of smoke [kg/s].
     pub rate: f64,
-    /// Oil that has gone up in smoke [kg].
+    /// Oil lost as smoke [kg].
     pub smoked: f64,
-    /// Oil that has burnt [kg].
+    /// Oil burnt [kg].
     pub burnt: f64,
-    /// Whether it is on fire.
+    /// True while the oil burns.
     pub burning: bool,
     smoking: bool,
     flashed: bool,
 }
 
-/// What oil smokes and burns over.
+/// Conditions for smoke and fire.
 #[derive(Clone, Copy, Debug)]
 pub struct OilFire<'a> {
     /// Smoke and fire of oil.
@@ -54,11 +54,11 @@ pub struct OilFire<'a> {
     pub bed: &'a Bed,
     /// Temperature of each node [K].
     pub temperature: &'a [f64],
-    /// Whether a lid is on.
+    /// True if a lid is on.
     pub lidded: bool,
 }
 
-/// The hottest oil with respect to the points of its kind: node and excess over each point [K].
+/// Hottest oil relative to the points of its kind: node and excess over each point [K].
 #[derive(Clone, Copy)]
 struct Hottest {
     node: usize,
@@ -68,14 +68,14 @@ struct Hottest {
 }
 
 impl Smoke {
-    /// Smokes and burns oil away for `dt` [s] and tells what begins (kind, node); returns the heat that left above
-    /// 0 °C [J]. Under a lid a fire goes out.
+    /// Removes oil by smoke and fire for `dt` [s] and calls `report` (kind, node) for each onset; returns the removed heat
+    /// above 0 °C [J]. A lid extinguishes a fire.
     pub fn advance(
         &mut self,
         over: &OilFire,
         oil: &mut OilFilm,
         dt: f64,
-        mut tell: impl FnMut(EventKind, usize),
+        mut report: impl FnMut(EventKind, usize),
     ) -> f64 {
         self.rate = 0.0;
         let Some(hottest) = hottest(over, oil) else {
@@ -84,9 +84,9 @@ impl Smoke {
         };
         let mut begins = |state: &mut bool, excess: f64, kind: EventKind| {
             if excess >= 0.0 && !*state {
-                tell(kind, hottest.node);
+                report(kind, hottest.node);
             }
-            *state = excess >= if *state { -TOLD_AGAIN } else { 0.0 };
+            *state = excess >= if *state { -HYSTERESIS } else { 0.0 };
         };
         begins(&mut self.smoking, hottest.smoke, EventKind::SmokeBegins);
         begins(&mut self.flashed, hottest.flash, EventKind::FlashPoint);
@@ -94,7 +94,7 @@ impl Smoke {
             self.burning = false;
         } else if hottest.fire >= 0.0 && !self.burning {
             self.burning = true;
-            tell(EventKind::Fire, hottest.node);
+            report(EventKind::Fire, hottest.node);
         }
         if hottest.smoke < 0.0 { 0.0 } else { self.consume(over, oil, dt) }
     }
@@ -121,7 +121,7 @@ impl Smoke {
     }
 }
 
-/// Smoke from a node [kg/(m²·s)]: each kind by its share, doubling every few kelvins above its smoke point.
+/// Smoke flux at a node [kg/(m²·s)]: each kind by its share, doubling every `doubling_k` above its smoke point.
 fn smoke_flux(data: &SmokeData, oils: &[Oil], oil: &OilFilm, node: usize, t: f64) -> f64 {
     if oil.mass[node] <= 0.0 {
         return 0.0;
@@ -134,7 +134,7 @@ fn smoke_flux(data: &SmokeData, oils: &[Oil], oil: &OilFilm, node: usize, t: f64
     1e-6 * data.flux_mg_m2s * oil.fats.iter().map(of).sum::<f64>()
 }
 
-/// Whether the oil at a node is above the flash point of a kind in it.
+/// Returns true if the oil at a node is above the flash point of a kind in it.
 fn passes(oils: &[Oil], oil: &OilFilm, node: usize, t: f64) -> bool {
     oil.fats.iter().any(|f| f.mass[node] > TRACE * oil.mass[node] && t > kelvin(oils[f.kind].description.heat.flash_c))
 }

@@ -1,4 +1,4 @@
-//! How quickly solids on the pan brown and char: milk solids of butter, and fond.
+//! Browning and charring rates of solids on the pan: milk solids of butter, and fond.
 
 use saute_food::browning::BROWNING_FROM;
 use saute_food::changes::arrhenius;
@@ -7,7 +7,7 @@ use saute_food::table::Table;
 use crate::kelvin;
 use crate::liquids::oil::SolidsChange;
 
-/// Solids under water are no hotter than this [K] (105 °C: boiling brine, chosen).
+/// Highest temperature of solids under water [K] (chosen: 105 °C, boiling brine).
 const HOTTEST_WET: f64 = 378.15;
 
 /// Rates of browning and charring, tabulated.
@@ -27,8 +27,8 @@ impl SolidsRates {
         Self { browning: rate(browning), charring: rate(charring) }
     }
 
-    /// Rates of browning and of charring of solids on metal of a temperature [K], the share `wet` of which is under water
-    /// [1/s]; 0 below 95 °C.
+    /// Rates of browning and charring [1/s] of solids on metal of a temperature [K] with the share `wet` under water; 0
+    /// below 95 °C.
     pub fn at(&self, metal: f64, wet: f64) -> [f64; 2] {
         let t = metal - wet * (metal - metal.min(HOTTEST_WET));
         if t > BROWNING_FROM { [self.browning.at(t), self.charring.at(t)] } else { [0.0; 2] }

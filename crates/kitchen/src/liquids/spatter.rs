@@ -1,4 +1,4 @@
-//! Spatter: steam that bursts through oil throws drops off, which fly and leave spots where they land.
+//! Spatter: steam that bursts through oil ejects drops, which fly and leave spots where they land.
 
 use std::collections::VecDeque;
 
@@ -34,73 +34,73 @@ sourced_table! {
     }
 }
 
-/// Most events in one tick (chosen: hundred a second are a roar).
+/// Largest number of events in one tick [-] (chosen: a hundred per second are a roar).
 const MOST_AT_ONCE: u32 = 10;
-/// Spots that are remembered, the latest ones (chosen: a hob that wants wiping).
+/// Largest number of spots kept, the latest ones [-] (chosen: a hob that needs wiping).
 const MOST_SPOTS: usize = 600;
-/// Share of a node under food from which on a drop comes out beside the food [-] (chosen).
+/// Covered share of a node above which a drop emerges next to the food [-] (chosen).
 const COVERED: f64 = 0.2;
-/// Stream of the numbers that say how drops fly, apart from those that say when (chosen).
+/// Stream of random numbers for the flights, independent of the stream for the times [-] (chosen).
 const FLIGHT_STREAM: u64 = 0xf1_1947;
 
-/// A spot of oil where a drop has landed.
+/// A spot of oil left by a drop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spot {
-    /// On the pan's wall, or on what the pan stands on.
+    /// Surface: the pan's wall, or the plane below the pan.
     pub landing: Landing,
-    /// Where: on the wall in the pan's frame, its origin the middle of the floor, else from the middle of the hob's ring [m].
+    /// Place [m]: on the wall in the pan's frame, else relative to the centre of the hob's ring.
     pub at: [f64; 3],
     /// Radius of the drop [m].
     pub radius: f64,
 }
 
-/// What drops fly in and out of during one tick.
+/// Surroundings of flying drops during one tick.
 #[derive(Clone, Copy, Debug)]
-pub struct Around<'a> {
-    /// The pan.
+pub struct DropSurroundings<'a> {
+    /// Geometry of the pan.
     pub vessel: Vessel,
-    /// Its middle from that of the ring [m].
+    /// Centre of the pan relative to that of the ring [m].
     pub middle: [f64; 2],
     /// Share of each node under food [-].
     pub covered: &'a [f64],
-    /// Time at the start of the tick, and its length [s].
+    /// Start and length of the tick [s].
     pub time: [f64; 2],
 }
 
-/// Drops that fly: a Poisson process whose clock is the steam under oil.
+/// Spatter as a Poisson process whose rate follows the steam under oil.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Spatter {
-    /// Oil that has flown off [kg].
+    /// Oil lost as drops [kg].
     pub spattered: f64,
-    /// Drops on their way.
+    /// Drops in flight.
     pub flights: Vec<DropFlight>,
-    /// Spots on the wall and round the pan, the latest last.
+    /// Spots on the wall and around the pan, the latest last.
     pub spots: VecDeque<Spot>,
-    /// Drops that have landed, wherever.
+    /// Number of drops that have landed [-].
     pub landed: u64,
     /// Stream of the random numbers.
     seed: u64,
     drawn: u64,
-    /// Expected events until the next one [-].
+    /// Expected number of events until the next one [-].
     wait: f64,
 }
 
 impl Spatter {
-    /// Nothing has flown yet; the same seed throws the same drops.
+    /// Initial state; equal seeds give equal drops.
     pub fn seeded(seed: u64) -> Self {
         Self { seed, ..Self::default() }
     }
 
-    /// Throws out what the tick's `steam` [kg at each node] throws out, and tells it (kind, node, mass); returns the heat
-    /// that left above 0 °C [J].
+    /// Ejects drops for the tick's `steam` at each node [kg] and calls `report` (kind, node, mass) for each; returns the
+    /// removed heat above 0 °C [J].
     pub fn advance(
         &mut self,
         data: &SpatterData,
-        (bed, around): (&Bed, &Around),
+        (bed, around): (&Bed, &DropSurroundings),
         oil: &mut OilFilm,
         temperature: &[f64],
         steam: &[f64],
-        mut tell: impl FnMut(EventKind, usize, f64),
+        mut report: impl FnMut(EventKind, usize, f64),
     ) -> f64 {
         let whole: f64 = (0..steam.len()).map(|i| bursting(data, bed, oil, steam, i)).sum();
         if whole <= 0.0 {
@@ -127,13 +127,13 @@ impl Spatter {
             self.spattered += gone;
             heat += with_it;
             self.throw(bed, around, node, gone);
-            tell(if pop { EventKind::Pop } else { EventKind::Spatter }, node, gone);
+            report(if pop { EventKind::Pop } else { EventKind::Spatter }, node, gone);
         }
         heat
     }
 
-    /// Lets what has flown long enough land by a moment [s].
-    pub fn land(&mut self, around: &Around, now: f64) {
+    /// Lands the drops whose flight has ended by the time `now` [s].
+    pub fn land(&mut self, around: &DropSurroundings, now: f64) {
         let Self { flights, spots, landed, .. } = self;
         flights.retain(|flight| {
             if flight.thrown_s + flight.lasts_s > now {
@@ -154,8 +154,8 @@ impl Spatter {
         });
     }
 
-    /// Sends a drop on its way from a node, or from the food's edge nearest to it.
-    fn throw(&mut self, bed: &Bed, around: &Around, node: usize, mass: f64) {
+    /// Launches a drop from a node, or from the nearest edge of the food that covers it.
+    fn throw(&mut self, bed: &Bed, around: &DropSurroundings, node: usize, mass: f64) {
         let first = 4 * (self.landed + self.flights.len() as u64);
         let chance = |k: u64| uniform(self.seed ^ FLIGHT_STREAM, first + k);
         let [start, length] = around.time;
@@ -176,7 +176,7 @@ impl Spatter {
     }
 }
 
-/// Where a drop that bursts at a node comes into the open, and the way there from under the food that covers the node.
+/// Place where a drop from a node emerges, and the direction to it from under the food that covers the node.
 fn way_out(bed: &Bed, covered: &[f64], node: usize) -> ([f64; 3], Option<[f64; 2]>) {
     let from = bed.places[node];
     let is_covered = |i: usize| covered.get(i).is_some_and(|share| *share > COVERED);
@@ -191,7 +191,7 @@ fn way_out(bed: &Bed, covered: &[f64], node: usize) -> ([f64; 3], Option<[f64; 2
     }
 }
 
-/// Steam at a node, weighted with the depth of the oil that it bursts through [kg].
+/// Steam at a node, weighted with the depth of the oil above [kg].
 fn bursting(data: &SpatterData, bed: &Bed, oil: &OilFilm, steam: &[f64], node: usize) -> f64 {
     if steam[node] <= 0.0 {
         return 0.0;
@@ -200,7 +200,7 @@ fn bursting(data: &SpatterData, bed: &Bed, oil: &OilFilm, steam: &[f64], node: u
     steam[node] * (film / (1e-3 * data.film_mm)).min(data.deepest)
 }
 
-/// The node at which the running sum of `weight` passes `place`.
+/// Returns the node at which the cumulative sum of `weight` exceeds `place`.
 fn place_of(place: f64, nodes: usize, weight: impl Fn(usize) -> f64) -> usize {
     let mut sum = 0.0;
     let mut last = 0;

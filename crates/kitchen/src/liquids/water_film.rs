@@ -1,4 +1,4 @@
-//! Water on the pan: juice, water thrown in, the water of butter. It lies in puddles, runs, and boils by a boiling curve.
+//! Water on the pan: juice, added water, water of butter. It forms puddles, flows, and boils by a boiling curve.
 
 use saute_food::table::{Table, interpolate};
 use saute_food::water::{latent_heat, saturation_density};
@@ -33,20 +33,20 @@ sourced_table! {
     }
 }
 
-/// Specific heat with which temperatures of liquid water are reckoned [J/(kg·K)] (standard tables).
+/// Specific heat of liquid water [J/(kg·K)] (standard tables).
 pub const WATER_SPECIFIC_HEAT: f64 = 4190.0;
-/// Density of water with which depths are reckoned [kg/m³] (0.96 to 1.00 in standard tables).
+/// Density of liquid water [kg/m³] (standard tables: 960 to 1000).
 pub const WATER_DENSITY: f64 = 1000.0;
-/// Water that covers less than this share of a node on a hot pan boils off at once [-] (chosen: it takes a
-/// thousandth of a kelvin from the metal there).
-const LAST_BREATH: f64 = 1e-5;
+/// Coverage of a node on a hot pan below which its water boils off at once [-] (chosen: it cools the metal there by a
+/// thousandth of a kelvin).
+const LEAST_COVERAGE: f64 = 1e-5;
 
-/// Enthalpy of vapour above liquid water at 0 °C [J/kg].
+/// Specific enthalpy of vapour above liquid water at 0 °C [J/kg].
 pub fn vapour_enthalpy(temperature: f64) -> f64 {
     WATER_SPECIFIC_HEAT * (temperature - ZERO_C) + latent_heat(temperature)
 }
 
-/// What never changes about water on a pan.
+/// Immutable model of water on a pan.
 #[derive(Clone, Debug)]
 pub struct WaterModel {
     depth: f64,
@@ -94,14 +94,14 @@ impl WaterModel {
         self.vapour.at(temperature)
     }
 
-    /// Share of an area that so much water covers [-].
+    /// Share of an area covered by a mass of water [-].
     pub fn coverage(&self, mass: f64, area: f64) -> f64 {
         (mass / (WATER_DENSITY * self.depth * area)).min(1.0)
     }
 }
 
 impl WaterFilm {
-    /// No water on so many nodes.
+    /// An empty film on a number of nodes.
     pub fn none(nodes: usize) -> Self {
         Self { mass: vec![0.0; nodes], enthalpy: vec![0.0; nodes] }
     }
@@ -116,7 +116,7 @@ impl WaterFilm {
         self.enthalpy.iter().sum()
     }
 
-    /// Adds water with its enthalpy [kg], [J].
+    /// Adds water [kg] with its enthalpy [J].
     pub fn add(&mut self, node: usize, mass: f64, enthalpy: f64) {
         self.mass[node] += mass;
         self.enthalpy[node] += enthalpy;
@@ -127,7 +127,7 @@ impl WaterFilm {
         ZERO_C + self.enthalpy[node] / (self.mass[node] * WATER_SPECIFIC_HEAT)
     }
 
-    /// Takes heat from the pan at `base` [K] for `dt` [s] at a wet node, and boils what that brings above 100 °C.
+    /// Heats the water at a wet node from the pan at `base` [K] for `dt` [s]; enthalpy above 100 °C evaporates water.
     /// Returns the heat [J] and the vapour.
     pub fn heat(&mut self, model: &WaterModel, node: usize, area: f64, base: f64, dt: f64) -> (f64, Vapour) {
         let (mass, latent) = (self.mass[node], latent_heat(kelvin(100.0)));
@@ -135,7 +135,7 @@ impl WaterFilm {
         let to_vapour = mass * (boiling + latent) - self.enthalpy[node];
         let coverage = model.coverage(mass, area);
         let conductance = model.conductance.at(base) * coverage * area;
-        let heat = if base > kelvin(101.0) && coverage < LAST_BREATH {
+        let heat = if base > kelvin(101.0) && coverage < LEAST_COVERAGE {
             to_vapour
         } else {
             (conductance * (base - self.temperature(node)) * dt).min(to_vapour)
@@ -157,8 +157,16 @@ impl WaterFilm {
         (heat, vapour)
     }
 
-    /// What a wet node gives off into the air by evaporation for `dt` [s]; `bare` is the share of it under no food.
-    pub fn breathe(&mut self, model: &WaterModel, node: usize, area: f64, bare: f64, air: &FreeAir, dt: f64) -> Vapour {
+    /// Evaporates water at a wet node into the air for `dt` [s]; `bare` is the share of the node not under food [-].
+    pub fn evaporate(
+        &mut self,
+        model: &WaterModel,
+        node: usize,
+        area: f64,
+        bare: f64,
+        air: &FreeAir,
+        dt: f64,
+    ) -> Vapour {
         let mass = self.mass[node];
         let t = self.temperature(node);
         let excess = model.saturated(t) - air.vapour_density;
@@ -170,7 +178,7 @@ impl WaterFilm {
         Vapour { mass: gone, enthalpy }
     }
 
-    /// Moves the water with what is dissolved in it through `dt` [s] under a gravity in the pan's frame [m/s²].
+    /// Advances the flow of water and its dissolved solids by `dt` [s] under gravity in the pan's frame [m/s²].
     pub fn run(
         &mut self,
         flow: &mut FilmFlow,

@@ -1,47 +1,47 @@
-//! The pan's surface as liquids see it: places, slopes and faces between neighbours.
+//! The pan's surface as control volumes for thin-film flow: places, normals and faces between neighbours.
 
 use saute_heat::Section;
 
 use crate::pan::pan_description::PanDescription;
 use crate::pan::ridges::Ridges;
 
-/// What liquid passes through.
+/// Cross-section of a face.
 #[derive(Clone, Copy, Debug)]
 pub struct Mouth {
     /// Length of the face [m].
     pub face: f64,
-    /// Distance of its ends [m].
+    /// Distance between the nodes [m].
     pub length: f64,
 }
 
-/// A face through which liquid passes between two nodes.
+/// A face between the control volumes of two nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct BedEdge {
     /// One end.
     pub a: u32,
     /// The other.
     pub b: u32,
-    /// Face between them.
+    /// Cross-section.
     pub mouth: Mouth,
-    /// Between nodes of a ridged floor: share of the direction that runs across the ridges, squared cosine [-].
+    /// Between nodes of a ridged floor: squared cosine between the edge and the direction across the ridges [-].
     pub across: Option<f64>,
 }
 
-/// A face through which liquid runs over the rim.
+/// A face over the rim.
 #[derive(Clone, Copy, Debug)]
 pub struct RimFace {
     /// The node below it.
     pub node: u32,
-    /// Face towards the lip.
+    /// Cross-section towards the lip.
     pub mouth: Mouth,
     /// The lip in the pan's frame [m].
     pub lip: [f64; 3],
 }
 
-/// Where liquids may lie and run.
+/// Geometry of the surface on which liquids lie and flow.
 #[derive(Clone, Debug)]
 pub struct Bed {
-    /// Nodes in the pan's frame; the floor's middle is the origin [m].
+    /// Nodes in the pan's frame; the origin is the centre of the floor [m].
     pub places: Vec<[f64; 3]>,
     /// Unit normals, into the pan.
     pub normals: Vec<[f64; 3]>,
@@ -58,7 +58,7 @@ pub struct Bed {
 }
 
 impl Bed {
-    /// Rolls the unrolled wall of a pan's mesh up again.
+    /// Maps the pan's mesh with its unrolled wall to the pan's frame.
     pub fn new(section: &Section, pan: &PanDescription) -> Self {
         let floor = 1e-3 * pan.floor.radius_mm;
         let (out, up) = (1e-3 * (pan.wall.rim_radius_mm - pan.floor.radius_mm), 1e-3 * pan.wall.height_mm);
@@ -96,7 +96,7 @@ impl Bed {
         });
         let lengths = section.boundary_lengths();
         let rim = lengths.iter().enumerate().filter(|(_, length)| **length > 0.0).map(|(node, &length)| {
-            // The outermost nodes stand on the rim; the lip is half a cell further.
+            // The outermost nodes lie on the rim; the lip is half a cell further out.
             let beyond = 0.5 * section.areas[node] / length;
             let (lip, _, narrower) = place(&section.points[node], beyond);
             RimFace { node: node as u32, mouth: Mouth { face: length * narrower, length: beyond }, lip }

@@ -1,18 +1,18 @@
-//! The wet cloth: a boiling curve and a finite amount of water.
+//! The wet cloth: heat flux by a boiling curve, limited by a finite mass of water.
 
 use saute_food::water::latent_heat;
 
 use crate::data::room::ClothData;
 use crate::{celsius, kelvin};
 
-/// A cloth with what water is left in it.
+/// A cloth with its remaining water.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cloth {
     /// Water [kg].
     pub water: f64,
     /// Temperature of the water [K].
     pub temperature: f64,
-    /// How much longer the pan stands on it [s].
+    /// Remaining time of contact with the pan [s].
     pub remaining_s: f64,
 }
 
@@ -25,7 +25,7 @@ impl Cloth {
         Self { water: data.water_g * 1e-3, temperature: room, remaining_s: for_s }
     }
 
-    /// Heat flux out of a base at `base` [K] into the wet cloth [W/m²], by the boiling curve.
+    /// Heat flux from a base at `base` [K] into the wet cloth by the boiling curve [W/m²].
     pub fn flux(&self, data: &ClothData, base: f64) -> f64 {
         if self.water <= 0.0 || base <= self.temperature {
             return 0.0;
@@ -38,8 +38,8 @@ impl Cloth {
         1e3 * flux * data.contact_share
     }
 
-    /// Takes up heat [J]: below 100 °C base temperature it warms the cloth, above it boils water off.
-    /// Returns the vapour's mass [kg].
+    /// Absorbs heat [J], which warms the water and evaporates the rest, or only evaporates if `boiling`. Returns the mass
+    /// of vapour [kg].
     pub fn absorb(&mut self, heat: f64, boiling: bool) -> f64 {
         if self.water <= 0.0 {
             return 0.0;

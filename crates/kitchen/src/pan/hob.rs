@@ -81,7 +81,7 @@ pub struct HobDescription {
     pub glass: Glass,
 }
 
-/// Where a pan stands over its ring.
+/// Place of a pan over its ring.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PanPose {
     /// Centre of the pan relative to the ring's [m].
@@ -91,8 +91,8 @@ pub struct PanPose {
 }
 
 impl HobDescription {
-    /// Share of the set power that goes into each node of a pan's floor; the shares sum to 1 on the ring, to less beside
-    /// it, to 0 where the pan is lifted or moved off so far that the hob does not detect it.
+    /// Share of the set power in each node of a pan's floor [-]. The shares sum to 1 on the ring, to less off it, and to 0
+    /// if the pan is too far away to be detected.
     ///
     /// Flux q(r) ∝ (r/r_c)² exp(1 − (r/r_c)²) inside the coil radius, 0 outside.
     pub fn ring_shares(&self, points: &[[f64; 2]], areas: &[f64], pose: &PanPose) -> Vec<f64> {
@@ -105,7 +105,7 @@ impl HobDescription {
         weights(pose.at).iter().map(|w| coupling * w / whole).collect()
     }
 
-    /// Flux at a distance from the ring's centre [m], in any unit.
+    /// Flux at a distance from the ring's centre [m], not normalised.
     fn flux(&self, r: f64) -> f64 {
         let coil = self.coil.radius_mm * 1e-3;
         let peak = coil * self.coil.ring_over_radius;
@@ -113,13 +113,13 @@ impl HobDescription {
         if r <= coil { s * libm::exp(1.0 - s) } else { 0.0 }
     }
 
-    /// Whether a pan stands low and near enough.
+    /// Returns true if the hob detects a pan at a place.
     pub fn detects(&self, pose: &PanPose) -> bool {
         pose.lift <= self.control.lift_limit_mm * 1e-3
             && libm::hypot(pose.at[0], pose.at[1]) <= self.coil.radius_mm * 1e-3
     }
 
-    /// Mean power over a tick from `time` to `time + dt` [W]: low settings are switched on and off.
+    /// Mean power over a tick from `time` to `time + dt` [W]; low settings are pulse-width modulated.
     pub fn switched(&self, power: f64, time: f64, dt: f64) -> f64 {
         let Control { duty_below_w: full, duty_period_s: period, .. } = self.control;
         if power <= 0.0 || power >= full {

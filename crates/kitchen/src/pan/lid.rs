@@ -1,8 +1,9 @@
-//! The lid: it keeps hot, moist air over the food. Vapour condenses on it, drips back, and escapes only beyond
-//! saturation.
+//! The lid: it holds hot, moist air over the food. Vapour condenses on it and drips back; steam escapes only when the
+//! space under the lid is full at atmospheric pressure.
 //!
-//! The air under the lid is well mixed: a heat capacity of its own, vapour, one temperature, which also stands for what
-//! the lid radiates. What passes into it is added as it passes; [`Lid::settle`] then condenses and lets off steam.
+//! The air under the lid is one well-mixed control volume with heat capacity, vapour and one temperature, which also
+//! approximates the lid's radiation. Exchanges are added during a tick; [`Lid::settle`] then condenses vapour and
+//! releases steam.
 
 use saute_food::air_film::radiation_coefficient;
 use saute_food::water::{ATMOSPHERE, VAPOUR_GAS_CONSTANT, latent_heat, saturation_density, saturation_pressure};
@@ -31,26 +32,26 @@ sourced_table! {
     }
 }
 
-/// Share of the vapour's pressure in the whole up to which the film theory of condensation is used [-] (chosen: pure
-/// steam would condense at once).
+/// Largest share of vapour pressure in the total pressure for film condensation [-] (chosen: Stefan's logarithm diverges
+/// for pure steam).
 const PUREST: f64 = 0.98;
-/// Share of the vapour under the lid that condenses on it in one tick at most [-] (chosen: keeps vapour in hand).
+/// Largest share of the vapour under the lid that condenses in one tick [-] (chosen: keeps the vapour positive).
 const MOST_AT_ONCE: f64 = 0.3;
-/// Radiation between food and lid, as part of what the air over the food gives it [W/(m²·K)] (4 ε σ T³ at 80 °C).
+/// Radiation coefficient between food and lid [W/(m²·K)] (4 ε σ T³ at 80 °C).
 const RADIATION: f64 = 9.0;
 
 /// A lid on the pan and the air under it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lid {
-    /// The lid itself [K].
+    /// Temperature of the lid [K].
     pub temperature: f64,
-    /// Vapour under it [kg].
+    /// Mass of vapour under it [kg].
     pub vapour: f64,
-    /// Enthalpy of the air and vapour under it, above air and liquid water at 0 °C [J].
+    /// Enthalpy of air and vapour under it, above air and liquid water at 0 °C [J].
     pub enthalpy: f64,
     /// Area [m²].
     area: f64,
-    /// Room under it [m³].
+    /// Volume under it [m³].
     volume: f64,
     /// Heat capacity of the dry air [J/K].
     air_capacity: f64,
@@ -58,7 +59,7 @@ pub struct Lid {
     capacity: f64,
 }
 
-/// What a lid gives off in one tick.
+/// Output of a lid in one tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Settled {
     /// Water that drips back.
@@ -100,7 +101,7 @@ impl Lid {
         ZERO_C + (self.enthalpy - self.vapour * base) / (self.air_capacity + self.vapour * slope)
     }
 
-    /// The steam that rises when the lid is taken off.
+    /// Steam released when the lid is taken off.
     pub fn released(&self) -> Vapour {
         Vapour { mass: self.vapour, enthalpy: self.vapour * vapour_enthalpy(self.air_temperature()) }
     }
@@ -110,9 +111,9 @@ impl Lid {
         self.vapour / self.volume
     }
 
-    /// The air over a face at `surface` [K], and the share of its heat that comes from vapour condensing there [-].
+    /// Air over a face at `surface` [K], and the share of the heat transfer due to condensation [-].
     ///
-    /// A face below the dew point takes the vapour's heat: h = h_c + h_m L (ρ_v − ρ_sat(T_s)) / (T − T_s).
+    /// A face below the dew point receives the latent heat: h = h_c + h_m L (ρ_v − ρ_sat(T_s)) / (T − T_s).
     pub fn air_over(&self, room: &Room, surface: f64) -> (FreeAir, f64) {
         let still = room.air_moving(room.lid.convection_w_m2k);
         let air = FreeAir { temperature: self.air_temperature(), vapour_density: self.vapour_density(), ..still };
@@ -127,14 +128,14 @@ impl Lid {
         (FreeAir { convection, mass_transfer: 0.0, ..air }, condensing / (convection + RADIATION))
     }
 
-    /// Takes up vapour.
+    /// Adds vapour to the air under the lid.
     pub fn take_vapour(&mut self, vapour: Vapour) {
         self.vapour += vapour.mass;
         self.enthalpy += vapour.enthalpy;
     }
 
-    /// Takes up heat, or gives it (negative), of which `condensing` comes from vapour that turns to water on a cold face;
-    /// returns that water.
+    /// Adds heat to the air under the lid; negative heat is given to a face, with the share `condensing` from vapour that
+    /// condenses on it. Returns the condensed water.
     pub fn take_heat(&mut self, heat: f64, condensing: f64) -> Vapour {
         self.enthalpy += heat;
         let t = self.air_temperature();
@@ -145,7 +146,7 @@ impl Lid {
         water
     }
 
-    /// Condenses, lets off steam and cools through `dt` [s].
+    /// Condenses vapour, releases steam and cools for `dt` [s].
     pub fn settle(&mut self, room: &Room, dt: f64) -> Settled {
         let on_lid = self.condense_on_lid(room, dt);
         let fog = self.condense_fog();
@@ -164,7 +165,7 @@ impl Lid {
         Settled { condensate, escaped, to_room }
     }
 
-    /// Vapour diffuses through the air to the lid: ṁ = h_m ρ ln((p − p_lid)/(p − p_v)) (Stefan).
+    /// Condensation on the lid by Stefan diffusion: ṁ = h_m ρ ln((p − p_lid)/(p − p_v)).
     fn condense_on_lid(&mut self, room: &Room, dt: f64) -> Vapour {
         let t = self.air_temperature();
         let pressure = |density: f64| (density * VAPOUR_GAS_CONSTANT * t / ATMOSPHERE).min(PUREST);
@@ -176,7 +177,7 @@ impl Lid {
         let transfer = room.air_moving(room.lid.convection_w_m2k).mass_transfer;
         let density = ATMOSPHERE / (VAPOUR_GAS_CONSTANT * t);
         let flow = transfer * self.area * density * libm::log((1.0 - at_lid) / (1.0 - vapour));
-        // The lid grows no warmer than the air by it.
+        // Condensation does not heat the lid above the air.
         let room_left = self.capacity * (t - self.temperature).max(0.0) / latent_heat(t);
         let mass = (flow * dt).min(MOST_AT_ONCE * self.vapour).min(room_left);
         let enthalpy = mass * WATER_SPECIFIC_HEAT * (self.temperature - ZERO_C);
@@ -187,7 +188,7 @@ impl Lid {
         Vapour { mass, enthalpy }
     }
 
-    /// Vapour beyond saturation turns to fog, which drips, and warms the air by its latent heat.
+    /// Vapour above saturation condenses to fog, which drips, and its latent heat warms the air; Newton iteration.
     fn condense_fog(&mut self) -> Vapour {
         let mut fog = Vapour::default();
         for _ in 0..3 {
@@ -207,7 +208,7 @@ impl Lid {
         fog
     }
 
-    /// What the room under the lid cannot hold at normal pressure lifts the lid and escapes.
+    /// Releases the vapour that exceeds the volume under the lid at atmospheric pressure.
     fn let_off(&mut self) -> Vapour {
         let t = self.air_temperature();
         let held = self.volume * ATMOSPHERE / (VAPOUR_GAS_CONSTANT * t.max(kelvin(100.0)));

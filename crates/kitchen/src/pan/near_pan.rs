@@ -1,4 +1,4 @@
-//! Which patches of a piece are near to the pan, how far they are off, and where on the pan they lie.
+//! Contact detection between a piece and the pan: patches near the pan, their gaps and their places on its mesh.
 
 use glam::DVec3;
 use saute_food::limp::Limp;
@@ -9,23 +9,22 @@ use crate::dynamics::pan_shape::OverPan;
 use crate::dynamics::{PanShape, Pose};
 use crate::pan::pan_model::PanModel;
 
-/// Distance beyond which a patch no longer faces the pan through a film of its own [m] (chosen: 3 mm of vapour conduct as
-/// much as free air does).
+/// Largest gap of a patch in contact with the pan [m] (chosen: 3 mm of vapour conduct as much as free convection).
 const REACH: f64 = 3.0e-3;
-/// Distance of the nearest patch up to which a piece lies on the pan [m] (chosen: what the solid that stands for the
-/// piece may stray from its surface, and the rigid bodies' give).
+/// Largest distance of the nearest patch at which a piece lies on the pan [m] (chosen: deviation of the collision shape
+/// from the surface plus compliance of rigid contacts).
 const LYING: f64 = 1.0e-3;
-/// Cosine between a patch's normal and the surface's below which they face each other [-] (chosen: 60°).
+/// Largest cosine between the normals of a patch and of the surface it faces [-] (chosen: 60°).
 const FACING: f64 = -0.5;
-/// How much farther than the face's mean a patch may be before that counts [m] (chosen: a 25 mm slab of 10–20 kPa gives
-/// by 0.3 mm under its own weight).
+/// Compliance: gap beyond the face's mean that closes under the weight [m] (chosen: a 25 mm slab of 10–20 kPa yields by
+/// 0.3 mm under its own weight).
 const GIVE: f64 = 0.3e-3;
-/// Patches up to this much farther off than the nearest make up the face on which the piece lies [m] (chosen: above the
-/// bumps of a hand-cut face, which the measured conductances behind the mean gap include).
+/// Largest gap beyond the nearest patch's within the supporting face [m] (chosen: above the roughness of a hand-cut face,
+/// which the measured conductances behind the mean gap include).
 const FACE: f64 = 1.0e-3;
-/// How far a limp piece bends down at most [m] (chosen: half a shrimp's thickness; what stands up higher is propped).
+/// Largest deflection of a limp piece [m] (chosen: half a shrimp's thickness; a higher part is propped up).
 const BEND: f64 = 8.0e-3;
-/// Movement below which everything is as before [m] (chosen: far below the mesh of pan and piece).
+/// Displacement below which the last result is reused [m] (chosen: far below the mesh of pan and piece).
 const SAME: f64 = 0.1e-3;
 
 /// A patch that faces the pan.
@@ -33,7 +32,7 @@ const SAME: f64 = 0.1e-3;
 pub struct NearPatch {
     /// Index of the patch.
     pub patch: u32,
-    /// How much farther from the pan it is than the face on which the piece lies, beyond what the food gives [m].
+    /// Gap beyond the mean of the supporting face and the food's compliance [m].
     pub gap: f64,
     /// Place on the pan's mesh.
     pub located: Located,
@@ -47,19 +46,19 @@ pub struct NearPan {
     seen: Option<(Pose, u64)>,
 }
 
-/// The shape of a piece as its patches stand now.
+/// Present shape of a piece.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<'a> {
     /// Its patches and their poses.
     pub patches: (&'a [Patch], &'a [PatchPose]),
-    /// How it bends under its weight, if it is long.
+    /// Bending under its weight, for long pieces.
     pub limp: Option<&'a Limp>,
-    /// Counts the changes of its shape.
+    /// Number of changes of its shape [-].
     pub count: u64,
 }
 
 impl NearPan {
-    /// Looks again, unless neither pose nor shape have changed.
+    /// Updates the patches, unless pose and shape are unchanged.
     pub fn look(&mut self, pan: &PanModel, surface: &PanShape, piece: &Pose, shape: Seen<'_>) {
         let same = |(pose, count): &(Pose, u64)| {
             *count == shape.count
@@ -91,14 +90,14 @@ impl NearPan {
         self.patches.extend(facing.into_iter().filter_map(near));
     }
 
-    /// Forgets what was seen.
+    /// Clears the result.
     pub fn forget(&mut self) {
         self.seen = None;
         self.patches.clear();
     }
 }
 
-/// The patches that face the surface within reach, or as much farther as the piece may bend.
+/// Patches that face the surface within reach plus the largest bend [m].
 fn facing(surface: &PanShape, piece: &Pose, poses: &[PatchPose], bend: f64) -> Vec<(u32, OverPan)> {
     let facing = |(index, patch): (usize, &PatchPose)| {
         let over = surface.over(piece.to_world(DVec3::from_array(patch.position)))?;
@@ -108,7 +107,7 @@ fn facing(surface: &PanShape, piece: &Pose, poses: &[PatchPose], bend: f64) -> V
     poses.iter().enumerate().filter_map(facing).collect()
 }
 
-/// Bends a limp piece down: each station's patches come as much nearer as the station does.
+/// Bends a limp piece down: the gaps of a station's patches shrink by the station's deflection.
 fn settle(facing: &mut [(u32, OverPan)], limp: &Limp, patches: &[Patch]) {
     let station = |patch: u32| limp.station(patches[patch as usize].node);
     let mut gaps = vec![f64::INFINITY; limp.stations()];
@@ -123,8 +122,8 @@ fn settle(facing: &mut [(u32, OverPan)], limp: &Limp, patches: &[Patch]) {
     }
 }
 
-/// How uneven a piece's surface is at each patch [m]: seeded noise of a wavelength, each face of mean 0 and of the given
-/// standard deviation.
+/// Unevenness of a piece's surface at each patch [m]: seeded noise of a wavelength, with mean 0 and the given standard
+/// deviation on each face.
 pub fn unevenness(model: &FoodModel, seed: u64, wavelength: f64, deviation: f64) -> Vec<f64> {
     use saute_food::Face;
     use saute_food::noise::fractal;
@@ -153,7 +152,7 @@ pub fn unevenness(model: &FoodModel, seed: u64, wavelength: f64, deviation: f64)
 mod tests {
     use crate::{Command, Kitchen, Library, MeshSize, PieceOrder, kelvin};
 
-    /// Share of its stations with which a piece is near to the pan, ten seconds after it was put there.
+    /// Share of a piece's stations in contact with the pan, ten seconds after it was put there.
     fn share_that_lies(kind: &str) -> f64 {
         let library = Library::embedded().expect("embedded data");
         let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(23.0)).expect("kitchen");

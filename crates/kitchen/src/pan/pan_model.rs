@@ -1,4 +1,4 @@
-//! The pan: a heated plate with a wall, conducting along its metal.
+//! The pan: a heated plate with a wall, with conduction along its metal.
 
 use saute_food::air_film::radiation_coefficient;
 use saute_food::juice::Runoff;
@@ -9,7 +9,7 @@ use crate::data::library::Library;
 use crate::data::room::Room;
 use crate::dynamics::PanShape;
 use crate::liquids::drop_flight::Vessel;
-use crate::liquids::liquid_layer::{Around, LiquidModel, LiquidSolver, Liquids};
+use crate::liquids::liquid_layer::{LiquidModel, LiquidSolver, Liquids, PanSurroundings};
 use crate::liquids::water_film::Vapour;
 use crate::pan::bed::Bed;
 use crate::pan::cloth::Cloth;
@@ -19,71 +19,71 @@ use crate::pan::pan_description::PanDescription;
 use crate::pan::ridges::Ridges;
 use crate::tick::event::EventLog;
 
-/// Rings of nodes on the floor (chosen: 8 mm; the ring of heat is 50 mm wide).
+/// Rings of nodes on the floor [-] (chosen: 8 mm apart; the heated ring is 50 mm wide).
 const FLOOR_RINGS: usize = 12;
 
-/// What never changes in a pan on its hob.
+/// Immutable model of a pan on its hob.
 #[derive(Clone, Debug)]
 pub struct PanModel {
-    /// What its file says.
+    /// Description from its data file.
     pub description: PanDescription,
     /// Mesh of floor and unrolled wall.
     pub section: Section,
-    /// Finds points on it.
+    /// Point location on the mesh.
     pub locator: Locator,
-    /// Nodes of the floor come first; this many.
+    /// Number of floor nodes; they come first [-].
     pub floor_nodes: usize,
     /// Area of the floor [m²].
     pub floor_area: f64,
     /// Ridges on the floor of a grill pan.
     pub ridges: Option<Ridges>,
-    /// Liquids on it.
+    /// Model of the liquids on it.
     pub liquids: LiquidModel,
     pub(crate) capacity: Vec<f64>,
     graph: Graph,
     conduction: Conduction,
-    /// Conductance of air and glass at its largest [W/K]; bounds the stable step.
+    /// Upper bound of the conductance to air and glass at each node [W/K]; limits the stable step.
     steepest: Vec<f64>,
 }
 
-/// What changes in a pan.
+/// State of a pan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PanState {
-    /// Metal [K].
+    /// Temperature of the metal at each node [K].
     pub temperature: Vec<f64>,
-    /// Highest temperature that the metal has had at each node [K].
+    /// Highest temperature of the metal so far at each node [K].
     pub peak: Vec<f64>,
-    /// Hob glass under the floor [K].
+    /// Temperature of the hob's glass under each floor node [K].
     pub glass: Vec<f64>,
     /// Oil, water and butter in the pan.
     pub liquids: Liquids,
     /// The lid, while it is on.
     pub lid: Option<Lid>,
-    /// Where the pan stands.
+    /// Place over the hob.
     pub pose: PanPose,
-    /// Share of the hob's power that goes into each node of the floor [-].
+    /// Share of the hob's power in each floor node [-].
     pub ring_shares: Vec<f64>,
-    /// Whether the hob's limit keeps the power off.
+    /// True while the hob's temperature limit keeps the power off.
     pub limited: bool,
 }
 
-/// Scratch space of a pan.
+/// Scratch memory of a pan's solver.
 #[derive(Clone, Debug, Default)]
 pub struct PanSolver {
     heat: Vec<f64>,
-    /// Heat capacity of metal and oil [J/K].
+    /// Heat capacity of metal and oil at each node [J/K].
     capacity: Vec<f64>,
     liquids: LiquidSolver,
 }
 
-/// What acts on the pan during one tick.
+/// Loads on the pan during one tick.
 #[derive(Clone, Copy, Debug)]
 pub struct PanLoad<'a> {
-    /// The hob under it.
+    /// Hob.
     pub hob: &'a HobDescription,
-    /// The room around it.
+    /// Room.
     pub room: &'a Room,
-    /// Electrical power that is set [W].
+    /// Electrical power to which the hob is set [W].
     pub hob_w: f64,
     /// Time at the start of the tick [s].
     pub time: f64,
@@ -91,28 +91,29 @@ pub struct PanLoad<'a> {
     pub food: &'a [f64],
     /// Share of each node's area under food [-].
     pub covered: &'a [f64],
-    /// Steam that food made at each node in this tick [kg].
+    /// Steam from food at each node in this tick [kg].
     pub steam: &'a [f64],
-    /// Gravity less the pan's acceleration, in the pan's frame [m/s²].
+    /// Gravity minus the pan's acceleration, in the pan's frame [m/s²].
     pub gravity: [f64; 3],
 }
 
-/// Gravity in the frame of a pan that is level and at rest [m/s²].
-pub const LEVEL: [f64; 3] = [0.0, 0.0, -crate::piece::piece_state::GRAVITY];
+/// Gravity in the frame of a level pan at rest [m/s²].
+pub const LEVEL: [f64; 3] = [0.0, 0.0, -saute_food::GRAVITY];
 
 /// Thermal conductivity of warm air under a lifted pan [W/(m·K)] (standard tables, 100 °C).
 const AIR_CONDUCTIVITY: f64 = 0.031;
-/// Convection and radiation of both faces of a very hot wall [W/(m²·K)]; bounds the stable step.
+/// Upper bound of convection and radiation from both faces of a wall [W/(m²·K)] (chosen: a very hot wall); limits the
+/// stable step.
 const STEEPEST_AIR_LOSS: f64 = 100.0;
 
-/// What the pan exchanged in one tick [J].
+/// Energy exchange of the pan in one tick [J].
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PanExchange {
     /// Electrical energy.
     pub hob: f64,
     /// To air and walls.
     pub air: f64,
-    /// Into the glass, the coil and the cloth, and with what left the pan.
+    /// Into glass, coil and cloth, and with oil and juice that left the pan.
     pub other: f64,
     /// Vapour from the pan's water to the room.
     pub vapour: Vapour,
@@ -121,7 +122,7 @@ pub struct PanExchange {
 }
 
 impl PanModel {
-    /// Meshes a pan: rings on the floor, then up the wall, which is unrolled into the plane.
+    /// Meshes a pan: rings on the floor and on the wall, which is unrolled into the plane.
     pub fn build(description: &PanDescription, library: &Library) -> Result<Self, MeshError> {
         let floor = description.floor.radius_mm * 1e-3;
         let step = floor / (FLOOR_RINGS as f64 - 0.5);
@@ -138,7 +139,7 @@ impl PanModel {
         let metal = &description.metal;
         let areas = &section.areas;
         let ridges = description.ridges.as_ref().map(Ridges::of);
-        // Ridges store heat; along the floor the plate between them conducts.
+        // Ridges store heat but do not conduct along the floor.
         let storing = |i: usize| {
             let on_top = ridges.filter(|_| i < floor_nodes).map_or(0.0, |r| r.spread_out());
             thickness(i) + on_top
@@ -168,7 +169,7 @@ impl PanModel {
         })
     }
 
-    /// The pan and the glass at given temperatures [K], with the room's oil in it, on its ring.
+    /// Initial state: the pan at a uniform temperature [K] on its ring, the glass at room temperature, with the room's oil.
     pub fn at(&self, pan: f64, room: &Room, hob: &HobDescription) -> PanState {
         let pose = PanPose::default();
         PanState {
@@ -194,7 +195,7 @@ impl PanModel {
         state.pose = pose;
     }
 
-    /// Thickness of the oil at a place of the floor [m].
+    /// Thickness of the oil film at a place of the floor [m].
     pub(crate) fn film_at(&self, state: &PanState, at: [f64; 2]) -> f64 {
         state.oil_film(&self.locator.locate_or_nearest(&self.section, at))
     }
@@ -211,7 +212,7 @@ impl PanModel {
         metal + self.liquids.stored(&state.liquids, &state.temperature) + state.lid.map_or(0.0, |lid| lid.stored())
     }
 
-    /// Air over and beside food whose upper face is at `surface` [K]: in the pan's plume, or under the lid.
+    /// Air above and next to food whose upper face is at `surface` [K]: the pan's plume, or the air under the lid.
     pub fn airs(&self, state: &PanState, room: &Room, surface: impl FnOnce() -> f64) -> [FreeAir; 3] {
         match &state.lid {
             Some(lid) => [lid.air_over(room, surface()).0; 3],
@@ -222,15 +223,15 @@ impl PanModel {
         }
     }
 
-    /// Takes up fat that food in the pan renders, which holds its latent heat of fusion [J/kg]; returns the heat that oil
-    /// does not count [J].
+    /// Adds rendered fat, whose enthalpy includes its latent heat of fusion [J/kg], to the oil; returns the part of the
+    /// enthalpy that the oil does not store [J].
     pub fn render(&self, state: &mut PanState, fat: &Runoff, latent: f64) -> f64 {
         let PanState { liquids, temperature, .. } = state;
         self.liquids.render(liquids, (fat.mass, fat.enthalpy), latent, &self.capacity, temperature)
     }
 
-    /// Takes up what food in the pan gave to the air: all of it passes on to the room unless a lid holds it. Returns heat
-    /// and enthalpy of vapour that go to the room [J].
+    /// Distributes the heat and vapour that food in the pan gave to the air. Without a lid all goes to the room; with a lid
+    /// it stays under it. Returns heat and enthalpy of vapour to the room [J].
     pub fn take_up(
         &self,
         state: &mut PanState,
@@ -246,7 +247,7 @@ impl PanModel {
         (0.0, 0.0)
     }
 
-    /// Moves the pan through `dt` [s]; with a cloth it stands off the hob, which then gives no power.
+    /// Advances the pan by `dt` [s] with substeps inside the explicit stability limit. A pan on a cloth gets no power.
     pub fn advance(
         &self,
         state: &mut PanState,
@@ -260,7 +261,7 @@ impl PanModel {
         let steps = libm::ceil(dt / limit).clamp(1.0, 1000.0);
         let control = &load.hob.control;
         let bound = control.limit_c - if state.limited { control.resume_k } else { 0.0 };
-        // The sensor sits in the middle of the coil; node 0 lies above it.
+        // The sensor sits in the centre of the coil; node 0 lies above it.
         state.limited = state.glass[0] > crate::kelvin(bound);
         let mut total = PanExchange::default();
         let PanState { liquids, temperature, .. } = state;
@@ -278,7 +279,7 @@ impl PanModel {
         total
     }
 
-    /// What liquids and lid do at the end of a tick.
+    /// Advances liquids and lid at the end of a tick.
     fn finish(
         &self,
         state: &mut PanState,
@@ -289,7 +290,7 @@ impl PanModel {
         total: &mut PanExchange,
     ) {
         let [air, ..] = self.airs(state, load.room, || self.floor_temperature(state));
-        let around = Around {
+        let around = PanSurroundings {
             room: load.room,
             air,
             lidded: state.lid.is_some(),
@@ -311,13 +312,13 @@ impl PanModel {
         }
     }
 
-    /// The pan as drops fly in and out of it.
+    /// Geometry of the pan for flying drops.
     fn vessel(&self, state: &PanState) -> Vessel {
         let shape = PanShape::of(&self.description);
         Vessel { floor: shape.floor, rim: shape.rim, height: shape.height, stands: shape.thickness + state.pose.lift }
     }
 
-    /// Vapour from the pan's water rises to the room or under the lid.
+    /// Adds vapour from the pan's water to the room or to the air under the lid.
     fn release(&self, state: &mut PanState, vapour: Vapour, total: &mut PanExchange) {
         match &mut state.lid {
             Some(lid) => lid.take_vapour(vapour),
@@ -354,7 +355,8 @@ impl PanModel {
         self.cool_glass(state, load, dt);
     }
 
-    /// Convection and radiation of both faces of the wall and of the bare floor; under a lid the inner ones meet its air.
+    /// Convection and radiation from both faces of the wall and from the bare floor; under a lid the inner faces exchange
+    /// with its air.
     fn add_air_losses(&self, state: &mut PanState, load: &PanLoad, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
         let room = load.room.temperature();
         let emissivity = self.description.surface.emissivity;
@@ -384,7 +386,7 @@ impl PanModel {
         }
     }
 
-    /// Water takes heat from the pan under it and boils.
+    /// Heat transfer from the pan to water on it, with boiling.
     fn add_water(&self, state: &mut PanState, steam: &mut [f64], dt: f64, heat: &mut [f64], total: &mut PanExchange) {
         let mut vapour = Vapour::default();
         for i in 0..state.temperature.len() {
@@ -400,7 +402,7 @@ impl PanModel {
         self.release(state, vapour, total);
     }
 
-    /// Heat from the ring, and between floor and glass: through their contact, or through the air under a lifted pan.
+    /// Heat from the ring, and between floor and glass: contact conductance in series with the air under a lifted pan.
     fn add_hob(&self, state: &mut PanState, load: &PanLoad, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
         let PanLoad { hob, time, .. } = *load;
         let power = if state.limited { 0.0 } else { hob.switched(load.hob_w, time, crate::TICK_S) };
@@ -445,7 +447,7 @@ impl PanModel {
 }
 
 impl PanState {
-    /// Highest temperature that the metal has had at a place on the pan's mesh [K].
+    /// Highest temperature of the metal so far at a place on the pan's mesh [K].
     pub fn peak_at(&self, at: &Located) -> f64 {
         (0..3).map(|k| at.weights[k] * self.peak[at.nodes[k] as usize]).sum()
     }
@@ -455,22 +457,22 @@ impl PanState {
         self.liquids.oil.total()
     }
 
-    /// Mass of water that lies in the pan [kg].
+    /// Mass of water in the pan [kg].
     pub fn water_mass(&self) -> f64 {
         self.liquids.water.total()
     }
 
-    /// Smoke that rises from the oil [mg/s].
+    /// Smoke from the oil [mg/s].
     pub fn smoke_mg_s(&self) -> f64 {
         1e6 * self.liquids.smoke.rate
     }
 
-    /// Foam of butter, 0 none – 1 the pan full [-].
+    /// Foam of butter, from 0 (none) to 1 (full pan) [-].
     pub fn foam(&self) -> f64 {
         self.liquids.butter.foam
     }
 
-    /// Browning of butter's milk solids, 0–1 [-].
+    /// Browning of butter's milk solids, from 0 to 1 [-].
     pub fn milk_solids_browning(&self) -> f64 {
         self.liquids.butter.browning
     }

@@ -1,7 +1,7 @@
-//! Ridges of a grill pan: food lies on their tops and hangs over the grooves between them, in which liquids run.
+//! Ridges of a grill pan: food lies on their tops and spans the grooves, in which liquids flow.
 //!
-//! The floor of such a pan is the plane of the tops; ridges run along the pan's y, the middle of one through its centre.
-//! The mesh of a piece is as coarse as the ridges, so every patch takes the mixture of both, whatever its place:
+//! The floor of such a pan is the plane of the tops. Ridges run along the pan's y axis; the centre line of one passes
+//! through the pan's centre. The mesh of a piece is as coarse as the ridges, so every patch has the mean conductance:
 //! h = s h_top + (1 − s) (h_gap + h_radiation) with s = width / pitch, h_gap by the gap law across the ridge's height.
 
 use saute_food::air_film::radiation_coefficient;
@@ -10,14 +10,14 @@ use crate::data::room::ContactGap;
 use crate::pan::pan_description::RidgesData;
 use crate::piece::contact::FaceContact;
 
-/// One over twice the mean of sin¹⁰ over all directions [-]: what makes the faces of a mesh pass as much along the grooves as
-/// they should together.
+/// Normalisation 1 / (2 mean of sin¹⁰ over all directions) [-], with which the faces of a mesh together pass the flow
+/// along the grooves.
 const ALONG: f64 = 256.0 / 126.0;
 
 /// Ridges in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ridges {
-    /// Distance from the middle of one to that of the next [m].
+    /// Distance between the centre lines of neighbouring ridges [m].
     pub pitch: f64,
     /// Width of their tops [m].
     pub width: f64,
@@ -25,7 +25,7 @@ pub struct Ridges {
     pub height: f64,
 }
 
-/// What radiates across a groove.
+/// Surfaces that exchange radiation across a groove.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AcrossGroove {
     /// Emissivities of pan and food [-].
@@ -35,31 +35,31 @@ pub struct AcrossGroove {
 }
 
 impl Ridges {
-    /// From a pan's file.
+    /// Converts the description of a pan's ridges to SI units.
     pub fn of(data: &RidgesData) -> Self {
         let [pitch, width, height] = [data.pitch_mm, data.width_mm, data.height_mm].map(|v| 1e-3 * v);
         Self { pitch, width, height }
     }
 
-    /// Share of the floor that is ridge [-].
+    /// Area share of the tops [-].
     pub fn share(&self) -> f64 {
         self.width / self.pitch
     }
 
-    /// Metal of the ridges, spread out over the floor [m].
+    /// Equivalent thickness of the ridges' metal, averaged over the floor [m].
     pub fn spread_out(&self) -> f64 {
         self.share() * self.height
     }
 
-    /// How deep they press into flesh of an elastic modulus [Pa] under the pressure on their tops [Pa]: that of a flat punch as
-    /// wide as they are, and no deeper than half of their width (chosen: beyond that flesh is no half space) [m].
+    /// Indentation into flesh of an elastic modulus [Pa] under the pressure on their tops [Pa]: that of a flat punch of
+    /// their width, at most half their width (chosen: flesh is no half space beyond) [m].
     pub fn pressed_in(&self, pressure: f64, modulus: f64) -> f64 {
         (pressure * self.width / modulus).min(0.5 * self.width)
     }
 
-    /// Mean conductance to a face `distance` above the tops, given that on the tops [W/(m²·K)].
+    /// Mean contact conductance to a face `distance` [m] above the tops, given the one on the tops [W/(m²·K)].
     pub fn mixed(&self, top: f64, gap: &ContactGap, face: &FaceContact, distance: f64, over: &AcrossGroove) -> f64 {
-        // Oil lies at the bottom of the groove, and a coating passes more than the gap does.
+        // Oil lies at the bottom of the groove, and a coating conducts better than the gap.
         let dry = FaceContact { film: 0.0, ..*face };
         let [pan, food] = over.emissivity;
         let emissivity = 1.0 / (1.0 / pan + 1.0 / food - 1.0);
@@ -68,12 +68,13 @@ impl Ridges {
         share * top + (1.0 - share) * (dry.conductance(gap, distance + self.height) + radiation)
     }
 
-    /// Widening of a face of the floor that liquid `thickness` thick on the mean [m] passes, which runs across the ridges
-    /// with the share `across` of its direction, where its surface falls by `slope` [-].
+    /// Factor on the width of a face of the floor for a liquid of mean `thickness` [m] and surface slope `slope` [-];
+    /// `across` is the squared cosine between the edge and the direction across the ridges [-].
     ///
-    /// Along a groove the liquid stands 1/(1 − s) as high over a share 1 − s of the width, and u ∝ h²: 1/(1 − s)². Across,
-    /// nothing passes until the liquid reaches over the next ridge; then it runs as on a plain floor. Faces of a mesh look in
-    /// all directions: weighted by the eighth power of their sine they pass a ninth as much across as along.
+    /// Along a groove the depth is 1/(1 − s) times the mean over a share 1 − s of the width, and u ∝ h²: 1/(1 − s)².
+    /// Across the ridges nothing flows until the liquid overtops the next ridge; then it flows as on a plain floor. Faces
+    /// of a mesh have all directions: weighted by the eighth power of their sine they pass a ninth as much across as
+    /// along.
     pub fn widening(&self, across: f64, thickness: f64, slope: f64) -> f64 {
         let open = 1.0 - self.share();
         let squared = (1.0 - across) * (1.0 - across);

@@ -1,14 +1,14 @@
-//! The board that food rests on: layers of wood below the food.
+//! The wooden board below resting food: one-dimensional conduction into layers of wood.
 
 use crate::data::room::BoardData;
 
-/// Layers that warm up within a long rest (chosen: √(αt) is 12 mm in 15 minutes).
+/// Number of layers that warm up within a long rest [-] (chosen: √(αt) is 12 mm in 15 minutes).
 const LAYERS: usize = 6;
 
 /// Temperatures of the wood under one piece [K].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Board {
-    /// From the surface down.
+    /// Layer temperatures from the surface down [K].
     pub layers: [f64; LAYERS],
 }
 
@@ -18,7 +18,7 @@ impl Board {
         Self { layers: [room; LAYERS] }
     }
 
-    /// Takes up heat [J/m²] and conducts it downwards for `dt` [s].
+    /// Adds heat [J/m²] to the top layer and conducts for `dt` [s]; explicit Euler step.
     pub fn absorb(&mut self, data: &BoardData, heat: f64, dt: f64) {
         let exchange = data.conductivity_w_mk / (data.layer_mm * 1e-3) * dt / data.areal_capacity_j_m2k;
         let before = self.layers;

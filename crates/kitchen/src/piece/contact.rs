@@ -2,21 +2,21 @@
 
 use crate::data::room::ContactGap;
 
-/// What the contact of a whole face depends on.
+/// State of the contact of a whole face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FaceContact {
-    /// Time since the face was laid down [s].
+    /// Time since the start of the contact [s].
     pub since: f64,
     /// Pressure on it [Pa].
     pub pressure: f64,
     /// Thickness of the oil film [m].
     pub film: f64,
-    /// Conductance of the pan's coating [W/(m²·K)].
-    pub coating: f64,
+    /// Conductance of the pan's coating; `None` on bare metal [W/(m²·K)].
+    pub coating: Option<f64>,
 }
 
 impl FaceContact {
-    /// Mean gap of the face [m]: it settles, then steam and crust lift it; pressure narrows it.
+    /// Mean gap of the face [m]. The face settles, then steam and crust widen the gap; pressure narrows it.
     ///
     /// δ = (δ_final + (δ_initial − δ_final) e^(−t/τ) + δ_settling e^(−t/τ_s)) / (1 + (p − p₀)/p_½).
     pub fn mean_gap(&self, gap: &ContactGap) -> f64 {
@@ -29,19 +29,19 @@ impl FaceContact {
         1e-3 * free / pressed
     }
 
-    /// Conductance across a gap that oil fills up to its film's thickness and vapour beyond [W/(m²·K)].
+    /// Contact conductance across a gap filled with oil up to the film's thickness and with vapour above [W/(m²·K)].
     ///
     /// 1/h = min(δ, δ_oil)/k_oil + max(0, δ − δ_oil)/k_vapour + 1/h_coating.
     pub fn conductance(&self, gap: &ContactGap, thickness: f64) -> f64 {
         let thickness = thickness.max(gap.least_gap_mm * 1e-3);
         let oil = thickness.min(self.film) / gap.oil_conductivity_w_mk;
         let vapour = (thickness - self.film).max(0.0) / gap.vapour_conductivity_w_mk;
-        1.0 / (oil + vapour + 1.0 / self.coating)
+        1.0 / (oil + vapour + self.coating.map_or(0.0, |conductance| 1.0 / conductance))
     }
 }
 
-/// Share of the conductance that steam leaves to a wet face on a pan at `pan` [K]: 1 up to the Leidenfrost region,
-/// falling linearly through it [-].
+/// Factor on the contact conductance of a face on a pan at `pan` [K]: for a wet face 1 below the Leidenfrost region,
+/// falling linearly to `steam_factor` across it; for a dry face 1 [-].
 pub fn steam_share(gap: &ContactGap, pan: f64, wet: bool) -> f64 {
     let [from, to] = gap.steam_c;
     let riding = if wet { ((crate::celsius(pan) - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
@@ -57,7 +57,7 @@ mod tests {
     }
 
     fn face(since: f64, pressure: f64) -> FaceContact {
-        FaceContact { since, pressure, film: 0.177e-3, coating: 1e9 }
+        FaceContact { since, pressure, film: 0.177e-3, coating: Some(1e9) }
     }
 
     fn mean(since: f64, pressure: f64) -> f64 {

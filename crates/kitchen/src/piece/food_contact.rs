@@ -1,4 +1,4 @@
-//! Heat between foods that touch: patches of one that face patches of another.
+//! Contact conductance between pieces: links between patches of one that face patches of another.
 
 use glam::{DMat3, DVec3};
 
@@ -6,25 +6,25 @@ use crate::data::room::FoodContact;
 use crate::dynamics::Pose;
 use crate::piece::piece_state::Piece;
 
-/// Distance along the normal within which two patches touch [m] (chosen: a millimetre of juice and give either way).
+/// Distance along the normal within which two patches are in contact [m] (chosen: 1 mm of juice and compliance).
 const TOUCHING: f64 = 1.0e-3;
-/// Cosine between the normals of patches that face each other [-] (chosen: 120°).
+/// Largest cosine between the normals of patches that face each other [-] (chosen: 120°).
 const FACING: f64 = -0.5;
-/// Movement against each other below which the links stay as they are [m] (chosen: a tenth of a patch).
+/// Relative displacement below which links are reused [m] (chosen: a tenth of a patch).
 const SAME: f64 = 0.3e-3;
 
-/// Two patches that touch.
+/// Two patches in contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Link {
     /// Patch of the first piece.
     pub a: u32,
     /// Patch of the second piece.
     pub b: u32,
-    /// Area over which they touch [m²].
+    /// Area of contact [m²].
     pub area: f64,
 }
 
-/// Two pieces that touch.
+/// Two pieces in contact.
 #[derive(Clone, Debug)]
 pub struct Touching {
     /// Keys of the pieces, ascending.
@@ -35,7 +35,7 @@ pub struct Touching {
 }
 
 impl Touching {
-    /// The links of a pair; those of `before` where hardly anything has moved.
+    /// Finds the links of a pair; returns `before` if the relative pose and both shapes are almost unchanged.
     pub fn between(a: &Piece, b: &Piece, before: Option<Self>) -> Self {
         let relative = b.pose.seen_from(&a.pose);
         let shapes = [a.shape_count(), b.shape_count()];
@@ -50,7 +50,7 @@ impl Touching {
     }
 }
 
-/// A patch of the second piece that may be touched, seen from the first.
+/// A patch of the second piece near the first, in the frame of the first.
 #[derive(Clone, Copy, Debug)]
 struct Candidate {
     patch: u32,
@@ -59,12 +59,12 @@ struct Candidate {
     area: f64,
 }
 
-/// For each patch of `a` the nearest patch of `b` that faces it within reach; `b`'s pose is seen from `a`.
+/// Links each patch of `a` to the nearest patch of `b` that faces it within reach; `relative` is the pose of `b` in the
+/// frame of `a`.
 fn links(a: &Piece, b: &Piece, relative: &Pose) -> Vec<Link> {
     let places =
         |piece: &Piece| -> Vec<DVec3> { piece.patch_poses().iter().map(|p| DVec3::from_array(p.position)).collect() };
     let (own, turn) = (places(a), DMat3::from_quat(relative.rotation));
-    // What lies farther off is not touched.
     let reach = libm::sqrt(TOUCHING * TOUCHING + widest(a) + widest(b));
     let candidates = candidates(b, bounds(own.iter().copied(), reach), relative.position, turn);
     let (low, high) = bounds(candidates.iter().map(|c| c.position), reach);
@@ -91,13 +91,13 @@ fn widest(piece: &Piece) -> f64 {
     (0..piece.patch_poses().len()).map(|i| piece.patch_area(i)).fold(0.0, f64::max)
 }
 
-/// Whether patches touch that lie a way apart, over areas that sum up to so much [m²].
+/// Returns true if two patches at offset `way` [m] are in contact, given the sum of their areas [m²].
 fn touches(way: DVec3, normal: DVec3, areas: f64) -> bool {
     let off = way.dot(normal);
     off.abs() < TOUCHING && (way - off * normal).length_squared() < areas
 }
 
-/// Patches of a piece within a box of the other's frame.
+/// Patches of a piece inside a box of the other's frame.
 fn candidates(b: &Piece, (low, high): (DVec3, DVec3), at: DVec3, turn: DMat3) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (j, pose) in b.patch_poses().iter().enumerate() {
@@ -110,7 +110,7 @@ fn candidates(b: &Piece, (low, high): (DVec3, DVec3), at: DVec3, turn: DMat3) ->
     found
 }
 
-/// Candidates in the order of one coordinate, so that a few of them need to be looked at for each place.
+/// Candidates sorted along one axis: a query visits only those within reach along it.
 struct Sorted {
     axis: usize,
     candidates: Vec<Candidate>,
@@ -125,7 +125,7 @@ impl Sorted {
         Self { axis, candidates }
     }
 
-    /// The nearest candidate within `reach` of a place that faces a normal.
+    /// Returns the nearest candidate within `reach` of a place that faces a normal.
     fn nearest_facing(&self, place: DVec3, normal: DVec3, reach: f64) -> Option<&Candidate> {
         let from = self.candidates.partition_point(|c| c.position[self.axis] < place[self.axis] - reach);
         let mut nearest = (reach * reach, None);
@@ -142,7 +142,7 @@ impl Sorted {
     }
 }
 
-/// No patch of the second piece touches over more than its own area.
+/// Limits the sum of the contact areas of each patch of the second piece to its own area.
 fn share_out(links: &mut [Link], area: impl Fn(u32) -> f64) {
     let mut total = std::collections::BTreeMap::<u32, f64>::new();
     links.iter().for_each(|l| *total.entry(l.b).or_default() += l.area);
@@ -151,7 +151,7 @@ fn share_out(links: &mut [Link], area: impl Fn(u32) -> f64) {
     }
 }
 
-/// The box about points, with a margin [m].
+/// Bounding box of points with a margin [m].
 fn bounds(points: impl Iterator<Item = DVec3>, margin: f64) -> (DVec3, DVec3) {
     let margin = DVec3::splat(margin);
     let (low, high) = points.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
@@ -162,8 +162,8 @@ fn within(p: DVec3, low: DVec3, high: DVec3) -> bool {
     p.cmpge(low).all() && p.cmple(high).all()
 }
 
-/// Passes heat through all links of a pair for `dt` [s]: each link brings its two nodes towards their common mean, and
-/// what one gives the other gets.
+/// Exchanges heat through all links of a pair for `dt` [s]. Each link is solved implicitly for its two nodes and
+/// conserves energy: q = K Δt (T_a − T_b) / (1 + K Δt (1/C_a + 1/C_b)).
 pub fn exchange(data: &FoodContact, a: &mut Piece, b: &mut Piece, links: &[Link], dt: f64) {
     for link in links {
         let (i, j) = (a.node_of(link.a), b.node_of(link.b));
@@ -206,7 +206,7 @@ mod tests {
         kitchen
     }
 
-    /// The nearest of all facing patches, whether or not it is within reach.
+    /// The nearest of all facing patches, with or without contact.
     fn nearest(a: &PatchPose, b: &Piece, relative: &Pose) -> Option<(u32, DVec3)> {
         let (p, n) = (DVec3::from_array(a.position), DVec3::from_array(a.normal));
         let way = |q: &PatchPose| relative.to_world(DVec3::from_array(q.position)) - p;

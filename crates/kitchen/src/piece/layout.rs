@@ -1,17 +1,17 @@
-//! Where several pieces find room beside each other on the pan's floor.
+//! Placement of several pieces next to each other on the pan's floor.
 
 use core::f64::consts::TAU;
 
-/// Directions in which a footprint knows its reach (chosen: between two of them a circle's edge is off by 0.1 %).
+/// Directions in which a footprint stores its reach [-] (chosen: between two of them a circle is off by 0.1 %).
 const DIRECTIONS: usize = 72;
-/// Room left between two pieces and to the floor's edge [m] (chosen: fingers need it, and raw outlines ripple).
+/// Clearance between two pieces and to the floor's edge [m] (chosen: raw outlines ripple).
 const GAP: f64 = 1.0e-3;
-/// Distance between two places that are tried [m] (chosen: well below the smallest piece).
+/// Spacing of candidate places [m] (chosen: well below the smallest piece).
 const SPACING: f64 = 1.5e-3;
-/// Width of the rings in which places are filled one after the other [m] (chosen: two places wide).
+/// Width of the rings that are filled one after the other [m] (chosen: two places wide).
 const RING: f64 = 3.0e-3;
 
-/// Convex outline of a piece as seen from above, about its centroid: how far it reaches in each direction [m].
+/// Convex outline of a piece seen from above, as the support function about its origin [m].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Footprint {
     reach: [f64; DIRECTIONS],
@@ -31,7 +31,7 @@ impl Footprint {
         Self { reach, inner, outer }
     }
 
-    /// How far it reaches from the origin when it lies at a place [m].
+    /// Largest distance from the floor's centre that it covers at a place [m].
     pub fn reach_from(&self, at: [f64; 2]) -> f64 {
         let reach = |k: usize| {
             let [x, y] = direction(k);
@@ -40,7 +40,7 @@ impl Footprint {
         (0..DIRECTIONS).map(reach).fold(0.0, f64::max)
     }
 
-    /// Whether it would overlap another piece.
+    /// Returns true if it overlaps another piece.
     pub fn overlaps(&self, here: [f64; 2], other: &Self, there: [f64; 2]) -> bool {
         let [dx, dy] = [there[0] - here[0], there[1] - here[1]];
         (0..DIRECTIONS).all(|k| {
@@ -49,7 +49,7 @@ impl Footprint {
         })
     }
 
-    /// Whether some line parts this piece at `here` from another one at `there`, with room between them.
+    /// Returns true if a line separates this piece at `here` from another at `there` with the clearance [`GAP`].
     fn clear_of(&self, here: [f64; 2], other: &Self, there: [f64; 2]) -> bool {
         let [dx, dy] = [there[0] - here[0], there[1] - here[1]];
         let distance = libm::hypot(dx, dy);
@@ -63,7 +63,7 @@ impl Footprint {
         distance > self.inner + other.inner + GAP && (0..DIRECTIONS).any(parts)
     }
 
-    /// Whether it lies within a circle about the origin.
+    /// Returns true if it lies inside a circle about the origin.
     fn within(&self, radius: f64, at: [f64; 2]) -> bool {
         (0..DIRECTIONS).all(|k| {
             let [x, y] = direction(k);
@@ -77,7 +77,7 @@ fn direction(k: usize) -> [f64; 2] {
     [libm::cos(angle), libm::sin(angle)]
 }
 
-/// A round floor with what lies on it.
+/// A round floor with the pieces on it.
 #[derive(Clone, Debug)]
 pub struct Floor {
     radius: f64,
@@ -90,8 +90,8 @@ impl Floor {
         Self { radius, lying }
     }
 
-    /// Places for pieces in their order, in rings about `around` [m]. Where not all of them fit like that, they are laid from
-    /// the floor's edge inwards; as many places as fit then.
+    /// Places for pieces in their order, in rings about `around` [m]. If not all fit, the floor is filled from its edge
+    /// inwards, and the order that places more pieces is returned.
     pub fn places(self, wanted: &[Footprint], around: [f64; 2]) -> Vec<[f64; 2]> {
         let about = self.clone().filled(wanted, self.rings(around));
         if about.len() == wanted.len() {
@@ -103,7 +103,7 @@ impl Floor {
         if from_edge.len() > about.len() { from_edge } else { about }
     }
 
-    /// Lays pieces at the first free place each; ends at the first piece that finds none.
+    /// Greedy placement: each piece takes the first free place; stops at the first piece without one.
     fn filled(mut self, wanted: &[Footprint], order: Vec<(i64, [f64; 2])>) -> Vec<[f64; 2]> {
         let mut free: Vec<[f64; 2]> = order.into_iter().map(|(_, at)| at).collect();
         let smallest = wanted.iter().map(|w| w.inner).fold(f64::INFINITY, f64::min);
@@ -123,15 +123,15 @@ impl Floor {
         piece.within(self.radius, at) && self.lying.iter().all(|(other, there)| piece.clear_of(at, other, *there))
     }
 
-    /// Lays a piece down and drops the places that even the smallest piece can no longer take.
+    /// Places a piece and drops the candidates that even the smallest piece cannot take any more.
     fn occupy(&mut self, free: &mut Vec<[f64; 2]>, smallest: f64, piece: Footprint, at: [f64; 2]) {
         let nearest = smallest + piece.inner + GAP;
         free.retain(|p| libm::hypot(p[0] - at[0], p[1] - at[1]) > nearest);
         self.lying.push((piece, at));
     }
 
-    /// All places to try with their ring about a point: that point itself first, then ring by ring and in each ring by angle,
-    /// so that pieces lie snugly.
+    /// Candidate places with the index of their ring about a point: the point itself, then ring by ring, sorted by angle
+    /// within each ring, which packs pieces densely.
     fn rings(&self, around: [f64; 2]) -> Vec<(i64, [f64; 2])> {
         let farthest = self.radius + libm::hypot(around[0], around[1]);
         let steps = libm::ceil(farthest / SPACING) as i64;
@@ -192,7 +192,7 @@ mod tests {
     fn a_steak_takes_only_the_room_of_its_outline_and_a_flipped_one_its_mirror_image() {
         let long = Outline::superellipse(0.12, 0.06, 2.5, &[]);
         let steak = Footprint::of(&long.points);
-        // A circle about the steak would leave 40 mm beside it.
+        // A circle about the steak would leave 40 mm next to it.
         let floor = Floor::new(0.1, vec![(steak, [0.0, 0.0])]);
         let beside = floor.places(&vec![coin(0.0125); 12], [0.0, 0.05]);
         assert_eq!(beside.len(), 12, "{beside:?}");

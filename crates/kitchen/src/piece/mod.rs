@@ -1,4 +1,4 @@
-//! A piece of food in the kitchen: where it lies, what it touches, how heat passes.
+//! A piece of food in the kitchen: its place, its contacts and their heat transfer.
 
 pub mod board;
 pub mod carry_over;

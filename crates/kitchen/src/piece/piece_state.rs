@@ -1,4 +1,4 @@
-//! A piece of food with its place in the kitchen.
+//! A piece of food: its model, state, place and contacts.
 
 use std::sync::Arc;
 
@@ -22,12 +22,12 @@ use crate::piece::contact::{FaceContact, steam_share};
 use crate::piece::layout::Footprint;
 use crate::piece::sear_lines::SearRecord;
 
-/// Where a piece is.
+/// Place of a piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Place {
-    /// Waiting at its start temperature; nothing happens to it.
+    /// Waiting at its start temperature, without heat exchange.
     Waiting,
-    /// In the pan or above it, middle at this point relative to the pan's centre [m].
+    /// In or above the pan, with its centre at this point relative to the pan's centre [m].
     Pan([f64; 2]),
     /// Held by a tool.
     Held,
@@ -55,12 +55,12 @@ impl Place {
     }
 }
 
-/// What lies under a piece that is not in the pan.
+/// Ground below a piece outside the pan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Under {
-    /// Nothing, or a rack's wires.
+    /// Air, or the wires of a rack.
     Air,
-    /// Wood: its own layers below the piece.
+    /// Wood, with layers of its own below each piece.
     Wood,
     /// The hob's glass at a temperature [K].
     Glass(f64),
@@ -75,30 +75,30 @@ pub struct Piece {
     pub kind: String,
     /// Seed of its natural variation.
     pub seed: u64,
-    /// Number that it keeps as long as it exists.
+    /// Key: unique and constant during the life of the kitchen.
     pub key: u32,
-    /// What never changes.
+    /// Immutable model.
     pub model: Arc<FoodModel>,
-    /// What changes.
+    /// State of the food.
     pub state: FoodState,
-    /// Where it is.
+    /// Place.
     pub place: Place,
-    /// Where its body's origin is in the kitchen and how it is turned.
+    /// Pose of its rigid body in the kitchen.
     pub pose: Pose,
-    /// Time since its lower face was laid down [s].
+    /// Time since the start of the contact of its lower face [s].
     pub since_contact: f64,
     /// Time of the last flip [s].
     pub flipped_at: Option<f64>,
-    /// Highest core temperature [K] and when [s].
+    /// Highest core temperature [K] and its time [s].
     pub core_peak: (f64, f64),
-    /// Vapour given off in the last tick [kg/s].
+    /// Vapour flow in the last tick [kg/s].
     pub vapour_flow: f64,
-    /// Force with which it presses on the pan [N].
+    /// Low-pass filtered normal force on the pan [N].
     pub pan_force: f64,
-    /// Onto what it was put to rest.
+    /// Surface on which it was put to rest.
     pub(crate) resting_on: RestOn,
     pub(crate) near: NearPan,
-    /// What its body touched at the last tick at which anything moved.
+    /// Contacts of its rigid body at the last tick with motion.
     pub(crate) contacts: Vec<Contact>,
     pub(crate) solver: FoodSolver,
     pub(crate) sear: SearRecord,
@@ -113,15 +113,15 @@ pub struct Piece {
     touch: Vec<Touch>,
 }
 
-/// How long contact may be lost before it starts anew [s] (chosen: a hop of a few millimetres).
+/// Longest loss of contact that does not restart the contact [s] (chosen: a hop of a few millimetres).
 const HOP_S: f64 = 0.15;
-/// Time constant with which the pressure follows the contact force [s] (chosen: a landing is over).
+/// Time constant of the contact force's low-pass filter [s] (chosen: longer than the impact of a landing).
 const PRESSURE_S: f64 = 0.3;
-/// Ticks between two looks at the present shape (chosen: those at which it is reckoned anew).
+/// Ticks between two updates of the shape [-] (chosen: the ticks at which the food model recomputes it).
 const SHAPE_TICKS: u64 = 20;
 
 impl Piece {
-    /// A waiting piece at one temperature [K].
+    /// A waiting piece at a uniform temperature [K].
     pub(crate) fn new(
         (id, kind): (String, String),
         seed: u64,
@@ -167,22 +167,22 @@ impl Piece {
         }
     }
 
-    /// Whether it lies in the pan.
+    /// Returns true if it is in or above the pan.
     pub fn in_pan(&self) -> bool {
         matches!(self.place, Place::Pan(_))
     }
 
-    /// Whether it lies on the board, foil over it or not.
+    /// Returns true if it rests on the board, with or without foil.
     pub fn lies_on_board(&self) -> bool {
         matches!(self.place, Place::Rest(RestOn::Board | RestOn::Foil))
     }
 
-    /// Where a knife cut it in halves; its halves lie opened side by side, as one body.
+    /// The cut that halved it; the halves lie open side by side as one body.
     pub fn halved(&self) -> Option<Cut> {
         self.model.halved_at()
     }
 
-    /// Cuts it in halves at a distance from the middle of its long axis [m]; foil over it is taken off.
+    /// Halves it at a distance from the centre of its long axis [m] and removes the foil.
     pub(crate) fn halve(&mut self, at: f64) -> Result<(), Refused> {
         let model = self.model.halved(at).map_err(|e| match e {
             CutError::Halved => Refused::AlreadyHalved(self.id.clone()),
@@ -200,22 +200,22 @@ impl Piece {
         Ok(())
     }
 
-    /// Whether it is a body among others: no longer waiting.
+    /// Returns true if it has a rigid body, that is, once it no longer waits.
     pub fn is_out(&self) -> bool {
         self.place != Place::Waiting
     }
 
-    /// The upward direction in its body's frame [-].
+    /// Upward direction in its body's frame [-].
     pub fn up(&self) -> [f64; 3] {
         self.pose.up()
     }
 
-    /// Whether it lies upside down.
+    /// Returns true if it lies upside down.
     pub fn upside_down(&self) -> bool {
         self.up()[2] < 0.0
     }
 
-    /// Friction of its lower face on metal under a film of oil [-]: raw flesh clings, a crust does not, oil helps.
+    /// Friction coefficient of its lower face on metal with a film of oil [-]; browning and oil reduce it.
     pub(crate) fn friction(&self, film: f64, room: &Room) -> f64 {
         let data = &room.friction;
         let crust = self.model.face_browning(&self.state, self.up()).min(1.0);
@@ -229,7 +229,7 @@ impl Piece {
         self.model.core_temperature(&self.state)
     }
 
-    /// Area-mean temperature of the face that lies below (`true`) or above [K].
+    /// Area-mean temperature of the lower (`true`) or upper face [K].
     pub fn face(&self, below: bool) -> f64 {
         self.model.face_temperature(&self.state, self.up().map(|u| if below { u } else { -u }))
     }
@@ -239,28 +239,28 @@ impl Piece {
         self.state.mass(&self.model)
     }
 
-    /// Steps into which the last tick was divided.
+    /// Substeps of the last tick [-].
     pub fn substeps(&self) -> u32 {
         self.solver.substeps
     }
 
-    /// Where its patches are in its body's frame, and how they look.
+    /// Poses of its patches in its body's frame.
     pub fn patch_poses(&self) -> &[PatchPose] {
         &self.geometry.poses
     }
 
-    /// What it covers of a floor as it is turned now.
+    /// Footprint on a floor in its present orientation.
     pub fn footprint(&self) -> Footprint {
         Footprint::of(&outline(&self.model.solid(&self.state), self.pose.rotation))
     }
 
-    /// Lies flat in the pan, turned as the pan is.
+    /// Resets the contact record for a piece laid flat into the pan.
     pub(crate) fn lie(&mut self) {
         self.lay_up = [0.0, 0.0, 1.0];
         self.near.forget();
     }
 
-    /// How often its shape has been reckoned anew.
+    /// Number of updates of its shape [-].
     pub fn shape_count(&self) -> u64 {
         self.shape_count
     }
@@ -275,12 +275,12 @@ impl Piece {
         self.model.patches()[patch as usize].node as usize
     }
 
-    /// Whether the face at a node is wet.
+    /// Returns true if the face at a node is wet.
     pub(crate) fn is_wet(&self, node: usize) -> bool {
         self.state.water[node] > WET_SHARE * self.model.initial_water()[node]
     }
 
-    /// Brings the geometry up to date with the shape; tells whether it has changed.
+    /// Updates the geometry from the food's shape every [`SHAPE_TICKS`]; returns true if it did.
     pub(crate) fn follow_shape(&mut self) -> bool {
         if self.state.ticks < self.shaped_at + SHAPE_TICKS {
             return false;
@@ -292,23 +292,24 @@ impl Piece {
         true
     }
 
-    /// Puts it onto wood of room temperature.
+    /// Replaces the wood below it by wood at room temperature [K].
     pub(crate) fn onto_wood(&mut self, room: f64) {
         self.board = Board::at(room);
     }
 
-    /// Starts a tick: nothing is touched.
+    /// Clears all contacts at the start of a tick.
     pub(crate) fn free_all(&mut self) {
         self.touch.clear();
         self.touch.resize(self.model.patches().len(), Touch::default());
     }
 
-    /// Closes a patch that lies against other food to the air.
+    /// Closes a patch in contact with other food to the air.
     pub(crate) fn close(&mut self, patch: u32) {
         self.touch[patch as usize] = Touch::CLOSED;
     }
 
-    /// Looks where it is near to the pan, and for how long; `seen` is its pose in the pan's frame.
+    /// Updates the patches near the pan, the time of contact and the filtered force; `seen` is its pose in the pan's
+    /// frame.
     pub(crate) fn meet_pan(&mut self, pan: &PanModel, surface: &PanShape, seen: &Pose, force: f64, now: f64, dt: f64) {
         let patches = (self.model.patches(), self.geometry.poses.as_slice());
         let shape = Seen { patches, limp: self.limp.as_ref(), count: self.shape_count };
@@ -332,7 +333,7 @@ impl Piece {
         }
     }
 
-    /// Takes leave of the pan.
+    /// Ends the contact with the pan.
     pub(crate) fn leave_pan(&mut self) {
         self.sear.leave();
         self.near.forget();
@@ -340,16 +341,16 @@ impl Piece {
         self.pan_force = 0.0;
     }
 
-    /// Touches the pan where it is near to it.
+    /// Sets the contacts of the patches near the pan.
     pub(crate) fn touch_pan(&mut self, pan: &PanModel, pan_state: &PanState, room: &Room) {
         let near = core::mem::take(&mut self.near.patches);
         let area: f64 = near.iter().map(|n| self.patch_area(n.patch as usize)).sum();
         let face = FaceContact {
             since: self.since_contact,
-            // Ridges carry the weight on their tops alone.
+            // Ridges carry the weight on their tops only.
             pressure: self.pan_force / (area * pan.ridges.map_or(1.0, |r| r.share())).max(1e-6),
             film: 0.0,
-            coating: pan.description.coating_w_m2k.unwrap_or(f64::INFINITY),
+            coating: pan.description.coating_w_m2k,
         };
         let mean = face.mean_gap(&room.contact);
         for n in &near {
@@ -393,7 +394,7 @@ impl Piece {
         Touch { conductance: ridges.mixed(top, contact, &face, distance, &over), temperature }
     }
 
-    /// How far a patch of a bent slice stands off [m]; 0 where the slice does not lie flat.
+    /// Gap below a patch of a domed slice [m]; 0 if the slice does not lie flat.
     pub(crate) fn dome_gap(&self, patch: usize) -> f64 {
         let flat = self.model.mesh().is_slice() && self.lay_up[2].abs() > 0.7;
         if !flat {
@@ -403,7 +404,7 @@ impl Piece {
         self.model.dome_gap(&self.state, [x, y], self.lay_up)
     }
 
-    /// Touches what lies under it outside of the pan.
+    /// Sets the contacts with the ground outside the pan.
     pub(crate) fn touch_ground(&mut self, under: Under, room: &Room) {
         let temperature = match under {
             Under::Air => return,
@@ -415,14 +416,14 @@ impl Piece {
         model.patches_below(self.up()).for_each(|patch| self.touch[patch] = touch);
     }
 
-    /// Gives the wood under it what the last tick took.
+    /// Adds the heat of the last tick to the wood below it.
     pub(crate) fn warm_wood(&mut self, room: &Room, dt: f64) {
         let area: f64 = self.model.patches_below(self.up()).map(|i| self.patch_area(i)).sum();
         let taken = -self.solver.contact_heat.iter().sum::<f64>() / area;
         self.board.absorb(&room.board, taken, dt);
     }
 
-    /// One tick between everything that was touched and the airs before its faces.
+    /// Advances the food by one tick with its contacts and the air at its faces.
     pub(crate) fn advance(&mut self, air: [FreeAir; 3], dt: f64) -> Exchange {
         let air = if self.model.rules() == Rules::Paper2013 { air.map(Room::without_evaporation) } else { air };
         let around = Surroundings { touch: &self.touch, air: &air };
@@ -432,18 +433,16 @@ impl Piece {
         exchange
     }
 
-    /// Heat capacity of a node [J/K]; none before the first tick.
+    /// Heat capacity of a node [J/K]; `None` before the first tick.
     pub(crate) fn capacity(&self, node: usize) -> Option<f64> {
         self.solver.capacity(node)
     }
 
-    /// Gives heat to a node [J].
+    /// Adds heat to a node [J].
     pub(crate) fn give(&mut self, node: usize, heat: f64) {
         self.solver.give(&mut self.state, node, heat);
     }
 }
 
-/// Acceleration of gravity [m/s²] (standard).
-pub const GRAVITY: f64 = 9.806_65;
-/// A node with more than this share of its raw water has a wet face [-] (chosen: far above a crust, below held water).
+/// Share of the raw water above which the face of a node is wet [-] (chosen: far above a crust, below bound water).
 pub const WET_SHARE: f64 = 0.4;

@@ -1,8 +1,9 @@
-//! Lines that ridges sear into food: where they touched it, in its own frame, and how much of its browning came there.
+//! Sear lines from ridges: their place in the frame of the food, and the browning on them.
 //!
-//! The mesh of a piece is as coarse as the ridges: a node browns as the mixture of what lies on them and over the grooves. Of
-//! what a face browned on them as much as fits belongs to the lines. Along these it lies as the strips on the ridges brown,
-//! each between the ridge and the water that boils below it: T_s = (h_top T_pan + g T_boil) / (h_top + g).
+//! The mesh of a piece is as coarse as the ridges, so a node browns as the mean of ridge and groove. The browning that a
+//! face gains on ridges is attributed to the lines, up to complete browning there. Its distribution along the lines
+//! follows the strips on the ridges; the surface temperature of a strip is the balance between the ridge and the water
+//! that boils below the crust: T_s = (h_top T_pan + g T_boil) / (h_top + g).
 
 use glam::DVec3;
 use saute_food::advance::REFRESH_TICKS;
@@ -17,36 +18,36 @@ use crate::pan::ridges::Ridges;
 use crate::piece::contact::FaceContact;
 use crate::piece::piece_state::Piece;
 
-/// Sets of lines that a face keeps (chosen: crossed lines and one more; what is browned beyond counts as even).
+/// Largest number of sets of lines on a face [-] (chosen: crossed lines and one more; later browning counts as uniform).
 const MOST_SETS: usize = 3;
-/// Sine of the angle up to which lines run alike [-] (chosen: 8°).
+/// Sine of the angle up to which two sets count as parallel [-] (chosen: 8°).
 const ALIKE: f64 = 0.14;
-/// Cosine of the lean from which on a piece does not lie on a big face [-] (chosen: 45°).
+/// Cosine of the tilt above which a piece does not lie on its lower or upper face [-] (chosen: 45°).
 const FLAT: f64 = 0.7;
-/// Temperature of the water that boils under a strip's crust [K] (100 °C).
+/// Temperature of boiling water below a strip's crust [K] (100 °C).
 const BOILING: f64 = 373.15;
-/// Thickness of that crust [m] (chosen: a line that has just turned brown; only ratios between strips follow from it).
+/// Thickness of a strip's crust [m] (chosen: a line that has just browned; only ratios between strips depend on it).
 const STRIP: f64 = 0.3e-3;
-/// Water activity of a strip's crust [-] (chosen: where browning is fastest; it cancels in ratios).
+/// Water activity of a strip's crust [-] (chosen: at the fastest browning; it cancels in ratios).
 const DRY: f64 = 0.65;
 
 /// Parallel lines on a face, in the rest frame of the body as seen from +z.
 ///
-/// A point (x, y) lies on a line where x·d_y − y·d_x − phase is within half a width of a multiple of the pitch.
+/// A point (x, y) lies on a line if x·d_y − y·d_x − phase is within half a width of a multiple of the pitch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearLines {
     /// Unit vector along the lines, its x not negative [-].
     pub direction: [f64; 2],
-    /// Distance across the lines, towards (d_y, −d_x), of the middle of one of them from the origin, 0 to pitch [m].
+    /// Offset of a line's centre from the origin, measured along (d_y, −d_x), 0 to pitch [m].
     pub phase: f64,
-    /// From the middle of one line to that of the next [m].
+    /// Distance between the centres of neighbouring lines [m].
     pub pitch: f64,
     /// Width of a line [m].
     pub width: f64,
-    /// Share of the face's mean browning that came while it lay on these ridges [-].
+    /// Share of the face's mean browning gained on these ridges [-].
     pub share: f64,
-    /// Browning that came while it lay on these ridges, on the lines and between them; their mean by area is what the face's
-    /// mean gained there [-].
+    /// Browning gained on these ridges, on the lines and between them [-]. Their area mean is the gain of the face's
+    /// mean.
     pub browning: [f64; 2],
     /// Charring likewise [-].
     pub charring: [f64; 2],
@@ -63,14 +64,14 @@ impl SearLines {
         charring: [0.0; 2],
     };
 
-    /// What of a face's mean came on the lines and what between them [-]: as much as fits on them lies there.
+    /// Divides a face's mean between the lines and the rest [-]; the lines saturate at 1.
     fn divided(&self, mean: f64) -> [f64; 2] {
         let duty = self.width / self.pitch;
         let on = (mean / duty).min(1.0);
         [on, (mean - duty * on) / (1.0 - duty)]
     }
 
-    /// The lines that ridges leave on a body whose rest shape has shrunk to `lateral`, seen at a pose in the pan's frame.
+    /// Lines of ridges on a body at pose `seen` in the pan's frame; `lateral` is the lateral stretch of its rest shape [-].
     fn at(ridges: &Ridges, seen: &Pose, lateral: f64) -> Self {
         let back = seen.rotation.conjugate();
         let (along, across) = (back * DVec3::Y, back * DVec3::X);
@@ -83,30 +84,30 @@ impl SearLines {
         Self { direction, phase, pitch, width: ridges.width / lateral, ..Self::NONE }
     }
 
-    /// Whether other lines lie over these.
+    /// Returns true if other lines coincide with these.
     fn is_over(&self, other: &Self) -> bool {
         let sine = self.direction[0] * other.direction[1] - self.direction[1] * other.direction[0];
         let cosine = self.direction[0] * other.direction[0] + self.direction[1] * other.direction[1];
-        // Upright lines may look either way.
+        // Lines along y have either direction.
         let phase = if cosine < 0.0 { -other.phase } else { other.phase };
         let off = (self.phase - phase).rem_euclid(self.pitch);
         sine.abs() < ALIKE && off.min(self.pitch - off) < 0.5 * self.width
     }
 }
 
-/// What a piece remembers of the ridges on which it lay.
+/// History of a piece on ridges.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SearRecord {
-    /// Lines of the lower and the upper face of the rest shape; their share is mean browning gained so far.
+    /// Lines of the lower and upper face of the rest shape; `share` holds the mean browning gained so far.
     faces: [Vec<SearLines>; 2],
-    /// The face that lay below at the last look, and its mean browning.
+    /// Lower face at the last update, and its mean browning.
     seen: Option<(usize, f64)>,
-    /// What the strip of each patch that lay on a ridge would have browned so far, were it alone and dry [-].
+    /// Browning of the strip of each patch on a ridge, computed in isolation and dry [-].
     strips: Vec<f64>,
 }
 
 impl SearRecord {
-    /// Which big face lies below where `up` points up, a direction of the body frame.
+    /// Returns the face that lies below, given the upward direction in the body's frame.
     fn face_below(up: [f64; 3]) -> Option<Face> {
         if up[2] > FLAT {
             Some(Face::Bottom)
@@ -117,7 +118,7 @@ impl SearRecord {
         }
     }
 
-    /// Looks at a face with a mean browning that lies on ridges; the piece is seen at a pose in the pan's frame.
+    /// Attributes the browning gained since the last update to the lines; `seen` is the piece's pose in the pan's frame.
     fn look(&mut self, ridges: &Ridges, (face, browning): (Face, f64), seen: &Pose, lateral: f64) {
         let index = index(face);
         let gained = match self.seen {
@@ -137,12 +138,12 @@ impl SearRecord {
         }
     }
 
-    /// The piece no longer lies on ridges.
+    /// Ends the contact with ridges.
     pub(crate) fn leave(&mut self) {
         self.seen = None;
     }
 
-    /// Adds what the strip of a patch browned [-].
+    /// Adds browning to the strip of a patch [-].
     pub(crate) fn brown_strip(&mut self, patch: usize, gained: f64) {
         if self.strips.len() <= patch {
             self.strips.resize(patch + 1, 0.0);
@@ -150,7 +151,7 @@ impl SearRecord {
         self.strips[patch] += gained;
     }
 
-    /// All sets of lines of a face whose mean browning and charring are now so much, the strongest first.
+    /// All sets of lines of a face, the strongest first, given the face's present mean browning and charring [-].
     fn lines(&self, face: Face, browning: f64, charring: f64) -> Vec<SearLines> {
         let of = |set: &SearLines| {
             let share = (set.share / browning).min(1.0);
@@ -164,7 +165,7 @@ impl SearRecord {
 }
 
 impl Piece {
-    /// Remembers where ridges touch it.
+    /// Updates the record of sear lines while the piece lies on ridges.
     pub(crate) fn note_ridges(&mut self, ridges: &Ridges, seen: &Pose) {
         match SearRecord::face_below(seen.up()) {
             Some(face) if !self.near.patches.is_empty() => {
@@ -187,9 +188,9 @@ impl Piece {
         sum / area
     }
 
-    /// Browns the strip of a patch that lies on a ridge for the time between two looks.
+    /// Browns the strip of a patch on a ridge for the time between two updates.
     ///
-    /// Where it stands off beyond the face's mean the flesh gives way as ridges press into it.
+    /// Ridges press into the flesh, which reduces the gap beyond the face's mean.
     pub(crate) fn sear_strip(
         &mut self,
         near: &NearPatch,
@@ -212,7 +213,7 @@ impl Piece {
         self.sear.brown_strip(patch, gained);
     }
 
-    /// How dark the lines are at each node over their mean on its face [-]; empty where no ridge ever seared it.
+    /// Darkness of the lines at each node relative to their mean on its face [-]; empty without sear lines.
     pub fn sear_strength(&self) -> Vec<f64> {
         let strips = &self.sear.strips;
         if strips.is_empty() {
@@ -231,12 +232,12 @@ impl Piece {
         strength
     }
 
-    /// The strongest lines that ridges seared into the lower ([`Face::Bottom`]) or the upper face of the rest shape.
+    /// Strongest set of sear lines on the lower ([`Face::Bottom`]) or upper face of the rest shape.
     pub fn sear_lines(&self, face: Face) -> Option<SearLines> {
         self.all_sear_lines(face).into_iter().next()
     }
 
-    /// All sets of such lines, crossed ones too, the strongest first; none on a side.
+    /// All sets of sear lines of a face, the strongest first; empty for [`Face::Side`].
     pub fn all_sear_lines(&self, face: Face) -> Vec<SearLines> {
         if face == Face::Side {
             return Vec::new();
@@ -251,7 +252,7 @@ fn on_face(model: &FoodModel, face: Face) -> impl Iterator<Item = usize> {
     model.patches_below([0.0, 0.0, if face == Face::Top { -1.0 } else { 1.0 }])
 }
 
-/// The upper face of the rest shape comes second; a side has no lines of its own and counts to the lower face.
+/// Index of a face in [`SearRecord`]; a side has no lines of its own and shares the index of the lower face.
 fn index(face: Face) -> usize {
     usize::from(face == Face::Top)
 }
@@ -273,7 +274,7 @@ mod tests {
         pose
     }
 
-    /// Whether a point of the rest shape lies on a line, by the rule that the type documents.
+    /// Returns true if a point of the rest shape lies on a line, by the rule of [`SearLines`].
     fn on_line(lines: &SearLines, [x, y]: [f64; 2]) -> bool {
         let [dx, dy] = lines.direction;
         let off = (x * dy - y * dx - lines.phase).rem_euclid(lines.pitch);
@@ -322,7 +323,7 @@ mod tests {
         assert!(record.lines(Face::Top, 0.6, 0.0).is_empty());
     }
 
-    /// What a face gained on ridges is neither more nor less for being divided between lines and the rest.
+    /// Dividing the browning between lines and rest keeps the face's mean.
     #[test]
     fn lines_and_what_lies_between_them_hold_the_face_s_mean_browning() {
         let mut record = SearRecord::default();

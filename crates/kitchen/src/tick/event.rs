@@ -1,10 +1,10 @@
-//! What happens at a moment, for ears, eyes and summaries: spatter, smoke that begins, fire.
+//! Events for sound, display and summaries: spatter, smoke, fire, steam, cuts.
 
 use std::collections::VecDeque;
 
 use serde::Serialize;
 
-/// What happened.
+/// Kind of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum EventKind {
@@ -22,12 +22,12 @@ pub enum EventKind {
     WaterInHotOil,
     /// The lid is taken off; amount: steam that rises [kg].
     SteamReleased,
-    /// A food is cut in halves on the board; amount: its mass [kg].
+    /// A food is halved on the board; amount: its mass [kg].
     Halved,
 }
 
 impl EventKind {
-    /// All kinds, in their order.
+    /// All kinds in declaration order.
     pub const ALL: [Self; 8] = [
         Self::Spatter,
         Self::Pop,
@@ -39,17 +39,17 @@ impl EventKind {
         Self::Halved,
     ];
 
-    /// Whether its amounts add up, as masses do and temperatures do not.
-    pub fn adds_up(self) -> bool {
+    /// Returns true if the amounts are masses, which add up; temperatures do not.
+    pub fn is_additive(self) -> bool {
         !matches!(self, Self::SmokeBegins | Self::FlashPoint | Self::Fire)
     }
 
-    /// Whether it can burn the kitchen down: summaries warn of it.
-    pub fn endangers(self) -> bool {
+    /// Returns true if the event is a fire hazard; summaries warn of it.
+    pub fn is_fire_hazard(self) -> bool {
         matches!(self, Self::FlashPoint | Self::Fire)
     }
 
-    /// What the cook should know and do; nothing about what is harmless.
+    /// Returns advice for the cook, or `None` if the event is harmless.
     pub fn advice(self) -> Option<&'static str> {
         match self {
             Self::SmokeBegins => Some("the oil smokes: turn the hob down"),
@@ -61,38 +61,38 @@ impl EventKind {
     }
 }
 
-/// Something that happened.
+/// An event at a time and place.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Event {
-    /// When [s].
+    /// Time [s].
     pub time_s: f64,
-    /// What.
+    /// Kind.
     pub kind: EventKind,
-    /// Where, from the middle of the pan's floor, in the pan's frame [m].
+    /// Place in the pan's frame; the origin is the centre of the floor [m].
     pub at: [f64; 3],
-    /// How much, in the unit of its kind.
+    /// Amount in the unit of the kind.
     pub amount: f64,
 }
 
-/// All events of one kind.
+/// Summary of all events of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Tally {
-    /// What.
+    /// Kind.
     pub kind: EventKind,
-    /// How often.
+    /// Number of events [-].
     pub count: u64,
-    /// Sum of the masses, or the highest temperature, in the unit of the kind.
+    /// Sum of the masses or highest temperature, in the unit of the kind.
     pub amount: f64,
-    /// When first [s].
+    /// Time of the first event [s].
     pub first_s: f64,
-    /// When last [s].
+    /// Time of the last event [s].
     pub last_s: f64,
 }
 
-/// Events that are kept one by one (chosen: some minutes of lively frying); tallies count all.
+/// Number of single events kept [-] (chosen: some minutes of lively frying). Tallies count all events.
 const KEPT: usize = 512;
 
-/// The latest events, and tallies of all.
+/// The latest events, and a tally of each kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EventLog {
     latest: VecDeque<Event>,
@@ -107,7 +107,7 @@ impl Default for EventLog {
 }
 
 impl EventLog {
-    /// Notes an event; forgets the oldest one where too many are kept.
+    /// Records an event; the oldest single event is dropped when the log is full.
     pub fn push(&mut self, event: Event) {
         if self.latest.len() == KEPT {
             self.latest.pop_front();
@@ -117,22 +117,23 @@ impl EventLog {
             tally.first_s = event.time_s;
         }
         tally.count += 1;
-        tally.amount = if event.kind.adds_up() { tally.amount + event.amount } else { tally.amount.max(event.amount) };
+        tally.amount =
+            if event.kind.is_additive() { tally.amount + event.amount } else { tally.amount.max(event.amount) };
         tally.last_s = event.time_s;
         self.latest.push_back(event);
     }
 
-    /// The latest events, oldest first.
+    /// Returns the latest events, oldest first.
     pub fn latest(&self) -> impl DoubleEndedIterator<Item = &Event> {
         self.latest.iter()
     }
 
-    /// All events of one kind.
+    /// Returns the tally of one kind.
     pub fn tally(&self, kind: EventKind) -> &Tally {
         &self.tallies[kind as usize]
     }
 
-    /// Tallies of the kinds that happened.
+    /// Returns the tallies of the kinds that occurred.
     pub fn tallies(&self) -> impl Iterator<Item = &Tally> {
         self.tallies.iter().filter(|t| t.count > 0)
     }

@@ -1,10 +1,11 @@
-//! One tick of heat: what every piece exchanges with pan, ground, air and other pieces, then the pan with the rest.
+//! One tick of heat and mass transfer: first each piece with pan, ground, air and other pieces, then the pan with hob and
+//! room.
 
 use std::sync::Arc;
 
 use glam::DVec3;
-use saute_food::Exchange;
 use saute_food::water::latent_heat;
+use saute_food::{Exchange, GRAVITY};
 
 use crate::data::room::Room;
 use crate::dynamics::world::{Contact, GLASS_HALF};
@@ -14,15 +15,13 @@ use crate::kitchen::{Fixed, Kitchen};
 use crate::pan::hob::PanPose;
 use crate::pan::pan_model::{LEVEL, PanLoad};
 use crate::piece::food_contact::{self, Touching};
-use crate::piece::piece_state::{GRAVITY, Piece, Place, Under};
+use crate::piece::piece_state::{Piece, Place, Under};
 use crate::{TICK_S, kelvin};
 
 impl Kitchen {
     pub(crate) fn heat_tick(&mut self) {
         let fixed = Arc::clone(&self.fixed);
-        self.pan_flow.fill(0.0);
-        self.covered.fill(0.0);
-        self.steam.fill(0.0);
+        self.load.clear();
         self.follow_pan(&fixed);
         if !self.world.is_settled() {
             for piece in self.pieces.iter_mut().filter(|p| p.is_out()) {
@@ -35,9 +34,9 @@ impl Kitchen {
         for index in 0..self.pieces.len() {
             self.step_piece(&fixed, index);
         }
-        self.covered.iter_mut().for_each(|c| *c = c.min(1.0));
+        self.load.covered.iter_mut().for_each(|c| *c = c.min(1.0));
         self.step_pan(&fixed);
-        self.tick += 1;
+        self.clock.count_tick();
     }
 
     fn step_pan(&mut self, fixed: &Fixed) {
@@ -46,20 +45,20 @@ impl Kitchen {
             hob: &fixed.hob,
             room: &fixed.room,
             hob_w: self.hob_w,
-            time: self.tick as f64 * TICK_S,
-            food: &self.pan_flow,
-            covered: &self.covered,
-            steam: &self.steam,
+            time: self.clock.tick_start_s(),
+            food: &self.load.heat,
+            covered: &self.load.covered,
+            steam: &self.load.steam,
             gravity,
         };
         let (pan, solver) = (&mut self.pan, &mut self.pan_solver);
         let exchange = fixed.pan.advance(pan, solver, &load, &mut self.cloth, &mut self.events, TICK_S);
-        self.flows.hob += exchange.hob;
-        self.flows.air += exchange.air;
-        self.flows.other += exchange.other;
-        self.cloth_vapour = exchange.cloth_vapour / TICK_S;
-        self.flows.evaporation += exchange.vapour.enthalpy;
-        self.puddle_vapour = exchange.vapour.mass / TICK_S;
+        self.account.flows.hob += exchange.hob;
+        self.account.flows.air += exchange.air;
+        self.account.flows.other += exchange.other;
+        self.vapour.cloth = exchange.cloth_vapour / TICK_S;
+        self.account.flows.evaporation += exchange.vapour.enthalpy;
+        self.vapour.puddle = exchange.vapour.mass / TICK_S;
         self.lift_off_cloth();
     }
 
@@ -72,20 +71,22 @@ impl Kitchen {
         }
     }
 
-    /// Gravity less the pan's mean acceleration since the last tick, in the pan's frame [m/s²].
+    /// Gravity minus the pan's mean acceleration since the last tick, in the pan's frame [m/s²].
     fn felt_gravity(&mut self) -> [f64; 3] {
         let motion = &self.world.motion;
-        if motion.is_still() && motion.velocity == self.pan_velocity && motion.pose.rotation == Pose::default().rotation
+        if motion.is_still()
+            && motion.velocity == self.pan_hold.last_velocity
+            && motion.pose.rotation == Pose::default().rotation
         {
             return LEVEL;
         }
-        let acceleration = (motion.velocity - self.pan_velocity) / TICK_S;
+        let acceleration = (motion.velocity - self.pan_hold.last_velocity) / TICK_S;
         let felt = DVec3::new(0.0, 0.0, -GRAVITY) - acceleration;
-        self.pan_velocity = motion.velocity;
+        self.pan_hold.last_velocity = motion.velocity;
         (motion.pose.rotation.conjugate() * felt).to_array()
     }
 
-    /// Tells hob and pan where the pan is now.
+    /// Updates the pan's place over the hob from its rigid body.
     fn follow_pan(&mut self, fixed: &Fixed) {
         let at = self.world.motion.pose.position;
         let lift = at.z - self.world.pan_shape().thickness;
@@ -95,13 +96,13 @@ impl Kitchen {
         }
     }
 
-    /// Tells every piece where it is.
+    /// Updates the place of every piece from its pose.
     fn find_places(&mut self) {
         let pan = self.world.motion.pose;
         let surface = *self.world.pan_shape();
         for piece in self.pieces.iter_mut().filter(|p| p.is_out()) {
             let seen = pan.to_body(piece.pose.position);
-            let place = if self.hand.gripped() == Some(piece.key) {
+            let place = if self.second_hand.hand.gripped() == Some(piece.key) {
                 Place::Held
             } else if surface.holds(seen) {
                 Place::Pan([seen.x, seen.y])
@@ -135,7 +136,7 @@ impl Kitchen {
         }
     }
 
-    /// Heat between foods that touch; their patches there are closed to the air.
+    /// Exchanges heat between pieces in contact; their patches in contact are closed to the air.
     fn exchange_between_foods(&mut self, room: &Room) {
         if !self.world.is_settled() {
             self.find_touching();
@@ -184,17 +185,17 @@ impl Kitchen {
         if under == Under::Wood {
             piece.warm_wood(&fixed.room, TICK_S);
         }
-        let (core, time) = (piece.core(), (self.tick + 1) as f64 * TICK_S);
+        let (core, time) = (piece.core(), self.clock.tick_end_s());
         if core > piece.core_peak.0 {
             piece.core_peak = (core, time);
         }
         self.book(fixed, index, &exchange);
     }
 
-    /// Finds what a piece touches in this tick.
+    /// Updates the contacts of a piece with pan and ground for this tick.
     fn meet(&mut self, fixed: &Fixed, index: usize, under: Under) {
         let (force, pan_pose, surface) = (self.pan_force(index), self.world.motion.pose, *self.world.pan_shape());
-        let time = (self.tick + 1) as f64 * TICK_S;
+        let time = self.clock.tick_end_s();
         let piece = &mut self.pieces[index];
         if piece.in_pan() {
             let seen = piece.pose.seen_from(&pan_pose);
@@ -204,21 +205,21 @@ impl Kitchen {
         piece.touch_ground(under, &fixed.room);
     }
 
-    /// Books what a piece exchanged: heat from the pan's nodes below it, juice and fat that ran off.
+    /// Adds the exchange of a piece to the pan and to the energy account: heat from the pan's nodes, juice and fat.
     fn book(&mut self, fixed: &Fixed, index: usize, exchange: &Exchange) {
         let piece = &self.pieces[index];
         let taken: f64 = piece.solver.contact_heat.iter().sum();
         if !piece.in_pan() {
-            self.flows.air += exchange.air;
-            self.flows.evaporation += exchange.evaporation;
-            self.flows.other += exchange.drip.enthalpy + exchange.rendered.enthalpy - taken;
+            self.account.flows.air += exchange.air;
+            self.account.flows.evaporation += exchange.evaporation;
+            self.account.flows.other += exchange.drip.enthalpy + exchange.rendered.enthalpy - taken;
             return;
         }
         let (air, evaporation) = fixed.pan.take_up(&mut self.pan, &fixed.room, || piece.face(false), exchange);
-        self.flows.air += air;
-        self.flows.evaporation += evaporation;
+        self.account.flows.air += air;
+        self.account.flows.evaporation += evaporation;
         let whole: f64 = piece.near.patches.iter().map(|n| piece.patch_area(n.patch as usize)).sum();
-        // What boils at the face that lies below rises through the oil there.
+        // Steam that boils off at the lower face rises through the oil there.
         let boiled = exchange.evaporated.min(taken.max(0.0) / latent_heat(kelvin(100.0)));
         for near in &piece.near.patches {
             let (patch, located) = (near.patch as usize, &near.located);
@@ -226,10 +227,10 @@ impl Kitchen {
             let wet = piece.is_wet(piece.node_of(near.patch));
             for k in 0..3 {
                 let (node, weight) = (located.nodes[k] as usize, located.weights[k]);
-                self.pan_flow[node] += weight * heat / TICK_S;
-                self.covered[node] += weight * area / fixed.pan.section.areas[node];
+                self.load.heat[node] += weight * heat / TICK_S;
+                self.load.covered[node] += weight * area / fixed.pan.section.areas[node];
                 let steam = weight * area / whole * boiled;
-                self.steam[node] += steam;
+                self.load.steam[node] += steam;
                 if wet {
                     let model = &fixed.pan.liquids;
                     self.pan.liquids.fond.stick(&model.bed, node, steam * model.fond.left_by_steam);
@@ -245,10 +246,10 @@ impl Kitchen {
             self.drip_from_above(fixed, index, exchange);
         }
         let latent = self.pieces[index].model.description().fat_melting.latent_j_kg;
-        self.flows.other += fixed.pan.render(&mut self.pan, &exchange.rendered, latent);
+        self.account.flows.other += fixed.pan.render(&mut self.pan, &exchange.rendered, latent);
     }
 
-    /// Juice of a piece that lies on others or is in the air runs down to the floor below it.
+    /// Juice of a piece without contact with the pan drips to the floor below it.
     fn drip_from_above(&mut self, fixed: &Fixed, index: usize, exchange: &Exchange) {
         let Place::Pan(at) = self.pieces[index].place else { return };
         let located = fixed.pan.locator.locate_or_nearest(&fixed.pan.section, at);
@@ -270,7 +271,7 @@ impl Kitchen {
         nearest.map_or_else(|| self.fixed.room.temperature(), |i| self.pan.glass[i])
     }
 
-    /// Force of a piece on floor and wall of the pan [N].
+    /// Normal force of a piece on floor and wall of the pan [N].
     fn pan_force(&self, index: usize) -> f64 {
         let piece = &self.pieces[index];
         if self.world.is_settled() {
@@ -281,10 +282,10 @@ impl Kitchen {
     }
 }
 
-/// A pan that is lower than this stands on the glass [m] (chosen: below rounding of the follower).
+/// Lift below which the pan stands on the glass [m] (chosen: above the rounding of the pan's motion).
 const STANDING: f64 = 1e-6;
 
-/// Where a piece is that is not over the pan.
+/// Returns the place of a piece that is not over the pan.
 fn ground(piece: &Piece) -> Place {
     let on = |against: Against| piece.contacts.iter().any(|c| c.against == against);
     let p = piece.pose.position;

@@ -1,5 +1,6 @@
-//! Time: frames in which bodies move, ticks in which heat flows, and what is recorded of them.
+//! Time: frames of rigid-body motion, ticks of heat and mass transfer, the energy account and the event log.
 
+pub(crate) mod clock;
 pub mod energy;
 pub mod event;
 mod heat_tick;

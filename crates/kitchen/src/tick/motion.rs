@@ -1,25 +1,28 @@
-//! Time in frames: bodies move, tools work, gestures run, and at every tick heat flows.
+//! Frames: rigid bodies, tools and gestures advance in each frame; heat and mass transfer in each tick.
 
-use crate::FRAMES_PER_TICK;
 use crate::dynamics::{Ended, PanTarget, RIGID_HZ, RIGID_S, Task};
 use crate::kitchen::Kitchen;
 
-/// Rigid steps in a frame.
+/// Rigid steps in a frame [-].
 const STEPS_PER_FRAME: u32 = RIGID_HZ / 60;
 
 impl Kitchen {
-    /// Moves the world on to its next tick.
+    /// Advances the kitchen to its next tick.
     pub fn step(&mut self) {
         while !self.advance_frame() {}
     }
 
-    /// Moves the world by one frame: bodies and tools move; at every sixth frame heat flows and foods change. Tells
-    /// whether that was a tick.
+    /// Advances the kitchen by one frame of [`crate::FRAME_S`]. Bodies and tools move in each frame; heat flows and foods
+    /// change in every sixth. Returns true if the frame ended a tick.
     pub fn advance_frame(&mut self) -> bool {
         self.take_up_task();
         let mut moved = false;
         for _ in 0..STEPS_PER_FRAME {
-            if self.world.is_settled() && self.gesture.is_none() && !self.hand.is_active() && self.is_home() {
+            if self.world.is_settled()
+                && self.pan_hold.gesture.is_none()
+                && !self.second_hand.hand.is_active()
+                && self.is_home()
+            {
                 break;
             }
             self.rigid_step();
@@ -28,30 +31,28 @@ impl Kitchen {
         if moved {
             self.follow_bodies();
         }
-        self.frame += 1;
-        if self.frame < FRAMES_PER_TICK {
-            return false;
+        let is_tick = self.clock.count_frame();
+        if is_tick {
+            self.heat_tick();
         }
-        self.frame = 0;
-        self.heat_tick();
-        true
+        is_tick
     }
 
     fn is_home(&self) -> bool {
-        self.world.motion.is_still() && self.world.motion.pose == self.held_at
+        self.world.motion.is_still() && self.world.motion.pose == self.pan_hold.pose
     }
 
     fn rigid_step(&mut self) {
         let target = self.pan_target();
         self.follow_lead();
-        if let Some(ended) = self.hand.step(&mut self.world) {
+        if let Some(ended) = self.second_hand.hand.step(&mut self.world) {
             self.end_task(ended);
         }
-        self.hand.place_blade(&mut self.world);
+        self.second_hand.hand.place_blade(&mut self.world);
         self.world.step(&target);
     }
 
-    /// Tells every piece where its body is.
+    /// Copies the poses of the rigid bodies to the pieces.
     fn follow_bodies(&mut self) {
         for piece in self.pieces.iter_mut().filter(|p| p.is_out()) {
             if let Some(pose) = self.world.pose(piece.key) {
@@ -60,38 +61,38 @@ impl Kitchen {
         }
     }
 
-    /// Where the pan should be now: at a gesture's moment, or where it is held.
+    /// Target of the pan in this step: the gesture's present pose, or the pose at which the pan is held.
     fn pan_target(&mut self) -> PanTarget {
-        let standing = PanTarget { pose: self.held_at, ..PanTarget::default() };
-        let Some((gesture, since)) = &mut self.gesture else { return standing };
+        let standing = PanTarget { pose: self.pan_hold.pose, ..PanTarget::default() };
+        let Some((gesture, since)) = &mut self.pan_hold.gesture else { return standing };
         *since += RIGID_S;
         let (gesture, since) = (*gesture, *since);
         if since >= gesture.duration_s() {
-            self.gesture = None;
+            self.pan_hold.gesture = None;
             return standing;
         }
-        gesture.target(&self.held_at, since)
+        gesture.target(&self.pan_hold.pose, since)
     }
 
     fn take_up_task(&mut self) {
-        if self.at_work.is_some() || self.hand.is_active() {
+        if self.second_hand.current.is_some() || self.second_hand.hand.is_active() {
             return;
         }
-        if let Some(task) = self.tasks.pop_front() {
+        if let Some(task) = self.second_hand.tasks.pop_front() {
             let legs = task.legs(&self.world);
             if !legs.is_empty() {
                 let spared = matches!(task, Task::Flip { .. }).then(|| task.key());
-                self.hand.begin(task.tool(&self.world), legs, spared, &self.world);
-                self.at_work = Some(task);
+                self.second_hand.hand.begin(task.tool(&self.world), legs, spared, &self.world);
+                self.second_hand.current = Some(task);
             }
         }
     }
 
     fn end_task(&mut self, ended: Ended) {
-        if let Some(task) = self.at_work.take()
+        if let Some(task) = self.second_hand.current.take()
             && ended == Ended::Blocked
         {
-            self.blocked.push(task);
+            self.second_hand.blocked.push(task);
         }
     }
 }

@@ -1,0 +1,23 @@
+//! The hand that holds the pan.
+
+use glam::DVec3;
+
+use crate::dynamics::{Gesture, Pose};
+
+/// How the pan is held.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PanHold {
+    /// Pose at which the pan is held between gestures.
+    pub(crate) pose: Pose,
+    /// Gesture of the pan and the time since its start [s].
+    pub(crate) gesture: Option<(Gesture, f64)>,
+    /// The pan's velocity at the last tick [m/s].
+    pub(crate) last_velocity: DVec3,
+}
+
+impl PanHold {
+    /// A pan held at rest.
+    pub(crate) fn at(pose: Pose) -> Self {
+        Self { pose, gesture: None, last_velocity: DVec3::ZERO }
+    }
+}

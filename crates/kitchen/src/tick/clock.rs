@@ -1,0 +1,54 @@
+//! Simulated time in ticks and frames.
+
+use crate::{FRAME_S, FRAMES_PER_TICK, TICK_S};
+
+/// Clock of a kitchen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Clock {
+    /// Ticks since the start.
+    tick: u64,
+    /// Frames since the last tick.
+    frame: u32,
+}
+
+impl Clock {
+    /// Ticks since the start [-].
+    pub(crate) fn tick(self) -> u64 {
+        self.tick
+    }
+
+    /// Time at the present frame [s].
+    pub(crate) fn time_s(self) -> f64 {
+        self.tick as f64 * TICK_S + f64::from(self.frame) * FRAME_S
+    }
+
+    /// Time at the start of the present tick [s].
+    pub(crate) fn tick_start_s(self) -> f64 {
+        self.tick as f64 * TICK_S
+    }
+
+    /// Time at the end of the present tick [s].
+    pub(crate) fn tick_end_s(self) -> f64 {
+        (self.tick + 1) as f64 * TICK_S
+    }
+
+    /// Returns true if no frame has passed since the last tick.
+    pub(crate) fn is_between_ticks(self) -> bool {
+        self.frame == 0
+    }
+
+    /// Counts a frame; returns true if it completes a tick, whose heat transfer is then due.
+    pub(crate) fn count_frame(&mut self) -> bool {
+        self.frame += 1;
+        if self.frame < FRAMES_PER_TICK {
+            return false;
+        }
+        self.frame = 0;
+        true
+    }
+
+    /// Counts a tick.
+    pub(crate) fn count_tick(&mut self) {
+        self.tick += 1;
+    }
+}
