@@ -1,29 +1,15 @@
-//! The lab: the solver on plain bodies with any boundary, for checks by others.
+//! The lab: heat conduction and cooking of plain bodies with any boundary, for checks against exact solutions and
+//! measurements.
 
-mod body;
 mod case;
-mod case_file;
-mod check;
-mod check_schedule;
-mod check_stack;
 pub mod cook_case;
-mod cooking;
-mod cooking_body;
-mod edge_system;
-mod material;
-mod one_or_more;
-mod recording;
-mod report;
-mod run;
-mod shipped;
-mod solver;
-mod verdict;
+mod result;
+mod solve;
 
-pub use case::{BodyCase, Case, CookingCase, PanCase, Phase, ProbeCase, Until};
-pub use case_file::{CaseFile, Physics, Quantity, Shape};
+pub use case::case_file::{CaseFile, Physics, Quantity, Shape};
+pub use case::{BodyCase, Case, CookingCase, PanCase, Phase, ProbeCase, Until, validation_cases};
 pub use cook_case::CookCase;
-pub use material::{Boiling, Material, Solid};
-pub use report::LabReport;
-pub use run::run;
-pub use shipped::validation_cases;
-pub use verdict::{Expectation, Subject, Verdict, verdicts};
+pub use result::report::LabReport;
+pub use result::verdict::{Expectation, Subject, Verdict, verdicts};
+pub use solve::material::{Boiling, Material, Solid};
+pub use solve::run;

@@ -7,10 +7,10 @@ use saute_heat::product::{Constants, FaceBoundary, ProductOperator};
 use saute_heat::super_step::SuperStep;
 use saute_heat::tensor::{Part, TensorBody};
 
-use crate::body::mesh;
+use crate::solve::body::mesh;
 use crate::case::Case;
-use crate::edge_system::EdgeSystem;
-use crate::material::Material;
+use crate::solve::edge_system::EdgeSystem;
+use crate::solve::material::Material;
 
 /// Most stages of a super-step with constant properties at a step factor of 1 (chosen: the error in time stays well
 /// below that in space, which falls at its own order).
@@ -49,7 +49,7 @@ impl System {
 }
 
 /// The body and its present state.
-pub(super) struct Solver {
+pub(crate) struct Solver {
     /// Mesh.
     pub body: TensorBody,
     /// Temperature of each node [K].
@@ -73,7 +73,7 @@ pub(super) struct Solver {
 }
 
 impl Solver {
-    pub(super) fn new(case: &Case) -> Self {
+    pub(crate) fn new(case: &Case) -> Self {
         let body = mesh(case);
         let n = body.node_count();
         let initial = |layer: usize| case.bodies[layer].initial;
@@ -100,13 +100,13 @@ impl Solver {
     }
 
     /// Sets the boundaries of a phase.
-    pub(super) fn enter(&mut self, phase: usize, case: &Case) {
+    pub(crate) fn enter(&mut self, phase: usize, case: &Case) {
         self.boundaries.clone_from(&case.phases[phase].boundaries);
         self.put_on(case);
     }
 
     /// Bottom and top change places.
-    pub(super) fn flip(&mut self, case: &Case) {
+    pub(crate) fn flip(&mut self, case: &Case) {
         self.upside_down = !self.upside_down;
         self.put_on(case);
     }
@@ -144,7 +144,7 @@ impl Solver {
     }
 
     /// Length of the next step on the way to `until` [s].
-    pub(super) fn next_step(&self, until: f64, case: &Case) -> f64 {
+    pub(crate) fn next_step(&self, until: f64, case: &Case) -> f64 {
         let (reach, growth) = match &self.system {
             System::Edges(edges) if edges.boils() => (1.0, GROWTH),
             System::Edges(edges) if edges.varies() => (SuperStep::reach(MOST_STAGES_VARYING), GROWTH_VARYING),
@@ -159,7 +159,7 @@ impl Solver {
     }
 
     /// Moves by `dt` [s].
-    pub(super) fn advance(&mut self, dt: f64, case: &Case) {
+    pub(crate) fn advance(&mut self, dt: f64, case: &Case) {
         self.last_dt = dt;
         self.time += dt;
         self.steps += 1;
@@ -167,7 +167,7 @@ impl Solver {
     }
 
     /// Takes rounding away from a time that was to be reached [s].
-    pub(super) fn settle_at(&mut self, until: f64) {
+    pub(crate) fn settle_at(&mut self, until: f64) {
         if (self.time - until).abs() <= 1e-9 * until.max(1.0) {
             self.time = until;
         }
@@ -187,7 +187,7 @@ impl Solver {
     }
 
     /// Goes back into the last step, so that only `share` of it has been made; no way back where water has boiled.
-    pub(super) fn rewind(&mut self, share: f64, case: &Case) {
+    pub(crate) fn rewind(&mut self, share: f64, case: &Case) {
         let boils = matches!(&self.system, System::Edges(edges) if edges.boils());
         if boils || share >= 1.0 {
             return;
@@ -205,17 +205,17 @@ impl Solver {
     }
 
     /// Temperatures before the last step [K].
-    pub(super) fn before(&self) -> &[f64] {
+    pub(crate) fn before(&self) -> &[f64] {
         self.step.start()
     }
 
     /// Length of the last step [s].
-    pub(super) fn last_dt(&self) -> f64 {
+    pub(crate) fn last_dt(&self) -> f64 {
         self.last_dt
     }
 
     /// Heat taken up since the start [J]; of a slab per m².
-    pub(super) fn absorbed(&self) -> f64 {
+    pub(crate) fn absorbed(&self) -> f64 {
         match &self.system {
             System::Product(_) => stored(&self.temperature, &self.capacity) - self.stored_at_start,
             System::Edges(_) => self.absorbed,
@@ -223,7 +223,7 @@ impl Solver {
     }
 
     /// Water evaporated so far [kg] and volume that has dried [m³], where water boils; of a slab per m².
-    pub(super) fn dried(&self) -> Option<[f64; 2]> {
+    pub(crate) fn dried(&self) -> Option<[f64; 2]> {
         match &self.system {
             System::Edges(edges) if edges.boils() => Some(edges.dried()),
             _ => None,
@@ -231,7 +231,7 @@ impl Solver {
     }
 
     /// Conductivity of a layer around a node [W/(m·K)].
-    pub(super) fn conductivity(&self, case: &Case, layer: usize, node: usize) -> f64 {
+    pub(crate) fn conductivity(&self, case: &Case, layer: usize, node: usize) -> f64 {
         let dried = match &self.system {
             System::Edges(edges) => edges.dried_share(node),
             System::Product(_) => 0.0,
@@ -245,12 +245,12 @@ fn stored(temperature: &[f64], capacity: &[f64]) -> f64 {
 }
 
 /// The other end of an axis.
-pub(super) fn opposite(end: End) -> End {
+pub(crate) fn opposite(end: End) -> End {
     if end == End::Low { End::High } else { End::Low }
 }
 
 /// Heat capacity of a node [J/K] where each layer has a temperature [K]; of a slab per m².
-pub(super) fn capacity(case: &Case, body: &TensorBody, node: usize, temperature: &dyn Fn(usize) -> f64) -> f64 {
+pub(crate) fn capacity(case: &Case, body: &TensorBody, node: usize, temperature: &dyn Fn(usize) -> f64) -> f64 {
     let heat = |p: Part| p.volume * case.materials[p.layer].capacity(temperature(p.layer));
     body.parts(node).map(heat).sum::<f64>() + body.plate_capacity(node)
 }

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::one_or_more::OneOrMore;
+use crate::case::one_or_more::OneOrMore;
 
 /// A plain body, its material, its boundaries, and what is to be told.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

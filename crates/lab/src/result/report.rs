@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::case::Case;
-use crate::case_file::Shape;
+use crate::case::case_file::Shape;
 
 /// The numbers of a lab run, as `saute lab --json` prints them.
 #[derive(Clone, Debug, Serialize)]
@@ -85,7 +85,7 @@ pub struct LabReport {
 
 impl LabReport {
     /// A report that says nothing yet.
-    pub(super) fn empty(case: &Case) -> Self {
+    pub(crate) fn empty(case: &Case) -> Self {
         Self {
             name: case.name.clone(),
             nodes: 0,

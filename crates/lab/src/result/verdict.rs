@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use crate::case::Case;
-use crate::case_file::Quantity;
-use crate::report::LabReport;
+use crate::case::case_file::Quantity;
+use crate::result::report::LabReport;
 
 /// What an expectation is about.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,8 +7,8 @@ use saute_heat::super_step::{Rates, SuperStep};
 use saute_heat::tensor::{LayeredGraph, TensorBody};
 
 use crate::case::Case;
-use crate::material::Boiling;
-use crate::solver::capacity;
+use crate::solve::material::Boiling;
+use crate::solve::solver::capacity;
 
 /// Edges, conductances and water of a body.
 pub(super) struct EdgeSystem {

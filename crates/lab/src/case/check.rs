@@ -3,10 +3,10 @@
 use saute_heat::Rule;
 use toml::Spanned;
 
-use crate::body::{on_axes, vertical};
+use crate::solve::body::{on_axes, vertical};
 use crate::case::{BodyCase, Case, CookingCase, ProbeCase};
-use crate::case_file::{CaseFile, ExpectEntry, Physics, ProbeEntry, Quantity, RuleEntry, Shape};
-use crate::verdict::{Expectation, Subject};
+use crate::case::case_file::{CaseFile, ExpectEntry, Physics, ProbeEntry, Quantity, RuleEntry, Shape};
+use crate::result::verdict::{Expectation, Subject};
 use saute_kitchen::data::library::Library;
 use saute_kitchen::kelvin;
 use saute_kitchen::{InputError, InputText};

@@ -3,15 +3,15 @@
 use saute_heat::axis::End;
 
 use crate::case::{Case, ProbeCase};
-use crate::case_file::Shape;
-use crate::report::LabReport;
-use crate::solver::Solver;
+use crate::case::case_file::Shape;
+use crate::result::report::LabReport;
+use crate::solve::solver::Solver;
 use saute_kitchen::celsius;
 
 /// Nodes along each axis that a reading is interpolated through: a cubic.
 const CUBIC: usize = 4;
 /// The same where a front runs through the body, at which a cubic would ring.
-pub(super) const LINEAR: usize = 2;
+pub(crate) const LINEAR: usize = 2;
 
 /// Nodes and weights that interpolate at a point, and what was read there: time [s] and value.
 struct Reading {
@@ -27,7 +27,7 @@ struct Flux {
 }
 
 /// What is remembered of a run.
-pub(super) struct Recording {
+pub(crate) struct Recording {
     probes: Vec<Reading>,
     fluxes: Vec<Flux>,
     /// Highest temperature of each node [K], where anything asks for it.
@@ -49,7 +49,7 @@ impl Reading {
 }
 
 impl Recording {
-    pub(super) fn new(case: &Case, solver: &Solver) -> Self {
+    pub(crate) fn new(case: &Case, solver: &Solver) -> Self {
         let points = if case.materials.iter().any(|m| m.boiling.is_some()) { LINEAR } else { CUBIC };
         let reading = |probe: &ProbeCase, weights| Reading { name: probe.name.clone(), weights, series: Vec::new() };
         let mut probes: Vec<Reading> =
@@ -77,7 +77,7 @@ impl Recording {
     }
 
     /// Reads every probe.
-    pub(super) fn read(&mut self, case: &Case, solver: &Solver) {
+    pub(crate) fn read(&mut self, case: &Case, solver: &Solver) {
         for probe in &mut self.probes {
             let value = probe.value(&solver.temperature);
             probe.series.push([solver.time, celsius(value)]);
@@ -91,14 +91,14 @@ impl Recording {
     }
 
     /// Where within the last step a probe crossed a temperature [-]; none where it did not.
-    pub(super) fn crossing(&self, probe: usize, target: f64, solver: &Solver) -> Option<f64> {
+    pub(crate) fn crossing(&self, probe: usize, target: f64, solver: &Solver) -> Option<f64> {
         let [before, now] =
             [solver.before(), &solver.temperature].map(|field| self.probes[probe].value(field) - target);
         (before * now <= 0.0).then(|| if before == now { 0.0 } else { before / (before - now) })
     }
 
     /// Takes peaks and range after a step; the stop is placed within the step by the coldest peak's rise.
-    pub(super) fn observe(&mut self, case: &Case, solver: &Solver) {
+    pub(crate) fn observe(&mut self, case: &Case, solver: &Solver) {
         let [mut low, mut high] = self.range;
         for &t in &solver.temperature {
             low = if t < low { t } else { low };
@@ -127,7 +127,7 @@ impl Recording {
         }
     }
 
-    pub(super) fn report(self, case: &Case, solver: &Solver, wall_s: f64) -> LabReport {
+    pub(crate) fn report(self, case: &Case, solver: &Solver, wall_s: f64) -> LabReport {
         let volume = &solver.body.volume;
         let whole: f64 = volume.iter().sum();
         let above = |c: f64| {

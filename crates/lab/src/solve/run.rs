@@ -1,11 +1,11 @@
 //! Runs a lab case.
 
 use crate::case::{Case, Until};
-use crate::case_file::Physics;
-use crate::cooking::cook;
-use crate::recording::Recording;
-use crate::report::LabReport;
-use crate::solver::Solver;
+use crate::case::case_file::Physics;
+use crate::solve::cooking::cook;
+use crate::result::recording::Recording;
+use crate::result::report::LabReport;
+use crate::solve::solver::Solver;
 
 /// Runs a case; `clock` tells wall seconds, for the report alone.
 pub fn run(case: &Case, clock: impl Fn() -> f64) -> LabReport {

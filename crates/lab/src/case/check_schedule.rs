@@ -4,10 +4,10 @@ use saute_heat::axis::End;
 use saute_heat::boundary::Boundary;
 use toml::Spanned;
 
-use crate::body::{ends, vertical};
+use crate::solve::body::{ends, vertical};
 use crate::case::{Phase, Until};
-use crate::case_file::{BoundaryEntry, CaseFile, Contact, Face, FlipsEntry, PhaseEntry, Shape};
-use crate::check::{Check, Checked, cooks, repeated};
+use crate::case::case_file::{BoundaryEntry, CaseFile, Contact, Face, FlipsEntry, PhaseEntry, Shape};
+use crate::case::check::{Check, Checked, cooks, repeated};
 use saute_kitchen::kelvin;
 
 impl Check<'_> {

@@ -5,11 +5,11 @@ use saute_heat::boundary::Boundary;
 use saute_heat::product::Constants;
 use toml::Spanned;
 
-use crate::body::{node_count, sizes, vertical};
+use crate::solve::body::{node_count, sizes, vertical};
 use crate::case::{BodyCase, PanCase};
-use crate::case_file::{BodyEntry, CaseFile, Juice, MaterialEntry, PanEntry, Shape};
-use crate::check::{Check, Checked, cooks};
-use crate::material::{Boiling, Material, Solid};
+use crate::case::case_file::{BodyEntry, CaseFile, Juice, MaterialEntry, PanEntry, Shape};
+use crate::case::check::{Check, Checked, cooks};
+use crate::solve::material::{Boiling, Material, Solid};
 use saute_kitchen::data::library::Library;
 use saute_kitchen::kelvin;
 

@@ -6,13 +6,13 @@ use saute_food::{Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Lab, Surro
 use saute_heat::axis::End;
 use saute_heat::boundary::Boundary;
 
-use crate::body::vertical;
+use crate::solve::body::vertical;
 use crate::case::{Case, CookingCase, Phase, Until};
-use crate::case_file::{Contact, Shape};
-use crate::cooking_body::FoodBody;
-use crate::recording::LINEAR;
-use crate::report::LabReport;
-use crate::solver::opposite;
+use crate::case::case_file::{Contact, Shape};
+use crate::solve::cooking_body::FoodBody;
+use crate::result::recording::LINEAR;
+use crate::result::report::LabReport;
+use crate::solve::solver::opposite;
 use saute_kitchen::piece::contact::{FaceContact, steam_share};
 use saute_kitchen::piece::piece_state::WET_SHARE;
 use saute_kitchen::{TICK_S, celsius};
