@@ -6,8 +6,9 @@ pub mod cook_case;
 mod result;
 mod solve;
 
-pub use case::case_file::{CaseFile, Physics, Quantity, Shape};
-pub use case::{BodyCase, Case, CookingCase, PanCase, Phase, ProbeCase, Until, validation_cases};
+pub use case::{
+    BodyCase, Case, CaseFile, CookingCase, PanCase, Phase, Physics, ProbeCase, Quantity, Shape, Until, validation_cases,
+};
 pub use cook_case::CookCase;
 pub use result::report::LabReport;
 pub use result::verdict::{Expectation, Subject, Verdict, verdicts};

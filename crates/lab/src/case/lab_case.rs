@@ -6,11 +6,11 @@ use saute_heat::Rule;
 use saute_heat::axis::End;
 use saute_heat::product::FaceBoundary;
 
-use crate::solve::body::node_count;
-use crate::case::case_file::{Contact, Physics, Shape};
 use crate::case::check::Check;
-use crate::solve::material::Material;
+use crate::case::{Contact, Physics, Shape};
 use crate::result::verdict::Expectation;
+use crate::solve::body::node_count;
+use crate::solve::material::Material;
 use saute_kitchen::data::library::Library;
 use saute_kitchen::data::room::Room;
 use saute_kitchen::{InputError, InputText};

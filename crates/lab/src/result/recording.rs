@@ -2,8 +2,8 @@
 
 use saute_heat::axis::End;
 
+use crate::case::Shape;
 use crate::case::{Case, ProbeCase};
-use crate::case::case_file::Shape;
 use crate::result::report::LabReport;
 use crate::solve::solver::Solver;
 use saute_kitchen::celsius;

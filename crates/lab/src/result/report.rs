@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::case::Case;
-use crate::case::case_file::Shape;
+use crate::case::Shape;
 
 /// The numbers of a lab run, as `saute lab --json` prints them.
 #[derive(Clone, Debug, Serialize)]

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::case::Case;
-use crate::case::case_file::Quantity;
+use crate::case::Quantity;
 use crate::result::report::LabReport;
 
 /// What an expectation is about.

@@ -5,7 +5,7 @@ use saute_heat::column::{Between, Column};
 use saute_heat::tensor::TensorBody;
 
 use crate::case::{BodyCase, Case};
-use crate::case::case_file::{Face, Shape};
+use crate::case::{Face, Shape};
 
 /// Sizes a shape needs and what they are called.
 pub fn sizes(shape: Shape) -> &'static [&'static str] {

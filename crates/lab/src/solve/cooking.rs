@@ -6,12 +6,12 @@ use saute_food::{Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Lab, Surro
 use saute_heat::axis::End;
 use saute_heat::boundary::Boundary;
 
-use crate::solve::body::vertical;
 use crate::case::{Case, CookingCase, Phase, Until};
-use crate::case::case_file::{Contact, Shape};
-use crate::solve::cooking_body::FoodBody;
+use crate::case::{Contact, Shape};
 use crate::result::recording::LINEAR;
 use crate::result::report::LabReport;
+use crate::solve::body::vertical;
+use crate::solve::cooking_body::FoodBody;
 use crate::solve::solver::opposite;
 use saute_kitchen::piece::contact::{FaceContact, steam_share};
 use saute_kitchen::piece::piece_state::WET_SHARE;
@@ -255,7 +255,8 @@ impl<'a> Cooking<'a> {
             100.0 * hot.sum::<f64>() / whole
         };
         let slab = self.case.shape == Shape::Slab;
-        let (lateral, thickness) = (self.state.stretch.lateral, model.mesh().swept().map_or(0.0, |mesh| mesh.thickness()));
+        let (lateral, thickness) =
+            (self.state.stretch.lateral, model.mesh().swept().map_or(0.0, |mesh| mesh.thickness()));
         let unsound = "a value became non-finite: the food stopped changing; use another resolution_mm or size_mm";
         let names = self.case.probes.iter().map(|p| p.name.clone());
         LabReport {

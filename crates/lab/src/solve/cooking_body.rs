@@ -7,9 +7,9 @@ use saute_heat::axis::End;
 use saute_heat::tensor::TensorBody;
 use saute_heat::{Outline, Section, SweptMesh};
 
-use crate::solve::body::{mesh, vertical};
+use crate::case::Shape;
 use crate::case::{Case, CookingCase};
-use crate::case::case_file::Shape;
+use crate::solve::body::{mesh, vertical};
 
 /// A body filled with food.
 pub struct FoodBody {

@@ -1,10 +1,10 @@
 //! Runs a lab case.
 
+use crate::case::Physics;
 use crate::case::{Case, Until};
-use crate::case::case_file::Physics;
-use crate::solve::cooking::cook;
 use crate::result::recording::Recording;
 use crate::result::report::LabReport;
+use crate::solve::cooking::cook;
 use crate::solve::solver::Solver;
 
 /// Runs a case; `clock` tells wall seconds, for the report alone.

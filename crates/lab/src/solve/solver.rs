@@ -7,8 +7,8 @@ use saute_heat::product::{Constants, FaceBoundary, ProductOperator};
 use saute_heat::super_step::SuperStep;
 use saute_heat::tensor::{Part, TensorBody};
 
-use crate::solve::body::mesh;
 use crate::case::Case;
+use crate::solve::body::mesh;
 use crate::solve::edge_system::EdgeSystem;
 use crate::solve::material::Material;
 
