@@ -50,6 +50,16 @@ pub struct Verdict {
 }
 
 /// Compares the report of a run with the expectations of its case.
+///
+/// ```
+/// use saute_lab::{Case, run, validation_cases, verdicts};
+///
+/// let library = saute_kitchen::Library::embedded()?;
+/// let case = Case::parse(&validation_cases()["convection-slab-bi-1"], "convection-slab-bi-1.toml", &library)?;
+/// let verdicts = verdicts(&case, &run(&case, || 0.0));
+/// assert!(!verdicts.is_empty() && verdicts.iter().all(|v| v.pass));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn verdicts(case: &Case, report: &LabReport) -> Vec<Verdict> {
     case.expectations.iter().map(|e| verdict(case, report, e)).collect()
 }
