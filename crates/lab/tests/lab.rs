@@ -2,6 +2,7 @@
 //! second order in space and time, and explains bad cases. Values: series in Carslaw & Jaeger (1959), recomputed.
 
 use saute_kitchen::Library;
+use saute_lab::exact::robin_slab_centre;
 use saute_lab::{Case, LabReport, run};
 
 fn case(text: &str) -> Case {
@@ -68,19 +69,6 @@ fn a_brick_with_three_coefficients_follows_the_product_solution() {
     assert!(report.min_c >= 10.0 - 1e-6 && report.max_c <= 150.0 + 1e-6, "{} {}", report.min_c, report.max_c);
 }
 
-/// θ at the centre of a slab of half thickness L with Bi = hL/k: Σ C exp(−ζ² Fo), ζ tan ζ = Bi.
-fn slab_centre(bi: f64, fo: f64) -> f64 {
-    let term = |n: u32| {
-        let (mut low, mut high) = (f64::from(n) * std::f64::consts::PI, (f64::from(n) + 0.5) * std::f64::consts::PI);
-        for _ in 0..200 {
-            let middle = 0.5 * (low + high);
-            if middle * middle.tan() < bi { low = middle } else { high = middle }
-        }
-        4.0 * low.sin() / (2.0 * low + (2.0 * low).sin()) * (-low * low * fo).exp()
-    };
-    (0..40).map(term).sum()
-}
-
 #[test]
 fn the_error_falls_at_second_order_with_the_spacing() {
     let unit = 1e-4 / 1.3e-7;
@@ -90,7 +78,7 @@ fn the_error_falls_at_second_order_with_the_spacing() {
              [[boundary]]\nface = \"all\"\nh_w_m2k = 240\nambient_c = 100\n[[probe]]\nname = \"centre\"\nat_mm = [10]\n",
             0.2 * unit
         ));
-        (at(&report, "centre", 0.2 * unit) - 100.0 * (1.0 - slab_centre(5.0, 0.2))).abs()
+        (at(&report, "centre", 0.2 * unit) - 100.0 * (1.0 - robin_slab_centre(5.0, 0.2))).abs()
     };
     let orders: Vec<f64> = [0.4, 0.2].iter().map(|r| (error(*r) / error(0.5 * r)).log2()).collect();
     assert!(orders.iter().all(|o| (1.8..=2.2).contains(o)), "{orders:?}");

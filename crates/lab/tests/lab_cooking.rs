@@ -97,8 +97,8 @@ fn balls_and_cylinders_cook_from_all_sides() {
 fn bad_cooking_cases_say_what_to_write() {
     let bad = [
         (slab("", PLATE, "").replace("food = \"beef-lean\"", "food = \"tofu\""), "is not a food"),
-        (slab("", PLATE, "").replace("physics = \"cooking\"", ""), "contact belongs to cooking"),
-        (slab("", "q_w_m2 = 1000", ""), "q_w_m2 does not go"),
+        (slab("", PLATE, "").replace("physics = \"cooking\"", ""), "contact is only valid for cooking"),
+        (slab("", "q_w_m2 = 1000", ""), "q_w_m2 is not supported"),
         (
             slab("", "h_w_m2k = 9\nambient_c = 9", "").replace(
                 "food = \"beef-lean\"",

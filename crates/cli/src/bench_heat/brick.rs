@@ -4,10 +4,9 @@ use std::time::Instant;
 
 use saute_kitchen::InputError;
 use saute_kitchen::Library;
+use saute_lab::exact::FlippedBrick;
 use saute_lab::{Case, LabReport, run};
 use serde::Serialize;
-
-use super::exact_brick::Brick;
 
 /// Probes: the centre, and 2.5 mm below both faces [mm].
 const PLACES: [[f64; 3]; 3] = [[50.0, 35.0, 12.5], [50.0, 35.0, 2.5], [50.0, 35.0, 22.5]];
@@ -49,7 +48,7 @@ pub struct WholeRun {
 
 /// Returns the exact temperatures at all times and probes [°C].
 pub fn exact() -> Vec<Vec<f64>> {
-    let brick = Brick {
+    let brick = FlippedBrick {
         size: [0.1, 0.07, 0.025],
         conductivity: 0.49,
         diffusivity: 0.49 / (1058.0 * 3590.0),
@@ -140,7 +139,7 @@ mod tests {
 
     #[test]
     fn the_series_starts_at_the_start_and_ends_in_the_air_where_there_is_no_plate() {
-        let brick = Brick {
+        let brick = FlippedBrick {
             size: [0.1, 0.07, 0.025],
             conductivity: 0.49,
             diffusivity: 1.3e-7,

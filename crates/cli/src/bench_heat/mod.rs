@@ -1,7 +1,6 @@
 //! `saute bench heat`: speed and accuracy of the solver on one thread.
 
 mod brick;
-mod exact_brick;
 mod kernel;
 mod steak;
 mod table;

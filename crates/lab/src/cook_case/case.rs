@@ -1,4 +1,4 @@
-//! Cooks with an answer from outside: a recipe and the bands in which its numbers should lie.
+//! A cook case: a recipe and the bands of its expected results.
 
 use saute_food::Lab;
 use serde::Deserialize;
@@ -11,14 +11,14 @@ use saute_kitchen::{InputError, InputText};
 use saute_recipe::cook::play::Cook;
 use saute_recipe::recipe::Recipe;
 
-/// A cook case as it is written.
+/// The file format of a cook case, before any check.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct CookCaseFile {
     name: String,
     source: String,
     recipe: Spanned<String>,
-    /// A second recipe with which numbers are compared.
+    /// A second recipe for comparison.
     against: Option<Spanned<String>>,
     #[serde(default)]
     expect: Vec<Spanned<BandEntry>>,
@@ -28,33 +28,33 @@ struct CookCaseFile {
     course: Vec<Course>,
 }
 
-/// A colour that a picture should show, at the end of the cook.
+/// An expected colour in a picture of the end of the cook.
 #[derive(Clone, Debug, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Seen {
-    /// What it is.
+    /// Name of the quantity.
     pub quantity: String,
-    /// Where it is looked for.
+    /// Place on the food.
     pub place: SeenAt,
-    /// L*, a*, b*.
+    /// Expected L*, a*, b* [-].
     pub lab: [f64; 3],
-    /// Largest ΔE*ab from it.
+    /// Largest colour difference ΔE*ab [-].
     pub delta_e: f64,
 }
 
-/// Where a colour is looked for on the first food.
+/// Place on the first food for a colour.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
 #[serde(rename_all = "lowercase")]
 pub enum SeenAt {
-    /// The middle of the face that lies above.
+    /// The middle of the upper face.
     Top,
-    /// The middle of the face that lies below.
+    /// The middle of the lower face.
     Under,
     /// The middle of the cut.
     Cut,
 }
 
-/// A band: a number of the summary by its JSON pointer, as in `/foods/0/core_c/peak`, from `low` to `high`.
+/// A band from `low` to `high` for a number of the summary, by its JSON pointer, as in `/foods/0/core_c/peak`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct BandEntry {
@@ -63,11 +63,11 @@ struct BandEntry {
     unit: String,
     low: f64,
     high: f64,
-    /// How the number is compared with that of the second recipe.
+    /// Comparison with the same number of the second recipe.
     compare: Option<Compare>,
 }
 
-/// How a number of the first recipe is compared with that of the second.
+/// Comparison of a number of the first recipe with that of the second.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
 #[serde(rename_all = "lowercase")]
 enum Compare {
@@ -86,7 +86,7 @@ pub struct CookCase {
 }
 
 impl CookCase {
-    /// Reads and checks a case. `file` is its name in messages.
+    /// Parses and checks a case. `file` is the name in error messages.
     pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, InputError> {
         let input = InputText { text, file };
         let raw: CookCaseFile =
@@ -95,7 +95,7 @@ impl CookCase {
             let b = band.get_ref();
             if b.compare.is_some() && raw.against.is_none() {
                 let remedy = "add against = \"…\" with the second recipe, or leave compare out";
-                return input.error(band.span().start, "there is nothing to compare with", remedy);
+                return input.error(band.span().start, "compare needs a second recipe", remedy);
             }
             if b.low.partial_cmp(&b.high).is_none_or(std::cmp::Ordering::is_gt) {
                 let message = format!("the band {} to {} is empty", b.low, b.high);
@@ -107,12 +107,12 @@ impl CookCase {
         Ok(Self { against: raw.against.as_ref().map(second).transpose()?, file: raw, recipe })
     }
 
-    /// The colours that a picture should show.
+    /// Returns the expected colours in a picture.
     pub fn seen(&self) -> &[Seen] {
         &self.file.seen
     }
 
-    /// The verdict on a colour that a picture shows: its ΔE*ab from the expected one.
+    /// Returns the verdict on a colour in a picture: its difference ΔE*ab from the expected one.
     pub fn verdict_on_colour(&self, seen: &Seen, shown: Lab) -> Verdict {
         let apart = shown.difference(Lab(seen.lab));
         Verdict {
@@ -128,12 +128,12 @@ impl CookCase {
         }
     }
 
-    /// The courses that colours should take.
+    /// Returns the expected courses of colours.
     pub fn courses(&self) -> &[Course] {
         &self.file.course
     }
 
-    /// The verdicts on a course: how far it ever went back, and where it led in all.
+    /// Returns the verdicts on a course: its largest rise, and its total fall.
     pub fn verdicts_on_course(&self, course: &Course, read: &[f64]) -> [Verdict; 2] {
         let verdict = |quantity: String, [low, high]: [f64; 2], got: f64| {
             let expected = 0.5 * (low + high);
@@ -147,7 +147,7 @@ impl CookCase {
                 tolerance,
                 got: Some(got),
                 error: Some(error),
-                // Not a number is no pass.
+                // NaN fails.
                 pass: error.abs() <= tolerance,
             }
         };
@@ -158,17 +158,17 @@ impl CookCase {
         ]
     }
 
-    /// Sets the recipe out.
+    /// Starts a cook of the recipe.
     pub fn begin(&self, library: &Library) -> Result<Cook, InputError> {
         begun(&self.recipe, library)
     }
 
-    /// Whether a text is a cook case rather than a lab case.
+    /// Returns true if a text is a cook case, false if it is a lab case.
     pub fn is_one(text: &str) -> bool {
         text.lines().any(|line| line.starts_with("recipe = "))
     }
 
-    /// Cooks and compares; a case without bands, which expects colours alone, needs no cook here.
+    /// Cooks the recipes and returns the verdicts on all bands; a case that expects colours alone needs no cook here.
     pub fn verdicts(&self, library: &Library) -> Result<Vec<Verdict>, InputError> {
         if self.file.expect.is_empty() {
             return Ok(Vec::new());
@@ -203,7 +203,7 @@ impl CookCase {
     }
 }
 
-/// The summary of a recipe as JSON.
+/// Returns the summary of a cooked recipe as JSON.
 fn cooked(recipe: &Recipe, library: &Library) -> Result<serde_json::Value, InputError> {
     let summary = played(recipe, library)?.summary(0.0);
     serde_json::to_value(summary).map_err(|e| line_one(recipe, e.to_string()))
@@ -213,7 +213,7 @@ fn begun(recipe: &Recipe, library: &Library) -> Result<Cook, InputError> {
     Cook::new(recipe.clone(), library).map_err(|e| line_one(recipe, e.to_string()))
 }
 
-/// A recipe played to its end.
+/// Returns a cook played to its end.
 fn played(recipe: &Recipe, library: &Library) -> Result<Cook, InputError> {
     let mut cook = begun(recipe, library)?;
     while cook.stopped().is_none() {

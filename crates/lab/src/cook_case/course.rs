@@ -1,45 +1,45 @@
-//! The course of a colour in time, as pictures of a cook show it: it only ever falls.
+//! The expected course of a colour over time in pictures of a cook: monotonically falling.
 
 use saute_food::Lab;
 use serde::Deserialize;
 
 use crate::cook_case::case::SeenAt;
 
-/// A coordinate of a colour that should fall and never rise again.
+/// A colour coordinate that is expected to fall monotonically.
 #[derive(Clone, Debug, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Course {
-    /// What it is.
+    /// Name of the quantity.
     pub quantity: String,
-    /// Where it is looked for.
+    /// Place on the food.
     pub place: SeenAt,
-    /// Which coordinate.
+    /// Colour coordinate.
     pub of: Coordinate,
-    /// First reading [s].
+    /// Time of the first reading [s].
     pub from_s: f64,
-    /// Last reading [s]; the end of the cook unless given.
+    /// Time of the last reading [s]; the end of the cook by default.
     pub until_s: Option<f64>,
-    /// From reading to reading [s].
+    /// Interval between readings [s].
     pub every_s: f64,
-    /// How far a reading may lie above the lowest one before it.
+    /// Largest rise of a reading above the lowest one before it [-].
     pub slack: f64,
-    /// Least and largest fall from the first reading to the last.
+    /// Least and largest fall from the first reading to the last [-].
     pub falls: [f64; 2],
 }
 
 /// A coordinate of a colour.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
 pub enum Coordinate {
-    /// Lightness.
+    /// Lightness L*.
     #[serde(rename = "L*")]
     Lightness,
-    /// Red over green.
+    /// Redness a*.
     #[serde(rename = "a*")]
     Redness,
 }
 
 impl Coordinate {
-    /// The coordinate of a colour.
+    /// Returns the coordinate of a colour [-].
     pub fn read(self, Lab(lab): Lab) -> f64 {
         match self {
             Self::Lightness => lab[0],
@@ -47,7 +47,7 @@ impl Coordinate {
         }
     }
 
-    /// Its name where units stand.
+    /// Returns the name of the coordinate, used in place of a unit.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Lightness => "L*",
@@ -57,7 +57,7 @@ impl Coordinate {
 }
 
 impl Course {
-    /// Whether the next reading is to be taken at a time [s], when so many have been.
+    /// Returns true if the next reading is due at a time [s], after `taken` readings.
     pub fn is_due(&self, time_s: f64, taken: usize) -> bool {
         let next = self.from_s + self.every_s * taken as f64;
         time_s > next - 0.5 * saute_kitchen::TICK_S
@@ -65,7 +65,7 @@ impl Course {
     }
 }
 
-/// How far values ever rise above the lowest before them; not a number where there are none.
+/// Returns the largest rise of a value above the lowest one before it; NaN if there are no values.
 pub fn largest_rise(values: &[f64]) -> f64 {
     let Some(first) = values.first() else { return f64::NAN };
     let rise = |(low, most): (f64, f64), value: &f64| (low.min(*value), most.max(value - low));

@@ -1,4 +1,4 @@
-//! Validation cases that are cooks: a recipe, and what must come of it.
+//! Cook cases: validation cases that cook a recipe and compare its results with expected bands.
 
 mod case;
 mod course;

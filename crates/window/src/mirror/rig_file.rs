@@ -1,4 +1,4 @@
-//! Rig files: what is measured of a rig, as TOML.
+//! The file format of a half-mirror rig: its measured geometry, as TOML.
 
 use glam::{DQuat, DVec2, DVec3};
 use serde::Deserialize;
@@ -9,16 +9,42 @@ use super::registration::{Registered, RegistrationError, Rigid, register};
 use super::rig::{Measured, Rig, RigFault, Sheet};
 use super::screen::{Panel, Projector, Screen};
 
-/// The rigs that come with the program, by name: the first one is used unless another is named.
+/// The embedded rigs, by name; the first one is the default.
 pub const SHIPPED: [(&str, &str); 2] = [
     ("flat-screen", include_str!("../../../../data/rigs/flat-screen.toml")),
     ("projector", include_str!("../../../../data/rigs/projector.toml")),
 ];
 
+/// Distance of the eyes [mm] (chosen: the widest adult distance is 80).
+const EYE_DISTANCE_MM: [f64; 2] = [0.0, 120.0];
+/// Side of the calibration sheet [m] (chosen: a postcard to a table).
+const SHEET_M: [f64; 2] = [0.05, 3.0];
+/// Turn of the kitchen in the rig [°].
+const TURN_DEG: [f64; 2] = [-180.0, 180.0];
+/// Side of the picture [pixels] (chosen: to twice the width of an 8K picture).
+const PIXELS: [f64; 2] = [64.0, 16_384.0];
+/// Focal length of a projector [pixels] (chosen: beyond any lens).
+const FOCAL_PX: [f64; 2] = [10.0, 1e6];
+/// Principal point of a projector [pixels] (chosen: twice the widest picture, for shifted lenses).
+const PRINCIPAL_PX: [f64; 2] = [-32_768.0, 32_768.0];
+/// Radial distortion of a lens [-] (chosen: beyond any projector).
+const DISTORTION: [f64; 2] = [-1.0, 1.0];
+/// Coordinate in the rig [m] (chosen: a room; catches millimetres in place of metres).
+const PLACE_M: [f64; 2] = [-10.0, 10.0];
+/// Largest RMS residual of the touched points [m] (chosen: twenty times the error of a careful hand; more means that points
+/// were mixed up).
+const LARGEST_RESIDUAL: f64 = 0.02;
+/// Largest cosine between the sides of a panel [-] (chosen: one degree from a right angle).
+const LARGEST_COSINE: f64 = 0.02;
+/// Smallest area of a panel [m²] (chosen: a square centimetre).
+const SMALLEST_PANEL: f64 = 1e-4;
+/// Largest difference of the length of a unit quaternion from 1 [-] (chosen: rounding to two digits).
+const LARGEST_LENGTH_ERROR: f64 = 0.01;
+
 /// Errors of a rig file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RigFileError {
-    /// It is no rig file.
+    /// The text is not a rig file.
     #[error("{file}:{line}: {message}\n  remedy: write this key as data/rigs/flat-screen.toml has it")]
     Format {
         /// Which file.
@@ -28,7 +54,7 @@ pub enum RigFileError {
         /// What is wrong.
         message: String,
     },
-    /// What it says makes no rig.
+    /// The numbers do not describe a possible rig.
     #[error("{file}: {fault}")]
     Fault {
         /// Which file.
@@ -42,9 +68,9 @@ pub enum RigFileError {
 #[serde(deny_unknown_fields)]
 struct RigFile {
     name: String,
-    #[expect(dead_code, reason = "every table of the data says where it is from")]
+    #[expect(dead_code, reason = "every data file names its source")]
     source: String,
-    #[expect(dead_code, reason = "and how sure it is")]
+    #[expect(dead_code, reason = "and its confidence")]
     confidence: String,
     eye: EyeTable,
     mirror: PlaneTable,
@@ -125,7 +151,7 @@ struct SheetTable {
     size_m: [f64; 2],
 }
 
-/// Reads a rig file.
+/// Parses and checks a rig file. `file` is the name in error messages.
 pub fn parse(text: &str, file: &str) -> Result<Rig, RigFileError> {
     let format = |e: toml::de::Error| {
         let before = e.span().map_or(0, |span| span.start.min(text.len()));
@@ -136,7 +162,7 @@ pub fn parse(text: &str, file: &str) -> Result<Rig, RigFileError> {
     read.rig().map_err(|fault| RigFileError::Fault { file: file.to_owned(), fault })
 }
 
-/// A shipped rig by its name.
+/// Returns an embedded rig by its name.
 pub fn shipped(name: &str) -> Option<Result<Rig, RigFileError>> {
     let (name, text) = SHIPPED.iter().find(|(shipped, _)| *shipped == name)?;
     Some(parse(text, &format!("data/rigs/{name}.toml")))
@@ -144,10 +170,10 @@ pub fn shipped(name: &str) -> Option<Result<Rig, RigFileError>> {
 
 impl RigFile {
     fn rig(self) -> Result<Rig, RigFault> {
-        let eye_distance = 1e-3 * within("eye.distance_mm", self.eye.distance_mm, 0.0, 120.0)?;
+        let eye_distance = 1e-3 * within("eye.distance_mm", self.eye.distance_mm, EYE_DISTANCE_MM)?;
         let (rig_from_kitchen, residual) = self.kitchen.transform()?;
         let [width, depth] = self.sheet.size_m;
-        let size = DVec2::new(within("sheet.size_m", width, 0.05, 3.0)?, within("sheet.size_m", depth, 0.05, 3.0)?);
+        let size = DVec2::new(within("sheet.size_m", width, SHEET_M)?, within("sheet.size_m", depth, SHEET_M)?);
         let measured = Measured {
             eye: point("eye.position_m", self.eye.position_m)?,
             eye_distance,
@@ -166,7 +192,11 @@ fn screen(panel: Option<PanelTable>, projector: Option<ProjectorTable>) -> Resul
     match (panel, projector) {
         (Some(panel), None) => panel.screen(),
         (None, Some(projector)) => projector.screen(),
-        _ => Err(RigFault::new("panel", "one of [panel] and [projector] must be there", "write one of the tables")),
+        _ => Err(RigFault::new(
+            "panel",
+            "the rig needs exactly one of [panel] and [projector]",
+            "write one of the two tables",
+        )),
     }
 }
 
@@ -182,8 +212,9 @@ impl PanelTable {
         let first = point("panel.top_left_m", self.top_left_m)?;
         let row = point("panel.top_right_m", self.top_right_m)? - first;
         let column = point("panel.bottom_left_m", self.bottom_left_m)? - first;
-        if row.cross(column).length() < 1e-4 || row.dot(column).abs() > 0.02 * row.length() * column.length() {
-            let message = "the three corners make no right angle";
+        let cosine_bound = LARGEST_COSINE * row.length() * column.length();
+        if row.cross(column).length() < SMALLEST_PANEL || row.dot(column).abs() > cosine_bound {
+            let message = "the three corners do not form a right angle";
             return Err(RigFault::new("panel.top_left_m", message, "measure the corners of the lit area again"));
         }
         Ok(Screen::Panel(Panel { pixels: pixels("panel.pixels", self.pixels)?, first, row, column }))
@@ -195,14 +226,15 @@ impl ProjectorTable {
         let axis = direction("projector.axis", self.axis)?;
         let right = direction("projector.right", self.right)?;
         let across = (right - right.dot(axis) * axis).try_normalize();
-        let along = || RigFault::new("projector.right", "it runs along the axis", "give the direction of a pixel row");
-        let focal = within("projector.focal_px", self.focal_px, 10.0, 1e6)?;
+        let along =
+            || RigFault::new("projector.right", "it is parallel to the axis", "give the direction of a pixel row");
+        let focal = within("projector.focal_px", self.focal_px, FOCAL_PX)?;
         let [x, y] = self.principal_px;
         let centre = DVec2::new(
-            within("projector.principal_px", x, -FARTHEST_PX, FARTHEST_PX)?,
-            within("projector.principal_px", y, -FARTHEST_PX, FARTHEST_PX)?,
+            within("projector.principal_px", x, PRINCIPAL_PX)?,
+            within("projector.principal_px", y, PRINCIPAL_PX)?,
         );
-        let k = [within("projector.k1", self.k1, -1.0, 1.0)?, within("projector.k2", self.k2, -1.0, 1.0)?];
+        let k = [within("projector.k1", self.k1, DISTORTION)?, within("projector.k2", self.k2, DISTORTION)?];
         Ok(Screen::Projector(Projector {
             pixels: pixels("projector.pixels", self.pixels)?,
             position: point("projector.position_m", self.position_m)?,
@@ -216,7 +248,7 @@ impl ProjectorTable {
 }
 
 impl KitchenTable {
-    /// By touched points, else by the pan's home, else as given.
+    /// Returns the pose of the kitchen in the rig, from touched points, else from the home pose of the pan, else as given.
     fn transform(&self) -> Result<(Rigid, Option<f64>), RigFault> {
         if !self.touched.is_empty() {
             return self.touched();
@@ -224,15 +256,15 @@ impl KitchenTable {
         if let Some(home) = &self.home {
             let [x, y, z, w] = home.rotation_xyzw;
             let turn = DQuat::from_xyzw(x, y, z, w);
-            if !turn.is_finite() || (turn.length() - 1.0).abs() > 0.01 {
+            if !turn.is_finite() || (turn.length() - 1.0).abs() > LARGEST_LENGTH_ERROR {
                 let message = "its length is not 1";
                 return Err(RigFault::new("kitchen.home.rotation_xyzw", message, "write a unit quaternion x, y, z, w"));
             }
             let home = Rigid { rotation: turn.normalize(), shift: point("kitchen.home.position_m", home.position_m)? };
-            // At home the kitchen's pan stands on the middle of the hob.
+            // In its home pose the pan is at the centre of the hob.
             return Ok((Rigid::from_home(&home, &Rigid::IDENTITY), None));
         }
-        let turn = within("kitchen.turn_deg", self.turn_deg, -180.0, 180.0)?.to_radians();
+        let turn = within("kitchen.turn_deg", self.turn_deg, TURN_DEG)?.to_radians();
         let shift = point("kitchen.origin_m", self.origin_m)?;
         Ok((Rigid { rotation: DQuat::from_rotation_z(turn), shift }, None))
     }
@@ -248,7 +280,7 @@ impl KitchenTable {
         };
         let Registered { transform, residual } = register(&pairs).map_err(refused)?;
         if residual > LARGEST_RESIDUAL {
-            let message = format!("the points are {:.1} mm off each other's places (RMS)", 1e3 * residual);
+            let message = format!("the residual of the points is {:.1} mm (RMS)", 1e3 * residual);
             return Err(RigFault::new(
                 "kitchen.touched",
                 message,
@@ -259,14 +291,7 @@ impl KitchenTable {
     }
 }
 
-/// Touched points that agree no better than this were mixed up [m] (chosen: twenty times a careful hand's error).
-const LARGEST_RESIDUAL: f64 = 0.02;
-/// Farthest pixel that an axis may meet [pixels] (chosen: four times the widest picture there is, for shifted lenses).
-const FARTHEST_PX: f64 = 32_768.0;
-/// Farthest from the rig's origin that anything is [m] (chosen: a room; catches millimetres written for metres).
-const ROOM: f64 = 10.0;
-
-fn within(key: &str, value: f64, least: f64, most: f64) -> Result<f64, RigFault> {
+fn within(key: &str, value: f64, [least, most]: [f64; 2]) -> Result<f64, RigFault> {
     if (least..=most).contains(&value) {
         return Ok(value);
     }
@@ -275,7 +300,7 @@ fn within(key: &str, value: f64, least: f64, most: f64) -> Result<f64, RigFault>
 
 fn point(key: &str, at: [f64; 3]) -> Result<DVec3, RigFault> {
     for value in at {
-        within(key, value, -ROOM, ROOM)?;
+        within(key, value, PLACE_M)?;
     }
     Ok(DVec3::from_array(at))
 }
@@ -287,7 +312,7 @@ fn direction(key: &str, along: [f64; 3]) -> Result<DVec3, RigFault> {
 
 fn pixels(key: &str, sides: [u32; 2]) -> Result<DVec2, RigFault> {
     for side in sides {
-        within(key, f64::from(side), 64.0, 16_384.0)?;
+        within(key, f64::from(side), PIXELS)?;
     }
     Ok(DVec2::from_array(sides.map(f64::from)))
 }

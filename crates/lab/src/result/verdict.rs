@@ -1,12 +1,12 @@
-//! Expected against computed.
+//! Verdicts: computed values against expected ones.
 
 use serde::Serialize;
 
 use crate::case::Case;
-use crate::case_file::Quantity;
-use crate::report::LabReport;
+use crate::case::Quantity;
+use crate::result::report::LabReport;
 
-/// What an expectation is about.
+/// Subject of an expectation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Subject {
     /// Temperature or flux of a probe at a time [s].
@@ -18,38 +18,48 @@ pub enum Subject {
 /// An expected value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expectation {
-    /// What it is about.
+    /// Subject.
     pub subject: Subject,
     /// Expected value.
     pub value: f64,
-    /// Largest departure.
+    /// Largest absolute error.
     pub tolerance: f64,
 }
 
-/// What came of one expectation.
+/// The verdict on one expectation.
 #[derive(Clone, Debug, Serialize)]
 pub struct Verdict {
     /// Name of the case.
     pub name: String,
-    /// Where the expected value comes from.
+    /// Source of the expected value.
     pub source: String,
-    /// Which quantity.
+    /// Name of the quantity.
     pub quantity: String,
     /// Its unit.
     pub unit: String,
     /// Expected value.
     pub expected: f64,
-    /// Largest departure.
+    /// Largest absolute error.
     pub tolerance: f64,
-    /// Computed value; none where the run did not produce it.
+    /// Computed value; `None` if the run did not produce it.
     pub got: Option<f64>,
     /// Computed less expected.
     pub error: Option<f64>,
-    /// Whether it holds.
+    /// True if the absolute error is within the tolerance.
     pub pass: bool,
 }
 
-/// Compares a run with what its case expects.
+/// Compares the report of a run with the expectations of its case.
+///
+/// ```
+/// use saute_lab::{Case, run, validation_cases, verdicts};
+///
+/// let library = saute_kitchen::Library::embedded()?;
+/// let case = Case::parse(&validation_cases()["convection-slab-bi-1"], "convection-slab-bi-1.toml", &library)?;
+/// let verdicts = verdicts(&case, &run(&case, || 0.0));
+/// assert!(!verdicts.is_empty() && verdicts.iter().all(|v| v.pass));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn verdicts(case: &Case, report: &LabReport) -> Vec<Verdict> {
     case.expectations.iter().map(|e| verdict(case, report, e)).collect()
 }
@@ -116,7 +126,7 @@ fn whole(report: &LabReport, quantity: Quantity) -> (String, &'static str, Optio
     (name.to_owned(), unit, got)
 }
 
-/// Time and value of the highest conductance of the contact with a pan.
+/// Returns time [s] and value [W/(m²·K)] of the highest contact conductance to a pan.
 fn highest(report: &LabReport) -> Option<[f64; 2]> {
     report.contact_w_m2k.iter().copied().max_by(|a, b| a[1].total_cmp(&b[1]))
 }

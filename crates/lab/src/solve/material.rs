@@ -1,23 +1,23 @@
-//! What a lab body is made of.
+//! Thermal properties of a plain body.
 
 use saute_food::components::Properties;
 use saute_heat::product::Constants;
 
-/// Heat capacity and conductivity, constant or a food's own, and water that may boil.
+/// Heat capacity and conductivity, constant or of a food, and water that can boil.
 #[derive(Clone, Debug)]
 pub struct Material {
-    /// What it is.
+    /// Heat capacity and conductivity.
     pub solid: Solid,
-    /// Its water, where that boils.
+    /// Water that boils, if any.
     pub boiling: Option<Boiling>,
 }
 
-/// What conducts and stores heat.
+/// Source of heat capacity and conductivity.
 #[derive(Clone, Debug)]
 pub enum Solid {
     /// Constants.
     Constant(Constants),
-    /// A food's raw lean tissue at the node's temperature, its mass fixed by its density at 20 °C.
+    /// Raw lean tissue of a food at the temperature of the node, with the mass of its density at 20 °C.
     Food {
         /// Its id in the library.
         id: String,
@@ -28,23 +28,23 @@ pub enum Solid {
     },
 }
 
-/// Water that boils away.
+/// Water that boils.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boiling {
-    /// How much there is [kg/m³]; none where it is made up for without end.
+    /// Concentration [kg/m³]; `None` where evaporated water is replaced.
     pub water: Option<f64>,
     /// Boiling point [K].
     pub at: f64,
-    /// Latent heat [J/kg].
+    /// Latent heat of evaporation [J/kg].
     pub latent: f64,
-    /// Thermal conductivity of what has dried [W/(m·K)].
+    /// Thermal conductivity of the dry material [W/(m·K)].
     pub crust_conductivity: f64,
 }
 
 impl Material {
-    /// Thermal conductivity at a temperature [K] where `dried` of the water has gone [W/(m·K)].
+    /// Returns the thermal conductivity at a temperature [K], with the share `dried` of the water evaporated [W/(m·K)].
     ///
-    /// A cell that has dried in part conducts as its dry and wet layers in a row.
+    /// The dry and the wet layer of a partly dried control volume are in series: 1/k = d/k_dry + (1 − d)/k_wet.
     pub fn conductivity(&self, temperature: f64, dried: f64) -> f64 {
         let wet = match &self.solid {
             Solid::Constant(c) => c.conductivity,
@@ -53,7 +53,7 @@ impl Material {
         self.boiling.map_or(wet, |b| 1.0 / (dried / b.crust_conductivity + (1.0 - dried) / wet))
     }
 
-    /// Volumetric heat capacity [J/(m³·K)].
+    /// Returns the volumetric heat capacity at a temperature [K] [J/(m³·K)].
     pub fn capacity(&self, temperature: f64) -> f64 {
         match &self.solid {
             Solid::Constant(c) => c.capacity,
@@ -61,7 +61,7 @@ impl Material {
         }
     }
 
-    /// Its constants, if nothing ever changes them.
+    /// Returns the constant properties; `None` if they depend on temperature or water.
     pub fn constants(&self) -> Option<Constants> {
         match (&self.solid, &self.boiling) {
             (Solid::Constant(c), None) => Some(*c),

@@ -1,4 +1,4 @@
-//! Cooks a body of the lab: all that a kitchen knows of a food, between given boundaries.
+//! Runs the full food model on a plain body with given boundary conditions.
 
 use std::collections::BTreeMap;
 
@@ -6,27 +6,28 @@ use saute_food::{Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Lab, Surro
 use saute_heat::axis::End;
 use saute_heat::boundary::Boundary;
 
-use crate::body::vertical;
 use crate::case::{Case, CookingCase, Phase, Until};
-use crate::case_file::{Contact, Shape};
-use crate::cooking_body::FoodBody;
-use crate::recording::LINEAR;
-use crate::report::LabReport;
-use crate::solver::opposite;
+use crate::case::{Contact, Shape};
+use crate::result::recording::LINEAR;
+use crate::result::report::LabReport;
+use crate::solve::body::vertical;
+use crate::solve::cooking_body::FoodBody;
+use crate::solve::solver::opposite;
 use saute_kitchen::piece::contact::{FaceContact, steam_share};
 use saute_kitchen::piece::piece_state::WET_SHARE;
 use saute_kitchen::{TICK_S, celsius};
 
-/// Coefficients up to this mean air, more a solid or a liquid [W/(m²·K)] (chosen: forced convection of air reaches 100).
+/// Largest heat transfer coefficient of air; above it the medium is a solid or a liquid [W/(m²·K)] (chosen: forced
+/// convection of air reaches 100).
 const MOST_OF_AIR: f64 = 100.0;
-/// Conductance of a surface that is held at a temperature [W/(m²·K)] (chosen: a thousand times that of any node).
+/// Conductance of a fixed-temperature (Dirichlet) surface [W/(m²·K)] (chosen: a thousand times that of any node).
 const HELD: f64 = 1e7;
-/// Conductance of an insulated face [W/(m²·K)] (chosen: nothing, yet not free).
+/// Conductance of an insulated face [W/(m²·K)] (chosen: negligible; 0 would mean free air).
 const INSULATED: f64 = 1e-12;
 
-/// Runs a case whose physics is cooking; `clock` tells wall seconds, for the report alone.
+/// Runs a case with the full food model. `clock` returns wall time [s], for the report only.
 pub fn cook(case: &Case, cooking: &CookingCase, clock: &impl Fn() -> f64) -> LabReport {
-    // Whatever could fail is checked with the case: composition and names of changes with the library.
+    // The library checks composition and names of changes, the case everything else, so this cannot fail.
     let Ok(body) = FoodBody::new(case, cooking) else { return LabReport::empty(case) };
     let mut run = Cooking::new(case, cooking, body);
     let start = clock();
@@ -43,7 +44,7 @@ pub fn cook(case: &Case, cooking: &CookingCase, clock: &impl Fn() -> f64) -> Lab
     run.report(clock() - start)
 }
 
-/// A cook of the lab on its way.
+/// A cooking run and its state.
 struct Cooking<'a> {
     case: &'a Case,
     cooking: &'a CookingCase,
@@ -54,15 +55,15 @@ struct Cooking<'a> {
     steps: usize,
     flips: usize,
     phase: usize,
-    /// When the faces last changed [s].
+    /// Time of the last change of the faces [s].
     laid_at: f64,
     touch: Vec<Touch>,
-    /// Air before each end of each axis.
+    /// Air at each end of each axis.
     air: Vec<FreeAir>,
     probes: Vec<Vec<(usize, f64)>>,
     series: Vec<Vec<[f64; 2]>>,
     absorbed: f64,
-    /// Time [s] and mean conductance of the contact with a pan [W/(m²·K)], every second.
+    /// Time [s] and mean contact conductance to a pan [W/(m²·K)], every second.
     contact: Vec<[f64; 2]>,
     range: [f64; 2],
     core_peak: [f64; 2],
@@ -103,12 +104,12 @@ impl<'a> Cooking<'a> {
         self.steps as f64 * self.dt
     }
 
-    /// The present phase; past the last one its boundaries stay on.
+    /// Returns the current phase; after the last one its boundaries remain.
     fn phase(&self) -> &'a Phase {
         &self.case.phases[self.phase.min(self.case.phases.len() - 1)]
     }
 
-    /// The end of the present phase; none past the last one.
+    /// Returns the end of the current phase.
     fn until(&self) -> Until {
         self.case.phases.get(self.phase).map_or(Until::Forever, |p| p.until)
     }
@@ -117,7 +118,7 @@ impl<'a> Cooking<'a> {
         self.probes[probe].iter().map(|(node, weight)| weight * self.state.temperature[*node]).sum()
     }
 
-    /// The temperature whose highest value is told: a named probe's, or that of the middle.
+    /// Returns the temperature whose highest value is reported: that of a named probe, or of the centre [K].
     fn core(&self) -> f64 {
         match self.case.peak_of {
             Some(probe) => self.probe(probe),
@@ -138,7 +139,7 @@ impl<'a> Cooking<'a> {
         }
     }
 
-    /// How far the probe that ends the phase is above its target [K].
+    /// Returns the temperature of the probe that ends the phase, less its target [K].
     fn to_target(&self) -> Option<f64> {
         match self.until() {
             Until::Probe(probe, target) => Some(self.probe(probe) - target),
@@ -146,7 +147,7 @@ impl<'a> Cooking<'a> {
         }
     }
 
-    /// Flips and ends of phases that are due.
+    /// Carries out the flips and the ends of phases that are due.
     fn events(&mut self) {
         let now = self.time() + 0.5 * self.dt;
         while self.case.flips.get(self.flips).is_some_and(|at| *at < now) {
@@ -164,7 +165,7 @@ impl<'a> Cooking<'a> {
         self.laid_at = self.time();
     }
 
-    /// Brings up to date what every patch meets.
+    /// Updates the boundary condition of every patch.
     fn meet(&mut self) {
         let phase = self.phase();
         self.touch.fill(Touch { conductance: INSULATED, temperature: self.case.bodies[0].initial });
@@ -232,7 +233,7 @@ impl<'a> Cooking<'a> {
         if core > self.core_peak[0] {
             self.core_peak = [core, self.time()];
         }
-        // Peaks are kept by the food every half second; a stop is exact to one step.
+        // The food model updates its peaks every half second; a stop has to be exact to one step.
         self.state.peak.iter_mut().zip(&self.state.temperature).for_each(|(p, t)| *p = p.max(*t));
         if self.case.stop_at.is_some_and(|target| self.state.peak.iter().all(|p| *p >= target)) {
             self.stopped_at = Some(self.time());
@@ -257,7 +258,7 @@ impl<'a> Cooking<'a> {
         let slab = self.case.shape == Shape::Slab;
         let (lateral, thickness) =
             (self.state.stretch.lateral, model.mesh().swept().map_or(0.0, |mesh| mesh.thickness()));
-        let unsound = "a value became non-finite: the food stopped changing; use another resolution_mm or size_mm";
+        let unsound = "a value became non-finite and the food stopped changing; use another resolution_mm or size_mm";
         let names = self.case.probes.iter().map(|p| p.name.clone());
         LabReport {
             nodes: model.mesh().node_count(),

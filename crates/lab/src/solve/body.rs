@@ -1,13 +1,13 @@
-//! Shapes of the lab as products of axes, with their faces by name.
+//! Product meshes of the shapes, and their named faces.
 
 use saute_heat::axis::{Axis, End, Metric};
 use saute_heat::column::{Between, Column};
 use saute_heat::tensor::TensorBody;
 
 use crate::case::{BodyCase, Case};
-use crate::case_file::{Face, Shape};
+use crate::case::{Face, Shape};
 
-/// Sizes a shape needs and what they are called.
+/// Returns the names of the sizes of a shape, in order.
 pub fn sizes(shape: Shape) -> &'static [&'static str] {
     match shape {
         Shape::Box => &["x", "y", "z"],
@@ -17,7 +17,7 @@ pub fn sizes(shape: Shape) -> &'static [&'static str] {
     }
 }
 
-/// The mesh of a case.
+/// Returns the product mesh of a case.
 pub fn mesh(case: &Case) -> TensorBody {
     let Some(first) = case.bodies.first() else {
         let plate = case.pan.map_or(0.0, |p| p.capacity);
@@ -37,7 +37,7 @@ pub fn mesh(case: &Case) -> TensorBody {
     TensorBody::stacked(axes, Some(vertical), column)
 }
 
-/// The vertical axis of a stack, the pan's node first where it has one of its own.
+/// Returns the vertical axis of a stack; the node of a pan with its own node comes first.
 fn stack(case: &Case, vertical: usize) -> (Axis, Column) {
     let (mut nodes, mut column) = (vec![0.0], Column::default());
     column.plate = case.pan.map_or(0.0, |p| p.capacity);
@@ -65,14 +65,16 @@ fn radius(metric: Metric, body: &BodyCase) -> Axis {
     Axis { metric, nodes: across[middle..].iter().map(|x| x - across[middle]).collect() }
 }
 
-/// Cells over a length: an even number, so that there is a middle.
+/// Returns the number of cells over a length: an even number, so that there is a node in the middle [-].
 fn cells(length: f64, largest: f64, grading: f64) -> f64 {
     let stretch = if grading > 0.0 { grading / libm::tanh(grading) } else { 1.0 };
     (2.0 * libm::ceil(0.5 * stretch * length / largest - 1e-9)).max(2.0)
 }
 
-/// Nodes over a length, finer towards both ends, at most `largest` apart [m]: x = L/2 (1 + tanh(β (2ξ − 1)) / tanh β) with
-/// β the grading; one smooth map for all resolutions keeps the order of convergence.
+/// Returns the nodes over a length, finer towards both ends, at most `largest` apart [m].
+///
+/// x = L/2 (1 + tanh(β (2ξ − 1)) / tanh β), with β the grading. One smooth map for all resolutions preserves the order of
+/// convergence.
 fn graded(length: f64, largest: f64, grading: f64) -> Vec<f64> {
     let cells = cells(length, largest, grading);
     let place = |i: f64| {
@@ -86,7 +88,7 @@ fn graded(length: f64, largest: f64, grading: f64) -> Vec<f64> {
     nodes
 }
 
-/// Nodes that a stack of bodies would have, before any is made.
+/// Returns the number of nodes of the mesh of a stack, without building it [-].
 pub fn node_count(shape: Shape, bodies: &[BodyCase]) -> f64 {
     let along = |body: &BodyCase, axis: usize| cells(body.size[axis], body.resolution[axis], body.grading) + 1.0;
     let Some(first) = bodies.first() else { return 1.0 };
@@ -99,7 +101,7 @@ pub fn node_count(shape: Shape, bodies: &[BodyCase]) -> f64 {
     across * bodies.iter().map(|b| along(b, b.size.len() - 1)).sum::<f64>()
 }
 
-/// Ends of axes that a face name means; none where the shape has no such face.
+/// Returns the ends of axes of a named face; `None` if the shape has no such face.
 pub fn ends(shape: Shape, face: Face) -> Option<Vec<(usize, End)>> {
     let both = |axis: usize| vec![(axis, End::Low), (axis, End::High)];
     let bottom_and_top = |axis: usize| match face {
@@ -124,7 +126,7 @@ pub fn ends(shape: Shape, face: Face) -> Option<Vec<(usize, End)>> {
     }
 }
 
-/// The vertical axis, along which a flip turns the body, if it has one.
+/// Returns the vertical axis, which a flip reverses; `None` for a sphere.
 pub fn vertical(shape: Shape) -> Option<usize> {
     match shape {
         Shape::Box => Some(2),
@@ -134,7 +136,7 @@ pub fn vertical(shape: Shape) -> Option<usize> {
     }
 }
 
-/// Where a point of the body's coordinates lies on its axes [m]; none outside the body.
+/// Converts a point from the body's coordinates to its axes [m]; `None` outside the body.
 pub fn on_axes(shape: Shape, size: &[f64], p: &[f64]) -> Option<Vec<f64>> {
     let within = |x: f64, low: f64, high: f64| (low - 1e-9..=high + 1e-9).contains(&x).then_some(x);
     match (shape, p) {

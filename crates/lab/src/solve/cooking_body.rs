@@ -1,4 +1,4 @@
-//! Bodies of the lab filled with food.
+//! A plain body filled with food.
 
 use std::ops::Range;
 
@@ -7,25 +7,25 @@ use saute_heat::axis::End;
 use saute_heat::tensor::TensorBody;
 use saute_heat::{Outline, Section, SweptMesh};
 
-use crate::body::{mesh, vertical};
+use crate::case::Shape;
 use crate::case::{Case, CookingCase};
-use crate::case_file::Shape;
+use crate::solve::body::{mesh, vertical};
 
 /// A body filled with food.
 pub struct FoodBody {
     /// The product mesh, for probes.
     pub tensor: TensorBody,
-    /// The food on it.
+    /// The food model on that mesh.
     pub model: FoodModel,
-    /// The patches of each end of each axis.
+    /// Patches of each end of each axis.
     pub ends: Vec<EndPatches>,
 }
 
-/// An axis, one of its ends, and which patches lie there.
+/// An axis, one of its ends, and the range of the patches on it.
 pub type EndPatches = (usize, End, Range<usize>);
 
 impl FoodBody {
-    /// Fills the body of a case.
+    /// Builds the food model of a case.
     pub fn new(case: &Case, cooking: &CookingCase) -> Result<Self, BuildError> {
         let tensor = mesh(case);
         let (patches, ends) = patches(&tensor, vertical(case.shape));
@@ -42,7 +42,7 @@ impl FoodBody {
     }
 }
 
-/// Patches of every end of every axis, each end with an air of its own: the bottom's and the top's first, node by node.
+/// Returns the patches of every end of every axis, node by node, bottom and top first. Each end has its own air.
 fn patches(tensor: &TensorBody, vertical: Option<usize>) -> (Vec<Patch>, Vec<EndPatches>) {
     let all = match vertical {
         Some(axis) => {
@@ -50,7 +50,7 @@ fn patches(tensor: &TensorBody, vertical: Option<usize>) -> (Vec<Patch>, Vec<End
             let sides = across.flat_map(|a| [(a, End::Low, Face::Side), (a, End::High, Face::Side)]);
             [(axis, End::Low, Face::Bottom), (axis, End::High, Face::Top)].into_iter().chain(sides).collect()
         }
-        // The surface of a ball ends its only axis, and the path of its fibres.
+        // The surface of a sphere is the end of its only axis, along which the fibres run.
         None => vec![(0, End::High, Face::Top)],
     };
     let (mut patches, mut ends) = (Vec::new(), Vec::new());
@@ -63,7 +63,7 @@ fn patches(tensor: &TensorBody, vertical: Option<usize>) -> (Vec<Patch>, Vec<End
     (patches, ends)
 }
 
-/// The product mesh as a section carried along a path: its vertical axis, or a ball's radius.
+/// Returns the product mesh as a section swept along its vertical axis, or along the radius of a sphere.
 fn swept(tensor: &TensorBody, case: &Case, patches: &[Patch]) -> SweptMesh {
     let levels = tensor.axes[vertical(case.shape).unwrap_or(0)].nodes.clone();
     let n = tensor.node_count() / levels.len();
@@ -87,7 +87,7 @@ fn swept(tensor: &TensorBody, case: &Case, patches: &[Patch]) -> SweptMesh {
     SweptMesh::with_graph(section, levels, tensor.layered_graph(case.rule).graph)
 }
 
-/// Length, width, thickness [m]; a slab is a square metre.
+/// Returns length, width and thickness [m]; a slab has an area of one square metre.
 fn extent(case: &Case) -> [f64; 3] {
     match (case.shape, case.bodies[0].size.as_slice()) {
         (Shape::Box, &[x, y, z]) => [x, y, z],

@@ -1,13 +1,13 @@
 //! Runs a lab case.
 
+use crate::case::Physics;
 use crate::case::{Case, Until};
-use crate::case_file::Physics;
-use crate::cooking::cook;
-use crate::recording::Recording;
-use crate::report::LabReport;
-use crate::solver::Solver;
+use crate::result::recording::Recording;
+use crate::result::report::LabReport;
+use crate::solve::cooking::cook;
+use crate::solve::solver::Solver;
 
-/// Runs a case; `clock` tells wall seconds, for the report alone.
+/// Runs a case. `clock` returns wall time [s], for the report only.
 pub fn run(case: &Case, clock: impl Fn() -> f64) -> LabReport {
     let mut report = run_one(case, &clock);
     report.compared = case.compare.as_ref().map(|other| Box::new(run_one(other, &clock)));
@@ -42,14 +42,14 @@ fn conduct(case: &Case, clock: &impl Fn() -> f64) -> LabReport {
     run.recording.report(case, &run.solver, clock() - start)
 }
 
-/// A run and what comes next in it.
+/// A conduction run with its position in the schedule.
 struct Run<'a> {
     case: &'a Case,
     solver: Solver,
     recording: Recording,
-    /// Which phase it is in.
+    /// Index of the current phase.
     phase: usize,
-    /// Flips so far.
+    /// Number of flips so far.
     flips: usize,
 }
 
@@ -58,7 +58,7 @@ impl Run<'_> {
         self.recording.stopped_at.is_some()
     }
 
-    /// When a flip or the end of a phase is due [s].
+    /// Returns the time of the next flip or the next end of a phase [s].
     fn next_event(&self) -> f64 {
         let flip = self.case.flips.get(self.flips).copied().unwrap_or(f64::INFINITY);
         match self.until() {
@@ -85,12 +85,12 @@ impl Run<'_> {
         }
     }
 
-    /// The end of the present phase; past the last one its boundaries stay on.
+    /// Returns the end of the current phase; after the last one its boundaries remain.
     fn until(&self) -> Until {
         self.case.phases.get(self.phase).map_or(Until::Forever, |p| p.until)
     }
 
-    /// Moves to `until`, or to the end of the phase or of the run if that comes first.
+    /// Advances to `until` [s], or to the end of the run if that comes first.
     fn advance_to(&mut self, until: f64) {
         while self.solver.time < until {
             let dt = self.solver.next_step(until, self.case);

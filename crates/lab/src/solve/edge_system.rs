@@ -1,4 +1,4 @@
-//! Rates of a lab body edge by edge: properties that change, water that boils, segments.
+//! The method of lines edge by edge, for variable properties, boiling water and the segment rule.
 
 use saute_heat::Conduction;
 use saute_heat::boundary::Boundary;
@@ -7,15 +7,15 @@ use saute_heat::super_step::{Rates, SuperStep};
 use saute_heat::tensor::{LayeredGraph, TensorBody};
 
 use crate::case::Case;
-use crate::material::Boiling;
-use crate::solver::capacity;
+use crate::solve::material::Boiling;
+use crate::solve::solver::capacity;
 
-/// Edges, conductances and water of a body.
+/// Edges, conductances and water of a body: C dT/dt = Σ G (T_j − T) + s − g T.
 pub(super) struct EdgeSystem {
     edges: LayeredGraph,
     conduction: Conduction,
     capacity: Vec<f64>,
-    /// Exchange with the outside: conductance [W/K] and source [W].
+    /// Robin boundary of each node: conductance g [W/K] and source s [W].
     exchange: Vec<[f64; 2]>,
     fixed: Vec<bool>,
     varies: bool,
@@ -24,15 +24,15 @@ pub(super) struct EdgeSystem {
 
 /// Water of every node.
 struct Water {
-    /// Boiling of the node's material; none where it does not boil.
+    /// Boiling data of the material of each node; `None` where it does not boil.
     boiling: Vec<Option<Boiling>>,
-    /// Mass at the start [kg]; without end where that is made up for.
+    /// Initial mass [kg]; infinite where evaporated water is replaced.
     initial: Vec<f64>,
-    /// Mass left [kg].
+    /// Remaining mass [kg].
     left: Vec<f64>,
-    /// Volume that boils [m³].
+    /// Volume of the boiling material [m³].
     volume: Vec<f64>,
-    /// Mass that has gone [kg].
+    /// Evaporated mass [kg].
     evaporated: f64,
 }
 
@@ -51,7 +51,7 @@ impl EdgeSystem {
         }
     }
 
-    /// Puts boundaries on.
+    /// Sets the boundary conditions.
     pub(super) fn put_on(&mut self, body: &TensorBody, boundaries: &[FaceBoundary]) {
         self.exchange.fill([0.0; 2]);
         self.fixed.fill(false);
@@ -68,7 +68,7 @@ impl EdgeSystem {
         }
     }
 
-    /// Takes properties at the nodes' temperatures [K]; returns the longest explicit step [s].
+    /// Updates the properties at the node temperatures [K]; returns the longest stable explicit step [s].
     pub(super) fn refresh(&mut self, body: &TensorBody, case: &Case, temperature: &[f64]) -> f64 {
         for (node, c) in self.capacity.iter_mut().enumerate() {
             *c = capacity(case, body, node, &|_| temperature[node]);
@@ -83,7 +83,7 @@ impl EdgeSystem {
         totals.map(|((g, e), c)| c / (g + e[0])).fold(f64::INFINITY, f64::min)
     }
 
-    /// Moves by `dt` [s]; returns the heat that it took [J].
+    /// Advances by `dt` [s]; returns the absorbed heat [J].
     pub(super) fn advance(&mut self, t: &mut Vec<f64>, dt: f64, step: &mut SuperStep, explicit: f64) -> f64 {
         let Some(mut water) = self.water.take() else {
             step.advance(t, dt, SuperStep::stages_for(dt, explicit), self);
@@ -95,7 +95,7 @@ impl EdgeSystem {
         self.stored_since(t, step.start()) + latent
     }
 
-    /// Heat stored between two states [J].
+    /// Returns the heat stored between two states [J].
     pub(super) fn stored_since(&self, now: &[f64], before: &[f64]) -> f64 {
         now.iter().zip(before).zip(&self.capacity).map(|((n, b), c)| (n - b) * c).sum()
     }
@@ -108,7 +108,7 @@ impl EdgeSystem {
         self.water.is_some()
     }
 
-    /// Water evaporated [kg] and volume dried [m³].
+    /// Returns the evaporated water [kg] and the dried volume [m³].
     pub(super) fn dried(&self) -> [f64; 2] {
         self.water
             .as_ref()
@@ -159,9 +159,10 @@ impl Water {
         if initial > 0.0 && initial.is_finite() { 1.0 - self.left[node] / initial } else { 0.0 }
     }
 
-    /// Turns heat above the boiling point into vapour while there is water; returns the heat that left with it [J].
+    /// Converts heat above the boiling point into vapour while water remains; returns the latent heat of that vapour [J].
     ///
-    /// A face held above the boiling point is dry at once, without a balance of its own.
+    /// Solves the Stefan problem by temperature recovery: a node stays at the boiling point until its water has
+    /// evaporated. A fixed-temperature face above the boiling point dries at once.
     fn boil(&mut self, t: &mut [f64], capacity: &[f64], fixed: &[bool]) -> f64 {
         let mut latent = 0.0;
         for (node, t) in t.iter_mut().enumerate() {

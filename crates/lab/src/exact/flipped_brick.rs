@@ -1,4 +1,4 @@
-//! The exact temperatures of a brick that is flipped once, as eigenfunction series.
+//! The exact temperatures of a brick that is flipped once.
 //!
 //! Sides and top face the same air. T − T_air is therefore a sum over pairs of symmetric cosines across the brick, each
 //! times a profile c(z, t) with ∂c/∂t = α (c″ − κ² c), driven by the hot face. Each profile is its steady state plus a sum
@@ -7,9 +7,11 @@
 
 use std::f64::consts::PI;
 
-/// A brick in air with its bottom on a hot plate (Robin boundaries).
+use crate::exact::root;
+
+/// A brick in air with its bottom on a hot plate (Robin boundaries), flipped once.
 #[derive(Clone, Copy, Debug)]
-pub struct Brick {
+pub struct FlippedBrick {
     /// Sizes [m].
     pub size: [f64; 3],
     /// Thermal conductivity [W/(m·K)].
@@ -85,17 +87,7 @@ impl Steady {
     }
 }
 
-/// Returns the root of a function between two points of different sign, by bisection.
-fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let negative = f(low) < 0.0;
-    for _ in 0..200 {
-        let middle = 0.5 * (low + high);
-        if (f(middle) < 0.0) == negative { low = middle } else { high = middle }
-    }
-    0.5 * (low + high)
-}
-
-impl Brick {
+impl FlippedBrick {
     /// Returns the temperatures [°C] at the given places [m], one row for each time [s].
     pub fn temperatures(&self, places: &[[f64; 3]], times: &[f64]) -> Vec<Vec<f64>> {
         let (x, y) = (self.cosines(self.size[0]), self.cosines(self.size[1]));
@@ -144,7 +136,7 @@ impl Brick {
 
 /// One profile through the thickness: coefficients before and after the flip.
 struct Profile<'a> {
-    brick: &'a Brick,
+    brick: &'a FlippedBrick,
     along: &'a [Along],
     steady: Steady,
     before: Vec<f64>,
@@ -152,7 +144,7 @@ struct Profile<'a> {
 }
 
 impl<'a> Profile<'a> {
-    fn new(brick: &'a Brick, kappa: f64, along: &'a [Along], nodes: &[(f64, f64)]) -> Self {
+    fn new(brick: &'a FlippedBrick, kappa: f64, along: &'a [Along], nodes: &[(f64, f64)]) -> Self {
         let steady = Steady::new(kappa, brick.size[2], brick.steepness());
         let mut profile = Self { brick, along, steady, before: Vec::new(), after: Vec::new() };
         let start = brick.celsius[0] - brick.celsius[1];

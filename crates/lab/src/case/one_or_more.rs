@@ -27,7 +27,7 @@ impl<T> OneOrMore<T> {
     }
 }
 
-/// Told apart by what stands there, so that errors keep their place in the file.
+/// Dispatches on the type of the value instead of trying both variants, so that errors keep their position in the file.
 impl<'de, T: Deserialize<'de>> Deserialize<'de> for OneOrMore<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(Either(PhantomData))

@@ -1,4 +1,4 @@
-//! A lab body on its way through time.
+//! Time integration of conduction: Runge–Kutta–Legendre super-steps on the product mesh (method of lines).
 
 use saute_heat::Rule;
 use saute_heat::axis::End;
@@ -7,32 +7,32 @@ use saute_heat::product::{Constants, FaceBoundary, ProductOperator};
 use saute_heat::super_step::SuperStep;
 use saute_heat::tensor::{Part, TensorBody};
 
-use crate::body::mesh;
 use crate::case::Case;
-use crate::edge_system::EdgeSystem;
-use crate::material::Material;
+use crate::solve::body::mesh;
+use crate::solve::edge_system::EdgeSystem;
+use crate::solve::material::Material;
 
-/// Most stages of a super-step with constant properties at a step factor of 1 (chosen: the error in time stays well
-/// below that in space, which falls at its own order).
+/// Largest number of stages of a super-step with constant properties at a step factor of 1 (chosen: the error in time
+/// stays well below that in space).
 const MOST_STAGES: usize = 9;
-
-/// Most stages where properties change and are taken afresh at every step (chosen: seven explicit steps' length).
+/// The same with variable properties, which are updated at every step (chosen: the length of seven explicit steps).
 const MOST_STAGES_VARYING: usize = 5;
-/// Share of the stability limit that is used [-].
+/// Used share of the stability limit [-] (chosen).
 const SAFETY: f64 = 0.95;
-/// A step over the time since the last sudden change [-] (chosen: profiles grow as the square root of time, so equal
-/// shares of it cost equal accuracy).
+/// Step over the time since the last change of a boundary [-] (chosen: profiles grow as the square root of time, so equal
+/// relative steps have equal relative errors).
 const GROWTH: f64 = 0.01;
-/// The same where properties are held over a step, which is then of first order in them [-] (chosen: less than 0.05 K).
+/// The same with variable properties, which are constant during a step and first order in time [-] (chosen: the error is
+/// less than 0.05 K).
 const GROWTH_VARYING: f64 = 0.04;
-/// First step of a lone plate over its time constant [-] (chosen: an error of 1e-4 of the way in each).
+/// First step of a pan alone over its time constant [-] (chosen: the relative error of a step is 1e-4).
 const LUMPED_STEP: f64 = 0.01;
 
-/// How rates of change are computed.
+/// Spatial operator.
 enum System {
-    /// Constant properties under the shape functions.
+    /// Constant properties with shape functions: a product of one-dimensional operators.
     Product(Box<ProductOperator>),
-    /// Anything else: edge by edge.
+    /// All other cases: edge by edge.
     Edges(Box<EdgeSystem>),
 }
 
@@ -48,15 +48,15 @@ impl System {
     }
 }
 
-/// The body and its present state.
-pub(super) struct Solver {
+/// A body and its state.
+pub(crate) struct Solver {
     /// Mesh.
     pub body: TensorBody,
     /// Temperature of each node [K].
     pub temperature: Vec<f64>,
     /// Time [s].
     pub time: f64,
-    /// Steps so far.
+    /// Number of steps so far.
     pub steps: usize,
     system: System,
     step: SuperStep,
@@ -65,15 +65,15 @@ pub(super) struct Solver {
     upside_down: bool,
     changed_at: f64,
     last_dt: f64,
-    /// Heat taken up by changing capacities, by boiling and by faces that were set [J].
+    /// Heat absorbed by variable capacities, by boiling and by fixed-temperature faces [J].
     absorbed: f64,
-    /// Heat stored at the start over the capacities, where these are constant [J].
+    /// Heat stored at the start, for constant capacities [J].
     stored_at_start: f64,
     capacity: Vec<f64>,
 }
 
 impl Solver {
-    pub(super) fn new(case: &Case) -> Self {
+    pub(crate) fn new(case: &Case) -> Self {
         let body = mesh(case);
         let n = body.node_count();
         let initial = |layer: usize| case.bodies[layer].initial;
@@ -100,18 +100,18 @@ impl Solver {
     }
 
     /// Sets the boundaries of a phase.
-    pub(super) fn enter(&mut self, phase: usize, case: &Case) {
+    pub(crate) fn enter(&mut self, phase: usize, case: &Case) {
         self.boundaries.clone_from(&case.phases[phase].boundaries);
         self.put_on(case);
     }
 
-    /// Bottom and top change places.
-    pub(super) fn flip(&mut self, case: &Case) {
+    /// Exchanges the boundaries of bottom and top.
+    pub(crate) fn flip(&mut self, case: &Case) {
         self.upside_down = !self.upside_down;
         self.put_on(case);
     }
 
-    /// Puts the boundaries on; after a flip bottom and top have changed places.
+    /// Applies the boundaries; an odd number of flips exchanges those of bottom and top.
     fn put_on(&mut self, case: &Case) {
         let swapped = |axis: usize| self.upside_down && self.body.vertical == Some(axis);
         let turned = |&(axis, end, b): &FaceBoundary| (axis, if swapped(axis) { opposite(end) } else { end }, b);
@@ -131,7 +131,7 @@ impl Solver {
         self.changed_at = self.time;
     }
 
-    /// Brings fixed faces to their temperature.
+    /// Sets the nodes of fixed-temperature faces.
     fn hold_fixed_faces(&mut self, boundaries: &[FaceBoundary], case: &Case) {
         for &(axis, end, boundary) in boundaries {
             let Boundary::Fixed(at) = boundary else { continue };
@@ -143,8 +143,8 @@ impl Solver {
         }
     }
 
-    /// Length of the next step on the way to `until` [s].
-    pub(super) fn next_step(&self, until: f64, case: &Case) -> f64 {
+    /// Returns the length of the next step towards `until` [s].
+    pub(crate) fn next_step(&self, until: f64, case: &Case) -> f64 {
         let (reach, growth) = match &self.system {
             System::Edges(edges) if edges.boils() => (1.0, GROWTH),
             System::Edges(edges) if edges.varies() => (SuperStep::reach(MOST_STAGES_VARYING), GROWTH_VARYING),
@@ -158,16 +158,16 @@ impl Solver {
         left / libm::ceil(left / wanted - 1e-9).max(1.0)
     }
 
-    /// Moves by `dt` [s].
-    pub(super) fn advance(&mut self, dt: f64, case: &Case) {
+    /// Advances by `dt` [s].
+    pub(crate) fn advance(&mut self, dt: f64, case: &Case) {
         self.last_dt = dt;
         self.time += dt;
         self.steps += 1;
         self.super_step(dt, case);
     }
 
-    /// Takes rounding away from a time that was to be reached [s].
-    pub(super) fn settle_at(&mut self, until: f64) {
+    /// Sets the time to `until` [s] if the difference is rounding.
+    pub(crate) fn settle_at(&mut self, until: f64) {
         if (self.time - until).abs() <= 1e-9 * until.max(1.0) {
             self.time = until;
         }
@@ -186,8 +186,8 @@ impl Solver {
         }
     }
 
-    /// Goes back into the last step, so that only `share` of it has been made; no way back where water has boiled.
-    pub(super) fn rewind(&mut self, share: f64, case: &Case) {
+    /// Repeats the last step with only the given share of its length; does nothing where water boils.
+    pub(crate) fn rewind(&mut self, share: f64, case: &Case) {
         let boils = matches!(&self.system, System::Edges(edges) if edges.boils());
         if boils || share >= 1.0 {
             return;
@@ -204,34 +204,34 @@ impl Solver {
         }
     }
 
-    /// Temperatures before the last step [K].
-    pub(super) fn before(&self) -> &[f64] {
+    /// Returns the temperatures before the last step [K].
+    pub(crate) fn before(&self) -> &[f64] {
         self.step.start()
     }
 
-    /// Length of the last step [s].
-    pub(super) fn last_dt(&self) -> f64 {
+    /// Returns the length of the last step [s].
+    pub(crate) fn last_dt(&self) -> f64 {
         self.last_dt
     }
 
-    /// Heat taken up since the start [J]; of a slab per m².
-    pub(super) fn absorbed(&self) -> f64 {
+    /// Returns the heat absorbed since the start [J]; of a slab [J/m²].
+    pub(crate) fn absorbed(&self) -> f64 {
         match &self.system {
             System::Product(_) => stored(&self.temperature, &self.capacity) - self.stored_at_start,
             System::Edges(_) => self.absorbed,
         }
     }
 
-    /// Water evaporated so far [kg] and volume that has dried [m³], where water boils; of a slab per m².
-    pub(super) fn dried(&self) -> Option<[f64; 2]> {
+    /// Returns the evaporated water [kg] and the dried volume [m³], of a slab per m²; `None` where no water boils.
+    pub(crate) fn dried(&self) -> Option<[f64; 2]> {
         match &self.system {
             System::Edges(edges) if edges.boils() => Some(edges.dried()),
             _ => None,
         }
     }
 
-    /// Conductivity of a layer around a node [W/(m·K)].
-    pub(super) fn conductivity(&self, case: &Case, layer: usize, node: usize) -> f64 {
+    /// Returns the thermal conductivity of a layer at a node [W/(m·K)].
+    pub(crate) fn conductivity(&self, case: &Case, layer: usize, node: usize) -> f64 {
         let dried = match &self.system {
             System::Edges(edges) => edges.dried_share(node),
             System::Product(_) => 0.0,
@@ -244,18 +244,18 @@ fn stored(temperature: &[f64], capacity: &[f64]) -> f64 {
     temperature.iter().zip(capacity).map(|(t, c)| t * c).sum()
 }
 
-/// The other end of an axis.
-pub(super) fn opposite(end: End) -> End {
+/// Returns the other end of an axis.
+pub(crate) fn opposite(end: End) -> End {
     if end == End::Low { End::High } else { End::Low }
 }
 
-/// Heat capacity of a node [J/K] where each layer has a temperature [K]; of a slab per m².
-pub(super) fn capacity(case: &Case, body: &TensorBody, node: usize, temperature: &dyn Fn(usize) -> f64) -> f64 {
+/// Returns the heat capacity of a node [J/K], of a slab [J/(m²·K)], with the temperature of each layer [K].
+pub(crate) fn capacity(case: &Case, body: &TensorBody, node: usize, temperature: &dyn Fn(usize) -> f64) -> f64 {
     let heat = |p: Part| p.volume * case.materials[p.layer].capacity(temperature(p.layer));
     body.parts(node).map(heat).sum::<f64>() + body.plate_capacity(node)
 }
 
-/// Temperatures at the start [K]; where two bodies share a node, their heat does too.
+/// Returns the initial temperatures [K]. A node shared by two bodies has the mean, weighted by heat capacity.
 fn start(case: &Case, body: &TensorBody) -> Vec<f64> {
     let of = |n: usize| {
         let parts = body.parts(n).map(|p| {

@@ -1,17 +1,20 @@
-//! Checks what happens to a lab body and when: boundaries, phases, flips.
+//! Checks the boundary conditions of a lab case, its phases and its flips.
 
 use saute_heat::axis::End;
 use saute_heat::boundary::Boundary;
 use toml::Spanned;
 
-use crate::body::{ends, vertical};
-use crate::case::{Phase, Until};
-use crate::case_file::{BoundaryEntry, CaseFile, Contact, Face, FlipsEntry, PhaseEntry, Shape};
-use crate::check::{Check, Checked, cooks, repeated};
+use crate::case::body_file::Shape;
+use crate::case::boundary_file::{BoundaryEntry, Contact, Face, FlipsEntry, PhaseEntry};
+use crate::case::case_file::CaseFile;
+use crate::case::check::{Check, Checked, cooks, repeated};
+use crate::case::lab_case::{Phase, Until};
+use crate::case::ranges::{AMBIENT_C, H_W_M2K, LEAST_INTERVAL, Q_W_M2, REACHED_C, TIME_S};
+use crate::solve::body::{ends, vertical};
 use saute_kitchen::kelvin;
 
 impl Check<'_> {
-    /// Phases, each with the boundaries that always hold and its own; one that lasts where none is given.
+    /// Returns the phases, each with the common boundaries and its own; a single endless phase by default.
     pub(super) fn phases(&self, raw: &CaseFile, shape: Shape, duration: f64) -> Checked<Vec<Phase>> {
         let mut always = Phase { boundaries: Vec::new(), contacts: Vec::new(), until: Until::Forever };
         if let Some(pan) = &raw.pan {
@@ -33,22 +36,23 @@ impl Check<'_> {
     fn until(&self, raw: &CaseFile, entry: &Spanned<PhaseEntry>, last: bool, duration: f64) -> Checked<Until> {
         let at = entry.get_ref().until.as_ref().map_or(entry.span().start, |u| u.span().start);
         let until = entry.get_ref().until.as_ref().map(Spanned::get_ref);
-        match until.map(|u| (u.at_s, &u.probe, u.reaches_c)) {
+        match until.map(|u| (&u.at_s, &u.probe, &u.reaches_c)) {
             None if last => Ok(Until::Forever),
-            Some((Some(time), None, None)) if (0.0..=duration).contains(&time) => Ok(Until::Time(time)),
-            Some((None, Some(probe), Some(c))) if c.is_finite() => {
-                Ok(Until::Probe(self.probe_index(raw, probe, at)?, kelvin(c)))
+            Some((Some(time), None, None)) => Ok(Until::Time(self.ranged("at_s", time, [TIME_S[0], duration])?)),
+            Some((None, Some(probe), Some(c))) => {
+                let target = kelvin(self.ranged("reaches_c", c, REACHED_C)?);
+                Ok(Until::Probe(self.probe_index(raw, probe, at)?, target))
             }
             _ => self.input.error(
                 at,
-                "the phase does not say when it ends",
+                "the phase has no end",
                 "write until = { at_s = 60 } within the duration, or until = { probe = \"centre\", reaches_c = 50 }; \
-                 the last phase may do without",
+                 it is optional in the last phase",
             ),
         }
     }
 
-    /// Adds boundaries by end, a later entry in place of an earlier one.
+    /// Adds boundaries to the ends of the axes; a later entry replaces an earlier one.
     fn add_boundaries(
         &self,
         raw: &CaseFile,
@@ -59,12 +63,12 @@ impl Check<'_> {
         for entry in entries {
             let face = &entry.get_ref().face;
             let Some(mut ends) = ends(shape, *face.get_ref()) else {
-                let remedy = "use all, bottom, top, side, x, y or z as far as the shape has them";
-                return self.input.error(face.span().start, "the body has no such face", remedy);
+                let remedy = "use those of all, bottom, top, side, x, y and z that the shape has";
+                return self.input.error(face.span().start, "the shape has no such face", remedy);
             };
             if raw.pan.is_some() {
                 if *face.get_ref() == Face::Bottom || raw.body.is_none() {
-                    let remedy = "write the pan's h_w_m2k, ambient_c and q_w_m2 into [pan]";
+                    let remedy = "write h_w_m2k, ambient_c and q_w_m2 of the pan into [pan]";
                     return self.input.error(face.span().start, "the bottom lies on the pan", remedy);
                 }
                 ends.retain(|(axis, end)| (Some(*axis), *end) != (vertical(shape), End::Low));
@@ -85,17 +89,17 @@ impl Check<'_> {
         let cooks = cooks(raw);
         if b.contact.is_some() && !cooks {
             let remedy = "leave it out, or write physics = \"cooking\" into [solver] and food into [material]";
-            return self.input.error(entry.span().start, "contact belongs to cooking", remedy);
+            return self.input.error(entry.span().start, "contact is only valid for cooking", remedy);
         }
         if let (true, Some(flux)) = (cooks, &b.q_w_m2) {
             let remedy = "write h_w_m2k and ambient_c, or contact = \"pan\" and ambient_c";
-            return self.input.error(flux.span().start, "q_w_m2 does not go with physics = \"cooking\"", remedy);
+            return self.input.error(flux.span().start, "q_w_m2 is not supported with physics = \"cooking\"", remedy);
         }
-        let flux = self.optional("q_w_m2", b.q_w_m2.as_ref(), -1e7, 1e7)?;
-        let outside = self.optional("ambient_c", b.ambient_c.as_ref(), -200.0, 2000.0)?.map(kelvin);
-        let h = self.optional("h_w_m2k", b.h_w_m2k.as_ref(), 0.0, 1e7)?;
+        let flux = self.optional("q_w_m2", b.q_w_m2.as_ref(), Q_W_M2)?;
+        let outside = self.optional("ambient_c", b.ambient_c.as_ref(), AMBIENT_C)?.map(kelvin);
+        let h = self.optional("h_w_m2k", b.h_w_m2k.as_ref(), H_W_M2K)?;
         match (h, b.fixed, outside, flux) {
-            // The contact model gives the coefficient.
+            // The contact model computes the coefficient; 1 is a placeholder.
             (None, false, Some(outside), None) if b.contact == Some(Contact::Pan) => {
                 Ok(Boundary::convective(1.0, outside))
             }
@@ -115,7 +119,7 @@ impl Check<'_> {
         if raw.pan.is_some() {
             let remedy =
                 "leave [flips] out, or put the plate's h_w_m2k and ambient_c into [[boundary]] instead of [pan]";
-            return self.input.error(entry.span().start, "a body does not flip together with its pan", remedy);
+            return self.input.error(entry.span().start, "a body on a pan cannot be flipped", remedy);
         }
         self.flip_times(shape, entry, duration)
     }
@@ -125,18 +129,19 @@ impl Check<'_> {
         if vertical(shape).is_none() {
             return self.input.error(at, "a sphere has no bottom to flip", "leave [flips] out");
         }
-        match (&flips.at_s, flips.every_s) {
-            (Some(times), None) if times.iter().all(|t| (0.0..=duration).contains(t)) && times.is_sorted() => {
+        match (&flips.at_s, &flips.every_s) {
+            (Some(times), None) if times.iter().all(|t| (TIME_S[0]..=duration).contains(t)) && times.is_sorted() => {
                 Ok(times.clone())
             }
-            (None, Some(every)) if every > duration * 1e-5 => {
+            (None, Some(every)) => {
+                let every = self.ranged("every_s", every, [duration * LEAST_INTERVAL, f64::MAX])?;
                 let mut times = repeated(every, duration);
                 times.pop();
                 Ok(times)
             }
             _ => self.input.error(
                 at,
-                "flips need at_s, ascending and within the duration, or every_s > 0",
+                "flips need either at_s, ascending and within the duration, or every_s",
                 "write at_s = [300] or every_s = 30",
             ),
         }

@@ -1,4 +1,4 @@
-//! Lab cases: checked, in SI units, ready to run.
+//! A checked lab case in SI units.
 
 use saute_food::components::Components;
 use saute_food::{FoodDescription, Kinetics};
@@ -6,57 +6,57 @@ use saute_heat::Rule;
 use saute_heat::axis::End;
 use saute_heat::product::FaceBoundary;
 
-use crate::body::node_count;
-use crate::case_file::{Contact, Physics, Shape};
-use crate::check::Check;
-use crate::material::Material;
-use crate::verdict::Expectation;
+use crate::case::check::Check;
+use crate::case::{Contact, Physics, Shape};
+use crate::result::verdict::Expectation;
+use crate::solve::body::node_count;
+use crate::solve::material::Material;
 use saute_kitchen::data::library::Library;
 use saute_kitchen::data::room::Room;
 use saute_kitchen::{InputError, InputText};
 
-/// A case, checked.
+/// A checked case, ready to run.
 #[derive(Clone, Debug)]
 pub struct Case {
     /// Name for people.
     pub name: String,
-    /// How long [s].
+    /// Duration [s].
     pub duration: f64,
-    /// Times at which probes are read, ascending, the end included [s].
+    /// Times of the probe readings, ascending, including the end [s].
     pub outputs: Vec<f64>,
     /// Shape of every body.
     pub shape: Shape,
-    /// Bodies, lowest first; none where a pan stands alone.
+    /// Bodies, lowest first; empty for a pan alone.
     pub bodies: Vec<BodyCase>,
-    /// What each body is made of.
+    /// Material of each body.
     pub materials: Vec<Material>,
     /// The pan below them.
     pub pan: Option<PanCase>,
-    /// What happens in the body.
+    /// Physics of the body.
     pub physics: Physics,
-    /// The food that is cooked.
+    /// Data for [`Physics::Cooking`].
     pub cooking: Option<CookingCase>,
-    /// What makes conductances of the mesh.
+    /// Rule for the conductances of the mesh.
     pub rule: Rule,
-    /// Length of a step over its usual length [-].
+    /// Factor on the length of every time step [-].
     pub step_factor: f64,
-    /// What lies outside, one phase after another; at least one.
+    /// Boundary conditions of consecutive phases; at least one.
     pub phases: Vec<Phase>,
     /// Times of the flips, ascending [s].
     pub flips: Vec<f64>,
-    /// Points that are told; a pan is told too, after them.
+    /// Points whose temperature is reported; that of a pan follows them.
     pub probes: Vec<ProbeCase>,
-    /// Stop once every point has reached this [K].
+    /// The run stops once every point has reached this temperature [K].
     pub stop_at: Option<f64>,
-    /// Tell the share of the volume ever above these [°C].
+    /// Temperatures for the share of the volume that has ever exceeded them [°C].
     pub volume_above_c: Vec<f64>,
-    /// Probe whose highest temperature is told, as an index; the pan comes after all others.
+    /// Index of the probe whose highest temperature is reported; the index of the pan follows all others.
     pub peak_of: Option<usize>,
-    /// The same with other flips, to be run for comparison.
+    /// The same case with other flips, for comparison.
     pub compare: Option<Box<Self>>,
-    /// Where the expected values come from.
+    /// Source of the expected values.
     pub source: String,
-    /// What should come out.
+    /// Expected values.
     pub expectations: Vec<Expectation>,
 }
 
@@ -71,24 +71,24 @@ pub struct BodyCase {
     pub grading: f64,
     /// Start temperature [K].
     pub initial: f64,
-    /// Conductance of the contact with what lies below [W/(m²·K)]; none where it is perfect.
+    /// Contact conductance to the body or pan below [W/(m²·K)]; `None` for perfect contact.
     pub contact: Option<f64>,
 }
 
-/// What cooking needs beyond conduction.
+/// Data for cooking beyond those for conduction.
 #[derive(Clone, Debug)]
 pub struct CookingCase {
     /// The food.
     pub food: FoodDescription,
-    /// What heat does to it.
+    /// Kinetics of its changes.
     pub kinetics: Kinetics,
     /// Thermal properties of its components.
     pub components: Components,
-    /// The room, for air and contact.
+    /// The room, for the air and the contact model.
     pub room: Room,
 }
 
-/// A plate of even temperature.
+/// A plate of uniform temperature (lumped capacity).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PanCase {
     /// Heat capacity [J/(m²·K)].
@@ -99,25 +99,25 @@ pub struct PanCase {
     pub thickness: f64,
 }
 
-/// A time with boundaries of its own.
+/// A phase with its own boundary conditions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Phase {
-    /// Boundary of each end of each axis that is not insulated.
+    /// Boundary condition of each end of each axis that is not insulated.
     pub boundaries: Vec<FaceBoundary>,
-    /// What those ends meet when food is cooked; air or a solid by their coefficient where nothing is said.
+    /// Medium at those ends, for cooking; by default air or a solid, depending on the heat transfer coefficient.
     pub contacts: Vec<(usize, End, Contact)>,
-    /// When it ends.
+    /// End of the phase.
     pub until: Until,
 }
 
 /// The end of a phase.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Until {
-    /// With the run.
+    /// The end of the run.
     Forever,
-    /// At a time [s].
+    /// A time [s].
     Time(f64),
-    /// When a probe, by its index, crosses a temperature [K].
+    /// A probe, by its index, crosses a temperature [K].
     Probe(usize, f64),
 }
 
@@ -126,19 +126,23 @@ pub enum Until {
 pub struct ProbeCase {
     /// Name.
     pub name: String,
-    /// Place on the axes [m].
+    /// Position on the axes [m].
     pub place: Vec<f64>,
-    /// Whether the flux upwards is told too.
+    /// True if the upward heat flux is reported as well.
     pub flux: bool,
 }
 
 impl Case {
-    /// Nodes of its mesh, to within a few.
+    /// Returns the number of nodes of its mesh, to within a few [-].
     pub fn node_count(&self) -> usize {
         node_count(self.shape, &self.bodies) as usize
     }
 
-    /// Reads and checks a case. `file` is its name in messages.
+    /// Parses and checks a case. `file` is the name in error messages.
+    ///
+    /// # Errors
+    ///
+    /// Returns the first key that is missing, unknown, inconsistent or out of its range, with its line and a remedy.
     pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, InputError> {
         Check { input: InputText { text, file }, library }.case()
     }

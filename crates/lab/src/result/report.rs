@@ -1,36 +1,36 @@
-//! What a lab run tells.
+//! The report of a lab run.
 
 use std::collections::BTreeMap;
 
 use serde::Serialize;
 
 use crate::case::Case;
-use crate::case_file::Shape;
+use crate::case::Shape;
 
 /// The numbers of a lab run, as `saute lab --json` prints them.
 #[derive(Clone, Debug, Serialize)]
 pub struct LabReport {
     /// Name of the case.
     pub name: String,
-    /// Nodes of the mesh.
+    /// Number of nodes of the mesh [-].
     pub nodes: usize,
-    /// Steps that were made.
+    /// Number of time steps [-].
     pub steps: usize,
     /// Wall time of the time loop [s].
     pub wall_s: f64,
     /// True for a slab and a pan alone: joules and grams are per m².
     #[serde(skip_serializing_if = "core::ops::Not::not")]
     pub per_m2: bool,
-    /// What went wrong; empty if all went well.
+    /// Warnings; empty for a sound run.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
-    /// When the stop condition was met [s].
+    /// Time at which the stop condition was met [s].
     pub stopped_at_s: Option<f64>,
-    /// Series of each probe: time [s] and temperature [°C], the start included.
+    /// Series of each probe: time [s] and temperature [°C], including the start.
     pub probes: BTreeMap<String, Vec<[f64; 2]>>,
-    /// Share of the volume that has ever been above a temperature, by that temperature in °C [%].
+    /// Share of the volume that has ever exceeded a temperature, by that temperature in °C [%].
     pub volume_pct_above: BTreeMap<String, f64>,
-    /// Heat taken up [J]; for a slab per m².
+    /// Heat absorbed [J]; of a slab [J/m²].
     pub absorbed_j: f64,
     /// Highest temperature of any node at any time [°C].
     pub max_c: f64,
@@ -39,16 +39,16 @@ pub struct LabReport {
     /// Water evaporated from a slab [kg/m²].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub evaporated_kg_m2: Option<f64>,
-    /// Depth of a slab that has dried [mm].
+    /// Dried depth of a slab [mm].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub crust_mm: Option<f64>,
     /// Water evaporated from a body with a volume [g].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub evaporated_g: Option<f64>,
-    /// Juice that ran off a cooked food [g]; for a slab per m².
+    /// Juice lost by dripping from a cooked food [g]; of a slab [g/m²].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dripped_g: Option<f64>,
-    /// Fat that ran off [g]; for a slab per m².
+    /// Fat rendered out [g]; of a slab [g/m²].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rendered_g: Option<f64>,
     /// Mass lost [%].
@@ -60,32 +60,32 @@ pub struct LabReport {
     /// Contraction along the fibres, of its mean thickness [%].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thickness_shrunk_pct: Option<f64>,
-    /// Conductance of the contact with a pan in time: time [s] and mean conductance [W/(m²·K)].
+    /// Series of the contact with a pan: time [s] and mean conductance [W/(m²·K)].
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub contact_w_m2k: Vec<[f64; 2]>,
-    /// L*, a*, b* of the cooked food's bottom and top, area means; a sphere has a top alone.
+    /// L*, a*, b* of bottom and top of the cooked food, area means [-]; a sphere has only a top.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub surface_lab: BTreeMap<String, [f64; 3]>,
-    /// Highest temperature of the probe in `report.peak_of`, of cooked food its centre's by default [°C].
+    /// Highest temperature of the probe in `report.peak_of`, by default of the centre of a cooked food [°C].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub core_peak_c: Option<f64>,
-    /// When that was [s].
+    /// Time of that highest temperature [s].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub core_peak_at_s: Option<f64>,
-    /// When each phase ended [s].
+    /// Times at which the phases ended [s].
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub phases_ended_s: Vec<f64>,
-    /// Series of the heat flux upwards at probes that tell it: time [s] and flux [W/m²].
+    /// Series of the upward heat flux at the probes with `flux = true`: time [s] and flux [W/m²].
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub flux: BTreeMap<String, Vec<[f64; 2]>>,
-    /// The run with other flips.
+    /// Report of the compared run.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub compared: Option<Box<Self>>,
 }
 
 impl LabReport {
-    /// A report that says nothing yet.
-    pub(super) fn empty(case: &Case) -> Self {
+    /// Returns a report without results.
+    pub(crate) fn empty(case: &Case) -> Self {
         Self {
             name: case.name.clone(),
             nodes: 0,

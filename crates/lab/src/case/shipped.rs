@@ -1,4 +1,4 @@
-//! The validation cases that the program carries.
+//! The embedded validation cases.
 
 use std::collections::BTreeMap;
 

@@ -1,44 +1,44 @@
-//! What is remembered of a lab run.
+//! Recording of a conduction run: probes, fluxes, peaks.
 
 use saute_heat::axis::End;
 
+use crate::case::Shape;
 use crate::case::{Case, ProbeCase};
-use crate::case_file::Shape;
-use crate::report::LabReport;
-use crate::solver::Solver;
+use crate::result::report::LabReport;
+use crate::solve::solver::Solver;
 use saute_kitchen::celsius;
 
-/// Nodes along each axis that a reading is interpolated through: a cubic.
+/// Number of nodes along each axis for the interpolation of a probe: a cubic.
 const CUBIC: usize = 4;
-/// The same where a front runs through the body, at which a cubic would ring.
-pub(super) const LINEAR: usize = 2;
+/// The same where an evaporation front moves through the body, at which a cubic overshoots.
+pub(crate) const LINEAR: usize = 2;
 
-/// Nodes and weights that interpolate at a point, and what was read there: time [s] and value.
+/// Nodes and weights of the interpolation at a point, and the readings: time [s] and value.
 struct Reading {
     name: String,
     weights: Vec<(usize, f64)>,
     series: Vec<[f64; 2]>,
 }
 
-/// A heat flux: weights of the slope [1/m], and the layer and node whose conductivity counts.
+/// A heat flux: weights of the gradient [1/m], and the layer of the conductivity.
 struct Flux {
     reading: Reading,
     layer: usize,
 }
 
-/// What is remembered of a run.
-pub(super) struct Recording {
+/// The recording of a run.
+pub(crate) struct Recording {
     probes: Vec<Reading>,
     fluxes: Vec<Flux>,
-    /// Highest temperature of each node [K], where anything asks for it.
+    /// Highest temperature of each node [K], if the case needs it.
     peak: Option<Vec<f64>>,
     coldest_peak: f64,
     range: [f64; 2],
-    /// Highest reading of the probe in question [K] and when [s].
+    /// Highest temperature of the probe `peak_of` [K] and its time [s].
     core_peak: Option<[f64; 2]>,
-    /// When each phase ended [s].
+    /// Times at which the phases ended [s].
     pub phases_ended: Vec<f64>,
-    /// When the stop condition was met [s].
+    /// Time at which the stop condition was met [s].
     pub stopped_at: Option<f64>,
 }
 
@@ -49,7 +49,7 @@ impl Reading {
 }
 
 impl Recording {
-    pub(super) fn new(case: &Case, solver: &Solver) -> Self {
+    pub(crate) fn new(case: &Case, solver: &Solver) -> Self {
         let points = if case.materials.iter().any(|m| m.boiling.is_some()) { LINEAR } else { CUBIC };
         let reading = |probe: &ProbeCase, weights| Reading { name: probe.name.clone(), weights, series: Vec::new() };
         let mut probes: Vec<Reading> =
@@ -77,7 +77,7 @@ impl Recording {
     }
 
     /// Reads every probe.
-    pub(super) fn read(&mut self, case: &Case, solver: &Solver) {
+    pub(crate) fn read(&mut self, case: &Case, solver: &Solver) {
         for probe in &mut self.probes {
             let value = probe.value(&solver.temperature);
             probe.series.push([solver.time, celsius(value)]);
@@ -90,15 +90,15 @@ impl Recording {
         }
     }
 
-    /// Where within the last step a probe crossed a temperature [-]; none where it did not.
-    pub(super) fn crossing(&self, probe: usize, target: f64, solver: &Solver) -> Option<f64> {
+    /// Returns the share of the last step at which a probe crossed a temperature [-]; `None` if it did not.
+    pub(crate) fn crossing(&self, probe: usize, target: f64, solver: &Solver) -> Option<f64> {
         let [before, now] =
             [solver.before(), &solver.temperature].map(|field| self.probes[probe].value(field) - target);
         (before * now <= 0.0).then(|| if before == now { 0.0 } else { before / (before - now) })
     }
 
-    /// Takes peaks and range after a step; the stop is placed within the step by the coldest peak's rise.
-    pub(super) fn observe(&mut self, case: &Case, solver: &Solver) {
+    /// Updates peaks and range after a step; interpolates the stop within the step by the coldest peak.
+    pub(crate) fn observe(&mut self, case: &Case, solver: &Solver) {
         let [mut low, mut high] = self.range;
         for &t in &solver.temperature {
             low = if t < low { t } else { low };
@@ -127,7 +127,7 @@ impl Recording {
         }
     }
 
-    pub(super) fn report(self, case: &Case, solver: &Solver, wall_s: f64) -> LabReport {
+    pub(crate) fn report(self, case: &Case, solver: &Solver, wall_s: f64) -> LabReport {
         let volume = &solver.body.volume;
         let whole: f64 = volume.iter().sum();
         let above = |c: f64| {
@@ -158,7 +158,7 @@ impl Recording {
     }
 }
 
-/// The mean of the pan.
+/// Returns the reading of the mean temperature of the pan.
 fn pan(solver: &Solver) -> Reading {
     let face = solver.body.vertical.map(|v| solver.body.face(v, End::Low)).unwrap_or_default();
     let area: f64 = face.iter().map(|(_, a)| a).sum();

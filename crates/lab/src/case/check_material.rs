@@ -1,0 +1,106 @@
+//! Checks the materials of a lab case.
+
+use saute_food::components::Properties;
+use saute_heat::product::Constants;
+use toml::Spanned;
+
+use crate::case::body_file::{Juice, MaterialEntry};
+use crate::case::case_file::CaseFile;
+use crate::case::check::{Check, Checked};
+use crate::case::ranges::{
+    CONDUCTIVITY_W_MK, DEFAULT_BOILING_C, DEFAULT_LATENT_J_KG, DENSITY_KG_M3, INITIAL_C, LATENT_J_KG,
+    SPECIFIC_HEAT_J_KGK, WATER_KG_M3,
+};
+use crate::solve::material::{Boiling, Material, Solid};
+use saute_kitchen::data::library::Library;
+use saute_kitchen::kelvin;
+
+impl Check<'_> {
+    /// Returns one material for each body.
+    pub(super) fn materials(&self, raw: &CaseFile, bodies: usize) -> Checked<Vec<Material>> {
+        let Some(entry) = &raw.material else {
+            if bodies == 0 {
+                return Ok(Vec::new());
+            }
+            return self.input.error(
+                0,
+                "the case has no [material]",
+                "write [material] for all bodies, or one for each",
+            );
+        };
+        let (at, all) = (entry.span().start, entry.get_ref().all());
+        if bodies == 0 || (all.len() != 1 && all.len() != bodies) {
+            let message = format!("{} materials for {bodies} bodies", all.len());
+            return self.input.error(
+                at,
+                message,
+                "write one [material] for all, or one [[material]] for each [[body]]",
+            );
+        }
+        let materials: Vec<Material> = all.iter().map(|m| self.material(m, at)).collect::<Checked<_>>()?;
+        Ok((0..bodies).map(|b| materials[b.min(materials.len() - 1)].clone()).collect())
+    }
+
+    fn material(&self, m: &MaterialEntry, at: usize) -> Checked<Material> {
+        match (&m.conductivity_w_mk, &m.density_kg_m3, &m.specific_heat_j_kgk, &m.food) {
+            (Some(k), Some(rho), Some(c), None) => {
+                let conductivity = self.ranged("conductivity_w_mk", k, CONDUCTIVITY_W_MK)?;
+                let capacity = self.ranged("density_kg_m3", rho, DENSITY_KG_M3)?
+                    * self.ranged("specific_heat_j_kgk", c, SPECIFIC_HEAT_J_KGK)?;
+                let boiling = self.boiling(m, conductivity, at)?;
+                Ok(Material { solid: Solid::Constant(Constants { conductivity, capacity }), boiling })
+            }
+            (None, None, None, Some(food)) if !has_water(m) => self.food(food),
+            _ => self.input.error(
+                at,
+                "the material is incomplete or defined twice",
+                "give conductivity_w_mk, density_kg_m3 and specific_heat_j_kgk, with water_kg_m3 if it boils, or food alone",
+            ),
+        }
+    }
+
+    fn boiling(&self, m: &MaterialEntry, conductivity: f64, at: usize) -> Checked<Option<Boiling>> {
+        if !has_water(m) {
+            return Ok(None);
+        }
+        let water = self.optional("water_kg_m3", m.water_kg_m3.as_ref(), WATER_KG_M3)?;
+        let unlimited = m.juice == Some(Juice::Unlimited);
+        if water.is_none() && !unlimited {
+            return self.input.error(
+                at,
+                "the material boils without water",
+                "write water_kg_m3, or juice = \"unlimited\"",
+            );
+        }
+        Ok(Some(Boiling {
+            water: water.filter(|_| !unlimited),
+            at: kelvin(self.optional("boiling_c", m.boiling_c.as_ref(), INITIAL_C)?.unwrap_or(DEFAULT_BOILING_C)),
+            latent: self.optional("latent_j_kg", m.latent_j_kg.as_ref(), LATENT_J_KG)?.unwrap_or(DEFAULT_LATENT_J_KG),
+            crust_conductivity: self
+                .optional("crust_conductivity_w_mk", m.crust_conductivity_w_mk.as_ref(), CONDUCTIVITY_W_MK)?
+                .unwrap_or(conductivity),
+        }))
+    }
+
+    fn food(&self, id: &Spanned<String>) -> Checked<Material> {
+        let Some(food) = self.library.foods.get(id.get_ref()) else {
+            let remedy = format!("use one of: {}", Library::names(&self.library.foods));
+            return self.input.error(id.span().start, format!("food = \"{}\" is not a food", id.get_ref()), remedy);
+        };
+        let properties = Properties::new(&self.library.components, &food.lean, &food.fat_melting);
+        let fractions = [food.lean.water, food.lean.lean_solids(), food.lean.fat];
+        let density = 1.0 / properties.volume(&fractions, kelvin(20.0));
+        let masses = fractions.map(|x| x * density);
+        let solid = Solid::Food { id: id.get_ref().clone(), properties: Box::new(properties), masses };
+        Ok(Material { solid, boiling: None })
+    }
+}
+
+/// Returns true if any key of boiling is present.
+fn has_water(m: &MaterialEntry) -> bool {
+    m.water_kg_m3.is_some()
+        || m.boiling_c.is_some()
+        || m.latent_j_kg.is_some()
+        || m.crust_conductivity_w_mk.is_some()
+        || m.juice.is_some()
+}

@@ -1,0 +1,5 @@
+//! Results of a run: probe series, the report, and verdicts on expectations.
+
+pub mod recording;
+pub mod report;
+pub mod verdict;

@@ -1,0 +1,23 @@
+//! Pause, step and speed by acts.
+
+use crate::app::SauteApp;
+use crate::session::SPEEDS;
+
+impl SauteApp {
+    pub(super) fn single_step(&mut self) {
+        self.session.set_paused(true);
+        if let Err(error) = self.session.tick() {
+            self.say_trouble(&error);
+        }
+    }
+
+    pub(super) fn change_speed(&mut self, by: i8) {
+        let now = SPEEDS.iter().position(|&s| s == self.session.speed).unwrap_or(0) as i8;
+        self.set_speed(SPEEDS[(now + by).clamp(0, SPEEDS.len() as i8 - 1) as usize]);
+    }
+
+    pub(crate) fn set_speed(&mut self, speed: f64) {
+        self.session.set_speed(speed);
+        self.settings.speed = speed;
+    }
+}

@@ -1,0 +1,78 @@
+//! Hob, food and recipes by acts.
+
+use saute_kitchen::Command;
+
+use crate::app::SauteApp;
+use crate::words::piece_words::name;
+
+/// Most pieces that the kitchen holds (chosen: what a machine still computes).
+const MOST_PIECES: usize = 100;
+
+impl SauteApp {
+    /// Puts the wet cloth under the pan for its default time.
+    pub(super) fn cool_with_cloth(&mut self) {
+        let for_s = self.session.kitchen.room().cloth.default_s;
+        self.command(&Command::Cool { for_s });
+    }
+
+    pub(super) fn change_hob(&mut self, by: i8) {
+        let settings = self.session.kitchen.hob().coil.settings_w.clone();
+        let now = self.session.kitchen.hob_w();
+        let next = if by > 0 {
+            settings.iter().copied().find(|&w| w > now + 0.5)
+        } else {
+            settings.iter().rev().copied().find(|&w| w < now - 0.5)
+        };
+        if let Some(w) = next {
+            self.command(&Command::Hob(w));
+        }
+    }
+
+    pub(super) fn select_next(&mut self) {
+        let pieces = self.session.kitchen.pieces();
+        let next = if self.session.selected().is_some() { self.session.steak_index() + 1 } else { 0 };
+        let id = pieces.get(next).or(pieces.first()).map(|p| p.id.clone());
+        self.session.select(id);
+    }
+
+    /// Restarts with the chosen food and pan.
+    pub(super) fn set_out(&mut self) {
+        match self.session.set_out(&self.settings.choice) {
+            Ok(()) => self.motions.clear(),
+            Err(error) => self.say_trouble(&error),
+        }
+    }
+
+    /// Adds food to the kitchen, outside of the pan.
+    pub(super) fn add(&mut self, count: usize) {
+        let (here, l) = (self.session.kitchen.pieces().len(), self.settings.language);
+        if here + count > MOST_PIECES {
+            let room = MOST_PIECES.saturating_sub(here);
+            self.notice.say(l.fill("pantry.full", &[("most", &MOST_PIECES), ("room", &room)]));
+            return;
+        }
+        match self.session.add(&self.settings.choice, count) {
+            Ok(group) => {
+                let first = self.session.members(&group).into_iter().next();
+                self.session.select(first);
+                self.notice.say(l.fill("pantry.added", &[("count", &count), ("food", &name(&group, l))]));
+            }
+            Err(error) => self.say_trouble(&error),
+        }
+    }
+
+    /// Plays a recipe of the library.
+    pub(super) fn play(&mut self, id: &str) {
+        let library = std::sync::Arc::clone(&self.session.library);
+        if let Some(text) = library.recipes.get(id) {
+            self.open_recipe(text, &format!("{id}.toml"));
+        }
+    }
+
+    pub(super) fn restart(&mut self) {
+        if let Err(error) = self.session.restart() {
+            self.say_trouble(&error);
+        }
+        self.motions.clear();
+    }
+}

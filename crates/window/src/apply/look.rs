@@ -1,0 +1,55 @@
+//! Cut, split view, colour map and camera by acts.
+
+use saute_kitchen::Place;
+use saute_picture::View;
+use saute_picture::colour::map::TemperatureMap;
+use saute_picture::stage::{CUT_YAW, nearness};
+use saute_scene::camera::Camera;
+
+use crate::app::SauteApp;
+
+/// Last place of the cut on either side, as a share of the half-length [-] (chosen: a slice remains).
+const LAST_SLICE: f64 = 0.95;
+
+impl SauteApp {
+    /// Shows or hides the cut. In the pan its face points towards +x, so the camera moves to that side.
+    pub(super) fn toggle_slice(&mut self) {
+        self.slice = if self.slice.is_some() { None } else { Some(0.0) };
+        let in_pan = self.session.steak().is_some_and(saute_kitchen::Piece::in_pan);
+        if self.slice.is_some() && in_pan && !(0.35..2.6).contains(&self.camera.yaw) {
+            self.camera.yaw = CUT_YAW;
+        }
+    }
+
+    /// Moves the cut by a share of the half-length [-]; it stays within the food.
+    pub(super) fn shift_slice(&mut self, by: f64) {
+        self.slice = Some((self.slice.unwrap_or(0.0) + by).clamp(-LAST_SLICE, LAST_SLICE));
+    }
+
+    /// Shows the look next to the view, or the view alone. If the view is the look, it becomes the temperature.
+    pub(super) fn toggle_split(&mut self) {
+        self.settings.split = !self.settings.is_split();
+        if self.settings.split && self.settings.view == View::Look {
+            self.settings.view = View::Temperature;
+        }
+    }
+
+    pub(super) fn next_map(&mut self) {
+        self.settings.map = match self.settings.map {
+            TemperatureMap::Uniform => TemperatureMap::Paper2013,
+            TemperatureMap::Paper2013 => TemperatureMap::Uniform,
+        };
+    }
+
+    pub(super) fn next_camera(&mut self) {
+        self.camera_preset = (self.camera_preset + 1) % 3;
+        self.camera = [Camera::three_quarter, Camera::above, Camera::close_up][self.camera_preset]();
+        if self.camera_preset == 2 {
+            self.camera.zoom(self.session.steak().map_or(1.0, nearness));
+        }
+        let on_board = matches!(self.session.steak().map(|p| p.place), Some(Place::Rest(_) | Place::Waiting));
+        if self.camera_preset == 2 && on_board {
+            self.camera.target = saute_picture::waiting::FIRST_ON_BOARD;
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! Pieces of a session: added, removed, laid into the pan.
+
+use saute_kitchen::kitchen::SetupError;
+use saute_kitchen::{Command, Refused};
+
+use super::Session;
+use super::choice::{SteakChoice, base_name, group_of, orders};
+
+impl Session {
+    /// Adds waiting pieces in one group; returns the name of the group.
+    pub fn add(&mut self, choice: &SteakChoice, count: usize) -> Result<String, SetupError> {
+        let group = self.free_name(&base_name(&self.library, &choice.kind));
+        for order in orders(&self.library, choice, &group, count) {
+            self.kitchen.add(&self.library, &order)?;
+        }
+        self.weigh_new();
+        self.runner = None;
+        self.added.push((choice.clone(), count));
+        Ok(group)
+    }
+
+    /// Returns an unused name for a group: the base, or the base with the first free number.
+    fn free_name(&self, base: &str) -> String {
+        let taken = |name: &str| self.kitchen.pieces().iter().any(|p| group_of(&p.id) == name);
+        let numbered = (2..).map(|n| format!("{base}-{n}"));
+        std::iter::once(base.to_owned()).chain(numbered).find(|name| !taken(name)).unwrap_or_else(|| base.to_owned())
+    }
+
+    /// Removes pieces from the kitchen.
+    pub fn remove(&mut self, ids: &[String]) {
+        for id in ids {
+            self.kitchen.remove(id);
+            self.start_mass_g.remove(id);
+        }
+        self.runner = None;
+    }
+
+    /// Stores the mass of new pieces.
+    pub(super) fn weigh_new(&mut self) {
+        for piece in self.kitchen.pieces() {
+            self.start_mass_g.entry(piece.id.clone()).or_insert_with(|| 1e3 * piece.mass());
+        }
+    }
+
+    /// Lays as many pieces as fit side by side on the floor of the pan; returns their number.
+    pub fn lay(&mut self, ids: &[String]) -> Result<usize, Refused> {
+        let places = self.kitchen.free_places(ids, [0.0, 0.0]);
+        for (food, at) in ids.iter().zip(&places) {
+            self.command(&Command::Put { food: food.clone(), at: *at, heap: false })?;
+        }
+        Ok(places.len())
+    }
+
+    /// Drops pieces into the pan in a loose heap.
+    pub fn heap(&mut self, ids: &[String]) -> Result<(), Refused> {
+        let floor = self.kitchen.world().pan_shape().floor;
+        for (k, food) in ids.iter().enumerate() {
+            let at = on_spiral(k, ids.len(), HEAP_SHARE * floor);
+            self.command(&Command::Put { food: food.clone(), at, heap: true })?;
+        }
+        Ok(())
+    }
+}
+
+/// Share of the floor's radius over which a heap is dropped [-] (chosen: clear of the wall).
+const HEAP_SHARE: f64 = 0.62;
+
+/// Places spread evenly over a disc, the first in its middle [m].
+fn on_spiral(k: usize, count: usize, radius: f64) -> [f64; 2] {
+    /// The golden angle [rad]: no two turns of the spiral meet.
+    const TURN: f64 = 2.399_963_229_728_653;
+    let (share, angle) = ((k as f64 / count.max(1) as f64).sqrt(), TURN * k as f64);
+    [radius * share * angle.cos(), radius * share * angle.sin()]
+}
