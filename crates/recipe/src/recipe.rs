@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
+use crate::action::Action;
 use crate::check::recipe_check::Check;
 use saute_kitchen::data::library::Library;
-use saute_kitchen::hands::command::{Command, RestOn};
 use saute_kitchen::kitchen::{Kitchen, PieceOrder, SetupError};
 use saute_kitchen::piece::piece_state::Piece;
 use saute_kitchen::{InputError, InputText};
@@ -111,81 +111,6 @@ pub struct Target {
     pub foods: Vec<String>,
     /// Whether it is a group or [`ALL`]: then foods that an action cannot concern are passed over.
     pub group: bool,
-}
-
-/// What a step does.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Action {
-    /// Gives the kitchen a command.
-    Do(Command),
-    /// Does something to foods, one after the other.
-    Each(Target, Deed),
-    /// Ends the cook.
-    End,
-}
-
-/// What can be done to a food.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Deed {
-    /// Puts it into the pan.
-    Put {
-        /// Its place, or that about which several lie [m].
-        at: [f64; 2],
-        /// Dropped from above onto what lies there.
-        heap: bool,
-    },
-    /// Turns it over.
-    Flip,
-    /// Takes it out of the pan.
-    Rest(RestOn),
-    /// Cuts it in halves on the board.
-    Halve {
-        /// Distance of the cut from the middle along the long axis [m].
-        at: f64,
-    },
-    /// Presses it onto the floor.
-    Press {
-        /// With what force [N].
-        newtons: f64,
-        /// How long [s].
-        for_s: f64,
-    },
-    /// Pushes or carries it to a place in the pan, or several about it [m].
-    Move([f64; 2]),
-}
-
-impl Deed {
-    /// The command for one food at its place [m]; only what gives a food a place heeds that.
-    pub fn command(self, food: String, at: [f64; 2]) -> Command {
-        match self {
-            Self::Put { heap, .. } => Command::Put { food, at, heap },
-            Self::Flip => Command::Flip { food },
-            Self::Rest(on) => Command::Rest { food, on },
-            Self::Halve { at } => Command::Halve { food, at },
-            Self::Press { newtons, for_s } => Command::Press { food, newtons, for_s },
-            Self::Move(_) => Command::Move { food, to: at },
-        }
-    }
-
-    /// Whether it can be done to a piece as it lies now.
-    pub fn concerns(self, piece: &Piece) -> bool {
-        match self {
-            Self::Put { .. } => !piece.in_pan(),
-            Self::Halve { .. } => piece.lies_on_board() && piece.halved().is_none(),
-            Self::Flip | Self::Rest(_) | Self::Press { .. } | Self::Move(_) => piece.in_pan(),
-        }
-    }
-}
-
-impl Action {
-    /// How long the action keeps the next step waiting at least [s].
-    pub fn duration_s(&self) -> f64 {
-        match self {
-            Self::Do(Command::Cool { for_s } | Command::Shake { for_s, .. })
-            | Self::Each(_, Deed::Press { for_s, .. }) => *for_s,
-            _ => 0.0,
-        }
-    }
 }
 
 impl Recipe {

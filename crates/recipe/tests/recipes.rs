@@ -8,7 +8,7 @@ use saute_kitchen::{Command, Library, MeshSize, RestOn, kelvin};
 use saute_recipe::recipe::Quantity;
 use saute_recipe::recipe_file::RecipeFile;
 use saute_recipe::summary::FoodSummary;
-use saute_recipe::{Action, Cook, Deed, InputError, Recipe, StoppedBy, Trigger};
+use saute_recipe::{Action, Cook, FoodAction, InputError, PanAction, Recipe, StoppedBy, Trigger};
 use serde_json::Value;
 
 /// A steak and eleven carrots; steps are put in by the tests.
@@ -44,15 +44,15 @@ fn action(line: &str) -> Action {
 
 fn command(line: &str) -> Command {
     match action(line) {
-        Action::Do(command) => command,
+        Action::Pan(action) => action.command(),
         other => panic!("{line}: {other:?}"),
     }
 }
 
 /// Name of the target, number of its foods, and what is done to them.
-fn each(line: &str) -> (String, usize, Deed) {
+fn each(line: &str) -> (String, usize, FoodAction) {
     match action(line) {
-        Action::Each(target, deed) => (target.name, target.foods.len(), deed),
+        Action::Each(target, action) => (target.name, target.foods.len(), action),
         other => panic!("{line}: {other:?}"),
     }
 }
@@ -105,13 +105,16 @@ fn actions_arrive_in_si_units() {
     assert_eq!(command("lid = \"on\""), Command::Lid(true));
     assert_eq!(
         each("press = { food = \"carrots\", n = 20, for_s = 2 }"),
-        ("carrots".into(), 11, Deed::Press { newtons: 20.0, for_s: 2.0 })
+        ("carrots".into(), 11, FoodAction::Press { newtons: 20.0, for_s: 2.0 })
     );
-    assert_eq!(each("move = { food = \"steak\", to_mm = [30, -10] }"), ("steak".into(), 1, Deed::Move([0.03, -0.01])));
-    assert_eq!(each("flip = \"all\""), ("all".into(), 12, Deed::Flip));
+    assert_eq!(
+        each("move = { food = \"steak\", to_mm = [30, -10] }"),
+        ("steak".into(), 1, FoodAction::Move([0.03, -0.01]))
+    );
+    assert_eq!(each("flip = \"all\""), ("all".into(), 12, FoodAction::Flip));
     assert_eq!(
         each("rest = { food = \"carrots.3\", on = \"rack\" }"),
-        ("carrots.3".into(), 1, Deed::Rest(RestOn::Rack))
+        ("carrots.3".into(), 1, FoodAction::Rest(RestOn::Rack))
     );
 }
 
@@ -184,13 +187,13 @@ fn companions_stand_beside_a_bare_value_or_in_its_table() {
     let steps =
         ["put = \"steak\"\nat_mm = [10, 0]", "rest = \"steak\"\non = \"foil\"", "cool = \"wet-cloth\"\nfor_s = 9"];
     let recipe = parse(&with(&[steps[0], steps[1], steps[2], "end = true"])).unwrap();
-    let deed = |i: usize| match &recipe.steps[i].action {
-        Action::Each(_, deed) => *deed,
+    let food_action = |i: usize| match &recipe.steps[i].action {
+        Action::Each(_, action) => *action,
         other => panic!("{other:?}"),
     };
-    assert_eq!(deed(0), Deed::Put { at: [0.01, 0.0], heap: false });
-    assert_eq!(deed(1), Deed::Rest(RestOn::Foil));
-    assert_eq!(recipe.steps[2].action, Action::Do(Command::Cool { for_s: 9.0 }));
+    assert_eq!(food_action(0), FoodAction::Put { at: [0.01, 0.0], heap: false });
+    assert_eq!(food_action(1), FoodAction::Rest(RestOn::Foil));
+    assert_eq!(recipe.steps[2].action, Action::Pan(PanAction::Cool { for_s: 9.0 }));
 }
 
 #[test]
@@ -358,9 +361,9 @@ fn a_group_lies_side_by_side_is_turned_and_taken_out_as_one() {
     let cook = cook_through(&with(&steps)).unwrap();
     let places: Vec<_> = cook.kitchen.pieces().iter().map(|p| (p.id.clone(), p.place.name(), p.up()[2])).collect();
     println!("{places:?}");
-    let names: Vec<(&str, usize)> = cook.steps.iter().map(|s| (s.action, s.foods.len())).collect();
+    let names: Vec<(&str, usize)> = cook.steps.iter().map(|s| (s.action.name(), s.foods.len())).collect();
     assert_eq!(names, [("put", 11), ("flip", 11), ("rest", 1), ("rest", 10), ("end", 0)]);
-    assert_eq!(cook.steps[0].target.as_deref(), Some("carrots"));
+    assert_eq!(cook.steps[0].action.target().map(|t| t.name.as_str()), Some("carrots"));
     let pieces = cook.kitchen.pieces();
     assert!(pieces[1..].iter().all(saute_kitchen::Piece::upside_down));
     assert!(!pieces[0].upside_down());

@@ -102,7 +102,7 @@ impl Drawing<'_> {
     /// Returns the mark of a step that concerns this food or no single food.
     fn mark(&self, step: &StepRecord) -> Option<Mark> {
         let members = &self.summary.foods[self.told.members.clone()];
-        let concerns = step.target.is_none() || members.iter().any(|f| step.foods.contains(&f.id));
+        let concerns = step.action.target().is_none() || members.iter().any(|f| step.foods.contains(&f.id));
         let name = wording::mark(step).filter(|_| concerns)?.to_owned();
         let tooltip = format!("{}: {}", wording::duration(step.time_s), wording::step(step));
         Some(Mark { time_s: step.time_s, name, tooltip })

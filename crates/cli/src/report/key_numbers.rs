@@ -1,8 +1,8 @@
 //! The four most important numbers of a food; for a group their means.
 
 use maud::{Markup, html};
-use saute_recipe::Summary;
 use saute_recipe::summary::Told;
+use saute_recipe::{ActionKind, Summary};
 
 use crate::wording::duration;
 
@@ -39,9 +39,9 @@ fn mean_seconds_in_pan(summary: &Summary, told: &Told) -> f64 {
 fn seconds_in_pan(summary: &Summary, id: &str) -> f64 {
     let (mut total, mut since) = (0.0, None);
     for step in summary.steps.iter().filter(|s| s.foods.iter().any(|food| food == id)) {
-        match step.action {
-            "put" => since = Some(step.time_s),
-            "rest" => total += since.take().map_or(0.0, |s| step.time_s - s),
+        match step.action.kind() {
+            ActionKind::Put => since = Some(step.time_s),
+            ActionKind::Rest => total += since.take().map_or(0.0, |s| step.time_s - s),
             _ => {}
         }
     }

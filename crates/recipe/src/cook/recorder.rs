@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::action::ActionKind;
 use crate::cook::step_record::{StepRecord, rounded};
 use crate::recipe::Group;
 use saute_kitchen::celsius;
@@ -63,7 +64,7 @@ impl Recorder {
 
     /// Remembers the steps that were fired now.
     pub fn on_steps(&mut self, kitchen: &Kitchen, fired: &[StepRecord]) {
-        if fired.iter().any(|step| step.action == "put") {
+        if fired.iter().any(|step| step.action.kind() == ActionKind::Put) {
             self.on_put(kitchen);
         }
         if !fired.is_empty() {

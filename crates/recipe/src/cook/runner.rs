@@ -4,9 +4,11 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::cook::step_record::{StepRecord, parts, record};
+use crate::action::food_action::Destination;
+use crate::action::{Action, FoodAction};
+use crate::cook::step_record::StepRecord;
 use crate::cook::watch::Watch;
-use crate::recipe::{ALL, Action, Deed, Quantity, Recipe, Target, Trigger};
+use crate::recipe::{ALL, Quantity, Recipe, Target, Trigger};
 use saute_kitchen::InputError;
 use saute_kitchen::hands::command::{Command, Refused};
 use saute_kitchen::kitchen::Kitchen;
@@ -57,10 +59,9 @@ impl Runner {
         self.next
     }
 
-    /// What the step that is waited for does, as recipes write it, and to which food or group.
-    pub fn waiting_deed(&self) -> Option<(&'static str, Option<&str>)> {
-        let (key, target, _) = parts(&self.recipe.steps.get(self.next)?.action);
-        Some((key, target))
+    /// Returns the action of the next step; none after the last one.
+    pub fn waiting_action(&self) -> Option<&Action> {
+        Some(&self.recipe.steps.get(self.next)?.action)
     }
 
     /// When the action before has ended, from which `after_s` counts [s].
@@ -90,12 +91,12 @@ impl Runner {
     /// Groups that do not even fit into the empty pan are refused before anything is cooked.
     fn check_room(&self, kitchen: &Kitchen) -> Result<(), InputError> {
         for (step, entry) in self.recipe.steps.iter().enumerate() {
-            if let Action::Each(target, deed @ Deed::Put { at, heap: false }) = &entry.action
+            if let Action::Each(target, action @ FoodAction::Put { at, heap: false }) = &entry.action
                 && target.group
                 && target.name != ALL
             {
                 let places = kitchen.free_places(&target.foods, *at);
-                self.all_fit(step, &target.name, [places.len(), target.foods.len()], *deed)?;
+                self.all_fit(step, &target.name, [places.len(), target.foods.len()], *action)?;
             }
         }
         Ok(())
@@ -147,8 +148,8 @@ impl Runner {
         let action = self.recipe.steps[self.next].action.clone();
         let now = kitchen.time_s();
         let foods = match &action {
-            Action::Do(command) => self.apply(kitchen, command).map(|()| Vec::new()),
-            Action::Each(target, deed) => self.fire_each(kitchen, target, *deed),
+            Action::Pan(action) => self.apply(kitchen, &action.command()).map(|()| Vec::new()),
+            Action::Each(target, action) => self.fire_each(kitchen, target, *action),
             Action::End => Ok(Vec::new()),
         }?;
         self.ready_at = now + action.duration_s();
@@ -158,7 +159,7 @@ impl Runner {
         } else {
             self.next += 1;
         }
-        Ok(record(&action, foods, now))
+        Ok(StepRecord::new(action, foods, now))
     }
 
     fn apply(&self, kitchen: &mut Kitchen, command: &Command) -> Result<(), InputError> {
@@ -166,42 +167,41 @@ impl Runner {
         kitchen.apply(command).map_err(refused)
     }
 
-    /// Gives a command for each food that the deed can concern; returns those.
-    fn fire_each(&self, kitchen: &mut Kitchen, target: &Target, deed: Deed) -> Result<Vec<String>, InputError> {
-        let foods = concerned(kitchen, target, deed);
-        let places = self.places(kitchen, target, &foods, deed)?;
+    /// Applies the action to each food that meets its requirement; returns the ids of these foods.
+    fn fire_each(&self, kitchen: &mut Kitchen, target: &Target, action: FoodAction) -> Result<Vec<String>, InputError> {
+        let foods = concerned(kitchen, target, action);
+        let places = self.places(kitchen, target, &foods, action)?;
         for (food, at) in foods.iter().zip(places) {
-            self.apply(kitchen, &deed.command(food.clone(), at))?;
+            self.apply(kitchen, &action.command(food.clone(), at))?;
         }
         Ok(foods)
     }
 
-    /// Where each food goes: a single one, and those that are heaped, where the recipe says; a group side by side.
+    /// Returns the place of each food [m]: side by side for a group, otherwise the place of the recipe.
     fn places(
         &self,
         kitchen: &Kitchen,
         target: &Target,
         foods: &[String],
-        deed: Deed,
+        action: FoodAction,
     ) -> Result<Vec<[f64; 2]>, InputError> {
-        let around = match deed {
-            Deed::Put { at, heap: false } | Deed::Move(at) if target.group => at,
-            Deed::Put { at, .. } | Deed::Move(at) => return Ok(vec![at; foods.len()]),
-            _ => return Ok(vec![[0.0; 2]; foods.len()]),
+        let places = match action.destination() {
+            Some(Destination { at, side_by_side: true }) if target.group => kitchen.free_places(foods, at),
+            Some(Destination { at, .. }) => vec![at; foods.len()],
+            None => vec![[0.0; 2]; foods.len()],
         };
-        let places = kitchen.free_places(foods, around);
-        self.all_fit(self.next, &target.name, [places.len(), foods.len()], deed)?;
+        self.all_fit(self.next, &target.name, [places.len(), foods.len()], action)?;
         Ok(places)
     }
 
-    /// An error where fewer foods than all find room.
-    fn all_fit(&self, step: usize, name: &str, [fit, all]: [usize; 2], deed: Deed) -> Result<(), InputError> {
+    /// Returns an error if fewer foods fit than the action has.
+    fn all_fit(&self, step: usize, name: &str, [fit, all]: [usize; 2], action: FoodAction) -> Result<(), InputError> {
         if fit == all {
             return Ok(());
         }
         let message = format!("not all of \"{name}\" find room on the floor of the pan: {fit} of {all} fit");
         let heap = format!("write put = {{ food = \"{name}\", heap = true }} to drop them onto each other");
-        let other = if matches!(deed, Deed::Move(_)) { "take something out before this step" } else { &heap };
+        let other = if matches!(action, FoodAction::Move(_)) { "take something out before this step" } else { &heap };
         Err(self.error(step, message, &format!("choose fewer or smaller pieces, or {other}")))
     }
 
@@ -213,8 +213,8 @@ impl Runner {
     /// What the waiting step waits for, in words.
     pub fn waiting_for(&self) -> String {
         let Some(step) = self.recipe.steps.get(self.next) else { return "the end".into() };
-        let (key, target, _) = parts(&step.action);
-        let what = target.map_or_else(|| key.to_owned(), |t| format!("{key} {t}"));
+        let name = step.action.name();
+        let what = step.action.target().map_or_else(|| name.to_owned(), |t| format!("{name} {}", t.name));
         match &step.trigger {
             Trigger::At(s) => format!("{what} at {s:.0} s"),
             Trigger::After(s) => format!("{what} at {:.0} s", self.ready_at + s),
@@ -240,10 +240,10 @@ fn expected(target: &Target, quantity: Quantity, value: f64) -> String {
     }
 }
 
-/// The foods that a deed can concern: of a group those that lie where the deed needs them. Where there is none,
-/// all of them, so that the kitchen says why.
-fn concerned(kitchen: &Kitchen, target: &Target, deed: Deed) -> Vec<String> {
-    let fits = |id: &&String| kitchen.piece(id).is_some_and(|p| deed.concerns(p));
+/// Returns the foods of a target on which an action acts: of a group, those that meet its requirement. If none does, it
+/// returns all of them, and the kitchen's refusal states the reason.
+fn concerned(kitchen: &Kitchen, target: &Target, action: FoodAction) -> Vec<String> {
+    let fits = |id: &&String| kitchen.piece(id).is_some_and(|p| action.requirement().met_by(p));
     let fitting: Vec<String> = target.foods.iter().filter(fits).cloned().collect();
     if target.group && !fitting.is_empty() { fitting } else { target.foods.clone() }
 }

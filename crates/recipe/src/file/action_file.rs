@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::file::shorthand::Shorthand;
+use crate::file::shorthand::{Shorthand, Written};
 use saute_kitchen::hands::command::RestOn;
 
 /// Smallest and largest value of a key and what it is unless given, in the unit of the key.
@@ -236,6 +236,18 @@ pub struct MoveTable {
 pub struct LidTable {
     /// Whether it lies on the pan.
     pub on: OnOff,
+}
+
+/// The value of `end`.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(transparent)]
+#[schemars(inline)]
+pub struct EndValue(#[schemars(with = "bool")] pub Spanned<bool>);
+
+impl Written for EndValue {
+    fn is_bare(&self) -> bool {
+        true
+    }
 }
 
 /// Yes or no, also in words.

@@ -3,3 +3,4 @@
 pub mod action_file;
 pub mod recipe_file;
 pub mod shorthand;
+pub mod step_file;

@@ -29,8 +29,20 @@ pub struct Entry<T> {
     pub bare: bool,
 }
 
-/// What stands in the text.
-enum Written<B, T> {
+/// The value of an action's key.
+pub trait Written {
+    /// Returns true if it is a bare value, not a table.
+    fn is_bare(&self) -> bool;
+}
+
+impl<T> Written for Entry<T> {
+    fn is_bare(&self) -> bool {
+        self.bare
+    }
+}
+
+/// A bare value or a table, as the text has it.
+enum BareOrTable<B, T> {
     Bare(B),
     Table(T),
 }
@@ -41,12 +53,12 @@ where
     T::Bare: Deserialize<'de>,
 {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let written = Spanned::<Written<T::Bare, T>>::deserialize(deserializer)?;
+        let written = Spanned::<BareOrTable<T::Bare, T>>::deserialize(deserializer)?;
         let span = written.span();
         let at = span.start;
         match written.into_inner() {
-            Written::Table(table) => Ok(Self { table, at, bare: false }),
-            Written::Bare(bare) => {
+            BareOrTable::Table(table) => Ok(Self { table, at, bare: false }),
+            BareOrTable::Bare(bare) => {
                 let table = T::from_bare(Spanned::new(span, bare)).map_err(D::Error::custom)?;
                 Ok(Self { table, at, bare: true })
             }
@@ -55,7 +67,7 @@ where
 }
 
 /// Told apart by what stands there, so that errors keep their place in the file.
-impl<'de, B: Deserialize<'de>, T: Deserialize<'de>> Deserialize<'de> for Written<B, T> {
+impl<'de, B: Deserialize<'de>, T: Deserialize<'de>> Deserialize<'de> for BareOrTable<B, T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(Either(PhantomData))
     }
@@ -64,18 +76,18 @@ impl<'de, B: Deserialize<'de>, T: Deserialize<'de>> Deserialize<'de> for Written
 struct Either<B, T>(PhantomData<(B, T)>);
 
 impl<'de, B: Deserialize<'de>, T: Deserialize<'de>> Visitor<'de> for Either<B, T> {
-    type Value = Written<B, T>;
+    type Value = BareOrTable<B, T>;
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str("one value or a table")
     }
 
     fn visit_bool<E: Error>(self, v: bool) -> Result<Self::Value, E> {
-        B::deserialize(BoolDeserializer::new(v)).map(Written::Bare)
+        B::deserialize(BoolDeserializer::new(v)).map(BareOrTable::Bare)
     }
 
     fn visit_f64<E: Error>(self, v: f64) -> Result<Self::Value, E> {
-        B::deserialize(F64Deserializer::new(v)).map(Written::Bare)
+        B::deserialize(F64Deserializer::new(v)).map(BareOrTable::Bare)
     }
 
     fn visit_i64<E: Error>(self, v: i64) -> Result<Self::Value, E> {
@@ -83,11 +95,11 @@ impl<'de, B: Deserialize<'de>, T: Deserialize<'de>> Visitor<'de> for Either<B, T
     }
 
     fn visit_str<E: Error>(self, v: &str) -> Result<Self::Value, E> {
-        B::deserialize(StrDeserializer::new(v)).map(Written::Bare)
+        B::deserialize(StrDeserializer::new(v)).map(BareOrTable::Bare)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
-        T::deserialize(MapAccessDeserializer::new(map)).map(Written::Table)
+        T::deserialize(MapAccessDeserializer::new(map)).map(BareOrTable::Table)
     }
 }
 
