@@ -69,7 +69,8 @@ impl FoodAction {
         }
     }
 
-    /// Returns the command for one food. `at` is the place of this food [m]; an action without a destination ignores it.
+    /// Returns the command for one food. `at` is the place of this food [m]; an action without a destination ignores
+    /// it.
     pub fn command(self, food: String, at: [f64; 2]) -> Command {
         match self {
             Self::Put { heap, .. } => Command::Put { food, at, heap },

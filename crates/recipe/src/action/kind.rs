@@ -11,8 +11,8 @@ use crate::file::action_file::{
 };
 use crate::file::shorthand::{Entry, Written};
 
-/// Declares [`ActionKind`] and [`ActionEntry`] from one row for each action: kind, key, format, an example value for a food
-/// with the id "steak", description.
+/// Declares [`ActionKind`] and [`ActionEntry`] from one row for each action: kind, key, format, example, description. The
+/// example is a value for a recipe with a food "steak".
 macro_rules! actions {
     ($($kind:ident $name:literal $format:ty, $example:literal, $summary:literal;)*) => {
         /// Kinds of actions, in the order of their keys.

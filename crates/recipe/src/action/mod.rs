@@ -1,4 +1,18 @@
 //! The actions of a recipe. [`ActionKind`] lists them; [`Action`] is one of them, checked and in SI units.
+//!
+//! ```
+//! use saute_kitchen::Library;
+//! use saute_recipe::{Action, ActionKind, PanAction, Recipe};
+//!
+//! let text = "[[step]]\noil_g = { g = 10, kind = \"canola\" }\n[[step]]\nend = true";
+//! let recipe = Recipe::parse(text, "oil.toml", &Library::embedded()?)?;
+//! let action = &recipe.steps[0].action;
+//! // Grams in the file, kilograms in the action.
+//! assert_eq!(*action, Action::Pan(PanAction::Oil { kind: Some("canola".into()), mass: 0.01 }));
+//! assert_eq!((action.kind(), action.name()), (ActionKind::Oil, "oil_g"));
+//! assert_eq!(action.words(), "10 g canola oil");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod food_action;
 pub mod kind;

@@ -1,4 +1,4 @@
-//! Checks the action of a step and turns it into SI units.
+//! Checks the action of a step and converts it to SI units.
 
 use toml::Spanned;
 
@@ -84,7 +84,7 @@ impl Check<'_> {
         Ok(PanAction::Water(self.grams("water_g", &water.g, WATER_G)?))
     }
 
-    /// Grams in their range [kg].
+    /// Returns a mass of at least `low` and at most `high` grams [kg].
     fn grams(&self, key: &str, g: &Spanned<f64>, [low, high]: [f64; 2]) -> Checked<f64> {
         Ok(1e-3 * self.input.ranged(key, g, low, high)?)
     }
@@ -131,12 +131,12 @@ impl Check<'_> {
         Ok(FoodAction::Move(self.place("move.to_mm", to.to_mm.as_ref(), 200.0, "of the pan's centre")?))
     }
 
-    /// A number within its limits, or its default.
+    /// Returns a number within its limits, or its default.
     fn limited(&self, key: &str, value: Option<&Spanned<f64>>, limits: Limits) -> Checked<f64> {
         value.map_or(Ok(limits.default), |v| self.input.ranged(key, v, limits.low, limits.high))
     }
 
-    /// Two numbers within `farthest` [mm] as a place [m]; the middle unless given.
+    /// Returns a place with both coordinates within ± `farthest` mm [m]; the centre by default.
     fn place(&self, key: &str, at: Option<&Spanned<Vec<f64>>>, farthest: f64, of: &str) -> Checked<[f64; 2]> {
         let Some(at) = at else { return Ok([0.0, 0.0]) };
         match <[f64; 2]>::try_from(at.get_ref().as_slice()) {

@@ -1,4 +1,4 @@
-//! Checks a recipe as it is written and turns it into SI units.
+//! Checks a recipe file and converts it to SI units.
 
 use saute_food::{FoodDescription, MeshSize, Rules};
 use toml::Spanned;
@@ -12,13 +12,13 @@ use saute_kitchen::kelvin;
 use saute_kitchen::kitchen::PieceOrder;
 use saute_kitchen::{InputError, InputText};
 
-/// A recipe's text with what it may name.
+/// A recipe's text and the library with the foods and pans that it can name.
 pub(crate) struct Check<'a> {
     pub(crate) input: InputText<'a>,
     pub(crate) library: &'a Library,
 }
 
-/// The foods of a recipe by their names.
+/// The foods and groups that steps can name.
 pub(crate) struct FoodNames {
     foods: Vec<PieceOrder>,
     groups: Vec<Group>,
@@ -129,7 +129,7 @@ impl Check<'_> {
         Ok(())
     }
 
-    /// How many pieces a group has; none where the food is a single piece.
+    /// Returns the number of pieces of a group; none for a single piece.
     fn count(&self, entry: &FoodEntry) -> Checked<Option<u64>> {
         let Some(count) = &entry.count else { return Ok(None) };
         if (1..=MOST_PIECES).contains(count.get_ref()) {
@@ -238,7 +238,7 @@ impl Check<'_> {
         Ok(trigger)
     }
 
-    /// The foods behind a name: a piece, a group, or all.
+    /// Returns the foods with a name: a piece, a group, or all. `key` is named in the error.
     pub(crate) fn target(&self, id: &Spanned<String>, key: &str, names: &FoodNames) -> Checked<Target> {
         let name = id.get_ref();
         let ids = |foods: &[PieceOrder]| foods.iter().map(|f| f.id.clone()).collect();
@@ -257,7 +257,7 @@ impl Check<'_> {
 }
 
 impl FoodNames {
-    /// Which names could be used.
+    /// Returns a remedy that lists the names.
     fn remedy(&self) -> String {
         if self.foods.is_empty() {
             return "add a [[food]] with that id".to_owned();
@@ -273,7 +273,7 @@ impl FoodNames {
     }
 }
 
-/// A title that says which rules were followed, unless it was all of them.
+/// Returns the title, marked if the recipe follows the rules of 2013.
 fn labelled(title: String, rules: Rules) -> String {
     match rules {
         Rules::Full => title,

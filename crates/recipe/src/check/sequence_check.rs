@@ -59,7 +59,7 @@ impl<'a> Sequence<'a> {
         Self { input, foods: foods.map(|id| (id, raw)).collect(), earliest: 0.0 }
     }
 
-    /// Checks all steps, each with its place in the text.
+    /// Checks all steps; `places` are their offsets in the text [bytes].
     pub(crate) fn check(mut self, steps: &'a [Step], places: &[usize]) -> Result<(), InputError> {
         let ends = |s: &Step| s.action == Action::End;
         for (step, at) in steps.iter().zip(places) {

@@ -1,4 +1,4 @@
-//! Runs the steps of a recipe against a kitchen.
+//! Runs the steps of a recipe in a kitchen.
 
 use std::sync::Arc;
 
@@ -6,32 +6,32 @@ use serde::Serialize;
 
 use crate::action::food_action::Destination;
 use crate::action::{Action, FoodAction};
+use crate::cook::crossing::Crossing;
 use crate::cook::step_record::StepRecord;
-use crate::cook::watch::Watch;
 use crate::recipe::{ALL, Quantity, Recipe, Target, Trigger};
 use saute_kitchen::InputError;
 use saute_kitchen::hands::command::{Command, Refused};
 use saute_kitchen::kitchen::Kitchen;
 use saute_kitchen::{TICK_S, celsius};
 
-/// Why a cook stopped.
+/// The reason for which a cook stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum StoppedBy {
-    /// The recipe's last step.
+    /// The recipe's `end`.
     End,
     /// The recipe's `max_s`.
     MaxS,
 }
 
-/// Walks through a recipe's steps.
+/// Runs a recipe's steps in order.
 #[derive(Clone, Debug)]
 pub struct Runner {
     recipe: Arc<Recipe>,
     next: usize,
     begun: bool,
     ready_at: f64,
-    armed: Option<Watch>,
+    armed: Option<Crossing>,
     stopped: Option<StoppedBy>,
 }
 
@@ -39,22 +39,22 @@ pub struct Runner {
 const SAME_TIME: f64 = 1e-6;
 
 impl Runner {
-    /// Starts at the first step.
+    /// Returns a runner before the first step.
     pub fn new(recipe: Arc<Recipe>) -> Self {
         Self { recipe, next: 0, begun: false, ready_at: 0.0, armed: None, stopped: None }
     }
 
-    /// The recipe.
+    /// Returns the recipe.
     pub fn recipe(&self) -> &Arc<Recipe> {
         &self.recipe
     }
 
-    /// Why the cook stopped, once it has.
+    /// Returns the reason for which the cook stopped; none while it goes on.
     pub fn stopped(&self) -> Option<StoppedBy> {
         self.stopped
     }
 
-    /// Index of the step that is waited for.
+    /// Returns the index of the next step.
     pub fn waiting_step(&self) -> usize {
         self.next
     }
@@ -64,12 +64,16 @@ impl Runner {
         Some(&self.recipe.steps.get(self.next)?.action)
     }
 
-    /// When the action before has ended, from which `after_s` counts [s].
+    /// Returns the end of the previous action, from which `after_s` counts [s].
     pub fn ready_at_s(&self) -> f64 {
         self.ready_at
     }
 
-    /// Fires every step that is due now and returns what was done; call it between ticks.
+    /// Fires every step that is due now and returns these steps. Call it between ticks.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error with the line of a step that cannot be carried out.
     pub fn poll(&mut self, kitchen: &mut Kitchen) -> Result<Vec<StepRecord>, InputError> {
         if !self.begun {
             self.begun = true;
@@ -88,7 +92,7 @@ impl Runner {
         Ok(fired)
     }
 
-    /// Groups that do not even fit into the empty pan are refused before anything is cooked.
+    /// Checks that every group fits into the empty pan, before the cook starts.
     fn check_room(&self, kitchen: &Kitchen) -> Result<(), InputError> {
         for (step, entry) in self.recipe.steps.iter().enumerate() {
             if let Action::Each(target, action @ FoodAction::Put { at, heap: false }) = &entry.action
@@ -102,14 +106,14 @@ impl Runner {
         Ok(())
     }
 
-    /// At `max_s` itself a step that is due still counts.
+    /// Returns true if a step is due at `max_s` itself.
     fn due_at_the_end(&mut self, kitchen: &Kitchen) -> bool {
         matches!(self.due(kitchen), Ok(true))
     }
 
     fn due(&mut self, kitchen: &Kitchen) -> Result<bool, InputError> {
         let now = kitchen.time_s();
-        // A step at a time of its own fires then; all others wait until the hands are done with the step before.
+        // A step with `at_s` fires at its time; all others wait until the hands have finished the previous step.
         let at_its_time = matches!(self.recipe.steps[self.next].trigger, Trigger::At(_));
         if kitchen.busy() && !at_its_time {
             return Ok(false);
@@ -127,7 +131,7 @@ impl Runner {
                         "use a later at_s, or after_s",
                     ));
                 }
-                self.armed = Some(Watch::on(&[]));
+                self.armed = Some(Crossing::new(&[]));
                 Ok(now >= s - SAME_TIME)
             }
             Trigger::After(s) => Ok(now >= self.ready_at + s - SAME_TIME),
@@ -139,9 +143,9 @@ impl Runner {
         }
     }
 
-    /// Whether the differences have crossed zero since the step was armed.
+    /// Returns true once all differences have crossed zero since the step was armed.
     fn crossed(&mut self, differences: &[f64]) -> bool {
-        self.armed.get_or_insert_with(|| Watch::on(differences)).look(differences)
+        self.armed.get_or_insert_with(|| Crossing::new(differences)).update(differences)
     }
 
     fn fire(&mut self, kitchen: &mut Kitchen) -> Result<StepRecord, InputError> {
@@ -210,7 +214,7 @@ impl Runner {
         InputError { file: self.recipe.file.clone(), line, message, remedy: remedy.to_owned() }
     }
 
-    /// What the waiting step waits for, in words.
+    /// Returns the next step and its trigger in English: `flip steak at 90 s`.
     pub fn waiting_for(&self) -> String {
         let Some(step) = self.recipe.steps.get(self.next) else { return "the end".into() };
         let name = step.action.name();
@@ -224,7 +228,7 @@ impl Runner {
     }
 }
 
-/// A condition on foods in words.
+/// Returns a condition on foods in English.
 fn expected(target: &Target, quantity: Quantity, value: f64) -> String {
     let name = match (target.group, target.name.as_str()) {
         (true, ALL) => "every food".to_owned(),

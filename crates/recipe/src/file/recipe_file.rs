@@ -1,4 +1,4 @@
-//! The recipe format as it is written, before anything is checked.
+//! The format of a recipe file.
 
 use schemars::JsonSchema;
 use serde::Deserialize;

@@ -1,4 +1,4 @@
-//! A key that takes a table, or one bare value that stands for the table with its defaults: `oil_g = 10`.
+//! A key with a table, or with one bare value and the defaults of the table: `oil_g = 10`.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -9,23 +9,27 @@ use serde::de::value::{BoolDeserializer, F64Deserializer, MapAccessDeserializer,
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use toml::Spanned;
 
-/// A table that a bare value can stand for.
+/// A table that can be written as a bare value.
 pub trait Shorthand: Sized {
-    /// The bare value.
+    /// Type of the bare value.
     type Bare;
 
-    /// The table with the bare value and defaults; or why the value says nothing.
+    /// Returns the table with the bare value and defaults.
+    ///
+    /// # Errors
+    ///
+    /// Returns a message if the value has no effect.
     fn from_bare(bare: Spanned<Self::Bare>) -> Result<Self, &'static str>;
 }
 
-/// A table, written out or by its shorthand.
+/// A table, written in full or as a bare value.
 #[derive(Clone, Debug)]
 pub struct Entry<T> {
     /// The table.
     pub table: T,
     /// Byte offset in the text.
     pub at: usize,
-    /// Whether it was written by its shorthand.
+    /// True if it was written as a bare value.
     pub bare: bool,
 }
 
@@ -66,7 +70,7 @@ where
     }
 }
 
-/// Told apart by what stands there, so that errors keep their place in the file.
+/// The TOML type selects the variant. `#[serde(untagged)]` would lose the place of an error in the file.
 impl<'de, B: Deserialize<'de>, T: Deserialize<'de>> Deserialize<'de> for BareOrTable<B, T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(Either(PhantomData))
