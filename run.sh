@@ -12,11 +12,10 @@ export XDG_RUNTIME_DIR="${XDG_RUNTIME_DIR:-/tmp}"
 # Cargo shows its progress on a terminal as a bar, elsewhere as lines. Later builds are silent unless on a terminal.
 progress=()
 if [ ! -x "${CARGO_TARGET_DIR:-target}/release/saute" ]; then
-    say "first build: about 10 minutes on 2 cores; later starts take seconds"
+    say "first build: about 6 minutes on 2 cores; later starts take seconds"
 elif [ ! -t 2 ]; then
     progress=(--quiet)
 fi
-# `saute haptics check` looks for it beside saute.
-cargo build --release ${progress[@]+"${progress[@]}"} -p saute-spidar-sim
-cargo build --release ${progress[@]+"${progress[@]}"} -p saute
+# `saute haptics check` looks for the simulator beside saute.
+cargo build --release ${progress[@]+"${progress[@]}"} -p saute -p saute-spidar-sim
 exec cargo run --release --quiet -p saute -- "$@"

@@ -33,6 +33,8 @@ docs() { RUSTDOCFLAGS="-D warnings" cargo doc --release --workspace --no-deps; }
 everything() {
     step "format" cargo fmt --all --check
     step "lints" cargo clippy --release --workspace --all-targets -- -D warnings
+    # Apart from the tests, so that cargo can show how far it is.
+    step "build of the tests" cargo test --release --workspace --no-run
     step "tests" tests
     step "instruction counts" compare_counts
     step "docs" docs

@@ -45,7 +45,8 @@ count() {
     folder="$(counts_folder)"
     rm -rf "$folder"
     mkdir -p "$folder"
-    cargo build --release -p saute-counts
+    # With the same features of dependencies as the tests, so that nothing is built twice.
+    cargo test --release --workspace --no-run 2> >(grep -v '^  Executable' >&2)
     program="$(counts_program)"
     export -f say count_one own_instructions
     export PLAIN_PROCESSOR

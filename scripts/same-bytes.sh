@@ -17,7 +17,7 @@
 # Both programs read the same recipe files: those saved with BASE. Shipped recipes are inside the programs.
 #
 # Allowed differences: the line `wall_s` of a JSON; the texts in `warnings` (their number counts); the name of the second
-# column of series.csv, `hob_w` before and `hob_drawn_w` now. Checksums of the pictures of cross-sections (sections.sums)
+# column of series.csv, `hob_w` before and `hob_drawn_w` now; the sources of validation cases. Checksums of the pictures of cross-sections (sections.sums)
 # are compared too, but a difference there is only a notice.
 set -euo pipefail
 here="$(cd "$(dirname "$0")/.." && pwd)"
@@ -162,6 +162,15 @@ save() {
     make_results "$(realpath "$1")" "$(realpath "$1")/results" "$2"
 }
 
+# comparable FILE: what counts of a result: the sources of validation cases are texts for people.
+comparable() {
+    case "$(basename "$1")" in
+        validate-*.json) sed '/^ *"source":/d' "$1" ;;
+        table.txt) sed '/^  [^ ]/d' "$1" ;;
+        *) cat "$1" ;;
+    esac
+}
+
 # differences BASE MINE: prints what differs; fails if a result does.
 differences() {
     local file name bad=0 pictures=0
@@ -169,7 +178,7 @@ differences() {
         name="$(basename "$file")"
         # With PATTERN only some runs were made.
         [ -e "$2/${name%%.*}.exit" ] || continue
-        if cmp -s "$file" "$2/$name"; then continue; fi
+        if cmp -s <(comparable "$file") <(comparable "$2/$name" 2>&1); then continue; fi
         case "$name" in
             *.sections.sums)
                 pictures=$((pictures + 1))
@@ -178,7 +187,7 @@ differences() {
             *)
                 bad=$((bad + 1))
                 say "DIFFERS: $name"
-                diff "$file" "$2/$name" 2>&1 | head -8 >&2 || true
+                diff <(comparable "$file") <(comparable "$2/$name") 2>&1 | head -8 >&2 || true
                 ;;
         esac
     done

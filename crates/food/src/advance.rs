@@ -1,6 +1,10 @@
-//! One tick of a piece of food between given surroundings.
+//! Time integration of a piece of food: one tick with given surroundings.
+//!
+//! Time: conduction is explicit with as many sub-steps as the stability limit requires (one, as a rule); exchange
+//! with the surroundings is implicit in the node's own temperature. Both keep every temperature within the range of
+//! those it is coupled to, and both conserve energy.
 
-use saute_heat::Conduction;
+use saute_heat::{Conduction, Layers, SweptMesh};
 
 use crate::body::patch::{Face, Patch};
 use crate::change::browning::BROWNING_FROM;
@@ -8,89 +12,98 @@ use crate::change::changes::CHANGES_FROM;
 use crate::model::FoodModel;
 use crate::paper_2013::{self, Rules};
 use crate::state::FoodState;
-use crate::water::air_film::{AirFilm, FreeAir, HOTTEST_WET};
+use crate::water::air_film::FreeAir;
+use crate::water::films::Films;
 use crate::water::juice::Runoff;
 use crate::water::vapour::latent_heat;
 
-/// Nodes above this may boil [K].
+/// Temperature above which a node is checked for boiling [K] (chosen: 1 K below the boiling point of water).
 const NEARLY_BOILING: f64 = 372.15;
-/// Ticks between two refreshes of properties, proteins, browning and juice (chosen: half a second).
+/// Ticks between two refreshes of properties, proteins, browning and juice [-] (chosen: half a second).
 pub const REFRESH_TICKS: u64 = 5;
-/// Ticks between two refreshes of the conductances (chosen: a second, in which conductivity changes by less than a percent
-/// but in a crust that is just drying).
+/// Ticks between two refreshes of the conductances [-] (chosen: one second; conductivity changes by less than 1 % in it,
+/// except in a crust that is drying).
 const CONDUCTION_TICKS: u64 = 2 * REFRESH_TICKS;
-/// Ticks between two refreshes of the shape (chosen: two seconds, in which it changes by less than a thousandth).
+/// Ticks between two refreshes of the shape [-] (chosen: two seconds; lengths change by less than 0.1 % in it).
 const SHAPE_TICKS: u64 = 20;
-/// Most steps a tick is divided into (chosen: reached by layers of a few nanometres).
+/// Largest number of steps in a tick [-] (chosen: only layers of a few nanometres reach it).
 const MOST_SUBSTEPS: f64 = 4.0e9;
-/// Share of the stability limit that a step may use: properties are up to half a second old [-].
+/// Number of nodes that are checked for boiling together [-] (chosen: a block fits a few SIMD vectors).
+const BLOCK: usize = 32;
+/// Share of the stability limit that a step may use [-] (chosen: properties are up to half a second old).
 const STABILITY_MARGIN: f64 = 0.8;
 
-/// What a patch touches.
+/// Contact of a patch with a surface, such as a pan or a board.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Touch {
-    /// Contact conductance [W/(m²·K)]; 0 where the patch is free.
+    /// Contact conductance [W/(m²·K)]; 0 without contact.
     pub conductance: f64,
-    /// Temperature of what it touches [K].
+    /// Temperature of the touched surface [K].
     pub temperature: f64,
 }
 
 impl Touch {
-    /// A patch that is closed to the air by something that passes no heat here: what passes is reckoned elsewhere.
+    /// A contact that seals the patch from the air and conducts no heat; its heat flow is computed elsewhere.
     pub const CLOSED: Self = Self { conductance: f64::MIN_POSITIVE, temperature: 0.0 };
 }
 
-/// Everything around a piece during one tick.
+/// Surroundings of a piece during one tick: contacts and air.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings<'a> {
-    /// What the patches touch, in their order; patches beyond its end are free.
+    /// Contact of each patch, in the order of the patches; patches beyond its end have no contact.
     pub touch: &'a [Touch],
-    /// Airs before free patches; each patch names its own.
+    /// Air zones; [`Patch::air`] is the index of the zone in front of a patch.
     pub air: &'a [FreeAir],
 }
 
-/// What passed between a piece and its surroundings in one tick; heat taken from contacts is in
-/// [`FoodSolver::contact_heat`].
+/// Heat and mass exchanged between a piece and its surroundings in one tick.
+///
+/// [`FoodSolver::contact_heat`] holds the heat that came from contacts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Exchange {
-    /// Heat given to air and walls [J].
+    /// Heat lost to air and walls by convection and radiation [J].
     pub air: f64,
-    /// Vapour given off [kg].
+    /// Mass of evaporated water [kg].
     pub evaporated: f64,
-    /// Enthalpy of that vapour above liquid water at 0 °C [J].
+    /// Enthalpy of the evaporated water above liquid water at 0 °C [J].
     pub evaporation: f64,
-    /// Juice that ran off.
+    /// Juice that ran off the piece.
     pub drip: Runoff,
-    /// Fat that ran off.
+    /// Fat that ran off the piece.
     pub rendered: Runoff,
 }
 
-/// Scratch space and cached properties of one piece.
+/// Time integrator of one piece, with cached properties and scratch space.
+///
+/// It caches the conductances of its model: start with a new one after [`FoodModel::halved`].
 #[derive(Clone, Debug, Default)]
 pub struct FoodSolver {
+    /// Conduction layer by layer; none in a body without identical layers.
+    layers: Option<Layers>,
+    /// Conduction edge by edge, in a body without identical layers.
     conduction: Conduction,
-    /// Conductivity across and along the fibres times the stretches [W/(m·K)].
+    /// Conductivity across and along the fibres, times the stretch ratios [W/(m·K)].
     conductivity: [Vec<f64>; 2],
-    /// Heat capacity [J/K] and one over it.
+    /// Heat capacity of each node [J/K] and its reciprocal [K/J].
     capacity: Vec<f64>,
     per_capacity: Vec<f64>,
     power: Vec<f64>,
-    /// Exchange of each patch with air, while it is free.
-    films: Vec<AirFilm>,
+    /// Exchange of each patch with air, used while it has no contact.
+    films: Films,
     hot: Vec<u32>,
-    /// The last state in which everything was finite.
+    /// The last state without a non-finite value.
     sound: Option<FoodState>,
-    /// Heat taken from what each patch touches in the last tick [J].
+    /// Heat gained by each patch from its contact in the last tick [J].
     pub contact_heat: Vec<f64>,
-    /// Steps into which the last tick was divided.
+    /// Number of steps in the last tick [-].
     pub substeps: u32,
 }
 
 impl FoodSolver {
-    /// Moves a piece through one tick of `dt` [s].
+    /// Advances a piece by one tick of `dt` [s] and returns the exchanged heat and mass.
     ///
-    /// A piece that becomes non-finite goes back to its last sound state (at most [`REFRESH_TICKS`] old), stops
-    /// changing and says so by [`FoodState::healthy`].
+    /// After a non-finite value the piece returns to its last finite state (at most [`REFRESH_TICKS`] old). It no longer
+    /// changes, and [`FoodState::healthy`] is false.
     pub fn advance(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64) -> Exchange {
         let mut total = Exchange::default();
         self.contact_heat.clear();
@@ -107,15 +120,16 @@ impl FoodSolver {
                 model.shrink(state);
             }
         }
-        // A solver that has seen nothing of the piece as it is now looks at once.
-        if due || self.films.len() != model.shape.patches.len() {
+        // A new solver, or one for a piece that was cut, has no films yet.
+        if due || self.films.count != model.shape.patches.len() {
             self.refresh(model, state, dt);
-            self.refresh_films(model, state, around);
+            self.films.refresh(model, state, around, &self.capacity);
             if !self.keep_or_restore(state) {
                 return Exchange::default();
             }
         }
         let step = dt / f64::from(self.substeps);
+        self.films.prepare(step);
         for _ in 0..self.substeps {
             self.step(model, state, around, step, &mut total);
         }
@@ -128,12 +142,12 @@ impl FoodSolver {
         total
     }
 
-    /// Heat capacity of a node [J/K]; none before the first tick.
+    /// Returns the heat capacity of a node [J/K], or none before the first tick.
     pub fn capacity(&self, node: usize) -> Option<f64> {
         self.capacity.get(node).copied()
     }
 
-    /// Gives a node heat from outside of any tick [J].
+    /// Adds heat to a node between two ticks [J].
     pub fn give(&self, state: &mut FoodState, node: usize, heat: f64) {
         if let Some(per_capacity) = self.per_capacity.get(node) {
             state.enthalpy[node] += heat;
@@ -141,7 +155,7 @@ impl FoodSolver {
         }
     }
 
-    /// Brings temperatures, capacities and the number of steps up to date.
+    /// Refreshes temperatures, capacities and the number of steps.
     fn refresh(&mut self, model: &FoodModel, state: &mut FoodState, dt: f64) {
         let n = state.temperature.len();
         for field in [&mut self.capacity, &mut self.per_capacity, &mut self.power] {
@@ -151,19 +165,23 @@ impl FoodSolver {
         self.hot.reserve(n);
         for i in 0..n {
             let masses = model.masses(state, i);
-            let t = model.properties.temperature(&masses, state.enthalpy[i], state.temperature[i]);
+            let (t, capacity) = model.properties.temperature(&masses, state.enthalpy[i], state.temperature[i]);
             state.temperature[i] = t;
-            self.capacity[i] = model.properties.enthalpy(&masses, t).1;
-            self.per_capacity[i] = 1.0 / self.capacity[i];
+            self.capacity[i] = capacity;
+            self.per_capacity[i] = 1.0 / capacity;
         }
         if state.ticks.is_multiple_of(CONDUCTION_TICKS) || self.conductivity[0].len() != n {
             self.refresh_conduction(model, state);
         }
-        let limit = STABILITY_MARGIN * self.conduction.stable_step(&self.capacity);
+        let stable = match &self.layers {
+            Some(layers) => layers.stable_step(&self.capacity),
+            None => self.conduction.stable_step(&self.capacity),
+        };
+        let limit = STABILITY_MARGIN * stable;
         self.substeps = libm::ceil(dt / limit).clamp(1.0, MOST_SUBSTEPS) as u32;
     }
 
-    /// Brings conductances up to date.
+    /// Refreshes the conductances.
     fn refresh_conduction(&mut self, model: &FoodModel, state: &FoodState) {
         let n = state.temperature.len();
         self.conductivity.iter_mut().for_each(|k| k.resize(n, 0.0));
@@ -175,21 +193,31 @@ impl FoodSolver {
             let wet = model.properties.conductivity(&model.masses(state, i), state.temperature[i]);
             let moist = (state.water[i] / (driest * model.tissue.initial_water[i])).min(1.0);
             let conductivity = crust + moist * (wet - crust);
-            // Area over length: height across the fibres, area over height along them.
+            // Conductance scales with area over length: with the height across the fibres, with area over height along them.
             let axial = state.stretch.axial[i];
             self.conductivity[0][i] = across * conductivity * axial;
             self.conductivity[1][i] = conductivity * area / axial;
         }
         let [across, along] = &self.conductivity;
+        if self.layers.is_none() {
+            let layers = |mesh: &SweptMesh| Layers::of(&mesh.graph, mesh.nodes_per_level());
+            self.layers = model.shape.mesh.swept().and_then(layers);
+        }
+        if let Some(layers) = &mut self.layers {
+            layers.refresh(across, along);
+            return;
+        }
         self.conduction.refresh_each(model.shape.mesh.graph(), |_, a, b| {
             let k = if model.shape.mesh.is_along(a, b) { along } else { across };
             (k[a], k[b])
         });
     }
 
-    /// Remembers a sound state; puts the remembered one in place of an unsound one. Returns whether all is well.
+    /// Stores a finite state, or restores the stored one; returns true if the state was finite.
     fn keep_or_restore(&mut self, state: &mut FoodState) -> bool {
-        let sound = state.temperature.iter().chain(&state.water).all(|v| v.is_finite());
+        // Without a branch at each node.
+        let finite = |field: &[f64]| field.iter().fold(true, |all, v| all & v.is_finite());
+        let sound = finite(&state.temperature) && finite(&state.water);
         match &mut self.sound {
             Some(kept) if sound => kept.copy_from(state),
             None if sound => self.sound = Some(state.clone()),
@@ -206,126 +234,78 @@ impl FoodSolver {
         self.contact_heat.fill(0.0);
     }
 
-    /// One step: conduction, exchange with the surroundings, boiling, each exact about energy.
+    /// One step: conduction, exchange with the surroundings, boiling; each conserves energy exactly.
     ///
-    /// Conduction is explicit within its stability limit; exchange is implicit in the node's own temperature and comes
-    /// after conduction, so that both balance in a steady state: T ← (C T + Δt (P + G T₀)) / (C + Δt G). Neither
-    /// leaves the range of the temperatures it couples.
+    /// Conduction is explicit within its stability limit. Exchange is implicit in the node's own temperature and follows
+    /// conduction, so that both balance in a steady state: T ← (C T + Δt (P + G T₀)) / (C + Δt G). Both obey the maximum
+    /// principle.
     fn step(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64, total: &mut Exchange) {
         self.power.fill(0.0);
-        self.conduction.add_power(model.shape.mesh.graph(), &state.temperature, &mut self.power);
+        match &mut self.layers {
+            Some(layers) => layers.add_power(&state.temperature, &mut self.power),
+            None => self.conduction.add_power(model.shape.mesh.graph(), &state.temperature, &mut self.power),
+        }
         let fields = state.enthalpy.iter_mut().zip(&mut state.temperature);
         for ((h, t), (p, per_c)) in fields.zip(self.power.iter().zip(&self.per_capacity)) {
             let heat = p * dt;
             *h += heat;
             *t += heat * per_c;
         }
-        self.exchange_patches(model, state, around, dt, total);
+        self.films.exchange(state, around, dt, &mut self.contact_heat, total);
         self.boil(model, state, total);
-    }
-
-    /// Heat and vapour through every patch: from what it touches, or with the air.
-    fn exchange_patches(
-        &mut self,
-        model: &FoodModel,
-        state: &mut FoodState,
-        around: &Surroundings,
-        dt: f64,
-        total: &mut Exchange,
-    ) {
-        for (i, patch) in model.shape.patches.iter().enumerate() {
-            match around.touch.get(i) {
-                Some(touch) if touch.conductance > 0.0 => {
-                    let conductance = touch.conductance * present_area(patch, state) * dt;
-                    let heat = self.exchange(state, patch.node as usize, conductance, touch.temperature);
-                    self.contact_heat[i] += heat;
-                }
-                _ => self.breathe(state, patch, &self.films[i], &around.air[patch.air], dt, total),
-            }
-        }
-    }
-
-    /// Convection, radiation and evaporation of each patch, linearised about its present state.
-    fn refresh_films(&mut self, model: &FoodModel, state: &FoodState, around: &Surroundings) {
-        self.films.clear();
-        let film = |patch: &Patch| AirFilm::of(model, state, patch, &around.air[patch.air]);
-        self.films.extend(model.shape.patches.iter().map(film));
-    }
-
-    /// Brings a node towards `outside` through a conductance times time [J/K], implicitly; returns the heat gained [J].
-    #[inline]
-    fn exchange(&self, state: &mut FoodState, node: usize, conductance: f64, outside: f64) -> f64 {
-        let capacity = self.capacity[node];
-        let change = conductance * (outside - state.temperature[node]) / (capacity + conductance);
-        state.temperature[node] += change;
-        state.enthalpy[node] += capacity * change;
-        capacity * change
-    }
-
-    /// A free patch exchanges heat and vapour with the air for `dt` [s].
-    #[inline]
-    fn breathe(
-        &self,
-        state: &mut FoodState,
-        patch: &Patch,
-        film: &AirFilm,
-        air: &FreeAir,
-        dt: f64,
-        total: &mut Exchange,
-    ) {
-        let node = patch.node as usize;
-        total.air -= self.exchange(state, node, film.heat * dt, air.temperature);
-        let density = film.density + film.slope * (state.temperature[node].min(HOTTEST_WET) - film.temperature);
-        // Implicit in the temperature that falls as water leaves: no overshoot below the wet bulb.
-        let transfer = film.transfer * dt;
-        let damped = 1.0 + transfer * film.slope * film.latent / self.capacity[node];
-        let mass = (transfer * (density - air.vapour_density) / damped).clamp(0.0, 0.2 * state.water[node]);
-        let enthalpy = mass * film.vapour_enthalpy;
-        state.water[node] -= mass;
-        state.enthalpy[node] -= enthalpy;
-        state.temperature[node] -= mass * film.latent / self.capacity[node];
-        total.evaporated += mass;
-        total.evaporation += enthalpy;
     }
 
     /// Turns heat above the boiling point into vapour, node by node.
     ///
-    /// As a node dries its boiling point rises (isotherm), so mass and temperature are found together by Newton's
-    /// rule: dm = C (T − T_b) / (L + C · |dT_b/dm|).
+    /// The boiling point of a node rises as it dries (sorption isotherm). Newton's method solves for mass and temperature
+    /// together: dm = C (T − T_b) / (L + C · |dT_b/dm|).
     fn boil(&mut self, model: &FoodModel, state: &mut FoodState, total: &mut Exchange) {
         self.hot.clear();
-        self.hot.extend((0u32..).zip(&state.temperature).filter(|(_, t)| **t > NEARLY_BOILING).map(|(i, _)| i));
+        for (first, block) in (0u32..).step_by(BLOCK).zip(state.temperature.chunks(BLOCK)) {
+            // Most blocks are far from boiling: without a branch at each node.
+            if block.iter().fold(false, |hot, t| hot | (*t > NEARLY_BOILING)) {
+                let hot = (first..).zip(block).filter(|(_, t)| **t > NEARLY_BOILING);
+                self.hot.extend(hot.map(|(i, _)| i));
+            }
+        }
+        let mut sums = *total;
         for &node in &self.hot {
             let i = node as usize;
             for _ in 0..4 {
                 let moisture = state.water[i] / model.tissue.lean_solids[i];
-                let boiling = model.water.isotherm.boiling_point(moisture);
+                let wet = model.water.isotherm.wet_boiling_point(moisture);
+                let boiling = wet.unwrap_or_else(|| model.water.isotherm.boiling_point(moisture));
                 let excess = state.temperature[i] - boiling;
                 if excess <= 1e-3 || state.water[i] <= 0.0 {
                     break;
                 }
                 let capacity = self.capacity[i];
-                let drier = 0.995 * moisture;
-                let slope = (model.water.isotherm.boiling_point(drier) - boiling)
-                    / ((moisture - drier) * model.tissue.lean_solids[i]);
+                let slope = if wet.is_some() { 0.0 } else { slope(model, i, moisture, boiling) };
                 let latent = latent_heat(boiling);
                 let mass = (capacity * excess / (latent + capacity * slope)).min(state.water[i]);
                 let enthalpy = mass * (model.properties.water_enthalpy(boiling) + latent);
                 state.water[i] -= mass;
                 state.enthalpy[i] -= enthalpy;
                 state.temperature[i] -= mass * latent / capacity;
-                total.evaporated += mass;
-                total.evaporation += enthalpy;
-                // Where the boiling point stays, one round finds it.
+                sums.evaporated += mass;
+                sums.evaporation += enthalpy;
+                // With a constant boiling point one iteration is exact.
                 if slope == 0.0 {
                     break;
                 }
             }
         }
+        *total = sums;
     }
 }
 
-/// Area of a patch of the contracted piece [m²].
+/// Rise of a node's boiling point per lost mass of water, from its moisture [kg/kg] and its boiling point [K] [K/kg].
+fn slope(model: &FoodModel, node: usize, moisture: f64, boiling: f64) -> f64 {
+    let drier = 0.995 * moisture;
+    (model.water.isotherm.boiling_point(drier) - boiling) / ((moisture - drier) * model.tissue.lean_solids[node])
+}
+
+/// Returns the area of a patch in the present, contracted shape [m²].
 #[inline]
 pub fn present_area(patch: &Patch, state: &FoodState) -> f64 {
     let lateral = state.stretch.lateral;
@@ -333,16 +313,14 @@ pub fn present_area(patch: &Patch, state: &FoodState) -> f64 {
     patch.area * lateral * height
 }
 
-/// First-order changes, peak temperature, lethality and browning through `dt` [s].
+/// Advances first-order changes, peak temperature, lethality and browning by `dt` [s].
 fn change(model: &FoodModel, state: &mut FoodState, dt: f64) {
     for i in 0..state.temperature.len() {
         let t = state.temperature[i];
         state.peak[i] = state.peak[i].max(t);
         if t > CHANGES_FROM {
             state.lethality[i] += model.response.lethality.at(t) * dt;
-            for (k, share) in state.changed.iter_mut().enumerate() {
-                share[i] = model.response.rates.advance(k, share[i], t, dt);
-            }
+            model.response.rates.advance(&mut state.changed, i, t, dt);
         }
         if t > BROWNING_FROM {
             brown(model, state, i, dt);
@@ -350,7 +328,7 @@ fn change(model: &FoodModel, state: &mut FoodState, dt: f64) {
     }
 }
 
-/// Browning and charring of a node by its rules.
+/// Advances browning and charring of a node by `dt` [s], by the rules of the piece.
 fn brown(model: &FoodModel, state: &mut FoodState, i: usize, dt: f64) {
     let t = state.temperature[i];
     if model.rules == Rules::Paper2013 {

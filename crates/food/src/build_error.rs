@@ -5,44 +5,44 @@ use saute_heat::{CellMeshError, MeshError};
 use crate::description::{FoodDescription, NoSuchChange};
 use crate::model::PieceSpec;
 
-/// Why a piece could not be built.
+/// Error of building a piece.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BuildError {
-    /// A size out of range.
+    /// A size is out of range.
     #[error("{which} {got} mm is out of range: use {low} to {high} mm")]
     Size {
-        /// Which dimension.
+        /// Name of the dimension.
         which: &'static str,
-        /// What was asked for [mm].
+        /// Requested size [mm].
         got: f64,
         /// Smallest allowed [mm].
         low: f64,
         /// Largest allowed [mm].
         high: f64,
     },
-    /// Mass fractions that do not add up.
+    /// The mass fractions of a tissue do not add up to 1.
     #[error("the mass fractions of the {which} tissue add up to {total:.4}; they must add up to 1 (± 0.005)")]
     Composition {
-        /// Which tissue.
+        /// Name of the tissue.
         which: &'static str,
-        /// Their sum [-].
+        /// Sum of the mass fractions [-].
         total: f64,
     },
-    /// A form that needs a table of its own.
+    /// The form needs a table that the file lacks.
     #[error("the form \"{form}\" needs a table [{table}]: see the shipped foods of that form")]
     Missing {
-        /// Which form.
+        /// Name of the form.
         form: &'static str,
-        /// Which table.
+        /// Name of the table.
         table: &'static str,
     },
-    /// The mesh failed.
+    /// Meshing of a swept body failed.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// The cells inside a surface failed.
+    /// Meshing inside a closed surface failed.
     #[error(transparent)]
     Cells(#[from] CellMeshError),
-    /// A table names a change that the kinetics lack.
+    /// A table names a change that the kinetics do not contain.
     #[error(transparent)]
     Change(#[from] NoSuchChange),
 }

@@ -1,11 +1,12 @@
-//! Thermal properties from composition (Choi & Okos 1986).
+//! Thermal properties from composition (Choi & Okos 1986 `[@choi-okos-1986]`).
 
 use serde::Deserialize;
 
 use crate::ZERO_C;
 use crate::description::{Composition, Confidence, FatMelting};
 
-/// Polynomials a + bT + cT² in T [°C] of one component.
+/// Properties of one component as polynomials a + bT + cT² of the temperature T [°C] (Choi & Okos 1986
+/// `[@choi-okos-1986]`).
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Component {
@@ -17,13 +18,13 @@ pub struct Component {
     pub density_kg_m3: [f64; 3],
 }
 
-/// The six components of food.
+/// The six components of food: water, protein, fat, carbohydrate, fibre, ash.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Components {
-    /// Where the numbers come from.
+    /// Source of the numbers.
     pub source: String,
-    /// How well they are known.
+    /// Confidence in the numbers.
     pub confidence: Confidence,
     /// Water above 0 °C.
     pub water: Component,
@@ -39,9 +40,9 @@ pub struct Components {
     pub ash: Component,
 }
 
-/// Hottest temperature at which the polynomials hold [°C]; they are held constant beyond.
+/// Upper end of the polynomials' validity [°C]; they are constant beyond.
 const VALID_TO_C: f64 = 150.0;
-/// Coldest [°C].
+/// Lower end of the polynomials' validity [°C]; they are constant beyond.
 const VALID_FROM_C: f64 = -40.0;
 
 fn polynomial(c: &[f64; 3], celsius: f64) -> f64 {
@@ -49,13 +50,34 @@ fn polynomial(c: &[f64; 3], celsius: f64) -> f64 {
     c[0] + c[1] * t + c[2] * t * t
 }
 
-/// Enthalpy, conductivity and density of three pseudo-components (water, lean solids, fat) against temperature.
+/// Tables of enthalpy [J/kg], conductivity [W/(m·K)] and density [kg/m³] of water, lean solids and fat.
+///
+/// The solids are one pseudo-component with the composition of the lean tissue. Valid from −40 to 150 °C; the properties are
+/// constant beyond. Source: Choi & Okos 1986 `[@choi-okos-1986]`.
 #[derive(Clone, Debug)]
 pub struct Properties {
-    rows: Vec<Row>,
+    heat: Vec<HeatCell>,
+    bulk: Vec<BulkCell>,
 }
 
-/// Properties at one temperature; index 0 water, 1 lean solids, 2 fat.
+/// Enthalpy between two rows [J/kg]: values at the colder row and their rise to the hotter one, in the order water, lean
+/// solids, fat.
+#[derive(Clone, Copy, Debug)]
+struct HeatCell {
+    from: [f64; 3],
+    rise: [f64; 3],
+}
+
+/// Conductivity [W/(m·K)] and inverse density [m³/kg] between two rows, likewise.
+#[derive(Clone, Copy, Debug)]
+struct BulkCell {
+    conductivity: [f64; 3],
+    conductivity_rise: [f64; 3],
+    inverse_density: [f64; 3],
+    inverse_density_rise: [f64; 3],
+}
+
+/// Properties at one temperature, in the order water, lean solids, fat.
 #[derive(Clone, Copy, Debug, Default)]
 struct Row {
     enthalpy: [f64; 3],
@@ -70,7 +92,7 @@ const COLDEST: i32 = -40;
 const HOTTEST: i32 = 450;
 
 impl Properties {
-    /// Tabulates every kelvin from −40 to 450 °C; enthalpies are zero at 0 °C [J/kg].
+    /// Tabulates the properties every kelvin from −40 to 450 °C; enthalpies are zero at 0 °C.
     pub fn new(components: &Components, lean: &Composition, melting: &FatMelting) -> Self {
         let solids = [
             (&components.protein, lean.protein),
@@ -82,66 +104,75 @@ impl Properties {
         let mut rows: Vec<Row> =
             (COLDEST..=HOTTEST).map(|c| properties_at(f64::from(c), components, &solids, total)).collect();
         integrate_enthalpy(&mut rows, components, &solids, total, melting);
-        Self { rows }
+        let heat = rows.windows(2).map(|pair| HeatCell::between(&pair[0], &pair[1])).collect();
+        let bulk = rows.windows(2).map(|pair| BulkCell::between(&pair[0], &pair[1])).collect();
+        Self { heat, bulk }
     }
 
+    /// Returns the cell of a temperature and the relative position in it [-].
     #[inline]
-    fn cell(&self, temperature: f64) -> (&Row, &Row, f64) {
-        // Beyond both ends the last cell's line goes on, so that enthalpy stays invertible.
+    fn place(&self, temperature: f64) -> (usize, f64) {
+        // Beyond both ends the table is extrapolated linearly, so that enthalpy stays invertible.
         let position = temperature - ZERO_C - f64::from(COLDEST);
-        let index = (position.max(0.0) as usize).min(self.rows.len() - 2);
-        (&self.rows[index], &self.rows[index + 1], position - index as f64)
+        let index = (position as u32 as usize).min(self.heat.len() - 1);
+        (index, position - index as f64)
     }
 
-    /// Enthalpy above 0 °C [J] and heat capacity [J/K] of the given masses.
+    /// Returns enthalpy above 0 °C [J] and heat capacity [J/K] of the given masses.
     #[inline]
     pub fn enthalpy(&self, masses: &Masses, temperature: f64) -> (f64, f64) {
-        let (low, high, share) = self.cell(temperature);
-        let (mut enthalpy, mut capacity) = (0.0, 0.0);
-        for (mass, (from, to)) in masses.iter().zip(low.enthalpy.iter().zip(&high.enthalpy)) {
-            let slope = to - from;
-            enthalpy += mass * (from + share * slope);
-            capacity += mass * slope;
-        }
-        (enthalpy, capacity)
+        let (index, share) = self.place(temperature);
+        let cell = &self.heat[index];
+        (cell.enthalpy(masses, share), cell.capacity(masses))
     }
 
     /// Specific enthalpy of liquid water above 0 °C [J/kg].
     #[inline]
     pub fn water_enthalpy(&self, temperature: f64) -> f64 {
-        let (low, high, share) = self.cell(temperature);
-        low.enthalpy[0] + share * (high.enthalpy[0] - low.enthalpy[0])
+        let (index, share) = self.place(temperature);
+        self.heat[index].from[0] + share * self.heat[index].rise[0]
     }
 
     /// Specific enthalpy of fat above 0 °C, heat of melting included [J/kg].
     #[inline]
     pub fn fat_enthalpy(&self, temperature: f64) -> f64 {
-        let (low, high, share) = self.cell(temperature);
-        low.enthalpy[2] + share * (high.enthalpy[2] - low.enthalpy[2])
+        let (index, share) = self.place(temperature);
+        self.heat[index].from[2] + share * self.heat[index].rise[2]
     }
 
-    /// Temperature at which the given masses hold `enthalpy` [K], by Newton's rule from `guess`; exact on the table.
+    /// Returns the temperature at which the given masses hold `enthalpy` [K], and their heat capacity there [J/K].
+    ///
+    /// Newton's method from `guess` [K]; exact on the piecewise linear table.
     #[inline]
-    pub fn temperature(&self, masses: &Masses, enthalpy: f64, guess: f64) -> f64 {
-        let mut t = guess;
+    pub fn temperature(&self, masses: &Masses, enthalpy: f64, guess: f64) -> (f64, f64) {
+        let (mut t, mut at) = (guess, usize::MAX);
+        let (mut cell, mut capacity) = (&self.heat[0], 0.0);
         for _ in 0..20 {
-            let (h, c) = self.enthalpy(masses, t);
-            let change = (enthalpy - h) / c;
+            let (index, share) = self.place(t);
+            // The capacity is constant within a cell.
+            if index != at {
+                (at, cell) = (index, &self.heat[index]);
+                capacity = cell.capacity(masses);
+            }
+            let change = (enthalpy - cell.enthalpy(masses, share)) / capacity;
             t += change;
             if libm::fabs(change) < 1e-10 {
                 break;
             }
         }
-        t
+        let last = self.place(t).0;
+        (t, if last == at { capacity } else { self.heat[last].capacity(masses) })
     }
 
-    /// Thermal conductivity by Maxwell–Eucken, water continuous, solids and fat dispersed [W/(m·K)].
+    /// Thermal conductivity of the given masses [W/(m·K)].
+    ///
+    /// Maxwell–Eucken model with water as the continuous phase, and solids and fat dispersed in it.
+    #[inline]
     pub fn conductivity(&self, masses: &Masses, temperature: f64) -> f64 {
-        let (low, high, share) = self.cell(temperature);
-        let volume = |k: usize| {
-            masses[k] * (low.inverse_density[k] + share * (high.inverse_density[k] - low.inverse_density[k]))
-        };
-        let conductivity = |k: usize| low.conductivity[k] + share * (high.conductivity[k] - low.conductivity[k]);
+        let (index, share) = self.place(temperature);
+        let cell = &self.bulk[index];
+        let volume = |k: usize| masses[k] * (cell.inverse_density[k] + share * cell.inverse_density_rise[k]);
+        let conductivity = |k: usize| cell.conductivity[k] + share * cell.conductivity_rise[k];
         let dispersed = volume(1) + volume(2);
         let inside = (volume(1) * conductivity(1) + volume(2) * conductivity(2)) / dispersed;
         let fraction = dispersed / (dispersed + volume(0));
@@ -152,10 +183,44 @@ impl Properties {
 
     /// Volume of the given masses [m³].
     pub fn volume(&self, masses: &Masses, temperature: f64) -> f64 {
-        let (low, high, share) = self.cell(temperature);
-        (0..3)
-            .map(|k| masses[k] * (low.inverse_density[k] + share * (high.inverse_density[k] - low.inverse_density[k])))
-            .sum()
+        let (index, share) = self.place(temperature);
+        let cell = &self.bulk[index];
+        (0..3).map(|k| masses[k] * (cell.inverse_density[k] + share * cell.inverse_density_rise[k])).sum()
+    }
+}
+
+/// Difference of a property between two rows.
+fn rise(from: [f64; 3], to: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|k| to[k] - from[k])
+}
+
+impl BulkCell {
+    fn between(low: &Row, high: &Row) -> Self {
+        Self {
+            conductivity: low.conductivity,
+            conductivity_rise: rise(low.conductivity, high.conductivity),
+            inverse_density: low.inverse_density,
+            inverse_density_rise: rise(low.inverse_density, high.inverse_density),
+        }
+    }
+}
+
+impl HeatCell {
+    fn between(low: &Row, high: &Row) -> Self {
+        Self { from: low.enthalpy, rise: rise(low.enthalpy, high.enthalpy) }
+    }
+
+    /// Enthalpy above 0 °C of the given masses at a relative position in the cell [J].
+    #[inline]
+    fn enthalpy(&self, masses: &Masses, share: f64) -> f64 {
+        let own = |k: usize| masses[k] * (self.from[k] + share * self.rise[k]);
+        own(0) + own(1) + own(2)
+    }
+
+    /// Heat capacity of the given masses [J/K].
+    #[inline]
+    fn capacity(&self, masses: &Masses) -> f64 {
+        masses[0] * self.rise[0] + masses[1] * self.rise[1] + masses[2] * self.rise[2]
     }
 }
 
@@ -181,7 +246,7 @@ fn properties_at(celsius: f64, components: &Components, solids: &[(&Component, f
     }
 }
 
-/// Sums cp (and the heat of melting) from kelvin to kelvin by the midpoint rule, then shifts to zero at 0 °C.
+/// Integrates the specific heat and the heat of melting from kelvin to kelvin by the midpoint rule; zero at 0 °C.
 fn integrate_enthalpy(
     rows: &mut [Row],
     components: &Components,

@@ -1,4 +1,7 @@
-//! A piece of food as it is built: everything that heating does not change.
+//! The model of a piece of food: everything that heating does not change.
+//!
+//! State: enthalpy, water and temperature per node. Enthalpy is conserved; temperature follows from it by Newton's
+//! method on tables of the components' enthalpies `[@choi-okos-1986]`.
 
 use saute_heat::{BodyMesh, Outline};
 
@@ -18,18 +21,18 @@ use crate::water::WaterTransport;
 
 pub use crate::build_error::BuildError;
 
-/// One piece to be cut.
+/// Size, seed and mesh of a piece to be built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PieceSpec {
     /// Length, width, thickness [m].
     pub size: [f64; 3],
-    /// Seed of its natural variation.
+    /// Seed of the natural variation.
     pub seed: u64,
-    /// Mesh spacing over the default [-]; 1 by default, 2 has about an eighth of the nodes.
+    /// Mesh spacing relative to the default [-]; 2 gives about an eighth of the nodes.
     pub coarseness: f64,
-    /// Which mesh.
+    /// Mesh to be built.
     pub mesh: MeshSize,
-    /// Rules that it follows.
+    /// Physical rules.
     pub rules: Rules,
 }
 
@@ -48,7 +51,11 @@ pub struct FoodModel {
 }
 
 impl FoodModel {
-    /// Cuts and meshes a piece.
+    /// Builds a piece: cuts its form, meshes it and fills it with food.
+    ///
+    /// # Errors
+    /// If a size is out of range, if mass fractions do not add up to 1, if a table is missing, if a table names an unknown
+    /// change, or if meshing fails.
     pub fn build(
         description: &FoodDescription,
         kinetics: &Kinetics,
@@ -60,7 +67,10 @@ impl FoodModel {
         Self::fill_body(description, kinetics, components, body, piece.seed, piece.rules)
     }
 
-    /// Fills a body with food.
+    /// Fills a meshed body with food.
+    ///
+    /// # Errors
+    /// As [`Self::build`], apart from the size.
     pub fn fill_body(
         description: &FoodDescription,
         kinetics: &Kinetics,
@@ -90,7 +100,7 @@ impl FoodModel {
         })
     }
 
-    /// Water, lean solids and fat that a node holds now [kg].
+    /// Present masses of water, lean solids and fat of a node [kg].
     #[inline]
     pub fn masses(&self, state: &FoodState, node: usize) -> Masses {
         [state.water[node], self.tissue.lean_solids[node], state.fat[node]]
@@ -101,7 +111,7 @@ impl FoodModel {
         self.tissue.field.at(p)
     }
 
-    /// Colour of lean flesh and of fat in a given appearance.
+    /// Returns the colours of lean flesh and of fat with a given appearance.
     pub fn colours(&self, appearance: Appearance) -> (Lab, Lab) {
         (self.response.palette.lean(appearance), self.response.palette.fat(appearance))
     }

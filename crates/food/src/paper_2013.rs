@@ -1,68 +1,70 @@
 //! The rules of the 2013 Interactive Cooking Simulator, kept for comparison.
 //!
-//! Conduction along line segments; contact heat by a distance threshold; all heat above boiling into latent heat, no
-//! juice, no evaporation below boiling; browning above 150 °C by weight loss in four stages; no contraction. Source:
-//! Kato, Hasegawa, "Interactive Cooking Simulator", SIGGRAPH Asia 2013.
+//! Conduction follows line segments. A distance threshold decides on contact. All heat above the boiling point becomes latent
+//! heat; there is no juice and no evaporation below boiling. Browning begins at 150 °C and follows the weight loss in four
+//! stages. Nothing contracts. Source: Kato, Hasegawa, "Interactive Cooking Simulator", SIGGRAPH Asia 2013
+//! `[@kato-hasegawa-2013]`.
 
 use crate::ZERO_C;
 use crate::body::form::Form;
 use crate::components::{Components, Properties};
 use crate::description::{FoodDescription, Kinetics};
 
-/// Which rules a piece follows.
+/// Physical rules of a piece.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub enum Rules {
-    /// Everything that this program knows.
+    /// The full physics.
     #[default]
     #[serde(rename = "full")]
     Full,
-    /// Those of 2013.
+    /// The rules of 2013.
     #[serde(rename = "2013")]
     Paper2013,
 }
 
-/// How finely a piece is meshed.
+/// Resolution of a mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, serde::Serialize)]
 pub enum MeshSize {
-    /// As finely as this program does, graded towards the surface.
+    /// The default mesh, graded towards the surface.
     #[default]
     #[serde(rename = "default")]
     Default,
-    /// With as many vertices as the foods of 2013 had, at even distances.
+    /// As many vertices as the foods of 2013, evenly spaced.
     #[serde(rename = "2013")]
     Paper2013,
 }
 
-/// Rings of a section, as `(count, share of the radius)`, and levels.
+/// Rings of a section, each as (number of nodes, share of the radius).
 pub type Rings = &'static [(usize, f64)];
 
-/// 18 × 3 = 54, 17 × 7 = 119, 17 × 5 = 85, 71 × 17 = 1207 and 84 × 10 = 840 vertices (the paper's tables).
+/// Rings and levels: 18 × 3 = 54, 17 × 7 = 119, 17 × 5 = 85, 71 × 17 = 1207 and 84 × 10 = 840 vertices (tables of the
+/// paper).
 const CARROT: (Rings, usize) = (&[(12, 1.0), (5, 0.5), (1, 0.0)], 3);
 const SHRIMP: (Rings, usize) = (&[(8, 1.0), (8, 0.5), (1, 0.0)], 7);
 const LEEK: (Rings, usize) = (&[(11, 1.0), (5, 0.5), (1, 0.0)], 5);
 const MARBLED: (Rings, usize) = (&[(28, 1.0), (21, 0.75), (14, 0.5), (7, 0.25), (1, 0.0)], 17);
 const LEAN: (Rings, usize) = (&[(34, 1.0), (26, 0.75), (16, 0.5), (7, 0.25), (1, 0.0)], 10);
 
-/// Rings and levels of a food's mesh of 2013.
+/// Returns rings and number of levels of a food's mesh of 2013.
 pub fn mesh_of(description: &FoodDescription) -> (Rings, usize) {
     match description.form {
         Form::Coin | Form::Stick => CARROT,
         Form::Ring => LEEK,
         Form::Shrimp => SHRIMP,
         Form::Steak if description.marbling.is_some() => MARBLED,
-        // A surface of the user's has no mesh of 2013; it keeps its own.
+        // The paper has no mesh for a closed surface or a patty; a closed surface keeps its own.
         Form::Steak | Form::Patty | Form::Mesh => LEAN,
     }
 }
 
-/// Water boils here [K].
+/// Boiling point of water [K].
 pub const BOILING: f64 = ZERO_C + 100.0;
-/// Browning begins here [K].
+/// Temperature at which browning begins [K].
 const BROWNS_FROM: f64 = ZERO_C + 150.0;
-/// Stages of browning.
+/// Number of stages of browning [-].
 const STAGES: f64 = 4.0;
 
-/// The food without what the rules of 2013 did not know: juice, rendering, contraction, a crust that conducts less.
+/// Returns the food without the physics that the rules of 2013 lack: juice, rendering, contraction, an insulating crust.
 pub fn simplified(
     description: &FoodDescription,
     kinetics: &Kinetics,
@@ -85,8 +87,17 @@ pub fn simplified(
     (description, kinetics)
 }
 
-/// Browning of a point at `temperature` [K] that has lost the share `lost` of its water: above 150 °C it rises to the
-/// quarter that its weight loss has reached; it never falls [-].
+/// Returns the browning of a point [-] at `temperature` [K] that has lost the share `lost` of its water [-].
+///
+/// Above 150 °C browning rises to the next quarter of the weight loss; it never falls.
+///
+/// ```
+/// use saute_food::ZERO_C;
+/// use saute_food::paper_2013::browning;
+///
+/// assert_eq!(browning(0.0, ZERO_C + 160.0, 0.3), 0.5);
+/// assert_eq!(browning(0.0, ZERO_C + 140.0, 0.3), 0.0);
+/// ```
 pub fn browning(before: f64, temperature: f64, lost: f64) -> f64 {
     if temperature <= BROWNS_FROM {
         return before;

@@ -1,4 +1,4 @@
-//! What is read off a piece: core, faces, shares of doneness, colour.
+//! Readings of a piece: core, faces, colour, texture, shares of doneness.
 
 use saute_heat::{Cut, CutPoint, Layout};
 
@@ -8,14 +8,14 @@ use crate::description::{MOST_CHANGES, PerChange};
 use crate::model::FoodModel;
 use crate::state::FoodState;
 
-/// The changes at a point, each read off its field.
+/// Returns the changes at a point, each read from its node field [-].
 pub fn changed_at(state: &FoodState, read: impl Fn(&[f64]) -> f64) -> PerChange {
     let mut changed = [0.0; MOST_CHANGES];
     changed.iter_mut().zip(&state.changed).for_each(|(c, field)| *c = read(field));
     changed
 }
 
-/// Area means and area shares of one face.
+/// Area means and area shares of a face.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FaceReading {
     /// Mean temperature [K].
@@ -28,18 +28,19 @@ pub struct FaceReading {
     pub charred_pct: f64,
     /// Mean browning [-].
     pub browning: f64,
-    /// Mean water over the raw water [-].
+    /// Mean water relative to the raw water [-].
     pub moisture: f64,
 }
 
 impl FoodModel {
-    /// Core temperature: at the rest shape's centroid [K].
+    /// Core temperature [K]: at the rest shape's centroid, or in the middle of the thickest section of a curved body.
     pub fn core_temperature(&self, state: &FoodState) -> f64 {
         self.at_core(&state.temperature)
     }
 
-    /// Area-mean temperature of the face that lies below where `up` points up in the world, a direction of the body
-    /// frame; that of the upper face with the opposite direction [K].
+    /// Area-mean temperature of the lower face [K].
+    ///
+    /// `up` is the world's upward direction in the body frame; the opposite direction gives the upper face.
     pub fn face_temperature(&self, state: &FoodState, up: [f64; 3]) -> f64 {
         let (mut sum, mut area) = (0.0, 0.0);
         for patch in self.patches_below(up).map(|i| &self.shape.patches[i]) {
@@ -49,7 +50,14 @@ impl FoodModel {
         sum / area
     }
 
-    /// Everything that is read off the face that lies below, as [`Self::face_temperature`] has it.
+    /// Mean browning of the lower face [-], with `up` as in [`Self::face_temperature`].
+    pub fn face_browning(&self, state: &FoodState, up: [f64; 3]) -> f64 {
+        let whole: f64 = self.patches_below(up).map(|i| self.shape.patches[i].area).sum();
+        let below = self.patches_below(up).map(|i| &self.shape.patches[i]);
+        below.fold(0.0, |sum, patch| sum + patch.area / whole * state.browning[patch.node as usize])
+    }
+
+    /// Returns area means and shares of the lower face, with `up` as in [`Self::face_temperature`].
     pub fn face_reading(&self, state: &FoodState, up: [f64; 3]) -> FaceReading {
         let mut reading = FaceReading::default();
         let whole: f64 = self.patches_below(up).map(|i| self.shape.patches[i].area).sum();
@@ -63,13 +71,13 @@ impl FoodModel {
             reading.browned_pct += 100.0 * share * f64::from(u8::from(state.browning[node] > 0.5));
             reading.charred_pct += 100.0 * share * f64::from(u8::from(state.charring[node] > 0.2));
         }
-        // The shares of the whole add up to 100 but for rounding.
+        // Rounding may carry the sum of the shares above 100.
         reading.browned_pct = reading.browned_pct.min(100.0);
         reading.charred_pct = reading.charred_pct.min(100.0);
         reading
     }
 
-    /// What colours a node.
+    /// Returns the state that determines the colour of a node.
     pub fn appearance(&self, state: &FoodState, node: usize) -> Appearance {
         Appearance {
             changed: changed_at(state, |field| field[node]),
@@ -79,27 +87,26 @@ impl FoodModel {
         }
     }
 
-    /// Mean colour of a node's lean and fat.
+    /// Mean colour of the lean flesh and the fat of a node.
     pub fn node_colour(&self, state: &FoodState, node: usize) -> Lab {
         let (lean, fat) = self.colours(self.appearance(state, node));
         lean.lerp(fat, self.tissue.adipose[node])
     }
 
-    /// Volume mean of a node field.
+    /// Volume mean of a node field, in the unit of the field.
     pub fn volume_mean(&self, field: &[f64]) -> f64 {
         let volume = self.shape.mesh.volumes();
         field.iter().zip(volume).map(|(f, v)| f * v).sum::<f64>() / volume.iter().sum::<f64>()
     }
 
-    /// Log₁₀ reduction of pathogens at the core and at the least heated point of the surface that it was cooked
-    /// with [-].
+    /// Returns the log₁₀ reduction of pathogens at the core and at the least heated point of the original surface [-].
     pub fn log_reduction(&self, state: &FoodState) -> (f64, f64) {
         let surface = self.shape.patches[..self.fresh_faces().start].iter().filter(|p| p.area > 0.0);
         let least = surface.map(|p| state.lethality[p.node as usize]).fold(f64::INFINITY, f64::min);
         (self.at_core(&state.lethality), least)
     }
 
-    /// A value plus what the changes of a node contribute.
+    /// A base value plus the contributions of the changes of a node.
     fn with_changes(&self, base: f64, contributions: &PerChange, state: &FoodState, node: usize) -> f64 {
         state.changed.iter().zip(contributions).fold(base, |sum, (x, c)| sum + c * x[node])
     }
@@ -109,40 +116,40 @@ impl FoodModel {
         self.with_changes(self.kinetics.texture.raw_kpa, &self.response.modulus, state, node)
     }
 
-    /// Volume mean of a value that depends on a node.
+    /// Volume mean of a value of each node.
     fn mean_of(&self, value: impl Fn(usize) -> f64) -> f64 {
         let volume = self.shape.mesh.volumes();
         let sum: f64 = volume.iter().enumerate().map(|(node, v)| v * value(node)).sum();
         sum / volume.iter().sum::<f64>()
     }
 
-    /// Volume mean of the elastic modulus: raw plus each change's share of its contribution [kPa].
+    /// Volume mean of the elastic modulus [kPa]: the raw modulus plus the contributions of the changes.
     pub fn elastic_modulus_kpa(&self, state: &FoodState) -> f64 {
         self.mean_of(|node| self.node_modulus_kpa(state, node))
     }
 
-    /// Volume mean of the hardness on biting over that of the raw food [-].
+    /// Volume mean of the hardness on biting relative to the raw food [-].
     pub fn hardness_index(&self, state: &FoodState) -> f64 {
         self.mean_of(|node| self.with_changes(1.0, &self.response.hardness, state, node))
     }
 
-    /// Volume mean of the juiciness: water left over raw water, times one plus the changes' contributions [%].
+    /// Volume mean of the juiciness [%]: the remaining share of the raw water, times 1 plus the contributions of the changes.
     pub fn juiciness_pct(&self, state: &FoodState) -> f64 {
         let left = |node: usize| (state.water[node] / self.tissue.initial_water[node]).min(1.0);
         100.0 * self.mean_of(|node| left(node) * self.with_changes(1.0, &self.response.juiciness, state, node))
     }
 
-    /// Angle by which the body has curled: difference of contraction over its depth, times length [rad].
+    /// Angle of the curl [rad]: difference of contraction over the depth, times the length.
     pub fn curl(&self, state: &FoodState) -> f64 {
         if self.response.curl.iter().all(|c| *c == 0.0) {
             return 0.0;
         }
         let difference = self.mean_of(|node| self.with_changes(0.0, &self.response.curl, state, node));
-        // A body on its side curls across its width, a slice would through its thickness.
+        // A body on its side curls across its width, a slice through its thickness.
         difference * self.shape.size[0] / if self.shape.is_slice() { self.shape.size[2] } else { self.shape.size[1] }
     }
 
-    /// Doneness by volume.
+    /// Shares of doneness by volume [%].
     pub fn volume_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
         let Some(mesh) = self.shape.mesh.swept() else { return self.cell_volume_shares(state, scale) };
         let mut sums = [0.0; MOST_CLASSES];
@@ -156,8 +163,9 @@ impl FoodModel {
         Shares::from_weights(sums)
     }
 
-    /// The cut that shows the inside: of a slice across its longest axis at distance `x` from the centroid along it
-    /// [m]; a body that is no slice is cut along its middle plane, wherever `x` is.
+    /// Returns the cut that shows the inside: of a slice across its longest axis, at the distance `x` from the centroid [m].
+    ///
+    /// A body along stations is cut in its middle plane, whatever `x` is. The cut of a body of cells is empty.
     pub fn cut_across(&self, x: f64) -> Cut {
         let along_x = self.shape.size[0] >= self.shape.size[1];
         match self.shape.mesh.layout() {
@@ -168,7 +176,7 @@ impl FoodModel {
         }
     }
 
-    /// Doneness of a cut by area; of a body of cells, of its middle cut.
+    /// Shares of doneness of a cut by area, or of the middle cut of a body of cells [%].
     pub fn cut_shares(&self, state: &FoodState, cut: &Cut, scale: &Scale) -> Shares {
         let Some(mesh) = self.shape.mesh.swept() else { return self.cell_cut_shares(state, scale) };
         let mut sums = [0.0; MOST_CLASSES];
@@ -184,7 +192,7 @@ impl FoodModel {
         Shares::from_weights(sums)
     }
 
-    /// Breadth of the body along a cut at a level over that of the section [-].
+    /// Breadth of the body along a cut at a level, relative to that of the section [-].
     pub fn cut_breadth(&self, cut: &Cut, level: usize) -> f64 {
         let (Some(first), Some(last)) = (cut.points.first(), cut.points.last()) else { return 1.0 };
         let Layout::Along(_, stations) = self.shape.mesh.layout() else { return 1.0 };

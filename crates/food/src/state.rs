@@ -1,34 +1,34 @@
-//! What changes in a piece of food.
+//! The state of a piece of food: everything that heating changes.
 
 use crate::ZERO_C;
 use crate::model::FoodModel;
 
-/// Stretches of the present shape over the rest shape.
+/// Stretch ratios of the present shape relative to the rest shape.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stretch {
-    /// Across the fibres, the whole piece alike [-].
+    /// Stretch ratio across the fibres, uniform over the piece [-].
     pub lateral: f64,
-    /// Along the fibres at each node [-].
+    /// Stretch ratio along the fibres at each node [-].
     pub axial: Vec<f64>,
-    /// How far the middle of the bottom face stands back from the plane of its rim, against gravity; negative where
-    /// the top face's does; 0 in bodies that are no slices [m].
+    /// Height of the middle of the bottom face above the plane of its rim [m]; negative if the top face is hollow, 0 in bodies
+    /// other than slices.
     pub dome: f64,
 }
 
-/// Fields on the nodes of a piece and what has left it.
+/// Node fields of a piece, its stretch ratios and the masses that have left it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoodState {
     /// Temperature [K].
     pub temperature: Vec<f64>,
-    /// Enthalpy above 0 °C of what the node holds [J].
+    /// Enthalpy of the node's masses above 0 °C [J].
     pub enthalpy: Vec<f64>,
     /// Water [kg].
     pub water: Vec<f64>,
-    /// The part of the water that is free juice on its way out [kg].
+    /// Free juice, a part of the water [kg].
     pub juice: Vec<f64>,
     /// Fat [kg].
     pub fat: Vec<f64>,
-    /// Highest temperature so far [K].
+    /// Peak temperature so far [K].
     pub peak: Vec<f64>,
     /// Shares of the first-order changes, in the order of the kinetics [-].
     pub changed: Vec<Vec<f64>>,
@@ -38,22 +38,22 @@ pub struct FoodState {
     pub charring: Vec<f64>,
     /// Log₁₀ reduction of pathogens [-].
     pub lethality: Vec<f64>,
-    /// How far it has contracted and bent.
+    /// Contraction and bending.
     pub stretch: Stretch,
-    /// Water that left as vapour [kg].
+    /// Water that has evaporated [kg].
     pub evaporated: f64,
-    /// Juice that ran off [kg].
+    /// Juice that has run off [kg].
     pub dripped: f64,
-    /// Fat that ran off [kg].
+    /// Fat that has run off [kg].
     pub rendered: f64,
-    /// Ticks since the start.
+    /// Number of ticks since the start [-].
     pub ticks: u64,
-    /// False after a non-finite value: the piece no longer changes.
+    /// False after a non-finite value; the piece no longer changes then.
     pub healthy: bool,
 }
 
 impl FoodState {
-    /// The raw piece at one temperature [K].
+    /// Returns the raw state at a uniform temperature [K].
     pub fn raw(model: &FoodModel, temperature: f64) -> Self {
         let n = model.shape.mesh.node_count();
         let zeros = || vec![0.0; n];
@@ -81,7 +81,7 @@ impl FoodState {
         raw
     }
 
-    /// Takes over another state of the same piece without allocating.
+    /// Copies another state of the same piece without allocating.
     pub fn copy_from(&mut self, other: &Self) {
         let Self { temperature, enthalpy, water, juice, fat, peak, changed, browning, charring, lethality, .. } = self;
         temperature.clone_from(&other.temperature);
@@ -100,29 +100,29 @@ impl FoodState {
         (self.ticks, self.healthy) = (other.ticks, other.healthy);
     }
 
-    /// Mass [kg].
+    /// Mass of the piece [kg]: the sum over its nodes.
     pub fn mass(&self, model: &FoodModel) -> f64 {
         [&self.water, &model.tissue.lean_solids, &self.fat].iter().map(|m| m.iter().sum::<f64>()).sum()
     }
 
-    /// As [`Self::mass`], from what has left: cheap, and the same but for rounding [kg].
+    /// Mass of the piece [kg], from the raw mass and the losses: cheap, and equal to [`Self::mass`] up to rounding.
     pub fn mass_left(&self, model: &FoodModel) -> f64 {
         model.tissue.raw_mass - self.evaporated - self.dripped - self.rendered
     }
 
-    /// Enthalpy above 0 °C [J].
+    /// Enthalpy of the piece above 0 °C [J].
     pub fn total_enthalpy(&self) -> f64 {
         self.enthalpy.iter().sum()
     }
 
-    /// Hottest and coldest node [K].
+    /// Returns the lowest and the highest node temperature [K].
     pub fn range(&self) -> (f64, f64) {
         let low = self.temperature.iter().copied().fold(f64::INFINITY, f64::min);
         let high = self.temperature.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         (low, high)
     }
 
-    /// Temperature of a node in °C.
+    /// Temperature of a node [°C].
     pub fn celsius(&self, node: usize) -> f64 {
         self.temperature[node] - ZERO_C
     }

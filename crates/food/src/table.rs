@@ -1,6 +1,14 @@
-//! Tables on an even grid, linear between entries.
+//! Piecewise linear tables.
 
-/// A function of one variable on an even grid; constant beyond both ends.
+/// A function of one variable on an even grid: linear between the entries, constant beyond both ends.
+///
+/// ```
+/// use saute_food::table::Table;
+///
+/// let table = Table::new(0.0, 10.0, 1.0, |x| x * x);
+/// assert_eq!(table.at(2.5), 6.5); // linear between 4 and 9
+/// assert_eq!(table.at(99.0), 100.0); // constant beyond the end
+/// ```
 #[derive(Clone, Debug)]
 pub struct Table {
     start: f64,
@@ -9,24 +17,38 @@ pub struct Table {
 }
 
 impl Table {
-    /// Tabulates `f` at `start`, `start + step`, … up to `end`.
+    /// Tabulates `f` at `start`, `start + step`, … up to `end`, in the unit of `f`.
     pub fn new(start: f64, end: f64, step: f64, f: impl Fn(f64) -> f64) -> Self {
         let count = libm::ceil((end - start) / step) as usize + 1;
         Self { start, per_unit: 1.0 / step, values: (0..count).map(|i| f(start + i as f64 * step)).collect() }
     }
 
-    /// Value at `x`.
+    /// Returns the value at `x`, in the unit of the tabulated function.
     #[inline]
     pub fn at(&self, x: f64) -> f64 {
+        let (cell, share) = self.place(x);
+        self.within(cell, share)
+    }
+
+    /// Returns the cell of `x` and the relative position in it; the same for all tables with one grid [-].
+    #[inline]
+    pub(crate) fn place(&self, x: f64) -> (usize, f64) {
         let last = self.values.len() - 1;
         let position = ((x - self.start) * self.per_unit).clamp(0.0, last as f64);
-        let cell = (position as usize).min(last - 1);
-        let share = position - cell as f64;
+        let cell = (position as u32 as usize).min(last - 1);
+        (cell, position - cell as f64)
+    }
+
+    /// Returns the value at a relative position in a cell.
+    #[inline]
+    pub(crate) fn within(&self, cell: usize, share: f64) -> f64 {
         self.values[cell] + share * (self.values[cell + 1] - self.values[cell])
     }
 }
 
-/// Straight lines through given points, held beyond both ends; `xs` ascend.
+/// Returns the piecewise linear value at `x` through the points (`xs`, `ys`), constant beyond both ends.
+///
+/// `xs` ascend and hold at least two values.
 pub fn interpolate(xs: &[f64], ys: &[f64], x: f64) -> f64 {
     let upper = xs.partition_point(|&v| v < x).clamp(1, xs.len() - 1);
     let share = ((x - xs[upper - 1]) / (xs[upper] - xs[upper - 1])).clamp(0.0, 1.0);

@@ -44,7 +44,7 @@ pub mod vector;
 
 pub use conduction::boundary::Boundary;
 pub use conduction::rule::Rule;
-pub use conduction::{Conduction, Graph};
+pub use conduction::{Conduction, Graph, Layers};
 pub use mesh::body_mesh::{BodyMesh, Layout};
 pub use mesh::cells::{CellMesh, CellMeshError, Fineness};
 pub use mesh::cut::{Cut, CutPoint};

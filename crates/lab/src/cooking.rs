@@ -255,7 +255,8 @@ impl<'a> Cooking<'a> {
             100.0 * hot.sum::<f64>() / whole
         };
         let slab = self.case.shape == Shape::Slab;
-        let (lateral, thickness) = (self.state.stretch.lateral, model.mesh().swept().map_or(0.0, |mesh| mesh.thickness()));
+        let (lateral, thickness) =
+            (self.state.stretch.lateral, model.mesh().swept().map_or(0.0, |mesh| mesh.thickness()));
         let unsound = "a value became non-finite: the food stopped changing; use another resolution_mm or size_mm";
         let names = self.case.probes.iter().map(|p| p.name.clone());
         LabReport {

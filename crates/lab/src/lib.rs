@@ -1,4 +1,9 @@
 //! The lab: the solver on plain bodies with any boundary, for checks by others.
+//!
+//! Bodies are products of one-dimensional meshes (straight, cylindrical or spherical axes), stacked in layers where
+//! there are several. With constant properties a second-order Runge–Kutta–Legendre scheme `[@meyer-2014]` integrates
+//! them, with steps that grow with the time since the last sudden change. Properties that change, boiling and
+//! `rule = "segments"` are computed edge by edge.
 
 mod body;
 mod case;

@@ -3,6 +3,12 @@
 //! A [`Recipe`] is a checked recipe file in SI units. A [`Cook`] joins a [`Kitchen`](saute_kitchen::Kitchen), a [`Runner`]
 //! and a [`Recorder`]; a [`Summary`] is its result. This crate opens no file and reads no clock.
 //!
+//! Between ticks, [`Runner::poll`] starts each step that is due; the next step waits until the duration of the action has
+//! passed and the kitchen has finished it. [`ActionKind`] lists the actions. The value of an action is a table; a bare
+//! value is shorthand for one. The documentation, ranges and defaults of actions are those of the JSON Schema, from which
+//! `saute list actions` is printed. A group is several pieces under one name: the runner finds places for them and sends
+//! the kitchen one command for each. `saute cook`, `saute shot` and the tests play recipes through [`Cook`].
+//!
 //! A thin steak on a hot pan, for five seconds:
 //!
 //! ```

@@ -3,6 +3,17 @@
 //! [`input::SceneInput`] describes everything in a picture; [`renderer::SceneRenderer`] draws it into a texture of its
 //! own. The crate depends on no kitchen and no window. Lengths are in metres, colours in linear sRGB unless stated.
 //!
+//! Flesh is coloured per fragment: a solid texture, one for each kind of tissue, varies state and colour about their
+//! means by rest position, so that a cut shows the inside of what the surface shows. `flesh.wgsl` repeats the colour
+//! model of the core; validation reads both. Field views look a coordinate up in a table of 256 colours per fragment,
+//! so flat pictures decode to the core's temperatures within 1 K. Steam, smoke and flames are sprites whose visible
+//! mass is proportional to the flow.
+//!
+//! Static content is kept as a picture with depth; each frame redraws only what moves. Quality has three levels:
+//! quick keeps static content, smooth has four samples per pixel, best adds finer maps and textures and the contact
+//! shadow of food. The light of the room is defined once, in Rust, for shaders and white balance. White balance
+//! scales the look in linear sRGB and leaves fields and flat pictures unchanged.
+//!
 //! The camera circles a target, which appears in the middle of the picture:
 //!
 //! ```

@@ -1,4 +1,4 @@
-//! Seeded pseudo-random numbers (SplitMix64, Steele et al. 2014).
+//! Seeded pseudo-random numbers (SplitMix64, Steele et al. 2014 `[@steele-2014]`).
 
 /// A random number generator.
 #[derive(Clone, Copy, Debug)]

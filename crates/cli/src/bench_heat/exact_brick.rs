@@ -3,7 +3,7 @@
 //! Sides and top face the same air. T − T_air is therefore a sum over pairs of symmetric cosines across the brick, each
 //! times a profile c(z, t) with ∂c/∂t = α (c″ − κ² c), driven by the hot face. Each profile is its steady state plus a sum
 //! over the eigenfunctions of the thickness. At the flip the profile is mirrored and expanded again. Source: Carslaw & Jaeger,
-//! Conduction of Heat in Solids (1959), ch. 2, 3 and 5.
+//! Conduction of Heat in Solids (1959) `[@carslaw-jaeger-1959]`, ch. 2, 3 and 5.
 
 use std::f64::consts::PI;
 

@@ -91,7 +91,8 @@ pub fn bandwidth(times: &StepTimes) -> f64 {
     SWEEPS * ARRAYS * 8.0 * times.nodes[last] as f64 / times.seconds[last]
 }
 
-/// Returns the memory bandwidth of a = b + s c, each array counted once [B/s]. Source: McCalpin's STREAM benchmark.
+/// Returns the memory bandwidth of a = b + s c, each array counted once [B/s]. Source: McCalpin's STREAM benchmark
+/// `[@mccalpin-stream]`.
 pub fn triad_bandwidth() -> f64 {
     let (mut a, b, c) = (vec![0.0_f64; TRIAD], vec![1.0_f64; TRIAD], vec![2.0_f64; TRIAD]);
     let seconds = best_time(|| {

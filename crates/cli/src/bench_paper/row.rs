@@ -11,7 +11,8 @@ use super::stopwatch;
 use crate::error::CliError;
 
 /// The published tables: name, carrots, shrimps and speed [cycles/s], measured on hardware of 2009; the last row says
-/// "more than 60" (source: Kato, Hasegawa, "Interactive Cooking Simulator", SIGGRAPH Asia 2013).
+/// "more than 60" (source: Kato, Hasegawa, "Interactive Cooking Simulator", SIGGRAPH Asia 2013
+/// `[@kato-hasegawa-2013]`).
 const PUBLISHED: [(&str, usize, usize, f64); 15] = [
     ("3", 5, 0, 310.0),
     ("3", 10, 0, 205.0),

@@ -5,6 +5,7 @@ mod colour;
 mod page;
 mod picture;
 mod segments;
+mod workers;
 
 use std::process::ExitCode;
 use std::time::Instant;
@@ -57,11 +58,11 @@ fn run_cases(only: Option<&str>, data: &DataLibrary) -> Result<Vec<CaseRun>, Cli
         return Err(CliError::place(format!("--case {id}"), "there is no such case", remedy));
     }
     let chosen: Vec<_> = cases.iter().filter(|(id, _)| only.is_none_or(|o| o == *id)).collect();
-    let run = |(i, (id, text)): (usize, &(&String, &String))| {
+    let run = |i: usize, (id, text): &(&String, &String)| {
         stderr::say(format!("{} of {}: {id}", i + 1, chosen.len()));
         run_case(id, text, data)
     };
-    chosen.iter().enumerate().map(run).collect()
+    workers::map_all(&chosen, run).into_iter().collect()
 }
 
 fn run_case(id: &str, text: &str, data: &DataLibrary) -> Result<CaseRun, CliError> {

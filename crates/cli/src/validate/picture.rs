@@ -13,7 +13,7 @@ const SIZE: [f64; 2] = [720.0, 400.0];
 const EDGES: [f64; 4] = [52.0, 470.0, 46.0, 350.0];
 /// Number of points of a curve (chosen: one for every other pixel).
 const POINTS: usize = 240;
-/// Colours of curves that colour-blind readers can distinguish (source: Okabe & Ito 2008).
+/// Colours of curves that colour-blind readers can distinguish (source: Okabe & Ito 2008 `[@okabe-ito-2008]`).
 const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
 /// Style sheet of a picture.
 const STYLE: &str = "text{font:12px sans-serif;fill:#222}.grid{stroke:#ddd;fill:none}.curve{fill:none;stroke-width:1.6}\

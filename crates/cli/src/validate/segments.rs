@@ -7,6 +7,7 @@ use saute_lab::{Case, Shape, Verdict, verdicts};
 
 use super::page::number;
 use super::picture::{Curve, dense, draw, expected};
+use super::workers::map_all;
 use super::{CaseRun, timed};
 
 /// Cases with more nodes are left out: segments are summed edge by edge (chosen: some seconds per case).
@@ -33,7 +34,7 @@ impl Pair<'_> {
 
 /// Returns the page and its pictures by name.
 pub fn page(runs: &[CaseRun]) -> (String, Vec<(String, String)>) {
-    let mut pairs: Vec<Pair> = runs.iter().filter_map(pair).collect();
+    let mut pairs: Vec<Pair> = map_all(runs, |_, run| pair(run)).into_iter().flatten().collect();
     let mut text = String::from(INTRODUCTION);
     pairs.iter().for_each(|pair| rows(&mut text, pair));
     let held = |of: fn(&Pair) -> usize| pairs.iter().map(of).sum::<usize>();

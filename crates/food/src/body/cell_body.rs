@@ -1,4 +1,4 @@
-//! Bodies that are meshed inside a closed surface: what replaces sections and levels there.
+//! Bodies of cells inside a closed surface: mesh, shrinkage and readings.
 
 use saute_heat::vector::{Vec3, cross, scale, sub};
 use saute_heat::voronoi::Weights;
@@ -31,7 +31,7 @@ impl Body {
                 z if z < -BIG_FACE => Face::Bottom,
                 _ => Face::Side,
             };
-            // The skin contracts as the big faces of a slice do: by the stretch across alone.
+            // The skin contracts by the lateral stretch alone, as the big faces of a slice do.
             let face = if p.normal[2] > 0.0 { Face::Top } else { Face::Bottom };
             Patch { node: p.node, face, air: air as usize, area: p.area }
         });
@@ -40,7 +40,7 @@ impl Body {
     }
 }
 
-/// Convex outline of points seen from above, counter-clockwise.
+/// Convex hull of points seen from above, counter-clockwise.
 fn silhouette(points: &[Vec3]) -> Outline {
     let mut flat: Vec<[f64; 2]> = points.iter().map(|p| [p[0], p[1]]).collect();
     flat.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
@@ -63,14 +63,14 @@ fn silhouette(points: &[Vec3]) -> Outline {
     Outline { points: hull }
 }
 
-/// Weights at the core of a body of cells: at its centroid, or at its deepest node where a bent body leaves that outside.
+/// Weights at the core of a body of cells: at its centroid, or at its deepest node if the centroid lies outside [-].
 pub(crate) fn cell_core(cells: &CellMesh) -> Weights {
     let deepest = (0..cells.node_count()).max_by(|a, b| cells.depth[*a].total_cmp(&cells.depth[*b]));
     let centre = [0.0; 3];
     if cells.contains(centre) { cells.weights(centre) } else { vec![(deepest.unwrap_or(0) as u32, 1.0)] }
 }
 
-/// Shares of the cut across the longest axis through the middle.
+/// Area of each node in the cut across the longest axis through the middle [m²].
 pub(crate) fn middle_cut(cells: &CellMesh) -> Vec<(u32, f64)> {
     let extent = cells.surface.extent();
     let axis = if extent[0] >= extent[1] { 0 } else { 1 };
@@ -83,7 +83,7 @@ pub(crate) fn middle_cut(cells: &CellMesh) -> Vec<(u32, f64)> {
 }
 
 impl FoodModel {
-    /// Moves free juice outwards; outer nodes come first, so that nothing moves by two nodes at once.
+    /// Moves free juice outwards. Outer nodes come first, so that no juice moves by two nodes in one step.
     pub(crate) fn drain_cells(&self, state: &mut FoodState, reach: f64) {
         for &(from, to, distance) in &self.water.outwards {
             let share = 1.0 - 1.0 / (1.0 + reach / distance);
@@ -91,8 +91,8 @@ impl FoodModel {
         }
     }
 
-    /// The body contracts alike in all directions, to the volume that its nodes have left; where a node has lost more or
-    /// less than that, the flesh around it holds its breadth, and it becomes thinner or thicker below the skin.
+    /// Contracts the body isotropically to the sum of its nodes' volumes. Where a node has lost more or less than the mean,
+    /// its breadth follows the flesh around it and its axial stretch takes up the difference.
     pub(crate) fn shrink_evenly(&self, state: &mut FoodState, relative_volume: impl Fn(&FoodState, usize) -> f64) {
         let volume = self.shape.mesh.volumes();
         let mut left = 0.0;
@@ -105,12 +105,12 @@ impl FoodModel {
         state.stretch.axial.iter_mut().for_each(|a| *a /= lateral * lateral);
     }
 
-    /// Present positions: those of the rest shape about its centre, contracted.
+    /// Present positions: rest positions scaled about the centre [m].
     pub(crate) fn cell_positions(&self, cells: &CellMesh, state: &FoodState, positions: &mut [[f64; 3]]) {
         positions.iter_mut().zip(&cells.positions).for_each(|(p, rest)| *p = scale(*rest, state.stretch.lateral));
     }
 
-    /// Doneness by volume.
+    /// Shares of doneness by volume [%].
     pub(crate) fn cell_volume_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
         let mut sums = [0.0; MOST_CLASSES];
         for (peak, volume) in state.peak.iter().zip(self.shape.mesh.volumes()) {
@@ -119,7 +119,7 @@ impl FoodModel {
         Shares::from_weights(sums)
     }
 
-    /// Doneness of the middle cut by area.
+    /// Shares of doneness of the middle cut by area [%].
     pub(crate) fn cell_cut_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
         let mut sums = [0.0; MOST_CLASSES];
         for &(node, area) in &self.shape.middle_cut {

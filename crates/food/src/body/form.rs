@@ -1,14 +1,14 @@
-//! The shapes that pieces are cut to, and what their sizes mean.
+//! Forms of pieces and the meaning of their dimensions.
 
 use serde::Deserialize;
 
-/// The shapes that can be built.
+/// Form of a piece.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
 #[serde(rename_all = "kebab-case")]
 pub enum Form {
     /// A superellipse outline times an uneven thickness; fibres run through the thickness.
     Steak,
-    /// A round disc that is pressed by hand: of uneven thickness.
+    /// A round disc pressed by hand, of uneven thickness.
     Patty,
     /// A round slice across a root; its fibres run through the thickness.
     Coin,
@@ -16,14 +16,14 @@ pub enum Form {
     Ring,
     /// A bar with rounded edges; fibres run along it.
     Stick,
-    /// A tapering body on a curved spine that ends in a tail fan; it lies on its side, fibres run along it.
+    /// A tapering body on a curved spine with a tail fan; it lies on its side, and fibres run along it.
     Shrimp,
-    /// Whatever a closed surface of the user's encloses.
+    /// The inside of a closed surface from the user's own file.
     Mesh,
 }
 
 impl Form {
-    /// Names of its dimensions.
+    /// Names of the dimensions of the form.
     pub fn dimensions(self) -> &'static [&'static str] {
         match self {
             Self::Steak | Self::Stick => &["length", "width", "thickness"],
@@ -33,7 +33,14 @@ impl Form {
         }
     }
 
-    /// Length, width and thickness from its dimensions, in their unit; none where their number is wrong.
+    /// Returns length, width and thickness from the dimensions, in their unit, or none if their number is wrong.
+    ///
+    /// ```
+    /// use saute_food::Form;
+    /// // A coin 24 mm across and 8 mm thick.
+    /// assert_eq!(Form::Coin.extent(&[24.0, 8.0]), Some([24.0, 24.0, 8.0]));
+    /// assert_eq!(Form::Coin.extent(&[24.0]), None);
+    /// ```
     pub fn extent(self, size: &[f64]) -> Option<[f64; 3]> {
         match (self, size) {
             (Self::Steak | Self::Stick, &[length, width, thickness]) => Some([length, width, thickness]),
@@ -44,7 +51,7 @@ impl Form {
         }
     }
 
-    /// Which dimension each of length, width and thickness comes from.
+    /// Name of the dimension that length (0), width (1) or thickness (2) comes from.
     pub fn dimension_of(self, axis: usize) -> &'static str {
         let names = self.dimensions();
         match self {
@@ -55,7 +62,7 @@ impl Form {
         }
     }
 
-    /// Its name in files.
+    /// Name of the form in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Steak => "steak",
@@ -68,7 +75,7 @@ impl Form {
         }
     }
 
-    /// Axis of the body frame along which a root or shaft grew: along sticks, through slices.
+    /// Axis of the body frame along which a root or shaft grew: 0 (lengthwise) in sticks, 2 (through the thickness) in slices.
     pub fn grown_along(self) -> usize {
         if matches!(self, Self::Stick | Self::Shrimp) { 0 } else { 2 }
     }

@@ -1,9 +1,9 @@
-//! A knife's cut across the long axis of a piece: its halves part there, and each has a fresh face.
+//! A cut across the long axis of a piece into two halves, each with a fresh face.
 //!
-//! The piece stays one mesh and one state. Edges that cross the plane lose their conductance, juice no longer passes, and
-//! the nodes beside the plane get a patch each, which meets the air and from which juice runs off. What a node's patch
-//! covers is the part of the plane that its lost edges stood for: shape × distance across the plane, which is what a
-//! field that rises evenly across the plane would have sent through it; all of them add up to the plane's own area.
+//! The piece remains one mesh and one state. Edges that cross the plane lose their conductance, and no juice passes. Each
+//! node beside the plane gets a patch that meets the air and from which juice runs off. The area of that patch is the sum
+//! of shape × distance across the plane over the node's cut edges, which is exact for a linear field; the areas are scaled
+//! to add up to the area of the plane.
 
 use std::collections::BTreeMap;
 
@@ -14,28 +14,29 @@ use crate::body::patch_pose::{PatchPose, unit};
 use crate::body::rest_shape::RestShape;
 use crate::model::FoodModel;
 
-/// Least distance of a cut from either end of the long axis [m] (chosen: a knife cuts no thinner slice off a hot piece).
+/// Least distance of a cut from either end of the long axis [m] (chosen: the thinnest slice that a knife cuts off a hot
+/// piece).
 const LEAST_SLICE: f64 = 3.0e-3;
 
-/// Where a piece is cut through.
+/// Place and direction of a cut through a piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cut {
-    /// Unit vector along the long axis in the body frame [-]; a curved body's is that of its path where it is cut, at rest.
+    /// Unit vector along the long axis in the body frame [-]; in a curved body along the path at the cut, at rest.
     pub axis: [f64; 3],
-    /// Distance of the cut from the middle along the long axis of the rest shape [m]; along the path of a curved body.
+    /// Distance of the cut from the middle along the long axis of the rest shape, or along the path of a curved body [m].
     pub at: f64,
 }
 
-/// Why a piece cannot be cut.
+/// Error of cutting a piece in halves.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CutError {
-    /// It is in halves.
-    #[error("it is cut in halves already")]
+    /// The piece is already cut in halves.
+    #[error("the piece is already cut in halves")]
     Halved,
-    /// The plane misses it.
-    #[error("the cut may lie up to {most} m from the middle")]
+    /// The plane of the cut misses the piece or lies too close to its end.
+    #[error("a cut may lie at most {most} m from the middle")]
     Beside {
-        /// Farthest from the middle [m].
+        /// Largest distance from the middle [m].
         most: f64,
     },
 }
@@ -43,38 +44,43 @@ pub enum CutError {
 /// An edge across the plane of a cut and its two ends, the one beyond second.
 type Crossing = (usize, [u32; 2]);
 
-/// What a cut changed.
+/// The changes that a cut made to the rest shape.
 #[derive(Clone, Debug)]
 pub(crate) struct Halving {
     cut: Cut,
-    /// The fresh faces' patches are the last ones, from here on.
+    /// Index of the first patch of the fresh faces, which come last.
     first_patch: usize,
-    /// Which nodes lie beyond the cut.
+    /// True for nodes on the positive side of the cut.
     beyond: Vec<bool>,
-    /// Nodes whose edge was cut, the one beyond second.
+    /// Both ends of each cut edge, the one beyond the cut second.
     parted: Vec<[u32; 2]>,
-    /// The level before the cut, where levels follow each other along the long axis.
+    /// The last level before the cut, in a body along stations.
     level: Option<usize>,
 }
 
 impl FoodModel {
-    /// Where the piece was cut in halves.
+    /// Returns the cut of a halved piece, or none.
     pub fn halved_at(&self) -> Option<Cut> {
         self.shape.halving.as_ref().map(|h| h.cut)
     }
 
-    /// Whether a node of a halved piece lies in the half towards the positive end of the long axis.
+    /// Returns true if a node of a halved piece lies in the half at the positive end of the long axis.
     pub fn is_beyond_cut(&self, node: usize) -> bool {
         self.shape.halving.as_ref().is_some_and(|h| h.beyond[node])
     }
 
-    /// The patches of the fresh faces: the last ones; none of a whole piece.
+    /// Indices of the patches of the fresh faces; empty for a whole piece.
     pub fn fresh_faces(&self) -> core::ops::Range<usize> {
         let all = self.shape.patches.len();
         self.shape.halving.as_ref().map_or(all, |h| h.first_patch)..all
     }
 
-    /// The piece cut in halves at a distance from the middle of its long axis [m]; its state goes on as it is.
+    /// Returns the piece cut in halves at a distance from the middle of its long axis [m]; its [`FoodState`] stays valid.
+    ///
+    /// # Errors
+    /// If the piece is cut already, or if the cut misses it.
+    ///
+    /// [`FoodState`]: crate::FoodState
     pub fn halved(&self, at: f64) -> Result<Self, CutError> {
         let shape = &self.shape;
         if shape.halving.is_some() {
@@ -117,12 +123,12 @@ impl FoodModel {
         shape.pose_cut(axis, first_patch);
     }
 
-    /// Area of the fresh face that belongs to each node beside the cut [m²].
+    /// Area of the fresh face of each node beside the cut [m²].
     fn fresh_areas(&self, at: f64, edges: &[Crossing]) -> BTreeMap<u32, f64> {
         let mut areas = BTreeMap::new();
         let mut sum = 0.0;
         for &(edge, [near, far]) in edges {
-            // Borders of sheaths lower a conductance, not the area.
+            // Borders of sheaths lower the conductance of an edge, not its area.
             let shape = &self.shape;
             let whole = shape.mesh.graph().shape[edge] / self.tissue.sheath_share(&shape.mesh, edge);
             let area = whole * (shape.along(far as usize) - shape.along(near as usize));
@@ -155,7 +161,7 @@ impl FoodModel {
 }
 
 impl RestShape {
-    /// 0 where the piece is longest along x, 1 along y; a body on stations is as long as its path.
+    /// Index of the long axis: 0 for x, 1 for y; a body along stations is long along its path (0).
     fn long_axis(&self) -> usize {
         let on_path = matches!(self.mesh.layout(), Layout::Along(..));
         if on_path || self.size[0] >= self.size[1] { 0 } else { 1 }
@@ -184,7 +190,7 @@ impl RestShape {
         self.halving.as_ref().is_some_and(|h| h.level == Some(a.min(b)))
     }
 
-    /// Turns the poses of the fresh faces, one towards the other half's side of the plane each.
+    /// Sets the normals of the fresh faces: each points to the other half.
     pub(crate) fn pose_fresh_faces(&self, positions: &[[f64; 3]], poses: &mut [PatchPose]) {
         let Some(halving) = &self.halving else { return };
         let mut axis = halving.cut.axis;

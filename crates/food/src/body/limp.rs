@@ -1,4 +1,4 @@
-//! How far a long body bends under its own weight: a raw shrimp lies on the pan with all its length, a carrot on two spots.
+//! Bending of a long body under its own weight: a raw shrimp lies flat along its length, a raw carrot rests on two points.
 
 use std::f64::consts::PI;
 
@@ -8,22 +8,24 @@ use crate::GRAVITY;
 use crate::model::FoodModel;
 use crate::state::FoodState;
 
-/// Gap up to which a station carries weight [m] (chosen: what a round back of flesh flattens by).
+/// Gap up to which a station carries weight [m] (chosen: the flattening of round flesh under its own weight).
 const CARRIES: f64 = 0.1e-3;
 
-/// The bending of a body along its stations.
+/// Beam model of a body along its stations: Euler–Bernoulli bending under its own weight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limp {
     nodes_per_level: usize,
-    /// Where the stations lie along the path [m].
+    /// Positions of the stations along the path [m].
     along: Vec<f64>,
-    /// Weight per length over eight times the rigidity, w/(8EI): a free end this far off, d, gives by w d⁴/(8EI) [1/m³].
+    /// Weight per length over eight times the bending rigidity, w/(8EI) [1/m³]: a cantilever of length d deflects by
+    /// w d⁴/(8EI).
     weight_over_rigidity: f64,
 }
 
 impl FoodModel {
-    /// The bending of a body that is carried along stations, with the relaxed modulus and the round section of its mean area;
-    /// none for other bodies. E I = E A²/4π.
+    /// Returns the beam model of a body along stations, or none for other bodies.
+    ///
+    /// Rigidity E I = E A²/4π with the relaxed elastic modulus E and a round section of the mean area A.
     pub fn limp(&self, state: &FoodState) -> Option<Limp> {
         let Layout::Along(mesh, _) = self.shape.mesh.layout() else { return None };
         let length = mesh.thickness();
@@ -39,7 +41,7 @@ impl FoodModel {
 }
 
 impl Limp {
-    /// The station of a node.
+    /// Index of the station of a node.
     pub fn station(&self, node: u32) -> usize {
         node as usize / self.nodes_per_level
     }
@@ -49,8 +51,10 @@ impl Limp {
         self.along.len()
     }
 
-    /// What is left of the gaps under the stations when the body has bent down as far as its weight bends it [m]: what lies
-    /// takes along what is between, until what still hangs is stiffer than its weight. Over nothing a station's gap is ∞.
+    /// Returns the gaps that are left under the stations after the body has bent under its weight [m].
+    ///
+    /// Stations that touch down pull the stations between them along, until the free spans carry their own weight. The gap
+    /// of a station with nothing below it is ∞.
     pub fn settled(&self, mut gaps: Vec<f64>) -> Vec<f64> {
         let least = gaps.iter().copied().fold(f64::INFINITY, f64::min);
         if !least.is_finite() {
@@ -61,7 +65,7 @@ impl Limp {
         let mut drops = vec![0.0; gaps.len()];
         loop {
             self.drop(&lying, &mut drops);
-            // What comes down farthest beyond its gap lands first.
+            // The station that moves farthest beyond its gap touches down first.
             let beyond = |i: usize| drops[i] - (gaps[i] - least);
             let hanging = (0..gaps.len()).filter(|&i| lying[i].is_none() && beyond(i) >= 0.0);
             let Some(station) = hanging.max_by(|&a, &b| beyond(a).total_cmp(&beyond(b))) else { break };
@@ -71,8 +75,8 @@ impl Limp {
         gaps
     }
 
-    /// How far stations come down that are held where others lie: by what the nearest on either side came down, and as an
-    /// end gives [m].
+    /// Computes how far each station moves down between its supports: interpolated between them, plus the deflection of a
+    /// free end [m].
     fn drop(&self, lying: &[Option<f64>], drops: &mut [f64]) {
         let mut before: Option<(f64, f64)> = None;
         let mut next = 0;
@@ -97,7 +101,7 @@ impl Limp {
         }
     }
 
-    /// How far an end gives that reaches so far beyond where it is held [m].
+    /// Deflection of a free end that extends `reach` beyond its support [m].
     fn give(&self, away: f64) -> f64 {
         self.weight_over_rigidity * away * away * away * away
     }

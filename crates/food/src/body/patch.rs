@@ -1,8 +1,8 @@
-//! Faces through which a body meets the outside.
+//! Patches: the parts of a body's faces that belong to single nodes.
 
 use saute_heat::SweptMesh;
 
-/// Which face a patch belongs to, named by the path of the mesh.
+/// Face of a body, named by the path of its mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Face {
     /// Level 0 of the mesh.
@@ -13,20 +13,20 @@ pub enum Face {
     Side,
 }
 
-/// The part of a face that belongs to one node.
+/// Part of a face that belongs to one node.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Patch {
     /// The node.
     pub node: u32,
-    /// Its face.
+    /// The face.
     pub face: Face,
-    /// Which of the surroundings' airs lies before it while it is free.
+    /// Index of the air zone in front of the patch, used while it has no contact.
     pub air: usize,
     /// Area of the rest shape [m²].
     pub area: f64,
 }
 
-/// Patches of a swept body: bottom, top, side, each face with an air of its own.
+/// Returns the patches of a swept body in the order bottom, top, side; each face has an air zone of its own.
 pub fn patches(mesh: &SweptMesh) -> Vec<Patch> {
     let (n, last) = (mesh.nodes_per_level(), mesh.levels.len() - 1);
     let mut all = Vec::with_capacity(2 * n);

@@ -7,10 +7,10 @@ use crate::body::rest_shape::RestShape;
 use crate::model::FoodModel;
 use crate::state::FoodState;
 
-/// Cosine between a patch's outward normal and straight down from which the patch lies below [-] (chosen: 45°).
+/// Vertical component of the outward normal below which a patch belongs to the lower face [-] (chosen: 45°).
 const BELOW: f64 = -0.7;
 
-/// Where a patch lies and looks, in the body frame.
+/// Position and outward normal of a patch in the body frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PatchPose {
     /// Position [m].
@@ -19,10 +19,10 @@ pub struct PatchPose {
     pub normal: [f64; 3],
 }
 
-/// Poses of all patches, with room to reckon them again without allocating.
+/// Poses of all patches, in buffers that are reused between calls.
 #[derive(Clone, Debug, Default)]
 pub struct PatchGeometry {
-    /// A pose for each patch, in their order.
+    /// Pose of each patch, in the order of the patches.
     pub poses: Vec<PatchPose>,
     positions: Vec<[f64; 3]>,
 }
@@ -79,22 +79,24 @@ impl FoodModel {
         self.shape.rest_position(node)
     }
 
-    /// Pose of every patch in the present shape, in the body frame, without the dome (see [`FoodModel::dome_gap`]).
+    /// Returns the pose of every patch in the present shape, in the body frame, without the dome
+    /// (see [`FoodModel::dome_gap`]).
     pub fn patch_geometry(&self, state: &FoodState) -> Vec<PatchPose> {
         let mut geometry = PatchGeometry::default();
         self.patch_geometry_into(state, &mut geometry);
         geometry.poses
     }
 
-    /// As [`Self::patch_geometry`], into what is kept between calls.
+    /// As [`Self::patch_geometry`], into reused buffers.
     pub fn patch_geometry_into(&self, state: &FoodState, geometry: &mut PatchGeometry) {
         self.flat_positions_into(state, &mut geometry.positions);
         self.shape.pose_patches(&geometry.positions, &mut geometry.poses);
     }
 
-    /// Patches that lie below where `up` points up in the world, a direction of the body frame: those that look down
-    /// (n·up < −0.7), or where none does those that do so most. Their order is that of the patches. The fresh faces of a
-    /// cut are open to the air and lie on nothing.
+    /// Returns the indices of the patches of the lower face, in ascending order.
+    ///
+    /// `up` is the world's upward direction in the body frame. The lower face has n·up < −0.7; if no patch does, it is the
+    /// patches with the smallest n·up. Fresh faces of a cut never belong to it.
     pub fn patches_below(&self, up: [f64; 3]) -> impl Iterator<Item = usize> + '_ {
         let height = move |i: usize| {
             let n = self.shape.rest_normals[i];
@@ -108,7 +110,7 @@ impl FoodModel {
     }
 }
 
-/// Normal of a patch of a plain body, whose section has no triangles.
+/// Normal of a patch of a body whose section has no triangles [-].
 fn plain_normal(face: Face, [x, y, _]: [f64; 3]) -> [f64; 3] {
     match face {
         Face::Bottom => [0.0, 0.0, -1.0],
@@ -117,7 +119,7 @@ fn plain_normal(face: Face, [x, y, _]: [f64; 3]) -> [f64; 3] {
     }
 }
 
-/// Normal of a triangle, as long as twice its area.
+/// Normal of a triangle; its length is twice the area [m²].
 fn twice_area([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
     let (u, v) = ([0, 1, 2].map(|k| b[k] - a[k]), [0, 1, 2].map(|k| c[k] - a[k]));
     [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]

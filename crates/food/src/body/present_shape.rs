@@ -1,4 +1,4 @@
-//! Where the nodes of a piece are now: stretched, bent, curled.
+//! The present shape of a piece: positions of its nodes after contraction, bending and curling.
 
 use saute_heat::{Layout, Station, SweptMesh};
 
@@ -6,17 +6,17 @@ use crate::body::shrimp::volume_centre;
 use crate::model::FoodModel;
 use crate::state::FoodState;
 
-/// Where a station of the path stands now.
+/// Present pose of a station of the path.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Standing {
-    /// Its centre [m].
+    /// Centre of the station [m].
     pub(crate) centre: [f64; 3],
-    /// How far it has turned about z from its rest position [rad].
+    /// Rotation about z from the rest pose [rad].
     pub(crate) turned: f64,
 }
 
 impl Standing {
-    /// A point of the section's plane in space [m], stretched across.
+    /// Position of a point of the section, stretched across [m].
     pub(crate) fn place(&self, station: &Station, [x, y]: [f64; 2], lateral: f64) -> [f64; 3] {
         let [a, b] = station.across;
         let from = rotated([0, 1, 2].map(|k| lateral * (x * a[k] + y * b[k])), self.turned);
@@ -25,7 +25,7 @@ impl Standing {
 }
 
 impl FoodModel {
-    /// Present mean thickness; of a curved body its height as it lies on its side [m].
+    /// Present mean thickness, or of a curved body the height as it lies on its side [m].
     pub fn thickness(&self, state: &FoodState) -> f64 {
         let Layout::Upright(mesh) = self.shape.mesh.layout() else {
             return self.shape.size[2] * state.stretch.lateral;
@@ -35,8 +35,10 @@ impl FoodModel {
         sum / mesh.section.area()
     }
 
-    /// Present position of every node [m]. Origin: of a slice midway between its lowest and highest mean levels, of a
-    /// curved body the centre of its volume.
+    /// Present position of every node in the body frame [m].
+    ///
+    /// The origin of a slice is midway between its lowest and highest mean levels, that of a curved body the centre of its
+    /// volume.
     pub fn positions(&self, state: &FoodState) -> Vec<[f64; 3]> {
         let mut positions = Vec::new();
         self.flat_positions_into(state, &mut positions);
@@ -48,7 +50,7 @@ impl FoodModel {
         positions
     }
 
-    /// As [`Self::positions`], without the dome, into what is kept between calls.
+    /// As [`Self::positions`], without the dome, into a reused buffer.
     pub fn flat_positions_into(&self, state: &FoodState, positions: &mut Vec<[f64; 3]>) {
         positions.clear();
         positions.resize(self.shape.mesh.node_count(), [0.0; 3]);
@@ -75,7 +77,8 @@ impl FoodModel {
         positions.iter_mut().for_each(|p| (0..3).for_each(|k| p[k] -= centre[k]));
     }
 
-    /// Puts the nodes where the stations stand; returns the centre of their volume, which [`Self::positions`] takes off [m].
+    /// Places the nodes by the poses of their stations; returns the centre of their volume, which [`Self::positions`]
+    /// subtracts [m].
     pub(crate) fn stand(
         &self,
         state: &FoodState,
@@ -92,13 +95,13 @@ impl FoodModel {
         self.centre_of(positions)
     }
 
-    /// Centre of the rest volumes where the nodes are [m].
+    /// Centre of the nodes weighted by their rest volumes [m].
     fn centre_of(&self, positions: &[[f64; 3]]) -> [f64; 3] {
         volume_centre(self.shape.mesh.volumes().iter().copied(), |node| positions[node])
     }
 
-    /// Where the stations stand now, the first centre where it rests: the spine shortens by each level's mean stretch
-    /// and turns by the curl, evenly along its length.
+    /// Present poses of the stations; the first centre stays at rest. The spine shortens by each level's mean stretch and
+    /// turns by the curl, evenly along its length.
     pub(crate) fn spine<'a>(
         &self,
         mesh: &'a SweptMesh,
@@ -119,7 +122,7 @@ impl FoodModel {
         })
     }
 
-    /// Height of the origin of [`Self::positions`] above the plane on which the piece lies on its flat side [m].
+    /// Height of the origin of [`Self::positions`] above the plane on which the flat side of the piece lies [m].
     pub fn rest_height(&self, state: &FoodState) -> f64 {
         if let Some(cells) = self.shape.mesh.cells() {
             let lowest = cells.surface.vertices.iter().map(|p| p[2]).fold(f64::INFINITY, f64::min);
@@ -128,14 +131,15 @@ impl FoodModel {
         0.5 * (self.thickness(state) + state.stretch.dome.abs())
     }
 
-    /// Square of the distance from the middle over the half length and width [-].
+    /// Square of the distance from the middle, relative to half the length and width [-].
     fn outwards(&self, [x, y, _]: [f64; 3]) -> f64 {
         4.0 * ((x / self.shape.size[0]) * (x / self.shape.size[0])
             + (y / self.shape.size[1]) * (y / self.shape.size[1]))
     }
 
-    /// How far a patch of the lower face at a point of the rest shape stands off for the dome, where `up` points up in
-    /// the world, a direction of the body frame [m].
+    /// Gap below a patch of the lower face that the dome of a bent slice causes, at a point of the rest shape [m].
+    ///
+    /// `up` is the world's upward direction in the body frame.
     pub fn dome_gap(&self, state: &FoodState, point: [f64; 2], up: [f64; 3]) -> f64 {
         let out = self.outwards([point[0], point[1], 0.0]);
         let upwards = state.stretch.dome * up[2];
@@ -143,7 +147,7 @@ impl FoodModel {
     }
 }
 
-/// Present height of a column of a slice at each level above its lowest [m], level by level.
+/// Present height of a column of a slice above its lowest level, level by level [m].
 fn column_heights<'a>(mesh: &'a SweptMesh, state: &'a FoodState, column: usize) -> impl Iterator<Item = f64> + use<'a> {
     let n = mesh.nodes_per_level();
     let mut height = 0.0;

@@ -1,9 +1,9 @@
-//! Cross-sections of round bodies: rings of nodes below the skin, close to it and far apart inside.
+//! Cross-sections of round bodies: rings of nodes, fine below the skin and coarse inside.
 
-/// Shares of the radius at which `intervals` rings lie below the skin, from 1 inwards; the centre is left out [-].
+/// Returns the radii of `intervals` rings over the radius of the skin, from 1 inwards and without the centre [-].
 ///
-/// The first layer is about `first` thick below a skin that is `half` from the middle [m] (evenly divided where it is
-/// thinner than that), and each layer grows by one factor to fill it.
+/// The first layer is about `first` [m] thick, in a body with the skin at `half` [m] from the middle. Each layer grows by
+/// one factor towards the middle. A body too thin for that is divided evenly.
 pub fn ring_shares(half: f64, first: f64, intervals: usize) -> Vec<f64> {
     let first = first.min(half / intervals as f64);
     let growth = growth_to_fill(half / first, intervals);
@@ -17,7 +17,7 @@ pub fn ring_shares(half: f64, first: f64, intervals: usize) -> Vec<f64> {
     shares
 }
 
-/// The factor g ≥ 1 for which 1 + g + … + gⁿ⁻¹ is `sum`, by bisection [-].
+/// Returns the factor g ≥ 1 with 1 + g + … + gⁿ⁻¹ = `sum`, by bisection [-].
 fn growth_to_fill(sum: f64, count: usize) -> f64 {
     let total = |growth: f64| (0..count).fold((0.0, 1.0), |(sum, term), _| (sum + term, term * growth)).0;
     let (mut low, mut high) = (1.0, 16.0);
@@ -28,7 +28,8 @@ fn growth_to_fill(sum: f64, count: usize) -> f64 {
     0.5 * (low + high)
 }
 
-/// Rings of `around` nodes at the given shares, half as many on the innermost, and a node in the centre.
+/// Returns rings as (number of nodes, share of the radius): `around` nodes each, half as many on the innermost, and one
+/// node in the centre.
 pub fn ringed(around: usize, shares: &[f64]) -> Vec<(usize, f64)> {
     let last = shares.len().saturating_sub(1);
     let count = |i: usize| if i == last { around.div_ceil(2) } else { around };

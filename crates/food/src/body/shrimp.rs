@@ -1,4 +1,4 @@
-//! A shrimp tail: a tapering body of six segments on a curved spine, with a tail fan. It lies on its side.
+//! A shrimp tail: a tapering body of six segments on a curved spine with a tail fan, lying on its side.
 
 use core::f64::consts::PI;
 
@@ -28,16 +28,16 @@ const DEPTH_AT: [f64; 11] = [0.0, 0.12, 0.28, 0.45, 0.60, 0.72, 0.80, 0.85, 0.90
 const DEPTH: [f64; 11] = [0.97, 1.0, 0.98, 0.90, 0.78, 0.66, 0.53, 0.42, 0.66, 0.97, 0.90];
 /// Breadth (left to right) over the broadest at shares of the length [-] (chosen likewise: the fan is a thin blade).
 const BREADTH: [f64; 11] = [0.97, 1.0, 0.98, 0.91, 0.81, 0.70, 0.57, 0.43, 0.28, 0.18, 0.16];
-/// How far the head end is rounded [-] and over which run [m] (chosen: where the head was twisted off).
+/// Depth of the rounding at the head end [-] and its length [m] (chosen: where the head was twisted off).
 const ROUNDING: [f64; 2] = [0.16, 1.2e-3];
-/// Most turn over length per thickness [rad] (chosen: the belly of a short, thick shrimp stays half as far from the
-/// centre of its curve as the spine, so that it does not fold).
+/// Largest turn over length per thickness [rad] (chosen: the belly of a short, thick shrimp keeps half the spine's distance
+/// from the centre of curvature, so that it does not fold).
 const MOST_TURN: f64 = 0.9;
 /// Depth of the grooves between segments over the radius [-] (chosen: gently visible without the shell).
 const GROOVE: f64 = 0.11;
 
 impl Body {
-    /// A shrimp; its plane is x–y, the back towards +y, the head end towards −x.
+    /// Meshes a shrimp in the x–y plane with its back towards +y and its head end towards −x.
     pub(crate) fn shrimp(description: &FoodDescription, piece: &PieceSpec) -> Result<Self, BuildError> {
         let spine = description.spine.as_ref().ok_or(BuildError::Missing { form: "shrimp", table: "spine" })?;
         let shape = Shape::new(description, spine, piece);
@@ -63,14 +63,14 @@ impl Body {
     }
 }
 
-/// The seeded shape of one shrimp.
+/// Seeded shape of one shrimp.
 struct Shape {
     length: f64,
-    /// Half the largest depth and breadth [m].
+    /// Half of the largest depth and breadth [m].
     half: [f64; 2],
-    /// Angle through which the spine turns [rad].
+    /// Angle of the spine's turn [rad].
     turn: f64,
-    /// Swelling of fore and rear body [-].
+    /// Swelling of the fore and the rear body [-].
     swelling: [f64; 2],
 }
 
@@ -88,7 +88,7 @@ impl Shape {
         }
     }
 
-    /// Levels along the spine: thin at both ends, then with the segments and evenly in the fan [m].
+    /// Levels along the spine: graded at both ends, aligned with the segments, even in the fan [m].
     fn levels(&self, first: f64, coarseness: f64) -> Vec<f64> {
         let [in_segment, in_fan] = LAYERS.map(|count| libm::ceil(count / coarseness));
         let (body, fan) = (FAN_FROM * self.length, (1.0 - FAN_FROM) * self.length);
@@ -105,7 +105,7 @@ impl Shape {
         ends.iter().copied().chain(inside).chain(ends.iter().rev().map(|e| self.length - e)).collect()
     }
 
-    /// Depth and breadth at a share of the length over the largest [-].
+    /// Depth and breadth relative to the largest, at a share of the length [-].
     fn scale(&self, share: f64) -> [f64; 2] {
         let rounded = 1.0 - ROUNDING[0] * libm::exp(-share * self.length / ROUNDING[1]);
         let bump = libm::sin(PI * (share / FAN_FROM).min(1.0));
@@ -119,7 +119,7 @@ impl Shape {
             .map(|table| interpolate(&DEPTH_AT, &table, share) * rounded * (1.0 - groove) * swollen.min(1.0))
     }
 
-    /// Direction of the spine at a share of the length [rad]: the body bends, more towards the tail; the fan is straight.
+    /// Direction of the spine at a share of the length [rad]. The body bends more towards the tail; the fan is straight.
     fn heading(&self, share: f64) -> f64 {
         let bent = (share / FAN_FROM).min(1.0);
         self.turn * (0.5 - bent * (0.62 + 0.38 * bent))
@@ -149,7 +149,7 @@ impl Shape {
         Ok(stations)
     }
 
-    /// The section's nodes at a scale; where layers are graded, the first keeps its thickness however thin the body.
+    /// Nodes of the section at a scale [m]. In a graded mesh the first layer keeps its thickness at every scale.
     fn points(&self, section: &Section, rings: &[(usize, f64)], scale: [f64; 2], first: Option<f64>) -> Vec<[f64; 2]> {
         let half = (self.half[0] * scale[0]).min(self.half[1] * scale[1]);
         let shares = first.map(|first| ring_shares(half, first, rings.len() - 1));
@@ -165,7 +165,7 @@ impl Shape {
     }
 }
 
-/// Moves the stations so that the centre of the volume is the origin.
+/// Moves the stations so that the centre of volume is the origin.
 fn centre(mesh: &mut SweptMesh) {
     let middle = volume_centre(mesh.graph.volume.iter().copied(), |node| mesh.position(node));
     if let saute_heat::Path::Stations(stations) = &mut mesh.path {
@@ -173,7 +173,7 @@ fn centre(mesh: &mut SweptMesh) {
     }
 }
 
-/// Centre of weights that lie at places [m].
+/// Weighted mean of positions [m].
 pub(crate) fn volume_centre(weights: impl Iterator<Item = f64>, place: impl Fn(usize) -> [f64; 3]) -> [f64; 3] {
     let (mut sum, mut whole) = ([0.0; 3], 0.0);
     for (node, weight) in weights.enumerate() {
@@ -184,7 +184,7 @@ pub(crate) fn volume_centre(weights: impl Iterator<Item = f64>, place: impl Fn(u
     sum.map(|s| s / whole)
 }
 
-/// What is seen from above of a body whose stations stand upright: along its back to the head, and along its belly.
+/// Outline seen from above of a body with upright stations: along the belly, then back along the back.
 fn silhouette(mesh: &SweptMesh) -> Outline {
     let extreme = |level: usize, sign: f64| {
         let n = mesh.nodes_per_level();

@@ -1,4 +1,4 @@
-//! How a piece contracts and bends as it loses water and fat.
+//! Shrinkage: contraction and bending of a piece as it loses water and fat.
 
 use libm::{exp, log};
 use saute_heat::{Layout, SweptMesh};
@@ -10,10 +10,10 @@ use crate::{GRAVITY, ZERO_C};
 
 /// Poisson's ratio of meat [-] (nearly incompressible: 0.5).
 const POISSON: f64 = 0.5;
-/// Temperature at which rest volumes are reckoned [K].
+/// Temperature of the rest volumes [K] (chosen: room temperature).
 const REST: f64 = ZERO_C + 20.0;
 
-/// Sums over the piece as a plate, by level from the bottom.
+/// Sums over a laminated plate, by level from the bottom.
 #[derive(Default)]
 struct Plate {
     /// Stiffness per width E·h [N/m].
@@ -36,7 +36,7 @@ impl Plate {
         self.contraction_height += weight * z * contraction;
     }
 
-    /// Contraction of the whole plate [-], curvature it would take freely [1/m] and E·I per width [N·m].
+    /// Mean contraction of the plate [-], free curvature [1/m] and bending rigidity E·I per width [N·m].
     fn bend(&self) -> (f64, f64, f64) {
         let (middle, mean) = (self.height / self.stiffness, self.contraction / self.stiffness);
         let rigidity = self.height_squared - self.stiffness * middle * middle;
@@ -45,13 +45,13 @@ impl Plate {
 }
 
 impl FoodModel {
-    /// Brings the stretches up to date with water, fat and changes.
+    /// Updates the stretch ratios from water, fat and changes.
     ///
-    /// A node's volume is its rest volume less the water and fat lost, down to the least that the tissue contracts to;
-    /// what boils off beyond leaves pores. Free contraction is shared between across and along the fibres as the
-    /// changes of free muscle are. Across, the levels are one plate: it takes their stiffness-weighted mean, and
-    /// thickness takes up the rest, so that volumes hold. What differs between levels bends the plate; its own
-    /// weight holds it down (simply supported disc with relaxed modulus): w = (5+ν)/(64(1+ν)) p a⁴/D.
+    /// The volume of a node is its rest volume less the lost water and fat, down to the least volume of the tissue; water
+    /// lost beyond that leaves pores. The kinetics divide the contraction between the directions across and along the
+    /// fibres. A slice is a laminated plate: across the fibres it takes the stiffness-weighted mean of its levels, and the
+    /// thickness takes up the rest, so that volumes are kept. Differences between levels bend the plate. Its own weight
+    /// counteracts (simply supported disc, relaxed modulus): w = (5+ν)/(64(1+ν)) p a⁴/D.
     pub fn shrink(&self, state: &mut FoodState) {
         match self.shape.mesh.layout() {
             Layout::Upright(mesh) => self.shrink_as_a_plate(mesh, state),
@@ -63,8 +63,8 @@ impl FoodModel {
         }
     }
 
-    /// A body that is no plate takes the stiffness-weighted mean of its contraction across and stays unbent (what
-    /// differs between its belly and its back is [`FoodModel::curl`]).
+    /// Contracts a body along stations by the stiffness-weighted mean of its nodes, without bending; the difference between
+    /// belly and back is [`FoodModel::curl`].
     fn shrink_freely(&self, state: &mut FoodState) {
         let rest = Rest::of(self);
         let (mut modulus, mut contraction) = (0.0, 0.0);
@@ -100,8 +100,11 @@ impl FoodModel {
         state.stretch.dome = self.dome(state, mesh.section.area(), curvature, rigidity);
     }
 
-    /// Log contraction across the fibres that a free node would take at its relative volume [-].
+    /// Logarithmic contraction across the fibres of a free node at its relative volume [-].
     fn free_contraction(&self, state: &FoodState, node: usize, volume: f64) -> f64 {
+        if volume == 1.0 {
+            return 0.0;
+        }
         let sum = |table: &PerChange| -> f64 { state.changed.iter().zip(table).map(|(x, c)| x[node] * c).sum() };
         let [across, along] = &self.response.contraction;
         let (a, b) = (-log(1.0 - sum(across)), -log(1.0 - sum(along)));
@@ -109,7 +112,7 @@ impl FoodModel {
         -log(volume) * share
     }
 
-    /// What of a free dome stands up against the weight [m].
+    /// Height of the dome that remains against the weight [m].
     fn dome(&self, state: &FoodState, area: f64, curvature: f64, rigidity: f64) -> f64 {
         let (length, width) = (self.shape.size[0], self.shape.size[1]);
         let radius_squared = 0.125 * (length * length + width * width);
@@ -120,7 +123,7 @@ impl FoodModel {
         if free.abs() > sag { free - sag * free.signum() } else { 0.0 }
     }
 
-    /// Present volume over the rest volume [-].
+    /// Present volume relative to the rest volume [-].
     pub fn relative_volume(&self, state: &FoodState) -> f64 {
         let rest = Rest::of(self);
         let volume = self.shape.mesh.volumes();
@@ -130,7 +133,7 @@ impl FoodModel {
 }
 
 impl Stretch {
-    /// Sets the stretch across from a log contraction; `axial` holds relative volumes and becomes what is left of them.
+    /// Sets the lateral stretch from a logarithmic contraction; `axial` holds relative volumes and becomes the axial stretch.
     fn contract_across(&mut self, contraction: f64) {
         self.lateral = exp(-contraction);
         let area_stretch = self.lateral * self.lateral;
@@ -157,7 +160,7 @@ impl Rest {
     fn relative_volume(&self, model: &FoodModel, state: &FoodState, node: usize) -> f64 {
         let lost = self.water * (model.tissue.initial_water[node] - state.water[node])
             + self.fat * (model.tissue.initial_fat[node] - state.fat[node]);
-        // A film on a face does not swell the flesh.
+        // A film of juice on a face does not swell the flesh.
         (1.0 - lost / model.shape.mesh.volumes()[node]).clamp(self.least, 1.0)
     }
 }

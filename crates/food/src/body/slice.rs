@@ -1,4 +1,4 @@
-//! A slice that lies flat: its outline carried upwards through an uneven thickness.
+//! A slice: an outline swept upwards through an uneven thickness.
 
 use saute_heat::{MeshError, Outline, Section, SweptMesh, graded_levels};
 
@@ -18,7 +18,7 @@ const THICKEST_LAYER: f64 = 2.2e-3;
 const BUMP_RUN: f64 = 0.35;
 
 impl Body {
-    /// A slice that lies flat: its outline carried upwards.
+    /// Meshes a slice: its outline swept upwards.
     pub(crate) fn slice(description: &FoodDescription, piece: &PieceSpec) -> Result<Self, BuildError> {
         let outline = outline(description, piece);
         let (section, levels) = match paper_mesh(description, piece) {
@@ -44,7 +44,7 @@ fn graded(outline: &Outline, piece: &PieceSpec) -> Result<(Section, Vec<f64>), M
     Ok((section, levels))
 }
 
-/// Departure of the thickness from its mean over that mean: a wedge in a seeded direction and gentle bumps [-].
+/// Relative deviation of the thickness from its mean: a wedge in a seeded direction and gentle bumps [-].
 fn unevenness(description: &FoodDescription, piece: &PieceSpec, [x, y]: [f64; 2]) -> f64 {
     let (shape, [length, width, _]) = (&description.outline, piece.size);
     let angle = core::f64::consts::TAU * uniform(piece.seed, 201);

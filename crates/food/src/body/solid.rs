@@ -1,4 +1,4 @@
-//! Simple solids that stand for a piece where bodies collide.
+//! Collision shapes of a piece.
 
 use saute_heat::{Layout, Station, SweptMesh};
 
@@ -6,16 +6,16 @@ use crate::body::form::Form;
 use crate::model::FoodModel;
 use crate::state::FoodState;
 
-/// A rounded rod.
+/// Capsule: a rod with round ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Capsule {
-    /// Middles of its round ends [m].
+    /// Centres of the round ends [m].
     pub ends: [[f64; 3]; 2],
     /// Radius [m].
     pub radius: f64,
 }
 
-/// A solid about the origin of [`FoodModel::positions`], in the body frame and the present shape.
+/// Collision shape in the body frame and the present shape, about the origin of [`FoodModel::positions`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Solid {
     /// A cylinder whose axis is z.
@@ -30,11 +30,11 @@ pub enum Solid {
         /// Half of its length, width and height [m].
         half: [f64; 3],
     },
-    /// Rounded rods along a bent body.
+    /// Capsules along a bent body.
     Capsules(Vec<Capsule>),
     /// Convex hulls of points, whose faces have four corners [m].
     Hulls(Vec<Vec<[f64; 3]>>),
-    /// A closed surface that need not be convex.
+    /// A closed surface, convex or not.
     Surface {
         /// Corners [m].
         points: Vec<[f64; 3]>,
@@ -43,13 +43,13 @@ pub enum Solid {
     },
 }
 
-/// Strips into which a slice is cut across its length (chosen: their outline strays from the piece's by half a millimetre).
+/// Number of strips across the length of a slice [-] (chosen: their outline deviates by half a millimetre).
 const STRIPS: usize = 8;
-/// Rods along a curved body (chosen: fewer leave the bow of a shrimp filled).
+/// Number of capsules along a curved body [-] (chosen: fewer fill the inside of a shrimp's curve).
 const RODS: usize = 4;
 
 impl FoodModel {
-    /// The solid of the present shape.
+    /// Returns the collision shape of the present shape.
     pub fn solid(&self, state: &FoodState) -> Solid {
         let lateral = state.stretch.lateral;
         let half_height = 0.5 * self.thickness(state);
@@ -65,7 +65,7 @@ impl FoodModel {
         }
     }
 
-    /// Radius midway between the least and the farthest reach of the outline [m].
+    /// Mean of the smallest and the largest radius of the outline [m].
     fn round_radius(&self) -> f64 {
         let reach = self.shape.outline.points.iter().map(|p| libm::hypot(p[0], p[1]));
         let (low, high) = reach.fold((f64::INFINITY, 0.0f64), |(low, high), r| (low.min(r), high.max(r)));
@@ -79,7 +79,7 @@ impl FoodModel {
         steps.sum()
     }
 
-    /// Strips across the length, each a prism of four corners above and below: the solver's faces have four at most.
+    /// Strips across the length, each a prism of four corners above and below; the rigid-body solver allows four per face.
     fn strips(&self, mesh: &SweptMesh, state: &FoodState) -> Vec<Vec<[f64; 3]>> {
         let mut flat = Vec::new();
         self.flat_positions_into(state, &mut flat);
@@ -98,7 +98,7 @@ impl FoodModel {
         edges.windows(2).map(|pair| pair.concat()).collect()
     }
 
-    /// The four corners at which a cut across the length leaves the slice [m].
+    /// The four corners of the slice in a plane across its length [m].
     fn edge_at(&self, mesh: &SweptMesh, x: f64, state: &FoodState, flat: &[[f64; 3]]) -> Vec<[f64; 3]> {
         let last = mesh.levels.len() - 1;
         let points = &self.shape.outline.points;
@@ -117,7 +117,7 @@ impl FoodModel {
         [low, high].into_iter().flat_map(|y| [0, last].map(|level| corner(y, level))).collect()
     }
 
-    /// Rods along a curved body, each as thick as the body is high there as it lies on its side.
+    /// Capsules along a curved body, each as thick as the body is high there.
     fn rods_along(&self, mesh: &SweptMesh, stations: &[Station], state: &FoodState) -> Vec<Capsule> {
         let lateral = state.stretch.lateral;
         let standing: Vec<_> = self.spine(mesh, stations, state).collect();
@@ -132,7 +132,7 @@ impl FoodModel {
             let radius = half_height(middle);
             let (a, b) = (centre(pair[0]), centre(pair[1]));
             let length = libm::sqrt((0..3).map(|k| (b[k] - a[k]) * (b[k] - a[k])).sum::<f64>());
-            // Outer ends are as far out as the body; inner ones meet.
+            // The outer ends reach the ends of the body; the inner ones meet.
             let inset =
                 |level: usize| if level == cuts[0] || level == cuts[RODS] { (radius / length).min(0.4) } else { 0.0 };
             let (s, e) = (inset(pair[0]), 1.0 - inset(pair[1]));

@@ -1,4 +1,4 @@
-//! A stick: a rounded cross-section carried lengthwise.
+//! A stick: a rounded cross-section swept lengthwise.
 
 use saute_heat::{Outline, Section, Station, SweptMesh, graded_levels};
 
@@ -16,7 +16,7 @@ const STICK_GROWTH: f64 = 1.5;
 const STICK_LONGEST: f64 = 0.05;
 
 impl Body {
-    /// A bar along x: its rounded cross-section carried lengthwise.
+    /// Meshes a bar along x: its rounded cross-section swept lengthwise.
     pub(crate) fn stick(description: &FoodDescription, piece: &PieceSpec) -> Result<Self, BuildError> {
         let [length, width, thickness] = piece.size;
         let exponent = description.outline.exponent;

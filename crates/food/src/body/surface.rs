@@ -4,17 +4,17 @@ use saute_heat::SweptMesh;
 
 use crate::body::patch::{Face, Patch};
 
-/// Triangles over the nodes, seen from outside counter-clockwise.
+/// Triangles over the nodes of a surface, counter-clockwise seen from outside.
 #[derive(Clone, Debug, Default)]
 pub struct Surface {
-    /// Nodes at the corners.
+    /// Nodes at the corners of each triangle.
     pub triangles: Vec<[u32; 3]>,
-    /// Patches at the corners.
+    /// Patches at the corners of each triangle.
     pub patches: Vec<[u32; 3]>,
 }
 
 impl Surface {
-    /// The faces of a swept body; none where its section has no triangles, as plain bodies of the lab have.
+    /// The faces of a swept body; empty if its section has no triangles, as in a product mesh.
     pub(crate) fn of(mesh: &SweptMesh, patches: &[Patch]) -> Self {
         let mut surface = Self::default();
         let mut patch_of = vec![u32::MAX; mesh.node_count()];

@@ -4,10 +4,10 @@ use crate::change::changes::arrhenius;
 use crate::description::{BrowningRate, CharringRate};
 use crate::table::{Table, interpolate};
 
-/// Coldest temperature at which browning is followed [K] (95 °C, chosen: below it a cook's browning is under 0.1 %).
+/// Lowest temperature with browning [K] (95 °C, chosen: below it browning during a cook is under 0.1 %).
 pub const BROWNING_FROM: f64 = 368.15;
 
-/// Rates of browning and charring, tabulated.
+/// Tables of the rates of browning and charring [1/s].
 #[derive(Clone, Debug)]
 pub struct Browning {
     rate: Table,
@@ -27,9 +27,30 @@ impl Browning {
         }
     }
 
-    /// Moves browning B and charring C through `dt` [s]: dB/dt = k_B(T) g(a_w) (1 − B), dC/dt = k_C(T) B (1 − C).
+    /// Returns browning B and charring C after `dt` [s] at `temperature` [K] and water activity `activity` [-].
     ///
-    /// Implicit in B and C, so both stay in 0–1 and never fall.
+    /// dB/dt = k_B(T) g(a_w) (1 − B), dC/dt = k_C(T) B (1 − C), with Arrhenius rates k. Implicit in B and C, so both stay in
+    /// 0–1 and never fall.
+    ///
+    /// ```
+    /// use saute_food::ZERO_C;
+    /// use saute_food::change::Browning;
+    /// use saute_food::description::{BrowningRate, CharringRate};
+    ///
+    /// let browning: BrowningRate = toml::from_str(
+    ///     "activation_energy_kj_mol = 100\nanchor_c = 150\nanchor_rate_per_s = 0.01\n\
+    ///      activity = [0.0, 1.0]\nfactor = [1.0, 0.0]\nsource = 'example'\nconfidence = 'low'",
+    /// )?;
+    /// let charring: CharringRate = toml::from_str(
+    ///     "activation_energy_kj_mol = 120\nanchor_c = 250\nanchor_rate_per_s = 0.01\n\
+    ///      source = 'example'\nconfidence = 'low'",
+    /// )?;
+    /// let rates = Browning::new(&browning, &charring);
+    /// // 100 s at 150 °C with k Δt = 1 on a dry surface: half browned [-], and hardly charred.
+    /// let (browned, charred) = rates.advance((0.0, 0.0), ZERO_C + 150.0, 0.0, 100.0);
+    /// assert!((browned - 0.5).abs() < 1e-9 && charred < 0.01);
+    /// # Ok::<(), toml::de::Error>(())
+    /// ```
     pub fn advance(&self, state: (f64, f64), temperature: f64, activity: f64, dt: f64) -> (f64, f64) {
         let brown = self.rate.at(temperature) * self.activity_factor.at(activity) * dt;
         let browning = 1.0 - (1.0 - state.0) / (1.0 + brown);

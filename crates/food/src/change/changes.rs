@@ -1,4 +1,4 @@
-//! First-order changes: denaturation, softening, loss of colour. They never go back.
+//! First-order irreversible changes: denaturation, softening, loss of colour.
 
 use libm::exp;
 
@@ -6,26 +6,37 @@ use crate::ZERO_C;
 use crate::description::{Change, Kinetics};
 use crate::table::Table;
 
-/// Molar gas constant [J/(mol·K)] (CODATA 2018, exact to 6 digits).
+/// Molar gas constant [J/(mol·K)] (CODATA 2018 `[@codata-2018]`, exact to 6 digits).
 const GAS_CONSTANT: f64 = 8.314_46;
 
-/// k(T) = k_a · exp(−Ea/R · (1/T − 1/T_a)), in the unit of `rate`; T [K].
+/// Returns the Arrhenius rate as a function of the temperature [K], in the unit of `rate`.
+///
+/// k(T) = k_a · exp(−Ea/R · (1/T − 1/T_a)), with k_a = `rate` at T_a = `anchor_c`.
+///
+/// ```
+/// use saute_food::ZERO_C;
+/// use saute_food::change::changes::arrhenius;
+///
+/// // Myosin of beef: 2.66 1/min at 57 °C with 241 kJ/mol, so 0.40 1/min at 50 °C.
+/// let rate = arrhenius(241.0, 57.0, 2.66)(ZERO_C + 50.0);
+/// assert!((rate - 0.40).abs() < 0.02);
+/// ```
 pub fn arrhenius(activation_energy_kj_mol: f64, anchor_c: f64, rate: f64) -> impl Fn(f64) -> f64 {
     let ratio = activation_energy_kj_mol * 1e3 / GAS_CONSTANT;
     move |t| rate * exp(-ratio * (1.0 / t - 1.0 / (anchor_c + ZERO_C)))
 }
 
-/// Coldest temperature at which changes are followed [K] (30 °C: slowest reaction time above a day).
+/// Lowest temperature with changes [K] (30 °C, chosen: the reactions take more than a day there).
 pub const CHANGES_FROM: f64 = 303.15;
 
-/// Rates of the first-order changes, tabulated.
+/// Tables of the rates of the first-order changes [1/s].
 #[derive(Clone, Debug)]
 pub struct ChangeRates {
     tables: Vec<Table>,
 }
 
 impl ChangeRates {
-    /// Tabulates the rates every quarter kelvin from 30 to 110 °C and holds them beyond (all is done there).
+    /// Tabulates the rates every quarter kelvin from 30 to 110 °C and holds them beyond (every change is complete there).
     pub fn new(kinetics: &Kinetics) -> Self {
         let table = |c: &Change| {
             let rate = arrhenius(c.activation_energy_kj_mol, c.anchor_c, c.anchor_rate_per_min / 60.0);
@@ -34,18 +45,26 @@ impl ChangeRates {
         Self { tables: kinetics.change.iter().map(table).collect() }
     }
 
-    /// How many changes there are.
+    /// Number of changes [-].
     pub fn count(&self) -> usize {
         self.tables.len()
     }
 
-    /// Share of change `k` after `dt` [s] at `temperature` [K].
+    /// Advances the shares of all changes of a node by `dt` [s] at `temperature` [K].
     ///
-    /// 1 − (1 − X)/(1 + x + x²/2) with x = k Δt: second order, monotone and without an exponential.
+    /// 1 − (1 − X)/(1 + x + x²/2) with x = k Δt: second order in Δt, monotone, and without an exponential.
     #[inline]
-    pub fn advance(&self, k: usize, share: f64, temperature: f64, dt: f64) -> f64 {
-        let x = self.tables[k].at(temperature) * dt;
-        1.0 - (1.0 - share) / (1.0 + x + 0.5 * x * x)
+    pub fn advance(&self, changed: &mut [Vec<f64>], node: usize, temperature: f64, dt: f64) {
+        let Some(first) = self.tables.first() else { return };
+        // All tables have the same grid.
+        let (cell, share) = first.place(temperature);
+        for (table, changed) in self.tables.iter().zip(changed) {
+            let x = table.within(cell, share) * dt;
+            // A complete change stays complete.
+            if changed[node] != 1.0 {
+                changed[node] = 1.0 - (1.0 - changed[node]) / (1.0 + x + 0.5 * x * x);
+            }
+        }
     }
 }
 
@@ -67,7 +86,7 @@ mod tests {
         assert!((actin(343.15) / 0.23 - 1.0).abs() < 0.05);
     }
 
-    /// Geileskey et al. 1998: 63 °C for one minute denatures 6.5 % of beef myoglobin.
+    /// Geileskey et al. 1998 `[@geileskey-1998]`: 63 °C for one minute denatures 6.5 % of beef myoglobin.
     #[test]
     fn a_minute_at_63_denatures_the_published_share_of_myoglobin() {
         let k = denaturation(290.0, 63.0, 0.0676)(336.15);

@@ -1,4 +1,4 @@
-//! Colour from state, in L*a*b* under D65 and in linear sRGB.
+//! Colour of flesh and fat from their state, in CIE L*a*b* (D65) and in linear sRGB.
 
 use std::sync::LazyLock;
 
@@ -8,34 +8,41 @@ use crate::description::{Colours, Kinetics, MOST_CHANGES, NoSuchChange, PerChang
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lab(pub [f64; 3]);
 
-/// What colours a point of flesh: shares between 0 and 1.
+/// State of a point of flesh that determines its colour: shares from 0 to 1 [-].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Appearance {
-    /// The first-order changes, in the order of the kinetics.
+    /// First-order changes, in the order of the kinetics [-].
     pub changed: PerChange,
-    /// Browning.
+    /// Browning [-].
     pub browning: f64,
-    /// Charring.
+    /// Charring [-].
     pub charring: f64,
-    /// Second tissue: a root's core, a shaft's green.
+    /// Second tissue: a root's core or a shaft's green [-].
     pub tissue: f64,
 }
 
 impl Lab {
-    /// Straight line to another colour.
+    /// Linear interpolation to another colour, at a share `t` clamped to 0–1 [-].
     pub fn lerp(self, other: Lab, t: f64) -> Lab {
         let t = t.clamp(0.0, 1.0);
         Lab([0, 1, 2].map(|i| self.0[i] + t * (other.0[i] - self.0[i])))
     }
 
-    /// ΔE*ab (CIE 1976).
+    /// Colour difference ΔE*ab (CIE 1976) [-].
+    ///
+    /// ```
+    /// use saute_food::Lab;
+    /// let (raw, cooked) = (Lab([40.0, 20.0, 10.0]), Lab([60.0, 8.0, 16.0]));
+    /// assert!((raw.difference(cooked) - 24.08).abs() < 0.01);
+    /// ```
     pub fn difference(self, other: Lab) -> f64 {
         libm::sqrt((0..3).map(|i| (self.0[i] - other.0[i]) * (self.0[i] - other.0[i])).sum())
     }
 
-    /// Linear sRGB, clipped to the gamut [-].
+    /// Linear sRGB from 0 to 1, clipped to the gamut [-].
     ///
-    /// CIE 15:2004 for L*a*b*, IEC 61966-2-1 for the matrix; white D65 (0.95047, 1, 1.08883).
+    /// CIE 15:2004 `[@cie-15-2004]` for L*a*b*, IEC 61966-2-1 `[@iec-61966-2-1]` for the matrix; white D65 (0.95047, 1,
+    /// 1.08883).
     pub fn linear_srgb(self) -> [f64; 3] {
         let fy = (self.0[0] + 16.0) / 116.0;
         let inverse =
@@ -51,7 +58,7 @@ impl Lab {
         .map(|v| v.clamp(0.0, 1.0))
     }
 
-    /// The colour of 8-bit sRGB values: the inverse of [`Lab::srgb8`] within the gamut.
+    /// Returns the colour of 8-bit sRGB values: the inverse of [`Lab::srgb8`] within the gamut.
     pub fn from_srgb8(srgb: [u8; 3]) -> Self {
         let [r, g, b] = srgb.map(|v| decoded(f64::from(v) / 255.0));
         let f = |t: f64| {
@@ -64,28 +71,34 @@ impl Lab {
         Self([116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)])
     }
 
-    /// sRGB as 8-bit values.
+    /// sRGB as 8-bit values, clipped to the gamut.
+    ///
+    /// ```
+    /// use saute_food::Lab;
+    /// assert_eq!(Lab([100.0, 0.0, 0.0]).srgb8(), [255, 255, 255]);
+    /// assert_eq!(Lab([53.585, 0.0, 0.0]).srgb8(), [128, 128, 128]);
+    /// ```
     pub fn srgb8(self) -> [u8; 3] {
         self.linear_srgb().map(|v| STEPS.partition_point(|step| *step <= v) as u8)
     }
 }
 
-/// Linear light of an sRGB value, both 0–1 (IEC 61966-2-1) [-].
+/// Linear light of an sRGB value, both from 0 to 1 (IEC 61966-2-1 `[@iec-61966-2-1]`) [-].
 pub fn decoded(v: f64) -> f64 {
     if v <= 0.040_45 { v / 12.92 } else { libm::pow((v + 0.055) / 1.055, 2.4) }
 }
 
-/// Linear light from which on each 8-bit value but 0 is the nearest: looking it up is faster than the power of 1/2.4.
+/// Linear light above which each 8-bit value except 0 is the nearest [-]; a lookup is faster than the power of 1/2.4.
 static STEPS: LazyLock<[f64; 255]> = LazyLock::new(|| std::array::from_fn(|i| decoded((i as f64 + 0.5) / 255.0)));
 
 impl Appearance {
-    /// The change that makes fat and muscle look opaque: the first one [-].
+    /// Share of the change that makes fat and muscle opaque: the first one [-].
     pub fn opaque(&self) -> f64 {
         self.changed[0]
     }
 }
 
-/// Colours of one food with the shifts of its changes in order.
+/// Colours of one food, with the colour shift of each change.
 #[derive(Clone, Debug)]
 pub struct Palette {
     colours: Colours,
@@ -94,40 +107,43 @@ pub struct Palette {
 }
 
 impl Palette {
-    /// Puts the shifts into the order of the kinetics; `second` is the raw colour of a second tissue, if there is one.
+    /// Prepares the colours of a food; `second` is the raw colour of a second tissue.
+    ///
+    /// # Errors
+    /// If the colours name a change that the kinetics lack.
     pub fn new(colours: &Colours, second: Option<[f64; 3]>, kinetics: &Kinetics) -> Result<Self, NoSuchChange> {
         let shifts = kinetics.in_order("colour", &colours.change)?;
         Ok(Self { shifts, second: second.unwrap_or(colours.raw), colours: colours.clone() })
     }
 
-    /// Lean flesh: raw colour shifted by the changes, then along golden to crust and char.
+    /// Colour of lean flesh: the raw colour shifted by the changes, then from golden to crust and char.
     pub fn lean(&self, a: Appearance) -> Lab {
         self.browned(self.lean_unbrowned(a), Lab(self.colours.golden), Lab(self.colours.crust), a)
     }
 
-    /// Lean flesh before it browns.
+    /// Colour of lean flesh without browning.
     pub fn lean_unbrowned(&self, a: Appearance) -> Lab {
         let shifted = |i: usize| a.changed.iter().zip(&self.shifts).map(|(x, shift)| x * shift[i]).sum::<f64>();
         let second = self.second_tissue();
         Lab([0, 1, 2].map(|i| self.colours.raw[i] + a.tissue * second[i] + shifted(i)))
     }
 
-    /// What pure second tissue adds to the colour of flesh that has not browned, in L*, a*, b*.
+    /// Difference of L*, a*, b* between raw second tissue and raw flesh [-].
     pub fn second_tissue(&self) -> [f64; 3] {
         [0, 1, 2].map(|i| self.second[i] - self.colours.raw[i])
     }
 
-    /// The colours that browning goes through.
+    /// The colours of the food, as its file states them.
     pub fn colours(&self) -> &Colours {
         &self.colours
     }
 
-    /// Fat before it browns: waxy when raw, translucent when molten.
+    /// Colour of fat without browning: waxy when raw, translucent when molten.
     pub fn fat_unbrowned(&self, a: Appearance) -> Lab {
         Lab(self.colours.fat_raw).lerp(Lab(self.colours.fat_cooked), a.opaque())
     }
 
-    /// Fat: waxy when raw, translucent when molten, crisp and brown, charred.
+    /// Colour of fat: from waxy (raw) over translucent (molten) to brown and charred.
     pub fn fat(&self, a: Appearance) -> Lab {
         let base = self.fat_unbrowned(a);
         let brown = Lab(self.colours.fat_brown);

@@ -1,23 +1,35 @@
-//! Doneness by the highest temperature that a point has reached: scales of named classes, and shares of them.
+//! Doneness by the peak temperature of each point: scales of named classes, and their shares.
 
 use serde::Deserialize;
 
 use crate::description::{Confidence, Kinetics};
 
-/// Largest number of classes of a scale [-] (chosen: as many as can be told apart at a glance).
+/// Largest number of classes of a scale [-] (chosen: as many as the eye distinguishes at a glance).
 pub const MOST_CLASSES: usize = 5;
 
 /// A class of doneness.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Class {
-    /// Its name.
+    /// Name of the class.
     pub name: String,
-    /// Where it begins [°C].
+    /// Lowest peak temperature of the class [°C].
     pub from_c: f64,
 }
 
 /// A scale of doneness: two to five classes, ascending.
+///
+/// ```
+/// use saute_food::{Scale, ZERO_C};
+///
+/// let scale: Scale = toml::from_str(
+///     "id = 'two'\nname = 'Two classes'\nfor_change = 'myosin'\nsource = 'example'\nconfidence = 'low'\n\
+///      class = [{ name = 'raw', from_c = 0 }, { name = 'done', from_c = 55 }]",
+/// )?;
+/// assert_eq!(scale.name_of(ZERO_C + 40.0), "raw");
+/// assert_eq!(scale.name_of(ZERO_C + 60.0), "done");
+/// # Ok::<(), toml::de::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scale {
@@ -25,33 +37,33 @@ pub struct Scale {
     pub id: String,
     /// Label for people.
     pub name: String,
-    /// The classes; each reaches up to the next, and the first down to any cold.
+    /// The classes, ascending; each ends where the next begins, and the first has no lower end.
     pub class: Vec<Class>,
-    /// The change that a food must know for this scale to mean anything: a protein, as the scales are those of meat.
+    /// Name of the change that a food's kinetics must contain for the scale to apply, such as a protein of meat.
     pub for_change: String,
-    /// Where the numbers come from.
+    /// Source of the numbers.
     pub source: String,
-    /// How well they are known.
+    /// Confidence in the numbers.
     pub confidence: Confidence,
 }
 
 impl Scale {
-    /// Place of the class of a peak temperature [K].
+    /// Returns the index of the class of a peak temperature [K].
     pub fn class_of(&self, peak: f64) -> usize {
         self.bounds().take_while(|bound| peak >= *bound).count()
     }
 
-    /// Name of the class of a peak temperature [K].
+    /// Returns the name of the class of a peak temperature [K].
     pub fn name_of(&self, peak: f64) -> &str {
         self.class.get(self.class_of(peak)).map_or("", |c| c.name.as_str())
     }
 
-    /// Where a class ends [°C]; the last has no end.
+    /// Returns the upper end of a class [°C], or none for the last class.
     pub fn end_c(&self, place: usize) -> Option<f64> {
         self.class.get(place + 1).map(|c| c.from_c)
     }
 
-    /// Whether the scale says anything about a food with these kinetics.
+    /// Returns true if the scale applies to a food with these kinetics.
     pub fn fits(&self, kinetics: &Kinetics) -> bool {
         kinetics.change.iter().any(|c| c.name == self.for_change)
     }
@@ -61,8 +73,8 @@ impl Scale {
         self.class.iter().skip(1).take(MOST_CLASSES - 1).map(|c| c.from_c + crate::ZERO_C)
     }
 
-    /// Adds a stretch of weight `weight` along which the peak runs linearly from `a` to `b` [K]: each class gets the
-    /// part of the stretch that lies in it, so that shares do not jump from node to node.
+    /// Adds a segment of weight `weight` along which the peak temperature runs linearly from `a` to `b` [K]. Each class gets
+    /// the part of the segment within its bounds, so that shares do not jump from node to node.
     pub(crate) fn add_stretch(&self, sums: &mut [f64; MOST_CLASSES], a: f64, b: f64, weight: f64) {
         let (low, high) = (a.min(b), a.max(b));
         let below = |bound: f64| {
@@ -79,7 +91,7 @@ impl Scale {
     }
 }
 
-/// Shares of the classes of a scale, in its order; they sum to 100 [%].
+/// Shares of the classes of a scale, in the order of the scale; their sum is 100 [%].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shares(pub [f64; MOST_CLASSES]);
 

@@ -1,4 +1,8 @@
 //! Irreversible changes of heated food: first-order kinetics, browning, doneness and colour.
+//!
+//! The changes of a food are the entries of its kinetics file; colours, stiffness, hardness, juiciness, water holding
+//! and contraction refer to them by name. `Rules::Paper2013` builds the same model with the rules of the 2013
+//! simulator `[@kato-hasegawa-2013]`.
 
 pub mod browning;
 pub mod changes;

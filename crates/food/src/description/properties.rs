@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use crate::sourced_table;
 
 sourced_table! {
-    /// Melting of the fat.
+    /// Melting of the fat: a logistic transition.
     FatMelting {
-        /// Half of the fat is liquid here [°C].
+        /// Temperature at which half of the fat is liquid [°C].
         middle_c: f64,
         /// Width of the logistic transition [K].
         width_k: f64,
@@ -31,7 +31,7 @@ sourced_table! {
 }
 
 sourced_table! {
-    /// Dry crust.
+    /// Properties of the dry crust.
     Crust {
         /// Thermal conductivity of the dry, porous crust [W/(m·K)].
         conductivity_w_mk: f64,
@@ -39,43 +39,43 @@ sourced_table! {
 }
 
 sourced_table! {
-    /// Conduction that differs with direction.
+    /// Anisotropy of conduction.
     Anisotropy {
-        /// Conductivity across the fibres or sheaths over that of the composition [-].
+        /// Conductivity across the fibres or sheaths relative to that of the composition [-].
         across: f64,
     }
 }
 
 sourced_table! {
-    /// Surface properties.
+    /// Properties of the surface.
     SurfaceProperties {
         /// Thermal emissivity [-].
         emissivity: f64,
-        /// Share of the lower face that comes near to the pan: 1 for flat cuts, less for rounded pieces [-].
+        /// Share of the lower face that comes close to the pan: 1 for flat cuts, less for rounded pieces [-].
         contact_share: f64,
     }
 }
 
 sourced_table! {
-    /// Colours and their changes, L*, a*, b* under D65.
+    /// Colours and their changes in CIE L*, a*, b* (D65).
     Colours {
-        /// Raw flesh.
+        /// Colour of raw flesh.
         raw: [f64; 3],
-        /// Added when a change is complete, by its name.
+        /// Shift by a complete change, by the name of the change.
         change: BTreeMap<String, [f64; 3]>,
-        /// Golden stage of browning.
+        /// Colour of the golden stage of browning.
         golden: [f64; 3],
         /// Browning at which the golden stage is reached [-].
         golden_at: f64,
-        /// Fully browned crust.
+        /// Colour of the fully browned crust.
         crust: [f64; 3],
-        /// Charred.
+        /// Colour of charred flesh.
         char: [f64; 3],
-        /// Raw fat.
+        /// Colour of raw fat.
         fat_raw: [f64; 3],
-        /// Molten, cooked fat.
+        /// Colour of molten, cooked fat.
         fat_cooked: [f64; 3],
-        /// Browned fat.
+        /// Colour of browned fat.
         fat_brown: [f64; 3],
     }
 }

@@ -21,29 +21,29 @@ sourced_table! {
 }
 
 sourced_table! {
-    /// The core of a root: a second tissue around its axis, through slices and along sticks.
+    /// Core of a root: a second tissue around its axis, through the thickness of slices and along sticks.
     Core {
-        /// Mean radius over that of the piece [-].
+        /// Mean radius relative to that of the piece [-].
         radius: f64,
-        /// Waviness of its edge over its radius [-].
+        /// Waviness of the edge relative to the radius of the core [-].
         wave: f64,
-        /// How far it may lie off the middle, over the half width [-].
+        /// Largest distance from the middle, relative to the half width [-].
         offset: f64,
-        /// Width of the passage from one tissue to the other [mm].
+        /// Width of the transition between the tissues [mm].
         edge_mm: f64,
         /// Raw colour, L*, a*, b* under D65.
         colour: [f64; 3],
-        /// What it consists of; as the rest unless given.
+        /// Composition of the core; that of the lean tissue unless stated.
         tissue: Option<Composition>,
     }
 }
 
 sourced_table! {
-    /// Concentric sheaths of a shaft, with borders that conduct less; the second tissue is their green.
+    /// Concentric sheaths of a shaft with resistive borders; the second tissue is their green.
     Sheaths {
         /// Mean thickness of a sheath [mm].
         thickness_mm: f64,
-        /// How much thicknesses differ over their mean [-].
+        /// Variation of the thickness relative to its mean [-].
         variation: f64,
         /// Conductance of the border between two sheaths [W/(m²·K)].
         conductance_w_m2k: f64,
@@ -51,7 +51,7 @@ sourced_table! {
         greenest: f64,
         /// Raw colour of the green tissue, L*, a*, b* under D65.
         colour: [f64; 3],
-        /// What the green tissue consists of; as the rest unless given.
+        /// Composition of the green tissue; that of the lean tissue unless stated.
         tissue: Option<Composition>,
     }
 }
@@ -63,13 +63,13 @@ sourced_table! {
         adipose_share: f64,
         /// Typical distance between seams [mm].
         seam_mm: f64,
-        /// How much longer than thick the seams are [-].
+        /// Length of the seams relative to their thickness [-].
         flattening: f64,
     }
 }
 
 impl Composition {
-    /// Solids other than fat [-].
+    /// Mass fraction of the solids other than fat [-].
     pub fn lean_solids(&self) -> f64 {
         self.protein + self.carbohydrate + self.fibre + self.ash
     }

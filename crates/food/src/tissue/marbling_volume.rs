@@ -1,4 +1,4 @@
-//! The seams of fat as one volume of cells: what conducts is averaged from it, and what is seen is drawn from it.
+//! Fat seams as a volume of cells; both the masses of the nodes and the pictures derive from it.
 
 use saute_heat::BodyMesh;
 
@@ -6,26 +6,26 @@ use crate::description::Marbling;
 use crate::tissue::marbling::{self, MarblingField, share_at};
 use crate::tissue::node_means::Grown;
 
-/// Largest number of cells (chosen: 0.9 mm cells in a default steak; seams are smooth between them).
+/// Largest number of cells [-] (chosen: 0.9 mm cells in a default steak; seams are smooth between them).
 const CELLS: f64 = 3.2e5;
-/// Most cells along an axis (chosen: what every graphics adapter takes).
+/// Largest number of cells along an axis [-] (chosen: the limit that every graphics adapter supports).
 const MOST_ALONG: f64 = 256.0;
-/// How far it reaches beyond the nodes [m] (chosen: as far as a picture of a hand-cut surface strays from them).
+/// Margin of the volume around the nodes [m] (chosen: the unevenness of the drawn surface).
 const MARGIN: f64 = 0.7e-3;
-/// Depth within a seam that is told apart, below and above its edge, in widths of the edge [-] (chosen: the share of fat
-/// is all or nothing half a width from it).
+/// Largest depth within or outside a seam, in widths of its edge [-] (chosen: the share of fat is 0 or 1 beyond half a
+/// width).
 pub const DEEPEST_WITHIN: f32 = 3.0;
 
-/// Depth within the seams on a regular grid of cells, smooth between their middles; the outermost values go on beyond.
+/// Depth within the fat seams on a regular grid of cells [-]: trilinear between their centres, constant beyond the outermost.
 #[derive(Clone, Debug)]
 pub struct MarblingVolume {
-    /// Cells along x, y, z.
+    /// Number of cells along x, y and z [-].
     pub size: [u32; 3],
     /// Lowest corner in the rest mesh's frame [m].
     pub low: [f64; 3],
-    /// Extent [m].
+    /// Extent along x, y and z [m].
     pub extent: [f64; 3],
-    /// Cells per metre, and from a cell to the next along each axis; 0 where there is no next.
+    /// Cells per metre [1/m], and index step to the next cell along each axis; 0 along an axis of one cell.
     per_cell: [f64; 3],
     step: [usize; 3],
     within: Vec<f32>,
@@ -33,7 +33,8 @@ pub struct MarblingVolume {
 }
 
 impl MarblingVolume {
-    /// The seams in the box of a mesh's nodes, with the asked share of fat in it; one empty cell where there is no marbling.
+    /// The seams in the bounding box of a mesh with the mean share of adipose tissue that the food states; one lean cell
+    /// without marbling.
     pub fn new(marbling: Option<&Marbling>, seed: u64, mesh: &BodyMesh) -> Self {
         let marbling = marbling.filter(|m| m.adipose_share > 0.0);
         let mut volume = Self::empty(mesh, marbling.is_some());
@@ -41,7 +42,7 @@ impl MarblingVolume {
         volume.share = marbling.adipose_share;
         let field = MarblingField::new(marbling, seed);
         let ridges: Vec<f64> = volume.cells().map(|cell| field.ridge(volume.middle(cell))).collect();
-        // Between the middles of cells ridges are lower than the field's: the threshold is that of the cells.
+        // Interpolation lowers the ridges between cell centres, so the threshold is found on the interpolated field.
         volume.within = ridges.into_iter().map(|ridge| ridge as f32).collect();
         let at = |node: usize| (volume.within(mesh.position(node)), mesh.volumes()[node]);
         let threshold = marbling::threshold_for(volume.share, &(0..mesh.node_count()).map(at).collect::<Vec<_>>());
@@ -51,7 +52,7 @@ impl MarblingVolume {
         volume
     }
 
-    /// Lean cells over the box of a mesh's nodes; one cell for all of it where no seams will come.
+    /// Lean cells over the bounding box of a mesh; a single cell without marbling.
     fn empty(mesh: &BodyMesh, marbled: bool) -> Self {
         let mut corners = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
         for p in (0..mesh.node_count()).map(|node| mesh.position(node)) {
@@ -69,18 +70,18 @@ impl MarblingVolume {
         Self { size, low, extent, per_cell, step, within: vec![-DEEPEST_WITHIN; count], share: 0.0 }
     }
 
-    /// Its cells, x fastest.
+    /// Indices of all cells, x fastest.
     pub fn cells(&self) -> impl Iterator<Item = [u32; 3]> + use<> {
         let [nx, ny, nz] = self.size;
         (0..nx * ny * nz).map(move |index| [index % nx, index / nx % ny, index / nx / ny])
     }
 
-    /// Middle of a cell in the rest mesh's frame [m].
+    /// Centre of a cell in the rest mesh's frame [m].
     pub fn middle(&self, cell: [u32; 3]) -> [f64; 3] {
         std::array::from_fn(|k| self.low[k] + (f64::from(cell[k]) + 0.5) / f64::from(self.size[k]) * self.extent[k])
     }
 
-    /// Mean share asked for [-].
+    /// Mean share of adipose tissue, as the food states it [-].
     pub fn mean_share(&self) -> f64 {
         self.share
     }
@@ -90,7 +91,7 @@ impl MarblingVolume {
         share_at(self.within(p))
     }
 
-    /// How far a point lies within a seam, in widths of the seam's soft edge: linear between the middles of cells [-].
+    /// Depth of a point within a seam, in widths of the seam's soft edge, trilinear between cell centres [-].
     pub fn within(&self, p: [f64; 3]) -> f64 {
         let (mut first, mut share) = (0, [0.0f32; 3]);
         for k in (0..3).rev() {
@@ -113,7 +114,7 @@ impl Grown for MarblingVolume {
         Self::at(self, p)
     }
 
-    /// What lies between the middles of cells is no deeper and no shallower than they are.
+    // A trilinear value lies between the smallest and the largest of its cells.
     fn even(&self, low: [f64; 3], high: [f64; 3]) -> Option<f64> {
         let cell =
             |p: f64, k: usize| ((p - self.low[k]) * self.per_cell[k] - 0.5).clamp(0.0, f64::from(self.size[k] - 1));

@@ -1,18 +1,20 @@
-//! Means of a field over the volumes that nodes stand for.
+//! Means of a field over the control volumes of the nodes.
 
 use saute_heat::{BodyMesh, SweptMesh};
 
-/// Something between 0 and 1 that grew in a body: a share at every point of its rest mesh's frame [-].
+/// A share from 0 to 1 at every point of the rest mesh's frame, such as the share of a tissue [-].
 pub(crate) trait Grown {
     /// Share at a point [-].
     fn at(&self, p: [f64; 3]) -> f64;
 
-    /// The share that is the same all over a box between two corners; none where it differs or nobody knows [-].
+    /// Returns the share in a box between two corners if it is known to be uniform there [-].
     fn even(&self, low: [f64; 3], high: [f64; 3]) -> Option<f64>;
 }
 
-/// Mean of a field over each node's volume [-]; zeros where there is no field. A node stands for the third of each triangle
-/// that is nearest to it, half way to the levels above and below; each such piece is sampled as often as asked for.
+/// Mean of a field over the control volume of each node [-]; zeros without a field.
+///
+/// In a swept mesh the control volume consists of the nearest third of each adjacent triangle, half way to the levels above
+/// and below. Each of these parts is sampled `samples` times.
 pub(crate) fn node_means(mesh: &BodyMesh, field: Option<&impl Grown>, samples: usize) -> Vec<f64> {
     match (mesh, field) {
         (_, None) => vec![0.0; mesh.node_count()],
@@ -46,14 +48,15 @@ fn swept_means(mesh: &SweptMesh, field: &impl Grown, samples: usize) -> Vec<f64>
     sums.into_iter().map(|[sum, weight]| if weight > 0.0 { sum / weight } else { 0.0 }).collect()
 }
 
-/// What a field is all over the box around some points, where it is the same there.
+/// Returns the value of a field in the bounding box of some points if it is uniform there [-].
 fn even(field: &impl Grown, points: &[[f64; 3]]) -> Option<f64> {
     let corner =
         |start: f64, pick: fn(f64, f64) -> f64| [0, 1, 2].map(|k| points.iter().map(|p| p[k]).fold(start, pick));
     field.even(corner(f64::INFINITY, f64::min), corner(f64::NEG_INFINITY, f64::max))
 }
 
-/// Points that fill the unit cube ever more evenly: multiples of the powers of 1/g, g⁴ = g + 1 (Roberts 2018).
+/// Low-discrepancy sequence in the unit cube: multiples of the powers of 1/g, g⁴ = g + 1 (Roberts 2018
+/// `[@roberts-2018]`).
 struct Spread(u32);
 
 impl Spread {
@@ -66,8 +69,8 @@ impl Spread {
     }
 }
 
-/// A point of the half of a prism that starts at a share `from` of its height, in the third of its triangle that is nearest
-/// to corner `k`, for a point of the unit cube [m].
+/// Maps a point of the unit cube into half of a prism [m]: the half that starts at the share `from` of its height, in the
+/// third of its triangle nearest to corner `k`.
 fn place(corners: &[[[f64; 3]; 3]; 2], k: usize, from: f64, [u, v, w]: [f64; 3]) -> [f64; 3] {
     let share = third(u, v);
     let upwards = from + 0.5 * w;
@@ -75,8 +78,8 @@ fn place(corners: &[[[f64; 3]; 3]; 2], k: usize, from: f64, [u, v, w]: [f64; 3])
     [0, 1, 2].map(|axis| (1.0 - upwards) * on(0, axis) + upwards * on(1, axis))
 }
 
-/// A place in the third of a triangle that is nearest to its first corner, as shares of the corners, for a point of the
-/// unit square: the third is two triangles from the corner over the middle of a side to the centroid.
+/// Maps a point of the unit square into the third of a triangle nearest to its first corner, as barycentric coordinates [-].
+/// The third consists of two triangles: corner, middle of a side, centroid.
 fn third(u: f64, v: f64) -> [f64; 3] {
     let (second, u) = if u < 0.5 { (false, 2.0 * u) } else { (true, 2.0 * u - 1.0) };
     let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };

@@ -1,18 +1,26 @@
-//! Seeded smooth noise: the same everywhere, for marbling and unevenness.
+//! Seeded value noise for marbling and unevenness; the same on every platform.
 
-/// A 64-bit mix of integers (the finaliser of SplitMix64, Steele et al. 2014).
+/// A 64-bit mix of integers (the finaliser of SplitMix64, Steele et al. 2014 `[@steele-2014]`).
 pub fn mix(mut x: u64) -> u64 {
     x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     x ^ (x >> 31)
 }
 
-/// An even random number in 0…1 for `index` of stream `seed` [-].
+/// Uniform random number in 0…1 at `index` of the stream `seed` [-].
+///
+/// ```
+/// use saute_food::tissue::noise::uniform;
+///
+/// let value = uniform(7, 3);
+/// assert!((0.0..1.0).contains(&value));
+/// assert_eq!(value, uniform(7, 3)); // the same seed gives the same number
+/// ```
 pub fn uniform(seed: u64, index: u64) -> f64 {
     (mix(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(mix(index))) >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// Smooth value noise with unit lattice, range −1…1, C¹ continuous.
+/// Value noise on a unit lattice, from −1 to 1 and C¹ continuous [-].
 pub fn smooth(seed: u64, p: [f64; 3]) -> f64 {
     let cell = p.map(libm::floor);
     let f = [p[0] - cell[0], p[1] - cell[1], p[2] - cell[2]].map(|v| v * v * (3.0 - 2.0 * v));
@@ -30,7 +38,7 @@ pub fn smooth(seed: u64, p: [f64; 3]) -> f64 {
     lerp(plane(0), plane(1), f[2])
 }
 
-/// Two octaves of [`smooth`], about −1…1.
+/// Two octaves of [`smooth`], from −1.2 to 1.2 [-].
 pub fn fractal(seed: u64, p: [f64; 3]) -> f64 {
     (smooth(seed, p) + 0.5 * smooth(seed ^ 0x5bd1, p.map(|v| 2.0 * v + 17.3))) / 1.25
 }

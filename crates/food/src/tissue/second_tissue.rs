@@ -1,15 +1,15 @@
-//! Where a second tissue lies in a plant: the core of a root, or the green of a shaft's sheaths.
+//! The second tissue of a plant: the core of a root, or the green of a shaft's sheaths.
 
 use crate::body::form::Form;
 use crate::description::{Core, FoodDescription, Sheaths};
 use crate::tissue::node_means::Grown;
 use crate::tissue::noise::{fractal, uniform};
 
-/// Share of the second tissue at every point of a piece [-], and the borders of its sheaths.
+/// Field of the second tissue: its share at every point of a piece, and the borders of its sheaths [-].
 #[derive(Clone, Debug)]
 pub struct TissueField {
     seed: u64,
-    /// The two axes of the body frame across which the plant grew.
+    /// The two axes of the body frame across the direction of growth.
     across: [usize; 2],
     kind: Kind,
 }
@@ -18,24 +18,24 @@ pub struct TissueField {
 enum Kind {
     Plain,
     Core {
-        /// Mean radius, waviness of the edge and its width over the radius of the piece [-].
+        /// Mean radius [m], waviness of the edge [-] and width of the transition [m].
         radius: f64,
         wave: f64,
         edge: f64,
-        /// Where the core's axis lies [m].
+        /// Position of the core's axis [m].
         centre: [f64; 2],
     },
     Sheaths {
         /// Outer radius of each sheath, ascending [m].
         radii: Vec<f64>,
-        /// Share of the second tissue in each [-].
+        /// Share of the second tissue in each sheath [-].
         shares: Vec<f64>,
-        /// Conductance of the border between two [W/(m²·K)].
+        /// Conductance of the border between two sheaths [W/(m²·K)].
         conductance: f64,
     },
 }
 
-/// Waviness of the sheaths' borders over their radius [-] (chosen: pressed a little out of round).
+/// Waviness of the sheaths' borders relative to their radius [-] (chosen: slightly out of round).
 const SHEATH_WAVE: f64 = 0.04;
 
 impl TissueField {
@@ -52,7 +52,7 @@ impl TissueField {
         Self { seed, across, kind }
     }
 
-    /// Whether there is a second tissue.
+    /// Returns true if the piece has no second tissue.
     pub fn is_plain(&self) -> bool {
         matches!(self.kind, Kind::Plain)
     }
@@ -70,15 +70,14 @@ impl TissueField {
         }
     }
 
-    /// Which sheath a point of the rest frame lies in, counted from the middle; 0 where there are none.
+    /// Index of the sheath around a point of the rest frame, from the middle outwards [-]; 0 without sheaths.
     pub fn sheath(&self, p: [f64; 3]) -> usize {
         let Kind::Sheaths { radii, .. } = &self.kind else { return 0 };
         let distance = self.off_axis(p);
         radii.partition_point(|r| *r < distance).min(radii.len() - 1)
     }
 
-    /// Distance from the nearest border between sheaths, or from the edge of a core, within and without [m]; far away
-    /// where there is neither.
+    /// Distance from the nearest border between sheaths or from the edge of a core [m]; infinite without either.
     pub fn border(&self, p: [f64; 3]) -> f64 {
         match &self.kind {
             Kind::Plain => f64::INFINITY,
@@ -93,14 +92,15 @@ impl TissueField {
         }
     }
 
-    /// Distance from the axis that the plant grew along, as its sheaths are pressed out of round [m].
+    /// Distance from the axis of growth, corrected for the waviness of the sheaths [m].
     fn off_axis(&self, p: [f64; 3]) -> f64 {
         let q = self.across.map(|axis| p[axis]);
         libm::hypot(q[0], q[1]) / (1.0 + SHEATH_WAVE * self.ripple(q))
     }
 
-    /// Share of the conductance that the borders between two points leave to flesh of conductivity `k` [W/(m·K)]: as
-    /// many contacts in series with it as there are borders [-].
+    /// Share of the conductance between two points that the borders between them leave [-].
+    ///
+    /// Each border is a contact resistance in series with flesh of the conductivity `k` [W/(m·K)].
     pub fn share_across(&self, [p, q]: [[f64; 3]; 2], k: f64) -> f64 {
         let Kind::Sheaths { conductance, .. } = &self.kind else { return 1.0 };
         let borders = self.sheath(p).abs_diff(self.sheath(q)) as f64;
@@ -108,7 +108,7 @@ impl TissueField {
         1.0 / (1.0 + borders * k / (conductance * length))
     }
 
-    /// Smooth noise around the axis, about −1…1.
+    /// Periodic noise around the axis, about −1 to 1 [-].
     fn ripple(&self, [x, y]: [f64; 2]) -> f64 {
         let r = libm::hypot(x, y).max(1e-9);
         fractal(self.seed ^ 0x71_55ce, [1.9 * x / r, 1.9 * y / r, 0.5])
@@ -126,7 +126,7 @@ fn core_of(core: &Core, radius: f64, half: [f64; 2], seed: u64) -> Kind {
     }
 }
 
-/// Sheaths of seeded thickness out to the skin; the outer ones are greener, and a slice from higher up the shaft more so.
+/// Sheaths of seeded thickness out to the skin. The outer ones are greener, more so in a slice from higher up the shaft.
 fn sheaths_of(sheaths: &Sheaths, radius: f64, seed: u64) -> Kind {
     let height = uniform(seed, 410);
     let (mut radii, mut shares) = (Vec::new(), Vec::new());
@@ -159,7 +159,7 @@ impl Grown for TissueField {
 }
 
 impl Form {
-    /// Whether a root's core or a shaft's sheaths can lie in it.
+    /// Returns true if a piece of this form can have a second tissue.
     pub fn may_hold_tissues(self) -> bool {
         !matches!(self, Self::Shrimp | Self::Mesh)
     }

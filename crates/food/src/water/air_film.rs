@@ -1,4 +1,4 @@
-//! Heat and vapour between a free face and the air.
+//! Exchange of heat and vapour between a face and the air (Robin boundary).
 
 use crate::advance::present_area;
 use crate::body::patch::Patch;
@@ -6,27 +6,27 @@ use crate::model::FoodModel;
 use crate::state::FoodState;
 use crate::water::vapour::latent_heat;
 
-/// Stefan–Boltzmann constant [W/(m²·K⁴)] (CODATA 2018).
+/// Stefan–Boltzmann constant [W/(m²·K⁴)] (CODATA 2018 `[@codata-2018]`).
 const STEFAN_BOLTZMANN: f64 = 5.670_374e-8;
-/// Evaporation into air is reckoned at no higher surface temperature: beyond, water boils [K].
+/// Highest surface temperature of evaporation into air [K]; water boils beyond.
 pub(crate) const HOTTEST_WET: f64 = 373.15;
 
-/// Air around free faces.
+/// Air and walls around the faces without contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeAir {
     /// Temperature of air and walls [K].
     pub temperature: f64,
     /// Convective heat transfer coefficient [W/(m²·K)].
     pub convection: f64,
-    /// Share of radiation that is not screened [-] (a foil screens most).
+    /// Share of the radiation that is not screened, as by a foil [-].
     pub radiation: f64,
-    /// Vapour density of the far air [kg/m³].
+    /// Vapour density of the air away from the surface [kg/m³].
     pub vapour_density: f64,
     /// Mass transfer coefficient of vapour, by the Lewis analogy [m/s].
     pub mass_transfer: f64,
 }
 
-/// A free patch's exchange with air, linear in its temperature.
+/// Exchange of a patch with the air, linearised in the surface temperature.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct AirFilm {
     /// Convection and radiation [W/K].
@@ -40,6 +40,8 @@ pub(crate) struct AirFilm {
     /// Latent heat, and enthalpy of the vapour above liquid water at 0 °C [J/kg].
     pub(crate) latent: f64,
     pub(crate) vapour_enthalpy: f64,
+    /// Present area of the patch [m²].
+    pub(crate) area: f64,
 }
 
 impl AirFilm {
@@ -59,6 +61,7 @@ impl AirFilm {
             temperature: surface,
             latent,
             vapour_enthalpy: model.properties.water_enthalpy(t) + latent,
+            area,
         }
     }
 }

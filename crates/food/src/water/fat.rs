@@ -1,4 +1,4 @@
-//! Fat that melts and leaves.
+//! Rendering: melting and release of fat.
 
 use saute_heat::BodyMesh;
 
@@ -9,19 +9,19 @@ use crate::state::FoodState;
 use crate::table::Table;
 use crate::water::juice::Runoff;
 
-/// Rates at which molten fat leaves.
+/// Rates of the release of molten fat.
 #[derive(Clone, Debug)]
 pub struct FatRates {
-    /// Rate of fat at a face against temperature [1/s].
+    /// Release rate of fat at a face against temperature [1/s].
     rate: Table,
-    /// Factor of each node by its depth below the nearest face [-].
+    /// Factor of the rate by the depth of each node below the nearest face [-].
     near: Vec<f64>,
     fine_share: f64,
     seam_share: f64,
 }
 
 impl FatRates {
-    /// Tabulates the release rate times the molten share, and how near every node is to a face.
+    /// Tabulates the release rate times the molten share, and the depth factor of every node.
     pub fn new(release: &FatRelease, melting: &FatMelting, mesh: &BodyMesh) -> Self {
         let molten = |c: f64| 1.0 / (1.0 + libm::exp(-(c - melting.middle_c) / melting.width_k));
         let rate = |t: f64| {
@@ -37,15 +37,16 @@ impl FatRates {
     }
 }
 
-/// exp(−depth / scale) with the depth below the nearer big face, or the skin of a body that is no slice [-].
+/// Depth factor exp(−depth / scale), with the depth below the nearer big face of a slice or below the skin [-].
 fn nearness(mesh: &BodyMesh, node: usize, scale: f64) -> f64 {
     libm::exp(-mesh.depth(node) / scale)
 }
 
 impl FoodModel {
-    /// Releases molten fat for `dt` [s] and returns what left: dF = −k(T) e^(−depth/d) (F − F_kept) dt.
+    /// Releases molten fat for `dt` [s] and returns the fat that ran off.
     ///
-    /// What is kept is the raw fat less the releasable share, by the node's share of seams. First order, implicit.
+    /// dF/dt = −k(T) e^(−depth/d) (F − F_kept), first order and implicit. F_kept is the raw fat less the releasable share,
+    /// which depends on the node's share of seams.
     pub fn release_fat(&self, state: &mut FoodState, dt: f64) -> Runoff {
         let rates = &self.water.fat_rates;
         let mut left = Runoff::default();

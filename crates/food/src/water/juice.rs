@@ -1,4 +1,4 @@
-//! Juice that the flesh no longer holds moves along the fibres to the two cut faces.
+//! Juice: release of water that the flesh no longer holds, its transport along the fibres and its run-off.
 
 use saute_heat::{BodyMesh, Layout, SweptMesh};
 
@@ -6,37 +6,33 @@ use crate::body::rest_shape::RestShape;
 use crate::model::FoodModel;
 use crate::state::FoodState;
 
-/// Juice or fat that ran off a piece.
+/// Number of nodes in a block of the release [-] (chosen: a block stays in the processor's cache).
+const BLOCK: usize = 64;
+
+/// Mass and enthalpy of juice or fat that ran off a piece.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Runoff {
-    /// Mass [kg].
+    /// Mass of the run-off [kg].
     pub mass: f64,
-    /// Its enthalpy above 0 °C [J].
+    /// Enthalpy of the run-off above 0 °C [J].
     pub enthalpy: f64,
 }
 
 impl FoodModel {
-    /// Releases and moves juice for `dt` [s] and returns what ran off.
+    /// Releases and moves juice for `dt` [s] and returns the juice that ran off.
     ///
-    /// Water beyond what is held at the peak temperature and after the changes becomes free with first order. Free juice moves along the
-    /// fibres towards the nearer face at a speed v: dF/dt = −F v/Δz, and takes its heat along. On its way flesh that
-    /// has dried below what it can hold takes it up; what reaches a face gathers as a film there, then runs off. A body that
-    /// is no slice has its fibres along it, and what its skin squeezes out runs off there; in a body of cells juice takes
-    /// the shortest way to the skin.
+    /// Water beyond the capacity of the flesh becomes free juice by a first-order rate. The capacity follows from the peak
+    /// temperature and from the changes. Free juice moves along the fibres towards the nearer face at a speed v,
+    /// dF/dt = −F v/Δz, and carries its heat. Flesh that has dried below its capacity takes juice up. On a face juice forms a
+    /// film; beyond the largest film it runs off. In a body along stations the fibres run along the path, and juice also runs
+    /// off the skin. In a body of cells juice follows the fibres or the shortest way to the skin.
     pub fn release_juice(&self, state: &mut FoodState, dt: f64) -> Runoff {
         let reach = 1e-6 * self.kinetics.water_holding.juice_speed_um_s * dt;
         let mut runoff = Runoff::default();
+        self.free(state, dt);
         match &self.shape.mesh {
-            BodyMesh::Swept(mesh) => {
-                for column in 0..mesh.nodes_per_level() {
-                    (0..mesh.levels.len()).for_each(|level| self.free(state, mesh.node(level, column), dt));
-                    self.drain(mesh, state, column, reach);
-                }
-            }
-            BodyMesh::Cells(cells) => {
-                (0..cells.node_count()).for_each(|node| self.free(state, node, dt));
-                self.drain_cells(state, reach);
-            }
+            BodyMesh::Swept(mesh) => self.drain(mesh, state, reach),
+            BodyMesh::Cells(_) => self.drain_cells(state, reach),
         }
         for &(node, area) in &self.water.outlets {
             self.run_off(state, node as usize, area, &mut runoff);
@@ -45,8 +41,7 @@ impl FoodModel {
         runoff
     }
 
-    /// Juice that lies as a film on each node's face, over the most that stays there before it runs off [-]; 0 at nodes from
-    /// which none runs off.
+    /// Film of juice on the face of each node, relative to the largest film [-]; 0 at nodes without an outlet.
     pub fn juice_films(&self, state: &FoodState) -> Vec<f64> {
         let mut films = vec![0.0; state.juice.len()];
         for &(node, area) in &self.water.outlets {
@@ -56,42 +51,65 @@ impl FoodModel {
         films
     }
 
-    /// Water that a node can hold now [kg]: what the peak temperature leaves, or the changes if they leave less.
-    fn capacity(&self, state: &FoodState, node: usize) -> f64 {
-        let squeezed: f64 = state.changed.iter().zip(&self.water.squeeze).map(|(x, s)| s * x[node]).sum();
-        self.tissue.initial_water[node] * self.water.held.at(state.peak[node]).min(1.0 - squeezed)
+    /// Shares of the raw water that the changes squeeze out of a block of nodes from `first` on [-].
+    fn squeezed(&self, state: &FoodState, first: usize) -> [f64; BLOCK] {
+        let mut squeezed = [0.0; BLOCK];
+        for (x, s) in state.changed.iter().zip(&self.water.squeeze) {
+            squeezed.iter_mut().zip(&x[first..]).for_each(|(sum, x)| *sum += s * x);
+        }
+        squeezed
     }
 
-    /// Frees a share of what a node no longer holds; dried flesh takes up free juice.
-    fn free(&self, state: &mut FoodState, node: usize, dt: f64) {
-        let surplus = (state.water[node] - self.capacity(state, node)).max(0.0);
-        let bound = (surplus - state.juice[node]).max(0.0);
-        let released = 1.0 - 1.0 / (1.0 + self.water.release.at(state.temperature[node]) * dt);
-        state.juice[node] = (state.juice[node] + released * bound).min(surplus);
+    /// Turns a share of the water beyond the capacity of each node into free juice; dried flesh takes up juice.
+    fn free(&self, state: &mut FoodState, dt: f64) {
+        for first in (0..state.juice.len()).step_by(BLOCK) {
+            let squeezed = self.squeezed(state, first);
+            for (node, squeezed) in (first..state.juice.len()).zip(squeezed) {
+                // Water-holding capacity: the smaller of the limits by the peak temperature and by the changes.
+                let held = self.water.held.at(state.peak[node]).min(1.0 - squeezed);
+                let capacity = self.tissue.initial_water[node] * held;
+                let surplus = (state.water[node] - capacity).max(0.0);
+                let juice = &mut state.juice[node];
+                if surplus <= 0.0 && *juice >= 0.0 {
+                    *juice = 0.0;
+                    continue;
+                }
+                let bound = (surplus - *juice).max(0.0);
+                let released = 1.0 - 1.0 / (1.0 + self.water.release.at(state.temperature[node]) * dt);
+                *juice = (*juice + released * bound).min(surplus);
+            }
+        }
     }
 
-    /// Moves free juice outwards from the middle level, half of whose juice goes either way; outer nodes come first, so
-    /// that nothing moves by two nodes at once.
-    fn drain(&self, mesh: &SweptMesh, state: &mut FoodState, column: usize, reach: f64) {
+    /// Moves free juice outwards from the middle level, which sends half either way. Outer levels come first, so that no
+    /// juice moves by two levels in one step.
+    fn drain(&self, mesh: &SweptMesh, state: &mut FoodState, reach: f64) {
         let last = mesh.levels.len() - 1;
         if self.shape.closed_below {
             for to in (1..=last).rev() {
-                let nodes = [to - 1, to].map(|level| mesh.node(level, column));
-                self.carry(state, nodes, self.share(mesh, to - 1, to, reach));
+                self.carry_level(mesh, state, [to - 1, to], self.share(mesh, to - 1, to, reach));
             }
             return;
         }
         for to in 0..last.div_ceil(2) {
             for (from, to) in [(to + 1, to), (last - to - 1, last - to)] {
                 let part = if 2 * from == last { 0.5 } else { 1.0 };
-                let nodes = [from, to].map(|level| mesh.node(level, column));
-                self.carry(state, nodes, part * self.share(mesh, from, to, reach));
+                self.carry_level(mesh, state, [from, to], part * self.share(mesh, from, to, reach));
             }
         }
     }
 
-    /// Share of a level's free juice that passes to the next in the time in which it moves by `reach` [-]; none across
-    /// a cut, where it gathers and runs off.
+    /// Moves a share of a level's free juice to another level, in every column.
+    fn carry_level(&self, mesh: &SweptMesh, state: &mut FoodState, levels: [usize; 2], share: f64) {
+        for column in 0..mesh.nodes_per_level() {
+            let nodes = levels.map(|level| mesh.node(level, column));
+            if state.juice[nodes[0]] > 0.0 {
+                self.carry(state, nodes, share);
+            }
+        }
+    }
+
+    /// Share of a level's free juice that passes to the next level while juice moves by `reach` [m] [-]; 0 across a cut.
     fn share(&self, mesh: &SweptMesh, from: usize, to: usize, reach: f64) -> f64 {
         if self.shape.parts_levels(from, to) {
             return 0.0;
@@ -100,7 +118,7 @@ impl FoodModel {
         1.0 - 1.0 / (1.0 + reach / spacing)
     }
 
-    /// Carries a share of a node's free juice to another with its heat.
+    /// Moves a share of a node's free juice, with its heat, to another node.
     pub(crate) fn carry(&self, state: &mut FoodState, [from, to]: [usize; 2], share: f64) {
         let mass = share * state.juice[from];
         if mass <= 0.0 {
@@ -115,7 +133,7 @@ impl FoodModel {
         }
     }
 
-    /// Lets what exceeds the film on a face run off.
+    /// Removes the juice beyond the largest film on a face.
     fn run_off(&self, state: &mut FoodState, face: usize, area: f64, runoff: &mut Runoff) {
         let film = self.kinetics.water_holding.film_kg_m2 * area;
         let excess = (state.juice[face] - film).max(0.0);

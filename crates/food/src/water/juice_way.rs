@@ -1,18 +1,18 @@
-//! The way of free juice through a body of cells: along the fibres to the nearer end, or else straight to the skin.
+//! Paths of free juice through a body of cells: along the fibres to the nearer end, or straight to the skin.
 
 use saute_heat::CellMesh;
 use saute_heat::vector::{dot, scale, sub, unit};
 
-/// Cosine between an edge and the fibres from which on juice follows it [-] (chosen: 60°).
+/// Smallest cosine between the fibres and an edge that juice follows [-] (chosen: 60°).
 const FOLLOWS: f64 = 0.5;
 
-/// A step from every node to the next, and how far it is to the skin along such steps [m].
+/// The next node of every node, and the distance to the skin along these steps [m].
 struct Way {
     next: Vec<u32>,
     left: Vec<f64>,
 }
 
-/// Steps of juice, nodes nearer to the end of their way first: from a node, to the next one, over a distance [m].
+/// Returns the steps of juice as (from, to, distance [m]), nodes nearest to the end of their path first.
 pub(crate) fn juice_ways(cells: &CellMesh, fibres: Option<[f64; 3]>) -> Vec<(u32, u32, f64)> {
     let beside = neighbours(cells);
     let up = Way::new(cells, &beside, |_, _, rise| rise, |node| -cells.depth[node], 0.0);
@@ -55,9 +55,10 @@ fn neighbours(cells: &CellMesh) -> Vec<Vec<u32>> {
 }
 
 impl Way {
-    /// From every node below the skin to the neighbour of the highest `merit` beyond `least`; `place` grows along the way.
+    /// Steps from every node below the skin to its neighbour of the highest `merit` above `least`; `place` grows along the
+    /// path.
     ///
-    /// `merit` is asked for both nodes and the rise towards the skin over their distance.
+    /// The arguments of `merit` are both nodes and the decrease of the depth over their distance.
     fn new(
         cells: &CellMesh,
         beside: &[Vec<u32>],
@@ -97,7 +98,7 @@ mod tests {
         CellMesh::new(surface, fineness).expect("meshes")
     }
 
-    /// From every node the steps end at the skin; along the fibres where they are told.
+    /// The steps from every node end at the skin, and follow the fibres if these are given.
     #[test]
     fn every_way_ends_at_the_skin() {
         let cells = brick();

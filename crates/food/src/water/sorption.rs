@@ -1,4 +1,4 @@
-//! Water activity and boiling point of drying food.
+//! Sorption isotherm: water activity and boiling point of drying food.
 
 use libm::sqrt;
 
@@ -7,29 +7,33 @@ use crate::description::Sorption;
 use crate::table::Table;
 use crate::water::vapour::{ATMOSPHERE, saturation_pressure};
 
-/// Isotherm of one food, tabulated against moisture X [kg water per kg dry matter without fat].
+/// Sorption isotherm of one food, tabulated against the moisture X [kg water per kg dry matter without fat].
 #[derive(Clone, Debug)]
 pub struct Isotherm {
     activity: Table,
     boiling: Table,
+    /// Boiling point at moistures beyond the table [K].
+    wet_boiling: f64,
 }
 
-/// Moisture above which a food is as good as wet (chosen: GAB activity is within 1 % of fresh there).
+/// Moisture above which a food counts as wet [kg/kg] (chosen: the GAB activity is within 1 % of that of fresh food).
 const WETTEST: f64 = 2.0;
 
 impl Isotherm {
-    /// Inverts the GAB isotherm X = X_m C K a / ((1 − K a)(1 − K a + C K a)) for the activity a, up to that of fresh
-    /// food, and finds where a · p_sat(T) reaches one atmosphere.
+    /// Tabulates the inverse of the GAB isotherm and the boiling point.
+    ///
+    /// X = X_m C K a / ((1 − K a)(1 − K a + C K a)), solved for the activity a up to that of fresh food. The boiling point
+    /// solves a · p_sat(T) = 1 atm.
     pub fn new(gab: &Sorption) -> Self {
         let activity = Table::new(0.0, WETTEST, 0.005, |x| gab_activity(gab, x));
         let boiling = Table::new(0.0, WETTEST, 0.005, |x| boiling_point(gab_activity(gab, x)));
-        Self { activity, boiling }
+        Self { wet_boiling: boiling.at(2.0 * WETTEST), activity, boiling }
     }
 
-    /// Water that boils at one temperature [K] until none is left.
+    /// Isotherm of free water: activity 1 and a constant boiling point [K].
     pub fn free_water(boiling: f64) -> Self {
         let table = |value: f64| Table::new(0.0, WETTEST, WETTEST, move |_| value);
-        Self { activity: table(1.0), boiling: table(boiling) }
+        Self { activity: table(1.0), boiling: table(boiling), wet_boiling: table(boiling).at(2.0 * WETTEST) }
     }
 
     /// Water activity at moisture `x` [-].
@@ -37,11 +41,20 @@ impl Isotherm {
         self.activity.at(x)
     }
 
-    /// Temperature at which the moisture boils under one atmosphere [K].
+    /// Boiling point of food so wet that drying does not change it [K]; none at a moisture within or near the table.
+    #[inline]
+    pub(crate) fn wet_boiling_point(&self, x: f64) -> Option<f64> {
+        (x > WET && x < f64::INFINITY).then_some(self.wet_boiling)
+    }
+
+    /// Boiling point at moisture `x` and a pressure of one atmosphere [K].
     pub fn boiling_point(&self, x: f64) -> f64 {
         self.boiling.at(x)
     }
 }
+
+/// Moisture that stays beyond the table after drying by half a percent [kg/kg] (chosen: with a margin for rounding).
+const WET: f64 = 1.02 * WETTEST;
 
 fn gab_activity(gab: &Sorption, x: f64) -> f64 {
     if x <= 0.0 {
@@ -55,7 +68,7 @@ fn gab_activity(gab: &Sorption, x: f64) -> f64 {
     (u / gab.k).clamp(0.0, gab.fresh_activity)
 }
 
-/// Hottest boiling point considered [K]: drier food counts as dry (chosen, 400 °C).
+/// Highest boiling point [K] (400 °C, chosen: drier food counts as dry).
 const HOTTEST: f64 = 400.0 + ZERO_C;
 
 fn boiling_point(activity: f64) -> f64 {

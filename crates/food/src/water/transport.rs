@@ -1,4 +1,4 @@
-//! Tables and ways by which water and fat leave a piece.
+//! Tables and paths of the water and fat that leave a piece.
 
 use crate::ZERO_C;
 use crate::body::rest_shape::RestShape;
@@ -12,7 +12,7 @@ use crate::water::juice_way::juice_ways;
 use crate::water::sorption::Isotherm;
 use crate::water::vapour::saturation_density;
 
-/// Sorption, water holding and the ways of juice and fat in one piece.
+/// Sorption, water holding, rendering rates and the paths of juice in one piece.
 #[derive(Clone, Debug)]
 pub(crate) struct WaterTransport {
     pub(crate) isotherm: Isotherm,
@@ -32,7 +32,7 @@ pub(crate) struct WaterTransport {
 }
 
 impl WaterTransport {
-    /// Tabulates the rates and finds the ways of juice.
+    /// Tabulates the rates and finds the paths of juice.
     pub(crate) fn new(
         food: &FoodDescription,
         kinetics: &Kinetics,
@@ -58,7 +58,7 @@ impl WaterTransport {
 }
 
 impl WaterTransport {
-    /// Lets juice run off from a node through `area` [m²] more than before.
+    /// Adds an outlet of `area` [m²] to a node.
     pub(crate) fn open_outlet(&mut self, node: u32, area: f64) {
         match self.outlets.iter_mut().find(|outlet| outlet.0 == node) {
             Some(outlet) => outlet.1 += area,

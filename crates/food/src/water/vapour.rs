@@ -1,10 +1,10 @@
-//! Water and its vapour.
+//! Properties of water vapour.
 
 use libm::{exp, pow, sqrt};
 
 use crate::ZERO_C;
 
-/// Normal pressure [Pa].
+/// Standard atmosphere [Pa] (CGPM 1954).
 pub const ATMOSPHERE: f64 = 101_325.0;
 /// Specific gas constant of water vapour, 8.31446 / 0.0180153 [J/(kg·K)].
 pub const VAPOUR_GAS_CONSTANT: f64 = 461.52;
@@ -12,10 +12,18 @@ pub const VAPOUR_GAS_CONSTANT: f64 = 461.52;
 const CRITICAL_TEMPERATURE: f64 = 647.096;
 const CRITICAL_PRESSURE: f64 = 22.064e6;
 
-/// Saturation vapour pressure [Pa].
+/// Saturation vapour pressure of water at `temperature` [K] [Pa].
+///
+/// ```
+/// use saute_food::ZERO_C;
+/// use saute_food::water::saturation_pressure;
+///
+/// // Water boils under one atmosphere at 100 °C: 101.4 kPa.
+/// assert!((saturation_pressure(ZERO_C + 100.0) - 101_418.0).abs() < 50.0);
+/// ```
 ///
 /// ln(p/p_c) = T_c/T · Σ aᵢ τ^bᵢ with τ = 1 − T/T_c; 273–647 K, error below 0.1 %.
-/// Source: Wagner & Pruß 2002, J. Phys. Chem. Ref. Data 31:387, eq. 2.5.
+/// Source: Wagner & Pruß 2002 `[@wagner-pruss-2002]`, J. Phys. Chem. Ref. Data 31:387, eq. 2.5.
 pub fn saturation_pressure(temperature: f64) -> f64 {
     let t = temperature.clamp(230.0, 640.0);
     let tau = 1.0 - t / CRITICAL_TEMPERATURE;
@@ -26,14 +34,14 @@ pub fn saturation_pressure(temperature: f64) -> f64 {
     CRITICAL_PRESSURE * exp(CRITICAL_TEMPERATURE / t * sum)
 }
 
-/// Density of saturated vapour as an ideal gas [kg/m³]; within 2 % up to 100 °C.
+/// Density of saturated vapour at `temperature` [K] as an ideal gas [kg/m³]; within 2 % up to 100 °C.
 pub fn saturation_density(temperature: f64) -> f64 {
     saturation_pressure(temperature) / (VAPOUR_GAS_CONSTANT * temperature)
 }
 
-/// Latent heat of evaporation, 2501 − 2.36 T[°C] kJ/kg [J/kg].
+/// Latent heat of evaporation of water at `temperature` [K] [J/kg].
 ///
-/// Standard steam tables, 0–100 °C within 0.3 %; at 180 °C 3 % high.
+/// 2501 − 2.36 T kJ/kg with T in °C; within 0.3 % of the steam tables from 0 to 100 °C, 3 % high at 180 °C.
 pub fn latent_heat(temperature: f64) -> f64 {
     2.501e6 - 2360.0 * (temperature - ZERO_C)
 }

@@ -4,7 +4,7 @@ use saute_food::ZERO_C;
 
 use crate::run::{Run, kitchen_air, lean};
 
-/// Beads of juice follow this: none on raw, cold meat and none on a face that has boiled dry.
+/// There is no film on raw, cold meat and none on a face that has boiled dry.
 #[test]
 fn juice_stands_on_a_face_that_has_been_hot_and_is_wet_alone() {
     let mut run = Run::new(lean(), 5.0);

@@ -1,4 +1,4 @@
-//! Tests of a piece of food on a plate, by what they promise.
+//! Tests of a piece of food on a plate, one file for each promise.
 
 mod balance;
 mod body;

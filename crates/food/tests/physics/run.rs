@@ -11,7 +11,7 @@ use saute_heat::SweptMesh;
 
 pub const DT: f64 = 0.1;
 
-/// The body frame's direction that points up while the bottom lies below, and after a flip.
+/// The world's upward direction in the body frame, before and after a flip.
 pub const UP: [f64; 3] = [0.0, 0.0, 1.0];
 pub const FLIPPED: [f64; 3] = [0.0, 0.0, -1.0];
 
@@ -23,7 +23,7 @@ pub fn piece(kind: &str, spec: &PieceSpec) -> FoodModel {
     shaped(kind, spec, |_| {})
 }
 
-/// A piece of a food whose description is changed first.
+/// A piece of a food with a changed description.
 pub fn shaped(kind: &str, spec: &PieceSpec, change: impl Fn(&mut FoodDescription)) -> FoodModel {
     let data = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
     let read = |path: String| std::fs::read_to_string(data.join(path)).expect("data file");
@@ -49,7 +49,7 @@ pub fn kitchen_air() -> FreeAir {
     }
 }
 
-/// What passed in a whole run.
+/// Heat and mass exchanged in a whole run.
 #[derive(Default)]
 pub struct Passed {
     pub contact: f64,
@@ -82,7 +82,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Fries on a plate at one temperature and conductance.
+    /// Fries on a plate of constant temperature and contact conductance.
     pub fn fry(&mut self, seconds: f64, plate_c: f64, h: f64, air: FreeAir) {
         let mut touch = vec![Touch::default(); self.model.patches().len()];
         for patch in self.model.patches_below(self.up) {

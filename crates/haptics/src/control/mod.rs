@@ -1,4 +1,11 @@
 //! The control loop: force rendering, passivity, limits, and the thread that exchanges with the device.
+//!
+//! The kitchen's thread turns the kitchen into a contact model after each frame and hands it over by triple buffer;
+//! the loop does not wait, lock or allocate. The contents hang on the pan by a virtual coupling, so that inertia is
+//! rendered without measuring acceleration. The rendered wrench passes an energy limit, a passivity controller, and
+//! limits of force and slew rate; weights are exempt from the passivity account. That account integrates force ×
+//! displacement with the commanded and with the reported force and uses the lower value; forces fade out before it is
+//! empty.
 
 pub mod control_loop;
 pub mod coupled_payload;

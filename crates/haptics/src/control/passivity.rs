@@ -23,7 +23,7 @@ const RECOVERY_DAMPING: f64 = 5.0;
 /// Time constant of the velocity from displacements [s] (chosen: two samples; a device's own filter takes twice as long).
 const MOVING_S: f64 = 0.002;
 
-/// Passivity observer and controller in the time domain (Hannaford & Ryu 2002).
+/// Passivity observer and controller in the time domain (Hannaford & Ryu 2002 `[@hannaford-ryu-2002]`).
 ///
 /// The observer integrates force × displacement: E ← E − w·Δx [J], over everything that the hand feels except weights, whose
 /// work the height of the contents returns. Δx is the displacement and rotation of the pan while w was held. That is exact;

@@ -1,4 +1,7 @@
 //! Networked devices: phones, the Haply Inverse3 and OSC senders, with pairing and rate limits.
+//!
+//! Devices on a network run their own threads and hand over by triple buffer. A wrench becomes a force, rumble, or
+//! sound and picture by the fixed rules of one module for devices that cannot render it.
 
 mod allowance;
 pub mod haply;

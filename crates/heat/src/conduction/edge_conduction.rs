@@ -98,7 +98,7 @@ impl Conduction {
     /// Δt = min C / ΣG over all nodes with heat capacity C [J/K]: no node then leaves the range of its neighbours'
     /// temperatures. In terms of the cell Fourier number, Σ Fo ≤ 1.
     pub fn stable_step(&self, capacity: &[f64]) -> f64 {
-        capacity.iter().zip(&self.total).map(|(c, g)| c / g).fold(f64::INFINITY, f64::min)
+        stable_step(capacity, &self.total)
     }
 
     /// Returns the longest explicit Euler step with heat exchange to the surroundings [s].
@@ -108,4 +108,9 @@ impl Conduction {
         let limits = capacity.iter().zip(&self.total).zip(exchange).map(|((c, g), e)| c / (g + e));
         limits.fold(f64::INFINITY, f64::min)
     }
+}
+
+/// Longest explicit step for the nodes' sums of conductances [W/K] and heat capacities [J/K] [s].
+pub(crate) fn stable_step(capacity: &[f64], total: &[f64]) -> f64 {
+    capacity.iter().zip(total).map(|(c, g)| c / g).fold(f64::INFINITY, f64::min)
 }

@@ -4,7 +4,7 @@
 ///
 /// A step of s stages is stable up to (s² + s − 2)/4 explicit Euler steps. It suits symmetric diffusion operators with
 /// real negative eigenvalues; it does not satisfy the maximum principle between stages. Source: Meyer, Balsara, Aslam
-/// 2014, J. Comput. Phys. 257:594, eqs. 16–18.
+/// 2014 `[@meyer-2014]`, eqs. 16–18.
 ///
 /// ```
 /// use saute_heat::conduction::super_step::{Rates, SuperStep};
@@ -134,7 +134,7 @@ impl SuperStep {
     /// Returns the smallest odd number of stages, from 3, that is stable for a step of `dt` [-].
     ///
     /// `explicit` is the stable explicit Euler step; both are in [s]. Even numbers of stages do not damp the fastest mode
-    /// at the limit (advice of Meyer et al. 2014). The result is capped at 999 stages.
+    /// at the limit (advice of Meyer et al. 2014 `[@meyer-2014]`). The result is capped at 999 stages.
     pub fn stages_for(dt: f64, explicit: f64) -> usize {
         (3..1000).step_by(2).find(|s| Self::reach(*s) * explicit >= dt * (1.0 - 1e-12)).unwrap_or(999)
     }

@@ -1,5 +1,15 @@
 //! Meshes: cross-sections swept along a path, Voronoi cells inside a closed surface, and closed surfaces.
 //!
+//! Swept meshes: a Delaunay cross-section is carried along a path in layers. On a prism, linear shape functions give
+//! in-plane cotangent weights times the layer height, and along the path area over spacing. Conductances are
+//! non-negative by construction; `Section::clamped_edges` counts exceptions, and the shipped outlines have none.
+//! Volumes are lumped at the nodes. Between stations they are those of frusta, so a cone is exact.
+//!
+//! Cell meshes: the nodes are samples on a closed surface, copies of them in layers inwards (0.35 mm first, growing
+//! 1.4-fold), and a body-centred lattice inside; each node has a Voronoi cell. Facet area over distance is
+//! non-negative and exact for linear fields. Next to sharp edges samples lie in mirrored pairs, so that cells end
+//! where faces do.
+//!
 //! A steak of 120 × 80 × 25 mm with a rippled outline and fine levels at both faces:
 //!
 //! ```

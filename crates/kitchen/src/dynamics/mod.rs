@@ -1,4 +1,15 @@
 //! Rigid bodies: the pan that follows a hand, foods that slide, pile up and fly, tools.
+//!
+//! The rigid-body engine is rapier (32 bit, deterministic). It computes in centimetres and grams, so that its
+//! absolute tolerances suit food of a few centimetres. The pan moves kinematically with bounded speed and
+//! acceleration. Its floor is a half space that only bodies above the pan meet, so no food falls through at any
+//! speed; its wall is 32 wedges. The collision shape of a food follows its present shape and mass: a cylinder, a
+//! cuboid, eight strips of a steak, four rods of a shrimp, or convex parts of a user's surface.
+//!
+//! The pose of a piece changes by integration only. Turner and tongs hold food by a spring with bounded force and
+//! torque, and fail where something is in the way. A turner moved by a person is a dynamic blade on a bounded spring:
+//! low and level it slides under the nearest food and lifts it; rolled over it drops the food; all other food it
+//! presses or pushes. Bodies at rest sleep; with all bodies asleep no rigid step is computed.
 
 mod blade;
 pub mod extent;

@@ -68,13 +68,22 @@ struct Driven {
     dt: f64,
 }
 
+/// What an edge passed.
+#[derive(Clone, Copy, Debug)]
+struct Passed {
+    a: u32,
+    b: u32,
+    /// Share of its donor's liquid; positive from `a` to `b` [-].
+    share: f64,
+}
+
 /// Flow of one liquid.
 #[derive(Clone, Debug, Default)]
 pub struct FilmFlow {
     /// One over the kinematic viscosity at each node [s/m²]; set by the liquid before it runs.
     pub fluidity: Vec<f64>,
-    /// Share of its donor's liquid that each edge passed in the last sweep, one after the other; positive from `a` to `b`.
-    passed: Vec<f64>,
+    /// What passed in the last sweep, one edge after the other; edges that passed nothing are left out.
+    passed: Vec<Passed>,
     /// Share of its node's liquid that each rim face passed after them.
     spilled: Vec<f64>,
     potential: Vec<f64>,
@@ -104,7 +113,7 @@ impl FilmFlow {
     pub fn sweep(&mut self, bed: &Bed, manner: &Manner, mass: &[f64], sweep: Sweep, dt: f64) -> f64 {
         self.thickness.clear();
         self.thickness.extend(mass.iter().zip(&bed.areas).map(|(m, a)| m / (manner.density * a)));
-        self.passed.resize(bed.edges.len(), 0.0);
+        self.passed.clear();
         self.spilled.resize(bed.rim.len(), 0.0);
         for e in sweep.order(bed.edges.len()) {
             self.pass(bed, manner, e, dt);
@@ -125,13 +134,18 @@ impl FilmFlow {
     fn pass(&mut self, bed: &Bed, manner: &Manner, e: usize, dt: f64) {
         let edge = &bed.edges[e];
         let (a, b) = (edge.a as usize, edge.b as usize);
+        if self.thickness[a] <= manner.clinging && self.thickness[b] <= manner.clinging {
+            return;
+        }
         let drop = self.surface(manner, a) - self.surface(manner, b);
         let (from, to) = if drop > 0.0 { (a, b) } else { (b, a) };
         let stiffness = self.stiffness[a] + self.stiffness[b];
         let drive = Driven { drop: libm::fabs(drop), stiffness, dt };
         let (share, volume) = self.give(bed, manner, from, drive, self.mouth(bed, edge, from));
         self.thickness[to] += volume * bed.per_area[to];
-        self.passed[e] = if drop > 0.0 { share } else { -share };
+        if share != 0.0 {
+            self.passed.push(Passed { a: edge.a, b: edge.b, share: if drop > 0.0 { share } else { -share } });
+        }
     }
 
     /// The face between two nodes as liquid passes it; among ridges it runs in the grooves.
@@ -174,11 +188,11 @@ impl FilmFlow {
     }
 
     /// Moves a quantity along with its liquid as in the last sweep. What runs over the rim is returned.
-    pub fn carry(&self, bed: &Bed, sweep: Sweep, field: &mut [f64]) -> f64 {
-        for e in sweep.order(bed.edges.len()) {
-            let (a, b) = (bed.edges[e].a as usize, bed.edges[e].b as usize);
+    pub fn carry(&self, bed: &Bed, field: &mut [f64]) -> f64 {
+        for &Passed { a, b, share } in &self.passed {
+            let (a, b) = (a as usize, b as usize);
             // Without a branch: which way a face passes cannot be foreseen.
-            let amount = self.passed[e].max(0.0) * field[a] + self.passed[e].min(0.0) * field[b];
+            let amount = share.max(0.0) * field[a] + share.min(0.0) * field[b];
             field[a] -= amount;
             field[b] += amount;
         }
@@ -193,18 +207,9 @@ impl FilmFlow {
 
     /// Mixes temperatures [K] as the liquid of these heat capacities [J/K] runs over metal as in the last sweep; moves the
     /// capacities along. Returns the heat above `zero` [K] that ran over the rim [J].
-    pub fn mix(
-        &self,
-        bed: &Bed,
-        sweep: Sweep,
-        capacity: &mut [f64],
-        metal: &[f64],
-        temperature: &mut [f64],
-        zero: f64,
-    ) -> f64 {
-        for e in sweep.order(bed.edges.len()) {
-            let (a, b) = (bed.edges[e].a as usize, bed.edges[e].b as usize);
-            let share = self.passed[e];
+    pub fn mix(&self, bed: &Bed, capacity: &mut [f64], metal: &[f64], temperature: &mut [f64], zero: f64) -> f64 {
+        for &Passed { a, b, share } in &self.passed {
+            let (a, b) = (a as usize, b as usize);
             let (from, to) = if share > 0.0 { (a, b) } else { (b, a) };
             let moved = libm::fabs(share) * capacity[from];
             capacity[from] -= moved;

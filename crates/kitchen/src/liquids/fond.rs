@@ -11,7 +11,7 @@ use saute_heat::Located;
 use serde::Deserialize;
 
 use crate::kelvin;
-use crate::liquids::film_flow::{FilmFlow, Sweep};
+use crate::liquids::film_flow::FilmFlow;
 use crate::liquids::oil::SolidsChange;
 use crate::liquids::solids_rates::SolidsRates;
 use crate::liquids::water_film::{WaterFilm, WaterModel};
@@ -186,10 +186,10 @@ impl Fond {
     }
 
     /// Dissolved solids run with the water as in its last sweep.
-    pub fn carry(&mut self, flow: &FilmFlow, bed: &Bed, sweep: Sweep) {
-        self.spilled += flow.carry(bed, sweep, &mut self.dissolved.mass);
-        flow.carry(bed, sweep, &mut self.dissolved.browned);
-        flow.carry(bed, sweep, &mut self.dissolved.charred);
+    pub fn carry(&mut self, flow: &FilmFlow, bed: &Bed) {
+        self.spilled += flow.carry(bed, &mut self.dissolved.mass);
+        flow.carry(bed, &mut self.dissolved.browned);
+        flow.carry(bed, &mut self.dissolved.charred);
     }
 
     /// All dried solids, then those that are browned and charred [kg].

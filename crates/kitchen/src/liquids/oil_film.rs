@@ -124,9 +124,9 @@ impl OilFilm {
         flow.lean(on.bed, gravity);
         for sweep in Sweep::BOTH {
             run.moved = run.moved.max(flow.sweep(on.bed, &manner, &self.mass, sweep, 0.5 * dt));
-            run.spilled_heat += flow.mix(on.bed, sweep, &mut self.capacity, on.metal, temperature, ZERO_C);
+            run.spilled_heat += flow.mix(on.bed, &mut self.capacity, on.metal, temperature, ZERO_C);
             for fat in &mut self.fats {
-                run.spilled += flow.carry(on.bed, sweep, &mut fat.mass);
+                run.spilled += flow.carry(on.bed, &mut fat.mass);
             }
             self.add_up(on.oils);
         }

@@ -184,9 +184,9 @@ impl WaterFilm {
         flow.lean(bed, gravity);
         for sweep in Sweep::BOTH {
             run.moved = run.moved.max(flow.sweep(bed, &manner, &self.mass, sweep, 0.5 * dt));
-            run.spilled += flow.carry(bed, sweep, &mut self.mass);
-            run.spilled_heat += flow.carry(bed, sweep, &mut self.enthalpy);
-            fond.carry(flow, bed, sweep);
+            run.spilled += flow.carry(bed, &mut self.mass);
+            run.spilled_heat += flow.carry(bed, &mut self.enthalpy);
+            fond.carry(flow, bed);
         }
         run
     }

@@ -212,9 +212,9 @@ impl PanModel {
     }
 
     /// Air over and beside food whose upper face is at `surface` [K]: in the pan's plume, or under the lid.
-    pub fn airs(&self, state: &PanState, room: &Room, surface: f64) -> [FreeAir; 3] {
+    pub fn airs(&self, state: &PanState, room: &Room, surface: impl FnOnce() -> f64) -> [FreeAir; 3] {
         match &state.lid {
-            Some(lid) => [lid.air_over(room, surface).0; 3],
+            Some(lid) => [lid.air_over(room, surface()).0; 3],
             None => {
                 let (up, side) = room.plume(self.floor_temperature(state));
                 [up, up, side]
@@ -231,9 +231,15 @@ impl PanModel {
 
     /// Takes up what food in the pan gave to the air: all of it passes on to the room unless a lid holds it. Returns heat
     /// and enthalpy of vapour that go to the room [J].
-    pub fn take_up(&self, state: &mut PanState, room: &Room, surface: f64, exchange: &Exchange) -> (f64, f64) {
+    pub fn take_up(
+        &self,
+        state: &mut PanState,
+        room: &Room,
+        surface: impl FnOnce() -> f64,
+        exchange: &Exchange,
+    ) -> (f64, f64) {
         let Some(lid) = &mut state.lid else { return (exchange.air, exchange.evaporation) };
-        let condensing = lid.air_over(room, surface).1;
+        let condensing = lid.air_over(room, surface()).1;
         lid.take_vapour(Vapour { mass: exchange.evaporated, enthalpy: exchange.evaporation });
         let dew = lid.take_heat(exchange.air, condensing);
         self.liquids.pour_water(&mut state.liquids, dew);
@@ -282,7 +288,7 @@ impl PanModel {
         dt: f64,
         total: &mut PanExchange,
     ) {
-        let [air, ..] = self.airs(state, load.room, self.floor_temperature(state));
+        let [air, ..] = self.airs(state, load.room, || self.floor_temperature(state));
         let around = Around {
             room: load.room,
             air,

@@ -65,7 +65,8 @@ mod tests {
         face.conductance(&gap, face.mean_gap(&gap))
     }
 
-    /// Wichchukit et al. 2001: 250–650 W/(m²·K), rising to a maximum, then decaying to an asymptote.
+    /// Wichchukit et al. 2001 `[@wichchukit-2001]`: 250–650 W/(m²·K), rising to a maximum, then
+    /// decaying to an asymptote.
     #[test]
     fn conductance_rises_to_a_maximum_and_decays_to_an_asymptote_within_the_measured_range() {
         let series: Vec<f64> = (0..600).map(|s| mean(f64::from(s), 260.0)).collect();

@@ -218,7 +218,7 @@ impl Piece {
     /// Friction of its lower face on metal under a film of oil [-]: raw flesh clings, a crust does not, oil helps.
     pub(crate) fn friction(&self, film: f64, room: &Room) -> f64 {
         let data = &room.friction;
-        let crust = self.model.face_reading(&self.state, self.up()).browning.min(1.0);
+        let crust = self.model.face_browning(&self.state, self.up()).min(1.0);
         let dry = data.raw + crust * (data.crust - data.raw);
         let oiled = film / (film + 1e-3 * data.film_mm);
         dry * (1.0 + oiled * (data.oiled_factor - 1.0))

@@ -176,7 +176,7 @@ impl Kitchen {
         self.meet(fixed, index, under);
         let piece = &mut self.pieces[index];
         let air = match piece.place {
-            Place::Pan(_) => fixed.pan.airs(&self.pan, &fixed.room, piece.face(false)),
+            Place::Pan(_) => fixed.pan.airs(&self.pan, &fixed.room, || piece.face(false)),
             Place::Rest(RestOn::Foil) => [fixed.room.under_foil(); 3],
             _ => [fixed.room.still_air(); 3],
         };
@@ -214,7 +214,7 @@ impl Kitchen {
             self.flows.other += exchange.drip.enthalpy + exchange.rendered.enthalpy - taken;
             return;
         }
-        let (air, evaporation) = fixed.pan.take_up(&mut self.pan, &fixed.room, piece.face(false), exchange);
+        let (air, evaporation) = fixed.pan.take_up(&mut self.pan, &fixed.room, || piece.face(false), exchange);
         self.flows.air += air;
         self.flows.evaporation += evaporation;
         let whole: f64 = piece.near.patches.iter().map(|n| piece.patch_area(n.patch as usize)).sum();

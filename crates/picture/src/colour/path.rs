@@ -103,7 +103,7 @@ mod tests {
 
     use super::*;
 
-    /// sRGB as deuteranopes and protanopes see it: Machado, Oliveira & Fernandes 2009, severity 1.
+    /// sRGB as deuteranopes and protanopes see it: Machado, Oliveira & Fernandes 2009 `[@machado-2009]`, severity 1.
     const DICHROMATS: [[[f64; 3]; 3]; 2] = [
         [[0.367_322, 0.860_646, -0.227_968], [0.280_085, 0.672_501, 0.047_413], [-0.011_820, 0.042_940, 0.968_881]],
         [[0.152_286, 1.052_583, -0.204_868], [0.114_503, 0.786_281, 0.099_216], [-0.003_882, -0.048_116, 1.051_998]],

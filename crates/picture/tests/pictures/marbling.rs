@@ -2,7 +2,7 @@
 //! its volume, and a piece as much as its description states.
 
 use saute_kitchen::food::FoodModel;
-use saute_kitchen::{Kitchen, Library};
+use saute_kitchen::{Kitchen, Library, Piece};
 use saute_picture::skin::surface::Skin;
 use saute_recipe::Recipe;
 use saute_scene::input::{GrainVolume, WITHIN_RANGE};
@@ -92,9 +92,7 @@ fn places([a, b, c]: [[f64; 2]; 3]) -> Vec<([f64; 3], usize, f64)> {
 }
 
 /// Largest difference between a node's fat and what is seen, and the shares of both in the whole piece.
-fn largest_difference(kind: &str, seed: u64) -> (f64, [f64; 2]) {
-    let kitchen = steak(kind, seed);
-    let piece = &kitchen.pieces()[0];
+fn largest_difference(piece: &Piece) -> (f64, [f64; 2]) {
     let (model, skin) = (&piece.model, Skin::new(piece));
     let seen = seen(model, &skin.mesh.grain);
     let volume = model.mesh().volumes();
@@ -106,11 +104,13 @@ fn largest_difference(kind: &str, seed: u64) -> (f64, [f64; 2]) {
 #[test]
 fn each_node_holds_the_fat_that_is_seen_in_its_volume() {
     for (kind, seed) in [("beef-marbled", 1), ("beef-marbled", 7), ("beef-marbled", 2013), ("beef-lean", 1)] {
-        let (largest, [held, shown]) = largest_difference(kind, seed);
+        let kitchen = steak(kind, seed);
+        let piece = &kitchen.pieces()[0];
+        let (largest, [held, shown]) = largest_difference(piece);
         println!("{kind} {seed}: largest difference {largest:.4}, {held:.4} held, {shown:.4} shown");
         assert!(largest < MOST, "{kind} {seed}: {largest}");
         assert!((held - shown).abs() < 0.002, "{kind} {seed}: {held} held, {shown} shown");
-        let asked = steak(kind, seed).pieces()[0].model.marbling().mean_share();
+        let asked = piece.model.marbling().mean_share();
         assert!((held - asked).abs() < MOST, "{kind} {seed}: {held} held, {asked} asked for");
     }
 }

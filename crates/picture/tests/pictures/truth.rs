@@ -1,5 +1,7 @@
 //! Promise: pictures tell the truth: the temperature view decodes to the field of the core, and the look follows it.
 
+use std::sync::OnceLock;
+
 use saute_kitchen::food::FoodModel;
 use saute_kitchen::food::noise::uniform;
 use saute_kitchen::{Library, Piece, celsius};
@@ -18,10 +20,14 @@ const SEARED: &str = "[pan]\ninitial_c = 210\n[[food]]\nid = \"steak\"\nkind = \
     [[step]]\nhob_w = 800\n[[step]]\nput = \"steak\"\n[[step]]\nafter_s = 200\nflip = \"steak\"\n\
     [[step]]\nafter_s = 200\nend = true\n";
 
-fn cook(at_s: f64) -> Cook {
-    let library = Library::embedded().expect("embedded data");
-    let recipe = Recipe::parse(SEARED, "seared.toml", &library).expect("parses");
-    cook_until(recipe, &library, at_s).expect("cooks")
+/// The seared steak at 300 s, cooked once for all tests.
+fn seared() -> &'static Cook {
+    static COOKED: OnceLock<Cook> = OnceLock::new();
+    COOKED.get_or_init(|| {
+        let library = Library::embedded().expect("embedded data");
+        let recipe = Recipe::parse(SEARED, "seared.toml", &library).expect("parses");
+        cook_until(recipe, &library, 300.0).expect("cooks")
+    })
 }
 
 fn options(view: View, slice: Option<f64>, flat: bool) -> StageOptions {
@@ -84,7 +90,7 @@ fn seen(piece: &Piece, pose: &Pose, camera: &Camera, plane: &Plane, near: [f64; 
 #[test]
 fn the_flat_temperature_view_decodes_to_the_cores_field_within_a_kelvin() {
     let Some(gpu) = adapter() else { return };
-    let cook = cook(300.0);
+    let cook = seared();
     let piece = &cook.kitchen.pieces()[0];
     let pose = poses(&cook.kitchen)[0];
     let options = options(View::Temperature, Some(0.2), true);
@@ -113,7 +119,7 @@ fn the_flat_temperature_view_decodes_to_the_cores_field_within_a_kelvin() {
 #[test]
 fn flat_views_of_every_field_decode_to_the_cores_values() {
     let Some(gpu) = adapter() else { return };
-    let cook = cook(300.0);
+    let cook = seared();
     let piece = &cook.kitchen.pieces()[0];
     let (model, state) = (&*piece.model, &piece.state);
     let pose = poses(&cook.kitchen)[0];
@@ -140,7 +146,7 @@ fn flat_views_of_every_field_decode_to_the_cores_values() {
 #[test]
 fn lit_doneness_is_hatched_and_flat_doneness_is_not() {
     let Some(gpu) = adapter() else { return };
-    let cook = cook(300.0);
+    let cook = seared();
     let library = Library::embedded().expect("embedded data");
     let scale = library.scales[0].clone();
     let picture = |flat: bool| {

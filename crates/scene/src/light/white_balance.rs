@@ -22,9 +22,9 @@ pub enum WhiteBalance {
 /// Exposure and balance as shot, linear sRGB (chosen: a white patch that lies flat in the full light of window, lamp
 /// and room comes out a touch brighter than 1 and a little warm).
 const AS_SHOT: Vec3 = Vec3::new(0.446, 0.458, 0.466);
-/// Share of the linear sRGB components in the luminance (IEC 61966-2-1).
+/// Share of the linear sRGB components in the luminance (IEC 61966-2-1 `[@iec-61966-2-1]`).
 const LUMINANCE: Vec3 = Vec3::new(0.2126, 0.7152, 0.0722);
-/// Linear sRGB from CIE XYZ (IEC 61966-2-1), by columns.
+/// Linear sRGB from CIE XYZ (IEC 61966-2-1 `[@iec-61966-2-1]`), by columns.
 const SRGB_FROM_XYZ: Mat3 = Mat3::from_cols(
     Vec3::new(3.240_454_2, -0.969_266, 0.055_643_4),
     Vec3::new(-1.537_138_5, 1.876_010_8, -0.204_025_9),
@@ -66,7 +66,8 @@ pub(crate) fn wgsl() -> String {
     format!("const AS_SHOT = vec3<f32>({:?}, {:?}, {:?});\n", AS_SHOT.x, AS_SHOT.y, AS_SHOT.z)
 }
 
-/// Colour of daylight of a colour temperature from 4000 to 25 000 K, of luminance 1 [linear sRGB] (CIE 15:2018, 4.1.2).
+/// Colour of daylight of a colour temperature from 4000 to 25 000 K, of luminance 1 [linear sRGB] (CIE 15:2018
+/// `[@cie-15-2018]`, 4.1.2).
 fn daylight(kelvin: f32) -> Vec3 {
     let t = 1000.0 / kelvin;
     let x = if kelvin <= 7000.0 {
@@ -120,7 +121,7 @@ mod tests {
 
     #[test]
     fn the_picture_as_shot_lies_on_daylight_of_its_colour_temperature() {
-        // McCamy (1992): CCT = 449 n³ + 3525 n² + 6823.3 n + 5520.33.
+        // McCamy (1992) [@mccamy-1992]: CCT = 449 n³ + 3525 n² + 6823.3 n + 5520.33.
         let [x, y] = chromaticity(seen(WhiteBalance::AsShot));
         let n = (x - 0.3320) / (0.1858 - y);
         let kelvin = 5520.33 + n * (6823.3 + n * (3525.0 + 449.0 * n));

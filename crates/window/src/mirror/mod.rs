@@ -1,4 +1,9 @@
 //! The half mirror: food that seems to lie in a real pan.
+//!
+//! A rig gives the virtual image of the screen in the half mirror. The eye looks through that image off-axis, and a
+//! last pass corrects keystone and lens distortion per pixel. Room, hob and pan are left out of the picture; the pan
+//! remains as a black occluder. Calibration along the rays of the eye replaces all measured values but the positions
+//! of the eye and the sheet.
 
 pub mod aim;
 pub mod calibration;

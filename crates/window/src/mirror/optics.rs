@@ -2,7 +2,7 @@
 //!
 //! The eye sees the screen's picture where the mirror puts its image. What is to appear at a point must be shown where
 //! the line from the eye to that point meets the image; so the eye looks through the image as through a window, off its
-//! axis (R. Kooima, Generalized Perspective Projection, 2008).
+//! axis (R. Kooima, Generalized Perspective Projection, 2008 `[@kooima-2008]`).
 
 use glam::{DMat4, DVec2, DVec3, DVec4};
 

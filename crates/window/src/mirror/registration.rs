@@ -68,8 +68,8 @@ const THINNEST: f64 = 0.05;
 /// Sweeps of Jacobi's method (chosen: four by four numbers are diagonal to rounding after six).
 const SWEEPS: usize = 12;
 
-/// The rigid transform that takes points to others with the least sum of squared distances (Horn 1987, with unit
-/// quaternions).
+/// The rigid transform that takes points to others with the least sum of squared distances (Horn 1987 `[@horn-1987]`,
+/// with unit quaternions).
 pub fn register(pairs: &[[DVec3; 2]]) -> Result<Registered, RegistrationError> {
     if pairs.len() < 3 {
         return Err(RegistrationError::TooFew(pairs.len()));

@@ -29,7 +29,7 @@ impl Stereo {
     }
 }
 
-/// Share of linear sRGB's red, green and blue in luminance (IEC 61966-2-1).
+/// Share of linear sRGB's red, green and blue in luminance (IEC 61966-2-1 `[@iec-61966-2-1]`).
 const LUMINANCE: DVec3 = DVec3::new(0.2126, 0.7152, 0.0722);
 
 /// What each eye's picture gives to an anaglyph, in linear sRGB: matrices for the left and the right eye's colours,

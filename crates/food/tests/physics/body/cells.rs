@@ -1,4 +1,4 @@
-//! Promise: food that is meshed inside a closed surface cooks as swept food does, and keeps the same balances.
+//! Promise: food in a mesh of cells cooks as food in a swept mesh does, and keeps the same balances.
 
 use std::sync::Arc;
 
@@ -22,7 +22,7 @@ fn brick() -> Surface {
     Surface::close(&soup, 1.0).expect("closed")
 }
 
-/// A brick of beef whose surface is meshed inside, its fibres upright as a steak's.
+/// A brick of beef meshed with cells, its fibres upright as in a steak.
 pub fn cells(coarseness: f64) -> FoodModel {
     shaped("beef-lean", &spec([SIZE[0]; 3], coarseness), |food| {
         food.form = Form::Mesh;
@@ -36,7 +36,7 @@ pub fn cells(coarseness: f64) -> FoodModel {
     })
 }
 
-/// The same brick, swept.
+/// The same brick in a swept mesh.
 fn swept() -> FoodModel {
     shaped("beef-lean", &spec(SIZE, 1.0), |food| {
         (food.outline.exponent, food.outline.ripple) = (20.0, 0.0);
@@ -56,8 +56,8 @@ fn a_surface_is_filled_to_its_volume_and_lies_on_its_lower_face() {
     assert!((model.raw_mass() - swept().raw_mass()).abs() < 0.01 * model.raw_mass());
 }
 
-/// On a plate below and above boiling. (Hotter still, a steak contracts more across its fibres than along them, a body
-/// of cells alike in all directions.)
+/// Plates below and above the boiling point. On hotter ones a steak contracts more across its fibres than along them, but a
+/// body of cells isotropically.
 #[test]
 fn cells_cook_as_swept_layers_do() {
     let (cells, swept) = (cells(1.0), swept());

@@ -1,4 +1,4 @@
-//! Promise: every form has its size, its nodes and its faces; solids follow the mesh; the 2013 meshes have their counts.
+//! Promise: every form has its size, nodes and faces; collision shapes follow the mesh; the meshes of 2013 have their counts.
 
 use saute_food::{FoodModel, FoodState, MeshSize, PieceSpec, Rules, Solid, ZERO_C};
 
@@ -64,7 +64,7 @@ fn a_shrimp_has_its_mass_its_nodes_and_its_layers() {
     assert_eq!(shrimp.mesh().depth(0), 0.0);
 }
 
-/// Length along the curve and thickest diameter are those that were asked for.
+/// Length along the curve and thickest diameter are the requested ones.
 #[test]
 fn a_shrimp_is_as_long_and_as_thick_as_asked() {
     for seed in 1..6 {
@@ -80,7 +80,7 @@ fn a_shrimp_is_as_long_and_as_thick_as_asked() {
     }
 }
 
-/// Outline, mean thickness and box of a steak are what was asked for; its thickness differs from place to place.
+/// Outline, mean thickness and extent of a steak are the requested ones; its thickness varies.
 #[test]
 fn natural_variation_keeps_the_mean_thickness() {
     for (kind, size) in [("beef-lean", [0.12, 0.08, 0.025]), ("beef-patty", [0.10, 0.10, 0.018])] {
@@ -99,7 +99,7 @@ fn natural_variation_keeps_the_mean_thickness() {
     }
 }
 
-/// The patches below are one of the big faces of a slice, whichever way it lies, and of a shrimp those that look down.
+/// The lower patches of a slice are the big face that lies below; those of a shrimp face downwards.
 #[test]
 fn what_lies_below_is_what_looks_down() {
     let steak = model("beef-lean", 1.6, [0.12, 0.08, 0.025]);
@@ -117,7 +117,7 @@ fn what_lies_below_is_what_looks_down() {
     assert!(standing.count() > 3);
 }
 
-/// All patches together close the body: their areas times normals add up to nothing.
+/// The patches close the body: the sum of area × normal is zero.
 #[test]
 fn patches_close_the_body() {
     for (kind, size, _) in FOODS {
@@ -134,7 +134,7 @@ fn patches_close_the_body() {
     }
 }
 
-/// A solid's farthest point in a direction.
+/// Farthest extent of a collision shape in a direction [m].
 fn support(solid: &Solid, d: [f64; 3]) -> f64 {
     let of = |points: &[[f64; 3]]| {
         points.iter().map(|p| p[0] * d[0] + p[1] * d[1] + p[2] * d[2]).fold(f64::NEG_INFINITY, f64::max)
@@ -151,8 +151,8 @@ fn support(solid: &Solid, d: [f64; 3]) -> f64 {
     }
 }
 
-/// Solids reach as far as the mesh in every direction, within 0.3 mm, raw and cooked. A shrimp is wider than high, and rods
-/// are round: there 0.5 mm holds below and above, where it lies. The strips of a steak cut its corners: 1.5 mm.
+/// Collision shapes extend as far as the mesh in every direction, within 0.3 mm, raw and cooked. A shrimp is wider than
+/// high, but capsules are round: 0.5 mm below and above. The strips of a steak cut its corners: 1.5 mm.
 #[test]
 fn solids_follow_the_mesh() {
     for (kind, size, _) in FOODS {
@@ -180,10 +180,10 @@ fn solids_follow_the_mesh() {
             for d in spiral.chain(sides.into_iter().flatten()) {
                 let mesh =
                     positions.iter().map(|p| p[0] * d[0] + p[1] * d[1] + p[2] * d[2]).fold(f64::NEG_INFINITY, f64::max);
-                // The sharp edges of a box stand for rounded ones: how far it reaches is compared on its six sides.
+                // A box replaces rounded edges by sharp ones: its extent is compared on its six sides.
                 let sharp = matches!(solid, Solid::Cuboid { .. }) && d.iter().all(|v| v.abs() < 0.999);
                 let off = support(&solid, d) - mesh;
-                // The fan of a shrimp's tail has no rod of its own: how its rods follow the bow is a test of its own.
+                // The tail fan has no capsule of its own; another test covers how the capsules follow the curve.
                 assert!(
                     kind == "shrimp" || (off > -within && (sharp || off < within)),
                     "{kind} {seed}: {off} towards {d:?}"
@@ -193,7 +193,7 @@ fn solids_follow_the_mesh() {
     }
 }
 
-/// The rods of a shrimp follow its bow: every node of its body lies within 2.5 mm of one of them.
+/// The capsules of a shrimp follow its curve: every node of its body lies within 2.5 mm of one of them.
 #[test]
 fn rods_of_a_shrimp_follow_its_bow() {
     let shrimp = model("shrimp", 1.0, [0.075, 0.016, 0.016]);
@@ -213,11 +213,11 @@ fn rods_of_a_shrimp_follow_its_bow() {
     };
     let mut distances: Vec<f64> = shrimp.positions(&state).into_iter().map(off).collect();
     distances.sort_by(f64::total_cmp);
-    // The flat fan of the tail is wider than its rod.
+    // The flat tail fan is wider than its capsule.
     assert!(distances[distances.len() * 9 / 10] < 2.5e-3, "{}", distances[distances.len() * 9 / 10]);
 }
 
-/// A cooked shrimp is more curled: its ends come nearer to each other, and its volume's centre stays the origin.
+/// A cooked shrimp is more curled: its ends are closer to each other, and the centre of volume stays at the origin.
 #[test]
 fn a_shrimp_curls_in_its_present_shape() {
     let shrimp = model("shrimp", 1.6, [0.075, 0.016, 0.016]);
@@ -240,7 +240,7 @@ fn a_shrimp_curls_in_its_present_shape() {
     assert!(centre.iter().all(|c| c.abs() < 1e-9), "{centre:?}");
 }
 
-/// Energy and water balance of a shrimp and a stick on a plate, as of a steak.
+/// A shrimp and a stick on a plate keep energy and water in balance, as a steak does.
 #[test]
 fn curved_bodies_keep_their_energy_and_water() {
     for (kind, size) in
@@ -294,7 +294,7 @@ fn sheath_borders_lower_the_conductivity_across_to_the_measured_range() {
     assert!((0.34..0.47).contains(&across), "{across}");
 }
 
-/// Whatever size is allowed, no mesh has a sliver: every node can be stepped by 20 ms at least, raw.
+/// No allowed size gives a mesh with slivers: the stable step of every raw node is at least 20 ms.
 #[test]
 fn meshes_of_all_sizes_allow_long_steps() {
     for (kind, default, _) in FOODS {
@@ -320,7 +320,7 @@ fn meshes_of_all_sizes_allow_long_steps() {
     }
 }
 
-/// Heat capacity over conductances of the node where that is least [s], with 3.7 MJ/(m³·K) and 0.52 W/(m·K).
+/// Stable step [s]: least heat capacity over the sum of conductances, with 3.7 MJ/(m³·K) and 0.52 W/(m·K).
 fn shortest_step(model: &FoodModel) -> f64 {
     let mut conduction = saute_heat::Conduction::default();
     let graph = model.mesh().graph();

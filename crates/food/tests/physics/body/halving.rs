@@ -1,5 +1,5 @@
-//! Promise: a knife's cut changes nothing at its instant; it parts the halves for heat and juice, opens fresh faces to the
-//! air, and keeps energy, water and the maximum principle.
+//! Promise: a cut changes no state; it separates the halves for heat and juice, opens fresh faces to the air, and keeps
+//! energy, water and the maximum principle.
 
 use saute_food::halving::CutError;
 use saute_food::{FoodModel, FreeAir, MeshSize, PieceSpec, Rules, ZERO_C};
@@ -23,7 +23,7 @@ fn bodies() -> Vec<(&'static str, FoodModel)> {
     ]
 }
 
-/// A run that goes on with the cut piece.
+/// A run that continues with the cut piece.
 fn after<'a>(halves: &'a FoodModel, whole: &Run) -> Run<'a> {
     Run { state: whole.state.clone(), up: whole.up, ..Run::new(halves, 20.0) }
 }
@@ -45,7 +45,7 @@ fn a_cut_changes_nothing_of_the_state_at_its_instant() {
     }
 }
 
-/// A field that is 40 °C on one side and 20 °C on the other stays so: no edge passes heat through the plane.
+/// With 40 °C on one side and 20 °C on the other nothing changes: no edge conducts through the plane.
 #[test]
 fn the_halves_pass_each_other_no_heat() {
     for (kind, whole) in bodies() {
@@ -67,7 +67,7 @@ fn the_halves_pass_each_other_no_heat() {
     }
 }
 
-/// Each half gets the plane's area, looking at the other half.
+/// The fresh face of each half has the area of the plane and faces the other half.
 #[test]
 fn the_fresh_faces_have_the_area_of_the_plane_and_look_at_each_other() {
     for (kind, expected, axis) in
@@ -88,7 +88,7 @@ fn the_fresh_faces_have_the_area_of_the_plane_and_look_at_each_other() {
     }
 }
 
-/// Heat, vapour, juice and fat of a halved piece add up to 1e-12 of what moved and is stored, and no water is lost.
+/// Heat, vapour, juice and fat of a halved piece balance to 1e-12, and no water is lost.
 #[test]
 fn energy_and_water_of_halves_balance() {
     for (kind, whole) in bodies() {
@@ -107,7 +107,7 @@ fn energy_and_water_of_halves_balance() {
     }
 }
 
-/// Between a 20 °C room and its own 60 °C, nothing becomes colder or hotter than either.
+/// In a room of 20 °C a piece of 60 °C stays between these temperatures.
 #[test]
 fn halves_obey_the_maximum_principle() {
     for (kind, whole) in bodies() {
@@ -135,7 +135,7 @@ fn a_halved_piece_cools_faster_than_a_whole_one() {
     }
 }
 
-/// A cut lets go of juice that a whole piece would have kept on its way.
+/// A cut releases juice that a whole piece would have kept.
 #[test]
 fn juice_runs_out_of_the_fresh_cut() {
     for (kind, size) in [("beef-lean", [0.12, 0.08, 0.025]), ("shrimp", [0.08, 0.02, 0.015])] {

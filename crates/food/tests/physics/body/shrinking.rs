@@ -1,4 +1,4 @@
-//! Promise: what a piece loses is what it shrinks by, in the directions of free muscle; it bends, and gravity holds it.
+//! Promise: a piece shrinks by the volume that it loses, in the directions of free muscle; it bends against gravity.
 
 use saute_food::{FoodState, ZERO_C};
 
@@ -26,7 +26,7 @@ fn the_raw_piece_keeps_its_shape() {
 /// along the fibres −25 % when fully cooked; a steak's fibres run through its thickness.
 #[test]
 fn fully_cooked_muscle_contracts_to_the_measured_maxima_and_no_further() {
-    // As much water as the maxima leave room for: 0.78 · 0.75 = 0.585 of the volume.
+    // The water that the largest contractions leave room for: 0.78 · 0.75 = 0.585 of the volume.
     let (across, along, volume) = uniform([1.0, 1.0, 1.0, 1.0], 0.40);
     assert!((0.76..=0.80).contains(&(across * across)), "cross-section {}", across * across);
     assert!((along - 0.75).abs() < 0.01, "thickness {along}");
@@ -41,7 +41,7 @@ fn myosin_and_collagen_contract_the_cross_section_alone() {
     assert!(across < 0.93 && (along - 1.0).abs() < 1e-9 && (across * across * along / volume - 1.0).abs() < 1e-9);
 }
 
-/// Volume lost equals water and fat lost, node by node, while nothing is dried out.
+/// The lost volume equals the lost water and fat, node by node, as long as nothing dries out.
 #[test]
 fn the_volume_lost_is_that_of_water_and_fat() {
     let mut run = Run::new(lean(), 5.0);
@@ -51,20 +51,20 @@ fn the_volume_lost_is_that_of_water_and_fat() {
     }
     let (model, state) = (run.model, &run.state);
     let volume: f64 = model.mesh().volumes().iter().sum();
-    // Juice that stands on a face is out of the flesh.
+    // The film of juice on a face is outside the flesh.
     let lost_water = model.initial_water().iter().zip(&state.water).map(|(raw, now)| (raw - now).max(0.0));
     let water = lost_water.sum::<f64>() / 998.0;
     let fat = state.rendered / 917.0;
     let lost = (1.0 - model.relative_volume(state)) * volume;
-    // Dried crust keeps pores: a little less than all of it.
+    // A dried crust keeps pores: a little less than all of the lost volume.
     assert!(lost < 1.01 * (water + fat) && lost > 0.85 * (water + fat), "{lost} of {}", water + fat);
     let thinner =
         model.thickness(state) * state.stretch.lateral * state.stretch.lateral / swept_mesh(model).thickness();
     assert!((thinner / model.relative_volume(state) - 1.0).abs() < 0.02, "{thinner}");
 }
 
-/// The heated face contracts first: its middle stands off the pan where the piece is small and stiff enough, and a
-/// flip shows the same bend from the other side; a large slice is held flat by its weight.
+/// The heated face contracts first: the middle of a small, stiff piece rises off the pan, and a flip shows the same bend
+/// from the other side. The weight of a large slice holds it flat.
 #[test]
 fn a_small_piece_domes_and_a_large_one_lies_flat() {
     let small = model("beef-lean", 1.6, [0.045, 0.045, 0.02]);
@@ -80,7 +80,7 @@ fn a_small_piece_domes_and_a_large_one_lies_flat() {
     assert_eq!(bend(&large).0, 0.0);
 }
 
-/// Molten fat leaves where it is hot and near a face, and only the releasable share of it.
+/// Only the releasable share of molten fat leaves, from hot flesh near a face.
 #[test]
 fn fat_renders_from_hot_faces_into_the_pan() {
     let steak = model("beef-marbled", 1.6, [0.12, 0.08, 0.025]);

@@ -1,4 +1,5 @@
-//! Frames on a byte stream: consistent-overhead byte stuffing (COBS, Cheshire & Baker 1999), each frame terminated by a zero.
+//! Frames on a byte stream: consistent-overhead byte stuffing (COBS, Cheshire & Baker 1999 `[@cheshire-baker-1999]`),
+//! each frame terminated by a zero.
 
 use super::frame::FRAME;
 

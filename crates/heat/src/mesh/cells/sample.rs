@@ -47,7 +47,8 @@ pub fn samples(finder: &DepthFinder, spacing: f64) -> Vec<Sample> {
     mean_planes(&candidates, &chosen, spacing)
 }
 
-/// Returns candidates of equal area: strata over the triangles, each with a point of the R₂ sequence (Roberts 2018).
+/// Returns candidates of equal area: strata over the triangles, each with a point of the R₂ sequence (Roberts 2018
+/// `[@roberts-2018]`).
 fn candidates(finder: &DepthFinder, spacing: f64) -> Vec<Candidate> {
     let surface = finder.surface();
     let area = surface.area();

@@ -21,7 +21,7 @@ pub struct Depth {
 /// Query structure for signed distances from a closed surface [m].
 ///
 /// The sign follows from angle-weighted pseudonormals, which are correct also if the nearest point lies on an edge or a
-/// vertex. Source: Bærentzen & Aanæs 2005, IEEE Trans. Vis. Comput. Graph. 11:243.
+/// vertex. Source: Bærentzen & Aanæs 2005 `[@baerentzen-aanaes-2005]`, IEEE Trans. Vis. Comput. Graph. 11:243.
 #[derive(Clone, Debug)]
 pub struct DepthFinder<'a> {
     surface: &'a Surface,
@@ -98,8 +98,8 @@ fn mix([a, b, c]: [DVec3; 3], w: [f64; 3]) -> DVec3 {
 /// Returns the barycentric coordinates of the point of a triangle nearest to `p` [-].
 ///
 /// Coordinates are exactly 0 for the corners off the vertex or edge with that point, by which [`DepthFinder`] selects the
-/// pseudonormal; the nearest-point functions of geometry crates return rounded ones. Source: Ericson, Real-Time Collision
-/// Detection (2005), section 5.1.5.
+/// pseudonormal; the nearest-point functions of geometry crates return rounded ones. Source: Ericson, Real-Time
+/// Collision Detection (2005) `[@ericson-2005]`, section 5.1.5.
 fn closest([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
     let (ab, ac, ap) = (b - a, c - a, p - a);
     let (d1, d2) = (ab.dot(ap), ac.dot(ap));

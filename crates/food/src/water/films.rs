@@ -1,0 +1,279 @@
+//! Exchange of the patches with their contacts or with the air, in blocks of four for SIMD.
+
+use core::array::from_fn;
+
+use crate::advance::{Exchange, Surroundings, Touch};
+use crate::body::patch::Patch;
+use crate::model::FoodModel;
+use crate::state::FoodState;
+use crate::water::air_film::{AirFilm, HOTTEST_WET};
+
+/// Number of patches in a block [-] (chosen: two SIMD vectors of every 64-bit processor).
+const TOGETHER: usize = 4;
+
+/// One value for each patch of a block.
+type Lanes = [f64; TOGETHER];
+
+/// Films of all patches.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Films {
+    blocks: Vec<Block>,
+    /// Number of patches [-].
+    pub(crate) count: usize,
+    /// Length of the steps that the films are prepared for [s].
+    step: f64,
+}
+
+/// Up to four consecutive patches.
+#[derive(Clone, Copy, Debug)]
+struct Block {
+    count: usize,
+    nodes: [usize; TOGETHER],
+    air: [usize; TOGETHER],
+    /// True for four patches with consecutive nodes and one air zone: they are computed together.
+    together: bool,
+    /// Heat capacity of the nodes [J/K].
+    capacity: Lanes,
+    film: FilmLanes,
+    step: StepLanes,
+}
+
+/// The fields of [`AirFilm`].
+#[derive(Clone, Copy, Debug, Default)]
+struct FilmLanes {
+    area: Lanes,
+    heat: Lanes,
+    transfer: Lanes,
+    density: Lanes,
+    slope: Lanes,
+    temperature: Lanes,
+    latent: Lanes,
+    vapour_enthalpy: Lanes,
+}
+
+/// Quantities of a step of one length.
+#[derive(Clone, Copy, Debug, Default)]
+struct StepLanes {
+    /// Conductance × time, and its sum with the node's heat capacity [J/K].
+    conductance: Lanes,
+    whole: Lanes,
+    /// Mass transfer coefficient × area × time [m³].
+    transfer: Lanes,
+    /// Factor by which evaporative cooling reduces the evaporation [-].
+    damped: Lanes,
+}
+
+/// Node fields that the exchange changes.
+struct Nodes<'a> {
+    temperature: &'a mut [f64],
+    enthalpy: &'a mut [f64],
+    water: &'a mut [f64],
+}
+
+impl Films {
+    /// Linearises the films of all patches about the present state; `capacity` holds the nodes' heat capacities [J/K].
+    pub(crate) fn refresh(&mut self, model: &FoodModel, state: &FoodState, around: &Surroundings, capacity: &[f64]) {
+        self.blocks.clear();
+        let film = |patch: &Patch| AirFilm::of(model, state, patch, &around.air[patch.air]);
+        self.blocks.extend(model.shape.patches.chunks(TOGETHER).map(|patches| Block::of(patches, film, capacity)));
+        (self.count, self.step) = (model.shape.patches.len(), f64::NAN);
+    }
+
+    /// Prepares steps of `dt` [s].
+    pub(crate) fn prepare(&mut self, dt: f64) {
+        if self.step != dt {
+            self.step = dt;
+            self.blocks.iter_mut().for_each(|block| block.prepare(dt));
+        }
+    }
+
+    /// Exchanges heat with the contacts, or heat and vapour with the air, in a step of `dt` [s].
+    pub(crate) fn exchange(
+        &self,
+        state: &mut FoodState,
+        around: &Surroundings,
+        dt: f64,
+        contact_heat: &mut [f64],
+        total: &mut Exchange,
+    ) {
+        let FoodState { temperature, enthalpy, water, .. } = state;
+        let mut nodes = Nodes { temperature, enthalpy, water };
+        let mut sums = *total;
+        let mut from = 0;
+        for block in &self.blocks {
+            let touch = around.touch.get(from..).unwrap_or_default();
+            let touch = &touch[..touch.len().min(block.count)];
+            let touched = touch.iter().filter(|t| t.conductance > 0.0).count();
+            let heat = contact_heat.get_mut(from..).unwrap_or_default();
+            if block.together && touched == 0 {
+                block.air_together(&mut nodes, around, &mut sums);
+            } else if block.together && touched == TOGETHER {
+                block.touch_together(&mut nodes, touch, dt, heat);
+            } else {
+                block.exchange_one_by_one(&mut nodes, (touch, around), dt, heat, &mut sums);
+            }
+            from += block.count;
+        }
+        *total = sums;
+    }
+}
+
+impl Block {
+    fn of(patches: &[Patch], film: impl Fn(&Patch) -> AirFilm, capacity: &[f64]) -> Self {
+        let mut block = Self {
+            count: patches.len(),
+            nodes: [0; TOGETHER],
+            air: [0; TOGETHER],
+            together: false,
+            capacity: [1.0; TOGETHER],
+            film: FilmLanes::default(),
+            step: StepLanes::default(),
+        };
+        for (k, patch) in patches.iter().enumerate() {
+            (block.nodes[k], block.air[k]) = (patch.node as usize, patch.air);
+            block.capacity[k] = capacity[patch.node as usize];
+            block.film.set(k, &film(patch));
+        }
+        let follow = block.nodes.windows(2).all(|pair| pair[1] == pair[0] + 1);
+        block.together = patches.len() == TOGETHER && follow && block.air.iter().all(|air| *air == block.air[0]);
+        block
+    }
+
+    fn prepare(&mut self, dt: f64) {
+        let film = &self.film;
+        for k in 0..TOGETHER {
+            let (conductance, transfer) = (film.heat[k] * dt, film.transfer[k] * dt);
+            self.step.conductance[k] = conductance;
+            self.step.whole[k] = self.capacity[k] + conductance;
+            self.step.transfer[k] = transfer;
+            // Implicit in the temperature, which falls as water evaporates: no overshoot below the wet-bulb temperature.
+            self.step.damped[k] = 1.0 + transfer * film.slope[k] * film.latent[k] / self.capacity[k];
+        }
+    }
+
+    /// Exchanges heat and vapour of four patches with the air (Robin boundary).
+    #[inline]
+    fn air_together(&self, nodes: &mut Nodes, around: &Surroundings, total: &mut Exchange) {
+        let (film, step, capacity, air) = (&self.film, &self.step, &self.capacity, &around.air[self.air[0]]);
+        let Some([mut t, mut h, mut w]) = nodes.from(self.nodes[0]) else { return };
+        let (mut given, mut mass, mut enthalpy) = ([0.0; TOGETHER], [0.0; TOGETHER], [0.0; TOGETHER]);
+        for k in 0..TOGETHER {
+            let change = step.conductance[k] * (air.temperature - t[k]) / step.whole[k];
+            t[k] += change;
+            given[k] = capacity[k] * change;
+            h[k] += given[k];
+            let surface = if t[k] < HOTTEST_WET { t[k] } else { HOTTEST_WET };
+            let density = film.density[k] + film.slope[k] * (surface - film.temperature[k]);
+            let gone = step.transfer[k] * (density - air.vapour_density) / step.damped[k];
+            mass[k] = clamped(gone, 0.2 * w[k]);
+            enthalpy[k] = mass[k] * film.vapour_enthalpy[k];
+            w[k] -= mass[k];
+            h[k] -= enthalpy[k];
+            t[k] -= mass[k] * film.latent[k] / capacity[k];
+        }
+        nodes.put(self.nodes[0], [t, h, w]);
+        for k in 0..TOGETHER {
+            total.air -= given[k];
+            total.evaporated += mass[k];
+            total.evaporation += enthalpy[k];
+        }
+    }
+
+    /// Exchanges heat of four patches with their contacts.
+    #[inline]
+    fn touch_together(&self, nodes: &mut Nodes, touch: &[Touch], dt: f64, heat: &mut [f64]) {
+        let Some([mut t, mut h, w]) = nodes.from(self.nodes[0]) else { return };
+        let conductance: Lanes = from_fn(|k| touch[k].conductance * self.film.area[k] * dt);
+        let outside: Lanes = from_fn(|k| touch[k].temperature);
+        let mut gained = [0.0; TOGETHER];
+        for k in 0..TOGETHER {
+            let change = conductance[k] * (outside[k] - t[k]) / (self.capacity[k] + conductance[k]);
+            t[k] += change;
+            gained[k] = self.capacity[k] * change;
+            h[k] += gained[k];
+        }
+        nodes.put(self.nodes[0], [t, h, w]);
+        heat.iter_mut().zip(gained).for_each(|(heat, gained)| *heat += gained);
+    }
+
+    /// Exchanges each patch on its own: for blocks with and without contact, or with shared nodes.
+    fn exchange_one_by_one(
+        &self,
+        nodes: &mut Nodes,
+        (touch, around): (&[Touch], &Surroundings),
+        dt: f64,
+        heat: &mut [f64],
+        total: &mut Exchange,
+    ) {
+        (0..self.count).for_each(|k| match touch.get(k) {
+            Some(touch) if touch.conductance > 0.0 => {
+                let conductance = touch.conductance * self.film.area[k] * dt;
+                heat[k] += self.gain(nodes, k, [conductance, self.capacity[k] + conductance], touch.temperature);
+            }
+            _ => self.exchange_air(nodes, k, around, total),
+        });
+    }
+
+    /// Exchanges heat of a patch with `outside` [K] implicitly; returns the heat gained [J].
+    ///
+    /// The conductance × time is given alone and as its sum with the node's heat capacity [J/K].
+    fn gain(&self, nodes: &mut Nodes, k: usize, [conductance, whole]: [f64; 2], outside: f64) -> f64 {
+        let node = self.nodes[k];
+        let change = conductance * (outside - nodes.temperature[node]) / whole;
+        nodes.temperature[node] += change;
+        nodes.enthalpy[node] += self.capacity[k] * change;
+        self.capacity[k] * change
+    }
+
+    /// Exchanges heat and vapour of a patch with the air (Robin boundary).
+    fn exchange_air(&self, nodes: &mut Nodes, k: usize, around: &Surroundings, total: &mut Exchange) {
+        let (film, step, air, node) = (&self.film, &self.step, &around.air[self.air[k]], self.nodes[k]);
+        total.air -= self.gain(nodes, k, [step.conductance[k], step.whole[k]], air.temperature);
+        let surface = nodes.temperature[node].min(HOTTEST_WET);
+        let density = film.density[k] + film.slope[k] * (surface - film.temperature[k]);
+        let gone = step.transfer[k] * (density - air.vapour_density) / step.damped[k];
+        let mass = clamped(gone, 0.2 * nodes.water[node]);
+        let enthalpy = mass * film.vapour_enthalpy[k];
+        nodes.water[node] -= mass;
+        nodes.enthalpy[node] -= enthalpy;
+        nodes.temperature[node] -= mass * film.latent[k] / self.capacity[k];
+        total.evaporated += mass;
+        total.evaporation += enthalpy;
+    }
+}
+
+/// Clamps a mass to 0…`most` [kg]; without the checks of `clamp`, which prevent vectorisation.
+#[inline]
+fn clamped(mass: f64, most: f64) -> f64 {
+    let mass = if mass < 0.0 { 0.0 } else { mass };
+    if mass > most { most } else { mass }
+}
+
+impl Nodes<'_> {
+    /// Returns temperatures, enthalpies and water of four nodes from `first` on.
+    #[inline]
+    fn from(&self, first: usize) -> Option<[Lanes; 3]> {
+        let of = |field: &[f64]| field.get(first..)?.first_chunk().copied();
+        Some([of(self.temperature)?, of(self.enthalpy)?, of(self.water)?])
+    }
+
+    #[inline]
+    fn put(&mut self, first: usize, fields: [Lanes; 3]) {
+        for (field, lanes) in [&mut *self.temperature, self.enthalpy, self.water].into_iter().zip(fields) {
+            field[first..first + TOGETHER].copy_from_slice(&lanes);
+        }
+    }
+}
+
+impl FilmLanes {
+    fn set(&mut self, k: usize, film: &AirFilm) {
+        self.area[k] = film.area;
+        self.heat[k] = film.heat;
+        self.transfer[k] = film.transfer;
+        self.density[k] = film.density;
+        self.slope[k] = film.slope;
+        self.temperature[k] = film.temperature;
+        self.latent[k] = film.latent;
+        self.vapour_enthalpy[k] = film.vapour_enthalpy;
+    }
+}
