@@ -9,8 +9,8 @@ fn a_step_in_steady_state_allocates_nothing() {
     let recipe = Recipe::parse(&library.recipes["medium"], "medium.toml", &library).expect("recipe");
     let mut kitchen = recipe.kitchen(&library).expect("kitchen");
     for step in recipe.steps.iter().take(3) {
-        let Action::Do(command) = &step.action else { continue };
-        kitchen.apply(command).expect("applies");
+        let Action::Pan(action) = &step.action else { continue };
+        kitchen.apply(&action.command()).expect("applies");
     }
     (0..1200).for_each(|_| kitchen.step());
     let info = allocation_counter::measure(|| (0..600).for_each(|_| kitchen.step()));

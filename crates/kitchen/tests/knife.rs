@@ -3,7 +3,7 @@
 
 use saute_kitchen::food::Rules;
 use saute_kitchen::{Command, EventKind, Kitchen, Library, MeshSize, PieceOrder, Refused, RestOn, TICK_S, kelvin};
-use saute_recipe::{Action, Cook, Deed, Recipe};
+use saute_recipe::{Action, Cook, FoodAction, Recipe};
 
 fn library() -> Library {
     Library::embedded().expect("embedded data")
@@ -135,11 +135,11 @@ fn recipes_halve_by_a_bare_name_or_a_table_and_the_summary_tells_it() {
         "put = \"c\"; after_s = 5\nrest = \"c\"; after_s = 2\nhalve = \"c.1\"; halve = { food = \"all\", at_mm = 3 }",
     );
     let recipe = Recipe::parse(&text, "cut.toml", &library).expect("parses");
-    let deed = |i: usize| match &recipe.steps[i].action {
-        Action::Each(_, deed) => *deed,
+    let action = |i: usize| match &recipe.steps[i].action {
+        Action::Each(_, action) => *action,
         other => panic!("{other:?}"),
     };
-    assert_eq!((deed(2), deed(3)), (Deed::Halve { at: 0.0 }, Deed::Halve { at: 0.003 }));
+    assert_eq!((action(2), action(3)), (FoodAction::Halve { at: 0.0 }, FoodAction::Halve { at: 0.003 }));
     let mut cook = Cook::new(recipe, &library).expect("sets out");
     while cook.stopped().is_none() {
         cook.advance().expect("runs");
@@ -148,7 +148,7 @@ fn recipes_halve_by_a_bare_name_or_a_table_and_the_summary_tells_it() {
     assert_eq!(summary.foods.iter().map(|f| f.halved_at_mm).collect::<Vec<_>>(), [Some(0.0), Some(3.0)]);
     assert_eq!(summary.groups[0].mean.halved_at_mm, Some(1.5));
     assert!(summary.events.iter().any(|t| t.kind == EventKind::Halved && t.count == 2));
-    assert!(summary.steps.iter().any(|s| s.action == "halve" && s.value["at_mm"] == 3.0 && s.foods == ["c.2"]));
+    assert!(summary.steps.iter().any(|s| s.action.name() == "halve" && s.action.value()["at_mm"] == 3.0 && s.foods == ["c.2"]));
 }
 
 #[test]

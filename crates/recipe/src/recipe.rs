@@ -1,94 +1,95 @@
-//! Recipes: checked, in SI units, ready to run.
+//! A checked recipe in SI units.
 
 use std::ops::Range;
 
+use crate::action::Action;
 use crate::check::recipe_check::Check;
 use saute_kitchen::data::library::Library;
-use saute_kitchen::hands::command::{Command, RestOn};
 use saute_kitchen::kitchen::{Kitchen, PieceOrder, SetupError};
 use saute_kitchen::piece::piece_state::Piece;
 use saute_kitchen::{InputError, InputText};
 
-/// A recipe, checked.
+/// A checked recipe in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recipe {
-    /// Title for people.
+    /// Title.
     pub title: String,
-    /// Where it stops if the steps have not ended it [s].
+    /// Time at which the cook stops if no step has ended it [s].
     pub max_s: f64,
     /// Id of the pan.
     pub pan_kind: String,
-    /// Start temperature of the pan [K].
+    /// Initial temperature of the pan [K].
     pub pan_temperature: f64,
-    /// Foods, the pieces of a group one after the other.
+    /// Foods; the pieces of a group follow each other.
     pub foods: Vec<PieceOrder>,
-    /// Groups of them.
+    /// Groups of foods.
     pub groups: Vec<Group>,
-    /// Steps, the last one ends the cook.
+    /// Steps; the last one ends the cook.
     pub steps: Vec<Step>,
-    /// Name of its file, for messages.
+    /// Name of the recipe's file, for messages.
     pub file: String,
-    /// Its text.
+    /// Text of the recipe's file.
     pub text: String,
 }
 
-/// Several foods of one kind under one name.
+/// Several pieces of one food under one name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
-    /// Name in the recipe.
+    /// Id in the recipe.
     pub id: String,
-    /// Kind of food.
+    /// Id of the food's kind.
     pub kind: String,
-    /// Which of the recipe's foods.
+    /// Indices into the recipe's foods.
     pub members: Range<usize>,
 }
 
 /// One step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
-    /// When.
+    /// Trigger.
     pub trigger: Trigger,
-    /// What.
+    /// Action.
     pub action: Action,
-    /// Line in the file.
+    /// Line in the file, from 1.
     pub line: usize,
 }
 
-/// When a step fires.
+/// The condition for a step to fire.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Trigger {
-    /// At a time from the start [s].
+    /// At a time since the start [s].
     At(f64),
-    /// This long after the end of the step before [s].
+    /// At a time since the end of the previous step [s].
     After(f64),
-    /// When the pan's floor crosses a temperature [K].
+    /// When the mean temperature of the pan's floor crosses a value [K].
     Pan(f64),
-    /// When a quantity of a food has crossed a value since the step was armed; of several foods, when the last of them has.
+    /// When a quantity of a food has crossed a value since the end of the previous step; for several foods, when the last
+    /// of them has.
     Food {
-        /// Which foods.
+        /// Foods.
         food: Target,
-        /// Which quantity.
+        /// Quantity.
         quantity: Quantity,
-        /// Value in SI units.
+        /// Value [K, kg].
         value: f64,
     },
 }
 
-/// Quantities of a food that a condition may watch.
+/// Quantities of a food that a condition can test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// Core temperature [K].
     Core,
-    /// Mean of the upper face [K].
+    /// Mean temperature of the upper face [K].
     Top,
-    /// Mean of the lower face [K].
+    /// Mean temperature of the lower face [K].
     Bottom,
     /// Mass [kg].
     Mass,
 }
 
 impl Quantity {
-    /// Its value for a piece [K, kg].
+    /// Returns the quantity of a piece [K, kg].
     pub fn of(self, piece: &Piece) -> f64 {
         match self {
             Self::Core => piece.core(),
@@ -99,102 +100,43 @@ impl Quantity {
     }
 }
 
-/// Name that stands for all foods of a recipe.
+/// Name of the target that contains all foods of a recipe.
 pub const ALL: &str = "all";
 
-/// Whom an action or a condition concerns.
+/// The foods of an action or of a condition.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Target {
-    /// As the recipe names it: a food, a group, or [`ALL`].
+    /// Name in the recipe: id of a food or a group, or [`ALL`].
     pub name: String,
-    /// The foods that it stands for.
+    /// Ids of the foods.
     pub foods: Vec<String>,
-    /// Whether it is a group or [`ALL`]: then foods that an action cannot concern are passed over.
+    /// True for a group or [`ALL`]: an action then skips foods that do not meet its requirement.
     pub group: bool,
 }
 
-/// What a step does.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Action {
-    /// Gives the kitchen a command.
-    Do(Command),
-    /// Does something to foods, one after the other.
-    Each(Target, Deed),
-    /// Ends the cook.
-    End,
-}
-
-/// What can be done to a food.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Deed {
-    /// Puts it into the pan.
-    Put {
-        /// Its place, or that about which several lie [m].
-        at: [f64; 2],
-        /// Dropped from above onto what lies there.
-        heap: bool,
-    },
-    /// Turns it over.
-    Flip,
-    /// Takes it out of the pan.
-    Rest(RestOn),
-    /// Cuts it in halves on the board.
-    Halve {
-        /// Distance of the cut from the middle along the long axis [m].
-        at: f64,
-    },
-    /// Presses it onto the floor.
-    Press {
-        /// With what force [N].
-        newtons: f64,
-        /// How long [s].
-        for_s: f64,
-    },
-    /// Pushes or carries it to a place in the pan, or several about it [m].
-    Move([f64; 2]),
-}
-
-impl Deed {
-    /// The command for one food at its place [m]; only what gives a food a place heeds that.
-    pub fn command(self, food: String, at: [f64; 2]) -> Command {
-        match self {
-            Self::Put { heap, .. } => Command::Put { food, at, heap },
-            Self::Flip => Command::Flip { food },
-            Self::Rest(on) => Command::Rest { food, on },
-            Self::Halve { at } => Command::Halve { food, at },
-            Self::Press { newtons, for_s } => Command::Press { food, newtons, for_s },
-            Self::Move(_) => Command::Move { food, to: at },
-        }
-    }
-
-    /// Whether it can be done to a piece as it lies now.
-    pub fn concerns(self, piece: &Piece) -> bool {
-        match self {
-            Self::Put { .. } => !piece.in_pan(),
-            Self::Halve { .. } => piece.lies_on_board() && piece.halved().is_none(),
-            Self::Flip | Self::Rest(_) | Self::Press { .. } | Self::Move(_) => piece.in_pan(),
-        }
-    }
-}
-
-impl Action {
-    /// How long the action keeps the next step waiting at least [s].
-    pub fn duration_s(&self) -> f64 {
-        match self {
-            Self::Do(Command::Cool { for_s } | Command::Shake { for_s, .. })
-            | Self::Each(_, Deed::Press { for_s, .. }) => *for_s,
-            _ => 0.0,
-        }
-    }
-}
-
 impl Recipe {
-    /// Reads and checks a recipe. `file` is its name in messages.
+    /// Parses and checks a recipe. `file` is its name in messages.
+    ///
+    /// # Errors
+    ///
+    /// Returns file, line, key and remedy of the first mistake.
+    ///
+    /// ```
+    /// use saute_kitchen::Library;
+    /// use saute_recipe::Recipe;
+    ///
+    /// let text = "[[step]]\nhob_w = 9000\n[[step]]\nend = true";
+    /// let error = Recipe::parse(text, "hot.toml", &Library::embedded()?).expect_err("the hob has 3500 W");
+    /// assert_eq!((error.file.as_str(), error.line), ("hot.toml", 2));
+    /// assert_eq!(error.message, "hob_w = 9000 is out of range");
+    /// assert!(error.remedy.contains("0 to 3500"), "{}", error.remedy);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, InputError> {
         Check { input: InputText { text, file }, library }.recipe()
     }
 
-    /// The kitchen in which the recipe starts.
+    /// Returns a kitchen with the recipe's pan and foods, at time 0.
     pub fn kitchen(&self, library: &Library) -> Result<Kitchen, SetupError> {
         let mut kitchen = Kitchen::new(library, &self.pan_kind, self.pan_temperature)?;
         for food in &self.foods {

@@ -1,4 +1,4 @@
-//! Recipes as they are written: every action with its defaults, groups, conditions on groups, and what is refused.
+//! Promises of the recipe format: defaults of every action, groups, conditions on groups, and errors.
 
 // A test that unwraps in vain says where.
 #![allow(clippy::unwrap_used)]
@@ -8,10 +8,10 @@ use saute_kitchen::{Command, Library, MeshSize, RestOn, kelvin};
 use saute_recipe::recipe::Quantity;
 use saute_recipe::recipe_file::RecipeFile;
 use saute_recipe::summary::FoodSummary;
-use saute_recipe::{Action, Cook, Deed, InputError, Recipe, StoppedBy, Trigger};
+use saute_recipe::{Action, Cook, FoodAction, InputError, PanAction, Recipe, StoppedBy, Trigger};
 use serde_json::Value;
 
-/// A steak and eleven carrots; steps are put in by the tests.
+/// A steak and eleven carrots; the tests add steps.
 const FOODS: &str = r#"[pan]
 initial_c = 180
 [[food]]
@@ -26,7 +26,7 @@ count = 11
 seed = 5
 "#;
 
-/// A recipe with steps that each hold one line of keys.
+/// Returns a recipe with one step for each line of keys.
 fn with(steps: &[&str]) -> String {
     steps.iter().fold(FOODS.to_owned(), |text, step| format!("{text}[[step]]\n{step}\n"))
 }
@@ -35,7 +35,7 @@ fn parse(text: &str) -> Result<Recipe, InputError> {
     Recipe::parse(text, "test.toml", &Library::embedded().unwrap())
 }
 
-/// The action of the last step but one, after everything was put into the pan.
+/// Returns the action of a line, in a recipe that puts all foods into the pan before it.
 fn action(line: &str) -> Action {
     let before = if line.starts_with("halve") { "rest = \"steak\"" } else { "hob_w = 0" };
     let text = with(&["put = \"steak\"", "put = \"carrots\"", before, line, "end = true"]);
@@ -44,15 +44,15 @@ fn action(line: &str) -> Action {
 
 fn command(line: &str) -> Command {
     match action(line) {
-        Action::Do(command) => command,
+        Action::Pan(action) => action.command(),
         other => panic!("{line}: {other:?}"),
     }
 }
 
-/// Name of the target, number of its foods, and what is done to them.
-fn each(line: &str) -> (String, usize, Deed) {
+/// Returns the name of the target, the number of its foods and the action on them.
+fn each(line: &str) -> (String, usize, FoodAction) {
     match action(line) {
-        Action::Each(target, deed) => (target.name, target.foods.len(), deed),
+        Action::Each(target, action) => (target.name, target.foods.len(), action),
         other => panic!("{line}: {other:?}"),
     }
 }
@@ -105,17 +105,20 @@ fn actions_arrive_in_si_units() {
     assert_eq!(command("lid = \"on\""), Command::Lid(true));
     assert_eq!(
         each("press = { food = \"carrots\", n = 20, for_s = 2 }"),
-        ("carrots".into(), 11, Deed::Press { newtons: 20.0, for_s: 2.0 })
+        ("carrots".into(), 11, FoodAction::Press { newtons: 20.0, for_s: 2.0 })
     );
-    assert_eq!(each("move = { food = \"steak\", to_mm = [30, -10] }"), ("steak".into(), 1, Deed::Move([0.03, -0.01])));
-    assert_eq!(each("flip = \"all\""), ("all".into(), 12, Deed::Flip));
+    assert_eq!(
+        each("move = { food = \"steak\", to_mm = [30, -10] }"),
+        ("steak".into(), 1, FoodAction::Move([0.03, -0.01]))
+    );
+    assert_eq!(each("flip = \"all\""), ("all".into(), 12, FoodAction::Flip));
     assert_eq!(
         each("rest = { food = \"carrots.3\", on = \"rack\" }"),
-        ("carrots.3".into(), 1, Deed::Rest(RestOn::Rack))
+        ("carrots.3".into(), 1, FoodAction::Rest(RestOn::Rack))
     );
 }
 
-/// A step with an action's table: keys that it needs, and one more.
+/// Returns a step with an action's table: its required keys and one more.
 fn table(action: &str, needs: &[&str], key: &str, value: &Value) -> String {
     let own = |name: &str| match name {
         "food" => "\"steak\"",
@@ -128,14 +131,14 @@ fn table(action: &str, needs: &[&str], key: &str, value: &Value) -> String {
     format!("{action} = {{ {} }}", keys.join(", "))
 }
 
-/// The action of such a table, or why it is refused.
+/// Returns the action of such a table, or its error.
 fn action_of_table(line: &str) -> Result<Action, InputError> {
     let first = if line.starts_with("put") { "hob_w = 0" } else { "put = \"steak\"" };
     let second = if line.starts_with("halve") { "rest = \"steak\"" } else { "hob_w = 0" };
     parse(&with(&[first, second, line, "end = true"])).map(|recipe| recipe.steps[2].action.clone())
 }
 
-/// Every action with its table in the schema.
+/// Returns every action with its table in the schema.
 fn tables() -> Vec<(String, Value)> {
     let schema = serde_json::to_value(schemars::schema_for!(RecipeFile)).unwrap();
     let properties = schema["$defs"]["StepEntry"]["properties"].as_object().unwrap();
@@ -151,7 +154,7 @@ fn tables() -> Vec<(String, Value)> {
     properties.iter().filter_map(table).collect()
 }
 
-/// What the schema promises holds: ranges are those that are checked, and a default is what holds when the key is left out.
+/// The schema's ranges are those that are checked, and its defaults are the values of omitted keys.
 #[test]
 fn ranges_and_defaults_of_the_schema_are_those_that_are_checked() {
     let (mut ranges, mut defaults) = (0, 0);
@@ -178,19 +181,19 @@ fn ranges_and_defaults_of_the_schema_are_those_that_are_checked() {
     assert_eq!((ranges, defaults), (15, 15));
 }
 
-/// What used to stand beside a bare value still may.
+/// `at_mm`, `on` and `for_s` are accepted next to a bare value, too.
 #[test]
-fn companions_stand_beside_a_bare_value_or_in_its_table() {
+fn companions_are_next_to_a_bare_value_or_in_its_table() {
     let steps =
         ["put = \"steak\"\nat_mm = [10, 0]", "rest = \"steak\"\non = \"foil\"", "cool = \"wet-cloth\"\nfor_s = 9"];
     let recipe = parse(&with(&[steps[0], steps[1], steps[2], "end = true"])).unwrap();
-    let deed = |i: usize| match &recipe.steps[i].action {
-        Action::Each(_, deed) => *deed,
+    let food_action = |i: usize| match &recipe.steps[i].action {
+        Action::Each(_, action) => *action,
         other => panic!("{other:?}"),
     };
-    assert_eq!(deed(0), Deed::Put { at: [0.01, 0.0], heap: false });
-    assert_eq!(deed(1), Deed::Rest(RestOn::Foil));
-    assert_eq!(recipe.steps[2].action, Action::Do(Command::Cool { for_s: 9.0 }));
+    assert_eq!(food_action(0), FoodAction::Put { at: [0.01, 0.0], heap: false });
+    assert_eq!(food_action(1), FoodAction::Rest(RestOn::Foil));
+    assert_eq!(recipe.steps[2].action, Action::Pan(PanAction::Cool { for_s: 9.0 }));
 }
 
 #[test]
@@ -224,7 +227,7 @@ fn a_condition_on_a_group_concerns_each_of_its_pieces() {
     assert_eq!((food.foods.len(), *quantity, *value), (11, Quantity::Core, kelvin(60.0)));
 }
 
-/// A line of a recipe that cannot be used, and words of its message and remedy.
+/// An invalid line of a recipe, and parts of its message and remedy.
 struct Wrong(&'static str, &'static [&'static str]);
 
 const WRONG_STEPS: [Wrong; 40] = [
@@ -341,7 +344,7 @@ fn cook_through(text: &str) -> Result<Cook, InputError> {
     Ok(cook)
 }
 
-/// Why a cook is refused; the cook itself would fill pages.
+/// Returns the error of a cook. Its `Debug` text without the error would fill pages.
 fn refusal(text: &str) -> InputError {
     cook_through(text).map(|_| ()).expect_err("is refused")
 }
@@ -358,15 +361,15 @@ fn a_group_lies_side_by_side_is_turned_and_taken_out_as_one() {
     let cook = cook_through(&with(&steps)).unwrap();
     let places: Vec<_> = cook.kitchen.pieces().iter().map(|p| (p.id.clone(), p.place.name(), p.up()[2])).collect();
     println!("{places:?}");
-    let names: Vec<(&str, usize)> = cook.steps.iter().map(|s| (s.action, s.foods.len())).collect();
+    let names: Vec<(&str, usize)> = cook.steps.iter().map(|s| (s.action.name(), s.foods.len())).collect();
     assert_eq!(names, [("put", 11), ("flip", 11), ("rest", 1), ("rest", 10), ("end", 0)]);
-    assert_eq!(cook.steps[0].target.as_deref(), Some("carrots"));
+    assert_eq!(cook.steps[0].action.target().map(|t| t.name.as_str()), Some("carrots"));
     let pieces = cook.kitchen.pieces();
     assert!(pieces[1..].iter().all(saute_kitchen::Piece::upside_down));
     assert!(!pieces[0].upside_down());
 }
 
-/// The moment at which the group's condition holds is that of its last piece, not of its first.
+/// The group's condition holds when that of its last piece does, not that of its first.
 #[test]
 fn a_condition_on_a_group_waits_for_its_last_piece() {
     let text = with(&[
@@ -401,7 +404,7 @@ fn too_many_pieces_are_refused_with_the_number_that_fits() {
     assert!(error.message.contains("of 11 fit"), "{error}");
     assert!(error.remedy.contains("heap = true"), "{error}");
     let fit: usize = error.message.split(": ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
-    // That is told before anything is cooked.
+    // The error comes before the first tick.
     let mut cook = Cook::new(parse(&text).unwrap(), &Library::embedded().unwrap()).unwrap();
     assert_eq!(cook.fire().expect_err("is refused"), error);
     assert_eq!(cook.kitchen.tick(), 0);
@@ -409,9 +412,9 @@ fn too_many_pieces_are_refused_with_the_number_that_fits() {
     cook_through(&fewer).unwrap();
 }
 
-/// What stands in the way at the moment counts, too.
+/// Foods that lie in the pan at the step count, too.
 #[test]
-fn a_group_finds_no_room_beside_what_lies_there_and_the_error_says_how_many_do() {
+fn a_group_that_does_not_fit_next_to_the_foods_in_the_pan_is_refused_with_the_number_that_fits() {
     let text = with(&["put = \"steak\"", "put = \"carrots\"", "end = true"]).replace("[60, 50, 15]", "[180, 160, 15]");
     let error = refusal(&text);
     assert!(error.message.contains("of 11 fit") && error.line == 15, "{error}");
@@ -446,13 +449,13 @@ fn the_means_of_a_group_are_those_of_its_pieces_and_safety_is_that_of_the_worst(
     assert_eq!(group.mean.log_reduction.core, worst);
 }
 
-/// A page tells a steak and a group; it does not tell eleven pieces.
+/// A steak and a group are listed, not eleven pieces.
 #[test]
-fn a_page_tells_single_foods_and_groups_in_the_order_of_the_recipe() {
+fn a_summary_lists_single_foods_and_groups_in_the_order_of_the_recipe() {
     let summary = cook_through(&with(&["end = true"])).unwrap().summary(0.0);
-    let told: Vec<(&str, usize, bool)> =
-        summary.told().iter().map(|t| (t.food.id.as_str(), t.members.len(), t.group)).collect();
-    assert_eq!(told, [("steak", 1, false), ("carrots", 11, true)]);
+    let listed: Vec<(&str, usize, bool)> =
+        summary.foods_and_groups().iter().map(|t| (t.food.id.as_str(), t.members.len(), t.group)).collect();
+    assert_eq!(listed, [("steak", 1, false), ("carrots", 11, true)]);
 }
 
 #[test]

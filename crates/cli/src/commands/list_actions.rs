@@ -1,7 +1,8 @@
-//! `saute list actions`: the actions of a recipe's steps, read from the JSON Schema of the recipe format.
+//! `saute list actions`: the actions of a recipe's steps, with their keys from the JSON Schema of the recipe format.
 
 use std::process::ExitCode;
 
+use saute_recipe::ActionKind;
 use saute_recipe::recipe_file::RecipeFile;
 use serde::Serialize;
 use serde_json::Value;
@@ -9,15 +10,12 @@ use serde_json::Value;
 use crate::error::CliError;
 use crate::output::{json, stdout};
 
-/// Prefix of the descriptions of actions in the schema.
-const ACTION: &str = "Action: ";
-
 /// An action.
 #[derive(Debug, Serialize)]
 struct Entry {
-    id: String,
+    id: &'static str,
     /// Description.
-    name: String,
+    name: &'static str,
     /// Keys of its table.
     key: Vec<Key>,
 }
@@ -51,11 +49,12 @@ fn members(of: &Value) -> impl Iterator<Item = (&String, &Value)> {
 }
 
 fn entries(schema: &Value) -> Vec<Entry> {
-    let action = |(id, property): (&String, &Value)| {
-        let name = property["description"].as_str()?.strip_prefix(ACTION)?.to_owned();
-        Some(Entry { id: id.clone(), name, key: keys(schema, property) })
+    let properties = &schema["$defs"]["StepEntry"]["properties"];
+    let entry = |kind: ActionKind| {
+        let id = kind.name();
+        Entry { id, name: kind.summary(), key: keys(schema, &properties[id]) }
     };
-    members(&schema["$defs"]["StepEntry"]["properties"]).filter_map(action).collect()
+    ActionKind::ALL.map(entry).into()
 }
 
 /// Returns the keys of an action's table; none for an action that takes a single value.

@@ -43,7 +43,7 @@ impl Snapshot {
             snapshots.extend(fired.iter().enumerate().map(|(i, step)| Self {
                 step: first + i,
                 time_s: step.time_s,
-                action: step.action,
+                action: step.action.name(),
                 food: piece.id.clone(),
                 of_several: cook.kitchen.pieces().len() > 1,
                 full: full.clone(),

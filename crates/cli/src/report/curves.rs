@@ -3,7 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 use saute_recipe::recorder::Row;
 use saute_recipe::step_record::StepRecord;
-use saute_recipe::summary::Told;
+use saute_recipe::summary::FoodOrGroup;
 use saute_recipe::{Cook, Summary};
 
 use super::plot::{Mark, Panel, Scale, marks, nice_range, nice_step};
@@ -27,19 +27,19 @@ pub fn section(cook: &Cook, summary: &Summary) -> Markup {
     html! {
         section {
             h2 { "Temperatures" }
-            @for told in summary.told() { (figure(&rows, summary, &told)) }
+            @for entry in summary.foods_and_groups() { (figure(&rows, summary, &entry)) }
         }
     }
 }
 
-fn figure(rows: &[&Row], summary: &Summary, told: &Told) -> Markup {
+fn figure(rows: &[&Row], summary: &Summary, entry: &FoodOrGroup) -> Markup {
     html! {
         figure.plot {
             ul.legend {
                 (legend_entry("pan", "pan, mean of the floor"))
-                @for (name, _) in CURVES.iter().rev() { (legend_entry(name, &format!("{name} of {}", told.food.id))) }
+                @for (name, _) in CURVES.iter().rev() { (legend_entry(name, &format!("{name} of {}", entry.food.id))) }
             }
-            @for (class, width) in WIDTHS { (Drawing { rows, summary, told, width }.svg(class)) }
+            @for (class, width) in WIDTHS { (Drawing { rows, summary, entry, width }.svg(class)) }
             figcaption {
                 "Top and bottom are means of the face that lies above or below at that moment, so they change places at a flip."
             }
@@ -76,7 +76,7 @@ fn thinned(rows: &[Row]) -> Vec<&Row> {
 struct Drawing<'a> {
     rows: &'a [&'a Row],
     summary: &'a Summary,
-    told: &'a Told<'a>,
+    entry: &'a FoodOrGroup<'a>,
     width: f64,
 }
 
@@ -93,7 +93,7 @@ impl Drawing<'_> {
         let panels = [lines, self.temperatures(), self.power(), self.mass()].concat();
         html! {
             svg class=(class) viewBox={ "0 0 " (self.width) " " (HEIGHT) } role="img"
-                aria-label={ "Temperatures, power of the hob and mass against time for " (self.told.food.id) } {
+                aria-label={ "Temperatures, power of the hob and mass against time for " (self.entry.food.id) } {
                 (PreEscaped(panels))
             }
         }
@@ -101,8 +101,8 @@ impl Drawing<'_> {
 
     /// Returns the mark of a step that concerns this food or no single food.
     fn mark(&self, step: &StepRecord) -> Option<Mark> {
-        let members = &self.summary.foods[self.told.members.clone()];
-        let concerns = step.target.is_none() || members.iter().any(|f| step.foods.contains(&f.id));
+        let members = &self.summary.foods[self.entry.members.clone()];
+        let concerns = step.action.target().is_none() || members.iter().any(|f| step.foods.contains(&f.id));
         let name = wording::mark(step).filter(|_| concerns)?.to_owned();
         let tooltip = format!("{}: {}", wording::duration(step.time_s), wording::step(step));
         Some(Mark { time_s: step.time_s, name, tooltip })
@@ -110,7 +110,7 @@ impl Drawing<'_> {
 
     /// Returns core, top, bottom [°C] and mass [g] of a row.
     fn readings(&self, row: &Row) -> [f64; 4] {
-        row.mean(&self.told.members)
+        row.mean(&self.entry.members)
     }
 
     fn time(&self) -> Scale {

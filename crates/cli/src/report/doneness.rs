@@ -33,8 +33,8 @@ pub fn style() -> String {
 
 /// Returns bars for all foods that the scale covers, for groups the means; nothing if it covers none.
 pub fn section(summary: &Summary, scale: &Scale) -> Markup {
-    let told = summary.told();
-    let covered = || told.iter().map(|t| t.food).filter(|food| food.doneness.get(&scale.id).is_some());
+    let entries = summary.foods_and_groups();
+    let covered = || entries.iter().map(|t| t.food).filter(|food| food.doneness.get(&scale.id).is_some());
     html! {
         @if covered().next().is_some() {
             section {

@@ -10,7 +10,7 @@ mod sections;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use saute_kitchen::food::Scale;
 use saute_recipe::recorder::Row;
-use saute_recipe::summary::Told;
+use saute_recipe::summary::FoodOrGroup;
 use saute_recipe::{Cook, Recipe, StoppedBy, Summary};
 
 use crate::output::section_files::Snapshot;
@@ -33,7 +33,7 @@ pub fn page(cook: &Cook, summary: &Summary, snapshots: &[Snapshot], scale: &Scal
             body {
                 main {
                     (header(cook, summary))
-                    @for told in summary.told() { (key_numbers::section(summary, &told)) }
+                    @for entry in summary.foods_and_groups() { (key_numbers::section(summary, &entry)) }
                     (doneness::section(summary, scale))
                     (curves::section(cook, summary))
                     (sections::section(cook, summary, snapshots))
@@ -56,7 +56,7 @@ fn header(cook: &Cook, summary: &Summary) -> Markup {
         header {
             h1 { (summary.title) }
             p {
-                @for told in summary.told() { (ingredient(recipe, &told)) br; }
+                @for entry in summary.foods_and_groups() { (ingredient(recipe, &entry)) br; }
                 "pan: " (cook.kitchen.pan_model().description.name) br;
                 (duration(summary.simulated_s)) " simulated"
             }
@@ -72,12 +72,12 @@ fn header(cook: &Cook, summary: &Summary) -> Markup {
 }
 
 /// Returns one line for a food or a group as the recipe orders it: count, kind, size and temperature.
-fn ingredient(recipe: &Recipe, told: &Told) -> String {
-    let order = &recipe.foods[told.members.start];
+fn ingredient(recipe: &Recipe, entry: &FoodOrGroup) -> String {
+    let order = &recipe.foods[entry.members.start];
     let [length, width, thickness] = order.size.map(|m| m * 1e3);
     let celsius = saute_kitchen::celsius(order.temperature);
-    let count = if told.group { format!("{} × ", told.members.len()) } else { String::new() };
-    format!("{}: {count}{}, {length:.0} × {width:.0} × {thickness:.0} mm, {celsius:.0} °C", told.food.id, order.kind)
+    let count = if entry.group { format!("{} × ", entry.members.len()) } else { String::new() };
+    format!("{}: {count}{}, {length:.0} × {width:.0} × {thickness:.0} mm, {celsius:.0} °C", entry.food.id, order.kind)
 }
 
 /// Returns the row of the series at a time [s]; none if the series has no row there.

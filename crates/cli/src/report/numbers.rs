@@ -3,7 +3,7 @@
 use maud::{Markup, Render, html};
 use saute_recipe::group_summary::GroupSummary;
 use saute_recipe::step_record::StepRecord;
-use saute_recipe::summary::{FoodSummary, Surface, Told};
+use saute_recipe::summary::{FoodOrGroup, FoodSummary, Surface};
 use saute_recipe::{Cook, Summary};
 
 use crate::wording::{self, duration};
@@ -14,7 +14,7 @@ pub fn section(cook: &Cook, summary: &Summary) -> Markup {
         section {
             h2 { "Numbers" }
             div.tables {
-                @for told in summary.told() { (food(&told)) }
+                @for entry in summary.foods_and_groups() { (food(&entry)) }
                 (pan(summary))
                 (energy(summary))
             }
@@ -33,8 +33,8 @@ fn table(caption: &str, rows: impl IntoIterator<Item = (impl Render, impl Render
     }
 }
 
-fn food(told: &Told) -> Markup {
-    let f = told.food;
+fn food(entry: &FoodOrGroup) -> Markup {
+    let f = entry.food;
     let mut rows = vec![
         ("Core, highest".to_owned(), format!("{:.1} °C after {}", f.core_c.peak, duration(f.core_c.peak_at_s))),
         ("Core, at the end".to_owned(), format!("{:.1} °C", f.core_c.end)),
@@ -58,7 +58,7 @@ fn food(told: &Told) -> Markup {
     rows.extend(surface("Top", &f.surfaces.top));
     rows.extend(surface("Bottom", &f.surfaces.bottom));
     rows.push(("Nodes of the mesh".to_owned(), f.nodes.to_string()));
-    let means = if told.group { format!("means of {} × ", told.members.len()) } else { String::new() };
+    let means = if entry.group { format!("means of {} × ", entry.members.len()) } else { String::new() };
     table(&format!("{} ({means}{})", f.id, f.kind), rows)
 }
 
@@ -130,27 +130,27 @@ fn energy(s: &Summary) -> Markup {
 }
 
 fn steps(cook: &Cook, summary: &Summary) -> Markup {
-    let told = summary.told();
+    let entries = summary.foods_and_groups();
     html! {
         table.steps {
             caption { "Steps" }
             tr {
                 @for head in ["time", "step", "pan"] { th scope="col" { (head) } }
-                @for told in &told { th scope="col" { "core of " (told.food.id) } }
+                @for entry in &entries { th scope="col" { "core of " (entry.food.id) } }
             }
-            @for step in &summary.steps { (step_row(cook, &told, step)) }
+            @for step in &summary.steps { (step_row(cook, &entries, step)) }
         }
     }
 }
 
-fn step_row(cook: &Cook, told: &[Told], step: &StepRecord) -> Markup {
+fn step_row(cook: &Cook, entries: &[FoodOrGroup], step: &StepRecord) -> Markup {
     html! {
         tr {
             td { (format!("{:.1} s", step.time_s)) }
             th scope="row" { (wording::step(step)) }
             @if let Some(row) = super::row_at(cook, step.time_s) {
                 td { (format!("{:.1} °C", row.pan_c)) }
-                @for told in told { td { (format!("{:.1} °C", row.mean(&told.members)[0])) } }
+                @for entry in entries { td { (format!("{:.1} °C", row.mean(&entry.members)[0])) } }
             }
         }
     }

@@ -39,8 +39,9 @@ fn size(piece: &Piece) -> String {
 
 /// Returns the pictures of a moment; nothing if no step concerned this food.
 fn figure(cook: &Cook, summary: &Summary, snapshot: &Snapshot) -> Markup {
-    let concerns =
-        |s: &&StepRecord| s.time_s == snapshot.time_s && (s.target.is_none() || s.foods.contains(&snapshot.food));
+    let concerns = |s: &&StepRecord| {
+        s.time_s == snapshot.time_s && (s.action.target().is_none() || s.foods.contains(&snapshot.food))
+    };
     let done: Vec<String> = summary.steps.iter().filter(concerns).map(wording::step).collect();
     if done.is_empty() {
         return Markup::default();

@@ -1,70 +1,57 @@
-//! Checks the action of a step and turns it into SI units.
+//! Checks the action of a step and converts it to SI units.
 
 use toml::Spanned;
 
-use crate::check::recipe_check::{Cast, Check, Checked};
+use crate::action::kind::{ActionEntry, ActionKind};
+use crate::action::{Action, FoodAction, PanAction};
+use crate::check::recipe_check::{Check, Checked, FoodNames};
 use crate::file::action_file::{
     ButterTable, COOL_S, CoolTable, FAT_G, FOR_S, HALVE_AT_MM, HalveTable, HobTable, LIFT_MM, Limits, MovePanTable,
-    MoveTable, OilTable, PRESS_N, PressTable, PutTable, SHAKE_AMPLITUDE_MM, SHAKE_HZ, ShakeTable, TILT_DEG,
+    MoveTable, OilTable, PRESS_N, PressTable, PutTable, RestTable, SHAKE_AMPLITUDE_MM, SHAKE_HZ, ShakeTable, TILT_DEG,
     TOSS_HEIGHT_MM, TOWARDS_DEG, TiltTable, TossTable, WATER_G, WaterTable,
 };
-use crate::file::recipe_file::StepEntry;
-use crate::file::shorthand::Entry;
-use crate::recipe::{Action, Deed};
+use crate::file::step_file::{StepEntry, StepKeys};
 use saute_kitchen::InputError;
-use saute_kitchen::hands::command::Command;
-
-/// Actions that a step may have, in words.
-const ACTIONS: &str =
-    "hob_w, put, flip, rest, halve, move_pan, cool, oil_g, butter_g, water_g, toss, shake, tilt, press, move, lid, end";
+use saute_kitchen::hands::command::RestOn;
 
 impl Check<'_> {
-    pub(crate) fn action(&self, at: usize, step: &StepEntry, cast: &Cast) -> Checked<Action> {
+    /// Returns the one action of a step; `at` is the step's place in the text [bytes].
+    pub(crate) fn action(&self, at: usize, step: &StepEntry, names: &FoodNames) -> Checked<Action> {
         self.check_companions(step)?;
-        let mut actions = self.pan_actions(step);
-        actions.extend(self.food_actions(step, cast));
-        actions.extend(step.end.as_ref().map(|end| self.end(end)));
-        match actions.len() {
-            0 => self.input.error(at, "the step has no action", format!("add one of {ACTIONS}")),
-            1 => actions.remove(0),
+        match step.actions.as_slice() {
+            [entry] => self.one_action(entry, &step.keys, names),
+            [] => {
+                let remedy = format!("add one of {}", ActionKind::ALL.map(ActionKind::name).join(", "));
+                self.input.error(at, "the step has no action", remedy)
+            }
             _ => self.input.error(at, "the step has more than one action", "write one [[step]] for each action"),
         }
     }
 
-    /// Actions that concern no single food.
-    fn pan_actions(&self, step: &StepEntry) -> Vec<Checked<Action>> {
-        let commands = [
-            step.hob_w.as_ref().map(|e| self.hob(&e.table)),
-            step.move_pan.as_ref().map(|e| self.move_pan(&e.table)),
-            step.cool.as_ref().map(|e| self.cool(e, step.for_s.as_ref())),
-            step.oil_g.as_ref().map(|e| self.oil(&e.table)),
-            step.butter_g.as_ref().map(|e| self.butter(&e.table)),
-            step.water_g.as_ref().map(|e| self.water(&e.table)),
-            step.toss.as_ref().map(|e| self.toss(&e.table)),
-            step.shake.as_ref().map(|e| self.shake(&e.table)),
-            step.tilt.as_ref().map(|e| self.tilt(&e.table)),
-            step.lid.as_ref().map(|e| Ok(Command::Lid(e.table.on.0))),
-        ];
-        commands.into_iter().flatten().map(|command| command.map(Action::Do)).collect()
-    }
-
-    /// Actions on foods.
-    fn food_actions(&self, step: &StepEntry, cast: &Cast) -> Vec<Checked<Action>> {
-        let each = |food: &Spanned<String>, key: &str, deed: Checked<Deed>| {
-            Ok(Action::Each(self.target(food, key, cast)?, deed?))
+    fn one_action(&self, entry: &ActionEntry, keys: &StepKeys, names: &FoodNames) -> Checked<Action> {
+        let each = |food: &Spanned<String>, action: Checked<FoodAction>| {
+            Ok(Action::Each(self.target(food, entry.kind().name(), names)?, action?))
         };
-        let actions = [
-            step.put.as_ref().map(|e| each(&e.table.food, "put", self.put(&e.table, step.at_mm.as_ref()))),
-            step.flip.as_ref().map(|e| each(&e.table.food, "flip", Ok(Deed::Flip))),
-            step.rest.as_ref().map(|e| {
-                let on = e.table.on.or(step.on.as_ref().map(|on| *on.get_ref()));
-                each(&e.table.food, "rest", Ok(Deed::Rest(on.unwrap_or_default())))
-            }),
-            step.halve.as_ref().map(|e| each(&e.table.food, "halve", self.halve(&e.table))),
-            step.press.as_ref().map(|e| each(&e.table.food, "press", self.press(&e.table))),
-            step.move_to.as_ref().map(|e| each(&e.table.food, "move", self.move_to(&e.table))),
-        ];
-        actions.into_iter().flatten().collect()
+        let pan = match entry {
+            ActionEntry::Put(e) => return each(&e.table.food, self.put(&e.table, keys.at_mm.as_ref())),
+            ActionEntry::Flip(e) => return each(&e.table.food, Ok(FoodAction::Flip)),
+            ActionEntry::Rest(e) => return each(&e.table.food, Ok(rest(&e.table, keys.on.as_ref()))),
+            ActionEntry::Halve(e) => return each(&e.table.food, self.halve(&e.table)),
+            ActionEntry::Press(e) => return each(&e.table.food, self.press(&e.table)),
+            ActionEntry::Move(e) => return each(&e.table.food, self.move_to(&e.table)),
+            ActionEntry::End(end) => return self.end(&end.0),
+            ActionEntry::Hob(e) => self.hob(&e.table),
+            ActionEntry::MovePan(e) => self.move_pan(&e.table),
+            ActionEntry::Cool(e) => self.cool(&e.table, keys.for_s.as_ref()),
+            ActionEntry::Oil(e) => self.oil(&e.table),
+            ActionEntry::Butter(e) => self.butter(&e.table),
+            ActionEntry::Water(e) => self.water(&e.table),
+            ActionEntry::Toss(e) => self.toss(&e.table),
+            ActionEntry::Shake(e) => self.shake(&e.table),
+            ActionEntry::Tilt(e) => self.tilt(&e.table),
+            ActionEntry::Lid(e) => Ok(PanAction::Lid(e.table.on.0)),
+        };
+        pan.map(Action::Pan)
     }
 
     fn end(&self, end: &Spanned<bool>) -> Checked<Action> {
@@ -74,82 +61,82 @@ impl Check<'_> {
         self.input.error(end.span().start, "end = false does nothing", "write end = true, or leave the step out")
     }
 
-    fn hob(&self, to: &HobTable) -> Checked<Command> {
-        Ok(Command::Hob(self.input.ranged("hob_w", &to.w, 0.0, self.library.hob.coil.largest_w)?))
+    fn hob(&self, to: &HobTable) -> Checked<PanAction> {
+        Ok(PanAction::Hob(self.input.ranged("hob_w", &to.w, 0.0, self.library.hob.coil.largest_w)?))
     }
 
-    fn cool(&self, entry: &Entry<CoolTable>, beside: Option<&Spanned<f64>>) -> Checked<Command> {
+    fn cool(&self, cool: &CoolTable, companion: Option<&Spanned<f64>>) -> Checked<PanAction> {
         let default = self.library.room.cloth.default_s;
         let limits = Limits { default, ..COOL_S };
-        Ok(Command::Cool { for_s: self.limited("for_s", entry.table.for_s.as_ref().or(beside), limits)? })
+        Ok(PanAction::Cool { for_s: self.limited("for_s", cool.for_s.as_ref().or(companion), limits)? })
     }
 
-    fn oil(&self, oil: &OilTable) -> Checked<Command> {
+    fn oil(&self, oil: &OilTable) -> Checked<PanAction> {
         let kind = oil.kind.as_ref().map(|kind| kind.get_ref().clone());
-        Ok(Command::Oil { kind, mass: self.grams("oil_g", &oil.g, FAT_G)? })
+        Ok(PanAction::Oil { kind, mass: self.grams("oil_g", &oil.g, FAT_G)? })
     }
 
-    fn butter(&self, butter: &ButterTable) -> Checked<Command> {
-        Ok(Command::Butter(self.grams("butter_g", &butter.g, FAT_G)?))
+    fn butter(&self, butter: &ButterTable) -> Checked<PanAction> {
+        Ok(PanAction::Butter(self.grams("butter_g", &butter.g, FAT_G)?))
     }
 
-    fn water(&self, water: &WaterTable) -> Checked<Command> {
-        Ok(Command::Water(self.grams("water_g", &water.g, WATER_G)?))
+    fn water(&self, water: &WaterTable) -> Checked<PanAction> {
+        Ok(PanAction::Water(self.grams("water_g", &water.g, WATER_G)?))
     }
 
-    /// Grams in their range [kg].
+    /// Returns a mass of at least `low` and at most `high` grams [kg].
     fn grams(&self, key: &str, g: &Spanned<f64>, [low, high]: [f64; 2]) -> Checked<f64> {
         Ok(1e-3 * self.input.ranged(key, g, low, high)?)
     }
 
-    fn toss(&self, toss: &TossTable) -> Checked<Command> {
+    fn toss(&self, toss: &TossTable) -> Checked<PanAction> {
         let height = self.limited("toss.height_mm", toss.height_mm.as_ref(), TOSS_HEIGHT_MM)?;
-        Ok(Command::Toss { height: 1e-3 * height })
+        Ok(PanAction::Toss { height: 1e-3 * height })
     }
 
-    fn shake(&self, shake: &ShakeTable) -> Checked<Command> {
+    fn shake(&self, shake: &ShakeTable) -> Checked<PanAction> {
         let amplitude = self.limited("shake.amplitude_mm", shake.amplitude_mm.as_ref(), SHAKE_AMPLITUDE_MM)?;
         let hz = self.limited("shake.hz", shake.hz.as_ref(), SHAKE_HZ)?;
         let for_s = self.limited("shake.for_s", shake.for_s.as_ref(), FOR_S)?;
-        Ok(Command::Shake { amplitude: 1e-3 * amplitude, hz, for_s })
+        Ok(PanAction::Shake { amplitude: 1e-3 * amplitude, hz, for_s })
     }
 
-    fn tilt(&self, tilt: &TiltTable) -> Checked<Command> {
+    fn tilt(&self, tilt: &TiltTable) -> Checked<PanAction> {
         let angle = self.input.ranged("tilt.deg", &tilt.deg, TILT_DEG[0], TILT_DEG[1])?;
         let towards = self.limited("tilt.towards_deg", tilt.towards_deg.as_ref(), TOWARDS_DEG)?;
-        Ok(Command::Tilt { angle: angle.to_radians(), towards: towards.to_radians() })
+        Ok(PanAction::Tilt { angle: angle.to_radians(), towards: towards.to_radians() })
     }
 
-    fn move_pan(&self, to: &MovePanTable) -> Checked<Command> {
+    fn move_pan(&self, to: &MovePanTable) -> Checked<PanAction> {
         let at = self.place("move_pan.at_mm", to.at_mm.as_ref(), 350.0, "of the ring's centre")?;
         let lift = self.limited("move_pan.lift_mm", to.lift_mm.as_ref(), LIFT_MM)?;
-        Ok(Command::MovePan { at, lift: lift * 1e-3 })
+        Ok(PanAction::MovePan { at, lift: lift * 1e-3 })
     }
 
-    fn put(&self, put: &PutTable, beside: Option<&Spanned<Vec<f64>>>) -> Checked<Deed> {
-        let at = self.place("at_mm", put.at_mm.as_ref().or(beside), 200.0, "of the pan's centre")?;
-        Ok(Deed::Put { at, heap: put.heap.unwrap_or(false) })
+    fn put(&self, put: &PutTable, companion: Option<&Spanned<Vec<f64>>>) -> Checked<FoodAction> {
+        let at = self.place("at_mm", put.at_mm.as_ref().or(companion), 200.0, "of the pan's centre")?;
+        Ok(FoodAction::Put { at, heap: put.heap.unwrap_or(false) })
     }
 
-    fn halve(&self, halve: &HalveTable) -> Checked<Deed> {
-        Ok(Deed::Halve { at: 1e-3 * self.limited("halve.at_mm", halve.at_mm.as_ref(), HALVE_AT_MM)? })
+    fn halve(&self, halve: &HalveTable) -> Checked<FoodAction> {
+        Ok(FoodAction::Halve { at: 1e-3 * self.limited("halve.at_mm", halve.at_mm.as_ref(), HALVE_AT_MM)? })
     }
 
-    fn press(&self, press: &PressTable) -> Checked<Deed> {
+    fn press(&self, press: &PressTable) -> Checked<FoodAction> {
         let newtons = self.limited("press.n", press.n.as_ref(), PRESS_N)?;
-        Ok(Deed::Press { newtons, for_s: self.limited("press.for_s", press.for_s.as_ref(), FOR_S)? })
+        Ok(FoodAction::Press { newtons, for_s: self.limited("press.for_s", press.for_s.as_ref(), FOR_S)? })
     }
 
-    fn move_to(&self, to: &MoveTable) -> Checked<Deed> {
-        Ok(Deed::Move(self.place("move.to_mm", to.to_mm.as_ref(), 200.0, "of the pan's centre")?))
+    fn move_to(&self, to: &MoveTable) -> Checked<FoodAction> {
+        Ok(FoodAction::Move(self.place("move.to_mm", to.to_mm.as_ref(), 200.0, "of the pan's centre")?))
     }
 
-    /// A number within its limits, or its default.
+    /// Returns a number within its limits, or its default.
     fn limited(&self, key: &str, value: Option<&Spanned<f64>>, limits: Limits) -> Checked<f64> {
         value.map_or(Ok(limits.default), |v| self.input.ranged(key, v, limits.low, limits.high))
     }
 
-    /// Two numbers within `farthest` [mm] as a place [m]; the middle unless given.
+    /// Returns a place with both coordinates within ± `farthest` mm [m]; the centre by default.
     fn place(&self, key: &str, at: Option<&Spanned<Vec<f64>>>, farthest: f64, of: &str) -> Checked<[f64; 2]> {
         let Some(at) = at else { return Ok([0.0, 0.0]) };
         match <[f64; 2]>::try_from(at.get_ref().as_slice()) {
@@ -163,16 +150,18 @@ impl Check<'_> {
         }
     }
 
-    /// `at_mm`, `on` and `for_s` belong beside a bare `put`, `rest` and `cool`.
+    /// Checks that `at_mm`, `on` and `for_s` accompany a bare `put`, `rest` and `cool`.
     fn check_companions(&self, step: &StepEntry) -> Checked<()> {
+        let keys = &step.keys;
         let companions = [
-            ("at_mm", step.at_mm.as_ref().map(Spanned::span), "put", step.put.as_ref().map(|e| e.bare)),
-            ("on", step.on.as_ref().map(Spanned::span), "rest", step.rest.as_ref().map(|e| e.bare)),
-            ("for_s", step.for_s.as_ref().map(Spanned::span), "cool", step.cool.as_ref().map(|e| e.bare)),
+            ("at_mm", keys.at_mm.as_ref().map(Spanned::span), ActionKind::Put),
+            ("on", keys.on.as_ref().map(Spanned::span), ActionKind::Rest),
+            ("for_s", keys.for_s.as_ref().map(Spanned::span), ActionKind::Cool),
         ];
-        for (key, span, owner, bare) in companions {
+        for (key, span, owner) in companions {
             let Some(span) = span else { continue };
-            self.check_companion(key, span.start, owner, bare)?;
+            let bare = step.actions.iter().find(|entry| entry.kind() == owner).map(ActionEntry::is_bare);
+            self.check_companion(key, span.start, owner.name(), bare)?;
         }
         Ok(())
     }
@@ -194,4 +183,8 @@ impl Check<'_> {
             }
         }
     }
+}
+
+fn rest(rest: &RestTable, companion: Option<&Spanned<RestOn>>) -> FoodAction {
+    FoodAction::Rest(rest.on.or(companion.map(|on| *on.get_ref())).unwrap_or_default())
 }

@@ -1,24 +1,25 @@
-//! Checks a recipe as it is written and turns it into SI units.
+//! Checks a recipe file and converts it to SI units.
 
 use saute_food::{FoodDescription, MeshSize, Rules};
 use toml::Spanned;
 
 use crate::check::sequence_check::Sequence;
-use crate::file::recipe_file::{FoodEntry, MOST_PIECES, MeshName, PanEntry, Preset, RecipeFile, StepEntry, WhenEntry};
+use crate::file::recipe_file::{FoodEntry, MOST_PIECES, MeshName, PanEntry, Preset, RecipeFile, WhenEntry};
+use crate::file::step_file::{StepEntry, StepKeys};
 use crate::recipe::{ALL, Group, Quantity, Recipe, Step, Target, Trigger};
 use saute_kitchen::data::library::{Library, line_of};
 use saute_kitchen::kelvin;
 use saute_kitchen::kitchen::PieceOrder;
 use saute_kitchen::{InputError, InputText};
 
-/// A recipe's text with what it may name.
+/// A recipe's text and the library with the foods and pans that it can name.
 pub(crate) struct Check<'a> {
     pub(crate) input: InputText<'a>,
     pub(crate) library: &'a Library,
 }
 
-/// The foods of a recipe by their names.
-pub(crate) struct Cast {
+/// The foods and groups that steps can name.
+pub(crate) struct FoodNames {
     foods: Vec<PieceOrder>,
     groups: Vec<Group>,
 }
@@ -34,17 +35,17 @@ impl Check<'_> {
         let max_s = raw.max_s.as_ref().map_or(Ok(3600.0), |s| self.input.ranged("max_s", s, 1.0, 86_400.0))?;
         let (pan_kind, pan_temperature) = self.pan(raw.pan.as_ref().map(Spanned::get_ref))?;
         let rules = if raw.preset == Some(Preset::Paper2013) { Rules::Paper2013 } else { Rules::Full };
-        let cast = self.cast(&raw.food, rules)?;
-        let steps = raw.step.iter().map(|s| self.step(s, &cast)).collect::<Checked<Vec<_>>>()?;
+        let names = self.food_names(&raw.food, rules)?;
+        let steps = raw.step.iter().map(|s| self.step(s, &names)).collect::<Checked<Vec<_>>>()?;
         let places: Vec<usize> = raw.step.iter().map(|s| s.span().start).collect();
-        Sequence::new(self.input, cast.foods.iter().map(|f| f.id.as_str())).check(&steps, &places)?;
+        Sequence::new(self.input, names.foods.iter().map(|f| f.id.as_str())).check(&steps, &places)?;
         Ok(Recipe {
             title: labelled(raw.title.unwrap_or_else(|| self.input.file.to_owned()), rules),
             max_s,
             pan_kind,
             pan_temperature,
-            foods: cast.foods,
-            groups: cast.groups,
+            foods: names.foods,
+            groups: names.groups,
             steps,
             file: self.input.file.to_owned(),
             text: self.input.text.to_owned(),
@@ -68,25 +69,25 @@ impl Check<'_> {
         Ok((kind.get_ref().clone(), kelvin(initial)))
     }
 
-    fn cast(&self, entries: &[Spanned<FoodEntry>], rules: Rules) -> Checked<Cast> {
-        let mut cast = Cast { foods: Vec::new(), groups: Vec::new() };
+    fn food_names(&self, entries: &[Spanned<FoodEntry>], rules: Rules) -> Checked<FoodNames> {
+        let mut names = FoodNames { foods: Vec::new(), groups: Vec::new() };
         for entry in entries {
             let entry = entry.get_ref();
             let one = self.food(entry, rules)?;
             let Some(count) = self.count(entry)? else {
-                cast.foods.push(one);
+                names.foods.push(one);
                 continue;
             };
-            let first = cast.foods.len();
-            cast.foods.extend((0..count).map(|i| PieceOrder {
+            let first = names.foods.len();
+            names.foods.extend((0..count).map(|i| PieceOrder {
                 id: format!("{}.{}", one.id, i + 1),
                 seed: one.seed + i,
                 ..one.clone()
             }));
-            cast.groups.push(Group { id: one.id, kind: one.kind, members: first..cast.foods.len() });
+            names.groups.push(Group { id: one.id, kind: one.kind, members: first..names.foods.len() });
         }
         self.check_ids(entries)?;
-        Ok(cast)
+        Ok(names)
     }
 
     fn food(&self, entry: &FoodEntry, rules: Rules) -> Checked<PieceOrder> {
@@ -128,7 +129,7 @@ impl Check<'_> {
         Ok(())
     }
 
-    /// How many pieces a group has; none where the food is a single piece.
+    /// Returns the number of pieces of a group; none for a single piece.
     fn count(&self, entry: &FoodEntry) -> Checked<Option<u64>> {
         let Some(count) = &entry.count else { return Ok(None) };
         if (1..=MOST_PIECES).contains(count.get_ref()) {
@@ -182,27 +183,27 @@ impl Check<'_> {
         Ok(())
     }
 
-    fn step(&self, entry: &Spanned<StepEntry>, cast: &Cast) -> Checked<Step> {
+    fn step(&self, entry: &Spanned<StepEntry>, names: &FoodNames) -> Checked<Step> {
         let at = entry.span().start;
         let step = entry.get_ref();
         Ok(Step {
-            trigger: self.trigger(at, step, cast)?,
-            action: self.action(at, step, cast)?,
+            trigger: self.trigger(at, &step.keys, names)?,
+            action: self.action(at, step, names)?,
             line: line_of(self.input.text, at),
         })
     }
 
-    fn trigger(&self, at: usize, step: &StepEntry, cast: &Cast) -> Checked<Trigger> {
+    fn trigger(&self, at: usize, step: &StepKeys, names: &FoodNames) -> Checked<Trigger> {
         match (&step.at_s, &step.after_s, &step.when) {
             (None, None, None) => Ok(Trigger::After(0.0)),
             (Some(s), None, None) => Ok(Trigger::At(self.input.ranged("at_s", s, 0.0, 86_400.0)?)),
             (None, Some(s), None) => Ok(Trigger::After(self.input.ranged("after_s", s, 0.0, 86_400.0)?)),
-            (None, None, Some(when)) => self.condition(when, cast),
+            (None, None, Some(when)) => self.condition(when, names),
             _ => self.input.error(at, "the step has more than one trigger", "keep one of at_s, after_s, when"),
         }
     }
 
-    fn condition(&self, when: &Spanned<WhenEntry>, cast: &Cast) -> Checked<Trigger> {
+    fn condition(&self, when: &Spanned<WhenEntry>, names: &FoodNames) -> Checked<Trigger> {
         let at = when.span().start;
         let w = when.get_ref();
         let given: Vec<(Quantity, f64)> = [
@@ -217,7 +218,7 @@ impl Check<'_> {
         let trigger = match (w.pan_c, &w.food, given.as_slice()) {
             (Some(c), None, []) => Trigger::Pan(kelvin(c)),
             (None, Some(food), [(quantity, value)]) => {
-                Trigger::Food { food: self.target(food, "when.food", cast)?, quantity: *quantity, value: *value }
+                Trigger::Food { food: self.target(food, "when.food", names)?, quantity: *quantity, value: *value }
             }
             _ => {
                 return self.input.error(at, "when needs one condition", "write when = { pan_c = 180 } or when = { food = \"steak\", core_c = 57 } (also top_c, bottom_c, mass_g)");
@@ -237,26 +238,26 @@ impl Check<'_> {
         Ok(trigger)
     }
 
-    /// The foods behind a name: a piece, a group, or all.
-    pub(crate) fn target(&self, id: &Spanned<String>, key: &str, cast: &Cast) -> Checked<Target> {
+    /// Returns the foods with a name: a piece, a group, or all. `key` is named in the error.
+    pub(crate) fn target(&self, id: &Spanned<String>, key: &str, names: &FoodNames) -> Checked<Target> {
         let name = id.get_ref();
         let ids = |foods: &[PieceOrder]| foods.iter().map(|f| f.id.clone()).collect();
         let target = |foods: Vec<String>, group: bool| Ok(Target { name: name.clone(), foods, group });
-        if let Some(group) = cast.groups.iter().find(|g| g.id == *name) {
-            return target(ids(&cast.foods[group.members.clone()]), true);
+        if let Some(group) = names.groups.iter().find(|g| g.id == *name) {
+            return target(ids(&names.foods[group.members.clone()]), true);
         }
-        if cast.foods.iter().any(|f| f.id == *name) {
+        if names.foods.iter().any(|f| f.id == *name) {
             return target(vec![name.clone()], false);
         }
-        if name == ALL && !cast.foods.is_empty() {
-            return target(ids(&cast.foods), true);
+        if name == ALL && !names.foods.is_empty() {
+            return target(ids(&names.foods), true);
         }
-        self.input.error(id.span().start, format!("{key} = \"{name}\" names no food of this recipe"), cast.remedy())
+        self.input.error(id.span().start, format!("{key} = \"{name}\" names no food of this recipe"), names.remedy())
     }
 }
 
-impl Cast {
-    /// Which names could be used.
+impl FoodNames {
+    /// Returns a remedy that lists the names.
     fn remedy(&self) -> String {
         if self.foods.is_empty() {
             return "add a [[food]] with that id".to_owned();
@@ -272,7 +273,7 @@ impl Cast {
     }
 }
 
-/// A title that says which rules were followed, unless it was all of them.
+/// Returns the title, marked if the recipe follows the rules of 2013.
 fn labelled(title: String, rules: Rules) -> String {
     match rules {
         Rules::Full => title,

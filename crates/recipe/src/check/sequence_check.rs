@@ -1,12 +1,14 @@
-//! What can be known of a recipe's steps before the cook: foods are where a step needs them, times go forward, there is an end.
+//! Checks of a recipe's steps before the cook: foods are where a step needs them, times increase, there is an end.
 
 use std::collections::BTreeMap;
 
-use crate::recipe::{Action, Deed, Step, Target, Trigger};
-use saute_kitchen::hands::command::{Command, RestOn};
+use crate::action::food_action::Requirement;
+use crate::action::{Action, FoodAction, PanAction};
+use crate::recipe::{Step, Target, Trigger};
+use saute_kitchen::hands::command::RestOn;
 use saute_kitchen::{InputError, InputText};
 
-/// Where a food is as the steps go by.
+/// Where a food is before a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum At {
     Waiting,
@@ -14,49 +16,50 @@ enum At {
     Resting(RestOn),
 }
 
-/// How a food lies as the steps go by.
+/// State of a food before a step.
 #[derive(Clone, Copy, Debug)]
-struct Lies {
+struct FoodState {
     at: At,
     halved: bool,
 }
 
-impl Lies {
-    /// Whether a deed can be done to it.
-    fn fits(self, deed: Deed) -> bool {
-        match deed {
-            Deed::Put { .. } => self.at != At::Pan,
-            Deed::Halve { .. } => matches!(self.at, At::Resting(RestOn::Board | RestOn::Foil)) && !self.halved,
-            Deed::Flip | Deed::Rest(_) | Deed::Press { .. } | Deed::Move(_) => self.at == At::Pan,
+impl FoodState {
+    /// Returns true if the food meets a requirement.
+    fn meets(self, requirement: Requirement) -> bool {
+        match requirement {
+            Requirement::OutsidePan => self.at != At::Pan,
+            Requirement::InPan => self.at == At::Pan,
+            Requirement::WholeOnBoard => matches!(self.at, At::Resting(RestOn::Board | RestOn::Foil)) && !self.halved,
         }
     }
 
-    /// How it lies after a deed.
-    fn after(self, deed: Deed) -> Self {
-        match deed {
-            Deed::Put { .. } => Self { at: At::Pan, ..self },
-            Deed::Rest(on) => Self { at: At::Resting(on), ..self },
-            Deed::Halve { .. } => Self { halved: true, ..self },
-            Deed::Flip | Deed::Press { .. } | Deed::Move(_) => self,
+    /// Returns the state after an action.
+    fn after(self, action: FoodAction) -> Self {
+        match action {
+            FoodAction::Put { .. } => Self { at: At::Pan, ..self },
+            FoodAction::Rest(on) => Self { at: At::Resting(on), ..self },
+            FoodAction::Halve { .. } => Self { halved: true, ..self },
+            FoodAction::Flip | FoodAction::Press { .. } | FoodAction::Move(_) => self,
         }
     }
 }
 
-/// What holds as the steps go by.
+/// State of the foods and of the time while the steps are checked in order.
 pub(crate) struct Sequence<'a> {
     input: InputText<'a>,
-    lies: BTreeMap<&'a str, Lies>,
+    foods: BTreeMap<&'a str, FoodState>,
+    /// Earliest time at which the next step can start [s].
     earliest: f64,
 }
 
 impl<'a> Sequence<'a> {
-    /// Before the first step.
+    /// Returns the state before the first step.
     pub(crate) fn new(input: InputText<'a>, foods: impl Iterator<Item = &'a str>) -> Self {
-        let raw = Lies { at: At::Waiting, halved: false };
-        Self { input, lies: foods.map(|id| (id, raw)).collect(), earliest: 0.0 }
+        let raw = FoodState { at: At::Waiting, halved: false };
+        Self { input, foods: foods.map(|id| (id, raw)).collect(), earliest: 0.0 }
     }
 
-    /// Checks all steps, each with its place in the text.
+    /// Checks all steps; `places` are their offsets in the text [bytes].
     pub(crate) fn check(mut self, steps: &'a [Step], places: &[usize]) -> Result<(), InputError> {
         let ends = |s: &Step| s.action == Action::End;
         for (step, at) in steps.iter().zip(places) {
@@ -95,35 +98,40 @@ impl<'a> Sequence<'a> {
 
     fn check_place(&mut self, at: usize, action: &'a Action) -> Result<(), InputError> {
         match action {
-            Action::Each(target, deed) => self.check_target(at, target, *deed),
-            Action::Do(Command::Toss { .. }) if !self.lies.values().any(|l| l.at == At::Pan) => self.input.error(
-                at,
-                "there is nothing in the pan to toss at this step",
-                "put a food into the pan before it",
-            ),
-            _ => Ok(()),
+            Action::Each(target, action) => self.check_target(at, target, *action),
+            Action::Pan(PanAction::Toss { .. }) if !self.foods.values().any(|food| food.at == At::Pan) => self
+                .input
+                .error(at, "there is nothing in the pan to toss at this step", "put a food into the pan before it"),
+            Action::Pan(_) | Action::End => Ok(()),
         }
     }
 
-    /// A single food must be where the action needs it; of a group, one at least.
-    fn check_target(&mut self, at: usize, target: &'a Target, deed: Deed) -> Result<(), InputError> {
-        let name = &target.name;
-        let fits = |id: &&String| self.lies.get(id.as_str()).is_some_and(|l| l.fits(deed));
-        if !target.foods.iter().any(|id| fits(&id)) {
-            let halved = target.foods.iter().any(|id| self.lies.get(id.as_str()).is_some_and(|l| l.halved));
-            let (place, remedy) = match deed {
-                Deed::Put { .. } => {
-                    ("is in the pan already", "a food in the pan cannot be put in again: rest it first")
-                }
-                Deed::Halve { .. } if halved => ("is cut in halves already", "leave this step out: a food is cut once"),
-                Deed::Halve { .. } => ("does not lie on the board", "rest it on the board before this step"),
-                _ => ("is not in the pan", "put it into the pan before this step"),
-            };
-            return self.input.error(at, format!("\"{name}\" {place} at this step"), remedy);
+    /// Checks that a single food meets the requirement of an action, or at least one food of a group.
+    fn check_target(&mut self, at: usize, target: &'a Target, action: FoodAction) -> Result<(), InputError> {
+        let requirement = action.requirement();
+        if !self.any(target, |food| food.meets(requirement)) {
+            let halved = self.any(target, |food| food.halved);
+            let (place, remedy) = unmet(requirement, halved);
+            return self.input.error(at, format!("\"{}\" {place} at this step", target.name), remedy);
         }
         for id in &target.foods {
-            self.lies.entry(id.as_str()).and_modify(|l| *l = l.after(deed));
+            self.foods.entry(id.as_str()).and_modify(|food| *food = food.after(action));
         }
         Ok(())
+    }
+
+    /// Returns true if a condition holds for any food of a target.
+    fn any(&self, target: &Target, condition: impl Fn(FoodState) -> bool) -> bool {
+        target.foods.iter().any(|id| self.foods.get(id.as_str()).is_some_and(|food| condition(*food)))
+    }
+}
+
+/// Returns message and remedy for a requirement that no food meets; `halved` is true if one of them is cut already.
+fn unmet(requirement: Requirement, halved: bool) -> (&'static str, &'static str) {
+    match requirement {
+        Requirement::OutsidePan => ("is in the pan already", "a food in the pan cannot be put in again: rest it first"),
+        Requirement::WholeOnBoard if halved => ("is cut in halves already", "leave this step out: a food is cut once"),
+        Requirement::WholeOnBoard => ("does not lie on the board", "rest it on the board before this step"),
+        Requirement::InPan => ("is not in the pan", "put it into the pan before this step"),
     }
 }

@@ -1,4 +1,4 @@
-//! A recipe being cooked: kitchen, runner and recorder together.
+//! A cook: kitchen, runner and recorder together.
 
 use std::sync::Arc;
 
@@ -16,23 +16,27 @@ use saute_kitchen::kitchen::{Kitchen, SetupError};
 /// A step that has just been carried out.
 pub type Fired = StepRecord;
 
-/// One cook from first to last step.
+/// The execution of one recipe in a kitchen.
 #[derive(Clone, Debug)]
 pub struct Cook {
-    /// The world.
+    /// The kitchen.
     pub kitchen: Kitchen,
-    /// The recipe's steps.
+    /// The runner of the recipe's steps.
     pub runner: Runner,
-    /// Series and extremes.
+    /// Time series and extremes.
     pub recorder: Recorder,
-    /// Steps so far.
+    /// Steps that were carried out.
     pub steps: Vec<StepRecord>,
     masses_at_start: Vec<f64>,
     scales: Vec<Arc<Scale>>,
 }
 
 impl Cook {
-    /// Sets everything out; nothing has happened yet.
+    /// Builds the kitchen of a recipe at time 0.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the pan or a food cannot be built.
     pub fn new(recipe: Recipe, library: &Library) -> Result<Self, SetupError> {
         let kitchen = recipe.kitchen(library)?;
         let mut recorder = Recorder::default();
@@ -47,14 +51,23 @@ impl Cook {
         })
     }
 
-    /// Fires the steps that are due, then moves the world by one tick unless that ended the cook.
+    /// Fires the steps that are due, then advances the kitchen by one tick unless the cook has stopped. Returns the
+    /// fired steps.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error with the line of a step that cannot be carried out.
     pub fn advance(&mut self) -> Result<Vec<Fired>, InputError> {
         let fired = self.fire()?;
         self.tick();
         Ok(fired)
     }
 
-    /// Fires the steps that are due now.
+    /// Fires the steps that are due now and returns them.
+    ///
+    /// # Errors
+    ///
+    /// As [`Cook::advance`].
     pub fn fire(&mut self) -> Result<Vec<Fired>, InputError> {
         let fired = self.runner.poll(&mut self.kitchen)?;
         self.recorder.on_steps(&self.kitchen, &fired);
@@ -62,7 +75,7 @@ impl Cook {
         Ok(fired)
     }
 
-    /// Moves the world by one tick, unless the cook has stopped.
+    /// Advances the kitchen by one tick, unless the cook has stopped.
     pub fn tick(&mut self) {
         if self.stopped().is_none() {
             self.kitchen.step();
@@ -70,12 +83,12 @@ impl Cook {
         }
     }
 
-    /// Why it stopped, once it has.
+    /// Returns the reason for which the cook stopped; none while it goes on.
     pub fn stopped(&self) -> Option<StoppedBy> {
         self.runner.stopped()
     }
 
-    /// The numbers of the cook so far.
+    /// Returns the numbers of the cook up to now. `wall_s` is the wall time of the simulation [s].
     pub fn summary(&self, wall_s: f64) -> Summary {
         let (steps, masses) = (&self.steps, &self.masses_at_start);
         Summary::new(&self.kitchen, &self.recorder, &self.runner, steps, masses, &self.scales, wall_s)

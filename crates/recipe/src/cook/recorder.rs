@@ -1,48 +1,67 @@
-//! What is remembered while cooking: series and extremes.
+//! Time series and extremes of a cook.
 
 use std::ops::Range;
 
+use crate::action::ActionKind;
 use crate::cook::step_record::{StepRecord, rounded};
 use crate::recipe::Group;
 use saute_kitchen::celsius;
 use saute_kitchen::kitchen::Kitchen;
 
-/// One row of the series.
+/// One row of the time series.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// Time [s].
     pub time_s: f64,
     /// Electrical power drawn from the mains [W].
     pub hob_drawn_w: f64,
-    /// Area mean of the pan's floor [°C].
+    /// Mean temperature of the pan's floor [°C].
     pub pan_c: f64,
-    /// For each food: core, top, bottom [°C], mass [g].
+    /// For each food: temperatures of core, top and bottom [°C], mass [g].
     pub foods: Vec<[f64; 4]>,
 }
 
 impl Row {
-    /// Means over foods: core, top, bottom [°C], mass [g].
+    /// Returns the means over foods: temperatures of core, top and bottom [°C], mass [g].
     pub fn mean(&self, members: &Range<usize>) -> [f64; 4] {
         let foods = &self.foods[members.clone()];
         core::array::from_fn(|k| foods.iter().map(|f| f[k]).sum::<f64>() / foods.len() as f64)
     }
 }
 
-/// Series and extremes of a cook.
+/// Time series and extremes of a cook.
+///
+/// ```
+/// use saute_kitchen::Library;
+/// use saute_recipe::{Cook, Recipe};
+///
+/// let library = Library::embedded()?;
+/// let text = "[[step]]\nhob_w = 2000\n[[step]]\nat_s = 3\nend = true";
+/// let mut cook = Cook::new(Recipe::parse(text, "heat.toml", &library)?, &library)?;
+/// while cook.stopped().is_none() {
+///     cook.advance()?;
+/// }
+/// // One row for each second, from 0 to 3 s.
+/// let csv = cook.recorder.csv(&[], &[])?;
+/// assert!(csv.starts_with("time_s,hob_drawn_w,pan_c\n0.0,"), "{csv}");
+/// assert_eq!(csv.lines().count(), 1 + 4);
+/// assert!(cook.recorder.pan_peak_c > 20.0, "{} °C", cook.recorder.pan_peak_c);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Recorder {
-    /// Rows, every second and at every step.
+    /// Rows, one for each second and for each step.
     pub rows: Vec<Row>,
     /// Highest pan temperature [°C].
     pub pan_peak_c: f64,
-    /// Pan temperature when the first food went in [°C].
+    /// Pan temperature at the first `put` [°C].
     pub pan_at_first_put_c: Option<f64>,
-    /// Lowest pan temperature since [°C].
+    /// Lowest pan temperature after the first `put` [°C].
     pub pan_lowest_after_c: Option<f64>,
 }
 
 impl Recorder {
-    /// Looks at the kitchen after a tick (or at the start).
+    /// Records the kitchen after a tick, or at time 0.
     pub fn observe(&mut self, kitchen: &Kitchen) {
         let pan = celsius(kitchen.pan_temperature());
         self.pan_peak_c = if kitchen.tick() == 0 { pan } else { self.pan_peak_c.max(pan) };
@@ -54,16 +73,16 @@ impl Recorder {
         }
     }
 
-    /// Remembers the pan at the first put.
+    /// Records the pan's temperature at the first `put`.
     pub fn on_put(&mut self, kitchen: &Kitchen) {
         let pan = celsius(kitchen.pan_temperature());
         self.pan_at_first_put_c.get_or_insert(pan);
         self.pan_lowest_after_c.get_or_insert(pan);
     }
 
-    /// Remembers the steps that were fired now.
+    /// Records the steps that fired now.
     pub fn on_steps(&mut self, kitchen: &Kitchen, fired: &[StepRecord]) {
-        if fired.iter().any(|step| step.action == "put") {
+        if fired.iter().any(|step| step.action.kind() == ActionKind::Put) {
             self.on_put(kitchen);
         }
         if !fired.is_empty() {
@@ -71,7 +90,7 @@ impl Recorder {
         }
     }
 
-    /// Adds a row for now; one that repeats the last row's time replaces it.
+    /// Adds a row for the present time; it replaces a row of the same time.
     pub fn write_row(&mut self, kitchen: &Kitchen) {
         let food = |p: &saute_kitchen::Piece| {
             [celsius(p.core()), celsius(p.face(false)), celsius(p.face(true)), 1e3 * p.mass()]
@@ -88,8 +107,8 @@ impl Recorder {
         self.rows.push(row);
     }
 
-    /// Returns the series as CSV: columns for each food by its id, then for the means of each group. Decimals are fixed, so that
-    /// the same cook gives the same bytes.
+    /// Returns the series as CSV: columns for each food by its id, then for the means of each group. The number of
+    /// decimals is fixed, so the same cook gives the same bytes.
     pub fn csv(&self, ids: &[&str], groups: &[Group]) -> Result<String, csv::Error> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         let names = ids.iter().copied().chain(groups.iter().map(|g| g.id.as_str()));
@@ -108,7 +127,7 @@ impl Recorder {
     }
 }
 
-/// Columns of the series that belong to no food.
+/// Columns of the pan and the hob.
 const COLUMNS: [&str; 3] = ["time_s", "hob_drawn_w", "pan_c"];
 /// Columns of each food and of the mean of each group, after the id and a dot.
 const FOOD_COLUMNS: [&str; 4] = ["core_c", "top_c", "bottom_c", "mass_g"];

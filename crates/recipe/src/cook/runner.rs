@@ -1,35 +1,37 @@
-//! Runs the steps of a recipe against a kitchen.
+//! Runs the steps of a recipe in a kitchen.
 
 use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::cook::step_record::{StepRecord, parts, record};
-use crate::cook::watch::Watch;
-use crate::recipe::{ALL, Action, Deed, Quantity, Recipe, Target, Trigger};
+use crate::action::food_action::Destination;
+use crate::action::{Action, FoodAction};
+use crate::cook::crossing::Crossing;
+use crate::cook::step_record::StepRecord;
+use crate::recipe::{ALL, Quantity, Recipe, Target, Trigger};
 use saute_kitchen::InputError;
 use saute_kitchen::hands::command::{Command, Refused};
 use saute_kitchen::kitchen::Kitchen;
 use saute_kitchen::{TICK_S, celsius};
 
-/// Why a cook stopped.
+/// The reason for which a cook stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum StoppedBy {
-    /// The recipe's last step.
+    /// The recipe's `end`.
     End,
     /// The recipe's `max_s`.
     MaxS,
 }
 
-/// Walks through a recipe's steps.
+/// Runs a recipe's steps in order.
 #[derive(Clone, Debug)]
 pub struct Runner {
     recipe: Arc<Recipe>,
     next: usize,
     begun: bool,
     ready_at: f64,
-    armed: Option<Watch>,
+    armed: Option<Crossing>,
     stopped: Option<StoppedBy>,
 }
 
@@ -37,38 +39,41 @@ pub struct Runner {
 const SAME_TIME: f64 = 1e-6;
 
 impl Runner {
-    /// Starts at the first step.
+    /// Returns a runner before the first step.
     pub fn new(recipe: Arc<Recipe>) -> Self {
         Self { recipe, next: 0, begun: false, ready_at: 0.0, armed: None, stopped: None }
     }
 
-    /// The recipe.
+    /// Returns the recipe.
     pub fn recipe(&self) -> &Arc<Recipe> {
         &self.recipe
     }
 
-    /// Why the cook stopped, once it has.
+    /// Returns the reason for which the cook stopped; none while it goes on.
     pub fn stopped(&self) -> Option<StoppedBy> {
         self.stopped
     }
 
-    /// Index of the step that is waited for.
+    /// Returns the index of the next step.
     pub fn waiting_step(&self) -> usize {
         self.next
     }
 
-    /// What the step that is waited for does, as recipes write it, and to which food or group.
-    pub fn waiting_deed(&self) -> Option<(&'static str, Option<&str>)> {
-        let (key, target, _) = parts(&self.recipe.steps.get(self.next)?.action);
-        Some((key, target))
+    /// Returns the action of the next step; none after the last one.
+    pub fn waiting_action(&self) -> Option<&Action> {
+        Some(&self.recipe.steps.get(self.next)?.action)
     }
 
-    /// When the action before has ended, from which `after_s` counts [s].
+    /// Returns the end of the previous action, from which `after_s` counts [s].
     pub fn ready_at_s(&self) -> f64 {
         self.ready_at
     }
 
-    /// Fires every step that is due now and returns what was done; call it between ticks.
+    /// Fires every step that is due now and returns these steps. Call it between ticks.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error with the line of a step that cannot be carried out.
     pub fn poll(&mut self, kitchen: &mut Kitchen) -> Result<Vec<StepRecord>, InputError> {
         if !self.begun {
             self.begun = true;
@@ -87,28 +92,28 @@ impl Runner {
         Ok(fired)
     }
 
-    /// Groups that do not even fit into the empty pan are refused before anything is cooked.
+    /// Checks that every group fits into the empty pan, before the cook starts.
     fn check_room(&self, kitchen: &Kitchen) -> Result<(), InputError> {
         for (step, entry) in self.recipe.steps.iter().enumerate() {
-            if let Action::Each(target, deed @ Deed::Put { at, heap: false }) = &entry.action
+            if let Action::Each(target, action @ FoodAction::Put { at, heap: false }) = &entry.action
                 && target.group
                 && target.name != ALL
             {
                 let places = kitchen.free_places(&target.foods, *at);
-                self.all_fit(step, &target.name, [places.len(), target.foods.len()], *deed)?;
+                self.all_fit(step, &target.name, [places.len(), target.foods.len()], *action)?;
             }
         }
         Ok(())
     }
 
-    /// At `max_s` itself a step that is due still counts.
+    /// Returns true if a step is due at `max_s` itself.
     fn due_at_the_end(&mut self, kitchen: &Kitchen) -> bool {
         matches!(self.due(kitchen), Ok(true))
     }
 
     fn due(&mut self, kitchen: &Kitchen) -> Result<bool, InputError> {
         let now = kitchen.time_s();
-        // A step at a time of its own fires then; all others wait until the hands are done with the step before.
+        // A step with `at_s` fires at its time; all others wait until the hands have finished the previous step.
         let at_its_time = matches!(self.recipe.steps[self.next].trigger, Trigger::At(_));
         if kitchen.busy() && !at_its_time {
             return Ok(false);
@@ -126,7 +131,7 @@ impl Runner {
                         "use a later at_s, or after_s",
                     ));
                 }
-                self.armed = Some(Watch::on(&[]));
+                self.armed = Some(Crossing::new(&[]));
                 Ok(now >= s - SAME_TIME)
             }
             Trigger::After(s) => Ok(now >= self.ready_at + s - SAME_TIME),
@@ -138,17 +143,17 @@ impl Runner {
         }
     }
 
-    /// Whether the differences have crossed zero since the step was armed.
+    /// Returns true once all differences have crossed zero since the step was armed.
     fn crossed(&mut self, differences: &[f64]) -> bool {
-        self.armed.get_or_insert_with(|| Watch::on(differences)).look(differences)
+        self.armed.get_or_insert_with(|| Crossing::new(differences)).update(differences)
     }
 
     fn fire(&mut self, kitchen: &mut Kitchen) -> Result<StepRecord, InputError> {
         let action = self.recipe.steps[self.next].action.clone();
         let now = kitchen.time_s();
         let foods = match &action {
-            Action::Do(command) => self.apply(kitchen, command).map(|()| Vec::new()),
-            Action::Each(target, deed) => self.fire_each(kitchen, target, *deed),
+            Action::Pan(action) => self.apply(kitchen, &action.command()).map(|()| Vec::new()),
+            Action::Each(target, action) => self.fire_each(kitchen, target, *action),
             Action::End => Ok(Vec::new()),
         }?;
         self.ready_at = now + action.duration_s();
@@ -158,7 +163,7 @@ impl Runner {
         } else {
             self.next += 1;
         }
-        Ok(record(&action, foods, now))
+        Ok(StepRecord::new(action, foods, now))
     }
 
     fn apply(&self, kitchen: &mut Kitchen, command: &Command) -> Result<(), InputError> {
@@ -166,42 +171,41 @@ impl Runner {
         kitchen.apply(command).map_err(refused)
     }
 
-    /// Gives a command for each food that the deed can concern; returns those.
-    fn fire_each(&self, kitchen: &mut Kitchen, target: &Target, deed: Deed) -> Result<Vec<String>, InputError> {
-        let foods = concerned(kitchen, target, deed);
-        let places = self.places(kitchen, target, &foods, deed)?;
+    /// Applies the action to each food that meets its requirement; returns the ids of these foods.
+    fn fire_each(&self, kitchen: &mut Kitchen, target: &Target, action: FoodAction) -> Result<Vec<String>, InputError> {
+        let foods = concerned(kitchen, target, action);
+        let places = self.places(kitchen, target, &foods, action)?;
         for (food, at) in foods.iter().zip(places) {
-            self.apply(kitchen, &deed.command(food.clone(), at))?;
+            self.apply(kitchen, &action.command(food.clone(), at))?;
         }
         Ok(foods)
     }
 
-    /// Where each food goes: a single one, and those that are heaped, where the recipe says; a group side by side.
+    /// Returns the place of each food [m]: side by side for a group, otherwise the place of the recipe.
     fn places(
         &self,
         kitchen: &Kitchen,
         target: &Target,
         foods: &[String],
-        deed: Deed,
+        action: FoodAction,
     ) -> Result<Vec<[f64; 2]>, InputError> {
-        let around = match deed {
-            Deed::Put { at, heap: false } | Deed::Move(at) if target.group => at,
-            Deed::Put { at, .. } | Deed::Move(at) => return Ok(vec![at; foods.len()]),
-            _ => return Ok(vec![[0.0; 2]; foods.len()]),
+        let places = match action.destination() {
+            Some(Destination { at, side_by_side: true }) if target.group => kitchen.free_places(foods, at),
+            Some(Destination { at, .. }) => vec![at; foods.len()],
+            None => vec![[0.0; 2]; foods.len()],
         };
-        let places = kitchen.free_places(foods, around);
-        self.all_fit(self.next, &target.name, [places.len(), foods.len()], deed)?;
+        self.all_fit(self.next, &target.name, [places.len(), foods.len()], action)?;
         Ok(places)
     }
 
-    /// An error where fewer foods than all find room.
-    fn all_fit(&self, step: usize, name: &str, [fit, all]: [usize; 2], deed: Deed) -> Result<(), InputError> {
+    /// Returns an error if fewer foods fit than the action has.
+    fn all_fit(&self, step: usize, name: &str, [fit, all]: [usize; 2], action: FoodAction) -> Result<(), InputError> {
         if fit == all {
             return Ok(());
         }
         let message = format!("not all of \"{name}\" find room on the floor of the pan: {fit} of {all} fit");
         let heap = format!("write put = {{ food = \"{name}\", heap = true }} to drop them onto each other");
-        let other = if matches!(deed, Deed::Move(_)) { "take something out before this step" } else { &heap };
+        let other = if matches!(action, FoodAction::Move(_)) { "take something out before this step" } else { &heap };
         Err(self.error(step, message, &format!("choose fewer or smaller pieces, or {other}")))
     }
 
@@ -210,11 +214,11 @@ impl Runner {
         InputError { file: self.recipe.file.clone(), line, message, remedy: remedy.to_owned() }
     }
 
-    /// What the waiting step waits for, in words.
+    /// Returns the next step and its trigger in English: `flip steak at 90 s`.
     pub fn waiting_for(&self) -> String {
         let Some(step) = self.recipe.steps.get(self.next) else { return "the end".into() };
-        let (key, target, _) = parts(&step.action);
-        let what = target.map_or_else(|| key.to_owned(), |t| format!("{key} {t}"));
+        let name = step.action.name();
+        let what = step.action.target().map_or_else(|| name.to_owned(), |t| format!("{name} {}", t.name));
         match &step.trigger {
             Trigger::At(s) => format!("{what} at {s:.0} s"),
             Trigger::After(s) => format!("{what} at {:.0} s", self.ready_at + s),
@@ -224,7 +228,7 @@ impl Runner {
     }
 }
 
-/// A condition on foods in words.
+/// Returns a condition on foods in English.
 fn expected(target: &Target, quantity: Quantity, value: f64) -> String {
     let name = match (target.group, target.name.as_str()) {
         (true, ALL) => "every food".to_owned(),
@@ -240,10 +244,10 @@ fn expected(target: &Target, quantity: Quantity, value: f64) -> String {
     }
 }
 
-/// The foods that a deed can concern: of a group those that lie where the deed needs them. Where there is none,
-/// all of them, so that the kitchen says why.
-fn concerned(kitchen: &Kitchen, target: &Target, deed: Deed) -> Vec<String> {
-    let fits = |id: &&String| kitchen.piece(id).is_some_and(|p| deed.concerns(p));
+/// Returns the foods of a target on which an action acts: of a group, those that meet its requirement. If none does, it
+/// returns all of them, and the kitchen's refusal states the reason.
+fn concerned(kitchen: &Kitchen, target: &Target, action: FoodAction) -> Vec<String> {
+    let fits = |id: &&String| kitchen.piece(id).is_some_and(|p| action.requirement().met_by(p));
     let fitting: Vec<String> = target.foods.iter().filter(fits).cloned().collect();
     if target.group && !fitting.is_empty() { fitting } else { target.foods.clone() }
 }

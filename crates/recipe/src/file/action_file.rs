@@ -1,20 +1,20 @@
-//! The actions of a recipe as they are written: each is a table with defaults, and a bare value takes those.
+//! The tables of the actions, with their limits and defaults.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::file::shorthand::Shorthand;
+use crate::file::shorthand::{Shorthand, Written};
 use saute_kitchen::hands::command::RestOn;
 
-/// Smallest and largest value of a key and what it is unless given, in the unit of the key.
+/// Smallest, largest and default value of a key, in the unit of the key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// Smallest.
+    /// Smallest value.
     pub low: f64,
-    /// Largest.
+    /// Largest value.
     pub high: f64,
-    /// Unless given.
+    /// Default value.
     pub default: f64,
 }
 
@@ -22,29 +22,29 @@ const fn limits(low: f64, high: f64, default: f64) -> Limits {
     Limits { low, high, default }
 }
 
-/// Least and most oil or butter at a time [g] (chosen: more is deep frying).
+/// Range of the mass of oil or butter of one step [g] (chosen: more is deep frying).
 pub const FAT_G: [f64; 2] = [0.0, 300.0];
-/// Least and most water at a time [g] (chosen: the shipped pans overflow at 2 kg).
+/// Range of the mass of water of one step [g] (chosen: the shipped pans overflow at 2 kg).
 pub const WATER_G: [f64; 2] = [0.0, 1000.0];
-/// Least and most tilt of the pan [°] (chosen: beyond 80° everything falls out).
+/// Range of the tilt of the pan [°] (chosen: beyond 80° everything falls out).
 pub const TILT_DEG: [f64; 2] = [0.0, 80.0];
-/// Height of a toss [mm] (chosen: a cook's toss clears the rim by a hand; half a metre is a show).
+/// Height of a toss [mm] (chosen: a cook's toss clears the rim by the width of a hand).
 pub const TOSS_HEIGHT_MM: Limits = limits(50.0, 500.0, 250.0);
-/// Amplitude of shaking [mm] (chosen: an arm shakes a pan by ± 20 mm at ease; 100 mm leaves the hob).
+/// Amplitude of shaking [mm] (chosen: ± 20 mm is comfortable for an arm; ± 100 mm leaves the hob).
 pub const SHAKE_AMPLITUDE_MM: Limits = limits(0.0, 100.0, 20.0);
-/// Frequency of shaking [Hz] (chosen: a cook shakes three times a second; nobody faster than eight times).
+/// Frequency of shaking [Hz] (chosen: a cook shakes at about 3 Hz; 8 Hz exceeds what an arm can do).
 pub const SHAKE_HZ: Limits = limits(0.0, 8.0, 3.0);
-/// How long shaking and pressing last [s] (chosen: a few strokes).
+/// Duration of shaking and pressing [s] (chosen: a few strokes).
 pub const FOR_S: Limits = limits(0.1, 600.0, 5.0);
-/// Direction of a tilt [°] (chosen: any; to the right).
+/// Direction of a tilt [°] (chosen: any; by default to the right).
 pub const TOWARDS_DEG: Limits = limits(-360.0, 360.0, 0.0);
-/// Force of pressing [N] (chosen: the weight of one kilogram; a hand on a turner hardly gives more than 100 N).
+/// Force of pressing [N] (chosen: by default the weight of 1 kg; a hand on a turner hardly exceeds 100 N).
 pub const PRESS_N: Limits = limits(0.0, 100.0, 10.0);
-/// Place of the knife's cut from the middle of a food [mm] (chosen: half of the longest food).
+/// Distance of the knife's cut from the middle of a food [mm] (chosen: half of the longest food).
 pub const HALVE_AT_MM: Limits = limits(-150.0, 150.0, 0.0);
-/// Height of the pan above the glass [mm] (chosen: within reach; it stands).
+/// Height of the pan above the glass [mm] (chosen: within reach of an arm; by default on the glass).
 pub const LIFT_MM: Limits = limits(0.0, 500.0, 0.0);
-/// How long the pan stands on the cloth [s]; its default stands in `kitchen.toml`.
+/// Duration of the pan on the cloth [s]; the checked default is that of `kitchen.toml`.
 pub const COOL_S: Limits = limits(0.1, 600.0, 3.0);
 
 /// Sets the hob.
@@ -171,7 +171,7 @@ pub struct WaterTable {
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TossTable {
-    /// How high the foods shall fly [mm]; 250 by default, which turns most of them over.
+    /// Height of the foods' flight [mm]; 250 by default, which turns most of them over.
     #[schemars(with = "Option<f64>", range(min = TOSS_HEIGHT_MM.low, max = TOSS_HEIGHT_MM.high), extend("default" = TOSS_HEIGHT_MM.default))]
     pub height_mm: Option<Spanned<f64>>,
 }
@@ -234,8 +234,20 @@ pub struct MoveTable {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LidTable {
-    /// Whether it lies on the pan.
+    /// True or "on" if it lies on the pan.
     pub on: OnOff,
+}
+
+/// The value of `end`.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(transparent)]
+#[schemars(inline)]
+pub struct EndValue(#[schemars(with = "bool")] pub Spanned<bool>);
+
+impl Written for EndValue {
+    fn is_bare(&self) -> bool {
+        true
+    }
 }
 
 /// Yes or no, also in words.
@@ -269,7 +281,7 @@ impl<'de> Deserialize<'de> for OnOff {
     }
 }
 
-/// A bare value for a table whose other keys have defaults.
+/// Implements [`Shorthand`] for tables whose other keys have defaults.
 macro_rules! shorthand {
     ($($table:ident: $bare:ty = |$value:ident| $make:expr;)*) => {
         $(impl Shorthand for $table {
@@ -288,12 +300,12 @@ shorthand! {
     FlipTable: String = |food| Ok(Self { food });
     RestTable: String = |food| Ok(Self { food, on: None });
     HalveTable: String = |food| Ok(Self { food, at_mm: None });
-    MovePanTable: bool = |yes| yes.into_inner().then(Self::default).ok_or(SAYS_NOTHING);
+    MovePanTable: bool = |yes| yes.into_inner().then(Self::default).ok_or(NO_EFFECT);
     CoolTable: CoolBy = |by| Ok(Self { by: by.into_inner(), for_s: None });
     OilTable: f64 = |g| Ok(Self { g, kind: None });
     ButterTable: f64 = |g| Ok(Self { g });
     WaterTable: f64 = |g| Ok(Self { g });
-    TossTable: bool = |yes| yes.into_inner().then(Self::default).ok_or(SAYS_NOTHING);
+    TossTable: bool = |yes| yes.into_inner().then(Self::default).ok_or(NO_EFFECT);
     ShakeTable: f64 = |for_s| Ok(Self { for_s: Some(for_s), ..Self::default() });
     TiltTable: f64 = |deg| Ok(Self { deg, towards_deg: None });
     PressTable: String = |food| Ok(Self { food, n: None, for_s: None });
@@ -301,4 +313,4 @@ shorthand! {
     LidTable: OnOff = |on| Ok(Self { on: on.into_inner() });
 }
 
-const SAYS_NOTHING: &str = "false does nothing: write true, or leave the step out";
+const NO_EFFECT: &str = "false does nothing: write true, or leave the step out";

@@ -1,5 +1,6 @@
-//! The recipe file as it is written, and errors that name file, line, key and remedy.
+//! The format of a recipe file, before its checks.
 
 pub mod action_file;
 pub mod recipe_file;
 pub mod shorthand;
+pub mod step_file;

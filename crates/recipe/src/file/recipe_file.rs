@@ -1,15 +1,10 @@
-//! The recipe format as it is written, before anything is checked.
+//! The format of a recipe file.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::file::action_file::{
-    ButterTable, CoolTable, FlipTable, HalveTable, HobTable, LidTable, MovePanTable, MoveTable, OilTable, PressTable,
-    PutTable, RestTable, ShakeTable, TiltTable, TossTable, WaterTable,
-};
-use crate::file::shorthand::Entry;
-use saute_kitchen::hands::command::RestOn;
+use crate::file::step_file::StepEntry;
 
 /// A cook: a pan, foods and steps.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -97,68 +92,6 @@ pub enum MeshName {
     /// As many vertices as the 2013 Interactive Cooking Simulator had.
     #[serde(rename = "2013")]
     Paper2013,
-}
-
-/// One step: at most one trigger (`at_s`, `after_s`, `when`) and exactly one action. An action takes a table, or a bare value
-/// that leaves the table's other keys at their defaults.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct StepEntry {
-    /// Trigger: time from the start [s].
-    #[schemars(with = "Option<f64>")]
-    pub at_s: Option<Spanned<f64>>,
-    /// Trigger: time from the step before [s], or from its end where it says how long it takes, at the earliest when the
-    /// hands are done with it; 0 where no trigger is given.
-    #[schemars(with = "Option<f64>")]
-    pub after_s: Option<Spanned<f64>>,
-    /// Trigger: a temperature crosses a value, in either direction.
-    #[schemars(with = "Option<WhenEntry>")]
-    pub when: Option<Spanned<WhenEntry>>,
-    /// Action: sets the hob; a bare number is its electrical power, 0–3500 [W].
-    pub hob_w: Option<Entry<HobTable>>,
-    /// Action: puts foods into the pan.
-    pub put: Option<Entry<PutTable>>,
-    /// With a bare `put`: place of its centre relative to the pan's [mm]; [0, 0] by default.
-    #[schemars(with = "Option<[f64; 2]>")]
-    pub at_mm: Option<Spanned<Vec<f64>>>,
-    /// Action: turns foods over.
-    pub flip: Option<Entry<FlipTable>>,
-    /// Action: takes foods out of the pan to rest.
-    pub rest: Option<Entry<RestTable>>,
-    /// With a bare `rest`: onto what; the board by default.
-    #[schemars(with = "Option<RestOn>")]
-    pub on: Option<Spanned<RestOn>>,
-    /// Action: cuts foods that lie on the board in halves.
-    pub halve: Option<Entry<HalveTable>>,
-    /// Action: moves the pan over the hob, or lifts it, until it is moved again; true sets it back onto its ring.
-    pub move_pan: Option<Entry<MovePanTable>>,
-    /// Action: sets the pan on a wet cloth, off the hob.
-    pub cool: Option<Entry<CoolTable>>,
-    /// With a bare `cool`: how long [s]; 3 by default.
-    #[schemars(with = "Option<f64>", range(min = 0.1, max = 600))]
-    pub for_s: Option<Spanned<f64>>,
-    /// Action: pours oil into the pan; a bare number is how much [g].
-    pub oil_g: Option<Entry<OilTable>>,
-    /// Action: puts butter into the pan; a bare number is how much [g].
-    pub butter_g: Option<Entry<ButterTable>>,
-    /// Action: pours water into the pan; a bare number is how much [g].
-    pub water_g: Option<Entry<WaterTable>>,
-    /// Action: tosses what lies in the pan; true takes the defaults.
-    pub toss: Option<Entry<TossTable>>,
-    /// Action: shakes the pan to and fro; a bare number is how long [s].
-    pub shake: Option<Entry<ShakeTable>>,
-    /// Action: tilts the pan until it is tilted otherwise; a bare number is the angle [°], 0 levels it.
-    pub tilt: Option<Entry<TiltTable>>,
-    /// Action: presses foods onto the floor with the turner.
-    pub press: Option<Entry<PressTable>>,
-    /// Action: pushes or carries foods to a place in the pan.
-    #[serde(rename = "move")]
-    pub move_to: Option<Entry<MoveTable>>,
-    /// Action: lays the lid on (true, "on") or takes it off (false, "off").
-    pub lid: Option<Entry<LidTable>>,
-    /// Action: ends the cook.
-    #[schemars(with = "Option<bool>")]
-    pub end: Option<Spanned<bool>>,
 }
 
 /// A condition: `pan_c`, or `food` with one of its quantities.

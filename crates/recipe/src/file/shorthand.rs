@@ -1,4 +1,4 @@
-//! A key that takes a table, or one bare value that stands for the table with its defaults: `oil_g = 10`.
+//! A key with a table, or with one bare value and the defaults of the table: `oil_g = 10`.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -9,28 +9,44 @@ use serde::de::value::{BoolDeserializer, F64Deserializer, MapAccessDeserializer,
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use toml::Spanned;
 
-/// A table that a bare value can stand for.
+/// A table that can be written as a bare value.
 pub trait Shorthand: Sized {
-    /// The bare value.
+    /// Type of the bare value.
     type Bare;
 
-    /// The table with the bare value and defaults; or why the value says nothing.
+    /// Returns the table with the bare value and defaults.
+    ///
+    /// # Errors
+    ///
+    /// Returns a message if the value has no effect.
     fn from_bare(bare: Spanned<Self::Bare>) -> Result<Self, &'static str>;
 }
 
-/// A table, written out or by its shorthand.
+/// A table, written in full or as a bare value.
 #[derive(Clone, Debug)]
 pub struct Entry<T> {
     /// The table.
     pub table: T,
     /// Byte offset in the text.
     pub at: usize,
-    /// Whether it was written by its shorthand.
+    /// True if it was written as a bare value.
     pub bare: bool,
 }
 
-/// What stands in the text.
-enum Written<B, T> {
+/// The value of an action's key.
+pub trait Written {
+    /// Returns true if it is a bare value, not a table.
+    fn is_bare(&self) -> bool;
+}
+
+impl<T> Written for Entry<T> {
+    fn is_bare(&self) -> bool {
+        self.bare
+    }
+}
+
+/// A bare value or a table, as the text has it.
+enum BareOrTable<B, T> {
     Bare(B),
     Table(T),
 }
@@ -41,12 +57,12 @@ where
     T::Bare: Deserialize<'de>,
 {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let written = Spanned::<Written<T::Bare, T>>::deserialize(deserializer)?;
+        let written = Spanned::<BareOrTable<T::Bare, T>>::deserialize(deserializer)?;
         let span = written.span();
         let at = span.start;
         match written.into_inner() {
-            Written::Table(table) => Ok(Self { table, at, bare: false }),
-            Written::Bare(bare) => {
+            BareOrTable::Table(table) => Ok(Self { table, at, bare: false }),
+            BareOrTable::Bare(bare) => {
                 let table = T::from_bare(Spanned::new(span, bare)).map_err(D::Error::custom)?;
                 Ok(Self { table, at, bare: true })
             }
@@ -54,8 +70,8 @@ where
     }
 }
 
-/// Told apart by what stands there, so that errors keep their place in the file.
-impl<'de, B: Deserialize<'de>, T: Deserialize<'de>> Deserialize<'de> for Written<B, T> {
+/// The TOML type selects the variant. `#[serde(untagged)]` would lose the place of an error in the file.
+impl<'de, B: Deserialize<'de>, T: Deserialize<'de>> Deserialize<'de> for BareOrTable<B, T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(Either(PhantomData))
     }
@@ -64,18 +80,18 @@ impl<'de, B: Deserialize<'de>, T: Deserialize<'de>> Deserialize<'de> for Written
 struct Either<B, T>(PhantomData<(B, T)>);
 
 impl<'de, B: Deserialize<'de>, T: Deserialize<'de>> Visitor<'de> for Either<B, T> {
-    type Value = Written<B, T>;
+    type Value = BareOrTable<B, T>;
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str("one value or a table")
     }
 
     fn visit_bool<E: Error>(self, v: bool) -> Result<Self::Value, E> {
-        B::deserialize(BoolDeserializer::new(v)).map(Written::Bare)
+        B::deserialize(BoolDeserializer::new(v)).map(BareOrTable::Bare)
     }
 
     fn visit_f64<E: Error>(self, v: f64) -> Result<Self::Value, E> {
-        B::deserialize(F64Deserializer::new(v)).map(Written::Bare)
+        B::deserialize(F64Deserializer::new(v)).map(BareOrTable::Bare)
     }
 
     fn visit_i64<E: Error>(self, v: i64) -> Result<Self::Value, E> {
@@ -83,11 +99,11 @@ impl<'de, B: Deserialize<'de>, T: Deserialize<'de>> Visitor<'de> for Either<B, T
     }
 
     fn visit_str<E: Error>(self, v: &str) -> Result<Self::Value, E> {
-        B::deserialize(StrDeserializer::new(v)).map(Written::Bare)
+        B::deserialize(StrDeserializer::new(v)).map(BareOrTable::Bare)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
-        T::deserialize(MapAccessDeserializer::new(map)).map(Written::Table)
+        T::deserialize(MapAccessDeserializer::new(map)).map(BareOrTable::Table)
     }
 }
 

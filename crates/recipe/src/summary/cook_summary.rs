@@ -7,9 +7,10 @@ use std::sync::Arc;
 use saute_food::{Rules, Scale, Shares};
 use serde::{Serialize, Serializer};
 
+use crate::action::mm;
 use crate::cook::recorder::Recorder;
 use crate::cook::runner::{Runner, StoppedBy};
-use crate::cook::step_record::{self, StepRecord, rounded};
+use crate::cook::step_record::{StepRecord, rounded};
 use crate::summary::group_summary::GroupSummary;
 use saute_kitchen::celsius;
 use saute_kitchen::data::library::DEFAULT_SCALE;
@@ -19,20 +20,20 @@ use saute_kitchen::piece::piece_state::Piece;
 use saute_kitchen::tick::energy::Energy;
 use saute_kitchen::tick::event::Tally;
 
-/// Everything about one cook.
+/// The result of one cook.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary {
     /// Title of the recipe.
     pub title: String,
-    /// Rules that were followed: "full" or "2013".
+    /// Rules of the simulation: "full" or "2013".
     pub rules: Rules,
     /// Simulated time [s].
     pub simulated_s: f64,
     /// Wall time of the simulation [s].
     pub wall_s: f64,
-    /// Why it stopped.
+    /// Reason for which the cook stopped.
     pub stopped_by: StoppedBy,
-    /// Step that was still waited for, from 1, if `max_s` stopped it.
+    /// The next step, from 1, if `max_s` stopped the cook.
     pub waiting_step: Option<usize>,
     /// Foods.
     pub foods: Vec<FoodSummary>,
@@ -42,13 +43,13 @@ pub struct Summary {
     pub pan_c: PanSummary,
     /// Liquids of the pan [g].
     pub liquids_g: LiquidsSummary,
-    /// What happened, by kind.
+    /// Events by kind.
     pub events: Vec<Tally>,
     /// Energy [J].
     pub energy_j: Energy,
     /// Steps in the order they fired.
     pub steps: Vec<StepRecord>,
-    /// Warnings; empty if all went well.
+    /// Warnings.
     pub warnings: Vec<String>,
 }
 
@@ -57,7 +58,7 @@ pub struct Summary {
 pub struct PanSummary {
     /// Highest.
     pub peak: f64,
-    /// When the first food went in.
+    /// At the first `put`.
     pub at_first_put: Option<f64>,
     /// Lowest after that.
     pub lowest_after_first_put: Option<f64>,
@@ -68,27 +69,27 @@ pub struct PanSummary {
 /// Liquids of the pan [g].
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct LiquidsSummary {
-    /// Oil and fat of all kinds that lie in the pan.
+    /// Oil and fat of all kinds in the pan.
     pub oil: f64,
-    /// Butter's part of that, milk solids left out.
+    /// Share of butter fat in it, without milk solids.
     pub butter_fat: f64,
-    /// Water that lies in the pan.
+    /// Water in the pan.
     pub water: f64,
-    /// Oil that went up in smoke.
+    /// Oil lost as smoke.
     pub smoked: f64,
     /// Oil that burnt.
     pub burnt: f64,
     /// Oil that spattered out of the pan.
     pub spattered: f64,
-    /// What ran over the rim.
+    /// Liquid that ran over the rim.
     pub spilled: f64,
-    /// Solids that juice left dried on the pan.
+    /// Dried solids of juice on the pan.
     pub fond: f64,
-    /// The part of them that is browned, mass × browning.
+    /// Browned part of them, mass × browning.
     pub fond_browned: f64,
-    /// The part of them that is charred, mass × charring.
+    /// Charred part of them, mass × charring.
     pub fond_charred: f64,
-    /// Solids of juice that are dissolved in the pan's water, beside its mass.
+    /// Solids of juice dissolved in the pan's water; not included in the water's mass.
     pub dissolved: f64,
 }
 
@@ -116,52 +117,52 @@ impl LiquidsSummary {
 /// One food.
 #[derive(Clone, Debug, Serialize)]
 pub struct FoodSummary {
-    /// Name in the recipe.
+    /// Id in the recipe.
     pub id: String,
-    /// Kind of food.
+    /// Id of the food's kind.
     pub kind: String,
-    /// Group to which it belongs.
+    /// Id of its group.
     pub group: Option<String>,
-    /// Where it is: "waiting", "pan", "board", "rack" or "foil"; of a group "several" where its pieces are in several places.
+    /// Place: "waiting", "pan", "board", "rack" or "foil"; "several" for a group whose pieces are in different places.
     pub place: &'static str,
     /// Nodes of its mesh.
     pub nodes: usize,
     /// Mass [g].
     pub mass_g: StartEnd,
-    /// Mass lost over the mass at the start [%].
+    /// Mass loss relative to the initial mass [%].
     pub lost_pct: f64,
     /// Water that left [g].
     pub water_g: WaterSummary,
-    /// Fat that ran off into the pan's oil [g].
+    /// Fat rendered into the pan's oil [g].
     pub fat_rendered_g: f64,
     /// Core temperature [°C].
     pub core_c: CoreSummary,
-    /// Where a knife cut it in halves, from the middle of its long axis [mm]; null of a whole piece; of a group where all
-    /// pieces were cut, their mean.
+    /// Distance of the knife's cut from the middle of the long axis [mm]; null for a whole piece; the mean for a group
+    /// whose pieces are all cut.
     pub halved_at_mm: Option<f64>,
     /// Doneness of the section by area, by the scale of 2013 [%].
     pub section_pct: Doneness,
     /// Doneness by volume, by the scale of 2013 [%].
     pub volume_pct: Doneness,
-    /// Doneness by every scale that says anything about this food, by the scales' ids.
+    /// Doneness by every scale that covers this food, by the scales' ids.
     pub doneness: ByScale,
     /// Shares of the first-order changes by name, volume means [-].
     pub denatured: BTreeMap<String, f64>,
     /// Volume mean of the elastic modulus [kPa].
     pub elastic_modulus_kpa: f64,
-    /// Volume mean of the hardness on biting over that of the raw food [-].
+    /// Volume mean of the hardness on biting relative to the raw food [-].
     pub hardness_index: f64,
-    /// Volume mean of juiciness, raw 100 [%].
+    /// Volume mean of juiciness relative to the raw food [%].
     pub juiciness_pct: f64,
-    /// How far it has contracted and bent.
+    /// Present shape.
     pub shape: Shape,
     /// Log₁₀ reduction of E. coli O157:H7 [-].
     pub log_reduction: LogReduction,
-    /// Both faces, as they lie.
+    /// Upper and lower face.
     pub surfaces: Surfaces,
 }
 
-/// Log₁₀ reduction of pathogens [-]; 6.5 and more count as safe for beef.
+/// Log₁₀ reduction of pathogens [-]; at least 6.5 is safe for beef.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct LogReduction {
     /// At the core.
@@ -224,7 +225,7 @@ impl From<Shares> for Doneness {
 pub struct ByScale(pub Vec<(String, ScaleReading)>);
 
 impl ByScale {
-    /// What a scale says; nothing where it says nothing about this food.
+    /// Returns the reading by the scale with an id; none if the scale does not cover the food.
     pub fn get(&self, id: &str) -> Option<&ScaleReading> {
         self.0.iter().find(|(own, _)| own == id).map(|(_, reading)| reading)
     }
@@ -280,24 +281,24 @@ impl ScaleReading {
 /// Present shape.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Shape {
-    /// Volume over the raw volume [%].
+    /// Volume relative to the raw volume [%].
     pub volume_pct: f64,
-    /// Lengths across the fibres over the raw ones [%].
+    /// Lengths across the fibres relative to the raw food [%].
     pub across_pct: f64,
     /// Mean thickness [mm].
     pub thickness_mm: f64,
-    /// How far the middle of the lower face stands off its rim; negative where the rim stands off [mm].
+    /// Height of the middle of the lower face above its rim [mm]; negative if the rim is higher.
     pub dome_mm: f64,
-    /// Angle by which a body curls, as shrimp do [°]; 0 for others.
+    /// Curl angle of a body that curls, such as a shrimp [°]; 0 for others.
     pub curl_deg: f64,
 }
 
 /// Both faces of a food.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Surfaces {
-    /// The face that lies above.
+    /// Upper face.
     pub top: Surface,
-    /// The face that lies below.
+    /// Lower face.
     pub bottom: Surface,
 }
 
@@ -315,7 +316,7 @@ pub struct Surface {
 }
 
 impl Summary {
-    /// Reads everything off a kitchen after a cook.
+    /// Summarises a cook. `masses_at_start` are the initial masses of the foods [kg].
     pub fn new(
         kitchen: &Kitchen,
         recorder: &Recorder,
@@ -365,30 +366,30 @@ impl Summary {
     }
 }
 
-/// What a page tells as one: a food that belongs to no group, or the means of a group.
+/// A single food, or a group with its means.
 #[derive(Clone, Debug)]
-pub struct Told<'a> {
-    /// Its numbers.
+pub struct FoodOrGroup<'a> {
+    /// Result of the food, or the means of the group.
     pub food: &'a FoodSummary,
-    /// Which of the foods it stands for.
+    /// Indices into the foods.
     pub members: Range<usize>,
-    /// Whether it is a group.
+    /// True for a group.
     pub group: bool,
 }
 
 impl Summary {
-    /// Foods and groups in the order of the recipe.
-    pub fn told(&self) -> Vec<Told<'_>> {
+    /// Returns the single foods and the groups in the order of the recipe.
+    pub fn foods_and_groups(&self) -> Vec<FoodOrGroup<'_>> {
         let group_at = |i: usize| self.groups.iter().find(|g| g.members.start == i);
-        let told = |(i, food): (usize, _)| match group_at(i) {
-            Some(group) => Some(Told { food: &group.mean, members: group.members.clone(), group: true }),
-            None => self.foods[i].group.is_none().then_some(Told { food, members: i..i + 1, group: false }),
+        let entry = |(i, food): (usize, _)| match group_at(i) {
+            Some(group) => Some(FoodOrGroup { food: &group.mean, members: group.members.clone(), group: true }),
+            None => self.foods[i].group.is_none().then_some(FoodOrGroup { food, members: i..i + 1, group: false }),
         };
-        self.foods.iter().enumerate().filter_map(told).collect()
+        self.foods.iter().enumerate().filter_map(entry).collect()
     }
 }
 
-/// Word for the place in the pan.
+/// Name of the place in the pan.
 pub(crate) const IN_PAN: &str = "pan";
 
 impl FoodSummary {
@@ -404,7 +405,7 @@ impl FoodSummary {
             }
         };
         let (core, least) = model.log_reduction(state);
-        // There always is one: the library does not load without it.
+        // The library does not load without the default scale.
         let default = scales.iter().find(|s| s.id == DEFAULT_SCALE);
         let fitting = scales.iter().filter(|s| s.fits(model.kinetics()));
         let names = model.kinetics().names();
@@ -425,7 +426,7 @@ impl FoodSummary {
                 peak: celsius(piece.core_peak.0),
                 peak_at_s: rounded(piece.core_peak.1),
             },
-            halved_at_mm: piece.halved().map(|cut| step_record::mm(cut.at)),
+            halved_at_mm: piece.halved().map(|cut| mm(cut.at)),
             section_pct: default.map(|s| model.cut_shares(state, &model.cut_across(0.0), s).into()).unwrap_or_default(),
             volume_pct: default.map(|s| model.volume_shares(state, s).into()).unwrap_or_default(),
             doneness: ByScale(fitting.map(|s| (s.id.clone(), ScaleReading::new(piece, s))).collect()),

@@ -1,4 +1,4 @@
-//! The numbers of a group: means over its pieces, and how far they spread.
+//! The result of a group: means over its pieces and their spread.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -17,35 +17,36 @@ use saute_kitchen::kelvin;
 /// A group of foods.
 #[derive(Clone, Debug, Serialize)]
 pub struct GroupSummary {
-    /// Means over its pieces under the group's name; of the log reductions the least, for safety is not an average.
+    /// Means over the pieces, under the group's id. Log reductions are the smallest of all pieces, because safety is not an
+    /// average.
     #[serde(flatten)]
     pub mean: FoodSummary,
-    /// Pieces.
+    /// Number of pieces.
     pub count: usize,
-    /// Pieces that are in the pan.
+    /// Number of pieces in the pan.
     pub in_pan: usize,
-    /// How far the pieces spread.
+    /// Spread over the pieces.
     pub spread: Spread,
-    /// Which of the foods.
+    /// Indices into the foods.
     #[serde(skip)]
     pub members: Range<usize>,
 }
 
-/// Least and largest value among the pieces of a group.
+/// Smallest and largest value over the pieces of a group.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Spread {
     /// Core at the end [°C].
     pub core_end_c: [f64; 2],
     /// Highest core temperature [°C].
     pub core_peak_c: [f64; 2],
-    /// Mass lost over the mass at the start [%].
+    /// Mass loss relative to the initial mass [%].
     pub lost_pct: [f64; 2],
     /// Browned area of both faces [%].
     pub browned_pct: [f64; 2],
 }
 
 impl GroupSummary {
-    /// Sums a group up.
+    /// Summarises a group from the results of its pieces.
     pub(crate) fn new(group: &Group, pieces: &[FoodSummary], scales: &[Arc<Scale>]) -> Self {
         let extremes = |value: fn(&FoodSummary) -> f64| {
             let values = pieces.iter().map(value);
@@ -67,13 +68,13 @@ impl GroupSummary {
 }
 
 impl FoodSummary {
-    /// Mean browned area of both faces [%].
+    /// Returns the mean browned area of both faces [%].
     pub fn browned_pct(&self) -> f64 {
         0.5 * (self.surfaces.top.browned_pct + self.surfaces.bottom.browned_pct)
     }
 }
 
-/// Means over pieces of one kind, of which there is one at least.
+/// At least one piece, all of one kind.
 struct Pieces<'a>(&'a [FoodSummary]);
 
 impl Pieces<'_> {
@@ -94,7 +95,7 @@ impl Pieces<'_> {
         }
     }
 
-    /// Readings by every scale; pieces of one kind have the same scales in the same order.
+    /// Returns the mean reading by every scale. Pieces of one kind have the same scales in the same order.
     fn by_scale(&self, scales: &[Arc<Scale>]) -> ByScale {
         let peak = kelvin(self.mean(|p| p.core_c.peak));
         let Some(first) = self.0.first() else { return ByScale::default() };
@@ -139,7 +140,7 @@ impl Pieces<'_> {
         }
     }
 
-    /// The place of all of them.
+    /// Returns the place of all pieces, or "several".
     fn place(&self) -> &'static str {
         let first = self.0.first().map_or("waiting", |p| p.place);
         if self.0.iter().all(|p| p.place == first) { first } else { "several" }

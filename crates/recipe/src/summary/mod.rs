@@ -1,4 +1,4 @@
-//! What a cook came to, as JSON has it.
+//! The result of a cook, as JSON shows it.
 
 pub mod cook_summary;
 pub mod group_summary;

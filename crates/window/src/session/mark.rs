@@ -1,6 +1,7 @@
 //! Marks: labelled events for the plot.
 
 use saute_kitchen::Command;
+use saute_recipe::Action;
 
 /// An event, for the plot.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,14 +35,12 @@ pub(super) fn label(command: &Command) -> Option<String> {
     })
 }
 
+/// Label of a step: that of its command.
 pub(super) fn step_label(step: &saute_recipe::Fired) -> String {
-    match step.action {
-        "hob_w" => format!("{:.0} W", step.value.as_f64().unwrap_or(0.0)),
-        "put" => "in".into(),
-        "rest" => "out".into(),
-        "move_pan" => "pan".into(),
-        "cool" => "cloth".into(),
-        "lid" => if step.value == true { "lid on" } else { "lid off" }.into(),
-        other => other.trim_end_matches("_g").into(),
-    }
+    let label = match &step.action {
+        Action::Pan(action) => label(&action.command()),
+        Action::Each(_, action) => label(&action.command(String::new(), [0.0; 2])),
+        Action::End => None,
+    };
+    label.unwrap_or_else(|| step.action.name().into())
 }

@@ -10,7 +10,8 @@ use crate::words::piece_words::name;
 /// The next step: what, and when.
 pub fn words(runner: &Runner, settings: &Settings) -> String {
     let l = settings.language;
-    let Some((deed, food)) = runner.waiting_deed() else { return l.text("awaits.end").to_owned() };
+    let Some(action) = runner.waiting_action() else { return l.text("awaits.end").to_owned() };
+    let (deed, food) = (action.name(), action.target().map(|target| target.name.as_str()));
     let Some(step) = runner.recipe().steps.get(runner.waiting_step()) else { return String::new() };
     let deed = l.find(&format!("deed.{deed}")).unwrap_or(deed);
     let what = match food {
