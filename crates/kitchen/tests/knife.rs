@@ -148,7 +148,12 @@ fn recipes_halve_by_a_bare_name_or_a_table_and_the_summary_tells_it() {
     assert_eq!(summary.foods.iter().map(|f| f.halved_at_mm).collect::<Vec<_>>(), [Some(0.0), Some(3.0)]);
     assert_eq!(summary.groups[0].mean.halved_at_mm, Some(1.5));
     assert!(summary.events.iter().any(|t| t.kind == EventKind::Halved && t.count == 2));
-    assert!(summary.steps.iter().any(|s| s.action.name() == "halve" && s.action.value()["at_mm"] == 3.0 && s.foods == ["c.2"]));
+    assert!(
+        summary
+            .steps
+            .iter()
+            .any(|s| s.action.name() == "halve" && s.action.value()["at_mm"] == 3.0 && s.foods == ["c.2"])
+    );
 }
 
 #[test]
