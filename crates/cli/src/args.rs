@@ -199,6 +199,18 @@ pub enum Listed {
 /// `saute schema`.
 #[derive(Clone, Copy, Debug, Subcommand)]
 pub enum Schema {
+    /// JSON Schema of food files.
+    Food,
+    /// JSON Schema of pan files.
+    Pan,
+    /// JSON Schema of coating files.
+    Coating,
+    /// JSON Schema of oil files.
+    Oil,
+    /// JSON Schema of kinetics files.
+    Kinetics,
+    /// JSON Schema of hob files.
+    Hob,
     /// JSON Schema of recipe files.
     Recipe,
     /// JSON Schema of lab cases.

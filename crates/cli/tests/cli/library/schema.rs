@@ -65,3 +65,18 @@ fn the_schema_describes_every_key_of_a_step() {
         assert!(step["properties"][key]["description"].is_string(), "{key}: {step}");
     }
 }
+
+#[test]
+fn every_data_format_has_a_schema_that_describes_its_keys_and_their_ranges() {
+    for format in ["food", "pan", "coating", "oil", "kinetics", "hob"] {
+        let ran = run(&["schema", format]);
+        assert_eq!(ran.code, Some(0), "{format}: {}", ran.err);
+        let root: Value = serde_json::from_str(&ran.out).unwrap();
+        assert_eq!(root["title"], format!("saute {format}"));
+        assert_eq!(root["additionalProperties"], false, "{format}");
+        for (key, part) in root["properties"].as_object().unwrap() {
+            assert!(part["description"].is_string(), "{format}.{key}: {part}");
+        }
+        assert!(["\"minimum\"", "\"maximum\"", "\"examples\""].iter().all(|word| ran.out.contains(word)), "{format}");
+    }
+}
