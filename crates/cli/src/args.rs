@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
-use saute_kitchen::library::DEFAULT_SCALE;
+use saute_kitchen::data::library::DEFAULT_SCALE;
 
 use crate::bench_heat::BenchHeatArgs;
 use crate::bench_paper::BenchPaperArgs;

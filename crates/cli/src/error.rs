@@ -64,7 +64,7 @@ pub enum CliError {
     Png(#[from] PngError),
     /// A control loop that cannot run.
     #[error("{0}\n  remedy: close other programs and try again")]
-    Loop(#[from] saute_haptics::control_loop::LoopError),
+    Loop(#[from] saute_haptics::control::control_loop::LoopError),
     /// Series that cannot be written as CSV.
     #[error("the series cannot be written as CSV: {0}\n  remedy: run it without --out and report this as a bug")]
     Csv(#[from] csv::Error),

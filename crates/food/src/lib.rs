@@ -9,10 +9,7 @@
 //!
 //! ```
 //! use saute_food::components::Components;
-//! use saute_food::{
-//!     FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, MeshSize, PieceSpec, Rules, Surroundings,
-//!     Touch, ZERO_C,
-//! };
+//! use saute_food::{//!     FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, MeshSize, PieceSpec, Rules, Surroundings, //!     Touch, ZERO_C, //!};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let food: FoodDescription = toml::from_str(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/doc/gel.toml")))?;
@@ -75,11 +72,6 @@ pub mod state;
 pub mod table;
 pub mod tissue;
 pub mod water;
-
-pub use body::{form, halving, limp, patch, present_shape, rounded, shrimp, shrink, solid, surface};
-pub use change::{browning, changes, colour, doneness};
-pub use tissue::{marbling, marbling_volume, noise};
-pub use water::{air_film, fat, juice, sorption};
 
 pub use advance::{Exchange, FoodSolver, Surroundings, Touch, present_area};
 pub use body::{Body, Capsule, Face, Form, Patch, PatchGeometry, PatchPose, Solid};

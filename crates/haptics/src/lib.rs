@@ -11,7 +11,7 @@
 //! A simulated device carries 0.3 kg of food:
 //!
 //! ```
-//! use saute_haptics::contact_model::{ContactModel, Payload};
+//! use saute_haptics::kitchen::contact_model::{ContactModel, Payload};
 //! use saute_haptics::{HapticCommand, HapticDevice, Renderer, WeightOnSpring, library};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -40,39 +40,28 @@ pub mod strings;
 mod template;
 pub mod wrench;
 
-pub use control::{
-    control_loop, coupled_payload, degrade, feel, guard_planes, impulse_train, jitter, passivity, renderer, rumble,
-    safety_limits, scheduling, vibration,
-};
-pub use kitchen::{contact_model, handover, kitchen_watch, lay_down, pan_in_hand, turner_in_hand};
 // The former name of `library`, until window and command line use the new one.
-#[doc(hidden)]
-pub use library as shelf;
-pub use remote::{haply, network_thread, osc, pairing, phone, tilt};
-pub use strings::{
-    geometry, jig_calibration, kept_calibration, pose_from_lengths, simulator, spidar, tension, wire, workspace,
-};
 
-pub use contact_model::ContactModel;
-pub use control_loop::ControlLoop;
-pub use degrade::Rendering;
+pub use control::control_loop::ControlLoop;
+pub use control::degrade::Rendering;
+pub use control::feel::Feel;
+pub use control::renderer::Renderer;
+pub use control::rumble::Rumble;
 pub use device::{Capabilities, HapticCommand, HapticDevice, HapticSample, Health};
-pub use feel::Feel;
-pub use geometry::Geometry;
-pub use handover::Handover;
-pub use jig_calibration::Calibration;
-pub use kept_calibration::KeptCalibration;
-pub use kitchen_watch::KitchenWatch;
+pub use kitchen::contact_model::ContactModel;
+pub use kitchen::handover::Handover;
+pub use kitchen::kitchen_watch::KitchenWatch;
+pub use kitchen::pan_in_hand::PanInHand;
+pub use kitchen::turner_in_hand::TurnerInHand;
 pub use open::{Access, Named, OpenError, Opened, open};
-pub use pan_in_hand::PanInHand;
-pub use pose_from_lengths::PoseEstimator;
-pub use renderer::Renderer;
-pub use rumble::Rumble;
 pub use saute_kitchen::dynamics::Pose;
-pub use simulator::Simulator;
-pub use spidar::Spidar;
+pub use strings::geometry::Geometry;
+pub use strings::jig_calibration::Calibration;
+pub use strings::kept_calibration::KeptCalibration;
+pub use strings::pose_from_lengths::PoseEstimator;
+pub use strings::simulator::Simulator;
+pub use strings::spidar::Spidar;
+pub use strings::tension::{TensionRule, TensionSolver};
 pub use strings::{STRINGS, StringRig};
 pub use template::WeightOnSpring;
-pub use tension::{TensionRule, TensionSolver};
-pub use turner_in_hand::TurnerInHand;
 pub use wrench::{Twist, Wrench};

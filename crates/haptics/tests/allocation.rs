@@ -6,11 +6,11 @@
 use std::net::UdpSocket;
 
 use glam::DVec3;
-use saute_haptics::contact_model::{ContactModel, Impulse, Payload};
 use saute_haptics::control::loop_step::LoopStep;
-use saute_haptics::phone::{Incoming, Outgoing, Phone};
-use saute_haptics::wire::{Caps, DeviceState, Frame, Message, Sample, UdpLink, Units};
-use saute_haptics::{HapticDevice, Pose, Renderer, Spidar, haply, library, osc};
+use saute_haptics::kitchen::contact_model::{ContactModel, Impulse, Payload};
+use saute_haptics::remote::phone::{Incoming, Outgoing, Phone};
+use saute_haptics::strings::wire::{Caps, DeviceState, Frame, Message, Sample, UdpLink, Units};
+use saute_haptics::{HapticDevice, Pose, Renderer, Spidar, library, remote::haply, remote::osc};
 
 /// Answers like a device, through a real socket.
 fn answer(socket: &UdpSocket, time_us: u32, count: [i32; 8], jig: u8) {

@@ -56,6 +56,3 @@ pub use mesh::probe::Probe;
 pub use mesh::section::{MeshError, Section};
 pub use mesh::surface::{Defect, Soup, Surface};
 pub use mesh::swept::SweptMesh;
-
-pub use conduction::{axis, boundary, column, product, rule, super_step, tensor};
-pub use mesh::{cells as voronoi, cut, levels, locate, outline, path, section, surface, swept};

@@ -4,8 +4,8 @@
 
 use std::error::Error;
 
+use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_kitchen::food::Rules;
-use saute_kitchen::library::DEFAULT_SCALE;
 use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, RestOn, TICK_S, celsius, kelvin};
 
 fn main() -> Result<(), Box<dyn Error>> {

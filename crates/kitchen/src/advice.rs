@@ -86,7 +86,7 @@ impl Advice {
 pub struct Goal {
     /// Wanted highest core temperature [°C].
     pub core_c: f64,
-    /// Highest core temperature to expect if the food were taken out now [°C] (see [`crate::carry_over`]).
+    /// Highest core temperature to expect if the food were taken out now [°C] (see [`crate::piece::carry_over`]).
     pub foreseen_c: f64,
 }
 

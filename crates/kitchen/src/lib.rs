@@ -44,22 +44,15 @@ pub mod pan;
 pub mod piece;
 pub mod tick;
 
-pub use data::{food_check, library, room};
-pub use hands::command;
-pub use liquids::{butter, drop_flight, film_flow, fond, oil, oil_film, smoke, solids_rates, spatter, water_film};
-pub use pan::{bed, cloth, heat_tint, hob, lid, pan_description, ridges};
-pub use piece::{board, carry_over, contact, layout, sear_lines};
-pub use tick::{energy, event};
-
-pub use command::{Command, Refused, RestOn};
 pub use data::input_error::{InputError, InputText};
-pub use event::{Event, EventKind, EventLog};
+pub use data::library::{Library, LibraryError};
+pub use hands::command::{Command, Refused, RestOn};
 pub use kitchen::{Kitchen, PieceOrder};
-pub use library::{Library, LibraryError};
 pub use piece::{Piece, Place};
 pub use saute_food as food;
 pub use saute_food::MeshSize;
 pub use saute_heat as heat;
+pub use tick::event::{Event, EventKind, EventLog};
 
 /// Length of one tick [s].
 pub const TICK_S: f64 = 0.1;

@@ -1,8 +1,8 @@
 //! Promise: pan, hob, cloth, board and food together balance their energy, agree with measurements within the stated
 //! bands, and give the same bits every time.
 
-use saute_kitchen::carry_over::foreseen_peak;
 use saute_kitchen::food::Rules;
+use saute_kitchen::piece::carry_over::foreseen_peak;
 use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, Refused, RestOn, TICK_S, celsius, kelvin};
 use saute_recipe::{Cook, Recipe};
 

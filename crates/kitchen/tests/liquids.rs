@@ -1,10 +1,10 @@
 //! Promise: oil, butter and water in the pan keep their mass and their heat, run to the low side and come back, melt, boil,
 //! foam, brown, smoke, burn and spatter as they should, and a lid keeps what rises.
 
-use saute_kitchen::drop_flight::Landing;
 use saute_kitchen::food::Rules;
+use saute_kitchen::liquids::drop_flight::Landing;
+use saute_kitchen::liquids::water_film::WATER_DENSITY;
 use saute_kitchen::pan::LEVEL;
-use saute_kitchen::water_film::WATER_DENSITY;
 use saute_kitchen::{Command, EventKind, Kitchen, Library, PieceOrder, Refused, TICK_S, celsius, kelvin};
 
 fn library() -> Library {

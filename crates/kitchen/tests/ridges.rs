@@ -4,7 +4,7 @@
 use glam::DQuat;
 use saute_kitchen::dynamics::{Pose, Tool};
 use saute_kitchen::food::{Face, Rules};
-use saute_kitchen::sear_lines::SearLines;
+use saute_kitchen::piece::sear_lines::SearLines;
 use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, TICK_S, celsius, kelvin};
 use saute_recipe::{Cook, Recipe, StoppedBy};
 

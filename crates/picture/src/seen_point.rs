@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::Vec3;
 use saute_kitchen::food::FoodModel;
-use saute_kitchen::heat::voronoi::CellSlice;
+use saute_kitchen::heat::mesh::cells::CellSlice;
 use saute_kitchen::heat::{BodyMesh, Cut, SweptMesh};
 use saute_kitchen::{Kitchen, Piece};
 use saute_scene::input::{FoodLook, FoodVertex, SceneInput};

@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use glam::{Quat, Vec2, Vec3};
 use saute_kitchen::dynamics::Tool;
-use saute_kitchen::food::colour::decoded;
+use saute_kitchen::food::change::colour::decoded;
 use saute_kitchen::food::{Face, Scale};
 use saute_kitchen::heat::Layout;
-use saute_kitchen::sear_lines::SearLines;
+use saute_kitchen::piece::sear_lines::SearLines;
 use saute_kitchen::{Kitchen, Piece, Place, RestOn, celsius};
 use saute_scene::camera::Camera;
 use saute_scene::input::{
@@ -316,7 +316,7 @@ fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
 }
 
 /// Fogging of the lid's glass [-] (chosen): rises with the vapour under it until the glass is as hot as the vapour.
-fn fog(lid: &saute_kitchen::lid::Lid) -> f32 {
+fn fog(lid: &saute_kitchen::pan::lid::Lid) -> f32 {
     let damp = (lid.vapour_density() / 0.10).clamp(0.0, 1.0);
     let cold = ((celsius(lid.air_temperature()) - celsius(lid.temperature)) / 12.0).clamp(0.25, 1.0);
     (damp * cold) as f32

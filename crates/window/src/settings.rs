@@ -1,6 +1,6 @@
 //! Settings that are remembered from one start to the next.
 
-use saute_kitchen::library::DEFAULT_SCALE;
+use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_picture::colour::map::TemperatureMap;
 use saute_picture::view::View;
 use saute_scene::light::white_balance::WhiteBalance;

@@ -4,10 +4,10 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use saute_kitchen::heat::Boundary;
-use saute_kitchen::heat::axis::{Axis, End};
-use saute_kitchen::heat::product::{Constants, ProductOperator};
-use saute_kitchen::heat::super_step::SuperStep;
-use saute_kitchen::heat::tensor::TensorBody;
+use saute_kitchen::heat::conduction::axis::{Axis, End};
+use saute_kitchen::heat::conduction::product::{Constants, ProductOperator};
+use saute_kitchen::heat::conduction::super_step::SuperStep;
+use saute_kitchen::heat::conduction::tensor::TensorBody;
 use serde::Serialize;
 
 /// Nodes along each edge of the cubes: 10⁴ to 10⁶ nodes.

@@ -4,8 +4,8 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use saute_kitchen::Library;
-use saute_kitchen::food_check::{Finding, FoodReport, SurfaceReport, check_food};
-use saute_kitchen::library::{close_surface, surface_file};
+use saute_kitchen::data::food_check::{Finding, FoodReport, SurfaceReport, check_food};
+use saute_kitchen::data::library::{close_surface, surface_file};
 use serde::Serialize;
 
 use crate::args::FoodCheckArgs;

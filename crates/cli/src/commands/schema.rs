@@ -3,9 +3,9 @@
 use std::process::ExitCode;
 
 use saute_kitchen::food::{FoodDescription, Kinetics};
-use saute_kitchen::hob::HobDescription;
-use saute_kitchen::oil::OilDescription;
-use saute_kitchen::pan_description::{CoatingDescription, PanDescription};
+use saute_kitchen::liquids::oil::OilDescription;
+use saute_kitchen::pan::hob::HobDescription;
+use saute_kitchen::pan::pan_description::{CoatingDescription, PanDescription};
 use saute_lab::CaseFile;
 use saute_recipe::recipe_file::RecipeFile;
 

@@ -8,7 +8,7 @@ mod plate;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use saute_kitchen::library::DEFAULT_SCALE;
+use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_picture::still::headless::Gpu;
 use saute_picture::still::png_file::png_bytes;
 use saute_picture::still::shot::ShotError;

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use saute_haptics::control_loop::{ControlLoop, LoopState};
-use saute_haptics::simulator::open_or_simulate;
-use saute_haptics::{Geometry, Health, Named, shelf};
+use saute_haptics::control::control_loop::{ControlLoop, LoopState};
+use saute_haptics::strings::simulator::open_or_simulate;
+use saute_haptics::{Geometry, Health, Named, library};
 use saute_kitchen::Library;
 
 use super::fault_run;
@@ -30,7 +30,7 @@ pub struct CheckArgs {
     /// Device: a name from `saute haptics list` or a geometry file. String devices are simulated unless @HOST:PORT or
     /// @SERIAL-PORT names a real one. phone, haply and osc are real; they are served to this machine only unless @HOST:PORT
     /// names another address (phone@0.0.0.0:8443: the whole network).
-    #[arg(long, value_name = "NAME", default_value = shelf::DEFAULT_DEVICE)]
+    #[arg(long, value_name = "NAME", default_value = library::DEFAULT_DEVICE)]
     pub device: String,
     /// Pairing code that the real device displays.
     #[arg(long, value_name = "CODE", default_value_t = 0)]
@@ -76,7 +76,7 @@ pub fn check(args: &CheckArgs, library: &Library) -> Result<ExitCode, CliError> 
 fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, library: &Library) -> Result<CheckReport, CliError> {
     let truth_file = TruthFile::new();
     let (opened, mut simulator) = open_or_simulate(named, args.pairing, Some(&truth_file.0))?;
-    let feel = shelf::feel()?;
+    let feel = library::feel()?;
     let rows = (args.for_s + MORE_LOG_S) * geometry.drive.rate_hz;
     let mut fry = Fry::new(library, ControlLoop::start(opened.device, &feel, rows as usize)?)?;
     calibrate(&mut fry, named, geometry)?;

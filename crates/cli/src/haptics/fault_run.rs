@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use saute_haptics::control_loop::LoopState;
+use saute_haptics::control::control_loop::LoopState;
 use saute_haptics::{Health, Simulator};
 use serde::Serialize;
 

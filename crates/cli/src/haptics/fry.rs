@@ -3,7 +3,7 @@
 use std::sync::mpsc::Receiver;
 use std::time::{Duration, Instant};
 
-use saute_haptics::control_loop::{ControlLoop, LoopState};
+use saute_haptics::control::control_loop::{ControlLoop, LoopState};
 use saute_haptics::{KitchenWatch, PanInHand, TurnerInHand};
 use saute_kitchen::{FRAME_S, Library, Piece};
 use saute_recipe::{Cook, Recipe};

@@ -3,8 +3,8 @@
 use std::process::ExitCode;
 
 use saute_haptics::open::{NETWORKED, Networked};
-use saute_haptics::workspace::{AXES, WorkspaceReport, report};
-use saute_haptics::{Capabilities, Geometry, Rendering, shelf};
+use saute_haptics::strings::workspace::{AXES, WorkspaceReport, report};
+use saute_haptics::{Capabilities, Geometry, Rendering, library};
 use serde::Serialize;
 
 use crate::error::CliError;
@@ -119,7 +119,7 @@ impl Entry {
 
 /// Prints the devices and their capabilities.
 pub fn list(args: &DevicesArgs) -> Result<ExitCode, CliError> {
-    let strings = shelf::devices()?.into_iter().map(Entry::of_strings);
+    let strings = library::devices()?.into_iter().map(Entry::of_strings);
     let entries: Vec<Entry> = strings.chain(NETWORKED.iter().map(Entry::of_network)).collect();
     let text = if args.json { json::text(&entries)? } else { entries.iter().map(Entry::text).collect() };
     stdout::print(&text)?;

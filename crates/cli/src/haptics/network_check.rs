@@ -1,7 +1,7 @@
 //! `saute haptics check` of a device without strings: it moves the pan, and messages, motion and forces are measured.
 
-use saute_haptics::control_loop::{ControlLoop, LogRow, LoopState};
-use saute_haptics::{Health, Named, Pose, Rendering, shelf};
+use saute_haptics::control::control_loop::{ControlLoop, LogRow, LoopState};
+use saute_haptics::{Health, Named, Pose, Rendering, library};
 use saute_kitchen::Library;
 use serde::Serialize;
 
@@ -54,7 +54,7 @@ pub fn measure(args: &CheckArgs, named: &Named, library: &Library) -> Result<Net
     let capabilities = opened.device.capabilities().clone();
     opened.access.lines().into_iter().for_each(stderr::say);
     let rows = (args.for_s * capabilities.rate_hz) as usize;
-    let mut fry = Fry::new(library, ControlLoop::start(opened.device, &shelf::feel()?, rows)?)?;
+    let mut fry = Fry::new(library, ControlLoop::start(opened.device, &library::feel()?, rows)?)?;
     if !fry.until(args.wait_s.unwrap_or(PATIENCE_S), |s| s.sample.health == Health::Running) {
         return Err(not_there(fry.control.state().sample.health));
     }

@@ -1,6 +1,6 @@
 //! The numbers of `saute haptics check`.
 
-use saute_haptics::jitter::Lateness;
+use saute_haptics::control::jitter::Lateness;
 use serde::Serialize;
 
 use super::fault_run::FaultOutcome;

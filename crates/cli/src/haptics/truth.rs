@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use glam::{DQuat, DVec3};
-use saute_haptics::control_loop::LogRow;
+use saute_haptics::control::control_loop::LogRow;
 use saute_haptics::{Health, Wrench};
 use serde::Serialize;
 

@@ -4,9 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use saute_kitchen::data::library;
 use saute_kitchen::food::Scale;
 use saute_kitchen::heat::Soup;
-use saute_kitchen::library;
 use saute_kitchen::{Library, LibraryError};
 
 use crate::error::CliError;

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use saute_kitchen::energy::Energy;
 use saute_kitchen::food::Scale;
+use saute_kitchen::tick::energy::Energy;
 use saute_recipe::group_summary::GroupSummary;
 use saute_recipe::summary::{ClassShares, FoodSummary, LogReduction, Shape, Surface};
 use saute_recipe::{StoppedBy, Summary};

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::ValueEnum;
-use saute_kitchen::library::DEFAULT_SCALE;
+use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_picture::View;
 use saute_picture::still::png_file::png_bytes;
 use saute_picture::still::shot::ShotOptions;

@@ -28,7 +28,7 @@ pub fn style() -> String {
         let [r, g, b] = tone.colour();
         format!(".{} {{ background-color: rgb({r} {g} {b}); }}\n", css(*tone))
     };
-    Tone::of_scale(saute_kitchen::food::doneness::MOST_CLASSES).iter().map(rule).collect()
+    Tone::of_scale(saute_kitchen::food::change::doneness::MOST_CLASSES).iter().map(rule).collect()
 }
 
 /// Returns bars for all foods that the scale covers, for groups the means; nothing if it covers none.

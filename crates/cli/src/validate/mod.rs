@@ -11,7 +11,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use saute_kitchen::Library;
-use saute_kitchen::library::DEFAULT_SCALE;
+use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_lab::cook_case::CookCase;
 use saute_lab::{Case, LabReport, Verdict, verdicts};
 use serde::Serialize;

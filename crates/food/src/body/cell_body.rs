@@ -1,7 +1,7 @@
 //! Bodies of cells inside a closed surface: mesh, shrinkage and readings.
 
+use saute_heat::mesh::cells::Weights;
 use saute_heat::vector::{Vec3, cross, scale, sub};
-use saute_heat::voronoi::Weights;
 use saute_heat::{BodyMesh, CellMesh, Fineness, Outline};
 
 use crate::body::Body;

@@ -5,7 +5,7 @@ use std::io;
 use std::sync::{Arc, Mutex};
 
 use saute_haptics::strings::Lines;
-use saute_haptics::wire::{Caps, DeviceState, Frame, FrameError, Link, Message, Refusal, Sample, Units};
+use saute_haptics::strings::wire::{Caps, DeviceState, Frame, FrameError, Link, Message, Refusal, Sample, Units};
 use saute_haptics::{Geometry, Pose, Wrench};
 
 /// State that the test sets and reads.

@@ -293,7 +293,7 @@ fn layer_heights(levels: &[f64]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{graded_levels, outline::Outline};
+    use crate::{graded_levels, mesh::outline::Outline};
 
     #[test]
     fn volumes_and_side_areas_sum_to_those_of_the_body() {

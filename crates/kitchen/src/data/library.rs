@@ -6,7 +6,7 @@ use std::sync::Arc;
 use include_dir::{Dir, include_dir};
 use saute_food::components::Components;
 use saute_food::{FoodDescription, Kinetics, Scale};
-use saute_heat::surface::EXTENT;
+use saute_heat::mesh::surface::EXTENT;
 use saute_heat::{Soup, Surface};
 use schemars::JsonSchema;
 use serde::Deserialize;

@@ -5,7 +5,7 @@
 //! kinetics, ds/dt = −k(T_w) c s, with the share c of the place under water. Solids carry no heat and are not part of the
 //! liquids' masses.
 
-use saute_food::changes::arrhenius;
+use saute_food::change::changes::arrhenius;
 use saute_food::sourced_table;
 use saute_food::table::Table;
 use saute_heat::Located;

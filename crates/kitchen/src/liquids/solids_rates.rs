@@ -1,7 +1,7 @@
 //! Browning and charring rates of solids on the pan: milk solids of butter, and fond.
 
-use saute_food::browning::BROWNING_FROM;
-use saute_food::changes::arrhenius;
+use saute_food::change::browning::BROWNING_FROM;
+use saute_food::change::changes::arrhenius;
 use saute_food::table::Table;
 
 use crate::kelvin;

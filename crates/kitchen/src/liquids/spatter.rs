@@ -2,8 +2,8 @@
 
 use std::collections::VecDeque;
 
-use saute_food::noise::uniform;
 use saute_food::sourced_table;
+use saute_food::tissue::noise::uniform;
 
 use crate::liquids::drop_flight::{DropFlight, Landing, OIL_DENSITY, Vessel};
 use crate::liquids::oil_film::OilFilm;

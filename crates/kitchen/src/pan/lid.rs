@@ -5,7 +5,7 @@
 //! approximates the lid's radiation. Exchanges are added during a tick; [`Lid::settle`] then condenses vapour and
 //! releases steam.
 
-use saute_food::air_film::radiation_coefficient;
+use saute_food::water::air_film::radiation_coefficient;
 use saute_food::water::{ATMOSPHERE, VAPOUR_GAS_CONSTANT, latent_heat, saturation_density, saturation_pressure};
 use saute_food::{FreeAir, ZERO_C, sourced_table};
 

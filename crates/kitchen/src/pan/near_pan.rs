@@ -1,7 +1,7 @@
 //! Contact detection between a piece and the pan: patches near the pan, their gaps and their places on its mesh.
 
 use glam::DVec3;
-use saute_food::limp::Limp;
+use saute_food::body::limp::Limp;
 use saute_food::{FoodModel, Patch, PatchPose};
 use saute_heat::Located;
 
@@ -126,7 +126,7 @@ fn settle(facing: &mut [(u32, OverPan)], limp: &Limp, patches: &[Patch]) {
 /// deviation on each face.
 pub fn unevenness(model: &FoodModel, seed: u64, wavelength: f64, deviation: f64) -> Vec<f64> {
     use saute_food::Face;
-    use saute_food::noise::fractal;
+    use saute_food::tissue::noise::fractal;
     let noise = |patch: &saute_food::Patch| {
         let [x, y, z] = model.mesh().position(patch.node as usize);
         let third = match (model.mesh().is_slice(), patch.face) {

@@ -1,7 +1,7 @@
 //! The pan: a heated plate with a wall, with conduction along its metal.
 
-use saute_food::air_film::radiation_coefficient;
-use saute_food::juice::Runoff;
+use saute_food::water::air_film::radiation_coefficient;
+use saute_food::water::juice::Runoff;
 use saute_food::{Exchange, FreeAir};
 use saute_heat::{Conduction, Graph, Located, Locator, MeshError, Section};
 

@@ -4,7 +4,7 @@
 //! through the pan's centre. The mesh of a piece is as coarse as the ridges, so every patch has the mean conductance:
 //! h = s h_top + (1 − s) (h_gap + h_radiation) with s = width / pitch, h_gap by the gap law across the ridge's height.
 
-use saute_food::air_film::radiation_coefficient;
+use saute_food::water::air_film::radiation_coefficient;
 
 use crate::data::room::ContactGap;
 use crate::pan::pan_description::RidgesData;

@@ -153,7 +153,7 @@ impl Floor {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use saute_heat::outline::Outline;
+    use saute_heat::mesh::outline::Outline;
 
     fn coin(radius: f64) -> Footprint {
         Footprint::of(&Outline::circle(radius).points)

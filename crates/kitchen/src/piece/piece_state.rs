@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use saute_food::advance::REFRESH_TICKS;
-use saute_food::halving::{Cut, CutError};
-use saute_food::limp::Limp;
+use saute_food::body::halving::{Cut, CutError};
+use saute_food::body::limp::Limp;
 use saute_food::{
     Exchange, FoodModel, FoodSolver, FoodState, FreeAir, PatchGeometry, PatchPose, Rules, Surroundings, Touch,
     present_area,

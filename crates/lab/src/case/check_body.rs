@@ -1,6 +1,6 @@
 //! Checks the bodies of a lab case and its pan.
 
-use saute_heat::boundary::Boundary;
+use saute_heat::conduction::boundary::Boundary;
 use toml::Spanned;
 
 use crate::case::body_file::{BodyEntry, PanEntry, Shape};

@@ -1,7 +1,7 @@
 //! Checks the materials of a lab case.
 
 use saute_food::components::Properties;
-use saute_heat::product::Constants;
+use saute_heat::conduction::product::Constants;
 use toml::Spanned;
 
 use crate::case::body_file::{Juice, MaterialEntry};

@@ -1,7 +1,7 @@
 //! Checks the boundary conditions of a lab case, its phases and its flips.
 
-use saute_heat::axis::End;
-use saute_heat::boundary::Boundary;
+use saute_heat::conduction::axis::End;
+use saute_heat::conduction::boundary::Boundary;
 use toml::Spanned;
 
 use crate::case::body_file::Shape;

@@ -3,8 +3,8 @@
 use saute_food::components::Components;
 use saute_food::{FoodDescription, Kinetics};
 use saute_heat::Rule;
-use saute_heat::axis::End;
-use saute_heat::product::FaceBoundary;
+use saute_heat::conduction::axis::End;
+use saute_heat::conduction::product::FaceBoundary;
 
 use crate::case::check::Check;
 use crate::case::{Contact, Physics, Shape};

@@ -1,6 +1,6 @@
 //! Recording of a conduction run: probes, fluxes, peaks.
 
-use saute_heat::axis::End;
+use saute_heat::conduction::axis::End;
 
 use crate::case::Shape;
 use crate::case::{Case, ProbeCase};

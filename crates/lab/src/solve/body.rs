@@ -1,8 +1,8 @@
 //! Product meshes of the shapes, and their named faces.
 
-use saute_heat::axis::{Axis, End, Metric};
-use saute_heat::column::{Between, Column};
-use saute_heat::tensor::TensorBody;
+use saute_heat::conduction::axis::{Axis, End, Metric};
+use saute_heat::conduction::column::{Between, Column};
+use saute_heat::conduction::tensor::TensorBody;
 
 use crate::case::{BodyCase, Case};
 use crate::case::{Face, Shape};

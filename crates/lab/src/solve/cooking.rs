@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use saute_food::{Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Lab, Surroundings, Touch};
-use saute_heat::axis::End;
-use saute_heat::boundary::Boundary;
+use saute_heat::conduction::axis::End;
+use saute_heat::conduction::boundary::Boundary;
 
 use crate::case::{Case, CookingCase, Phase, Until};
 use crate::case::{Contact, Shape};

@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use saute_food::{Body, BuildError, Face, FoodModel, Patch, Rules};
-use saute_heat::axis::End;
-use saute_heat::tensor::TensorBody;
+use saute_heat::conduction::axis::End;
+use saute_heat::conduction::tensor::TensorBody;
 use saute_heat::{Outline, Section, SweptMesh};
 
 use crate::case::Shape;

@@ -1,10 +1,10 @@
 //! The method of lines edge by edge, for variable properties, boiling water and the segment rule.
 
 use saute_heat::Conduction;
-use saute_heat::boundary::Boundary;
-use saute_heat::product::FaceBoundary;
-use saute_heat::super_step::{Rates, SuperStep};
-use saute_heat::tensor::{LayeredGraph, TensorBody};
+use saute_heat::conduction::boundary::Boundary;
+use saute_heat::conduction::product::FaceBoundary;
+use saute_heat::conduction::super_step::{Rates, SuperStep};
+use saute_heat::conduction::tensor::{LayeredGraph, TensorBody};
 
 use crate::case::Case;
 use crate::solve::material::Boiling;

@@ -1,7 +1,7 @@
 //! Thermal properties of a plain body.
 
 use saute_food::components::Properties;
-use saute_heat::product::Constants;
+use saute_heat::conduction::product::Constants;
 
 /// Heat capacity and conductivity, constant or of a food, and water that can boil.
 #[derive(Clone, Debug)]

@@ -1,11 +1,11 @@
 //! Time integration of conduction: Runge–Kutta–Legendre super-steps on the product mesh (method of lines).
 
 use saute_heat::Rule;
-use saute_heat::axis::End;
-use saute_heat::boundary::Boundary;
-use saute_heat::product::{Constants, FaceBoundary, ProductOperator};
-use saute_heat::super_step::SuperStep;
-use saute_heat::tensor::{Part, TensorBody};
+use saute_heat::conduction::axis::End;
+use saute_heat::conduction::boundary::Boundary;
+use saute_heat::conduction::product::{Constants, FaceBoundary, ProductOperator};
+use saute_heat::conduction::super_step::SuperStep;
+use saute_heat::conduction::tensor::{Part, TensorBody};
 
 use crate::case::Case;
 use crate::solve::body::mesh;

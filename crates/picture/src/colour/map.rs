@@ -188,7 +188,7 @@ fn paper_table() -> [[u8; 3]; 256] {
 
 #[cfg(test)]
 mod tests {
-    use saute_kitchen::food::colour::decoded;
+    use saute_kitchen::food::change::colour::decoded;
 
     use super::*;
 

@@ -99,7 +99,7 @@ impl ColourPath {
 
 #[cfg(test)]
 mod tests {
-    use saute_kitchen::food::colour::decoded;
+    use saute_kitchen::food::change::colour::decoded;
 
     use super::*;
 

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 use saute_kitchen::Piece;
-use saute_kitchen::food::colour::Appearance;
+use saute_kitchen::food::change::colour::Appearance;
 use saute_kitchen::food::readings::changed_at;
 use saute_kitchen::food::{FoodModel, FoodState};
 use saute_kitchen::heat::{BodyMesh, CutPoint, SweptMesh};

@@ -1,11 +1,11 @@
 //! A picture of a cut through a piece, painted pixel by pixel from the fields.
 
 use saute_kitchen::Piece;
-use saute_kitchen::food::colour::Appearance;
-use saute_kitchen::food::noise::fractal;
+use saute_kitchen::food::change::colour::Appearance;
 use saute_kitchen::food::readings::changed_at;
+use saute_kitchen::food::tissue::noise::fractal;
 use saute_kitchen::food::{FoodModel, FoodState, Lab};
-use saute_kitchen::heat::voronoi::CellSlice;
+use saute_kitchen::heat::mesh::cells::CellSlice;
 use saute_kitchen::heat::{BodyMesh, Cut, SweptMesh};
 
 use crate::colour::map::ColourMap;

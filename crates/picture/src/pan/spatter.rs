@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use glam::{Mat4, Vec2, Vec3};
 use saute_kitchen::Kitchen;
-use saute_kitchen::drop_flight::{DropFlight, Landing};
-use saute_kitchen::spatter::Spot;
+use saute_kitchen::liquids::drop_flight::{DropFlight, Landing};
+use saute_kitchen::liquids::spatter::Spot;
 use saute_scene::input::{DropLook, PanLook, SpatterLook, SpotLook};
 use saute_scene::mesh::pan::on_wall;
 

@@ -1,7 +1,7 @@
 //! Skin and cuts of a piece with a cell mesh: their points read nodes by weights.
 
 use glam::Vec3;
-use saute_kitchen::food::colour::Appearance;
+use saute_kitchen::food::change::colour::Appearance;
 use saute_kitchen::food::readings::changed_at;
 use saute_kitchen::food::{FoodModel, FoodState};
 use saute_kitchen::heat::CellMesh;

@@ -2,8 +2,8 @@
 
 use glam::Vec3;
 use saute_kitchen::food::FoodModel;
-use saute_kitchen::food::form::Form;
-use saute_kitchen::food::noise::uniform;
+use saute_kitchen::food::body::form::Form;
+use saute_kitchen::food::tissue::noise::uniform;
 use saute_scene::input::{BORDER_RANGE, BrowningPalette, FleshTexture, GrainVolume, WITHIN_RANGE};
 
 /// Cells across a body whose tissues lie along its axis (chosen: 0.2 mm cells in a leek ring).

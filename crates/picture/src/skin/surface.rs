@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use glam::Vec3;
 use saute_kitchen::Piece;
-use saute_kitchen::food::colour::Appearance;
-use saute_kitchen::food::noise::{fractal, mix};
+use saute_kitchen::food::change::colour::Appearance;
+use saute_kitchen::food::tissue::noise::{fractal, mix};
 use saute_kitchen::food::{FoodModel, FoodState};
 use saute_kitchen::heat::{Layout, Section, SweptMesh};
 use saute_scene::input::{FoodMesh, FoodVertex};

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use glam::Vec3;
 use saute_kitchen::Library;
-use saute_kitchen::food::noise::uniform;
+use saute_kitchen::food::tissue::noise::uniform;
 use saute_picture::stage::{Stage, StageOptions, fitting, nearness, poses};
 use saute_picture::still::headless::Gpu;
 use saute_picture::still::png_file::png_bytes;

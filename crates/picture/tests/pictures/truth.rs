@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use saute_kitchen::food::FoodModel;
-use saute_kitchen::food::noise::uniform;
+use saute_kitchen::food::tissue::noise::uniform;
 use saute_kitchen::{Library, Piece, celsius};
 use saute_picture::stage::{Pose, StageOptions, half_length, poses};
 use saute_picture::still::headless::still;

@@ -28,7 +28,7 @@ impl Default for Choice {
     fn default() -> Self {
         // A device library that cannot be read offers nothing; connecting by name then reports the error.
         let names = open::names().unwrap_or_default();
-        let name = names.iter().position(|n| n == saute_haptics::shelf::DEFAULT_DEVICE).unwrap_or(0);
+        let name = names.iter().position(|n| n == saute_haptics::library::DEFAULT_DEVICE).unwrap_or(0);
         Self { names, name, place: String::new(), code: String::new(), role: Role::Pan }
     }
 }

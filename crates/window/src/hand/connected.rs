@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use saute_haptics::control_loop::{LoopError, LoopReport, LoopState};
-use saute_haptics::kept_calibration::{CalibrationMemory, CalibrationNews};
-use saute_haptics::simulator::open_or_simulate;
+use saute_haptics::control::control_loop::{LoopError, LoopReport, LoopState};
+use saute_haptics::strings::kept_calibration::{CalibrationMemory, CalibrationNews};
+use saute_haptics::strings::simulator::open_or_simulate;
 use saute_haptics::{
     Access, Capabilities, ContactModel, ControlLoop, HapticDevice, KeptCalibration, Named, OpenError, Simulator,
-    StringRig, shelf,
+    StringRig, library,
 };
 use saute_kitchen::InputError;
 
@@ -78,7 +78,7 @@ impl Connected {
         let (memory, news) = CalibrationMemory::new(known);
         device.remember(memory);
         let (capabilities, strings) = (device.capabilities().clone(), device.strings());
-        let control = ControlLoop::start(device, &shelf::feel()?, 0)?;
+        let control = ControlLoop::start(device, &library::feel()?, 0)?;
         let state = LoopState::default();
         let name = name.to_owned();
         Ok(Self { name, capabilities, access: None, strings, control, state, news, file, simulator: None })

@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use saute_haptics::kept_calibration::file_in;
-use saute_haptics::rumble::{Rumble, RumbleRule};
-use saute_haptics::{ContactModel, HapticDevice, Health, KitchenWatch, PanInHand, TurnerInHand, shelf};
+use saute_haptics::control::rumble::{Rumble, RumbleRule};
+use saute_haptics::strings::kept_calibration::file_in;
+use saute_haptics::{ContactModel, HapticDevice, Health, KitchenWatch, PanInHand, TurnerInHand, library};
 use saute_kitchen::{FRAME_S, Kitchen};
 
 use super::connected::{ConnectError, Connected};
@@ -171,7 +171,7 @@ impl Hands {
         self.silent += wall;
         if self.rumble.is_none() {
             // The program's own file is whole, or nothing at all is felt.
-            self.rumble = shelf::feel().ok().map(|feel| RumbleRule::new(&feel));
+            self.rumble = library::feel().ok().map(|feel| RumbleRule::new(&feel));
         }
         let (silent, model) = (self.silent > SILENT_S + wall, &self.model);
         self.rumble.as_mut().filter(|_| !silent).map_or_else(Rumble::default, |rule| rule.step(model, wall))

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use saute_kitchen::advice::{Advice, Goal, Situation};
-use saute_kitchen::carry_over::foreseen_peak;
 use saute_kitchen::celsius;
 use saute_kitchen::food::Scale;
+use saute_kitchen::piece::carry_over::foreseen_peak;
 use saute_picture::stage::fitting_piece;
 
 use super::Session;

@@ -101,7 +101,7 @@ static LIGHT: Palette = Palette {
 
 #[cfg(test)]
 mod tests {
-    use saute_kitchen::food::colour::decoded;
+    use saute_kitchen::food::change::colour::decoded;
 
     use super::*;
 

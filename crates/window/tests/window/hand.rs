@@ -7,7 +7,7 @@ use egui::{Key, vec2};
 use egui_kittest::{Harness, kittest::Queryable};
 use glam::DVec3;
 use saute_haptics::device::{HapticCommand, HapticDevice, HapticSample, Sensed};
-use saute_haptics::{Capabilities, Geometry, Health, Pose, StringRig, TensionSolver, shelf};
+use saute_haptics::{Capabilities, Geometry, Health, Pose, StringRig, TensionSolver, library};
 use saute_window::SauteApp;
 use saute_window::hand::Role;
 
@@ -33,7 +33,7 @@ struct Scripted {
 }
 
 fn scripted(name: &str, sensed: Sensed) -> (Box<Scripted>, Arc<Mutex<Script>>) {
-    let geometry = shelf::devices().expect("devices").remove(name).expect("on the shelf");
+    let geometry = library::devices().expect("devices").remove(name).expect("listed");
     let pose = geometry.home();
     let script = Arc::new(Mutex::new(Script { pose, turner: None, command: HapticCommand::default(), stopped: false }));
     let capabilities = Capabilities { sensed, ..geometry.capabilities() };

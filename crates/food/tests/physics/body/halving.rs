@@ -1,7 +1,7 @@
 //! Promise: a cut changes no state; it separates the halves for heat and juice, opens fresh faces to the air, and keeps
 //! energy, water and the maximum principle.
 
-use saute_food::halving::CutError;
+use saute_food::body::halving::CutError;
 use saute_food::{FoodModel, FreeAir, MeshSize, PieceSpec, Rules, ZERO_C};
 
 use crate::body::cells::cells;

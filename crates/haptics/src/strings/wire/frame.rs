@@ -16,7 +16,7 @@ pub const VERSION: u8 = 1;
 /// A message with its sequence number and session.
 ///
 /// ```
-/// use saute_haptics::wire::{Frame, FrameError, Message};
+/// use saute_haptics::strings::wire::{Frame, FrameError, Message};
 ///
 /// let frame = Frame { sequence: 2, session: 7, message: Message::Arm };
 /// let mut bytes = frame.encode();

@@ -2,8 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-use saute_haptics::contact_model::{ContactModel, Payload};
-use saute_haptics::control_loop::{ControlLoop, LoopState};
+use saute_haptics::control::control_loop::{ControlLoop, LoopState};
+use saute_haptics::kitchen::contact_model::{ContactModel, Payload};
 use saute_haptics::{Capabilities, HapticCommand, HapticDevice, HapticSample, Health, WeightOnSpring, library};
 
 /// Publishes a weight of 0.4 kg until a condition is met, for at most five seconds.

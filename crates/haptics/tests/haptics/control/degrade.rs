@@ -1,9 +1,9 @@
 //! Promise: rendering degrades by stated rules: wrench, force, rumble, sound and picture.
 
-use saute_haptics::contact_model::{ContactModel, Impulse};
-use saute_haptics::degrade::RULES;
+use saute_haptics::control::degrade::RULES;
+use saute_haptics::control::rumble::{Rumble, RumbleRule};
 use saute_haptics::device::{Capabilities, HapticDevice, Vibration};
-use saute_haptics::rumble::{Rumble, RumbleRule};
+use saute_haptics::kitchen::contact_model::{ContactModel, Impulse};
 use saute_haptics::{HapticCommand, HapticSample, Health, Renderer, Rendering, WeightOnSpring, Wrench, library};
 
 const ALL: Wrench = Wrench { force: glam::DVec3::X, torque: glam::DVec3::Y };

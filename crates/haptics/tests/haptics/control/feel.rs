@@ -1,8 +1,8 @@
 //! Promise: rendered forces are bounded and passive, start softly, and fade without fresh models.
 
 use glam::DVec3;
-use saute_haptics::contact_model::{ContactModel, Impulse, Payload, Plane};
 use saute_haptics::device::{HapticCommand, HapticDevice, HapticSample, Health};
+use saute_haptics::kitchen::contact_model::{ContactModel, Impulse, Payload, Plane};
 use saute_haptics::{Capabilities, Pose, Renderer, Twist, WeightOnSpring, library};
 
 use crate::random::{Random, device};

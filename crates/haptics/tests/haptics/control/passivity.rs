@@ -3,11 +3,11 @@
 use std::collections::VecDeque;
 
 use glam::{DMat3, DVec3};
-use saute_haptics::contact_model::{ContactModel, Payload};
-use saute_haptics::coupled_payload::CoupledPayload;
+use saute_haptics::control::coupled_payload::CoupledPayload;
+use saute_haptics::control::passivity::Passivity;
+use saute_haptics::control::safety_limits::SafetyLimits;
 use saute_haptics::device::{HapticCommand, HapticDevice, HapticSample, Health};
-use saute_haptics::passivity::Passivity;
-use saute_haptics::safety_limits::SafetyLimits;
+use saute_haptics::kitchen::contact_model::{ContactModel, Payload};
 use saute_haptics::{Capabilities, Pose, Renderer, Twist, WeightOnSpring, Wrench, library};
 
 use crate::random::device;

@@ -1,8 +1,8 @@
 //! Promise: the strings render a kitchen's foods: their weight and position, toss and catch, and sizzle.
 
 use glam::DVec3;
-use saute_haptics::contact_model::ContactModel;
 use saute_haptics::control::loop_step::LoopStep;
+use saute_haptics::kitchen::contact_model::ContactModel;
 use saute_haptics::{Feel, Handover, KitchenWatch, Pose, Renderer, Spidar, Wrench, library};
 use saute_kitchen::food::Rules;
 use saute_kitchen::{Command, FRAME_S, Kitchen, Library, MeshSize, PieceOrder};

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use glam::DVec3;
 use proptest::prelude::*;
 use saute_haptics::device::{HapticCommand, HapticSample};
-use saute_haptics::haply::message::State;
+use saute_haptics::remote::haply::message::State;
 use saute_haptics::{Health, Opened, Rendering, Wrench, open};
 
 use super::inverse_service::InverseService;

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use rosc::{OscBundle, OscMessage, OscPacket, OscTime, OscType};
 use saute_haptics::device::{HapticCommand, HapticSample};
 use saute_haptics::open::Reach;
-use saute_haptics::osc::message::{Event, read};
+use saute_haptics::remote::osc::message::{Event, read};
 use saute_haptics::{Health, Opened, Rendering, open};
 
 const DT: f64 = 4e-3;

@@ -5,13 +5,13 @@ use std::time::{Duration, Instant};
 
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
+use saute_haptics::control::rumble::Rumble;
 use saute_haptics::device::{HapticCommand, HapticSample};
 use saute_haptics::open::Reach;
-use saute_haptics::phone::message::{FromPhone, Measured};
-use saute_haptics::phone::orientation::{Level, acceleration, from_angles};
-use saute_haptics::phone::toss::Toss;
-use saute_haptics::rumble::Rumble;
-use saute_haptics::tilt::within_tilt;
+use saute_haptics::remote::phone::message::{FromPhone, Measured};
+use saute_haptics::remote::phone::orientation::{Level, acceleration, from_angles};
+use saute_haptics::remote::phone::toss::Toss;
+use saute_haptics::remote::tilt::within_tilt;
 use saute_haptics::{Health, Opened, open};
 
 use super::phone_client::{PhoneClient, connect, get};

@@ -1,6 +1,6 @@
 //! Promise: the jig calibrates half a millimetre of manufacturing error and unknown offsets away.
 
-use saute_haptics::jig_calibration::{Accuracy, CalibrationError, JigReading};
+use saute_haptics::strings::jig_calibration::{Accuracy, CalibrationError, JigReading};
 use saute_haptics::{Calibration, Geometry, PoseEstimator, StringRig};
 
 use crate::random::{Random, apart, device, somewhere};

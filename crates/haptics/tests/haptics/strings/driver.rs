@@ -1,7 +1,7 @@
 //! Promise: the driver finds its device, calibrates it, respects its limits, and reconnects automatically.
 
 use saute_haptics::device::{HapticCommand, HapticDevice, HapticSample, Health};
-use saute_haptics::wire::Units;
+use saute_haptics::strings::wire::Units;
 use saute_haptics::{Pose, Spidar, Wrench};
 
 use crate::bench_device::{Bench, BenchLink};

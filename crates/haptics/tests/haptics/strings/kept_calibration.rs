@@ -1,7 +1,7 @@
 //! Promise: a calibration is stored, and valid at the next start as long as it still fits.
 
 use saute_haptics::device::{HapticCommand, HapticDevice, HapticSample};
-use saute_haptics::kept_calibration::{CalibrationMemory, KeptCalibration, file_in};
+use saute_haptics::strings::kept_calibration::{CalibrationMemory, KeptCalibration, file_in};
 use saute_haptics::{Health, Pose, Spidar};
 
 use crate::bench_device::{Bench, BenchLink};

@@ -1,7 +1,7 @@
 //! Promise: tensions respect their limits and are optimal to 1e-6 of an independent solver.
 
 use saute_haptics::strings::Lines;
-use saute_haptics::workspace::{largest, report, smallest_singular_value};
+use saute_haptics::strings::workspace::{largest, report, smallest_singular_value};
 use saute_haptics::{STRINGS, TensionRule, TensionSolver, Wrench};
 
 use crate::random::{Random, device, somewhere};

@@ -3,7 +3,7 @@
 use std::io::{self, Read, Write};
 
 use proptest::prelude::*;
-use saute_haptics::wire::{
+use saute_haptics::strings::wire::{
     Caps, Command, Deframer, DeviceState, FRAME, FaultCode, Frame, FrameError, Hello, Link, Message, Refusal, STUFFED,
     Sample, SerialLink, Units, stuff,
 };
