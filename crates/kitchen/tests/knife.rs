@@ -1,5 +1,5 @@
-//! Promise: a knife halves what lies on the board, once, where it is told, and says why it does not; halves cool faster, and
-//! the energy of the cook still adds up.
+//! Promise: the knife halves a piece on the board once, at the given place, or gives the reason why not; halves cool
+//! faster, and the energy account of the cook stays balanced.
 
 use saute_kitchen::food::Rules;
 use saute_kitchen::{Command, EventKind, Kitchen, Library, MeshSize, PieceOrder, Refused, RestOn, TICK_S, kelvin};

@@ -464,7 +464,7 @@ fn every_oil_has_its_points_in_order_and_impossible_oils_are_refused_where_they_
     assert!(error.message.contains("whale") && error.message.contains("canola"), "{error}");
 }
 
-/// What is thrown, flies or has landed: exactly as many drops as events are told, at every moment.
+/// Drops ejected, in flight and landed always equal the number of events.
 #[test]
 fn as_many_drops_fly_and_land_as_spatter_and_pops_are_told() {
     let mut kitchen = frying(190.0);
