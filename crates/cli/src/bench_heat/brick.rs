@@ -149,7 +149,7 @@ mod tests {
         };
         let early = brick.temperatures(&[[0.05, 0.035, 0.02]], &[5.0])[0][0];
         assert!((early - 5.0).abs() < 0.05, "{early}");
-        let cold = Brick { celsius: [5.0, 25.0, 25.0], ..brick };
+        let cold = FlippedBrick { celsius: [5.0, 25.0, 25.0], ..brick };
         let late = cold.temperatures(&[[0.02, 0.01, 0.003]], &[1e5])[0][0];
         assert!((late - 25.0).abs() < 1e-6, "{late}");
     }
