@@ -37,7 +37,6 @@ fn every_action_is_read_from_its_example_under_its_key() {
         assert_eq!((action.kind(), action.name()), (kind, kind.name()));
         assert_eq!(ActionKind::from_name(kind.name()), Some(kind));
     }
-    assert!(ActionKind::ALL.is_sorted_by_key(|kind| kind.name()));
 }
 
 #[test]
@@ -52,7 +51,7 @@ fn every_action_has_words_and_an_action_on_a_food_names_it() {
             on_foods.push(kind.name());
         }
     }
-    assert_eq!(on_foods, ["flip", "halve", "move", "press", "put", "rest"]);
+    assert_eq!(on_foods, ["put", "flip", "rest", "halve", "press", "move"]);
 }
 
 #[test]

@@ -15,7 +15,7 @@ use crate::file::shorthand::{Entry, Written};
 /// example is a value for a recipe with a food "steak".
 macro_rules! actions {
     ($($kind:ident $name:literal $format:ty, $example:literal, $summary:literal;)*) => {
-        /// Kinds of actions, in the order of their keys.
+        /// Kinds of actions, in the order in which messages list them.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum ActionKind {
             $(#[doc = concat!("`", $name, "`: ", $summary)] $kind,)*
@@ -72,26 +72,26 @@ macro_rules! actions {
 }
 
 actions! {
-    Butter "butter_g" Entry<ButterTable>, "15", "puts butter into the pan; a bare number is how much [g].";
-    Cool "cool" Entry<CoolTable>, "\"wet-cloth\"", "sets the pan on a wet cloth, off the hob.";
-    End "end" EndValue, "true", "ends the cook.";
-    Flip "flip" Entry<FlipTable>, "\"steak\"", "turns foods over.";
-    Halve "halve" Entry<HalveTable>, "\"steak\"", "cuts foods that lie on the board in halves.";
     Hob "hob_w" Entry<HobTable>, "2000", "sets the hob; a bare number is its electrical power, 0–3500 [W].";
-    Lid "lid" Entry<LidTable>, "true", "lays the lid on (true, \"on\") or takes it off (false, \"off\").";
-    Move "move" Entry<MoveTable>, "{ food = \"steak\", to_mm = [30, 0] }",
-        "pushes or carries foods to a place in the pan.";
+    Put "put" Entry<PutTable>, "\"steak\"", "puts foods into the pan.";
+    Flip "flip" Entry<FlipTable>, "\"steak\"", "turns foods over.";
+    Rest "rest" Entry<RestTable>, "\"steak\"", "takes foods out of the pan to rest.";
+    Halve "halve" Entry<HalveTable>, "\"steak\"", "cuts foods that lie on the board in halves.";
     MovePan "move_pan" Entry<MovePanTable>, "{ lift_mm = 50 }",
         "moves the pan over the hob, or lifts it, until it is moved again; true sets it back onto its ring.";
+    Cool "cool" Entry<CoolTable>, "\"wet-cloth\"", "sets the pan on a wet cloth, off the hob.";
     Oil "oil_g" Entry<OilTable>, "10", "pours oil into the pan; a bare number is how much [g].";
-    Press "press" Entry<PressTable>, "\"steak\"", "presses foods onto the floor with the turner.";
-    Put "put" Entry<PutTable>, "\"steak\"", "puts foods into the pan.";
-    Rest "rest" Entry<RestTable>, "\"steak\"", "takes foods out of the pan to rest.";
+    Butter "butter_g" Entry<ButterTable>, "15", "puts butter into the pan; a bare number is how much [g].";
+    Water "water_g" Entry<WaterTable>, "30", "pours water into the pan; a bare number is how much [g].";
+    Toss "toss" Entry<TossTable>, "true", "tosses what lies in the pan; true takes the defaults.";
     Shake "shake" Entry<ShakeTable>, "5", "shakes the pan to and fro; a bare number is how long [s].";
     Tilt "tilt" Entry<TiltTable>, "15",
         "tilts the pan until it is tilted otherwise; a bare number is the angle [°], 0 levels it.";
-    Toss "toss" Entry<TossTable>, "true", "tosses what lies in the pan; true takes the defaults.";
-    Water "water_g" Entry<WaterTable>, "30", "pours water into the pan; a bare number is how much [g].";
+    Press "press" Entry<PressTable>, "\"steak\"", "presses foods onto the floor with the turner.";
+    Move "move" Entry<MoveTable>, "{ food = \"steak\", to_mm = [30, 0] }",
+        "pushes or carries foods to a place in the pan.";
+    Lid "lid" Entry<LidTable>, "true", "lays the lid on (true, \"on\") or takes it off (false, \"off\").";
+    End "end" EndValue, "true", "ends the cook.";
 }
 
 impl ActionKind {
