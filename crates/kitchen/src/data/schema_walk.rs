@@ -49,6 +49,8 @@ impl<'a> SchemaWalk<'a> {
     }
 
     fn table(&mut self, at: At, schema: &Value, entries: &DeTable) {
+        // A misspelt key explains why the right one is missing: that is one finding.
+        let mut misspelt = Vec::new();
         for (name, value) in entries {
             let path = at.inner(name.get_ref());
             let inner = At { path: &path, line: line_of(self.text, name.span().start), in_list: false };
@@ -57,25 +59,28 @@ impl<'a> SchemaWalk<'a> {
                 None if schema["additionalProperties"].is_object() => {
                     self.value(inner, &schema["additionalProperties"], value);
                 }
-                None => self.unknown(inner, schema),
+                None => misspelt.extend(self.unknown(inner, schema)),
             }
         }
         for name in schema["required"].as_array().into_iter().flatten().filter_map(Value::as_str) {
-            if !entries.contains_key(name) {
+            if !entries.contains_key(name) && !misspelt.contains(&name) {
                 let path = at.inner(name);
                 self.missing(At { path: &path, ..at }, &schema["properties"][name]);
             }
         }
     }
 
-    fn unknown(&mut self, at: At, schema: &Value) {
+    /// Reports an unknown key; returns the known key that it resembles.
+    fn unknown<'s>(&mut self, at: At, schema: &'s Value) -> Option<&'s str> {
         let known: Vec<&str> =
             schema["properties"].as_object().into_iter().flatten().map(|(k, _)| k.as_str()).collect();
-        let remedy = match nearest(at.key(), &known) {
+        let near = nearest(at.key(), &known);
+        let remedy = match near {
             Some(near) => format!("write {near}"),
             None => format!("leave it out; there are: {}", known.join(", ")),
         };
         self.find(at, format!("{} is no key of the {} format", at.path, self.format), remedy);
+        near
     }
 
     fn missing(&mut self, at: At, schema: &Value) {
