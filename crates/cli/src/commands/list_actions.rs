@@ -54,7 +54,9 @@ fn entries(schema: &Value) -> Vec<Entry> {
         let id = kind.name();
         Entry { id, name: kind.summary(), key: keys(schema, &properties[id]) }
     };
-    ActionKind::ALL.map(entry).into()
+    let mut entries: Vec<Entry> = ActionKind::ALL.map(entry).into();
+    entries.sort_by_key(|entry| entry.id);
+    entries
 }
 
 /// Returns the keys of an action's table; none for an action that takes a single value.

@@ -92,7 +92,7 @@ fn look(recipe: &str, moments: &[(&str, f64, Shown)]) {
         let got = easel.picture(cook, *shown);
         if blessing() { bless(name, &got) } else { failures.extend(compare(name, &got)) }
     }
-    assert!(failures.is_empty(), "\n{}\nIf that is meant, `./test.sh bless` writes them anew.", failures.join("\n"));
+    assert!(failures.is_empty(), "\n{}\nIf that is meant, `./test.sh bless` replaces them.", failures.join("\n"));
 }
 
 fn blessing() -> bool {

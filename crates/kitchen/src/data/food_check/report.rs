@@ -62,7 +62,7 @@ impl SurfaceReport {
     }
 }
 
-/// The bath [°C], the start [°C], and the core at which its time is told [°C] (chosen: a gentle bath, a refrigerator,
+/// Temperatures of the bath, of the start, and of the core whose time is reported [°C] (chosen: a gentle bath, a refrigerator,
 /// medium).
 const BATH_C: f64 = 60.0;
 const START_C: f64 = 5.0;
