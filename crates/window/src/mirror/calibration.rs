@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use glam::DVec2;
+use nalgebra::{DMatrix, DVector};
 
 use super::lens::Lens;
 use super::rig::{MARKS, Rig};
@@ -102,7 +103,7 @@ impl Calibration {
     }
 }
 
-/// The lens by which points are shown nearest to where they were found (Levenberg and Marquardt).
+/// The lens by which points are shown nearest to where they were found (Levenberg–Marquardt).
 fn fit(start: Lens, points: &[[DVec2; 2]], warp_with: &dyn Fn(Lens) -> Option<Warp>) -> Lens {
     let free = match points.len() {
         0 => return start,
@@ -139,7 +140,8 @@ fn squares(residuals: &[f64]) -> f64 {
     residuals.iter().map(|r| r * r).sum()
 }
 
-/// One damped step: (JᵀJ + λ diag JᵀJ) δ = −Jᵀr over the first numbers, the rest of them held.
+/// One Levenberg–Marquardt step for the first `free` parameters; the others are held. Solves the damped normal equations
+/// (JᵀJ + λ diag JᵀJ) δ = −Jᵀr by a Cholesky factorisation.
 fn step(
     x: [f64; 4],
     now: &[f64],
@@ -147,23 +149,30 @@ fn step(
     damping: f64,
     residuals: &dyn Fn([f64; 4]) -> Option<Vec<f64>>,
 ) -> Option<[f64; 4]> {
-    const NUDGE: f64 = 1e-6;
-    let mut slopes = Vec::new();
+    let now = DVector::from_column_slice(now);
+    let jacobian = jacobian(x, &now, free, residuals)?;
+    let mut normal = jacobian.tr_mul(&jacobian);
     for i in 0..free {
+        normal[(i, i)] *= 1.0 + damping;
+    }
+    let solved = normal.cholesky()?.solve(&-jacobian.tr_mul(&now));
+    let finite = solved.iter().all(|delta| delta.is_finite());
+    finite.then(|| std::array::from_fn(|i| solved.get(i).copied().unwrap_or(0.0)))
+}
+
+/// The derivatives of the residuals by the first `free` parameters (forward differences); one column each.
+fn jacobian(
+    x: [f64; 4],
+    now: &DVector<f64>,
+    free: usize,
+    residuals: &dyn Fn([f64; 4]) -> Option<Vec<f64>>,
+) -> Option<DMatrix<f64>> {
+    const NUDGE: f64 = 1e-6;
+    let column = |i: usize| {
         let mut moved = x;
         moved[i] += NUDGE;
-        let then = residuals(moved)?;
-        slopes.push(then.iter().zip(now).map(|(b, a)| (b - a) / NUDGE).collect::<Vec<f64>>());
-    }
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let mut matrix = glam::DMat4::IDENTITY.to_cols_array_2d();
-    let mut right = [0.0; 4];
-    for i in 0..free {
-        for j in 0..free {
-            matrix[i][j] = dot(&slopes[i], &slopes[j]) * if i == j { 1.0 + damping } else { 1.0 };
-        }
-        right[i] = -dot(&slopes[i], now);
-    }
-    let solved = glam::DMat4::from_cols_array_2d(&matrix).inverse() * glam::DVec4::from_array(right);
-    solved.is_finite().then(|| solved.to_array())
+        residuals(moved).map(|then| (DVector::from_vec(then) - now) / NUDGE)
+    };
+    let columns: Vec<_> = (0..free).map(column).collect::<Option<_>>()?;
+    Some(DMatrix::from_columns(&columns))
 }

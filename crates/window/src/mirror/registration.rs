@@ -1,6 +1,7 @@
 //! Registration: the rigid transform between two frames, from points touched in both or from a home pose.
 
-use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
+use glam::{DMat3, DMat4, DQuat, DVec3};
+use nalgebra::{Matrix4, SymmetricEigen, Vector4};
 
 /// A rigid transform: a turn, then a shift [m].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,8 +66,9 @@ pub enum RegistrationError {
 /// Points nearer to a line than this share of their extent do not determine the turn about it [-] (chosen: 5 mm of 10
 /// cm).
 const THINNEST: f64 = 0.05;
-/// Sweeps of Jacobi's method (chosen: four by four numbers are diagonal to rounding after six).
-const SWEEPS: usize = 12;
+/// Most iterations of the eigenvalue solver [-] (chosen: far more than the few per eigenvalue that the QR algorithm
+/// needs).
+const EIGEN_ITERATIONS: usize = 1000;
 
 /// The rigid transform that takes points to others with the least sum of squared distances (Horn 1987 `[@horn-1987]`,
 /// with unit quaternions).
@@ -99,47 +101,34 @@ fn outer(a: DVec3, b: DVec3) -> DMat3 {
     DMat3::from_cols(a * b.x, a * b.y, a * b.z)
 }
 
-/// The turn R with the largest Σ b·Ra, where the matrix is Σ a bᵀ.
+/// The rotation R with the largest Σ b·Ra, where the matrix is Σ a bᵀ. Its quaternion is the eigenvector of the largest
+/// eigenvalue of Horn's symmetric 4 × 4 matrix; the sign of the eigenvector does not matter, as q and −q are the same
+/// rotation. Returns NaN where there is no such eigenvector.
 fn best_turn(s: DMat3) -> DQuat {
     let at = |row: usize, column: usize| s.col(column)[row];
     let (xx, yy, zz) = (at(0, 0), at(1, 1), at(2, 2));
     let (x, y, z) = (at(1, 2) - at(2, 1), at(2, 0) - at(0, 2), at(0, 1) - at(1, 0));
     let (xy, yz, zx) = (at(0, 1) + at(1, 0), at(1, 2) + at(2, 1), at(2, 0) + at(0, 2));
-    let q = greatest_eigenvector([
+    let horn = Matrix4::from([
         [xx + yy + zz, x, y, z],
         [x, xx - yy - zz, xy, zx],
         [y, xy, yy - xx - zz, yz],
         [z, zx, yz, zz - xx - yy],
     ]);
-    DQuat::from_xyzw(q.y, q.z, q.w, q.x).normalize()
+    let Some(q) = largest_eigenvector(horn) else { return DQuat::NAN };
+    // Horn's quaternion has its real part first.
+    DQuat::from_xyzw(q[1], q[2], q[3], q[0]).normalize()
 }
 
-/// The eigenvector of a symmetric matrix's greatest eigenvalue (Jacobi's method).
-fn greatest_eigenvector(mut m: [[f64; 4]; 4]) -> DVec4 {
-    let mut vectors = DMat4::IDENTITY.to_cols_array_2d();
-    for _ in 0..SWEEPS {
-        for (p, q) in [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)] {
-            rotate_away(&mut m, &mut vectors, p, q);
-        }
+/// Returns the eigenvector of the largest eigenvalue of a symmetric matrix; none where the matrix is not finite or the
+/// solver does not converge.
+fn largest_eigenvector(symmetric: Matrix4<f64>) -> Option<Vector4<f64>> {
+    if !symmetric.iter().all(|element| element.is_finite()) {
+        return None;
     }
-    let greatest = (0..4).max_by(|&a, &b| m[a][a].total_cmp(&m[b][b])).unwrap_or(0);
-    DVec4::from_array(vectors[greatest])
-}
-
-/// Turns two axes so that the element between them vanishes; `vectors` holds an eigenvector in each row.
-fn rotate_away(m: &mut [[f64; 4]; 4], vectors: &mut [[f64; 4]; 4], p: usize, q: usize) {
-    if m[p][q].abs() < 1e-300 {
-        return;
-    }
-    let angle = 0.5 * (2.0 * m[p][q]).atan2(m[q][q] - m[p][p]);
-    let (s, c) = angle.sin_cos();
-    for row in m.iter_mut() {
-        (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
-    }
-    for k in 0..4 {
-        (m[p][k], m[q][k]) = (c * m[p][k] - s * m[q][k], s * m[p][k] + c * m[q][k]);
-        (vectors[p][k], vectors[q][k]) = (c * vectors[p][k] - s * vectors[q][k], s * vectors[p][k] + c * vectors[q][k]);
-    }
+    let eigen = SymmetricEigen::try_new(symmetric, f64::EPSILON, EIGEN_ITERATIONS)?;
+    // nalgebra does not sort the eigenvalues.
+    Some(eigen.eigenvectors.column(eigen.eigenvalues.imax()).into_owned())
 }
 
 #[cfg(test)]

@@ -279,7 +279,7 @@ impl KitchenTable {
             RigFault::new("kitchen.touched", e.to_string(), "touch three or more points spread over pan and table")
         };
         let Registered { transform, residual } = register(&pairs).map_err(refused)?;
-        if residual > LARGEST_RESIDUAL {
+        if residual.is_nan() || residual > LARGEST_RESIDUAL {
             let message = format!("the residual of the points is {:.1} mm (RMS)", 1e3 * residual);
             return Err(RigFault::new(
                 "kitchen.touched",
