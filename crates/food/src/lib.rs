@@ -9,7 +9,10 @@
 //!
 //! ```
 //! use saute_food::components::Components;
-//! use saute_food::{//!     FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, MeshSize, PieceSpec, Rules, Surroundings, //!     Touch, ZERO_C, //!};
+//! use saute_food::{
+//!     FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, MeshSize, PieceSpec, Rules, Surroundings,
+//!     Touch, ZERO_C,
+//! };
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let food: FoodDescription = toml::from_str(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/doc/gel.toml")))?;
