@@ -12,6 +12,7 @@ use crate::change::changes::CHANGES_FROM;
 use crate::model::FoodModel;
 use crate::paper_2013::{self, Rules};
 use crate::state::FoodState;
+use crate::touch::Touch;
 use crate::water::air_film::FreeAir;
 use crate::water::films::Films;
 use crate::water::juice::Runoff;
@@ -32,20 +33,6 @@ const MOST_SUBSTEPS: f64 = 4.0e9;
 const BLOCK: usize = 32;
 /// Share of the stability limit that a step may use [-] (chosen: properties are up to half a second old).
 const STABILITY_MARGIN: f64 = 0.8;
-
-/// Contact of a patch with a surface, such as a pan or a board.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Touch {
-    /// Contact conductance [W/(m²·K)]; 0 without contact.
-    pub conductance: f64,
-    /// Temperature of the touched surface [K].
-    pub temperature: f64,
-}
-
-impl Touch {
-    /// A contact that seals the patch from the air and conducts no heat; its heat flow is computed elsewhere.
-    pub const CLOSED: Self = Self { conductance: f64::MIN_POSITIVE, temperature: 0.0 };
-}
 
 /// Surroundings of a piece during one tick: contacts and air.
 #[derive(Clone, Copy, Debug)]

@@ -9,7 +9,10 @@
 //!
 //! ```
 //! use saute_food::components::Components;
-//! use saute_food::{//!     FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, MeshSize, PieceSpec, Rules, Surroundings, //!     Touch, ZERO_C, //!};
+//! use saute_food::{
+//!     FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, MeshSize, PieceSpec, Rules, Surroundings,
+//!     Touch, ZERO_C,
+//! };
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let food: FoodDescription = toml::from_str(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/doc/gel.toml")))?;
@@ -29,7 +32,7 @@
 //! let mut state = FoodState::raw(&model, ZERO_C + 5.0);
 //!
 //! // Every patch touches water: 1000 W/(m²·K) at 60 °C. Without a free patch the air does not matter.
-//! let touch = vec![Touch { conductance: 1000.0, temperature: ZERO_C + 60.0 }; model.patches().len()];
+//! let touch = vec![Touch::Contact { conductance: 1000.0, temperature: ZERO_C + 60.0 }; model.patches().len()];
 //! let air = FreeAir {
 //!     temperature: ZERO_C + 20.0,
 //!     convection: 7.0,
@@ -71,15 +74,17 @@ pub mod readings;
 pub mod state;
 pub mod table;
 pub mod tissue;
+pub mod touch;
 pub mod water;
 
-pub use advance::{Exchange, FoodSolver, Surroundings, Touch, present_area};
+pub use advance::{Exchange, FoodSolver, Surroundings, present_area};
 pub use body::{Body, Capsule, Face, Form, Patch, PatchGeometry, PatchPose, Solid};
 pub use change::{Lab, Scale, Shares};
 pub use description::{FoodDescription, Kinetics};
 pub use model::{BuildError, FoodModel, PieceSpec};
 pub use paper_2013::{MeshSize, Rules};
 pub use state::FoodState;
+pub use touch::Touch;
 pub use water::FreeAir;
 
 /// Absolute temperature of 0 °C [K].

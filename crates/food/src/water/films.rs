@@ -2,10 +2,11 @@
 
 use core::array::from_fn;
 
-use crate::advance::{Exchange, Surroundings, Touch};
+use crate::advance::{Exchange, Surroundings};
 use crate::body::patch::Patch;
 use crate::model::FoodModel;
 use crate::state::FoodState;
+use crate::touch::Touch;
 use crate::water::air_film::{AirFilm, HOTTEST_WET};
 
 /// Number of patches in a block [-] (chosen: two SIMD vectors of every 64-bit processor).
@@ -113,7 +114,7 @@ impl Films {
         for block in &self.blocks {
             let touch = around.touch.get(from..).unwrap_or_default();
             let touch = &touch[..touch.len().min(block.count)];
-            let touched = touch.iter().filter(|t| t.conductance > 0.0).count();
+            let touched = touch.iter().filter(|t| t.covers()).count();
             let heat = contact_heat.get_mut(from..).unwrap_or_default();
             if block.together && touched == 0 {
                 block.air_together(&mut nodes, around, &mut sums);
@@ -191,8 +192,8 @@ impl Block {
     #[inline]
     fn touch_together(&self, nodes: &mut Nodes, touch: &[Touch], dt: f64, heat: &mut [f64]) {
         let Some([mut t, mut h, w]) = nodes.from(self.nodes[0] as usize) else { return };
-        let conductance: Lanes = from_fn(|k| touch[k].conductance * self.film.area[k] * dt);
-        let outside: Lanes = from_fn(|k| touch[k].temperature);
+        let conductance: Lanes = from_fn(|k| touch[k].conductance() * self.film.area[k] * dt);
+        let outside: Lanes = from_fn(|k| touch[k].temperature());
         let mut gained = [0.0; TOGETHER];
         for k in 0..TOGETHER {
             let change = conductance[k] * (outside[k] - t[k]) / (self.capacity[k] + conductance[k]);
@@ -214,9 +215,9 @@ impl Block {
         total: &mut Exchange,
     ) {
         (0..self.count).for_each(|k| match touch.get(k) {
-            Some(touch) if touch.conductance > 0.0 => {
-                let conductance = touch.conductance * self.film.area[k] * dt;
-                heat[k] += self.gain(nodes, k, [conductance, self.capacity[k] + conductance], touch.temperature);
+            Some(touch) if touch.covers() => {
+                let conductance = touch.conductance() * self.film.area[k] * dt;
+                heat[k] += self.gain(nodes, k, [conductance, self.capacity[k] + conductance], touch.temperature());
             }
             _ => self.exchange_air(nodes, k, around, total),
         });

@@ -86,7 +86,7 @@ impl<'a> Run<'a> {
     pub fn fry(&mut self, seconds: f64, plate_c: f64, h: f64, air: FreeAir) {
         let mut touch = vec![Touch::default(); self.model.patches().len()];
         for patch in self.model.patches_below(self.up) {
-            touch[patch] = Touch { conductance: h, temperature: ZERO_C + plate_c };
+            touch[patch] = Touch::Contact { conductance: h, temperature: ZERO_C + plate_c };
         }
         for _ in 0..(seconds / self.dt).round() as usize {
             let around = Surroundings { touch: &touch, air: &[air; 3] };

@@ -305,7 +305,7 @@ impl Piece {
 
     /// Closes a patch in contact with other food to the air.
     pub(crate) fn close(&mut self, patch: u32) {
-        self.touch[patch as usize] = Touch::CLOSED;
+        self.touch[patch as usize] = Touch::Closed;
     }
 
     /// Updates the patches near the pan, the time of contact and the filtered force; `seen` is its pose in the pan's
@@ -383,15 +383,15 @@ impl Piece {
         if self.model.rules() == Rules::Paper2013 {
             let near = f64::from(u8::from(distance <= rules.contact_distance_mm * 1e-3));
             let share = ridges.map_or(1.0, |r| r.share());
-            return Touch { conductance: rules.conductance_w_m2k * near * share, temperature };
+            return Touch::Contact { conductance: rules.conductance_w_m2k * near * share, temperature };
         }
         let top = face.conductance(contact, distance) * steam_share(contact, temperature, wet) * surface.contact_share;
-        let Some(ridges) = ridges else { return Touch { conductance: top, temperature } };
+        let Some(ridges) = ridges else { return Touch::Contact { conductance: top, temperature } };
         let over = AcrossGroove {
             emissivity: [pan_model.description.surface.emissivity, surface.emissivity],
             temperature: [temperature, self.state.temperature[node]],
         };
-        Touch { conductance: ridges.mixed(top, contact, &face, distance, &over), temperature }
+        Touch::Contact { conductance: ridges.mixed(top, contact, &face, distance, &over), temperature }
     }
 
     /// Gap below a patch of a domed slice [m]; 0 if the slice does not lie flat.
@@ -411,7 +411,7 @@ impl Piece {
             Under::Wood => self.board.layers[0],
             Under::Glass(temperature) => temperature,
         };
-        let touch = Touch { conductance: room.board.conductance_w_m2k, temperature };
+        let touch = Touch::Contact { conductance: room.board.conductance_w_m2k, temperature };
         let model = Arc::clone(&self.model);
         model.patches_below(self.up()).for_each(|patch| self.touch[patch] = touch);
     }

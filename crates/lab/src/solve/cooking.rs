@@ -20,9 +20,8 @@ use saute_kitchen::{TICK_S, celsius};
 /// Largest heat transfer coefficient of air; above it the medium is a solid or a liquid [W/(m²·K)] (chosen: forced
 /// convection of air reaches 100).
 const MOST_OF_AIR: f64 = 100.0;
-/// Conductance of a fixed-temperature (Dirichlet) surface [W/(m²·K)] (chosen: a thousand times that of any node).
-const HELD: f64 = 1e7;
-/// Conductance of an insulated face [W/(m²·K)] (chosen: negligible; 0 would mean free air).
+/// Conductance of an insulated face [W/(m²·K)] (chosen: negligible; [`Touch::Closed`] would be exact, but would change
+/// the last digits of recorded results).
 const INSULATED: f64 = 1e-12;
 
 /// Runs a case with the full food model. `clock` returns wall time [s], for the report only.
@@ -168,7 +167,7 @@ impl<'a> Cooking<'a> {
     /// Updates the boundary condition of every patch.
     fn meet(&mut self) {
         let phase = self.phase();
-        self.touch.fill(Touch { conductance: INSULATED, temperature: self.case.bodies[0].initial });
+        self.touch.fill(Touch::Contact { conductance: INSULATED, temperature: self.case.bodies[0].initial });
         let upside_down = self.flips % 2 == 1;
         for at in 0..self.body.ends.len() {
             let (axis, end, _) = self.body.ends[at];
@@ -183,15 +182,19 @@ impl<'a> Cooking<'a> {
 
     fn meet_end(&mut self, at: usize, boundary: &Boundary, contact: Option<Contact>) {
         let range = self.body.ends[at].2.clone();
-        let (h, outside) = match *boundary {
-            Boundary::Fixed(temperature) => (HELD, temperature),
-            Boundary::Exchange { h, source } => (h, if h > 0.0 { source / h } else { self.air[0].temperature }),
+        let touch = match *boundary {
+            Boundary::Fixed(temperature) => Touch::Fixed { temperature },
+            Boundary::Exchange { h, source } => {
+                let temperature = if h > 0.0 { source / h } else { self.air[0].temperature };
+                Touch::Contact { conductance: h, temperature }
+            }
         };
+        let (h, outside) = (touch.conductance(), touch.temperature());
         match contact {
             Some(Contact::Pan) => self.meet_pan(range, outside),
             Some(Contact::Air) => self.meet_air(at, h, outside),
             None if h <= MOST_OF_AIR => self.meet_air(at, h, outside),
-            _ => self.touch[range].fill(Touch { conductance: h, temperature: outside }),
+            _ => self.touch[range].fill(touch),
         }
     }
 
@@ -217,7 +220,7 @@ impl<'a> Cooking<'a> {
             let node = model.patches()[patch].node as usize;
             let wet = self.state.water[node] > WET_SHARE * model.initial_water()[node];
             let conductance = conductance * steam_share(gap, pan, wet);
-            self.touch[patch] = Touch { conductance, temperature: pan };
+            self.touch[patch] = Touch::Contact { conductance, temperature: pan };
             mean += conductance * model.patches()[patch].area / area;
         }
         if self.contact.last().is_none_or(|[last, _]| self.time() > last + 0.999) {

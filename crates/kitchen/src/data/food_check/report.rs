@@ -107,7 +107,8 @@ impl FoodReport {
 fn minutes_in_a_bath(model: &FoodModel, library: &Library) -> Option<f64> {
     let mut state = FoodState::raw(model, kelvin(START_C));
     let mut solver = FoodSolver::default();
-    let touch = vec![Touch { conductance: BATH_CONDUCTANCE, temperature: kelvin(BATH_C) }; model.patches().len()];
+    let touch =
+        vec![Touch::Contact { conductance: BATH_CONDUCTANCE, temperature: kelvin(BATH_C) }; model.patches().len()];
     // Every patch lies in water, so that the air passes nothing.
     let air = [library.room.still_air(); 3];
     let around = Surroundings { touch: &touch, air: &air };
