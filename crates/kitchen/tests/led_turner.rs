@@ -129,7 +129,7 @@ fn a_turner_lowered_onto_a_steak_presses_it_with_a_bounded_force() {
     println!("resting {resting:.2} N, pressed {forces:.2?} N");
     assert!(forces[0] > 1.0 && forces[1] > forces[0] + 1.0 && forces[2] > forces[1] + 1.0, "{forces:?}");
     assert!(forces[2] < 14.0, "a hand yields: {forces:?}");
-    let pressed = kitchen.pieces()[0].pan_force;
+    let pressed = kitchen.pieces()[0].pan_force();
     assert!(pressed > resting + 3.0, "the contact feels it: {pressed}");
     lead(&mut kitchen, above, 60);
     assert!((floor_force(&kitchen) - resting).abs() < 0.5 * resting, "{}", floor_force(&kitchen));

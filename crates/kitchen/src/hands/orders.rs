@@ -237,7 +237,7 @@ impl Kitchen {
         self.world.add(key, solid, mass, &pose);
         self.world.set_friction(key, friction);
         let piece = &mut self.pieces[index];
-        (piece.pose, piece.place, piece.since_contact) = (pose, Place::Pan(at), 0.0);
+        (piece.pose, piece.place, piece.on_pan.since) = (pose, Place::Pan(at), 0.0);
         piece.lie();
         Ok(())
     }

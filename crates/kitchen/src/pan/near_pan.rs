@@ -174,7 +174,7 @@ mod tests {
         }
         let piece = &kitchen.pieces()[0];
         let limp = piece.model.limp(&piece.state).expect("lies along stations");
-        let near = piece.near.patches.iter().filter(|near| near.gap == 0.0);
+        let near = piece.near_patches().iter().filter(|near| near.gap == 0.0);
         let stations: std::collections::BTreeSet<usize> =
             near.map(|near| limp.station(piece.model.patches()[near.patch as usize].node)).collect();
         stations.len() as f64 / limp.stations() as f64

@@ -5,6 +5,8 @@ pub mod carry_over;
 pub mod contact;
 pub(crate) mod food_contact;
 pub mod layout;
+mod pan_contact;
+mod piece_shape;
 pub mod piece_state;
 pub mod sear_lines;
 

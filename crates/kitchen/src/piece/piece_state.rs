@@ -4,22 +4,22 @@ use std::sync::Arc;
 
 use saute_food::advance::REFRESH_TICKS;
 use saute_food::body::halving::{Cut, CutError};
-use saute_food::body::limp::Limp;
 use saute_food::{
-    Exchange, FoodModel, FoodSolver, FoodState, FreeAir, PatchGeometry, PatchPose, Rules, Surroundings, Touch,
-    present_area,
+    Exchange, FoodModel, FoodSolver, FoodState, FreeAir, PatchPose, Rules, Surroundings, Touch, present_area,
 };
 
 use crate::data::room::Room;
 use crate::dynamics::extent::outline;
 use crate::dynamics::{Contact, PanShape, Pose};
 use crate::hands::command::{Refused, RestOn};
-use crate::pan::near_pan::{NearPan, NearPatch, Seen, unevenness};
+use crate::pan::near_pan::{NearPatch, unevenness};
 use crate::pan::pan_model::{PanModel, PanState};
 use crate::pan::ridges::AcrossGroove;
 use crate::piece::board::Board;
 use crate::piece::contact::{FaceContact, steam_share};
 use crate::piece::layout::Footprint;
+use crate::piece::pan_contact::PanContact;
+use crate::piece::piece_shape::PieceShape;
 use crate::piece::sear_lines::SearRecord;
 
 /// Place of a piece.
@@ -85,40 +85,23 @@ pub struct Piece {
     pub place: Place,
     /// Pose of its rigid body in the kitchen.
     pub pose: Pose,
-    /// Time since the start of the contact of its lower face [s].
-    pub since_contact: f64,
-    /// Time of the last flip [s].
-    pub flipped_at: Option<f64>,
     /// Highest core temperature [K] and its time [s].
     pub core_peak: (f64, f64),
     /// Vapour flow in the last tick [kg/s].
     pub vapour_flow: f64,
-    /// Low-pass filtered normal force on the pan [N].
-    pub pan_force: f64,
     /// Surface on which it was put to rest.
     pub(crate) resting_on: RestOn,
-    pub(crate) near: NearPan,
+    /// Contact with the pan.
+    pub(crate) on_pan: PanContact,
     /// Contacts of its rigid body at the last tick with motion.
     pub(crate) contacts: Vec<Contact>,
     pub(crate) solver: FoodSolver,
     pub(crate) sear: SearRecord,
-    geometry: PatchGeometry,
-    limp: Option<Limp>,
-    shape_count: u64,
-    shaped_at: u64,
-    lay_up: [f64; 3],
-    lost_contact_s: f64,
+    shape: PieceShape,
     pub(crate) uneven: Arc<Vec<f64>>,
     board: Board,
     touch: Vec<Touch>,
 }
-
-/// Longest loss of contact that does not restart the contact [s] (chosen: a hop of a few millimetres).
-const HOP_S: f64 = 0.15;
-/// Time constant of the contact force's low-pass filter [s] (chosen: longer than the impact of a landing).
-const PRESSURE_S: f64 = 0.3;
-/// Ticks between two updates of the shape [-] (chosen: the ticks at which the food model recomputes it).
-const SHAPE_TICKS: u64 = 20;
 
 impl Piece {
     /// A waiting piece at a uniform temperature [K].
@@ -133,28 +116,17 @@ impl Piece {
         let state = FoodState::raw(&model, temperature);
         let gap = &room.contact;
         let uneven = unevenness(&model, seed, 1e-3 * gap.unevenness_scale_mm, 1e-3 * gap.unevenness_mm);
-        let mut geometry = PatchGeometry::default();
-        model.patch_geometry_into(&state, &mut geometry);
-        let limp = model.limp(&state);
         Self {
             core_peak: (temperature, 0.0),
             place: Place::Waiting,
             pose: Pose::default(),
-            since_contact: 0.0,
-            flipped_at: None,
             vapour_flow: 0.0,
-            pan_force: 0.0,
             resting_on: RestOn::Board,
-            near: NearPan::default(),
+            on_pan: PanContact::none(),
             contacts: Vec::new(),
             solver: FoodSolver::default(),
             sear: SearRecord::default(),
-            geometry,
-            limp,
-            shape_count: 0,
-            shaped_at: 0,
-            lay_up: [0.0, 0.0, 1.0],
-            lost_contact_s: 0.0,
+            shape: PieceShape::of(&model, &state),
             uneven: Arc::new(uneven),
             board: Board::at(room.temperature()),
             touch: Vec::new(),
@@ -193,9 +165,7 @@ impl Piece {
         Arc::make_mut(&mut self.uneven).resize(model.patches().len(), 0.0);
         self.model = Arc::new(model);
         self.solver = FoodSolver::default();
-        self.model.patch_geometry_into(&self.state, &mut self.geometry);
-        self.limp = self.model.limp(&self.state);
-        self.shape_count += 1;
+        self.shape.update(&self.model, &self.state);
         (self.resting_on, self.place) = (RestOn::Board, Place::Rest(RestOn::Board));
         Ok(())
     }
@@ -246,7 +216,7 @@ impl Piece {
 
     /// Poses of its patches in its body's frame.
     pub fn patch_poses(&self) -> &[PatchPose] {
-        &self.geometry.poses
+        self.shape.poses()
     }
 
     /// Footprint on a floor in its present orientation.
@@ -256,13 +226,27 @@ impl Piece {
 
     /// Resets the contact record for a piece laid flat into the pan.
     pub(crate) fn lie(&mut self) {
-        self.lay_up = [0.0, 0.0, 1.0];
-        self.near.forget();
+        self.on_pan.lie();
+    }
+
+    /// Returns the low-pass filtered normal force on the pan [N].
+    pub fn pan_force(&self) -> f64 {
+        self.on_pan.force
+    }
+
+    /// Returns the time of the last flip [s].
+    pub fn flipped_at(&self) -> Option<f64> {
+        self.on_pan.flipped_at
+    }
+
+    /// Returns the patches near the pan, in their order.
+    pub(crate) fn near_patches(&self) -> &[NearPatch] {
+        &self.on_pan.near.patches
     }
 
     /// Number of updates of its shape [-].
     pub fn shape_count(&self) -> u64 {
-        self.shape_count
+        self.shape.count()
     }
 
     /// Present area of a patch [m²].
@@ -280,16 +264,9 @@ impl Piece {
         self.state.water[node] > WET_SHARE * self.model.initial_water()[node]
     }
 
-    /// Updates the geometry from the food's shape every [`SHAPE_TICKS`]; returns true if it did.
+    /// Updates the geometry from the food's shape when due; returns true if it did.
     pub(crate) fn follow_shape(&mut self) -> bool {
-        if self.state.ticks < self.shaped_at + SHAPE_TICKS {
-            return false;
-        }
-        self.shaped_at = self.state.ticks;
-        self.shape_count += 1;
-        self.model.patch_geometry_into(&self.state, &mut self.geometry);
-        self.limp = self.model.limp(&self.state);
-        true
+        self.shape.follow(&self.model, &self.state)
     }
 
     /// Replaces the wood below it by wood at room temperature [K].
@@ -311,23 +288,8 @@ impl Piece {
     /// Updates the patches near the pan, the time of contact and the filtered force; `seen` is its pose in the pan's
     /// frame.
     pub(crate) fn meet_pan(&mut self, pan: &PanModel, surface: &PanShape, seen: &Pose, force: f64, now: f64, dt: f64) {
-        let patches = (self.model.patches(), self.geometry.poses.as_slice());
-        let shape = Seen { patches, limp: self.limp.as_ref(), count: self.shape_count };
-        self.near.look(pan, surface, seen, shape);
-        self.lost_contact_s = if self.near.patches.is_empty() { self.lost_contact_s + dt } else { 0.0 };
-        let up = seen.up();
-        let level: f64 = up.iter().zip(&self.lay_up).map(|(a, b)| a * b).sum();
-        if level < 0.0 && !self.near.patches.is_empty() {
-            self.flipped_at = Some(now);
-        }
-        if self.lost_contact_s > HOP_S || (level < 0.5 && !self.near.patches.is_empty()) {
-            self.since_contact = 0.0;
-            self.pan_force = force;
-        }
-        if !self.near.patches.is_empty() && level < 0.5 {
-            self.lay_up = up;
-        }
-        self.pan_force += (force - self.pan_force) * dt / (dt + PRESSURE_S);
+        self.on_pan.near.look(pan, surface, seen, self.shape.seen(&self.model));
+        self.on_pan.follow(seen.up(), force, now, dt);
         if let Some(ridges) = &pan.ridges {
             self.note_ridges(ridges, seen);
         }
@@ -336,19 +298,17 @@ impl Piece {
     /// Ends the contact with the pan.
     pub(crate) fn leave_pan(&mut self) {
         self.sear.leave();
-        self.near.forget();
-        self.since_contact = 0.0;
-        self.pan_force = 0.0;
+        self.on_pan.leave();
     }
 
     /// Sets the contacts of the patches near the pan.
     pub(crate) fn touch_pan(&mut self, pan: &PanModel, pan_state: &PanState, room: &Room) {
-        let near = core::mem::take(&mut self.near.patches);
+        let near = core::mem::take(&mut self.on_pan.near.patches);
         let area: f64 = near.iter().map(|n| self.patch_area(n.patch as usize)).sum();
         let face = FaceContact {
-            since: self.since_contact,
+            since: self.on_pan.since,
             // Ridges carry the weight on their tops only.
-            pressure: self.pan_force / (area * pan.ridges.map_or(1.0, |r| r.share())).max(1e-6),
+            pressure: self.on_pan.force / (area * pan.ridges.map_or(1.0, |r| r.share())).max(1e-6),
             film: 0.0,
             coating: pan.description.coating_w_m2k,
         };
@@ -359,7 +319,7 @@ impl Piece {
                 self.sear_strip(n, &face, mean, (&ridges, pan_state), room);
             }
         }
-        self.near.patches = near;
+        self.on_pan.near.patches = near;
     }
 
     fn pan_touch(
@@ -396,12 +356,12 @@ impl Piece {
 
     /// Gap below a patch of a domed slice [m]; 0 if the slice does not lie flat.
     pub(crate) fn dome_gap(&self, patch: usize) -> f64 {
-        let flat = self.model.mesh().is_slice() && self.lay_up[2].abs() > 0.7;
+        let flat = self.model.mesh().is_slice() && self.on_pan.lay_up[2].abs() > 0.7;
         if !flat {
             return 0.0;
         }
         let [x, y, _] = self.model.mesh().position(self.model.patches()[patch].node as usize);
-        self.model.dome_gap(&self.state, [x, y], self.lay_up)
+        self.model.dome_gap(&self.state, [x, y], self.on_pan.lay_up)
     }
 
     /// Sets the contacts with the ground outside the pan.
@@ -428,7 +388,7 @@ impl Piece {
         let air = if self.model.rules() == Rules::Paper2013 { air.map(Room::without_evaporation) } else { air };
         let around = Surroundings { touch: &self.touch, air: &air };
         let exchange = self.solver.advance(&self.model, &mut self.state, &around, dt);
-        self.since_contact += dt;
+        self.on_pan.since += dt;
         self.vapour_flow = exchange.evaporated / dt;
         exchange
     }

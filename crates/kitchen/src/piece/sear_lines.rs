@@ -168,7 +168,7 @@ impl Piece {
     /// Updates the record of sear lines while the piece lies on ridges.
     pub(crate) fn note_ridges(&mut self, ridges: &Ridges, seen: &Pose) {
         match SearRecord::face_below(seen.up()) {
-            Some(face) if !self.near.patches.is_empty() => {
+            Some(face) if !self.near_patches().is_empty() => {
                 if self.state.ticks.is_multiple_of(REFRESH_TICKS) {
                     let browning = self.face_mean(face, &self.state.browning);
                     self.sear.look(ridges, (face, browning), seen, self.state.stretch.lateral);

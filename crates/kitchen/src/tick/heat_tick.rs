@@ -218,10 +218,10 @@ impl Kitchen {
         let (air, evaporation) = fixed.pan.take_up(&mut self.pan, &fixed.room, || piece.face(false), exchange);
         self.account.flows.air += air;
         self.account.flows.evaporation += evaporation;
-        let whole: f64 = piece.near.patches.iter().map(|n| piece.patch_area(n.patch as usize)).sum();
+        let whole: f64 = piece.near_patches().iter().map(|n| piece.patch_area(n.patch as usize)).sum();
         // Steam that boils off at the lower face rises through the oil there.
         let boiled = exchange.evaporated.min(taken.max(0.0) / latent_heat(kelvin(100.0)));
-        for near in &piece.near.patches {
+        for near in piece.near_patches() {
             let (patch, located) = (near.patch as usize, &near.located);
             let (heat, area) = (piece.solver.contact_heat[patch], piece.patch_area(patch));
             let wet = piece.is_wet(piece.node_of(near.patch));
@@ -242,7 +242,7 @@ impl Kitchen {
                 }
             }
         }
-        if piece.near.patches.is_empty() && exchange.drip.mass > 0.0 {
+        if piece.near_patches().is_empty() && exchange.drip.mass > 0.0 {
             self.drip_from_above(fixed, index, exchange);
         }
         let latent = self.pieces[index].model.description().fat_melting.latent_j_kg;
@@ -275,7 +275,7 @@ impl Kitchen {
     fn pan_force(&self, index: usize) -> f64 {
         let piece = &self.pieces[index];
         if self.world.is_settled() {
-            return piece.pan_force;
+            return piece.pan_force();
         }
         let on_pan = |c: &Contact| matches!(c.against, Against::Floor | Against::Wall);
         piece.contacts.iter().filter(|c| on_pan(c)).map(|c| c.force).sum()

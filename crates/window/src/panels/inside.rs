@@ -164,7 +164,7 @@ fn readings(state: &WindowState, inside: &Inside, piece: &Piece, ui: &mut Ui) {
     let kitchen = &state.session.kitchen;
     let mass = 1e3 * piece.mass();
     let lost = 100.0 * (1.0 - mass / state.session.start_mass_g());
-    let since = piece.flipped_at.map(|t| kitchen.time_s() - t);
+    let since = piece.flipped_at().map(|t| kitchen.time_s() - t);
     let hardness = format!("{:.1}", inside.bite[0]);
     let juiciness = inside.bite[1];
     let temperature = |kelvin: f64| settings.temperature(celsius(kelvin));
