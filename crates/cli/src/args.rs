@@ -225,4 +225,6 @@ pub enum Schema {
     Recipe,
     /// JSON Schema of lab cases.
     Lab,
+    /// JSON Schema of half-mirror rigs.
+    Rig,
 }

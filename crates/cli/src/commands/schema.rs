@@ -9,6 +9,7 @@ use saute_kitchen::pan::hob::HobDescription;
 use saute_kitchen::pan::pan_description::{CoatingDescription, PanDescription};
 use saute_lab::CaseFile;
 use saute_recipe::recipe_file::RecipeFile;
+use saute_window::mirror::rig_file::RigFile;
 use schemars::JsonSchema;
 
 use crate::args::{Schema, SchemaArgs};
@@ -26,6 +27,7 @@ pub fn run(args: &SchemaArgs) -> Result<ExitCode, CliError> {
         Schema::Hob => text::<HobDescription>,
         Schema::Recipe => text::<RecipeFile>,
         Schema::Lab => text::<CaseFile>,
+        Schema::Rig => text::<RigFile>,
     };
     stdout::print(&text(args.markdown)?)?;
     Ok(ExitCode::SUCCESS)

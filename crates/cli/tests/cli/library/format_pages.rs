@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::running::run;
 
-const FORMATS: [&str; 8] = ["food", "pan", "coating", "oil", "kinetics", "hob", "recipe", "lab"];
+const FORMATS: [&str; 9] = ["food", "pan", "coating", "oil", "kinetics", "hob", "recipe", "lab", "rig"];
 
 fn page(format: &str) -> String {
     let ran = run(&["schema", format, "--markdown"]);
