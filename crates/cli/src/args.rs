@@ -75,9 +75,8 @@ pub enum Command {
     /// Tools for your own foods.
     #[command(subcommand)]
     Food(Food),
-    /// Prints the JSON Schema of a file format.
-    #[command(subcommand)]
-    Schema(Schema),
+    /// Prints the JSON Schema of a file format, or its reference page.
+    Schema(SchemaArgs),
     /// Lists and checks haptic devices.
     #[command(subcommand)]
     Haptics(Haptics),
@@ -197,6 +196,17 @@ pub enum Listed {
 }
 
 /// `saute schema`.
+#[derive(Debug, clap::Args)]
+pub struct SchemaArgs {
+    /// Format.
+    #[command(subcommand)]
+    pub format: Schema,
+    /// Prints the reference page of the format as Markdown: a table of keys for every TOML table.
+    #[arg(long, global = true)]
+    pub markdown: bool,
+}
+
+/// A file format.
 #[derive(Clone, Copy, Debug, Subcommand)]
 pub enum Schema {
     /// JSON Schema of food files.
@@ -215,4 +225,6 @@ pub enum Schema {
     Recipe,
     /// JSON Schema of lab cases.
     Lab,
+    /// JSON Schema of half-mirror rigs.
+    Rig,
 }

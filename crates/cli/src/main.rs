@@ -63,7 +63,7 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         Some(Command::List(args)) => list::run(&args, &library()?),
         // The file under check may lie in the --data folder, which as a whole could not be read then.
         Some(Command::Food(Food::Check(check))) => food_check::run(&check, args.data.as_deref()),
-        Some(Command::Schema(which)) => schema::run(which),
+        Some(Command::Schema(args)) => schema::run(&args),
         Some(Command::Haptics(Haptics::List(args))) => haptics::list(&args),
         Some(Command::Haptics(Haptics::Check(args))) => haptics::check(&args, &library()?.library),
     }

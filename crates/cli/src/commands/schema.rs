@@ -1,30 +1,39 @@
-//! `saute schema`.
+//! `saute schema`: the JSON Schema of a file format, or its reference page.
 
 use std::process::ExitCode;
 
+use saute_kitchen::data::format::FormatSchema;
 use saute_kitchen::food::{FoodDescription, Kinetics};
 use saute_kitchen::liquids::oil::OilDescription;
 use saute_kitchen::pan::hob::HobDescription;
 use saute_kitchen::pan::pan_description::{CoatingDescription, PanDescription};
 use saute_lab::CaseFile;
 use saute_recipe::recipe_file::RecipeFile;
+use saute_window::mirror::rig_file::RigFile;
+use schemars::JsonSchema;
 
-use crate::args::Schema;
+use crate::args::{Schema, SchemaArgs};
 use crate::error::CliError;
 use crate::output::{json, stdout};
 
-/// Prints the JSON Schema of a file format.
-pub fn run(which: Schema) -> Result<ExitCode, CliError> {
-    let schema = match which {
-        Schema::Food => schemars::schema_for!(FoodDescription),
-        Schema::Pan => schemars::schema_for!(PanDescription),
-        Schema::Coating => schemars::schema_for!(CoatingDescription),
-        Schema::Oil => schemars::schema_for!(OilDescription),
-        Schema::Kinetics => schemars::schema_for!(Kinetics),
-        Schema::Hob => schemars::schema_for!(HobDescription),
-        Schema::Recipe => schemars::schema_for!(RecipeFile),
-        Schema::Lab => schemars::schema_for!(CaseFile),
+/// Prints the JSON Schema of a file format, or its reference page.
+pub fn run(args: &SchemaArgs) -> Result<ExitCode, CliError> {
+    let text = match args.format {
+        Schema::Food => text::<FoodDescription>,
+        Schema::Pan => text::<PanDescription>,
+        Schema::Coating => text::<CoatingDescription>,
+        Schema::Oil => text::<OilDescription>,
+        Schema::Kinetics => text::<Kinetics>,
+        Schema::Hob => text::<HobDescription>,
+        Schema::Recipe => text::<RecipeFile>,
+        Schema::Lab => text::<CaseFile>,
+        Schema::Rig => text::<RigFile>,
     };
-    stdout::print(&json::text(&schema)?)?;
+    stdout::print(&text(args.markdown)?)?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// Returns the reference page of a format as Markdown, or its JSON Schema.
+fn text<T: JsonSchema>(markdown: bool) -> Result<String, CliError> {
+    if markdown { Ok(FormatSchema::of::<T>().page()) } else { json::text(&schemars::schema_for!(T)) }
 }

@@ -13,6 +13,7 @@ use toml::de::DeTable;
 
 use crate::data::data_file::DataFile;
 use crate::data::finding::Finding;
+use crate::data::format_page::FormatPage;
 use crate::data::library::{LibraryError, line_of};
 use crate::data::schema_walk::SchemaWalk;
 
@@ -38,6 +39,11 @@ impl FormatSchema {
     /// Returns the schema as JSON.
     pub fn json(&self) -> &Value {
         self.root.as_value()
+    }
+
+    /// Returns the reference page of the format, as Markdown: a table of keys for every TOML table.
+    pub fn page(&self) -> String {
+        FormatPage::over(self.json()).markdown()
     }
 
     /// Returns everything in a text that the schema refuses, in the order of its lines.
@@ -157,6 +163,14 @@ mod tests {
             Kind::Text | Kind::Flag => 0,
             other => panic!("{at} is {other:?}"),
         }
+    }
+
+    #[test]
+    fn the_page_of_a_format_states_meaning_range_and_example_of_its_keys() {
+        let page = FormatSchema::of::<OilDescription>().page();
+        assert!(page.starts_with("# The oil format\n"), "{page}");
+        let row = "| `smoke_c` | Smoke point [°C]. | 80 to 400 | **required** | `smoke_c = 220.0` |\n";
+        assert!(page.contains(row), "{page}");
     }
 
     #[test]

@@ -4,6 +4,7 @@ pub mod data_file;
 pub mod finding;
 pub mod food_check;
 pub mod format;
+mod format_page;
 pub mod input_error;
 pub mod library;
 mod number_text;

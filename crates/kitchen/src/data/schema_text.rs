@@ -87,12 +87,17 @@ pub(crate) fn bounds(schema: &Value) -> (f64, f64) {
 
 /// Returns what to write instead of a number outside a range.
 pub(crate) fn range_remedy(low: f64, high: f64, in_list: bool) -> String {
-    let values = if in_list { "numbers from " } else { "" };
+    let values = if in_list && low.is_finite() && high.is_finite() { "numbers from " } else { "" };
+    format!("use {values}{}", range_text(low, high))
+}
+
+/// Returns a range in words.
+pub(crate) fn range_text(low: f64, high: f64) -> String {
     match (low.is_finite(), high.is_finite()) {
-        (true, true) => format!("use {values}{} to {}", number_text(low), number_text(high)),
-        (true, false) => format!("use {} or more", number_text(low)),
-        (false, true) => format!("use {} or less", number_text(high)),
-        (false, false) => "use a finite number".to_owned(),
+        (true, true) => format!("{} to {}", number_text(low), number_text(high)),
+        (true, false) => format!("{} or more", number_text(low)),
+        (false, true) => format!("{} or less", number_text(high)),
+        (false, false) => "a finite number".to_owned(),
     }
 }
 
@@ -107,10 +112,14 @@ pub(crate) fn choices(schema: &Value) -> Vec<&str> {
     listed.chain(grouped).filter_map(Value::as_str).collect()
 }
 
+/// Returns the description of a key as it is written.
+pub(crate) fn description(schema: &Value) -> Option<&str> {
+    schema["description"].as_str().or_else(|| resolved(schema)["description"].as_str())
+}
+
 /// Returns what a key means, as part of a sentence.
 pub(crate) fn meaning(schema: &Value) -> String {
-    let described = schema["description"].as_str().or_else(|| resolved(schema)["description"].as_str());
-    let text = described.unwrap_or("see its format").replace('\n', " ");
+    let text = description(schema).unwrap_or("see its format").replace('\n', " ");
     let text = text.trim_end_matches('.');
     let mut letters = text.chars();
     match (letters.next(), letters.next()) {
@@ -124,11 +133,19 @@ pub(crate) fn meaning(schema: &Value) -> String {
 
 /// Returns a line that could set a key.
 pub(crate) fn example(key: &str, schema: &Value) -> String {
-    let resolved = resolved(schema);
-    let given = [schema, resolved].into_iter().find_map(|s| s["examples"].get(0));
-    let default = || [schema, resolved].into_iter().find_map(|s| s.get("default").filter(|d| !d.is_null()));
-    let value = given.or_else(default).map_or_else(|| stand_in(resolved), toml_text);
+    let value = stated_example(schema).map_or_else(|| stand_in(resolved(schema)), toml_text);
     format!("{key} = {value}")
+}
+
+/// Returns the example of a key, else its default; none if the schema states neither.
+pub(crate) fn stated_example(schema: &Value) -> Option<&Value> {
+    let given = [schema, resolved(schema)].into_iter().find_map(|s| s["examples"].get(0));
+    given.or_else(|| default(schema))
+}
+
+/// Returns the default of a key.
+pub(crate) fn default(schema: &Value) -> Option<&Value> {
+    [schema, resolved(schema)].into_iter().find_map(|s| s.get("default").filter(|d| !d.is_null()))
 }
 
 /// Returns a value of the right kind for a key without an example.
@@ -153,7 +170,7 @@ pub(crate) fn required_examples(table: &Value) -> Vec<String> {
 }
 
 /// Returns a JSON value as TOML.
-fn toml_text(value: &Value) -> String {
+pub(crate) fn toml_text(value: &Value) -> String {
     match value {
         Value::Array(items) => format!("[{}]", items.iter().map(toml_text).collect::<Vec<_>>().join(", ")),
         Value::Object(entries) if entries.is_empty() => "{}".to_owned(),

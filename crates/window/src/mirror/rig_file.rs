@@ -1,6 +1,7 @@
 //! The file format of a half-mirror rig: its measured geometry, as TOML.
 
 use glam::{DQuat, DVec2, DVec3};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::lens::Lens;
@@ -64,90 +65,163 @@ pub enum RigFileError {
     },
 }
 
-#[derive(Deserialize)]
+/// A half-mirror rig as its file describes it. Frame: metres, x to the cook's right, y away from the cook, z up.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct RigFile {
+#[schemars(title = "saute rig")]
+pub struct RigFile {
+    /// Name for people.
+    #[schemars(example = &"My rig")]
     name: String,
+    /// Source of the numbers, or "chosen" and the reason.
     #[expect(dead_code, reason = "every data file names its source")]
+    #[schemars(example = &"measured with a tape")]
     source: String,
+    /// Confidence in the numbers.
     #[expect(dead_code, reason = "and its confidence")]
+    #[schemars(example = &"low")]
     confidence: String,
+    /// Eyes of the cook.
     eye: EyeTable,
+    /// Reflecting side of the half-silvered glass.
     mirror: PlaneTable,
+    /// A flat screen; a rig has either this or a projector.
     panel: Option<PanelTable>,
+    /// A projector with its board; a rig has either this or a panel.
     projector: Option<ProjectorTable>,
+    /// Pose of the kitchen in the rig.
     #[serde(default)]
     kitchen: KitchenTable,
+    /// Calibration sheet, in the kitchen's frame, long side along x.
     sheet: SheetTable,
 }
 
-#[derive(Deserialize)]
+/// Eyes of the cook.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct EyeTable {
+    /// Midpoint between the eyes [m].
+    #[schemars(inner(range(min = PLACE_M[0], max = PLACE_M[1])), extend("examples" = [[0.0, -0.35, 0.55]]))]
     position_m: [f64; 3],
+    /// Distance of the pupils [mm].
+    #[schemars(range(min = EYE_DISTANCE_MM[0], max = EYE_DISTANCE_MM[1]), example = 63.0)]
     distance_mm: f64,
 }
 
-#[derive(Deserialize)]
+/// A plane.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct PlaneTable {
+    /// Any point on it [m].
+    #[schemars(inner(range(min = PLACE_M[0], max = PLACE_M[1])), extend("examples" = [[0.0, 0.0, 0.28]]))]
     point_m: [f64; 3],
+    /// Normal; its length does not matter.
+    #[schemars(extend("examples" = [[0.0, 0.1736, 0.9848]]))]
     normal: [f64; 3],
 }
 
-#[derive(Deserialize)]
+/// A flat screen, by the corners of its lit area, which form a right angle.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct PanelTable {
+    /// Width and height of the picture [pixels].
+    #[schemars(inner(range(min = PIXELS[0], max = PIXELS[1])), extend("examples" = [[1920, 1080]]))]
     pixels: [u32; 2],
+    /// Start of the first row of pixels [m].
+    #[schemars(inner(range(min = PLACE_M[0], max = PLACE_M[1])), extend("examples" = [[0.2655, 0.26, 0.483]]))]
     top_left_m: [f64; 3],
+    /// End of the first row of pixels [m].
+    #[schemars(inner(range(min = PLACE_M[0], max = PLACE_M[1])), extend("examples" = [[-0.2655, 0.26, 0.483]]))]
     top_right_m: [f64; 3],
+    /// Start of the last row of pixels [m].
+    #[schemars(inner(range(min = PLACE_M[0], max = PLACE_M[1])), extend("examples" = [[0.2655, -0.021, 0.586]]))]
     bottom_left_m: [f64; 3],
 }
 
-#[derive(Deserialize)]
+/// A projector.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct ProjectorTable {
+    /// Width and height of the picture [pixels].
+    #[schemars(inner(range(min = PIXELS[0], max = PIXELS[1])), extend("examples" = [[1920, 1080]]))]
     pixels: [u32; 2],
+    /// Centre of projection [m].
+    #[schemars(inner(range(min = PLACE_M[0], max = PLACE_M[1])), extend("examples" = [[0.0, 0.306, 1.318]]))]
     position_m: [f64; 3],
+    /// Direction of the optical axis.
+    #[schemars(extend("examples" = [[0.0, -0.2315, -0.9728]]))]
     axis: [f64; 3],
+    /// Direction of a row of pixels, from its start to its end.
+    #[schemars(extend("examples" = [[1.0, 0.0, 0.0]]))]
     right: [f64; 3],
+    /// Focal length [pixels].
+    #[schemars(range(min = FOCAL_PX[0], max = FOCAL_PX[1]), example = 2750.0)]
     focal_px: f64,
+    /// Principal point: where the optical axis meets the picture [pixels].
+    #[schemars(inner(range(min = PRINCIPAL_PX[0], max = PRINCIPAL_PX[1])), extend("examples" = [[960.0, 540.0]]))]
     principal_px: [f64; 2],
+    /// Radial distortion of second order [-].
+    #[schemars(range(min = DISTORTION[0], max = DISTORTION[1]), example = -0.03)]
     k1: f64,
+    /// Radial distortion of fourth order [-].
+    #[schemars(range(min = DISTORTION[0], max = DISTORTION[1]), example = 0.005)]
     k2: f64,
+    /// Board that it lights.
     board: PlaneTable,
 }
 
-#[derive(Default, Deserialize)]
+/// Pose of the kitchen in the rig: from touched points, else from the home pose of the pan, else as given.
+#[derive(Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct KitchenTable {
+    /// Origin of the kitchen (middle of the hob, foot of the pan) [m].
     #[serde(default)]
+    #[schemars(inner(range(min = PLACE_M[0], max = PLACE_M[1])), extend("examples" = [[0.0, 0.0, 0.0]]))]
     origin_m: [f64; 3],
+    /// Turn about z, counter-clockwise seen from above [°].
     #[serde(default)]
+    #[schemars(range(min = TURN_DEG[0], max = TURN_DEG[1]), example = 0.0)]
     turn_deg: f64,
+    /// Three or more points, each measured in both frames.
     #[serde(default)]
     touched: Vec<TouchedTable>,
+    /// Pose of the pan's device at its home position.
     home: Option<HomeTable>,
 }
 
-#[derive(Deserialize)]
+/// A point that was touched.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct TouchedTable {
+    /// Where it is in the kitchen [m].
+    #[schemars(inner(range(min = PLACE_M[0], max = PLACE_M[1])), extend("examples" = [[0.1, 0.0, 0.0]]))]
     kitchen_m: [f64; 3],
+    /// Where it is in the rig [m].
+    #[schemars(inner(range(min = PLACE_M[0], max = PLACE_M[1])), extend("examples" = [[0.101, 0.002, 0.0]]))]
     rig_m: [f64; 3],
 }
 
-#[derive(Deserialize)]
+/// A pose.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct HomeTable {
+    /// Position [m].
+    #[schemars(inner(range(min = PLACE_M[0], max = PLACE_M[1])), extend("examples" = [[0.0, 0.0, 0.0]]))]
     position_m: [f64; 3],
+    /// Rotation, as a unit quaternion x, y, z, w.
+    #[schemars(extend("examples" = [[0.0, 0.0, 0.0, 1.0]]))]
     rotation_xyzw: [f64; 4],
 }
 
-#[derive(Deserialize)]
+/// The calibration sheet.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct SheetTable {
+    /// Its middle [m].
+    #[schemars(inner(range(min = PLACE_M[0], max = PLACE_M[1])), extend("examples" = [[0.0, 0.0, 0.0]]))]
     middle_m: [f64; 3],
+    /// Length along x and along y [m].
+    #[schemars(inner(range(min = SHEET_M[0], max = SHEET_M[1])), extend("examples" = [[0.297, 0.21]]))]
     size_m: [f64; 2],
 }
 
@@ -319,7 +393,17 @@ fn pixels(key: &str, sides: [u32; 2]) -> Result<DVec2, RigFault> {
 
 #[cfg(test)]
 mod tests {
+    use saute_kitchen::data::format::FormatSchema;
+
     use super::*;
+
+    #[test]
+    fn the_shipped_rigs_satisfy_the_schema() {
+        let schema = FormatSchema::of::<RigFile>();
+        for (name, text) in SHIPPED {
+            assert_eq!(schema.findings(text), Vec::new(), "{name}");
+        }
+    }
 
     fn refused(from: &str, to: &str) -> String {
         let (name, text) = SHIPPED[0];

@@ -2,5 +2,6 @@
 
 mod data_folder;
 mod food_check;
+mod format_pages;
 mod lists;
 mod schema;

@@ -68,7 +68,7 @@ fn the_schema_describes_every_key_of_a_step() {
 
 #[test]
 fn every_data_format_has_a_schema_that_describes_its_keys_and_their_ranges() {
-    for format in ["food", "pan", "coating", "oil", "kinetics", "hob"] {
+    for format in ["food", "pan", "coating", "oil", "kinetics", "hob", "rig"] {
         let ran = run(&["schema", format]);
         assert_eq!(ran.code, Some(0), "{format}: {}", ran.err);
         let root: Value = serde_json::from_str(&ran.out).unwrap();
