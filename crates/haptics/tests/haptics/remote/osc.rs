@@ -204,10 +204,12 @@ fn garbage_is_counted_and_survived_and_poses_stay_in_the_workspace() {
     let far = bench.until(|s| s.pose.position.x > 0.49).expect("at the bound");
     assert!(far.pose.position.x <= 0.5 && far.pose.position.z <= 0.5, "{far:?}");
     assert!(up(&far).angle_between(DVec3::Z) < 2.1, "no pan upside down");
-    for _ in 0..2000 {
-        sender.pose("/saute/pan/pose", [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
-    }
-    assert!(bench.until(|s| s.rejected > 500).is_some(), "a flood is rejected");
+    // The flood goes on while the device counts: on a busy machine the kernel drops packets that nobody reads.
+    let flooded = bench.until(|s| {
+        (0..200).for_each(|_| sender.pose("/saute/pan/pose", [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]));
+        s.rejected > 500
+    });
+    assert!(flooded.is_some(), "a flood is rejected");
 }
 
 proptest! {
