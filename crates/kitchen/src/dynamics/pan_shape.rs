@@ -56,7 +56,7 @@ impl PanShape {
         }
     }
 
-    /// Limits a pose: displacement and lift up to `farthest` [m], tilt up to [`STEEPEST`], clear of the glass.
+    /// Limits a pose: displacement and lift up to `farthest` [m], tilt up to `STEEPEST`, clear of the glass.
     pub fn within_reach(&self, wanted: &Pose, farthest: f64) -> Pose {
         let mut turn = rotation_between(DQuat::IDENTITY, wanted.rotation);
         turn.z = 0.0;

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use saute_food::{Rules, Scale, Shares};
 use serde::{Serialize, Serializer};
 
-use crate::action::mm;
+use crate::action;
 use crate::cook::recorder::Recorder;
 use crate::cook::runner::{Runner, StoppedBy};
 use crate::cook::step_record::{StepRecord, rounded};
@@ -426,7 +426,7 @@ impl FoodSummary {
                 peak: celsius(piece.core_peak.0),
                 peak_at_s: rounded(piece.core_peak.1),
             },
-            halved_at_mm: piece.halved().map(|cut| mm(cut.at)),
+            halved_at_mm: piece.halved().map(|cut| action::mm(cut.at)),
             section_pct: default.map(|s| model.cut_shares(state, &model.cut_across(0.0), s).into()).unwrap_or_default(),
             volume_pct: default.map(|s| model.volume_shares(state, s).into()).unwrap_or_default(),
             doneness: ByScale(fitting.map(|s| (s.id.clone(), ScaleReading::new(piece, s))).collect()),
