@@ -35,6 +35,7 @@
 //! let touch = vec![Touch::Contact { conductance: 1000.0, temperature: ZERO_C + 60.0 }; model.patches().len()];
 //! let air = FreeAir {
 //!     temperature: ZERO_C + 20.0,
+//!     walls: ZERO_C + 20.0,
 //!     convection: 7.0,
 //!     radiation: 1.0,
 //!     vapour_density: 0.01,

@@ -38,6 +38,8 @@ pub struct FoodState {
     pub charring: Vec<f64>,
     /// Log₁₀ reduction of pathogens [-].
     pub lethality: Vec<f64>,
+    /// Share of the face at each node that oil covers [-].
+    pub oiled: Vec<f64>,
     /// Contraction and bending.
     pub stretch: Stretch,
     /// Water that has evaporated [kg].
@@ -68,6 +70,7 @@ impl FoodState {
             browning: zeros(),
             charring: zeros(),
             lethality: zeros(),
+            oiled: zeros(),
             stretch: Stretch { lateral: 1.0, axial: vec![1.0; n], dome: 0.0 },
             evaporated: 0.0,
             dripped: 0.0,
@@ -83,7 +86,7 @@ impl FoodState {
 
     /// Copies another state of the same piece without allocating.
     pub fn copy_from(&mut self, other: &Self) {
-        let Self { temperature, enthalpy, water, juice, fat, peak, changed, browning, charring, lethality, .. } = self;
+        let Self { temperature, enthalpy, water, juice, fat, peak, changed, browning, charring, .. } = self;
         temperature.clone_from(&other.temperature);
         enthalpy.clone_from(&other.enthalpy);
         water.clone_from(&other.water);
@@ -93,7 +96,8 @@ impl FoodState {
         changed.iter_mut().zip(&other.changed).for_each(|(to, from)| to.clone_from(from));
         browning.clone_from(&other.browning);
         charring.clone_from(&other.charring);
-        lethality.clone_from(&other.lethality);
+        self.lethality.clone_from(&other.lethality);
+        self.oiled.clone_from(&other.oiled);
         self.stretch.axial.clone_from(&other.stretch.axial);
         (self.stretch.lateral, self.stretch.dome) = (other.stretch.lateral, other.stretch.dome);
         (self.evaporated, self.dripped, self.rendered) = (other.evaporated, other.dripped, other.rendered);

@@ -10,12 +10,16 @@ use crate::water::vapour::latent_heat;
 const STEFAN_BOLTZMANN: f64 = 5.670_374e-8;
 /// Highest surface temperature of evaporation into air [K]; water boils beyond.
 pub(crate) const HOTTEST_WET: f64 = 373.15;
+/// Share of the evaporation that a closed film of oil prevents [-] (estimate, low confidence: oil beads on a wet face).
+const OIL_HINDERS: f64 = 0.5;
 
 /// Air and walls around the faces without contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeAir {
-    /// Temperature of air and walls [K].
+    /// Temperature of the air [K].
     pub temperature: f64,
+    /// Temperature of the walls, which exchange radiation with the face [K].
+    pub walls: f64,
     /// Convective heat transfer coefficient [W/(m²·K)].
     pub convection: f64,
     /// Share of the radiation that is not screened, as by a foil [-].
@@ -31,6 +35,8 @@ pub struct FreeAir {
 pub(crate) struct AirFilm {
     /// Convection and radiation [W/K].
     pub(crate) heat: f64,
+    /// Mean of air and walls, weighted by their coefficients [K].
+    pub(crate) outside: f64,
     /// Mass transfer coefficient times area [m³/s].
     pub(crate) transfer: f64,
     /// Vapour density at the surface [kg/m³] at `temperature` [K], and its slope [kg/(m³·K)].
@@ -49,13 +55,17 @@ impl AirFilm {
         let node = patch.node as usize;
         let t = state.temperature[node];
         let area = present_area(patch, state);
-        let radiation = radiation_coefficient(model.description.surface.emissivity, t, air.temperature) * air.radiation;
+        let radiation = radiation_coefficient(model.description.surface.emissivity, t, air.walls) * air.radiation;
+        let coefficient = air.convection + radiation;
+        // Exactly the air's temperature where the walls have it.
+        let outside = air.temperature + share_of(radiation, coefficient) * (air.walls - air.temperature);
         let surface = t.min(HOTTEST_WET);
         let activity = model.water.isotherm.activity(state.water[node] / model.tissue.lean_solids[node]);
         let latent = latent_heat(t);
         Self {
-            heat: (air.convection + radiation) * area,
-            transfer: air.mass_transfer * area,
+            heat: coefficient * area,
+            outside,
+            transfer: air.mass_transfer * (1.0 - OIL_HINDERS * state.oiled[node]) * area,
             density: activity * model.water.vapour.at(surface),
             slope: activity * (model.water.vapour.at(surface + 0.5) - model.water.vapour.at(surface - 0.5)),
             temperature: surface,
@@ -64,6 +74,11 @@ impl AirFilm {
             area,
         }
     }
+}
+
+/// Share of a coefficient in the whole [-]; 0 of nothing.
+fn share_of(part: f64, whole: f64) -> f64 {
+    if whole > 0.0 { part / whole } else { 0.0 }
 }
 
 /// Radiative heat transfer coefficient ε σ (T² + T₀²)(T + T₀) [W/(m²·K)].

@@ -45,6 +45,7 @@ struct Block {
 #[derive(Clone, Copy, Debug, Default)]
 struct FilmLanes {
     area: Lanes,
+    outside: Lanes,
     density: Lanes,
     slope: Lanes,
     temperature: Lanes,
@@ -167,7 +168,7 @@ impl Block {
         let Some([mut t, mut h, mut w]) = nodes.from(self.nodes[0] as usize) else { return };
         let (mut given, mut mass, mut enthalpy) = ([0.0; TOGETHER], [0.0; TOGETHER], [0.0; TOGETHER]);
         for k in 0..TOGETHER {
-            let change = step.conductance[k] * (air.temperature - t[k]) / step.whole[k];
+            let change = step.conductance[k] * (film.outside[k] - t[k]) / step.whole[k];
             t[k] += change;
             given[k] = capacity[k] * change;
             h[k] += given[k];
@@ -238,7 +239,7 @@ impl Block {
     fn exchange_air(&self, nodes: &mut Nodes, k: usize, around: &Surroundings, total: &mut Exchange) {
         let (film, step, air, node) =
             (&self.film, &self.step, &around.air[self.air[k] as usize], self.nodes[k] as usize);
-        total.air -= self.gain(nodes, k, [step.conductance[k], step.whole[k]], air.temperature);
+        total.air -= self.gain(nodes, k, [step.conductance[k], step.whole[k]], film.outside[k]);
         let surface = nodes.temperature[node].min(HOTTEST_WET);
         let density = film.density[k] + film.slope[k] * (surface - film.temperature[k]);
         let gone = step.transfer[k] * (density - air.vapour_density) / step.damped[k];
@@ -252,10 +253,10 @@ impl Block {
     }
 }
 
-/// Clamps a mass to 0…`most` [kg]; without the checks of `clamp`, which prevent vectorisation.
+/// Clamps a mass to ±`most` [kg]; without the checks of `clamp`, which prevent vectorisation. A negative mass condenses.
 #[inline]
 fn clamped(mass: f64, most: f64) -> f64 {
-    let mass = if mass < 0.0 { 0.0 } else { mass };
+    let mass = if mass < -most { -most } else { mass };
     if mass > most { most } else { mass }
 }
 
@@ -278,6 +279,7 @@ impl Nodes<'_> {
 impl FilmLanes {
     fn set(&mut self, k: usize, film: &AirFilm) {
         self.area[k] = film.area;
+        self.outside[k] = film.outside;
         self.density[k] = film.density;
         self.slope[k] = film.slope;
         self.temperature[k] = film.temperature;

@@ -42,6 +42,7 @@ pub fn lean() -> &'static FoodModel {
 pub fn kitchen_air() -> FreeAir {
     FreeAir {
         temperature: ZERO_C + 23.0,
+        walls: ZERO_C + 23.0,
         convection: 7.0,
         radiation: 1.0,
         vapour_density: 0.0103,

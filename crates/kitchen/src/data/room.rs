@@ -288,6 +288,7 @@ impl Room {
         let lewis = libm::pow(face.lewis_number, 2.0 / 3.0);
         FreeAir {
             temperature: self.temperature(),
+            walls: self.temperature(),
             convection,
             radiation: 1.0,
             vapour_density: self.air.relative_humidity * saturation_density(self.temperature()),
@@ -307,6 +308,7 @@ impl Room {
         let excess = (pan - still.temperature).max(0.0);
         let warmed = |share: f64| FreeAir {
             temperature: still.temperature + share * excess,
+            walls: still.temperature + share * excess,
             mass_transfer: still.mass_transfer * self.free_face.plume_factor,
             ..still
         };

@@ -116,7 +116,8 @@ impl Lid {
     /// A face below the dew point receives the latent heat: h = h_c + h_m L (ρ_v − ρ_sat(T_s)) / (T − T_s).
     pub fn air_over(&self, room: &Room, surface: f64) -> (FreeAir, f64) {
         let still = room.air_moving(room.lid.convection_w_m2k);
-        let air = FreeAir { temperature: self.air_temperature(), vapour_density: self.vapour_density(), ..still };
+        let temperature = self.air_temperature();
+        let air = FreeAir { temperature, walls: temperature, vapour_density: self.vapour_density(), ..still };
         let excess = air.vapour_density - saturation_density(surface.min(kelvin(100.0)));
         let warmer = air.temperature - surface;
         if excess <= 0.0 || warmer <= 0.0 {

@@ -200,7 +200,7 @@ impl<'a> Cooking<'a> {
 
     fn meet_air(&mut self, at: usize, h: f64, outside: f64) {
         let moving = self.cooking.room.air_moving(h);
-        self.air[at] = FreeAir { temperature: outside, radiation: 0.0, ..moving };
+        self.air[at] = FreeAir { temperature: outside, walls: outside, radiation: 0.0, ..moving };
         self.touch[self.body.ends[at].2.clone()].fill(Touch::default());
     }
 
