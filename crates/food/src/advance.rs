@@ -174,7 +174,7 @@ impl FoodSolver {
         self.conductivity.iter_mut().for_each(|k| k.resize(n, 0.0));
         let driest = 1.0 - model.kinetics.water_holding.drop;
         let crust = model.description.crust.conductivity_w_mk;
-        let across = model.description.anisotropy.as_ref().map_or(1.0, |a| a.across);
+        let (across, along) = model.description.anisotropy.as_ref().map_or((1.0, 1.0), |a| (a.across, a.along));
         let area = state.stretch.lateral * state.stretch.lateral;
         for i in 0..n {
             let wet = model.properties.conductivity(&model.masses(state, i), state.temperature[i]);
@@ -183,7 +183,7 @@ impl FoodSolver {
             // Conductance scales with area over length: with the height across the fibres, with area over height along them.
             let axial = state.stretch.axial[i];
             self.conductivity[0][i] = across * conductivity * axial;
-            self.conductivity[1][i] = conductivity * area / axial;
+            self.conductivity[1][i] = along * conductivity * area / axial;
         }
         let [across, along] = &self.conductivity;
         if self.layers.is_none() {

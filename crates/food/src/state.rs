@@ -26,6 +26,8 @@ pub struct FoodState {
     pub water: Vec<f64>,
     /// Free juice, a part of the water [kg].
     pub juice: Vec<f64>,
+    /// Part of the free juice that moves towards the upper end of the fibres [kg].
+    pub rising: Vec<f64>,
     /// Fat [kg].
     pub fat: Vec<f64>,
     /// Peak temperature so far [K].
@@ -64,6 +66,7 @@ impl FoodState {
             enthalpy: zeros(),
             water: model.tissue.initial_water.clone(),
             juice: zeros(),
+            rising: zeros(),
             fat: model.tissue.initial_fat.clone(),
             peak: vec![temperature; n],
             changed: vec![zeros(); model.response.rates.count()],
@@ -91,6 +94,7 @@ impl FoodState {
         enthalpy.clone_from(&other.enthalpy);
         water.clone_from(&other.water);
         juice.clone_from(&other.juice);
+        self.rising.clone_from(&other.rising);
         fat.clone_from(&other.fat);
         peak.clone_from(&other.peak);
         changed.iter_mut().zip(&other.changed).for_each(|(to, from)| to.clone_from(from));

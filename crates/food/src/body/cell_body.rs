@@ -87,7 +87,10 @@ impl FoodModel {
     pub(crate) fn drain_cells(&self, state: &mut FoodState, reach: f64) {
         for &(from, to, distance) in &self.water.outwards {
             let share = 1.0 - 1.0 / (1.0 + reach / distance);
-            self.carry(state, [from as usize, to as usize], share);
+            let mass = share * state.juice[from as usize];
+            if mass > 0.0 {
+                self.carry(state, [from as usize, to as usize], mass, false);
+            }
         }
     }
 

@@ -55,6 +55,13 @@ sourced_table! {
         /// Speed of free juice along the fibres [µm/s].
         #[schemars(range(min = 0.0, max = 1e4), example = 10.0)]
         juice_speed_um_s: f64,
+        /// Share of the juice freed on the only hot side of the coldest level that flows through that level to the other
+        /// face [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.3)]
+        through_share: f64,
+        /// Share of the juice reaching a boiling node that passes to the face as liquid [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.7)]
+        passes_boiling: f64,
         /// Largest film of juice on a face; more runs off [kg/m²].
         #[schemars(range(min = 0.0, max = 2.0), example = 0.1)]
         film_kg_m2: f64,

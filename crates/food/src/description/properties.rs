@@ -53,6 +53,10 @@ sourced_table! {
         /// Conductivity across the fibres or sheaths relative to that of the composition [-].
         #[schemars(range(min = 0.05, max = 5.0), example = 0.9)]
         across: f64,
+        /// The same along the fibres [-]; 1 by default.
+        #[serde(default = "unchanged")]
+        #[schemars(range(min = 0.05, max = 5.0), example = 1.04)]
+        along: f64,
     }
 }
 
@@ -99,4 +103,9 @@ sourced_table! {
         #[schemars(with = "LabColour", extend("examples" = [[48.0, 12.0, 32.0]]))]
         fat_brown: [f64; 3],
     }
+}
+
+/// Factor that changes nothing [-].
+fn unchanged() -> f64 {
+    1.0
 }

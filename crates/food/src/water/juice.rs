@@ -1,6 +1,6 @@
-//! Juice: release of water that the flesh no longer holds, its transport along the fibres and its run-off.
+//! Juice: release of water that the flesh no longer holds, and its run-off.
 
-use saute_heat::{BodyMesh, Layout, SweptMesh};
+use saute_heat::{BodyMesh, Layout};
 
 use crate::body::rest_shape::RestShape;
 use crate::model::FoodModel;
@@ -22,17 +22,25 @@ impl FoodModel {
     /// Releases and moves juice for `dt` [s] and returns the juice that ran off.
     ///
     /// Water beyond the capacity of the flesh becomes free juice by a first-order rate. The capacity follows from the peak
-    /// temperature and from the changes. Free juice moves along the fibres towards the nearer face at a speed v,
-    /// dF/dt = −F v/Δz, and carries its heat. Flesh that has dried below its capacity takes juice up. On a face juice forms a
-    /// film; beyond the largest film it runs off. In a body along stations the fibres run along the path, and juice also runs
-    /// off the skin. In a body of cells juice follows the fibres or the shortest way to the skin.
+    /// temperature and from the changes. Free juice moves along the fibres at a speed v, dF/dt = −F v/Δz, and carries its
+    /// heat. Contraction drives it from hot flesh: most goes to the face on its own side of the coldest level, a part through
+    /// that level to the other face. A boiling node lets a share of the arriving juice pass to the face as liquid. Flesh that
+    /// has dried below its capacity takes juice up. On a face juice forms a film; beyond the largest film it runs off. In a
+    /// body along stations the fibres run along the path, and juice also runs off the skin. In a body of cells juice follows
+    /// the fibres or the shortest way to the skin.
     pub fn release_juice(&self, state: &mut FoodState, dt: f64) -> Runoff {
         let reach = 1e-6 * self.kinetics.water_holding.juice_speed_um_s * dt;
         let mut runoff = Runoff::default();
-        self.free(state, dt);
         match &self.shape.mesh {
-            BodyMesh::Swept(mesh) => self.drain(mesh, state, reach),
-            BodyMesh::Cells(_) => self.drain_cells(state, reach),
+            BodyMesh::Swept(mesh) => {
+                let divide = self.divide(mesh, state);
+                self.free(state, dt, |node| divide.rising(node / mesh.nodes_per_level()));
+                self.drain(mesh, state, reach, &mut runoff);
+            }
+            BodyMesh::Cells(_) => {
+                self.free(state, dt, |_| 0.0);
+                self.drain_cells(state, reach);
+            }
         }
         for &(node, area) in &self.water.outlets {
             self.run_off(state, node as usize, area, &mut runoff);
@@ -60,8 +68,9 @@ impl FoodModel {
         squeezed
     }
 
-    /// Turns a share of the water beyond the capacity of each node into free juice; dried flesh takes up juice.
-    fn free(&self, state: &mut FoodState, dt: f64) {
+    /// Turns a share of the water beyond the capacity of each node into free juice; dried flesh takes up juice. `rising` is
+    /// the share of a node's new juice that moves towards the upper end of the fibres [-].
+    fn free(&self, state: &mut FoodState, dt: f64, rising: impl Fn(usize) -> f64) {
         for first in (0..state.juice.len()).step_by(BLOCK) {
             let squeezed = self.squeezed(state, first);
             for (node, squeezed) in (first..state.juice.len()).zip(squeezed) {
@@ -69,68 +78,22 @@ impl FoodModel {
                 let (held, unsqueezed) = (self.water.held.at(state.peak[node]), 1.0 - squeezed);
                 let capacity = self.tissue.initial_water[node] * if held < unsqueezed { held } else { unsqueezed };
                 let surplus = positive(state.water[node] - capacity);
-                let juice = &mut state.juice[node];
+                let (juice, up) = (&mut state.juice[node], &mut state.rising[node]);
                 if surplus <= 0.0 && *juice >= 0.0 {
-                    *juice = 0.0;
+                    (*juice, *up) = (0.0, 0.0);
                     continue;
                 }
                 let bound = positive(surplus - *juice);
                 let released = 1.0 - 1.0 / (1.0 + self.water.release.at(state.temperature[node]) * dt);
                 let free = *juice + released * bound;
-                *juice = if free < surplus { free } else { surplus };
+                if free < surplus {
+                    *up += rising(node) * (free - *juice);
+                    *juice = free;
+                } else {
+                    *up *= if *juice > 0.0 { surplus / *juice } else { 0.0 };
+                    *juice = surplus;
+                }
             }
-        }
-    }
-
-    /// Moves free juice outwards from the middle level, which sends half either way. Outer levels come first, so that no
-    /// juice moves by two levels in one step.
-    fn drain(&self, mesh: &SweptMesh, state: &mut FoodState, reach: f64) {
-        let last = mesh.levels.len() - 1;
-        if self.shape.closed_below {
-            for to in (1..=last).rev() {
-                self.carry_level(mesh, state, [to - 1, to], self.share(mesh, to - 1, to, reach));
-            }
-            return;
-        }
-        for to in 0..last.div_ceil(2) {
-            for (from, to) in [(to + 1, to), (last - to - 1, last - to)] {
-                let part = if 2 * from == last { 0.5 } else { 1.0 };
-                self.carry_level(mesh, state, [from, to], part * self.share(mesh, from, to, reach));
-            }
-        }
-    }
-
-    /// Moves a share of a level's free juice to another level, in every column.
-    fn carry_level(&self, mesh: &SweptMesh, state: &mut FoodState, levels: [usize; 2], share: f64) {
-        for column in 0..mesh.nodes_per_level() {
-            let nodes = levels.map(|level| mesh.node(level, column));
-            if state.juice[nodes[0]] > 0.0 {
-                self.carry(state, nodes, share);
-            }
-        }
-    }
-
-    /// Share of a level's free juice that passes to the next level while juice moves by `reach` [m] [-]; 0 across a cut.
-    fn share(&self, mesh: &SweptMesh, from: usize, to: usize, reach: f64) -> f64 {
-        if self.shape.parts_levels(from, to) {
-            return 0.0;
-        }
-        let spacing = libm::fabs(mesh.levels[from] - mesh.levels[to]);
-        1.0 - 1.0 / (1.0 + reach / spacing)
-    }
-
-    /// Moves a share of a node's free juice, with its heat, to another node.
-    pub(crate) fn carry(&self, state: &mut FoodState, [from, to]: [usize; 2], share: f64) {
-        let mass = share * state.juice[from];
-        if mass <= 0.0 {
-            return;
-        }
-        let enthalpy = mass * self.properties.water_enthalpy(state.temperature[from]);
-        state.juice[from] -= mass;
-        state.juice[to] += mass;
-        for (node, sign) in [(from, -1.0), (to, 1.0)] {
-            state.water[node] += sign * mass;
-            state.enthalpy[node] += sign * enthalpy;
         }
     }
 
@@ -140,6 +103,7 @@ impl FoodModel {
         let excess = (state.juice[face] - film).max(0.0);
         if excess > 0.0 {
             let enthalpy = excess * self.properties.water_enthalpy(state.temperature[face]);
+            state.rising[face] *= film / state.juice[face];
             state.juice[face] -= excess;
             state.water[face] -= excess;
             state.enthalpy[face] -= enthalpy;

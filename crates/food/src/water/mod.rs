@@ -1,8 +1,8 @@
 //! Water, vapour and fat that leave a piece: sorption, water holding, juice, rendering and evaporation.
 //!
 //! Water: flesh holds less water as it heats, by a curve of temperature or by its changed proteins, whichever holds
-//! less. The difference is released with a first-order lag, flows along the fibres at a few µm/s, is absorbed by
-//! dried tissue on its way, gathers as a film and runs off. A node boils at the temperature at which the vapour
+//! less. The difference is released with a first-order lag, flows along the fibres at some tens of µm/s, is absorbed by
+//! dried tissue on its way, passes boiling flesh as liquid in part, gathers as a film and runs off. A node boils at the temperature at which the vapour
 //! pressure of its moisture reaches one atmosphere (GAB isotherm), so a wet surface stays at 100 °C and a crust keeps
 //! a residual moisture.
 
@@ -10,6 +10,7 @@ pub mod air_film;
 pub mod fat;
 pub(crate) mod films;
 pub mod juice;
+mod juice_flow;
 mod juice_way;
 pub mod sorption;
 mod transport;

@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::kelvin;
+use crate::liquids::bath::BathData;
 use crate::liquids::butter::FoamData;
 use crate::liquids::smoke::SmokeData;
 use crate::liquids::spatter::SpatterData;
@@ -39,9 +40,21 @@ sourced_table! {
         /// Specific heat of the air [J/(kg·K)].
         #[schemars(range(min = 100.0, max = 10_000.0), example = 1007.0)]
         air_specific_heat_j_kgk: f64,
-        /// Evaporation above a hot pan over that in still air [-].
-        #[schemars(range(min = 0.0, max = 10.0), example = 0.6)]
-        plume_factor: f64,
+        /// Air that rises through an open pan and carries its steam away [L/s].
+        #[schemars(range(min = 0.01, max = 1e3), example = 3.0)]
+        draught_l_s: f64,
+        /// Share of the floor under food above which the pan is crowded [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.7)]
+        crowded_from: f64,
+        /// Draught through a crowded pan over that through an open one [-].
+        #[schemars(range(min = 0.01, max = 1.0), example = 0.5)]
+        crowded_draught: f64,
+        /// View factor from an upper face to the pan's wall [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.25)]
+        wall_view: f64,
+        /// View factor from the side of food to the pan's floor and wall [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.5)]
+        side_view: f64,
         /// Excess of the air over food in the pan, over the pan's own excess [-].
         #[schemars(range(min = 0.0, max = 1.0), example = 0.22)]
         plume_warmth: f64,
@@ -73,23 +86,39 @@ sourced_table! {
         #[schemars(range(min = 1e-3, max = 10.0), example = 0.16)]
         oil_conductivity_w_mk: f64,
         /// Thermal conductivity of steam and air in the gap [W/(m·K)].
-        #[schemars(range(min = 1e-3, max = 10.0), example = 0.03)]
+        #[schemars(range(min = 1e-3, max = 10.0), example = 0.033)]
         vapour_conductivity_w_mk: f64,
+        /// Dynamic viscosity of steam in the gap [Pa·s].
+        #[schemars(range(min = 1e-6, max = 1e-3), example = 1.5e-5)]
+        vapour_viscosity_pa_s: f64,
+        /// Density of steam in the gap [kg/m³].
+        #[schemars(range(min = 1e-3, max = 10.0), example = 0.52)]
+        vapour_density_kg_m3: f64,
+        /// Distance between the places where steam escapes from below a large face [mm].
+        #[schemars(range(min = 0.1, max = 1e3), example = 10.0)]
+        vent_spacing_mm: f64,
+        /// Least pressure that holds the steam down [Pa].
+        #[schemars(range(min = 1.0, max = 1e6), example = 60.0)]
+        least_pressure_pa: f64,
+        /// Thermal conductivity of juice in the gap [W/(m·K)].
+        #[schemars(range(min = 1e-3, max = 10.0), example = 0.65)]
+        juice_conductivity_w_mk: f64,
+        /// Conductance of the asperities on which a face lies with its own weight [W/(m²·K)].
+        #[schemars(range(min = 0.0, max = 1e5), example = 110.0)]
+        asperity_w_m2k: f64,
+        /// Mean gap of a settled face [mm].
+        #[schemars(range(min = 1e-3, max = 100.0), example = 0.28)]
+        gap_mm: f64,
         /// What the mean gap is wider when the food has just been laid down [mm].
         #[schemars(range(min = 0.0, max = 100.0), example = 0.05)]
         settling_gap_mm: f64,
         /// Time constant of settling [s].
         #[schemars(range(min = 1e-3, max = 1e5), example = 2.0)]
         settling_s: f64,
-        /// Mean gap when the food has settled [mm].
-        #[schemars(range(min = 0.0, max = 100.0), example = 0.19)]
-        initial_gap_mm: f64,
-        /// Mean gap after steam and crust have lifted it [mm].
-        #[schemars(range(min = 0.0, max = 100.0), example = 0.244)]
-        final_gap_mm: f64,
-        /// Time constant of that [s].
-        #[schemars(range(min = 1e-3, max = 1e5), example = 40.0)]
-        time_constant_s: f64,
+        /// Conductance between steam at 100 °C and a face that is lifted off the pan, while steam rises below it
+        /// [W/(m²·K)].
+        #[schemars(range(min = 0.0, max = 1e5), example = 300.0)]
+        steam_w_m2k: f64,
         /// Standard deviation of the gap along the face [mm].
         #[schemars(range(min = 0.0, max = 100.0), example = 0.045)]
         unevenness_mm: f64,
@@ -105,12 +134,6 @@ sourced_table! {
         /// Pressure on top of that which halves the mean gap [Pa].
         #[schemars(range(min = 1e-3, max = 1e9), example = 22.0e3)]
         halving_pressure_pa: f64,
-        /// A wet face begins to ride on steam where the pan is hotter than the first, and does so fully at the second [°C].
-        #[schemars(inner(range(min = 0.0, max = 1000.0)), extend("examples" = [[190.0, 260.0]]))]
-        steam_c: [f64; 2],
-        /// Conductance of a face that rides on steam over that of one that does not [-].
-        #[schemars(range(min = 0.0, max = 1.0), example = 0.4)]
-        steam_factor: f64,
     }
 }
 
@@ -222,10 +245,50 @@ sourced_table! {
         /// Conductance of those [W/(m²·K)].
         #[schemars(range(min = 0.0, max = 1e6), example = 400.0)]
         conductance_w_m2k: f64,
+        /// What the mean gap is wider when the food has just been laid down [mm].
+        #[schemars(range(min = 0.0, max = 100.0), example = 0.05)]
+        settling_gap_mm: f64,
+        /// Time constant of settling [s].
+        #[schemars(range(min = 1e-3, max = 1e5), example = 2.0)]
+        settling_s: f64,
+        /// Mean gap when the food has settled [mm].
+        #[schemars(range(min = 0.0, max = 100.0), example = 0.19)]
+        initial_gap_mm: f64,
+        /// Mean gap after steam and crust have lifted it [mm].
+        #[schemars(range(min = 0.0, max = 100.0), example = 0.244)]
+        final_gap_mm: f64,
+        /// Time constant of that [s].
+        #[schemars(range(min = 1e-3, max = 1e5), example = 40.0)]
+        time_constant_s: f64,
+        /// Pressure at which the mean gap is as given [Pa].
+        #[schemars(range(min = 0.0, max = 1e7), example = 260.0)]
+        pressure_pa: f64,
+        /// Pressure on top of that which halves the mean gap [Pa].
+        #[schemars(range(min = 1e-3, max = 1e9), example = 22.0e3)]
+        halving_pressure_pa: f64,
         /// Temperature of the pan as soon as it touches the cloth [°C].
         #[schemars(range(min = 0.0, max = 1000.0), example = 120.0)]
         cloth_c: f64,
     }
+}
+
+/// An open pan as the air over it sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OverPan {
+    /// Mean temperature of the floor [K].
+    pub floor: f64,
+    /// Mean temperature of the wall [K].
+    pub wall: f64,
+    /// Steam that rises from foods and liquids [kg/s].
+    pub steam: f64,
+    /// Share of the floor under food [-].
+    pub covered: f64,
+}
+
+/// Temperature of surroundings of which the share `view` is at `near` [K] and the rest at `far` [K] [K].
+fn seen(far: f64, near: f64, view: f64) -> f64 {
+    let fourth = |t: f64| t * t * t * t;
+    libm::sqrt(libm::sqrt((1.0 - view) * fourth(far) + view * fourth(near)))
 }
 
 /// Radius of the floor of a 26 cm pan [m] (as the pans of `data/pans`).
@@ -250,6 +313,8 @@ pub struct Room {
     pub friction: Friction,
     /// Water in the pan.
     pub puddle: PuddleData,
+    /// Food in a liquid.
+    pub bath: BathData,
     /// Oil in the pan.
     pub oil: OilUse,
     /// Smoke and fire.
@@ -302,15 +367,35 @@ impl Room {
         1e-3 * self.contact.oil_g / (self.contact.oil_density_kg_m3 * floor)
     }
 
-    /// Air above and beside food in a pan at `pan` [K].
-    pub fn plume(&self, pan: f64) -> (FreeAir, FreeAir) {
-        let still = self.still_air();
+    /// Air above and beside food in an open pan.
+    ///
+    /// ρ∞ = ρ_room + ṁ/V̇ up to saturation at the air's temperature; the walls' temperature is the mean of T⁴ over pan and
+    /// room, weighted by the view factor.
+    pub fn plume(&self, pan: &OverPan) -> (FreeAir, FreeAir) {
+        let (face, still) = (&self.free_face, self.still_air());
+        let excess = (pan.floor - still.temperature).max(0.0);
+        let draught = 1e-3 * face.draught_l_s * if pan.covered > face.crowded_from { face.crowded_draught } else { 1.0 };
+        let over = |warmth: f64, radiating: f64, view: f64| {
+            let temperature = still.temperature + warmth * excess;
+            let wet = still.vapour_density + pan.steam / draught;
+            FreeAir {
+                temperature,
+                walls: seen(still.temperature, radiating, view),
+                vapour_density: wet.min(saturation_density(temperature.min(kelvin(100.0)))),
+                ..still
+            }
+        };
+        let beside = 0.5 * (pan.floor + pan.wall);
+        (over(face.plume_warmth, pan.wall, face.wall_view), over(face.side_warmth, beside, face.side_view))
+    }
+
+    /// Air above and beside food in a pan at `pan` [K] by the rules of 2013, which know no evaporation into it.
+    pub fn plume_2013(&self, pan: f64) -> (FreeAir, FreeAir) {
+        let still = Self::without_evaporation(self.still_air());
         let excess = (pan - still.temperature).max(0.0);
-        let warmed = |share: f64| FreeAir {
-            temperature: still.temperature + share * excess,
-            walls: still.temperature + share * excess,
-            mass_transfer: still.mass_transfer * self.free_face.plume_factor,
-            ..still
+        let warmed = |share: f64| {
+            let temperature = still.temperature + share * excess;
+            FreeAir { temperature, walls: temperature, ..still }
         };
         (warmed(self.free_face.plume_warmth), warmed(self.free_face.side_warmth))
     }

@@ -1,9 +1,11 @@
 //! Liquids in the pan: flow, boiling, smoke and spatter of oil, water and butter.
 
 use saute_food::{FreeAir, ZERO_C};
+use saute_heat::Located;
 
 use crate::data::library::Library;
 use crate::data::room::Room;
+use crate::liquids::bath::{BathModel, Pool};
 use crate::liquids::butter::{Butter, ButterModel};
 use crate::liquids::drop_flight::Vessel;
 use crate::liquids::film_flow::FilmFlow;
@@ -12,7 +14,7 @@ use crate::liquids::oil::Oil;
 use crate::liquids::oil_film::{Dose, Ground, OilFilm};
 use crate::liquids::smoke::{OilFire, Smoke};
 use crate::liquids::spatter::{DropSurroundings, Spatter};
-use crate::liquids::water_film::{Vapour, WaterFilm, WaterModel};
+use crate::liquids::water_film::{Vapour, WATER_DENSITY, WaterFilm, WaterModel};
 use crate::pan::bed::Bed;
 use crate::pan::pan_description::PanDescription;
 use crate::tick::event::{Event, EventLog};
@@ -26,6 +28,8 @@ pub struct LiquidModel {
     pub oils: Vec<Oil>,
     /// Water.
     pub water: WaterModel,
+    /// Heat transfer to food in a liquid.
+    pub bath: BathModel,
     /// Butter.
     pub butter: Option<ButterModel>,
     /// Fond.
@@ -48,6 +52,8 @@ pub struct Liquids {
     pub oil: OilFilm,
     /// Water.
     pub water: WaterFilm,
+    /// The part of the water that is deeper than a puddle.
+    pub pool: Pool,
     /// Butter.
     pub butter: Butter,
     /// Fond: solids dried on the pan or dissolved in its water.
@@ -132,6 +138,7 @@ impl LiquidModel {
         Self {
             butter: ButterModel::new(&oils, kind(&use_of.butter), &library.room.foam),
             water: WaterModel::new(&library.room.puddle),
+            bath: BathModel::new(&library.room.bath),
             fond: FondModel::new(&library.fond),
             volume: core::f64::consts::PI / 3.0 * height * (floor * floor + floor * rim + rim * rim),
             floor_area: bed.areas[..floor_nodes].iter().sum(),
@@ -155,6 +162,7 @@ impl LiquidModel {
         let mut liquids = Liquids {
             oil: OilFilm::none(nodes),
             water: WaterFilm::none(nodes),
+            pool: Pool::default(),
             butter: Butter::default(),
             fond: Fond::none(nodes),
             smoke: Smoke::default(),
@@ -313,7 +321,8 @@ impl LiquidModel {
         liquids.ticks += 1;
         if liquids.ticks.is_multiple_of(SLOW_TICKS) {
             let (oils, bed, lidded) = (&self.oils, &self.bed, around.lidded);
-            let over = OilFire { data: &room.smoke, oils, bed, temperature, lidded };
+            let covered = if around.shelters { around.covered } else { &[] };
+            let over = OilFire { data: &room.smoke, oils, bed, temperature, covered, lidded };
             let report = |kind, node: usize| report(kind, node, temperature[node]);
             heat += smoke.advance(&over, oil, dt * SLOW_TICKS as f64, report);
         }
@@ -324,7 +333,20 @@ impl LiquidModel {
             fond.advance(&self.fond, &on, dt * SLOW_TICKS as f64);
         }
         self.refresh_film(liquids, room);
+        liquids.pool = self.bath.mix(&mut liquids.water, &self.bed.areas, self.water.puddle_depth(), dt);
         (vapour, heat)
+    }
+
+    /// Depth of water at a place of the pan's mesh [m].
+    pub fn water_depth(&self, liquids: &Liquids, at: &Located) -> f64 {
+        let depth = |node: usize| liquids.water.mass[node] * self.bed.per_area[node] / WATER_DENSITY;
+        (0..3).map(|k| at.weights[k] * depth(at.nodes[k] as usize)).sum()
+    }
+
+    /// Takes heat from the pool of water [J].
+    pub fn draw_from_pool(&self, liquids: &mut Liquids, heat: f64) {
+        let pool = liquids.pool;
+        BathModel::draw(&mut liquids.water, &self.bed.areas, self.water.puddle_depth(), &pool, heat);
     }
 
     /// Updates foam and milk solids of butter.
@@ -397,6 +419,8 @@ pub struct PanSurroundings<'a> {
     pub lidded: bool,
     /// Share of each node under food [-].
     pub covered: &'a [f64],
+    /// True if food keeps the oil below it from smoking; false by the rules of 2013.
+    pub shelters: bool,
     /// Geometry of the pan for flying drops.
     pub vessel: Vessel,
     /// Centre of the pan relative to that of the ring [m].

@@ -7,6 +7,7 @@
 //! capacity. Water has its own temperature, spreads to puddles of 0.7 mm and boils by one curve from nucleate to film
 //! boiling, whether it is juice, water of butter or poured in.
 
+pub mod bath;
 pub mod butter;
 pub mod drop_flight;
 pub mod film_flow;

@@ -54,6 +54,8 @@ pub struct OilFire<'a> {
     pub bed: &'a Bed,
     /// Temperature of each node [K].
     pub temperature: &'a [f64],
+    /// Share of each node under food, where oil neither smokes nor burns; empty by the rules of 2013 [-].
+    pub covered: &'a [f64],
     /// True if a lid is on.
     pub lidded: bool,
 }
@@ -107,12 +109,13 @@ impl Smoke {
             if flux <= 0.0 {
                 continue;
             }
-            let (smoked, with_it) = oil.take(i, flux * bed.areas[i] * dt, t);
+            let area = (1.0 - over.covered.get(i).copied().unwrap_or(0.0)) * bed.areas[i];
+            let (smoked, with_it) = oil.take(i, flux * area * dt, t);
             self.smoked += smoked;
             self.rate += smoked / dt;
             heat += with_it;
             if self.burning && passes(oils, oil, i, t) {
-                let (burnt, with_it) = oil.take(i, 1e-3 * data.burning_g_m2s * bed.areas[i] * dt, t);
+                let (burnt, with_it) = oil.take(i, 1e-3 * data.burning_g_m2s * area * dt, t);
                 self.burnt += burnt;
                 heat += with_it;
             }

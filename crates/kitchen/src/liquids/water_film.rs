@@ -94,6 +94,11 @@ impl WaterModel {
         self.vapour.at(temperature)
     }
 
+    /// Depth to which a puddle spreads [m].
+    pub fn puddle_depth(&self) -> f64 {
+        self.depth
+    }
+
     /// Share of an area covered by a mass of water [-].
     pub fn coverage(&self, mass: f64, area: f64) -> f64 {
         (mass / (WATER_DENSITY * self.depth * area)).min(1.0)

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use saute_food::body::limp::Limp;
-use saute_food::{FoodModel, Patch, PatchPose};
+use saute_food::{FoodModel, Patch, PatchPose, Rules};
 use saute_heat::Located;
 
 use crate::dynamics::pan_shape::OverPan;
@@ -19,9 +19,11 @@ const FACING: f64 = -0.5;
 /// Compliance: gap beyond the face's mean that closes under the weight [m] (chosen: a 25 mm slab of 10–20 kPa yields by
 /// 0.3 mm under its own weight).
 const GIVE: f64 = 0.3e-3;
-/// Largest gap beyond the nearest patch's within the supporting face [m] (chosen: above the roughness of a hand-cut face,
-/// which the measured conductances behind the mean gap include).
-const FACE: f64 = 1.0e-3;
+/// Share of the face that carries it: its mean gap is that below the mean gap of the face [-] (chosen: soft food rests on
+/// its lowest tenth).
+const CARRIES: f64 = 0.1;
+/// By the rules of 2013: largest gap beyond the nearest patch's within the supporting face [m].
+const FACE_2013: f64 = 1.0e-3;
 /// Largest deflection of a limp piece [m] (chosen: half a shrimp's thickness; a higher part is propped up).
 const BEND: f64 = 8.0e-3;
 /// Displacement below which the last result is reused [m] (chosen: far below the mesh of pan and piece).
@@ -55,6 +57,8 @@ pub struct Seen<'a> {
     pub limp: Option<&'a Limp>,
     /// Number of changes of its shape [-].
     pub count: u64,
+    /// Rules that it follows.
+    pub rules: Rules,
 }
 
 impl NearPan {
@@ -79,11 +83,9 @@ impl NearPan {
             settle(&mut facing, limp, shape.patches.0);
         }
         facing.retain(|(_, over)| over.gap < REACH + LYING);
-        let face = facing.iter().map(|(_, over)| over.gap).filter(|gap| *gap < nearest + FACE);
-        let (sum, count) = face.fold((0.0, 0.0), |(sum, count), gap| (sum + gap, count + 1.0));
-        let mean = if count > 0.0 { sum / count } else { nearest };
+        let lies = if shape.rules == Rules::Paper2013 { lies_2013(&facing, nearest) } else { lies(&facing, nearest) };
         let near = |(patch, over): (u32, OverPan)| {
-            let gap = (over.gap - mean - GIVE).max(0.0);
+            let gap = (over.gap - lies - GIVE).max(0.0);
             let located = pan.locator.locate_or_nearest(&pan.section, over.on_mesh);
             (gap < REACH).then_some(NearPatch { patch, gap, located })
         };
@@ -95,6 +97,21 @@ impl NearPan {
         self.seen = None;
         self.patches.clear();
     }
+}
+
+/// Gap at which a face lies: that of its lowest tenth [m].
+fn lies(facing: &[(u32, OverPan)], nearest: f64) -> f64 {
+    let mut gaps: Vec<f64> = facing.iter().map(|(_, over)| over.gap).collect();
+    gaps.sort_by(f64::total_cmp);
+    let count = libm::ceil(CARRIES * gaps.len() as f64) as usize;
+    if count == 0 { nearest } else { gaps[..count].iter().sum::<f64>() / count as f64 }
+}
+
+/// Gap at which a face lies by the rules of 2013: the mean of its supporting part [m].
+fn lies_2013(facing: &[(u32, OverPan)], nearest: f64) -> f64 {
+    let face = facing.iter().map(|(_, over)| over.gap).filter(|gap| *gap < nearest + FACE_2013);
+    let (sum, count) = face.fold((0.0, 0.0), |(sum, count), gap| (sum + gap, count + 1.0));
+    if count > 0.0 { sum / count } else { nearest }
 }
 
 /// Patches that face the surface within reach plus the largest bend [m].

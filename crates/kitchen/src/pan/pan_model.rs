@@ -2,11 +2,11 @@
 
 use saute_food::water::air_film::radiation_coefficient;
 use saute_food::water::juice::Runoff;
-use saute_food::{Exchange, FreeAir};
+use saute_food::{Exchange, FreeAir, Rules};
 use saute_heat::{Conduction, Graph, Located, Locator, MeshError, Section};
 
 use crate::data::library::Library;
-use crate::data::room::Room;
+use crate::data::room::{OverPan, Room};
 use crate::dynamics::PanShape;
 use crate::liquids::drop_flight::Vessel;
 use crate::liquids::liquid_layer::{LiquidModel, LiquidSolver, Liquids, PanSurroundings};
@@ -65,6 +65,10 @@ pub struct PanState {
     pub ring_shares: Vec<f64>,
     /// True while the hob's temperature limit keeps the power off.
     pub limited: bool,
+    /// Steam that rises from foods and liquids, averaged [kg/s].
+    pub steam: f64,
+    /// Share of the floor under food [-].
+    pub crowded: f64,
 }
 
 /// Scratch memory of a pan's solver.
@@ -95,6 +99,8 @@ pub struct PanLoad<'a> {
     pub steam: &'a [f64],
     /// Gravity minus the pan's acceleration, in the pan's frame [m/s²].
     pub gravity: [f64; 3],
+    /// Rules in force.
+    pub rules: Rules,
 }
 
 /// Gravity in the frame of a level pan at rest [m/s²].
@@ -181,6 +187,8 @@ impl PanModel {
             ring_shares: self.ring_shares(hob, &pose),
             pose,
             limited: false,
+            steam: 0.0,
+            crowded: 0.0,
         }
     }
 
@@ -217,10 +225,18 @@ impl PanModel {
         match &state.lid {
             Some(lid) => [lid.air_over(room, surface()).0; 3],
             None => {
-                let (up, side) = room.plume(self.floor_temperature(state));
+                let (up, side) = room.plume(&self.seen_by_air(state));
                 [up, up, side]
             }
         }
+    }
+
+    fn seen_by_air(&self, state: &PanState) -> OverPan {
+        let floor = self.floor_temperature(state);
+        let walls = state.temperature[self.floor_nodes..].iter().zip(&self.section.areas[self.floor_nodes..]);
+        let (sum, area) = walls.fold((0.0, 0.0), |(sum, area), (t, a)| (sum + t * a, area + a));
+        let wall = if area > 0.0 { sum / area } else { floor };
+        OverPan { floor, wall, steam: state.steam, covered: state.crowded }
     }
 
     /// Adds rendered fat, whose enthalpy includes its latent heat of fusion [J/kg], to the oil; returns the part of the
@@ -295,6 +311,7 @@ impl PanModel {
             air,
             lidded: state.lid.is_some(),
             covered: load.covered,
+            shelters: load.rules == Rules::Full,
             vessel: self.vessel(state),
             middle: state.pose.at,
             time: load.time,
@@ -450,6 +467,11 @@ impl PanState {
     /// Highest temperature of the metal so far at a place on the pan's mesh [K].
     pub fn peak_at(&self, at: &Located) -> f64 {
         (0..3).map(|k| at.weights[k] * self.peak[at.nodes[k] as usize]).sum()
+    }
+
+    /// Temperature of the metal at a place on the pan's mesh [K].
+    pub fn metal_at(&self, at: &Located) -> f64 {
+        (0..3).map(|k| at.weights[k] * self.temperature[at.nodes[k] as usize]).sum()
     }
 
     /// Mass of oil and fat [kg].

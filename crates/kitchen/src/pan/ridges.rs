@@ -8,7 +8,7 @@ use saute_food::water::air_film::radiation_coefficient;
 
 use crate::data::room::ContactGap;
 use crate::pan::pan_description::RidgesData;
-use crate::piece::contact::FaceContact;
+use crate::piece::contact::{FaceContact, PatchGap};
 
 /// Normalisation 1 / (2 mean of sin¹⁰ over all directions) [-], with which the faces of a mesh together pass the flow
 /// along the grooves.
@@ -57,15 +57,16 @@ impl Ridges {
         (pressure * self.width / modulus).min(0.5 * self.width)
     }
 
-    /// Mean contact conductance to a face `distance` [m] above the tops, given the one on the tops [W/(m²·K)].
-    pub fn mixed(&self, top: f64, gap: &ContactGap, face: &FaceContact, distance: f64, over: &AcrossGroove) -> f64 {
+    /// Mean contact conductance to a patch over tops and grooves, given the one on the tops [W/(m²·K)].
+    pub fn mixed(&self, top: f64, gap: &ContactGap, face: &FaceContact, patch: &PatchGap, over: &AcrossGroove) -> f64 {
         // Oil lies at the bottom of the groove, and a coating conducts better than the gap.
         let dry = FaceContact { film: 0.0, ..*face };
         let [pan, food] = over.emissivity;
         let emissivity = 1.0 / (1.0 / pan + 1.0 / food - 1.0);
         let radiation = radiation_coefficient(emissivity, over.temperature[0], over.temperature[1]);
         let share = self.share();
-        share * top + (1.0 - share) * (dry.conductance(gap, distance + self.height) + radiation)
+        let deep = PatchGap { thickness: patch.thickness + self.height, wetness: 0.0, ..*patch };
+        share * top + (1.0 - share) * (dry.conductance(gap, &deep) + radiation)
     }
 
     /// Factor on the width of a face of the floor for a liquid of mean `thickness` [m] and surface slope `slope` [-];

@@ -3,8 +3,10 @@
 pub mod board;
 pub mod carry_over;
 pub mod contact;
+mod contact_2013;
 pub(crate) mod food_contact;
 pub mod layout;
+pub(crate) mod medium;
 mod pan_contact;
 mod piece_shape;
 pub mod piece_state;

@@ -8,6 +8,7 @@ use saute_food::{
     Exchange, FoodModel, FoodSolver, FoodState, FreeAir, PatchPose, Rules, Surroundings, Touch, present_area,
 };
 
+use crate::TICK_S;
 use crate::data::room::Room;
 use crate::dynamics::extent::outline;
 use crate::dynamics::{Contact, PanShape, Pose};
@@ -16,8 +17,10 @@ use crate::pan::near_pan::{NearPatch, unevenness};
 use crate::pan::pan_model::{PanModel, PanState};
 use crate::pan::ridges::AcrossGroove;
 use crate::piece::board::Board;
-use crate::piece::contact::{FaceContact, steam_share};
+use crate::piece::contact::{FaceContact, PatchGap, wetness};
+use crate::piece::contact_2013;
 use crate::piece::layout::Footprint;
+use crate::piece::medium::Media;
 use crate::piece::pan_contact::PanContact;
 use crate::piece::piece_shape::PieceShape;
 use crate::piece::sear_lines::SearRecord;
@@ -89,6 +92,8 @@ pub struct Piece {
     pub core_peak: (f64, f64),
     /// Vapour flow in the last tick [kg/s].
     pub vapour_flow: f64,
+    /// Heat that it took from the pan and from liquids in it so far [J].
+    pub heat_taken: f64,
     /// Surface on which it was put to rest.
     pub(crate) resting_on: RestOn,
     /// Contact with the pan.
@@ -101,6 +106,8 @@ pub struct Piece {
     pub(crate) uneven: Arc<Vec<f64>>,
     board: Board,
     touch: Vec<Touch>,
+    pub(crate) media: Media,
+    surface_area: f64,
 }
 
 impl Piece {
@@ -121,6 +128,7 @@ impl Piece {
             place: Place::Waiting,
             pose: Pose::default(),
             vapour_flow: 0.0,
+            heat_taken: 0.0,
             resting_on: RestOn::Board,
             on_pan: PanContact::none(),
             contacts: Vec::new(),
@@ -130,6 +138,8 @@ impl Piece {
             uneven: Arc::new(uneven),
             board: Board::at(room.temperature()),
             touch: Vec::new(),
+            media: Media::default(),
+            surface_area: model.patches().iter().map(|p| p.area).sum(),
             id,
             kind,
             seed,
@@ -259,9 +269,9 @@ impl Piece {
         self.model.patches()[patch as usize].node as usize
     }
 
-    /// Returns true if the face at a node is wet.
-    pub(crate) fn is_wet(&self, node: usize) -> bool {
-        self.state.water[node] > WET_SHARE * self.model.initial_water()[node]
+    /// Wet share of the face at a node [-].
+    pub(crate) fn wetness(&self, node: usize) -> f64 {
+        wetness(self.state.water[node] / self.model.initial_water()[node])
     }
 
     /// Updates the geometry from the food's shape when due; returns true if it did.
@@ -278,6 +288,21 @@ impl Piece {
     pub(crate) fn free_all(&mut self) {
         self.touch.clear();
         self.touch.resize(self.model.patches().len(), Touch::default());
+    }
+
+    /// Returns the contact of a patch in this tick.
+    pub(crate) fn touch(&self, patch: u32) -> Touch {
+        self.touch[patch as usize]
+    }
+
+    /// Sets the contact of a patch in this tick.
+    pub(crate) fn set_touch(&mut self, patch: u32, touch: Touch) {
+        self.touch[patch as usize] = touch;
+    }
+
+    /// Area of the raw surface [m²].
+    pub(crate) fn surface_area(&self) -> f64 {
+        self.surface_area
     }
 
     /// Closes a patch in contact with other food to the air.
@@ -298,28 +323,58 @@ impl Piece {
     /// Ends the contact with the pan.
     pub(crate) fn leave_pan(&mut self) {
         self.sear.leave();
+        self.media = Media::default();
         self.on_pan.leave();
     }
 
     /// Sets the contacts of the patches near the pan.
-    pub(crate) fn touch_pan(&mut self, pan: &PanModel, pan_state: &PanState, room: &Room) {
+    pub(crate) fn touch_pan(&mut self, pan: &PanModel, pan_state: &PanState, (surface, seen): (&PanShape, &Pose), room: &Room) {
         let near = core::mem::take(&mut self.on_pan.near.patches);
-        let area: f64 = near.iter().map(|n| self.patch_area(n.patch as usize)).sum();
-        let face = FaceContact {
-            since: self.on_pan.since,
-            // Ridges carry the weight on their tops only.
-            pressure: self.on_pan.force / (area * pan.ridges.map_or(1.0, |r| r.share())).max(1e-6),
-            film: 0.0,
-            coating: pan.description.coating_w_m2k,
-        };
-        let mean = face.mean_gap(&room.contact);
-        for n in &near {
-            self.touch[n.patch as usize] = self.pan_touch(n, &face, mean, (pan, pan_state), room);
-            if let Some(ridges) = pan.ridges.filter(|_| self.state.ticks.is_multiple_of(REFRESH_TICKS)) {
-                self.sear_strip(n, &face, mean, (&ridges, pan_state), room);
+        let mut mean = 0.0;
+        if self.model.rules() == Rules::Paper2013 {
+            self.touch_pan_2013(&near, (pan, pan_state), room);
+        } else {
+            let face = self.face_contact(&near, pan, room);
+            mean = face.mean_gap(&room.contact);
+            for n in &near {
+                self.oil(n, pan_state, room);
+                self.touch[n.patch as usize] = self.pan_touch(n, &face, mean, (pan, pan_state), room);
+                if let Some(ridges) = pan.ridges.filter(|_| self.state.ticks.is_multiple_of(REFRESH_TICKS)) {
+                    self.sear_strip(n, &face, mean, (&ridges, pan_state), room);
+                }
             }
         }
         self.on_pan.near.patches = near;
+        if self.model.rules() == Rules::Full {
+            self.stand_in_media((pan, pan_state), surface, seen, (mean, room), TICK_S);
+        }
+    }
+
+    /// Oils the node of a patch that lies in a film.
+    fn oil(&mut self, near: &NearPatch, pan: &PanState, room: &Room) {
+        let film = pan.oil_film(&near.located);
+        let node = self.node_of(near.patch);
+        let covers = film / (film + 1e-3 * room.oil.clinging_mm);
+        self.state.oiled[node] = self.state.oiled[node].max(covers);
+    }
+
+    /// Contact of the whole lower face, without oil.
+    fn face_contact(&self, near: &[NearPatch], pan: &PanModel, room: &Room) -> FaceContact {
+        let area: f64 = near.iter().map(|n| self.patch_area(n.patch as usize)).sum();
+        let [length, width, _] = self.model.size();
+        FaceContact {
+            since: self.on_pan.since,
+            // Ridges carry the weight on their tops only.
+            pressure: self.on_pan.force / (area * pan.ridges.map_or(1.0, |r| r.share())).max(1e-6),
+            escape: (0.5 * length.min(width)).min(1e-3 * room.contact.vent_spacing_mm),
+            film: 0.0,
+            coating: pan.description.coating_w_m2k,
+        }
+    }
+
+    /// Gap below a patch near the pan [m].
+    pub(crate) fn gap_below(&self, near: &NearPatch, mean: f64) -> f64 {
+        mean + self.uneven[near.patch as usize] + near.gap + self.dome_gap(near.patch as usize)
     }
 
     fn pan_touch(
@@ -330,28 +385,39 @@ impl Piece {
         (pan_model, pan): (&PanModel, &PanState),
         room: &Room,
     ) -> Touch {
-        let (contact, rules) = (&room.contact, &room.rules_2013);
-        let node = self.node_of(near.patch);
-        let located = &near.located;
+        let (contact, located, node) = (&room.contact, &near.located, self.node_of(near.patch));
         let face = FaceContact { film: pan.oil_film(located), ..*face };
-        let temperature = (0..3).map(|k| located.weights[k] * pan.temperature[located.nodes[k] as usize]).sum::<f64>();
-        let wet = self.is_wet(node);
-        let dome = self.dome_gap(near.patch as usize);
-        let distance = mean + self.uneven[near.patch as usize] + near.gap + dome;
-        let ridges = pan_model.ridges.filter(|_| located.nodes.iter().all(|n| (*n as usize) < pan_model.floor_nodes));
+        let temperature = pan.metal_at(located);
         let surface = &self.model.description().surface;
-        if self.model.rules() == Rules::Paper2013 {
-            let near = f64::from(u8::from(distance <= rules.contact_distance_mm * 1e-3));
-            let share = ridges.map_or(1.0, |r| r.share());
-            return Touch::Contact { conductance: rules.conductance_w_m2k * near * share, temperature };
-        }
-        let top = face.conductance(contact, distance) * steam_share(contact, temperature, wet) * surface.contact_share;
+        let gap = PatchGap {
+            thickness: self.gap_below(near, mean),
+            pan: temperature,
+            wetness: self.wetness(node),
+        };
+        let top = face.conductance(contact, &gap) * surface.contact_share;
+        let ridges = pan_model.ridges.filter(|_| located.nodes.iter().all(|n| (*n as usize) < pan_model.floor_nodes));
         let Some(ridges) = ridges else { return Touch::Contact { conductance: top, temperature } };
         let over = AcrossGroove {
             emissivity: [pan_model.description.surface.emissivity, surface.emissivity],
             temperature: [temperature, self.state.temperature[node]],
         };
-        Touch::Contact { conductance: ridges.mixed(top, contact, &face, distance, &over), temperature }
+        Touch::Contact { conductance: ridges.mixed(top, contact, &face, &gap, &over), temperature }
+    }
+
+    /// Contacts by the rules of 2013: a fixed conductance within a distance.
+    fn touch_pan_2013(&mut self, near: &[NearPatch], (pan_model, pan): (&PanModel, &PanState), room: &Room) {
+        let rules = &room.rules_2013;
+        let area: f64 = near.iter().map(|n| self.patch_area(n.patch as usize)).sum();
+        let share = pan_model.ridges.map_or(1.0, |r| r.share());
+        let pressure = self.on_pan.force / (area * share).max(1e-6);
+        let mean = contact_2013::mean_gap(rules, self.on_pan.since, pressure);
+        for n in near {
+            let reached = f64::from(u8::from(self.gap_below(n, mean) <= rules.contact_distance_mm * 1e-3));
+            let floor = n.located.nodes.iter().all(|n| (*n as usize) < pan_model.floor_nodes);
+            let share = pan_model.ridges.filter(|_| floor).map_or(1.0, |r| r.share());
+            let conductance = rules.conductance_w_m2k * reached * share;
+            self.touch[n.patch as usize] = Touch::Contact { conductance, temperature: pan.metal_at(&n.located) };
+        }
     }
 
     /// Gap below a patch of a domed slice [m]; 0 if the slice does not lie flat.
@@ -389,7 +455,7 @@ impl Piece {
         let around = Surroundings { touch: &self.touch, air: &air };
         let exchange = self.solver.advance(&self.model, &mut self.state, &around, dt);
         self.on_pan.since += dt;
-        self.vapour_flow = exchange.evaporated / dt;
+        self.vapour_flow = exchange.evaporated.max(0.0) / dt;
         exchange
     }
 
@@ -403,6 +469,3 @@ impl Piece {
         self.solver.give(&mut self.state, node, heat);
     }
 }
-
-/// Share of the raw water above which the face of a node is wet [-] (chosen: far above a crust, below bound water).
-pub const WET_SHARE: f64 = 0.4;

@@ -15,7 +15,7 @@ use crate::dynamics::Pose;
 use crate::pan::near_pan::NearPatch;
 use crate::pan::pan_model::PanState;
 use crate::pan::ridges::Ridges;
-use crate::piece::contact::FaceContact;
+use crate::piece::contact::{FaceContact, PatchGap};
 use crate::piece::piece_state::Piece;
 
 /// Largest number of sets of lines on a face [-] (chosen: crossed lines and one more; later browning counts as uniform).
@@ -204,9 +204,10 @@ impl Piece {
         let given = ridges.pressed_in(face.pressure, 1e3 * self.model.kinetics().texture.raw_kpa);
         let film = FaceContact { film: pan.oil_film(located), ..*face };
         let share = self.model.description().surface.contact_share;
-        let top = film.conductance(&room.contact, mean + (off - given).max(0.0)) * share;
+        let metal = pan.metal_at(located);
+        let gap = PatchGap { thickness: mean + (off - given).max(0.0), pan: metal, wetness: 0.0 };
+        let top = film.conductance(&room.contact, &gap) * share;
         let below = self.model.description().crust.conductivity_w_mk / STRIP;
-        let metal: f64 = (0..3).map(|k| located.weights[k] * pan.temperature[located.nodes[k] as usize]).sum();
         let strip = (top * metal + below * BOILING) / (top + below);
         let look = REFRESH_TICKS as f64 * TICK_S;
         let gained = if strip > BOILING { self.model.browning().advance((0.0, 0.0), strip, DRY, look).0 } else { 0.0 };

@@ -5,12 +5,13 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use saute_food::water::latent_heat;
-use saute_food::{Exchange, GRAVITY};
+use saute_food::{Exchange, GRAVITY, Rules};
 
 use crate::data::room::Room;
 use crate::dynamics::world::{Contact, GLASS_HALF};
 use crate::dynamics::{Against, Pose};
 use crate::hands::command::RestOn;
+use crate::liquids::water_film::WATER_SPECIFIC_HEAT;
 use crate::kitchen::{Fixed, Kitchen};
 use crate::pan::hob::PanPose;
 use crate::pan::pan_model::{LEVEL, PanLoad};
@@ -50,6 +51,7 @@ impl Kitchen {
             covered: &self.load.covered,
             steam: &self.load.steam,
             gravity,
+            rules: self.rules(),
         };
         let (pan, solver) = (&mut self.pan, &mut self.pan_solver);
         let exchange = fixed.pan.advance(pan, solver, &load, &mut self.cloth, &mut self.events, TICK_S);
@@ -59,7 +61,17 @@ impl Kitchen {
         self.vapour.cloth = exchange.cloth_vapour / TICK_S;
         self.account.flows.evaporation += exchange.vapour.enthalpy;
         self.vapour.puddle = exchange.vapour.mass / TICK_S;
+        self.average_steam(fixed);
         self.lift_off_cloth();
+    }
+
+    /// Averages the steam over the pan and updates the share of its floor under food.
+    fn average_steam(&mut self, fixed: &Fixed) {
+        let foods: f64 = self.pieces.iter().filter(|p| p.in_pan()).map(|p| p.vapour_flow.max(0.0)).sum();
+        let steam = foods + self.vapour.puddle;
+        self.pan.steam += (steam - self.pan.steam) * TICK_S / (TICK_S + PLUME_S);
+        let floor = self.load.covered.iter().zip(&fixed.pan.section.areas).take(fixed.pan.floor_nodes);
+        self.pan.crowded = floor.map(|(covered, area)| covered * area).sum::<f64>() / fixed.pan.floor_area;
     }
 
     fn lift_off_cloth(&mut self) {
@@ -177,11 +189,19 @@ impl Kitchen {
         self.meet(fixed, index, under);
         let piece = &mut self.pieces[index];
         let air = match piece.place {
+            Place::Pan(_) if piece.model.rules() == Rules::Paper2013 && self.pan.lid.is_none() => {
+                let (up, side) = fixed.room.plume_2013(fixed.pan.floor_temperature(&self.pan));
+                [up, up, side]
+            }
             Place::Pan(_) => fixed.pan.airs(&self.pan, &fixed.room, || piece.face(false)),
             Place::Rest(RestOn::Foil) => [fixed.room.under_foil(); 3],
             _ => [fixed.room.still_air(); 3],
         };
-        let exchange = piece.advance(air, TICK_S);
+        let mut exchange = piece.advance(air, TICK_S);
+        if piece.in_pan() {
+            self.exchange_with_media(fixed, index, &mut exchange);
+        }
+        let piece = &mut self.pieces[index];
         if under == Under::Wood {
             piece.warm_wood(&fixed.room, TICK_S);
         }
@@ -192,6 +212,26 @@ impl Kitchen {
         self.book(fixed, index, &exchange);
     }
 
+    /// Takes the heat that media gave to a piece out of them: that of water from the pool; steam that gave heat condenses
+    /// and drips into the pan.
+    fn exchange_with_media(&mut self, fixed: &Fixed, index: usize, exchange: &mut Exchange) {
+        let piece = &mut self.pieces[index];
+        let heat = piece.take_media_heat(TICK_S);
+        piece.heat_taken += heat.water + heat.steam + piece.solver.contact_heat.iter().sum::<f64>();
+        if heat.water != 0.0 {
+            fixed.pan.liquids.draw_from_pool(&mut self.pan.liquids, heat.water);
+        }
+        if heat.steam != 0.0 {
+            let boiling = kelvin(100.0);
+            let mass = heat.steam / latent_heat(boiling);
+            let liquid = mass * WATER_SPECIFIC_HEAT * 100.0;
+            exchange.evaporated -= mass;
+            exchange.evaporation -= liquid + heat.steam;
+            exchange.drip.mass += mass;
+            exchange.drip.enthalpy += liquid;
+        }
+    }
+
     /// Updates the contacts of a piece with pan and ground for this tick.
     fn meet(&mut self, fixed: &Fixed, index: usize, under: Under) {
         let (force, pan_pose, surface) = (self.pan_force(index), self.world.motion.pose, *self.world.pan_shape());
@@ -200,7 +240,7 @@ impl Kitchen {
         if piece.in_pan() {
             let seen = piece.pose.seen_from(&pan_pose);
             piece.meet_pan(&fixed.pan, &surface, &seen, force, time, TICK_S);
-            piece.touch_pan(&fixed.pan, &self.pan, &fixed.room);
+            piece.touch_pan(&fixed.pan, &self.pan, (&surface, &seen), &fixed.room);
         }
         piece.touch_ground(under, &fixed.room);
     }
@@ -220,20 +260,20 @@ impl Kitchen {
         self.account.flows.evaporation += evaporation;
         let whole: f64 = piece.near_patches().iter().map(|n| piece.patch_area(n.patch as usize)).sum();
         // Steam that boils off at the lower face rises through the oil there.
-        let boiled = exchange.evaporated.min(taken.max(0.0) / latent_heat(kelvin(100.0)));
+        let boiled = exchange.evaporated.min(taken.max(0.0) / latent_heat(kelvin(100.0))).max(0.0);
         for near in piece.near_patches() {
             let (patch, located) = (near.patch as usize, &near.located);
             let (heat, area) = (piece.solver.contact_heat[patch], piece.patch_area(patch));
-            let wet = piece.is_wet(piece.node_of(near.patch));
+            let wet = piece.wetness(piece.node_of(near.patch));
             for k in 0..3 {
                 let (node, weight) = (located.nodes[k] as usize, located.weights[k]);
                 self.load.heat[node] += weight * heat / TICK_S;
                 self.load.covered[node] += weight * area / fixed.pan.section.areas[node];
                 let steam = weight * area / whole * boiled;
                 self.load.steam[node] += steam;
-                if wet {
+                if wet > 0.0 {
                     let model = &fixed.pan.liquids;
-                    self.pan.liquids.fond.stick(&model.bed, node, steam * model.fond.left_by_steam);
+                    self.pan.liquids.fond.stick(&model.bed, node, wet * steam * model.fond.left_by_steam);
                 }
                 if exchange.drip.mass > 0.0 {
                     let share = weight * area / whole;
@@ -242,7 +282,15 @@ impl Kitchen {
                 }
             }
         }
-        if piece.near_patches().is_empty() && exchange.drip.mass > 0.0 {
+        for oiled in &piece.media.in_oil {
+            let heat = piece.solver.contact_heat[oiled.patch as usize];
+            for (node, weight) in oiled.located.nodes.iter().zip(oiled.located.weights) {
+                self.load.heat[*node as usize] += weight * heat / TICK_S;
+            }
+        }
+        let lifted = piece.near_patches().is_empty();
+        self.pieces[index].average_steam(boiled, TICK_S);
+        if lifted && exchange.drip.mass > 0.0 {
             self.drip_from_above(fixed, index, exchange);
         }
         let latent = self.pieces[index].model.description().fat_melting.latent_j_kg;
@@ -282,6 +330,8 @@ impl Kitchen {
     }
 }
 
+/// Time constant of the steam in the air over the pan [s] (chosen: the air in the pan is exchanged within a second or two).
+const PLUME_S: f64 = 2.0;
 /// Lift below which the pan stands on the glass [m] (chosen: above the rounding of the pan's motion).
 const STANDING: f64 = 1e-6;
 

@@ -13,8 +13,7 @@ use crate::result::report::LabReport;
 use crate::solve::body::vertical;
 use crate::solve::cooking_body::FoodBody;
 use crate::solve::solver::opposite;
-use saute_kitchen::piece::contact::{FaceContact, steam_share};
-use saute_kitchen::piece::piece_state::WET_SHARE;
+use saute_kitchen::piece::contact::{FaceContact, PatchGap, wetness};
 use saute_kitchen::{TICK_S, celsius};
 
 /// Largest heat transfer coefficient of air; above it the medium is a solid or a liquid [W/(m²·K)] (chosen: forced
@@ -211,15 +210,16 @@ impl<'a> Cooking<'a> {
         let face = FaceContact {
             since: self.time() - self.laid_at,
             pressure: saute_food::GRAVITY * self.state.mass_left(model) / area,
+            escape: 1e-3 * gap.vent_spacing_mm,
             film: self.cooking.room.default_film(),
             coating: None,
         };
-        let conductance = face.conductance(gap, face.mean_gap(gap)) * model.description().surface.contact_share;
+        let (thickness, share) = (face.mean_gap(gap), model.description().surface.contact_share);
         let mut mean = 0.0;
         for patch in range {
             let node = model.patches()[patch].node as usize;
-            let wet = self.state.water[node] > WET_SHARE * model.initial_water()[node];
-            let conductance = conductance * steam_share(gap, pan, wet);
+            let wetness = wetness(self.state.water[node] / model.initial_water()[node]);
+            let conductance = face.conductance(gap, &PatchGap { thickness, pan, wetness }) * share;
             self.touch[patch] = Touch::Contact { conductance, temperature: pan };
             mean += conductance * model.patches()[patch].area / area;
         }

@@ -1,0 +1,14 @@
+//! Mean gap of a face by the rules of 2013, which keep the law that this program had first.
+
+use crate::data::room::Rules2013;
+
+/// Mean gap of a face [m] after `since` [s] of contact under `pressure` [Pa].
+///
+/// δ = (δ_final + (δ_initial − δ_final) e^(−t/τ) + δ_settling e^(−t/τ_s)) / (1 + (p − p₀)/p_½).
+pub(crate) fn mean_gap(gap: &Rules2013, since: f64, pressure: f64) -> f64 {
+    let lifted = libm::exp(-since / gap.time_constant_s);
+    let unsettled = libm::exp(-since / gap.settling_s);
+    let free = gap.final_gap_mm + (gap.initial_gap_mm - gap.final_gap_mm) * lifted + gap.settling_gap_mm * unsettled;
+    let pressed = 1.0 + (pressure - gap.pressure_pa).max(-0.5 * gap.halving_pressure_pa) / gap.halving_pressure_pa;
+    1e-3 * free / pressed
+}
