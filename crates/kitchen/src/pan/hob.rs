@@ -5,6 +5,8 @@ use serde::Deserialize;
 
 use saute_food::sourced_table;
 
+use crate::pan::hold::Hold;
+
 sourced_table! {
     /// Coil of an induction hob.
     Coil {
@@ -79,6 +81,8 @@ pub struct HobDescription {
     pub control: Control,
     /// Glass.
     pub glass: Glass,
+    /// Holding a pan at a temperature.
+    pub hold: Hold,
 }
 
 /// Place of a pan over its ring.

@@ -13,6 +13,7 @@ use crate::dynamics::{Against, Pose};
 use crate::hands::command::RestOn;
 use crate::kitchen::{Fixed, Kitchen};
 use crate::pan::hob::PanPose;
+use crate::pan::hold::HoldLoad;
 use crate::pan::pan_model::{LEVEL, PanLoad};
 use crate::piece::food_contact::{self, Touching};
 use crate::piece::piece_state::{Piece, Place, Under};
@@ -41,10 +42,11 @@ impl Kitchen {
 
     fn step_pan(&mut self, fixed: &Fixed) {
         let gravity = self.felt_gravity();
+        self.hold_pan_temperature(fixed);
         let load = PanLoad {
             hob: &fixed.hob,
             room: &fixed.room,
-            hob_w: self.hob_w,
+            hob_w: self.hold.power(self.hob_w),
             time: self.clock.tick_start_s(),
             food: &self.load.heat,
             covered: &self.load.covered,
@@ -60,6 +62,19 @@ impl Kitchen {
         self.account.flows.evaporation += exchange.vapour.enthalpy;
         self.vapour.puddle = exchange.vapour.mass / TICK_S;
         self.lift_off_cloth();
+    }
+
+    /// Advances the electronics that hold the pan at a temperature.
+    fn hold_pan_temperature(&mut self, fixed: &Fixed) {
+        let load = HoldLoad {
+            hob: &fixed.hob,
+            largest: self.hob_w,
+            // The sensor sits in the centre of the coil; node 0 lies above it.
+            glass: self.pan.glass[0],
+            room: fixed.room.temperature(),
+            detected: self.cloth.is_none() && fixed.hob.detects(&self.pan.pose),
+        };
+        self.hold.advance(&load, TICK_S);
     }
 
     fn lift_off_cloth(&mut self) {
