@@ -13,6 +13,7 @@ use crate::hands::second_hand::SecondHand;
 use crate::pan::cloth::Cloth;
 use crate::pan::food_load::FoodLoad;
 use crate::pan::hob::HobDescription;
+use crate::pan::hold::HoldControl;
 use crate::pan::pan_model::{PanModel, PanSolver, PanState};
 use crate::piece::food_contact::Touching;
 use crate::piece::layout::{Floor, Footprint};
@@ -65,6 +66,7 @@ pub struct Kitchen {
     pub(crate) fixed: Arc<Fixed>,
     pub(crate) clock: Clock,
     pub(crate) hob_w: f64,
+    pub(crate) hold: HoldControl,
     pub(crate) pan: PanState,
     pub(crate) pan_solver: PanSolver,
     pub(crate) cloth: Option<Cloth>,
@@ -109,6 +111,7 @@ impl Kitchen {
         Ok(Self {
             clock: Clock::default(),
             hob_w: 0.0,
+            hold: HoldControl::default(),
             pan_solver: PanSolver::default(),
             cloth: None,
             load: FoodLoad::none(state.temperature.len()),
@@ -247,16 +250,27 @@ impl Kitchen {
         self.pieces.iter().find(|p| p.id == id)
     }
 
-    /// Electrical power to which the hob is set [W].
+    /// Electrical power to which the hob is set [W]; the largest one if it holds the pan at a temperature.
     pub fn hob_w(&self) -> f64 {
         self.hob_w
     }
 
-    /// Mean electrical power that the hob draws [W]: zero while the pan stands on the cloth or at the temperature limit,
-    /// reduced while the pan is lifted or off the ring.
+    /// Temperature at which the hob holds the pan [K]; none if it gives the power to which it is set.
+    pub fn hob_holds(&self) -> Option<f64> {
+        self.hold.target()
+    }
+
+    /// Mean electrical power that the hob draws [W]: zero while the pan stands on the cloth, reduced near the temperature
+    /// limit and while the pan is lifted or off the ring. By the rules of 2013 the limit switches it off.
     pub fn hob_drawn_w(&self) -> f64 {
-        let off = self.cloth.is_some() || self.pan.limited;
-        if off { 0.0 } else { self.hob_w * self.pan.ring_shares.iter().sum::<f64>() }
+        let off = self.cloth.is_some() || (self.pan.limited && self.rules() == Rules::Paper2013);
+        if off { 0.0 } else { self.hob_power() * self.pan.ring_shares.iter().sum::<f64>() }
+    }
+
+    /// Power of the hob over a pan on its ring: that which holds the pan, or the set one, up to the limit [W].
+    pub(crate) fn hob_power(&self) -> f64 {
+        let share = if self.rules() == Rules::Paper2013 { 1.0 } else { self.hold.limit_share() };
+        share * self.hold.power(self.hob_w)
     }
 
     /// Area mean of the pan's flat floor [K].

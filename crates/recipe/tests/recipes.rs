@@ -90,6 +90,12 @@ fn actions_arrive_in_si_units() {
         command("oil_g = { g = 10, kind = \"canola\" }"),
         Command::Oil { kind: Some("canola".into()), mass: 0.01 }
     );
+    assert_eq!(
+        command("hob_w = { hold_c = 180, w = 2000 }"),
+        Command::HobHold { temperature: kelvin(180.0), power: 2000.0 }
+    );
+    assert_eq!(action("hob_w = { hold_c = 180, w = 2000 }").words(), "hob holds 180 °C with up to 2000 W");
+    assert_eq!(action("hob_w = { hold_c = 180, w = 2000 }").value()["hold_c"], 180.0);
     assert_eq!(command("butter_g = 15"), Command::Butter(0.015));
     assert_eq!(command("water_g = 30"), Command::Water(0.03));
     assert_eq!(command("toss = { height_mm = 200 }"), Command::Toss { height: 0.2 });
@@ -178,7 +184,7 @@ fn ranges_and_defaults_of_the_schema_are_those_that_are_checked() {
             }
         }
     }
-    assert_eq!((ranges, defaults), (15, 15));
+    assert_eq!((ranges, defaults), (16, 15));
 }
 
 /// `at_mm`, `on` and `for_s` are accepted next to a bare value, too.
@@ -230,7 +236,7 @@ fn a_condition_on_a_group_concerns_each_of_its_pieces() {
 /// An invalid line of a recipe, and parts of its message and remedy.
 struct Wrong(&'static str, &'static [&'static str]);
 
-const WRONG_STEPS: [Wrong; 40] = [
+const WRONG_STEPS: [Wrong; 43] = [
     Wrong("oil_g = -1", &["oil_g = -1", "0 to 300"]),
     Wrong("oil_g = { g = 10, king = \"canola\" }", &["king", "`kind`"]),
     Wrong("oil_g = { kind = \"canola\" }", &["missing field `g`"]),
@@ -271,6 +277,9 @@ const WRONG_STEPS: [Wrong; 40] = [
     Wrong("move_pan = { lift_mm = 501 }", &["move_pan.lift_mm = 501", "0 to 500"]),
     Wrong("move_pan = { at_mm = [0, 400] }", &["move_pan.at_mm", "± 350 mm of the ring"]),
     Wrong("move_pan = false", &["move_pan", "does nothing"]),
+    Wrong("hob_w = { hold_c = 180, w = 9000 }", &["hob_w = 9000", "0 to 3500"]),
+    Wrong("hob_w = { hold_c = 260, w = 2000 }", &["hob_w.hold_c = 260", "50 to 230"]),
+    Wrong("hob_w = { hold_c = 180 }", &["missing field `w`"]),
     Wrong("hob_w = { w = 9000 }", &["hob_w = 9000", "0 to 3500"]),
     Wrong("lid = true\ntoss = true", &["more than one action"]),
     Wrong("when = { food = \"leeks\", core_c = 60 }\nlid = true", &["when.food = \"leeks\"", "names no food"]),

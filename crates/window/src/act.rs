@@ -30,6 +30,8 @@ pub enum Act {
     Hob(i8),
     /// Sets the hob [W].
     HobSet(f64),
+    /// Lets the hob hold the pan at a temperature [°C].
+    HobHold(f64),
     /// Wet cloth under the pan.
     Cloth,
     /// The food into the pan.

@@ -24,6 +24,7 @@ impl SauteApp {
             Act::SpeedSet(speed) => self.set_speed(speed),
             Act::Hob(by) => self.change_hob(by),
             Act::HobSet(w) => self.command(&Command::Hob(w)),
+            Act::HobHold(c) => self.hold_pan_at(c),
             Act::Cloth => self.cool_with_cloth(),
             Act::Put => self.lay_in(&self.session.its_group()),
             Act::Lay(ids) => self.lay_in(&ids),

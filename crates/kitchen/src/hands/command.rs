@@ -22,6 +22,13 @@ pub enum RestOn {
 pub enum Command {
     /// Sets the hob's electrical power [W].
     Hob(f64),
+    /// Lets the hob hold the pan at a temperature.
+    HobHold {
+        /// Temperature of the pan [K].
+        temperature: f64,
+        /// Largest electrical power that it uses [W].
+        power: f64,
+    },
     /// Puts a piece into the pan at a place relative to the pan's centre [m].
     Put {
         /// Which piece.
@@ -141,7 +148,7 @@ impl Command {
             Self::Shake { .. } | Self::Tilt { .. } | Self::HoldPan { .. } | Self::LetGo => false,
             Self::Lead { .. } => true,
             Self::Halve { .. } => false,
-            Self::Hob(_) | Self::MovePan { .. } | Self::Cool { .. } | Self::Lid(_) => false,
+            Self::Hob(_) | Self::HobHold { .. } | Self::MovePan { .. } | Self::Cool { .. } | Self::Lid(_) => false,
         }
     }
 }
@@ -209,6 +216,14 @@ pub enum Refused {
     Power {
         /// Largest power [W].
         largest_w: i64,
+    },
+    /// Temperature to hold out of range.
+    #[error("the hob holds {lowest_c} to {highest_c} °C")]
+    HoldTemperature {
+        /// Lowest temperature [°C].
+        lowest_c: i64,
+        /// Highest temperature [°C].
+        highest_c: i64,
     },
     /// Unknown oil.
     #[error("there is no oil \"{kind}\"; there are: {known}")]

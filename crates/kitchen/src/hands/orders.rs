@@ -14,6 +14,7 @@ use crate::hands::pour::Pouring;
 use crate::kelvin;
 use crate::kitchen::Kitchen;
 use crate::pan::cloth::Cloth;
+use crate::pan::hold::Hold;
 use crate::piece::piece_state::{Piece, Place};
 
 /// Largest displacement and lift of the pan [m] (chosen: within reach).
@@ -44,7 +45,8 @@ impl Kitchen {
             return Err(Refused::LidIsOn);
         }
         match command {
-            Command::Hob(power) => self.set_hob(*power),
+            Command::Hob(power) => self.set_hob(*power, None),
+            Command::HobHold { temperature, power } => self.set_hob(*power, Some(*temperature)),
             Command::Put { food, at, heap } => self.put(food, *at, *heap),
             Command::Flip { food } => self.order(food, |key| Task::Flip { key }),
             Command::Rest { food, on } => self.rest(food, *on),
@@ -105,11 +107,16 @@ impl Kitchen {
         Ok(())
     }
 
-    fn set_hob(&mut self, power: f64) -> Result<(), Refused> {
+    fn set_hob(&mut self, power: f64, hold: Option<f64>) -> Result<(), Refused> {
         let largest = self.fixed.hob.coil.largest_w;
         if !(0.0..=largest).contains(&power) {
             return Err(Refused::Power { largest_w: largest as i64 });
         }
+        let Hold { lowest_c, highest_c, .. } = self.fixed.hob.hold;
+        if hold.is_some_and(|t| !(kelvin(lowest_c)..=kelvin(highest_c)).contains(&t)) {
+            return Err(Refused::HoldTemperature { lowest_c: lowest_c as i64, highest_c: highest_c as i64 });
+        }
+        self.hold.set(hold, self.hob_w);
         self.hob_w = power;
         Ok(())
     }

@@ -5,6 +5,8 @@ use serde::Deserialize;
 
 use saute_food::sourced_table;
 
+use crate::pan::hold::Hold;
+
 sourced_table! {
     /// Coil of an induction hob.
     Coil {
@@ -35,10 +37,11 @@ sourced_table! {
         /// Period of that [s].
         #[schemars(range(min = 0.01, max = 600.0), example = 2.0)]
         duty_period_s: f64,
-        /// The power goes off while the glass in the middle of the coil, where the sensor sits, is hotter than this [°C].
+        /// The power is off while the glass in the middle of the coil, where the sensor sits, will become hotter than this
+        /// [°C].
         #[schemars(range(min = 0.0, max = 1000.0), example = 250.0)]
         limit_c: f64,
-        /// How far it must cool until the power comes back [K].
+        /// Range below it over which the power falls to nothing [K].
         #[schemars(range(min = 0.0, max = 500.0), example = 15.0)]
         resume_k: f64,
         /// A pan that stands higher than this is not detected [mm].
@@ -79,6 +82,8 @@ pub struct HobDescription {
     pub control: Control,
     /// Glass.
     pub glass: Glass,
+    /// Holding a pan at a temperature.
+    pub hold: Hold,
 }
 
 /// Place of a pan over its ring.

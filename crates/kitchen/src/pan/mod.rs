@@ -5,6 +5,7 @@ pub mod cloth;
 pub(crate) mod food_load;
 pub mod heat_tint;
 pub mod hob;
+pub mod hold;
 pub mod lid;
 pub(crate) mod near_pan;
 pub mod pan_description;

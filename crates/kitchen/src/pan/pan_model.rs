@@ -63,7 +63,7 @@ pub struct PanState {
     pub pose: PanPose,
     /// Share of the hob's power in each floor node [-].
     pub ring_shares: Vec<f64>,
-    /// True while the hob's temperature limit keeps the power off.
+    /// True while the hob's temperature limit reduces the power.
     pub limited: bool,
     /// Steam that rises from foods and liquids, averaged [kg/s].
     pub steam: f64,
@@ -87,8 +87,10 @@ pub struct PanLoad<'a> {
     pub hob: &'a HobDescription,
     /// Room.
     pub room: &'a Room,
-    /// Electrical power to which the hob is set [W].
+    /// Electrical power that the hob gives [W].
     pub hob_w: f64,
+    /// True while the temperature limit reduces that power.
+    pub limited: bool,
     /// Time at the start of the tick [s].
     pub time: f64,
     /// Heat flow from each node into food [W].
@@ -275,10 +277,7 @@ impl PanModel {
     ) -> PanExchange {
         let limit = 0.8 * self.conduction.stable_step_with(&self.capacity, &self.steepest);
         let steps = libm::ceil(dt / limit).clamp(1.0, 1000.0);
-        let control = &load.hob.control;
-        let bound = control.limit_c - if state.limited { control.resume_k } else { 0.0 };
-        // The sensor sits in the centre of the coil; node 0 lies above it.
-        state.limited = state.glass[0] > crate::kelvin(bound);
+        state.limited = if load.rules == Rules::Paper2013 { limited_2013(state, load) } else { load.limited };
         let mut total = PanExchange::default();
         let PanState { liquids, temperature, .. } = state;
         let scratch = &mut solver.liquids;
@@ -422,7 +421,8 @@ impl PanModel {
     /// Heat from the ring, and between floor and glass: contact conductance in series with the air under a lifted pan.
     fn add_hob(&self, state: &mut PanState, load: &PanLoad, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
         let PanLoad { hob, time, .. } = *load;
-        let power = if state.limited { 0.0 } else { hob.switched(load.hob_w, time, crate::TICK_S) };
+        let off = state.limited && load.rules == Rules::Paper2013;
+        let power = if off { 0.0 } else { hob.switched(load.hob_w, time, crate::TICK_S) };
         let glass = &hob.glass;
         let gap = 1.0 / (1.0 / glass.gap_conductance_w_m2k + state.pose.lift / AIR_CONDUCTIVITY);
         for (i, share) in state.ring_shares.iter().enumerate() {
@@ -461,6 +461,13 @@ impl PanModel {
         let air = load.room.temperature();
         state.glass.iter_mut().for_each(|t| *t -= share * (*t - air));
     }
+}
+
+/// By the rules of 2013 the limit switches the power off until the glass above the sensor, in the centre of the coil, has
+/// cooled.
+fn limited_2013(state: &PanState, load: &PanLoad) -> bool {
+    let bound = load.hob.control.limit_c - if state.limited { load.room.rules_2013.resume_k } else { 0.0 };
+    state.glass[0] > crate::kelvin(bound)
 }
 
 impl PanState {

@@ -14,6 +14,7 @@ use crate::hands::command::RestOn;
 use crate::liquids::water_film::WATER_SPECIFIC_HEAT;
 use crate::kitchen::{Fixed, Kitchen};
 use crate::pan::hob::PanPose;
+use crate::pan::hold::HoldLoad;
 use crate::pan::pan_model::{LEVEL, PanLoad};
 use crate::piece::food_contact::{self, Touching};
 use crate::piece::piece_state::{Piece, Place, Under};
@@ -42,10 +43,12 @@ impl Kitchen {
 
     fn step_pan(&mut self, fixed: &Fixed) {
         let gravity = self.felt_gravity();
+        self.hold_pan_temperature(fixed);
         let load = PanLoad {
             hob: &fixed.hob,
             room: &fixed.room,
-            hob_w: self.hob_w,
+            hob_w: self.hob_power(),
+            limited: self.hold.limit_share() < 1.0,
             time: self.clock.tick_start_s(),
             food: &self.load.heat,
             covered: &self.load.covered,
@@ -72,6 +75,19 @@ impl Kitchen {
         self.pan.steam += (steam - self.pan.steam) * TICK_S / (TICK_S + PLUME_S);
         let floor = self.load.covered.iter().zip(&fixed.pan.section.areas).take(fixed.pan.floor_nodes);
         self.pan.crowded = floor.map(|(covered, area)| covered * area).sum::<f64>() / fixed.pan.floor_area;
+    }
+
+    /// Advances the electronics that hold the pan at a temperature.
+    fn hold_pan_temperature(&mut self, fixed: &Fixed) {
+        let load = HoldLoad {
+            hob: &fixed.hob,
+            largest: self.hob_w,
+            // The sensor sits in the centre of the coil; node 0 lies above it.
+            glass: self.pan.glass[0],
+            room: fixed.room.temperature(),
+            detected: self.cloth.is_none() && fixed.hob.detects(&self.pan.pose),
+        };
+        self.hold.advance(&load, TICK_S);
     }
 
     fn lift_off_cloth(&mut self) {

@@ -72,7 +72,8 @@ macro_rules! actions {
 }
 
 actions! {
-    Hob "hob_w" Entry<HobTable>, "2000", "sets the hob; a bare number is its electrical power, 0–3500 [W].";
+    Hob "hob_w" Entry<HobTable>, "2000",
+        "sets the hob; a bare number is its electrical power, 0–3500 [W]; with hold_c it holds the pan at a temperature.";
     Put "put" Entry<PutTable>, "\"steak\"", "puts foods into the pan.";
     Flip "flip" Entry<FlipTable>, "\"steak\"", "turns foods over.";
     Rest "rest" Entry<RestTable>, "\"steak\"", "takes foods out of the pan to rest.";

@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::action::{ActionKind, mm, tidy};
+use saute_kitchen::celsius;
 use saute_kitchen::hands::command::Command;
 
 /// An action on no particular food.
@@ -10,6 +11,13 @@ use saute_kitchen::hands::command::Command;
 pub enum PanAction {
     /// Sets the electrical power of the hob [W].
     Hob(f64),
+    /// Lets the hob hold the pan at a temperature.
+    HobHold {
+        /// Temperature [K].
+        temperature: f64,
+        /// Largest electrical power [W].
+        power: f64,
+    },
     /// Moves the pan over the hob, or lifts it.
     MovePan {
         /// Centre of the pan relative to the ring's [m].
@@ -62,7 +70,7 @@ impl PanAction {
     /// Returns the kind of the action.
     pub fn kind(&self) -> ActionKind {
         match self {
-            Self::Hob(_) => ActionKind::Hob,
+            Self::Hob(_) | Self::HobHold { .. } => ActionKind::Hob,
             Self::MovePan { .. } => ActionKind::MovePan,
             Self::Cool { .. } => ActionKind::Cool,
             Self::Oil { .. } => ActionKind::Oil,
@@ -79,6 +87,7 @@ impl PanAction {
     pub fn command(&self) -> Command {
         match self {
             Self::Hob(power) => Command::Hob(*power),
+            Self::HobHold { temperature, power } => Command::HobHold { temperature: *temperature, power: *power },
             Self::MovePan { at, lift } => Command::MovePan { at: *at, lift: *lift },
             Self::Cool { for_s } => Command::Cool { for_s: *for_s },
             Self::Oil { kind, mass } => Command::Oil { kind: kind.clone(), mass: *mass },
@@ -95,6 +104,7 @@ impl PanAction {
     pub fn value(&self) -> Value {
         match self {
             Self::Hob(power) => (*power).into(),
+            Self::HobHold { temperature, power } => json!({ "hold_c": tidy(celsius(*temperature)), "w": power }),
             Self::MovePan { at, lift } => json!({ "at_mm": at.map(mm), "lift_mm": mm(*lift) }),
             Self::Cool { for_s } => (*for_s).into(),
             Self::Oil { kind, mass } => json!({ "g": mm(*mass), "kind": kind }),
@@ -114,6 +124,9 @@ impl PanAction {
     pub fn words(&self) -> String {
         match self {
             Self::Hob(power) => format!("hob {power} W"),
+            Self::HobHold { temperature, power } => {
+                format!("hob holds {} °C with up to {power} W", tidy(celsius(*temperature)))
+            }
             Self::MovePan { at, lift } => format!("pan to {} mm, lifted by {} mm", json!(at.map(mm)), mm(*lift)),
             Self::Cool { for_s } => format!("pan on a wet cloth for {for_s} s"),
             Self::Oil { kind: None, mass } => format!("{} g oil", mm(*mass)),
@@ -136,7 +149,12 @@ impl PanAction {
     pub fn duration_s(&self) -> f64 {
         match self {
             Self::Cool { for_s } | Self::Shake { for_s, .. } => *for_s,
-            Self::Hob(_) | Self::MovePan { .. } | Self::Oil { .. } | Self::Butter(_) | Self::Water(_) => 0.0,
+            Self::Hob(_)
+            | Self::HobHold { .. }
+            | Self::MovePan { .. }
+            | Self::Oil { .. }
+            | Self::Butter(_)
+            | Self::Water(_) => 0.0,
             Self::Toss { .. } | Self::Tilt { .. } | Self::Lid(_) => 0.0,
         }
     }

@@ -11,8 +11,9 @@ use crate::file::action_file::{
     TOSS_HEIGHT_MM, TOWARDS_DEG, TiltTable, TossTable, WATER_G, WaterTable,
 };
 use crate::file::step_file::{StepEntry, StepKeys};
-use saute_kitchen::InputError;
 use saute_kitchen::hands::command::RestOn;
+use saute_kitchen::pan::hold::Hold;
+use saute_kitchen::{InputError, kelvin};
 
 impl Check<'_> {
     /// Returns the one action of a step; `at` is the step's place in the text [bytes].
@@ -62,7 +63,11 @@ impl Check<'_> {
     }
 
     fn hob(&self, to: &HobTable) -> Checked<PanAction> {
-        Ok(PanAction::Hob(self.input.ranged("hob_w", &to.w, 0.0, self.library.hob.coil.largest_w)?))
+        let power = self.input.ranged("hob_w", &to.w, 0.0, self.library.hob.coil.largest_w)?;
+        let Some(hold_c) = &to.hold_c else { return Ok(PanAction::Hob(power)) };
+        let Hold { lowest_c, highest_c, .. } = self.library.hob.hold;
+        let temperature = kelvin(self.input.ranged("hob_w.hold_c", hold_c, lowest_c, highest_c)?);
+        Ok(PanAction::HobHold { temperature, power })
     }
 
     fn cool(&self, cool: &CoolTable, companion: Option<&Spanned<f64>>) -> Checked<PanAction> {

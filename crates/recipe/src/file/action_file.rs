@@ -47,13 +47,19 @@ pub const LIFT_MM: Limits = limits(0.0, 500.0, 0.0);
 /// Duration of the pan on the cloth [s]; the checked default is that of `kitchen.toml`.
 pub const COOL_S: Limits = limits(0.1, 600.0, 3.0);
 
-/// Sets the hob.
+/// Temperature at which the hob may hold the pan [°C]; the checked range is that of `hobs/induction.toml`.
+pub const HOLD_C: [f64; 2] = [50.0, 230.0];
+
+/// Sets the hob to a power, or lets it hold the pan at a temperature.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HobTable {
-    /// Electrical power [W].
+    /// Electrical power; with `hold_c` the largest that it uses [W].
     #[schemars(with = "f64", range(min = 0, max = 3500))]
     pub w: Spanned<f64>,
+    /// Holds the pan at this temperature by the sensor under the glass, until the hob is set again [°C].
+    #[schemars(with = "Option<f64>", range(min = HOLD_C[0], max = HOLD_C[1]))]
+    pub hold_c: Option<Spanned<f64>>,
 }
 
 /// Puts a food into the pan.
@@ -295,7 +301,7 @@ macro_rules! shorthand {
 }
 
 shorthand! {
-    HobTable: f64 = |w| Ok(Self { w });
+    HobTable: f64 = |w| Ok(Self { w, hold_c: None });
     PutTable: String = |food| Ok(Self { food, at_mm: None, heap: None });
     FlipTable: String = |food| Ok(Self { food });
     RestTable: String = |food| Ok(Self { food, on: None });

@@ -1,6 +1,6 @@
 //! Hob, food and recipes by acts.
 
-use saute_kitchen::Command;
+use saute_kitchen::{Command, kelvin};
 
 use crate::app::SauteApp;
 use crate::words::piece_words::name;
@@ -13,6 +13,12 @@ impl SauteApp {
     pub(super) fn cool_with_cloth(&mut self) {
         let for_s = self.session.kitchen.room().cloth.default_s;
         self.command(&Command::Cool { for_s });
+    }
+
+    /// Lets the hob hold the pan at a temperature [°C].
+    pub(super) fn hold_pan_at(&mut self, celsius: f64) {
+        let power = self.session.kitchen.hob().hold.panel_w;
+        self.command(&Command::HobHold { temperature: kelvin(celsius), power });
     }
 
     pub(super) fn change_hob(&mut self, by: i8) {

@@ -50,17 +50,38 @@ fn hob(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     ui.label(RichText::new(l.text("hob.hob")).color(theme::of(ui).quiet));
     let settings = state.session.kitchen.hob().coil.settings_w.clone();
     let now = state.session.kitchen.hob_w();
+    let holds = state.session.kitchen.hob_holds().is_some();
     for w in settings {
         let text = if w == 0.0 { l.text("hob.off").to_owned() } else { format!("{w:.0} W") };
-        let on = (w - now).abs() < 0.5;
+        let on = (w - now).abs() < 0.5 && !holds;
         if press(ui, &text, on, true, l.text("hob.power")) {
             acts.push(Act::HobSet(w));
         }
     }
     let custom = !state.session.kitchen.hob().coil.settings_w.iter().any(|w| (w - now).abs() < 0.5);
-    if custom {
+    if custom && !holds {
         ui.label(RichText::new(format!("{now:.0} W")).color(theme::of(ui).accent));
     }
+    hold(state, ui, acts);
+}
+
+/// The temperatures at which the hob can hold the pan, in a list.
+fn hold(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let (l, kitchen) = (state.settings.language, &state.session.kitchen);
+    let held = kitchen.hob_holds().map(celsius);
+    let words = |c: f64| l.fill("hob.hold_at", &[("temperature", &state.settings.temperature(c))]);
+    let text = held.map_or_else(|| l.text("hob.hold").to_owned(), words);
+    let colour = if held.is_some() { theme::of(ui).accent } else { theme::of(ui).text };
+    let list = egui::ComboBox::from_id_salt("hold").selected_text(RichText::new(text).color(colour));
+    let shown = list.show_ui(ui, |ui| {
+        for c in &kitchen.hob().hold.settings_c {
+            let on = held.is_some_and(|held| (held - c).abs() < 0.5);
+            if ui.selectable_label(on, state.settings.temperature(*c)).clicked() {
+                acts.push(Act::HobHold(*c));
+            }
+        }
+    });
+    shown.response.on_hover_text(l.text("hob.hold_hint"));
 }
 
 fn hands(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {

@@ -17,6 +17,7 @@ pub(super) fn label(command: &Command) -> Option<String> {
     Some(match command {
         Command::Lead { .. } | Command::LetGo | Command::HoldPan { .. } => return None,
         Command::Hob(w) => format!("{w:.0} W"),
+        Command::HobHold { temperature, .. } => format!("{:.0} °C", saute_kitchen::celsius(*temperature)),
         Command::Put { .. } => "in".into(),
         Command::Flip { .. } => "flip".into(),
         Command::Rest { .. } => "out".into(),
