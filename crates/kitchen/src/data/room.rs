@@ -266,7 +266,10 @@ sourced_table! {
         /// Pressure on top of that which halves the mean gap [Pa].
         #[schemars(range(min = 1e-3, max = 1e9), example = 22.0e3)]
         halving_pressure_pa: f64,
-        /// How far the glass of the hob must cool below its limit until the power comes back [K].
+        /// Temperature of the glass in the middle of the coil at which the power goes off [°C].
+        #[schemars(range(min = 0.0, max = 1000.0), example = 250.0)]
+        limit_c: f64,
+        /// How far the glass must cool below that until the power comes back [K].
         #[schemars(range(min = 0.0, max = 500.0), example = 15.0)]
         resume_k: f64,
         /// Temperature of the pan as soon as it touches the cloth [°C].

@@ -116,7 +116,7 @@ impl Kitchen {
         if hold.is_some_and(|t| !(kelvin(lowest_c)..=kelvin(highest_c)).contains(&t)) {
             return Err(Refused::HoldTemperature { lowest_c: lowest_c as i64, highest_c: highest_c as i64 });
         }
-        self.hold.set(hold, self.hob_w);
+        self.hold.set(hold);
         self.hob_w = power;
         Ok(())
     }

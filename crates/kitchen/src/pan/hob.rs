@@ -37,8 +37,7 @@ sourced_table! {
         /// Period of that [s].
         #[schemars(range(min = 0.01, max = 600.0), example = 2.0)]
         duty_period_s: f64,
-        /// The power is off while the glass in the middle of the coil, where the sensor sits, will become hotter than this
-        /// [°C].
+        /// Mean temperature of the floor, as the electronics infer it, at which the power is off [°C].
         #[schemars(range(min = 0.0, max = 1000.0), example = 250.0)]
         limit_c: f64,
         /// Range below it over which the power falls to nothing [K].

@@ -74,6 +74,8 @@ pub(crate) struct HoldLoad<'a> {
     pub hob: &'a HobDescription,
     /// Largest power to use [W].
     pub largest: f64,
+    /// Power that the hob gives now [W].
+    pub given: f64,
     /// Temperature of the glass above the sensor [K].
     pub glass: f64,
     /// Temperature of the room [K].
@@ -88,12 +90,11 @@ impl HoldControl {
         self.target
     }
 
-    /// Sets the temperature to hold [K], or none, on a hob that is set to a power [W]. A new temperature keeps what the
-    /// control has learnt.
-    pub(crate) fn set(&mut self, target: Option<f64>, power: f64) {
+    /// Sets the temperature to hold [K], or none. A new temperature keeps what the control has learnt.
+    pub(crate) fn set(&mut self, target: Option<f64>) {
         *self = match (self.target, target) {
             (Some(_), Some(_)) => Self { target, ..*self },
-            _ => Self { target, ring: power, integral: 0.0, power: 0.0, ..*self },
+            _ => Self { target, integral: 0.0, power: 0.0, ..*self },
         };
     }
 
@@ -115,12 +116,13 @@ impl HoldControl {
         let share = 1.0 - libm::exp(-dt / hold.sensor_delay_s.max(dt));
         let now = before + share * (load.glass - before);
         self.since_s += dt;
+        self.ring += (load.given - self.ring) * (1.0 - libm::exp(-dt / load.hob.hold.ring_delay_s));
         let reads = self.since_s >= hold.period_s - 0.5 * dt;
         if let Some(target) = self.target.filter(|_| reads) {
             self.read(load, target, [now, last]);
         }
         if reads {
-            self.withheld = load.hob.withheld(now, (now - last) / load.hob.hold.period_s);
+            self.withheld = load.hob.withheld(self.floor(load, [now, last]));
             self.since_s = 0.0;
         }
         self.sensor = Some([now, if reads { now } else { last }]);
@@ -129,14 +131,18 @@ impl HoldControl {
         }
     }
 
+    /// Mean temperature of the floor, inferred from the sensor, its last reading [K] and the power [K].
+    fn floor(&self, load: &HoldLoad, [sensor, last]: [f64; 2]) -> f64 {
+        let hold = &load.hob.hold;
+        let rate = (sensor - last) / hold.period_s;
+        let over_middle = (hold.ring_k_w * (self.ring - hold.even_w)).max(-hold.rim_k);
+        load.hob.pan_above_sensor(sensor, rate, load.room) + over_middle
+    }
+
     /// Sets the power after a reading of the sensor, given with the reading before [K].
     fn read(&mut self, load: &HoldLoad, target: f64, [sensor, last]: [f64; 2]) {
         let hold = &load.hob.hold;
-        let rate = (sensor - last) / hold.period_s;
-        self.ring += (self.power - self.ring) * (1.0 - libm::exp(-hold.period_s / hold.ring_delay_s));
-        let over_middle = (hold.ring_k_w * (self.ring - hold.even_w)).max(-hold.rim_k);
-        let mean = load.hob.pan_above_sensor(sensor, rate, load.room) + over_middle;
-        let missing = target - mean;
+        let missing = target - self.floor(load, [sensor, last]);
         let proportional = hold.gain_w_k * missing;
         let integral = self.integral + proportional * hold.period_s / hold.reset_s;
         let wanted = proportional + integral;
@@ -157,11 +163,10 @@ impl HobDescription {
         sensor + offset + self.lag() * rate
     }
 
-    /// Part of the power that the temperature limit withholds, growing evenly to all of it at the limit, for the glass as
-    /// it will be when it has followed the pan [-].
-    fn withheld(&self, sensor: f64, rate: f64) -> f64 {
-        let foreseen = crate::celsius(sensor + self.lag() * rate.max(0.0));
-        (1.0 - (self.control.limit_c - foreseen) / self.control.resume_k).clamp(0.0, 1.0)
+    /// Part of the power that the temperature limit withholds from a floor at `floor` [K]; it grows evenly to all of it at
+    /// the limit [-].
+    fn withheld(&self, floor: f64) -> f64 {
+        (1.0 - (self.control.limit_c - crate::celsius(floor)) / self.control.resume_k).clamp(0.0, 1.0)
     }
 
     /// Time by which the sensor lags behind the pan [s].

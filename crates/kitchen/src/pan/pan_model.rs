@@ -466,7 +466,7 @@ impl PanModel {
 /// By the rules of 2013 the limit switches the power off until the glass above the sensor, in the centre of the coil, has
 /// cooled.
 fn limited_2013(state: &PanState, load: &PanLoad) -> bool {
-    let bound = load.hob.control.limit_c - if state.limited { load.room.rules_2013.resume_k } else { 0.0 };
+    let bound = load.room.rules_2013.limit_c - if state.limited { load.room.rules_2013.resume_k } else { 0.0 };
     state.glass[0] > crate::kelvin(bound)
 }
 

@@ -82,6 +82,7 @@ impl Kitchen {
         let load = HoldLoad {
             hob: &fixed.hob,
             largest: self.hob_w,
+            given: self.hob_drawn_w(),
             // The sensor sits in the centre of the coil; node 0 lies above it.
             glass: self.pan.glass[0],
             room: fixed.room.temperature(),
