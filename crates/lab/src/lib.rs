@@ -60,7 +60,8 @@ mod result;
 mod solve;
 
 pub use case::{
-    BodyCase, Case, CaseFile, CookingCase, PanCase, Phase, Physics, ProbeCase, Quantity, Shape, Until, validation_cases,
+    BodyCase, Case, CaseFile, CookingCase, Medium, PanCase, Phase, Physics, ProbeCase, Quantity, Radiation, Shape,
+    Until, validation_cases,
 };
 pub use cook_case::CookCase;
 pub use result::report::LabReport;
