@@ -64,6 +64,7 @@ pub use case::{
     Until, validation_cases,
 };
 pub use cook_case::CookCase;
+pub use result::evidence::Evidence;
 pub use result::report::LabReport;
 pub use result::verdict::{Expectation, Subject, Verdict, verdicts};
 pub use solve::material::{Boiling, Material, Solid};

@@ -2,6 +2,7 @@
 
 mod colorimeter;
 mod colour;
+mod groups;
 mod page;
 mod picture;
 mod segments;
@@ -13,7 +14,7 @@ use std::time::Instant;
 use saute_kitchen::Library;
 use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_lab::cook_case::CookCase;
-use saute_lab::{Case, LabReport, Verdict, verdicts};
+use saute_lab::{Case, Evidence, LabReport, Verdict, verdicts};
 use serde::Serialize;
 
 use crate::args::ValidateArgs;
@@ -22,10 +23,13 @@ use crate::exit_code;
 use crate::input::data_library::DataLibrary;
 use crate::output::{json, stderr, stdout};
 
-/// All verdicts, as `--json` prints them.
+use groups::GroupSummary;
+
+/// All verdicts, as `--json` prints them: in the order of the groups, worst first.
 #[derive(Serialize)]
 struct Verdicts {
     cases: Vec<Verdict>,
+    groups: Vec<GroupSummary>,
 }
 
 /// A case that has been run.
@@ -34,6 +38,8 @@ struct CaseRun {
     id: String,
     /// The case if it is a lab case.
     lab: Option<Case>,
+    /// Kind of evidence for its expected values.
+    evidence: Evidence,
     /// Its verdicts.
     verdicts: Vec<Verdict>,
 }
@@ -46,9 +52,20 @@ pub fn run(args: &ValidateArgs, data: &DataLibrary) -> Result<ExitCode, CliError
         stderr::say("writing pages and pictures");
         pages.fill(&runs)?;
     }
-    let verdicts = Verdicts { cases: runs.into_iter().flat_map(|r| r.verdicts).collect() };
-    stdout::print(&if args.json { json::text(&verdicts)? } else { page::text(&verdicts.cases) })?;
-    Ok(exit_code::of_goal(verdicts.cases.iter().all(|v| v.pass)))
+    stdout::print(&if args.json { json::text(&Verdicts::new(&runs))? } else { page::text(&runs) })?;
+    let falls_short = runs.iter().flat_map(|r| &r.verdicts).any(Verdict::falls_short);
+    Ok(exit_code::of_goal(!falls_short))
+}
+
+impl Verdicts {
+    fn new(runs: &[CaseRun]) -> Self {
+        let groups = groups::groups(runs);
+        let rows = groups.iter().flat_map(|group| &group.rows);
+        Self {
+            cases: rows.map(|(_, v)| (*v).clone()).collect(),
+            groups: groups.iter().map(groups::Group::summary).collect(),
+        }
+    }
 }
 
 fn run_cases(only: Option<&str>, data: &DataLibrary) -> Result<Vec<CaseRun>, CliError> {
@@ -72,11 +89,15 @@ fn run_case(id: &str, text: &str, data: &DataLibrary) -> Result<CaseRun, CliErro
         let case = CookCase::parse(text, &file, library)?;
         let mut verdicts = case.verdicts(library)?;
         verdicts.extend(colour::verdicts(&case, library, &data.scale(DEFAULT_SCALE)?)?);
-        return Ok(CaseRun { id: id.to_owned(), lab: None, verdicts });
+        return Ok(CaseRun { id: id.to_owned(), lab: None, evidence: case.evidence(), verdicts });
     }
     let case = Case::parse(text, &file, library)?;
+    let Some(evidence) = case.evidence else {
+        let remedy = "write evidence = \"exact\", \"measured\", \"kitchen-band\" or \"information\" after source";
+        return Err(CliError::place(file, "evidence: the case does not state its kind", remedy));
+    };
     let verdicts = verdicts(&case, &timed(&case));
-    Ok(CaseRun { id: id.to_owned(), lab: Some(case), verdicts })
+    Ok(CaseRun { id: id.to_owned(), lab: Some(case), evidence, verdicts })
 }
 
 fn timed(case: &Case) -> LabReport {

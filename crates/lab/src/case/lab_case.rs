@@ -8,6 +8,7 @@ use saute_heat::conduction::product::FaceBoundary;
 
 use crate::case::check::Check;
 use crate::case::{Contact, Physics, Shape};
+use crate::result::evidence::Evidence;
 use crate::result::verdict::Expectation;
 use crate::solve::body::node_count;
 use crate::solve::material::Material;
@@ -56,6 +57,8 @@ pub struct Case {
     pub compare: Option<Box<Self>>,
     /// Source of the expected values.
     pub source: String,
+    /// Kind of evidence for the expected values; required by `saute validate`.
+    pub evidence: Option<Evidence>,
     /// Expected values.
     pub expectations: Vec<Expectation>,
 }

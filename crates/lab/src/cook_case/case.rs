@@ -4,7 +4,7 @@ use saute_food::Lab;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::Verdict;
+use crate::{Evidence, Verdict};
 use crate::cook_case::course::{Course, largest_rise};
 use saute_kitchen::data::library::Library;
 use saute_kitchen::{InputError, InputText};
@@ -17,6 +17,7 @@ use saute_recipe::recipe::Recipe;
 struct CookCaseFile {
     name: String,
     source: String,
+    evidence: Evidence,
     recipe: Spanned<String>,
     /// A second recipe for comparison.
     against: Option<Spanned<String>>,
@@ -90,7 +91,7 @@ impl CookCase {
     pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, InputError> {
         let input = InputText { text, file };
         let raw: CookCaseFile =
-            input.parse("a cook case has name, source, recipe, [[expect]], [[seen]] and [[course]]")?;
+            input.parse("a cook case has name, source, evidence, recipe, [[expect]], [[seen]] and [[course]]")?;
         for band in &raw.expect {
             let b = band.get_ref();
             if b.compare.is_some() && raw.against.is_none() {
@@ -107,6 +108,11 @@ impl CookCase {
         Ok(Self { against: raw.against.as_ref().map(second).transpose()?, file: raw, recipe })
     }
 
+    /// Returns the kind of evidence for its expected values.
+    pub fn evidence(&self) -> Evidence {
+        self.file.evidence
+    }
+
     /// Returns the expected colours in a picture.
     pub fn seen(&self) -> &[Seen] {
         &self.file.seen
@@ -114,17 +120,25 @@ impl CookCase {
 
     /// Returns the verdict on a colour in a picture: its difference ΔE*ab from the expected one.
     pub fn verdict_on_colour(&self, seen: &Seen, shown: Lab) -> Verdict {
-        let apart = shown.difference(Lab(seen.lab));
+        let band = [-seen.delta_e, seen.delta_e];
+        self.banded(&seen.quantity, "ΔE", band, Some(shown.difference(Lab(seen.lab))))
+    }
+
+    /// Returns the verdict on a value with a band from low to high; NaN fails.
+    fn banded(&self, quantity: &str, unit: &str, [low, high]: [f64; 2], got: Option<f64>) -> Verdict {
+        let (expected, tolerance) = (0.5 * (low + high), 0.5 * (high - low));
+        let error = got.map(|g| g - expected);
         Verdict {
             name: self.file.name.clone(),
             source: self.file.source.clone(),
-            quantity: seen.quantity.clone(),
-            unit: "ΔE".into(),
-            expected: 0.0,
-            tolerance: seen.delta_e,
-            got: Some(apart),
-            error: Some(apart),
-            pass: apart <= seen.delta_e,
+            evidence: Some(self.file.evidence),
+            quantity: quantity.to_owned(),
+            unit: unit.to_owned(),
+            expected,
+            tolerance,
+            got,
+            error,
+            pass: self.file.evidence.judge(error.is_some_and(|e| e.abs() <= tolerance)),
         }
     }
 
@@ -135,21 +149,8 @@ impl CookCase {
 
     /// Returns the verdicts on a course: its largest rise, and its total fall.
     pub fn verdicts_on_course(&self, course: &Course, read: &[f64]) -> [Verdict; 2] {
-        let verdict = |quantity: String, [low, high]: [f64; 2], got: f64| {
-            let expected = 0.5 * (low + high);
-            let (tolerance, error) = (0.5 * (high - low), got - expected);
-            Verdict {
-                name: self.file.name.clone(),
-                source: self.file.source.clone(),
-                quantity,
-                unit: course.of.unit().into(),
-                expected,
-                tolerance,
-                got: Some(got),
-                error: Some(error),
-                // NaN fails.
-                pass: error.abs() <= tolerance,
-            }
+        let verdict = |quantity: String, band: [f64; 2], got: f64| {
+            self.banded(&quantity, course.of.unit(), band, Some(got))
         };
         let (rise, fall) = (largest_rise(read), read.first().zip(read.last()).map_or(f64::NAN, |(a, b)| a - b));
         [
@@ -186,20 +187,7 @@ impl CookCase {
             Some(Compare::Ratio) => read(first).zip(other).map(|(a, b)| a / b),
             Some(Compare::Difference) => read(first).zip(other).map(|(a, b)| a - b),
         };
-        let expected = 0.5 * (band.low + band.high);
-        let error = got.map(|g| g - expected);
-        let tolerance = 0.5 * (band.high - band.low);
-        Verdict {
-            name: self.file.name.clone(),
-            source: self.file.source.clone(),
-            quantity: band.quantity.clone(),
-            unit: band.unit.clone(),
-            expected,
-            tolerance,
-            got,
-            error,
-            pass: error.is_some_and(|e| e.abs() <= tolerance),
-        }
+        self.banded(&band.quantity, &band.unit, [band.low, band.high], got)
     }
 }
 
