@@ -61,7 +61,7 @@ mod solve;
 
 pub use case::{
     BodyCase, Case, CaseFile, CookingCase, Medium, PanCase, Phase, Physics, ProbeCase, Quantity, Radiation, Shape,
-    Until, validation_cases,
+    Until, validation_cases, validation_list,
 };
 pub use cook_case::CookCase;
 pub use result::evidence::Evidence;

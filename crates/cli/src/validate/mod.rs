@@ -1,8 +1,10 @@
 //! `saute validate`.
 
+mod case_folder;
 mod colorimeter;
 mod colour;
 mod groups;
+mod listed_cases;
 mod page;
 mod picture;
 mod segments;
@@ -23,13 +25,17 @@ use crate::exit_code;
 use crate::input::data_library::DataLibrary;
 use crate::output::{json, stderr, stdout};
 
+use case_folder::CaseFolder;
 use groups::GroupSummary;
+use listed_cases::Differences;
 
 /// All verdicts, as `--json` prints them: in the order of the groups, worst first.
 #[derive(Serialize)]
 struct Verdicts {
     cases: Vec<Verdict>,
     groups: Vec<GroupSummary>,
+    #[serde(flatten)]
+    differences: Differences,
 }
 
 /// A case that has been run.
@@ -47,43 +53,49 @@ struct CaseRun {
 /// Runs the cases and prints their verdicts.
 pub fn run(args: &ValidateArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let pages = args.write.then(page::Pages::prepare).transpose()?;
-    let runs = run_cases(args.case.as_deref(), data)?;
+    let folder = args.folder.as_deref().map_or_else(|| Ok(CaseFolder::shipped()), CaseFolder::read)?;
+    let runs = run_cases(&folder, args.case.as_deref(), data)?;
     if let Some(pages) = pages {
         stderr::say("writing pages and pictures");
         pages.fill(&runs)?;
     }
-    stdout::print(&if args.json { json::text(&Verdicts::new(&runs))? } else { page::text(&runs) })?;
+    // One case says nothing about the others.
+    let differences = if args.case.is_none() { folder.differences() } else { Differences::default() };
+    differences.messages(&folder.path).into_iter().for_each(stderr::say);
     let falls_short = runs.iter().flat_map(|r| &r.verdicts).any(Verdict::falls_short);
-    Ok(exit_code::of_goal(!falls_short))
+    let is_met = !falls_short && differences.removed.is_empty();
+    stdout::print(&if args.json { json::text(&Verdicts::new(&runs, differences))? } else { page::text(&runs) })?;
+    Ok(exit_code::of_goal(is_met))
 }
 
 impl Verdicts {
-    fn new(runs: &[CaseRun]) -> Self {
+    fn new(runs: &[CaseRun], differences: Differences) -> Self {
         let groups = groups::groups(runs);
         let rows = groups.iter().flat_map(|group| &group.rows);
         Self {
             cases: rows.map(|(_, v)| (*v).clone()).collect(),
             groups: groups.iter().map(groups::Group::summary).collect(),
+            differences,
         }
     }
 }
 
-fn run_cases(only: Option<&str>, data: &DataLibrary) -> Result<Vec<CaseRun>, CliError> {
-    let cases = saute_lab::validation_cases();
+fn run_cases(folder: &CaseFolder, only: Option<&str>, data: &DataLibrary) -> Result<Vec<CaseRun>, CliError> {
+    let cases = &folder.cases;
     if let Some(id) = only.filter(|id| !cases.contains_key(*id)) {
-        let remedy = format!("use one of: {}", Library::names(&cases));
+        let remedy = format!("use one of: {}", Library::names(cases));
         return Err(CliError::place(format!("--case {id}"), "there is no such case", remedy));
     }
     let chosen: Vec<_> = cases.iter().filter(|(id, _)| only.is_none_or(|o| o == *id)).collect();
     let run = |i: usize, (id, text): &(&String, &String)| {
         stderr::say(format!("{} of {}: {id}", i + 1, chosen.len()));
-        run_case(id, text, data)
+        run_case(&folder.path, id, text, data)
     };
     workers::map_all(&chosen, run).into_iter().collect()
 }
 
-fn run_case(id: &str, text: &str, data: &DataLibrary) -> Result<CaseRun, CliError> {
-    let file = format!("validation/{id}.toml");
+fn run_case(folder: &str, id: &str, text: &str, data: &DataLibrary) -> Result<CaseRun, CliError> {
+    let file = format!("{folder}/{id}.toml");
     let library = &data.library;
     if CookCase::is_one(text) {
         let case = CookCase::parse(text, &file, library)?;

@@ -19,6 +19,7 @@ fn every_validation_case_holds_and_its_page_is_written_with_pictures() {
         assert!(if informs { case["pass"].is_null() } else { case["pass"] == true }, "{case}");
         assert!(!case["source"].as_str().unwrap().is_empty(), "{case}");
     }
+    assert!(verdicts["removed"].as_array().unwrap().is_empty(), "{}", ran.err);
     check_groups(&verdicts);
     check_pages(dir.path());
 }

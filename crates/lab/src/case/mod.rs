@@ -20,4 +20,4 @@ pub use boundary_file::{Contact, Face};
 pub use case_file::{CaseFile, Physics};
 pub use expect_file::Quantity;
 pub use lab_case::{BodyCase, Case, CookingCase, Medium, PanCase, Phase, ProbeCase, Radiation, Until};
-pub use shipped::validation_cases;
+pub use shipped::{validation_cases, validation_list};

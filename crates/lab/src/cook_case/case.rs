@@ -4,8 +4,8 @@ use saute_food::Lab;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::{Evidence, Verdict};
 use crate::cook_case::course::{Course, largest_rise};
+use crate::{Evidence, Verdict};
 use saute_kitchen::data::library::Library;
 use saute_kitchen::{InputError, InputText};
 use saute_recipe::cook::play::Cook;
@@ -149,9 +149,8 @@ impl CookCase {
 
     /// Returns the verdicts on a course: its largest rise, and its total fall.
     pub fn verdicts_on_course(&self, course: &Course, read: &[f64]) -> [Verdict; 2] {
-        let verdict = |quantity: String, band: [f64; 2], got: f64| {
-            self.banded(&quantity, course.of.unit(), band, Some(got))
-        };
+        let verdict =
+            |quantity: String, band: [f64; 2], got: f64| self.banded(&quantity, course.of.unit(), band, Some(got));
         let (rise, fall) = (largest_rise(read), read.first().zip(read.last()).map_or(f64::NAN, |(a, b)| a - b));
         [
             verdict(format!("{}: never rises again", course.quantity), [-course.slack, course.slack], rise),
