@@ -134,8 +134,12 @@ pub struct ValidateArgs {
     #[arg(long)]
     pub json: bool,
     /// Writes VALIDATION.md to the current folder and its pictures and pages to docs/.
-    #[arg(long, conflicts_with = "case")]
+    #[arg(long, conflicts_with_all = ["case", "folder"])]
     pub write: bool,
+    /// Runs the cases of this folder instead of the shipped ones. Where it has an index.txt, its names are compared with the
+    /// files, and with the CHANGELOG.md next to the folder.
+    #[arg(long, value_name = "DIR")]
+    pub folder: Option<PathBuf>,
 }
 
 /// `saute bench`.

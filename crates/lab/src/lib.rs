@@ -60,9 +60,11 @@ mod result;
 mod solve;
 
 pub use case::{
-    BodyCase, Case, CaseFile, CookingCase, PanCase, Phase, Physics, ProbeCase, Quantity, Shape, Until, validation_cases,
+    BodyCase, Case, CaseFile, CookingCase, Medium, PanCase, Phase, Physics, ProbeCase, Quantity, Radiation, Shape,
+    Until, validation_cases, validation_list,
 };
 pub use cook_case::CookCase;
+pub use result::evidence::Evidence;
 pub use result::report::LabReport;
 pub use result::verdict::{Expectation, Subject, Verdict, verdicts};
 pub use solve::material::{Boiling, Material, Solid};

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use saute_lab::Verdict;
 
+use super::groups::{Group, groups};
 use super::{CaseRun, picture, segments};
 use crate::error::CliError;
 use crate::output::out_file::OutFile;
@@ -71,7 +72,11 @@ fn picture_path(name: &str) -> PathBuf {
 }
 
 fn word(verdict: &Verdict) -> &'static str {
-    if verdict.pass { "holds" } else { "FALLS SHORT" }
+    match verdict.pass {
+        Some(true) => "holds",
+        Some(false) => "FALLS SHORT",
+        None => "information",
+    }
 }
 
 /// Returns a value with four decimals, or `none`.
@@ -79,14 +84,38 @@ pub fn number(value: Option<f64>) -> String {
     value.map_or_else(|| "none".into(), |v| format!("{v:.4}"))
 }
 
-/// Returns the table for a terminal.
-pub fn text(verdicts: &[Verdict]) -> String {
+/// Returns the number of values that hold and the number of all that pass or fail.
+fn held<'a>(verdicts: impl Iterator<Item = &'a Verdict>) -> [usize; 2] {
+    verdicts.filter_map(|v| v.pass).fold([0, 0], |[held, all], pass| [held + usize::from(pass), all + 1])
+}
+
+/// Returns the tables for a terminal: the groups, and in each the cases with the largest errors first.
+pub fn text(runs: &[CaseRun]) -> String {
     let mut text = String::new();
-    let mut name = "";
+    for group in groups(runs) {
+        let _ = writeln!(text, "{} ({})", group.title(), group.description());
+        let mut ids: Vec<&str> = Vec::new();
+        for (run, _) in &group.rows {
+            if !ids.contains(&run.id.as_str()) {
+                ids.push(&run.id);
+                let rows = group.rows.iter().filter(|(other, _)| other.id == run.id);
+                case_text(&mut text, rows.map(|(_, v)| *v));
+            }
+        }
+        let _ = writeln!(text, "{}: {}\n", group.title(), group.summary_line());
+    }
+    let [held, all] = held(runs.iter().flat_map(|r| &r.verdicts));
+    let _ = writeln!(text, "{held} of {all} values hold");
+    text
+}
+
+/// Adds the lines of a case: its name, its source and its values.
+fn case_text<'a>(text: &mut String, verdicts: impl Iterator<Item = &'a Verdict>) {
+    let mut named = false;
     for v in verdicts {
-        if v.name != name {
-            name = &v.name;
-            let _ = writeln!(text, "{name}\n  {}", v.source);
+        if !named {
+            let _ = writeln!(text, "  {}\n    {}", v.name, v.source);
+            named = true;
         }
         let (got, error) = (number(v.got), number(v.error));
         let _ = writeln!(
@@ -99,43 +128,58 @@ pub fn text(verdicts: &[Verdict]) -> String {
             word(v)
         );
     }
-    let held = verdicts.iter().filter(|v| v.pass).count();
-    let _ = writeln!(text, "{held} of {} values hold", verdicts.len());
-    text
 }
 
 fn markdown(runs: &[CaseRun], pictures: &[&str]) -> String {
-    let verdicts: Vec<&Verdict> = runs.iter().flat_map(|r| &r.verdicts).collect();
-    let held = verdicts.iter().filter(|v| v.pass).count();
+    let [held, all] = held(runs.iter().flat_map(|r| &r.verdicts));
+    let groups = groups(runs);
     let mut text = format!(
         "# Validation\n\nWritten by `saute validate --write`. Every case is a file in `validation/`; the expected values come \
-         from outside this program. {held} of {} values hold. [docs/segments.md](docs/segments.md) shows what the shape functions \
-         gain over the segments of earlier work.\n\n![every error over its tolerance]({PICTURES}/errors.svg)\n\n\
-         | case | quantity | expected | tolerance | got | error | |\n|---|---|---:|---:|---:|---:|---|\n",
-        verdicts.len()
+         from outside this program. {held} of {all} values hold. [docs/segments.md](docs/segments.md) shows what the shape functions \
+         gain over the segments of earlier work.\n\n"
     );
-    for run in runs {
-        let is_pictured = pictures.contains(&run.id.as_str());
-        run.verdicts.iter().for_each(|v| text.push_str(&table_row(run, v, is_pictured)));
+    for group in &groups {
+        let _ = writeln!(text, "- {}: {}.", group.title(), group.summary_line());
+    }
+    let _ = write!(text, "\n![every error over its tolerance]({PICTURES}/errors.svg)\n");
+    for group in &groups {
+        table(&mut text, group, pictures);
     }
     text.push_str("\n## Sources\n\n");
-    let mut sources: Vec<&str> = verdicts.iter().map(|v| v.source.as_str()).collect();
+    let mut sources: Vec<&str> = runs.iter().flat_map(|r| &r.verdicts).map(|v| v.source.as_str()).collect();
     sources.sort_unstable();
     sources.dedup();
     sources.iter().for_each(|s| text.push_str(&format!("- {s}\n")));
     text
 }
 
-/// Returns a row of the Markdown table; the name links to the picture of the case if there is one.
+/// Adds the section of a group.
+fn table(text: &mut String, group: &Group, pictures: &[&str]) {
+    let _ = write!(
+        text,
+        "\n## {}\n\nExpected values: {}. {}. Largest error over tolerance first.\n\n\
+         | case | quantity | expected | tolerance | got | error | error over tolerance | |\n\
+         |---|---|---:|---:|---:|---:|---:|---|\n",
+        group.title(),
+        group.description(),
+        group.summary_line()
+    );
+    for (run, v) in &group.rows {
+        text.push_str(&table_row(run, v, pictures.contains(&run.id.as_str())));
+    }
+}
+
+/// Returns a row of a Markdown table; the name links to the picture of the case if there is one.
 fn table_row(run: &CaseRun, v: &Verdict, is_pictured: bool) -> String {
     let name = if is_pictured { format!("[{}]({PICTURES}/{}.svg)", v.name, run.id) } else { v.name.clone() };
     let (got, error) = (number(v.got), number(v.error));
     format!(
-        "| {name} | {} [{}] | {:.4} | {:.4} | {got} | {error} | {} |\n",
+        "| {name} | {} [{}] | {:.4} | {:.4} | {got} | {error} | {:.2} | {} |\n",
         v.quantity,
         v.unit,
         v.expected,
         v.tolerance,
+        v.error_share(),
         word(v)
     )
 }

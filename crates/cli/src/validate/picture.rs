@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use saute_lab::{Case, LabReport, Subject};
 
+use super::groups::groups;
 use super::{CaseRun, timed};
 use crate::report::plot::{Panel, Scale, escaped, nice_range, nice_step};
 
@@ -119,12 +120,14 @@ fn page(title: &str, inside: &str) -> String {
     )
 }
 
-/// Draws every error over its tolerance in the order of the table; values between the dashed lines hold.
+/// Draws every error over its tolerance in the order of the tables; values between the dashed lines hold.
 pub fn errors(runs: &[CaseRun]) -> String {
-    let shares: Vec<f64> = runs
+    let groups = groups(runs);
+    let shares: Vec<f64> = groups
         .iter()
-        .flat_map(|r| &r.verdicts)
-        .filter_map(|v| Some(v.error? / v.tolerance.max(f64::MIN_POSITIVE)))
+        .flat_map(|group| &group.rows)
+        .filter(|(_, v)| v.pass.is_some())
+        .filter_map(|(_, v)| Some(v.error? / v.tolerance.max(f64::MIN_POSITIVE)))
         .collect();
     let [left, _, top, bottom] = EDGES;
     let right = SIZE[0] - 16.0;
@@ -142,5 +145,5 @@ pub fn errors(runs: &[CaseRun]) -> String {
         let (x, y) = (panel.x.at(i as f64 + 0.5), panel.y.at(share.clamp(-2.0, 2.0)));
         let _ = write!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.5\" fill=\"{colour}\"/>");
     }
-    page("Every expected value: error over tolerance, in the order of the table", &svg)
+    page("Every expected value: error over tolerance, in the order of the tables", &svg)
 }

@@ -88,7 +88,7 @@ const INTRODUCTION: &str = "# What the shape functions gain\n\n\
     |---|---|---:|---:|---:|---:|---:|\n";
 
 fn holding(verdicts: &[Verdict]) -> usize {
-    verdicts.iter().filter(|v| v.pass).count()
+    verdicts.iter().filter(|v| v.pass == Some(true)).count()
 }
 
 /// Runs a case with segments; none if the rule does not apply or the case is large.

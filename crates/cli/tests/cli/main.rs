@@ -13,3 +13,4 @@ mod pictures;
 mod running;
 mod sources;
 mod validation;
+mod validation_list;

@@ -4,16 +4,20 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::case::ranges::{AMBIENT_C, DURATION_S, H_W_M2K, LEAST_INTERVAL, Q_W_M2, REACHED_C, TIME_S};
+use crate::case::ranges::{
+    AMBIENT_C, DURATION_S, EMISSIVITY, H_W_M2K, HUMIDITY_PCT, LEAST_INTERVAL, Q_W_M2, REACHED_C, TIME_S,
+};
 
-/// A boundary condition: Robin (`h_w_m2k`), fixed temperature (Dirichlet) or fixed flux (Neumann).
+/// A boundary condition: Robin (`h_w_m2k`), fixed temperature (Dirichlet) or fixed flux (Neumann), with thermal radiation
+/// (`radiant_c`) where the temperature is not fixed.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BoundaryEntry {
     /// Faces.
     #[schemars(with = "Face")]
     pub face: Spanned<Face>,
-    /// Heat transfer coefficient [W/(m²·K)].
+    /// Heat transfer coefficient, of air that of convection alone [W/(m²·K)]. With `physics = "cooking"` it also drives
+    /// the evaporation into air, by the Lewis analogy.
     #[schemars(with = "Option<f64>", range(min = H_W_M2K[0], max = H_W_M2K[1]))]
     pub h_w_m2k: Option<Spanned<f64>>,
     /// If true, the surface temperature is fixed at `ambient_c` (Dirichlet boundary).
@@ -29,6 +33,17 @@ pub struct BoundaryEntry {
     /// Heat flux into the body [W/m²], alone or in addition to `h_w_m2k`.
     #[schemars(with = "Option<f64>", range(min = Q_W_M2[0], max = Q_W_M2[1]))]
     pub q_w_m2: Option<Spanned<f64>>,
+    /// Temperature of the surroundings that exchange thermal radiation with the face [°C], as the walls of an oven; alone
+    /// or in addition to `h_w_m2k`. No radiation by default. With `physics = "cooking"` the medium at the face is air.
+    #[schemars(with = "Option<f64>", range(min = AMBIENT_C[0], max = AMBIENT_C[1]))]
+    pub radiant_c: Option<Spanned<f64>>,
+    /// Effective emissivity of the face and its surroundings [-]; that of the food's surface by default. Needs `radiant_c`.
+    #[schemars(with = "Option<f64>", range(min = EMISSIVITY[0], max = EMISSIVITY[1]))]
+    pub emissivity: Option<Spanned<f64>>,
+    /// With `physics = "cooking"`: relative humidity of the air at `ambient_c` [%]; its vapour density is that of the
+    /// room's air by default. The vapour pressure is at most one atmosphere.
+    #[schemars(with = "Option<f64>", range(min = HUMIDITY_PCT[0], max = HUMIDITY_PCT[1]))]
+    pub humidity_pct: Option<Spanned<f64>>,
 }
 
 /// Face, or faces, of a body.

@@ -9,6 +9,7 @@ use crate::case::boundary_file::{BoundaryEntry, FlipsEntry, PhaseEntry};
 use crate::case::expect_file::{ExpectEntry, ProbeEntry};
 use crate::case::one_or_more::OneOrMore;
 use crate::case::ranges::{DURATION_S, LEAST_INTERVAL, REACHED_C, STEP_FACTOR};
+use crate::result::evidence::Evidence;
 
 /// A lab case: plain bodies, their materials and boundaries, the outputs and the expected values.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -58,6 +59,8 @@ pub struct CaseFile {
     pub compare: Option<CompareEntry>,
     /// Source of the expected values.
     pub source: Option<String>,
+    /// Kind of evidence for the expected values; every case of `saute validate` states it.
+    pub evidence: Option<Evidence>,
     /// Expected values.
     #[serde(default)]
     #[schemars(with = "Vec<ExpectEntry>")]

@@ -45,6 +45,7 @@ impl Check<'_> {
             peak_of: self.peak_of(&raw)?,
             compare: None,
             source: raw.source.clone().unwrap_or_default(),
+            evidence: raw.evidence,
             expectations: raw.expect.iter().map(|e| self.expectation(e, &raw)).collect::<Checked<_>>()?,
             duration,
             shape,

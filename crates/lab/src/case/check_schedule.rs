@@ -1,22 +1,21 @@
-//! Checks the boundary conditions of a lab case, its phases and its flips.
+//! Checks the phases of a lab case and its flips.
 
 use saute_heat::conduction::axis::End;
-use saute_heat::conduction::boundary::Boundary;
 use toml::Spanned;
 
 use crate::case::body_file::Shape;
-use crate::case::boundary_file::{BoundaryEntry, Contact, Face, FlipsEntry, PhaseEntry};
+use crate::case::boundary_file::{BoundaryEntry, Face, FlipsEntry, PhaseEntry};
 use crate::case::case_file::CaseFile;
-use crate::case::check::{Check, Checked, cooks, repeated};
+use crate::case::check::{Check, Checked, repeated};
 use crate::case::lab_case::{Phase, Until};
-use crate::case::ranges::{AMBIENT_C, H_W_M2K, LEAST_INTERVAL, Q_W_M2, REACHED_C, TIME_S};
+use crate::case::ranges::{LEAST_INTERVAL, REACHED_C, TIME_S};
 use crate::solve::body::{ends, vertical};
 use saute_kitchen::kelvin;
 
 impl Check<'_> {
     /// Returns the phases, each with the common boundaries and its own; a single endless phase by default.
     pub(super) fn phases(&self, raw: &CaseFile, shape: Shape, duration: f64) -> Checked<Vec<Phase>> {
-        let mut always = Phase { boundaries: Vec::new(), contacts: Vec::new(), until: Until::Forever };
+        let mut always = Phase { boundaries: Vec::new(), media: Vec::new(), until: Until::Forever };
         if let Some(pan) = &raw.pan {
             always.boundaries.push((vertical(shape).unwrap_or(0), End::Low, self.pan(pan)?.1));
         }
@@ -73,45 +72,15 @@ impl Check<'_> {
                 }
                 ends.retain(|(axis, end)| (Some(*axis), *end) != (vertical(shape), End::Low));
             }
-            let boundary = self.boundary(raw, entry)?;
+            let (boundary, medium) = self.boundary(raw, entry)?;
             for (axis, end) in ends {
                 found.boundaries.retain(|f| (f.0, f.1) != (axis, end));
-                found.contacts.retain(|f| (f.0, f.1) != (axis, end));
+                found.media.retain(|f| (f.0, f.1) != (axis, end));
                 found.boundaries.push((axis, end, boundary));
-                found.contacts.extend(entry.get_ref().contact.map(|contact| (axis, end, contact)));
+                found.media.push((axis, end, medium));
             }
         }
         Ok(())
-    }
-
-    fn boundary(&self, raw: &CaseFile, entry: &Spanned<BoundaryEntry>) -> Checked<Boundary> {
-        let b = entry.get_ref();
-        let cooks = cooks(raw);
-        if b.contact.is_some() && !cooks {
-            let remedy = "leave it out, or write physics = \"cooking\" into [solver] and food into [material]";
-            return self.input.error(entry.span().start, "contact is only valid for cooking", remedy);
-        }
-        if let (true, Some(flux)) = (cooks, &b.q_w_m2) {
-            let remedy = "write h_w_m2k and ambient_c, or contact = \"pan\" and ambient_c";
-            return self.input.error(flux.span().start, "q_w_m2 is not supported with physics = \"cooking\"", remedy);
-        }
-        let flux = self.optional("q_w_m2", b.q_w_m2.as_ref(), Q_W_M2)?;
-        let outside = self.optional("ambient_c", b.ambient_c.as_ref(), AMBIENT_C)?.map(kelvin);
-        let h = self.optional("h_w_m2k", b.h_w_m2k.as_ref(), H_W_M2K)?;
-        match (h, b.fixed, outside, flux) {
-            // The contact model computes the coefficient; 1 is a placeholder.
-            (None, false, Some(outside), None) if b.contact == Some(Contact::Pan) => {
-                Ok(Boundary::convective(1.0, outside))
-            }
-            (Some(h), false, Some(outside), q) => Ok(Boundary::Exchange { h, source: h * outside + q.unwrap_or(0.0) }),
-            (None, true, Some(outside), None) => Ok(Boundary::Fixed(outside)),
-            (None, false, None, Some(source)) => Ok(Boundary::Exchange { h: 0.0, source }),
-            _ => self.input.error(
-                entry.span().start,
-                "the boundary needs one of h_w_m2k and fixed, with ambient_c, or q_w_m2 alone",
-                "write h_w_m2k = 25 and ambient_c = 180, or fixed = true and ambient_c = 180, or q_w_m2 = 20000",
-            ),
-        }
     }
 
     pub(super) fn flips(&self, raw: &CaseFile, shape: Shape, duration: f64) -> Checked<Vec<f64>> {

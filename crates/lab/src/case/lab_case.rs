@@ -8,6 +8,7 @@ use saute_heat::conduction::product::FaceBoundary;
 
 use crate::case::check::Check;
 use crate::case::{Contact, Physics, Shape};
+use crate::result::evidence::Evidence;
 use crate::result::verdict::Expectation;
 use crate::solve::body::node_count;
 use crate::solve::material::Material;
@@ -56,6 +57,8 @@ pub struct Case {
     pub compare: Option<Box<Self>>,
     /// Source of the expected values.
     pub source: String,
+    /// Kind of evidence for the expected values; required by `saute validate`.
+    pub evidence: Option<Evidence>,
     /// Expected values.
     pub expectations: Vec<Expectation>,
 }
@@ -104,10 +107,37 @@ pub struct PanCase {
 pub struct Phase {
     /// Boundary condition of each end of each axis that is not insulated.
     pub boundaries: Vec<FaceBoundary>,
-    /// Medium at those ends, for cooking; by default air or a solid, depending on the heat transfer coefficient.
-    pub contacts: Vec<(usize, End, Contact)>,
+    /// Medium at those ends whose file gives more than the boundary condition.
+    pub media: Vec<(usize, End, Medium)>,
     /// End of the phase.
     pub until: Until,
+}
+
+impl Phase {
+    /// Returns the ends that exchange thermal radiation with their surroundings.
+    pub fn radiation(&self) -> impl Iterator<Item = (usize, End, Radiation)> {
+        self.media.iter().filter_map(|(axis, end, medium)| medium.radiation.map(|r| (*axis, *end, r)))
+    }
+}
+
+/// The medium at a face.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Medium {
+    /// Its kind, for cooking; by default air or a solid, depending on the heat transfer coefficient.
+    pub contact: Option<Contact>,
+    /// Surroundings that radiate.
+    pub radiation: Option<Radiation>,
+    /// Vapour density of air [kg/m³]; that of the room by default.
+    pub vapour_density: Option<f64>,
+}
+
+/// Surroundings that exchange thermal radiation with a face.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Radiation {
+    /// Their temperature [K].
+    pub surroundings: f64,
+    /// Effective emissivity of face and surroundings [-].
+    pub emissivity: f64,
 }
 
 /// The end of a phase.

@@ -46,6 +46,10 @@ pub const DEFAULT_LATENT_J_KG: f64 = 2.257e6;
 pub const CONTACT_W_M2K: [f64; 2] = [1e-3, 1e7];
 /// Heat transfer coefficient of a face [W/(m²·K)] (chosen: at the upper end the surface is practically fixed).
 pub const H_W_M2K: [f64; 2] = [0.0, 1e7];
+/// Emissivity [-]: none to that of a black body.
+pub const EMISSIVITY: [f64; 2] = [0.0, 1.0];
+/// Relative humidity [%].
+pub const HUMIDITY_PCT: [f64; 2] = [0.0, 100.0];
 /// Heat flux [W/m²] (chosen).
 pub const Q_W_M2: [f64; 2] = [-1e7, 1e7];
 

@@ -3,7 +3,7 @@
 use saute_food::Lab;
 use serde::Deserialize;
 
-use crate::cook_case::case::SeenAt;
+use crate::cook_case::file::SeenAt;
 
 /// A colour coordinate that is expected to fall monotonically.
 #[derive(Clone, Debug, Deserialize, PartialEq)]

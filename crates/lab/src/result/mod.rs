@@ -1,5 +1,6 @@
 //! Results of a run: probe series, the report, and verdicts on expectations.
 
+pub mod evidence;
 pub mod recording;
 pub mod report;
 pub mod verdict;

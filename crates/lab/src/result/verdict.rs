@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::case::Case;
 use crate::case::Quantity;
+use crate::result::evidence::Evidence;
 use crate::result::report::LabReport;
 
 /// Subject of an expectation.
@@ -33,6 +34,8 @@ pub struct Verdict {
     pub name: String,
     /// Source of the expected value.
     pub source: String,
+    /// Kind of evidence; `None` if the case does not state it.
+    pub evidence: Option<Evidence>,
     /// Name of the quantity.
     pub quantity: String,
     /// Its unit.
@@ -45,8 +48,22 @@ pub struct Verdict {
     pub got: Option<f64>,
     /// Computed less expected.
     pub error: Option<f64>,
-    /// True if the absolute error is within the tolerance.
-    pub pass: bool,
+    /// True if the absolute error is within the tolerance; `None` for information, which passes and fails nothing.
+    pub pass: Option<bool>,
+}
+
+impl Verdict {
+    /// Returns true if the value misses its tolerance.
+    pub fn falls_short(&self) -> bool {
+        self.pass == Some(false)
+    }
+
+    /// Returns the absolute error over the tolerance [-]; infinite without a computed value.
+    pub fn error_share(&self) -> f64 {
+        // Without a tolerance, an exact value has no error.
+        let share = |error: f64| if error == 0.0 { 0.0 } else { error.abs() / self.tolerance };
+        self.error.map(share).filter(|share| !share.is_nan()).unwrap_or(f64::INFINITY)
+    }
 }
 
 /// Compares the report of a run with the expectations of its case.
@@ -57,7 +74,7 @@ pub struct Verdict {
 /// let library = saute_kitchen::Library::embedded()?;
 /// let case = Case::parse(&validation_cases()["convection-slab-bi-1"], "convection-slab-bi-1.toml", &library)?;
 /// let verdicts = verdicts(&case, &run(&case, || 0.0));
-/// assert!(!verdicts.is_empty() && verdicts.iter().all(|v| v.pass));
+/// assert!(!verdicts.is_empty() && verdicts.iter().all(|v| v.pass == Some(true)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn verdicts(case: &Case, report: &LabReport) -> Vec<Verdict> {
@@ -70,13 +87,14 @@ fn verdict(case: &Case, report: &LabReport, expectation: &Expectation) -> Verdic
     Verdict {
         name: case.name.clone(),
         source: case.source.clone(),
+        evidence: case.evidence,
         quantity,
         unit: unit.to_owned(),
         expected: expectation.value,
         tolerance: expectation.tolerance,
         got,
         error,
-        pass: error.is_some_and(|e| e.abs() <= expectation.tolerance),
+        pass: case.evidence.unwrap_or(Evidence::Exact).judge(error.is_some_and(|e| e.abs() <= expectation.tolerance)),
     }
 }
 

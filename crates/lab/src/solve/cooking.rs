@@ -6,7 +6,7 @@ use saute_food::{Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Lab, Surro
 use saute_heat::conduction::axis::End;
 use saute_heat::conduction::boundary::Boundary;
 
-use crate::case::{Case, CookingCase, Phase, Until};
+use crate::case::{Case, CookingCase, Medium, Phase, Radiation, Until};
 use crate::case::{Contact, Shape};
 use crate::result::recording::LINEAR;
 use crate::result::report::LabReport;
@@ -174,12 +174,12 @@ impl<'a> Cooking<'a> {
             let outer = if swapped { opposite(end) } else { end };
             let here = |f: &(usize, End)| *f == (axis, outer);
             let Some((.., boundary)) = phase.boundaries.iter().find(|b| here(&(b.0, b.1))) else { continue };
-            let contact = phase.contacts.iter().find(|c| here(&(c.0, c.1))).map(|c| c.2);
-            self.meet_end(at, boundary, contact);
+            let medium = phase.media.iter().find(|m| here(&(m.0, m.1))).map(|m| m.2);
+            self.meet_end(at, boundary, medium.unwrap_or_default());
         }
     }
 
-    fn meet_end(&mut self, at: usize, boundary: &Boundary, contact: Option<Contact>) {
+    fn meet_end(&mut self, at: usize, boundary: &Boundary, medium: Medium) {
         let range = self.body.ends[at].2.clone();
         let touch = match *boundary {
             Boundary::Fixed(temperature) => Touch::Fixed { temperature },
@@ -189,17 +189,26 @@ impl<'a> Cooking<'a> {
             }
         };
         let (h, outside) = (touch.conductance(), touch.temperature());
-        match contact {
+        match medium.contact {
             Some(Contact::Pan) => self.meet_pan(range, outside),
-            Some(Contact::Air) => self.meet_air(at, h, outside),
-            None if h <= MOST_OF_AIR => self.meet_air(at, h, outside),
+            Some(Contact::Air) => self.meet_air(at, h, outside, medium),
+            None if h <= MOST_OF_AIR => self.meet_air(at, h, outside, medium),
             _ => self.touch[range].fill(touch),
         }
     }
 
-    fn meet_air(&mut self, at: usize, h: f64, outside: f64) {
+    fn meet_air(&mut self, at: usize, h: f64, outside: f64, medium: Medium) {
         let moving = self.cooking.room.air_moving(h);
-        self.air[at] = FreeAir { temperature: outside, walls: outside, radiation: 0.0, ..moving };
+        let own = self.cooking.food.surface.emissivity;
+        // The food model multiplies the share by the food's own emissivity.
+        let share = |r: Radiation| if own > 0.0 { r.emissivity / own } else { 0.0 };
+        self.air[at] = FreeAir {
+            temperature: outside,
+            walls: medium.radiation.map_or(outside, |r| r.surroundings),
+            radiation: medium.radiation.map_or(0.0, share),
+            vapour_density: medium.vapour_density.unwrap_or(moving.vapour_density),
+            ..moving
+        };
         self.touch[self.body.ends[at].2.clone()].fill(Touch::default());
     }
 

@@ -1,25 +1,50 @@
 //! The method of lines edge by edge, for variable properties, boiling water and the segment rule.
 
+use saute_food::water::air_film::radiation_coefficient;
 use saute_heat::Conduction;
+use saute_heat::conduction::axis::End;
 use saute_heat::conduction::boundary::Boundary;
 use saute_heat::conduction::product::FaceBoundary;
 use saute_heat::conduction::super_step::{Rates, SuperStep};
 use saute_heat::conduction::tensor::{LayeredGraph, TensorBody};
 
-use crate::case::Case;
+use crate::case::{Case, Radiation};
 use crate::solve::material::Boiling;
 use crate::solve::solver::capacity;
 
-/// Edges, conductances and water of a body: C dT/dt = Σ G (T_j − T) + s − g T.
+/// Edges, conductances and water of a body: C dT/dt = Σ G (T_j − T) + s − g T + ε σ A (T_w⁴ − T⁴).
 pub(super) struct EdgeSystem {
     edges: LayeredGraph,
     conduction: Conduction,
     capacity: Vec<f64>,
     /// Robin boundary of each node: conductance g [W/K] and source s [W].
     exchange: Vec<[f64; 2]>,
+    radiating: Vec<Radiating>,
     fixed: Vec<bool>,
     varies: bool,
     water: Option<Water>,
+}
+
+/// A node that exchanges thermal radiation with its surroundings.
+struct Radiating {
+    node: usize,
+    /// Emissivity × area [m²].
+    black_area: f64,
+    /// Temperature of the surroundings [K].
+    surroundings: f64,
+}
+
+impl Radiating {
+    /// Returns the heat flow into the node [W].
+    fn power(&self, t: f64) -> f64 {
+        radiation_coefficient(self.black_area, t, self.surroundings) * (self.surroundings - t)
+    }
+
+    /// Returns the largest slope of the heat flow between the node's temperature and that of the surroundings [W/K].
+    fn slope(&self, t: f64) -> f64 {
+        let hottest = t.max(self.surroundings);
+        radiation_coefficient(self.black_area, hottest, hottest)
+    }
 }
 
 /// Water of every node.
@@ -45,6 +70,7 @@ impl EdgeSystem {
             conduction: Conduction::default(),
             capacity: vec![0.0; n],
             exchange: vec![[0.0; 2]; n],
+            radiating: Vec::new(),
             fixed: vec![false; n],
             varies: case.materials.iter().any(|m| m.constants().is_none()),
             water: boils.then(|| Water::new(case, body)),
@@ -52,7 +78,13 @@ impl EdgeSystem {
     }
 
     /// Sets the boundary conditions.
-    pub(super) fn put_on(&mut self, body: &TensorBody, boundaries: &[FaceBoundary]) {
+    pub(super) fn put_on(
+        &mut self,
+        body: &TensorBody,
+        boundaries: &[FaceBoundary],
+        radiation: &[(usize, End, Radiation)],
+    ) {
+        self.radiating = radiation.iter().flat_map(|r| radiating(body, r)).collect();
         self.exchange.fill([0.0; 2]);
         self.fixed.fill(false);
         for &(axis, end, boundary) in boundaries {
@@ -79,8 +111,9 @@ impl EdgeSystem {
             case.materials[layer].conductivity(temperature[node], dried)
         });
         // ΣG/C bounds half the largest eigenvalue, which explicit steps of that length resolve (Gershgorin).
-        let totals = self.conduction.total.iter().zip(&self.exchange).zip(&self.capacity);
-        totals.map(|((g, e), c)| c / (g + e[0])).fold(f64::INFINITY, f64::min)
+        let mut totals: Vec<f64> = self.conduction.total.iter().zip(&self.exchange).map(|(g, e)| g + e[0]).collect();
+        self.radiating.iter().for_each(|r| totals[r.node] += r.slope(temperature[r.node]));
+        totals.iter().zip(&self.capacity).map(|(g, c)| c / g).fold(f64::INFINITY, f64::min)
     }
 
     /// Advances by `dt` [s]; returns the absorbed heat [J].
@@ -104,6 +137,10 @@ impl EdgeSystem {
         self.varies
     }
 
+    pub(super) fn radiates(&self) -> bool {
+        !self.radiating.is_empty()
+    }
+
     pub(super) fn boils(&self) -> bool {
         self.water.is_some()
     }
@@ -125,11 +162,19 @@ impl Rates for EdgeSystem {
         for ((r, t), [g, s]) in rate.iter_mut().zip(t).zip(&self.exchange) {
             *r = s - g * t;
         }
+        self.radiating.iter().for_each(|r| rate[r.node] += r.power(t[r.node]));
         self.conduction.add_power(&self.edges.graph, t, rate);
         for ((r, c), fixed) in rate.iter_mut().zip(&self.capacity).zip(&self.fixed) {
             *r = if *fixed { 0.0 } else { *r / c };
         }
     }
+}
+
+/// Returns the nodes of a radiating face.
+fn radiating(body: &TensorBody, (axis, end, radiation): &(usize, End, Radiation)) -> Vec<Radiating> {
+    let Radiation { surroundings, emissivity } = *radiation;
+    let node = |(node, area)| Radiating { node, black_area: emissivity * area, surroundings };
+    body.face(*axis, *end).into_iter().map(node).collect()
 }
 
 impl Water {

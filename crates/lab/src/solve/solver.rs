@@ -7,7 +7,7 @@ use saute_heat::conduction::product::{Constants, FaceBoundary, ProductOperator};
 use saute_heat::conduction::super_step::SuperStep;
 use saute_heat::conduction::tensor::{Part, TensorBody};
 
-use crate::case::Case;
+use crate::case::{Case, Radiation};
 use crate::solve::body::mesh;
 use crate::solve::edge_system::EdgeSystem;
 use crate::solve::material::Material;
@@ -30,7 +30,7 @@ const LUMPED_STEP: f64 = 0.01;
 
 /// Spatial operator.
 enum System {
-    /// Constant properties with shape functions: a product of one-dimensional operators.
+    /// Constant properties with shape functions and linear boundaries: a product of one-dimensional operators.
     Product(Box<ProductOperator>),
     /// All other cases: edge by edge.
     Edges(Box<EdgeSystem>),
@@ -40,7 +40,7 @@ impl System {
     fn new(case: &Case, body: &TensorBody) -> Self {
         let layers: Option<Vec<Constants>> = case.materials.iter().map(Material::constants).collect();
         match layers {
-            Some(layers) if case.rule == Rule::ShapeFunctions => {
+            Some(layers) if case.rule == Rule::ShapeFunctions && !radiates(case) => {
                 Self::Product(Box::new(ProductOperator::new(body, &layers, &[])))
             }
             _ => Self::Edges(Box::new(EdgeSystem::new(case, body))),
@@ -62,6 +62,7 @@ pub(crate) struct Solver {
     step: SuperStep,
     explicit: f64,
     boundaries: Vec<FaceBoundary>,
+    radiation: Vec<(usize, End, Radiation)>,
     upside_down: bool,
     changed_at: f64,
     last_dt: f64,
@@ -88,6 +89,7 @@ impl Solver {
             step: SuperStep::new(n),
             explicit: 0.0,
             boundaries: case.phases[0].boundaries.clone(),
+            radiation: case.phases[0].radiation().collect(),
             upside_down: false,
             changed_at: 0.0,
             last_dt: 0.0,
@@ -102,6 +104,7 @@ impl Solver {
     /// Sets the boundaries of a phase.
     pub(crate) fn enter(&mut self, phase: usize, case: &Case) {
         self.boundaries.clone_from(&case.phases[phase].boundaries);
+        self.radiation = case.phases[phase].radiation().collect();
         self.put_on(case);
     }
 
@@ -114,8 +117,9 @@ impl Solver {
     /// Applies the boundaries; an odd number of flips exchanges those of bottom and top.
     fn put_on(&mut self, case: &Case) {
         let swapped = |axis: usize| self.upside_down && self.body.vertical == Some(axis);
-        let turned = |&(axis, end, b): &FaceBoundary| (axis, if swapped(axis) { opposite(end) } else { end }, b);
-        let boundaries: Vec<FaceBoundary> = self.boundaries.iter().map(turned).collect();
+        let there = |axis: usize, end: End| if swapped(axis) { opposite(end) } else { end };
+        let boundaries: Vec<FaceBoundary> = self.boundaries.iter().map(|&(a, end, b)| (a, there(a, end), b)).collect();
+        let radiation: Vec<_> = self.radiation.iter().map(|&(a, end, r)| (a, there(a, end), r)).collect();
         self.hold_fixed_faces(&boundaries, case);
         match &mut self.system {
             System::Product(operator) => {
@@ -124,7 +128,7 @@ impl Solver {
                 self.explicit = operator.stable_step();
             }
             System::Edges(edges) => {
-                edges.put_on(&self.body, &boundaries);
+                edges.put_on(&self.body, &boundaries, &radiation);
                 self.explicit = edges.refresh(&self.body, case, &self.temperature);
             }
         }
@@ -178,7 +182,7 @@ impl Solver {
         match &mut self.system {
             System::Product(operator) => self.step.advance(&mut self.temperature, dt, stages, &**operator),
             System::Edges(edges) => {
-                if edges.varies() {
+                if edges.varies() || edges.radiates() {
                     self.explicit = edges.refresh(&self.body, case, &self.temperature);
                 }
                 self.absorbed += edges.advance(&mut self.temperature, dt, &mut self.step, self.explicit);
@@ -238,6 +242,11 @@ impl Solver {
         };
         case.materials[layer].conductivity(self.temperature[node], dried)
     }
+}
+
+/// Returns true if any face exchanges thermal radiation.
+fn radiates(case: &Case) -> bool {
+    case.phases.iter().any(|phase| phase.radiation().next().is_some())
 }
 
 fn stored(temperature: &[f64], capacity: &[f64]) -> f64 {

@@ -1,0 +1,86 @@
+//! The file format of a cook case, before any check.
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use crate::Evidence;
+use crate::cook_case::course::Course;
+use crate::cook_case::moment::Moment;
+use crate::cook_case::sweep::{Sweep, TrendEntry};
+
+/// A cook case.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct CookCaseFile {
+    pub name: String,
+    pub source: String,
+    pub evidence: Evidence,
+    pub recipe: Spanned<String>,
+    /// A second recipe for comparison.
+    pub against: Option<Spanned<String>>,
+    /// Values that replace a mark in the recipe, one cook for each; trends go along them.
+    pub sweep: Option<Spanned<Sweep>>,
+    /// Values of a second mark; every trend is judged for each of them.
+    pub each: Option<Spanned<Sweep>>,
+    #[serde(default)]
+    pub expect: Vec<Spanned<BandEntry>>,
+    #[serde(default)]
+    pub trend: Vec<Spanned<TrendEntry>>,
+    #[serde(default)]
+    pub seen: Vec<Seen>,
+    #[serde(default)]
+    pub course: Vec<Course>,
+}
+
+/// An expected colour in a picture of the end of the cook.
+#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields)]
+pub struct Seen {
+    /// Name of the quantity.
+    pub quantity: String,
+    /// Place on the food.
+    pub place: SeenAt,
+    /// Expected L*, a*, b* [-].
+    pub lab: [f64; 3],
+    /// Largest colour difference ΔE*ab [-].
+    pub delta_e: f64,
+}
+
+/// Place on the first food for a colour.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+pub enum SeenAt {
+    /// The middle of the upper face.
+    Top,
+    /// The middle of the lower face.
+    Under,
+    /// The middle of the cut.
+    Cut,
+}
+
+/// A band from `low` to `high` for a number of the summary, by its JSON pointer, as in `/foods/0/core_c/peak`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct BandEntry {
+    pub quantity: String,
+    pub pointer: String,
+    /// Pointer to a number that is subtracted, as the core's temperature from that of a face.
+    pub less: Option<String>,
+    /// Moment of the reading; the end of the cook by default.
+    pub at: Option<Moment>,
+    pub unit: String,
+    pub low: f64,
+    pub high: f64,
+    /// Comparison with the same number of the second recipe.
+    pub compare: Option<Compare>,
+}
+
+/// Comparison of a number of the first recipe with that of the second.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Compare {
+    /// First over second.
+    Ratio,
+    /// First less second.
+    Difference,
+}
