@@ -27,6 +27,9 @@ pub fn words(refused: &Refused, l: Language) -> String {
         Refused::EmptyPan => l.text("refused.empty_pan").to_owned(),
         Refused::PanPlace { farthest_mm } => l.fill("refused.pan_place", &[("farthest", farthest_mm)]),
         Refused::Power { largest_w } => l.fill("refused.power", &[("largest", largest_w)]),
+        Refused::HoldTemperature { lowest_c, highest_c } => {
+            l.fill("refused.hold_temperature", &[("lowest", lowest_c), ("highest", highest_c)])
+        }
         Refused::NoSuchOil { kind, known } => {
             let known: Vec<&str> = known.split(", ").map(|oil| l.called("oil", oil)).collect();
             let separator = l.text("refused.separator");
