@@ -106,6 +106,9 @@ sourced_table! {
         /// Conductance of the asperities on which a face lies with its own weight [W/(m²·K)].
         #[schemars(range(min = 0.0, max = 1e5), example = 110.0)]
         asperity_w_m2k: f64,
+        /// Conductance of a crust's asperities over that of a wet face's [-].
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.6)]
+        crust_asperities: f64,
         /// Mean gap of a settled face [mm].
         #[schemars(range(min = 1e-3, max = 100.0), example = 0.28)]
         gap_mm: f64,

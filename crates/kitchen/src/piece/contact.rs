@@ -4,7 +4,7 @@
 //! of the gap; in the rest a wet face rides on a layer of steam that its own vapour keeps open, and a dry face stands in
 //! steam and air across the whole gap:
 //!
-//! h = h_a + φ k_o/δ + (1 − φ) (w h_wet + (1 − w) h_dry), in series with the pan's coating.
+//! h = a h_a + φ k_o/δ + (1 − φ) (w h_wet + (1 − w) h_dry), in series with the pan's coating; a = 1 for a wet face and less for a crust, which conducts worse.
 //!
 //! The layer of steam is that of lubrication theory under a load p, with vents R apart:
 //! δ_s = (3 μ k_v ΔT R² / (2 ρ L p))^¼. It is never thicker than the gap, so that the flux rises with ΔT^¾ and does not fall
@@ -75,7 +75,8 @@ impl FaceContact {
         let rest = patch.wetness * wet + (1.0 - patch.wetness) * dry;
         // A lifted patch stands on no asperities.
         let lying = (1e-3 * gap.gap_mm / thickness).min(1.0);
-        let asperities = gap.asperity_w_m2k * self.pressed(gap) * lying * lying;
+        let moist = patch.wetness + (1.0 - patch.wetness) * gap.crust_asperities;
+        let asperities = gap.asperity_w_m2k * moist * self.pressed(gap) * lying * lying;
         let whole = asperities + oiled * gap.oil_conductivity_w_mk / thickness + (1.0 - oiled) * rest;
         self.coating.map_or(whole, |coating| 1.0 / (1.0 / whole + 1.0 / coating))
     }
