@@ -41,7 +41,12 @@ const WRONG: [Wrong; 29] = [
     wrong("after_s = 10\nflip", "when = { pan_c = { over = 20 } }\nflip", 16, &["over", "above"]),
     wrong("hob_w = 1100", "hob_w = { hold_c = 300, w = 2000 }", 12, &["hob_w.hold_c", "50 to 230"]),
     wrong("flip = \"steak\"", "repeat = { flip = \"steak\", every_s = 0, times = 2 }", 17, &["every_s", "0.1 to 3600"]),
-    wrong("flip = \"steak\"", "repeat = { flip = \"steak\", every_s = 5 }", 17, &["neither until nor times", "times = 8"]),
+    wrong(
+        "flip = \"steak\"",
+        "repeat = { flip = \"steak\", every_s = 5 }",
+        17,
+        &["neither until nor times", "times = 8"],
+    ),
     wrong("after_s = 10\nend = true\n", "after_s = 10\nhob_w = 0\n", 20, &["no end", "end = true"]),
     wrong("put = \"steak\"", "flip = \"steak\"", 13, &["not in the pan", "put it into the pan"]),
     wrong("after_s = 10\nend", "at_s = 3\nend", 18, &["at_s = 3 is already past", "later at_s"]),

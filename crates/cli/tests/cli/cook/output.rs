@@ -213,7 +213,8 @@ fn a_reader_that_goes_away_is_not_an_error() {
 fn a_bare_temperature_that_is_exceeded_warns_with_line_and_remedy() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("passed.toml");
-    let passed = |condition: &str| SHORT.replace("after_s = 10\nflip", &format!("when = {{ pan_c = {condition} }}\nflip"));
+    let passed =
+        |condition: &str| SHORT.replace("after_s = 10\nflip", &format!("when = {{ pan_c = {condition} }}\nflip"));
     std::fs::write(&path, passed("150")).unwrap();
     let warned = cook(path.to_str().unwrap());
     assert_eq!(warned.ran.code, Some(0));
