@@ -34,6 +34,7 @@ pub fn mark(step: &StepRecord) -> Option<&'static str> {
         | ActionKind::Shake
         | ActionKind::Tilt
         | ActionKind::Lid
+        | ActionKind::Repeat
         | ActionKind::End) => Some(kind.name()),
     }
 }

@@ -48,12 +48,14 @@
 
 pub mod action;
 mod check;
+pub mod condition;
 pub mod cook;
 pub mod file;
 pub mod recipe;
 pub mod summary;
 
-pub use action::{Action, ActionKind, FoodAction, PanAction};
+pub use action::{Action, ActionKind, FoodAction, PanAction, Repeat, RepeatEnd};
+pub use condition::{Condition, Measured, Side};
 pub use cook::play::{Cook, Fired};
 pub use cook::recorder::{self, Recorder};
 pub use cook::runner::{self, Runner, StoppedBy};

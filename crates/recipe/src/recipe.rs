@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::action::Action;
 use crate::check::recipe_check::Check;
+use crate::condition::Condition;
 use saute_kitchen::data::library::Library;
 use saute_kitchen::kitchen::{Kitchen, PieceOrder, SetupError};
 use saute_kitchen::piece::piece_state::Piece;
@@ -61,18 +62,8 @@ pub enum Trigger {
     At(f64),
     /// At a time since the end of the previous step [s].
     After(f64),
-    /// When the mean temperature of the pan's floor crosses a value [K].
-    Pan(f64),
-    /// When a quantity of a food has crossed a value since the end of the previous step; for several foods, when the last
-    /// of them has.
-    Food {
-        /// Foods.
-        food: Target,
-        /// Quantity.
-        quantity: Quantity,
-        /// Value [K, kg].
-        value: f64,
-    },
+    /// Once a condition holds, at once if it holds already.
+    When(Condition),
 }
 
 /// Quantities of a food that a condition can test.
@@ -89,6 +80,16 @@ pub enum Quantity {
 }
 
 impl Quantity {
+    /// Returns the key of the quantity in a recipe: `core_c`.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Core => "core_c",
+            Self::Top => "top_c",
+            Self::Bottom => "bottom_c",
+            Self::Mass => "mass_g",
+        }
+    }
+
     /// Returns the quantity of a piece [K, kg].
     pub fn of(self, piece: &Piece) -> f64 {
         match self {

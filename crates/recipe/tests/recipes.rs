@@ -8,7 +8,7 @@ use saute_kitchen::{Command, Library, MeshSize, RestOn, kelvin};
 use saute_recipe::recipe::Quantity;
 use saute_recipe::recipe_file::RecipeFile;
 use saute_recipe::summary::FoodSummary;
-use saute_recipe::{Action, Cook, FoodAction, InputError, PanAction, Recipe, StoppedBy, Trigger};
+use saute_recipe::{Action, Cook, FoodAction, InputError, Measured, PanAction, Recipe, StoppedBy, Trigger};
 use serde_json::Value;
 
 /// A steak and eleven carrots; the tests add steps.
@@ -151,6 +151,10 @@ fn tables() -> Vec<(String, Value)> {
     let is_table =
         |path: &&str| schema.pointer(path.trim_start_matches('#')).is_some_and(|t| t["properties"].is_object());
     let table = |(action, of): (&String, &Value)| {
+        // Its table has the keys of all actions; tests/repeat.rs is about it.
+        if action == "repeat" {
+            return None;
+        }
         let alternatives =
             of["anyOf"].as_array().filter(|_| of["description"].as_str().unwrap().starts_with("Action: "))?;
         let flat = alternatives.iter().flat_map(|a| a["anyOf"].as_array().into_iter().flatten().chain([a]));
@@ -229,8 +233,9 @@ fn one_piece_is_a_group_if_it_is_counted_and_the_mesh_is_chosen_by_food() {
 #[test]
 fn a_condition_on_a_group_concerns_each_of_its_pieces() {
     let recipe = parse(&with(&["when = { food = \"carrots\", core_c = 60 }\nend = true"])).unwrap();
-    let Trigger::Food { food, quantity, value } = &recipe.steps[0].trigger else { panic!("{:?}", recipe.steps) };
-    assert_eq!((food.foods.len(), *quantity, *value), (11, Quantity::Core, kelvin(60.0)));
+    let Trigger::When(condition) = &recipe.steps[0].trigger else { panic!("{:?}", recipe.steps) };
+    let Measured::Food { food, quantity } = &condition.measured else { panic!("{condition:?}") };
+    assert_eq!((food.foods.len(), *quantity, condition.value), (11, Quantity::Core, kelvin(60.0)));
 }
 
 /// An invalid line of a recipe, and parts of its message and remedy.

@@ -140,7 +140,8 @@ fn refusals() -> Vec<Refused> {
         Refused::Waiting(_) => Some(Refused::EmptyPan),
         Refused::EmptyPan => Some(Refused::PanPlace { farthest_mm: 400 }),
         Refused::PanPlace { .. } => Some(Refused::Power { largest_w: 3500 }),
-        Refused::Power { .. } => {
+        Refused::Power { .. } => Some(Refused::HoldTemperature { lowest_c: 50, highest_c: 230 }),
+        Refused::HoldTemperature { .. } => {
             Some(Refused::NoSuchOil { kind: "butter".into(), known: "olive, clarified-butter".into() })
         }
         Refused::NoSuchOil { .. } => Some(Refused::Amount { what: "oil", holds_g: 900 }),
@@ -155,7 +156,7 @@ fn refusals_in_japanese_hold_no_english_but_units() {
     for refused in refusals() {
         let words = saute_window::words::refusal::words(&refused, Language::Japanese);
         let latin = words.split(|c: char| !c.is_ascii_alphabetic()).filter(|w| !w.is_empty());
-        let english: Vec<&str> = latin.filter(|w| !["mm", "g", "W"].contains(w)).collect();
+        let english: Vec<&str> = latin.filter(|w| !["mm", "g", "W", "C"].contains(w)).collect();
         assert!(english.is_empty() && !words.contains(['{', '}']), "{english:?} in {words}");
         assert!(!saute_window::words::refusal::words(&refused, Language::English).contains('{'), "{refused:?}");
     }

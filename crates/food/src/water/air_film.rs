@@ -11,7 +11,7 @@ const STEFAN_BOLTZMANN: f64 = 5.670_374e-8;
 /// Highest surface temperature of evaporation into air [K]; water boils beyond.
 pub(crate) const HOTTEST_WET: f64 = 373.15;
 /// Share of the evaporation that a closed film of oil prevents [-] (estimate, low confidence: oil beads on a wet face).
-const OIL_HINDERS: f64 = 0.5;
+const OIL_HINDERS: f64 = 0.8;
 
 /// Air and walls around the faces without contact.
 #[derive(Clone, Copy, Debug, PartialEq)]

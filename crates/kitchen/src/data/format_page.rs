@@ -44,10 +44,14 @@ impl<'a> FormatPage<'a> {
         page
     }
 
-    /// Adds a table and the tables in it, depth first.
+    /// Adds a table and the tables in it, depth first. A table that is in several places stands where its path is shortest.
     fn add(&mut self, section: Section<'a>) {
-        if self.section_of(section.schema).is_some() {
-            return;
+        let depth = |path: &str| path.split('.').count();
+        if let Some(known) = self.sections.iter().position(|s| same_keys(s.schema, section.schema)) {
+            if depth(&section.path) >= depth(&self.sections[known].path) {
+                return;
+            }
+            self.sections.remove(known);
         }
         let (path, schema) = (section.path.clone(), section.schema);
         self.sections.push(section);
@@ -61,8 +65,7 @@ impl<'a> FormatPage<'a> {
 
     /// Returns the section that lists the keys of a table.
     fn section_of(&self, table: &Value) -> Option<&Section<'a>> {
-        let same = |s: &&Section| ["properties", "required"].iter().all(|part| s.schema[part] == table[part]);
-        self.sections.iter().find(same)
+        self.sections.iter().find(|s| same_keys(s.schema, table))
     }
 
     fn section(&self, section: &Section) -> String {
@@ -155,6 +158,11 @@ impl Section<'_> {
         let anchor = self.path.chars().filter(|c| c.is_alphanumeric() || matches!(c, '_' | '-'));
         format!("table [{}](#{})", self.name(), anchor.collect::<String>().to_lowercase())
     }
+}
+
+/// Returns true if two tables have the same keys.
+fn same_keys(a: &Value, b: &Value) -> bool {
+    ["properties", "required"].iter().all(|part| a[part] == b[part])
 }
 
 /// Returns the keys of a table.

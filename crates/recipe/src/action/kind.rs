@@ -9,6 +9,7 @@ use crate::file::action_file::{
     ButterTable, CoolTable, EndValue, FlipTable, HalveTable, HobTable, LidTable, MovePanTable, MoveTable, OilTable,
     PressTable, PutTable, RestTable, ShakeTable, TiltTable, TossTable, WaterTable,
 };
+use crate::file::repeat_file::RepeatEntry;
 use crate::file::shorthand::{Entry, Written};
 
 /// Declares [`ActionKind`] and [`ActionEntry`] from one row for each action: kind, key, format, example, description. The
@@ -92,10 +93,17 @@ actions! {
     Move "move" Entry<MoveTable>, "{ food = \"steak\", to_mm = [30, 0] }",
         "pushes or carries foods to a place in the pan.";
     Lid "lid" Entry<LidTable>, "true", "lays the lid on (true, \"on\") or takes it off (false, \"off\").";
+    Repeat "repeat" RepeatEntry, "{ flip = \"steak\", every_s = 30, times = 4 }",
+        "carries out one action again and again, first after every_s, until a condition holds or so many times.";
     End "end" EndValue, "true", "ends the cook.";
 }
 
 impl ActionKind {
+    /// Returns true if `repeat` may carry out the action.
+    pub fn is_repeatable(self) -> bool {
+        !matches!(self, Self::Repeat | Self::End)
+    }
+
     /// Returns the kind with a key.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.name() == name)

@@ -17,12 +17,14 @@
 pub mod food_action;
 pub mod kind;
 pub mod pan_action;
+pub mod repeat;
 
 use serde_json::Value;
 
 pub use food_action::FoodAction;
 pub use kind::ActionKind;
 pub use pan_action::PanAction;
+pub use repeat::{Repeat, RepeatEnd};
 
 use crate::recipe::Target;
 
@@ -33,6 +35,8 @@ pub enum Action {
     Pan(PanAction),
     /// Acts on each food of a target, one after the other.
     Each(Target, FoodAction),
+    /// Carries out another action again and again.
+    Repeat(Repeat),
     /// Ends the cook.
     End,
 }
@@ -43,6 +47,7 @@ impl Action {
         match self {
             Self::Pan(action) => action.kind(),
             Self::Each(_, action) => action.kind(),
+            Self::Repeat(_) => ActionKind::Repeat,
             Self::End => ActionKind::End,
         }
     }
@@ -52,11 +57,11 @@ impl Action {
         self.kind().name()
     }
 
-    /// Returns the food, the group or "all" on which the action acts; none for an action on the pan.
+    /// Returns the food, the group or "all" on which the action acts; none for an action on the pan or a repeated one.
     pub fn target(&self) -> Option<&Target> {
         match self {
             Self::Each(target, _) => Some(target),
-            Self::Pan(_) | Self::End => None,
+            Self::Pan(_) | Self::Repeat(_) | Self::End => None,
         }
     }
 
@@ -65,6 +70,7 @@ impl Action {
         match self {
             Self::Pan(action) => action.value(),
             Self::Each(_, action) => action.value(),
+            Self::Repeat(repeat) => repeat.value(),
             Self::End => true.into(),
         }
     }
@@ -74,16 +80,17 @@ impl Action {
         match self {
             Self::Pan(action) => action.words(),
             Self::Each(target, action) => action.words(&target.name),
+            Self::Repeat(repeat) => repeat.words(),
             Self::End => self.name().to_owned(),
         }
     }
 
-    /// Returns the time for which the next step waits at least [s].
+    /// Returns the time for which the next step waits at least [s]; a repeated action waits at each repetition.
     pub fn duration_s(&self) -> f64 {
         match self {
             Self::Pan(action) => action.duration_s(),
             Self::Each(_, action) => action.duration_s(),
-            Self::End => 0.0,
+            Self::Repeat(_) | Self::End => 0.0,
         }
     }
 }

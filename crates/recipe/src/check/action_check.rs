@@ -29,7 +29,7 @@ impl Check<'_> {
         }
     }
 
-    fn one_action(&self, entry: &ActionEntry, keys: &StepKeys, names: &FoodNames) -> Checked<Action> {
+    pub(crate) fn one_action(&self, entry: &ActionEntry, keys: &StepKeys, names: &FoodNames) -> Checked<Action> {
         let each = |food: &Spanned<String>, action: Checked<FoodAction>| {
             Ok(Action::Each(self.target(food, entry.kind().name(), names)?, action?))
         };
@@ -40,6 +40,7 @@ impl Check<'_> {
             ActionEntry::Halve(e) => return each(&e.table.food, self.halve(&e.table)),
             ActionEntry::Press(e) => return each(&e.table.food, self.press(&e.table)),
             ActionEntry::Move(e) => return each(&e.table.food, self.move_to(&e.table)),
+            ActionEntry::Repeat(repeat) => return self.repeat(repeat, names),
             ActionEntry::End(end) => return self.end(&end.0),
             ActionEntry::Hob(e) => self.hob(&e.table),
             ActionEntry::MovePan(e) => self.move_pan(&e.table),

@@ -4,9 +4,9 @@ use saute_food::{FoodDescription, MeshSize, Rules};
 use toml::Spanned;
 
 use crate::check::sequence_check::Sequence;
-use crate::file::recipe_file::{FoodEntry, MOST_PIECES, MeshName, PanEntry, Preset, RecipeFile, WhenEntry};
+use crate::file::recipe_file::{FoodEntry, MOST_PIECES, MeshName, PanEntry, Preset, RecipeFile};
 use crate::file::step_file::{StepEntry, StepKeys};
-use crate::recipe::{ALL, Group, Quantity, Recipe, Step, Target, Trigger};
+use crate::recipe::{ALL, Group, Recipe, Step, Target, Trigger};
 use saute_kitchen::data::library::{Library, line_of};
 use saute_kitchen::kelvin;
 use saute_kitchen::kitchen::PieceOrder;
@@ -198,44 +198,9 @@ impl Check<'_> {
             (None, None, None) => Ok(Trigger::After(0.0)),
             (Some(s), None, None) => Ok(Trigger::At(self.input.ranged("at_s", s, 0.0, 86_400.0)?)),
             (None, Some(s), None) => Ok(Trigger::After(self.input.ranged("after_s", s, 0.0, 86_400.0)?)),
-            (None, None, Some(when)) => self.condition(when, names),
+            (None, None, Some(when)) => Ok(Trigger::When(self.condition("when", when, names)?)),
             _ => self.input.error(at, "the step has more than one trigger", "keep one of at_s, after_s, when"),
         }
-    }
-
-    fn condition(&self, when: &Spanned<WhenEntry>, names: &FoodNames) -> Checked<Trigger> {
-        let at = when.span().start;
-        let w = when.get_ref();
-        let given: Vec<(Quantity, f64)> = [
-            (Quantity::Core, w.core_c.map(kelvin)),
-            (Quantity::Top, w.top_c.map(kelvin)),
-            (Quantity::Bottom, w.bottom_c.map(kelvin)),
-            (Quantity::Mass, w.mass_g.map(|g| g * 1e-3)),
-        ]
-        .into_iter()
-        .filter_map(|(q, v)| Some((q, v?)))
-        .collect();
-        let trigger = match (w.pan_c, &w.food, given.as_slice()) {
-            (Some(c), None, []) => Trigger::Pan(kelvin(c)),
-            (None, Some(food), [(quantity, value)]) => {
-                Trigger::Food { food: self.target(food, "when.food", names)?, quantity: *quantity, value: *value }
-            }
-            _ => {
-                return self.input.error(at, "when needs one condition", "write when = { pan_c = 180 } or when = { food = \"steak\", core_c = 57 } (also top_c, bottom_c, mass_g)");
-            }
-        };
-        let value = match &trigger {
-            Trigger::Pan(v) | Trigger::Food { value: v, .. } => *v,
-            _ => 0.0,
-        };
-        if !value.is_finite() || value < 0.0 || value > kelvin(500.0) {
-            return self.input.error(
-                at,
-                "the condition's value is out of range",
-                "temperatures may be 0 to 500 °C, masses 0 to 500 kg",
-            );
-        }
-        Ok(trigger)
     }
 
     /// Returns the foods with a name: a piece, a group, or all. `key` is named in the error.

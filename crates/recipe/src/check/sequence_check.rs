@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::action::food_action::Requirement;
-use crate::action::{Action, FoodAction, PanAction};
+use crate::action::{Action, FoodAction, PanAction, RepeatEnd};
 use crate::recipe::{Step, Target, Trigger};
 use saute_kitchen::hands::command::RestOn;
 use saute_kitchen::{InputError, InputText};
@@ -92,7 +92,11 @@ impl<'a> Sequence<'a> {
             Trigger::After(s) => earliest + s,
             _ => earliest,
         };
-        self.earliest = start + step.action.duration_s();
+        self.earliest = start
+            + match &step.action {
+                Action::Repeat(repeat) => repeat.shortest_s(),
+                action => action.duration_s(),
+            };
         Ok(())
     }
 
@@ -102,6 +106,12 @@ impl<'a> Sequence<'a> {
             Action::Pan(PanAction::Toss { .. }) if !self.foods.values().any(|food| food.at == At::Pan) => self
                 .input
                 .error(at, "there is nothing in the pan to toss at this step", "put a food into the pan before it"),
+            // It must also be possible after itself.
+            Action::Repeat(repeat) => {
+                let again = repeat.end != RepeatEnd::Times(1);
+                self.check_place(at, &repeat.action)?;
+                if again { self.check_place(at, &repeat.action) } else { Ok(()) }
+            }
             Action::Pan(_) | Action::End => Ok(()),
         }
     }

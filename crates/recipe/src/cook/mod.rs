@@ -1,7 +1,8 @@
 //! The execution of a recipe: runner, recorder, and both with their kitchen.
 
-mod crossing;
 pub mod play;
 pub mod recorder;
+mod repeating;
 pub mod runner;
 pub mod step_record;
+mod watch;

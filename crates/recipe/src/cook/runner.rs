@@ -5,14 +5,16 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::action::food_action::Destination;
-use crate::action::{Action, FoodAction};
-use crate::cook::crossing::Crossing;
+use crate::action::{Action, FoodAction, RepeatEnd};
+use crate::condition::Condition;
+use crate::cook::repeating::{Progress, Repeating};
 use crate::cook::step_record::StepRecord;
-use crate::recipe::{ALL, Quantity, Recipe, Target, Trigger};
+use crate::cook::watch::{Watch, is_passed};
+use crate::recipe::{ALL, Recipe, Target, Trigger};
 use saute_kitchen::InputError;
+use saute_kitchen::TICK_S;
 use saute_kitchen::hands::command::{Command, Refused};
 use saute_kitchen::kitchen::Kitchen;
-use saute_kitchen::{TICK_S, celsius};
 
 /// The reason for which a cook stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -31,7 +33,9 @@ pub struct Runner {
     next: usize,
     begun: bool,
     ready_at: f64,
-    armed: Option<Crossing>,
+    armed: Option<Watch>,
+    repeating: Option<Repeating>,
+    warnings: Vec<String>,
     stopped: Option<StoppedBy>,
 }
 
@@ -41,7 +45,16 @@ const SAME_TIME: f64 = 1e-6;
 impl Runner {
     /// Returns a runner before the first step.
     pub fn new(recipe: Arc<Recipe>) -> Self {
-        Self { recipe, next: 0, begun: false, ready_at: 0.0, armed: None, stopped: None }
+        Self {
+            recipe,
+            next: 0,
+            begun: false,
+            ready_at: 0.0,
+            armed: None,
+            repeating: None,
+            warnings: Vec::new(),
+            stopped: None,
+        }
     }
 
     /// Returns the recipe.
@@ -52,6 +65,11 @@ impl Runner {
     /// Returns the reason for which the cook stopped; none while it goes on.
     pub fn stopped(&self) -> Option<StoppedBy> {
         self.stopped
+    }
+
+    /// Returns the warnings on steps that were reached.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
     }
 
     /// Returns the index of the next step.
@@ -81,10 +99,19 @@ impl Runner {
         }
         let mut fired = Vec::new();
         while self.stopped.is_none() {
-            if kitchen.time_s() > self.recipe.max_s - SAME_TIME && !self.due_at_the_end(kitchen) {
+            if let Some(repeating) = self.repeating.take() {
+                match self.go_on(repeating, kitchen)? {
+                    Progress::Fired(record) => fired.push(record),
+                    Progress::Done => {}
+                    Progress::Waits if kitchen.time_s() > self.recipe.max_s - SAME_TIME => {
+                        self.stopped = Some(StoppedBy::MaxS);
+                    }
+                    Progress::Waits => break,
+                }
+            } else if kitchen.time_s() > self.recipe.max_s - SAME_TIME && !self.due_at_the_end(kitchen) {
                 self.stopped = Some(StoppedBy::MaxS);
             } else if self.due(kitchen)? {
-                fired.push(self.fire(kitchen)?);
+                fired.extend(self.fire(kitchen)?);
             } else {
                 break;
             }
@@ -131,39 +158,70 @@ impl Runner {
                         "use a later at_s, or after_s",
                     ));
                 }
-                self.armed = Some(Crossing::new(&[]));
+                self.armed = Some(Watch::default());
                 Ok(now >= s - SAME_TIME)
             }
             Trigger::After(s) => Ok(now >= self.ready_at + s - SAME_TIME),
-            Trigger::Pan(value) => Ok(self.crossed(&[kitchen.pan_temperature() - value])),
-            Trigger::Food { food, quantity, value } => {
-                let difference = |id: &String| kitchen.piece(id).map_or(f64::NAN, |p| quantity.of(p)) - value;
-                Ok(self.crossed(&food.foods.iter().map(difference).collect::<Vec<f64>>()))
-            }
+            Trigger::When(condition) => Ok(self.is_met(condition, kitchen)),
         }
     }
 
-    /// Returns true once all differences have crossed zero since the step was armed.
-    fn crossed(&mut self, differences: &[f64]) -> bool {
-        self.armed.get_or_insert_with(|| Crossing::new(differences)).update(differences)
+    /// Returns true once the condition of the next step has been met since the step was reached.
+    fn is_met(&mut self, condition: &Condition, kitchen: &Kitchen) -> bool {
+        if self.armed.is_none() && is_passed(condition, kitchen) {
+            self.warnings.push(condition.warning(self.recipe.steps[self.next].line));
+        }
+        self.armed.get_or_insert_default().look(condition, kitchen)
     }
 
-    fn fire(&mut self, kitchen: &mut Kitchen) -> Result<StepRecord, InputError> {
+    /// Fires the next step; returns its record. A repeated action begins without one, and each repetition has its own.
+    fn fire(&mut self, kitchen: &mut Kitchen) -> Result<Option<StepRecord>, InputError> {
         let action = self.recipe.steps[self.next].action.clone();
         let now = kitchen.time_s();
-        let foods = match &action {
-            Action::Pan(action) => self.apply(kitchen, &action.command()).map(|()| Vec::new()),
-            Action::Each(target, action) => self.fire_each(kitchen, target, *action),
-            Action::End => Ok(Vec::new()),
-        }?;
-        self.ready_at = now + action.duration_s();
         self.armed = None;
-        if action == Action::End {
+        if matches!(action, Action::Repeat(_)) {
+            self.repeating = Some(Repeating::since(now));
+            return Ok(None);
+        }
+        let record = self.carry_out(kitchen, action)?;
+        if record.action == Action::End {
             self.stopped = Some(StoppedBy::End);
         } else {
             self.next += 1;
         }
+        Ok(Some(record))
+    }
+
+    /// Carries out an action now; returns its record.
+    fn carry_out(&mut self, kitchen: &mut Kitchen, action: Action) -> Result<StepRecord, InputError> {
+        let now = kitchen.time_s();
+        let foods = match &action {
+            Action::Pan(action) => self.apply(kitchen, &action.command()).map(|()| Vec::new()),
+            Action::Each(target, action) => self.fire_each(kitchen, target, *action),
+            Action::Repeat(_) | Action::End => Ok(Vec::new()),
+        }?;
+        self.ready_at = now + action.duration_s();
         Ok(StepRecord::new(action, foods, now))
+    }
+
+    /// Goes on with the repeated action of the next step: ends it, carries it out again, or waits.
+    fn go_on(&mut self, mut repeating: Repeating, kitchen: &mut Kitchen) -> Result<Progress, InputError> {
+        let recipe = Arc::clone(&self.recipe);
+        let Action::Repeat(repeat) = &recipe.steps[self.next].action else { return Ok(Progress::Done) };
+        if repeating.ends(repeat, kitchen) {
+            self.ready_at = self.ready_at.max(kitchen.time_s());
+            self.next += 1;
+            return Ok(Progress::Done);
+        }
+        let due = kitchen.time_s() >= self.ready_at.max(repeating.last_s + repeat.every_s) - SAME_TIME;
+        let progress = if due && !kitchen.busy() {
+            repeating.count(kitchen.time_s());
+            Progress::Fired(self.carry_out(kitchen, (*repeat.action).clone())?)
+        } else {
+            Progress::Waits
+        };
+        self.repeating = Some(repeating);
+        Ok(progress)
     }
 
     fn apply(&self, kitchen: &mut Kitchen, command: &Command) -> Result<(), InputError> {
@@ -214,34 +272,37 @@ impl Runner {
         InputError { file: self.recipe.file.clone(), line, message, remedy: remedy.to_owned() }
     }
 
+    /// Returns the time of the next repetition [s], while an action is repeated.
+    pub fn next_repetition_s(&self) -> Option<f64> {
+        let Action::Repeat(repeat) = self.waiting_action()? else { return None };
+        Some(self.repeating.as_ref()?.last_s + repeat.every_s)
+    }
+
     /// Returns the next step and its trigger in English: `flip steak at 90 s`.
     pub fn waiting_for(&self) -> String {
         let Some(step) = self.recipe.steps.get(self.next) else { return "the end".into() };
-        let name = step.action.name();
-        let what = step.action.target().map_or_else(|| name.to_owned(), |t| format!("{name} {}", t.name));
+        if let (Action::Repeat(repeat), Some(at)) = (&step.action, self.next_repetition_s()) {
+            let end = match &repeat.end {
+                RepeatEnd::Times(times) => format!("{times} times"),
+                RepeatEnd::Until(condition) => format!("until {}", condition.words()),
+            };
+            return format!("{} at {at:.0} s, {end}", name(&repeat.action));
+        }
+        let what = match &step.action {
+            Action::Repeat(repeat) => format!("repeat {}", name(&repeat.action)),
+            action => name(action),
+        };
         match &step.trigger {
             Trigger::At(s) => format!("{what} at {s:.0} s"),
             Trigger::After(s) => format!("{what} at {:.0} s", self.ready_at + s),
-            Trigger::Pan(t) => format!("{what} when the pan reaches {:.0} °C", celsius(*t)),
-            Trigger::Food { food, quantity, value } => format!("{what} when {}", expected(food, *quantity, *value)),
+            Trigger::When(condition) => format!("{what} when {}", condition.words()),
         }
     }
 }
 
-/// Returns a condition on foods in English.
-fn expected(target: &Target, quantity: Quantity, value: f64) -> String {
-    let name = match (target.group, target.name.as_str()) {
-        (true, ALL) => "every food".to_owned(),
-        (true, group) => format!("each of {group}"),
-        (false, food) => food.to_owned(),
-    };
-    let degrees = celsius(value);
-    match quantity {
-        Quantity::Mass => format!("{name} weighs {:.0} g", value * 1e3),
-        Quantity::Core => format!("the core of {name} reaches {degrees:.0} °C"),
-        Quantity::Top => format!("the top of {name} reaches {degrees:.0} °C"),
-        Quantity::Bottom => format!("the underside of {name} reaches {degrees:.0} °C"),
-    }
+/// Returns the key of an action with its target: `flip steak`.
+fn name(action: &Action) -> String {
+    action.target().map_or_else(|| action.name().to_owned(), |t| format!("{} {}", action.name(), t.name))
 }
 
 /// Returns the foods of a target on which an action acts: of a group, those that meet its requirement. If none does, it

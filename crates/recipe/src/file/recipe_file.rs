@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
 
+use crate::file::shorthand::{Entry, Shorthand};
 use crate::file::step_file::StepEntry;
 
 /// A cook: a pan, foods and steps.
@@ -94,21 +95,41 @@ pub enum MeshName {
     Paper2013,
 }
 
-/// A condition: `pan_c`, or `food` with one of its quantities.
+/// A condition: `pan_c`, or `food` with one of its quantities. It is true at once if it holds already. A bare number means
+/// above for a temperature and below for a mass.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WhenEntry {
     /// Area mean of the pan's flat floor [°C].
-    pub pan_c: Option<f64>,
-    /// Which food; of a group (or "all") the last piece must have crossed the value while the step is waited for.
+    pub pan_c: Option<Entry<SideTable>>,
+    /// Which food; of a group (or "all") the last piece must have met the condition while the step is waited for.
     #[schemars(with = "Option<String>")]
     pub food: Option<Spanned<String>>,
     /// Its core temperature [°C].
-    pub core_c: Option<f64>,
+    pub core_c: Option<Entry<SideTable>>,
     /// Mean temperature of its upper face [°C].
-    pub top_c: Option<f64>,
+    pub top_c: Option<Entry<SideTable>>,
     /// Mean temperature of its lower face [°C].
-    pub bottom_c: Option<f64>,
+    pub bottom_c: Option<Entry<SideTable>>,
     /// Its mass [g].
-    pub mass_g: Option<f64>,
+    pub mass_g: Option<Entry<SideTable>>,
+}
+
+/// The side of a value on which a quantity must be: one of the two keys.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SideTable {
+    /// The quantity is at this value or above it, in the unit of its key.
+    pub above: Option<f64>,
+    /// The quantity is at this value or below it, in the unit of its key.
+    pub below: Option<f64>,
+}
+
+/// The side of a bare number depends on the quantity; the check chooses it.
+impl Shorthand for SideTable {
+    type Bare = f64;
+
+    fn from_bare(value: Spanned<f64>) -> Result<Self, &'static str> {
+        Ok(Self { above: Some(value.into_inner()), below: None })
+    }
 }

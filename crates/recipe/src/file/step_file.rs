@@ -33,7 +33,7 @@ pub struct StepKeys {
     /// hands are done with it; 0 where no trigger is given.
     #[schemars(with = "Option<f64>")]
     pub after_s: Option<Spanned<f64>>,
-    /// Trigger: a temperature crosses a value, in either direction.
+    /// Trigger: a temperature or a mass is above or below a value; at once if it is already.
     #[schemars(with = "Option<WhenEntry>")]
     pub when: Option<Spanned<WhenEntry>>,
     /// With a bare `put`: place of its centre relative to the pan's [mm]; [0, 0] by default.

@@ -361,6 +361,7 @@ impl Summary {
                 .map(|p| format!("{} became non-finite and was frozen", p.id))
                 .chain(dangers)
                 .chain(blocked)
+                .chain(runner.warnings().iter().cloned())
                 .collect(),
         }
     }

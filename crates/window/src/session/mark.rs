@@ -41,7 +41,7 @@ pub(super) fn step_label(step: &saute_recipe::Fired) -> String {
     let label = match &step.action {
         Action::Pan(action) => label(&action.command()),
         Action::Each(_, action) => label(&action.command(String::new(), [0.0; 2])),
-        Action::End => None,
+        Action::Repeat(_) | Action::End => None,
     };
     label.unwrap_or_else(|| step.action.name().into())
 }

@@ -2,7 +2,7 @@
 
 use saute_kitchen::celsius;
 use saute_recipe::recipe::{ALL, Quantity};
-use saute_recipe::{Runner, Target, Trigger};
+use saute_recipe::{Action, Condition, Measured, Runner, Target, Trigger};
 
 use crate::settings::Settings;
 use crate::words::piece_words::name;
@@ -10,40 +10,71 @@ use crate::words::piece_words::name;
 /// The next step: what, and when.
 pub fn words(runner: &Runner, settings: &Settings) -> String {
     let l = settings.language;
-    let Some(action) = runner.waiting_action() else { return l.text("awaits.end").to_owned() };
-    let (deed, food) = (action.name(), action.target().map(|target| target.name.as_str()));
-    let Some(step) = runner.recipe().steps.get(runner.waiting_step()) else { return String::new() };
-    let deed = l.find(&format!("deed.{deed}")).unwrap_or(deed);
-    let what = match food {
-        Some(ALL) => l.fill("awaits.deed_of", &[("deed", &deed), ("food", &l.text("awaits.every"))]),
-        Some(food) => l.fill("awaits.deed_of", &[("deed", &deed), ("food", &name(food, l))]),
-        None => deed.to_owned(),
+    let Some(step) = runner.recipe().steps.get(runner.waiting_step()) else { return l.text("awaits.end").to_owned() };
+    let repeat = match &step.action {
+        Action::Repeat(repeat) => Some(repeat),
+        _ => None,
     };
-    let at = |seconds: f64| l.fill("awaits.at", &[("what", &what), ("seconds", &format!("{seconds:.0}"))]);
+    let once = what(repeat.map_or(&step.action, |repeat| &repeat.action), settings);
+    let at = |what: &str, seconds: f64| l.fill("awaits.at", &[("what", &what), ("seconds", &format!("{seconds:.0}"))]);
+    if let Some(seconds) = runner.next_repetition_s() {
+        return at(&once, seconds);
+    }
+    let what = match repeat {
+        Some(repeat) => l.fill("awaits.repeats", &[("repetition", &once), ("seconds", &repeat.every_s)]),
+        None => once,
+    };
     match &step.trigger {
-        Trigger::At(seconds) => at(*seconds),
-        Trigger::After(seconds) => at(runner.ready_at_s() + seconds),
-        Trigger::Pan(kelvin) => {
-            l.fill("awaits.pan", &[("what", &what), ("temperature", &settings.temperature(celsius(*kelvin)))])
-        }
-        Trigger::Food { food, quantity, value } => when(settings, &what, food, *quantity, *value),
+        Trigger::At(seconds) => at(&what, *seconds),
+        Trigger::After(seconds) => at(&what, runner.ready_at_s() + seconds),
+        Trigger::When(condition) => when(settings, &what, condition),
     }
 }
 
-/// A step that waits for foods.
-fn when(settings: &Settings, what: &str, target: &Target, quantity: Quantity, value: f64) -> String {
+/// An action with its foods.
+fn what(action: &Action, settings: &Settings) -> String {
     let l = settings.language;
-    let food = match (target.group, target.name.as_str()) {
+    let deed = l.find(&format!("deed.{}", action.name())).unwrap_or(action.name());
+    match action.target().map(|target| target.name.as_str()) {
+        Some(ALL) => l.fill("awaits.deed_of", &[("deed", &deed), ("food", &l.text("awaits.every"))]),
+        Some(food) => l.fill("awaits.deed_of", &[("deed", &deed), ("food", &name(food, l))]),
+        None => deed.to_owned(),
+    }
+}
+
+/// A step that waits for the pan or for foods.
+fn when(settings: &Settings, what: &str, condition: &Condition) -> String {
+    let l = settings.language;
+    let food = match &condition.measured {
+        Measured::Pan => String::new(),
+        Measured::Food { food, .. } => of(food, settings),
+    };
+    let (temperature, grams) =
+        (settings.temperature(celsius(condition.value)), format!("{:.0}", 1e3 * condition.value));
+    l.fill(key(condition), &[("what", &what), ("food", &food), ("temperature", &temperature), ("grams", &grams)])
+}
+
+/// The foods of a condition.
+fn of(target: &Target, settings: &Settings) -> String {
+    let l = settings.language;
+    match (target.group, target.name.as_str()) {
         (true, ALL) => l.text("awaits.every").to_owned(),
         (true, group) => l.fill("awaits.each", &[("group", &name(group, l))]),
         (false, food) => name(food, l),
+    }
+}
+
+/// Key of the words for a condition: from the usual side of its quantity, or back to its value.
+fn key(condition: &Condition) -> &'static str {
+    let usual = condition.side == condition.measured.plain_side();
+    let keys = match &condition.measured {
+        Measured::Pan => ["awaits.pan", "awaits.pan_back"],
+        Measured::Food { quantity, .. } => match quantity {
+            Quantity::Core => ["awaits.core", "awaits.core_back"],
+            Quantity::Top => ["awaits.top", "awaits.top_back"],
+            Quantity::Bottom => ["awaits.bottom", "awaits.bottom_back"],
+            Quantity::Mass => ["awaits.mass", "awaits.mass_back"],
+        },
     };
-    let key = match quantity {
-        Quantity::Core => "awaits.core",
-        Quantity::Top => "awaits.top",
-        Quantity::Bottom => "awaits.bottom",
-        Quantity::Mass => "awaits.mass",
-    };
-    let (temperature, grams) = (settings.temperature(celsius(value)), format!("{:.0}", 1e3 * value));
-    l.fill(key, &[("what", &what), ("food", &food), ("temperature", &temperature), ("grams", &grams)])
+    keys[usize::from(!usual)]
 }

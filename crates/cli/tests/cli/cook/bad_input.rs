@@ -16,7 +16,7 @@ const fn wrong(from: &'static str, to: &'static str, line: usize, says: &'static
     Wrong { from, to, line, says }
 }
 
-const WRONG: [Wrong; 25] = [
+const WRONG: [Wrong; 29] = [
     wrong("max_s = 100", "max_seconds = 100", 2, &["max_seconds", "max_s", "saute schema recipe"]),
     wrong("initial_c = 180", "initial = 180", 5, &["initial", "initial_c"]),
     wrong("flip = \"steak\"", "flop = \"steak\"", 17, &["flop", "flip"]),
@@ -38,6 +38,15 @@ const WRONG: [Wrong; 25] = [
     wrong("put = \"steak\"", "put = \"steak\"\nhob_w = 0", 13, &["more than one action"]),
     wrong("after_s = 10\nflip", "after_s = 10\nat_s = 20\nflip", 15, &["more than one trigger"]),
     wrong("after_s = 10\nflip", "when = { core_c = 20 }\nflip", 16, &["when needs one condition", "food = \"steak\""]),
+    wrong("after_s = 10\nflip", "when = { pan_c = { over = 20 } }\nflip", 16, &["over", "above"]),
+    wrong("hob_w = 1100", "hob_w = { hold_c = 300, w = 2000 }", 12, &["hob_w.hold_c", "50 to 230"]),
+    wrong("flip = \"steak\"", "repeat = { flip = \"steak\", every_s = 0, times = 2 }", 17, &["every_s", "0.1 to 3600"]),
+    wrong(
+        "flip = \"steak\"",
+        "repeat = { flip = \"steak\", every_s = 5 }",
+        17,
+        &["neither until nor times", "times = 8"],
+    ),
     wrong("after_s = 10\nend = true\n", "after_s = 10\nhob_w = 0\n", 20, &["no end", "end = true"]),
     wrong("put = \"steak\"", "flip = \"steak\"", 13, &["not in the pan", "put it into the pan"]),
     wrong("after_s = 10\nend", "at_s = 3\nend", 18, &["at_s = 3 is already past", "later at_s"]),

@@ -207,3 +207,33 @@ fn a_reader_that_goes_away_is_not_an_error() {
     let output = saute().args(["schema", "recipe"]).stdout(writer).output().unwrap();
     assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
 }
+
+/// A condition that is exceeded does not wait; a bare number says so with its line and what to write.
+#[test]
+fn a_bare_temperature_that_is_exceeded_warns_with_line_and_remedy() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("passed.toml");
+    let passed =
+        |condition: &str| SHORT.replace("after_s = 10\nflip", &format!("when = {{ pan_c = {condition} }}\nflip"));
+    std::fs::write(&path, passed("150")).unwrap();
+    let warned = cook(path.to_str().unwrap());
+    assert_eq!(warned.ran.code, Some(0));
+    assert!(warned.ran.err.contains("warning: line 15: pan_c = 150"), "{}", warned.ran.err);
+    assert!(warned.ran.err.contains("{ below = 150 }"), "{}", warned.ran.err);
+    assert_eq!(warned.summary["warnings"].as_array().unwrap().len(), 1);
+    std::fs::write(&path, passed("{ above = 150 }")).unwrap();
+    let plain = cook(path.to_str().unwrap());
+    assert_eq!((plain.ran.err.contains("warning"), plain.time_of("flip")), (false, warned.time_of("flip")));
+}
+
+#[test]
+fn every_repetition_is_listed_among_the_steps() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("repeat.toml");
+    let repeat = "repeat = { flip = \"steak\", every_s = 4, times = 3 }";
+    std::fs::write(&path, SHORT.replace("after_s = 10\nflip = \"steak\"", repeat)).unwrap();
+    let summary = cook(path.to_str().unwrap()).summary;
+    let flips = summary["steps"].as_array().unwrap().iter().filter(|s| s["action"] == "flip");
+    let times: Vec<f64> = flips.map(|s| s["time_s"].as_f64().unwrap()).collect();
+    assert_eq!(times, [4.0, 8.0, 12.0]);
+}
