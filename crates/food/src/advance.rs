@@ -4,7 +4,8 @@
 //! with the surroundings is implicit in the node's own temperature. Both keep every temperature within the range of
 //! those it is coupled to, and both conserve energy.
 
-use saute_heat::{Conduction, Layers, SweptMesh};
+use saute_heat::vector::{dot, sub, unit};
+use saute_heat::{BodyMesh, Conduction, Layers, SweptMesh};
 
 use crate::body::patch::{Face, Patch};
 use crate::change::browning::BROWNING_FROM;
@@ -185,6 +186,11 @@ impl FoodSolver {
             self.conductivity[0][i] = across * conductivity * axial;
             self.conductivity[1][i] = along * conductivity * area / axial;
         }
+        self.set_conductances(model);
+    }
+
+    /// Sets the conductances from the conductivities.
+    fn set_conductances(&mut self, model: &FoodModel) {
         let [across, along] = &self.conductivity;
         if self.layers.is_none() {
             let layers = |mesh: &SweptMesh| Layers::of(&mesh.graph, mesh.nodes_per_level());
@@ -192,6 +198,16 @@ impl FoodSolver {
         }
         if let Some(layers) = &mut self.layers {
             layers.refresh(across, along);
+            return;
+        }
+        if let BodyMesh::Cells(cells) = &model.shape.mesh {
+            let fibres = model.description.mesh.as_ref().and_then(|m| m.fibres);
+            let along = model.description.anisotropy.as_ref().map_or(1.0, |a| a.along / a.across);
+            self.conduction.refresh_each(&cells.graph, |_, a, b| {
+                let share = fibres.map_or(1.0 / 3.0, |f| aligned(f, cells.positions[a], cells.positions[b]));
+                let factor = 1.0 + share * (along - 1.0);
+                (factor * across[a], factor * across[b])
+            });
             return;
         }
         self.conduction.refresh_each(model.shape.mesh.graph(), |_, a, b| {
@@ -290,6 +306,12 @@ impl FoodSolver {
         }
         *total = sums;
     }
+}
+
+/// Squared cosine between the fibres and the way from one place to another [-].
+fn aligned(fibres: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
+    let cosine = dot(unit(fibres), unit(sub(to, from)));
+    cosine * cosine
 }
 
 /// Rise of a node's boiling point per lost mass of water, from its moisture [kg/kg] and its boiling point [K] [K/kg].

@@ -81,6 +81,9 @@ pub fn simplified(
     kinetics.shrinkage.least_volume = 1.0;
     description.crust.conductivity_w_mk = raw;
     description.anisotropy = None;
+    if let Some(change) = description.colour.change_2013.take() {
+        description.colour.change = change;
+    }
     if let Some(sheaths) = &mut description.sheaths {
         sheaths.conductance_w_m2k = f64::INFINITY;
     }

@@ -11,6 +11,7 @@ use crate::change::doneness::{MOST_CLASSES, Scale, Shares};
 use crate::description::FoodDescription;
 use crate::model::{BuildError, FoodModel, PieceSpec};
 use crate::state::FoodState;
+use crate::water::juice::Runoff;
 
 /// Cosine between a patch's normal and the vertical beyond which it is a big face of the rest shape [-] (chosen: 45°).
 const BIG_FACE: f64 = 0.7;
@@ -84,12 +85,12 @@ pub(crate) fn middle_cut(cells: &CellMesh) -> Vec<(u32, f64)> {
 
 impl FoodModel {
     /// Moves free juice outwards. Outer nodes come first, so that no juice moves by two nodes in one step.
-    pub(crate) fn drain_cells(&self, state: &mut FoodState, reach: f64) {
+    pub(crate) fn drain_cells(&self, state: &mut FoodState, reach: f64, runoff: &mut Runoff) {
         for &(from, to, distance) in &self.water.outwards {
             let share = 1.0 - 1.0 / (1.0 + reach / distance);
-            let mass = share * state.juice[from as usize];
+            let (nodes, mass) = ([from as usize, to as usize], share * state.juice[from as usize]);
             if mass > 0.0 {
-                self.carry(state, [from as usize, to as usize], mass, false);
+                self.flow(state, nodes, mass, false, runoff);
             }
         }
     }

@@ -81,6 +81,10 @@ sourced_table! {
         /// Shift by a complete change, by the name of the change.
         #[schemars(with = "BTreeMap<String, LabShift>", extend("examples" = [{ "myosin": [14.0, -9.0, 3.5] }]))]
         change: BTreeMap<String, [f64; 3]>,
+        /// The same of a piece that follows the rules of 2013, which keeps the colours that this program had first; as
+        /// `change` by default.
+        #[schemars(with = "Option<BTreeMap<String, LabShift>>", extend("examples" = [{ "myosin": [14.0, -9.0, 3.5] }]))]
+        change_2013: Option<BTreeMap<String, [f64; 3]>>,
         /// Colour of the golden stage of browning.
         #[schemars(with = "LabColour", extend("examples" = [[45.0, 13.0, 24.0]]))]
         golden: [f64; 3],

@@ -39,7 +39,7 @@ impl FoodModel {
             }
             BodyMesh::Cells(_) => {
                 self.free(state, dt, |_| 0.0);
-                self.drain_cells(state, reach);
+                self.drain_cells(state, reach, &mut runoff);
             }
         }
         for &(node, area) in &self.water.outlets {

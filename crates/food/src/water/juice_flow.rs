@@ -69,18 +69,31 @@ impl FoodModel {
     }
 
     /// Moves a share of the juice of a level that flows towards another level, in every column.
-    fn carry_level(&self, mesh: &SweptMesh, state: &mut FoodState, levels: [usize; 2], reach: f64, runoff: &mut Runoff) {
+    fn carry_level(
+        &self,
+        mesh: &SweptMesh,
+        state: &mut FoodState,
+        levels: [usize; 2],
+        reach: f64,
+        runoff: &mut Runoff,
+    ) {
         let share = self.share(mesh, levels, reach);
         let up = levels[1] > levels[0];
         for column in 0..mesh.nodes_per_level() {
             let nodes = levels.map(|level| mesh.node(level, column));
             let flows = if up { state.rising[nodes[0]] } else { state.juice[nodes[0]] - state.rising[nodes[0]] };
             if flows > 0.0 {
-                let passes = if state.temperature[nodes[1]] > BOILS { self.kinetics.water_holding.passes_boiling } else { 0.0 };
-                self.pass_boiling(state, nodes, passes * share * flows, up, runoff);
-                self.carry(state, nodes, (1.0 - passes) * share * flows, up);
+                self.flow(state, nodes, share * flows, up, runoff);
             }
         }
+    }
+
+    /// Moves juice [kg] from a node to the next; if that boils, a part passes it as liquid.
+    pub(crate) fn flow(&self, state: &mut FoodState, nodes: [usize; 2], mass: f64, up: bool, runoff: &mut Runoff) {
+        let boils = state.temperature[nodes[1]] > BOILS;
+        let passes = if boils { self.kinetics.water_holding.passes_boiling } else { 0.0 };
+        self.pass_boiling(state, nodes, passes * mass, up, runoff);
+        self.carry(state, nodes, (1.0 - passes) * mass, up);
     }
 
     /// Share of a level's free juice that passes to the next level while juice moves by `reach` [m] [-]; 0 across a cut.
@@ -93,7 +106,7 @@ impl FoodModel {
     }
 
     /// Moves juice [kg], with its heat, from a node to another.
-    pub(crate) fn carry(&self, state: &mut FoodState, [from, to]: [usize; 2], mass: f64, up: bool) {
+    fn carry(&self, state: &mut FoodState, [from, to]: [usize; 2], mass: f64, up: bool) {
         let enthalpy = mass * self.properties.water_enthalpy(state.temperature[from]);
         for (node, sign) in [(from, -1.0), (to, 1.0)] {
             state.juice[node] += sign * mass;

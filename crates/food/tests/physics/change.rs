@@ -43,7 +43,13 @@ fn lethality_adds_up_at_the_published_rate() {
         720.0,
         60.0,
         5000.0,
-        FreeAir { temperature: ZERO_C + 60.0, walls: ZERO_C + 60.0, convection: 5000.0, mass_transfer: 0.0, ..kitchen_air() },
+        FreeAir {
+            temperature: ZERO_C + 60.0,
+            walls: ZERO_C + 60.0,
+            convection: 5000.0,
+            mass_transfer: 0.0,
+            ..kitchen_air()
+        },
     );
     let (core, surface) = steak.log_reduction(&run.state);
     assert!((core / 4.6 - 1.0).abs() < 0.05 && (surface / 4.6 - 1.0).abs() < 0.05, "{core} {surface}");

@@ -25,11 +25,16 @@ pub fn piece(kind: &str, spec: &PieceSpec) -> FoodModel {
 
 /// A piece of a food with a changed description.
 pub fn shaped(kind: &str, spec: &PieceSpec, change: impl Fn(&mut FoodDescription)) -> FoodModel {
+    varied(kind, spec, |food, _| change(food))
+}
+
+/// A piece of a food with a changed description and changed kinetics.
+pub fn varied(kind: &str, spec: &PieceSpec, change: impl Fn(&mut FoodDescription, &mut Kinetics)) -> FoodModel {
     let data = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
     let read = |path: String| std::fs::read_to_string(data.join(path)).expect("data file");
     let mut food: FoodDescription = toml::from_str(&read(format!("foods/{kind}.toml"))).expect("food");
-    change(&mut food);
-    let kinetics: Kinetics = toml::from_str(&read(format!("kinetics/{}.toml", food.kinetics))).expect("kinetics");
+    let mut kinetics: Kinetics = toml::from_str(&read(format!("kinetics/{}.toml", food.kinetics))).expect("kinetics");
+    change(&mut food, &mut kinetics);
     let components: Components = toml::from_str(&read("components.toml".into())).expect("components");
     FoodModel::build(&food, &kinetics, &components, spec).expect("builds")
 }

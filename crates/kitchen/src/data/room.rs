@@ -383,7 +383,8 @@ impl Room {
     pub fn plume(&self, pan: &OverPan) -> (FreeAir, FreeAir) {
         let (face, still) = (&self.free_face, self.still_air());
         let excess = (pan.floor - still.temperature).max(0.0);
-        let draught = 1e-3 * face.draught_l_s * if pan.covered > face.crowded_from { face.crowded_draught } else { 1.0 };
+        let draught =
+            1e-3 * face.draught_l_s * if pan.covered > face.crowded_from { face.crowded_draught } else { 1.0 };
         let over = |warmth: f64, radiating: f64, view: f64| {
             let temperature = still.temperature + warmth * excess;
             let wet = still.vapour_density + pan.steam / draught;

@@ -96,7 +96,8 @@ impl FaceContact {
             return 0.0;
         }
         let pressure = self.pressure.max(gap.least_pressure_pa);
-        let driven = 1.5 * gap.vapour_viscosity_pa_s * gap.vapour_conductivity_w_mk * excess * self.escape * self.escape;
+        let driven =
+            1.5 * gap.vapour_viscosity_pa_s * gap.vapour_conductivity_w_mk * excess * self.escape * self.escape;
         let resisted = gap.vapour_density_kg_m3 * latent_heat(BOILING) * pressure;
         libm::sqrt(libm::sqrt(driven / resisted))
     }
@@ -131,7 +132,8 @@ mod tests {
     #[test]
     fn an_oiled_face_conducts_within_the_measured_range_from_wet_to_crust() {
         let unsettled = FaceContact { since: 0.0, ..steak(OILED) };
-        let [first, wet, crust] = [mean(&unsettled, 190.0, 1.0), mean(&steak(OILED), 190.0, 1.0), mean(&steak(OILED), 190.0, 0.0)];
+        let [first, wet, crust] =
+            [mean(&unsettled, 190.0, 1.0), mean(&steak(OILED), 190.0, 1.0), mean(&steak(OILED), 190.0, 0.0)];
         assert!(first < wet && crust < wet, "{first} {wet} {crust}");
         assert!([first, wet, crust].iter().all(|h| (250.0..680.0).contains(h)), "{first} {wet} {crust}");
     }
@@ -175,9 +177,8 @@ mod tests {
     #[test]
     fn a_wider_gap_conducts_less() {
         let gap = gap();
-        let at = |thickness: f64| {
-            steak(OILED).conductance(&gap, &PatchGap { thickness, pan: kelvin(200.0), wetness: 1.0 })
-        };
+        let at =
+            |thickness: f64| steak(OILED).conductance(&gap, &PatchGap { thickness, pan: kelvin(200.0), wetness: 1.0 });
         let h: Vec<f64> = [0.05e-3, 0.1e-3, 0.2e-3, 0.4e-3, 1e-3, 3e-3].iter().map(|&d| at(d)).collect();
         assert!(h.windows(2).all(|w| w[1] < w[0]) && h[5] < 40.0, "{h:?}");
     }

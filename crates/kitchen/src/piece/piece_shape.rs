@@ -55,6 +55,11 @@ impl PieceShape {
 
     /// Returns the shape for contact detection.
     pub(crate) fn seen<'a>(&'a self, model: &'a FoodModel) -> Seen<'a> {
-        Seen { patches: (model.patches(), self.poses()), limp: self.limp.as_ref(), count: self.count, rules: model.rules() }
+        Seen {
+            patches: (model.patches(), self.poses()),
+            limp: self.limp.as_ref(),
+            count: self.count,
+            rules: model.rules(),
+        }
     }
 }

@@ -328,7 +328,13 @@ impl Piece {
     }
 
     /// Sets the contacts of the patches near the pan.
-    pub(crate) fn touch_pan(&mut self, pan: &PanModel, pan_state: &PanState, (surface, seen): (&PanShape, &Pose), room: &Room) {
+    pub(crate) fn touch_pan(
+        &mut self,
+        pan: &PanModel,
+        pan_state: &PanState,
+        (surface, seen): (&PanShape, &Pose),
+        room: &Room,
+    ) {
         let near = core::mem::take(&mut self.on_pan.near.patches);
         let mut mean = 0.0;
         if self.model.rules() == Rules::Paper2013 {
@@ -389,11 +395,7 @@ impl Piece {
         let face = FaceContact { film: pan.oil_film(located), ..*face };
         let temperature = pan.metal_at(located);
         let surface = &self.model.description().surface;
-        let gap = PatchGap {
-            thickness: self.gap_below(near, mean),
-            pan: temperature,
-            wetness: self.wetness(node),
-        };
+        let gap = PatchGap { thickness: self.gap_below(near, mean), pan: temperature, wetness: self.wetness(node) };
         let top = face.conductance(contact, &gap) * surface.contact_share;
         let ridges = pan_model.ridges.filter(|_| located.nodes.iter().all(|n| (*n as usize) < pan_model.floor_nodes));
         let Some(ridges) = ridges else { return Touch::Contact { conductance: top, temperature } };

@@ -7,8 +7,14 @@ use saute_food::{FoodModel, FreeAir, MeshSize, PieceSpec, Rules, ZERO_C};
 use crate::body::cells::cells;
 use crate::run::{Run, UP, kitchen_air, model, piece};
 
-const DRY: FreeAir =
-    FreeAir { temperature: ZERO_C + 20.0, walls: ZERO_C + 20.0, convection: 20.0, radiation: 1.0, vapour_density: 0.0, mass_transfer: 0.0 };
+const DRY: FreeAir = FreeAir {
+    temperature: ZERO_C + 20.0,
+    walls: ZERO_C + 20.0,
+    convection: 20.0,
+    radiation: 1.0,
+    vapour_density: 0.0,
+    mass_transfer: 0.0,
+};
 
 /// One piece of every form.
 fn bodies() -> Vec<(&'static str, FoodModel)> {
