@@ -130,7 +130,8 @@ fn progress(kitchen: &Kitchen) -> Vec<f64> {
     let sum = |v: &Vec<f64>| v.iter().sum::<f64>();
     let mut sums = vec![sum(&state.peak), sum(&state.browning), sum(&state.charring), sum(&state.lethality)];
     sums.extend(state.changed.iter().map(sum));
-    sums.extend([state.evaporated, state.dripped, state.rendered]);
+    // Vapour also condenses, on a face below the dew point: the evaporated water may fall.
+    sums.extend([state.dripped, state.rendered]);
     sums
 }
 
@@ -167,6 +168,7 @@ proptest! {
         for mass in [&state.water, &state.juice, &state.fat] {
             prop_assert!(mass.iter().all(|m| *m >= 0.0));
         }
+        prop_assert!(state.evaporated > -0.02 * raw, "{} condensed", -state.evaporated);
         let lost = state.evaporated + state.dripped;
         let left: f64 = state.water.iter().sum();
         prop_assert!((water - lost - left).abs() <= 1e-3 * water, "water {water} lost {lost} left {left}");

@@ -113,12 +113,19 @@ impl BathModel {
         Pool { mass, temperature: ZERO_C + mean / WATER_SPECIFIC_HEAT }
     }
 
-    /// Takes heat [J] from the pool, from each node in proportion to its water.
-    pub fn draw(water: &mut WaterFilm, areas: &[f64], least: f64, pool: &Pool, heat: f64) {
+    /// Takes heat [J] from the pool, from each node in proportion to its water; returns what it could not take because the
+    /// water has left the pan since.
+    pub fn draw(water: &mut WaterFilm, areas: &[f64], least: f64, heat: f64) -> f64 {
+        let deep = |water: &WaterFilm, i: &usize| water.mass[*i] > WATER_DENSITY * least * areas[*i];
+        let mass: f64 = (0..areas.len()).filter(|i| deep(water, i)).map(|i| water.mass[i]).sum();
+        if mass <= 0.0 {
+            return heat;
+        }
         for i in 0..areas.len() {
-            if water.mass[i] > WATER_DENSITY * least * areas[i] {
-                water.enthalpy[i] -= heat * water.mass[i] / pool.mass;
+            if deep(water, &i) {
+                water.enthalpy[i] -= heat * water.mass[i] / mass;
             }
         }
+        0.0
     }
 }

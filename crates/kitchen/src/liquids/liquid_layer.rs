@@ -343,10 +343,9 @@ impl LiquidModel {
         (0..3).map(|k| at.weights[k] * depth(at.nodes[k] as usize)).sum()
     }
 
-    /// Takes heat from the pool of water [J].
-    pub fn draw_from_pool(&self, liquids: &mut Liquids, heat: f64) {
-        let pool = liquids.pool;
-        BathModel::draw(&mut liquids.water, &self.bed.areas, self.water.puddle_depth(), &pool, heat);
+    /// Takes heat from the pool of water; returns what it could not take [J].
+    pub fn draw_from_pool(&self, liquids: &mut Liquids, heat: f64) -> f64 {
+        BathModel::draw(&mut liquids.water, &self.bed.areas, self.water.puddle_depth(), heat)
     }
 
     /// Updates foam and milk solids of butter.

@@ -236,7 +236,7 @@ impl Kitchen {
         let heat = piece.take_media_heat(TICK_S);
         piece.heat_taken += heat.water + heat.steam + piece.solver.contact_heat.iter().sum::<f64>();
         if heat.water != 0.0 {
-            fixed.pan.liquids.draw_from_pool(&mut self.pan.liquids, heat.water);
+            self.account.flows.other -= fixed.pan.liquids.draw_from_pool(&mut self.pan.liquids, heat.water);
         }
         if heat.steam != 0.0 {
             let boiling = kelvin(100.0);
