@@ -64,7 +64,8 @@ impl View {
         match self {
             Self::Look | Self::Temperature => celsius(state.temperature[node]),
             Self::Moisture => 100.0 * state.water[node] / model.initial_water()[node],
-            Self::Doneness => match change.and_then(|name| model.kinetics().change.iter().position(|c| c.name == name)) {
+            Self::Doneness => match change.and_then(|name| model.kinetics().change.iter().position(|c| c.name == name))
+            {
                 Some(place) => 100.0 * state.changed[place][node],
                 None => celsius(state.peak[node].max(state.temperature[node])),
             },

@@ -2,7 +2,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use saute_kitchen::data::library;
 use saute_kitchen::doneness::ScaleChoice;

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use glam::{DQuat, DVec3, Vec3};
-use saute_kitchen::dynamics::Pose;
 use saute_kitchen::doneness::ScaleChoice;
+use saute_kitchen::dynamics::Pose;
 use saute_kitchen::food::Lab;
 use saute_kitchen::{Kitchen, Piece};
 use saute_lab::cook_case::SeenAt;

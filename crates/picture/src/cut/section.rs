@@ -67,7 +67,14 @@ pub fn section_picture(piece: &Piece, x: f64, view: View, colours: Option<&Colou
     Picture { width, height, rgba }
 }
 
-fn sample(model: &FoodModel, mesh: &SweptMesh, state: &FoodState, cut: &Cut, view: View, change: Option<&str>) -> Vec<Sample> {
+fn sample(
+    model: &FoodModel,
+    mesh: &SweptMesh,
+    state: &FoodState,
+    cut: &Cut,
+    view: View,
+    change: Option<&str>,
+) -> Vec<Sample> {
     let n = mesh.nodes_per_level();
     let mut samples = Vec::with_capacity(cut.points.len() * mesh.levels.len());
     for level in 0..mesh.levels.len() {

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use glam::Vec3;
+use saute_kitchen::Library;
 use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_kitchen::doneness::ScaleChoice;
-use saute_kitchen::Library;
 use saute_kitchen::food::tissue::noise::uniform;
 use saute_picture::stage::{Stage, StageOptions, nearness, poses};
 use saute_picture::still::headless::Gpu;

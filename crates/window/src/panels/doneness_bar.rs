@@ -76,7 +76,7 @@ fn bar(state: &WindowState, inside: &Inside, ui: &mut Ui, scale: &Scale) {
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &spoken));
     let hint = match scale.measure() {
         Measure::Peak => l.text("doneness.section_hint").to_owned(),
-        Measure::Share => l.fill("doneness.section_hint_change", &[("change", l.called("change", &scale.for_change))]),
+        Measure::Share => l.fill("doneness.section_hint_change", &[("change", &l.called("change", &scale.for_change))]),
     };
     response.on_hover_text(hint);
     let mut left = rect.left();

@@ -62,7 +62,7 @@ impl ViewWords for View {
                     let percent = format!("{value:.0}");
                     return l.fill(
                         "value.class_and_change",
-                        &[("class", class), ("change", change), ("percent", &percent)],
+                        &[("class", &class), ("change", &change), ("percent", &percent)],
                     );
                 }
                 let peak = settings.fine_temperature(value);
