@@ -102,7 +102,8 @@ pub struct CookArgs {
     /// Files of an earlier cook in it are replaced.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Scale of doneness for the summary and the report, see `saute list scales`. JSON contains all scales.
+    /// Scale of doneness for the summary and the report, for foods that it fits, see `saute list scales`. Other foods keep
+    /// their own. JSON contains all scales that fit a food.
     #[arg(long, value_name = "SCALE", default_value = DEFAULT_SCALE)]
     pub doneness: String,
     /// Writes pictures of every piece of a group instead of its first piece only.

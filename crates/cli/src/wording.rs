@@ -1,6 +1,7 @@
 //! Numbers and steps as text.
 
 use saute_kitchen::food::Scale;
+use saute_kitchen::food::change::doneness::Measure;
 use saute_recipe::ActionKind;
 use saute_recipe::step_record::StepRecord;
 
@@ -39,12 +40,16 @@ pub fn mark(step: &StepRecord) -> Option<&'static str> {
     }
 }
 
-/// Returns the range of a class of doneness, as `50–60 °C`.
+/// Returns the range of a class of doneness, as `50–60 °C` or `40–85 %`.
 pub fn class_range(scale: &Scale, place: usize) -> String {
-    let from = scale.class.get(place).map_or(0.0, |c| c.from_c);
-    match (place, scale.end_c(place)) {
-        (0, Some(end)) => format!("< {end} °C"),
-        (_, Some(end)) => format!("{from}–{end} °C"),
-        (_, None) => format!("> {from} °C"),
+    let from = scale.from(place);
+    let unit = match scale.measure() {
+        Measure::Peak => "°C",
+        Measure::Share => "%",
+    };
+    match (place, scale.end(place)) {
+        (0, Some(end)) => format!("< {end} {unit}"),
+        (_, Some(end)) => format!("{from}–{end} {unit}"),
+        (_, None) => format!("> {from} {unit}"),
     }
 }

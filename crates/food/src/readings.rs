@@ -3,7 +3,7 @@
 use saute_heat::{Cut, CutPoint, Layout};
 
 use crate::change::colour::{Appearance, Lab};
-use crate::change::doneness::{MOST_CLASSES, Scale, Shares};
+use crate::change::doneness::{MOST_CLASSES, Measure, Scale, Shares};
 use crate::description::{MOST_CHANGES, PerChange};
 use crate::model::FoodModel;
 use crate::state::FoodState;
@@ -149,13 +149,27 @@ impl FoodModel {
         difference * self.shape.size[0] / if self.shape.is_slice() { self.shape.size[2] } else { self.shape.size[1] }
     }
 
+    /// Field of the nodes that a scale measures [K or -]: the highest temperature so far, or the share of its change. Of a
+    /// change that the kinetics do not contain the field is empty.
+    pub fn measured<'a>(&self, state: &'a FoodState, scale: &Scale) -> &'a [f64] {
+        let place = || self.kinetics.change.iter().position(|c| c.name == scale.for_change);
+        match scale.measure() {
+            Measure::Peak => &state.peak,
+            Measure::Share => place().and_then(|k| state.changed.get(k)).map_or(&[], Vec::as_slice),
+        }
+    }
+
     /// Shares of doneness by volume [%].
     pub fn volume_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
-        let Some(mesh) = self.shape.mesh.swept() else { return self.cell_volume_shares(state, scale) };
+        let field = self.measured(state, scale);
+        if field.is_empty() {
+            return Shares::default();
+        }
+        let Some(mesh) = self.shape.mesh.swept() else { return self.cell_volume_shares(field, scale) };
         let mut sums = [0.0; MOST_CLASSES];
         let n = mesh.nodes_per_level();
         for level in 0..mesh.levels.len() - 1 {
-            let (lower, upper) = state.peak[level * n..(level + 2) * n].split_at(n);
+            let (lower, upper) = field[level * n..(level + 2) * n].split_at(n);
             for i in 0..n {
                 scale.add_stretch(&mut sums, lower[i], upper[i], mesh.between(level, i));
             }
@@ -178,12 +192,16 @@ impl FoodModel {
 
     /// Shares of doneness of a cut by area, or of the middle cut of a body of cells [%].
     pub fn cut_shares(&self, state: &FoodState, cut: &Cut, scale: &Scale) -> Shares {
-        let Some(mesh) = self.shape.mesh.swept() else { return self.cell_cut_shares(state, scale) };
+        let field = self.measured(state, scale);
+        if field.is_empty() {
+            return Shares::default();
+        }
+        let Some(mesh) = self.shape.mesh.swept() else { return self.cell_cut_shares(field, scale) };
         let mut sums = [0.0; MOST_CLASSES];
         let n = mesh.nodes_per_level();
         let lengths = cut.lengths();
         for (level, height) in mesh.levels.windows(2).map(|w| w[1] - w[0]).enumerate() {
-            let (lower, upper) = state.peak[level * n..(level + 2) * n].split_at(n);
+            let (lower, upper) = field[level * n..(level + 2) * n].split_at(n);
             let wide = 0.5 * (self.cut_breadth(cut, level) + self.cut_breadth(cut, level + 1));
             for (i, length) in lengths.iter().enumerate() {
                 scale.add_stretch(&mut sums, cut.sample(i, lower), cut.sample(i, upper), wide * length * height);

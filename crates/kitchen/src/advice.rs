@@ -1,6 +1,7 @@
 //! Advice on the next step, from readings of the kitchen, and the reason why a hob that is on gives no power.
 
 use saute_food::Scale;
+use saute_food::change::doneness::Measure;
 
 use crate::{Kitchen, Piece, Place, celsius};
 
@@ -17,6 +18,8 @@ pub const WET_BELOW_C: f64 = 106.0;
 /// Distance of the core's goal from the lower bound of its class of doneness [K] (chosen: inside every class, clear of
 /// the bound).
 pub const GOAL_INTO_CLASS_K: f64 = 2.0;
+/// As [`GOAL_INTO_CLASS_K`], for classes by the share of a change [%] (chosen: inside every class, clear of the bound).
+pub const GOAL_INTO_CLASS_PCT: f64 = 5.0;
 
 /// Advice with the readings that led to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,6 +63,18 @@ pub enum Advice {
         /// Highest core temperature to expect [°C].
         peak_c: f64,
     },
+    /// Take the food out: the change that its doneness is told by has reached the goal at the core.
+    Ready {
+        /// Share of the change at the core [%].
+        share_pct: f64,
+    },
+    /// Leave the food in: the change has not reached the goal at the core yet.
+    NotReady {
+        /// Share of the change at the core [%].
+        share_pct: f64,
+        /// Goal for the share [%].
+        until_pct: f64,
+    },
     /// Leave the food in: its core would not reach the goal yet.
     WouldPeak {
         /// Highest core temperature to expect if it were taken out now [°C].
@@ -77,17 +92,27 @@ pub enum Advice {
 impl Advice {
     /// Returns true if a cook should act now.
     pub fn is_due(self) -> bool {
-        matches!(self, Self::TooHot { .. } | Self::PutIn { .. } | Self::TakeOut { .. })
+        matches!(self, Self::TooHot { .. } | Self::PutIn { .. } | Self::TakeOut { .. } | Self::Ready { .. })
     }
 }
 
 /// Goal of a cook for food with a scale of doneness.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Goal {
-    /// Wanted highest core temperature [°C].
-    pub core_c: f64,
-    /// Highest core temperature to expect if the food were taken out now [°C] (see [`crate::piece::carry_over`]).
-    pub foreseen_c: f64,
+pub enum Goal {
+    /// For food whose doneness is told by the highest temperature.
+    Peak {
+        /// Wanted highest core temperature [°C].
+        core_c: f64,
+        /// Highest core temperature to expect if the food were taken out now [°C] (see [`crate::piece::carry_over`]).
+        foreseen_c: f64,
+    },
+    /// For food whose doneness is told by the share of a change.
+    Share {
+        /// Wanted share at the core [%].
+        wanted_pct: f64,
+        /// Share at the core now [%].
+        reached_pct: f64,
+    },
 }
 
 /// Readings from which advice is derived.
@@ -147,19 +172,26 @@ impl Situation {
         match goal {
             None if wet => Advice::Wet { underside_c },
             None => Advice::Browns { underside_c },
-            Some(goal) if goal.foreseen_c >= goal.core_c => Advice::TakeOut { peak_c: goal.foreseen_c },
-            Some(goal) => Advice::WouldPeak { peak_c: goal.foreseen_c, wet },
+            Some(Goal::Peak { core_c, foreseen_c }) if foreseen_c >= core_c => Advice::TakeOut { peak_c: foreseen_c },
+            Some(Goal::Peak { foreseen_c, .. }) => Advice::WouldPeak { peak_c: foreseen_c, wet },
+            Some(Goal::Share { wanted_pct, reached_pct }) if reached_pct >= wanted_pct => {
+                Advice::Ready { share_pct: reached_pct }
+            }
+            Some(Goal::Share { wanted_pct, reached_pct }) => {
+                Advice::NotReady { share_pct: reached_pct, until_pct: wanted_pct }
+            }
         }
     }
 }
 
-/// Goal for the core of a class of doneness, given the index of the class in its scale [°C].
-///
-/// # Panics
-///
-/// Panics if the scale has no such class.
-pub fn goal_c(scale: &Scale, class: usize) -> f64 {
-    scale.class[class].from_c + GOAL_INTO_CLASS_K
+/// Goal for the core of a class of doneness, given the index of the class in its scale, in the unit of the scale
+/// [°C or %]: inside the class, clear of its lower bound.
+pub fn class_goal(scale: &Scale, class: usize) -> f64 {
+    scale.from(class)
+        + match scale.measure() {
+            Measure::Peak => GOAL_INTO_CLASS_K,
+            Measure::Share => GOAL_INTO_CLASS_PCT,
+        }
 }
 
 /// Why a hob that is on gives no power.
@@ -212,16 +244,35 @@ mod tests {
 
     #[test]
     fn a_pan_that_smokes_comes_before_every_goal() {
-        let goal = Some(Goal { core_c: 55.0, foreseen_c: 60.0 });
+        let goal = Some(Goal::Peak { core_c: 55.0, foreseen_c: 60.0 });
         let advice = Situation { pan_c: 275.0, ..FRYING }.advice(goal);
         assert!(matches!(advice, Some(Advice::TooHot { .. })), "{advice:?}");
     }
 
     #[test]
     fn food_comes_out_when_resting_would_bring_it_to_the_goal() {
-        let at = |foreseen_c| FRYING.advice(Some(Goal { core_c: 55.0, foreseen_c }));
+        let at = |foreseen_c| FRYING.advice(Some(Goal::Peak { core_c: 55.0, foreseen_c }));
         assert_eq!(at(54.9), Some(Advice::WouldPeak { peak_c: 54.9, wet: false }));
         assert_eq!(at(55.0), Some(Advice::TakeOut { peak_c: 55.0 }));
+    }
+
+    #[test]
+    fn food_that_softens_comes_out_when_its_core_has_softened_enough() {
+        let at = |reached_pct| FRYING.advice(Some(Goal::Share { wanted_pct: 50.0, reached_pct }));
+        assert_eq!(at(49.9), Some(Advice::NotReady { share_pct: 49.9, until_pct: 50.0 }));
+        assert_eq!(at(50.0), Some(Advice::Ready { share_pct: 50.0 }));
+        assert!(at(50.0).is_some_and(Advice::is_due) && !at(10.0).is_some_and(Advice::is_due));
+    }
+
+    #[test]
+    fn the_goal_of_a_class_lies_in_the_class() {
+        let library = Library::embedded().expect("embedded data");
+        for scale in &library.scales {
+            for class in 1..scale.class.len() {
+                let reached = scale.class_of(scale.of_nodes(class_goal(scale, class)));
+                assert_eq!(reached, class, "{} {}", scale.id, scale.class[class].name);
+            }
+        }
     }
 
     #[test]
@@ -229,7 +280,7 @@ mod tests {
         let at = |underside_c| Situation { underside_c, ..FRYING };
         assert_eq!(at(105.9).advice(None), Some(Advice::Wet { underside_c: 105.9 }));
         assert_eq!(at(106.0).advice(None), Some(Advice::Browns { underside_c: 106.0 }));
-        let goal = Some(Goal { core_c: 55.0, foreseen_c: 30.0 });
+        let goal = Some(Goal::Peak { core_c: 55.0, foreseen_c: 30.0 });
         assert_eq!(at(100.0).advice(goal), Some(Advice::WouldPeak { peak_c: 30.0, wet: true }));
     }
 

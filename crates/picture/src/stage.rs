@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use glam::{Quat, Vec2, Vec3};
+use saute_kitchen::doneness::ScaleChoice;
 use saute_kitchen::dynamics::Tool;
 use saute_kitchen::food::change::colour::decoded;
 use saute_kitchen::food::{Face, Scale};
@@ -19,6 +20,7 @@ use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::mesh::props::BOARD_CENTRE;
 
 use crate::colour::map::{ColourMap, TemperatureMap};
+use crate::colour::side_by_side::side_by_side;
 use crate::cut::face::slice;
 use crate::cut::path::path_cut;
 use crate::pan::film::PanFilm;
@@ -40,8 +42,8 @@ pub struct StageOptions {
     pub view: View,
     /// Which map shows temperatures.
     pub map: TemperatureMap,
-    /// The scale of doneness; none where no scale says anything about the food.
-    pub scale: Option<Arc<Scale>>,
+    /// The scales of doneness, with the one that is chosen.
+    pub scales: ScaleChoice,
     /// The cut: distance along the longest axis from the centroid over half the length (−1…1); none for no cut.
     pub slice: Option<f64>,
     /// The piece that is cut; all of them unless one is named.
@@ -68,11 +70,11 @@ pub struct Stage {
     /// Tick of the last round.
     refreshed: Option<u64>,
     /// The colours of the view, and what they were made for.
-    colours: Option<(Shades, ColourMap)>,
+    colours: Option<(Shades, Vec<ColourMap>)>,
 }
 
-/// View, colour map of temperatures and id of the scale of doneness.
-type Shades = (View, TemperatureMap, Option<String>);
+/// View, colour map of temperatures and ids of the scales of doneness of the foods, each once; none for the look.
+type Shades = (View, TemperatureMap, Vec<Option<String>>);
 
 /// A skin with the vertices it has now.
 #[derive(Clone, Debug)]
@@ -91,6 +93,8 @@ struct SkinKey {
     view: View,
     map: TemperatureMap,
     scale: Option<String>,
+    /// The part of the common table that is the scale's.
+    part: Option<[usize; 2]>,
 }
 
 /// A state this much older than shown is not yet worth new vertices, where there are many pieces [ticks] (chosen: 0.5
@@ -103,8 +107,10 @@ impl Stage {
     /// Returns the renderer's input for one frame.
     pub fn scene(&mut self, kitchen: &Kitchen, options: &StageOptions, places: &Places) -> SceneInput {
         let pan = places.pan(kitchen);
-        let map = self.colours(options);
-        self.refresh(kitchen, options, map.as_ref());
+        self.colour(kitchen, options);
+        self.refresh(kitchen, options);
+        // Every map is in the same table; the pan is coloured by temperatures, whose map is alone.
+        let map = self.colours.as_ref().and_then(|(_, maps)| maps.first().cloned());
         let poses = places.all(kitchen);
         let looks = kitchen.pieces().iter().zip(&poses);
         let look = PanLook {
@@ -119,7 +125,7 @@ impl Stage {
             camera: following(&options.camera, places.followed(kitchen)),
             hob: HobLook { power: (kitchen.hob_drawn_w() / 2000.0).min(1.0) as f32 },
             pan: look,
-            foods: looks.flat_map(|(piece, pose)| self.food(piece, pose, options, map.as_ref())).collect(),
+            foods: looks.flat_map(|(piece, pose)| self.food(piece, pose, options)).collect(),
             tool: tool(kitchen),
             strings: Vec::new(),
             rest: kitchen.pieces().iter().find_map(rest_look),
@@ -133,14 +139,32 @@ impl Stage {
         }
     }
 
-    /// The colours of the view: the same table as long as they are the same, so that it is not uploaded again.
-    fn colours(&mut self, options: &StageOptions) -> Option<ColourMap> {
-        let wanted = (options.view, options.map, options.scale.as_ref().map(|s| s.id.clone()));
-        if self.colours.as_ref().is_none_or(|(made_for, _)| *made_for != wanted) {
-            let map = options.view.colour_map(options.map, options.scale.as_deref());
-            self.colours = map.map(|map| (wanted, map));
+    /// Keeps the colours of the view: the same table as long as they are the same, so that it is not uploaded again.
+    fn colour(&mut self, kitchen: &Kitchen, options: &StageOptions) {
+        let mut scales: Vec<Option<&Arc<Scale>>> = Vec::new();
+        let foods = kitchen.pieces().iter().map(|piece| options.scales.of(&piece.model));
+        for scale in foods.filter(|_| options.view == View::Doneness) {
+            if !scales.contains(&scale) {
+                scales.push(scale);
+            }
         }
-        self.colours.as_ref().map(|(_, map)| map.clone())
+        if scales.is_empty() {
+            scales.push(options.scales.alone());
+        }
+        let ids = scales.iter().map(|s| s.map(|s| s.id.clone())).collect();
+        let wanted = (options.view, options.map, ids);
+        if self.colours.as_ref().is_none_or(|(made_for, _)| *made_for != wanted) {
+            let maps = scales.iter().filter_map(|s| options.view.colour_map(options.map, s.map(Arc::as_ref)));
+            self.colours = Some((wanted, side_by_side(maps.collect())));
+        }
+    }
+
+    /// The map that colours a piece, with the id of its scale.
+    fn map_of(&self, piece: &Piece, options: &StageOptions) -> (Option<String>, Option<&ColourMap>) {
+        let Some(((_, _, ids), maps)) = &self.colours else { return (None, None) };
+        let own = options.scales.of(&piece.model).map(|s| s.id.clone());
+        let place = ids.iter().position(|id| *id == own).unwrap_or(0);
+        (own, maps.get(place))
     }
 
     /// Drawn surface of a piece.
@@ -155,17 +179,19 @@ impl Stage {
 
     /// Brings vertices up to date: of a few pieces all, of many a part at each tick, those that have waited longest
     /// first.
-    fn refresh(&mut self, kitchen: &Kitchen, options: &StageOptions, map: Option<&ColourMap>) {
+    fn refresh(&mut self, kitchen: &Kitchen, options: &StageOptions) {
         self.skins.retain(|id, _| kitchen.piece(id).is_some());
         let count = kitchen.pieces().len();
         let ticked = self.refreshed != Some(kitchen.tick());
         self.refreshed = Some(kitchen.tick());
         let mut left = if ticked { ALWAYS_FRESH.max(count.div_ceil(STALE_TICKS as usize)) } else { 0 };
-        let scale = options.scale.as_ref().map(|s| s.id.clone());
         let first = if count > ALWAYS_FRESH { self.round } else { 0 };
         for piece in kitchen.pieces().iter().cycle().skip(first % count.max(1)).take(count) {
             let ticks = piece.state.ticks;
-            let wanted = SkinKey { ticks, view: options.view, map: options.map, scale: scale.clone() };
+            let (scale, map) = self.map_of(piece, options);
+            let map = map.cloned();
+            let part = map.as_ref().map(|m| m.part);
+            let wanted = SkinKey { ticks, view: options.view, map: options.map, scale, part };
             let cached = self.cached(piece);
             let patient = count > ALWAYS_FRESH && cached.is_nearly(&wanted);
             if cached.made_for.as_ref() == Some(&wanted) || (patient && left == 0) {
@@ -174,7 +200,7 @@ impl Stage {
             if patient {
                 left -= 1;
             }
-            cached.vertices = Arc::new(cached.skin.vertices(piece, options.view, map));
+            cached.vertices = Arc::new(cached.skin.vertices(piece, options.view, map.as_ref()));
             cached.made_for = Some(wanted);
             self.round += usize::from(patient);
         }
@@ -195,8 +221,9 @@ impl Stage {
     }
 
     /// Returns the renderer's input for a piece; two for a piece that was halved.
-    fn food(&self, piece: &Piece, pose: &Pose, options: &StageOptions, map: Option<&ColourMap>) -> Vec<FoodLook> {
+    fn food(&self, piece: &Piece, pose: &Pose, options: &StageOptions) -> Vec<FoodLook> {
         let Some(cached) = self.skins.get(&piece.id) else { return Vec::new() };
+        let map = self.map_of(piece, options).1;
         let sear = [Face::Bottom, Face::Top].map(|face| sear_looks(piece, face));
         let whole = FoodLook {
             mesh: cached.skin.mesh.clone(),
@@ -267,16 +294,6 @@ fn rest_look(piece: &Piece) -> Option<RestLook> {
     let half = 0.5 * (turn.abs() * length + turn.perp().abs() * width);
     let centre = piece.pose.position.as_vec3().with_z(BOARD_CENTRE.z);
     Some(RestLook { kind, centre, half, height: thickness })
-}
-
-/// The scale, where it says anything about what is cooked: about the first piece.
-pub fn fitting(kitchen: &Kitchen, scale: &Arc<Scale>) -> Option<Arc<Scale>> {
-    fitting_piece(kitchen.pieces().first(), scale)
-}
-
-/// The scale, where it says anything about a piece.
-pub fn fitting_piece(piece: Option<&Piece>, scale: &Arc<Scale>) -> Option<Arc<Scale>> {
-    piece.is_none_or(|p| scale.fits(p.model.kinetics())).then(|| Arc::clone(scale))
 }
 
 /// Factor by which the eye is nearer to a small piece [-]: it fills as much of the picture as a steak of 120 mm, and

@@ -17,7 +17,7 @@ pub enum View {
     Temperature,
     /// Water left, of what the raw food held there.
     Moisture,
-    /// Doneness by the highest temperature so far.
+    /// Doneness in the words of each food: by the highest temperature so far, or by what has changed.
     Doneness,
     /// Browning index.
     Browning,
@@ -58,12 +58,17 @@ impl View {
         })
     }
 
-    /// The field that this view colours, on the nodes, in the unit of its map; of the look the temperature.
-    pub fn value(self, model: &FoodModel, state: &FoodState, node: usize) -> f64 {
+    /// The field that this view colours, on the nodes, in the unit of its map; of the look the temperature. Doneness is
+    /// the highest temperature so far, or the share of a change where the map shows that.
+    pub fn value(self, model: &FoodModel, state: &FoodState, node: usize, change: Option<&str>) -> f64 {
         match self {
             Self::Look | Self::Temperature => celsius(state.temperature[node]),
             Self::Moisture => 100.0 * state.water[node] / model.initial_water()[node],
-            Self::Doneness => celsius(state.peak[node].max(state.temperature[node])),
+            Self::Doneness => match change.and_then(|name| model.kinetics().change.iter().position(|c| c.name == name))
+            {
+                Some(place) => 100.0 * state.changed[place][node],
+                None => celsius(state.peak[node].max(state.temperature[node])),
+            },
             Self::Browning => state.browning[node],
             // Grows tenfold every few kelvin: beyond the end of the map it would drown its neighbours.
             Self::Lethality => state.lethality[node].min(MOST_KILLED),

@@ -488,3 +488,29 @@ fn the_series_has_columns_for_pieces_and_means() {
     let mean: f64 = (0..11).map(|i| last[7 + 4 * i]).sum::<f64>() / 11.0;
     assert!((last[51] - mean).abs() < 1e-3, "{} {mean}", last[51]);
 }
+
+/// Returns the ids of the scales in whose words each food of a short cook is spoken of.
+fn words(head: &str, kind: &str) -> Vec<(String, String)> {
+    let text = format!(
+        "{head}[pan]\ninitial_c = 20\n[[food]]\nid = \"food\"\nkind = \"{kind}\"\ncount = 2\n\
+         [[step]]\nafter_s = 1\nend = true\n"
+    );
+    let summary = cook_through(&text).unwrap().summary(0.0);
+    let of = |food: &FoodSummary| -> Vec<(String, String)> {
+        food.doneness.0.iter().map(|(id, reading)| (id.clone(), reading.class.clone())).collect()
+    };
+    assert_eq!(of(&summary.groups[0].mean), of(&summary.foods[0]));
+    of(&summary.foods[0])
+}
+
+#[test]
+fn a_summary_speaks_of_each_food_in_its_own_words_and_by_the_rules_of_2013_also_in_those_of_2013() {
+    let of = |expected: &[(&str, &str)]| -> Vec<(String, String)> {
+        expected.iter().map(|(id, class)| ((*id).to_owned(), (*class).to_owned())).collect()
+    };
+    assert_eq!(words("", "shrimp"), of(&[("shrimp", "glassy")]));
+    assert_eq!(words("", "carrot-coin"), of(&[("vegetables", "crisp")]));
+    assert_eq!(words("", "beef-patty"), of(&[("ground-beef", "raw")]));
+    let preset = "preset = \"2013\"\n";
+    assert_eq!(words(preset, "shrimp"), of(&[("paper-2013", "raw"), ("shrimp", "glassy")]));
+}

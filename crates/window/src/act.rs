@@ -178,7 +178,7 @@ pub enum Setting {
     Size(InterfaceSize),
     /// The scale of doneness, by its id.
     Scale(String),
-    /// Goal for the core's peak [°C].
+    /// Goal for the core by the scale of the food shown, in its unit [°C or %].
     Goal(f64),
     /// The food and the pan.
     Choice(SteakChoice),

@@ -107,7 +107,11 @@ impl SauteApp {
                     self.choose_scale(&scale);
                 }
             }
-            Setting::Goal(celsius) => self.settings.goal_c = celsius,
+            Setting::Goal(goal) => {
+                if let Some(scale) = self.scale() {
+                    self.settings.set_goal(&scale, goal);
+                }
+            }
             Setting::Choice(choice) => self.settings.choice = choice,
             Setting::Mirror(mirror) => self.settings.mirror = *mirror,
         }

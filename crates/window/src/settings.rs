@@ -1,6 +1,9 @@
 //! Settings that are remembered from one start to the next.
 
+use std::collections::BTreeMap;
+
 use saute_kitchen::data::library::DEFAULT_SCALE;
+use saute_kitchen::food::Scale;
 use saute_picture::colour::map::TemperatureMap;
 use saute_picture::view::View;
 use saute_scene::light::white_balance::WhiteBalance;
@@ -43,8 +46,10 @@ pub struct Settings {
     pub speed: f64,
     /// The food and the pan.
     pub choice: SteakChoice,
-    /// Goal for the core's peak [°C].
+    /// Goal for the core's peak of food whose scale states no goal of its own [°C].
     pub goal_c: f64,
+    /// Goals for the core by the ids of the scales that state one, in the unit of the scale [°C or %].
+    pub goals: BTreeMap<String, f64>,
     /// True if the panel with the food's choices is open.
     pub pantry_open: bool,
     /// True if the list of the pieces is open.
@@ -74,6 +79,7 @@ impl Default for Settings {
             speed: 1.0,
             choice: SteakChoice::default(),
             goal_c: 60.0,
+            goals: BTreeMap::new(),
             pantry_open: false,
             pieces_open: false,
             curves_open: true,
@@ -88,6 +94,19 @@ impl Settings {
     pub fn display(&self, ctx: &egui::Context) {
         ctx.set_theme(self.theme.preference());
         ctx.set_zoom_factor(self.size.fitting(ctx));
+    }
+
+    /// Returns the goal for the core by a scale, in its unit [°C or %].
+    pub fn goal(&self, scale: &Scale) -> f64 {
+        scale.goal.map_or(self.goal_c, |own| self.goals.get(&scale.id).copied().unwrap_or(own))
+    }
+
+    /// Keeps a goal for the core by a scale, in its unit [°C or %].
+    pub fn set_goal(&mut self, scale: &Scale, goal: f64) {
+        match scale.goal {
+            Some(_) => drop(self.goals.insert(scale.id.clone(), goal)),
+            None => self.goal_c = goal,
+        }
     }
 
     /// Returns true if the look and a view of a field stand side by side.

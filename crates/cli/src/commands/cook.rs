@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use saute_kitchen::food::Scale;
+use saute_kitchen::doneness::ScaleChoice;
 use saute_recipe::{Cook, Recipe, StoppedBy, Summary};
 
 use crate::args::CookArgs;
@@ -18,7 +18,7 @@ use crate::{exit_code, report};
 
 /// Cooks a recipe, writes its files and prints its numbers.
 pub fn run(args: &CookArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
-    let scale = data.scale(&args.doneness)?;
+    let scales = data.scales(&args.doneness)?;
     let recipe = recipe_source::load(&args.recipe, data)?;
     let cook = start(recipe, data)?;
     let pictured = if args.out.is_some() { pictured(&cook, args.every_piece) } else { Vec::new() };
@@ -27,12 +27,12 @@ pub fn run(args: &CookArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let summary = cook.summary(wall.as_secs_f64());
     if let Some(out) = out {
         let place = out.place();
-        let files = files(&cook, &summary, snapshots, &scale)?;
+        let files = files(&cook, &summary, snapshots, &scales)?;
         let count = files.len();
         out.fill(files)?;
         stderr::say(format!("wrote {count} files to {place}; start with report.html"));
     }
-    stdout::print(&if args.json { json::text(&summary)? } else { text_summary::text(&summary, &scale) })?;
+    stdout::print(&if args.json { json::text(&summary)? } else { text_summary::text(&summary, scales.chosen()) })?;
     Ok(report_end(&cook, &summary))
 }
 
@@ -64,10 +64,10 @@ fn files(
     cook: &Cook,
     summary: &Summary,
     snapshots: Vec<Snapshot>,
-    scale: &Scale,
+    scales: &ScaleChoice,
 ) -> Result<Vec<(String, Vec<u8>)>, CliError> {
     let ids: Vec<&str> = cook.kitchen.pieces().iter().map(|p| p.id.as_str()).collect();
-    let report = report::page(cook, summary, &snapshots, scale);
+    let report = report::page(cook, summary, &snapshots, scales);
     let mut files = vec![
         ("summary.json".to_owned(), json::text(summary)?.into_bytes()),
         ("series.csv".to_owned(), cook.recorder.csv(&ids, &cook.runner.recipe().groups)?.into_bytes()),

@@ -43,8 +43,12 @@ impl Entry {
 #[derive(Debug, Serialize)]
 struct ClassEntry {
     name: String,
-    /// Lower bound; the first class has none [°C].
-    from_c: f64,
+    /// Lower bound of the highest temperature; the first class has none [°C].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    from_c: Option<f64>,
+    /// Lower bound of the share of a change, instead [%].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    from_pct: Option<f64>,
     /// The range as text.
     #[serde(skip)]
     range: String,
@@ -98,6 +102,7 @@ fn scales(library: &Library) -> Vec<Entry> {
     let class = |scale: &Scale, place: usize| ClassEntry {
         name: scale.class[place].name.clone(),
         from_c: scale.class[place].from_c,
+        from_pct: scale.class[place].from_pct,
         range: wording::class_range(scale, place),
     };
     let entry = |scale: &Arc<Scale>| Entry {

@@ -34,7 +34,7 @@ pub struct GalleryArgs {
 
 /// Cooks the recipes of the gallery, renders its figures and writes them.
 pub fn run(args: &GalleryArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
-    let scale = data.scale(DEFAULT_SCALE)?;
+    let scales = data.scales(DEFAULT_SCALE)?;
     let out = OutDir::prepare(&args.out)?;
     let gpu = Gpu::open().map_err(ShotError::from)?;
     let progress = Progress::over((COOKS.len() + FIGURES.len()) as u64);
@@ -46,7 +46,7 @@ pub fn run(args: &GalleryArgs, data: &DataLibrary) -> Result<ExitCode, CliError>
     let mut files = Vec::new();
     for figure in &FIGURES {
         progress.next(format!("drawing {}", figure.title));
-        let picture = plate::plate(&gpu, figure, &moments, &scale, args.size);
+        let picture = plate::plate(&gpu, figure, &moments, &scales, args.size);
         files.push((format!("{}.png", figure.name), png_bytes(&picture)?));
     }
     files.push(("gallery.md".to_owned(), page::page(&moments).into_bytes()));

@@ -1,9 +1,7 @@
 //! Renders the panels of a figure into one picture.
 
-use std::sync::Arc;
-
 use saute_kitchen::Kitchen;
-use saute_kitchen::food::Scale;
+use saute_kitchen::doneness::ScaleChoice;
 use saute_picture::Picture;
 use saute_picture::stage::nearness;
 use saute_picture::still::headless::{Gpu, still};
@@ -29,7 +27,7 @@ pub fn moment_of<'a>(panel: &Panel, moments: &'a [Moment]) -> Option<&'a Moment>
 }
 
 /// Renders a figure; `size` is the size of one panel [px].
-pub fn plate(gpu: &Gpu, figure: &Figure, moments: &[Moment], scale: &Arc<Scale>, size: [u32; 2]) -> Picture {
+pub fn plate(gpu: &Gpu, figure: &Figure, moments: &[Moment], scales: &ScaleChoice, size: [u32; 2]) -> Picture {
     let [width, height] = size.map(|n| n as usize);
     let rows = figure.panels.len().div_ceil(figure.columns);
     let across = figure.columns * (width + GAP) - GAP;
@@ -37,7 +35,7 @@ pub fn plate(gpu: &Gpu, figure: &Figure, moments: &[Moment], scale: &Arc<Scale>,
     whole.rgba = GROUND.repeat(whole.width * whole.height);
     for (index, panel) in figure.panels.iter().enumerate() {
         let Some(moment) = moment_of(panel, moments) else { continue };
-        let picture = draw(gpu, panel, &moment.kitchen, scale, size);
+        let picture = draw(gpu, panel, &moment.kitchen, scales, size);
         let (left, top) = (index % figure.columns * (width + GAP), index / figure.columns * (height + GAP));
         for row in 0..height {
             let to = 4 * ((top + row) * whole.width + left);
@@ -47,7 +45,7 @@ pub fn plate(gpu: &Gpu, figure: &Figure, moments: &[Moment], scale: &Arc<Scale>,
     whole
 }
 
-fn draw(gpu: &Gpu, panel: &Panel, kitchen: &Kitchen, scale: &Arc<Scale>, size: [u32; 2]) -> Picture {
+fn draw(gpu: &Gpu, panel: &Panel, kitchen: &Kitchen, scales: &ScaleChoice, size: [u32; 2]) -> Picture {
     let slice = panel.eye == Eye::Cut;
     let options = ShotOptions {
         view: panel.view,
@@ -55,7 +53,7 @@ fn draw(gpu: &Gpu, panel: &Panel, kitchen: &Kitchen, scale: &Arc<Scale>, size: [
         white_balance: Default::default(),
         quality: Quality::Smooth,
         flat: false,
-        scale: Arc::clone(scale),
+        scales: scales.clone(),
         split: false,
     };
     let mut stage = options.stage(kitchen);

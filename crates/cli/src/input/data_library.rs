@@ -2,10 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use saute_kitchen::data::library;
-use saute_kitchen::food::Scale;
+use saute_kitchen::doneness::ScaleChoice;
 use saute_kitchen::heat::Soup;
 use saute_kitchen::{Library, LibraryError};
 
@@ -55,13 +54,13 @@ impl DataLibrary {
         Ok(Self { library, own })
     }
 
-    /// Returns the scale of doneness with an id.
-    pub fn scale(&self, id: &str) -> Result<Arc<Scale>, CliError> {
-        let unknown = || {
-            let remedy = format!("use one of: {}", self.library.scale_names());
-            CliError::place(format!("--doneness {id}"), "there is no scale of doneness with this id", remedy)
-        };
-        self.library.scale(id).cloned().ok_or_else(unknown)
+    /// Returns the scales of doneness with the one with an id chosen.
+    pub fn scales(&self, id: &str) -> Result<ScaleChoice, CliError> {
+        if self.library.scale(id).is_some() {
+            return Ok(ScaleChoice::new(&self.library.scales, id));
+        }
+        let remedy = format!("use one of: {}", self.library.scale_names());
+        Err(CliError::place(format!("--doneness {id}"), "there is no scale of doneness with this id", remedy))
     }
 
     /// Returns the name of a recipe's file for messages.

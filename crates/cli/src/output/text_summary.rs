@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use saute_kitchen::food::Scale;
 use saute_kitchen::tick::energy::Energy;
 use saute_recipe::group_summary::GroupSummary;
 use saute_recipe::summary::{ClassShares, FoodSummary, LogReduction, Shape, Surface};
@@ -14,8 +13,8 @@ use crate::wording::{self, duration};
 /// Width of a doneness bar [characters].
 const BAR: usize = 30;
 
-/// Returns all numbers of a cook on one screen, with doneness on a scale.
-pub fn text(summary: &Summary, scale: &Scale) -> String {
+/// Returns all numbers of a cook on one screen, with doneness on the scale with an id where that fits.
+pub fn text(summary: &Summary, scale: &str) -> String {
     let mut blocks = vec![head(summary)];
     blocks.extend(summary.foods.iter().filter(|f| f.group.is_none()).map(|f| food(f, scale)));
     blocks.extend((!summary.groups.is_empty()).then(|| groups(summary)));
@@ -38,7 +37,7 @@ fn head(s: &Summary) -> String {
     )
 }
 
-fn food(f: &FoodSummary, scale: &Scale) -> String {
+fn food(f: &FoodSummary, scale: &str) -> String {
     let mut lines = format!("{} ({}, {} nodes)\n", f.id, f.kind, f.nodes);
     row(
         &mut lines,
@@ -124,9 +123,9 @@ fn row(lines: &mut String, name: &str, value: &str) {
     let _ = writeln!(lines, "  {name:<14}{value}");
 }
 
-/// Adds the doneness on a scale, with its label; nothing if the scale does not cover the food.
-fn doneness(lines: &mut String, f: &FoodSummary, scale: &Scale) {
-    let Some(reading) = f.doneness.get(&scale.id) else { return };
+/// Adds the doneness in the food's words, with the label of the scale; nothing if no scale covers the food.
+fn doneness(lines: &mut String, f: &FoodSummary, scale: &str) {
+    let Some((_, reading)) = f.doneness.in_words_of(scale) else { return };
     row(lines, "doneness", &format!("core {}; scale: {}", reading.class, reading.label));
     row(lines, "cross-section", &shares(&reading.section_pct));
     row(lines, "volume", &shares(&reading.volume_pct));

@@ -48,7 +48,7 @@ pub struct ShotArgs {
     /// Renders unlit colours without tone mapping, for measurements.
     #[arg(long)]
     pub flat: bool,
-    /// Scale of the doneness view, see `saute list scales`.
+    /// Scale of the doneness view, for foods that it fits, see `saute list scales`. Other foods keep their own.
     #[arg(long, value_name = "SCALE", default_value = DEFAULT_SCALE)]
     pub doneness: String,
     /// Renders the picture for the screen or projector of a half mirror: a rig file, or the name of a shipped rig
@@ -91,7 +91,7 @@ fn seconds(text: &str) -> Result<f64, String> {
 pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let recipe = recipe_source::load(&args.recipe, data)?;
     let out = OutFile::prepare(&args.out)?;
-    let scale = data.scale(&args.doneness)?;
+    let scales = data.scales(&args.doneness)?;
     let options = ShotOptions {
         view: args.split.unwrap_or(args.view.into()),
         split: args.split.is_some(),
@@ -99,7 +99,7 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         white_balance: args.white_balance.into(),
         quality: args.quality.into(),
         flat: args.flat,
-        scale,
+        scales,
     };
     let library = &data.library;
     let picture = match &args.mirror {

@@ -1,10 +1,12 @@
 //! Doneness bars: each class has a colour, a pattern and a number.
 
 use maud::{Markup, html};
+use saute_kitchen::doneness::ScaleChoice;
 use saute_kitchen::food::Scale;
+use saute_kitchen::food::change::doneness::Measure;
 use saute_picture::colour::map::Tone;
 use saute_recipe::Summary;
-use saute_recipe::summary::{ClassShares, FoodSummary};
+use saute_recipe::summary::{ClassShares, FoodSummary, ScaleReading};
 
 use crate::wording;
 
@@ -31,27 +33,45 @@ pub fn style() -> String {
     Tone::of_scale(saute_kitchen::food::change::doneness::MOST_CLASSES).iter().map(rule).collect()
 }
 
-/// Returns bars for all foods that the scale covers, for groups the means; nothing if it covers none.
-pub fn section(summary: &Summary, scale: &Scale) -> Markup {
+/// Returns bars for all foods that a scale covers, each in its own words, for groups the means; nothing if there is none.
+pub fn section(summary: &Summary, scales: &ScaleChoice) -> Markup {
     let entries = summary.foods_and_groups();
-    let covered = || entries.iter().map(|t| t.food).filter(|food| food.doneness.get(&scale.id).is_some());
+    let covered = || entries.iter().filter_map(|t| Some((t.food, spoken(t.food, scales)?)));
     html! {
         @if covered().next().is_some() {
             section {
                 h2 { "Doneness" }
-                p { "By the highest temperature that each point has reached, on the scale of " (scale.name) "." }
-                @for food in covered() { (bars(food, scale)) }
+                @for (food, (scale, reading)) in covered() {
+                    p { (measured(scale)) }
+                    (bars(food, reading, scale))
+                }
             }
         }
     }
 }
 
-fn bars(food: &FoodSummary, scale: &Scale) -> Markup {
-    html! {
-        @if let Some(reading) = food.doneness.get(&scale.id) {
-            (bar(html! { "Cross-section of " (food.id) ", by area (scale: " (reading.label) "); core: " (reading.class) }, &reading.section_pct, scale))
-            (bar(html! { "All of " (food.id) ", by volume (scale: " (reading.label) ")" }, &reading.volume_pct, scale))
+/// Returns the scale in whose words a food is spoken of, with the reading by it.
+fn spoken<'a>(food: &'a FoodSummary, scales: &'a ScaleChoice) -> Option<(&'a Scale, &'a ScaleReading)> {
+    let (id, reading) = food.doneness.in_words_of(scales.chosen())?;
+    Some((scales.by_id(id)?, reading))
+}
+
+/// Returns what a scale measures.
+fn measured(scale: &Scale) -> String {
+    match scale.measure() {
+        Measure::Peak => {
+            format!("By the highest temperature that each point has reached, on the scale of {}.", scale.name)
         }
+        Measure::Share => {
+            format!("By how far the {} of each point has changed, on the scale of {}.", scale.for_change, scale.name)
+        }
+    }
+}
+
+fn bars(food: &FoodSummary, reading: &ScaleReading, scale: &Scale) -> Markup {
+    html! {
+        (bar(html! { "Cross-section of " (food.id) ", by area (scale: " (reading.label) "); core: " (reading.class) }, &reading.section_pct, scale))
+        (bar(html! { "All of " (food.id) ", by volume (scale: " (reading.label) ")" }, &reading.volume_pct, scale))
     }
 }
 

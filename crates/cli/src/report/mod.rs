@@ -8,7 +8,7 @@ pub mod plot;
 mod sections;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
-use saute_kitchen::food::Scale;
+use saute_kitchen::doneness::ScaleChoice;
 use saute_recipe::recorder::Row;
 use saute_recipe::summary::FoodOrGroup;
 use saute_recipe::{Cook, Recipe, StoppedBy, Summary};
@@ -19,7 +19,7 @@ use crate::wording::duration;
 const STYLE: &str = include_str!("report.css");
 
 /// Returns the whole page.
-pub fn page(cook: &Cook, summary: &Summary, snapshots: &[Snapshot], scale: &Scale) -> String {
+pub fn page(cook: &Cook, summary: &Summary, snapshots: &[Snapshot], scales: &ScaleChoice) -> String {
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -34,7 +34,7 @@ pub fn page(cook: &Cook, summary: &Summary, snapshots: &[Snapshot], scale: &Scal
                 main {
                     (header(cook, summary))
                     @for entry in summary.foods_and_groups() { (key_numbers::section(summary, &entry)) }
-                    (doneness::section(summary, scale))
+                    (doneness::section(summary, scales))
                     (curves::section(cook, summary))
                     (sections::section(cook, summary, snapshots))
                     (numbers::section(cook, summary))

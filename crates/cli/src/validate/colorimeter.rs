@@ -1,11 +1,11 @@
 //! Colours measured on flat pictures of a piece.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 use glam::{DQuat, DVec3, Vec3};
+use saute_kitchen::doneness::ScaleChoice;
 use saute_kitchen::dynamics::Pose;
-use saute_kitchen::food::{Lab, Scale};
+use saute_kitchen::food::Lab;
 use saute_kitchen::{Kitchen, Piece};
 use saute_lab::cook_case::SeenAt;
 use saute_scene::camera::Camera;
@@ -46,14 +46,14 @@ impl Colorimeter {
     }
 
     /// Returns the mean colour of a piece on a flat picture, in the middle of a face or of its cut (CIE L*a*b*).
-    pub fn read(&mut self, kitchen: &Kitchen, piece: &Piece, at: SeenAt, scale: &Arc<Scale>) -> Lab {
+    pub fn read(&mut self, kitchen: &Kitchen, piece: &Piece, at: SeenAt) -> Lab {
         let options = ShotOptions {
             view: View::Look,
             slice: at == SeenAt::Cut,
             white_balance: Default::default(),
             quality: Quality::Smooth,
             flat: true,
-            scale: Arc::clone(scale),
+            scales: ScaleChoice::default(),
             split: false,
         };
         let pose = held(piece, at);

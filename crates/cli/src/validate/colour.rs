@@ -1,10 +1,8 @@
 //! Colours that a case expects, measured on flat pictures of its cook.
 
-use std::sync::Arc;
-
 use crate::validate::colorimeter::Colorimeter;
 use saute_kitchen::Library;
-use saute_kitchen::food::{Lab, Scale};
+use saute_kitchen::food::Lab;
 use saute_lab::Verdict;
 use saute_lab::cook_case::{CookCase, SeenAt};
 use saute_picture::still::headless::Gpu;
@@ -14,13 +12,13 @@ use saute_recipe::Cook;
 use crate::error::CliError;
 
 /// Compares all colours of a case with their expected values.
-pub fn verdicts(case: &CookCase, library: &Library, scale: &Arc<Scale>) -> Result<Vec<Verdict>, CliError> {
+pub fn verdicts(case: &CookCase, library: &Library) -> Result<Vec<Verdict>, CliError> {
     if case.seen().is_empty() && case.courses().is_empty() {
         return Ok(Vec::new());
     }
     let mut eye = Colorimeter::new(Gpu::open().map_err(ShotError::from)?);
     let mut look = |cook: &Cook, at: SeenAt| {
-        let shown = cook.kitchen.pieces().first().map(|piece| eye.read(&cook.kitchen, piece, at, scale));
+        let shown = cook.kitchen.pieces().first().map(|piece| eye.read(&cook.kitchen, piece, at));
         shown.unwrap_or(Lab([f64::NAN; 3]))
     };
     let mut cook = case.begin(library)?;

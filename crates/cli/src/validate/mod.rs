@@ -14,7 +14,6 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use saute_kitchen::Library;
-use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_lab::cook_case::CookCase;
 use saute_lab::{Case, Evidence, LabReport, Verdict, verdicts};
 use serde::Serialize;
@@ -100,7 +99,7 @@ fn run_case(folder: &str, id: &str, text: &str, data: &DataLibrary) -> Result<Ca
     if CookCase::is_one(text) {
         let case = CookCase::parse(text, &file, library)?;
         let mut verdicts = case.verdicts(library)?;
-        verdicts.extend(colour::verdicts(&case, library, &data.scale(DEFAULT_SCALE)?)?);
+        verdicts.extend(colour::verdicts(&case, library)?);
         return Ok(CaseRun { id: id.to_owned(), lab: None, evidence: case.evidence(), verdicts });
     }
     let case = Case::parse(text, &file, library)?;

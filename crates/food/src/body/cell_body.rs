@@ -114,21 +114,21 @@ impl FoodModel {
         positions.iter_mut().zip(&cells.positions).for_each(|(p, rest)| *p = scale(*rest, state.stretch.lateral));
     }
 
-    /// Shares of doneness by volume [%].
-    pub(crate) fn cell_volume_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
+    /// Shares of doneness by volume [%], of a field that the scale measures.
+    pub(crate) fn cell_volume_shares(&self, field: &[f64], scale: &Scale) -> Shares {
         let mut sums = [0.0; MOST_CLASSES];
-        for (peak, volume) in state.peak.iter().zip(self.shape.mesh.volumes()) {
-            scale.add_stretch(&mut sums, *peak, *peak, *volume);
+        for (value, volume) in field.iter().zip(self.shape.mesh.volumes()) {
+            scale.add_stretch(&mut sums, *value, *value, *volume);
         }
         Shares::from_weights(sums)
     }
 
-    /// Shares of doneness of the middle cut by area [%].
-    pub(crate) fn cell_cut_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
+    /// Shares of doneness of the middle cut by area [%], of a field that the scale measures.
+    pub(crate) fn cell_cut_shares(&self, field: &[f64], scale: &Scale) -> Shares {
         let mut sums = [0.0; MOST_CLASSES];
         for &(node, area) in &self.shape.middle_cut {
-            let peak = state.peak[node as usize];
-            scale.add_stretch(&mut sums, peak, peak, area);
+            let value = field[node as usize];
+            scale.add_stretch(&mut sums, value, value, area);
         }
         Shares::from_weights(sums)
     }

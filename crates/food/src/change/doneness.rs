@@ -1,4 +1,4 @@
-//! Doneness by the peak temperature of each point: scales of named classes, and their shares.
+//! Doneness of each point: scales of named classes, by peak temperature or by the share of a change, and their shares.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -8,8 +8,8 @@ use crate::description::{Confidence, Kinetics};
 /// Largest number of classes of a scale [-] (chosen: as many as the eye distinguishes at a glance).
 pub const MOST_CLASSES: usize = 5;
 
-/// A class of doneness.
-#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+/// A class of doneness. All classes of a scale have their lower bound in the same key.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Class {
     /// Name of the class.
@@ -17,7 +17,26 @@ pub struct Class {
     pub name: String,
     /// Lowest peak temperature of the class [°C].
     #[schemars(range(min = 0.0, max = 120.0), example = 60.0)]
-    pub from_c: f64,
+    pub from_c: Option<f64>,
+    /// Lowest share of the scale's `for_change` that has taken place, instead of `from_c` [%].
+    #[schemars(range(min = 0.0, max = 100.0), example = 40.0)]
+    pub from_pct: Option<f64>,
+}
+
+impl Class {
+    /// Lower bound of the class, in the unit of its scale [°C or %].
+    pub fn from(&self) -> f64 {
+        self.from_c.or(self.from_pct).unwrap_or_default()
+    }
+}
+
+/// What the classes of a scale are bounds of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measure {
+    /// Highest temperature so far.
+    Peak,
+    /// Share of a change that has taken place.
+    Share,
 }
 
 /// A scale of doneness: two to five classes, ascending.
@@ -48,6 +67,15 @@ pub struct Scale {
     /// Name of the change that a food's kinetics must contain for the scale to apply, such as a protein of meat.
     #[schemars(example = &"myosin")]
     pub for_change: String,
+    /// Ids of the kinetics that this scale is made for; without it, every kinetics with the change for which no scale is
+    /// made. Foods with these kinetics have the scales made for them and no others.
+    #[serde(default)]
+    #[schemars(extend("examples" = [["shrimp"]]))]
+    pub for_kinetics: Vec<String>,
+    /// Goal for the core unless the cook sets another, in the unit of the classes [°C or %]; without it the goal that was
+    /// last set for another scale without one.
+    #[schemars(range(min = 0.0, max = 120.0), example = 63.0)]
+    pub goal: Option<f64>,
     /// Source of the numbers.
     #[schemars(example = &"chosen: …")]
     pub source: String,
@@ -57,32 +85,55 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// Returns the index of the class of a peak temperature [K].
-    pub fn class_of(&self, peak: f64) -> usize {
-        self.bounds().take_while(|bound| peak >= *bound).count()
+    /// Returns what the classes are bounds of.
+    pub fn measure(&self) -> Measure {
+        if self.class.iter().any(|c| c.from_pct.is_some()) { Measure::Share } else { Measure::Peak }
     }
 
-    /// Returns the name of the class of a peak temperature [K].
-    pub fn name_of(&self, peak: f64) -> &str {
-        self.class.get(self.class_of(peak)).map_or("", |c| c.name.as_str())
+    /// Returns the index of the class of a peak temperature [K], or of a share [-] where the scale measures one.
+    pub fn class_of(&self, value: f64) -> usize {
+        self.bounds().take_while(|bound| value >= *bound).count()
     }
 
-    /// Returns the upper end of a class [°C], or none for the last class.
-    pub fn end_c(&self, place: usize) -> Option<f64> {
-        self.class.get(place + 1).map(|c| c.from_c)
+    /// Returns the name of the class of a peak temperature [K], or of a share [-] where the scale measures one.
+    pub fn name_of(&self, value: f64) -> &str {
+        self.class.get(self.class_of(value)).map_or("", |c| c.name.as_str())
     }
 
-    /// Returns true if the scale applies to a food with these kinetics.
-    pub fn fits(&self, kinetics: &Kinetics) -> bool {
+    /// Returns the lower end of a class [°C or %]; 0 for the first class and for a class that the scale does not have.
+    pub fn from(&self, place: usize) -> f64 {
+        self.class.get(place).map_or(0.0, Class::from)
+    }
+
+    /// Returns the upper end of a class [°C or %], or none for the last class.
+    pub fn end(&self, place: usize) -> Option<f64> {
+        self.class.get(place + 1).map(Class::from)
+    }
+
+    /// Returns true if a food's kinetics contain the change that the scale is about.
+    pub fn applies_to(&self, kinetics: &Kinetics) -> bool {
         kinetics.change.iter().any(|c| c.name == self.for_change)
     }
 
-    /// Bounds between the classes [K].
-    fn bounds(&self) -> impl Iterator<Item = f64> {
-        self.class.iter().skip(1).take(MOST_CLASSES - 1).map(|c| c.from_c + crate::ZERO_C)
+    /// Returns true if the scale is made for the kinetics with an id.
+    pub fn is_made_for(&self, kinetics: &str) -> bool {
+        self.for_kinetics.iter().any(|id| id == kinetics)
     }
 
-    /// Adds a segment of weight `weight` along which the peak temperature runs linearly from `a` to `b` [K]. Each class gets
+    /// Returns a value in the unit of the classes [°C or %] in the unit of the nodes [K or -].
+    pub fn of_nodes(&self, value: f64) -> f64 {
+        match self.measure() {
+            Measure::Peak => value + crate::ZERO_C,
+            Measure::Share => 0.01 * value,
+        }
+    }
+
+    /// Bounds between the classes, in the unit of the nodes [K or -].
+    fn bounds(&self) -> impl Iterator<Item = f64> {
+        self.class.iter().skip(1).take(MOST_CLASSES - 1).map(|c| self.of_nodes(c.from()))
+    }
+
+    /// Adds a segment of weight `weight` along which the measure runs linearly from `a` to `b` [K or -]. Each class gets
     /// the part of the segment within its bounds, so that shares do not jump from node to node.
     pub(crate) fn add_stretch(&self, sums: &mut [f64; MOST_CLASSES], a: f64, b: f64, weight: f64) {
         let (low, high) = (a.min(b), a.max(b));
@@ -119,12 +170,14 @@ mod tests {
     use super::*;
 
     fn scale(bounds: &[f64]) -> Scale {
-        let class = |c: &f64| Class { name: format!("from {c}"), from_c: *c };
+        let class = |c: &f64| Class { name: format!("from {c}"), from_c: Some(*c), from_pct: None };
         Scale {
             id: "own".into(),
             name: "Own".into(),
             class: bounds.iter().map(class).collect(),
             for_change: "myosin".into(),
+            for_kinetics: Vec::new(),
+            goal: None,
             source: String::new(),
             confidence: Confidence::Low,
         }
@@ -162,7 +215,19 @@ mod tests {
         let four = scale(&[0.0, 50.0, 60.0, 70.0]);
         let of = |c: f64| four.class_of(kelvin(c));
         assert_eq!([-5.0, 49.9, 50.1, 59.9, 60.1, 70.1, 300.0].map(of), [0, 0, 1, 1, 2, 3, 3]);
-        assert_eq!((four.end_c(1), four.end_c(3)), (Some(60.0), None));
+        assert_eq!((four.end(1), four.end(3)), (Some(60.0), None));
         assert_eq!(four.name_of(kelvin(65.0)), "from 60");
+    }
+    #[test]
+    fn a_scale_of_shares_counts_percent_where_one_of_temperatures_counts_degrees() {
+        let by_share = |c: Class| Class { from_pct: c.from_c, from_c: None, ..c };
+        let mut three = scale(&[0.0, 40.0, 85.0]);
+        assert_eq!(three.measure(), Measure::Peak);
+        three.class = three.class.into_iter().map(by_share).collect();
+        assert_eq!(three.measure(), Measure::Share);
+        assert_eq!([0.0, 0.39, 0.41, 0.84, 0.86, 1.0].map(|share| three.class_of(share)), [0, 0, 1, 1, 2, 2]);
+        let mut sums = [0.0; MOST_CLASSES];
+        three.add_stretch(&mut sums, 0.2, 1.0, 8.0);
+        assert!(sums.iter().zip([2.0, 4.5, 1.5, 0.0, 0.0]).all(|(s, e)| (s - e).abs() < 1e-9), "{sums:?}");
     }
 }

@@ -199,7 +199,7 @@ sourced_table! {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "saute kinetics")]
 pub struct Kinetics {
-    /// First-order changes, at most [`MOST_CHANGES`]; the first determines the look of fat, the last the doneness.
+    /// First-order changes, at most [`MOST_CHANGES`]; the first determines the look of fat.
     #[schemars(length(min = 1, max = MOST_CHANGES))]
     pub change: Vec<Change>,
     /// Water holding.

@@ -125,6 +125,7 @@ impl Library {
             library.check_kinetics(food, &data_file(&files, &file))?;
         }
         library.check_oils()?;
+        library.check_scales(&data_file(&files, DONENESS_FILE))?;
         Ok(library)
     }
 
@@ -137,6 +138,27 @@ impl Library {
         };
         let named = kinetics.in_order("colour", &food.colour.change);
         named.map(|_| ()).map_err(|e| file.error("colour.change", e.to_string()))
+    }
+
+    /// Scales are made for kinetics that are there and contain their change.
+    fn check_scales(&self, file: &DataFile) -> Result<(), LibraryError> {
+        for (at, scale) in self.scales.iter().enumerate() {
+            let error = |message| Err(file.error(&format!("scale.{at}.for_kinetics"), message));
+            for id in &scale.for_kinetics {
+                let Some(kinetics) = self.kinetics.get(id) else {
+                    let known = Self::names(&self.kinetics);
+                    return error(format!("for_kinetics names \"{id}\", which is unknown; there are: {known}"));
+                };
+                if !scale.applies_to(kinetics) {
+                    let (change, known) = (&scale.for_change, kinetics.names().join(", "));
+                    return error(format!(
+                        "for_kinetics names \"{id}\", which has no change \"{change}\": write one of its changes as \
+                         for_change ({known}), or leave it out of for_kinetics"
+                    ));
+                }
+            }
+        }
+        Ok(())
     }
 
     /// The kitchen names oils that are there, and butter that melts.

@@ -115,7 +115,7 @@ mod tests {
             let map = doneness_map(scale);
             let patterns = patterns(&map.table, map.stepped);
             for (place, class) in scale.class.iter().enumerate() {
-                let at = (map.coordinate(class.from_c + 1.0) * 255.0) as usize;
+                let at = (map.coordinate(class.from() + 1.0) * 255.0) as usize;
                 assert_eq!(patterns[at], Tone::of(scale, place).pattern() as u8, "{} {}", scale.id, class.name);
             }
         }

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use saute_kitchen::food::{Scale, ZERO_C};
+use saute_kitchen::food::Scale;
+use saute_kitchen::food::change::doneness::Measure;
 use saute_scene::input::Colouring;
 
 use crate::colour::hatch::{self, Pattern};
@@ -20,7 +21,11 @@ pub struct ColourMap {
     /// True if colours are classes, not to be mixed.
     pub stepped: bool,
     /// Patterns of the table's entries, by their numbers.
-    patterns: Arc<[u8; 256]>,
+    pub(crate) patterns: Arc<[u8; 256]>,
+    /// First entry and number of entries of the part of the table that is this map's.
+    pub(crate) part: [usize; 2],
+    /// Name of the change whose share the map shows, where it shows one.
+    pub(crate) change: Option<String>,
 }
 
 /// Which map shows temperatures.
@@ -109,12 +114,14 @@ impl Tone {
     }
 }
 
-/// The map of a scale's classes over peak temperatures, in steps of half a kelvin.
+/// The map of a scale's classes: over peak temperatures in steps of half a kelvin, or over shares of its change.
 pub fn doneness_map(scale: &Scale) -> ColourMap {
-    let (from, to) = (0.0, 127.5);
-    let class = |i: usize| scale.class_of(ZERO_C + from + (to - from) * (i as f64 + 0.01) / 255.0);
+    let of_share = scale.measure() == Measure::Share;
+    let (from, to) = if of_share { (0.0, 100.0) } else { (0.0, 127.5) };
+    let class = |i: usize| scale.class_of(scale.of_nodes(from + (to - from) * (i as f64 + 0.01) / 255.0));
     let table = std::array::from_fn(|i| Tone::of(scale, class(i)).colour());
-    ColourMap::new(Arc::new(table), from, to, true)
+    let change = of_share.then(|| scale.for_change.clone());
+    ColourMap { change, ..ColourMap::new(Arc::new(table), from, to, true) }
 }
 
 impl ColourMap {
@@ -124,7 +131,8 @@ impl ColourMap {
     }
 
     fn new(table: Arc<[[u8; 3]; 256]>, from: f64, to: f64, stepped: bool) -> Self {
-        Self { patterns: Arc::new(hatch::patterns(&table, stepped)), table, from, to, stepped }
+        let patterns = Arc::new(hatch::patterns(&table, stepped));
+        Self { patterns, table, from, to, stepped, part: [0, 256], change: None }
     }
 
     /// The map as the renderer reads it.
@@ -133,9 +141,19 @@ impl ColourMap {
         Colouring::Field { table: Arc::clone(&self.table), classes }
     }
 
+    /// Name of the change whose share the map shows; none for maps of other fields.
+    pub fn change(&self) -> Option<&str> {
+        self.change.as_deref()
+    }
+
     /// Coordinate of a value in the table (0–1).
     pub fn coordinate(&self, value: f64) -> f32 {
-        ((value - self.from) / (self.to - self.from)).clamp(0.0, 1.0) as f32
+        let within = ((value - self.from) / (self.to - self.from)).clamp(0.0, 1.0);
+        match self.part {
+            [0, 256] => within as f32,
+            // A little within the part: rounding must not lead into a neighbour's.
+            [first, room] => ((first as f64 + 0.02 + within * (room as f64 - 1.04)) / 255.0) as f32,
+        }
     }
 
     /// Colour of a value.
@@ -216,11 +234,11 @@ mod tests {
         for scale in &library.scales {
             let map = doneness_map(scale);
             for (place, class) in scale.class.iter().enumerate().skip(1) {
-                let near = |c: f64| map.colour(class.from_c + c);
+                let near = |c: f64| map.colour(class.from() + c);
                 assert_eq!(near(-0.6), Tone::of(scale, place - 1).colour(), "{} {}", scale.id, class.name);
                 assert_eq!(near(0.6), Tone::of(scale, place).colour(), "{} {}", scale.id, class.name);
             }
-            assert_eq!(map.colour(150.0), Tone::WellDone.colour());
+            assert_eq!(map.colour(150.0), Tone::WellDone.colour(), "{}", scale.id);
         }
     }
 

@@ -3,3 +3,4 @@
 pub mod hatch;
 pub mod map;
 pub mod path;
+pub mod side_by_side;

@@ -88,7 +88,7 @@ impl CutFace<'_> {
             charring: mix(&|i| state.charring[i]),
             tissue: mix(&|i| model.second_tissue()[i]),
         };
-        let field = self.map.map_or(0.0, |m| m.coordinate(mix(&|i| self.view.value(model, state, i))));
+        let field = self.map.map_or(0.0, |m| m.coordinate(mix(&|i| self.view.value(model, state, i, m.change()))));
         let moisture = mix(&|i| state.water[i] / model.initial_water()[i]);
         let rest = rest.to_array();
         let now = self.shape.moved(rest, |f| {

@@ -46,7 +46,7 @@ pub fn section_picture(piece: &Piece, x: f64, view: View, colours: Option<&Colou
     let (Some(first), Some(last)) = (cut.points.first(), cut.points.last()) else {
         return Picture { width: 1, height: 1, rgba: vec![0; 4] };
     };
-    let samples = sample(model, mesh, state, &cut, view);
+    let samples = sample(model, mesh, state, &cut, view, colours.and_then(ColourMap::change));
     let painter = Painter { model, mesh, cut: &cut, samples, x, colours, flipped: piece.upside_down() };
     if !mesh.is_upright() {
         return painter.lengthwise(per_mm);
@@ -67,15 +67,23 @@ pub fn section_picture(piece: &Piece, x: f64, view: View, colours: Option<&Colou
     Picture { width, height, rgba }
 }
 
-fn sample(model: &FoodModel, mesh: &SweptMesh, state: &FoodState, cut: &Cut, view: View) -> Vec<Sample> {
+fn sample(
+    model: &FoodModel,
+    mesh: &SweptMesh,
+    state: &FoodState,
+    cut: &Cut,
+    view: View,
+    change: Option<&str>,
+) -> Vec<Sample> {
     let n = mesh.nodes_per_level();
     let mut samples = Vec::with_capacity(cut.points.len() * mesh.levels.len());
     for level in 0..mesh.levels.len() {
         for p in &cut.points {
             let [a, b] = p.nodes.map(|i| level * n + i as usize);
             let mix = |f: &[f64]| f[a] * (1.0 - p.share) + f[b] * p.share;
+            let value = |node| view.value(model, state, node, change);
             samples.push(Sample {
-                value: view.value(model, state, a) * (1.0 - p.share) + view.value(model, state, b) * p.share,
+                value: value(a) * (1.0 - p.share) + value(b) * p.share,
                 appearance: Appearance {
                     changed: changed_at(state, mix),
                     browning: mix(&state.browning),

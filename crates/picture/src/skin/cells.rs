@@ -61,7 +61,8 @@ impl CellLook<'_> {
             charring: reads(&|i| state.charring[i]),
             tissue: reads(&|i| self.model.second_tissue()[i]),
         };
-        (appearance, reads(&|i| self.view.value(self.model, state, i)))
+        let change = self.map.and_then(ColourMap::change);
+        (appearance, reads(&|i| self.view.value(self.model, state, i, change)))
     }
 
     fn vertex(&self, reads: Reads, rest: [f64; 3], normal: [f64; 3], moist: f64) -> FoodVertex {

@@ -179,7 +179,7 @@ impl Skin {
         let shape = PresentShape::new(model, state);
         let vertex = |k: usize| {
             let node = self.nodes[k] as usize;
-            let field = map.map_or(0.0, |m| m.coordinate(view.value(model, state, node)));
+            let field = map.map_or(0.0, |m| m.coordinate(view.value(model, state, node, m.change())));
             let moisture = state.water[node] / model.initial_water()[node];
             let place = Place {
                 rest: self.positions[k],

@@ -1,8 +1,6 @@
 //! A still of a recipe at one instant, drawn by the window's own renderer.
 
-use std::sync::Arc;
-
-use saute_kitchen::food::Scale;
+use saute_kitchen::doneness::ScaleChoice;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{InputError, Kitchen, Library, Piece, TICK_S};
 use saute_recipe::{Cook, Recipe};
@@ -14,7 +12,7 @@ use saute_scene::renderer::SceneRenderer;
 use crate::colour::map::TemperatureMap;
 use crate::cut::section::Picture;
 use crate::split::scenes;
-use crate::stage::{CUT_YAW, Stage, StageOptions, fitting};
+use crate::stage::{CUT_YAW, Stage, StageOptions};
 use crate::still::headless::{Gpu, GpuError, still_at};
 use crate::view::View;
 use crate::waiting::FIRST_ON_BOARD;
@@ -81,8 +79,8 @@ pub struct ShotOptions {
     pub quality: Quality,
     /// Unlit, exactly decodable colours.
     pub flat: bool,
-    /// The scale of doneness.
-    pub scale: Arc<Scale>,
+    /// The scales of doneness, with the one that is chosen.
+    pub scales: ScaleChoice,
 }
 
 impl ShotOptions {
@@ -99,12 +97,11 @@ impl ShotOptions {
             }
         }
         let slice = self.slice.then_some(0.0);
-        let scale = fitting(kitchen, &self.scale);
         StageOptions {
             camera,
             view: self.view,
             map: TemperatureMap::default(),
-            scale,
+            scales: self.scales.clone(),
             slice,
             cut: None,
             white_balance: self.white_balance,

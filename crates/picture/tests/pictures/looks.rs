@@ -6,8 +6,10 @@ use std::sync::Arc;
 
 use glam::Vec3;
 use saute_kitchen::Library;
+use saute_kitchen::data::library::DEFAULT_SCALE;
+use saute_kitchen::doneness::ScaleChoice;
 use saute_kitchen::food::tissue::noise::uniform;
-use saute_picture::stage::{Stage, StageOptions, fitting, nearness, poses};
+use saute_picture::stage::{Stage, StageOptions, nearness, poses};
 use saute_picture::still::headless::Gpu;
 use saute_picture::still::png_file::png_bytes;
 use saute_picture::still::shot::cook_until;
@@ -60,7 +62,7 @@ impl Easel {
         let options = StageOptions {
             camera: Camera { yaw, pitch: 0.8, distance, target, shift: [0.0; 2] },
             view: shown.view,
-            scale: fitting(&cook.kitchen, &self.library.scales[0]),
+            scales: ScaleChoice::new(&self.library.scales, DEFAULT_SCALE),
             slice: shown.cut.then_some(0.0),
             ..StageOptions::default()
         };

@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use saute_kitchen::doneness::ScaleChoice;
 use saute_kitchen::food::FoodModel;
 use saute_kitchen::food::tissue::noise::uniform;
 use saute_kitchen::{Library, Piece, celsius};
@@ -128,7 +129,8 @@ fn flat_views_of_every_field_decode_to_the_cores_values() {
         let options = options(view, Some(0.2), true);
         let picture = still(&gpu, &cook.kitchen, &options, SIZE);
         let map = view.colour_map(TemperatureMap::Uniform, None).expect("a field");
-        let field: Vec<f64> = (0..model.mesh().node_count()).map(|node| view.value(model, state, node)).collect();
+        let field: Vec<f64> =
+            (0..model.mesh().node_count()).map(|node| view.value(model, state, node, map.change())).collect();
         for i in 0..30u64 {
             let random = |k: u64| uniform(77, 10 * i + k);
             let near = [cut, (random(0) - 0.5) * 0.06, 0.004 + random(1) * (thickness - 0.008)];
@@ -150,7 +152,10 @@ fn lit_doneness_is_hatched_and_flat_doneness_is_not() {
     let library = Library::embedded().expect("embedded data");
     let scale = library.scales[0].clone();
     let picture = |flat: bool| {
-        let options = StageOptions { scale: Some(scale.clone()), ..options(View::Doneness, Some(0.2), flat) };
+        let options = StageOptions {
+            scales: ScaleChoice::new(&library.scales, &scale.id),
+            ..options(View::Doneness, Some(0.2), flat)
+        };
         still(&gpu, &cook.kitchen, &options, SIZE)
     };
     let table = View::Doneness.colour_map(TemperatureMap::Uniform, Some(&scale)).expect("a field").table;

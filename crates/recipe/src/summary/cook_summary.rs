@@ -14,6 +14,7 @@ use crate::cook::step_record::{StepRecord, rounded};
 use crate::summary::group_summary::GroupSummary;
 use saute_kitchen::celsius;
 use saute_kitchen::data::library::DEFAULT_SCALE;
+use saute_kitchen::doneness::{at_core, core_class, fitting};
 use saute_kitchen::kitchen::Kitchen;
 use saute_kitchen::liquids::butter::ButterModel;
 use saute_kitchen::piece::piece_state::Piece;
@@ -144,7 +145,7 @@ pub struct FoodSummary {
     pub section_pct: Doneness,
     /// Doneness by volume, by the scale of 2013 [%].
     pub volume_pct: Doneness,
-    /// Doneness by every scale that covers this food, by the scales' ids.
+    /// Doneness by every scale that fits this food, by the scales' ids: its own, else those of its kind of flesh.
     pub doneness: ByScale,
     /// Shares of the first-order changes by name, volume means [-].
     pub denatured: BTreeMap<String, f64>,
@@ -225,9 +226,10 @@ impl From<Shares> for Doneness {
 pub struct ByScale(pub Vec<(String, ScaleReading)>);
 
 impl ByScale {
-    /// Returns the reading by the scale with an id; none if the scale does not cover the food.
-    pub fn get(&self, id: &str) -> Option<&ScaleReading> {
-        self.0.iter().find(|(own, _)| own == id).map(|(_, reading)| reading)
+    /// Returns the reading in the food's words, with the id of its scale: by the scale with the given id if it covers the
+    /// food, else by the first that does; none if no scale covers the food.
+    pub fn in_words_of(&self, id: &str) -> Option<&(String, ScaleReading)> {
+        self.0.iter().find(|(own, _)| own == id).or(self.0.first())
     }
 }
 
@@ -242,8 +244,11 @@ impl Serialize for ByScale {
 pub struct ScaleReading {
     /// Label of the scale.
     pub label: String,
-    /// Class of the core's peak.
+    /// Class of the core: of its peak, or of the share of its change.
     pub class: String,
+    /// What the scale measures at the core [K or -].
+    #[serde(skip)]
+    pub at_core: f64,
     /// Shares of the section by area [%].
     pub section_pct: ClassShares,
     /// Shares of the volume [%].
@@ -271,7 +276,8 @@ impl ScaleReading {
         let (model, state) = (&piece.model, &piece.state);
         Self {
             label: scale.name.clone(),
-            class: scale.name_of(piece.core_peak.0).to_owned(),
+            class: core_class(piece, scale).to_owned(),
+            at_core: at_core(piece, scale),
             section_pct: ClassShares::new(scale, model.cut_shares(state, &model.cut_across(0.0), scale)),
             volume_pct: ClassShares::new(scale, model.volume_shares(state, scale)),
         }
@@ -408,7 +414,6 @@ impl FoodSummary {
         let (core, least) = model.log_reduction(state);
         // The library does not load without the default scale.
         let default = scales.iter().find(|s| s.id == DEFAULT_SCALE);
-        let fitting = scales.iter().filter(|s| s.fits(model.kinetics()));
         let names = model.kinetics().names();
         let mean = |field: &Vec<f64>| model.volume_mean(field);
         let upwards = if piece.upside_down() { -1.0 } else { 1.0 };
@@ -430,7 +435,9 @@ impl FoodSummary {
             halved_at_mm: piece.halved().map(|cut| action::mm(cut.at)),
             section_pct: default.map(|s| model.cut_shares(state, &model.cut_across(0.0), s).into()).unwrap_or_default(),
             volume_pct: default.map(|s| model.volume_shares(state, s).into()).unwrap_or_default(),
-            doneness: ByScale(fitting.map(|s| (s.id.clone(), ScaleReading::new(piece, s))).collect()),
+            doneness: ByScale(
+                fitting(scales, model).into_iter().map(|s| (s.id.clone(), ScaleReading::new(piece, s))).collect(),
+            ),
             denatured: names.into_iter().map(str::to_owned).zip(state.changed.iter().map(mean)).collect(),
             elastic_modulus_kpa: model.elastic_modulus_kpa(state),
             hardness_index: model.hardness_index(state),

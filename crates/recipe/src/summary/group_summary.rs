@@ -12,7 +12,6 @@ use crate::summary::cook_summary::{
     ByScale, ClassShares, CoreSummary, Doneness, FoodSummary, IN_PAN, LogReduction, ScaleReading, Shape, StartEnd,
     Surface, Surfaces, WaterSummary,
 };
-use saute_kitchen::kelvin;
 
 /// A group of foods.
 #[derive(Clone, Debug, Serialize)]
@@ -97,14 +96,14 @@ impl Pieces<'_> {
 
     /// Returns the mean reading by every scale. Pieces of one kind have the same scales in the same order.
     fn by_scale(&self, scales: &[Arc<Scale>]) -> ByScale {
-        let peak = kelvin(self.mean(|p| p.core_c.peak));
         let Some(first) = self.0.first() else { return ByScale::default() };
         let reading = |(k, (id, reading)): (usize, &(String, ScaleReading))| {
             let shares = |of: fn(&ScaleReading) -> &ClassShares| self.shares(|p| of(&p.doneness.0[k].1));
             let scale = scales.iter().find(|s| s.id == *id);
-            let class = scale.map_or(reading.class.as_str(), |s| s.name_of(peak)).to_owned();
+            let at_core = self.mean(|p| p.doneness.0[k].1.at_core);
+            let class = scale.map_or(reading.class.as_str(), |s| s.name_of(at_core)).to_owned();
             let (section_pct, volume_pct) = (shares(|r| &r.section_pct), shares(|r| &r.volume_pct));
-            (id.clone(), ScaleReading { label: reading.label.clone(), class, section_pct, volume_pct })
+            (id.clone(), ScaleReading { label: reading.label.clone(), class, at_core, section_pct, volume_pct })
         };
         ByScale(first.doneness.0.iter().enumerate().map(reading).collect())
     }

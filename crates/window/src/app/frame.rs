@@ -1,5 +1,7 @@
 //! One frame of the window: input, time, scene and panels.
 
+use std::sync::Arc;
+
 use egui::Ui;
 use web_time::{Duration, Instant};
 
@@ -44,7 +46,7 @@ impl SauteApp {
 
     /// Shows the panels and cards; returns what they ask for.
     fn show_panels(&mut self, ui: &mut Ui, layout: &Layout) -> Acts {
-        let goal = self.scale().map(|_| self.settings.goal_c);
+        let goal = self.scale().map(|scale| (Arc::clone(&scale), self.settings.goal(&scale)));
         let (advice, quality) = (self.session.advice(goal), self.quality());
         if self.mirror.card {
             // The card shows the error of a rig that cannot be read.

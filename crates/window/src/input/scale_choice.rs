@@ -7,25 +7,32 @@ use saute_kitchen::food::Scale;
 use crate::app::SauteApp;
 
 impl SauteApp {
-    /// The chosen scale of doneness, where it says anything about the food.
+    /// The scale of doneness in whose words the food that the panels show is spoken of.
     pub fn scale(&self) -> Option<Arc<Scale>> {
         self.session.scale(&self.settings.scale)
     }
 
-    /// Selects a scale of doneness, with a notice.
+    /// Selects a scale of doneness, with a notice; of a food that has one scale only, the notice says which.
     pub(crate) fn choose_scale(&mut self, scale: &Scale) {
-        self.settings.scale.clone_from(&scale.id);
-        let key = if self.scale().is_some() { "notice.scale" } else { "notice.scale_meat" };
         let l = self.settings.language;
-        self.notice.say(l.fill(key, &[("scale", &l.called("scale", &scale.name))]));
+        let spoken = match self.scale() {
+            Some(own) if self.session.fitting_scales().len() == 1 => own,
+            _ => {
+                self.settings.scale.clone_from(&scale.id);
+                self.scale().unwrap_or_else(|| Arc::new(scale.clone()))
+            }
+        };
+        let key = if self.settings.scale == spoken.id { "notice.scale" } else { "notice.scale_own" };
+        self.notice.say(l.fill(key, &[("scale", &l.called("scale", &spoken.name))]));
     }
 
-    /// Selects the next scale of doneness.
+    /// Selects the next of the scales of doneness that fit the food.
     pub(crate) fn next_scale(&mut self) {
-        let scales = &self.session.library.scales;
-        let now = scales.iter().position(|s| s.id == self.settings.scale).unwrap_or(0);
-        if let Some(next) = scales.get((now + 1) % scales.len().max(1)).cloned() {
-            self.choose_scale(&next);
+        let scales = self.session.fitting_scales();
+        let shown = self.scale();
+        let now = scales.iter().position(|s| shown.as_ref().is_some_and(|shown| shown.id == s.id)).unwrap_or(0);
+        if let Some(next) = scales.get((now + 1) % scales.len().max(1)) {
+            self.choose_scale(next);
         }
     }
 }

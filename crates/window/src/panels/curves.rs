@@ -1,7 +1,11 @@
 //! Pan, underside, core and probes against time, with what happened.
 
+use std::sync::Arc;
+
 use egui::{Align2, Area, Color32, FontId, Id, Order, Rect, RichText, Sense, Shape, Stroke, Ui, pos2, vec2};
 use egui_plot::{HLine, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotTransform, VLine};
+use saute_kitchen::food::Scale;
+use saute_kitchen::food::change::doneness::Measure;
 
 use crate::panels::inside::clock;
 use crate::panels::window_state::WindowState;
@@ -58,8 +62,8 @@ pub fn show(state: &WindowState, ui: &mut Ui, height: f32) {
             let line = Line::new(curve.name.clone(), PlotPoints::from(curve.points.clone()));
             plot.line(line.color(curve.colour).style(curve.style).width(curve.width));
         }
-        if state.scale().is_some() {
-            let goal = HLine::new(settings.language.text("curves.goal"), settings.degrees(settings.goal_c));
+        if let Some(scale) = of_temperature(state) {
+            let goal = HLine::new(settings.language.text("curves.goal"), settings.degrees(settings.goal(&scale)));
             plot.hline(goal.color(palette.quiet).style(LineStyle::dotted_dense()).width(1.0));
         }
         for mark in &state.session.marks {
@@ -133,6 +137,11 @@ fn probe_style(number: usize) -> LineStyle {
     }
 }
 
+/// The scale of the food that the panels show, where its goal is a temperature.
+fn of_temperature(state: &WindowState) -> Option<Arc<Scale>> {
+    state.scale().filter(|scale| scale.measure() == Measure::Peak)
+}
+
 fn legend(state: &WindowState, ui: &mut Ui, curves: &[Curve]) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(5.0, 2.0);
@@ -141,7 +150,7 @@ fn legend(state: &WindowState, ui: &mut Ui, curves: &[Curve]) {
             ui.label(RichText::new(&curve.name).size(13.0).color(theme::of(ui).text));
             ui.add_space(5.0);
         }
-        if state.scale().is_some() {
+        if of_temperature(state).is_some() {
             sample(ui, theme::of(ui).quiet, LineStyle::dotted_dense(), 1.0);
             ui.label(RichText::new(state.settings.language.text("curves.goal")).size(13.0).color(theme::of(ui).text));
         }

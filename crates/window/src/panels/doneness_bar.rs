@@ -2,6 +2,7 @@
 
 use egui::{Color32, ComboBox, Painter, Rect, RichText, Sense, Ui, pos2, vec2};
 use saute_kitchen::food::Scale;
+use saute_kitchen::food::change::doneness::Measure;
 use saute_picture::colour::map::Tone;
 
 use crate::act::{Act, Acts, Setting};
@@ -13,16 +14,18 @@ use crate::words::piece_words::change;
 
 /// Bounds of a class in the chosen unit; the first and the last bear the unit.
 fn range(settings: &Settings, scale: &Scale, class: usize) -> String {
-    let from = settings.degrees(scale.class[class].from_c);
-    let unit = settings.unit();
-    match (class, scale.end_c(class).map(|c| settings.degrees(c))) {
+    let share = scale.measure() == Measure::Share;
+    let shown = |bound: f64| if share { bound } else { settings.degrees(bound) };
+    let unit = if share { "%" } else { settings.unit() };
+    let from = shown(scale.from(class));
+    match (class, scale.end(class).map(shown)) {
         (0, Some(end)) => format!("< {end:.0} {unit}"),
         (_, Some(end)) => format!("{from:.0}–{end:.0}"),
         (_, None) => format!("> {from:.0} {unit}"),
     }
 }
 
-/// Shows the shares of a section by the chosen scale, or the changes of a food that no scale knows.
+/// Shows the shares of a section in the words of the food, or the changes of a food that no scale knows.
 pub fn show(state: &WindowState, inside: &Inside, ui: &mut Ui, acts: &mut Acts) {
     let Some(scale) = state.scale() else {
         changes(state, inside, ui);
@@ -45,7 +48,7 @@ fn selector(state: &WindowState, ui: &mut Ui, acts: &mut Acts, scale: &Scale) {
         let combo = ComboBox::from_id_salt("scale").selected_text(text).width(ui.available_width() - 4.0);
         let mut chosen = None;
         let shown = combo.show_ui(ui, |ui| {
-            for other in &state.session.library.scales {
+            for other in &state.session.fitting_scales() {
                 if ui.selectable_label(other.id == scale.id, l.called("scale", &other.name)).clicked() {
                     chosen = Some(other.id.clone());
                 }
@@ -71,7 +74,11 @@ fn bar(state: &WindowState, inside: &Inside, ui: &mut Ui, scale: &Scale) {
     let spoken = spoken.join(l.text("doneness.list_joint"));
     let spoken = l.fill("doneness.section", &[("scale", &l.called("scale", &scale.name)), ("shares", &spoken)]);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &spoken));
-    response.on_hover_text(l.text("doneness.section_hint"));
+    let hint = match scale.measure() {
+        Measure::Peak => l.text("doneness.section_hint").to_owned(),
+        Measure::Share => l.fill("doneness.section_hint_change", &[("change", &l.called("change", &scale.for_change))]),
+    };
+    response.on_hover_text(hint);
     let mut left = rect.left();
     for (class, share) in (0..scale.class.len()).zip(shares) {
         let width = rect.width() * share as f32 / 100.0;

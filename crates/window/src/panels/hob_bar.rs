@@ -2,6 +2,7 @@
 
 use egui::{RichText, Ui};
 use saute_kitchen::advice::NoPower;
+use saute_kitchen::doneness::core_class;
 use saute_kitchen::{Kitchen, Place, celsius};
 
 use crate::act::{Act, Acts, hint};
@@ -39,7 +40,7 @@ fn temperatures(state: &WindowState, ui: &mut Ui) {
     let (core, pan) = (shown(piece.core()), shown(state.session.kitchen.pan_temperature()));
     ui.label(RichText::new(l.fill("hob.core_and_pan", &[("core", &core), ("pan", &pan)])).size(18.0).strong());
     if let Some(scale) = state.scale() {
-        let class = l.called("class", scale.name_of(piece.core_peak.0));
+        let class = l.called("class", core_class(piece, &scale));
         let class = l.fill("hob.class_so_far", &[("class", &class), ("scale", &l.called("scale", &scale.name))]);
         ui.label(RichText::new(class).size(13.0).color(theme::of(ui).quiet));
     }

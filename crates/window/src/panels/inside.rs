@@ -1,10 +1,12 @@
 //! What is inside now: the cut, doneness, temperatures, the goal and the curves.
 
 use egui::{RichText, TextureHandle, TextureOptions, Ui, vec2};
-use saute_kitchen::advice::{Advice, goal_c};
+use saute_kitchen::advice::{Advice, class_goal};
+use saute_kitchen::doneness::core_class;
+use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::food::{Scale, Shares};
 use saute_kitchen::heat::Layout;
-use saute_kitchen::{Piece, celsius, kelvin};
+use saute_kitchen::{Piece, celsius};
 use saute_picture::colour::map::TemperatureMap;
 use saute_picture::cut::section::section_picture;
 use saute_picture::view::View;
@@ -28,7 +30,7 @@ pub struct Inside {
     texture: Option<TextureHandle>,
     painted_at: f64,
     painted_for: Option<Painted>,
-    /// Doneness of the section, by the chosen scale.
+    /// Doneness of the section, in the words of the food.
     pub(crate) shares: Shares,
     /// Names and mean shares of what heat has changed.
     pub(crate) changed: Vec<(String, f64)>,
@@ -218,16 +220,18 @@ fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             if many { (4.0, 2.0) } else { (7.0, 8.0) };
         ui.label(RichText::new(l.text("inside.goal")).size(if many { 11.0 } else { 12.5 }).color(theme::of(ui).quiet));
         goals(state.settings, &scale, ui, acts);
-        let mut degrees = state.settings.degrees(state.settings.goal_c);
-        let range = state.settings.degrees(45.0)..=state.settings.degrees(85.0);
-        let drag =
-            egui::DragValue::new(&mut degrees).range(range).speed(0.2).max_decimals(0).suffix(state.settings.unit());
+        let share = scale.measure() == Measure::Share;
+        let goal = state.settings.goal(&scale);
+        let mut shown = if share { goal } else { state.settings.degrees(goal) };
+        let range = if share { 1.0..=99.0 } else { state.settings.degrees(45.0)..=state.settings.degrees(85.0) };
+        let unit = if share { " %" } else { state.settings.unit() };
+        let drag = egui::DragValue::new(&mut shown).range(range).speed(0.2).max_decimals(0).suffix(unit);
         let response = ui.add(drag);
         response.widget_info(|| {
             egui::WidgetInfo::labeled(egui::accesskit::Role::SpinButton, true, l.text("inside.goal_spoken"))
         });
         if response.changed() {
-            acts.push(Act::Set(Setting::Goal(state.settings.celsius(degrees))));
+            acts.push(Act::Set(Setting::Goal(if share { shown } else { state.settings.celsius(shown) })));
         }
     });
     show_advice(state, ui);
@@ -236,13 +240,13 @@ fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 /// A button for each class but the least done.
 fn goals(settings: &Settings, scale: &Scale, ui: &mut Ui, acts: &mut Acts) {
     for (place, class) in scale.class.iter().enumerate().skip(1) {
-        let goal = goal_c(scale, place);
+        let goal = class_goal(scale, place);
         let name = RichText::new(settings.language.called("class", &class.name)).size(if scale.class.len() > 4 {
             11.5
         } else {
             15.0
         });
-        if ui.selectable_label((settings.goal_c - goal).abs() < 0.5, name).clicked() {
+        if ui.selectable_label((settings.goal(scale) - goal).abs() < 0.5, name).clicked() {
             acts.push(Act::Set(Setting::Goal(goal)));
         }
     }
@@ -271,10 +275,22 @@ fn advice_words(advice: Advice, state: &WindowState) -> String {
         Advice::Wet { .. } => l.text("advice.wet").to_owned(),
         Advice::Browns { .. } => l.text("advice.browns").to_owned(),
         Advice::TakeOut { peak_c } => at("advice.take_out", peak_c),
+        Advice::Ready { .. } => l.fill("advice.ready", &[("class", &class_now(state))]),
+        Advice::NotReady { share_pct, until_pct } => {
+            let [share, goal] = [share_pct, until_pct].map(|pct| format!("{pct:.0}"));
+            l.fill("advice.not_ready", &[("class", &class_now(state)), ("percent", &share), ("goal", &goal)])
+        }
         Advice::WouldPeak { peak_c, wet: true } => at("advice.would_peak_wet", peak_c),
         Advice::WouldPeak { peak_c, wet: false } => at("advice.would_peak", peak_c),
         Advice::Resting { peak_c } => resting_words(peak_c, state),
     }
+}
+
+/// The class of the core of the piece that the panels show; empty where no scale says anything about it.
+fn class_now(state: &WindowState) -> String {
+    let class = |piece: &Piece| Some(core_class(piece, state.scale_of(piece)?.as_ref()).to_owned());
+    let class = state.session.steak().and_then(class).unwrap_or_default();
+    state.settings.language.called("class", &class).to_owned()
 }
 
 /// What a resting piece has reached, with its class where a scale says anything about it.
@@ -282,8 +298,7 @@ fn resting_words(peak_c: f64, state: &WindowState) -> String {
     let l = state.settings.language;
     let temperature = state.settings.temperature(peak_c);
     let Some(scale) = state.scale() else { return l.fill("advice.resting", &[("temperature", &temperature)]) };
-    let peak = state.session.steak().map_or_else(|| kelvin(peak_c), |piece| piece.core_peak.0);
-    let class = l.called("class", scale.name_of(peak));
+    let class = class_now(state);
     let scale = l.called("scale", &scale.name);
     l.fill("advice.resting_class", &[("temperature", &temperature), ("class", &class), ("scale", &scale)])
 }

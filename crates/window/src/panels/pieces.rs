@@ -93,7 +93,7 @@ fn piece_line(state: &WindowState, ui: &mut Ui, acts: &mut Acts, id: &str, inden
         fold: None,
         core: state.settings.temperature(celsius(piece.core())),
         mass: grams(piece),
-        state: format!("{} · {}", doneness(state.chosen_scale(), piece, l), place(piece, l)),
+        state: format!("{} · {}", doneness(state.scale_of(piece).as_deref(), piece, l), place(piece, l)),
     };
     let selected = state.session.steak().is_some_and(|p| p.id == id);
     let spoken = spoken(&line, l.fill("piece.select", &[("name", &name(id, l))]), l);

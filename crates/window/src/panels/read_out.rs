@@ -1,8 +1,8 @@
 //! Read-out next to the pointer: the state of the piece under it, and the value at its point.
 
 use egui::{Area, Id, Order, Rect, RichText, Ui, vec2};
+use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::{Piece, celsius};
-use saute_picture::stage::fitting_piece;
 
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
@@ -19,7 +19,7 @@ pub fn show(state: &WindowState, ui: &Ui, whole: Rect) {
     let lines = [
         l.fill("piece.core", &[("core", &shown(piece.core()))]),
         l.fill("piece.surface", &[("above", &above), ("below", &below)]),
-        format!("{} · {}", grams(piece), doneness(state.chosen_scale(), piece, l)),
+        format!("{} · {}", grams(piece), doneness(state.scale_of(piece).as_deref(), piece, l)),
         place(piece, l).to_owned(),
     ];
     let area = Area::new(Id::unique("read-out")).order(Order::Tooltip).interactable(false);
@@ -42,7 +42,8 @@ fn here(state: &WindowState, piece: &Piece) -> Option<String> {
     let point = state.scene.pointed.as_ref().filter(|p| p.piece == piece.id)?;
     let piece = point.piece(&state.session.kitchen)?;
     let view = state.settings.view;
-    let value = point.shares.read(|node| view.value(&piece.model, &piece.state, node));
-    let scale = state.chosen_scale().and_then(|scale| fitting_piece(Some(piece), scale));
+    let scale = state.scale_of(piece);
+    let change = scale.as_ref().filter(|s| s.measure() == Measure::Share).map(|s| s.for_change.as_str());
+    let value = point.shares.read(|node| view.value(&piece.model, &piece.state, node, change));
     Some(state.settings.language.fill("value.here", &[("value", &view.words(value, state.settings, scale.as_deref()))]))
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use saute_kitchen::Piece;
 use saute_kitchen::advice::Advice;
 use saute_kitchen::dynamics::Tool;
 use saute_kitchen::food::Scale;
@@ -51,14 +52,14 @@ pub struct WindowState<'a> {
 }
 
 impl WindowState<'_> {
-    /// The chosen scale of doneness, where it says anything about the food.
+    /// The scale of doneness in whose words the food that the panels show is spoken of.
     pub fn scale(&self) -> Option<Arc<Scale>> {
         self.session.scale(&self.settings.scale)
     }
 
-    /// The chosen scale; where the data no longer knows it, the first.
-    pub fn chosen_scale(&self) -> Option<&Arc<Scale>> {
-        self.session.chosen_scale(&self.settings.scale)
+    /// The scale in whose words a piece is spoken of.
+    pub fn scale_of(&self, piece: &Piece) -> Option<Arc<Scale>> {
+        self.session.scales(&self.settings.scale).of(&piece.model).cloned()
     }
 }
 

@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use saute_kitchen::advice::{Advice, Goal, Situation};
 use saute_kitchen::celsius;
+use saute_kitchen::doneness::{ScaleChoice, at_core, fitting};
 use saute_kitchen::food::Scale;
+use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::piece::carry_over::foreseen_peak;
-use saute_picture::stage::fitting_piece;
 
 use super::Session;
 
@@ -31,20 +32,33 @@ impl Session {
         self.forecast.as_ref().map(|(.., f)| *f)
     }
 
-    /// Returns advice for the piece that the panels show, with a goal for its core [°C] where a scale of doneness applies.
-    pub fn advice(&mut self, goal_c: Option<f64>) -> Option<Advice> {
-        let foreseen = goal_c.and_then(|_| self.forecast());
-        let goal = goal_c.zip(foreseen).map(|(core_c, f)| Goal { core_c, foreseen_c: f.peak_c });
+    /// Returns advice for the piece that the panels show, with a goal for its core, in the unit of the scale [°C or %],
+    /// where a scale of doneness applies.
+    pub fn advice(&mut self, goal: Option<(Arc<Scale>, f64)>) -> Option<Advice> {
+        let goal = goal.and_then(|(scale, wanted)| match scale.measure() {
+            Measure::Peak => self.forecast().map(|f| Goal::Peak { core_c: wanted, foreseen_c: f.peak_c }),
+            Measure::Share => {
+                let reached_pct = 100.0 * at_core(self.steak()?, &scale);
+                Some(Goal::Share { wanted_pct: wanted, reached_pct })
+            }
+        });
         Situation::of(&self.kitchen, self.steak()?).advice(goal)
     }
 
-    /// Returns the scale of doneness with an id, else the first.
-    pub fn chosen_scale(&self, id: &str) -> Option<&Arc<Scale>> {
-        self.library.scale(id).or_else(|| self.library.scales.first())
+    /// Returns the scales of doneness with the one with an id chosen.
+    pub fn scales(&self, id: &str) -> ScaleChoice {
+        ScaleChoice::new(&self.library.scales, id)
     }
 
-    /// Returns the chosen scale if it applies to the piece that the panels show.
+    /// Returns the scale in whose words the piece that the panels show is spoken of, given the id of the chosen one.
     pub fn scale(&self, id: &str) -> Option<Arc<Scale>> {
-        fitting_piece(self.steak(), self.chosen_scale(id)?)
+        let scales = self.scales(id);
+        self.steak().map_or_else(|| scales.alone(), |piece| scales.of(&piece.model)).cloned()
+    }
+
+    /// Returns the scales among which the cook chooses for the piece that the panels show.
+    pub fn fitting_scales(&self) -> Vec<Arc<Scale>> {
+        let all = &self.library.scales;
+        self.steak().map_or_else(|| all.clone(), |piece| fitting(all, &piece.model).into_iter().cloned().collect())
     }
 }

@@ -93,7 +93,7 @@ impl SauteApp {
             camera: self.camera.clone(),
             view: self.settings.view,
             map: self.settings.map,
-            scale: self.scale(),
+            scales: self.session.scales(&self.settings.scale),
             slice: self.slice,
             cut: self.session.steak().map(|p| p.id.clone()),
             white_balance: self.settings.white_balance,

@@ -1,19 +1,16 @@
 //! The state of a piece in few words.
 
-use std::sync::Arc;
-
+use saute_kitchen::doneness::core_class;
 use saute_kitchen::food::Scale;
 use saute_kitchen::{Piece, Place, RestOn};
-use saute_picture::stage::fitting_piece;
 
 use crate::session::group_of;
 use crate::words::language::Language;
 
-/// How done it is: the class of its core's peak, or how far the last of its changes has come.
-pub fn doneness(chosen: Option<&Arc<Scale>>, piece: &Piece, l: Language) -> String {
-    let scale = chosen.and_then(|scale| fitting_piece(Some(piece), scale));
+/// How done it is: the class of its core in its own words, or how far the last of its changes has come.
+pub fn doneness(scale: Option<&Scale>, piece: &Piece, l: Language) -> String {
     if let Some(scale) = scale {
-        return l.called("class", scale.name_of(piece.core_peak.0)).to_owned();
+        return l.called("class", core_class(piece, scale)).to_owned();
     }
     let (names, fields) = (piece.model.kinetics().names(), &piece.state.changed);
     match (names.last(), fields.last()) {

@@ -1,6 +1,7 @@
 //! Views in words: names, meanings, values and marks of legends.
 
 use saute_kitchen::food::Scale;
+use saute_kitchen::food::change::doneness::Measure;
 use saute_picture::View;
 use saute_picture::view::MOST_KILLED;
 
@@ -55,8 +56,16 @@ impl ViewWords for View {
             Self::Look | Self::Temperature => settings.fine_temperature(value),
             Self::Moisture => number("value.moisture", 0, value),
             Self::Doneness => {
+                let class = scale.map(|s| l.called("class", s.name_of(s.of_nodes(value))));
+                if let Some((scale, class)) = scale.zip(class).filter(|(s, _)| s.measure() == Measure::Share) {
+                    let change = l.called("change", &scale.for_change);
+                    let percent = format!("{value:.0}");
+                    return l.fill(
+                        "value.class_and_change",
+                        &[("class", &class), ("change", &change), ("percent", &percent)],
+                    );
+                }
                 let peak = settings.fine_temperature(value);
-                let class = scale.map(|s| l.called("class", s.name_of(saute_kitchen::kelvin(value))));
                 class.map_or_else(
                     || l.fill("value.peak", &[("peak", &peak)]),
                     |class| l.fill("value.class_and_peak", &[("class", &class), ("peak", &peak)]),

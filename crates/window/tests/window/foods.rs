@@ -107,16 +107,35 @@ fn every_food_is_set_out_with_its_own_name_and_size() {
 }
 
 #[test]
-fn a_vegetable_shows_its_changes_instead_of_the_doneness_of_meat() {
+fn the_goal_of_a_shrimp_is_its_own_and_a_steak_keeps_the_goal_that_was_set() {
+    let mut harness = playing(WIDE, &frying("shrimp", "shrimp", ""), 10.0);
+    let app = harness.state();
+    let (shrimp, steak) = (app.scale().expect("a scale"), app.session().library.scale("chefs").expect("chefs").clone());
+    assert_eq!((shrimp.id.as_str(), app.settings().goal(&shrimp), app.settings().goal(&steak)), ("shrimp", 63.0, 60.0));
+    harness.get_by_role_and_label(egui::accesskit::Role::Button, "firm").click();
+    steps(&mut harness, 3);
+    let settings = harness.state().settings();
+    assert_eq!((settings.goal(&shrimp), settings.goal(&steak)), (72.0, 60.0));
+    let stored = serde_json::to_string(settings).expect("settings");
+    let again = SauteApp::start(&egui::Context::default(), None, Some(stored), Start::default()).expect("starts");
+    assert_eq!(again.settings().goal(&shrimp), 72.0);
+}
+
+#[test]
+fn a_vegetable_is_crisp_tender_or_soft_and_keeps_its_words_whatever_scale_is_chosen_for_meat() {
     let mut harness = playing(WIDE, &frying("carrot-coin", "coin", ""), 240.0);
-    harness.get_by_label_contains("turgor");
-    harness.get_by_label_contains("pectin");
+    harness.get_by_label_contains("Cross-section by Tenderness: crisp");
     harness.get_by_label("Juiciness");
-    assert!(harness.query_by_label_contains("Scale of doneness").is_none());
+    press(&mut harness, Key::D);
+    steps(&mut harness, 10);
+    assert_eq!(harness.state().settings().scale, "paper-2013");
+    assert_eq!(harness.state().scale().expect("a scale").id, "vegetables");
+    harness.get_by_label("Scale of doneness: Tenderness");
     press(&mut harness, Key::Num4);
     steps(&mut harness, 10);
     assert_eq!(harness.state().settings().view, View::Doneness);
-    assert!(harness.query_by_label_contains("Doneness by").is_none());
+    harness.get_by_label("Doneness by Tenderness");
+    assert!(harness.query_all_by_label("crisp").count() > 1, "the legend and the shares");
     save(&mut harness, "carrot-doneness");
     press(&mut harness, Key::Num1);
     press(&mut harness, Key::V);

@@ -48,14 +48,34 @@ fn the_shares_of_2013_equal_the_plain_ones_and_its_class_is_that_of_the_cores_pe
 }
 
 #[test]
-fn a_vegetable_has_no_doneness_of_meat() {
+fn a_vegetable_is_spoken_of_as_crisp_tender_or_soft_and_not_as_meat() {
     let dir = tempfile::tempdir().unwrap();
     let path = short(dir.path(), "carrot-coin");
     let carrot = cook(&path);
-    assert_eq!(carrot.summary["foods"][0]["doneness"], serde_json::json!({}));
-    assert!(!carrot.text("report.html").contains("class=\"bar\""));
-    let ran = run(&["cook", &path]);
-    assert!(ran.out.contains("turgor") && !ran.out.contains("cross-section"), "{}", ran.out);
+    let doneness = carrot.summary["foods"][0]["doneness"].as_object().unwrap();
+    assert_eq!(doneness.keys().collect::<Vec<_>>(), ["vegetables"]);
+    assert_eq!(doneness["vegetables"]["class"], "crisp");
+    let report = carrot.text("report.html");
+    assert!(report.contains("how far the pectin") && report.contains("scale: Tenderness"));
+    assert!(!report.contains("</b> rare") && report.contains("</b> tender"));
+    for chosen in ["paper-2013", "chefs"] {
+        let ran = run(&["cook", &path, "--doneness", chosen]);
+        assert!(ran.out.contains("core crisp; scale: Tenderness"), "{}", ran.out);
+        assert!(["crisp", "tender", "soft"].iter().all(|word| ran.out.contains(word)) && !ran.out.contains("rare"));
+    }
+}
+
+#[test]
+fn a_shrimp_and_a_patty_have_words_of_their_own() {
+    let dir = tempfile::tempdir().unwrap();
+    for (kind, scale, words) in [
+        ("shrimp", "Shrimp", ["glassy", "opaque", "overcooked"]),
+        ("beef-patty", "Ground beef", ["pink", "safe", "dry"]),
+    ] {
+        let ran = run(&["cook", &short(dir.path(), kind)]);
+        assert!(ran.out.contains(&format!("scale: {scale}")), "{}", ran.out);
+        assert!(words.iter().all(|word| ran.out.contains(word)) && !ran.out.contains("rare"), "{}", ran.out);
+    }
 }
 
 #[test]

@@ -37,7 +37,7 @@ fn every_view_is_listed_with_the_unit_of_its_colours() {
 
 #[test]
 fn the_scales_of_doneness_are_listed_with_their_classes_and_sources() {
-    assert_eq!(ids("scales"), ["paper-2013", "chefs", "academic"]);
+    assert_eq!(ids("scales"), ["paper-2013", "chefs", "academic", "shrimp", "ground-beef", "vegetables"]);
     let scales: Value = serde_json::from_str(&run(&["list", "scales", "--json"]).out).unwrap();
     let classes = |i: usize| -> Vec<(String, f64)> {
         let class = scales[i]["class"].as_array().unwrap().iter();
@@ -45,8 +45,9 @@ fn the_scales_of_doneness_are_listed_with_their_classes_and_sources() {
     };
     let expected = [("raw", 0.0), ("rare", 50.0), ("medium", 60.0), ("well-done", 70.0)];
     assert_eq!(classes(0), expected.map(|(name, c)| (name.to_owned(), c)));
-    assert!((0..3).all(|i| !scales[i]["source"].as_str().unwrap().is_empty()));
-    assert!(run(&["list", "scales"]).out.contains("medium-rare 55–60 °C"));
+    assert!((0..6).all(|i| !scales[i]["source"].as_str().unwrap().is_empty()));
+    let text = run(&["list", "scales"]).out;
+    assert!(text.contains("medium-rare 55–60 °C") && text.contains("tender 40–85 %"), "{text}");
 }
 
 #[test]

@@ -45,7 +45,7 @@ fn cells_with(coarseness: f64, change: impl Fn(&mut FoodDescription, &mut Kineti
 /// Leaves out what cells treat otherwise than layers: juice flows to the nearer end of the fibres instead of away from the
 /// coldest level, and a two-point flux smooths the anisotropy, as edges have all directions.
 fn plain(food: &mut FoodDescription, kinetics: &mut Kinetics) {
-    kinetics.water_holding.juice_speed_um_s = 0.0;
+    kinetics.water_holding.through_share = 0.0;
     food.anisotropy = None;
 }
 

@@ -1,6 +1,7 @@
 //! Relations in the file of the scales of doneness.
 
 use saute_food::Scale;
+use saute_food::change::doneness::{Class, Measure};
 
 use crate::data::data_file::DataFile;
 use crate::data::format::Format;
@@ -38,22 +39,45 @@ fn scale_fault(scale: &Scale) -> Result<(), (&'static str, String)> {
     if scale.name.trim().is_empty() {
         return Err(("name", "name is empty: write the label that people read".into()));
     }
-    class_fault(scale).map_err(|message| ("class", message))
+    class_fault(scale).map_err(|message| ("class", message))?;
+    goal_fault(scale).map_err(|message| ("goal", message))
 }
 
 /// Returns an error with what to write instead if the classes of a scale cannot be used.
 fn class_fault(scale: &Scale) -> Result<(), String> {
     let classes = &scale.class;
     let repeated = |i: usize| classes[..i].iter().any(|c| c.name == classes[i].name);
-    if !classes.windows(2).all(|w| w[0].from_c < w[1].from_c) {
-        return Err("from_c does not ascend: list the classes from the coldest to the hottest".into());
+    let key = if scale.measure() == Measure::Share { "from_pct" } else { "from_c" };
+    let one_key = |c: &Class| c.from_c.is_some() != c.from_pct.is_some() && c.from_pct.is_some() == (key == "from_pct");
+    if let Some(class) = classes.iter().find(|c| !one_key(c)) {
+        return Err(format!(
+            "class \"{}\" needs one lower bound, in the same key as the other classes: write from_c, the highest \
+             temperature, or from_pct, the share of for_change, in all of them",
+            class.name
+        ));
+    }
+    if !classes.windows(2).all(|w| w[0].from() < w[1].from()) {
+        return Err(format!("{key} does not ascend: list the classes from the least done to the most done"));
     }
     if let Some(i) = (0..classes.len()).find(|&i| classes[i].name.trim().is_empty() || repeated(i)) {
         return Err(format!("class name \"{}\" is empty or repeated: name each class", classes[i].name));
     }
-    if scale.id == DEFAULT_SCALE && !classes.iter().map(|c| c.name.as_str()).eq(DEFAULT_CLASSES) {
+    let of_2013 = scale.measure() == Measure::Peak && scale.for_kinetics.is_empty();
+    if scale.id == DEFAULT_SCALE && !(of_2013 && classes.iter().map(|c| c.name.as_str()).eq(DEFAULT_CLASSES)) {
         let names = DEFAULT_CLASSES.join(", ");
-        return Err(format!("\"{DEFAULT_SCALE}\" has the classes {names}: give other ones an id of their own"));
+        return Err(format!(
+            "\"{DEFAULT_SCALE}\" has the classes {names} by from_c and no for_kinetics: give other ones an id of their own"
+        ));
     }
     Ok(())
+}
+
+/// Returns an error with what to write instead if the goal of a scale of shares is no share.
+fn goal_fault(scale: &Scale) -> Result<(), String> {
+    match scale.goal {
+        Some(goal) if scale.measure() == Measure::Share && goal > 100.0 => {
+            Err(format!("goal = {goal} is a share in percent here: write 0 to 100"))
+        }
+        _ => Ok(()),
+    }
 }
