@@ -94,38 +94,38 @@ impl BathModel {
     /// Finds the pool among the water at all nodes, mixes it for `dt` [s] and returns it. `least` is the depth from which
     /// water is a pool [m].
     pub fn mix(&self, water: &mut WaterFilm, areas: &[f64], least: f64, dt: f64) -> Pool {
-        let deep = |water: &WaterFilm, i: usize| water.mass[i] > WATER_DENSITY * least * areas[i];
         let (mut mass, mut heat) = (0.0, 0.0);
-        for i in (0..areas.len()).filter(|i| deep(water, *i)) {
-            mass += water.mass[i];
-            heat += water.enthalpy[i];
+        for (m, h) in deep(water, areas, least) {
+            mass += *m;
+            heat += *h;
         }
         if mass <= 0.0 {
             return Pool::default();
         }
         let mean = heat / mass;
         let share = 1.0 - libm::exp(-dt / self.data.mixing_s);
-        for i in 0..areas.len() {
-            if deep(water, i) {
-                water.enthalpy[i] += share * (mean * water.mass[i] - water.enthalpy[i]);
-            }
-        }
+        deep(water, areas, least).for_each(|(m, h)| *h += share * (mean * *m - *h));
         Pool { mass, temperature: ZERO_C + mean / WATER_SPECIFIC_HEAT }
     }
 
     /// Takes heat [J] from the pool, from each node in proportion to its water; returns what it could not take because the
     /// water has left the pan since.
     pub fn draw(water: &mut WaterFilm, areas: &[f64], least: f64, heat: f64) -> f64 {
-        let deep = |water: &WaterFilm, i: &usize| water.mass[*i] > WATER_DENSITY * least * areas[*i];
-        let mass: f64 = (0..areas.len()).filter(|i| deep(water, i)).map(|i| water.mass[i]).sum();
+        let mass: f64 = deep(water, areas, least).map(|(m, _)| *m).sum();
         if mass <= 0.0 {
             return heat;
         }
-        for i in 0..areas.len() {
-            if deep(water, &i) {
-                water.enthalpy[i] -= heat * water.mass[i] / mass;
-            }
-        }
+        deep(water, areas, least).for_each(|(m, h)| *h -= heat * *m / mass);
         0.0
     }
+}
+
+/// Mass and enthalpy of the water at each node where it is deeper than `least` [m].
+fn deep<'a>(
+    water: &'a mut WaterFilm,
+    areas: &'a [f64],
+    least: f64,
+) -> impl Iterator<Item = (&'a mut f64, &'a mut f64)> {
+    let nodes = water.mass.iter_mut().zip(&mut water.enthalpy).zip(areas);
+    nodes.filter(move |((mass, _), area)| **mass > WATER_DENSITY * least * **area).map(|(node, _)| node)
 }

@@ -22,6 +22,14 @@ fn brick() -> Surface {
     Surface::close(&soup, 1.0).expect("closed")
 }
 
+/// Leaves out what cells treat otherwise than layers: in cells juice flows to the nearer end of the fibres and not away from
+/// the coldest level, and a two-point flux smooths the anisotropy, as edges have all directions.
+fn plain(food: &mut FoodDescription, kinetics: &mut Kinetics) {
+    kinetics.water_holding.release_per_s = 0.0;
+    food.anisotropy = None;
+    food.crust.conductivity_w_mk = 0.20;
+}
+
 /// A brick of beef meshed with cells, its fibres upright as in a steak.
 pub fn cells(coarseness: f64) -> FoodModel {
     cells_with(coarseness, |_, _| {})
@@ -40,13 +48,6 @@ fn cells_with(coarseness: f64, change: impl Fn(&mut FoodDescription, &mut Kineti
             *size = vec![60.0];
         }
     })
-}
-
-/// Leaves out what cells treat otherwise than layers: juice flows to the nearer end of the fibres instead of away from the
-/// coldest level, and a two-point flux smooths the anisotropy, as edges have all directions.
-fn plain(food: &mut FoodDescription, kinetics: &mut Kinetics) {
-    kinetics.water_holding.through_share = 0.0;
-    food.anisotropy = None;
 }
 
 /// The same brick in a swept mesh.
@@ -71,11 +72,12 @@ fn a_surface_is_filled_to_its_volume_and_lies_on_its_lower_face() {
 }
 
 /// Plates below and above the boiling point. On hotter ones a steak contracts more across its fibres than along them, but a
-/// body of cells isotropically. See [`plain`] for what is left out.
+/// body of cells isotropically.
 #[test]
 fn cells_cook_as_swept_layers_do() {
-    let (cells, swept) = (cells_with(1.0, |food, kinetics| plain(food, kinetics)), swept());
-    for plate in [60.0, 90.0, 130.0] {
+    let (cells, swept) = (cells_with(1.0, plain), swept());
+    // A crust that no juice wets is thinner than a layer of cells: on a plate that boils they agree less closely.
+    for (plate, crusted) in [(60.0, 1.0), (90.0, 1.0), (130.0, 2.0)] {
         let mut runs = [Run::new(&cells, 10.0), Run::new(&swept, 10.0)];
         runs.iter_mut().for_each(|run| run.fry(240.0, plate, 500.0, kitchen_air()));
         let both = |read: &dyn Fn(&Run) -> f64| runs.each_ref().map(read);
@@ -86,7 +88,7 @@ fn cells_cook_as_swept_layers_do() {
             ("evaporated g", both(&|r| 1e3 * r.passed.evaporated), 0.06),
             ("from the plate kJ", both(&|r| 1e-3 * r.passed.contact), 0.08),
         ] {
-            assert!((a - b).abs() < within, "plate {plate} °C, {what}: {a} in cells, {b} in layers");
+            assert!((a - b).abs() < crusted * within, "plate {plate} °C, {what}: {a} in cells, {b} in layers");
         }
     }
 }
