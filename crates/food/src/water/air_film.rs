@@ -35,8 +35,8 @@ pub struct FreeAir {
 pub(crate) struct AirFilm {
     /// Convection and radiation [W/K].
     pub(crate) heat: f64,
-    /// Mean of air and walls, weighted by their coefficients [K].
-    pub(crate) outside: f64,
+    /// Share of radiation in that [-].
+    pub(crate) radiant: f64,
     /// Mass transfer coefficient times area [m³/s].
     pub(crate) transfer: f64,
     /// Vapour density at the surface [kg/m³] at `temperature` [K], and its slope [kg/(m³·K)].
@@ -57,14 +57,12 @@ impl AirFilm {
         let area = present_area(patch, state);
         let radiation = radiation_coefficient(model.description.surface.emissivity, t, air.walls) * air.radiation;
         let coefficient = air.convection + radiation;
-        // Exactly the air's temperature where the walls have it.
-        let outside = air.temperature + share_of(radiation, coefficient) * (air.walls - air.temperature);
         let surface = t.min(HOTTEST_WET);
         let activity = model.water.isotherm.activity(state.water[node] / model.tissue.lean_solids[node]);
         let latent = latent_heat(t);
         Self {
             heat: coefficient * area,
-            outside,
+            radiant: share_of(radiation, coefficient),
             transfer: air.mass_transfer * (1.0 - OIL_HINDERS * state.oiled[node]) * area,
             density: activity * model.water.vapour.at(surface),
             slope: activity * (model.water.vapour.at(surface + 0.5) - model.water.vapour.at(surface - 0.5)),

@@ -7,7 +7,7 @@ use crate::body::patch::Patch;
 use crate::model::FoodModel;
 use crate::state::FoodState;
 use crate::touch::Touch;
-use crate::water::air_film::{AirFilm, HOTTEST_WET};
+use crate::water::air_film::{AirFilm, FreeAir, HOTTEST_WET};
 
 /// Number of patches in a block [-] (chosen: two SIMD vectors of every 64-bit processor).
 const TOGETHER: usize = 4;
@@ -45,7 +45,7 @@ struct Block {
 #[derive(Clone, Copy, Debug, Default)]
 struct FilmLanes {
     area: Lanes,
-    outside: Lanes,
+    radiant: Lanes,
     density: Lanes,
     slope: Lanes,
     temperature: Lanes,
@@ -168,7 +168,7 @@ impl Block {
         let Some([mut t, mut h, mut w]) = nodes.from(self.nodes[0] as usize) else { return };
         let (mut given, mut mass, mut enthalpy) = ([0.0; TOGETHER], [0.0; TOGETHER], [0.0; TOGETHER]);
         for k in 0..TOGETHER {
-            let change = step.conductance[k] * (film.outside[k] - t[k]) / step.whole[k];
+            let change = step.conductance[k] * (seen(air, film.radiant[k]) - t[k]) / step.whole[k];
             t[k] += change;
             given[k] = capacity[k] * change;
             h[k] += given[k];
@@ -239,7 +239,7 @@ impl Block {
     fn exchange_air(&self, nodes: &mut Nodes, k: usize, around: &Surroundings, total: &mut Exchange) {
         let (film, step, air, node) =
             (&self.film, &self.step, &around.air[self.air[k] as usize], self.nodes[k] as usize);
-        total.air -= self.gain(nodes, k, [step.conductance[k], step.whole[k]], film.outside[k]);
+        total.air -= self.gain(nodes, k, [step.conductance[k], step.whole[k]], seen(air, film.radiant[k]));
         let surface = nodes.temperature[node].min(HOTTEST_WET);
         let density = film.density[k] + film.slope[k] * (surface - film.temperature[k]);
         let gone = step.transfer[k] * (density - air.vapour_density) / step.damped[k];
@@ -251,6 +251,12 @@ impl Block {
         total.evaporated += mass;
         total.evaporation += enthalpy;
     }
+}
+
+/// Mean temperature of air and walls, given the share of radiation [K]; exactly the air's where the walls have it.
+#[inline]
+fn seen(air: &FreeAir, radiant: f64) -> f64 {
+    air.temperature + radiant * (air.walls - air.temperature)
 }
 
 /// Clamps a mass to ±`most` [kg]; without the checks of `clamp`, which prevent vectorisation. A negative mass condenses.
@@ -279,7 +285,7 @@ impl Nodes<'_> {
 impl FilmLanes {
     fn set(&mut self, k: usize, film: &AirFilm) {
         self.area[k] = film.area;
-        self.outside[k] = film.outside;
+        self.radiant[k] = film.radiant;
         self.density[k] = film.density;
         self.slope[k] = film.slope;
         self.temperature[k] = film.temperature;

@@ -269,6 +269,9 @@ sourced_table! {
         /// Pressure on top of that which halves the mean gap [Pa].
         #[schemars(range(min = 1e-3, max = 1e9), example = 22.0e3)]
         halving_pressure_pa: f64,
+        /// Convection at a free face [W/(m²·K)].
+        #[schemars(range(min = 0.0, max = 1e4), example = 7.0)]
+        convection_w_m2k: f64,
         /// Temperature of the glass in the middle of the coil at which the power goes off [°C].
         #[schemars(range(min = 0.0, max = 1000.0), example = 250.0)]
         limit_c: f64,
@@ -401,13 +404,18 @@ impl Room {
 
     /// Air above and beside food in a pan at `pan` [K] by the rules of 2013, which know no evaporation into it.
     pub fn plume_2013(&self, pan: f64) -> (FreeAir, FreeAir) {
-        let still = Self::without_evaporation(self.still_air());
+        let still = self.still_air_2013();
         let excess = (pan - still.temperature).max(0.0);
         let warmed = |share: f64| {
             let temperature = still.temperature + share * excess;
             FreeAir { temperature, walls: temperature, ..still }
         };
         (warmed(self.free_face.plume_warmth), warmed(self.free_face.side_warmth))
+    }
+
+    /// Still air around food by the rules of 2013.
+    pub fn still_air_2013(&self) -> FreeAir {
+        Self::without_evaporation(self.air_moving(self.rules_2013.convection_w_m2k))
     }
 
     /// The same air, which takes up no vapour.

@@ -1,4 +1,4 @@
-//! Mean gap of a face by the rules of 2013, which keep the law that this program had first.
+//! Mean gap and wetness of a face by the rules of 2013, which keep the law that this program had first.
 
 use crate::data::room::Rules2013;
 
@@ -12,3 +12,11 @@ pub(crate) fn mean_gap(gap: &Rules2013, since: f64, pressure: f64) -> f64 {
     let pressed = 1.0 + (pressure - gap.pressure_pa).max(-0.5 * gap.halving_pressure_pa) / gap.halving_pressure_pa;
     1e-3 * free / pressed
 }
+
+/// Wet share of a face whose node holds a share of its raw water: all or nothing [-].
+pub(crate) fn wetness(held: f64) -> f64 {
+    f64::from(u8::from(held > WET_FROM))
+}
+
+/// Share of the raw water above which a face is wet [-] (chosen: far above a crust, below bound water).
+const WET_FROM: f64 = 0.4;

@@ -271,7 +271,11 @@ impl Piece {
 
     /// Wet share of the face at a node [-].
     pub(crate) fn wetness(&self, node: usize) -> f64 {
-        wetness(self.state.water[node] / self.model.initial_water()[node])
+        let held = self.state.water[node] / self.model.initial_water()[node];
+        match self.model.rules() {
+            Rules::Full => wetness(held),
+            Rules::Paper2013 => contact_2013::wetness(held),
+        }
     }
 
     /// Updates the geometry from the food's shape when due; returns true if it did.

@@ -210,8 +210,9 @@ impl Kitchen {
                 let (up, side) = fixed.room.plume_2013(fixed.pan.floor_temperature(&self.pan));
                 [up, up, side]
             }
-            Place::Pan(_) => fixed.pan.airs(&self.pan, &fixed.room, || piece.face(false)),
             Place::Rest(RestOn::Foil) => [fixed.room.under_foil(); 3],
+            Place::Pan(_) => fixed.pan.airs(&self.pan, &fixed.room, || piece.face(false)),
+            _ if piece.model.rules() == Rules::Paper2013 => [fixed.room.still_air_2013(); 3],
             _ => [fixed.room.still_air(); 3],
         };
         let mut exchange = piece.advance(air, TICK_S);
