@@ -7,6 +7,7 @@ use glam::DVec3;
 use saute_food::GRAVITY;
 
 use super::pose::{Pose, rotation_between, turn};
+use super::press_path::{is_covered, on_top};
 use super::scoop::Under;
 use super::spring::Spring;
 use super::world::{RIGID_S, World};
@@ -227,9 +228,7 @@ impl Hand {
         if let Act::Press { key, newtons, for_s } = leg.act
             && self.elapsed >= leg.for_s
         {
-            world.push(key, DVec3::Z * -newtons, DVec3::ZERO);
-            self.elapsed += RIGID_S;
-            return if self.elapsed >= leg.for_s + for_s { self.next_leg(&leg, world) } else { None };
+            return self.press(key, newtons, leg.for_s + for_s, world);
         }
         if world.blade_force() > YIELD_FORCE {
             self.waited += RIGID_S;
@@ -253,6 +252,31 @@ impl Hand {
             _ => {}
         }
         self.next_leg(&leg, world)
+    }
+
+    /// Presses until `end` of the leg [s], then lifts off; only time at the full force counts.
+    fn press(&mut self, key: u32, newtons: f64, end: f64, world: &mut World) -> Option<Ended> {
+        if self.elapsed < end {
+            if is_covered(world, key) {
+                return Some(Ended::Blocked);
+            }
+            if world.press(key, newtons) {
+                self.elapsed += RIGID_S;
+            }
+        }
+        // The blade stays on the food as it sinks.
+        let facing = self.legs[self.leg].to.rotation;
+        if let Some(to) = on_top(world, key, facing) {
+            self.legs[self.leg].to = to;
+            self.pose = frame_pose(Frame::Pan, world).then(&to);
+        }
+        let done = self.legs[self.leg];
+        if self.elapsed < end || world.is_pressing() { None } else { self.next_leg(&done, world) }
+    }
+
+    /// Returns true if its path presses food.
+    fn presses(&self) -> bool {
+        self.legs.iter().any(|leg| matches!(leg.act, Act::Press { .. }))
     }
 
     fn next_leg(&mut self, done: &Leg, world: &World) -> Option<Ended> {
@@ -310,7 +334,8 @@ impl Hand {
     /// Moves or pulls the blade to the turner's pose; tongs have no blade.
     pub(crate) fn place_blade(&mut self, world: &mut World) {
         if !self.leads_turner() {
-            let blade = (self.active && self.tool == Tool::Turner).then_some(self.pose);
+            // A blade that presses touches its food alone, on which its force acts.
+            let blade = (self.active && self.tool == Tool::Turner && !self.presses()).then_some(self.pose);
             return world.set_blade(blade.as_ref(), self.spared);
         }
         // Food on the blade carries it along.

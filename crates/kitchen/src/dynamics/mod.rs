@@ -18,6 +18,8 @@ pub mod hand;
 pub mod pan_motion;
 pub mod pan_shape;
 pub mod pose;
+mod press;
+mod press_path;
 mod scale;
 mod scoop;
 pub mod solid_shape;

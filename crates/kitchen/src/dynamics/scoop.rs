@@ -139,7 +139,7 @@ fn front_height(world: &World, blade: &Pose) -> f64 {
 }
 
 /// Height of a point above pan, board or glass; negative within them [m].
-fn above_surface(world: &World, point: DVec3) -> f64 {
+pub(super) fn above_surface(world: &World, point: DVec3) -> f64 {
     let (pan, shape) = (world.motion.pose, world.pan_shape());
     let seen = pan.to_body(point);
     if shape.holds(seen) {

@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::extent::{radius, reach};
 use super::hand::{Act, Frame, Leg, Tool};
 use super::pose::{Pose, turn};
+use super::press_path::press;
 use super::world::{BOARD_AT, World};
 
 /// A task with one body.
@@ -89,17 +90,17 @@ impl Task {
                 carry(world, key, &at, low, matches!(self, Self::Move { .. }))
             }
             Self::TakeOut { to, .. } => carry(world, key, &at, DVec3::new(to[0], to[1], 2.0 * BOARD_AT.z), false),
-            Self::Press { newtons, for_s, .. } => press(world, key, &at, newtons, for_s),
+            Self::Press { newtons, for_s, .. } => press(world, key, newtons, for_s),
         }
     }
 }
 
-fn leg(frame: Frame, to: Pose, for_s: f64, act: Act) -> Leg {
+pub(super) fn leg(frame: Frame, to: Pose, for_s: f64, act: Act) -> Leg {
     Leg { frame, to, turn: DVec3::ZERO, for_s, act }
 }
 
 /// Reach of a body along a direction of the kitchen [m].
-fn reach_of(world: &World, key: u32, at: &Pose, along: DVec3) -> f64 {
+pub(super) fn reach_of(world: &World, key: u32, at: &Pose, along: DVec3) -> f64 {
     world.solid(key).map_or(0.0, |s| reach(s, at.rotation.conjugate() * along))
 }
 
@@ -158,11 +159,4 @@ fn carry(world: &World, key: u32, at: &Pose, low: DVec3, within: bool) -> Vec<Le
         kitchen(laid, if within { 0.15 } else { 0.25 }, Act::Release),
         kitchen(Pose { position: laid.position + DVec3::Z * 0.05, ..laid }, 0.1, Act::Pass),
     ]
-}
-
-fn press(world: &World, key: u32, at: &Pose, newtons: f64, for_s: f64) -> Vec<Leg> {
-    let top = at.position + DVec3::Z * (reach_of(world, key, at, DVec3::Z) + 0.001);
-    let on_top = Pose { position: top, ..Pose::default() }.seen_from(&world.motion.pose);
-    let away = Pose { position: on_top.position + DVec3::Z * 0.05, ..on_top };
-    vec![leg(Frame::Pan, on_top, 0.2, Act::Press { key, newtons, for_s }), leg(Frame::Pan, away, 0.12, Act::Pass)]
 }

@@ -19,6 +19,7 @@ use super::blade::insert_blade;
 use super::pan_motion::{PanMotion, PanTarget};
 use super::pan_shape::PanShape;
 use super::pose::Pose;
+use super::press::Press;
 use super::{scale, solid_shape};
 
 /// Rigid steps per second [1/s] (chosen: at 240 Hz 35 shaken shrimps penetrate each other by less than 0.5 mm).
@@ -142,6 +143,7 @@ pub struct World {
     pub(super) blade: RigidBodyHandle,
     pub(super) spared: Option<u32>,
     pub(super) foods: BTreeMap<u32, FoodBody>,
+    pub(super) press: Option<Press>,
     /// Motion of the pan.
     pub motion: PanMotion,
     may_sleep: bool,
@@ -168,6 +170,7 @@ impl Clone for World {
             blade: self.blade,
             spared: self.spared,
             foods: self.foods.clone(),
+            press: self.press.clone(),
             motion: self.motion,
             may_sleep: self.may_sleep,
             settled: self.settled,
@@ -218,6 +221,7 @@ impl World {
             blade,
             spared: None,
             foods: BTreeMap::new(),
+            press: None,
             motion,
             may_sleep: true,
             settled: false,
@@ -328,6 +332,10 @@ impl World {
         self.foods.get(&key).and_then(|f| self.bodies.get(f.body))
     }
 
+    pub(super) fn food_body_mut(&mut self, key: u32) -> Option<&mut RigidBody> {
+        self.foods.get(&key).and_then(|f| self.bodies.get_mut(f.body))
+    }
+
     /// Pose of a body.
     pub fn pose(&self, key: u32) -> Option<Pose> {
         self.body(key).map(|b| scale::pose(b.position()))
@@ -351,7 +359,7 @@ impl World {
 
     /// Applies a force [N] and a torque [N·m] to a body during the next step.
     pub fn push(&mut self, key: u32, force: DVec3, torque: DVec3) {
-        let Some(body) = self.foods.get(&key).and_then(|f| self.bodies.get_mut(f.body)) else { return };
+        let Some(body) = self.food_body_mut(key) else { return };
         body.add_force(scale::force(force), true);
         body.add_torque(scale::torque(torque), true);
         self.settled = false;
@@ -434,6 +442,7 @@ impl World {
                 pan.set_next_kinematic_position(scale::solver_pose(&self.motion.pose));
             }
         }
+        self.bear_down();
         if self.settled {
             return;
         }
