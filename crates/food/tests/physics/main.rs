@@ -3,6 +3,7 @@
 mod balance;
 mod body;
 mod change;
+mod colour;
 mod composition;
 mod juice;
 mod run;

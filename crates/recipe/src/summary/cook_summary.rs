@@ -136,6 +136,8 @@ pub struct FoodSummary {
     pub water_g: WaterSummary,
     /// Fat rendered into the pan's oil [g].
     pub fat_rendered_g: f64,
+    /// Heat that it took from the pan and from liquids and steam in it [J].
+    pub heat_j: f64,
     /// Core temperature [°C].
     pub core_c: CoreSummary,
     /// Distance of the knife's cut from the middle of the long axis [mm]; null for a whole piece; the mean for a group
@@ -427,6 +429,7 @@ impl FoodSummary {
             lost_pct: 100.0 * (1.0 - piece.mass() / mass_at_start),
             water_g: WaterSummary { evaporated: 1e3 * state.evaporated, dripped: 1e3 * state.dripped },
             fat_rendered_g: 1e3 * state.rendered,
+            heat_j: piece.heat_taken,
             core_c: CoreSummary {
                 end: celsius(piece.core()),
                 peak: celsius(piece.core_peak.0),

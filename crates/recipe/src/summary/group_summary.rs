@@ -161,6 +161,7 @@ fn mean_food(group: &Group, pieces: &[FoodSummary], scales: &[Arc<Scale>]) -> Fo
             dripped: all.mean(|p| p.water_g.dripped),
         },
         fat_rendered_g: all.mean(|p| p.fat_rendered_g),
+        heat_j: all.mean(|p| p.heat_j),
         core_c: CoreSummary {
             end: all.mean(|p| p.core_c.end),
             peak: all.mean(|p| p.core_c.peak),
