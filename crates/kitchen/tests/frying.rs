@@ -26,7 +26,12 @@ fn cooked(library: &Library, text: &str) -> Summary {
 /// A recipe from bare lines of steps, one step a line.
 fn recipe(pan: &str, foods: &str, steps: &[String]) -> String {
     let steps: Vec<String> = steps.iter().map(|step| format!("[[step]]\n{}\n", step.replace("; ", "\n"))).collect();
-    format!("max_s = 7200\n[pan]\n{}\n[[food]]\n{}\n{}", pan.replace("; ", "\n"), foods.replace("; ", "\n"), steps.concat())
+    format!(
+        "max_s = 7200\n[pan]\n{}\n[[food]]\n{}\n{}",
+        pan.replace("; ", "\n"),
+        foods.replace("; ", "\n"),
+        steps.concat()
+    )
 }
 
 fn steps(lines: &[&str]) -> Vec<String> {
@@ -47,9 +52,17 @@ fn mass_and_energy_balance_with_condensation_juice_and_film_boiling() {
         "kind = \"carbon-steel-26\"; initial_c = 190",
         "id = \"steak\"; kind = \"beef-marbled\"; size_mm = [110, 75, 20]; initial_c = 5",
         &steps(&[
-            "hob_w = 1200", "oil_g = 8", "put = \"steak\"", "after_s = 120; flip = \"steak\"", "lid = true",
-            "after_s = 60; lid = false", "water_g = 30", "after_s = 60; flip = \"steak\"", "after_s = 90; rest = \"steak\"",
-            "hob_w = 0", "after_s = 120; end = true",
+            "hob_w = 1200",
+            "oil_g = 8",
+            "put = \"steak\"",
+            "after_s = 120; flip = \"steak\"",
+            "lid = true",
+            "after_s = 60; lid = false",
+            "water_g = 30",
+            "after_s = 60; flip = \"steak\"",
+            "after_s = 90; rest = \"steak\"",
+            "hob_w = 0",
+            "after_s = 120; end = true",
         ]),
     );
     let mut worst = 0.0_f64;
@@ -87,7 +100,7 @@ fn the_loss_rises_by_half_to_nine_tenths_of_a_percent_a_kelvin() {
             format!("repeat = {{ flip = \"steak\", every_s = 60, until = {{ food = \"steak\", core_c = {off} }} }}");
         let text = recipe(
             "kind = \"cast-iron-26\"; initial_c = 180",
-            "id = \"steak\"; kind = \"beef-lean\"; size_mm = [110, 80, 32]; initial_c = 5",
+            "id = \"steak\"; kind = \"beef-lean\"; size_mm = [80, 60, 32]; initial_c = 5",
             &[
                 steps(&["hob_w = { hold_c = 180, w = 2000 }", "put = \"steak\""]),
                 vec![turning],
@@ -103,31 +116,39 @@ fn the_loss_rises_by_half_to_nine_tenths_of_a_percent_a_kelvin() {
     assert!((0.5..=0.9).contains(&slope), "{slope} %/K: {low} % at {low_c} °C, {high} % at {high_c} °C");
 }
 
-/// A patty of stiff meat domes, one of limp meat lies flat: the dome costs little time and some browning.
+/// The shipped patty sags flat under its weight; one of far stiffer meat domes: that costs little time and some browning.
 #[test]
 fn a_domed_patty_takes_at_most_15_percent_longer_and_browns_less() {
-    let mut flat = library();
-    let domed = library();
-    for kinetics in flat.kinetics.values_mut() {
-        kinetics.texture.relaxed_share = 1e-6;
+    let flat = library();
+    let mut domed = library();
+    for kinetics in domed.kinetics.values_mut() {
+        kinetics.texture.relaxed_share = 1e3;
     }
     let text = recipe(
         "kind = \"cast-iron-26\"; initial_c = 190",
         "id = \"patty\"; kind = \"beef-patty\"; size_mm = [110, 16]; initial_c = 5",
         &steps(&[
-            "hob_w = { hold_c = 190, w = 2000 }", "put = \"patty\"", "after_s = 240; flip = \"patty\"",
+            "hob_w = { hold_c = 190, w = 2000 }",
+            "put = \"patty\"",
+            "after_s = 240; flip = \"patty\"",
             "when = { food = \"patty\", core_c = 71 }; end = true",
         ]),
     );
     let fry = |library: &Library| {
         let mut highest = 0.0_f64;
-        let cook = watched(library, &text, |kitchen| highest = highest.max(kitchen.pieces()[0].state.stretch.dome.abs()));
+        let cook =
+            watched(library, &text, |kitchen| highest = highest.max(kitchen.pieces()[0].state.stretch.dome.abs()));
         (cook.summary(0.0), 1e3 * highest)
     };
     let ((flat, least), (domed, most)) = (fry(&flat), fry(&domed));
-    assert!(least < 0.05 && most > least + 0.2, "domes of {least} and {most} mm");
+    assert!(most > least + 0.5, "domes of {least} and {most} mm");
     let ratio = domed.simulated_s / flat.simulated_s;
-    assert!((0.999..=1.15).contains(&ratio), "{ratio}: {} and {} s, dome {most} mm", domed.simulated_s, flat.simulated_s);
+    assert!(
+        (0.999..=1.15).contains(&ratio),
+        "{ratio}: {} and {} s, dome {most} mm",
+        domed.simulated_s,
+        flat.simulated_s
+    );
     let browned = |summary: &Summary| summary.foods[0].browned_pct();
     assert!(browned(&domed) <= browned(&flat) + 0.5, "{} {}", browned(&domed), browned(&flat));
 }

@@ -15,19 +15,21 @@ const INSIDE: [[f64; 4]; 7] = [
     [80.0, 53.0, 7.0, 13.5],
 ];
 
-/// Colours of the coldest place when a steak, turned each minute, reaches the temperatures.
+/// Colours of the middle when a steak, turned each minute, reaches the temperatures there.
 fn inside() -> Vec<Lab> {
     let mut run = Run::new(lean(), 5.0);
+    let mesh = lean().mesh();
+    let beside = |node: usize| -> f64 {
+        mesh.position(node).iter().zip([0.0, 0.0, 0.0125]).map(|(x, middle)| (x - middle) * (x - middle)).sum()
+    };
+    let middle = (0..mesh.node_count()).min_by(|a, b| beside(*a).total_cmp(&beside(*b))).expect("nodes");
     let mut colours = Vec::new();
     for minute in 0..40 {
         for _ in 0..60 {
             run.fry(1.0, 170.0, 400.0, kitchen_air());
-            let coldest = (0..run.state.temperature.len())
-                .min_by(|a, b| run.state.temperature[*a].total_cmp(&run.state.temperature[*b]))
-                .expect("nodes");
-            let due = INSIDE.get(colours.len()).is_some_and(|row| run.state.temperature[coldest] - ZERO_C >= row[0]);
-            if due {
-                colours.push(lean().node_colour(&run.state, coldest));
+            let reached = run.state.temperature[middle] - ZERO_C;
+            if INSIDE.get(colours.len()).is_some_and(|row| reached >= row[0]) {
+                colours.push(lean().node_colour(&run.state, middle));
             }
         }
         assert!(minute < 39, "80 °C within 40 min");
