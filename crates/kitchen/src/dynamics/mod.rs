@@ -9,7 +9,8 @@
 //! The pose of a piece changes by integration only. Turner and tongs hold food by a spring with bounded force and
 //! torque, and fail where something is in the way. A turner moved by a person is a dynamic blade on a bounded spring:
 //! low and level it slides under the nearest food and lifts it; rolled over it drops the food; all other food it
-//! presses or pushes. Bodies at rest sleep; with all bodies asleep no rigid step is computed.
+//! presses or pushes. A press as a task gives the food the inertia of the hand, and its force rises and falls gradually.
+//! Bodies at rest sleep; with all bodies asleep no rigid step is computed.
 
 mod blade;
 pub mod extent;
