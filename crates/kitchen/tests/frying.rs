@@ -122,7 +122,7 @@ fn a_domed_patty_takes_at_most_15_percent_longer_and_browns_less() {
     let flat = library();
     let mut domed = library();
     for kinetics in domed.kinetics.values_mut() {
-        kinetics.texture.relaxed_share = 1e3;
+        kinetics.texture.relaxed_share = 0.5;
     }
     let text = recipe(
         "kind = \"cast-iron-26\"; initial_c = 190",

@@ -49,6 +49,12 @@ sourced_table! {
         /// Draught through a crowded pan over that through an open one [-].
         #[schemars(range(min = 0.01, max = 1.0), example = 0.5)]
         crowded_draught: f64,
+        /// Air that rises close along the sides of the foods with the steam from below them [L/s].
+        #[schemars(range(min = 0.01, max = 1e3), example = 0.4)]
+        side_draught_l_s: f64,
+        /// Convection at the sides, in that air [W/(m²·K)].
+        #[schemars(range(min = 0.0, max = 1e4), example = 8.0)]
+        side_convection_w_m2k: f64,
         /// View factor from an upper face to the pan's wall [-].
         #[schemars(range(min = 0.0, max = 1.0), example = 0.25)]
         wall_view: f64,
@@ -384,22 +390,30 @@ impl Room {
     /// ρ∞ = ρ_room + ṁ/V̇ up to saturation at the air's temperature; the walls' temperature is the mean of T⁴ over pan and
     /// room, weighted by the view factor.
     pub fn plume(&self, pan: &OverPan) -> (FreeAir, FreeAir) {
-        let (face, still) = (&self.free_face, self.still_air());
-        let excess = (pan.floor - still.temperature).max(0.0);
-        let draught =
-            1e-3 * face.draught_l_s * if pan.covered > face.crowded_from { face.crowded_draught } else { 1.0 };
-        let over = |warmth: f64, radiating: f64, view: f64| {
-            let temperature = still.temperature + warmth * excess;
-            let wet = still.vapour_density + pan.steam / draught;
+        let face = &self.free_face;
+        let excess = (pan.floor - self.temperature()).max(0.0);
+        let over = |moving: FreeAir, warmth: f64, draught_l_s: f64, radiating: f64, view: f64| {
+            let temperature = moving.temperature + warmth * excess;
+            let wet = moving.vapour_density + pan.steam / (1e-3 * draught_l_s);
             FreeAir {
                 temperature,
-                walls: seen(still.temperature, radiating, view),
+                walls: seen(moving.temperature, radiating, view),
                 vapour_density: wet.min(saturation_density(temperature.min(kelvin(100.0)))),
-                ..still
+                ..moving
             }
         };
+        let draught = face.draught_l_s * if pan.covered > face.crowded_from { face.crowded_draught } else { 1.0 };
         let beside = 0.5 * (pan.floor + pan.wall);
-        (over(face.plume_warmth, pan.wall, face.wall_view), over(face.side_warmth, beside, face.side_view))
+        (
+            over(self.still_air(), face.plume_warmth, draught, pan.wall, face.wall_view),
+            over(
+                self.air_moving(face.side_convection_w_m2k),
+                face.side_warmth,
+                face.side_draught_l_s,
+                beside,
+                face.side_view,
+            ),
+        )
     }
 
     /// Air above and beside food in a pan at `pan` [K] by the rules of 2013, which know no evaporation into it.
