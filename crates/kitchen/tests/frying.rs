@@ -116,14 +116,10 @@ fn the_loss_rises_by_half_to_nine_tenths_of_a_percent_a_kelvin() {
     assert!((0.5..=0.9).contains(&slope), "{slope} %/K: {low} % at {low_c} °C, {high} % at {high_c} °C");
 }
 
-/// The shipped patty sags flat under its weight; one of far stiffer meat domes: that costs little time and some browning.
+/// The shipped patty sags flat under its weight. The softest one that is stiff enough to dome takes little longer to cook and
+/// browns less.
 #[test]
 fn a_domed_patty_takes_at_most_15_percent_longer_and_browns_less() {
-    let flat = library();
-    let mut domed = library();
-    for kinetics in domed.kinetics.values_mut() {
-        kinetics.texture.relaxed_share = 0.5;
-    }
     let text = recipe(
         "kind = \"cast-iron-26\"; initial_c = 190",
         "id = \"patty\"; kind = \"beef-patty\"; size_mm = [110, 16]; initial_c = 5",
@@ -134,23 +130,31 @@ fn a_domed_patty_takes_at_most_15_percent_longer_and_browns_less() {
             "when = { food = \"patty\", core_c = 71 }; end = true",
         ]),
     );
-    let fry = |library: &Library| {
+    let fry = |relaxed_share: Option<f64>| {
+        let mut library = library();
+        for kinetics in library.kinetics.values_mut() {
+            kinetics.texture.relaxed_share = relaxed_share.unwrap_or(kinetics.texture.relaxed_share);
+        }
         let mut highest = 0.0_f64;
-        let cook =
-            watched(library, &text, |kitchen| highest = highest.max(kitchen.pieces()[0].state.stretch.dome.abs()));
-        (cook.summary(0.0), 1e3 * highest)
+        let look = |kitchen: &Kitchen| highest = highest.max(kitchen.pieces()[0].state.stretch.dome.abs());
+        let summary = watched(&library, &text, look).summary(0.0);
+        (summary, 1e3 * highest)
     };
-    let ((flat, least), (domed, most)) = (fry(&flat), fry(&domed));
-    assert!(most > least + 0.5, "domes of {least} and {most} mm");
+    let (flat, least) = fry(None);
+    let (domed, most) = [0.3, 0.4, 0.5, 0.6, 0.8, 1.0]
+        .into_iter()
+        .map(|share| fry(Some(share)))
+        .find(|(_, dome)| *dome > least + 0.5)
+        .expect("stiff meat domes");
     let ratio = domed.simulated_s / flat.simulated_s;
     assert!(
         (0.999..=1.15).contains(&ratio),
-        "{ratio}: {} and {} s, dome {most} mm",
+        "{} s with {most} mm, {} s with {least}",
         domed.simulated_s,
         flat.simulated_s
     );
     let browned = |summary: &Summary| summary.foods[0].browned_pct();
-    assert!(browned(&domed) <= browned(&flat) + 0.5, "{} {}", browned(&domed), browned(&flat));
+    assert!(browned(&domed) <= browned(&flat), "{} {}", browned(&domed), browned(&flat));
 }
 
 /// A condition that is past does not wait for a crossing.

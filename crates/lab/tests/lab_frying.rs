@@ -68,7 +68,7 @@ fn thick_and_thin_pieces_end_at_the_same_loss_in_a_bath_at_90_c() {
     let bodies = [
         ("shape = \"slab\"\nsize_mm = [10]", 1.5),
         ("shape = \"slab\"\nsize_mm = [30]", 2.0),
-        ("shape = \"box\"\nsize_mm = [50, 50, 50]\nresolution_mm = 4", 2.5),
+        ("shape = \"box\"\nsize_mm = [50, 50, 50]\nresolution_mm = 8", 2.5),
     ];
     let ends = bodies.map(|(body, hours)| {
         let (before, end) = (lost(body, hours - 0.25), lost(body, hours));

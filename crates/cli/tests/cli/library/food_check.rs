@@ -47,7 +47,8 @@ const WEDGE: &str = "v 0 0 0\nv 50 0 0\nv 50 30 0\nv 0 30 0\nv 0 0 18\nv 50 0 12
 /// Returns the documented food file with the documented surface instead of sizes and outline.
 fn meshed_food() -> String {
     let blocks = documented();
-    let (whole, shape) = (&blocks[0], &blocks[1]);
+    let shape = blocks.iter().find(|block| block.contains("form = \"mesh\"")).unwrap();
+    let whole = &blocks[0];
     let (before, rest) = whole.split_once("form = ").unwrap();
     let rest = &rest[rest.find("[lean]").unwrap()..];
     format!("{before}{shape}\n{rest}")
