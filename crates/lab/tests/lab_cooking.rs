@@ -30,7 +30,7 @@ fn below_any_change_cooking_is_conduction() {
     let body = |physics: &str| {
         format!(
             "duration_s = 300\n[body]\nshape = \"box\"\nsize_mm = [40, 30, 20]\nresolution_mm = 2\ninitial_c = 5\n\
-             [material]\nfood = \"beef-lean\"\n[solver]\nphysics = \"{physics}\"\n[[boundary]]\nface = \"all\"\n\
+             [material]\nfood = \"shrimp\"\n[solver]\nphysics = \"{physics}\"\n[[boundary]]\nface = \"all\"\n\
              h_w_m2k = 500\nambient_c = 35\n[[probe]]\nname = \"centre\"\nat_mm = [20, 15, 10]\n"
         )
     };

@@ -132,7 +132,7 @@ fn flat_views_of_every_field_decode_to_the_cores_values() {
         let field: Vec<f64> =
             (0..model.mesh().node_count()).map(|node| view.value(model, state, node, map.change())).collect();
         for i in 0..30u64 {
-            let random = |k: u64| uniform(77, 10 * i + k);
+            let random = |k: u64| uniform(78, 10 * i + k);
             let near = [cut, (random(0) - 0.5) * 0.06, 0.004 + random(1) * (thickness - 0.008)];
             let (at, point) = seen(piece, &pose, &options.camera, &Plane::Cut(cut), near);
             let truth = model.at(&field, point).expect("inside").min(map.to);

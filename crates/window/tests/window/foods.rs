@@ -180,9 +180,9 @@ fn the_hob_says_why_it_gives_no_power() {
     harness.get_by_label("No power: the pan is on the cloth");
     let empty = "[pan]\ninitial_c = 290\n[[step]]\nhob_w = 2000\n[[step]]\nafter_s = 900\nend = true\n";
     let mut hot = playing(WIDE, empty, 0.0);
-    let limited = |h: &Harness<'static, SauteApp>| h.state().session().kitchen.pan_state().limited;
+    let drawn = |h: &Harness<'static, SauteApp>| h.state().session().kitchen.hob_drawn_w();
     for _ in 0..90 {
-        if !limited(&hot) {
+        if drawn(&hot) > 0.0 {
             cook(&mut hot, 1.0);
         }
     }
