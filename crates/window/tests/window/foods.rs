@@ -178,7 +178,7 @@ fn the_hob_says_why_it_gives_no_power() {
     command(&mut harness, Command::MovePan { at: [0.0; 2], lift: 0.0 });
     command(&mut harness, Command::Cool { for_s: 3.0 });
     harness.get_by_label("No power: the pan is on the cloth");
-    let empty = "[pan]\ninitial_c = 290\n[[step]]\nhob_w = 2000\n[[step]]\nafter_s = 900\nend = true\n";
+    let empty = "[pan]\ninitial_c = 290\n[[step]]\nhob_w = 3500\n[[step]]\nafter_s = 900\nend = true\n";
     let mut hot = playing(WIDE, empty, 0.0);
     let drawn = |h: &Harness<'static, SauteApp>| h.state().session().kitchen.hob_drawn_w();
     for _ in 0..90 {
