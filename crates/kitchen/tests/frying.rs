@@ -116,8 +116,8 @@ fn the_loss_rises_by_half_to_nine_tenths_of_a_percent_a_kelvin() {
     assert!((0.5..=0.9).contains(&slope), "{slope} %/K: {low} % at {low_c} °C, {high} % at {high_c} °C");
 }
 
-/// The shipped patty sags flat under its weight. The softest one that is stiff enough to dome takes little longer to cook and
-/// browns less.
+/// The shipped patty sags flat under its weight. The softest one that is stiff enough to be domed by a millimetre, on the mean
+/// over the cook, takes little longer to cook and browns less. (A dome that sags again within a minute costs nothing.)
 #[test]
 fn a_domed_patty_takes_at_most_15_percent_longer_and_browns_less() {
     let text = recipe(
@@ -135,26 +135,26 @@ fn a_domed_patty_takes_at_most_15_percent_longer_and_browns_less() {
         for kinetics in library.kinetics.values_mut() {
             kinetics.texture.relaxed_share = relaxed_share.unwrap_or(kinetics.texture.relaxed_share);
         }
-        let mut highest = 0.0_f64;
-        let look = |kitchen: &Kitchen| highest = highest.max(kitchen.pieces()[0].state.stretch.dome.abs());
+        let mut domes_mm = Vec::new();
+        let look = |kitchen: &Kitchen| domes_mm.push(1e3 * kitchen.pieces()[0].state.stretch.dome.abs());
         let summary = watched(&library, &text, look).summary(0.0);
-        (summary, 1e3 * highest)
+        (summary, domes_mm.iter().sum::<f64>() / domes_mm.len() as f64)
     };
     let (flat, least) = fry(None);
     let (domed, most) = [0.3, 0.4, 0.5, 0.6, 0.8, 1.0]
         .into_iter()
         .map(|share| fry(Some(share)))
-        .find(|(_, dome)| *dome > least + 0.5)
+        .find(|(_, dome)| *dome > least + 1.0)
         .expect("stiff meat domes");
     let ratio = domed.simulated_s / flat.simulated_s;
     assert!(
-        (0.99..=1.15).contains(&ratio),
+        (1.0..=1.15).contains(&ratio),
         "{} s with {most} mm, {} s with {least}",
         domed.simulated_s,
         flat.simulated_s
     );
     let browned = |summary: &Summary| summary.foods[0].browned_pct();
-    assert!(browned(&domed) <= browned(&flat), "{} {}", browned(&domed), browned(&flat));
+    assert!(browned(&domed) < browned(&flat) - 2.0, "{} {}", browned(&domed), browned(&flat));
 }
 
 /// A condition that is past does not wait for a crossing.
