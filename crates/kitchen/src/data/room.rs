@@ -416,8 +416,8 @@ impl Room {
         )
     }
 
-    /// Air above and beside food in a pan at `pan` [K] by the rules of 2013, which know no evaporation into it.
-    pub fn plume_2013(&self, pan: f64) -> (FreeAir, FreeAir) {
+    /// Air above and beside food in a pan at `pan` [K] by the rules of 2013.
+    pub(crate) fn plume_2013(&self, pan: f64) -> (FreeAir, FreeAir) {
         let still = self.still_air_2013();
         let excess = (pan - still.temperature).max(0.0);
         let warmed = |share: f64| {
@@ -428,12 +428,12 @@ impl Room {
     }
 
     /// Still air around food by the rules of 2013.
-    pub fn still_air_2013(&self) -> FreeAir {
-        Self::without_evaporation(self.air_moving(self.rules_2013.convection_w_m2k))
+    pub(crate) fn still_air_2013(&self) -> FreeAir {
+        self.air_moving(self.rules_2013.convection_w_m2k)
     }
 
     /// The same air, which takes up no vapour.
-    pub fn without_evaporation(air: FreeAir) -> FreeAir {
+    pub(crate) fn without_evaporation(air: FreeAir) -> FreeAir {
         FreeAir { mass_transfer: 0.0, ..air }
     }
 

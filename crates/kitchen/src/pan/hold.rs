@@ -1,4 +1,4 @@
-//! Holding the pan at a temperature: what the hob infers from its sensor under the glass, and the power that it sets.
+//! What the hob infers of the pan from its sensor under the glass: it holds a temperature with it and limits the power.
 
 use saute_food::sourced_table;
 

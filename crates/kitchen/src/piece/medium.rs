@@ -16,6 +16,7 @@ use crate::liquids::bath::BathModel;
 use crate::liquids::water_film::WATER_SPECIFIC_HEAT;
 use crate::pan::pan_model::{PanModel, PanState};
 use crate::piece::piece_state::Piece;
+use crate::tick::low_pass::low_pass;
 
 /// Temperature of steam below food [K].
 const STEAM: f64 = ZERO_C + 100.0;
@@ -125,7 +126,11 @@ impl Piece {
 
     /// Heat from oil: it has the temperature of the metal, so the contact is one with the pan.
     fn stand_in_oil(&mut self, bath: &BathModel, state: &PanState) {
-        let conductance = bath.oil(self.vapour_flow / self.surface_area());
+        if self.media.in_oil.is_empty() {
+            return;
+        }
+        let area: f64 = self.model.patches().iter().map(|p| p.area).sum();
+        let conductance = bath.oil(self.vapour_flow / area);
         for i in 0..self.media.in_oil.len() {
             let Oiled { patch, located } = self.media.in_oil[i];
             if self.touch(patch) != Touch::Closed {
@@ -217,7 +222,7 @@ impl Piece {
 
     /// Adds the steam of the last tick below the piece [kg] to its average.
     pub(crate) fn average_steam(&mut self, boiled: f64, dt: f64) {
-        self.media.steam += (boiled / dt - self.media.steam) * dt / (dt + STEAM_S);
+        low_pass(&mut self.media.steam, boiled / dt, STEAM_S, dt);
     }
 }
 

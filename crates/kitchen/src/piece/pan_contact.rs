@@ -1,6 +1,7 @@
 //! Contact of a piece with the pan over time: patches near the pan, duration, force and flips.
 
 use crate::pan::near_pan::NearPan;
+use crate::tick::low_pass::low_pass;
 
 /// Longest loss of contact that does not restart the contact [s] (chosen: a hop of a few millimetres).
 const HOP_S: f64 = 0.15;
@@ -46,7 +47,7 @@ impl PanContact {
         if !self.near.patches.is_empty() && level < 0.5 {
             self.lay_up = up;
         }
-        self.force += (force - self.force) * dt / (dt + PRESSURE_S);
+        low_pass(&mut self.force, force, PRESSURE_S, dt);
     }
 
     /// Restarts the record for a piece laid flat into the pan.

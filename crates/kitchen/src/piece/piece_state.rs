@@ -107,7 +107,6 @@ pub struct Piece {
     board: Board,
     touch: Vec<Touch>,
     pub(crate) media: Media,
-    surface_area: f64,
 }
 
 impl Piece {
@@ -139,7 +138,6 @@ impl Piece {
             board: Board::at(room.temperature()),
             touch: Vec::new(),
             media: Media::default(),
-            surface_area: model.patches().iter().map(|p| p.area).sum(),
             id,
             kind,
             seed,
@@ -304,11 +302,6 @@ impl Piece {
         self.touch[patch as usize] = touch;
     }
 
-    /// Area of the raw surface [m²].
-    pub(crate) fn surface_area(&self) -> f64 {
-        self.surface_area
-    }
-
     /// Closes a patch in contact with other food to the air.
     pub(crate) fn close(&mut self, patch: u32) {
         self.touch[patch as usize] = Touch::Closed;
@@ -457,7 +450,6 @@ impl Piece {
 
     /// Advances the food by one tick with its contacts and the air at its faces.
     pub(crate) fn advance(&mut self, air: [FreeAir; 3], dt: f64) -> Exchange {
-        let air = if self.model.rules() == Rules::Paper2013 { air.map(Room::without_evaporation) } else { air };
         let around = Surroundings { touch: &self.touch, air: &air };
         let exchange = self.solver.advance(&self.model, &mut self.state, &around, dt);
         self.on_pan.since += dt;

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use saute_food::water::latent_heat;
-use saute_food::{Exchange, GRAVITY, Rules};
+use saute_food::{Exchange, GRAVITY};
+use saute_heat::Located;
 
 use crate::data::room::Room;
 use crate::dynamics::world::{Contact, GLASS_HALF};
@@ -15,9 +16,10 @@ use crate::kitchen::{Fixed, Kitchen};
 use crate::liquids::water_film::WATER_SPECIFIC_HEAT;
 use crate::pan::hob::PanPose;
 use crate::pan::hold::HoldLoad;
-use crate::pan::pan_model::{LEVEL, PanLoad};
+use crate::pan::pan_model::{LEVEL, PanLoad, PanState};
 use crate::piece::food_contact::{self, Touching};
 use crate::piece::piece_state::{Piece, Place, Under};
+use crate::tick::low_pass::low_pass;
 use crate::{TICK_S, kelvin};
 
 impl Kitchen {
@@ -72,7 +74,7 @@ impl Kitchen {
     fn average_steam(&mut self, fixed: &Fixed) {
         let foods: f64 = self.pieces.iter().filter(|p| p.in_pan()).map(|p| p.vapour_flow.max(0.0)).sum();
         let steam = foods + self.vapour.puddle;
-        self.pan.steam += (steam - self.pan.steam) * TICK_S / (TICK_S + PLUME_S);
+        low_pass(&mut self.pan.steam, steam, PLUME_S, TICK_S);
         let floor = self.load.covered.iter().zip(&fixed.pan.section.areas).take(fixed.pan.floor_nodes);
         self.pan.crowded = floor.map(|(covered, area)| covered * area).sum::<f64>() / fixed.pan.floor_area;
     }
@@ -204,17 +206,8 @@ impl Kitchen {
             Place::Glass => Under::Glass(self.glass_under(index)),
         };
         self.meet(fixed, index, under);
+        let air = self.air_round(fixed, &self.pieces[index]);
         let piece = &mut self.pieces[index];
-        let air = match piece.place {
-            Place::Pan(_) if piece.model.rules() == Rules::Paper2013 && self.pan.lid.is_none() => {
-                let (up, side) = fixed.room.plume_2013(fixed.pan.floor_temperature(&self.pan));
-                [up, up, side]
-            }
-            Place::Rest(RestOn::Foil) => [fixed.room.under_foil(); 3],
-            Place::Pan(_) => fixed.pan.airs(&self.pan, &fixed.room, || piece.face(false)),
-            _ if piece.model.rules() == Rules::Paper2013 => [fixed.room.still_air_2013(); 3],
-            _ => [fixed.room.still_air(); 3],
-        };
         let mut exchange = piece.advance(air, TICK_S);
         if piece.in_pan() {
             self.exchange_with_media(fixed, index, &mut exchange);
@@ -276,52 +269,39 @@ impl Kitchen {
         let (air, evaporation) = fixed.pan.take_up(&mut self.pan, &fixed.room, || piece.face(false), exchange);
         self.account.flows.air += air;
         self.account.flows.evaporation += evaporation;
-        let whole: f64 = piece.near_patches().iter().map(|n| piece.patch_area(n.patch as usize)).sum();
         // Steam that boils off at the lower face rises through the oil there.
         let boiled = exchange.evaporated.min(taken.max(0.0) / latent_heat(kelvin(100.0))).max(0.0);
-        for near in piece.near_patches() {
-            let (patch, located) = (near.patch as usize, &near.located);
-            let (heat, area) = (piece.solver.contact_heat[patch], piece.patch_area(patch));
-            let wet = piece.wetness(piece.node_of(near.patch));
-            for k in 0..3 {
-                let (node, weight) = (located.nodes[k] as usize, located.weights[k]);
-                self.load.heat[node] += weight * heat / TICK_S;
-                self.load.covered[node] += weight * area / fixed.pan.section.areas[node];
-                let steam = weight * area / whole * boiled;
-                self.load.steam[node] += steam;
-                if wet > 0.0 {
-                    let model = &fixed.pan.liquids;
-                    self.pan.liquids.fond.stick(&model.bed, node, wet * steam * model.fond.left_by_steam);
-                }
-                if exchange.drip.mass > 0.0 {
-                    let share = weight * area / whole;
-                    let [mass, enthalpy] = [exchange.drip.mass, exchange.drip.enthalpy].map(|v| share * v);
-                    self.pan.liquids.drip(node, mass, enthalpy, mass * fixed.pan.liquids.fond.juice_solids);
-                }
-            }
-        }
-        for oiled in &piece.media.in_oil {
-            let heat = piece.solver.contact_heat[oiled.patch as usize];
-            for (node, weight) in oiled.located.nodes.iter().zip(oiled.located.weights) {
-                self.load.heat[*node as usize] += weight * heat / TICK_S;
-            }
-        }
-        let lifted = piece.near_patches().is_empty();
+        self.load_pan(fixed, index, boiled, exchange);
         self.pieces[index].average_steam(boiled, TICK_S);
-        if lifted && exchange.drip.mass > 0.0 {
-            self.drip_from_above(fixed, index, exchange);
-        }
         let latent = self.pieces[index].model.description().fat_melting.latent_j_kg;
         self.account.flows.other += fixed.pan.render(&mut self.pan, &exchange.rendered, latent);
     }
 
-    /// Juice of a piece without contact with the pan drips to the floor below it.
-    fn drip_from_above(&mut self, fixed: &Fixed, index: usize, exchange: &Exchange) {
-        let Place::Pan(at) = self.pieces[index].place else { return };
-        let located = fixed.pan.locator.locate_or_nearest(&fixed.pan.section, at);
-        for (node, share) in located.nodes.into_iter().zip(located.weights) {
-            let [mass, enthalpy] = [exchange.drip.mass, exchange.drip.enthalpy].map(|v| share * v);
-            self.pan.liquids.drip(node as usize, mass, enthalpy, mass * fixed.pan.liquids.fond.juice_solids);
+    /// Adds what a piece took and gave in this tick to the pan below it: heat, cover, steam [kg], fond and juice.
+    fn load_pan(&mut self, fixed: &Fixed, index: usize, boiled: f64, exchange: &Exchange) {
+        let piece = &self.pieces[index];
+        let whole: f64 = piece.near_patches().iter().map(|n| piece.patch_area(n.patch as usize)).sum();
+        for near in piece.near_patches() {
+            let (patch, at) = (near.patch as usize, &near.located);
+            let (area, wet) = (piece.patch_area(patch), piece.wetness(piece.node_of(near.patch)));
+            self.load.take(at, piece.solver.contact_heat[patch], TICK_S);
+            self.load.cover(at, area, &fixed.pan.section.areas);
+            for (node, weight) in at.nodes.into_iter().zip(at.weights) {
+                let steam = weight * area / whole * boiled;
+                self.load.steam[node as usize] += steam;
+                if wet > 0.0 {
+                    let model = &fixed.pan.liquids;
+                    self.pan.liquids.fond.stick(&model.bed, node as usize, wet * steam * model.fond.left_by_steam);
+                }
+            }
+            drip(fixed, &mut self.pan, at, |weight| weight * area / whole, exchange);
+        }
+        for oiled in &piece.media.in_oil {
+            self.load.take(&oiled.located, piece.solver.contact_heat[oiled.patch as usize], TICK_S);
+        }
+        if let (true, Place::Pan(below)) = (piece.near_patches().is_empty(), piece.place) {
+            let at = fixed.pan.locator.locate_or_nearest(&fixed.pan.section, below);
+            drip(fixed, &mut self.pan, &at, |weight| weight, exchange);
         }
     }
 
@@ -352,6 +332,17 @@ impl Kitchen {
 const PLUME_S: f64 = 2.0;
 /// Lift below which the pan stands on the glass [m] (chosen: above the rounding of the pan's motion).
 const STANDING: f64 = 1e-6;
+
+/// Lets juice of a piece drip onto the pan at `at`: of all that runs off, each node there gets a share by its weight.
+fn drip(fixed: &Fixed, pan: &mut PanState, at: &Located, share: impl Fn(f64) -> f64, exchange: &Exchange) {
+    if exchange.drip.mass <= 0.0 {
+        return;
+    }
+    for (node, weight) in at.nodes.into_iter().zip(at.weights) {
+        let [mass, enthalpy] = [exchange.drip.mass, exchange.drip.enthalpy].map(|v| share(weight) * v);
+        pan.liquids.drip(node as usize, mass, enthalpy, mass * fixed.pan.liquids.fond.juice_solids);
+    }
+}
 
 /// Returns the place of a piece that is not over the pan.
 fn ground(piece: &Piece) -> Place {
