@@ -21,6 +21,8 @@ pub struct GroupSummary {
     values: usize,
     /// Number of values that hold; null for information.
     hold: Option<usize>,
+    /// Number of values that miss their tolerance, as is known.
+    known_misses: usize,
     /// The value with the largest error over its tolerance; null for information.
     worst: Option<Worst>,
 }
@@ -71,8 +73,9 @@ impl Group<'_> {
         match held.zip(worst) {
             None => format!("{} values, which pass or fail nothing", self.rows.len()),
             Some((held, worst)) => format!(
-                "{held} of {} values hold; the largest error is {:.2} of its tolerance ({}, {})",
+                "{held} of {} values hold{}; the largest error is {:.2} of its tolerance ({}, {})",
                 self.rows.len(),
+                known(self.known_misses()),
                 worst.error_over_tolerance,
                 worst.name,
                 worst.quantity
@@ -82,7 +85,13 @@ impl Group<'_> {
 
     /// Returns the summary for `--json`.
     pub fn summary(&self) -> GroupSummary {
-        GroupSummary { evidence: self.evidence, values: self.rows.len(), hold: self.held(), worst: self.worst() }
+        GroupSummary {
+            evidence: self.evidence,
+            values: self.rows.len(),
+            hold: self.held(),
+            known_misses: self.known_misses(),
+            worst: self.worst(),
+        }
     }
 
     /// Returns the number of values that hold; none for information.
@@ -90,10 +99,23 @@ impl Group<'_> {
         self.rows.iter().map(|(_, v)| v.pass.map(usize::from)).sum()
     }
 
+    fn known_misses(&self) -> usize {
+        self.rows.iter().filter(|(_, v)| v.misses_as_known()).count()
+    }
+
     fn worst(&self) -> Option<Worst> {
         let (_, v) = self.rows.first().filter(|(_, v)| v.pass.is_some())?;
         let error_over_tolerance = v.error_share();
         Some(Worst { name: v.name.clone(), quantity: v.quantity.clone(), error_over_tolerance })
+    }
+}
+
+/// Returns the number of known misses as an addition to a sentence; nothing if there are none.
+pub fn known(misses: usize) -> String {
+    match misses {
+        0 => String::new(),
+        1 => ", 1 is a known miss".into(),
+        n => format!(", {n} are known misses"),
     }
 }
 
@@ -113,6 +135,7 @@ mod tests {
             got: *error,
             error: *error,
             pass: evidence.judge(error.is_some_and(|e| e.abs() <= 2.0)),
+            known_miss: None,
         };
         CaseRun { id: "case".into(), lab: None, evidence, verdicts: errors.iter().map(verdict).collect() }
     }
@@ -134,5 +157,17 @@ mod tests {
         assert!(groups[0].summary_line().starts_with("3 of 3 values hold; the largest error is 0.75"));
         assert!(groups[1].summary_line().starts_with("1 of 3 values hold"));
         assert_eq!(groups[2].summary_line(), "1 values, which pass or fail nothing");
+    }
+
+    #[test]
+    fn a_known_miss_is_counted_and_one_that_holds_falls_short() {
+        let mut missed = run(Evidence::Measured, &[Some(-3.0), Some(1.0)]);
+        missed.verdicts[0].known_miss = Some("the model is too cold there".into());
+        assert!(!missed.verdicts.iter().any(Verdict::falls_short));
+        let runs = [missed];
+        assert!(groups(&runs)[0].summary_line().starts_with("1 of 2 values hold, 1 is a known miss; the largest"));
+        let mut held = run(Evidence::Measured, &[Some(1.0)]);
+        held.verdicts[0].known_miss = Some("mended since".into());
+        assert!(held.verdicts[0].falls_short());
     }
 }

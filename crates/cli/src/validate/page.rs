@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use saute_lab::Verdict;
 
-use super::groups::{Group, groups};
+use super::groups::{Group, groups, known};
 use super::{CaseRun, picture, segments};
 use crate::error::CliError;
 use crate::output::out_file::OutFile;
@@ -72,10 +72,12 @@ fn picture_path(name: &str) -> PathBuf {
 }
 
 fn word(verdict: &Verdict) -> &'static str {
-    match verdict.pass {
-        Some(true) => "holds",
-        Some(false) => "FALLS SHORT",
-        None => "information",
+    match (verdict.pass, &verdict.known_miss) {
+        (Some(true), None) => "holds",
+        (Some(true), Some(_)) => "HOLDS, but known_miss says that it does not",
+        (Some(false), None) => "FALLS SHORT",
+        (Some(false), Some(_)) => "known miss",
+        (None, _) => "information",
     }
 }
 
@@ -84,9 +86,12 @@ pub fn number(value: Option<f64>) -> String {
     value.map_or_else(|| "none".into(), |v| format!("{v:.4}"))
 }
 
-/// Returns the number of values that hold and the number of all that pass or fail.
-fn held<'a>(verdicts: impl Iterator<Item = &'a Verdict>) -> [usize; 2] {
-    verdicts.filter_map(|v| v.pass).fold([0, 0], |[held, all], pass| [held + usize::from(pass), all + 1])
+/// Returns how many of all values that pass or fail hold, in words.
+fn held(runs: &[CaseRun]) -> String {
+    let verdicts = || runs.iter().flat_map(|r| &r.verdicts);
+    let count = |pass: bool| verdicts().filter(|v| v.pass == Some(pass)).count();
+    let misses = known(verdicts().filter(|v| v.misses_as_known()).count());
+    format!("{} of {} values hold{misses}", count(true), count(true) + count(false))
 }
 
 /// Returns the tables for a terminal: the groups, and in each the cases with the largest errors first.
@@ -104,8 +109,7 @@ pub fn text(runs: &[CaseRun]) -> String {
         }
         let _ = writeln!(text, "{}: {}\n", group.title(), group.summary_line());
     }
-    let [held, all] = held(runs.iter().flat_map(|r| &r.verdicts));
-    let _ = writeln!(text, "{held} of {all} values hold");
+    let _ = writeln!(text, "{}", held(runs));
     text
 }
 
@@ -131,12 +135,12 @@ fn case_text<'a>(text: &mut String, verdicts: impl Iterator<Item = &'a Verdict>)
 }
 
 fn markdown(runs: &[CaseRun], pictures: &[&str]) -> String {
-    let [held, all] = held(runs.iter().flat_map(|r| &r.verdicts));
     let groups = groups(runs);
     let mut text = format!(
         "# Validation\n\nWritten by `saute validate --write`. Every case is a file in `validation/`; the expected values come \
-         from outside this program. {held} of {all} values hold. [docs/segments.md](docs/segments.md) shows what the shape functions \
-         gain over the segments of earlier work.\n\n"
+         from outside this program. {}. [docs/segments.md](docs/segments.md) shows what the shape functions \
+         gain over the segments of earlier work.\n\n",
+        held(runs)
     );
     for group in &groups {
         let _ = writeln!(text, "- {}: {}.", group.title(), group.summary_line());
@@ -145,12 +149,29 @@ fn markdown(runs: &[CaseRun], pictures: &[&str]) -> String {
     for group in &groups {
         table(&mut text, group, pictures);
     }
+    known_misses(&mut text, runs);
     text.push_str("\n## Sources\n\n");
     let mut sources: Vec<&str> = runs.iter().flat_map(|r| &r.verdicts).map(|v| v.source.as_str()).collect();
     sources.sort_unstable();
     sources.dedup();
     sources.iter().for_each(|s| text.push_str(&format!("- {s}\n")));
     text
+}
+
+/// Adds the reasons of all known misses.
+fn known_misses(text: &mut String, runs: &[CaseRun]) {
+    text.push_str("\n## Known misses\n\n");
+    for v in runs.iter().flat_map(|r| &r.verdicts) {
+        if let Some(why) = &v.known_miss {
+            let (expected, got) = ([v.expected - v.tolerance, v.expected + v.tolerance], number(v.got));
+            let [low, high] = expected.map(|e| number(Some(e)));
+            let _ = writeln!(
+                text,
+                "- {}, {}: {low} to {high} {} expected, {got} computed. {why}",
+                v.name, v.quantity, v.unit
+            );
+        }
+    }
 }
 
 /// Adds the section of a group.

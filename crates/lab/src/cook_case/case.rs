@@ -64,6 +64,7 @@ impl CookCase {
             got,
             error,
             pass: self.file.evidence.judge(error.is_some_and(|e| e.abs() <= tolerance)),
+            known_miss: None,
         }
     }
 
@@ -131,7 +132,8 @@ impl CookCase {
             Some(Compare::Difference) => own.zip(other).map(|(a, b)| a - b),
         };
         let quantity = if label.is_empty() { band.quantity.clone() } else { format!("{} ({label})", band.quantity) };
-        self.banded(&quantity, &band.unit, [band.low, band.high], got)
+        let verdict = self.banded(&quantity, &band.unit, [band.low, band.high], got);
+        Verdict { known_miss: band.known_miss(label), ..verdict }
     }
 
     /// Returns the verdict on the largest change against the direction of a trend.

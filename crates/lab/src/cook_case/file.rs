@@ -73,6 +73,27 @@ pub(super) struct BandEntry {
     pub high: f64,
     /// Comparison with the same number of the second recipe.
     pub compare: Option<Compare>,
+    /// Why the program's value is known to lie outside.
+    pub known_miss: Option<KnownMiss>,
+}
+
+/// A band that the program is known to miss. It is judged: a band that holds in spite of it falls short, so that no miss
+/// outlives its cause.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct KnownMiss {
+    /// Reason, as far as it is known.
+    pub why: String,
+    /// In a sweep, the cook that misses, as `half_s = 105`; all cooks by default.
+    pub of: Option<String>,
+}
+
+impl BandEntry {
+    /// Reason of the known miss of the cook with a label; none if the band should hold there.
+    pub fn known_miss(&self, label: &str) -> Option<String> {
+        let known = self.known_miss.as_ref()?;
+        known.of.as_ref().is_none_or(|of| of == label).then(|| known.why.clone())
+    }
 }
 
 /// Comparison of a number of the first recipe with that of the second.
