@@ -51,6 +51,7 @@ mod check;
 pub mod condition;
 pub mod cook;
 pub mod file;
+pub mod full_pan;
 pub mod recipe;
 pub mod summary;
 

@@ -6,8 +6,9 @@ use std::time::Instant;
 
 use clap::ValueEnum;
 use saute_recipe::Recipe;
+use saute_recipe::full_pan::{SHRIMPS, SHRIMPS_LIE_S};
 use saute_window::Start;
-use saute_window::bench_frame::{DISH, DISH_FROM_S, FROM_S, SHRIMPS, SHRIMPS_FROM_S};
+use saute_window::bench_frame::{DISH, DISH_FROM_S, FROM_S};
 use saute_window::ui::quality_choice::QualityChoice;
 
 use super::choices::QualityName;
@@ -50,7 +51,7 @@ pub enum SceneName {
 pub fn run(args: &BenchFrameArgs, data: &DataLibrary, process_start: Instant) -> Result<ExitCode, CliError> {
     let (recipe, from_s) = match args.scene {
         Some(SceneName::Dish) => (Recipe::parse(DISH, "dish", &data.library)?, DISH_FROM_S),
-        Some(SceneName::Shrimps) => (Recipe::parse(SHRIMPS, "shrimps", &data.library)?, SHRIMPS_FROM_S),
+        Some(SceneName::Shrimps) => (Recipe::parse(SHRIMPS, "shrimps", &data.library)?, SHRIMPS_LIE_S),
         None => (recipe_source::load(&args.recipe, data)?, FROM_S),
     };
     let quality = args.quality.map_or(QualityChoice::Automatic, |name| QualityChoice::Always(name.into()));

@@ -155,7 +155,7 @@ impl Drawing<'_> {
         let end = self.summary.simulated_s;
         let (unit, per) = if end > 180.0 { ("time [min]", 60.0) } else { ("time [s]", 1.0) };
         let most = (self.width / 60.0).floor();
-        let x_axis = panel.x_axis(end, nice_step(end / per, most) * per, per, unit);
+        let x_axis = panel.x_axis([0.0, end], nice_step(end / per, most) * per, per, unit);
         panel.y_axis(range, step, "mass [g]") + &panel.curve("mass", grams()) + &x_axis
     }
 }

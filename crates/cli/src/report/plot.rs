@@ -77,12 +77,12 @@ impl Panel {
     }
 
     /// Returns the tick labels below the panel and the quantity below them.
-    pub fn x_axis(&self, end: f64, step: f64, per_label: f64, title: &str) -> String {
+    pub fn x_axis(&self, [from, to]: [f64; 2], step: f64, per_label: f64, title: &str) -> String {
         let [_, right, _, bottom] = self.edges;
         let mut svg = String::new();
-        let count = (end / step + 1e-9).floor() as usize;
+        let count = ((to - from) / step + 1e-9).floor() as usize;
         for i in 0..=count {
-            let value = i as f64 * step;
+            let value = from + i as f64 * step;
             let x = self.x.at(value);
             let _ = write!(svg, "<path class=\"grid\" d=\"M{x:.1} {bottom:.1}v4\"/>");
             let _ = write!(

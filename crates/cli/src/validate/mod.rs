@@ -1,8 +1,10 @@
 //! `saute validate`.
 
 mod case_folder;
+mod chart;
 mod colorimeter;
 mod colour;
+mod frying;
 mod groups;
 mod listed_cases;
 mod page;
@@ -56,7 +58,7 @@ pub fn run(args: &ValidateArgs, data: &DataLibrary) -> Result<ExitCode, CliError
     let runs = run_cases(&folder, args.case.as_deref(), data)?;
     if let Some(pages) = pages {
         stderr::say("writing pages and pictures");
-        pages.fill(&runs)?;
+        pages.fill(&runs, &data.library)?;
     }
     // One case says nothing about the others.
     let differences = if args.case.is_none() { folder.differences() } else { Differences::default() };

@@ -4,10 +4,11 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use saute_kitchen::Library;
 use saute_lab::Verdict;
 
 use super::groups::{Group, groups, known};
-use super::{CaseRun, picture, segments};
+use super::{CaseRun, frying, picture, segments};
 use crate::error::CliError;
 use crate::output::out_file::OutFile;
 
@@ -35,9 +36,10 @@ impl Pages {
     }
 
     /// Draws the pictures and writes all files.
-    pub fn fill(self, runs: &[CaseRun]) -> Result<(), CliError> {
+    pub fn fill(self, runs: &[CaseRun], library: &Library) -> Result<(), CliError> {
         let mut drawn = vec![("errors".to_owned(), picture::errors(runs))];
         drawn.extend(runs.iter().filter_map(|run| Some((run.id.clone(), picture::curves(run)?))));
+        drawn.extend(frying::charts(library)?);
         let (page, pictures) = segments::page(runs);
         drawn.extend(pictures);
         for (name, svg) in &drawn {

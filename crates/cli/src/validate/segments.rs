@@ -5,8 +5,9 @@ use std::fmt::Write;
 use saute_kitchen::heat::Rule;
 use saute_lab::{Case, Shape, Verdict, verdicts};
 
+use super::chart::Curve;
 use super::page::number;
-use super::picture::{Curve, dense, draw, expected};
+use super::picture::{dense, draw, expected};
 use super::workers::map_all;
 use super::{CaseRun, timed};
 
@@ -120,5 +121,5 @@ fn picture(pair: &Pair) -> (String, String) {
             colour,
         }));
     }
-    (format!("segments-{}", pair.run.id), draw(&pair.case.name, &curves, &expected(&pair.case)))
+    (format!("segments-{}", pair.run.id), draw(&pair.case.name, curves, &expected(&pair.case)))
 }
