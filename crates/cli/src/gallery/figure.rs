@@ -64,7 +64,7 @@ pub const FIGURES: [Figure; 6] = [
     Figure {
         name: "1-one-side",
         title: "A steak heated from one side",
-        caption: "The cut at four times. Heat climbs from the pan; flesh turns from red over pink to grey-brown from below, and browns where it touches.",
+        caption: "The cut at four times. Heat rises from the pan; flesh turns from red through pink to grey-brown from below, and browns where it touches the pan.",
         panels: &[
             look("one-side", 10.0, Eye::Cut),
             look("one-side", 90.0, Eye::Cut),
@@ -76,7 +76,7 @@ pub const FIGURES: [Figure; 6] = [
     Figure {
         name: "2-turned",
         title: "The same steak, turned after three minutes",
-        caption: "The cut just before it is turned and three times after. The browned face lies above; the band below it goes on cooking from its own heat while the other face catches up.",
+        caption: "The cut just before the flip and at three times after it. The browned face is on top; the band below it keeps cooking by its own heat while the other face heats up.",
         panels: &[
             look("turned", 178.0, Eye::Cut),
             look("turned", 190.0, Eye::Cut),
@@ -88,7 +88,7 @@ pub const FIGURES: [Figure; 6] = [
     Figure {
         name: "3-temperature",
         title: "Temperature and look at one instant",
-        caption: "Outside and cut, 80 seconds after it was turned: the temperature on the left, what the eye sees on the right.",
+        caption: "Outside and cut, 80 seconds after the flip: temperature on the left, natural look on the right.",
         panels: &[
             panel("turned", 260.0, View::Temperature, Eye::Piece),
             look("turned", 260.0, Eye::Piece),
@@ -100,7 +100,7 @@ pub const FIGURES: [Figure; 6] = [
     Figure {
         name: "4-lean-and-marbled",
         title: "Lean and marbled",
-        caption: "Left lean, right marbled: raw, the cut after 90 seconds, and its temperature. Fat conducts heat less well than flesh and holds less of it, so that heat takes other ways round the seams.",
+        caption: "Left lean, right marbled: raw, the cut after 90 seconds, and its temperature. Fat conducts and stores less heat than flesh, so the isotherms bend around the seams.",
         panels: &[
             look("one-side", 2.0, Eye::Piece),
             look("marbled", 2.0, Eye::Piece),
@@ -114,7 +114,7 @@ pub const FIGURES: [Figure; 6] = [
     Figure {
         name: "5-untouched-and-turned",
         title: "Carrots, shrimps and leeks: untouched and turned",
-        caption: "Left nobody touches the pan, right everything is turned every minute: after one minute and after nearly four.",
+        caption: "Left untouched, right every piece turned about once a minute: after one minute and after nearly four.",
         panels: &[
             look("untouched", 60.0, Eye::Pan),
             look("turned-often", 60.0, Eye::Pan),
@@ -126,7 +126,7 @@ pub const FIGURES: [Figure; 6] = [
     Figure {
         name: "6-stir-fried",
         title: "Carrots, leeks and shrimps, stir-fried",
-        caption: "Shaken and tossed all the time: in the air, at half time, and at the end.",
+        caption: "Shaken and tossed throughout: in the air, halfway, and at the end.",
         panels: &[
             look("stir-fried", 20.0, Eye::Pan),
             look("stir-fried", 115.0, Eye::Pan),
