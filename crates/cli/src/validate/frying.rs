@@ -6,8 +6,8 @@ use saute_lab::Case;
 use saute_recipe::{Cook, Recipe, Summary};
 
 use super::chart::{Chart, Curve};
-use super::timed;
 use super::workers::map_all;
+use super::{CaseRun, timed};
 use crate::error::CliError;
 
 /// Foods whose heat is shown.
@@ -16,8 +16,8 @@ const FOODS: [&str; 5] = ["beef-lean", "beef-patty", "shrimp", "carrot-coin", "l
 const PANS_C: [f64; 9] = [140.0, 160.0, 180.0, 200.0, 220.0, 240.0, 260.0, 280.0, 300.0];
 /// Core temperatures to which steaks are cooked [°C].
 const CORES_C: [f64; 9] = [48.0, 51.0, 54.0, 57.0, 60.0, 63.0, 66.0, 69.0, 72.0];
-/// Where the weight loss of a fried steak is expected: core [°C], lowest, highest [%] (validation/weight-loss-*.toml).
-const LOSSES: [[f64; 3]; 4] = [[54.0, 4.0, 14.0], [60.0, 8.0, 18.0], [66.0, 12.0, 24.0], [71.0, 16.0, 32.0]];
+/// Core temperatures [°C] of the cases whose bands of weight loss are shown.
+const LOSSES_C: [u32; 4] = [54, 60, 66, 71];
 /// Inside of beef: temperature [°C], L*, a*, b*. Measured at 60 °C `[@fsar-2020-40-44]`, estimated elsewhere, ± 3.
 const INSIDE: [[f64; 4]; 7] = [
     [50.0, 43.0, 20.0, 13.0],
@@ -30,12 +30,12 @@ const INSIDE: [[f64; 4]; 7] = [
 ];
 
 /// Returns the charts by name.
-pub fn charts(library: &Library) -> Result<Vec<(String, String)>, CliError> {
+pub fn charts(library: &Library, runs: &[CaseRun]) -> Result<Vec<(String, String)>, CliError> {
     let named = |name: &str, svg: String| (format!("frying-{name}"), svg);
     Ok(vec![
         named("contact", contact(library)?),
         named("heat", heat(library)?),
-        named("loss", loss(library)?),
+        named("loss", loss(library, runs)?),
         named("colour", colour(library)?),
     ])
 }
@@ -87,7 +87,7 @@ fn heat_per_area(library: &Library, kind: &str, pan_c: f64) -> Result<f64, CliEr
 }
 
 /// Weight loss of a steak that is turned each minute, against its highest core temperature.
-fn loss(library: &Library) -> Result<String, CliError> {
+fn loss(library: &Library, runs: &[CaseRun]) -> Result<String, CliError> {
     let ends = map_all(&CORES_C, |_, core| losses(library, *core)).into_iter().collect::<Result<Vec<_>, _>>()?;
     let curves = vec![
         solid("when it leaves the pan".into(), 0, ends.iter().map(|e| e[0]).collect()),
@@ -95,7 +95,15 @@ fn loss(library: &Library) -> Result<String, CliError> {
     ];
     let (title, axes) =
         ("Weight loss of a steak of 25 mm", ["highest core temperature so far [°C]", "% of the raw mass"]);
-    Ok(Chart { title, axes, from: 45.0, curves, rings: Vec::new(), ranges: LOSSES.to_vec() }.svg())
+    let ranges = LOSSES_C.iter().filter_map(|core| band(runs, *core)).collect();
+    Ok(Chart { title, axes, from: 45.0, curves, rings: Vec::new(), ranges }.svg())
+}
+
+/// Returns the band of the case of a core temperature: core [°C], lowest and highest loss [%].
+fn band(runs: &[CaseRun], core_c: u32) -> Option<[f64; 3]> {
+    let run = runs.iter().find(|run| run.id == format!("weight-loss-{core_c}-c"))?;
+    let loss = run.verdicts.iter().find(|v| v.unit == "%")?;
+    Some([f64::from(core_c), loss.expected - loss.tolerance, loss.expected + loss.tolerance])
 }
 
 /// Returns core [°C] and loss [%] at the end of the frying and of the rest.

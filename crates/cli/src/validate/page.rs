@@ -39,7 +39,7 @@ impl Pages {
     pub fn fill(self, runs: &[CaseRun], library: &Library) -> Result<(), CliError> {
         let mut drawn = vec![("errors".to_owned(), picture::errors(runs))];
         drawn.extend(runs.iter().filter_map(|run| Some((run.id.clone(), picture::curves(run)?))));
-        drawn.extend(frying::charts(library)?);
+        drawn.extend(frying::charts(library, runs)?);
         let (page, pictures) = segments::page(runs);
         drawn.extend(pictures);
         for (name, svg) in &drawn {

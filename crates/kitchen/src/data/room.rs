@@ -278,6 +278,9 @@ sourced_table! {
         /// Convection at a free face [W/(m²·K)].
         #[schemars(range(min = 0.0, max = 1e4), example = 7.0)]
         convection_w_m2k: f64,
+        /// Mass transfer to the air over a pan, over that to still air; of water in the pan only [-].
+        #[schemars(range(min = 0.0, max = 10.0), example = 0.6)]
+        plume_factor: f64,
         /// Temperature of the glass in the middle of the coil at which the power goes off [°C].
         #[schemars(range(min = 0.0, max = 1000.0), example = 250.0)]
         limit_c: f64,
@@ -422,7 +425,8 @@ impl Room {
         let excess = (pan - still.temperature).max(0.0);
         let warmed = |share: f64| {
             let temperature = still.temperature + share * excess;
-            FreeAir { temperature, walls: temperature, ..still }
+            let mass_transfer = still.mass_transfer * self.rules_2013.plume_factor;
+            FreeAir { temperature, walls: temperature, mass_transfer, ..still }
         };
         (warmed(self.free_face.plume_warmth), warmed(self.free_face.side_warmth))
     }

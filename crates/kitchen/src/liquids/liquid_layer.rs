@@ -1,6 +1,6 @@
 //! Liquids in the pan: flow, boiling, smoke and spatter of oil, water and butter.
 
-use saute_food::{FreeAir, ZERO_C};
+use saute_food::{FreeAir, Rules, ZERO_C};
 use saute_heat::Located;
 
 use crate::data::library::Library;
@@ -321,7 +321,7 @@ impl LiquidModel {
         liquids.ticks += 1;
         if liquids.ticks.is_multiple_of(SLOW_TICKS) {
             let (oils, bed, lidded) = (&self.oils, &self.bed, around.lidded);
-            let covered = if around.shelters { around.covered } else { &[] };
+            let covered = if around.rules == Rules::Full { around.covered } else { &[] };
             let over = OilFire { data: &room.smoke, oils, bed, temperature, covered, lidded };
             let report = |kind, node: usize| report(kind, node, temperature[node]);
             heat += smoke.advance(&over, oil, dt * SLOW_TICKS as f64, report);
@@ -333,7 +333,9 @@ impl LiquidModel {
             fond.advance(&self.fond, &on, dt * SLOW_TICKS as f64);
         }
         self.refresh_film(liquids, room);
-        liquids.pool = self.bath.mix(&mut liquids.water, &self.bed.areas, self.water.puddle_depth(), dt);
+        if around.rules == Rules::Full {
+            liquids.pool = self.bath.mix(&mut liquids.water, &self.bed.areas, self.water.puddle_depth(), dt);
+        }
         (vapour, heat)
     }
 
@@ -418,8 +420,8 @@ pub struct PanSurroundings<'a> {
     pub lidded: bool,
     /// Share of each node under food [-].
     pub covered: &'a [f64],
-    /// True if food keeps the oil below it from smoking; false by the rules of 2013.
-    pub shelters: bool,
+    /// By the rules of 2013 food does not keep the oil below it from smoking, and water does not mix.
+    pub rules: Rules,
     /// Geometry of the pan for flying drops.
     pub vessel: Vessel,
     /// Centre of the pan relative to that of the ring [m].

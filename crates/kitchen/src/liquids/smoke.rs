@@ -146,7 +146,8 @@ fn hottest(over: &OilFire, oil: &OilFilm) -> Option<Hottest> {
     let OilFire { oils, temperature, .. } = *over;
     let mut found: Option<Hottest> = None;
     for fat in &oil.fats {
-        let there = |i: &usize| fat.mass[*i] > TRACE * oil.mass[*i] && fat.mass[*i] > 0.0;
+        let open = |i: &usize| over.covered.get(*i).is_none_or(|covered| *covered < 1.0);
+        let there = |i: &usize| fat.mass[*i] > TRACE * oil.mass[*i] && fat.mass[*i] > 0.0 && open(i);
         let at = (0..temperature.len()).filter(there).max_by(|a, b| temperature[*a].total_cmp(&temperature[*b]));
         let Some(node) = at else { continue };
         let heat = &oils[fat.kind].description.heat;

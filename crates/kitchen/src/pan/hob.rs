@@ -41,7 +41,7 @@ sourced_table! {
         #[schemars(range(min = 0.0, max = 1000.0), example = 250.0)]
         limit_c: f64,
         /// Range below it over which the power falls to nothing [K].
-        #[schemars(range(min = 0.0, max = 500.0), example = 15.0)]
+        #[schemars(range(min = 0.1, max = 500.0), example = 15.0)]
         resume_k: f64,
         /// A pan that stands higher than this is not detected [mm].
         #[schemars(range(min = 0.1, max = 500.0), example = 15.0)]
@@ -56,7 +56,7 @@ sourced_table! {
     /// Glass of the hob.
     Glass {
         /// Conductance between pan and glass [W/(m²·K)].
-        #[schemars(range(min = 0.0, max = 1e6), example = 200.0)]
+        #[schemars(range(min = 0.1, max = 1e6), example = 200.0)]
         gap_conductance_w_m2k: f64,
         /// Heat capacity [J/(m²·K)].
         #[schemars(range(min = 1.0, max = 1e6), example = 8000.0)]

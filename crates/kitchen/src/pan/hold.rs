@@ -3,6 +3,7 @@
 use saute_food::sourced_table;
 
 use crate::pan::hob::HobDescription;
+use crate::tick::low_pass::low_pass;
 
 sourced_table! {
     /// How the hob holds a pan at a temperature.
@@ -113,10 +114,10 @@ impl HoldControl {
     pub(crate) fn advance(&mut self, load: &HoldLoad, dt: f64) {
         let hold = &load.hob.hold;
         let [before, last] = self.sensor.unwrap_or([load.glass; 2]);
-        let share = 1.0 - libm::exp(-dt / hold.sensor_delay_s.max(dt));
-        let now = before + share * (load.glass - before);
+        let mut now = before;
+        low_pass(&mut now, load.glass, hold.sensor_delay_s, dt);
         self.since_s += dt;
-        self.ring += (load.given - self.ring) * (1.0 - libm::exp(-dt / load.hob.hold.ring_delay_s));
+        low_pass(&mut self.ring, load.given, hold.ring_delay_s, dt);
         let reads = self.since_s >= hold.period_s - 0.5 * dt;
         if let Some(target) = self.target.filter(|_| reads) {
             self.read(load, target, [now, last]);
@@ -131,7 +132,7 @@ impl HoldControl {
         }
     }
 
-    /// Mean temperature of the floor, inferred from the sensor, its last reading [K] and the power [K].
+    /// Mean temperature of the floor, inferred from the power, the sensor and its last reading [K].
     fn floor(&self, load: &HoldLoad, [sensor, last]: [f64; 2]) -> f64 {
         let hold = &load.hob.hold;
         let rate = (sensor - last) / hold.period_s;

@@ -68,7 +68,7 @@ pub struct PanState {
     /// Steam that rises from foods and liquids, averaged [kg/s].
     pub steam: f64,
     /// Share of the floor under food [-].
-    pub crowded: f64,
+    pub covered: f64,
 }
 
 /// Scratch memory of a pan's solver.
@@ -190,7 +190,7 @@ impl PanModel {
             pose,
             limited: false,
             steam: 0.0,
-            crowded: 0.0,
+            covered: 0.0,
         }
     }
 
@@ -238,7 +238,7 @@ impl PanModel {
         let walls = state.temperature[self.floor_nodes..].iter().zip(&self.section.areas[self.floor_nodes..]);
         let (sum, area) = walls.fold((0.0, 0.0), |(sum, area), (t, a)| (sum + t * a, area + a));
         let wall = if area > 0.0 { sum / area } else { floor };
-        OverPan { floor, wall, steam: state.steam, covered: state.crowded }
+        OverPan { floor, wall, steam: state.steam, covered: state.covered }
     }
 
     /// Adds rendered fat, whose enthalpy includes its latent heat of fusion [J/kg], to the oil; returns the part of the
@@ -304,13 +304,17 @@ impl PanModel {
         dt: f64,
         total: &mut PanExchange,
     ) {
-        let [air, ..] = self.airs(state, load.room, || self.floor_temperature(state));
+        let floor = || self.floor_temperature(state);
+        let air = match (load.rules, &state.lid) {
+            (Rules::Paper2013, None) => load.room.plume_2013(floor()).0,
+            _ => self.airs(state, load.room, floor)[0],
+        };
         let around = PanSurroundings {
             room: load.room,
             air,
             lidded: state.lid.is_some(),
             covered: load.covered,
-            shelters: load.rules == Rules::Full,
+            rules: load.rules,
             vessel: self.vessel(state),
             middle: state.pose.at,
             time: load.time,

@@ -4,7 +4,8 @@
 //! of the gap; in the rest a wet face rides on a layer of steam that its own vapour keeps open, and a dry face stands in
 //! steam and air across the whole gap:
 //!
-//! h = a h_a + φ k_o/δ + (1 − φ) (w h_wet + (1 − w) h_dry), in series with the pan's coating; a = 1 for a wet face and less for a crust, which conducts worse.
+//! h = a π l² h_a + φ k_o/δ + (1 − φ) (w h_wet + (1 − w) h_dry), in series with the pan's coating; a = 1 for a wet face and
+//! less for a crust, which conducts worse; π grows with the pressure; l = min(1, δ₀/δ) falls where a patch is lifted.
 //!
 //! The layer of steam is that of lubrication theory under a load p, with vents R apart:
 //! δ_s = (3 μ k_v ΔT R² / (2 ρ L p))^¼. It is never thicker than the gap, so that the flux rises with ΔT^¾ and does not fall

@@ -22,9 +22,9 @@ use crate::tick::low_pass::low_pass;
 const STEAM: f64 = ZERO_C + 100.0;
 /// Depth of oil from which food stands in it [m] (chosen: the film under a lying face is shallower).
 const DEEP_OIL: f64 = 1.0e-3;
-/// Largest share of a pool's heat capacity that one piece couples to in a tick [-] (chosen: stable for any number of
-/// pieces in a pan).
-const MOST_OF_POOL: f64 = 0.02;
+/// Largest share of a pool's heat capacity that one piece couples to in a tick [-] (chosen: stable for the 200 pieces that a
+/// group may have).
+const MOST_OF_POOL: f64 = 0.005;
 /// Time constant over which the steam below a piece is averaged [s] (chosen).
 const STEAM_S: f64 = 1.0;
 /// Largest relative rise of the level by the food in a pool [-] (chosen: a full pan overflows).
@@ -65,7 +65,7 @@ pub(crate) struct Media {
     patches: Vec<InMedium>,
     /// Patches below the surface of the pool.
     in_water: Vec<u32>,
-    /// Patches below the surface of deep oil, apart from those near the pan.
+    /// Patches below the surface of deep oil, apart from those near the pan and those under other food.
     pub(crate) in_oil: Vec<Oiled>,
     /// Steam that boils off below the piece, averaged [kg/s].
     steam: f64,
@@ -118,8 +118,6 @@ impl Piece {
                     media.in_oil.push(Oiled { patch: patch as u32, located });
                 }
             }
-            let near = self.near_patches();
-            media.in_oil.retain(|o| near.iter().all(|n| n.patch != o.patch));
         }
         self.media = media;
     }
@@ -131,13 +129,18 @@ impl Piece {
         }
         let area: f64 = self.model.patches().iter().map(|p| p.area).sum();
         let conductance = bath.oil(self.vapour_flow / area);
-        for i in 0..self.media.in_oil.len() {
-            let Oiled { patch, located } = self.media.in_oil[i];
-            if self.touch(patch) != Touch::Closed {
-                let temperature = state.metal_at(&located);
-                self.set_touch(patch, Touch::Contact { conductance, temperature });
-            }
+        let mut in_oil = core::mem::take(&mut self.media.in_oil);
+        // Since they were found, some may have come near the pan or under other food.
+        in_oil.retain(|oiled| self.touch(oiled.patch) == Touch::Air);
+        for Oiled { patch, located } in &in_oil {
+            let temperature = state.metal_at(located);
+            self.set_touch(*patch, Touch::Contact { conductance, temperature });
         }
+        for oiled in &in_oil {
+            let node = self.node_of(oiled.patch);
+            self.state.oiled[node] = 1.0;
+        }
+        self.media.in_oil = in_oil;
     }
 
     /// Heat from the pool, to each of its patches; a face that lies keeps its contact with the pan alone.
@@ -161,11 +164,9 @@ impl Piece {
 
     /// Heat from the steam that rises below the piece to the patches that do not lie; no more than the steam holds.
     fn stand_in_steam(&mut self, mean: f64, room: &Room) {
-        let from = 1e-3 * room.contact.gap_mm;
         let near = core::mem::take(&mut self.on_pan.near.patches);
         let lifted = |piece: &Self, n: &crate::pan::near_pan::NearPatch| {
-            let lift = piece.gap_below(n, mean) - mean;
-            let share = if lift > from { 1.0 - from / lift } else { 0.0 };
+            let share = piece.lifted_share(n, mean, room);
             let colder = (STEAM - piece.state.temperature[piece.node_of(n.patch)]).max(0.0);
             (share, share * colder * piece.patch_area(n.patch as usize) * room.contact.steam_w_m2k)
         };
@@ -218,6 +219,11 @@ impl Piece {
             }
         }
         heat
+    }
+
+    /// Forgets the steam below the piece, which lies on another face now.
+    pub(crate) fn lose_steam(&mut self) {
+        self.media.steam = 0.0;
     }
 
     /// Adds the steam of the last tick below the piece [kg] to its average.

@@ -312,6 +312,9 @@ impl Piece {
     pub(crate) fn meet_pan(&mut self, pan: &PanModel, surface: &PanShape, seen: &Pose, force: f64, now: f64, dt: f64) {
         self.on_pan.near.look(pan, surface, seen, self.shape.seen(&self.model));
         self.on_pan.follow(seen.up(), force, now, dt);
+        if self.on_pan.since == 0.0 {
+            self.lose_steam();
+        }
         if let Some(ridges) = &pan.ridges {
             self.note_ridges(ridges, seen);
         }
@@ -340,7 +343,7 @@ impl Piece {
             let face = self.face_contact(&near, pan, room);
             mean = face.mean_gap(&room.contact);
             for n in &near {
-                self.oil(n, pan_state, room);
+                self.oil(n, mean, pan_state, room);
                 self.touch[n.patch as usize] = self.pan_touch(n, &face, mean, (pan, pan_state), room);
                 if let Some(ridges) = pan.ridges.filter(|_| self.state.ticks.is_multiple_of(REFRESH_TICKS)) {
                     self.sear_strip(n, &face, mean, (&ridges, pan_state), room);
@@ -353,11 +356,12 @@ impl Piece {
         }
     }
 
-    /// Oils the node of a patch that lies in a film.
-    fn oil(&mut self, near: &NearPatch, pan: &PanState, room: &Room) {
+    /// Oils the node of a patch that lies in a film; the film does not reach a patch that is lifted off it.
+    fn oil(&mut self, near: &NearPatch, mean: f64, pan: &PanState, room: &Room) {
         let film = pan.oil_film(&near.located);
         let node = self.node_of(near.patch);
-        let covers = film / (film + 1e-3 * room.oil.clinging_mm);
+        let lies = 1.0 - self.lifted_share(near, mean, room);
+        let covers = lies * film / (film + 1e-3 * room.oil.clinging_mm);
         self.state.oiled[node] = self.state.oiled[node].max(covers);
     }
 
@@ -378,6 +382,12 @@ impl Piece {
     /// Gap below a patch near the pan [m].
     pub(crate) fn gap_below(&self, near: &NearPatch, mean: f64) -> f64 {
         mean + self.uneven[near.patch as usize] + near.gap + self.dome_gap(near.patch as usize)
+    }
+
+    /// Share of a patch near the pan that is lifted off it by more than the gap of a face that lies [-].
+    pub(crate) fn lifted_share(&self, near: &NearPatch, mean: f64, room: &Room) -> f64 {
+        let (lift, from) = (self.gap_below(near, mean) - mean, 1e-3 * room.contact.gap_mm);
+        if lift > from { 1.0 - from / lift } else { 0.0 }
     }
 
     fn pan_touch(

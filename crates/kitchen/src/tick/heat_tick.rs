@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use saute_food::water::latent_heat;
+use saute_food::water::{Runoff, latent_heat};
 use saute_food::{Exchange, GRAVITY};
 use saute_heat::Located;
 
@@ -76,7 +76,7 @@ impl Kitchen {
         let steam = foods + self.vapour.puddle;
         low_pass(&mut self.pan.steam, steam, PLUME_S, TICK_S);
         let floor = self.load.covered.iter().zip(&fixed.pan.section.areas).take(fixed.pan.floor_nodes);
-        self.pan.crowded = floor.map(|(covered, area)| covered * area).sum::<f64>() / fixed.pan.floor_area;
+        self.pan.covered = floor.map(|(covered, area)| covered * area).sum::<f64>() / fixed.pan.floor_area;
     }
 
     /// Advances the electronics that hold the pan at a temperature.
@@ -208,10 +208,8 @@ impl Kitchen {
         self.meet(fixed, index, under);
         let air = self.air_round(fixed, &self.pieces[index]);
         let piece = &mut self.pieces[index];
-        let mut exchange = piece.advance(air, TICK_S);
-        if piece.in_pan() {
-            self.exchange_with_media(fixed, index, &mut exchange);
-        }
+        let exchange = piece.advance(air, TICK_S);
+        let condensed = if piece.in_pan() { self.exchange_with_media(fixed, index) } else { Runoff::default() };
         let piece = &mut self.pieces[index];
         if under == Under::Wood {
             piece.warm_wood(&fixed.room, TICK_S);
@@ -220,27 +218,22 @@ impl Kitchen {
         if core > piece.core_peak.0 {
             piece.core_peak = (core, time);
         }
-        self.book(fixed, index, &exchange);
+        self.book(fixed, index, &exchange, &condensed);
     }
 
-    /// Takes the heat that media gave to a piece out of them: that of water from the pool; steam that gave heat condenses
-    /// and drips into the pan.
-    fn exchange_with_media(&mut self, fixed: &Fixed, index: usize, exchange: &mut Exchange) {
+    /// Takes the heat that media gave to a piece out of them: that of water from the pool; steam that gave heat condenses.
+    /// Returns that water.
+    fn exchange_with_media(&mut self, fixed: &Fixed, index: usize) -> Runoff {
         let piece = &mut self.pieces[index];
         let heat = piece.take_media_heat(TICK_S);
         piece.heat_taken += heat.water + heat.steam + piece.solver.contact_heat.iter().sum::<f64>();
         if heat.water != 0.0 {
             self.account.flows.other -= fixed.pan.liquids.draw_from_pool(&mut self.pan.liquids, heat.water);
         }
-        if heat.steam != 0.0 {
-            let boiling = kelvin(100.0);
-            let mass = heat.steam / latent_heat(boiling);
-            let liquid = mass * WATER_SPECIFIC_HEAT * 100.0;
-            exchange.evaporated -= mass;
-            exchange.evaporation -= liquid + heat.steam;
-            exchange.drip.mass += mass;
-            exchange.drip.enthalpy += liquid;
-        }
+        let mass = heat.steam / latent_heat(kelvin(100.0));
+        let piece = &mut self.pieces[index];
+        piece.vapour_flow = (piece.vapour_flow - mass / TICK_S).max(0.0);
+        Runoff { mass, enthalpy: mass * WATER_SPECIFIC_HEAT * 100.0 }
     }
 
     /// Updates the contacts of a piece with pan and ground for this tick.
@@ -257,7 +250,7 @@ impl Kitchen {
     }
 
     /// Adds the exchange of a piece to the pan and to the energy account: heat from the pan's nodes, juice and fat.
-    fn book(&mut self, fixed: &Fixed, index: usize, exchange: &Exchange) {
+    fn book(&mut self, fixed: &Fixed, index: usize, exchange: &Exchange, condensed: &Runoff) {
         let piece = &self.pieces[index];
         let taken: f64 = piece.solver.contact_heat.iter().sum();
         if !piece.in_pan() {
@@ -266,19 +259,21 @@ impl Kitchen {
             self.account.flows.other += exchange.drip.enthalpy + exchange.rendered.enthalpy - taken;
             return;
         }
-        let (air, evaporation) = fixed.pan.take_up(&mut self.pan, &fixed.room, || piece.face(false), exchange);
+        let vapour = without(exchange, condensed);
+        let (air, evaporation) = fixed.pan.take_up(&mut self.pan, &fixed.room, || piece.face(false), &vapour);
         self.account.flows.air += air;
         self.account.flows.evaporation += evaporation;
         // Steam that boils off at the lower face rises through the oil there.
         let boiled = exchange.evaporated.min(taken.max(0.0) / latent_heat(kelvin(100.0))).max(0.0);
-        self.load_pan(fixed, index, boiled, exchange);
+        self.load_pan(fixed, index, boiled, [&exchange.drip, condensed]);
         self.pieces[index].average_steam(boiled, TICK_S);
         let latent = self.pieces[index].model.description().fat_melting.latent_j_kg;
         self.account.flows.other += fixed.pan.render(&mut self.pan, &exchange.rendered, latent);
     }
 
-    /// Adds what a piece took and gave in this tick to the pan below it: heat, cover, steam [kg], fond and juice.
-    fn load_pan(&mut self, fixed: &Fixed, index: usize, boiled: f64, exchange: &Exchange) {
+    /// Adds what a piece took and gave in this tick to the pan below it: heat, cover, steam [kg], fond, juice and condensed
+    /// steam.
+    fn load_pan(&mut self, fixed: &Fixed, index: usize, boiled: f64, dripping: [&Runoff; 2]) {
         let piece = &self.pieces[index];
         let whole: f64 = piece.near_patches().iter().map(|n| piece.patch_area(n.patch as usize)).sum();
         for near in piece.near_patches() {
@@ -294,14 +289,14 @@ impl Kitchen {
                     self.pan.liquids.fond.stick(&model.bed, node as usize, wet * steam * model.fond.left_by_steam);
                 }
             }
-            drip(fixed, &mut self.pan, at, |weight| weight * area / whole, exchange);
+            drip(fixed, &mut self.pan, at, |weight| weight * area / whole, dripping);
         }
         for oiled in &piece.media.in_oil {
             self.load.take(&oiled.located, piece.solver.contact_heat[oiled.patch as usize], TICK_S);
         }
         if let (true, Place::Pan(below)) = (piece.near_patches().is_empty(), piece.place) {
             let at = fixed.pan.locator.locate_or_nearest(&fixed.pan.section, below);
-            drip(fixed, &mut self.pan, &at, |weight| weight, exchange);
+            drip(fixed, &mut self.pan, &at, |weight| weight, dripping);
         }
     }
 
@@ -333,14 +328,26 @@ const PLUME_S: f64 = 2.0;
 /// Lift below which the pan stands on the glass [m] (chosen: above the rounding of the pan's motion).
 const STANDING: f64 = 1e-6;
 
-/// Lets juice of a piece drip onto the pan at `at`: of all that runs off, each node there gets a share by its weight.
-fn drip(fixed: &Fixed, pan: &mut PanState, at: &Located, share: impl Fn(f64) -> f64, exchange: &Exchange) {
-    if exchange.drip.mass <= 0.0 {
+/// Returns an exchange without the vapour that condensed on the piece again.
+fn without(exchange: &Exchange, condensed: &Runoff) -> Exchange {
+    let enthalpy = condensed.enthalpy + condensed.mass * latent_heat(kelvin(100.0));
+    Exchange {
+        evaporated: exchange.evaporated - condensed.mass,
+        evaporation: exchange.evaporation - enthalpy,
+        ..*exchange
+    }
+}
+
+/// Lets juice and water of a piece drip onto the pan at `at`: of all that runs off, each node there gets a share by its
+/// weight. Only juice carries solids.
+fn drip(fixed: &Fixed, pan: &mut PanState, at: &Located, share: impl Fn(f64) -> f64, [juice, water]: [&Runoff; 2]) {
+    if juice.mass <= 0.0 && water.mass <= 0.0 {
         return;
     }
     for (node, weight) in at.nodes.into_iter().zip(at.weights) {
-        let [mass, enthalpy] = [exchange.drip.mass, exchange.drip.enthalpy].map(|v| share(weight) * v);
-        pan.liquids.drip(node as usize, mass, enthalpy, mass * fixed.pan.liquids.fond.juice_solids);
+        let [mass, enthalpy] = [juice.mass + water.mass, juice.enthalpy + water.enthalpy].map(|v| share(weight) * v);
+        let solids = share(weight) * juice.mass * fixed.pan.liquids.fond.juice_solids;
+        pan.liquids.drip(node as usize, mass, enthalpy, solids);
     }
 }
 

@@ -133,7 +133,7 @@ impl CookCase {
         };
         let quantity = if label.is_empty() { band.quantity.clone() } else { format!("{} ({label})", band.quantity) };
         let verdict = self.banded(&quantity, &band.unit, [band.low, band.high], got);
-        Verdict { known_miss: band.known_miss(label), ..verdict }
+        Verdict { known_miss: band.known_miss(label, got), ..verdict }
     }
 
     /// Returns the verdict on the largest change against the direction of a trend.

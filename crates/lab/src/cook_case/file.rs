@@ -84,15 +84,20 @@ pub(super) struct BandEntry {
 pub(super) struct KnownMiss {
     /// Reason, as far as it is known.
     pub why: String,
+    /// The value farthest from the band that is accepted.
+    pub worst: f64,
     /// In a sweep, the cook that misses, as `half_s = 105`; all cooks by default.
     pub of: Option<String>,
 }
 
 impl BandEntry {
-    /// Reason of the known miss of the cook with a label; none if the band should hold there.
-    pub fn known_miss(&self, label: &str) -> Option<String> {
+    /// Reason of the known miss of the cook with a label and a value; none if the band should hold there, or if the value
+    /// is missing or worse than accepted.
+    pub fn known_miss(&self, label: &str, got: Option<f64>) -> Option<String> {
         let known = self.known_miss.as_ref()?;
-        known.of.as_ref().is_none_or(|of| of == label).then(|| known.why.clone())
+        let accepted = self.low.min(known.worst)..=self.high.max(known.worst);
+        let is_meant = known.of.as_ref().is_none_or(|of| of == label);
+        (is_meant && accepted.contains(&got?)).then(|| known.why.clone())
     }
 }
 
