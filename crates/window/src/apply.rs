@@ -47,6 +47,8 @@ impl SauteApp {
             Act::SetOut => self.set_out(),
             Act::Add(count) => self.add(count),
             Act::Play(id) => self.play(&id),
+            #[cfg(target_arch = "wasm32")]
+            Act::ChooseFile => self.choose_file(ctx),
             Act::Pieces => self.open_left(false, !self.settings.pieces_open),
             Act::Restart => self.restart(),
             Act::View(view) => self.settings.view = view,

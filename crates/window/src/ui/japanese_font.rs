@@ -40,13 +40,18 @@ const NAME: &str = "japanese";
 /// one.
 pub fn install(ctx: &egui::Context) -> bool {
     let Some(font) = found() else { return false };
+    install_font(ctx, font);
+    true
+}
+
+/// Adds a Japanese font likewise.
+pub(crate) fn install_font(ctx: &egui::Context, font: Arc<FontData>) {
     let mut fonts = FontDefinitions::default();
     fonts.font_data.insert(NAME.to_owned(), font);
     for family in [FontFamily::Proportional, FontFamily::Monospace] {
         fonts.families.entry(family).or_default().push(NAME.to_owned());
     }
     ctx.set_fonts(fonts);
-    true
 }
 
 /// The first font at those places; read once.
