@@ -8,13 +8,17 @@ const [{ fetchFile, withProgress }, { backends }, { Cover }, { words }] = await 
 );
 
 const asked = new URLSearchParams(location.search);
-const options = { lang: asked.get("lang") ?? "", recipe: asked.get("recipe") ?? "" };
-const language = options.lang || navigator.language;
+// Without a language in the address the kitchen takes the remembered one, else the browser's.
+const lang = ["en", "ja"].includes(asked.get("lang")) ? asked.get("lang") : "";
+const options = { lang, recipe: asked.get("recipe") ?? "" };
+const language = lang || navigator.language;
 const cover = new Cover(words(language));
 document.documentElement.lang = language;
 
 let bindings = null;
 let page = null;
+/** Settled when the start under way is over; a page takes a font only then. */
+let started = Promise.resolve();
 
 /** Fetches the module and compiles it while it comes. */
 async function load() {
@@ -39,7 +43,9 @@ async function start(candidates) {
   const [backend, ...others] = candidates;
   try {
     page = new bindings.Page();
-    await page.start(freshCanvas(), { ...options, backend });
+    started = page.start(freshCanvas(), { ...options, backend });
+    await started;
+    // Tests read `saute.stats()`.
     window.saute = page;
     cover.lift();
   } catch (error) {
@@ -63,6 +69,7 @@ async function startAgain() {
 async function offerFont() {
   try {
     const font = await fetchFile(place("fonts/japanese.otf"));
+    await started;
     page.offer_font(new Uint8Array(await font.arrayBuffer()));
   } catch (error) {
     console.warn(`The Japanese font could not be loaded: ${error.message}`);

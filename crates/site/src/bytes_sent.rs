@@ -9,7 +9,7 @@ use crate::page::{MODULE, files_of};
 
 /// 4 MB with brotli: half a minute at 1 Mbit/s.
 pub const BUDGET: u64 = 4_000_000;
-/// egui brings its fonts inside the module; this is what they cost with brotli.
+/// What a first visit loads; guides and the Japanese font it does not.
 const ENDINGS: [&str; 5] = ["wasm", "js", "html", "css", "svg"];
 
 /// Sizes of one file: as it is, with gzip, with brotli.
@@ -51,4 +51,30 @@ fn sizes(path: &Path) -> Result<Sizes, SiteError> {
     let size = |path: PathBuf| fs::metadata(&path).map(|data| data.len()).map_err(at(&path));
     let bytes = [size(path.to_owned())?, size(name(path, "gz"))?, size(name(path, "br"))?];
     Ok(Sizes { name: path.file_name().unwrap_or_default().to_string_lossy().into_owned(), bytes })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A site whose compressed files have a size each.
+    fn site(bytes: u64) -> tempfile::TempDir {
+        let site = tempfile::tempdir().unwrap();
+        std::fs::create_dir(site.path().join("fonts")).unwrap();
+        for file in ["index.html", MODULE, "README.html", "fonts/japanese.otf"] {
+            for ending in ["", ".br", ".gz"] {
+                let file = fs::File::create(site.path().join(format!("{file}{ending}"))).unwrap();
+                file.set_len(bytes).unwrap();
+            }
+        }
+        site
+    }
+
+    /// Promise: a page that sends more than 4 MB before the first interaction is not made; guides and font do not count.
+    #[test]
+    fn a_page_over_the_budget_is_an_error() {
+        assert!(check(site(BUDGET / 2).path()).is_ok());
+        let error = check(site(BUDGET / 2 + 1).path()).unwrap_err();
+        assert_eq!(error.to_string(), "the page sends 4000002 bytes before the first interaction; at most 4000000 are allowed");
+    }
 }

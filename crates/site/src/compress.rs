@@ -62,3 +62,27 @@ fn gzip(bytes: &[u8]) -> io::Result<Vec<u8>> {
     encoder.write_all(bytes)?;
     encoder.finish()
 }
+
+#[cfg(test)]
+mod tests {
+    use std::io::Read;
+
+    use super::*;
+
+    /// Promise: both forms hold the same bytes as the file, and pictures have none.
+    #[test]
+    fn both_forms_unpack_to_the_file() {
+        let site = tempfile::tempdir().unwrap();
+        let text = "steak ".repeat(1000);
+        std::fs::create_dir(site.path().join("inner")).unwrap();
+        let file = site.path().join("inner/a.js");
+        std::fs::write(&file, &text).unwrap();
+        std::fs::write(site.path().join("a.png"), &text).unwrap();
+        compress(site.path()).unwrap();
+        let (mut gzip, mut brotli) = (String::new(), Vec::new());
+        flate2::read::GzDecoder::new(&*fs::read(name(&file, "gz")).unwrap()).read_to_string(&mut gzip).unwrap();
+        brotli::BrotliDecompress(&mut &*fs::read(name(&file, "br")).unwrap(), &mut brotli).unwrap();
+        assert!(gzip == text && brotli == text.as_bytes());
+        assert!(!site.path().join("a.png.gz").exists());
+    }
+}
