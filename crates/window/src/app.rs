@@ -75,7 +75,7 @@ pub struct SauteApp {
     pub(crate) meter: FrameMeter,
     /// True if the card of the first steps is shown.
     pub(crate) first_steps: bool,
-    /// True if the system has a font with kana and kanji.
+    /// True if there is a font with kana and kanji.
     pub(crate) japanese_font: bool,
     /// True if the scene can be drawn (a graphics device is there).
     drawable: bool,
@@ -205,17 +205,13 @@ impl SauteApp {
         self.memory.count = count;
     }
 
-    /// Chooses the window's language; without a font for Japanese it stays English and says what is missing.
+    /// Chooses the window's language; a page without a font for Japanese asks its host for one first.
     pub fn set_language(&mut self, language: Language) {
+        #[cfg(target_arch = "wasm32")]
         if language == Language::Japanese && !self.japanese_font {
             return self.want_font();
         }
         self.settings.language = language;
-    }
-
-    #[cfg(not(target_arch = "wasm32"))]
-    fn want_font(&mut self) {
-        self.say("notice.no_font");
     }
 
     /// Returns true if the card of the first steps is shown.
