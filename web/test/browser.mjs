@@ -5,7 +5,9 @@ import { chromium } from "playwright-core";
 const QUIET = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking"];
 const BARE = [...QUIET, "--disable-component-update", "--disable-sync"];
 /** Graphics by software, so that tests run on any machine. */
-const WEBGL2 = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+export const WEBGL2 = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+
+export const WEBGPU = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan"];
 
 /** Starts Chromium; `args` says what it draws with. */
 export function launch(args = WEBGL2) {
