@@ -7,7 +7,11 @@ const BARE = [...QUIET, "--disable-component-update", "--disable-sync"];
 /** Graphics by software, so that tests run on any machine. */
 export const WEBGL2 = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
-export const WEBGPU = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan"];
+export const WEBGPU = [
+  ...["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan"],
+  // Without Vulkan for the compositor too, Chromium loses the device of any page that draws to a canvas.
+  ...["--use-vulkan=swiftshader", ...WEBGL2],
+];
 
 /** Starts Chromium; `args` says what it draws with. */
 export function launch(args = WEBGL2) {
