@@ -32,7 +32,7 @@ impl Page {
     #[allow(clippy::new_without_default)]
     pub fn new() -> Self {
         // A second page of the same module finds the logger installed.
-        let _ = eframe::WebLogger::init(log::LevelFilter::Warn);
+        let _ = eframe::WebLogger::init(log::LevelFilter::Error);
         Self { runner: WebRunner::new(), backend: Rc::default() }
     }
 
@@ -94,7 +94,7 @@ impl Page {
 fn start(options: Options) -> Result<Start, String> {
     let library = saute_kitchen::Library::embedded().map_err(|e| e.to_string())?;
     let recipe = options.recipe.map(|name| shipped(&library, &name)).transpose()?;
-    Ok(Start { library: Some(library.into()), recipe, language: options.language })
+    Ok(Start { library: Some(library.into()), recipe, language: options.language, keep_panels: true })
 }
 
 fn shipped(library: &saute_kitchen::Library, name: &str) -> Result<Recipe, String> {

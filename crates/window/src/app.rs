@@ -20,6 +20,7 @@ use crate::input::tool_hand::ToolHand;
 use crate::mirror::presenter::MirrorCallback;
 use crate::mirror::view::MirrorView;
 use crate::paint::ground::GroundCallback;
+use crate::paint::panel_layer::PanelLayer;
 use crate::paint::scene::SceneCallback;
 use crate::panels::window_state::PanelMemory;
 use crate::session::Session;
@@ -44,6 +45,8 @@ pub struct Start {
     pub recipe: Option<Recipe>,
     /// Language of the window; the remembered one unless given.
     pub language: Option<Language>,
+    /// True keeps a picture of the panels between frames where the graphics are software.
+    pub keep_panels: bool,
     /// Devices that hands hold.
     #[cfg(not(target_arch = "wasm32"))]
     pub hands: crate::hand::HandsStart,
@@ -141,6 +144,9 @@ impl SauteApp {
             GroundCallback::install(state);
             MirrorCallback::install(state);
             software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
+            if software && start.keep_panels {
+                PanelLayer::install(context, state);
+            }
         }
         let language = start.language.unwrap_or(settings.language);
         let first_steps = remembers && !settings.introduced;
