@@ -81,6 +81,7 @@ impl SauteApp {
             #[cfg(target_arch = "wasm32")]
             Act::StopHands | Act::Strings => {}
             Act::Picture => crate::ui::save_picture::save_picture(ctx, &self.notice, self.settings.language),
+            Act::Mirror if cfg!(target_arch = "wasm32") => self.say("settings.native_only"),
             Act::Mirror => self.toggle_mirror(),
             Act::MirrorWindow(open) => (self.mirror.open, self.mirror.full) = (open, false),
             Act::Calibrate(on) => self.calibrate_mirror(on),
