@@ -8,9 +8,9 @@ export async function fetchFile(url) {
   return (await fetchCompressed(url, response)) ?? response;
 }
 
-/** The `.gz` beside a file, inflated, and the plain response given up for it; null where there is none. */
+/** The `.gz` beside a file, inflated, in place of the plain response, which is given up; null where there is none. */
 async function fetchCompressed(url, plain) {
-  if (typeof DecompressionStream === "undefined" || Number(plain.headers.get("Content-Length")) < 16384) return null;
+  if (typeof DecompressionStream === "undefined") return null;
   const response = await fetch(compressedName(url)).catch(() => null);
   if (!response?.ok || response.headers.get("Content-Type")?.startsWith("text/html")) return null;
   plain.body?.cancel();
