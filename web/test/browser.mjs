@@ -5,7 +5,13 @@ import { chromium } from "playwright-core";
 const QUIET = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking"];
 const BARE = [...QUIET, "--disable-component-update", "--disable-sync"];
 /** Graphics by software, so that tests run on any machine. */
-const WEBGL2 = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+export const WEBGL2 = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+
+export const WEBGPU = [
+  ...["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan"],
+  // Without Vulkan for the compositor too, Chromium loses the device of any page that draws to a canvas.
+  ...["--use-vulkan=swiftshader", ...WEBGL2],
+];
 
 /** Starts Chromium; `args` says what it draws with. */
 export function launch(args = WEBGL2) {
