@@ -2,22 +2,28 @@
 
 /** Fetches a file; the response's body is as the file was before compression. */
 export async function fetchFile(url) {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
-  if (response.headers.has("Content-Encoding")) return response;
-  return (await fetchCompressed(url, response)) ?? response;
+  const plain = await fetchPlain(url);
+  if (plain.headers.has("Content-Encoding") || typeof DecompressionStream === "undefined") return plain;
+  // Given up after its header: what is three times as large need not come.
+  await plain.body?.cancel();
+  return (await fetchCompressed(url, plain.headers.get("Content-Type"))) ?? fetchPlain(url);
 }
 
-/** The `.gz` beside a file, inflated, and the plain response given up for it; null where there is none. */
-async function fetchCompressed(url, plain) {
-  if (typeof DecompressionStream === "undefined" || Number(plain.headers.get("Content-Length")) < 16384) return null;
+async function fetchPlain(url) {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
+  return response;
+}
+
+/** The `.gz` beside a file, inflated; null where there is none. */
+async function fetchCompressed(url, type) {
   const response = await fetch(compressedName(url)).catch(() => null);
+  // Some hosts answer a missing file with a page that says so.
   if (!response?.ok || response.headers.get("Content-Type")?.startsWith("text/html")) return null;
-  plain.body?.cancel();
   // Some hosts mark a .gz file as encoded; then the browser has inflated it.
   const isInflated = response.headers.has("Content-Encoding");
   const body = isInflated ? response.body : response.body.pipeThrough(new DecompressionStream("gzip"));
-  return new Response(body, { headers: { "Content-Type": plain.headers.get("Content-Type") ?? "" } });
+  return new Response(body, { headers: { "Content-Type": type ?? "" } });
 }
 
 function compressedName(url) {

@@ -52,7 +52,11 @@ export async function reaches(page, state) {
   if (found !== state) throw new Error(`the page is ${found}, not ${state}: ${cover}`);
 }
 
+/** Warnings about a machine without a graphics card. */
+const OF_THE_MACHINE = [/No available adapters/, /Software rasterizer detected/];
+
 /** Problems of the console. */
 export function trouble(seen) {
-  return seen.said.filter((line) => line.startsWith("error") || line.startsWith("warning"));
+  const problems = seen.said.filter((line) => line.startsWith("error") || line.startsWith("warning"));
+  return problems.filter((line) => !OF_THE_MACHINE.some((known) => known.test(line)));
 }

@@ -46,12 +46,12 @@ impl Build {
         println!("binding the module to JavaScript");
         bind::bind(&self.wasm, &self.out)?;
         if let Some(program) = &self.wasm_opt {
-            println!("wasm-opt: about a minute");
+            println!("wasm-opt: two minutes");
             bind::optimise(program, &self.out)?;
         }
         page::add(root, &self.out)?;
         docs::add(root, &self.out)?;
-        println!("compressing: about a minute");
+        println!("compressing: a minute");
         compress::compress(&self.out)
     }
 }

@@ -75,6 +75,9 @@ mod tests {
     fn a_page_over_the_budget_is_an_error() {
         assert!(check(site(BUDGET / 2).path()).is_ok());
         let error = check(site(BUDGET / 2 + 1).path()).unwrap_err();
-        assert_eq!(error.to_string(), "the page sends 4000002 bytes before the first interaction; at most 4000000 are allowed");
+        assert_eq!(
+            error.to_string(),
+            "the page sends 4000002 bytes before the first interaction; at most 4000000 are allowed"
+        );
     }
 }

@@ -24,7 +24,7 @@ impl Guide {
     fn read(root: &Path, path: &Path) -> Result<Self, SiteError> {
         let text = fs::read_to_string(path).map_err(at(path))?;
         let heading = text.lines().find_map(|line| line.strip_prefix("# "));
-        let title = heading.unwrap_or("saute").replace('`', "");
+        let title = heading.filter(|title| *title != "saute").unwrap_or("About saute").replace('`', "");
         Ok(Self { path: path.strip_prefix(root).unwrap_or(path).to_owned(), title, text })
     }
 

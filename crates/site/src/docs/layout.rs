@@ -23,7 +23,7 @@ pub fn page(guides: &[Guide], at: &Path, title: &str, body: &str) -> String {
                 meta http-equiv="Content-Security-Policy" content=(POLICY);
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
-                title { (title) @if title != "saute" { " · saute" } }
+                title { (title) @if !title.contains("saute") { " · saute" } }
                 link rel="icon" type="image/svg+xml" href=(to("icon.svg"));
                 link rel="stylesheet" href=(to("style.css"));
                 link rel="stylesheet" href=(to("docs/docs.css"));
@@ -46,7 +46,7 @@ pub fn page(guides: &[Guide], at: &Path, title: &str, body: &str) -> String {
 fn navigation(guides: &[Guide], at: &Path) -> Markup {
     html! {
         nav id=(PAGES) aria-label="Pages" {
-            a class="open" href=(relative(at, Path::new("index.html"))) { "Cook in the browser" }
+            a class="open" href=(relative(at, Path::new("index.html"))) { "Cook a steak" }
             @for (title, folder) in GROUPS {
                 h2 { (title) }
                 (items(guides, at, Path::new(folder)))
