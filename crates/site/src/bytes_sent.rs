@@ -54,6 +54,7 @@ fn sizes(path: &Path) -> Result<Sizes, SiteError> {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 

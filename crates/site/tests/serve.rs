@@ -1,5 +1,7 @@
 //! Promise: `saute-site serve` sends a folder, compressed to those that accept it, and nothing outside of the folder.
 
+#![allow(clippy::unwrap_used)]
+
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::path::Path;

@@ -71,8 +71,7 @@ const ARROWS: [(&str, &[&str]); 16] = [
 ];
 
 /// What the page needs in a browser.
-const WEB: &[&str] =
-    &["saute-kitchen", "saute-recipe", "saute-scene", "saute-window", "eframe", "egui-wgpu", "wgpu"];
+const WEB: &[&str] = &["saute-kitchen", "saute-recipe", "saute-scene", "saute-window", "eframe", "egui-wgpu", "wgpu"];
 
 /// Crates outside the workspace whose arrows are stated, by kind.
 const NOTABLE: [&[&str]; 6] = [RIGID_BODIES, GRAPHICS, WINDOW, SOUND, COMMAND_LINE, OUTSIDE_WORLD];

@@ -73,4 +73,5 @@ fn write(site: &Path, path: &Path, bytes: &[u8]) -> Result<(), SiteError> {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests;
