@@ -1,10 +1,18 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds saute and runs it: ./run.sh [ARGS]. Without arguments the window opens.
+# ./run.sh web [--port N] builds the web page and serves it here; ./run.sh web --build DIR writes it as static files.
 set -euo pipefail
 cd "$(dirname "$0")"
 source scripts/requirements.sh
+source scripts/wasm.sh
+source scripts/web.sh
 
 need_cargo
+if [ "${1:-}" = web ]; then
+    shift
+    web "$@"
+    exit
+fi
 need_packages
 # Without it graphics drivers complain on stderr while they look for a Wayland display.
 export XDG_RUNTIME_DIR="${XDG_RUNTIME_DIR:-/tmp}"

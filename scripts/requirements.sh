@@ -4,8 +4,14 @@
 # a font with kana and kanji for the window in Japanese.
 RUN_PACKAGES=(gcc libc6-dev pkg-config libxkbcommon0 libxkbcommon-x11-0 libudev-dev libwayland-client0 libx11-6 libx11-xcb1 libxcursor1 libxi6 libxrandr2 libvulkan1 mesa-vulkan-drivers fonts-ipafont-gothic)
 
-# What the tests need besides: a real browser that plays the phone, and Callgrind, which counts instructions.
+# What the page needs: a linker for programs that run while it is built.
+WEB_PACKAGES=(gcc libc6-dev)
+
+# What the tests need besides: a real browser that plays the phone and opens the page, and Callgrind, which counts
+# instructions.
 TEST_PACKAGES=(chromium valgrind)
+# Node.js drives the browser; one from elsewhere than the distribution serves as well.
+command -v npm >/dev/null || TEST_PACKAGES+=(nodejs npm)
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -3,32 +3,51 @@
 WASM_TARGET=wasm32-unknown-unknown
 # Debian's compiler for the browser, for machines where rustup cannot fetch the target.
 DEBIAN_WASM_PACKAGES=(rustc-web cargo-web rust-web-src lld)
+WASM_FLAGS='--cfg getrandom_backend="wasm_js"'
 
-# check_wasm CRATE...: by rustup's target, else under CI by Debian's compiler, else skipped with a notice.
+# check_wasm CRATE...: whether crates compile for the browser; no code is made.
 check_wasm() {
     local crates=()
     local crate
     for crate in "$@"; do crates+=(-p "saute-$crate"); done
+    cargo_wasm check "${crates[@]}"
+}
+
+# cargo_wasm COMMAND ARGS...: cargo for the browser in the page's profile, by rustup's target, else by Debian's compiler.
+# The folder of the results is $(wasm_folder).
+cargo_wasm() {
     if rustup_has_target; then
-        RUSTFLAGS='--cfg getrandom_backend="wasm_js"' cargo build --release --target "$WASM_TARGET" "${crates[@]}"
-    elif [ "${CI:-}" = true ] && command -v apt-get >/dev/null && install "${DEBIAN_WASM_PACKAGES[@]}"; then
-        debian_wasm "${crates[@]}"
+        RUSTFLAGS="$WASM_FLAGS" cargo "$1" --profile web --target "$WASM_TARGET" "${@:2}"
+    elif command -v apt-get >/dev/null && install "${DEBIAN_WASM_PACKAGES[@]}"; then
+        debian_wasm "$1" --profile web --target-dir "$(wasm_folder)" "${@:2}"
     else
-        say "skipped: the target $WASM_TARGET is not installed and could not be added"
+        say "the target $WASM_TARGET is missing: rustup target add $WASM_TARGET"
+        return 1
     fi
 }
 
+# wasm_folder: apart for Debian's compiler, whose version differs from that of rustup.
+wasm_folder() {
+    if rustup_has_target; then echo "${CARGO_TARGET_DIR:-target}"; else echo "${CARGO_TARGET_DIR:-target}/debian"; fi
+}
+
+# rustup_has_target: whether rustup has the target or can add it; tried once.
 rustup_has_target() {
-    command -v rustup >/dev/null || return 1
-    rustup target list --installed 2>/dev/null | grep -qx "$WASM_TARGET" && return 0
-    timeout 120 rustup target add "$WASM_TARGET" >/dev/null 2>&1
+    if [ -z "${RUSTUP_HAS_TARGET:-}" ]; then
+        RUSTUP_HAS_TARGET=no
+        if command -v rustup >/dev/null; then
+            if rustup target list --installed 2>/dev/null | grep -qx "$WASM_TARGET" ||
+                timeout 120 rustup target add "$WASM_TARGET" >/dev/null 2>&1; then
+                RUSTUP_HAS_TARGET=yes
+            fi
+        fi
+    fi
+    [ "$RUSTUP_HAS_TARGET" = yes ]
 }
 
 # The standard library is built from source; nightly-only switches are allowed by RUSTC_BOOTSTRAP.
 debian_wasm() {
     RUSTC_BOOTSTRAP=1 RUSTC=/usr/bin/rustc RUSTDOC=/usr/bin/rustdoc \
-        CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=wasm-ld \
-        RUSTFLAGS='--cfg getrandom_backend="wasm_js"' \
-        /usr/bin/cargo build -Zbuild-std=std,panic_abort --target "$WASM_TARGET" --release \
-        --target-dir target/web "$@"
+        CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=wasm-ld RUSTFLAGS="$WASM_FLAGS" \
+        /usr/bin/cargo "$1" -Zbuild-std=std,panic_abort --target "$WASM_TARGET" "${@:2}"
 }

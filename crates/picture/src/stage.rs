@@ -7,7 +7,7 @@ use glam::{Quat, Vec2, Vec3};
 use saute_kitchen::doneness::ScaleChoice;
 use saute_kitchen::dynamics::Tool;
 use saute_kitchen::food::change::colour::decoded;
-use saute_kitchen::food::{Face, Scale};
+use saute_kitchen::food::{Face, FoodModel, Scale};
 use saute_kitchen::heat::Layout;
 use saute_kitchen::piece::sear_lines::SearLines;
 use saute_kitchen::{Kitchen, Piece, Place, RestOn, celsius};
@@ -79,7 +79,8 @@ type Shades = (View, TemperatureMap, Vec<Option<String>>);
 /// A skin with the vertices it has now.
 #[derive(Clone, Debug)]
 struct CachedSkin {
-    model: usize,
+    /// Kept, so that no other model comes to lie at its address.
+    model: Arc<FoodModel>,
     skin: Skin,
     vertices: Arc<Vec<FoodVertex>>,
     /// What the vertices were made for.
@@ -207,13 +208,11 @@ impl Stage {
     }
 
     fn cached(&mut self, piece: &Piece) -> &mut CachedSkin {
-        let model = Arc::as_ptr(&piece.model) as usize;
-        if self.skins.get(&piece.id).is_none_or(|cached| cached.model != model) {
-            let cached = CachedSkin { model, skin: Skin::new(piece), vertices: Arc::default(), made_for: None };
-            self.skins.insert(piece.id.clone(), cached);
+        if self.skins.get(&piece.id).is_some_and(|cached| !Arc::ptr_eq(&cached.model, &piece.model)) {
+            self.skins.remove(&piece.id);
         }
         self.skins.entry(piece.id.clone()).or_insert_with(|| CachedSkin {
-            model,
+            model: Arc::clone(&piece.model),
             skin: Skin::new(piece),
             vertices: Arc::default(),
             made_for: None,

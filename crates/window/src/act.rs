@@ -76,6 +76,9 @@ pub enum Act {
     Add(usize),
     /// Plays a recipe of the library from its start, by its id.
     Play(String),
+    /// Opens the browser's file dialog for a recipe.
+    #[cfg(target_arch = "wasm32")]
+    ChooseFile,
     /// List of the pieces.
     Pieces,
     /// Start over.

@@ -11,6 +11,7 @@ use saute_recipe::Recipe;
 use saute_scene::camera::Camera;
 use saute_scene::quality::Quality;
 
+use crate::frame_meter::FrameMeter;
 use crate::governor::Governor;
 use crate::input::pad_input::Pad;
 use crate::input::pan_keys::PanKeys;
@@ -19,6 +20,7 @@ use crate::input::tool_hand::ToolHand;
 use crate::mirror::presenter::MirrorCallback;
 use crate::mirror::view::MirrorView;
 use crate::paint::ground::GroundCallback;
+use crate::paint::panel_layer::PanelLayer;
 use crate::paint::scene::SceneCallback;
 use crate::panels::window_state::PanelMemory;
 use crate::session::Session;
@@ -41,6 +43,10 @@ pub struct Start {
     pub library: Option<Arc<Library>>,
     /// A recipe to play at once.
     pub recipe: Option<Recipe>,
+    /// Language of the window; the remembered one unless given.
+    pub language: Option<Language>,
+    /// True keeps a picture of the panels between frames where the graphics are software.
+    pub keep_panels: bool,
     /// Devices that hands hold.
     #[cfg(not(target_arch = "wasm32"))]
     pub hands: crate::hand::HandsStart,
@@ -69,9 +75,10 @@ pub struct SauteApp {
     pub(crate) portion: Portion,
     pub(crate) pad: Pad,
     last_time: Option<f64>,
+    pub(crate) meter: FrameMeter,
     /// True if the card of the first steps is shown.
     pub(crate) first_steps: bool,
-    /// True if the system has a font with kana and kanji.
+    /// True if there is a font with kana and kanji.
     pub(crate) japanese_font: bool,
     /// True if the scene can be drawn (a graphics device is there).
     drawable: bool,
@@ -79,6 +86,9 @@ pub struct SauteApp {
     /// Chooses the quality of the picture where that is left to the program.
     pub(crate) governor: Governor,
     pub(crate) mirror: MirrorView,
+    /// What the page hands in.
+    #[cfg(target_arch = "wasm32")]
+    pub(crate) inbox: crate::browser::Inbox,
 }
 
 /// Errors of starting the window.
@@ -134,8 +144,11 @@ impl SauteApp {
             GroundCallback::install(state);
             MirrorCallback::install(state);
             software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
+            if software && start.keep_panels {
+                PanelLayer::install(context, state);
+            }
         }
-        let language = settings.language;
+        let language = start.language.unwrap_or(settings.language);
         let first_steps = remembers && !settings.introduced;
         let mut app = Self {
             session,
@@ -155,12 +168,15 @@ impl SauteApp {
             portion: Portion::default(),
             pad: Pad::default(),
             last_time: None,
+            meter: FrameMeter::default(),
             drawable: graphics.is_some(),
             software,
             governor: Governor::new(Quality::Best),
             first_steps,
             japanese_font,
             mirror: MirrorView::default(),
+            #[cfg(target_arch = "wasm32")]
+            inbox: crate::browser::Inbox::default(),
         };
         app.settings.language = Language::English;
         app.set_language(language);
@@ -195,11 +211,11 @@ impl SauteApp {
         self.memory.count = count;
     }
 
-    /// Chooses the window's language; without a font for Japanese it stays English and says what is missing.
+    /// Chooses the window's language; a page without a font for Japanese asks its host for one first.
     pub fn set_language(&mut self, language: Language) {
+        #[cfg(target_arch = "wasm32")]
         if language == Language::Japanese && !self.japanese_font {
-            self.say("notice.no_font");
-            return;
+            return self.want_font();
         }
         self.settings.language = language;
     }
@@ -222,6 +238,11 @@ impl SauteApp {
     /// Returns true if the card of the settings is open.
     pub fn settings_are_open(&self) -> bool {
         self.settings_open
+    }
+
+    /// How fast frames and simulated time have run lately.
+    pub fn meter(&self) -> &FrameMeter {
+        &self.meter
     }
 
     /// Size at which the scene was drawn last [pixels].
@@ -313,6 +334,11 @@ impl SauteApp {
 impl eframe::App for SauteApp {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.frame(ui);
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    fn as_any_mut(&mut self) -> Option<&mut dyn std::any::Any> {
+        Some(&mut *self)
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {

@@ -47,6 +47,8 @@ impl SauteApp {
             Act::SetOut => self.set_out(),
             Act::Add(count) => self.add(count),
             Act::Play(id) => self.play(&id),
+            #[cfg(target_arch = "wasm32")]
+            Act::ChooseFile => self.choose_file(ctx),
             Act::Pieces => self.open_left(false, !self.settings.pieces_open),
             Act::Restart => self.restart(),
             Act::View(view) => self.settings.view = view,
@@ -79,6 +81,7 @@ impl SauteApp {
             #[cfg(target_arch = "wasm32")]
             Act::StopHands | Act::Strings => {}
             Act::Picture => crate::ui::save_picture::save_picture(ctx, &self.notice, self.settings.language),
+            Act::Mirror if cfg!(target_arch = "wasm32") => self.say("settings.native_only"),
             Act::Mirror => self.toggle_mirror(),
             Act::MirrorWindow(open) => (self.mirror.open, self.mirror.full) = (open, false),
             Act::Calibrate(on) => self.calibrate_mirror(on),

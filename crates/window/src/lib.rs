@@ -18,6 +18,9 @@ pub mod app;
 mod apply;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod bench_frame;
+#[cfg(target_arch = "wasm32")]
+pub mod browser;
+pub mod frame_meter;
 pub mod governor;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod hand;
@@ -27,6 +30,7 @@ pub mod mirror;
 pub mod offscreen;
 pub mod paint;
 pub mod panels;
+pub mod pose;
 mod remembered;
 pub mod session;
 pub mod settings;

@@ -11,7 +11,7 @@ pub struct Offscreen {
     pub app: SauteApp,
     context: egui::Context,
     state: RenderState,
-    target: wgpu::TextureView,
+    target: wgpu::Texture,
     size: [u32; 2],
 }
 
@@ -51,10 +51,9 @@ impl Offscreen {
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
             format: state.target_format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
             view_formats: &[],
         });
-        let target = target.create_view(&wgpu::TextureViewDescriptor::default());
         Ok(Self { app, context, state, target, size })
     }
 
@@ -77,6 +76,13 @@ impl Offscreen {
         self.draw(output);
     }
 
+    /// The last frame: tight RGBA8 rows from the top.
+    pub fn picture(&self) -> Vec<u8> {
+        let (device, queue) = (&self.state.device, &self.state.queue);
+        let encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("picture") });
+        saute_scene::gpu::readback::read_picture(device, queue, encoder, &self.target)
+    }
+
     fn draw(&mut self, mut output: FullOutput) {
         let (device, queue) = (&self.state.device, &self.state.queue);
         let mut renderer = self.state.renderer.write();
@@ -85,6 +91,7 @@ impl Offscreen {
         }
         let screen = ScreenDescriptor { size_in_pixels: self.size, pixels_per_point: output.pixels_per_point };
         let primitives = self.context.tessellate(output.shapes, output.pixels_per_point);
+        let target = self.target.create_view(&wgpu::TextureViewDescriptor::default());
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("window") });
         let buffers = renderer.update_buffers(device, queue, &mut encoder, &primitives, &screen);
         {
@@ -92,7 +99,7 @@ impl Offscreen {
                 .begin_render_pass(&wgpu::RenderPassDescriptor {
                     label: Some("window"),
                     color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                        view: &self.target,
+                        view: &target,
                         resolve_target: None,
                         ops: wgpu::Operations {
                             load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),

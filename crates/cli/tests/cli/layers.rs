@@ -9,7 +9,7 @@ use serde_json::Value;
 
 /// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
 /// skipped.
-const ARROWS: [(&str, &[&str]); 14] = [
+const ARROWS: [(&str, &[&str]); 16] = [
     ("saute-heat", &[]),
     ("saute-food", &["saute-heat"]),
     ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
@@ -35,6 +35,10 @@ const ARROWS: [(&str, &[&str]); 14] = [
     ),
     ("saute-counts", &["saute-kitchen", "saute-recipe", "saute-lab", "saute-picture"]),
     ("saute-spidar-sim", &["clap", "thread-priority"]),
+    // Makes and serves files; has nothing of the simulator in it.
+    ("saute-site", &["axum", "clap", "tokio", "tower-http"]),
+    // Empty on this machine's platform; for browsers see WEB.
+    ("saute-web", &[]),
     (
         "saute-window",
         &[
@@ -66,6 +70,9 @@ const ARROWS: [(&str, &[&str]); 14] = [
     ),
 ];
 
+/// What the page needs in a browser.
+const WEB: &[&str] = &["saute-kitchen", "saute-recipe", "saute-scene", "saute-window", "eframe", "egui-wgpu", "wgpu"];
+
 /// Crates outside the workspace whose arrows are stated, by kind.
 const NOTABLE: [&[&str]; 6] = [RIGID_BODIES, GRAPHICS, WINDOW, SOUND, COMMAND_LINE, OUTSIDE_WORLD];
 const RIGID_BODIES: &[&str] = &["rapier3d", "parry3d"];
@@ -75,6 +82,7 @@ const SOUND: &[&str] = &["cpal", "rodio", "kira", "fundsp"];
 const COMMAND_LINE: &[&str] = &["clap"];
 /// Networks, ports, threads and asynchronous runtimes.
 const OUTSIDE_WORLD: &[&str] = &[
+    "axum",
     "httparse",
     "hyper",
     "mio",
@@ -88,6 +96,7 @@ const OUTSIDE_WORLD: &[&str] = &[
     "socket2",
     "thread-priority",
     "tokio",
+    "tower-http",
     "tungstenite",
     "ureq",
 ];
@@ -172,6 +181,19 @@ fn every_arrow_between_crates_is_stated_and_every_stated_arrow_exists() {
     }
 }
 
+/// The crates for browsers need not be on the disk, so the arrows of the page are read from its manifest.
+#[test]
+fn every_arrow_of_the_page_is_stated_and_every_stated_arrow_exists() {
+    let text = cargo(&["metadata", "--offline", "--no-deps", "--format-version", "1"]);
+    let packages: Value = serde_json::from_str(&text).unwrap();
+    let packages = packages["packages"].as_array().unwrap();
+    let web = packages.iter().find(|package| package["name"] == "saute-web").unwrap();
+    let needs = web["dependencies"].as_array().unwrap().iter().map(|need| need["name"].as_str().unwrap());
+    let is_stated = |name: &&str| name.starts_with("saute-") || NOTABLE.concat().contains(name);
+    let found: BTreeSet<&str> = needs.filter(is_stated).collect();
+    assert_eq!(found, WEB.iter().copied().collect());
+}
+
 #[test]
 fn the_core_reaches_no_graphics_no_window_no_sound_no_command_line_and_no_network() {
     Graph::read().assert_reaches_none(&CORE, &[GRAPHICS, WINDOW, SOUND, COMMAND_LINE, OUTSIDE_WORLD]);
@@ -192,5 +214,11 @@ fn haptics_reach_no_shell_and_the_simulator_shares_no_code_with_its_driver() {
     Graph::read().assert_reaches_none(&["saute-haptics"], &[GRAPHICS, WINDOW, SOUND, COMMAND_LINE, &shells]);
     Graph::read().assert_reaches_none(&["saute-haptics"], &[&["tokio", "rayon"]]);
     let reached = Graph::read().reached("saute-spidar-sim");
+    assert!(!reached.iter().any(|name| name.starts_with("saute")), "{reached:?}");
+}
+
+#[test]
+fn what_makes_the_page_is_no_part_of_the_simulator() {
+    let reached = Graph::read().reached("saute-site");
     assert!(!reached.iter().any(|name| name.starts_with("saute")), "{reached:?}");
 }

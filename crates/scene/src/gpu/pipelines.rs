@@ -270,8 +270,9 @@ impl Layouts {
                 "restore",
                 &[
                     fragment_entry(0, texture(float(false), TextureViewDimension::D2)),
-                    // Depth, read as a plain float: WebGL2 cannot load texels of a depth texture.
+                    // Depth, read as a plain float.
                     fragment_entry(1, texture(float(false), TextureViewDimension::D2)),
+                    fragment_entry(2, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::NonFiltering)),
                 ],
             ),
         }

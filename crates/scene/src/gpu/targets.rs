@@ -23,12 +23,14 @@ pub(crate) struct Kept {
 impl Kept {
     fn new(device: &wgpu::Device, size: [u32; 2], restore_layout: &wgpu::BindGroupLayout) -> Self {
         let layer = layer(device, size, 1);
+        let exact = device.create_sampler(&wgpu::SamplerDescriptor { label: Some("restore"), ..Default::default() });
         let restore = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("restore"),
             layout: restore_layout,
             entries: &[
                 wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&layer.colour) },
                 wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&layer.depth) },
+                wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&exact) },
             ],
         });
         Self { layer, restore }

@@ -2,6 +2,8 @@
 
 @group(0) @binding(0) var still_colour: texture_2d<f32>;
 @group(0) @binding(1) var still_depth: texture_2d<f32>;
+// Nearest. WebGL2 reads a depth texture as zeros unless a sampler without filtering is bound to it.
+@group(0) @binding(2) var exact: sampler;
 
 struct Restored {
     @location(0) colour: vec4<f32>,
@@ -16,6 +18,6 @@ fn vs_restore(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32>
 
 @fragment
 fn fs_restore(@builtin(position) at: vec4<f32>) -> Restored {
-    let texel = vec2<i32>(at.xy);
-    return Restored(textureLoad(still_colour, texel, 0), textureLoad(still_depth, texel, 0).r);
+    let depth = textureSampleLevel(still_depth, exact, at.xy / vec2<f32>(textureDimensions(still_depth)), 0.0).r;
+    return Restored(textureLoad(still_colour, vec2<i32>(at.xy), 0), depth);
 }

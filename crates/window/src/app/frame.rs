@@ -25,6 +25,8 @@ impl SauteApp {
         self.take_devices(&ctx);
         self.take_keys(&ctx);
         self.take_dropped_files(&ctx);
+        #[cfg(target_arch = "wasm32")]
+        self.take_inbox(&ctx);
         self.let_time_pass(&ctx);
         self.show(ui);
         self.show_mirror(&ctx);
@@ -91,23 +93,19 @@ impl SauteApp {
     #[cfg(not(target_arch = "wasm32"))]
     fn take_dropped_files(&mut self, ctx: &egui::Context) {
         for file in ctx.input(|i| i.raw.dropped_files.clone()) {
-            let name = file.path().display().to_string();
-            match file.bytes().map(String::from_utf8) {
-                Ok(Ok(text)) => self.open_recipe(&text, &name),
-                Ok(Err(_)) => self.notice.say(self.settings.language.fill("notice.not_text", &[("file", &name)])),
-                Err(error) => {
-                    let open: [(&str, &dyn std::fmt::Display); 2] = [("file", &name), ("error", &error)];
-                    self.notice.say(self.settings.language.fill("notice.not_read", &open));
-                }
-            }
+            self.take_file(&file.path().display().to_string(), file.bytes());
         }
     }
 
-    /// Browsers hand files over later, which the page does not wait for yet.
-    #[cfg(target_arch = "wasm32")]
-    fn take_dropped_files(&mut self, ctx: &egui::Context) {
-        if ctx.input(|i| !i.raw.dropped_files.is_empty()) {
-            self.say("notice.no_drop");
+    /// Opens what was read of a recipe's file, or says why it cannot.
+    pub(crate) fn take_file(&mut self, name: &str, read: Result<Vec<u8>, String>) {
+        match read.map(String::from_utf8) {
+            Ok(Ok(text)) => self.open_recipe(&text, name),
+            Ok(Err(_)) => self.notice.say(self.settings.language.fill("notice.not_text", &[("file", &name)])),
+            Err(error) => {
+                let open: [(&str, &dyn std::fmt::Display); 2] = [("file", &name), ("error", &error)];
+                self.notice.say(self.settings.language.fill("notice.not_read", &open));
+            }
         }
     }
 
@@ -119,6 +117,7 @@ impl SauteApp {
         let begun = Instant::now();
         let passed =
             self.session.advance(Duration::from_secs_f64(wall.max(0.0)), Duration::from_millis(STEP_BUDGET_MS));
+        self.meter.frame(now, self.session.kitchen.time_s());
         // While time stands still frames come when there is something to see.
         if !self.session.paused {
             self.governor.frame(wall, begun.elapsed().as_secs_f64());

@@ -13,7 +13,7 @@ const LAST_SLICE: f64 = 0.95;
 
 impl SauteApp {
     /// Shows or hides the cut. In the pan its face points towards +x, so the camera moves to that side.
-    pub(super) fn toggle_slice(&mut self) {
+    pub(crate) fn toggle_slice(&mut self) {
         self.slice = if self.slice.is_some() { None } else { Some(0.0) };
         let in_pan = self.session.steak().is_some_and(saute_kitchen::Piece::in_pan);
         if self.slice.is_some() && in_pan && !(0.35..2.6).contains(&self.camera.yaw) {
@@ -41,7 +41,7 @@ impl SauteApp {
         };
     }
 
-    pub(super) fn next_camera(&mut self) {
+    pub(crate) fn next_camera(&mut self) {
         self.camera_preset = (self.camera_preset + 1) % 3;
         self.camera = [Camera::three_quarter, Camera::above, Camera::close_up][self.camera_preset]();
         if self.camera_preset == 2 {

@@ -33,8 +33,12 @@ struct GroundPresenter {
 impl GroundCallback {
     /// Makes the pipeline. Called once, when the app starts.
     pub fn install(state: &egui_wgpu::RenderState) {
-        let presenter = GroundPresenter::new(&state.device, state.target_format);
-        state.renderer.write().callback_resources.insert(presenter);
+        Self::install_in(&mut state.renderer.write().callback_resources, &state.device, state.target_format);
+    }
+
+    /// As [`Self::install`], for any renderer of egui.
+    pub(crate) fn install_in(resources: &mut CallbackResources, device: &wgpu::Device, target: wgpu::TextureFormat) {
+        resources.insert(GroundPresenter::new(device, target));
     }
 
     fn bytes(&self, linear: bool) -> Vec<u8> {

@@ -13,9 +13,9 @@ fn pad() -> impl Iterator<Item = (&'static str, &'static str)> {
     PAD.into_iter().filter(|_| cfg!(not(target_arch = "wasm32")))
 }
 
-/// What keys do; a browser reaches no haptic device.
+/// What keys do; a browser reaches no haptic device and no half mirror.
 fn keys() -> impl Iterator<Item = (&'static str, &'static str)> {
-    let native = |act: &Act| matches!(act, Act::StopHands | Act::Strings);
+    let native = |act: &Act| matches!(act, Act::StopHands | Act::Strings | Act::Mirror);
     let here = move |b: &&crate::act::Binding| cfg!(not(target_arch = "wasm32")) || !native(&b.act);
     BINDINGS.iter().filter(here).map(|b| (b.written, b.words))
 }

@@ -214,7 +214,8 @@ fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         return;
     };
     let l = state.settings.language;
-    ui.horizontal(|ui| {
+    // Japanese names are wide: the last of them may need a second line.
+    ui.horizontal_wrapped(|ui| {
         let many = scale.class.len() > 4;
         (ui.spacing_mut().button_padding.x, ui.spacing_mut().item_spacing.x) =
             if many { (4.0, 2.0) } else { (7.0, 8.0) };

@@ -116,6 +116,10 @@ fn recipes(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.heading(l.text("pantry.play"));
     ui.label(RichText::new(l.text("pantry.drop")).size(12.5).color(theme::of(ui).quiet));
+    #[cfg(target_arch = "wasm32")]
+    if ui.add(theme::of(ui).button(l.text("pantry.choose_file"), false)).clicked() {
+        acts.push(Act::ChooseFile);
+    }
     for id in state.session.library.recipes.keys() {
         let plain = id.replace('-', " ");
         let title = l.called("recipe_file", &plain);

@@ -1,10 +1,14 @@
-//! A font for Japanese: one that the system has.
+//! A font for Japanese: one that the system has, else the one that comes with the program and has the letters of its texts
+//! and all kana. A page gets that one from its host.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
+#[cfg(not(target_arch = "wasm32"))]
+use std::sync::OnceLock;
 
 use egui::{FontData, FontDefinitions, FontFamily};
 
 /// Where systems keep their fonts for Japanese, the plainest sans-serif first; in a collection the number is the face.
+#[cfg(not(target_arch = "wasm32"))]
 const PLACES: [(&str, u32); 21] = [
     // Debian, Ubuntu: fonts-noto-cjk, fonts-ipafont-gothic, fonts-ipaexfont-gothic, fonts-vlgothic, fonts-takao-gothic.
     ("/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc", 0),
@@ -33,26 +37,35 @@ const PLACES: [(&str, u32); 21] = [
     ("C:\\Windows\\Fonts\\BIZ-UDGothicR.ttc", 0),
     ("C:\\Windows\\Fonts\\msgothic.ttc", 1),
 ];
+/// A part of Noto Sans CJK JP that `scripts/japanese-font.sh` makes.
+#[cfg(any(test, not(target_arch = "wasm32")))]
+const SHIPPED: &[u8] = include_bytes!("../../fonts/japanese.otf");
 /// The font's name among those of egui.
 const NAME: &str = "japanese";
 
-/// Adds the system's Japanese font behind egui's own, which keep Latin letters and digits; returns true if there is
-/// one.
+/// Adds the Japanese font behind egui's own, which keep Latin letters and digits; returns true if there is one.
 pub fn install(ctx: &egui::Context) -> bool {
     let Some(font) = found() else { return false };
+    install_font(ctx, font);
+    true
+}
+
+/// Adds a Japanese font likewise.
+pub(crate) fn install_font(ctx: &egui::Context, font: Arc<FontData>) {
     let mut fonts = FontDefinitions::default();
     fonts.font_data.insert(NAME.to_owned(), font);
     for family in [FontFamily::Proportional, FontFamily::Monospace] {
         fonts.families.entry(family).or_default().push(NAME.to_owned());
     }
     ctx.set_fonts(fonts);
-    true
 }
 
-/// The first font at those places; read once.
+/// The first font at those places, else the shipped one; read once.
+#[cfg(not(target_arch = "wasm32"))]
 fn found() -> Option<Arc<FontData>> {
-    static FOUND: OnceLock<Option<Arc<FontData>>> = OnceLock::new();
-    FOUND.get_or_init(|| PLACES.iter().find_map(|(path, face)| read(path, *face)).map(Arc::new)).clone()
+    static FOUND: OnceLock<Arc<FontData>> = OnceLock::new();
+    let first = || PLACES.iter().find_map(|(path, face)| read(path, *face));
+    Some(FOUND.get_or_init(|| Arc::new(first().unwrap_or_else(|| FontData::from_static(SHIPPED)))).clone())
 }
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -61,8 +74,31 @@ fn read(path: &str, face: u32) -> Option<FontData> {
     Some(FontData { index: face, ..FontData::from_owned(bytes) })
 }
 
-/// A page has no fonts of the system.
+/// A page has no fonts of the system, and none in itself: few visitors need one.
 #[cfg(target_arch = "wasm32")]
-fn read(_path: &str, _face: u32) -> Option<FontData> {
+fn found() -> Option<Arc<FontData>> {
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use egui::FontId;
+
+    use super::*;
+    use crate::panels::language::name;
+    use crate::words::language::Language;
+
+    /// Promise: with the shipped font, which is the only one of a page, no letter of the interface is missing.
+    #[test]
+    fn the_shipped_font_has_every_letter_of_the_japanese_texts() {
+        let ctx = egui::Context::default();
+        install_font(&ctx, Arc::new(FontData::from_static(SHIPPED)));
+        let _ = ctx.run_ui(egui::RawInput::default(), |_| {});
+        let texts = Language::ALL.map(|l| l.file().to_owned() + name(true, l)).concat();
+        let font = FontId::proportional(15.0);
+        let is_missing = |letter: &char| !ctx.fonts_mut(|fonts| fonts.has_glyph(&font, *letter));
+        let missing: String = texts.chars().filter(|letter| !letter.is_control()).filter(is_missing).collect();
+        assert!(missing.is_empty(), "run scripts/japanese-font.sh: {missing}");
+        assert!(texts.contains('焼') && is_missing(&'麤'), "letters are told apart");
+    }
 }

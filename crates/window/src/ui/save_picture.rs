@@ -3,8 +3,7 @@
 use crate::ui::notice::Notice;
 use crate::words::language::Language;
 
-/// Requests a picture of the window; it is written into the working folder as `saute-N.png`.
-#[cfg(not(target_arch = "wasm32"))]
+/// Requests a picture of the window; it is written into the working folder as `saute-N.png`, or downloaded by the browser.
 pub fn save_picture(ctx: &egui::Context, notice: &Notice, l: Language) {
     let (notice, repaint) = (notice.clone(), ctx.clone());
     ctx.request_screenshot(move |image| {
@@ -21,12 +20,6 @@ pub fn save_picture(ctx: &egui::Context, notice: &Notice, l: Language) {
     });
 }
 
-/// Browsers save pages themselves.
-#[cfg(target_arch = "wasm32")]
-pub fn save_picture(_ctx: &egui::Context, notice: &Notice, l: Language) {
-    notice.say(l.text("notice.save_in_browser"));
-}
-
 #[cfg(not(target_arch = "wasm32"))]
 fn write(picture: &saute_picture::cut::section::Picture) -> Result<String, String> {
     let bytes = saute_picture::still::png_file::png_bytes(picture).map_err(|e| e.to_string())?;
@@ -38,3 +31,14 @@ fn write(picture: &saute_picture::cut::section::Picture) -> Result<String, Strin
     std::fs::write(&path, bytes).map_err(|e| format!("{}: {e}", path.display()))?;
     Ok(path.display().to_string())
 }
+
+#[cfg(target_arch = "wasm32")]
+fn write(picture: &saute_picture::cut::section::Picture) -> Result<String, String> {
+    let bytes = saute_picture::still::png_file::png_bytes(picture).map_err(|e| e.to_string())?;
+    crate::browser::download(FILE, &bytes)?;
+    Ok(FILE.to_owned())
+}
+
+/// Name of a downloaded picture; browsers number further ones.
+#[cfg(target_arch = "wasm32")]
+const FILE: &str = "saute.png";

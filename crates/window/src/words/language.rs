@@ -29,9 +29,16 @@ impl Language {
     pub const ALL: [Self; 2] = [Self::English, Self::Japanese];
 
     /// The language of the system's environment (`LC_ALL`, `LC_MESSAGES`, `LANG`, the first that says anything).
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn of_system() -> Self {
         let said = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().filter_map(|key| std::env::var(key).ok());
         said.into_iter().find(|value| !value.is_empty()).map_or(Self::English, |value| Self::of_locale(&value))
+    }
+
+    /// The language that the browser prefers.
+    #[cfg(target_arch = "wasm32")]
+    pub fn of_system() -> Self {
+        crate::browser::language().map_or(Self::English, |tag| Self::of_locale(&tag))
     }
 
     /// The language of a locale such as `ja_JP.UTF-8`; English for those that the window does not speak.

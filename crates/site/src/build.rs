@@ -1,0 +1,57 @@
+//! The site from its parts.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::error::{SiteError, at};
+use crate::{bind, bytes_sent, compress, docs, page, stamp};
+
+/// What the site is made of.
+#[derive(clap::Args)]
+pub struct Build {
+    /// The module that cargo compiled from saute-web.
+    #[arg(long)]
+    wasm: PathBuf,
+    /// The folder for the site; what it holds is replaced.
+    #[arg(long)]
+    out: PathBuf,
+    /// The program wasm-opt; without it the module stays larger.
+    #[arg(long)]
+    wasm_opt: Option<PathBuf>,
+}
+
+impl Build {
+    /// Makes the site, unless it is made of the same parts already.
+    pub fn run(&self) -> Result<(), SiteError> {
+        let root = Path::new(".");
+        let stamp = stamp::of(&self.inputs(root)?, self.wasm_opt.is_some())?;
+        if !stamp::is_on(&self.out, &stamp) {
+            self.make(root)?;
+        }
+        bytes_sent::check(&self.out)?;
+        stamp::put(&self.out, &stamp)
+    }
+
+    fn inputs(&self, root: &Path) -> Result<Vec<PathBuf>, SiteError> {
+        let mut inputs = vec![self.wasm.clone()];
+        inputs.extend(page::sources(root)?);
+        inputs.extend(docs::inputs(root)?);
+        Ok(inputs)
+    }
+
+    fn make(&self, root: &Path) -> Result<(), SiteError> {
+        if self.out.exists() {
+            fs::remove_dir_all(&self.out).map_err(at(&self.out))?;
+        }
+        println!("binding the module to JavaScript");
+        bind::bind(&self.wasm, &self.out)?;
+        if let Some(program) = &self.wasm_opt {
+            println!("wasm-opt: two minutes");
+            bind::optimise(program, &self.out)?;
+        }
+        page::add(root, &self.out)?;
+        docs::add(root, &self.out)?;
+        println!("compressing: a minute");
+        compress::compress(&self.out)
+    }
+}

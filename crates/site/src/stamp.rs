@@ -1,0 +1,33 @@
+//! Whether a site is already made of what stands in the repository now.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::error::{SiteError, at};
+
+/// Lies beside the site, not in it.
+fn path(site: &Path) -> PathBuf {
+    site.with_extension("stamp")
+}
+
+/// A number of everything that goes into the site: files, this program, whether wasm-opt is there.
+pub fn of(inputs: &[PathBuf], optimised: bool) -> Result<String, SiteError> {
+    let mut hasher = crc32fast::Hasher::new();
+    hasher.update(&[u8::from(optimised)]);
+    let program = std::env::current_exe().map_err(at(Path::new("saute-site")))?;
+    for input in inputs.iter().chain([&program]) {
+        hasher.update(input.as_os_str().as_encoded_bytes());
+        hasher.update(&fs::read(input).map_err(at(input))?);
+    }
+    Ok(format!("{:08x}", hasher.finalize()))
+}
+
+/// Returns true if a site bears this stamp.
+pub fn is_on(site: &Path, stamp: &str) -> bool {
+    site.is_dir() && fs::read_to_string(path(site)).is_ok_and(|found| found == stamp)
+}
+
+/// Stamps a site that is complete.
+pub fn put(site: &Path, stamp: &str) -> Result<(), SiteError> {
+    fs::write(path(site), stamp).map_err(at(&path(site)))
+}

@@ -1,0 +1,125 @@
+//! The class that a page's script uses.
+
+use std::cell::Cell;
+use std::rc::Rc;
+
+use eframe::{CreationContext, WebOptions, WebRunner};
+use saute_recipe::Recipe;
+use saute_window::pose::Pose;
+use saute_window::{SauteApp, Start};
+use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::HtmlCanvasElement;
+
+use crate::backend::Backend;
+use crate::options::Options;
+use crate::stats::Stats;
+
+/// Sent to the window when the graphics device is lost.
+const LOST: &str = "saute-lost";
+
+/// One simulator on one canvas.
+#[wasm_bindgen]
+pub struct Page {
+    runner: WebRunner,
+    backend: Rc<Cell<Option<Backend>>>,
+}
+
+#[wasm_bindgen]
+impl Page {
+    /// A page that is not started.
+    #[wasm_bindgen(constructor)]
+    #[allow(clippy::new_without_default)]
+    pub fn new() -> Self {
+        // A second page of the same module finds the logger installed.
+        let _ = eframe::WebLogger::init(log::LevelFilter::Error);
+        Self { runner: WebRunner::new(), backend: Rc::default() }
+    }
+
+    /// Starts on a canvas with `{ backend: "auto" | "webgpu" | "webgl2", lang: "en" | "ja" | "", recipe }`.
+    ///
+    /// # Errors
+    ///
+    /// Rejects with a message if an option is wrong, or if neither graphics nor data can be set up.
+    pub async fn start(&self, canvas: HtmlCanvasElement, options: JsValue) -> Result<(), JsValue> {
+        let options = Options::read(&options).map_err(|message| js_sys::Error::new(&message))?;
+        let backend = options.backend.resolve().await;
+        let web = WebOptions { wgpu_options: backend.setup(), dithering: false, ..WebOptions::default() };
+        let create = move |cc: &CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
+            watch(cc);
+            Ok(Box::new(SauteApp::new(cc, start(options)?)?) as Box<dyn eframe::App>)
+        };
+        self.runner.start(canvas, web, Box::new(create)).await.map_err(error)?;
+        self.backend.set(Some(backend));
+        Ok(())
+    }
+
+    /// The graphics interface in use: `webgpu` or `webgl2`; empty before the start.
+    pub fn backend(&self) -> String {
+        self.backend.get().map(Backend::name).unwrap_or_default().to_owned()
+    }
+
+    /// Stops, and frees canvas and graphics.
+    pub fn destroy(&self) {
+        self.runner.destroy();
+        self.backend.set(None);
+    }
+
+    /// State and speed as JSON; empty before the start.
+    pub fn stats(&self) -> String {
+        let app = self.runner.app_mut::<SauteApp>();
+        app.and_then(|app| serde_json::to_string(&Stats::of(&app, self.backend())).ok()).unwrap_or_default()
+    }
+
+    /// Shows a stated condition, as JSON, and stops time there: for pictures that are compared.
+    ///
+    /// # Errors
+    ///
+    /// Throws with a message if the text or its recipe is wrong.
+    pub fn pose(&self, json: &str) -> Result<(), JsValue> {
+        let pose = serde_json::from_str::<Pose>(json).map_err(|e| e.to_string());
+        let mut app = self.runner.app_mut::<SauteApp>().ok_or_else(|| js_sys::Error::new("not started"))?;
+        pose.and_then(|pose| app.pose(&pose)).map_err(|message| js_sys::Error::new(&message).into())
+    }
+
+    /// Takes a font that has the characters of Japanese.
+    pub fn offer_font(&self, bytes: Vec<u8>) {
+        if let Some(app) = self.runner.app_mut::<SauteApp>() {
+            app.offer_font(bytes);
+        }
+    }
+}
+
+/// What the window starts with.
+fn start(options: Options) -> Result<Start, String> {
+    let library = saute_kitchen::Library::embedded().map_err(|e| e.to_string())?;
+    let recipe = options.recipe.map(|name| shipped(&library, &name)).transpose()?;
+    Ok(Start { library: Some(library.into()), recipe, language: options.language, keep_panels: true })
+}
+
+fn shipped(library: &saute_kitchen::Library, name: &str) -> Result<Recipe, String> {
+    let names = || saute_kitchen::Library::names(&library.recipes);
+    let text =
+        library.recipes.get(name).ok_or_else(|| format!("recipe: there is no \"{name}\"; there are {}", names()))?;
+    Recipe::parse(text, name, library).map_err(|e| e.to_string())
+}
+
+/// Reports the loss and the errors of the graphics device.
+fn watch(cc: &CreationContext<'_>) {
+    let Some(state) = &cc.wgpu_render_state else { return };
+    state.device.on_uncaptured_error(std::sync::Arc::new(|error| log::error!("graphics: {error}")));
+    state.device.set_device_lost_callback(|reason, message| {
+        if reason != wgpu::DeviceLostReason::Destroyed {
+            log::info!("graphics lost: {message}");
+            saute_window::browser::announce(LOST);
+        }
+    });
+}
+
+/// An `Error` with the message of whatever was thrown.
+fn error(thrown: JsValue) -> JsValue {
+    if thrown.is_instance_of::<js_sys::Error>() {
+        return thrown;
+    }
+    js_sys::Error::new(&thrown.as_string().unwrap_or_else(|| format!("{thrown:?}"))).into()
+}

@@ -1,0 +1,78 @@
+//! The window in a stated condition: a recipe at an instant, with view, cut and camera. Pictures of it can be compared.
+
+use saute_kitchen::TICK_S;
+use saute_picture::view::View;
+use saute_recipe::Recipe;
+use saute_scene::quality::Quality;
+use serde::Deserialize;
+
+use crate::app::SauteApp;
+use crate::ui::quality_choice::QualityChoice;
+
+/// A condition of the window.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Pose {
+    /// Id of a shipped recipe, or a recipe's text.
+    pub recipe: String,
+    /// Simulated time [s].
+    pub at_s: f64,
+    /// View that the colours show.
+    pub view: View,
+    /// True if the look is shown next to the view.
+    pub split: bool,
+    /// Place of the cut (−1…1), or none.
+    pub cut: Option<f64>,
+    /// Number of the camera: over the hob, above, close.
+    pub camera: usize,
+    /// Rendering quality.
+    pub quality: Quality,
+    /// True if the panels are shown.
+    pub panels: bool,
+}
+
+impl Default for Pose {
+    fn default() -> Self {
+        Self {
+            recipe: "medium".to_owned(),
+            at_s: 0.0,
+            view: View::Look,
+            split: false,
+            cut: None,
+            camera: 0,
+            quality: Quality::Quick,
+            panels: false,
+        }
+    }
+}
+
+impl SauteApp {
+    /// Takes a condition on; time then stands still.
+    ///
+    /// # Errors
+    ///
+    /// Says what is wrong with the recipe.
+    pub fn pose(&mut self, pose: &Pose) -> Result<(), String> {
+        let library = std::sync::Arc::clone(&self.session.library);
+        let text = library.recipes.get(&pose.recipe).unwrap_or(&pose.recipe);
+        let recipe = Recipe::parse(text, "pose.toml", &library).map_err(|e| e.to_string())?;
+        self.session.play(recipe).map_err(|e| e.to_string())?;
+        while self.session.kitchen.time_s() < pose.at_s - 0.5 * TICK_S && !self.session.paused {
+            self.session.tick()?;
+        }
+        self.session.set_paused(true);
+        self.settings.view = pose.view;
+        self.settings.split = pose.split;
+        self.settings.panels_hidden = !pose.panels;
+        self.set_quality(QualityChoice::Always(pose.quality));
+        self.first_steps = false;
+        self.camera_preset = (pose.camera + 2) % 3;
+        self.next_camera();
+        self.slice = None;
+        if let Some(place) = pose.cut {
+            self.toggle_slice();
+            self.slice = Some(place);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,88 @@
+# Makes the page: the module, wasm-opt, the site. Sourced, not run.
+
+PAGE_DIR="${CARGO_TARGET_DIR:-target}/web/site"
+# The oldest Node that the tools in web/package.json run on.
+OLDEST_NODE=18
+
+# node_is_there: whether Node and npm are there and new enough; says what is missing.
+node_is_there() {
+    local version
+    if ! command -v node >/dev/null || ! command -v npm >/dev/null; then
+        say "Node.js with npm is not installed (version $OLDEST_NODE or newer)"
+        return 1
+    fi
+    version="$(node --version)"
+    version="${version#v}"
+    if [ "${version%%.*}" -lt "$OLDEST_NODE" ]; then
+        say "Node.js $version is too old: $OLDEST_NODE or newer is needed"
+        return 1
+    fi
+}
+
+# need_web_tools: installs the packages of web/package-lock.json once; no package runs a script of its own.
+need_web_tools() {
+    local stamp=web/node_modules/.saute-stamp
+    node_is_there || return 1
+    cmp -s web/package-lock.json "$stamp" && return 0
+    (cd web && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error >&2) || return 1
+    cp web/package-lock.json "$stamp"
+}
+
+# site COMMAND...: the program that makes and serves sites.
+site() { "${CARGO_TARGET_DIR:-target}/release/saute-site" "$@"; }
+
+# build_page: the whole site in PAGE_DIR; seconds where nothing has changed.
+build_page() {
+    local optimise=()
+    cargo_wasm build -p saute-web
+    if need_web_tools; then
+        optimise=(--wasm-opt web/node_modules/.bin/wasm-opt)
+    else
+        say "the page is made without wasm-opt and is larger for it"
+    fi
+    site build --wasm "$(wasm_folder)/$WASM_TARGET/web/saute_web.wasm" --out "$PAGE_DIR" ${optimise[@]+"${optimise[@]}"}
+}
+
+# test_page: builds the page and lets Chromium use it. The tests of the workspace have built the program of `site`.
+test_page() {
+    local target="${CARGO_TARGET_DIR:-target}"
+    build_page
+    node_is_there
+    CHROMIUM="${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome)}" \
+        SAUTE_SITE="$(realpath "$target/release/saute-site")" SAUTE_PAGE="$PAGE_DIR" SAUTE_PICTURES="$target/web/pictures" \
+        SAUTE_STILLS="$target/tmp/page-stills" \
+        node --test --test-concurrency=1 web/test/*.test.mjs
+}
+
+# need_page_packages: a linker, for programs that run while the page is built.
+need_page_packages() {
+    if [ "$(uname -s)" != Linux ] || ! command -v apt-get >/dev/null; then return 0; fi
+    install "${WEB_PACKAGES[@]}" || say "could not install packages; the page needs: ${WEB_PACKAGES[*]}"
+}
+
+# make_page: builds the page and the program that serves it.
+make_page() {
+    need_page_packages
+    cargo build --release -p saute-site
+    build_page
+}
+
+# web [--port N] | --build DIR: serves the page here, or writes it.
+web() {
+    case "${1:-} ${2:+value}" in
+        " " | "--port value")
+            make_page
+            site serve "$PAGE_DIR" "$@"
+            ;;
+        "--build value")
+            make_page
+            mkdir -p "$2"
+            cp -R "$PAGE_DIR/." "$2/"
+            say "the site is in $2; what hosts should send: docs/hosting.md"
+            ;;
+        *)
+            say "usage: ./run.sh web [--port N] | ./run.sh web --build DIR"
+            exit 2
+            ;;
+    esac
+}

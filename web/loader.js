@@ -1,0 +1,106 @@
+// Loads the kitchen and starts it. The address may say: ?lang=ja, ?backend=webgl2 (or webgpu), ?recipe=medium.
+
+// Files of one build belong together; the version keeps a browser's cache from mixing two.
+const version = new URL(import.meta.url).search;
+const place = (file) => new URL(`./${file}${version}`, import.meta.url).href;
+const [{ fetchFile, withProgress }, { backends }, { Cover }, { words }] = await Promise.all(
+  ["download.js", "graphics.js", "cover.js", "words.js"].map((file) => import(place(file))),
+);
+
+const asked = new URLSearchParams(location.search);
+// Without a language in the address the kitchen takes the remembered one, else the browser's.
+const lang = ["en", "ja"].includes(asked.get("lang")) ? asked.get("lang") : "";
+const options = { lang, recipe: asked.get("recipe") ?? "" };
+const language = lang || navigator.language;
+const cover = new Cover(words(language));
+document.documentElement.lang = language;
+
+let bindings = null;
+let page = null;
+/** Settled when the start under way is over; a page takes a font only then. */
+let started = Promise.resolve();
+
+/** Fetches the module and compiles it while it comes. */
+async function load() {
+  const bytes = Number(document.body.dataset.moduleBytes);
+  const [loaded, response] = await Promise.all([import(place("saute_web.js")), fetchFile(place("saute_web_bg.wasm"))]);
+  const module = withProgress(response, (done) => cover.downloaded(done, bytes));
+  await loaded.default({ module_or_path: module });
+  cover.preparing();
+  return loaded;
+}
+
+/** A canvas can serve one kind of context only, so each start gets a fresh one. */
+function freshCanvas() {
+  const canvas = document.createElement("canvas");
+  canvas.id = "canvas";
+  document.getElementById("stage").replaceChildren(canvas);
+  return canvas;
+}
+
+/** Starts with the first backend that works. */
+async function start(candidates) {
+  const [backend, ...others] = candidates;
+  try {
+    page = new bindings.Page();
+    started = page.start(freshCanvas(), { ...options, backend });
+    await started;
+    // Tests read `saute.stats()`.
+    window.saute = page;
+    cover.lift();
+  } catch (error) {
+    if (!others.length) throw error;
+    console.info(`${backend} could not be started, ${others[0]} is tried: ${error?.message ?? error}`);
+    await start(others);
+  }
+}
+
+/** The graphics device is gone: the page starts again with the backend that asks least. */
+async function startAgain() {
+  cover.preparing();
+  try {
+    page?.destroy();
+    await start(["webgl2"]);
+  } catch (error) {
+    cover.fail("not_started", error);
+  }
+}
+
+async function offerFont() {
+  try {
+    const font = await fetchFile(place("fonts/japanese.otf"));
+    await started;
+    page.offer_font(new Uint8Array(await font.arrayBuffer()));
+  } catch (error) {
+    console.warn(`The Japanese font could not be loaded: ${error.message}`);
+  }
+}
+
+/** An error in WebAssembly leaves the kitchen unusable; others are only reported. */
+function noticeStop(event) {
+  const error = event.error ?? event.reason;
+  if (error instanceof WebAssembly.RuntimeError) cover.fail("stopped", error);
+}
+
+async function main() {
+  document.documentElement.dataset.state = "loading";
+  if (typeof WebAssembly === "undefined") return cover.fail("no_wasm");
+  const candidates = await backends(asked.get("backend") ?? "auto");
+  if (!candidates.length) return cover.fail("no_graphics");
+  try {
+    bindings = await load();
+  } catch (error) {
+    return cover.fail("not_loaded", error);
+  }
+  try {
+    await start(candidates);
+  } catch (error) {
+    cover.fail("not_started", error);
+  }
+}
+
+window.addEventListener("saute-lost", startAgain);
+window.addEventListener("saute-font", offerFont);
+window.addEventListener("error", noticeStop);
+window.addEventListener("unhandledrejection", noticeStop);
+await main();

@@ -1,0 +1,62 @@
+// Chromium with a page that is watched: requests, failures, console, violations of the content policy.
+
+import { chromium } from "playwright-core";
+
+const QUIET = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking"];
+const BARE = [...QUIET, "--disable-component-update", "--disable-sync"];
+/** Graphics by software, so that tests run on any machine. */
+export const WEBGL2 = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+
+export const WEBGPU = [
+  ...["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan"],
+  // Without Vulkan for the compositor too, Chromium loses the device of any page that draws to a canvas.
+  ...["--use-vulkan=swiftshader", ...WEBGL2],
+];
+
+/** Starts Chromium; `args` says what it draws with. */
+export function launch(args = WEBGL2) {
+  const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+  return chromium.launch({ executablePath, args: [...BARE, ...args] });
+}
+
+/** Opens an address in a fresh profile and notes what happens there. */
+export async function watch(browser, address, { prepare = async () => {}, ...options } = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, locale: "en-GB", ...options });
+  const page = await context.newPage();
+  const seen = { requests: [], missing: [], said: [], violations: [], sent: 0 };
+  page.on("request", (request) => seen.requests.push(request.url()));
+  page.on("response", (response) => response.status() >= 400 && seen.missing.push(response.url()));
+  page.on("console", (message) => seen.said.push(`${message.type()}: ${message.text()}`));
+  page.on("pageerror", (error) => seen.said.push(`error: ${error.message}`));
+  await page.exposeFunction("noteViolation", (text) => seen.violations.push(text));
+  await page.addInitScript(() => {
+    const note = (event) => window.noteViolation(`${event.effectiveDirective} ${event.blockedURI}`);
+    document.addEventListener("securitypolicyviolation", note);
+  });
+  const network = await context.newCDPSession(page);
+  await network.send("Network.enable");
+  network.on("Network.dataReceived", ({ encodedDataLength }) => (seen.sent += encodedDataLength));
+  await prepare(page);
+  await page.goto(address);
+  return { page, seen, close: () => context.close() };
+}
+
+/** Waits until the page is in a state: `cooking` or `failed`. */
+export async function reaches(page, state) {
+  const settled = () => ["cooking", "failed"].includes(document.documentElement.dataset.state);
+  await page.waitForFunction(settled, null, { timeout: 120_000 });
+  const [found, cover] = await page.evaluate(() => [
+    document.documentElement.dataset.state,
+    document.getElementById("cover").innerText,
+  ]);
+  if (found !== state) throw new Error(`the page is ${found}, not ${state}: ${cover}`);
+}
+
+/** Warnings about a machine without a graphics card. */
+const OF_THE_MACHINE = [/No available adapters/, /Software rasterizer detected/];
+
+/** Problems of the console. */
+export function trouble(seen) {
+  const problems = seen.said.filter((line) => line.startsWith("error") || line.startsWith("warning"));
+  return problems.filter((line) => !OF_THE_MACHINE.some((known) => known.test(line)));
+}

@@ -1,0 +1,63 @@
+// Promise: the page's canvas shows what the native window shows: every food, view, cut, liquid and panel of poses.json, in
+// WebGL2 and in WebGPU. The native pictures are drawn by crates/window/tests/page_stills.rs.
+
+import assert from "node:assert/strict";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { after, before, test } from "node:test";
+
+import { WEBGL2, WEBGPU, launch, reaches, trouble, watch } from "./browser.mjs";
+import { decoded, difference, pixels } from "./canvas.mjs";
+import { serve } from "./site_server.mjs";
+
+const SITE = resolve(process.env.SAUTE_PAGE);
+const STILLS = resolve(process.env.SAUTE_STILLS);
+const PICTURES = resolve(process.env.SAUTE_PICTURES ?? "pictures");
+const POSES = JSON.parse(readFileSync(new URL("poses.json", import.meta.url)));
+/** Colour difference (ΔE after a slight blur) that 99 % of the pixels keep to. */
+const MOST = 3;
+/** After this a picture at rest has been smoothed [ms]. */
+const RESTED = 1500;
+
+let host;
+
+before(async () => {
+  mkdirSync(PICTURES, { recursive: true });
+  host = await serve(SITE);
+});
+
+after(() => host?.end());
+
+/** Shows a pose and waits until its picture rests. */
+async function show(page, pose) {
+  const frames = await page.evaluate((text) => {
+    window.saute.pose(text);
+    return JSON.parse(window.saute.stats()).frames;
+  }, JSON.stringify(pose));
+  await page.waitForFunction((seen) => JSON.parse(window.saute.stats()).frames > seen + 4, frames, { timeout: 60_000 });
+  await page.waitForTimeout(RESTED);
+}
+
+for (const [backend, args] of [["webgl2", WEBGL2], ["webgpu", WEBGPU]]) {
+  test(`${backend} shows what the window shows`, { timeout: 600_000 }, async () => {
+    const browser = await launch(args);
+    const wrong = [];
+    try {
+      const { page, seen } = await watch(browser, `${host.address}?backend=${backend}&lang=en`);
+      await reaches(page, "cooking");
+      for (const { name, ...pose } of POSES) {
+        await show(page, pose);
+        const { png, ...here } = await pixels(page);
+        writeFileSync(join(PICTURES, `${backend}-pose-${name}.png`), png);
+        const { mean, p99, most } = difference(here, decoded(readFileSync(join(STILLS, `${name}.png`))));
+        const told = `${name}: ΔE mean ${mean.toFixed(2)}, 99 % ${p99.toFixed(2)}, most ${most.toFixed(1)}`;
+        console.log(`${backend} ${told}`);
+        if (p99 > MOST) wrong.push(told);
+      }
+      assert.deepEqual(trouble(seen), []);
+    } finally {
+      await browser.close();
+    }
+    assert.deepEqual(wrong, []);
+  });
+}

@@ -1,0 +1,192 @@
+// Promises of the page as a site: what it fetches, what it says, which hosts it works on.
+
+import assert from "node:assert/strict";
+import { mkdirSync, mkdtempSync, rmSync, symlinkSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { after, before, test } from "node:test";
+
+import { launch, reaches, trouble, watch } from "./browser.mjs";
+import { serve } from "./site_server.mjs";
+
+const SITE = resolve(process.env.SAUTE_PAGE);
+const PICTURES = resolve(process.env.SAUTE_PICTURES ?? "pictures");
+/** Bytes over the wire up to the first interaction. */
+const BUDGET = 4_000_000;
+
+let browser, host, plain;
+
+before(async () => {
+  mkdirSync(PICTURES, { recursive: true });
+  [browser, host, plain] = await Promise.all([launch(), serve(SITE), serve(SITE, { plain: true })]);
+});
+
+after(async () => {
+  host?.end();
+  plain?.end();
+  await browser?.close();
+});
+
+/** Opens the page, waits until it cooks, and closes it after a look. */
+async function cooks(address, look = async () => {}, options = {}) {
+  const visit = await watch(browser, address, options);
+  try {
+    await reaches(visit.page, "cooking");
+    await visit.page.waitForFunction(() => JSON.parse(window.saute.stats()).frames > 2, null, { timeout: 120_000 });
+    await look(visit);
+  } finally {
+    await visit.close();
+  }
+}
+
+const isFont = (url) => url.includes("/fonts/");
+
+test("a first visit cooks: no third party, no missing file, no word in the console, at most 4 MB", async () => {
+  await cooks(host.address, async ({ page, seen }) => {
+    assert.deepEqual(seen.requests.filter((url) => !url.startsWith(host.address) && !url.startsWith("blob:")), []);
+    assert.deepEqual(seen.missing, []);
+    assert.deepEqual(trouble(seen), []);
+    assert.deepEqual(seen.violations, []);
+    assert.ok(!seen.requests.some(isFont), "the Japanese font is for those who choose Japanese");
+    assert.ok(seen.sent > 100_000 && seen.sent <= BUDGET, `${seen.sent} bytes were sent`);
+    await page.screenshot({ path: join(PICTURES, "cooking.png") });
+  });
+});
+
+test("the policy stands in the page and is obeyed", async () => {
+  await cooks(host.address, async ({ page, seen }) => {
+    const policy = await page.locator("meta[http-equiv=Content-Security-Policy]").getAttribute("content");
+    assert.match(policy, /default-src 'self'; script-src 'self' 'wasm-unsafe-eval';/);
+    assert.doesNotMatch(policy, /unsafe-inline|'unsafe-eval'|\*/);
+    await page.evaluate(() => {
+      setTimeout("window.broken = true");
+      const style = document.createElement("style");
+      style.textContent = "body { color: red }";
+      document.body.append(style);
+      return fetch("http://127.0.0.1:9/").catch(() => {});
+    });
+    await page.waitForTimeout(500);
+    const directives = seen.violations.map((text) => text.split(" ")[0]).sort();
+    assert.deepEqual(directives, ["connect-src", "script-src", "style-src-elem"]);
+    assert.equal(await page.evaluate(() => window.broken), undefined);
+  });
+});
+
+test("any base path serves", async () => {
+  const root = mkdtempSync(join(tmpdir(), "saute-site-"));
+  mkdirSync(join(root, "some"));
+  symlinkSync(SITE, join(root, "some", "where"));
+  const deep = await serve(root);
+  try {
+    await cooks(`${deep.address}some/where/`, async ({ seen }) => {
+      assert.deepEqual(seen.missing, []);
+      assert.deepEqual(seen.requests.filter((url) => !url.startsWith(`${deep.address}some/where/`)), []);
+    });
+  } finally {
+    deep.end();
+    rmSync(root, { recursive: true });
+  }
+});
+
+test("where the host compresses nothing, the page fetches .gz and inflates it", async () => {
+  await cooks(plain.address, async ({ seen }) => {
+    assert.ok(seen.requests.some((url) => url.includes("saute_web_bg.wasm.gz")), `${seen.requests}`);
+    assert.deepEqual(trouble(seen), []);
+    // The plain module is given up after its header; the window of a connection may have come by then.
+    assert.ok(seen.sent <= 1.5 * BUDGET, `${seen.sent} bytes were sent`);
+  });
+});
+
+test("where the host has no .gz either and sends another type, the plain module does", async () => {
+  const prepare = async (page) => {
+    await page.route("**/*.gz*", (route) => route.fulfill({ status: 404, body: "" }));
+    await page.route("**/*.wasm*", async (route) => {
+      const response = await route.fetch();
+      await route.fulfill({ response, headers: { ...response.headers(), "content-type": "application/octet-stream" } });
+    });
+  };
+  await cooks(plain.address, async () => {}, { prepare });
+});
+
+test("Japanese loads its font, once", async () => {
+  await cooks(`${host.address}?lang=ja`, async ({ page, seen }) => {
+    await page.waitForFunction(() => performance.getEntriesByType("resource").some((e) => e.name.includes("/fonts/")));
+    await page.waitForTimeout(3000);
+    assert.equal(seen.requests.filter(isFont).length, 1);
+    assert.deepEqual(trouble(seen), []);
+    await page.screenshot({ path: join(PICTURES, "japanese.png") });
+  });
+});
+
+test("without WebGPU an address that asks for it gets WebGL 2", async () => {
+  await cooks(`${host.address}?backend=webgpu`, async ({ page }) => {
+    assert.equal(await page.evaluate(() => window.saute.backend()), "webgl2");
+  });
+});
+
+test("after the loss of the graphics device the page starts again", async () => {
+  await cooks(host.address, async ({ page }) => {
+    await page.evaluate(() => {
+      window.before = document.querySelector("canvas");
+      window.dispatchEvent(new CustomEvent("saute-lost"));
+    });
+    const isNew = () => document.querySelector("canvas") !== window.before && window.saute.backend() === "webgl2";
+    await page.waitForFunction(isNew, null, { timeout: 60_000 });
+    await page.waitForFunction(() => JSON.parse(window.saute.stats() || "{}").frames > 2, null, { timeout: 120_000 });
+  });
+});
+
+test("a phone gets the whole screen, light or dark", async () => {
+  for (const colorScheme of ["light", "dark"]) {
+    // A scale of the device is left out: emulated, it does not reach the size that the canvas observes.
+    const options = { viewport: { width: 390, height: 844 }, hasTouch: true, colorScheme };
+    const look = async ({ page }) => {
+      const box = await page.locator("canvas").boundingBox();
+      assert.deepEqual([box.x, box.y, box.width, box.height], [0, 0, 390, 844]);
+      await page.screenshot({ path: join(PICTURES, `phone-${colorScheme}.png`) });
+    };
+    await cooks(host.address, look, options);
+  }
+});
+
+test("a browser with neither WebGPU nor WebGL 2 is told so, and loads no module", async () => {
+  const blind = await launch(["--disable-3d-apis", "--disable-gpu"]);
+  try {
+    for (const [locale, words] of [["en-GB", /neither WebGPU nor WebGL 2/], ["ja-JP", /WebGL 2 も使えない/]]) {
+      const { page, seen, close } = await watch(blind, host.address, { locale });
+      await reaches(page, "failed");
+      assert.match(await page.locator("#status").innerText(), words);
+      assert.ok(!seen.requests.some((url) => url.includes(".wasm")));
+      assert.deepEqual(seen.missing, []);
+      await page.screenshot({ path: join(PICTURES, `no-graphics-${locale}.png`) });
+      await close();
+    }
+  } finally {
+    await blind.close();
+  }
+});
+
+test("a module that does not come is told, with the reason", async () => {
+  const prepare = (page) => page.route("**/*.wasm*", (route) => route.fulfill({ status: 503, body: "" }));
+  const { page, close } = await watch(browser, host.address, { prepare });
+  await reaches(page, "failed");
+  assert.match(await page.locator("#cover").innerText(), /could not be loaded[^]*503[^]*Try again/);
+  await page.screenshot({ path: join(PICTURES, "not-loaded.png") });
+  await close();
+});
+
+test("the bar shows how far the download is", async () => {
+  const { page, close } = await watch(browser, host.address, {
+    prepare: async (page) => {
+      const network = await page.context().newCDPSession(page);
+      const slow = { offline: false, latency: 20, downloadThroughput: 1_000_000, uploadThroughput: 1_000_000 };
+      await network.send("Network.emulateNetworkConditions", slow);
+    },
+  });
+  const share = () => document.getElementById("progress").value;
+  await page.waitForFunction(() => document.getElementById("progress").value > 0.2, null, { timeout: 60_000 });
+  assert.ok((await page.evaluate(share)) < 1);
+  assert.match(await page.locator("#status").innerText(), /^\d+\.\d of \d+\.\d MB$/);
+  await page.screenshot({ path: join(PICTURES, "loading.png") });
+  await close();
+});
