@@ -30,6 +30,8 @@ pub mod panels;
 mod remembered;
 pub mod session;
 pub mod settings;
+#[cfg(not(target_arch = "wasm32"))]
+mod stored_zoom;
 pub mod ui;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;
