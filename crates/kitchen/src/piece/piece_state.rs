@@ -358,7 +358,10 @@ impl Piece {
         let film = pan.oil_film(&near.located);
         let node = self.node_of(near.patch);
         let covers = film / (film + 1e-3 * room.oil.clinging_mm);
-        self.state.oiled[node] = self.state.oiled[node].max(covers);
+        // A frozen piece no longer changes.
+        if self.state.healthy {
+            self.state.oiled[node] = self.state.oiled[node].max(covers);
+        }
     }
 
     /// Contact of the whole lower face, without oil.
