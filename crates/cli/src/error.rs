@@ -1,6 +1,7 @@
 //! The errors of the command, each with a remedy.
 
 use saute_kitchen::InputError;
+use saute_kitchen::data::echo::shortened;
 use saute_kitchen::kitchen::SetupError;
 use saute_picture::still::png_file::PngError;
 use saute_picture::still::shot::ShotError;
@@ -44,6 +45,14 @@ pub enum CliError {
         /// How to correct it.
         remedy: String,
     },
+    /// A cook that was interrupted by a signal.
+    #[error("interrupted at {at_s:.1} s of the cook; {left}\n  remedy: start it again; it gives the same results")]
+    Interrupted {
+        /// Simulated time [s].
+        at_s: f64,
+        /// What is in the output folder now.
+        left: String,
+    },
     /// A device that cannot be opened.
     #[error(transparent)]
     Device(#[from] saute_haptics::OpenError),
@@ -78,6 +87,8 @@ pub enum CliError {
 impl CliError {
     /// Returns the error of a file, folder or stream.
     pub fn place(place: impl std::fmt::Display, message: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self::Place { place: place.to_string(), message: message.into(), remedy: remedy.into() }
+        let message: String = message.into();
+        let message = shortened(&message).into_owned();
+        Self::Place { place: place.to_string(), message, remedy: remedy.into() }
     }
 }

@@ -39,18 +39,18 @@ fn main() -> ExitCode {
     };
     run(args, process_start).unwrap_or_else(|error| {
         stderr::say(format!("error: {error}"));
-        exit_code::failed()
+        exit_code::of_error(&error)
     })
 }
 
 fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
     let library = || DataLibrary::open(args.data.as_deref());
     match args.command {
-        None => open::run(library()?.library, None, args.hands),
+        None => open::run(library()?, None, args.hands),
         Some(Command::Open { recipe }) => {
             let data = library()?;
             let recipe = recipe_source::load(&recipe, &data)?;
-            open::run(data.library, Some(recipe), args.hands)
+            open::run(data, Some(recipe), args.hands)
         }
         Some(Command::Cook(args)) => cook::run(&args, &library()?),
         Some(Command::Lab(args)) => lab::run(&args, &library()?),

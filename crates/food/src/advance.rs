@@ -12,7 +12,7 @@ use crate::change::browning::BROWNING_FROM;
 use crate::change::changes::CHANGES_FROM;
 use crate::model::FoodModel;
 use crate::paper_2013::{self, Rules};
-use crate::state::FoodState;
+use crate::state::{FoodState, all_finite};
 use crate::touch::Touch;
 use crate::water::air_film::FreeAir;
 use crate::water::films::Films;
@@ -61,6 +61,16 @@ pub struct Exchange {
     pub rendered: Runoff,
 }
 
+impl Exchange {
+    /// Returns true if all heat and mass is finite.
+    fn is_finite(&self) -> bool {
+        let Self { air, evaporated, evaporation, drip, rendered } = self;
+        [air, evaporated, evaporation, &drip.mass, &drip.enthalpy, &rendered.mass, &rendered.enthalpy]
+            .iter()
+            .all(|v| v.is_finite())
+    }
+}
+
 /// Time integrator of one piece, with cached properties and scratch space.
 ///
 /// It caches the conductances of its model: start with a new one after [`FoodModel::halved`].
@@ -79,7 +89,7 @@ pub struct FoodSolver {
     /// Exchange of each patch with air, used while it has no contact.
     films: Films,
     hot: Vec<u32>,
-    /// The last state without a non-finite value.
+    /// The state after the last tick, without a non-finite value.
     sound: Option<FoodState>,
     /// Heat gained by each patch from its contact in the last tick [J].
     pub contact_heat: Vec<f64>,
@@ -90,15 +100,32 @@ pub struct FoodSolver {
 impl FoodSolver {
     /// Advances a piece by one tick of `dt` [s] and returns the exchanged heat and mass.
     ///
-    /// After a non-finite value the piece returns to its last finite state (at most [`REFRESH_TICKS`] old). It no longer
+    /// After a non-finite value the piece returns to its state before the tick, and exchanges nothing in it. It no longer
     /// changes, and [`FoodState::healthy`] is false.
     pub fn advance(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64) -> Exchange {
-        let mut total = Exchange::default();
         self.contact_heat.clear();
         self.contact_heat.resize(around.touch.len(), 0.0);
-        if !state.healthy {
-            return total;
+        if !state.healthy || !self.has_sound_state(state) {
+            return Exchange::default();
         }
+        let due = state.ticks.is_multiple_of(REFRESH_TICKS);
+        let total = self.tick(model, state, around, dt);
+        let is_finite = if due { state.is_finite() } else { state.has_finite_heat() };
+        if !(is_finite && total.is_finite() && all_finite(&self.contact_heat)) {
+            self.restore(state);
+            return Exchange::default();
+        }
+        state.evaporated += total.evaporated;
+        state.ticks += 1;
+        if let Some(sound) = &mut self.sound {
+            if due { sound.copy_from(state) } else { sound.copy_heat_from(state) }
+        }
+        total
+    }
+
+    /// Advances a piece by one tick without a check of its values.
+    fn tick(&mut self, model: &FoodModel, state: &mut FoodState, around: &Surroundings, dt: f64) -> Exchange {
+        let mut total = Exchange::default();
         let due = state.ticks.is_multiple_of(REFRESH_TICKS);
         if due && state.ticks > 0 {
             change(model, state, dt * REFRESH_TICKS as f64);
@@ -112,8 +139,9 @@ impl FoodSolver {
         if due || self.films.count != model.shape.patches.len() {
             self.refresh(model, state, dt);
             self.films.refresh(model, state, around, &self.capacity);
-            if !self.keep_or_restore(state) {
-                return Exchange::default();
+            // Without finite temperatures the number of steps has no meaning.
+            if !state.has_finite_heat() {
+                return total;
             }
         }
         let step = dt / f64::from(self.substeps);
@@ -121,12 +149,6 @@ impl FoodSolver {
         for _ in 0..self.substeps {
             self.step(model, state, around, step, &mut total);
         }
-        if !(total.air.is_finite() && total.evaporation.is_finite()) {
-            self.restore(state);
-            return Exchange::default();
-        }
-        state.evaporated += total.evaporated;
-        state.ticks += 1;
         total
     }
 
@@ -136,8 +158,10 @@ impl FoodSolver {
     }
 
     /// Adds heat to a node between two ticks [J].
-    pub fn give(&self, state: &mut FoodState, node: usize, heat: f64) {
-        if let Some(per_capacity) = self.per_capacity.get(node) {
+    pub fn give(&mut self, state: &mut FoodState, node: usize, heat: f64) {
+        let Some(per_capacity) = self.per_capacity.get(node) else { return };
+        // The other side has booked this heat: it stays if the next tick is undone.
+        for state in self.sound.iter_mut().chain([state]) {
             state.enthalpy[node] += heat;
             state.temperature[node] += heat * per_capacity;
         }
@@ -216,19 +240,16 @@ impl FoodSolver {
         });
     }
 
-    /// Stores a finite state, or restores the stored one; returns true if the state was finite.
-    fn keep_or_restore(&mut self, state: &mut FoodState) -> bool {
-        // Without a branch at each node.
-        let finite = |field: &[f64]| field.iter().fold(true, |all, v| all & v.is_finite());
-        let sound = finite(&state.temperature) && finite(&state.water);
-        match &mut self.sound {
-            Some(kept) if sound => kept.copy_from(state),
-            None if sound => self.sound = Some(state.clone()),
-            _ => self.restore(state),
+    /// Stores the first state of a piece if it is finite; else freezes the piece. Returns true if there is a sound state.
+    fn has_sound_state(&mut self, state: &mut FoodState) -> bool {
+        if self.sound.is_none() {
+            state.healthy = state.is_finite();
+            self.sound = state.healthy.then(|| state.clone());
         }
-        sound
+        state.healthy
     }
 
+    /// Restores the state before the tick and freezes the piece.
     fn restore(&mut self, state: &mut FoodState) {
         if let Some(kept) = &self.sound {
             state.copy_from(kept);

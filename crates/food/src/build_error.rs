@@ -42,6 +42,9 @@ pub enum BuildError {
     /// Meshing inside a closed surface failed.
     #[error(transparent)]
     Cells(#[from] CellMeshError),
+    /// The numbers of the food make no finite mass or heat.
+    #[error("the numbers of this food make no finite mass or heat: use values near those of the shipped foods")]
+    NotFinite,
     /// A table names a change that the kinetics do not contain.
     #[error(transparent)]
     Change(#[from] NoSuchChange),

@@ -108,6 +108,27 @@ impl FoodState {
         (self.ticks, self.healthy) = (other.ticks, other.healthy);
     }
 
+    /// Copies what conduction, exchange and boiling change from another state of the same piece, without allocating.
+    pub(crate) fn copy_heat_from(&mut self, other: &Self) {
+        self.temperature.clone_from(&other.temperature);
+        self.enthalpy.clone_from(&other.enthalpy);
+        self.water.clone_from(&other.water);
+        (self.evaporated, self.ticks) = (other.evaporated, other.ticks);
+    }
+
+    /// Returns true if what conduction, exchange and boiling change is finite.
+    pub(crate) fn has_finite_heat(&self) -> bool {
+        [&self.temperature, &self.enthalpy, &self.water].into_iter().all(|field| all_finite(field))
+    }
+
+    /// Returns true if every value is finite.
+    pub(crate) fn is_finite(&self) -> bool {
+        let Self { juice, rising, fat, peak, changed, browning, charring, lethality, stretch, .. } = self;
+        let fields = [juice, rising, fat, peak, browning, charring, lethality, &stretch.axial];
+        let scalars = [stretch.lateral, stretch.dome, self.evaporated, self.dripped, self.rendered];
+        self.has_finite_heat() && fields.into_iter().chain(changed).all(|f| all_finite(f)) && all_finite(&scalars)
+    }
+
     /// Mass of the piece [kg]: the sum over its nodes.
     pub fn mass(&self, model: &FoodModel) -> f64 {
         [&self.water, &model.tissue.lean_solids, &self.fat].iter().map(|m| m.iter().sum::<f64>()).sum()
@@ -134,4 +155,9 @@ impl FoodState {
     pub fn celsius(&self, node: usize) -> f64 {
         self.temperature[node] - ZERO_C
     }
+}
+
+/// Returns true if all values of a field are finite; without a branch at each value.
+pub(crate) fn all_finite(field: &[f64]) -> bool {
+    field.iter().fold(true, |all, v| all & v.is_finite())
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use saute_food::{BuildError, FoodModel, MeshSize, PieceSpec, Rules};
 
-use crate::data::library::Library;
+use crate::data::library::{Library, LibraryError};
 use crate::data::room::Room;
 use crate::dynamics::{Gesture, Hand, PanShape, Pose, Task, World};
 use crate::hands::command::Refused;
@@ -93,6 +93,9 @@ pub enum SetupError {
     /// Unknown food.
     #[error("there is no food \"{0}\"; there are: {1}")]
     NoSuchFood(String, String),
+    /// An oil that every kitchen needs is set aside.
+    #[error(transparent)]
+    Oil(#[from] LibraryError),
     /// The model of a piece or of the pan cannot be built.
     #[error(transparent)]
     Build(#[from] BuildError),
@@ -101,6 +104,7 @@ pub enum SetupError {
 impl Kitchen {
     /// Sets up a kitchen with a pan at a uniform temperature [K] on a cold hob.
     pub fn new(library: &Library, pan_kind: &str, pan_temperature: f64) -> Result<Self, SetupError> {
+        library.check_oils()?;
         let description = library
             .pans
             .get(pan_kind)
@@ -146,6 +150,9 @@ impl Kitchen {
         let model = Arc::new(FoodModel::build(food, kinetics, &library.components, &spec)?);
         let names = (order.id.clone(), order.kind.clone());
         let piece = Piece::new(names, order.seed, self.next_key, model, order.temperature, &self.fixed.room);
+        if !piece.state.total_enthalpy().is_finite() || !(piece.mass() > 0.0 && piece.mass().is_finite()) {
+            return Err(BuildError::NotFinite.into());
+        }
         self.next_key += 1;
         self.account.add_food(piece.state.total_enthalpy());
         self.pieces.push(piece);

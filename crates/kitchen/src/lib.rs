@@ -47,6 +47,7 @@ pub mod tick;
 
 pub use data::input_error::{InputError, InputText};
 pub use data::library::{Library, LibraryError};
+pub use data::loading::OwnFiles;
 pub use hands::command::{Command, Refused, RestOn};
 pub use kitchen::{Kitchen, PieceOrder};
 pub use piece::{Piece, Place};

@@ -69,3 +69,4 @@ pub use result::report::LabReport;
 pub use result::verdict::{Expectation, Subject, Verdict, verdicts};
 pub use solve::material::{Boiling, Material, Solid};
 pub use solve::run;
+pub use solve::work::{MOST_WORK, work};

@@ -1,30 +1,43 @@
 //! glTF 2.0 files.
 
 use data_encoding::BASE64;
-use gltf::accessor::Accessor;
+use gltf::accessor::{Accessor, DataType, Dimensions};
 use gltf::buffer::Source;
 use gltf::mesh::Mode;
 use gltf::{Gltf, Node, Primitive, Semantic};
 
-use crate::{DAMAGED, ReadError, Soup};
+use crate::{DAMAGED, ReadError, Soup, TOO_LARGE, enough_room};
+
+/// Length of the JSON text [bytes] (chosen: 100,000 triangles take 5 MB as base64).
+const MOST_JSON_BYTES: usize = 32 << 20;
+/// JSON objects in a file [-] (chosen: a file with one body has some dozens; each takes a few hundred bytes of memory).
+const MOST_OBJECTS: usize = 100_000;
+/// Total length of all buffers [bytes] (chosen: buffers also hold what is not read, such as pictures).
+const MOST_BUFFER_BYTES: usize = 128 << 20;
+
+/// Types of an accessor that contains positions, by the specification.
+const POSITIONS: (Dimensions, &[DataType]) = (Dimensions::Vec3, &[DataType::F32]);
+/// Types of an accessor that contains indices, by the specification.
+const INDICES: (Dimensions, &[DataType]) = (Dimensions::Scalar, &[DataType::U8, DataType::U16, DataType::U32]);
 
 /// A transformation in column-major order, as in glTF.
 type Matrix = [[f32; 4]; 4];
 
 const UNIT: Matrix = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
-/// Largest nesting depth of nodes [-] (chosen: valid files have far less; a damaged file may contain a cycle).
+/// Largest nesting depth of nodes [-] (chosen: valid files have far less).
 const DEEPEST: usize = 64;
 
 /// Returns the triangles of a file's default scene, rotated so that z points up.
 ///
 /// # Errors
-/// [`ReadError`] if the file is not valid, a buffer is missing or too short, or the geometry uses an unsupported feature.
+/// [`ReadError`] if the file is not valid, a buffer is missing or too short, the geometry uses an unsupported feature, or
+/// the file or its body is too large.
 pub fn read(bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Soup, ReadError> {
-    let Gltf { document, blob } =
-        Gltf::from_slice(bytes).map_err(|e| ReadError::new(format!("is not a valid glTF file: {e}"), DAMAGED))?;
+    bounded(bytes)?;
+    let Gltf { document, blob } = valid(bytes)?;
     let buffers = buffers(&document, blob, sibling)?;
-    let mut reader = Reader { buffers, soup: Soup::default() };
+    let mut reader = Reader { buffers, soup: Soup::default(), visited: vec![false; document.nodes().len()] };
     let scene = document.default_scene().or_else(|| document.scenes().next());
     match scene {
         Some(scene) => scene.nodes().try_for_each(|n| reader.node(&n, UNIT, 0))?,
@@ -33,12 +46,32 @@ pub fn read(bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>) -> Result<S
     Ok(reader.soup)
 }
 
+/// Returns the parsed and validated file.
+///
+/// The crate's validation indexes the accessors of positions without a check, so these indices are checked before it.
+fn valid(bytes: &[u8]) -> Result<Gltf, ReadError> {
+    let invalid = |e: gltf::Error| ReadError::new(format!("is not a valid glTF file: {e}"), DAMAGED);
+    let Gltf { document, blob } = Gltf::from_slice_without_validation(bytes).map_err(invalid)?;
+    let root = document.into_json();
+    let primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
+    let mut indices = primitives.flat_map(|p| p.attributes.values()).map(|index| index.value());
+    if let Some(missing) = indices.find(|index| *index >= root.accessors.len()) {
+        return Err(ReadError::new(format!("refers to accessor {missing}, which does not exist"), DAMAGED));
+    }
+    let document = gltf::Document::from_json(root).map_err(invalid)?;
+    Ok(Gltf { document, blob })
+}
+
 /// Returns the bytes of all buffers: the binary chunk, a data URI, or a file in the same folder.
 fn buffers(
     document: &gltf::Document,
     mut blob: Option<Vec<u8>>,
     sibling: impl Fn(&str) -> Option<Vec<u8>>,
 ) -> Result<Vec<Vec<u8>>, ReadError> {
+    let declared = document.buffers().fold(0, |sum: usize, b| sum.saturating_add(b.length()));
+    if declared > MOST_BUFFER_BYTES {
+        return Err(ReadError::new(format!("declares buffers of {declared} bytes"), TOO_LARGE));
+    }
     let bytes = |buffer: gltf::Buffer| {
         let bytes = match buffer.source() {
             Source::Bin => blob.take(),
@@ -46,16 +79,20 @@ fn buffers(
                 uri.split_once(";base64,").and_then(|(_, data)| from_base64(data))
             }
             Source::Uri(uri) => {
-                let missing = format!("refers to \"{uri}\" in the same folder, which cannot be read");
+                let missing = format!("refers to \"{uri}\", which is no file in the same folder that can be read");
                 Some(sibling(uri).ok_or_else(|| {
                     ReadError::new(missing, "put that file into the same folder, or export a single .glb file")
                 })?)
             }
         };
-        bytes.filter(|b| b.len() >= buffer.length()).ok_or_else(|| {
+        let Some(mut bytes) = bytes.filter(|b| b.len() >= buffer.length()) else {
             let message = format!("its buffer {} has fewer than {} bytes", buffer.index(), buffer.length());
-            ReadError::new(message, DAMAGED)
-        })
+            return Err(ReadError::new(message, DAMAGED));
+        };
+        // Views lie within the declared length; the sum of all lengths bounds the memory.
+        bytes.truncate(buffer.length());
+        bytes.shrink_to_fit();
+        Ok(bytes)
     };
     document.buffers().map(bytes).collect()
 }
@@ -72,13 +109,19 @@ fn from_base64(text: &str) -> Option<Vec<u8>> {
 struct Reader {
     buffers: Vec<Vec<u8>>,
     soup: Soup,
+    /// True for the nodes read so far.
+    visited: Vec<bool>,
 }
 
 impl Reader {
     /// Adds the meshes of a node and of its children, transformed by `outer`.
+    ///
+    /// The nodes of a valid file form trees. A node with two parents would multiply its children from level to level.
     fn node(&mut self, node: &Node, outer: Matrix, depth: usize) -> Result<(), ReadError> {
-        if depth > DEEPEST {
-            return Err(ReadError::new("has nodes that contain each other", DAMAGED));
+        let is_again = self.visited.get_mut(node.index()).is_none_or(|seen| core::mem::replace(seen, true));
+        if is_again || depth > DEEPEST {
+            let message = format!("its node {} has two parents, or is nested too deeply", node.index());
+            return Err(ReadError::new(message, DAMAGED));
         }
         let matrix = product(outer, node.transform().matrix());
         if let Some(mesh) = node.mesh() {
@@ -96,8 +139,18 @@ impl Reader {
             }
             Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip => return Ok(()),
         }
-        let accessors = primitive.get(&Semantic::Positions).into_iter().chain(primitive.indices());
-        accessors.clone().try_for_each(|a| self.readable(&a))?;
+        let Some(positions) = primitive.get(&Semantic::Positions) else {
+            return Err(ReadError::new("a mesh has no positions", DAMAGED));
+        };
+        self.readable(&positions, POSITIONS)?;
+        primitive.indices().map_or(Ok(()), |indices| self.readable(&indices, INDICES))?;
+        let corners = primitive.indices().map_or(positions.count(), |indices| indices.count());
+        enough_room(self.soup.triangles.len() + corners / 3, self.soup.vertices.len() + positions.count())?;
+        self.add(primitive, matrix)
+    }
+
+    /// Adds the triangles of a primitive whose accessors have been checked.
+    fn add(&mut self, primitive: &Primitive, matrix: Matrix) -> Result<(), ReadError> {
         let reader = primitive.reader(|buffer| self.buffers.get(buffer.index()).map(Vec::as_slice));
         let Some(positions) = reader.read_positions() else {
             return Err(ReadError::new("a mesh has no positions", DAMAGED));
@@ -106,6 +159,9 @@ impl Reader {
         let placed: Vec<[f64; 3]> = positions.map(|p| upright(apply(matrix, p))).collect();
         let count = placed.len() as u32;
         let corners: Vec<u32> = reader.read_indices().map_or_else(|| (0..count).collect(), |i| i.into_u32().collect());
+        if let Some(missing) = corners.iter().find(|i| **i >= count) {
+            return Err(ReadError::new(format!("a triangle refers to corner {missing} of {count}"), DAMAGED));
+        }
         let mirrored = determinant(matrix) < 0.0;
         self.soup.vertices.extend(placed);
         let triangles =
@@ -114,18 +170,46 @@ impl Reader {
         Ok(())
     }
 
-    /// Checks that an accessor is dense and lies within its buffer.
-    fn readable(&self, accessor: &Accessor) -> Result<(), ReadError> {
+    /// Checks that an accessor is dense, has one of the types that its use permits, and lies within its buffer.
+    fn readable(&self, accessor: &Accessor, (dimensions, types): (Dimensions, &[DataType])) -> Result<(), ReadError> {
         let Some(view) = accessor.view().filter(|_| accessor.sparse().is_none()) else {
             return Err(ReadError::new("contains sparse accessors", "export it without sparse accessors"));
         };
-        let stride = view.stride().unwrap_or(accessor.size());
-        let end = accessor.offset() + stride * accessor.count().saturating_sub(1) + accessor.size();
+        if accessor.dimensions() != dimensions || !types.contains(&accessor.data_type()) {
+            let message = format!("accessor {} has a type that glTF does not permit there", accessor.index());
+            return Err(ReadError::new(message, DAMAGED));
+        }
         let held = self.buffers.get(view.buffer().index()).map_or(0, Vec::len);
-        if end > view.length() || view.offset() + view.length() > held {
-            return Err(ReadError::new(format!("accessor {} reaches beyond its buffer", accessor.index()), DAMAGED));
+        if !lies_within(accessor, &view, held) {
+            let message = format!("accessor {} reaches beyond its buffer, or its elements overlap", accessor.index());
+            return Err(ReadError::new(message, DAMAGED));
         }
         Ok(())
+    }
+}
+
+/// Returns true if the elements of an accessor do not overlap and lie within its view, and the view within `held` bytes.
+fn lies_within(accessor: &Accessor, view: &gltf::buffer::View, held: usize) -> bool {
+    let stride = view.stride().unwrap_or(accessor.size());
+    let last = stride.checked_mul(accessor.count().saturating_sub(1));
+    let end = last.and_then(|at| at.checked_add(accessor.offset())?.checked_add(accessor.size()));
+    let view_end = view.offset().checked_add(view.length());
+    stride >= accessor.size() && end.is_some_and(|end| end <= view.length()) && view_end.is_some_and(|end| end <= held)
+}
+
+/// Checks the length of the JSON text and the number of its objects, which bound the memory that parsing takes.
+fn bounded(bytes: &[u8]) -> Result<(), ReadError> {
+    let length = bytes.get(12..16).and_then(|b| b.try_into().ok()).map_or(0, u32::from_le_bytes) as usize;
+    let json = match bytes.strip_prefix(b"glTF") {
+        Some(_) => bytes.get(20..).map_or(&[][..], |rest| &rest[..length.min(rest.len())]),
+        None => bytes,
+    };
+    if json.len() > MOST_JSON_BYTES {
+        return Err(ReadError::new(format!("contains {} bytes of JSON", json.len()), TOO_LARGE));
+    }
+    match json.iter().filter(|b| **b == b'{').count() {
+        0..=MOST_OBJECTS => Ok(()),
+        count => Err(ReadError::new(format!("contains {count} objects"), TOO_LARGE)),
     }
 }
 

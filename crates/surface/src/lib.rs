@@ -18,6 +18,7 @@ mod stl_file;
 use std::path::Path;
 
 pub use saute_heat::Soup;
+use saute_heat::mesh::surface::MOST_TRIANGLES;
 
 /// A format of surface files, with its default unit of length [mm].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,7 +81,7 @@ impl ReadError {
 /// rotated. The triangles are not checked; [`saute_heat::Surface::close`] does that.
 ///
 /// # Errors
-/// [`ReadError`] if the format is unknown, the file is not valid, or it contains no triangle.
+/// [`ReadError`] if the format is unknown, the file is not valid or too large, or it contains no triangle.
 pub fn read(name: &str, bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Soup, ReadError> {
     let Some(format) = Format::of(name) else {
         return Err(ReadError::new("is not in a supported format", "export it as .stl, .obj, .gltf or .glb"));
@@ -99,6 +100,21 @@ pub fn read(name: &str, bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>)
     }
     Ok(soup)
 }
+
+/// Corners that are read from a file [-] (chosen: three for each triangle of the largest surface, and as many unused ones).
+const MOST_CORNERS: usize = 6 * MOST_TRIANGLES;
+
+/// Returns an error if a file has more triangles or corners than a surface may have; checked before they are stored.
+fn enough_room(triangles: usize, corners: usize) -> Result<(), ReadError> {
+    if triangles > MOST_TRIANGLES || corners > MOST_CORNERS {
+        return Err(ReadError::new(format!("has more than {MOST_TRIANGLES} triangles"), TOO_LARGE));
+    }
+    Ok(())
+}
+
+/// The remedy for files that are too large.
+const TOO_LARGE: &str =
+    "export only the body, and reduce the number of its triangles in your modelling program (decimate)";
 
 /// The remedy for files that are damaged or misnamed.
 const DAMAGED: &str = "export it again; the file is damaged, or its extension does not match its format";

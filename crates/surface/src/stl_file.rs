@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::io::Cursor;
 
-use crate::{DAMAGED, ReadError, Soup};
+use crate::{DAMAGED, ReadError, Soup, enough_room};
 
 /// Size of the header of a binary file, with the number of triangles in its last four bytes [B].
 const HEAD: usize = 84;
@@ -21,6 +21,7 @@ pub fn read(bytes: &[u8]) -> Result<Soup, ReadError> {
     let mut soup = Soup::default();
     for triangle in stl_io::create_stl_reader(&mut cursor).map_err(error)? {
         let first = soup.vertices.len() as u32;
+        enough_room(soup.triangles.len() + 1, soup.vertices.len() + 3)?;
         soup.vertices.extend(triangle.map_err(error)?.vertices.map(|v| v.0.map(f64::from)));
         soup.triangles.push([first, first + 1, first + 2]);
     }

@@ -34,6 +34,8 @@ pub mod pose;
 mod remembered;
 pub mod session;
 pub mod settings;
+#[cfg(not(target_arch = "wasm32"))]
+mod stored_zoom;
 pub mod ui;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;

@@ -1,17 +1,45 @@
 //! Reading remembered settings: a value that cannot be read costs no other.
 
+use std::ops::RangeInclusive;
+
 use serde_json::{Map, Value};
 
+use crate::mirror::rig::MARKS;
+use crate::mirror::settings::WIDEST_MM;
 use crate::settings::Settings;
 
 impl Settings {
     /// Settings from JSON, and true if some of it could not be read.
     pub fn remembered(text: &str) -> (Self, bool) {
         let Ok(stored) = serde_json::from_str::<Value>(text) else { return (Self::default(), true) };
-        let read = |value: &Value| serde_json::from_value::<Self>(value.clone()).ok();
+        let parse = |value: &Value| serde_json::from_value::<Self>(value.clone()).ok();
+        let read = |value: &Value| parse(value).filter(Self::is_within_ranges);
         let kept = fitting(stored.clone(), &|value| read(value).is_some());
         let refused = kept != stored;
         read(&kept).map_or_else(|| (Self::default(), true), |settings| (settings, refused))
+    }
+}
+
+/// Speeds of the clock [-] (chosen: the window offers 1 to 20).
+const SPEED: RangeInclusive<f64> = 0.01..=1000.0;
+/// Goals for the core [°C or %], and temperatures of the pan and of the food [°C] (chosen: as in recipes).
+const GOAL: RangeInclusive<f64> = 0.0..=300.0;
+/// Dimensions of a food [mm], as in its files.
+const SIZE_MM: RangeInclusive<f64> = 2.0..=300.0;
+/// Places of calibrated marks, in shares of the projector's picture [-] (chosen: far outside it).
+const SHARE: RangeInclusive<f64> = -10.0..=10.0;
+
+impl Settings {
+    /// Returns true if every number is finite and within its range.
+    fn is_within_ranges(&self) -> bool {
+        let (choice, mirror) = (&self.choice, &self.mirror);
+        let moved = mirror.calibrations.values().flat_map(|c| c.moved.iter());
+        SPEED.contains(&self.speed)
+            && self.goals.values().chain([&self.goal_c]).all(|goal| GOAL.contains(goal))
+            && [choice.initial_c, choice.preheat_c].iter().all(|c| GOAL.contains(c))
+            && choice.size_mm.iter().all(|mm| SIZE_MM.contains(mm))
+            && mirror.eye_distance_mm.is_none_or(|mm| (0.0..=WIDEST_MM).contains(&mm))
+            && { moved }.all(|(mark, at)| *mark < MARKS && at.iter().all(|share| SHARE.contains(share)))
     }
 }
 
@@ -50,6 +78,18 @@ mod tests {
         assert_eq!(settings.mirror.projector, "ceiling");
         assert_eq!(settings.mirror.calibration().moved[&0], [0.1, 0.2]);
         assert!(!settings.mirror.calibrations.contains_key("wall"));
+    }
+
+    #[test]
+    fn a_number_out_of_its_range_costs_no_other_value() {
+        let wild = r#"{"fahrenheit":true,"speed":1e308,"goal_c":-1e9,"goals":{"chefs":1e300,"shrimp":63.0},
+            "choice":{"kind":"shrimp","size_mm":[75.0,1e99],"initial_c":1e9},
+            "mirror":{"eye_distance_mm":1e9,"calibrations":{"ceiling":{"moved":{"0":[1e99,0.2],"1":[0.1,0.2],"99":[0.0,0.0]}}}}}"#;
+        let (settings, refused) = Settings::remembered(wild);
+        assert!(refused && settings.fahrenheit && settings.is_within_ranges());
+        assert_eq!((settings.speed, settings.goals.len(), settings.goals["shrimp"]), (1.0, 1, 63.0));
+        assert_eq!((settings.choice.kind.as_str(), settings.choice.initial_c), ("shrimp", 5.0));
+        assert_eq!(settings.mirror.calibrations["ceiling"].moved.len(), 1);
     }
 
     #[test]

@@ -1,13 +1,20 @@
 //! The native window.
 
 use crate::app::{SauteApp, Start};
+use crate::stored_zoom;
+
+/// Name of the program, after which eframe names the folder of its settings.
+const NAME: &str = "saute";
 
 /// Opens the window and stays until it is closed.
 pub fn run(start: Start) -> eframe::Result {
+    if let Some(folder) = eframe::storage_dir(NAME) {
+        stored_zoom::mend(&folder);
+    }
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
-            .with_title("saute")
-            .with_app_id("saute")
+            .with_title(NAME)
+            .with_app_id(NAME)
             .with_inner_size([1280.0, 720.0])
             .with_min_inner_size([360.0, 560.0]),
         renderer: eframe::Renderer::Wgpu,
@@ -15,5 +22,5 @@ pub fn run(start: Start) -> eframe::Result {
         dithering: false,
         ..Default::default()
     };
-    eframe::run_native("saute", options, Box::new(|cc| Ok(Box::new(SauteApp::new(cc, start)?))))
+    eframe::run_native(NAME, options, Box::new(|cc| Ok(Box::new(SauteApp::new(cc, start)?))))
 }

@@ -10,6 +10,7 @@ use crate::args::CookArgs;
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::input::recipe_source;
+use crate::output::interruption::Interruption;
 use crate::output::out_dir::OutDir;
 use crate::output::progress::Progress;
 use crate::output::section_files::{Snapshot, pictured};
@@ -23,7 +24,7 @@ pub fn run(args: &CookArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let cook = start(recipe, data)?;
     let pictured = if args.out.is_some() { pictured(&cook, args.every_piece) } else { Vec::new() };
     let out = args.out.as_deref().map(OutDir::prepare).transpose()?;
-    let (cook, snapshots, wall) = cook_through(cook, &pictured)?;
+    let (cook, snapshots, wall) = cook_through(cook, &pictured, out.as_ref())?;
     let summary = cook.summary(wall.as_secs_f64());
     if let Some(out) = out {
         let place = out.place();
@@ -42,7 +43,14 @@ fn start(recipe: Recipe, data: &DataLibrary) -> Result<Cook, CliError> {
 }
 
 /// Cooks to the end and takes pictures of some foods. The wall time is the time of the simulation without the pictures.
-fn cook_through(mut cook: Cook, pictured: &[usize]) -> Result<(Cook, Vec<Snapshot>, Duration), CliError> {
+///
+/// A signal ends a cook with an output folder early, with an error that says what is left; later it is too late to matter.
+fn cook_through(
+    mut cook: Cook,
+    pictured: &[usize],
+    out: Option<&OutDir>,
+) -> Result<(Cook, Vec<Snapshot>, Duration), CliError> {
+    let interruption = out.map_or_else(Interruption::default, |_| Interruption::watch());
     let progress = Progress::start(cook.runner.recipe().max_s);
     let mut snapshots = Vec::new();
     let started = Instant::now();
@@ -56,6 +64,9 @@ fn cook_through(mut cook: Cook, pictured: &[usize]) -> Result<(Cook, Vec<Snapsho
         }
         cook.tick();
         progress.show(&cook);
+        if let (true, Some(out)) = (interruption.is_asked(), out) {
+            return Err(CliError::Interrupted { at_s: cook.kitchen.time_s(), left: out.left() });
+        }
     }
     Ok((cook, snapshots, started.elapsed().saturating_sub(painting)))
 }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use saute_lab::{Case, LabReport};
+use saute_lab::{Case, LabReport, MOST_WORK};
 
 use crate::args::LabArgs;
 use crate::error::CliError;
@@ -17,6 +17,14 @@ use crate::output::{json, stderr, stdout};
 pub fn run(args: &LabArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let text = text_file::read(&args.case)?;
     let case = Case::parse(&text, &args.case.display().to_string(), &data.library)?;
+    let work = saute_lab::work(&case);
+    // A work that is not finite is refused too.
+    let is_bounded = work <= MOST_WORK;
+    if !is_bounded {
+        let message = format!("needs about {work:.1e} node steps; at most {MOST_WORK:.0e} are allowed");
+        let remedy = "use a larger resolution_mm, a shorter duration_s, or properties of real materials";
+        return Err(CliError::place(args.case.display(), message, remedy));
+    }
     let start = Instant::now();
     let report = saute_lab::run(&case, || start.elapsed().as_secs_f64());
     stdout::print(&if args.json { json::text(&report)? } else { table(&report) })?;

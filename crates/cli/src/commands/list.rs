@@ -16,7 +16,7 @@ use super::list_actions;
 use crate::args::{ListArgs, Listed};
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
-use crate::output::{json, stdout};
+use crate::output::{json, stderr, stdout};
 use crate::picture::choices::ViewName;
 use crate::wording;
 
@@ -90,12 +90,17 @@ fn pans(library: &Library) -> Vec<Entry> {
     library.pans.iter().map(|(id, p)| Entry::new(id, &p.name)).collect()
 }
 
+/// Lists the recipes. One that is broken, or needs a broken file, is named on stderr and left out.
 fn recipes(data: &DataLibrary) -> Result<Vec<Entry>, CliError> {
-    let entry = |(id, text): (&String, &String)| {
-        let recipe = Recipe::parse(text, &data.recipe_place(id), &data.library)?;
-        Ok(Entry::new(id, &recipe.title))
-    };
-    data.library.recipes.iter().map(entry).collect()
+    let mut entries = Vec::new();
+    for (id, text) in &data.library.recipes {
+        match Recipe::parse(text, &data.recipe_place(id), &data.library) {
+            Ok(recipe) => entries.push(Entry::new(id, &recipe.title)),
+            Err(error) if data.has_own_files() => stderr::say(format!("warning: {error}")),
+            Err(error) => return Err(error.into()),
+        }
+    }
+    Ok(entries)
 }
 
 fn scales(library: &Library) -> Vec<Entry> {

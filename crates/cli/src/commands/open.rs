@@ -3,22 +3,25 @@
 use std::process::ExitCode;
 use std::sync::Arc;
 
-use saute_kitchen::Library;
+use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_recipe::Recipe;
 use saute_window::Start;
 use saute_window::hand::HandsStart;
 
 use crate::args::HandArgs;
 use crate::error::CliError;
+use crate::input::data_library::DataLibrary;
 
 /// Opens the window and plays a recipe if there is one.
-pub fn run(library: Library, recipe: Option<Recipe>, hands: HandArgs) -> Result<ExitCode, CliError> {
+pub fn run(data: DataLibrary, recipe: Option<Recipe>, hands: HandArgs) -> Result<ExitCode, CliError> {
+    // The window states doneness in the words of a scale.
+    data.scales(DEFAULT_SCALE)?;
     if !has_display() {
         return Err(CliError::NoDisplay(NO_DISPLAY.to_owned()));
     }
     let HandArgs { device, turner, pairing, calibration } = hands;
     let hands = HandsStart { pan: device, turner, pairing, calibration };
-    let start = Start { library: Some(Arc::new(library)), recipe, hands };
+    let start = Start { library: Some(Arc::new(data.library)), recipe, hands, ..Start::default() };
     saute_window::window::run(start)
         .map_err(|e| CliError::NoDisplay(format!("the window cannot be opened: {e}\n{NO_DISPLAY}")))?;
     Ok(ExitCode::SUCCESS)

@@ -1,15 +1,15 @@
 //! The library: the shipped foods, pans and recipes with the files of the `--data` folder.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use saute_kitchen::data::library;
 use saute_kitchen::doneness::ScaleChoice;
-use saute_kitchen::heat::Soup;
-use saute_kitchen::{Library, LibraryError};
+use saute_kitchen::{Library, LibraryError, OwnFiles};
 
 use crate::error::CliError;
 use crate::input::{surface_file, text_file};
+use crate::output::stderr;
 
 /// Folders that are read in the `--data` folder.
 const FOLDERS: [&str; 6] = ["foods", "pans", "recipes", "kinetics", "coatings", "oils"];
@@ -33,6 +33,11 @@ struct Own {
 }
 
 impl Own {
+    fn of(dir: Option<&Path>, found: &Found) -> Self {
+        let names = found.own.texts.keys().chain(&found.own.unreadable).cloned().collect();
+        Self { dir: dir.map_or_else(PathBuf::new, Path::to_owned), names }
+    }
+
     /// Returns the name of a library file for messages: the full path of a user's file.
     fn place(&self, name: &str) -> String {
         if self.names.contains(name) { self.dir.join(name).display().to_string() } else { name.to_owned() }
@@ -43,15 +48,56 @@ impl Own {
     }
 }
 
+/// Files found in the `--data` folder, and the errors of those that cannot be read.
+#[derive(Debug, Default)]
+struct Found {
+    own: OwnFiles,
+    errors: Vec<CliError>,
+}
+
+impl Found {
+    /// Adds a text file. One that cannot be read is set aside.
+    fn add(&mut self, dir: &Path, name: String) {
+        match text_file::read_regular(&dir.join(&name)) {
+            Ok(text) => drop(self.own.texts.insert(name, text)),
+            Err(error) => self.set_aside(name, error),
+        }
+    }
+
+    /// Adds the surfaces that the foods name. A food whose surface cannot be read is set aside.
+    fn add_surfaces(&mut self, dir: &Path) {
+        let foods = self.own.texts.iter().filter(|(path, _)| path.starts_with("foods/"));
+        let named = foods.filter_map(|(path, text)| Some((path.clone(), library::surface_file(text)?)));
+        for (path, file) in named.collect::<Vec<_>>() {
+            match surface_file::read(&dir.join(&path).with_file_name(file)) {
+                Ok(soup) => drop(self.own.surfaces.insert(path, soup)),
+                Err(error) => self.set_aside(path, error),
+            }
+        }
+    }
+
+    fn set_aside(&mut self, name: String, error: CliError) {
+        self.own.texts.remove(&name);
+        self.own.unreadable.insert(name);
+        self.errors.push(error);
+    }
+
+    /// Returns the library; names every broken file on stderr, once.
+    fn library(self, dir: Option<&Path>) -> Result<DataLibrary, CliError> {
+        let own = Own::of(dir, &self);
+        let (library, faults) = Library::with_own(&self.own).map_err(|e| own.error(e))?;
+        let faults = faults.into_iter().map(|e| own.error(e));
+        self.errors.into_iter().chain(faults).for_each(|error| stderr::say(format!("warning: {error}")));
+        Ok(DataLibrary { library, own })
+    }
+}
+
 impl DataLibrary {
-    /// Reads the shipped files and the ones in `dir`, which take precedence.
+    /// Reads the shipped files and the ones in `dir`, which take precedence. Broken files are named on stderr and set aside.
     pub fn open(dir: Option<&Path>) -> Result<Self, CliError> {
-        let files = dir.map_or(Ok(Vec::new()), read_folders)?;
-        let names = files.iter().map(|(name, _)| name.clone()).collect();
-        let own = Own { dir: dir.map_or_else(PathBuf::new, Path::to_owned), names };
-        let surfaces = dir.map_or(Ok(BTreeMap::new()), |dir| surfaces(dir, &files))?;
-        let library = Library::with_surfaces(&files, &surfaces).map_err(|e| own.error(e))?;
-        Ok(Self { library, own })
+        let mut found = dir.map_or_else(|| Ok(Found::default()), read_folders)?;
+        dir.into_iter().for_each(|dir| found.add_surfaces(dir));
+        found.library(dir)
     }
 
     /// Returns the scales of doneness with the one with an id chosen.
@@ -59,8 +105,16 @@ impl DataLibrary {
         if self.library.scale(id).is_some() {
             return Ok(ScaleChoice::new(&self.library.scales, id));
         }
+        if let Some(cause) = self.library.set_aside(FILE) {
+            return Err(CliError::place(format!("--doneness {id}"), format!("cannot be used: {cause}"), MEND));
+        }
         let remedy = format!("use one of: {}", self.library.scale_names());
         Err(CliError::place(format!("--doneness {id}"), "there is no scale of doneness with this id", remedy))
+    }
+
+    /// Returns true if the user has files in a `--data` folder, which can break what other files need.
+    pub fn has_own_files(&self) -> bool {
+        !self.own.names.is_empty()
     }
 
     /// Returns the name of a recipe's file for messages.
@@ -69,46 +123,39 @@ impl DataLibrary {
     }
 }
 
-fn read_folders(dir: &Path) -> Result<Vec<(String, String)>, CliError> {
+/// The remedy for an entry whose file is broken.
+pub const MEND: &str = "correct that file, or remove it from the --data folder to use the shipped one";
+
+fn read_folders(dir: &Path) -> Result<Found, CliError> {
     let remedy = "name a folder with foods/, pans/, recipes/, kinetics/, coatings/ or oils/ that contain .toml files, or with doneness.toml";
     if !dir.is_dir() {
         let message = if dir.exists() { "--data is not a folder" } else { "--data does not exist" };
         return Err(CliError::place(dir.display(), message, remedy));
     }
     let present: Vec<&str> = FOLDERS.into_iter().filter(|f| dir.join(f).is_dir()).collect();
-    let mut files = Vec::new();
-    if dir.join(FILE).is_file() {
-        files.push((FILE.to_owned(), text_file::read(&dir.join(FILE))?));
-    }
-    if present.is_empty() && files.is_empty() {
+    let mut found = Found::default();
+    if dir.join(FILE).exists() {
+        found.add(dir, FILE.to_owned());
+    } else if present.is_empty() {
         return Err(CliError::place(dir.display(), "--data contains none of the folders that are read", remedy));
     }
     for folder in present {
         for name in toml_names(&dir.join(folder))? {
-            files.push((format!("{folder}/{name}"), text_file::read(&dir.join(folder).join(&name))?));
+            found.add(dir, format!("{folder}/{name}"));
         }
     }
-    Ok(files)
-}
-
-/// Returns the surfaces that the food files name, by the path of the food file.
-fn surfaces(dir: &Path, files: &[(String, String)]) -> Result<BTreeMap<String, Soup>, CliError> {
-    let foods = files.iter().filter(|(path, _)| path.starts_with("foods/"));
-    let named = foods.filter_map(|(path, text)| Some((path, library::surface_file(text)?)));
-    named.map(|(path, file)| Ok((path.clone(), surface_file::read(&dir.join(path).with_file_name(file))?))).collect()
+    Ok(found)
 }
 
 /// Returns a library with the kinetics that a food can name: the shipped ones and the ones in a folder.
 pub fn kinetics(dir: Option<&Path>) -> Result<Library, CliError> {
-    let folder = dir.map(|d| d.join("kinetics")).filter(|f| f.is_dir());
-    let mut files = Vec::new();
-    for name in folder.as_deref().map_or(Ok(Vec::new()), toml_names)? {
-        let path = folder.as_deref().unwrap_or(Path::new("")).join(&name);
-        files.push((format!("kinetics/{name}"), text_file::read(&path)?));
+    let mut found = Found::default();
+    if let Some((dir, folder)) = dir.map(|d| (d, d.join("kinetics"))).filter(|(_, f)| f.is_dir()) {
+        for name in toml_names(&folder)? {
+            found.add(dir, format!("kinetics/{name}"));
+        }
     }
-    let own =
-        Own { dir: dir.map_or_else(PathBuf::new, Path::to_owned), names: files.iter().map(|f| f.0.clone()).collect() };
-    Library::with(&files).map_err(|e| own.error(e))
+    Ok(found.library(dir)?.library)
 }
 
 /// Returns the names of the .toml files in a folder, sorted.

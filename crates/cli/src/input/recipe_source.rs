@@ -6,7 +6,7 @@ use saute_kitchen::Library;
 use saute_recipe::Recipe;
 
 use crate::error::CliError;
-use crate::input::data_library::DataLibrary;
+use crate::input::data_library::{DataLibrary, MEND};
 use crate::input::text_file;
 
 /// Reads and checks the recipe with a path or an id. A file takes precedence over an id of the same name.
@@ -25,6 +25,9 @@ fn parse(text: &str, place: &str, data: &DataLibrary) -> Result<Recipe, CliError
 }
 
 fn not_found(name: &str, data: &DataLibrary) -> CliError {
+    if let Some(cause) = data.library.set_aside(&format!("recipes/{name}.toml")) {
+        return CliError::place(name, format!("cannot be used: {cause}"), MEND);
+    }
     let remedy = format!("name a .toml file or one of the shipped recipes: {}", Library::names(&data.library.recipes));
     CliError::place(name, "there is no such file and no recipe with this id", remedy)
 }

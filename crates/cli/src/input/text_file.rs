@@ -9,6 +9,15 @@ use crate::error::CliError;
 /// Larger files are not read [bytes] (chosen: the largest shipped file has 4 kB).
 const LARGEST: u64 = 4 << 20;
 
+/// Reads a UTF-8 file that must be a regular one: a pipe or a device in a folder could block, or have no end.
+pub fn read_regular(path: &Path) -> Result<String, CliError> {
+    let is_other = path.metadata().is_ok_and(|data| !data.is_file() && !data.is_dir());
+    if is_other {
+        return Err(CliError::place(path.display(), "is no regular file", "replace it by a .toml file"));
+    }
+    read(path)
+}
+
 /// Reads a UTF-8 file.
 pub fn read(path: &Path) -> Result<String, CliError> {
     let place = path.display();

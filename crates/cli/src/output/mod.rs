@@ -1,10 +1,14 @@
 //! What the command prints and the files that it writes.
 
+mod file_lock;
+pub mod interruption;
 pub mod json;
 pub mod out_dir;
 pub mod out_file;
+mod printable;
 pub mod progress;
 pub mod section_files;
+mod staged_files;
 pub mod stderr;
 pub mod stdout;
 pub mod text_summary;

@@ -1,20 +1,20 @@
-//! One output file: written completely or not at all, its place probed before a long run.
+//! One output file: written completely or not at all, its place locked and probed before a long run.
 
-use std::fs::{self, File};
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use crate::error::CliError;
+use crate::output::file_lock::FileLock;
 
-/// A place for a file that can be written to. The unfinished file is removed on drop.
+/// A place for a file that this program alone writes to. The unfinished file is removed on drop.
 #[derive(Debug)]
 pub struct OutFile {
     path: PathBuf,
-    unfinished: PathBuf,
+    unfinished: FileLock,
 }
 
 impl OutFile {
-    /// Probes the place with an empty file.
+    /// Probes and locks the place with an empty file. One that a dead process has left is used again.
     pub fn prepare(path: &Path) -> Result<Self, CliError> {
         let place = || format!("--out {}", path.display());
         // A link is followed, so that the file behind it is replaced and not the link.
@@ -26,31 +26,28 @@ impl OutFile {
             return Err(CliError::place(place(), "is not a file name", "write --out FILE.png"));
         };
         let unfinished = path.with_file_name(format!(".saute-unfinished-{}", name.display()));
-        let out = Self { path: path.to_owned(), unfinished };
-        File::create(&out.unfinished).map_err(|e| out.error(&e))?;
-        Ok(out)
+        let unfinished = FileLock::take(&unfinished).map_err(|e| error(path, &e))?;
+        Ok(Self { path: path.to_owned(), unfinished })
     }
 
     /// Writes the file and gives it its final name.
     pub fn fill(self, bytes: &[u8]) -> Result<(), CliError> {
+        let Self { path, mut unfinished } = self;
         let write = || {
-            let mut file = File::create(&self.unfinished)?;
+            let file = unfinished.file();
+            file.set_len(0)?;
             file.write_all(bytes)?;
             file.sync_all()?;
-            fs::rename(&self.unfinished, &self.path)
+            unfinished.rename(&path)
         };
-        write().map_err(|e| self.error(&e))
-    }
-
-    fn error(&self, error: &std::io::Error) -> CliError {
-        let remedy = "name a file in a folder with write permission and free space";
-        CliError::place(format!("--out {}", self.path.display()), format!("cannot be written: {error}"), remedy)
+        write().map_err(|e| error(&path, &e))
     }
 }
 
-impl Drop for OutFile {
-    fn drop(&mut self) {
-        // After a rename the unfinished file no longer exists.
-        let _ = fs::remove_file(&self.unfinished);
-    }
+fn error(path: &Path, error: &io::Error) -> CliError {
+    let remedy = match error.kind() {
+        io::ErrorKind::ResourceBusy => "wait until it has ended, or name another file",
+        _ => "name a file in a folder with write permission and free space",
+    };
+    CliError::place(format!("--out {}", path.display()), format!("cannot be written: {error}"), remedy)
 }

@@ -2,7 +2,9 @@
 
 use std::io::Write;
 
+use crate::output::printable::printable;
+
 /// Prints a line to stderr. A closed pipe is not an error.
 pub fn say(text: impl std::fmt::Display) {
-    let _ = writeln!(std::io::stderr(), "{text}");
+    let _ = writeln!(std::io::stderr(), "{}", printable(&text.to_string()));
 }

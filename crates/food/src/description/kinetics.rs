@@ -41,7 +41,7 @@ sourced_table! {
         #[schemars(range(min = -100.0, max = 300.0), example = 52.0)]
         middle_c: f64,
         /// Least share of the raw water that is lost when a change is complete, by the name of the change [-].
-        #[schemars(extend("examples" = [{ "myosin": 0.13 }]))]
+        #[schemars(extend("examples" = [{ "myosin": 0.13 }], "additionalProperties" = each(0.0, 1.0)))]
         change: BTreeMap<String, f64>,
         /// Rate of release of the water that is no longer held, at `release_anchor_c` [1/s].
         #[schemars(range(min = 0.0, max = 1.0), example = 1.5e-3)]
@@ -123,7 +123,7 @@ sourced_table! {
         #[schemars(range(min = 0.1, max = 1e5), example = 6.0)]
         raw_kpa: f64,
         /// Contribution of a complete change, by the name of the change [kPa].
-        #[schemars(extend("examples" = [{ "myosin": 8.0 }]))]
+        #[schemars(extend("examples" = [{ "myosin": 8.0 }], "additionalProperties" = each(-1e6, 1e6)))]
         change_kpa: BTreeMap<String, f64>,
         /// Share of a bending stress that remains after a minute [-].
         #[schemars(range(min = 0.01, max = 1.0), example = 0.4)]
@@ -135,7 +135,7 @@ sourced_table! {
     /// Hardness on biting relative to the raw food, as a function of the changes.
     Hardness {
         /// Contribution of a complete change, by the name of the change [-].
-        #[schemars(extend("examples" = [{ "myosin": 0.7 }]))]
+        #[schemars(extend("examples" = [{ "myosin": 0.7 }], "additionalProperties" = each(-100.0, 100.0)))]
         change: BTreeMap<String, f64>,
     }
 }
@@ -144,7 +144,7 @@ sourced_table! {
     /// Juiciness on biting: the remaining share of the raw water, times 1 plus the contributions of the changes.
     Juiciness {
         /// Contribution of a complete change to the factor, by the name of the change [-].
-        #[schemars(extend("examples" = [{ "actin": -0.5 }]))]
+        #[schemars(extend("examples" = [{ "actin": -0.5 }], "additionalProperties" = each(-10.0, 10.0)))]
         change: BTreeMap<String, f64>,
     }
 }
@@ -153,10 +153,10 @@ sourced_table! {
     /// Contraction of free tissue.
     Shrinkage {
         /// Contraction of a length across the fibres by a complete change, by the name of the change [-].
-        #[schemars(extend("examples" = [{ "myosin": 0.05 }]))]
+        #[schemars(extend("examples" = [{ "myosin": 0.05 }], "additionalProperties" = each(-0.5, 0.5)))]
         across: BTreeMap<String, f64>,
         /// Contraction along the fibres (a steak's thickness) by a complete change, by the name of the change [-].
-        #[schemars(extend("examples" = [{ "actin": 0.25 }]))]
+        #[schemars(extend("examples" = [{ "actin": 0.25 }], "additionalProperties" = each(-0.5, 0.5)))]
         along: BTreeMap<String, f64>,
         /// Least volume relative to the raw volume; losses beyond it leave pores [-].
         #[schemars(range(min = 0.05, max = 1.0), example = 0.585)]
@@ -168,7 +168,7 @@ sourced_table! {
     /// Curling of a body whose belly contracts more than its back.
     Curl {
         /// Difference of the contractions along the body by a complete change, by the name of the change [-].
-        #[schemars(extend("examples" = [{ "myosin": 0.1 }]))]
+        #[schemars(extend("examples" = [{ "myosin": 0.1 }], "additionalProperties" = each(-0.5, 0.5)))]
         change: BTreeMap<String, f64>,
     }
 }
@@ -222,6 +222,11 @@ pub struct Kinetics {
     pub hardness: Hardness,
     /// Juiciness.
     pub juiciness: Juiciness,
+}
+
+/// Returns the schema of a number for each name of a table, with its range.
+fn each(least: f64, most: f64) -> serde_json::Value {
+    serde_json::json!({ "type": "number", "format": "double", "minimum": least, "maximum": most })
 }
 
 /// Largest number of changes of one kind of flesh [-] (chosen: beef has four).

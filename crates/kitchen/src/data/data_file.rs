@@ -2,6 +2,7 @@
 
 use toml::de::{DeTable, DeValue};
 
+use crate::data::echo::shortened;
 use crate::data::library::{LibraryError, line_of};
 use crate::data::number_text::number_text;
 
@@ -17,7 +18,9 @@ pub struct DataFile<'a> {
 impl DataFile<'_> {
     /// Returns an error at a key, given by its path, as `ridges.width_mm` or `change.0.anchor_c`.
     pub fn error(&self, path: &str, message: impl Into<String>) -> LibraryError {
-        LibraryError { file: self.name.to_owned(), line: self.line_at(path), message: message.into() }
+        let message: String = message.into();
+        let message = shortened(&message).into_owned();
+        LibraryError { file: self.name.to_owned(), line: self.line_at(path), message }
     }
 
     /// Returns an error if a number lies outside a range that depends on other fields.

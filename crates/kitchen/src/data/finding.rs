@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::data::echo::shortened;
 use crate::data::library::LibraryError;
 
 /// One thing that is wrong with a file.
@@ -19,7 +20,9 @@ pub struct Finding {
 
 impl Finding {
     pub(crate) fn new(line: usize, key: &str, message: String, remedy: impl Into<String>) -> Self {
-        Self { line, key: key.to_owned(), message, remedy: remedy.into() }
+        let remedy: String = remedy.into();
+        let [key, message, remedy] = [key, message.as_str(), remedy.as_str()].map(|text| shortened(text).into_owned());
+        Self { line, key, message, remedy }
     }
 
     /// Returns the error of a file that has this finding.

@@ -2,6 +2,7 @@
 
 use toml::Spanned;
 
+use crate::data::echo::shortened;
 use crate::data::library::line_of;
 use crate::data::number_text::number_text;
 
@@ -32,7 +33,9 @@ impl InputText<'_> {
     /// An error at a byte offset.
     pub fn error<T>(&self, at: usize, message: impl Into<String>, remedy: impl Into<String>) -> Result<T, InputError> {
         let line = line_of(self.text, at);
-        Err(InputError { file: self.file.to_owned(), line, message: message.into(), remedy: remedy.into() })
+        let (message, remedy): (String, String) = (message.into(), remedy.into());
+        let [message, remedy] = [&message, &remedy].map(|text| shortened(text).into_owned());
+        Err(InputError { file: self.file.to_owned(), line, message, remedy })
     }
 
     /// A number in its range.

@@ -12,18 +12,12 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::data::data_file::DataFile;
-use crate::data::format::{Format, FormatSchema};
+use crate::data::loading::{Loading, OwnFiles};
 use crate::data::room::Room;
 use crate::liquids::fond::FondData;
 use crate::liquids::oil::OilDescription;
 use crate::pan::hob::HobDescription;
-use crate::pan::pan_description::{CoatingDescription, PanDescription};
-
-/// The file of the scales of doneness.
-const DONENESS_FILE: &str = "doneness.toml";
-
-/// The file of what juice leaves on the pan.
-const FOND_FILE: &str = "fond.toml";
+use crate::pan::pan_description::PanDescription;
 
 static DATA: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../data");
 static RECIPES: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../recipes");
@@ -79,6 +73,8 @@ pub struct Library {
     pub hob: HobDescription,
     /// What juice leaves on the pan.
     pub fond: FondData,
+    /// Entries that are not in the tables because a file of the user's is broken, by path: the cause.
+    pub(crate) set_aside: BTreeMap<String, String>,
 }
 
 impl Library {
@@ -92,48 +88,43 @@ impl Library {
     /// Each entry is a path like `foods/my-steak.toml`, `pans/…`, `recipes/…`, `kinetics/…` or `doneness.toml`, and its
     /// text.
     pub fn with(own: &[(String, String)]) -> Result<Self, LibraryError> {
-        Self::with_surfaces(own, &BTreeMap::new())
+        let own = OwnFiles { texts: own.iter().cloned().collect(), ..OwnFiles::default() };
+        let (library, faults) = Self::with_own(&own)?;
+        faults.into_iter().next().map_or(Ok(library), Err)
     }
 
-    /// As [`Self::with`], with the triangles of the surfaces that foods name, by the path of the food's file.
-    pub fn with_surfaces(own: &[(String, String)], surfaces: &BTreeMap<String, Soup>) -> Result<Self, LibraryError> {
-        let mut files: BTreeMap<String, String> = BTreeMap::new();
-        collect(&DATA, "", &mut files);
-        collect(&RECIPES, "recipes/", &mut files);
-        files.extend(own.iter().cloned());
-        let bare = parse_folder(&files, "pans/")?;
-        let coatings: BTreeMap<String, CoatingDescription> = parse_folder(&files, "coatings/")?;
-        let mut library = Self {
-            foods: parse_folder(&files, "foods/")?,
-            kinetics: parse_folder(&files, "kinetics/")?,
-            pans: with_coatings(bare, &coatings),
-            oils: parse_folder(&files, "oils/")?,
-            recipes: in_folder(&files, "recipes/").map(|(id, text)| (id.to_owned(), text.clone())).collect(),
-            scales: scales(&files)?,
-            components: parse(&files, "components.toml")?,
-            room: parse(&files, "kitchen.toml")?,
-            hob: parse(&files, "hobs/induction.toml")?,
-            fond: parse(&files, FOND_FILE)?,
-        };
-        for (id, food) in std::mem::take(&mut library.foods) {
-            let file = format!("foods/{id}.toml");
-            let food = with_body(food, surfaces.get(&file), &data_file(&files, &file))?;
-            library.foods.insert(id, food);
+    /// What the program carries, with a user's files; a broken file of the user's is set aside and returned as an error.
+    ///
+    /// An entry that is set aside is in no table, and never falls back to a shipped one of the same id.
+    ///
+    /// # Errors
+    /// If the program's own files are not sound.
+    pub fn with_own(own: &OwnFiles) -> Result<(Self, Vec<LibraryError>), LibraryError> {
+        Loading::new(own).library()
+    }
+
+    /// Returns why an entry of a user's is set aside, by the path of its file, as `foods/my-steak.toml`; `None` if it is not.
+    pub fn set_aside(&self, path: &str) -> Option<&str> {
+        self.set_aside.get(path).map(String::as_str)
+    }
+
+    /// Returns why an entry is not in its table: its file is broken, or there is none. `what` is its kind with the article.
+    pub fn absence(&self, folder: &str, id: &str, what: &str) -> String {
+        match self.set_aside(&format!("{folder}/{id}.toml")) {
+            Some(cause) => format!("cannot be used: {cause}"),
+            None => format!("is not {what}"),
         }
-        for (id, food) in &library.foods {
-            let file = format!("foods/{id}.toml");
-            library.check_kinetics(food, &data_file(&files, &file))?;
-        }
-        library.check_oils()?;
-        library.check_scales(&data_file(&files, DONENESS_FILE))?;
-        Ok(library)
     }
 
     /// Checks that a food's kinetics are there and change what the food colours.
     pub(crate) fn check_kinetics(&self, food: &FoodDescription, file: &DataFile) -> Result<(), LibraryError> {
         let Some(kinetics) = self.kinetics.get(&food.kinetics) else {
             let known = Self::names(&self.kinetics);
-            let message = format!("kinetics = \"{}\" is unknown; there are: {known}", food.kinetics);
+            let why = match self.set_aside(&format!("kinetics/{}.toml", food.kinetics)) {
+                Some(cause) => format!("cannot be used: {cause}"),
+                None => "is unknown".to_owned(),
+            };
+            let message = format!("kinetics = \"{}\" {why}; there are: {known}", food.kinetics);
             return Err(file.error("kinetics", message));
         };
         let named = kinetics.in_order("colour", &food.colour.change);
@@ -141,11 +132,14 @@ impl Library {
     }
 
     /// Scales are made for kinetics that are there and contain their change.
-    fn check_scales(&self, file: &DataFile) -> Result<(), LibraryError> {
+    pub(crate) fn check_scales(&self, file: &DataFile) -> Result<(), LibraryError> {
         for (at, scale) in self.scales.iter().enumerate() {
             let error = |message| Err(file.error(&format!("scale.{at}.for_kinetics"), message));
             for id in &scale.for_kinetics {
                 let Some(kinetics) = self.kinetics.get(id) else {
+                    if self.set_aside.contains_key(&format!("kinetics/{id}.toml")) {
+                        continue;
+                    }
                     let known = Self::names(&self.kinetics);
                     return error(format!("for_kinetics names \"{id}\", which is unknown; there are: {known}"));
                 };
@@ -162,12 +156,13 @@ impl Library {
     }
 
     /// The kitchen names oils that are there, and butter that melts.
-    fn check_oils(&self) -> Result<(), LibraryError> {
+    pub(crate) fn check_oils(&self) -> Result<(), LibraryError> {
         let oil = &self.room.oil;
         let error = |message| Err(LibraryError { file: "kitchen.toml".into(), line: 1, message });
         for (key, id) in [("default", &oil.default), ("rendered", &oil.rendered), ("butter", &oil.butter)] {
             let Some(kind) = self.oils.get(id) else {
-                return error(format!("[oil] {key} = \"{id}\" is unknown; there are: {}", Self::names(&self.oils)));
+                let why = self.absence("oils", id, "an oil");
+                return error(format!("[oil] {key} = \"{id}\" {why}; there are: {}", Self::names(&self.oils)));
             };
             if key == "butter" && kind.emulsion.is_none() {
                 return error(format!("[oil] butter = \"{id}\" has no [emulsion]: name an oil that has one"));
@@ -208,35 +203,12 @@ fn collect(dir: &Dir, prefix: &str, files: &mut BTreeMap<String, String>) {
     dir.dirs().for_each(|sub| collect(sub, prefix, files));
 }
 
-fn in_folder<'a>(files: &'a BTreeMap<String, String>, folder: &'a str) -> impl Iterator<Item = (&'a str, &'a String)> {
-    files.iter().filter_map(move |(path, text)| Some((path.strip_prefix(folder)?.strip_suffix(".toml")?, text)))
-}
-
-fn data_file<'a>(files: &'a BTreeMap<String, String>, name: &'a str) -> DataFile<'a> {
-    DataFile { name, text: files.get(name).map_or("", String::as_str) }
-}
-
-/// Reads and checks every file of a folder, by id.
-fn parse_folder<T: Format>(
-    files: &BTreeMap<String, String>,
-    folder: &str,
-) -> Result<BTreeMap<String, T>, LibraryError> {
-    let format = FormatSchema::of::<T>();
-    in_folder(files, folder)
-        .map(|(id, text)| {
-            let name = format!("{folder}{id}.toml");
-            Ok((id.to_owned(), format.read(&DataFile { name: &name, text })?))
-        })
-        .collect()
-}
-
-fn scales(files: &BTreeMap<String, String>) -> Result<Vec<Arc<Scale>>, LibraryError> {
-    let parsed: DonenessFile = parse(files, DONENESS_FILE)?;
-    Ok(parsed.scale.into_iter().map(Arc::new).collect())
-}
-
-fn parse<T: Format>(files: &BTreeMap<String, String>, path: &str) -> Result<T, LibraryError> {
-    FormatSchema::of::<T>().read(&data_file(files, path))
+/// Returns every data file and every recipe that the program carries.
+pub(crate) fn shipped_files() -> BTreeMap<String, String> {
+    let mut files = BTreeMap::new();
+    collect(&DATA, "", &mut files);
+    collect(&RECIPES, "recipes/", &mut files);
+    files
 }
 
 /// Line number, from 1, of a byte offset.
@@ -276,23 +248,4 @@ pub(crate) fn with_body(
 pub fn close_surface(soup: &Soup, name: &str, scale_mm: Option<f64>) -> Result<Surface, String> {
     Surface::close(soup, 1e-3 * scale_mm.unwrap_or(soup.unit_mm))
         .map_err(|defect| format!("{name} is not sound: {defect}; {}", defect.remedy()))
-}
-
-fn with_coatings(
-    bare: BTreeMap<String, PanDescription>,
-    coatings: &BTreeMap<String, CoatingDescription>,
-) -> BTreeMap<String, PanDescription> {
-    let mut pans = bare.clone();
-    for (id, pan) in &bare {
-        for (coating_id, coating) in coatings {
-            let mut coated = pan.clone();
-            coated.name = format!("{}, {}", pan.name, coating.name);
-            coated.coating_w_m2k = Some(coating.conductance_w_m2k);
-            coated.surface.emissivity = coating.emissivity;
-            coated.look = coating.look.clone();
-            coated.heat_tint = coating.heat_tint.clone();
-            pans.entry(format!("{id}-{coating_id}")).or_insert(coated);
-        }
-    }
-    pans
 }

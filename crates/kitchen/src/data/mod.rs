@@ -1,12 +1,14 @@
 //! Data files: what a kitchen is built from. The types of the descriptions state each format once.
 
 pub mod data_file;
+pub mod echo;
 pub mod finding;
 pub mod food_check;
 pub mod format;
 mod format_page;
 pub mod input_error;
 pub mod library;
+pub mod loading;
 mod number_text;
 mod relations;
 pub mod room;

@@ -171,8 +171,11 @@ pub fn exchange(data: &FoodContact, a: &mut Piece, b: &mut Piece, links: &[Link]
         let (Some(ca), Some(cb)) = (a.capacity(i), b.capacity(j)) else { continue };
         let conductance = data.conductance_w_m2k * link.area * dt;
         let heat = conductance * (hot - cold) / (1.0 + conductance * (1.0 / ca + 1.0 / cb));
-        a.give(i, -heat);
-        b.give(j, heat);
+        // A piece that is about to be restored gives its neighbours nothing.
+        if heat.is_finite() {
+            a.give(i, -heat);
+            b.give(j, heat);
+        }
     }
 }
 

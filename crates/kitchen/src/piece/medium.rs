@@ -136,7 +136,7 @@ impl Piece {
             let temperature = state.metal_at(located);
             self.set_touch(*patch, Touch::Contact { conductance, temperature });
         }
-        for oiled in &in_oil {
+        for oiled in in_oil.iter().filter(|_| self.state.healthy) {
             let node = self.node_of(oiled.patch);
             self.state.oiled[node] = 1.0;
         }

@@ -362,7 +362,10 @@ impl Piece {
         let node = self.node_of(near.patch);
         let lies = 1.0 - self.lifted_share(near, mean, room);
         let covers = lies * film / (film + 1e-3 * room.oil.clinging_mm);
-        self.state.oiled[node] = self.state.oiled[node].max(covers);
+        // A frozen piece no longer changes.
+        if self.state.healthy {
+            self.state.oiled[node] = self.state.oiled[node].max(covers);
+        }
     }
 
     /// Contact of the whole lower face, without oil.

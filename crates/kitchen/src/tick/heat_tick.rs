@@ -178,7 +178,10 @@ impl Kitchen {
             // Keys ascend with the pieces: the first of a pair comes first.
             let (first, rest) = self.pieces.split_at_mut(j);
             let (a, b) = (&mut first[i], &mut rest[0]);
-            food_contact::exchange(&room.food_contact, a, b, &touching.links, TICK_S);
+            // A frozen piece exchanges nothing.
+            if a.state.healthy && b.state.healthy {
+                food_contact::exchange(&room.food_contact, a, b, &touching.links, TICK_S);
+            }
             for link in &touching.links {
                 a.close(link.a);
                 b.close(link.b);
@@ -209,9 +212,10 @@ impl Kitchen {
         let air = self.air_round(fixed, &self.pieces[index]);
         let piece = &mut self.pieces[index];
         let exchange = piece.advance(air, TICK_S);
-        let condensed = if piece.in_pan() { self.exchange_with_media(fixed, index) } else { Runoff::default() };
+        let exchanges = piece.in_pan() && piece.state.healthy;
+        let condensed = if exchanges { self.exchange_with_media(fixed, index) } else { Runoff::default() };
         let piece = &mut self.pieces[index];
-        if under == Under::Wood {
+        if under == Under::Wood && piece.state.healthy {
             piece.warm_wood(&fixed.room, TICK_S);
         }
         let (core, time) = (piece.core(), self.clock.tick_end_s());

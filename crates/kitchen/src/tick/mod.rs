@@ -4,6 +4,8 @@ mod air_round;
 pub(crate) mod clock;
 pub mod energy;
 pub mod event;
+#[cfg(test)]
+mod frozen_piece;
 mod heat_tick;
 pub(crate) mod low_pass;
 mod motion;

@@ -85,7 +85,8 @@ impl Check<'_> {
     fn food(&self, id: &Spanned<String>) -> Checked<Material> {
         let Some(food) = self.library.foods.get(id.get_ref()) else {
             let remedy = format!("use one of: {}", Library::names(&self.library.foods));
-            return self.input.error(id.span().start, format!("food = \"{}\" is not a food", id.get_ref()), remedy);
+            let why = self.library.absence("foods", id.get_ref(), "a food");
+            return self.input.error(id.span().start, format!("food = \"{}\" {why}", id.get_ref()), remedy);
         };
         let properties = Properties::new(&self.library.components, &food.lean, &food.fat_melting);
         let fractions = [food.lean.water, food.lean.lean_solids(), food.lean.fat];

@@ -65,9 +65,13 @@ fn radius(metric: Metric, body: &BodyCase) -> Axis {
     Axis { metric, nodes: across[middle..].iter().map(|x| x - across[middle]).collect() }
 }
 
+/// Steepness below which a mesh is uniform [-] (chosen: the map then differs from the straight line by less than the
+/// rounding error; at subnormal values tanh β ÷ β has no digits left, and nodes coincide).
+const UNIFORM: f64 = 1e-6;
+
 /// Returns the number of cells over a length: an even number, so that there is a node in the middle [-].
 fn cells(length: f64, largest: f64, grading: f64) -> f64 {
-    let stretch = if grading > 0.0 { grading / libm::tanh(grading) } else { 1.0 };
+    let stretch = if grading > UNIFORM { grading / libm::tanh(grading) } else { 1.0 };
     (2.0 * libm::ceil(0.5 * stretch * length / largest - 1e-9)).max(2.0)
 }
 
@@ -79,7 +83,7 @@ fn graded(length: f64, largest: f64, grading: f64) -> Vec<f64> {
     let cells = cells(length, largest, grading);
     let place = |i: f64| {
         let even = 2.0 * i / cells - 1.0;
-        let bent = if grading > 0.0 { libm::tanh(grading * even) / libm::tanh(grading) } else { even };
+        let bent = if grading > UNIFORM { libm::tanh(grading * even) / libm::tanh(grading) } else { even };
         0.5 * length * (1.0 + bent)
     };
     let mut nodes: Vec<f64> = (0..=cells as usize).map(|i| place(i as f64)).collect();

@@ -7,5 +7,6 @@ mod edge_system;
 pub mod material;
 mod run;
 pub mod solver;
+pub mod work;
 
 pub use run::run;

@@ -147,13 +147,23 @@ impl Solver {
         }
     }
 
-    /// Returns the length of the next step towards `until` [s].
-    pub(crate) fn next_step(&self, until: f64, case: &Case) -> f64 {
-        let (reach, growth) = match &self.system {
+    /// Returns the longest step over the explicit one, and the growth of steps after a change of a boundary [-].
+    fn reach(&self) -> (f64, f64) {
+        match &self.system {
             System::Edges(edges) if edges.boils() => (1.0, GROWTH),
             System::Edges(edges) if edges.varies() => (SuperStep::reach(MOST_STAGES_VARYING), GROWTH_VARYING),
             System::Product(_) | System::Edges(_) => (SuperStep::reach(MOST_STAGES), GROWTH),
-        };
+        }
+    }
+
+    /// Returns the longest step and the longest explicit step with the present boundaries [s].
+    pub(crate) fn longest_step(&self, case: &Case) -> [f64; 2] {
+        [case.step_factor * SAFETY * self.reach().0 * self.explicit, self.explicit]
+    }
+
+    /// Returns the length of the next step towards `until` [s].
+    pub(crate) fn next_step(&self, until: f64, case: &Case) -> f64 {
+        let (reach, growth) = self.reach();
         let most = SAFETY * reach * self.explicit;
         let since = self.time - self.changed_at;
         let first = if self.temperature.len() == 1 { LUMPED_STEP } else { SAFETY } * self.explicit;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::running::{SHORT, names_in, run};
+use crate::running::{SHORT, names_in, run, saute};
 
 fn short(dir: &Path) -> String {
     let path = dir.join("short.toml");
@@ -72,4 +72,105 @@ fn a_step_that_goes_wrong_while_cooking_leaves_nothing_behind() {
         ran.err
     );
     assert!(!out.exists());
+}
+
+/// Starts a cook of many minutes and waits until its output folder is locked.
+#[cfg(target_os = "linux")]
+fn long_cook(dir: &Path, out: &Path) -> std::process::Child {
+    let recipe = dir.join("long.toml");
+    let text = SHORT.replace("max_s = 100", "max_s = 86000").replacen("after_s = 10", "after_s = 80000", 1);
+    std::fs::write(&recipe, text).unwrap();
+    let child = saute()
+        .args(["cook", recipe.to_str().unwrap(), "--out", out.to_str().unwrap()])
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    let start = std::time::Instant::now();
+    while !out.join(".saute-unfinished-files").exists() {
+        assert!(start.elapsed().as_secs() < 60, "the cook does not start");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    // The lock is taken before the folder of the files is made; the signals are watched right after.
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    child
+}
+
+#[cfg(target_os = "linux")]
+fn signal(child: &std::process::Child, name: &str) {
+    let sent = std::process::Command::new("kill").args([name, &child.id().to_string()]).status().unwrap();
+    assert!(sent.success());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn of_two_programs_that_write_to_one_folder_the_second_says_so_and_leaves_the_first_alone() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out");
+    let mut first = long_cook(dir.path(), &out);
+    let second = run(&["cook", &short(dir.path()), "--out", out.to_str().unwrap()]);
+    assert_eq!((second.code, second.out.as_str()), (Some(2), ""));
+    assert!(second.err.contains("another program is writing there") && second.err.contains("remedy"), "{}", second.err);
+    assert!(first.try_wait().unwrap().is_none() && out.join(".saute-unfinished-files").exists());
+    first.kill().unwrap();
+    first.wait().unwrap();
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn two_programs_at_once_leave_the_whole_results_of_one() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out");
+    let recipe = short(dir.path());
+    for _ in 0..3 {
+        let start = |_| {
+            let args = ["cook", recipe.as_str(), "--out", out.to_str().unwrap()];
+            saute().args(args).stderr(std::process::Stdio::piped()).stdout(std::process::Stdio::null()).spawn().unwrap()
+        };
+        let children: Vec<_> = (0..4).map(start).collect();
+        let outputs: Vec<_> = children.into_iter().map(|c| c.wait_with_output().unwrap()).collect();
+        let won = outputs.iter().filter(|o| o.status.success()).count();
+        assert!(won >= 1, "{outputs:?}");
+        for lost in outputs.iter().filter(|o| !o.status.success()) {
+            assert!(String::from_utf8_lossy(&lost.stderr).contains("another program is writing"), "{lost:?}");
+        }
+        let names = names_in(&out);
+        assert!(names.contains(&"report.html".to_owned()) && names.iter().all(|n| !n.starts_with('.')), "{names:?}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_interrupted_cook_says_what_it_left() {
+    for (name, is_new) in [("-INT", true), ("-TERM", false)] {
+        let dir = tempfile::tempdir().unwrap();
+        let out = dir.path().join("out");
+        if !is_new {
+            std::fs::create_dir(&out).unwrap();
+            std::fs::write(out.join("report.html"), "old").unwrap();
+        }
+        let child = long_cook(dir.path(), &out);
+        signal(&child, name);
+        let ended = child.wait_with_output().unwrap();
+        let err = String::from_utf8_lossy(&ended.stderr);
+        assert_eq!(ended.status.code(), Some(130), "{err}");
+        assert!(err.contains("interrupted at") && err.contains("nothing was written"), "{err}");
+        let names = names_in(&out);
+        assert_eq!(names, if is_new { Vec::new() } else { vec!["report.html".to_owned()] });
+        assert_eq!(out.exists(), !is_new);
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_a_killed_cook_has_left_is_removed_by_the_next_one() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out");
+    let mut child = long_cook(dir.path(), &out);
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(names_in(&out).iter().any(|n| n.starts_with('.')));
+    let ran = run(&["cook", &short(dir.path()), "--out", out.to_str().unwrap()]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    assert!(names_in(&out).iter().all(|n| !n.starts_with('.')), "{:?}", names_in(&out));
 }

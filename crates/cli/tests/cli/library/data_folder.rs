@@ -51,7 +51,8 @@ fn a_mistake_in_the_folder_is_named_with_its_file_and_line() {
     let line = 1 + pan.lines().position(|l| l.contains("thick\"")).unwrap();
     write(dir.path(), "pans/odd.toml", &pan);
     let ran = run(&["list", "pans", "--data", data]);
-    assert_eq!(ran.code, Some(2));
+    // The list goes on without the broken pan: `broken_data` has the promises.
+    assert_eq!(ran.code, Some(0));
     let place = format!("{}:{line}:", dir.path().join("pans/odd.toml").display());
     assert!(ran.err.contains(&place) && ran.err.contains("remedy"), "{}", ran.err);
 }
@@ -60,10 +61,10 @@ fn a_mistake_in_the_folder_is_named_with_its_file_and_line() {
 fn a_mistake_in_a_recipe_of_the_folder_is_named_with_its_file_and_line() {
     let dir = tempfile::tempdir().unwrap();
     write(dir.path(), "recipes/odd.toml", &SHORT.replace("flip =", "flop ="));
-    for args in [["cook", "odd"], ["list", "recipes"]] {
+    for (args, code) in [(["cook", "odd"], 2), (["list", "recipes"], 0)] {
         let ran = run(&[args[0], args[1], "--data", dir.path().to_str().unwrap()]);
         let place = format!("{}:17:", dir.path().join("recipes/odd.toml").display());
-        assert!(ran.code == Some(2) && ran.err.contains(&place), "{}", ran.err);
+        assert!(ran.code == Some(code) && ran.err.contains(&place), "{}", ran.err);
     }
 }
 

@@ -101,8 +101,11 @@ struct Sides {
 /// Checks that the surface is one closed, consistently oriented two-manifold.
 ///
 /// # Errors
-/// The first defect in the order open, non-manifold edge, orientation, several bodies, non-manifold corner.
+/// [`Defect::Empty`] without a triangle; else the first defect in the order open, non-manifold edge, orientation, several bodies, non-manifold corner.
 pub fn closed(surface: &Surface) -> Result<(), Defect> {
+    if surface.triangles.is_empty() {
+        return Err(Defect::Empty);
+    }
     let edges = edges(surface);
     let middle = |&[a, b]: &[u32; 2]| ((surface.vertex(a) + surface.vertex(b)) * 0.5).to_array();
     let trouble = |wrong: &dyn Fn(&Sides) -> bool| {
@@ -162,11 +165,14 @@ fn whole_corners(surface: &Surface) -> Result<(), Defect> {
         leaving[b as usize].push([c, a]);
         leaving[c as usize].push([a, b]);
     }
+    // Sorted, so that a fan of many triangles takes no quadratic time.
+    leaving.iter_mut().for_each(|spokes| spokes.sort_unstable());
+    let next = |spokes: &[[u32; 2]], at: u32| spokes.binary_search_by_key(&at, |s| s[0]).ok().map(|i| spokes[i][1]);
     let broken = |spokes: &Vec<[u32; 2]>| {
         let Some(&[start, mut at]) = spokes.first() else { return false };
         let mut steps = 1;
         while at != start && steps <= spokes.len() {
-            at = spokes.iter().find(|s| s[0] == at).map_or(start, |s| s[1]);
+            at = next(spokes, at).unwrap_or(start);
             steps += 1;
         }
         steps != spokes.len()

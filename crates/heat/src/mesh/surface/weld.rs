@@ -41,6 +41,10 @@ pub fn weld(soup: &Soup, metres: f64) -> Result<Surface, Defect> {
             triangles.push(joined);
         }
     }
+    if triangles.is_empty() {
+        // Every triangle of the file lies in one point or on one edge.
+        return Err(Defect::Degenerate(Trouble::at(soup.triangles.len(), low.to_array())));
+    }
     let surface = Surface { vertices: welder.vertices.iter().map(DVec3::to_array).collect(), triangles };
     slivers(&surface, tolerance)?;
     Ok(surface)

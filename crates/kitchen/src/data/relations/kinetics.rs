@@ -9,10 +9,14 @@ use crate::data::library::LibraryError;
 /// Largest contraction of a length that complete changes may add up to [-] (chosen: tissue does not shrink by half).
 const MOST_CONTRACTION: f64 = 0.5;
 
+/// Least elastic modulus of flesh [kPa] (chosen: softer than any food that keeps its shape).
+const LEAST_MODULUS_KPA: f64 = 0.01;
+
 impl Format for Kinetics {
     fn relations(&self, file: &DataFile) -> Result<(), LibraryError> {
         curves(self, file)?;
         contraction(self, file)?;
+        modulus(self, file)?;
         names(self, file)
     }
 }
@@ -25,7 +29,7 @@ fn curves(kinetics: &Kinetics, file: &DataFile) -> Result<(), LibraryError> {
         ("browning", "activity", &browning.activity, &browning.factor),
     ];
     for (table, key, xs, ys) in curves {
-        if xs.len() < 2 || xs.len() != ys.len() || !xs.is_sorted() {
+        if xs.len() < 2 || xs.len() != ys.len() || !xs.is_sorted_by(|a, b| a < b) {
             let message =
                 format!("[{table}] {key} needs two or more ascending numbers, and as many values beside them");
             return Err(file.error(&format!("{table}.{key}"), message));
@@ -43,6 +47,18 @@ fn contraction(kinetics: &Kinetics, file: &DataFile) -> Result<(), LibraryError>
         }
     }
     Ok(())
+}
+
+/// The elastic modulus stays positive however the changes combine.
+fn modulus(kinetics: &Kinetics, file: &DataFile) -> Result<(), LibraryError> {
+    let texture = &kinetics.texture;
+    let softest = texture.raw_kpa + texture.change_kpa.values().filter(|v| **v < 0.0).sum::<f64>();
+    if softest >= LEAST_MODULUS_KPA {
+        return Ok(());
+    }
+    let message =
+        format!("[texture] change_kpa makes the modulus smaller than {LEAST_MODULUS_KPA} kPa: use smaller decreases");
+    Err(file.error("texture.change_kpa", message))
 }
 
 /// Every table names only changes of the file.

@@ -1,0 +1,214 @@
+//! Loads a library from the shipped files and a user's; a broken file of the user's is set aside.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use saute_food::{FoodDescription, Scale};
+use saute_heat::Soup;
+
+use crate::data::data_file::DataFile;
+use crate::data::format::{Format, FormatSchema};
+use crate::data::library::{DonenessFile, Library, LibraryError, shipped_files, with_body};
+use crate::pan::pan_description::{CoatingDescription, PanDescription};
+
+/// The file of the scales of doneness.
+const DONENESS_FILE: &str = "doneness.toml";
+
+/// The file of what juice leaves on the pan.
+const FOND_FILE: &str = "fond.toml";
+
+/// The cause for which an entry is set aside, where its own file is broken. The error of that file says more.
+const ITS_FILE: &str = "its file in the --data folder is broken";
+
+/// Files of a user, which are added to the shipped ones or replace those of the same path.
+#[derive(Clone, Debug, Default)]
+pub struct OwnFiles {
+    /// Texts by path, as `foods/my-steak.toml`, `pans/…`, `recipes/…`, `kinetics/…` or `doneness.toml`.
+    pub texts: BTreeMap<String, String>,
+    /// Triangles of the surfaces that foods name, by the path of the food's file.
+    pub surfaces: BTreeMap<String, Soup>,
+    /// Paths of files that are there but cannot be read, or whose surface cannot.
+    pub unreadable: BTreeSet<String>,
+}
+
+/// A library that is being loaded.
+pub(crate) struct Loading<'a> {
+    own: &'a OwnFiles,
+    files: BTreeMap<String, String>,
+    set_aside: BTreeMap<String, String>,
+    faults: Vec<LibraryError>,
+}
+
+impl<'a> Loading<'a> {
+    pub(crate) fn new(own: &'a OwnFiles) -> Self {
+        let mut files = shipped_files();
+        files.extend(own.texts.iter().map(|(path, text)| (path.clone(), text.clone())));
+        files.retain(|path, _| !own.unreadable.contains(path));
+        let set_aside = own.unreadable.iter().map(|path| (path.clone(), ITS_FILE.to_owned())).collect();
+        Self { own, files, set_aside, faults: Vec::new() }
+    }
+
+    /// Returns the library and the errors of the user's files.
+    pub(crate) fn library(mut self) -> Result<(Library, Vec<LibraryError>), LibraryError> {
+        let bare = self.folder("pans/")?;
+        let coatings = self.folder("coatings/")?;
+        let mut library = Library {
+            foods: self.folder("foods/")?,
+            kinetics: self.folder("kinetics/")?,
+            pans: with_coatings(&bare, &coatings),
+            oils: self.folder("oils/")?,
+            recipes: in_folder(&self.files, "recipes/").map(|(id, text)| (id.to_owned(), text.clone())).collect(),
+            scales: self.scales()?,
+            components: self.parse("components.toml")?,
+            room: self.parse("kitchen.toml")?,
+            hob: self.parse("hobs/induction.toml")?,
+            fond: self.parse(FOND_FILE)?,
+            set_aside: BTreeMap::new(),
+        };
+        self.set_coated_aside(&library.pans, &coatings);
+        self.settle_oils(&mut library)?;
+        self.settle_foods(&mut library)?;
+        library.set_aside.clone_from(&self.set_aside);
+        self.settle_scales(&mut library)?;
+        library.set_aside = self.set_aside;
+        Ok((library, self.faults))
+    }
+
+    /// Sets an entry aside because of an error. Without files of the user's, the error is one of the program.
+    fn fault(&mut self, path: &str, error: LibraryError) -> Result<(), LibraryError> {
+        if self.own.texts.is_empty() && self.own.unreadable.is_empty() {
+            return Err(error);
+        }
+        self.faults.push(error);
+        self.set_aside.insert(path.to_owned(), ITS_FILE.to_owned());
+        Ok(())
+    }
+
+    fn file<'f>(&'f self, name: &'f str) -> DataFile<'f> {
+        DataFile { name, text: self.files.get(name).map_or("", String::as_str) }
+    }
+
+    fn parse<T: Format>(&self, path: &str) -> Result<T, LibraryError> {
+        FormatSchema::of::<T>().read(&self.file(path))
+    }
+
+    /// Reads and checks every file of a folder, by id.
+    fn folder<T: Format>(&mut self, folder: &str) -> Result<BTreeMap<String, T>, LibraryError> {
+        let format = FormatSchema::of::<T>();
+        let read = |(id, text): (&str, &String)| {
+            let path = format!("{folder}{id}.toml");
+            let read = format.read(&DataFile { name: &path, text });
+            (id.to_owned(), path, read)
+        };
+        let all: Vec<(String, String, Result<T, LibraryError>)> = in_folder(&self.files, folder).map(read).collect();
+        let mut sound = BTreeMap::new();
+        for (id, path, read) in all {
+            match read {
+                Ok(entry) => drop(sound.insert(id, entry)),
+                Err(error) => self.fault(&path, error)?,
+            }
+        }
+        Ok(sound)
+    }
+
+    fn scales(&mut self) -> Result<Vec<Arc<Scale>>, LibraryError> {
+        if self.set_aside.contains_key(DONENESS_FILE) {
+            return Ok(Vec::new());
+        }
+        match self.parse::<DonenessFile>(DONENESS_FILE) {
+            Ok(parsed) => Ok(parsed.scale.into_iter().map(Arc::new).collect()),
+            Err(error) => self.fault(DONENESS_FILE, error).map(|()| Vec::new()),
+        }
+    }
+
+    /// Sets aside the coated pans of which the pan or the coating is set aside.
+    fn set_coated_aside(
+        &mut self,
+        pans: &BTreeMap<String, PanDescription>,
+        coatings: &BTreeMap<String, CoatingDescription>,
+    ) {
+        let broken =
+            |folder: &str| -> Vec<String> { in_folder(&self.set_aside, folder).map(|(id, _)| id.to_owned()).collect() };
+        let (broken_pans, broken_coatings) = (broken("pans/"), broken("coatings/"));
+        let all = |sound: Vec<&String>, broken: &[String]| -> Vec<String> {
+            sound.into_iter().chain(broken).cloned().collect()
+        };
+        let every_coating = all(coatings.keys().collect(), &broken_coatings);
+        let of_pans = broken_pans.iter().flat_map(|pan| every_coating.iter().map(move |c| format!("{pan}-{c}")));
+        let of_coatings = pans.keys().flat_map(|pan| broken_coatings.iter().map(move |c| format!("{pan}-{c}")));
+        let coated: Vec<String> = of_pans.chain(of_coatings).filter(|id| !pans.contains_key(id)).collect();
+        for id in coated {
+            let cause = "the file of its pan or of its coating in the --data folder is broken";
+            self.set_aside.entry(format!("pans/{id}.toml")).or_insert_with(|| cause.to_owned());
+        }
+    }
+
+    /// Sets aside a butter of the user's that does not melt; without it no pan can be filled.
+    fn settle_oils(&mut self, library: &mut Library) -> Result<(), LibraryError> {
+        library.set_aside.clone_from(&self.set_aside);
+        let butter = library.room.oil.butter.clone();
+        let (Err(error), true) = (library.check_oils(), library.oils.contains_key(&butter)) else { return Ok(()) };
+        let of_broken = [&library.room.oil.default, &library.room.oil.rendered];
+        if of_broken.into_iter().all(|id| library.oils.contains_key(id)) {
+            self.fault(&format!("oils/{butter}.toml"), error)?;
+            library.oils.remove(&butter);
+        }
+        Ok(())
+    }
+
+    /// Gives the foods their bodies and checks their kinetics.
+    fn settle_foods(&mut self, library: &mut Library) -> Result<(), LibraryError> {
+        for (id, food) in std::mem::take(&mut library.foods) {
+            let path = format!("foods/{id}.toml");
+            if self.set_aside.contains_key(&format!("kinetics/{}.toml", food.kinetics)) {
+                let cause = format!("the file of its kinetics \"{}\" in the --data folder is broken", food.kinetics);
+                self.set_aside.insert(path, cause);
+                continue;
+            }
+            match self.settled(food, &path, library) {
+                Ok(food) => drop(library.foods.insert(id, food)),
+                Err(error) => self.fault(&path, error)?,
+            }
+        }
+        Ok(())
+    }
+
+    fn settled(&self, food: FoodDescription, path: &str, library: &Library) -> Result<FoodDescription, LibraryError> {
+        let file = self.file(path);
+        let food = with_body(food, self.own.surfaces.get(path), &file)?;
+        library.check_kinetics(&food, &file)?;
+        Ok(food)
+    }
+
+    fn settle_scales(&mut self, library: &mut Library) -> Result<(), LibraryError> {
+        if let Err(error) = library.check_scales(&self.file(DONENESS_FILE)) {
+            self.fault(DONENESS_FILE, error)?;
+            library.scales.clear();
+        }
+        Ok(())
+    }
+}
+
+fn in_folder<'a>(files: &'a BTreeMap<String, String>, folder: &'a str) -> impl Iterator<Item = (&'a str, &'a String)> {
+    files.iter().filter_map(move |(path, text)| Some((path.strip_prefix(folder)?.strip_suffix(".toml")?, text)))
+}
+
+/// Returns the pans and, for each coating, the pans with it.
+fn with_coatings(
+    bare: &BTreeMap<String, PanDescription>,
+    coatings: &BTreeMap<String, CoatingDescription>,
+) -> BTreeMap<String, PanDescription> {
+    let mut pans = bare.clone();
+    for (id, pan) in bare {
+        for (coating_id, coating) in coatings {
+            let mut coated = pan.clone();
+            coated.name = format!("{}, {}", pan.name, coating.name);
+            coated.coating_w_m2k = Some(coating.conductance_w_m2k);
+            coated.surface.emissivity = coating.emissivity;
+            coated.look = coating.look.clone();
+            coated.heat_tint = coating.heat_tint.clone();
+            pans.entry(format!("{id}-{coating_id}")).or_insert(coated);
+        }
+    }
+    pans
+}

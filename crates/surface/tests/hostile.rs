@@ -1,0 +1,183 @@
+//! Promise: no surface file makes the reader panic, hang or take much memory; each found case gives an error that says why.
+
+// A failed unwrap in a test reports its line.
+#![allow(clippy::unwrap_used)]
+
+use std::time::{Duration, Instant};
+
+use saute_heat::Surface;
+use saute_surface::{ReadError, Soup, read};
+
+/// Longest time that a small file may take [s].
+const LONGEST: Duration = Duration::from_secs(1);
+
+fn fixture(name: &str) -> Vec<u8> {
+    std::fs::read(format!("{}/tests/fixtures/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+fn plain(name: &str, bytes: &[u8]) -> Result<Soup, ReadError> {
+    read(name, bytes, |_| None)
+}
+
+/// Reads a file and closes its surface, within the time limit.
+fn outcome(name: &str, bytes: &[u8]) -> Result<Surface, String> {
+    let start = Instant::now();
+    let soup = plain(name, bytes).map_err(|e| e.message);
+    let surface = soup.and_then(|soup| Surface::close(&soup, 1e-3 * soup.unit_mm).map_err(|e| e.to_string()));
+    assert!(start.elapsed() < LONGEST, "{name} took {:?}", start.elapsed());
+    surface
+}
+
+#[test]
+fn every_found_case_is_refused_with_its_reason() {
+    let cases = [
+        ("one-point.obj", "triangles without area: 1"),
+        ("doubled-nodes.gltf", "has two parents"),
+        ("doubled-nodes-without-mesh.gltf", "has two parents"),
+        ("signed-indices.gltf", "accessor 1 has a type that glTF does not permit there"),
+        ("overlapping-positions.gltf", "accessor 0 reaches beyond its buffer, or its elements overlap"),
+    ];
+    for (name, reason) in cases {
+        let refused = outcome(name, &fixture(name));
+        assert!(refused.as_ref().is_err_and(|e| e.contains(reason)), "{name}: {refused:?}");
+    }
+}
+
+#[test]
+fn triangles_that_all_weld_away_are_without_area_in_every_format() {
+    let all_in_one = "v 5 5 5\nv 5 5 5.0000000001\nv 5 5 5\nv 5 5 5\nf 1 2 3\nf 2 3 4\n";
+    assert!(outcome("a.obj", all_in_one.as_bytes()).unwrap_err().contains("without area: 2"));
+    let mut stl = vec![0; 80];
+    stl.extend(1u32.to_le_bytes());
+    stl.extend([0; 50]);
+    assert!(outcome("a.stl", &stl).unwrap_err().contains("without area"));
+}
+
+/// glTF of one triangle of 30 mm, with each of its parts replaceable.
+fn gltf(from: &str, to: &str) -> Vec<u8> {
+    let text = String::from_utf8(fixture("signed-indices.gltf")).unwrap().replace("5120", "5123");
+    assert!(plain("a.gltf", text.as_bytes()).is_ok() && text.contains(from), "{from}");
+    text.replace(from, to).into_bytes()
+}
+
+#[test]
+fn positions_and_indices_have_the_types_that_gltf_permits() {
+    let not_permitted = [
+        ("5123", "5120"),
+        ("5123", "5122"),
+        ("5123", "5126"),
+        (r#""count": 12, "type": "SCALAR""#, r#""count": 6, "type": "VEC2""#),
+        (r#""type": "VEC3""#, r#""type": "VEC2""#),
+        ("5126", "5121"),
+    ];
+    for (from, to) in not_permitted {
+        assert!(outcome("a.gltf", &gltf(from, to)).is_err(), "{to}");
+    }
+}
+
+#[test]
+fn numbers_that_overflow_or_reach_outside_are_refused() {
+    let most = u64::MAX.to_string();
+    let changes = [
+        (r#""count": 4"#, format!(r#""count": {most}"#)),
+        (r#""count": 4"#, r#""count": 5"#.to_owned()),
+        (r#""byteOffset": 48"#, format!(r#""byteOffset": {most}"#)),
+        (r#""byteLength": 48"#, format!(r#""byteLength": {most}"#)),
+        (r#""byteLength": 72"#, format!(r#""byteLength": {most}"#)),
+        (r#""byteLength": 48"#, r#""byteLength": 48, "byteStride": 4"#.to_owned()),
+        (r#""byteLength": 48"#, r#""byteLength": 48, "byteStride": 255"#.to_owned()),
+    ];
+    for (from, to) in changes {
+        assert!(outcome("a.gltf", &gltf(from, &to)).is_err(), "{to}");
+    }
+}
+
+#[test]
+fn nodes_that_contain_themselves_or_nest_without_end_are_refused() {
+    let chain: Vec<String> = (1..5000).map(|i| format!(r#"{{"children": [{i}]}}"#)).collect();
+    for nodes in [
+        r#"{"children": [0]}"#.to_owned(),
+        r#"{"children": [1]}, {"children": [0]}"#.to_owned(),
+        format!(r#"{}, {{"mesh": 0}}"#, chain.join(", ")),
+    ] {
+        assert!(outcome("a.gltf", &gltf(r#"{"mesh": 0}"#, &nodes)).is_err());
+    }
+}
+
+#[test]
+fn a_body_with_too_many_triangles_is_refused_before_it_is_stored() {
+    // One mesh of four triangles in many nodes.
+    let nodes = vec![r#"{"mesh": 0}"#; 90_000].join(",");
+    let all: Vec<String> = (0..90_000).map(|i| i.to_string()).collect();
+    let text = String::from_utf8(gltf(r#"{"mesh": 0}"#, &nodes)).unwrap();
+    let text =
+        text.replace(r#""scenes": [{"nodes": [0]}]"#, &format!(r#""scenes": [{{"nodes": [{}]}}]"#, all.join(",")));
+    assert!(outcome("a.gltf", text.as_bytes()).unwrap_err().contains("more than 100000 triangles"));
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n".to_owned() + &"f 1 2 3\n".repeat(100_001);
+    assert!(outcome("a.obj", obj.as_bytes()).unwrap_err().contains("more than 100000 triangles"));
+    let polygon = "v 0 0 0\nf ".to_owned() + &"1 ".repeat(100_003);
+    assert!(outcome("a.obj", polygon.as_bytes()).unwrap_err().contains("more than 100000 triangles"));
+}
+
+#[test]
+fn a_gltf_of_many_empty_objects_is_refused_before_it_is_parsed() {
+    let many = format!(r#"{{"asset":{{"version":"2.0"}},"nodes":[{}]}}"#, vec!["{}"; 200_000].join(","));
+    assert!(plain("a.gltf", many.as_bytes()).unwrap_err().message.contains("objects"));
+    let long = format!(r#"{{"asset":{{"version":"2.0"}}}}{}"#, " ".repeat(40 << 20));
+    assert!(plain("a.gltf", long.as_bytes()).unwrap_err().message.contains("bytes of JSON"));
+}
+
+/// Pseudo-random numbers (a linear congruential generator), so that a failure repeats.
+struct Numbers(u64);
+
+impl Numbers {
+    fn below(&mut self, n: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as usize % n
+    }
+}
+
+/// Parts that a mutation writes into a file.
+const WORDS: [&str; 16] = [
+    "0",
+    "-1",
+    "1e308",
+    "nan",
+    "inf",
+    "4294967295",
+    "18446744073709551615",
+    "5120",
+    "5125",
+    "VEC2",
+    "[]",
+    "{}",
+    "f 1 2 3\n",
+    "v nan inf -1e308\n",
+    "facet",
+    "null",
+];
+
+#[test]
+fn two_thousand_mutations_of_every_seed_neither_panic_nor_hang() {
+    let cube = b"v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n".to_vec();
+    let stl = b"solid t\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n";
+    let mut seeds: Vec<(&str, Vec<u8>)> = vec![("a.obj", cube), ("a.stl", stl.to_vec())];
+    seeds.extend(["signed-indices.gltf", "overlapping-positions.gltf", "doubled-nodes.gltf"].map(|n| (n, fixture(n))));
+    let mut numbers = Numbers(17);
+    for (name, seed) in &seeds {
+        for _ in 0..2000 {
+            let mut bytes = seed.clone();
+            for _ in 0..=numbers.below(3) {
+                let at = numbers.below(bytes.len());
+                match numbers.below(4) {
+                    0 => bytes[at] ^= 1 << numbers.below(8),
+                    1 => drop(bytes.drain(at..(at + numbers.below(9)).min(bytes.len()))),
+                    2 => drop(bytes.splice(at..at, WORDS[numbers.below(WORDS.len())].bytes())),
+                    _ => bytes.truncate(at + 1),
+                }
+                bytes.push(b' ');
+            }
+            let _ = outcome(name, &bytes);
+        }
+    }
+}
