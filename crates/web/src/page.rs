@@ -99,7 +99,8 @@ fn start(options: Options) -> Result<Start, String> {
 
 fn shipped(library: &saute_kitchen::Library, name: &str) -> Result<Recipe, String> {
     let names = || saute_kitchen::Library::names(&library.recipes);
-    let text = library.recipes.get(name).ok_or_else(|| format!("recipe: there is no \"{name}\"; there are {}", names()))?;
+    let text =
+        library.recipes.get(name).ok_or_else(|| format!("recipe: there is no \"{name}\"; there are {}", names()))?;
     Recipe::parse(text, name, library).map_err(|e| e.to_string())
 }
 

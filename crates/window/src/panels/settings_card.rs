@@ -29,7 +29,9 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
             ui.heading(l.text("settings.title"));
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 done = ui.add(palette.button(l.text("settings.done"), true)).clicked();
-                if cfg!(not(target_arch = "wasm32")) && ui.add(palette.button(l.text("half_mirror.more"), false)).clicked() {
+                if cfg!(not(target_arch = "wasm32"))
+                    && ui.add(palette.button(l.text("half_mirror.more"), false)).clicked()
+                {
                     acts.push(Act::Open(Card::Mirror));
                 }
             });
