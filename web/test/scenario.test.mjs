@@ -94,7 +94,7 @@ async function cook(page, backend) {
 }
 
 for (const [backend, args] of [["webgl2", WEBGL2], ["webgpu", WEBGPU]]) {
-  test(`a steak cooks in ${backend}`, { timeout: 600_000 }, async () => {
+  test(`a steak cooks in ${backend}`, { timeout: 1_200_000 }, async () => {
     const browser = await launch(args);
     try {
       const visit = await watch(browser, `${host.address}?backend=${backend}`);
