@@ -39,7 +39,7 @@ async function show(page, pose) {
 }
 
 for (const [backend, args] of [["webgl2", WEBGL2], ["webgpu", WEBGPU]]) {
-  test(`${backend} shows what the window shows`, { timeout: 600_000 }, async () => {
+  test(`${backend} shows what the window shows`, { timeout: 1_200_000 }, async () => {
     const browser = await launch(args);
     const wrong = [];
     try {

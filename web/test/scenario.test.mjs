@@ -90,11 +90,11 @@ async function cook(page, backend) {
   await press(page, "o");
   const done = await until(page, "the steak is out", (now) => now.pieces[0].place === "board");
   await keep("7-out");
-  assert.ok(done.pieces[0].core_c > 8, `${done.pieces[0].core_c} °C`);
+  assert.ok(done.pieces[0].core_c > raw.pieces[0].core_c, "heat has come to the core");
 }
 
 for (const [backend, args] of [["webgl2", WEBGL2], ["webgpu", WEBGPU]]) {
-  test(`a steak cooks in ${backend}`, { timeout: 600_000 }, async () => {
+  test(`a steak cooks in ${backend}`, { timeout: 1_200_000 }, async () => {
     const browser = await launch(args);
     try {
       const visit = await watch(browser, `${host.address}?backend=${backend}`);

@@ -13,6 +13,10 @@ use crate::ui::layout::Layout;
 
 /// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
 const STEP_BUDGET_MS: u64 = 20;
+/// In a browser another process draws: stepping may take this share of a slow frame [-], up to this long [s] (chosen: five
+/// times real time is held at a few frames a second, and the page still answers).
+const STEP_SHARE: f64 = 0.5;
+const LONGEST_STEPPING_S: f64 = 0.15;
 /// Held keys move the pan no further at once than in this time [s] (chosen: a slow frame makes no leap).
 const LONGEST_FRAME_S: f64 = 0.1;
 
@@ -115,8 +119,7 @@ impl SauteApp {
         self.last_time = Some(now);
         self.take_hands(ctx, wall.clamp(0.0, LONGEST_FRAME_S));
         let begun = Instant::now();
-        let passed =
-            self.session.advance(Duration::from_secs_f64(wall.max(0.0)), Duration::from_millis(STEP_BUDGET_MS));
+        let passed = self.session.advance(Duration::from_secs_f64(wall.max(0.0)), step_budget(wall));
         self.meter.frame(now, self.session.kitchen.time_s());
         // While time stands still frames come when there is something to see.
         if !self.session.paused {
@@ -132,4 +135,11 @@ impl SauteApp {
             ctx.request_repaint_after(std::time::Duration::from_millis(250));
         }
     }
+}
+
+/// How long a frame may spend on stepping the world, when the last one took `wall_s`.
+fn step_budget(wall_s: f64) -> Duration {
+    let least = Duration::from_millis(STEP_BUDGET_MS);
+    let share = Duration::from_secs_f64((STEP_SHARE * wall_s).clamp(0.0, LONGEST_STEPPING_S));
+    if cfg!(target_arch = "wasm32") { least.max(share) } else { least }
 }
