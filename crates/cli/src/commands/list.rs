@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use clap::ValueEnum;
 use saute_kitchen::Library;
+use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_kitchen::food::{FoodDescription, Scale};
 use saute_picture::View;
 use saute_recipe::Recipe;
@@ -68,7 +69,10 @@ pub fn run(args: &ListArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         Listed::Foods => foods(&data.library),
         Listed::Pans => pans(&data.library),
         Listed::Recipes => recipes(data)?,
-        Listed::Scales => scales(&data.library),
+        Listed::Scales => {
+            data.scales(DEFAULT_SCALE)?;
+            scales(&data.library)
+        }
         Listed::Views => views(),
         Listed::Actions => return list_actions::run(args.json),
     };

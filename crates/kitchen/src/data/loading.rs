@@ -143,13 +143,20 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Sets aside a butter of the user's that does not melt; without it no pan can be filled.
+    /// Sets aside a butter of the user's that does not melt; without it no pan can be filled. An oil that is set aside may be
+    /// missing, one that no file describes may not.
     fn settle_oils(&mut self, library: &mut Library) -> Result<(), LibraryError> {
         library.set_aside.clone_from(&self.set_aside);
-        let butter = library.room.oil.butter.clone();
-        let (Err(error), true) = (library.check_oils(), library.oils.contains_key(&butter)) else { return Ok(()) };
-        let of_broken = [&library.room.oil.default, &library.room.oil.rendered];
-        if of_broken.into_iter().all(|id| library.oils.contains_key(id)) {
+        let Err(error) = library.check_oils() else { return Ok(()) };
+        let oil = &library.room.oil;
+        let missing =
+            [&oil.default, &oil.rendered, &oil.butter].into_iter().filter(|id| !library.oils.contains_key(*id));
+        let paths: Vec<String> = missing.map(|id| format!("oils/{id}.toml")).collect();
+        if paths.iter().any(|path| library.set_aside(path).is_none()) {
+            return Err(error);
+        }
+        if paths.is_empty() {
+            let butter = oil.butter.clone();
             self.fault(&format!("oils/{butter}.toml"), error)?;
             library.oils.remove(&butter);
         }

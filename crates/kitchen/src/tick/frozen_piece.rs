@@ -46,9 +46,10 @@ fn imbalance(kitchen: &Kitchen) -> f64 {
     e.imbalance.abs() / moved.max(1.0)
 }
 
+/// Spoils a value that the state keeps. (Lost juice is found again: it is limited by the water of its node.)
 fn spoil(piece: &mut Piece, field: usize) {
     let state = &mut piece.state;
-    let fields = [&mut state.enthalpy, &mut state.temperature, &mut state.water, &mut state.juice, &mut state.fat];
+    let fields = [&mut state.enthalpy, &mut state.temperature, &mut state.water, &mut state.fat];
     fields[field][3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY][field % 3];
 }
 
@@ -57,12 +58,12 @@ fn the_ledger_stays_closed_whatever_value_of_a_piece_is_lost_and_when() {
     let kitchen = busy_kitchen();
     assert!(imbalance(&kitchen) < CLOSED, "{:e}", imbalance(&kitchen));
     assert!(!kitchen.touching.is_empty(), "the steaks touch");
-    for field in 0..5 {
-        for (piece, ticks) in [(0, field), (1, 4 - field)] {
+    for field in 0..4 {
+        for (piece, ticks) in [(0, field), (1, 3 - field)] {
             let mut kitchen = kitchen.clone();
             (0..ticks).for_each(|_| kitchen.step());
             spoil(&mut kitchen.pieces[piece], field);
-            // The next refresh finds a lost juice or fat, the next tick a lost heat.
+            // The next refresh finds a lost fat, the next tick a lost heat.
             (0..6).for_each(|_| kitchen.step());
             let frozen = kitchen.pieces[piece].state.clone();
             assert!(!frozen.healthy && frozen.total_enthalpy().is_finite(), "{field} {piece}");
