@@ -150,7 +150,7 @@ impl Kitchen {
         let model = Arc::new(FoodModel::build(food, kinetics, &library.components, &spec)?);
         let names = (order.id.clone(), order.kind.clone());
         let piece = Piece::new(names, order.seed, self.next_key, model, order.temperature, &self.fixed.room);
-        if !piece.state.total_enthalpy().is_finite() || !(piece.mass() > 0.0 && piece.mass().is_finite()) {
+        if !(piece.state.total_enthalpy().is_finite() && piece.mass() > 0.0 && piece.mass().is_finite()) {
             return Err(BuildError::NotFinite.into());
         }
         self.next_key += 1;
