@@ -1,6 +1,6 @@
 //! State and speed of a page, for its tests.
 
-use saute_kitchen::Piece;
+use saute_kitchen::{Piece, celsius};
 use saute_scene::quality::Quality;
 use saute_window::SauteApp;
 use serde::Serialize;
@@ -48,15 +48,12 @@ impl PieceStats {
         Self {
             id: piece.id.clone(),
             place: piece.place.name(),
-            core_c: piece.core() - CELSIUS,
+            core_c: celsius(piece.core()),
             upside_down: piece.upside_down(),
             halved: piece.halved().is_some(),
         }
     }
 }
-
-/// 0 °C [K].
-const CELSIUS: f64 = 273.15;
 
 impl Stats {
     /// Reads the program.
@@ -75,7 +72,7 @@ impl Stats {
             quality: app.quality(),
             recipe: session.recipe_title().map(str::to_owned),
             hob_w: kitchen.hob_w(),
-            pan_c: kitchen.pan_temperature() - CELSIUS,
+            pan_c: celsius(kitchen.pan_temperature()),
             pieces: kitchen.pieces().iter().map(PieceStats::of).collect(),
         }
     }

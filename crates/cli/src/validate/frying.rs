@@ -1,6 +1,7 @@
 //! Charts of docs/frying.md: contact, heat taken, weight loss and colour of the model next to measurements.
 
 use saute_kitchen::food::Lab;
+use saute_kitchen::food::change::inside_of_beef::INSIDE_OF_BEEF;
 use saute_kitchen::{Kitchen, Library, Piece, celsius};
 use saute_lab::Case;
 use saute_recipe::{Cook, Recipe, Summary};
@@ -18,17 +19,6 @@ const PANS_C: [f64; 9] = [140.0, 160.0, 180.0, 200.0, 220.0, 240.0, 260.0, 280.0
 const CORES_C: [f64; 9] = [48.0, 51.0, 54.0, 57.0, 60.0, 63.0, 66.0, 69.0, 72.0];
 /// Core temperatures [°C] of the cases whose bands of weight loss are shown.
 const LOSSES_C: [u32; 4] = [54, 60, 66, 71];
-/// Inside of beef: temperature [°C], L*, a*, b*. Measured at 60 °C `[@fsar-2020-40-44]`, estimated elsewhere, ± 3.
-const INSIDE: [[f64; 4]; 7] = [
-    [50.0, 43.0, 20.0, 13.0],
-    [55.0, 47.0, 17.5, 14.5],
-    [60.0, 51.5, 14.8, 15.3],
-    [65.0, 53.0, 12.0, 15.5],
-    [70.0, 54.0, 10.0, 15.0],
-    [75.0, 54.0, 8.0, 14.0],
-    [80.0, 53.0, 7.0, 13.5],
-];
-
 /// Returns the charts by name.
 pub fn charts(library: &Library, runs: &[CaseRun]) -> Result<Vec<(String, String)>, CliError> {
     let named = |name: &str, svg: String| (format!("frying-{name}"), svg);
@@ -141,7 +131,7 @@ fn colour(library: &Library) -> Result<String, CliError> {
     let course = |axis: usize| read.iter().map(|(core, lab)| [*core, lab.0[axis]]).collect();
     let curves =
         ["L*", "a*", "b*"].into_iter().enumerate().map(|(i, name)| solid(name.to_owned(), i, course(i))).collect();
-    let rings = INSIDE.iter().flat_map(|[core, l, a, b]| [[*core, *l], [*core, *a], [*core, *b]]).collect();
+    let rings = INSIDE_OF_BEEF.iter().flat_map(|[core, l, a, b]| [[*core, *l], [*core, *a], [*core, *b]]).collect();
     let (title, axes) = ("Colour of the middle of a steak, turned each minute", ["core [°C]", "CIE L*, a*, b*"]);
     Ok(Chart { title, axes, from: 40.0, curves, rings, ranges: Vec::new() }.svg())
 }

@@ -8,6 +8,7 @@ pub mod browning;
 pub mod changes;
 pub mod colour;
 pub mod doneness;
+pub mod inside_of_beef;
 pub(crate) mod response;
 
 pub use browning::Browning;

@@ -1,19 +1,9 @@
 //! Promise: the inside of beef has the colour that was measured at 60 °C, and what is estimated at other temperatures.
 
+use saute_food::change::inside_of_beef::INSIDE_OF_BEEF;
 use saute_food::{Lab, ZERO_C};
 
 use crate::run::{Run, kitchen_air, lean};
-
-/// Core temperature [°C], L*, a*, b*. At 60 °C measured `[@fsar-2020-40-44]`, elsewhere estimated, ± 3.
-const INSIDE: [[f64; 4]; 7] = [
-    [50.0, 43.0, 20.0, 13.0],
-    [55.0, 47.0, 17.5, 14.5],
-    [60.0, 51.5, 14.8, 15.3],
-    [65.0, 53.0, 12.0, 15.5],
-    [70.0, 54.0, 10.0, 15.0],
-    [75.0, 54.0, 8.0, 14.0],
-    [80.0, 53.0, 7.0, 13.5],
-];
 
 /// Colours of the middle when a steak, turned each minute, reaches the temperatures there.
 fn inside() -> Vec<Lab> {
@@ -28,12 +18,12 @@ fn inside() -> Vec<Lab> {
         for _ in 0..60 {
             run.fry(1.0, 170.0, 400.0, kitchen_air());
             let reached = run.state.temperature[middle] - ZERO_C;
-            if INSIDE.get(colours.len()).is_some_and(|row| reached >= row[0]) {
+            if INSIDE_OF_BEEF.get(colours.len()).is_some_and(|row| reached >= row[0]) {
                 colours.push(lean().node_colour(&run.state, middle));
             }
         }
         assert!(minute < 39, "80 °C within 40 min");
-        if colours.len() == INSIDE.len() {
+        if colours.len() == INSIDE_OF_BEEF.len() {
             break;
         }
         run.flip();
@@ -46,7 +36,7 @@ fn the_inside_of_beef_has_the_colour_of_its_temperature() {
     let inside = inside();
     let far: Vec<String> = inside
         .iter()
-        .zip(INSIDE)
+        .zip(INSIDE_OF_BEEF)
         .map(|(got, [celsius, l, a, b])| (celsius, got, got.difference(Lab([l, a, b]))))
         .filter(|(_, _, difference)| *difference > 4.0)
         .map(|(celsius, got, difference)| format!("{celsius} °C: {got:?}, ΔE {difference:.1}"))

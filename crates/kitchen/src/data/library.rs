@@ -108,11 +108,11 @@ impl Library {
         self.set_aside.get(path).map(String::as_str)
     }
 
-    /// Returns why an entry is not in its table: its file is broken, or there is none. `what` is its kind with the article.
-    pub fn absence(&self, folder: &str, id: &str, what: &str) -> String {
+    /// Returns why an entry is not in its table: its file is broken, else what is said of one that has no file.
+    pub fn absence(&self, folder: &str, id: &str, without_file: &str) -> String {
         match self.set_aside(&format!("{folder}/{id}.toml")) {
             Some(cause) => format!("cannot be used: {cause}"),
-            None => format!("is not {what}"),
+            None => without_file.to_owned(),
         }
     }
 
@@ -120,10 +120,7 @@ impl Library {
     pub(crate) fn check_kinetics(&self, food: &FoodDescription, file: &DataFile) -> Result<(), LibraryError> {
         let Some(kinetics) = self.kinetics.get(&food.kinetics) else {
             let known = Self::names(&self.kinetics);
-            let why = match self.set_aside(&format!("kinetics/{}.toml", food.kinetics)) {
-                Some(cause) => format!("cannot be used: {cause}"),
-                None => "is unknown".to_owned(),
-            };
+            let why = self.absence("kinetics", &food.kinetics, "is unknown");
             let message = format!("kinetics = \"{}\" {why}; there are: {known}", food.kinetics);
             return Err(file.error("kinetics", message));
         };
@@ -161,7 +158,7 @@ impl Library {
         let error = |message| Err(LibraryError { file: "kitchen.toml".into(), line: 1, message });
         for (key, id) in [("default", &oil.default), ("rendered", &oil.rendered), ("butter", &oil.butter)] {
             let Some(kind) = self.oils.get(id) else {
-                let why = self.absence("oils", id, "an oil");
+                let why = self.absence("oils", id, "is not an oil");
                 return error(format!("[oil] {key} = \"{id}\" {why}; there are: {}", Self::names(&self.oils)));
             };
             if key == "butter" && kind.emulsion.is_none() {

@@ -172,7 +172,7 @@ impl Check<'_> {
         };
         let Some(found) = self.library.pans.get(kind.get_ref()) else {
             let remedy = format!("use one of: {}", Library::names(&self.library.pans));
-            let why = self.library.absence("pans", kind.get_ref(), "a pan");
+            let why = self.library.absence("pans", kind.get_ref(), "is not a pan");
             return self.input.error(kind.span().start, format!("kind = \"{}\" {why}", kind.get_ref()), remedy);
         };
         let its = [found.floor.thickness_mm * 1e-3, found.metal.density_kg_m3, found.metal.specific_heat_j_kgk];

@@ -85,7 +85,7 @@ impl Check<'_> {
     fn food(&self, id: &Spanned<String>) -> Checked<Material> {
         let Some(food) = self.library.foods.get(id.get_ref()) else {
             let remedy = format!("use one of: {}", Library::names(&self.library.foods));
-            let why = self.library.absence("foods", id.get_ref(), "a food");
+            let why = self.library.absence("foods", id.get_ref(), "is not a food");
             return self.input.error(id.span().start, format!("food = \"{}\" {why}", id.get_ref()), remedy);
         };
         let properties = Properties::new(&self.library.components, &food.lean, &food.fat_melting);

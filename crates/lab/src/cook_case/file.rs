@@ -86,7 +86,7 @@ pub(super) struct KnownMiss {
     pub why: String,
     /// The value farthest from the band that is accepted.
     pub worst: f64,
-    /// In a sweep, the cook that misses, as `half_s = 105`; all cooks by default.
+    /// In a sweep, the cooks that miss, by the value of one mark, as `half_s = 105`; all cooks by default.
     pub of: Option<String>,
 }
 
@@ -96,7 +96,7 @@ impl BandEntry {
     pub fn known_miss(&self, label: &str, got: Option<f64>) -> Option<String> {
         let known = self.known_miss.as_ref()?;
         let accepted = self.low.min(known.worst)..=self.high.max(known.worst);
-        let is_meant = known.of.as_ref().is_none_or(|of| of == label);
+        let is_meant = known.of.as_ref().is_none_or(|of| label.split(", ").any(|mark| mark == of));
         (is_meant && accepted.contains(&got?)).then(|| known.why.clone())
     }
 }

@@ -60,7 +60,7 @@ impl Check<'_> {
         let Some(kind) = &entry.kind else { return Ok(("carbon-steel-26".into(), kelvin(initial))) };
         if !self.library.pans.contains_key(kind.get_ref()) {
             let remedy = format!("use one of: {}", Library::names(&self.library.pans));
-            let why = self.library.absence("pans", kind.get_ref(), "a pan");
+            let why = self.library.absence("pans", kind.get_ref(), "is not a pan");
             return self.input.error(kind.span().start, format!("pan.kind = \"{}\" {why}", kind.get_ref()), remedy);
         }
         Ok((kind.get_ref().clone(), kelvin(initial)))
@@ -90,7 +90,7 @@ impl Check<'_> {
     fn food(&self, entry: &FoodEntry, rules: Rules) -> Checked<PieceOrder> {
         let Some(description) = self.library.foods.get(entry.kind.get_ref()) else {
             let remedy = format!("use one of: {}", Library::names(&self.library.foods));
-            let why = self.library.absence("foods", entry.kind.get_ref(), "a food");
+            let why = self.library.absence("foods", entry.kind.get_ref(), "is not a food");
             let message = format!("food kind = \"{}\" {why}", entry.kind.get_ref());
             return self.input.error(entry.kind.span().start, message, remedy);
         };
