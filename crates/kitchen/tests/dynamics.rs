@@ -198,3 +198,19 @@ fn a_tilted_pan_that_is_moved_and_levelled_stands_on_the_glass() {
         assert!((kitchen.held_pan().position.x - 0.1).abs() < 1e-12);
     }
 }
+
+#[test]
+fn bodies_sleep_most_of_the_time_while_food_shrinks_in_a_pan_at_rest() {
+    let library = library();
+    let mut kitchen = Kitchen::new(&library, "cast-iron-26", kelvin(200.0)).expect("a pan");
+    kitchen.add(&library, &order("steak", "beef-lean", &library, 1)).expect("a piece");
+    kitchen.apply(&Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false }).expect("put");
+    let width = |kitchen: &Kitchen| kitchen.pieces()[0].state.stretch.lateral;
+    let (first, mut asleep, ticks) = (width(&kitchen), 0, 3000);
+    for _ in 0..ticks {
+        kitchen.step();
+        asleep += u32::from(kitchen.world().is_settled());
+    }
+    assert!(width(&kitchen) < 0.98 * first, "shrinks: {}", width(&kitchen));
+    assert!(asleep > ticks / 2, "asleep in {asleep} of {ticks} ticks");
+}

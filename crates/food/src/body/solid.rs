@@ -43,6 +43,27 @@ pub enum Solid {
     },
 }
 
+impl Solid {
+    /// Returns true if no measure of another shape differs from this shape's by more than `tolerance` [m].
+    pub fn is_near(&self, other: &Self, tolerance: f64) -> bool {
+        let (mine, others) = (self.measures(), other.measures());
+        core::mem::discriminant(self) == core::mem::discriminant(other)
+            && mine.len() == others.len()
+            && mine.iter().zip(others).all(|(a, b)| libm::fabs(a - b) <= tolerance)
+    }
+
+    /// All lengths and coordinates [m].
+    fn measures(&self) -> Vec<f64> {
+        match self {
+            Self::Cylinder { radius, half_height } => vec![*radius, *half_height],
+            Self::Cuboid { half } => half.to_vec(),
+            Self::Capsules(rods) => rods.iter().flat_map(|r| r.ends.into_iter().flatten().chain([r.radius])).collect(),
+            Self::Hulls(hulls) => hulls.iter().flatten().flatten().copied().collect(),
+            Self::Surface { points, .. } => points.iter().flatten().copied().collect(),
+        }
+    }
+}
+
 /// Number of strips across the length of a slice [-] (chosen: their outline deviates by half a millimetre).
 const STRIPS: usize = 8;
 /// Number of capsules along a curved body [-] (chosen: fewer fill the inside of a shrimp's curve).

@@ -303,10 +303,10 @@ impl World {
         }
     }
 
-    /// Sets the collision shape of a body if it has changed.
-    pub fn set_solid(&mut self, key: u32, solid: Solid) {
+    /// Sets the collision shape of a body; changes up to `tolerance` [m] are ignored.
+    pub fn set_solid(&mut self, key: u32, solid: Solid, tolerance: f64) {
         let Some(food) = self.foods.get_mut(&key) else { return };
-        if food.solid == solid {
+        if food.solid.is_near(&solid, tolerance) {
             return;
         }
         for (collider, (_, shape)) in food.colliders.iter().zip(solid_shape::shapes(&solid)) {
