@@ -322,6 +322,7 @@ fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
         film: Arc::default(),
         tint: Arc::default(),
         oil_colour: oil_colour.map_or(Vec3::ONE, |srgb| Vec3::from_array(srgb.map(|v| linear(v as f32)))),
+        oil_turbidity: kitchen.pan_model().liquids.butter_share(&kitchen.pan_state().liquids) as f32,
         ridges: kitchen.pan_model().ridges.map(|r| [r.pitch, r.width, r.height].map(|v| v as f32)),
         lid: kitchen.pan_state().lid.as_ref().map(|lid| LidLook { fog: fog(lid) }),
         position: Vec3::ZERO,

@@ -4,16 +4,18 @@ use std::f32::consts::{FRAC_PI_2, TAU};
 
 use glam::{Mat4, Vec3, Vec4Swizzles};
 
-/// Field of view along the shorter side of a portrait picture, else along its height [rad].
+/// Field of view of the window [rad].
 pub const FIELD_OF_VIEW: f32 = 35.0 * std::f32::consts::PI / 180.0;
 
 const NEAR: f32 = 0.04;
 const FAR: f32 = 6.0;
 /// Lowest look: the counter still fills the lower half and the eye stays above the glass (chosen).
-const PITCH_MIN: f32 = 0.21;
+pub const PITCH_MIN: f32 = 0.21;
 const PITCH_MAX: f32 = FRAC_PI_2;
-const DISTANCE_MIN: f32 = 0.14;
-const DISTANCE_MAX: f32 = 1.5;
+/// Nearest eye [m].
+pub const DISTANCE_MIN: f32 = 0.14;
+/// Farthest eye [m].
+pub const DISTANCE_MAX: f32 = 1.5;
 
 /// An eye that circles a target.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +31,8 @@ pub struct Camera {
     /// Lens shift in normalised device coordinates: where the target appears, so that the pan can be centred in the
     /// part of the window that no panel covers.
     pub shift: [f32; 2],
+    /// Field of view along the shorter side of a portrait picture, else along its height [rad].
+    pub field_of_view: f32,
 }
 
 impl Default for Camera {
@@ -54,7 +58,15 @@ impl Camera {
     }
 
     fn looking(yaw: f32, pitch_degrees: f32, distance: f32, target: Vec3) -> Self {
-        Self { yaw, pitch: pitch_degrees.to_radians(), distance, target, shift: [0.0; 2] }
+        Self { yaw, pitch: pitch_degrees.to_radians(), distance, target, shift: [0.0; 2], field_of_view: FIELD_OF_VIEW }
+    }
+
+    /// From a direction [rad] and a distance [m], within the limits.
+    pub fn from_direction([yaw, pitch]: [f32; 2], distance: f32, target: Vec3) -> Self {
+        let mut camera = Self { distance: 1.0, pitch: 0.0, yaw: 0.0, target, ..Self::three_quarter() };
+        camera.orbit(yaw, pitch);
+        camera.zoom(distance);
+        camera
     }
 
     /// Turns the eye around the target by angles [rad], within the limits.
@@ -83,7 +95,7 @@ impl Camera {
     /// Maps the world to clip space (depth 0–1) for a picture of the given width over height.
     pub fn view_projection(&self, aspect: f32) -> Mat4 {
         let vertical_fov =
-            if aspect < 1.0 { 2.0 * ((0.5 * FIELD_OF_VIEW).tan() / aspect).atan() } else { FIELD_OF_VIEW };
+            if aspect < 1.0 { 2.0 * ((0.5 * self.field_of_view).tan() / aspect).atan() } else { self.field_of_view };
         let shift = Mat4::from_translation(Vec3::new(self.shift[0], self.shift[1], 0.0));
         let projection = glam::camera::rh::proj::directx::perspective(vertical_fov, aspect, NEAR, FAR);
         let view = glam::camera::rh::view::look_at_mat4(self.eye(), self.target, self.up());

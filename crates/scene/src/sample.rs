@@ -41,6 +41,7 @@ pub fn empty_pan() -> SceneInput {
         film: Arc::new(FilmPicture { texels: vec![[110, 0, 0, 0]; (FILM_SIZE * FILM_SIZE) as usize] }),
         tint: Arc::new(TintPicture { texels: vec![[128; 4]; (FILM_SIZE * FILM_SIZE) as usize] }),
         oil_colour: Vec3::new(0.75, 0.62, 0.22),
+        oil_turbidity: 0.0,
         ridges: None,
         lid: None,
         position: Vec3::ZERO,
@@ -96,7 +97,15 @@ pub fn steak(doneness: Doneness, world_from_rest: Mat4) -> FoodLook {
         fat_brown: [48.0, 12.0, 32.0],
         second: [0.0; 3],
     };
-    let mesh = Arc::new(FoodMesh { key: 1, triangles, texture: FleshTexture::Muscle, palette, grain: marbling() });
+    let mesh = Arc::new(FoodMesh {
+        key: 1,
+        triangles,
+        texture: FleshTexture::Muscle,
+        texture_place: Vec3::ZERO,
+        grew_along_x: false,
+        palette,
+        grain: marbling(),
+    });
     FoodLook { mesh, vertices: Arc::new(vertices), world_from_rest, slice: None, sear: Default::default() }
 }
 

@@ -6,7 +6,7 @@ use saute_picture::Picture;
 use saute_picture::stage::nearness;
 use saute_picture::still::headless::{Gpu, still};
 use saute_picture::still::shot::ShotOptions;
-use saute_scene::camera::Camera;
+use saute_scene::camera::{Camera, FIELD_OF_VIEW};
 use saute_scene::quality::Quality;
 
 use super::figure::{Eye, Figure, Panel};
@@ -55,6 +55,8 @@ fn draw(gpu: &Gpu, panel: &Panel, kitchen: &Kitchen, scales: &ScaleChoice, size:
         flat: false,
         scales: scales.clone(),
         split: false,
+        eye: None,
+        field_of_view: FIELD_OF_VIEW,
     };
     let mut stage = options.stage(kitchen);
     let place = kitchen.pieces().first().map(|piece| (piece.pose.position.as_vec3(), nearness(piece)));

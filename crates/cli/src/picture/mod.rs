@@ -2,5 +2,6 @@
 
 pub mod bench_frame;
 pub mod choices;
+pub mod eye;
 pub mod shot;
 pub mod size;

@@ -7,7 +7,8 @@ use clap::ValueEnum;
 use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_picture::View;
 use saute_picture::still::png_file::png_bytes;
-use saute_picture::still::shot::ShotOptions;
+use saute_picture::still::shot::{Eye, ShotOptions};
+use saute_scene::camera::FIELD_OF_VIEW;
 use saute_window::mirror::frame::MirrorOptions;
 use saute_window::mirror::rig::Rig;
 use saute_window::mirror::rig_file;
@@ -15,6 +16,7 @@ use saute_window::mirror::stereo::Stereo;
 use saute_window::mirror::still::mirror_shot;
 
 use super::choices::{QualityName, StereoName, ViewName, WhiteName};
+use super::eye::{eye, field_of_view};
 use super::size::size;
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
@@ -61,6 +63,14 @@ pub struct ShotArgs {
     /// Renders the virtual pan in the mirror too; without it only the real pan is visible.
     #[arg(long, requires = "mirror")]
     pub show_pan: bool,
+    /// Where the eye is: front, above, close-up (near the first food), or PITCH,YAW,DISTANCE[,X,Y,Z]. Angles in degrees
+    /// (90 looks straight down, a positive yaw comes from the right), lengths in millimetres from the centre of the hob;
+    /// without X,Y,Z it looks at the first food.
+    #[arg(long, value_name = "EYE", value_parser = eye, allow_hyphen_values = true, conflicts_with = "mirror")]
+    pub camera: Option<Eye>,
+    /// Field of view along the height of the picture [°].
+    #[arg(long, value_name = "DEGREES", default_value_t = FIELD_OF_VIEW.to_degrees().round(), value_parser = field_of_view, conflicts_with = "mirror")]
+    pub fov: f32,
     /// Size of the picture in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
     pub size: [u32; 2],
@@ -100,6 +110,8 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         quality: args.quality.into(),
         flat: args.flat,
         scales,
+        eye: args.camera,
+        field_of_view: args.fov.to_radians(),
     };
     let library = &data.library;
     let picture = match &args.mirror {

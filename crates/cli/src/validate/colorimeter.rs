@@ -8,7 +8,7 @@ use saute_kitchen::dynamics::Pose;
 use saute_kitchen::food::Lab;
 use saute_kitchen::{Kitchen, Piece};
 use saute_lab::cook_case::SeenAt;
-use saute_scene::camera::Camera;
+use saute_scene::camera::{Camera, FIELD_OF_VIEW};
 use saute_scene::quality::Quality;
 use saute_scene::renderer::SceneRenderer;
 
@@ -55,6 +55,8 @@ impl Colorimeter {
             flat: true,
             scales: ScaleChoice::default(),
             split: false,
+            eye: None,
+            field_of_view: FIELD_OF_VIEW,
         };
         let pose = held(piece, at);
         let camera = eye(&pose, at);
@@ -87,7 +89,7 @@ fn eye(pose: &Pose, at: SeenAt) -> Camera {
         SeenAt::Cut => (normal.x.atan2(-normal.y) as f32, 0.35),
         SeenAt::Top | SeenAt::Under => (0.0, 1.55),
     };
-    Camera { yaw, pitch, distance: DISTANCE, target: pose.position.as_vec3(), shift: [0.0; 2] }
+    Camera { yaw, pitch, distance: DISTANCE, target: pose.position.as_vec3(), ..Camera::three_quarter() }
 }
 
 /// Returns the points of the field in the world [m].

@@ -53,6 +53,8 @@ pub struct Lump {
 pub struct Butter {
     /// Lump that has not melted yet.
     pub lump: Option<Lump>,
+    /// Water of the butter that has not boiled yet; it is part of the water in the pan [kg].
+    pub water: f64,
     /// Foam, from 0 (none) to 1 (full pan) [-].
     pub foam: f64,
     /// Browning of the milk solids, from 0 to 1 [-].
@@ -171,8 +173,13 @@ impl Butter {
         }
     }
 
-    /// Relaxes the foam towards its equilibrium with the steam through butter [kg/s].
-    pub fn froth(&mut self, model: &ButterModel, steam: f64, dt: f64) {
+    /// Relaxes the foam towards its equilibrium with the steam of the butter's own water: its share of `boiled` of the
+    /// water in the pan, of which `left` is left [kg].
+    pub fn froth(&mut self, model: &ButterModel, boiled: f64, left: f64, dt: f64) {
+        let before = boiled + left;
+        let own = if before > 0.0 { self.water * (boiled / before).min(1.0) } else { self.water };
+        self.water = (self.water - own).clamp(0.0, left);
+        let steam = own / dt;
         let half = 1e-3 * model.foam.half_g_s;
         let change = 1.0 - libm::exp(-dt / model.foam.time_constant_s);
         self.foam += change * (steam / (steam + half) - self.foam);

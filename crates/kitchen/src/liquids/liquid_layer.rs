@@ -100,6 +100,8 @@ pub struct LiquidSolver {
     water: FilmFlow,
     /// Steam produced at each node in this tick [kg].
     pub steam: Vec<f64>,
+    /// Water of the pan that boiled in this tick [kg].
+    pub boiled: f64,
 }
 
 impl Pace {
@@ -272,7 +274,7 @@ impl LiquidModel {
         }
         let Liquids { oil, water, butter, .. } = liquids;
         let before = oil.total_of(model.kind);
-        let mut fresh = 0.0;
+        let (mut fresh, mut watery) = (0.0, 0.0);
         butter.melt(model, temperature, dt, |molten, t| {
             let i = molten.node;
             *t -= molten.heat / (metal[i] + oil.capacity[i]);
@@ -282,8 +284,10 @@ impl LiquidModel {
                 let warmth = crate::liquids::water_film::WATER_SPECIFIC_HEAT * (molten.temperature - ZERO_C);
                 water.add(i, molten.water, molten.water * warmth);
                 fresh += molten.fat;
+                watery += molten.water;
             }
         });
+        butter.water += watery;
         butter.freshen(before, fresh);
         liquids.oil_pace.stir();
         liquids.water_pace.stir();
@@ -326,7 +330,7 @@ impl LiquidModel {
             let report = |kind, node: usize| report(kind, node, temperature[node]);
             heat += smoke.advance(&over, oil, dt * SLOW_TICKS as f64, report);
         }
-        self.froth_and_brown(liquids, &solver.steam, temperature, dt);
+        self.froth_and_brown(liquids, solver.boiled, temperature, dt);
         if liquids.ticks.is_multiple_of(SLOW_TICKS) {
             let Liquids { fond, water, .. } = liquids;
             let on = FondBed { bed: &self.bed, water, water_model: &self.water, metal: temperature };
@@ -351,13 +355,10 @@ impl LiquidModel {
     }
 
     /// Updates foam and milk solids of butter.
-    fn froth_and_brown(&self, liquids: &mut Liquids, steam: &[f64], temperature: &[f64], dt: f64) {
+    fn froth_and_brown(&self, liquids: &mut Liquids, boiled: f64, temperature: &[f64], dt: f64) {
         let Some(model) = &self.butter else { return };
         let Liquids { oil, water, butter, ticks, .. } = liquids;
-        let there = oil.fats.iter().any(|f| f.kind == model.kind);
-        let through = |(i, s): (usize, &f64)| if *s > 0.0 { s * oil.share(model.kind, i) } else { 0.0 };
-        let foaming = if there { steam.iter().enumerate().map(through).sum::<f64>() / dt } else { 0.0 };
-        butter.froth(model, foaming, dt);
+        butter.froth(model, boiled, water.total(), dt);
         if ticks.is_multiple_of(SLOW_TICKS) {
             let long = dt * SLOW_TICKS as f64;
             butter.brown(model, oil, (water, &self.water), &self.bed, temperature, long);
@@ -381,6 +382,13 @@ impl LiquidModel {
         let per_mass = 1.0 / room.contact.oil_density_kg_m3;
         let fields = liquids.film.iter_mut().zip(&liquids.oil.mass).zip(&self.bed.areas);
         fields.for_each(|((film, mass), area)| *film = mass * per_mass / area);
+    }
+
+    /// Share of butter's fat in all oil and fat [-].
+    pub fn butter_share(&self, liquids: &Liquids) -> f64 {
+        let whole = liquids.oil.total();
+        let own = self.butter.as_ref().map_or(0.0, |butter| liquids.oil.total_of(butter.kind));
+        if whole > 0.0 { own / whole } else { 0.0 }
     }
 
     /// Colour of the oil from its kinds and milk solids, sRGB 0–255 [-]; `None` without oil.

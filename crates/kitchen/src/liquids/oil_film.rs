@@ -66,12 +66,6 @@ impl OilFilm {
         self.fats.iter().filter(|f| f.kind == kind).flat_map(|f| &f.mass).fold(0.0, |sum, mass| sum + mass)
     }
 
-    /// Share of a kind in the film at a node [-].
-    pub fn share(&self, kind: usize, node: usize) -> f64 {
-        let own: f64 = self.fats.iter().filter(|f| f.kind == kind).map(|f| f.mass[node]).sum();
-        if own > 0.0 { own / self.mass[node] } else { 0.0 }
-    }
-
     /// Heat above 0 °C [J].
     pub fn stored(&self, temperature: &[f64]) -> f64 {
         self.capacity.iter().zip(temperature).map(|(c, t)| c * (t - ZERO_C)).sum()

@@ -282,6 +282,7 @@ impl PanModel {
         let PanState { liquids, temperature, .. } = state;
         let scratch = &mut solver.liquids;
         total.other += self.liquids.run(liquids, scratch, load.gravity, &self.capacity, temperature, dt);
+        scratch.boiled = 0.0;
         scratch.steam.clear();
         scratch.steam.extend_from_slice(load.steam);
         solver.capacity.clear();
@@ -364,7 +365,7 @@ impl PanModel {
         self.conduction.add_power(&self.graph, &state.temperature, heat);
         heat.iter_mut().for_each(|q| *q *= dt);
         self.add_air_losses(state, load, dt, heat, total);
-        self.add_water(state, &mut solver.liquids.steam, dt, heat, total);
+        self.add_water(state, &mut solver.liquids, dt, heat, total);
         match cloth {
             None => self.add_hob(state, load, dt, heat, total),
             Some(cloth) => self.add_cloth(state, load.room, cloth, dt, heat, total),
@@ -407,18 +408,26 @@ impl PanModel {
     }
 
     /// Heat transfer from the pan to water on it, with boiling.
-    fn add_water(&self, state: &mut PanState, steam: &mut [f64], dt: f64, heat: &mut [f64], total: &mut PanExchange) {
+    fn add_water(
+        &self,
+        state: &mut PanState,
+        made: &mut LiquidSolver,
+        dt: f64,
+        heat: &mut [f64],
+        total: &mut PanExchange,
+    ) {
         let mut vapour = Vapour::default();
         for i in 0..state.temperature.len() {
             if state.liquids.water.mass[i] > 0.0 {
                 let (base, area) = (state.temperature[i], self.liquids.bed.areas[i]);
                 let (taken, boiled) = state.liquids.water.heat(&self.liquids.water, i, area, base, dt);
                 heat[i] -= taken;
-                steam[i] += boiled.mass;
+                made.steam[i] += boiled.mass;
                 vapour.mass += boiled.mass;
                 vapour.enthalpy += boiled.enthalpy;
             }
         }
+        made.boiled += vapour.mass;
         self.release(state, vapour, total);
     }
 

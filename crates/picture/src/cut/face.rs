@@ -37,7 +37,7 @@ pub fn slice(piece: &Piece, x: f64, view: View, map: Option<&ColourMap>) -> Opti
     let levels = 0..mesh.levels.len();
     let rows: Vec<Vec<FoodVertex>> = if slice {
         let rim = CutRim::new(model, mesh, Plane { x, along_x }, &cut);
-        levels.map(|level| face.row(level, rim.row(level))).collect()
+        levels.map(|level| face.crusted(level, rim.row(level))).collect()
     } else {
         levels.map(|level| face.row(level, cut.points.iter().map(|p| (*p, face.rest(level, p))))).collect()
     };
@@ -65,6 +65,24 @@ pub(crate) struct CutFace<'a> {
 impl CutFace<'_> {
     fn row(&self, level: usize, points: impl IntoIterator<Item = (CutPoint, Vec3)>) -> Vec<FoodVertex> {
         points.into_iter().map(|(point, rest)| self.vertex(self.nodes(level, &point), point.share, rest)).collect()
+    }
+
+    /// A level of an upright slice: each point knows its depth below both faces and how far they are browned.
+    fn crusted(&self, level: usize, points: impl IntoIterator<Item = (CutPoint, Vec3)>) -> Vec<FoodVertex> {
+        let last = self.mesh.levels.len() - 1;
+        let height = |level: usize| self.model.rest_position(self.mesh.node(level, 0))[2] as f32;
+        let browned = |level: usize, point: &CutPoint| {
+            let [a, b] = self.nodes(level, point).map(|node| self.state.browning[node]);
+            (a * (1.0 - point.share) + b * point.share) as f32
+        };
+        let of = |(point, rest): (CutPoint, Vec3)| FoodVertex {
+            along: browned(last, &point),
+            dorsal: browned(0, &point),
+            juice: height(last) - rest.z,
+            seared: rest.z - height(0),
+            ..self.vertex(self.nodes(level, &point), point.share, rest)
+        };
+        points.into_iter().map(of).collect()
     }
 
     /// Nodes of a level that feed a point.

@@ -48,12 +48,19 @@ impl PanFilm {
             let oil = (state.oil_film(at) / f64::from(OIL_RANGE)).sqrt();
             let wet = (mixed(&water) / f64::from(WATER_RANGE)).sqrt();
             let fond = mixed(&|node| state.liquids.fond.share[node]);
-            [byte(oil), byte(wet), byte(fond), byte(foam * (4.0 * oil).min(1.0))]
+            [
+                byte(oil),
+                byte(wet),
+                byte(fond),
+                byte(foam * state.oil_film(at).max(0.0).sqrt().min(FOAMING.sqrt()) / FOAMING.sqrt()),
+            ]
         };
         self.places.iter().map(texel).collect()
     }
 }
 
+/// Thickness of butter on which foam stands at its full strength [m] (chosen).
+const FOAMING: f64 = 0.06e-3;
 /// Density of water in a film [kg/m³].
 const WATER_DENSITY: f64 = 1000.0;
 

@@ -312,12 +312,23 @@ fn key(piece: &Piece) -> u64 {
     bits.chain(text).fold(0x5a07e, |hash, v| mix(hash ^ mix(v)))
 }
 
+/// Extent of the texture over which pieces are spread [m] (chosen: several periods of its largest pattern).
+const TEXTURE_EXTENT: f32 = 0.4;
+
+/// Where in the texture of its flesh a piece lies [m].
+fn texture_place(seed: u64) -> Vec3 {
+    let share = |axis: u64| (mix(seed ^ mix(0x7e97_0000 + axis)) >> 40) as f32 / (1u64 << 24) as f32;
+    Vec3::new(share(0), share(1), share(2)) * TEXTURE_EXTENT
+}
+
 fn food_mesh(piece: &Piece, triangles: Vec<[u32; 3]>) -> Arc<FoodMesh> {
     let model = &piece.model;
     Arc::new(FoodMesh {
         key: key(piece),
         triangles,
         texture: flesh_texture(model),
+        texture_place: texture_place(piece.seed),
+        grew_along_x: model.description().form.grown_along() == 0,
         palette: browning_palette(model),
         grain: grain_volume(model),
     })

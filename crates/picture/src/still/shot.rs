@@ -1,5 +1,6 @@
 //! A still of a recipe at one instant, drawn by the window's own renderer.
 
+use glam::Vec3;
 use saute_kitchen::doneness::ScaleChoice;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{InputError, Kitchen, Library, Piece, TICK_S};
@@ -81,13 +82,41 @@ pub struct ShotOptions {
     pub flat: bool,
     /// The scales of doneness, with the one that is chosen.
     pub scales: ScaleChoice,
+    /// Where the eye is; by default over hob and board, or near a cut.
+    pub eye: Option<Eye>,
+    /// Field of view [rad].
+    pub field_of_view: f32,
+}
+
+/// Where the eye of a still is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Eye {
+    /// From the cook's side, over hob and board.
+    Front,
+    /// From straight above.
+    Above,
+    /// Near the first food.
+    CloseUp,
+    /// From a direction and a distance.
+    From {
+        /// Angle around the vertical, to the right, and above the horizontal [rad].
+        direction: [f32; 2],
+        /// Distance from the point looked at [m].
+        distance: f32,
+        /// Point looked at, from the centre of the hob [m]; the first food by default.
+        target: Option<[f32; 3]>,
+    },
 }
 
 impl ShotOptions {
     /// The eye: over hob and board, or, for a cut, near to the food and on the side to which the cut looks.
     pub fn stage(&self, kitchen: &Kitchen) -> StageOptions {
-        let mut camera = Camera::three_quarter();
-        if self.slice {
+        let mut camera = match self.eye {
+            Some(eye) => eye.camera(kitchen),
+            None => Camera::three_quarter(),
+        };
+        camera.field_of_view = self.field_of_view;
+        if self.slice && self.eye.is_none() {
             let in_pan = kitchen.pieces().iter().any(Piece::in_pan);
             camera.zoom(CUT_DISTANCE);
             camera.target.x = 0.0;
@@ -106,6 +135,24 @@ impl ShotOptions {
             cut: None,
             white_balance: self.white_balance,
             flat: self.flat,
+        }
+    }
+}
+
+impl Eye {
+    fn camera(self, kitchen: &Kitchen) -> Camera {
+        let food = || kitchen.pieces().first().map(|piece| piece.pose.position.as_vec3());
+        match self {
+            Self::Front => Camera::three_quarter(),
+            Self::Above => Camera::above(),
+            Self::CloseUp => {
+                let near = Camera::close_up();
+                Camera { target: food().unwrap_or(near.target), ..near }
+            }
+            Self::From { direction, distance, target } => {
+                let at = target.map(Vec3::from).or_else(food).unwrap_or_default();
+                Camera::from_direction(direction, distance, at)
+            }
         }
     }
 }

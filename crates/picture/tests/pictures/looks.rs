@@ -60,7 +60,7 @@ impl Easel {
         target.z *= 0.5;
         let distance = DISTANCE * nearness(piece);
         let options = StageOptions {
-            camera: Camera { yaw, pitch: 0.8, distance, target, shift: [0.0; 2] },
+            camera: Camera { yaw, pitch: 0.8, distance, target, ..Camera::three_quarter() },
             view: shown.view,
             scales: ScaleChoice::new(&self.library.scales, DEFAULT_SCALE),
             slice: shown.cut.then_some(0.0),

@@ -50,7 +50,7 @@ impl Rim {
         let (line, towards) = seen_rim(&scene, &cook.kitchen.pieces()[0].model);
         let yaw = towards.x.atan2(-towards.y);
         let target = line[line.len() / 2];
-        scene.camera = Camera { yaw, pitch: 0.75, distance: DISTANCE, target, shift: [0.0; 2] };
+        scene.camera = Camera { yaw, pitch: 0.75, distance: DISTANCE, target, ..Camera::three_quarter() };
         Self { scene, line }
     }
 

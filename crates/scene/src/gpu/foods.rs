@@ -6,9 +6,10 @@ use std::sync::Arc;
 use glam::{Vec3, Vec4};
 use wgpu::util::DeviceExt;
 
+use crate::gpu::clip::Parted;
 use crate::gpu::pipelines::Layouts;
 use crate::gpu::textures::sampled_texture_of;
-use crate::gpu::uniforms::{FoodUniform, NO_CUT, reciprocal};
+use crate::gpu::uniforms::{FoodUniform, reciprocal};
 use crate::input::{
     BORDER_RANGE, FleshTexture, FoodLook, FoodMesh, FoodVertex, GrainVolume, SearLook, SliceLook, WITHIN_RANGE,
 };
@@ -53,9 +54,9 @@ pub(crate) struct FoodBuffers {
 struct CutBuffers {
     vertices: wgpu::Buffer,
     face: Indices,
-    /// Triangles of the outside that are not wholly hidden.
+    /// Vertices of the outside, with those on the plane of the cut.
+    outside: wgpu::Buffer,
     kept: Indices,
-    /// Triangles of the outside that are not wholly kept.
     hidden: Indices,
     /// True if a knife has halved it: then the hidden half is not drawn.
     parted: bool,
@@ -83,18 +84,13 @@ impl Indices {
 
 impl CutBuffers {
     fn new(device: &wgpu::Device, food: &FoodLook, slice: &SliceLook) -> Self {
-        let hides = |&index: &u32| {
-            let rest = food.vertices.get(index as usize).map_or(Vec3::ZERO, |vertex| Vec3::from(vertex.rest));
-            (rest - slice.point).dot(slice.normal) > 0.0
-        };
-        let triangles = &food.mesh.triangles;
-        let kept: Vec<_> = triangles.iter().copied().filter(|t| !t.iter().all(hides)).collect();
-        let hidden: Vec<_> = triangles.iter().copied().filter(|t| t.iter().any(hides)).collect();
+        let parted = Parted::new(food, slice);
         Self {
             vertices: buffer(device, bytemuck::cast_slice(&slice.vertices), wgpu::BufferUsages::VERTEX),
             face: Indices::new(device, &slice.triangles),
-            kept: Indices::new(device, &kept),
-            hidden: Indices::new(device, if slice.ghost { &hidden } else { &[] }),
+            outside: buffer(device, bytemuck::cast_slice(&parted.vertices), wgpu::BufferUsages::VERTEX),
+            kept: Indices::new(device, &parted.kept),
+            hidden: Indices::new(device, if slice.ghost { &parted.hidden } else { &[] }),
             parted: !slice.ghost,
         }
     }
@@ -248,7 +244,7 @@ impl FoodBuffers {
         pass.set_bind_group(2, &self.bind_group, &[]);
         match &self.cut {
             Some(cut) => {
-                pass.set_vertex_buffer(0, self.vertices.slice(..));
+                pass.set_vertex_buffer(0, cut.outside.slice(..));
                 cut.kept.draw(pass);
             }
             None => self.draw_shape(pass),
@@ -259,7 +255,7 @@ impl FoodBuffers {
     pub fn draw_hidden(&self, pass: &mut wgpu::RenderPass<'_>) {
         let Some(cut) = &self.cut else { return };
         pass.set_bind_group(2, &self.bind_group, &[]);
-        pass.set_vertex_buffer(0, self.vertices.slice(..));
+        pass.set_vertex_buffer(0, cut.outside.slice(..));
         cut.hidden.draw(pass);
     }
 
@@ -278,7 +274,7 @@ impl FoodBuffers {
         pass.set_bind_group(1, &self.pose_group, &[]);
         match self.cut.as_ref().filter(|cut| cut.parted) {
             Some(cut) => {
-                pass.set_vertex_buffer(0, self.vertices.slice(..));
+                pass.set_vertex_buffer(0, cut.outside.slice(..));
                 cut.kept.draw(pass);
                 pass.set_vertex_buffer(0, cut.vertices.slice(..));
                 cut.face.draw(pass);
@@ -321,7 +317,7 @@ fn uniform(food: &FoodLook) -> FoodUniform {
     let lab = |colour: [f32; 3], w: f32| (Vec3::from(colour) * 0.01).extend(w);
     FoodUniform {
         world_from_rest: food.world_from_rest,
-        cut: food.slice.as_ref().map_or(NO_CUT, |slice| slice.normal.extend(slice.normal.dot(slice.point))),
+        place: food.mesh.texture_place.extend(f32::from(food.mesh.grew_along_x)),
         grain_origin: grain.origin.extend(WITHIN_RANGE),
         grain_scale: reciprocal(grain.extent).extend(BORDER_RANGE),
         golden: lab(palette.golden, palette.golden_at.max(1e-3)),

@@ -158,7 +158,7 @@ impl PipelineFactory {
         for texture in textures {
             pipelines.foods.entry(texture).or_insert_with(|| FoodPipelines {
                 food: make("fs_food", Some(wgpu::Face::Back), texture),
-                food_cut: make("fs_food_cut", None, texture),
+                food_cut: make("fs_food", None, texture),
                 cut_face: make("fs_cut_face", None, texture),
             });
         }

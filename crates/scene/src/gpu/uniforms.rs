@@ -64,7 +64,7 @@ impl FrameUniform {
             mode: Vec4::new(input.hob.power, f32::from(field), f32::from(input.flat), BOARD_CENTRE.z),
             board: Vec4::new(low.x, low.y, high.x, high.y),
             oil: pan.oil_colour.extend(f32::from(input.mirror.is_some_and(|mirror| !mirror.pan_shown))),
-            white: balance(input).gains().extend(0.0),
+            white: balance(input).gains().extend(pan.oil_turbidity),
             floor_field: pan.floor_field,
         }
     }
@@ -80,7 +80,8 @@ pub(crate) fn balance(input: &SceneInput) -> WhiteBalance {
 #[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
 pub(crate) struct FoodUniform {
     pub world_from_rest: Mat4,
-    pub cut: Vec4,
+    /// Where in the textures of flesh it lies [m]; w = 1 where it grew along x.
+    pub place: Vec4,
     pub grain_origin: Vec4,
     pub grain_scale: Vec4,
     pub golden: Vec4,
@@ -90,9 +91,6 @@ pub(crate) struct FoodUniform {
     pub second: Vec4,
     pub sear: [[[Vec4; 3]; SEAR_SETS]; 2],
 }
-
-/// A cut so far away that nothing is hidden.
-pub(crate) const NO_CUT: Vec4 = Vec4::new(0.0, 0.0, 1.0, 1e6);
 
 /// One over every component, 0 where there is no extent.
 pub(crate) fn reciprocal(extent: Vec3) -> Vec3 {

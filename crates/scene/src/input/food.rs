@@ -50,6 +50,10 @@ pub struct FoodMesh {
     pub triangles: Vec<[u32; 3]>,
     /// Texture of the flesh, finer than the mesh.
     pub texture: FleshTexture,
+    /// Where in the texture it lies, so that no two pieces look alike [m].
+    pub texture_place: Vec3,
+    /// True if it grew along x rather than z: a stick of a root.
+    pub grew_along_x: bool,
     /// Colours that browning goes through.
     pub palette: BrowningPalette,
     /// Fat, second tissue and borders in the flesh on a regular grid over the rest box.
@@ -117,7 +121,8 @@ pub struct SliceLook {
     pub point: Vec3,
     /// Unit normal, rest frame; the side it points to is hidden (ghosted).
     pub normal: Vec3,
-    /// Vertices of the cut face.
+    /// Vertices of the cut face. Of an upright slice `along` and `dorsal` are the browning of the upper and the lower
+    /// face, `juice` and `seared` the depths below them [m].
     pub vertices: Vec<FoodVertex>,
     /// Triangles of the cut face, facing along `normal`.
     pub triangles: Vec<[u32; 3]>,
@@ -158,3 +163,15 @@ pub struct FoodVertex {
     /// Juice that lies on the face over the most that stays there (0–1): it stands in beads.
     pub juice: f32,
 }
+
+impl FoodVertex {
+    /// Returns the state at a share of the way to another vertex.
+    pub fn lerp(&self, other: &Self, share: f32) -> Self {
+        let numbers = |v: &Self| -> [f32; VERTEX_NUMBERS] { bytemuck::cast(*v) };
+        let (from, to) = (numbers(self), numbers(other));
+        bytemuck::cast(std::array::from_fn::<f32, VERTEX_NUMBERS, _>(|k| from[k] + share * (to[k] - from[k])))
+    }
+}
+
+/// Numbers in a vertex.
+const VERTEX_NUMBERS: usize = size_of::<FoodVertex>() / size_of::<f32>();

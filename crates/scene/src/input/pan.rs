@@ -25,8 +25,10 @@ pub struct PanLook {
     pub film: Arc<FilmPicture>,
     /// Heat tint; the same allocation as long as it is unchanged.
     pub tint: Arc<TintPicture>,
-    /// Colour of light that has passed through a millimetre of the oil, linear sRGB.
+    /// Colour of the oil in its bottle, linear sRGB.
     pub oil_colour: Vec3,
+    /// How cloudy the oil is: 0 clear, 1 molten butter with its milk solids.
+    pub oil_turbidity: f32,
     /// Ridges on the floor, along the pan's y, one through the centre: pitch, width and height [m].
     pub ridges: Option<[f32; 3]>,
     /// The lid, while it is on.
@@ -62,10 +64,10 @@ pub const TINT_RANGE: f32 = 2.0;
 
 /// Texels along each side of a film picture.
 pub const FILM_SIZE: u32 = 64;
-/// Thickness of oil that byte 255 encodes [m] (chosen: a puddle on one side of a tilted pan).
-pub const OIL_RANGE: f32 = 1.0e-3;
-/// Thickness of water that byte 255 encodes [m] (chosen: thicker puddles look the same).
-pub const WATER_RANGE: f32 = 2.0e-3;
+/// Thickness of oil that byte 255 encodes [m] (chosen: deep frying; roots keep thin films apart).
+pub const OIL_RANGE: f32 = 20.0e-3;
+/// Thickness of water that byte 255 encodes [m] (chosen likewise).
+pub const WATER_RANGE: f32 = 20.0e-3;
 
 /// A glass lid on the pan.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -19,9 +19,9 @@ pub enum WhiteBalance {
     Warm,
 }
 
-/// Exposure and balance as shot, linear sRGB (chosen: a white patch that lies flat in the full light of window, lamp
-/// and room comes out a touch brighter than 1 and a little warm).
-const AS_SHOT: Vec3 = Vec3::new(0.446, 0.458, 0.466);
+/// Exposure and balance as shot, linear sRGB (chosen: as bright as pictures of food are; a white patch that lies flat in
+/// the full light of window, lamp and room lies on the shoulder of the curve, and is a little warm).
+const AS_SHOT: Vec3 = Vec3::new(0.602, 0.618, 0.629);
 /// Share of the linear sRGB components in the luminance (IEC 61966-2-1 `[@iec-61966-2-1]`).
 const LUMINANCE: Vec3 = Vec3::new(0.2126, 0.7152, 0.0722);
 /// Linear sRGB from CIE XYZ (IEC 61966-2-1 `[@iec-61966-2-1]`), by columns.

@@ -3,8 +3,8 @@
 
 struct Food {
     world_from_rest: mat4x4<f32>,
-    // Plane of the cut in the rest frame: normal and offset; offset is huge when there is no cut.
-    cut: vec4<f32>,
+    // Where in the solid textures it lies [m]; w = 1 where it grew along x.
+    place: vec4<f32>,
     // w = depth in a seam that the ends of the byte stand for.
     grain_origin: vec4<f32>,
     // 1 / extent of the volume; w = distance from a border that the end of the byte stands for [m].

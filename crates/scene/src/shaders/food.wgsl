@@ -32,10 +32,6 @@ fn vs_food(in: FoodIn) -> FoodOut {
     return FoodOut(clip, world.xyz, in.rest, in.normal, in.lean, in.fat, in.state, in.place, in.position.w);
 }
 
-fn hidden_by_cut(rest: vec3<f32>) -> bool {
-    return dot(rest, food.cut.xyz) > food.cut.w + 1e-5;
-}
-
 // A place of the flesh, ready to be lit.
 struct Look {
     // Linear reflectance.
@@ -120,7 +116,9 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
     let tint = mix(vec3<f32>(1.0), vec3<f32>(1.0, 0.82, 0.58), crust);
     radiance += specular(body, in.position, view, lit) * mix(0.34, 0.16, max(wetness, crust)) * (1.0 - 0.6 * look.charring) * tint;
     let film_slope = look.film_slope - rest_normal * dot(look.film_slope, rest_normal);
-    radiance += sheen(in, look, rest_normal - film_slope * mix(0.8, 1.2, wetness), view, lit, visibility, wetness) * (0.35 + 0.65 * max(smooth_normal.z, 0.0)) * tint;
+    // Raw flesh is coated by an even film of its own juice; later the film follows every pore.
+    let raw = wetness * (1.0 - crust) * (1.0 - in.state.w);
+    radiance += sheen(in, look, rest_normal - film_slope * mix(mix(0.8, 1.2, wetness), 0.30, raw), raw, view, lit, visibility, wetness) * (0.35 + 0.65 * max(smooth_normal.z, 0.0)) * tint;
     if (beads.cover > 0.0) {
         let drop = Surface(vec3<f32>(0.0), vec3<f32>(0.026), 0.07, world_normal(rest_normal + beads.bend), visibility, vec3<f32>(0.0));
         radiance += specular(drop, in.position, view, lit) * beads.cover * 1.8;
@@ -138,27 +136,59 @@ const GLINT = 0.075;
 const OILED = 0.85;
 
 // Water on raw flesh, oil on a crust: a thin film that breaks the window into small glints.
-fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {
+fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {
     let crust = clamp(1.4 * look.browning, 0.0, 1.0);
     let oily = 0.28 * crust * (1.0 - look.charring) * look.ridges;
-    let film = max(wetness * (0.06 + 0.94 * look.ridges), oily);
-    let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), mix(0.26, 0.15, wetness), world_normal(bent), visibility, vec3<f32>(0.0));
+    let film = max(wetness * mix(0.06 + 0.94 * look.ridges, 0.75 + 0.25 * look.ridges, raw), oily);
+    // Where the relief is finer than a pixel its glints spread over the pixel.
+    let turn = fwidth(bent);
+    let roughness = min(sqrt(pow(mix(0.26, 0.15, wetness), 2.0) + 0.16 * dot(turn, turn)), 0.6);
+    let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), roughness, world_normal(bent), visibility, vec3<f32>(0.0));
     // Only the bright parts of the room show as glints; the rest would lie on the flesh like milk.
-    return max(specular(coat, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (0.70 * film);
+    let milk = GLINT * mix(1.0, 0.45, raw);
+    return max(specular(coat, in.position, view, lit) - milk, vec3<f32>(0.0)) * (mix(0.70, 1.3, raw) * film);
 }
 
-// A fresh cut is shown, not lit by the room: a soft light of its own lets crust, band, gradient and centre be read.
-fn lit_cut(in: FoodOut) -> vec4<f32> {
+// Depth of the dark crust and of the brown below it, under a face that is wholly browned [m] (a well-seared steak: about
+// 1 mm, and another one and a half).
+const CRUST_DEPTH = 0.0011;
+const BROWN_DEPTH = 0.0026;
+// How much the light in wet flesh is coloured by going to and fro under its film (chosen: red meat is deeper wet).
+const DEEPENED = 1.42;
+
+// Browning at a depth below a face of which the browning is known.
+fn below_face(browned: f32, depth: f32, waver: f32) -> f32 {
+    let d = depth + waver;
+    let dark = 1.0 - smoothstep(0.7 * CRUST_DEPTH, 1.3 * CRUST_DEPTH, d);
+    let brown = 1.0 - smoothstep(CRUST_DEPTH, BROWN_DEPTH, d);
+    return min(2.0 * browned, 1.0) * max(dark, 0.48 * brown);
+}
+
+// A fresh cut: crust, band, gradient and centre, moist, in a soft light from the cook's side besides that of the room, so
+// that it can be read where the window does not reach.
+fn lit_cut(cut: FoodOut) -> vec4<f32> {
+    var in = cut;
     let rest_normal = normalize(in.normal);
+    let waver = 0.0007 * (textureSample(solid_noise, tile_sampler, (in.rest + food.place.xyz) * 190.0).a - 0.5);
+    // The faces' browning, above and below, and the depths under them; other bodies have none.
+    let crust = max(below_face(in.place.y, in.juice, waver), below_face(in.place.z, in.place.w, waver));
+    if (texture_kind == MUSCLE || texture_kind == GROUND) { in.state.x = max(in.state.x, crust); }
+    in.place.w = 0.0;
     let look = look_of(in, rest_normal);
     let view = normalize(frame.eye.xyz - in.position);
     let slope = look.slope - rest_normal * dot(look.slope, rest_normal);
-    let bent = world_normal(rest_normal - slope * 0.35);
-    let shape = 0.95 + 0.17 * clamp(dot(bent, normalize(view + vec3<f32>(-0.3, 0.1, 0.9))), 0.0, 1.0);
-    let moist = specular(Surface(vec3<f32>(0.0), vec3<f32>(0.024), 0.30, bent, 1.0, vec3<f32>(0.0)), in.position, view, 1.0);
-    let glints = max(moist - GLINT, vec3<f32>(0.0));
-    // That light is white as shot; another balance tints the cut as it tints the outside.
-    return pixel_from_radiance(look.colour * shape / AS_SHOT + glints * 0.5 * in.state.z, in.clip.xy);
+    let bent = world_normal(rest_normal - slope * 0.55);
+    let lit = mix(0.45, 1.0, shadow(in.position, bent));
+    let wet = in.state.z * (1.0 - clamp(2.0 * look.browning, 0.0, 1.0));
+    let own = 0.58 + 0.24 * clamp(dot(bent, normalize(view + vec3<f32>(-0.35, 0.1, 0.8))), 0.0, 1.0);
+    let colour = pow(look.colour, vec3<f32>(mix(1.0, DEEPENED, wet))) * mix(1.0, 1.55, wet);
+    let body = Surface(colour, vec3<f32>(0.03), 0.5, bent, 0.8, vec3<f32>(0.42, 0.24, 0.18) * (1.0 - look.browning));
+    // The light of its own is white as shot; another balance tints the cut as it tints the outside.
+    var radiance = colour * own / AS_SHOT + diffuse(body, lit) * 0.22;
+    let film_slope = look.film_slope - rest_normal * dot(look.film_slope, rest_normal);
+    let film = Surface(vec3<f32>(0.0), vec3<f32>(0.028), 0.20, world_normal(rest_normal - film_slope * 0.9), 0.9, vec3<f32>(0.0));
+    radiance += max(specular(film, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (0.9 * wet);
+    return pixel_from_radiance(radiance, in.clip.xy);
 }
 
 fn food_pixel(in: FoodOut) -> vec4<f32> {
@@ -179,17 +209,9 @@ fn fs_cut_face(in: FoodOut) -> @location(0) vec4<f32> {
     return lit_cut(in);
 }
 
-@fragment
-fn fs_food_cut(in: FoodOut) -> @location(0) vec4<f32> {
-    let pixel = food_pixel(in);
-    if (hidden_by_cut(in.rest)) { discard; }
-    return pixel;
-}
-
 // The part behind the cut stays visible as a veil, denser along its outline, so that the food reads as whole.
 @fragment
 fn fs_ghost(in: FoodOut) -> @location(0) vec4<f32> {
-    if (!hidden_by_cut(in.rest)) { discard; }
     let view = normalize(frame.eye.xyz - in.position);
     let rim = 1.0 - abs(dot(world_normal(in.normal), view));
     let alpha = 0.05 + 0.30 * rim * rim * rim;
@@ -205,6 +227,5 @@ fn flat_pixel(in: FoodOut) -> vec4<f32> {
 
 @fragment
 fn fs_flat_food(in: FoodOut) -> @location(0) vec4<f32> {
-    if (hidden_by_cut(in.rest)) { discard; }
     return flat_pixel(in);
 }

@@ -24,9 +24,9 @@ struct Frame {
     mode: vec4<f32>,
     // Left, front, right, back edge of the board.
     board: vec4<f32>,
-    // Colour of light through a millimetre of oil; w = 1 where only the light that it adds to a real pan is drawn.
+    // Colour of oil in its bottle; w = 1 where only the light that it adds to a real pan is drawn.
     oil: vec4<f32>,
-    // Exposure and white balance.
+    // Exposure and white balance; w = how cloudy the oil is.
     white: vec4<f32>,
     // Rings of the pan floor's field.
     floor_field: array<vec4<f32>, 4>,

@@ -45,7 +45,7 @@ fn drop(in: FryOut) -> vec4<f32> {
     let away = dot(in.corner, in.corner);
     let body = smoothstep(1.0, 0.45, away);
     let glint = smoothstep(0.55, 0.05, away);
-    let colour = vec3<f32>(0.55, 0.40, 0.17) + vec3<f32>(1.15, 1.05, 0.85) * glint;
+    let colour = vec3<f32>(0.30, 0.22, 0.10) + vec3<f32>(0.55, 0.50, 0.40) * glint;
     let alpha = in.look.x * body * 0.85;
     return vec4<f32>(pixel_from_radiance(colour, in.clip.xy).rgb * alpha, alpha);
 }
@@ -55,8 +55,8 @@ fn spot(in: FryOut) -> vec4<f32> {
     let away = dot(in.corner, in.corner);
     let normal = normalize(vec3<f32>(in.corner * 0.45, 1.0));
     let alpha = smoothstep(1.0, 0.70, away) * mix(0.40, 0.65, away * away);
-    let fat = vec3<f32>(0.185, 0.125, 0.045);
-    return vec4<f32>(pixel_from_radiance(fat + 0.55 * liquid(normal, in.position), in.clip.xy).rgb * alpha, alpha);
+    let fat = vec3<f32>(0.085, 0.060, 0.024);
+    return vec4<f32>(pixel_from_radiance(fat + 0.32 * liquid(normal, in.position), in.clip.xy).rgb * alpha, alpha);
 }
 
 @fragment

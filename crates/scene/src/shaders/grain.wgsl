@@ -33,7 +33,8 @@ struct Grain {
     clear: f32,
 };
 
-fn noise_at(rest: vec3<f32>, stretch: vec3<f32>) -> Noise {
+fn noise_at(piece: vec3<f32>, stretch: vec3<f32>) -> Noise {
+    let rest = piece + food.place.xyz;
     return Noise(
         textureSample(solid_noise, tile_sampler, rest.zxy * 15.6 + 0.61),
         textureSample(solid_noise, tile_sampler, rest * 54.0),
@@ -62,7 +63,7 @@ fn patches(noise: Noise) -> f32 {
 // Fibres along z in bundles of 0.8 mm, in fascicles of 3.6 mm with pale tissue between some of them.
 fn muscle(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     let noise = noise_at(rest, vec3<f32>(1.0, 1.0, 0.17));
-    let warped = rest.xy + (noise.broad.rg - 0.5) * 0.0022 + rest.z * vec2<f32>(0.06, -0.04);
+    let warped = rest.xy + food.place.xy + (noise.broad.rg - 0.5) * 0.0022 + rest.z * vec2<f32>(0.06, -0.04);
     let bundle = textureSample(bundle_picture, tile_sampler, warped * 78.0);
     let fascicle = textureSample(bundle_picture, tile_sampler, warped.yx * 17.3 + 0.29);
     let strand = 1.0 - smoothstep(0.0, 0.35, bundle.r);
@@ -83,7 +84,7 @@ fn muscle(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
 // Strands of ground meat, some 3 mm thick and pressed together, with crumbs of fat and dark gaps.
 fn ground(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     let noise = noise_at(rest, vec3<f32>(1.0));
-    let warped = rest * 1.0 + (noise.broad.rgb - 0.5) * 0.0030;
+    let warped = rest + food.place.xyz + (noise.broad.rgb - 0.5) * 0.0030;
     let strand = textureSample(bundle_picture, tile_sampler, warped.xy * 21.0 + warped.z * vec2<f32>(17.0, -9.0));
     let crumb = textureSample(bundle_picture, tile_sampler, warped.yx * 47.0 + warped.z * vec2<f32>(31.0, 23.0) + 0.37);
     let gap = 1.0 - smoothstep(0.02, 0.22, strand.r);
@@ -99,8 +100,9 @@ fn ground(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
 // A root cut across its axis: rays from the core, a thin line where both meet, a rougher skin at the side.
 fn root(rest: vec3<f32>, grew: Grown, cooked: f32, crust: f32) -> Grain {
     let noise = noise_at(rest, vec3<f32>(1.0));
-    let away = max(length(rest.xy), 1e-4);
-    let turn = atan2(rest.y, rest.x);
+    let across = select(rest.xy, rest.yz, food.place.w > 0.5);
+    let away = max(length(across), 1e-4);
+    let turn = atan2(across.y, across.x) + food.place.x * 30.0;
     // Fine rays, stronger in the cortex; the picture tiles once around.
     let ray = textureSample(bundle_picture, tile_sampler, vec2<f32>(turn * 0.4775, away * 26.0));
     let rays = (ray.g - 0.5) * smoothstep(0.001, 0.004, away);

@@ -137,10 +137,14 @@ struct Film {
     foam: f32,
 };
 
+// Thickness that the ends of the bytes stand for [mm]: OIL_RANGE and WATER_RANGE of `pan.rs`.
+const OIL_RANGE = 20.0;
+const WATER_RANGE = 20.0;
+
 fn film_on(local: vec3<f32>) -> Film {
     let uv = local.xy / frame.pan_shape.x * 0.5 + 0.5;
     let film = textureSampleLevel(pan_film, clamp_sampler, uv, 0.0);
-    return Film(film.r * film.r * 1.0, film.g * film.g * 2.0, film.b, film.a);
+    return Film(film.r * film.r * OIL_RANGE, film.g * film.g * WATER_RANGE, film.b, film.a);
 }
 
 // What heat has done to the colour of the pan at a place of its inside.
@@ -225,17 +229,22 @@ fn liquid_mirror(in: SolidOut, surface: vec3<f32>, roughness: f32, view: vec3<f3
     return specular(s, in.position, view, lit) * leaves * 0.7;
 }
 
-// A clear film: the colour of the oil where light passes it twice, mirror-smooth on top, with slow waves.
+// Depth of oil that has the colour of the bottle [mm] (chosen: a bottle seen through its middle is a few times as deep).
+const OIL_DEPTH = 15.0;
+// How quickly molten butter with its milk solids turns opaque [1/mm] (chosen: a film of half a millimetre is cloudy).
+const TURBID = 2.2;
+
+// A clear film: hardly coloured where it is thin, mirror-smooth on top, with slow waves.
 fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit: f32, open: f32, cover: f32, thickness: f32, slope: vec3<f32>) -> vec3<f32> {
     let local = in_pan(in.position);
     let wave = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(local.xy * 9.0, frame.eye.w * 0.05), 0.0).rgb - 0.5;
     let rim = (slope.xy - 0.5) * (1.0 - cover) * 0.12;
     let film = normalize(n + vec3<f32>(wave.xy * 0.05 + rim, 0.0));
     let mirror = liquid_mirror(in, film, mix(0.30, 0.06, cover), view, lit, open);
-    // Light scattered in the film itself: a thick golden pool is brighter than the metal below it.
-    let deep = 3.0 * thickness / (1.0 + 3.0 * thickness);
-    let passed = mix(vec3<f32>(1.0), frame.oil.rgb, clamp(0.4 + 3.0 * thickness, 0.0, 1.6));
-    let glow = frame.oil.rgb * vec3<f32>(0.075, 0.058, 0.030) * deep * (0.35 + 0.65 * lit) * open;
+    // Light passes the film twice; a deep pool also sends some back itself.
+    let passed = pow(frame.oil.rgb, vec3<f32>(2.0 * thickness / OIL_DEPTH));
+    let deep = 1.0 - exp(-thickness * mix(1.0 / OIL_DEPTH, TURBID, frame.white.w));
+    let glow = frame.oil.rgb * vec3<f32>(0.34, 0.28, 0.16) * deep * (0.35 + 0.65 * lit) * open;
     return mix(below, below * passed + glow + mirror, cover);
 }
 
@@ -253,18 +262,22 @@ fn under_water(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, li
     return mix(below, mix(below, juice, 0.75 * cloudy) + liquid_mirror(in, surface, 0.08, view, lit, open), cover);
 }
 
-// Foam of butter: pale bubbles in patches that drift.
+// Foam of butter: fine white bubbles in patches that drift, single bubbles where a patch ends.
 fn under_foam(below: vec3<f32>, local: vec3<f32>, lit: f32, open: f32, foam: f32) -> vec3<f32> {
-    if (foam <= 0.004) { return below; }
-    let drift = vec2<f32>(sin(frame.eye.w * 0.7), cos(frame.eye.w * 0.5)) * 0.012;
-    let patchy = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(local.xy * 11.0 + drift, frame.eye.w * 0.06), 0.0).a;
-    let large = textureSampleLevel(bundle_picture, tile_sampler, local.xy * 14.0 + drift, 0.0);
-    let small = textureSampleLevel(bundle_picture, tile_sampler, local.yx * 37.0 - drift, 0.0);
-    let cover = smoothstep(1.0 - foam - 0.18, 1.0 - foam + 0.18, patchy * 1.35 - 0.18);
-    let round = 0.80 + 0.10 * smoothstep(0.0, 0.6, small.r) + 0.14 * smoothstep(0.0, 0.7, large.r) + 0.08 * (large.g - 0.5);
-    let colour = mix(frame.oil.rgb, vec3<f32>(1.0, 0.93, 0.74), 0.62) * round * 0.85;
-    let light = KEY * (0.25 + 0.75 * lit) * 0.40 + LAMP * 0.5 + FILL_SKY;
-    return mix(below, colour * light * open, cover * (0.82 + 0.18 * smoothstep(0.0, 0.3, small.r)));
+    if (foam <= 0.02) { return below; }
+    let drift = vec2<f32>(sin(frame.eye.w * 0.7), cos(frame.eye.w * 0.5)) * 0.004;
+    let patchy = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(local.xy * 7.0 + drift * 3.0, frame.eye.w * 0.05), 0.0).a;
+    let large = textureSampleLevel(bundle_picture, tile_sampler, local.xy * 26.0 + drift, 0.0);
+    let small = textureSampleLevel(bundle_picture, tile_sampler, local.yx * 67.0 - drift, 0.0);
+    let dense = clamp((1.5 * foam - 1.0 + patchy) * 1.6, 0.0, 1.0);
+    // A bubble is there or not; it is brightest at its rim and on its crown.
+    let big = smoothstep(0.0, 0.12, 1.15 * dense - large.g - 0.10) * smoothstep(0.02, 0.12, large.r);
+    let fine = smoothstep(0.0, 0.20, 1.5 * dense - small.g - 0.20) * smoothstep(0.0, 0.20, small.r);
+    let crown = smoothstep(0.10, 0.60, select(small.r, large.r, big > fine));
+    let cover = max(fine * 0.85, big * mix(0.75, 0.40, crown));
+    let colour = mix(frame.oil.rgb, vec3<f32>(1.0, 0.96, 0.84), 0.80) * (0.70 + 0.24 * crown);
+    let light = KEY * (0.25 + 0.75 * lit) * 0.42 + LAMP * 0.5 + FILL_SKY;
+    return mix(below, colour * light * open, cover);
 }
 
 // Glass: mirrors the window, fogs with the vapour under it; drops gather where it fogs.
