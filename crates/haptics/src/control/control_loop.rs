@@ -35,6 +35,7 @@ pub struct ControlLoop {
 struct Requests {
     end: AtomicBool,
     emergency: AtomicBool,
+    resume: AtomicBool,
 }
 
 /// Why the loop could not be run.
@@ -77,9 +78,15 @@ impl ControlLoop {
         LoopState { sample, command: HapticCommand::default(), rate_hz: 0.0, ..state }
     }
 
-    /// Stops all forces at once and for the rest of the run.
+    /// Stops all forces at once, until `resume`.
     pub fn emergency_stop(&self) {
+        self.requests.resume.store(false, Ordering::Release);
         self.requests.emergency.store(true, Ordering::Release);
+    }
+
+    /// Lets the device make forces again after a stop; only a person's hand may ask for it.
+    pub fn resume(&self) {
+        self.requests.resume.store(true, Ordering::Release);
     }
 
     /// Stops all forces, ends the loop and returns its report.
@@ -115,7 +122,10 @@ fn run(
     while !requests.end.load(Ordering::Acquire) {
         let (now, late_us) = pacer.wait();
         jitter.note(late_us);
-        if requests.emergency.load(Ordering::Acquire) {
+        if requests.resume.swap(false, Ordering::AcqRel) {
+            step.resume();
+        }
+        if requests.emergency.swap(false, Ordering::AcqRel) {
             step.stop();
         }
         let since = (now - reported).as_secs_f64();

@@ -21,5 +21,6 @@ pub mod passivity;
 pub mod renderer;
 pub mod rumble;
 pub mod safety_limits;
+pub mod safety_watch;
 pub mod scheduling;
 pub mod vibration;

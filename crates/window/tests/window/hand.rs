@@ -70,6 +70,10 @@ impl HapticDevice for Scripted {
         self.script.lock().expect("script").stopped = true;
     }
 
+    fn resume(&mut self) {
+        self.script.lock().expect("script").stopped = false;
+    }
+
     fn strings(&self) -> Option<StringRig> {
         Some(self.geometry.rig())
     }

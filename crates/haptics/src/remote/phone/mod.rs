@@ -186,4 +186,8 @@ impl HapticDevice for Phone {
     fn stop(&mut self) {
         self.health = Health::Stopped;
     }
+
+    fn resume(&mut self) {
+        self.health = Health::Connecting;
+    }
 }
