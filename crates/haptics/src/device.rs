@@ -129,8 +129,14 @@ pub enum Health {
     Lost,
     /// The pairing code was refused.
     WrongCode,
-    /// Units, number of strings or protocol version are not supported.
+    /// Another host drives it, or tries pairing codes.
+    Busy,
+    /// Units or number of strings are not supported.
     WrongUnits,
+    /// It speaks an older protocol version: its firmware must be updated.
+    DeviceOutdated,
+    /// It speaks a newer protocol version: this program must be updated.
+    ProgramOutdated,
     /// The device reports a fault.
     Fault,
     /// Its watchdog time is not lawful.

@@ -9,6 +9,7 @@ mod linear;
 mod locator;
 pub mod pose_from_lengths;
 mod pull;
+mod session;
 pub mod simulator;
 pub mod spidar;
 mod stops;

@@ -12,7 +12,10 @@ use crate::strings::kept_calibration::CalibrationMemory;
 use crate::strings::locator::Locator;
 use crate::strings::pull::Pull;
 use crate::strings::stops::{self, Stops};
-use crate::strings::wire::{Caps, Command, DeviceState, Frame, FrameError, Hello, Link, Message, Refusal, Sample};
+use crate::strings::session::Session;
+use crate::strings::wire::{
+    Caps, Command, DeviceState, Frame, FrameError, Hello, Link, Message, Refusal, Refused, Sample, VERSION,
+};
 use crate::strings::{STRINGS, StringRig};
 use crate::wrench::Wrench;
 
@@ -22,6 +25,10 @@ const SILENCE_S: f64 = 0.1;
 const HELLO_S: f64 = 0.1;
 /// Interval between two hellos after a refusal [s] (chosen: the cause needs a person to change it).
 const RETRY_S: f64 = 1.0;
+/// Longest wait that a device may ask for [s] (chosen: a person would look for a fault by then).
+const LONGEST_WAIT_S: f64 = 5.0;
+/// Every so many hellos one is of version 1, which an older device answers (chosen: found within half a second).
+const OLDER_EVERY: u32 = 5;
 /// Maximum number of frames read per exchange (chosen: more of them mean that the host was late; the newest sample counts).
 const MOST_FRAMES: usize = 16;
 
@@ -52,12 +59,13 @@ pub struct Spidar<L: Link> {
     phase: Phase,
     health: Health,
     caps: Option<Caps>,
-    session: u32,
-    sequence: u32,
+    session: Session,
     clock: f64,
     received_at: f64,
     device_us: u64,
-    hello_at: f64,
+    /// Time of the next hello [s], and number of hellos without an answer.
+    hello_due: f64,
+    unanswered: u32,
     last: Option<Sample>,
     output: HapticSample,
 }
@@ -74,12 +82,12 @@ impl<L: Link> Spidar<L> {
             phase: Phase::Seeking,
             health: Health::Connecting,
             caps: None,
-            session: 0,
-            sequence: 0,
+            session: Session::new(),
             clock: 0.0,
             received_at: 0.0,
             device_us: 0,
-            hello_at: f64::NEG_INFINITY,
+            hello_due: f64::NEG_INFINITY,
+            unanswered: 0,
             last: None,
             output: HapticSample { pose: geometry.home(), ..HapticSample::default() },
             geometry,
@@ -102,9 +110,9 @@ impl<L: Link> Spidar<L> {
     }
 
     fn send(&mut self, message: Message) {
-        self.sequence = self.sequence.wrapping_add(1);
+        let frame = Frame { sequence: self.session.next_sequence(), session: self.session.number(), message };
         // A frame that cannot be sent is a lost frame: the silence that follows is detected.
-        let _ = self.link.send(&Frame { sequence: self.sequence, session: self.session, message });
+        let _ = self.link.send(&frame);
     }
 
     /// Reads the received frames; returns true if there was a new sample.
@@ -113,8 +121,9 @@ impl<L: Link> Spidar<L> {
         for _ in 0..MOST_FRAMES {
             match self.link.receive() {
                 None => break,
-                Some(Ok(frame)) if frame.session == self.session => fresh |= self.receive(&frame.message),
-                Some(Err(FrameError::Version(_))) => self.refuse(Health::WrongUnits),
+                Some(Ok(frame)) if self.session.accept(&frame) => fresh |= self.receive(&frame.message),
+                // A running link is not broken by a frame of another version: it is not the device's.
+                Some(Err(FrameError::Version(version))) if self.phase == Phase::Seeking => self.meet_version(version),
                 Some(_) => self.output.rejected += 1,
             }
         }
@@ -126,8 +135,7 @@ impl<L: Link> Spidar<L> {
             // What a stopped device still says changes nothing.
             (_, Phase::Stopped(_)) => {}
             (Message::Caps(caps), Phase::Seeking) => self.accept_capabilities(caps),
-            (Message::Refused(Refusal::WrongCode), _) => self.refuse(Health::WrongCode),
-            (Message::Refused(_), _) => self.refuse(Health::Connecting),
+            (Message::Refused(refused), _) => self.take_refusal(refused),
             (Message::Sample(sample), Phase::Arming | Phase::Linked | Phase::Releasing) => {
                 return self.accept_sample(sample);
             }
@@ -136,19 +144,37 @@ impl<L: Link> Spidar<L> {
         false
     }
 
+    fn meet_version(&mut self, version: u8) {
+        self.refuse(if version < VERSION { Health::DeviceOutdated } else { Health::ProgramOutdated });
+    }
+
+    fn take_refusal(&mut self, refused: &Refused) {
+        match refused.reason {
+            Refusal::WrongCode => self.refuse(Health::WrongCode),
+            // The code that was wrong before was not looked at.
+            Refusal::TooManyTries if self.health == Health::WrongCode => self.refuse(Health::WrongCode),
+            Refusal::Busy | Refusal::TooManyTries => self.refuse(Health::Busy),
+            Refusal::OutOfOrder => self.refuse(Health::Connecting),
+            // The answer to a hello of version 1.
+            Refusal::OtherVersion => {}
+        }
+        let wait_s = f64::from(refused.wait_ms) * 1e-3;
+        self.hello_due = self.hello_due.max(self.clock + wait_s.min(LONGEST_WAIT_S));
+    }
+
     fn refuse(&mut self, health: Health) {
         if matches!(self.phase, Phase::Releasing | Phase::Stopped(_)) {
             return;
         }
         (self.phase, self.health) = (Phase::Seeking, health);
-        // The next hello waits for the interval of a refusal.
-        self.hello_at = self.clock;
+        self.hello_due = self.clock + if is_refusal(health) { RETRY_S } else { HELLO_S };
     }
 
     fn accept_capabilities(&mut self, caps: &Caps) {
         if let Err(health) = judge(caps, &self.geometry) {
             return self.refuse(health);
         }
+        self.unanswered = 0;
         self.locator.meet(caps);
         self.caps = Some(*caps);
         self.last = None;
@@ -193,16 +219,18 @@ impl<L: Link> Spidar<L> {
         };
     }
 
-    /// Sends a hello when its interval has passed.
+    /// Sends a hello of a new session when it is due.
     fn send_hello(&mut self) {
-        if self.clock - self.hello_at < if is_refusal(self.health) { RETRY_S } else { HELLO_S } {
+        // Without random numbers there is no session; the system has them later.
+        if self.clock < self.hello_due || self.session.begin().is_err() {
             return;
         }
-        self.hello_at = self.clock;
-        self.session = self.session.wrapping_add(1);
+        self.hello_due = self.clock + if is_refusal(self.health) { RETRY_S } else { HELLO_S };
+        self.unanswered += 1;
         self.last = None;
-        let rate_hz = self.geometry.drive.rate_hz as u16;
-        self.send(Message::Hello(Hello { pairing: self.pairing, rate_hz }));
+        let hello = Hello { pairing: self.pairing, rate_hz: self.geometry.drive.rate_hz as u16 };
+        let older = self.unanswered.is_multiple_of(OLDER_EVERY);
+        self.send(if older { Message::HelloOfVersion1(hello) } else { Message::Hello(hello) });
     }
 
     fn send_tensions(&mut self, tension_mn: [u16; STRINGS]) {
@@ -300,7 +328,7 @@ impl<L: Link> HapticDevice for Spidar<L> {
     fn resume(&mut self) {
         self.locator.doubt();
         (self.phase, self.health) = (Phase::Seeking, Health::Connecting);
-        self.hello_at = f64::NEG_INFINITY;
+        self.hello_due = f64::NEG_INFINITY;
         (self.output.length_misfit, self.output.total_force_n) = (0.0, 0.0);
     }
 

@@ -5,7 +5,7 @@ use std::io;
 use std::sync::{Arc, Mutex};
 
 use saute_haptics::strings::Lines;
-use saute_haptics::strings::wire::{Caps, DeviceState, Frame, FrameError, Link, Message, Refusal, Sample, Units};
+use saute_haptics::strings::wire::{Caps, DeviceState, Frame, FrameError, Link, Message, Refusal, Refused, Sample, Units, VERSION};
 use saute_haptics::{Geometry, Pose, Wrench};
 
 use crate::random::Random;
@@ -135,6 +135,8 @@ impl Bench {
     }
 }
 
+const WRONG_CODE: Refused = Refused { reason: Refusal::WrongCode, version: VERSION, wait_ms: 0 };
+
 fn caps() -> Caps {
     Caps {
         strings: 8,
@@ -153,7 +155,7 @@ impl State {
     fn receive(&mut self, frame: &Frame) {
         self.time_us += 1000;
         let answer = match frame.message {
-            Message::Hello(hello) if hello.pairing != self.pairing => Message::Refused(Refusal::WrongCode),
+            Message::Hello(hello) if hello.pairing != self.pairing => Message::Refused(WRONG_CODE),
             Message::Hello(_) => {
                 self.stops = 0;
                 Message::Caps(Caps { boot: self.boot, ..self.caps })

@@ -4,6 +4,7 @@ mod calibration;
 mod caps;
 mod driver;
 mod geometry_file;
+mod hostile_device;
 mod impossible_data;
 mod kept_calibration;
 mod pose;
