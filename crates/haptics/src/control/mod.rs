@@ -10,6 +10,7 @@
 pub mod control_loop;
 pub mod coupled_payload;
 pub mod degrade;
+mod end_signals;
 pub mod feel;
 pub mod guard_planes;
 pub mod impulse_train;

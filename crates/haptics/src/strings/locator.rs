@@ -12,8 +12,12 @@ use saute_kitchen::dynamics::Pose;
 
 /// Residual of the pose above which a stored calibration is discarded [m] (chosen: ten times the residual of strings and jig).
 const FITS: f64 = 0.5e-3;
-/// Relative error of the strings' stiffness that is still possible [-] (chosen: four times the tenth that is typical of braided line).
-const STRETCH_ERROR: f64 = 0.4;
+/// Residual of a running device that is possible beside calibration and stretch [m] (chosen: ten counts of 20 µm).
+const POSSIBLE: f64 = 0.2e-3;
+/// Multiple of the calibration's own residual that is possible away from the jig [-] (chosen: three standard deviations).
+const CALIBRATION_ERROR: f64 = 3.0;
+/// Relative error of the strings' stiffness that is possible [-] (chosen: three times the tenth that is typical of braided line).
+const STRETCH_ERROR: f64 = 0.3;
 
 /// Finds the pose of the body from samples.
 #[derive(Debug)]
@@ -158,7 +162,7 @@ impl Locator {
             self.discard();
             return;
         }
-        self.length_misfit = updated.residual() / possible(stretch);
+        self.length_misfit = updated.residual() / possible(calibration, stretch);
         if self.length_misfit <= 1.0 {
             self.estimator = updated;
         }
@@ -182,7 +186,7 @@ impl Locator {
 }
 
 /// Returns the largest possible residual of the lengths: what calibration and stretch leave at worst, as a root mean square [m].
-fn possible(stretch: &[f64; STRINGS]) -> f64 {
+fn possible(calibration: &Calibration, stretch: &[f64; STRINGS]) -> f64 {
     let squares: f64 = stretch.iter().map(|s| s * s).sum();
-    FITS + STRETCH_ERROR * libm::sqrt(squares / STRINGS as f64)
+    POSSIBLE + CALIBRATION_ERROR * calibration.residual + STRETCH_ERROR * libm::sqrt(squares / STRINGS as f64)
 }
