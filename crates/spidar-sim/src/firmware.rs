@@ -177,7 +177,9 @@ impl Device {
             if session.owns(from, number) {
                 // The answer was lost; a running session is not greeted again.
                 let newer = session.accept(sequence, now);
-                return if newer && self.state == State::Greeted { self.send_caps(from, number, now) };
+                return if newer && self.state == State::Greeted {
+                    self.send_caps(from, number, now)
+                };
             }
             if session.host != from {
                 let left = session.left(now);

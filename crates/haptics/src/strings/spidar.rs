@@ -11,8 +11,8 @@ use crate::strings::jig_calibration::Calibration;
 use crate::strings::kept_calibration::CalibrationMemory;
 use crate::strings::locator::Locator;
 use crate::strings::pull::Pull;
-use crate::strings::stops::{self, Stops};
 use crate::strings::session::Session;
+use crate::strings::stops::{self, Stops};
 use crate::strings::wire::{
     Caps, Command, DeviceState, Frame, FrameError, Hello, Link, Message, Refusal, Refused, Sample, VERSION,
 };

@@ -5,7 +5,9 @@ use std::io;
 use std::sync::{Arc, Mutex};
 
 use saute_haptics::strings::Lines;
-use saute_haptics::strings::wire::{Caps, DeviceState, Frame, FrameError, Link, Message, Refusal, Refused, Sample, Units, VERSION};
+use saute_haptics::strings::wire::{
+    Caps, DeviceState, Frame, FrameError, Link, Message, Refusal, Refused, Sample, Units, VERSION,
+};
 use saute_haptics::{Geometry, Pose, Wrench};
 
 use crate::random::Random;

@@ -130,12 +130,17 @@ fn at_most_one_wrong_code_per_second_is_looked_at() {
         for host in 0..8 {
             for last in 0..200 {
                 let answers = bench.answers(&format!("10.0.{host}.{last}:77"));
-                looked_at +=
-                    answers.iter().filter(|m| matches!(m, Message::Refused(r) if r.reason == Refusal::WrongCode)).count();
+                looked_at += answers
+                    .iter()
+                    .filter(|m| matches!(m, Message::Refused(r) if r.reason == Refusal::WrongCode))
+                    .count();
             }
         }
     }
-    println!("{looked_at} of {tries} codes were looked at in 60 s: all 900 000 would take {:.1} days", 900e3 / 86_400.0);
+    println!(
+        "{looked_at} of {tries} codes were looked at in 60 s: all 900 000 would take {:.1} days",
+        900e3 / 86_400.0
+    );
     assert!((59..=61).contains(&looked_at), "{looked_at} of {tries} codes in 60 s");
     bench.pass(1000);
     bench.deliver(&frame(9, 5, hello(CODE)), HOST);
@@ -162,7 +167,8 @@ fn a_hello_of_another_version_is_answered_and_does_not_break_a_running_link() {
         bench.pass(1);
     }
     assert_pulls(&bench, 2.0);
-    let refused = |m: &&Message| matches!(m, Message::Refused(r) if r.reason == Refusal::OtherVersion && r.version == 2);
+    let refused =
+        |m: &&Message| matches!(m, Message::Refused(r) if r.reason == Refusal::OtherVersion && r.version == 2);
     let answers = [bench.answers(STRANGER), bench.answers(HOST)].concat();
     let told = answers.iter().filter(refused).count();
     assert!((1..=11).contains(&told), "{told} answers in a second");

@@ -285,7 +285,11 @@ impl Message {
             4 => Self::Command(Command { time_us: r.u32(), tension_mn: r.tensions() }),
             5 => Self::Sample(Sample::read(&mut r)?),
             6 => Self::Stop,
-            7 => Self::Refused(Refused { reason: coded("reason", r.u8(), &REFUSALS)?, version: r.u8(), wait_ms: r.u16() }),
+            7 => Self::Refused(Refused {
+                reason: coded("reason", r.u8(), &REFUSALS)?,
+                version: r.u8(),
+                wait_ms: r.u16(),
+            }),
             _ => return Err(PayloadError::Kind(kind)),
         })
     }

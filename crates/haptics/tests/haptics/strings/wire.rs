@@ -5,8 +5,7 @@ use std::io::{self, Read, Write};
 use proptest::prelude::*;
 use saute_haptics::strings::wire::{
     Caps, Command, Deframer, DeviceState, FRAME, FaultCode, Frame, FrameError, Hello, Link, Message, Refusal, Refused,
-    STUFFED,
-    Sample, SerialLink, Units, stuff,
+    STUFFED, Sample, SerialLink, Units, stuff,
 };
 
 const DOCUMENT: &str = include_str!("../../../../../docs/spidar-protocol.md");
