@@ -129,7 +129,7 @@ pub enum Health {
     Lost,
     /// The pairing code was refused.
     WrongCode,
-    /// Another host drives it, or tries pairing codes.
+    /// Another host drives it.
     Busy,
     /// Units or number of strings are not supported.
     WrongUnits,

@@ -90,9 +90,8 @@ impl LoopStep {
 
     /// Stops the device: it makes no force until `resume`.
     pub fn stop(&mut self) {
-        if self.halt != Some(Health::Stopped) {
-            self.device.stop();
-        }
+        // A second request tells the device again: the first may have been lost.
+        self.device.stop();
         // The reason of an earlier stop stays visible.
         self.halt.get_or_insert(Health::Stopped);
     }

@@ -153,8 +153,8 @@ impl<L: Link> Spidar<L> {
             Refusal::WrongCode => self.refuse(Health::WrongCode),
             // The code that was wrong before was not looked at.
             Refusal::TooManyTries if self.health == Health::WrongCode => self.refuse(Health::WrongCode),
-            Refusal::Busy | Refusal::TooManyTries => self.refuse(Health::Busy),
-            Refusal::OutOfOrder => self.refuse(Health::Connecting),
+            Refusal::Busy => self.refuse(Health::Busy),
+            Refusal::TooManyTries | Refusal::OutOfOrder => self.refuse(Health::Connecting),
             // The answer to a hello of version 1.
             Refusal::OtherVersion => {}
         }

@@ -94,6 +94,11 @@ impl Bench {
         change(&mut self.0.lock().unwrap().caps);
     }
 
+    /// Restarts the random numbers of lies.
+    pub fn seed(&self, seed: u64) {
+        self.0.lock().unwrap().random = Random(seed);
+    }
+
     pub fn lie(&self, lie: Lie) {
         self.0.lock().unwrap().lie = lie;
     }

@@ -15,7 +15,7 @@ const DEVICE: &str = "spidar-pan-crossed";
 /// Fastest change of a tension within a step [N], with the rounding to millinewtons.
 const MOST_N: f64 = 5.001;
 
-/// A loop with a steak in its pan, and what its strings did.
+/// A loop with a full pan, and what its strings did.
 struct Cook {
     bench: Bench,
     control: LoopStep,
@@ -27,18 +27,18 @@ struct Cook {
 }
 
 impl Cook {
-    /// Begins with a calibrated device that renders a steak of 0.4 kg over a wall.
+    /// Begins with a calibrated device that renders contents of 1.5 kg over a wall.
     fn begin() -> Self {
         let geometry = device(DEVICE);
         let bench = Bench::new(&geometry);
         let spidar = Spidar::new(bench.link(), geometry, 42);
         let renderer = Renderer::new(spidar.capabilities(), &library::feel().unwrap());
         let control = LoopStep::new(Box::new(spidar), renderer, 0);
-        let mut model = ContactModel { payload: Payload::point(0.4, DVec3::X * 0.03), ..ContactModel::default() };
+        let mut model = ContactModel { payload: Payload::point(1.5, DVec3::X * 0.03), ..ContactModel::default() };
         model.planes[0] = Plane { normal: DVec3::Z, at_least: 0.05, edge_radius: 0.1, below: 0.0 };
         let mut cook = Self { bench, control, number: 0, model, tension: [0.3; 8], jump: 0.0 };
         let state = cook.steps(5000);
-        assert!(state.sample.health == Health::Running && state.command.wrench.force.z < -3.0, "{state:?}");
+        assert!(state.sample.health == Health::Running && state.command.wrench.force.z < -13.0, "{state:?}");
         assert!(cook.jump < MOST_N, "{} N in normal use", cook.jump);
         cook
     }
@@ -95,12 +95,17 @@ fn impossible_data_stop_the_motors_within_milliseconds() {
         (Lie::Tensions(u16::MAX), 4, Health::ForceAboveLimit),
     ];
     for (lie, most, expected) in lies {
-        let mut cook = Cook::begin();
-        cook.bench.lie(lie);
-        let (steps, fault) = cook.until_fault(most);
-        println!("{lie:?}: {fault:?} after {steps} ms, at most {:.3} N within a millisecond", cook.jump);
-        assert_eq!(fault, expected, "{lie:?}");
-        cook.assert_released();
+        let (mut slowest, mut jump) = (0, 0.0f64);
+        for seed in 0..20 {
+            let mut cook = Cook::begin();
+            cook.bench.seed(seed);
+            cook.bench.lie(lie);
+            let (steps, fault) = cook.until_fault(most);
+            assert_eq!(fault, expected, "{lie:?}");
+            cook.assert_released();
+            (slowest, jump) = (slowest.max(steps), jump.max(cook.jump));
+        }
+        println!("{lie:?}: {expected:?} after {slowest} ms at most, changes of at most {jump:.3} N within a millisecond");
     }
 }
 
@@ -131,7 +136,7 @@ fn only_a_hand_starts_a_device_again_after_a_fault() {
     cook.assert_released();
     cook.control.resume();
     let state = cook.steps(2000);
-    assert!(state.sample.health == Health::Running && state.command.wrench.force.z < -3.0, "{state:?}");
+    assert!(state.sample.health == Health::Running && state.command.wrench.force.z < -13.0, "{state:?}");
     assert!(state.account_j > 0.0);
 }
 
