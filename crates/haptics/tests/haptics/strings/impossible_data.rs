@@ -24,6 +24,8 @@ struct Cook {
     tension: [f64; 8],
     /// Largest change of a tension within a step so far [N].
     jump: f64,
+    /// Lowest value of the energy account so far [J].
+    lowest: f64,
 }
 
 impl Cook {
@@ -36,7 +38,7 @@ impl Cook {
         let control = LoopStep::new(Box::new(spidar), renderer, 0);
         let mut model = ContactModel { payload: Payload::point(1.5, DVec3::X * 0.03), ..ContactModel::default() };
         model.planes[0] = Plane { normal: DVec3::Z, at_least: 0.05, edge_radius: 0.1, below: 0.0 };
-        let mut cook = Self { bench, control, number: 0, model, tension: [0.3; 8], jump: 0.0 };
+        let mut cook = Self { bench, control, number: 0, model, tension: [0.3; 8], jump: 0.0, lowest: 0.0 };
         let state = cook.steps(5000);
         assert!(state.sample.health == Health::Running && state.command.wrench.force.z < -13.0, "{state:?}");
         assert!(cook.jump < MOST_N, "{} N in normal use", cook.jump);
@@ -53,7 +55,7 @@ impl Cook {
             let change = (0..8).map(|i| (now[i] - self.tension[i]).abs());
             self.jump = change.fold(self.jump, f64::max);
         }
-        self.tension = now;
+        (self.tension, self.lowest) = (now, state.passivity_j);
         state
     }
 
@@ -95,7 +97,7 @@ fn impossible_data_stop_the_motors_within_milliseconds() {
         (Lie::Tensions(u16::MAX), 4, Health::ForceAboveLimit),
     ];
     for (lie, most, expected) in lies {
-        let (mut slowest, mut jump) = (0, 0.0f64);
+        let (mut slowest, mut jump, mut lowest) = (0, 0.0f64, f64::INFINITY);
         for seed in 0..20 {
             let mut cook = Cook::begin();
             cook.bench.seed(seed);
@@ -103,9 +105,13 @@ fn impossible_data_stop_the_motors_within_milliseconds() {
             let (steps, fault) = cook.until_fault(most);
             assert_eq!(fault, expected, "{lie:?}");
             cook.assert_released();
-            (slowest, jump) = (slowest.max(steps), jump.max(cook.jump));
+            (slowest, jump, lowest) = (slowest.max(steps), jump.max(cook.jump), lowest.min(cook.lowest));
         }
-        println!("{lie:?}: {expected:?} after {slowest} ms at most, changes of at most {jump:.3} N within a millisecond");
+        println!(
+            "{lie:?}: {expected:?} after {slowest} ms at most, changes of at most {jump:.3} N within a millisecond, \
+             account at least {:.2} mJ",
+            lowest * 1e3
+        );
     }
 }
 
