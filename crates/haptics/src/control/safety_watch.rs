@@ -36,6 +36,11 @@ impl WrongTime {
     }
 }
 
+/// Returns true for a value above its limit, and for one that is no number.
+fn is_above(value: f64, limit: f64) -> bool {
+    value > limit || value.is_nan()
+}
+
 impl SafetyWatch {
     /// Creates a watch over a device with limits.
     pub fn new(limits: &Limits) -> Self {
@@ -45,9 +50,8 @@ impl SafetyWatch {
     /// Judges a sample and the energy account after a step of `dt` [s]; returns the fault of the first rule that fires.
     pub fn judge(&mut self, sample: &HapticSample, passivity: &Passivity, dt: f64) -> Option<Health> {
         let dt = dt.clamp(0.0, LONGEST_STEP_S);
-        // A number that is not finite is wrong too.
-        let lengths = self.lengths.count(!(sample.length_misfit <= 1.0), dt);
-        let force = self.force.count(!(sample.total_force_n <= FORCE_MARGIN * self.force_n), dt);
+        let lengths = self.lengths.count(is_above(sample.length_misfit, 1.0), dt);
+        let force = self.force.count(is_above(sample.total_force_n, FORCE_MARGIN * self.force_n), dt);
         let fired = [
             (lengths, Health::ImpossibleLengths),
             (force, Health::ForceAboveLimit),

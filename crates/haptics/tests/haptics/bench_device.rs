@@ -36,6 +36,10 @@ struct State {
 
 pub struct BenchLink(Bench);
 
+/// Samples in each place of the jig, and on the way from it into the hand; a hand is not faster.
+const STANDING: u32 = 150;
+const LEAVING: u32 = 150;
+
 /// What a damaged or hostile device makes of its samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Lie {
@@ -184,6 +188,14 @@ impl State {
         self.coming.push_back(Frame { message: answer, ..*frame });
     }
 
+    /// Returns the pose on the way from the last place of the jig into the hand.
+    fn off_the_jig(&self, last: Pose, left_at: u32) -> Pose {
+        let Some(time) = self.jigging else { return self.pose };
+        let share = f64::from(time - left_at) / f64::from(LEAVING);
+        let position = last.position.lerp(self.pose.position, share);
+        Pose { position, rotation: last.rotation.slerp(self.pose.rotation, share) }
+    }
+
     /// Returns the count that the device tells instead of the true one.
     fn told(&mut self, count: i32) -> i32 {
         match self.lie {
@@ -198,9 +210,11 @@ impl State {
 
     fn sample(&mut self, state: DeviceState) -> Message {
         let jig = self.geometry.jig();
-        let place = self.jigging.map(|t| (t / 150) as usize).filter(|p| *p < jig.len());
-        self.jigging = place.and(self.jigging.map(|t| t + 1));
-        let pose = place.map_or(self.pose, |p| jig[p]);
+        let place = self.jigging.map(|t| (t / STANDING) as usize).filter(|p| *p < jig.len());
+        let left_at = jig.len() as u32 * STANDING;
+        let pose = place.map_or_else(|| self.off_the_jig(*jig.last().unwrap(), left_at), |p| jig[p]);
+        let end = left_at + LEAVING;
+        self.jigging = self.jigging.map(|t| t + 1).filter(|t| *t < end);
         let lengths = self.geometry.rig().lengths(&pose);
         let unstretched = |i: usize| {
             lengths[i] / (1.0 + f64::from(self.tension_mn[i]) * 1e-3 / self.geometry.drive.axial_stiffness_n)
