@@ -129,12 +129,30 @@ pub enum Health {
     Lost,
     /// The pairing code was refused.
     WrongCode,
-    /// Units, number of strings or protocol version are not supported.
+    /// Another host drives it.
+    Busy,
+    /// Units or number of strings are not supported.
     WrongUnits,
+    /// It speaks an older protocol version: its firmware must be updated.
+    DeviceOutdated,
+    /// It speaks a newer protocol version: this program must be updated.
+    ProgramOutdated,
     /// The device reports a fault.
     Fault,
-    /// Stopped for good.
+    /// Its watchdog time is not lawful.
+    WatchdogUnlawful,
+    /// Its least tension is above the geometry's.
+    LeastTensionTooHigh,
+    /// Its largest tension is below the geometry's.
+    LargestTensionTooLow,
+    /// Stopped until a hand resumes.
     Stopped,
+    /// Stopped by a safety rule: its string lengths contradict each other.
+    ImpossibleLengths,
+    /// Stopped by a safety rule: it reported a force above its limit.
+    ForceAboveLimit,
+    /// Stopped by a safety rule: it gave the hand energy that it did not have.
+    EnergyOverdrawn,
 }
 
 /// Last sample of a device.
@@ -152,6 +170,8 @@ pub struct HapticSample {
     pub achieved: Wrench,
     /// Total force of the device, its rest state included [N].
     pub total_force_n: f64,
+    /// Residual of the string lengths over the largest possible one, 0 without strings; above 1 no pose fits the lengths [-].
+    pub length_misfit: f64,
     /// Tension of each string, for string devices [N].
     pub tension_n: Option<[f64; STRINGS]>,
     /// Pose of the turner in the other hand, if measured.
@@ -176,6 +196,7 @@ impl Default for HapticSample {
             twist: Twist::default(),
             achieved: Wrench::ZERO,
             total_force_n: 0.0,
+            length_misfit: 0.0,
             tension_n: None,
             turner: None,
             health: Health::Connecting,
@@ -195,14 +216,32 @@ pub trait HapticDevice: Send {
     fn capabilities(&self) -> &Capabilities;
     /// Sends a command and returns the last sample; `dt` is the time since the last exchange [s].
     fn exchange(&mut self, command: &HapticCommand, dt: f64) -> HapticSample;
-    /// Releases all forces at once, for good.
+    /// Releases all forces at once, until `resume`.
     fn stop(&mut self);
+    /// Releases all forces within 2 ms, as gently as that allows, and then stops: a safety rule has fired.
+    fn trip(&mut self) {
+        self.stop();
+    }
+    /// Looks for the device again after a stop; only a person's hand may ask for it.
+    fn resume(&mut self);
     /// Returns the strings as drawn, for string devices.
     fn strings(&self) -> Option<StringRig> {
         None
     }
     /// Restores a stored calibration, and stores new ones there; does nothing for devices without a jig.
     fn remember(&mut self, _memory: CalibrationMemory) {}
+}
+
+impl Health {
+    /// Returns true after a stop, by a hand or by a safety rule.
+    pub fn is_stopped(self) -> bool {
+        matches!(self, Self::Stopped) || self.is_safety_fault()
+    }
+
+    /// Returns true if a safety rule has stopped the device.
+    pub fn is_safety_fault(self) -> bool {
+        matches!(self, Self::ImpossibleLengths | Self::ForceAboveLimit | Self::EnergyOverdrawn)
+    }
 }
 
 impl Sensed {

@@ -75,6 +75,7 @@ impl HapticDevice for WeightOnSpring {
             twist: crate::wrench::Twist { linear: self.velocity, ..Default::default() },
             achieved: Wrench { force: shown, ..Wrench::ZERO },
             total_force_n: shown.length(),
+            length_misfit: 0.0,
             tension_n: None,
             turner: None,
             health: if self.stopped { Health::Stopped } else { Health::Running },
@@ -84,8 +85,12 @@ impl HapticDevice for WeightOnSpring {
         }
     }
 
-    /// Step 6. Release all forces at once, for good.
+    /// Step 6. Release all forces at once, until a hand resumes.
     fn stop(&mut self) {
         self.stopped = true;
+    }
+
+    fn resume(&mut self) {
+        self.stopped = false;
     }
 }

@@ -1,8 +1,14 @@
-//! The device's side of docs/spidar-protocol.md, version 1: an implementation independent of the driver's.
+//! The device's side of docs/spidar-protocol.md, version 2: an implementation independent of the driver's.
+
+use std::time::Duration;
 
 /// Length of a frame [bytes].
 pub const FRAME: usize = 80;
 const PAYLOAD: std::ops::Range<usize> = 12..76;
+/// Protocol version.
+const VERSION: u8 = 2;
+/// Kind of a hello, in every version.
+const HELLO: u8 = 1;
 
 /// A request of a host.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,12 +19,23 @@ pub enum Request {
     Stop,
 }
 
-/// A request with its sequence number and session.
+/// What the bytes of a datagram are.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Received {
-    pub sequence: u32,
-    pub session: u32,
-    pub request: Request,
+pub enum Parsed {
+    /// A request with its sequence number and session.
+    Request { sequence: u32, session: u32, request: Request },
+    /// A hello of a host that speaks another version.
+    HelloOfAnotherVersion { session: u32 },
+}
+
+/// Reason of a refusal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Refusal {
+    WrongCode,
+    Busy,
+    OutOfOrder,
+    TooManyTries,
+    OtherVersion,
 }
 
 /// Returns the CRC-32 of IEEE 802.3, computed bit by bit.
@@ -46,20 +63,24 @@ fn u16_at(bytes: &[u8], at: usize) -> u16 {
 }
 
 /// Parses a request; returns `None` if the bytes are not a valid frame of a host.
-pub fn parse(bytes: &[u8]) -> Option<Received> {
-    let sound = bytes.len() == FRAME && bytes[0] == b'S' && bytes[1] == b'P' && bytes[2] == 1;
+pub fn parse(bytes: &[u8]) -> Option<Parsed> {
+    let sound = bytes.len() == FRAME && bytes[0] == b'S' && bytes[1] == b'P';
     if !sound || u32_at(bytes, PAYLOAD.end) != crc(&bytes[..PAYLOAD.end]) {
         return None;
     }
+    let (sequence, session) = (u32_at(bytes, 4), u32_at(bytes, 8));
+    if bytes[2] != VERSION {
+        return (bytes[3] == HELLO).then_some(Parsed::HelloOfAnotherVersion { session });
+    }
     let payload = &bytes[PAYLOAD];
     let request = match bytes[3] {
-        1 => Request::Hello { pairing: u32_at(payload, 0) },
+        HELLO => Request::Hello { pairing: u32_at(payload, 0) },
         3 => Request::Arm,
         4 => Request::Command { tension_mn: std::array::from_fn(|i| u16_at(payload, 4 + 2 * i)) },
         6 => Request::Stop,
         _ => return None,
     };
-    Some(Received { sequence: u32_at(bytes, 4), session: u32_at(bytes, 8), request })
+    Some(Parsed::Request { sequence, session, request })
 }
 
 /// An answer under construction.
@@ -69,7 +90,7 @@ struct Answer {
 
 impl Answer {
     fn new(kind: u8, sequence: u32, session: u32) -> Self {
-        let mut bytes = vec![b'S', b'P', 1, kind];
+        let mut bytes = vec![b'S', b'P', VERSION, kind];
         bytes.extend(sequence.to_le_bytes());
         bytes.extend(session.to_le_bytes());
         Self { bytes }
@@ -131,10 +152,19 @@ pub fn sample(reading: &Reading, sequence: u32, session: u32) -> Vec<u8> {
     answer.finish()
 }
 
-/// Returns the frame of a refusal: 0 wrong code, 1 busy, 2 out of order.
-pub fn refused(reason: u8, sequence: u32, session: u32) -> Vec<u8> {
+/// Returns the frame of a refusal, with the time after which another hello may succeed.
+pub fn refused(why: Refusal, wait: Duration, sequence: u32, session: u32) -> Vec<u8> {
     let mut answer = Answer::new(7, sequence, session);
-    answer.bytes.push(reason);
+    let reason = match why {
+        Refusal::WrongCode => 0,
+        Refusal::Busy => 1,
+        Refusal::OutOfOrder => 2,
+        Refusal::TooManyTries => 3,
+        Refusal::OtherVersion => 4,
+    };
+    answer.bytes.extend([reason, VERSION]);
+    let wait_ms = u16::try_from(wait.as_millis()).unwrap_or(u16::MAX);
+    answer.bytes.extend(wait_ms.to_le_bytes());
     answer.finish()
 }
 
@@ -151,17 +181,18 @@ mod tests {
         (0..hex.len() / 2).map(|i| u8::from_str_radix(&hex[2 * i..2 * i + 2], 16).expect("hex")).collect()
     }
 
+    fn request(sequence: u32, request: Request) -> Option<Parsed> {
+        Some(Parsed::Request { sequence, session: 7, request })
+    }
+
     #[test]
     fn requests_are_parsed_as_the_document_states() {
-        let received = |name| parse(&vector(name)).expect(name);
-        assert_eq!(
-            received("hello"),
-            Received { sequence: 1, session: 7, request: Request::Hello { pairing: 123_456 } }
-        );
-        assert_eq!(received("arm"), Received { sequence: 2, session: 7, request: Request::Arm });
+        assert_eq!(parse(&vector("hello")), request(1, Request::Hello { pairing: 123_456 }));
+        assert_eq!(parse(&vector("arm")), request(2, Request::Arm));
         let tension_mn = [300, 400, 500, 600, 700, 800, 900, 12_000];
-        assert_eq!(received("command"), Received { sequence: 3, session: 7, request: Request::Command { tension_mn } });
-        assert_eq!(received("stop"), Received { sequence: 4, session: 7, request: Request::Stop });
+        assert_eq!(parse(&vector("command")), request(3, Request::Command { tension_mn }));
+        assert_eq!(parse(&vector("stop")), request(4, Request::Stop));
+        assert_eq!(parse(&vector("hello-of-version-1")), Some(Parsed::HelloOfAnotherVersion { session: 7 }));
     }
 
     #[test]
@@ -186,7 +217,8 @@ mod tests {
             tension_mn: [300, 400, 500, 600, 700, 800, 900, 12_000],
         };
         assert_eq!(sample(&reading, 2, 7), vector("sample"));
-        assert_eq!(refused(0, 1, 7), vector("refused"));
+        assert_eq!(refused(Refusal::WrongCode, Duration::from_secs(1), 1, 7), vector("refused"));
+        assert_eq!(refused(Refusal::OtherVersion, Duration::ZERO, 1, 7), vector("refused-version"));
     }
 
     #[test]

@@ -31,13 +31,13 @@ impl Faults {
     }
 
     /// Switches a fault; returns false if the words name none.
-    pub fn order(&mut self, words: &[&str]) -> bool {
+    pub fn order(&mut self, words: &[&str], now: Instant) -> bool {
         let number = words.get(1).and_then(|w| w.parse::<f64>().ok()).filter(|v| (0.0..=3600e3).contains(v));
         match (words.first().copied(), number) {
             (Some("loss"), Some(share)) => self.loss = share,
             (Some("malformed"), Some(share)) => self.malformed = share,
             (Some("delay"), Some(ms)) => self.delay = Duration::from_secs_f64(ms * 1e-3),
-            (Some("silence"), Some(s)) => self.silent_until = Some(Instant::now() + Duration::from_secs_f64(s)),
+            (Some("silence"), Some(s)) => self.silent_until = Some(now + Duration::from_secs_f64(s)),
             (Some("clear"), _) => (self.loss, self.malformed, self.delay) = (0.0, 0.0, Duration::ZERO),
             _ => return false,
         }
@@ -45,24 +45,24 @@ impl Faults {
     }
 
     /// Returns true while the cable is unplugged.
-    pub fn is_silent(&self) -> bool {
-        self.silent_until.is_some_and(|until| Instant::now() < until)
+    pub fn is_silent(&self, now: Instant) -> bool {
+        self.silent_until.is_some_and(|until| now < until)
     }
 
     /// Returns true if the next frame is lost.
-    pub fn loses(&mut self) -> bool {
-        self.is_silent() || self.random.happens(self.loss)
+    pub fn loses(&mut self, now: Instant) -> bool {
+        self.is_silent(now) || self.random.happens(self.loss)
     }
 
     /// Sends an answer with the active faults.
-    pub fn send(&mut self, to: SocketAddr, mut bytes: Vec<u8>) {
-        if self.loses() {
+    pub fn send(&mut self, to: SocketAddr, mut bytes: Vec<u8>, now: Instant) {
+        if self.loses(now) {
             return;
         }
         if self.random.happens(self.malformed) {
             self.damage(&mut bytes);
         }
-        self.waiting.push_back((Instant::now() + self.delay, to, bytes));
+        self.waiting.push_back((now + self.delay, to, bytes));
     }
 
     /// Truncates, lengthens or corrupts a frame.
@@ -77,8 +77,8 @@ impl Faults {
     }
 
     /// Returns an answer whose delay has passed, with its recipient.
-    pub fn arrived(&mut self) -> Option<(SocketAddr, Vec<u8>)> {
-        let due = self.waiting.front().is_some_and(|(at, ..)| *at <= Instant::now());
+    pub fn arrived(&mut self, now: Instant) -> Option<(SocketAddr, Vec<u8>)> {
+        let due = self.waiting.front().is_some_and(|(at, ..)| *at <= now);
         if due { self.waiting.pop_front().map(|(_, to, bytes)| (to, bytes)) } else { None }
     }
 }

@@ -29,10 +29,3 @@ impl Random {
         0.5 * (self.signed() + 1.0) < probability
     }
 }
-
-/// Returns a six-digit pairing code derived from clock and process id.
-pub fn code_from_clock() -> u32 {
-    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap_or_default();
-    let mixed = Random::seeded(now.as_nanos() as u64 ^ (u64::from(std::process::id()) << 40)).bits();
-    100_000 + (mixed % 900_000) as u32
-}

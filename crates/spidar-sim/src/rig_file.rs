@@ -53,10 +53,13 @@ pub struct Jig {
 /// Why a device could not be loaded.
 #[derive(Debug, thiserror::Error)]
 pub enum RigFileError {
+    /// There is no such device.
     #[error("{0}: there is no such file or device\n  remedy: name a .toml file or one of: {1}")]
     Unknown(String, String),
+    /// Its file cannot be read.
     #[error("{0} cannot be read: {1}\n  remedy: check the path and the file's permissions")]
     Unreadable(String, std::io::Error),
+    /// Its file is wrong.
     #[error("{0}: {1}\n  remedy: see data/haptics/devices/spidar-pan-crossed.toml for the keys")]
     Wrong(String, String),
 }

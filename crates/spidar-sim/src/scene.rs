@@ -20,6 +20,22 @@ const JIG_ERROR: f64 = 10e-6;
 /// Maximum number of steps per call (chosen: one second; time lost in a longer sleep is skipped).
 const MOST_STEPS: u32 = 5000;
 
+/// Jitter of an encoder per unit of noise above 1 [counts] (chosen: half a count, as much as counting in whole numbers leaves out).
+const JITTER: f64 = 0.5;
+
+/// How a device was made, and what moves it.
+#[derive(Clone, Copy, Debug)]
+pub struct Making {
+    /// Seed of manufacturing errors, encoder zeros and the hand's motion.
+    pub seed: u64,
+    /// Largest manufacturing error of each coordinate of motors and attachments [m].
+    pub error_m: f64,
+    /// Amplitude of the hand's motion: 0 holds still, 1 shakes and tilts [-].
+    pub hand: f64,
+    /// Multiple of the usual noise: friction, errors of string stiffness and jig, and jitter of the encoders above 1 [-].
+    pub noise: f64,
+}
+
 /// The physical side of the device.
 #[derive(Clone, Debug)]
 pub struct Scene {
@@ -33,20 +49,23 @@ pub struct Scene {
     waiting: bool,
     random: Random,
     owed: f64,
+    /// Jitter of an encoder [counts].
+    jitter: f64,
 }
 
 impl Scene {
     /// Creates a device that stands on the first place of its jig until it is armed.
-    pub fn new(file: &RigFile, seed: u64, error: f64, liveliness: f64) -> Self {
-        let mut random = Random::seeded(seed);
-        let rig = Rig::built(file, error, &mut random);
-        let arm = Arm::new(&file.workspace, liveliness, &mut random);
-        let jig: Vec<Pose> = file.jig.pose.iter().map(|p| placed(p, &mut random)).collect();
+    pub fn new(file: &RigFile, making: &Making) -> Self {
+        let (mut random, noise) = (Random::seeded(making.seed), making.noise);
+        let rig = Rig::built(file, making.error_m, &mut random);
+        let arm = Arm::new(&file.workspace, making.hand, &mut random);
+        let jig: Vec<Pose> = file.jig.pose.iter().map(|p| placed(p, noise * JIG_ERROR, &mut random)).collect();
         let start = jig.first().copied().unwrap_or(arm.home());
         let drives =
-            std::array::from_fn(|i| StringDrive::new(&file.drive, rig.string(i, &start).length(), &mut random));
+            std::array::from_fn(|i| StringDrive::new(&file.drive, rig.string(i, &start).length(), noise, &mut random));
+        let jitter = JITTER * (noise - 1.0).max(0.0);
         let pan = PanBody::new(file.grip.real_mass_kg, start);
-        Self { rig, drives, pan, arm, jig, jigging: Some(0.0), waiting: true, random, owed: 0.0 }
+        Self { rig, drives, pan, arm, jig, jigging: Some(0.0), waiting: true, random, owed: 0.0, jitter }
     }
 
     /// Starts the calibration when the host arms the device.
@@ -118,15 +137,23 @@ impl Scene {
         pulls.fold((DVec3::ZERO, DVec3::ZERO), |(f, t), (force, torque)| (f + force, t + torque))
     }
 
+    /// Returns the encoder counts.
+    pub fn counts(&mut self) -> [i32; 8] {
+        std::array::from_fn(|i| {
+            let jitter = if self.jitter > 0.0 { self.jitter * self.random.signed() } else { 0.0 };
+            self.drives[i].count(jitter)
+        })
+    }
+
     /// Returns true if the pan is in the hand.
     pub fn is_free(&self) -> bool {
         self.jigging.is_none()
     }
 }
 
-/// Returns a jig place with its manufacturing error.
-fn placed(p: &[f64; 6], random: &mut Random) -> Pose {
-    let off = DVec3::new(random.signed(), random.signed(), random.signed()) * JIG_ERROR;
+/// Returns a jig place with its manufacturing error [m].
+fn placed(p: &[f64; 6], error: f64, random: &mut Random) -> Pose {
+    let off = DVec3::new(random.signed(), random.signed(), random.signed()) * error;
     let turn = DVec3::new(p[3], p[4], p[5]) * (std::f64::consts::PI / 180.0);
     Pose { position: DVec3::new(p[0], p[1], p[2]) * 1e-3 + off, rotation: DQuat::from_scaled_axis(turn) }
 }

@@ -1,19 +1,17 @@
-//! The device's firmware: states, watchdog and answers.
+//! Serves the device on a UDP socket, with orders on stdin.
 
 use std::io::{BufRead, Write};
 use std::net::{SocketAddr, UdpSocket};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::time::{Duration, Instant};
 
-use crate::Args;
-use crate::codec::{self, FRAME, Identity, Reading, Received, Request};
-use crate::faults::Faults;
-use crate::rig_file::{RigFile, RigFileError};
-use crate::scene::Scene;
-use crate::truth_log::TruthLog;
+use crate::args::Args;
+use crate::codec::FRAME;
+use crate::firmware::Device;
+use crate::pairing::{self, NoRandom};
+use crate::rig_file::{self, RigFileError};
+use crate::scene::Making;
 
-/// Watchdog: time without a command after which the device falls back to the minimum tension [ms] (chosen: a hundred commands).
-const WATCHDOG_MS: u16 = 100;
 /// Read timeout of the socket (chosen: one command interval, the longest delay of strings and stdin).
 const READ_TIMEOUT: Duration = Duration::from_millis(1);
 /// Interval between two printed states (chosen: readable).
@@ -24,84 +22,81 @@ const PRIORITY: u8 = 50;
 /// Why the device cannot be served.
 #[derive(Debug, thiserror::Error)]
 pub enum ServeError {
+    /// Its file cannot be used.
     #[error(transparent)]
     Rig(#[from] RigFileError),
+    /// Its address cannot be bound.
     #[error("{0} cannot be served on: {1}\n  remedy: choose a free port, or 127.0.0.1:0 for any")]
     Bind(SocketAddr, std::io::Error),
+    /// The file of true states cannot be written.
     #[error("{0} cannot be written: {1}\n  remedy: choose another path for --truth")]
     Truth(String, std::io::Error),
+    /// It would be open to the network without a code.
     #[error(
         "--pairing 0 would let anyone on the network pull the strings\n  remedy: give a code, or bind to 127.0.0.1"
     )]
     Open,
-    #[error("--error-mm {0} and --hand {1} may be 0 to 5 and 0 to 2")]
-    Range(f64, f64),
+    /// A number is out of range.
+    #[error("--error-mm {0}, --hand {1} and --noise {2} may be 0 to 5, 0 to 2 and 0 to 10")]
+    Range(f64, f64, f64),
+    /// No pairing code could be drawn.
+    #[error(transparent)]
+    Random(#[from] NoRandom),
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum State {
-    Idle,
-    Greeted,
-    Armed,
-    Running,
-}
-
-/// The device with its host.
-struct Device {
-    scene: Scene,
-    identity: Identity,
-    pairing: u32,
-    state: State,
-    session: u32,
-    sequence: u32,
-    obeyed: u32,
-    commanded: Instant,
-    started: Instant,
-    host: Option<SocketAddr>,
-    faults: Faults,
-    truth: TruthLog,
-}
-
-/// Serves until a quit command.
-pub fn serve(args: &Args, scene: Scene, file: &RigFile, pairing: u32) -> Result<(), ServeError> {
-    if !(0.0..=5.0).contains(&args.error_mm) || !(0.0..=2.0).contains(&args.hand) {
-        return Err(ServeError::Range(args.error_mm, args.hand));
+/// Serves a device until a quit command.
+pub fn run(args: &Args) -> Result<(), ServeError> {
+    let file = rig_file::load(&args.device)?;
+    let in_range = (0.0..=5.0).contains(&args.error_mm) && (0.0..=2.0).contains(&args.hand);
+    if !in_range || !(0.0..=10.0).contains(&args.noise) {
+        return Err(ServeError::Range(args.error_mm, args.hand, args.noise));
     }
+    let pairing = args.pairing.map_or_else(pairing::draw, Ok)?;
     if pairing == 0 && !args.bind.ip().is_loopback() {
         return Err(ServeError::Open);
     }
-    let bind = |e| ServeError::Bind(args.bind, e);
-    let socket = UdpSocket::bind(args.bind).map_err(bind)?;
-    socket.set_read_timeout(Some(READ_TIMEOUT)).map_err(bind)?;
-    let address = socket.local_addr().map_err(bind)?;
+    let socket = bind(args.bind).map_err(|e| ServeError::Bind(args.bind, e))?;
+    let address = socket.local_addr().map_err(|e| ServeError::Bind(args.bind, e))?;
     announce(&address, pairing, &file.name);
+    let making = Making { seed: args.seed, error_m: args.error_mm * 1e-3, hand: args.hand, noise: args.noise };
+    let mut device = Device::new(&file, &making, pairing, Instant::now());
     let place = args.truth.as_deref().map_or_else(String::new, |p| p.display().to_string());
-    let truth = TruthLog::create(args.truth.as_deref()).map_err(|e| ServeError::Truth(place, e))?;
+    device.log_truth(args.truth.as_deref()).map_err(|e| ServeError::Truth(place, e))?;
     ask_for_priority();
-    let mut device = Device::new(scene, file, pairing, args.seed, truth);
-    let commands = stdin_commands(args.end_with_stdin);
-    let (mut last, mut viewed) = (Instant::now(), Instant::now());
+    serve(&socket, &mut device, args);
+    device.flush();
+    Ok(())
+}
+
+fn bind(address: SocketAddr) -> std::io::Result<UdpSocket> {
+    let socket = UdpSocket::bind(address)?;
+    socket.set_read_timeout(Some(READ_TIMEOUT))?;
+    Ok(socket)
+}
+
+fn serve(socket: &UdpSocket, device: &mut Device, args: &Args) {
+    let orders = stdin_orders(args.end_with_stdin);
+    let mut viewed = Instant::now();
     let mut bytes = [0; FRAME + 1];
     loop {
         let received = socket.recv_from(&mut bytes).ok();
         let now = Instant::now();
-        device.advance((now - last).as_secs_f64(), now);
-        last = now;
+        device.advance(now);
         if let Some((count, from)) = received {
             device.receive(&bytes[..count], from, now);
         }
-        device.deliver(&socket);
-        match execute(&mut device, &commands) {
-            Executed::Quit => break,
-            Executed::Continue => {}
+        while let Some((host, answer)) = device.arrived(now) {
+            // The loss of a host does not stop the device.
+            let _ = socket.send_to(&answer, host);
+        }
+        if execute(device, &orders, now) == Executed::Quit {
+            return;
         }
         if !args.quiet && viewed.elapsed() > VIEW {
             viewed = now;
-            print(&device.view());
+            print(&device.view(now));
         }
     }
-    device.truth.flush();
-    Ok(())
 }
 
 fn announce(address: &SocketAddr, pairing: u32, name: &str) {
@@ -130,7 +125,7 @@ fn ask_for_priority() {
 }
 
 /// Returns the lines of stdin; the channel closes with stdin if that should end the device.
-fn stdin_commands(end_with_stdin: bool) -> Receiver<String> {
+fn stdin_orders(end_with_stdin: bool) -> Receiver<String> {
     let (send, receive) = channel();
     std::thread::spawn(move || {
         for line in std::io::stdin().lock().lines().map_while(Result::ok) {
@@ -148,160 +143,25 @@ fn stdin_commands(end_with_stdin: bool) -> Receiver<String> {
     receive
 }
 
+#[derive(Clone, Copy, PartialEq)]
 enum Executed {
     Continue,
     Quit,
 }
 
-fn execute(device: &mut Device, commands: &Receiver<String>) -> Executed {
-    match commands.try_recv() {
-        Err(TryRecvError::Empty) => Executed::Continue,
-        Err(TryRecvError::Disconnected) => Executed::Quit,
+fn execute(device: &mut Device, orders: &Receiver<String>, now: Instant) -> Executed {
+    match orders.try_recv() {
+        Err(TryRecvError::Empty) => {}
+        Err(TryRecvError::Disconnected) => return Executed::Quit,
         Ok(line) => {
             let words: Vec<&str> = line.split_whitespace().collect();
             match words.as_slice() {
                 ["quit"] => return Executed::Quit,
-                ["units", "wrong"] => device.restate_units(2),
-                ["units", "right"] => device.restate_units(1),
-                ["power-cycle"] => device.power_cycle(),
                 [] => {}
-                words if device.faults.order(words) => {}
+                words if device.order(words, now) => {}
                 _ => print(&format!("\"{line}\" is not a command: see --help")),
             }
-            Executed::Continue
         }
     }
-}
-
-impl Device {
-    fn new(scene: Scene, file: &RigFile, pairing: u32, seed: u64, truth: TruthLog) -> Self {
-        let drive = &file.drive;
-        let identity = Identity {
-            tension_unit: 1,
-            pitch_nm: (drive.encoder_pitch_um * 1e3) as u32,
-            min_mn: (drive.min_tension_n * 1e3) as u16,
-            max_mn: (drive.max_tension_n * 1e3) as u16,
-            rate_hz: drive.rate_hz as u16,
-            watchdog_ms: WATCHDOG_MS,
-            boot: seed as u32 ^ std::process::id(),
-            name: "simulated".into(),
-        };
-        Self {
-            scene,
-            identity,
-            pairing,
-            state: State::Idle,
-            session: 0,
-            sequence: 0,
-            obeyed: 0,
-            commanded: Instant::now(),
-            started: Instant::now(),
-            host: None,
-            faults: Faults::new(seed),
-            truth,
-        }
-    }
-
-    /// Advances the scene [s]; the watchdog reduces tensions to the minimum.
-    fn advance(&mut self, seconds: f64, now: Instant) {
-        let silent = now - self.commanded > Duration::from_millis(u64::from(WATCHDOG_MS));
-        if self.state == State::Running && silent {
-            self.state = State::Armed;
-            self.scene.drives.iter_mut().for_each(|d| d.idle());
-        }
-        self.scene.advance(seconds);
-    }
-
-    fn receive(&mut self, bytes: &[u8], from: SocketAddr, now: Instant) {
-        if self.faults.loses() {
-            return;
-        }
-        let Some(received) = codec::parse(bytes) else { return };
-        self.sequence = self.sequence.wrapping_add(1);
-        match received.request {
-            Request::Hello { pairing } => self.greet(&received, pairing, from, now),
-            _ if self.host != Some(from) || received.session != self.session => {}
-            Request::Arm if self.state != State::Idle => {
-                self.state = State::Armed;
-                self.scene.drives.iter_mut().for_each(|d| d.idle());
-                self.scene.armed();
-                self.send_sample(from, now);
-            }
-            Request::Command { tension_mn } if matches!(self.state, State::Armed | State::Running) => {
-                self.state = State::Running;
-                (self.commanded, self.obeyed) = (now, received.sequence);
-                for (drive, t) in self.scene.drives.iter_mut().zip(tension_mn) {
-                    drive.command(f64::from(t) * 1e-3);
-                }
-                self.send_sample(from, now);
-            }
-            Request::Stop => {
-                self.state = State::Idle;
-                self.scene.drives.iter_mut().for_each(|d| d.release());
-            }
-            Request::Arm | Request::Command { .. } => {
-                self.faults.send(from, codec::refused(2, self.sequence, self.session));
-            }
-        }
-    }
-
-    fn greet(&mut self, received: &Received, pairing: u32, from: SocketAddr, now: Instant) {
-        let is_busy = self.state == State::Running && self.host.is_some_and(|h| h != from);
-        let reason = match () {
-            () if self.pairing != 0 && pairing != self.pairing => Some(0),
-            () if is_busy && now - self.commanded < Duration::from_secs(1) => Some(1),
-            () => None,
-        };
-        if let Some(reason) = reason {
-            return self.faults.send(from, codec::refused(reason, self.sequence, received.session));
-        }
-        (self.host, self.session, self.state) = (Some(from), received.session, State::Greeted);
-        self.scene.drives.iter_mut().for_each(|d| d.release());
-        self.faults.send(from, codec::caps(&self.identity, self.sequence, self.session));
-    }
-
-    fn send_sample(&mut self, to: SocketAddr, now: Instant) {
-        let time_us = (now - self.started).as_micros() as u32;
-        let reading = Reading {
-            state: self.state as u8,
-            jig: self.scene.jig_contact(),
-            time_us,
-            obeyed: self.obeyed,
-            count: std::array::from_fn(|i| self.scene.drives[i].count()),
-            tension_mn: std::array::from_fn(|i| (self.scene.drives[i].by_current() * 1e3) as u16),
-        };
-        self.truth.note(time_us, &self.scene);
-        self.faults.send(to, codec::sample(&reading, self.sequence, self.session));
-    }
-
-    fn deliver(&mut self, socket: &UdpSocket) {
-        while let Some((host, bytes)) = self.faults.arrived() {
-            // The loss of a host does not stop the device.
-            let _ = socket.send_to(&bytes, host);
-        }
-    }
-
-    fn restate_units(&mut self, tension_unit: u8) {
-        self.identity.tension_unit = tension_unit;
-        self.state = State::Idle;
-    }
-
-    fn power_cycle(&mut self) {
-        self.identity.boot = self.identity.boot.wrapping_add(1);
-        self.state = State::Idle;
-        self.scene.power_cycle();
-    }
-
-    fn view(&self) -> String {
-        let p = self.scene.pan.pose.position * 1e3;
-        let tensions: Vec<String> = self.scene.drives.iter().map(|d| format!("{:4.1}", d.tension())).collect();
-        let place = match self.scene.jig_contact() {
-            _ if self.scene.is_free() => "in the hand".to_owned(),
-            0 => "between places of the jig".to_owned(),
-            place => format!("jig, place {place}"),
-        };
-        let silent = if self.faults.is_silent() { ", unplugged" } else { "" };
-        let state = format!("{:?}{silent}", self.state).to_lowercase();
-        format!("{state:8}  {place}  pan {:6.1} {:6.1} {:6.1} mm  strings {} N", p.x, p.y, p.z, tensions.join(" "))
-    }
+    Executed::Continue
 }

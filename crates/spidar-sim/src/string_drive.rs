@@ -19,6 +19,7 @@ pub struct StringDrive {
     max: f64,
     pitch: f64,
     stiffness: f64,
+    friction: f64,
     wanted: f64,
     motor: f64,
     tension: f64,
@@ -29,14 +30,16 @@ pub struct StringDrive {
 }
 
 impl StringDrive {
-    /// Creates a drive at rest with a string length [m]; the encoder counts from a random zero.
-    pub fn new(drive: &Drive, length: f64, random: &mut Random) -> Self {
-        let stiffness = drive.axial_stiffness_n * (1.0 + STIFFNESS_ERROR * random.signed());
+    /// Creates a drive at rest with a string length [m]; the encoder counts from a random zero. `noise` multiplies friction and
+    /// the error of the stiffness.
+    pub fn new(drive: &Drive, length: f64, noise: f64, random: &mut Random) -> Self {
+        let stiffness = drive.axial_stiffness_n * (1.0 + noise * STIFFNESS_ERROR * random.signed()).max(0.1);
         Self {
             min: drive.min_tension_n,
             max: drive.max_tension_n,
             pitch: drive.encoder_pitch_um * 1e-6,
             stiffness,
+            friction: noise * FRICTION_N,
             wanted: 0.0,
             motor: 0.0,
             tension: 0.0,
@@ -46,9 +49,9 @@ impl StringDrive {
         }
     }
 
-    /// Sets the commanded tension [N].
+    /// Sets the commanded tension [N]; one outside the drive's range becomes the nearest within it.
     pub fn command(&mut self, tension: f64) {
-        self.wanted = tension.clamp(0.0, self.max);
+        self.wanted = tension.clamp(self.min, self.max);
     }
 
     /// Commands the minimum tension.
@@ -70,7 +73,7 @@ impl StringDrive {
     pub fn step(&mut self, length: f64, dt: f64) {
         self.motor += (self.wanted - self.motor) * (1.0 - libm::exp(-dt / CURRENT_LAG_S));
         let winding_in = (self.length - length) / dt;
-        self.tension = (self.motor - FRICTION_N * libm::tanh(winding_in / REVERSAL)).max(0.0);
+        self.tension = (self.motor - self.friction * libm::tanh(winding_in / REVERSAL)).max(0.0);
         self.length = length;
         self.unstretched = length / (1.0 + self.tension / self.stiffness);
     }
@@ -85,8 +88,8 @@ impl StringDrive {
         self.motor
     }
 
-    /// Returns the encoder count.
-    pub fn count(&self) -> i32 {
-        libm::floor((self.unstretched - self.zero) / self.pitch) as i32
+    /// Returns the encoder count, with a jitter in counts.
+    pub fn count(&self, jitter: f64) -> i32 {
+        libm::floor((self.unstretched - self.zero) / self.pitch + jitter) as i32
     }
 }

@@ -123,6 +123,9 @@ pub enum Act {
     Panels,
     /// Emergency stop of all devices.
     StopHands,
+    /// Devices that were stopped may make forces again.
+    #[cfg(not(target_arch = "wasm32"))]
+    ResumeHands,
     /// The strings of a device.
     Strings,
     /// Connects a device.

@@ -73,6 +73,8 @@ impl SauteApp {
             #[cfg(not(target_arch = "wasm32"))]
             Act::StopHands => self.stop_hands(),
             #[cfg(not(target_arch = "wasm32"))]
+            Act::ResumeHands => self.resume_hands(),
+            #[cfg(not(target_arch = "wasm32"))]
             Act::Strings => self.toggle_strings(),
             #[cfg(not(target_arch = "wasm32"))]
             Act::Connect { role, device, pairing } => self.connect_hand(role, &device, pairing),

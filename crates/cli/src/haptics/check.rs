@@ -84,6 +84,9 @@ fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, library: &Libra
     stderr::say(format!("measuring for {} s", args.for_s));
     fry.until(args.for_s, |_| false);
     let after = fry.control.state();
+    if after.sample.health.is_safety_fault() {
+        return Err(not_there(after.sample.health));
+    }
     let contents_kg = fry.contents_kg();
     let force_limit_n = geometry.limits.force_n;
     let faults = match simulator.as_mut().filter(|_| args.faults) {
@@ -122,7 +125,7 @@ fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, library: &Libra
 
 /// Waits until the device is found and calibrated.
 fn calibrate(fry: &mut Fry, named: &Named, geometry: &Geometry) -> Result<(), CliError> {
-    let answered = |s: &LoopState| !matches!(s.sample.health, Health::Connecting | Health::Lost);
+    let answered = |s: &LoopState| !matches!(s.sample.health, Health::Connecting | Health::Lost | Health::Busy);
     let [find, jig] = PATIENCE_S;
     fry.until(find, answered);
     let health = fry.control.state().sample.health;
@@ -156,9 +159,36 @@ fn not_calibrated(named: &Named, health: Health) -> CliError {
 pub fn not_there(health: Health) -> CliError {
     let (message, remedy) = match health {
         Health::WrongCode => ("refuses the pairing code", "give the code that the device shows: --pairing CODE"),
+        Health::Busy => ("is driven by another program", "end that program, and wait a second"),
         Health::WrongUnits => (
-            "uses units, strings or a protocol version that this program does not support",
+            "uses units or strings that this program does not support",
             "see docs/spidar-protocol.md: the units are nanometres, millinewtons and microseconds",
+        ),
+        Health::DeviceOutdated => {
+            ("speaks an older version of the protocol", "update its firmware to version 2 of docs/spidar-protocol.md")
+        }
+        Health::ProgramOutdated => ("speaks a newer version of the protocol", "update saute"),
+        Health::WatchdogUnlawful => {
+            ("states a watchdog time that is not within 5 to 100 ms", "correct the watchdog in its firmware")
+        }
+        Health::LeastTensionTooHigh => (
+            "states a least tension above that of its geometry file",
+            "correct its firmware, or min_tension_n in the geometry file",
+        ),
+        Health::LargestTensionTooLow => (
+            "states a largest tension below that of its geometry file",
+            "correct its firmware, or max_tension_n in the geometry file",
+        ),
+        Health::ImpossibleLengths => (
+            "was stopped for safety: the lengths of its strings contradict each other",
+            "check strings and encoders, and put the pan on its jig again",
+        ),
+        Health::ForceAboveLimit => {
+            ("was stopped for safety: it reported a force above its limit", "check motors and current measurement")
+        }
+        Health::EnergyOverdrawn => (
+            "was stopped for safety: it gave the hand too much energy",
+            "check the delay of the link, and the encoders",
         ),
         Health::Fault => ("reports a fault", "look at the device"),
         Health::Uncalibrated => ("is not calibrated", "calibrate it as its manual says"),

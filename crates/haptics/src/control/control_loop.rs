@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
+use crate::control::end_signals::EndSignals;
 use crate::control::feel::Feel;
 use crate::control::jitter::Jitter;
 use crate::control::loop_step::LoopStep;
@@ -35,6 +36,7 @@ pub struct ControlLoop {
 struct Requests {
     end: AtomicBool,
     emergency: AtomicBool,
+    resume: AtomicBool,
 }
 
 /// Why the loop could not be run.
@@ -57,7 +59,9 @@ impl ControlLoop {
         let renderer = Renderer::new(device.capabilities(), feel);
         let step = LoopStep::new(device, renderer, log_rows);
         let shared = Arc::clone(&requests);
-        let run = move || run(step, model_out, state_in, &shared);
+        // Dropped after the loop's device: a signal ends the program when the device has been told to stop.
+        let signals = EndSignals::watch();
+        let run = move || run(step, model_out, state_in, &shared, &signals);
         let thread = Some(std::thread::Builder::new().name("haptics".into()).spawn(run)?);
         Ok(Self { models, states, requests, thread })
     }
@@ -77,9 +81,15 @@ impl ControlLoop {
         LoopState { sample, command: HapticCommand::default(), rate_hz: 0.0, ..state }
     }
 
-    /// Stops all forces at once and for the rest of the run.
+    /// Stops all forces at once, until `resume`.
     pub fn emergency_stop(&self) {
+        self.requests.resume.store(false, Ordering::Release);
         self.requests.emergency.store(true, Ordering::Release);
+    }
+
+    /// Lets the device make forces again after a stop; only a person's hand may ask for it.
+    pub fn resume(&self) {
+        self.requests.resume.store(true, Ordering::Release);
     }
 
     /// Stops all forces, ends the loop and returns its report.
@@ -105,6 +115,7 @@ fn run(
     mut models: triple_buffer::Output<ContactModel>,
     mut states: triple_buffer::Input<LoopState>,
     requests: &Requests,
+    signals: &EndSignals,
 ) -> LoopReport {
     scheduling::request_fifo();
     let scheduler = scheduling::granted();
@@ -112,10 +123,13 @@ fn run(
     let started = Instant::now();
     let mut pacer = Pacer::new(Duration::from_secs_f64(1.0 / step.rate_hz()), started);
     let (mut reported, mut reported_steps, mut last) = (started, 0, started);
-    while !requests.end.load(Ordering::Acquire) {
+    while !requests.end.load(Ordering::Acquire) && !signals.is_asked() {
         let (now, late_us) = pacer.wait();
         jitter.note(late_us);
-        if requests.emergency.load(Ordering::Acquire) {
+        if requests.resume.swap(false, Ordering::AcqRel) {
+            step.resume();
+        }
+        if requests.emergency.swap(false, Ordering::AcqRel) {
             step.stop();
         }
         let since = (now - reported).as_secs_f64();

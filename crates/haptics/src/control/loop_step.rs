@@ -3,7 +3,8 @@
 use crate::control::jitter::Lateness;
 use crate::control::loop_state::{LogRow, LoopState};
 use crate::control::renderer::Renderer;
-use crate::device::{HapticCommand, HapticDevice, HapticSample};
+use crate::control::safety_watch::SafetyWatch;
+use crate::device::{HapticCommand, HapticDevice, HapticSample, Health};
 use crate::kitchen::contact_model::ContactModel;
 
 /// Time without a fresh sample that counts as a dropout [s] (chosen: ten samples).
@@ -16,6 +17,7 @@ const LONGEST_STEP_S: f64 = 0.005;
 pub struct LoopStep {
     device: Box<dyn HapticDevice>,
     renderer: Renderer,
+    watch: SafetyWatch,
     command: HapticCommand,
     state: LoopState,
     /// Time since the last fresh sample [s].
@@ -25,15 +27,18 @@ pub struct LoopStep {
     max_wanted: f64,
     host_s: f64,
     log: Vec<LogRow>,
-    stopped: bool,
+    /// Why the device is stopped; none while it may make forces.
+    halt: Option<Health>,
 }
 
 impl LoopStep {
     /// Creates a loop before its first step; the log holds `log_rows` rows.
     pub fn new(device: Box<dyn HapticDevice>, renderer: Renderer, log_rows: usize) -> Self {
+        let watch = SafetyWatch::new(&device.capabilities().limits);
         Self {
             device,
             renderer,
+            watch,
             command: HapticCommand::default(),
             state: LoopState::default(),
             stale: 0.0,
@@ -42,21 +47,23 @@ impl LoopStep {
             max_wanted: 0.0,
             host_s: 0.0,
             log: Vec::with_capacity(log_rows),
-            stopped: false,
+            halt: None,
         }
     }
 
     /// Sends the last command, receives a sample, and renders the next command; `dt` is the time since the last step [s].
     pub fn step(&mut self, model: &ContactModel, dt: f64) -> LoopState {
-        let sample = self.device.exchange(&self.command, dt);
+        let mut sample = self.device.exchange(&self.command, dt);
+        sample.health = self.halt.unwrap_or(sample.health);
         self.host_s += dt;
         self.count(&sample, dt);
         self.record(&sample);
-        self.command = if self.stopped {
-            HapticCommand::default()
-        } else {
-            self.renderer.step(&sample, model, dt.min(LONGEST_STEP_S))
+        self.command = match self.halt {
+            None => self.renderer.step(&sample, model, dt.min(LONGEST_STEP_S)),
+            Some(_) => HapticCommand::default(),
         };
+        self.judge(&sample, dt);
+        sample.health = self.halt.unwrap_or(sample.health);
         self.max_wanted = self.max_wanted.max(self.command.wrench.force.length());
         self.state = LoopState {
             steps: self.state.steps + 1,
@@ -81,18 +88,39 @@ impl LoopStep {
         (self.state.rate_hz, self.state.lateness) = (rate_hz, lateness);
     }
 
-    /// Stops the device: it makes no force any more.
+    /// Stops the device: it makes no force until `resume`.
     pub fn stop(&mut self) {
-        if !self.stopped {
-            self.device.stop();
+        // A second request tells the device again: the first may have been lost.
+        self.device.stop();
+        // The reason of an earlier stop stays visible.
+        self.halt.get_or_insert(Health::Stopped);
+    }
+
+    /// Lets the device make forces again after a stop; only a person's hand may ask for it.
+    pub fn resume(&mut self) {
+        if self.halt.take().is_some() {
+            self.watch = SafetyWatch::new(&self.device.capabilities().limits);
+            self.renderer.restart();
+            self.device.resume();
         }
-        self.stopped = true;
+    }
+
+    /// Stops the device if a safety rule fires.
+    fn judge(&mut self, sample: &HapticSample, dt: f64) {
+        if self.halt.is_some() {
+            return;
+        }
+        self.halt = self.watch.judge(sample, self.renderer.passivity(), dt);
+        if self.halt.is_some() {
+            self.command = HapticCommand::default();
+            self.device.trip();
+        }
     }
 
     fn count(&mut self, sample: &HapticSample, dt: f64) {
         let before = self.stale;
         self.stale = if sample.fresh { 0.0 } else { self.stale + dt };
-        if before <= DROPOUT_S && self.stale > DROPOUT_S && self.state.sample.time_s > 0.0 && !self.stopped {
+        if before <= DROPOUT_S && self.stale > DROPOUT_S && self.state.sample.time_s > 0.0 && self.halt.is_none() {
             self.dropouts += 1;
         }
         self.max_force = self.max_force.max(sample.total_force_n);

@@ -10,6 +10,7 @@
 pub mod control_loop;
 pub mod coupled_payload;
 pub mod degrade;
+mod end_signals;
 pub mod feel;
 pub mod guard_planes;
 pub mod impulse_train;
@@ -21,5 +22,6 @@ pub mod passivity;
 pub mod renderer;
 pub mod rumble;
 pub mod safety_limits;
+pub mod safety_watch;
 pub mod scheduling;
 pub mod vibration;

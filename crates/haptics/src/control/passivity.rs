@@ -156,6 +156,17 @@ impl Passivity {
         self.accounts[0].min(self.accounts[1])
     }
 
+    /// Returns true if the account is below minus one reserve: more energy was given than a sound device can have had.
+    pub fn is_overdrawn(&self) -> bool {
+        self.account() < -self.reserve
+    }
+
+    /// Restarts both accounts from one reserve; the lowest value so far stays.
+    pub fn restart(&mut self) {
+        self.rest();
+        (self.accounts, self.gain) = ([self.reserve; 2], 1.0);
+    }
+
     /// Returns the lowest value of the account so far [J].
     pub fn lowest(&self) -> f64 {
         self.lowest

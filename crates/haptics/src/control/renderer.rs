@@ -75,6 +75,13 @@ impl Renderer {
         HapticCommand { wrench: self.wrench(sample, dt), enabled: true, rumble }
     }
 
+    /// Restarts from rest with a full reserve of energy, after a stop.
+    pub fn restart(&mut self) {
+        self.rest();
+        self.passivity.restart();
+        self.share = 0.0;
+    }
+
     /// Resets everything that must restart from rest.
     fn rest(&mut self) {
         self.limits.rest();

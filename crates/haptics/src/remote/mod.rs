@@ -4,6 +4,7 @@
 //! sound and picture by the fixed rules of one module for devices that cannot render it.
 
 mod allowance;
+mod bounded;
 pub mod haply;
 mod inbox;
 pub mod network_thread;

@@ -100,9 +100,14 @@ impl Connected {
         self.control.publish(*model);
     }
 
-    /// Stops the device; it stays stopped.
+    /// Stops the device; it stays stopped until `resume`.
     pub fn stop(&self) {
         self.control.emergency_stop();
+    }
+
+    /// Lets a stopped device make forces again.
+    pub fn resume(&self) {
+        self.control.resume();
     }
 
     /// Returns true if it is simulated in a process of its own.

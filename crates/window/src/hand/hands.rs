@@ -115,9 +115,19 @@ impl Hands {
         self.pan.is_some() || self.turner.is_some()
     }
 
-    /// Stops all devices; they stay stopped.
+    /// Stops all devices; they stay stopped until `resume`.
     pub fn stop(&self) {
         self.pan.iter().chain(&self.turner).for_each(Connected::stop);
+    }
+
+    /// Lets stopped devices make forces again; only a person's hand may ask for it.
+    pub fn resume(&self) {
+        self.pan.iter().chain(&self.turner).for_each(Connected::resume);
+    }
+
+    /// Returns true if a device was stopped, by a hand or by a safety rule.
+    pub fn is_stopped(&self) -> bool {
+        self.pan.iter().chain(&self.turner).any(|device| device.state().sample.health.is_stopped())
     }
 
     /// Returns true if a hand holds the pan, or it is being laid down.

@@ -27,7 +27,13 @@ impl SauteApp {
         }
     }
 
-    /// The emergency stop: all devices stop and stay stopped.
+    /// After a stop or a safety fault: all devices may make forces again.
+    pub(crate) fn resume_hands(&mut self) {
+        self.session.hands.resume();
+        self.say("notice.hands_resumed");
+    }
+
+    /// The emergency stop: all devices stop until a hand resumes.
     pub(crate) fn stop_hands(&mut self) {
         if self.session.hands.any() {
             self.session.hands.stop();

@@ -15,8 +15,14 @@ use crate::words::language::Language;
 /// Width of the panel, and height of the stop [points] (chosen: hit without looking).
 const WIDTH: f32 = 248.0;
 const STOP: f32 = 56.0;
+/// Height of the way to go on after a stop [points] (chosen: as large as other buttons that are pressed on purpose).
+const GO_ON: f32 = 40.0;
 /// Ground of the stop: red of a mushroom button, white on which has a contrast of 6.5 [-] (chosen).
 const RED: Color32 = Color32::from_rgb(178, 24, 24);
+/// Ground of a stop that was pressed: dark red, white on which has a contrast of 14 [-] (chosen).
+const PRESSED: Color32 = Color32::from_rgb(84, 16, 16);
+/// Width of its edge [points] (chosen: as wide as a button's rim looks when it is down).
+const RIM: f32 = 3.0;
 
 /// Shows the panel while a device is connected.
 pub(crate) fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
@@ -48,7 +54,7 @@ pub(crate) fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layou
 fn lines(device: &Connected, role: Role, ui: &mut Ui, l: Language) {
     let state = device.state();
     let health = health_word(state.sample.health, l);
-    ui.label(RichText::new(format!("{}: {health}", role_word(role, l))).strong().size(14.5));
+    ui.add(egui::Label::new(RichText::new(format!("{}: {health}", role_word(role, l))).strong().size(14.5)).wrap());
     let simulated = if device.is_simulated() { l.text("hand.simulated") } else { "" };
     quiet(ui, &format!("{} {simulated}", device.name));
     let late = state.lateness;
@@ -76,11 +82,7 @@ fn quiet(ui: &mut Ui, text: &str) {
 fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.add_space(4.0);
-    let text = format!("{} ({})", l.text("hand.stop"), key_of(&Act::StopHands));
-    let stop = egui::Button::new(RichText::new(text).size(20.0).strong().color(Color32::WHITE)).fill(RED);
-    if ui.add_sized([WIDTH, STOP], stop).on_hover_text(hint(&Act::StopHands, l)).clicked() {
-        acts.push(Act::StopHands);
-    }
+    stop_button(state.session.hands.is_stopped(), ui, acts, l);
     ui.add_space(3.0);
     let (strung, shown) = (state.session.hands.strung().is_some(), state.session.hands.strings_are_shown());
     ui.horizontal(|ui| {
@@ -94,6 +96,26 @@ fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     });
     if shown {
         super::strings_view::legend(l, ui);
+    }
+}
+
+/// The stop; once pressed it looks so, and the way to go on appears below it.
+fn stop_button(stopped: bool, ui: &mut Ui, acts: &mut Acts, l: Language) {
+    let word = l.text(if stopped { "hand.halted" } else { "hand.stop" });
+    let text = RichText::new(format!("{word} ({})", key_of(&Act::StopHands))).size(20.0).strong().color(Color32::WHITE);
+    let mut stop = egui::Button::new(text).fill(if stopped { PRESSED } else { RED }).selected(stopped);
+    if stopped {
+        stop = stop.stroke(egui::Stroke::new(RIM, RED));
+    }
+    // A second press does no harm: what is stopped stays stopped.
+    if ui.add_sized([WIDTH, STOP], stop).on_hover_text(hint(&Act::StopHands, l)).clicked() {
+        acts.push(Act::StopHands);
+    }
+    if stopped {
+        let go_on = egui::Button::new(RichText::new(l.text("hand.go_on")).size(18.0).strong());
+        if ui.add_sized([WIDTH, GO_ON], go_on).on_hover_text(l.text("hand.go_on_hint")).clicked() {
+            acts.push(Act::ResumeHands);
+        }
     }
 }
 
@@ -115,7 +137,16 @@ fn health_word(health: Health, l: Language) -> &'static str {
         Health::WrongCode => "hand.wrong_code",
         Health::WrongUnits => "hand.wrong_units",
         Health::Fault => "hand.fault",
+        Health::Busy => "hand.busy",
+        Health::DeviceOutdated => "hand.device_outdated",
+        Health::ProgramOutdated => "hand.program_outdated",
+        Health::WatchdogUnlawful => "hand.watchdog_unlawful",
+        Health::LeastTensionTooHigh => "hand.least_too_high",
+        Health::LargestTensionTooLow => "hand.largest_too_low",
         Health::Stopped => "hand.stopped",
+        Health::ImpossibleLengths => "hand.impossible_lengths",
+        Health::ForceAboveLimit => "hand.force_above_limit",
+        Health::EnergyOverdrawn => "hand.energy_overdrawn",
     })
 }
 

@@ -21,6 +21,7 @@ struct Script {
     turner: Option<Pose>,
     command: HapticCommand,
     stopped: bool,
+    length_misfit: f64,
 }
 
 /// A device of strings in memory that takes a given pose and solves its tensions as a real one does.
@@ -35,7 +36,8 @@ struct Scripted {
 fn scripted(name: &str, sensed: Sensed) -> (Box<Scripted>, Arc<Mutex<Script>>) {
     let geometry = library::devices().expect("devices").remove(name).expect("listed");
     let pose = geometry.home();
-    let script = Arc::new(Mutex::new(Script { pose, turner: None, command: HapticCommand::default(), stopped: false }));
+    let command = HapticCommand::default();
+    let script = Arc::new(Mutex::new(Script { pose, turner: None, command, stopped: false, length_misfit: 0.0 }));
     let capabilities = Capabilities { sensed, ..geometry.capabilities() };
     let solver = TensionSolver::new(geometry.tension_rule());
     (Box::new(Scripted { script: Arc::clone(&script), geometry, capabilities, solver, time_s: 0.0 }), script)
@@ -59,6 +61,7 @@ impl HapticDevice for Scripted {
             turner: script.turner,
             achieved: pulled.achieved - preload,
             total_force_n: pulled.achieved.force.length(),
+            length_misfit: script.length_misfit,
             tension_n: Some(pulled.tension),
             health: if script.stopped { Health::Stopped } else { Health::Running },
             fresh: true,
@@ -68,6 +71,10 @@ impl HapticDevice for Scripted {
 
     fn stop(&mut self) {
         self.script.lock().expect("script").stopped = true;
+    }
+
+    fn resume(&mut self) {
+        self.script.lock().expect("script").stopped = false;
     }
 
     fn strings(&self) -> Option<StringRig> {
@@ -131,6 +138,47 @@ fn the_pan_follows_the_device_its_steak_is_felt_and_enter_lets_go() {
     harness.get_by_label_contains("The pan: stopped");
     harness.get_by_label_contains("Stopped: the devices have let go");
     save(&mut harness, "hand-stopped");
+}
+
+#[test]
+fn after_a_stop_the_button_shows_it_and_there_is_a_visible_way_to_go_on() {
+    let (mut harness, script) = with_device("spidar-pan-crossed");
+    script.lock().expect("script").pose = Pose::at(0.0, 0.0, 0.12);
+    let force = || script.lock().expect("script").command.wrench.force.z;
+    assert!(until(&mut harness, |_| force() < -1.5), "the steak is felt");
+    steps(&mut harness, 3);
+    assert!(harness.query_by_label("Go on").is_none());
+    harness.get_by_label("Stop (Enter)").click();
+    assert!(settled(&mut harness, || script.lock().expect("script").stopped && force() == 0.0));
+    harness.get_by_label("Stopped (Enter)");
+    harness.get_by_label("Go on").click();
+    assert!(settled(&mut harness, || !script.lock().expect("script").stopped && force() < -1.5), "it goes on");
+    harness.get_by_label("Stop (Enter)");
+    assert!(harness.query_by_label("Go on").is_none());
+}
+
+#[test]
+fn the_window_names_the_safety_rule_that_fired_and_only_a_hand_goes_on() {
+    let (mut harness, script) = with_device("spidar-pan-crossed");
+    assert!(until(&mut harness, |_| script.lock().expect("script").command.enabled));
+    script.lock().expect("script").length_misfit = 40.0;
+    assert!(settled(&mut harness, || script.lock().expect("script").stopped));
+    harness.get_by_label_contains("The pan: stopped for safety: the lengths of its strings contradict each other");
+    save(&mut harness, "hand-safety");
+    script.lock().expect("script").length_misfit = 0.0;
+    steps(&mut harness, 30);
+    assert!(script.lock().expect("script").stopped, "not by itself");
+    harness.get_by_label("Go on").click();
+    assert!(settled(&mut harness, || script.lock().expect("script").command.enabled));
+}
+
+/// Draws and lets time go on until a condition of the device holds, and then until the panel shows it.
+fn settled(harness: &mut Harness<'static, SauteApp>, holds: impl Fn() -> bool) -> bool {
+    steps(harness, 2);
+    let came = until(harness, |_| holds());
+    std::thread::sleep(Duration::from_millis(20));
+    steps(harness, 3);
+    came
 }
 
 #[test]

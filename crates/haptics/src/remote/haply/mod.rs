@@ -192,4 +192,8 @@ impl HapticDevice for Haply {
         self.health = Health::Stopped;
         self.send(DVec3::ZERO);
     }
+
+    fn resume(&mut self) {
+        self.health = Health::Connecting;
+    }
 }

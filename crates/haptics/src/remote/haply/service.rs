@@ -11,11 +11,18 @@ use tungstenite::{Error, Message, WebSocket};
 
 use super::message::{Held, State, force};
 use super::{Incoming, Link, Outgoing};
+use crate::remote::bounded::Bounded;
+use crate::remote::timeout::is_timeout;
+
+/// The connection; each answer has a deadline.
+type Socket = WebSocket<Bounded>;
 
 /// Interval between two messages (chosen: 1 kHz; the service keeps pace with its client).
 const PERIOD: Duration = Duration::from_millis(1);
-/// Timeout of an answer (chosen: fifty intervals).
-const ANSWER_TIMEOUT: Duration = Duration::from_millis(50);
+/// Timeout of a whole answer, however it drips (chosen: the zero force that follows is sent within 50 ms of the last force).
+const ANSWER_TIMEOUT: Duration = Duration::from_millis(30);
+/// Timeout of one read within it (chosen: a small part of it).
+const READ_TIMEOUT: Duration = Duration::from_millis(2);
 /// Interval between two connection attempts (chosen: short for a person, and cheap without a service).
 const RECONNECT: Duration = Duration::from_millis(300);
 /// Polling interval for the end of the thread meanwhile (chosen: imperceptible).
@@ -39,6 +46,16 @@ pub struct Service {
     level: Option<DQuat>,
     /// Number and time of the last command.
     commanded: (u64, Instant),
+}
+
+/// Reads a message; it must be whole at the deadline of the stream.
+fn answer(socket: &mut Socket) -> Result<Message, Error> {
+    loop {
+        match socket.read() {
+            Err(Error::Io(e)) if is_timeout(&e) && !socket.get_ref().is_late() => {}
+            result => return result,
+        }
+    }
 }
 
 /// The connection is lost or silent.
@@ -93,34 +110,40 @@ impl Service {
     fn session(&mut self) -> Result<(), Disconnected> {
         let mut socket = self.connect()?;
         let id = self.first_device(&mut socket)?;
-        socket.get_ref().set_read_timeout(Some(ANSWER_TIMEOUT))?;
         let ended = self.exchange(&mut socket, &id);
         // The last force must not persist, however the session ended; the answer confirms the zero force.
+        socket.get_mut().allow(ANSWER_TIMEOUT);
         let _ = socket.send(Message::text(force(&id, DVec3::ZERO, false)));
-        let _ = socket.read();
+        let _ = answer(&mut socket);
         let _ = socket.close(None);
         ended
     }
 
-    fn connect(&self) -> Result<WebSocket<TcpStream>, Disconnected> {
+    fn connect(&self) -> Result<Socket, Disconnected> {
         let stream = TcpStream::connect_timeout(&self.address, CONNECT_TIMEOUT)?;
         stream.set_nodelay(true)?;
         stream.set_read_timeout(Some(CONNECT_TIMEOUT))?;
         stream.set_write_timeout(Some(ANSWER_TIMEOUT))?;
+        let reader = stream.try_clone()?;
         let config = WebSocketConfig::default().max_message_size(Some(LONGEST)).max_frame_size(Some(LONGEST));
         let url = format!("ws://{}/", self.address);
-        tungstenite::client::client_with_config(url, stream, Some(config))
-            .map(|(socket, _)| socket)
-            .map_err(|_| Disconnected)
+        let stream = Bounded::new(stream, Instant::now() + CONNECT_TIMEOUT);
+        let greeted = tungstenite::client::client_with_config(url, stream, Some(config));
+        let (mut socket, _) = greeted.map_err(|_| Disconnected)?;
+        // From now on short reads, until an answer is whole or late.
+        reader.set_read_timeout(Some(READ_TIMEOUT))?;
+        socket.get_mut().allow(CONNECT_TIMEOUT);
+        Ok(socket)
     }
 
     /// Sends forces and receives answers until the device is closed.
-    fn exchange(&mut self, socket: &mut WebSocket<TcpStream>, id: &str) -> Result<(), Disconnected> {
+    fn exchange(&mut self, socket: &mut Socket, id: &str) -> Result<(), Disconnected> {
         self.level = None;
         let mut is_first = true;
         let mut due = Instant::now();
         while !self.is_over() {
             let command = self.command();
+            socket.get_mut().allow(ANSWER_TIMEOUT);
             socket.send(Message::text(force(id, command, is_first)))?;
             is_first = false;
             self.receive(socket, id)?;
@@ -131,14 +154,14 @@ impl Service {
     }
 
     /// Returns the first device of the inventory that the service sends at first.
-    fn first_device(&mut self, socket: &mut WebSocket<TcpStream>) -> Result<String, Disconnected> {
+    fn first_device(&mut self, socket: &mut Socket) -> Result<String, Disconnected> {
         let state = self.read(socket)?.ok_or(Disconnected)?;
         state.inverse3.into_iter().next().map(|d| d.device_id).ok_or(Disconnected)
     }
 
     /// Reads the next answer; an invalid one is counted and gives `None`.
-    fn read(&mut self, socket: &mut WebSocket<TcpStream>) -> Result<Option<State>, Disconnected> {
-        let message = match socket.read() {
+    fn read(&mut self, socket: &mut Socket) -> Result<Option<State>, Disconnected> {
+        let message = match answer(socket) {
             Ok(Message::Text(text)) => State::parse(&text).ok(),
             Ok(Message::Close(_)) => return Err(Disconnected),
             Ok(_) => None,
@@ -156,7 +179,7 @@ impl Service {
     }
 
     /// Reads one answer and publishes the state of the device.
-    fn receive(&mut self, socket: &mut WebSocket<TcpStream>, id: &str) -> Result<(), Disconnected> {
+    fn receive(&mut self, socket: &mut Socket, id: &str) -> Result<(), Disconnected> {
         let Some(state) = self.read(socket)? else { return Ok(()) };
         let device = state.inverse3.iter().find(|d| d.device_id == id).ok_or(Disconnected)?;
         let Some(cursor) = device.state else { return Ok(()) };

@@ -175,4 +175,8 @@ impl HapticDevice for Osc {
     fn stop(&mut self) {
         self.health = Health::Stopped;
     }
+
+    fn resume(&mut self) {
+        self.health = Health::Connecting;
+    }
 }

@@ -1,12 +1,12 @@
 //! A phone as a pan: its page sends orientation and acceleration over TLS, after pairing with the code on the screen.
 
-mod bounded;
 mod certificate;
 mod http;
 pub mod message;
 pub mod orientation;
 mod server;
 mod session;
+mod slots;
 pub mod toss;
 
 use std::net::SocketAddr;
@@ -185,5 +185,9 @@ impl HapticDevice for Phone {
 
     fn stop(&mut self) {
         self.health = Health::Stopped;
+    }
+
+    fn resume(&mut self) {
+        self.health = Health::Connecting;
     }
 }

@@ -2,23 +2,22 @@
 
 use std::io::Write;
 use std::net::{SocketAddr, TcpListener, TcpStream};
-use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use rustls::{ServerConfig, ServerConnection, StreamOwned};
 
-use super::bounded::Bounded;
 use super::http::{Request, parse, read_head, response};
 use super::session;
+use super::slots::{Slot, Slots};
 use super::{Incoming, Outgoing, certificate};
 use crate::open::{Access, OpenError, Reach};
+use crate::remote::bounded::Bounded;
 use crate::remote::network_thread::NetworkThread;
 use crate::remote::pairing::Pairing;
 use crate::remote::reachable::reachable;
 
-/// Maximum number of connections (chosen: a page, a socket, and some stalled ones).
-const MOST_CONNECTIONS: usize = 8;
 /// Timeout of handshake, request and response together (chosen: enough for slow radio).
 const REQUEST_TIMEOUT: Duration = Duration::from_secs(5);
 /// Polling interval for new connections (chosen: imperceptible).
@@ -43,12 +42,9 @@ pub struct Shared {
     pub holder: AtomicU64,
     /// True once the device is closed.
     pub end: Arc<AtomicBool>,
-    connections: AtomicUsize,
+    slots: Slots,
     tls: Arc<ServerConfig>,
 }
-
-/// One slot for a connection, released on drop.
-struct Slot(Arc<Shared>);
 
 /// Starts the server at an address; returns how a person reaches it.
 pub fn start(
@@ -89,24 +85,9 @@ impl Shared {
             outgoing: Mutex::new(outgoing),
             holder: AtomicU64::new(0),
             end,
-            connections: AtomicUsize::new(0),
+            slots: Slots::default(),
             tls,
         }
-    }
-}
-
-impl Slot {
-    /// Takes a slot if one is free.
-    fn take(shared: &Arc<Shared>) -> Option<Self> {
-        let before = shared.connections.fetch_add(1, Ordering::AcqRel);
-        let slot = Self(Arc::clone(shared));
-        (before < MOST_CONNECTIONS).then_some(slot)
-    }
-}
-
-impl Drop for Slot {
-    fn drop(&mut self) {
-        self.0.connections.fetch_sub(1, Ordering::AcqRel);
     }
 }
 
@@ -121,16 +102,17 @@ fn accept_phones(listener: &TcpListener, shared: &Arc<Shared>) {
 
 /// Starts a thread for a connection if a slot is free.
 fn spawn_connection(stream: TcpStream, shared: &Arc<Shared>) {
-    let Some(slot) = Slot::take(shared) else { return };
+    let Some(slot) = shared.slots.take(&stream) else { return };
+    let shared = Arc::clone(shared);
     let serve = move || {
         // An error ends this connection only; the phone reconnects.
-        let _ = serve(stream, &slot.0);
+        let _ = serve(stream, &shared, &slot);
     };
     // Without a thread the connection is closed, and the phone reconnects.
     let _ = std::thread::Builder::new().name("phone connection".into()).spawn(serve);
 }
 
-fn serve(stream: TcpStream, shared: &Shared) -> Result<(), Box<dyn std::error::Error>> {
+fn serve(stream: TcpStream, shared: &Shared, slot: &Slot) -> Result<(), Box<dyn std::error::Error>> {
     stream.set_nonblocking(false)?;
     stream.set_nodelay(true)?;
     stream.set_read_timeout(Some(READ_TIMEOUT))?;
@@ -142,7 +124,7 @@ fn serve(stream: TcpStream, shared: &Shared) -> Result<(), Box<dyn std::error::E
     stream.write_all(response(&request).as_bytes())?;
     stream.flush()?;
     if matches!(request, Request::Socket { .. }) {
-        session::run(stream, shared);
+        session::run(stream, shared, slot);
     } else {
         stream.conn.send_close_notify();
         stream.flush()?;

@@ -11,6 +11,7 @@ use tungstenite::{Error, Message, WebSocket};
 use super::message::{FromPhone, LONGEST, Measured, ToPhone};
 use super::orientation::{Level, acceleration, from_angles};
 use super::server::{Shared, TlsStream, WRITE_TIMEOUT};
+use super::slots::Slot;
 use crate::remote::allowance::Allowance;
 use crate::remote::pairing::Verdict;
 use crate::remote::remote_pose::SILENCE_S;
@@ -33,6 +34,7 @@ const MOST_BAD: u32 = 500;
 struct Session<'a> {
     socket: WebSocket<TlsStream>,
     shared: &'a Shared,
+    slot: &'a Slot,
     number: Option<u64>,
     level: Level,
     phone: DQuat,
@@ -44,7 +46,7 @@ struct Session<'a> {
 }
 
 /// Runs the session until one side ends it.
-pub fn run(stream: TlsStream, shared: &Shared) {
+pub fn run(stream: TlsStream, shared: &Shared, slot: &Slot) {
     let config = WebSocketConfig::default()
         .max_message_size(Some(LONGEST))
         .max_frame_size(Some(LONGEST))
@@ -53,6 +55,7 @@ pub fn run(stream: TlsStream, shared: &Shared) {
     let mut session = Session {
         socket: WebSocket::from_raw_socket(stream, Role::Server, Some(config)),
         shared,
+        slot,
         number: None,
         level: Level::default(),
         phone: DQuat::IDENTITY,
@@ -124,6 +127,7 @@ impl Session<'_> {
         let verdict = self.shared.pairing.lock().map_or(Verdict::Closed, |mut p| p.try_code(code, now));
         match verdict {
             Verdict::Paired => {
+                self.slot.pair();
                 self.number = Some(1 + self.shared.holder.fetch_add(1, Ordering::AcqRel));
                 // The previous phone may have left with its finger down.
                 self.press(false);

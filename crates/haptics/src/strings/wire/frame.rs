@@ -11,7 +11,7 @@ const CHECK: usize = HEADER + PAYLOAD;
 /// First two bytes of a frame.
 pub const MAGIC: [u8; 2] = *b"SP";
 /// Protocol version.
-pub const VERSION: u8 = 1;
+pub const VERSION: u8 = 2;
 
 /// A message with its sequence number and session.
 ///
@@ -28,7 +28,7 @@ pub const VERSION: u8 = 1;
 pub struct Frame {
     /// Sequence number, which increases with every frame of its sender.
     pub sequence: u32,
-    /// Session, which the host chooses at its hello and the device repeats.
+    /// Session, a random number that the host draws for its hello and the device repeats.
     pub session: u32,
     /// The message.
     pub message: Message,
@@ -64,7 +64,7 @@ impl Frame {
     pub fn encode(&self) -> [u8; FRAME] {
         let mut bytes = [0; FRAME];
         bytes[..2].copy_from_slice(&MAGIC);
-        bytes[2] = VERSION;
+        bytes[2] = self.message.version();
         let (kind, payload) = self.message.encode();
         bytes[3] = kind;
         bytes[4..8].copy_from_slice(&self.sequence.to_le_bytes());

@@ -1,5 +1,6 @@
 //! Messages between host and device, and their payloads.
 
+use super::frame::VERSION;
 use crate::strings::STRINGS;
 
 /// Length of a payload [bytes].
@@ -10,6 +11,8 @@ pub const PAYLOAD: usize = 64;
 pub enum Message {
     /// Host: asks for a device.
     Hello(Hello),
+    /// Host: the same in version 1, which only an older device answers.
+    HelloOfVersion1(Hello),
     /// Device: states its capabilities.
     Caps(Caps),
     /// Host: requests the minimum tension.
@@ -21,7 +24,7 @@ pub enum Message {
     /// Host: releases all tensions.
     Stop,
     /// Device: refuses a request.
-    Refused(Refusal),
+    Refused(Refused),
 }
 
 /// Payload of a hello.
@@ -143,6 +146,21 @@ pub enum Refusal {
     Busy,
     /// The request is not allowed in the present state.
     OutOfOrder,
+    /// The code was not looked at, so soon after a wrong one.
+    TooManyTries,
+    /// The hello was one of another protocol version.
+    OtherVersion,
+}
+
+/// Payload of a refusal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Refused {
+    /// Reason.
+    pub reason: Refusal,
+    /// Protocol version of the device.
+    pub version: u8,
+    /// Time after which another hello may succeed [ms].
+    pub wait_ms: u16,
 }
 
 /// Why a payload is invalid.
@@ -215,14 +233,20 @@ const STATES: [DeviceState; 5] =
     [DeviceState::Idle, DeviceState::Greeted, DeviceState::Armed, DeviceState::Running, DeviceState::Fault];
 const FAULTS: [FaultCode; 5] =
     [FaultCode::None, FaultCode::MotorHot, FaultCode::Encoder, FaultCode::Slack, FaultCode::Supply];
-const REFUSALS: [Refusal; 3] = [Refusal::WrongCode, Refusal::Busy, Refusal::OutOfOrder];
+const REFUSALS: [Refusal; 5] =
+    [Refusal::WrongCode, Refusal::Busy, Refusal::OutOfOrder, Refusal::TooManyTries, Refusal::OtherVersion];
 
 impl Message {
+    /// Returns the protocol version of the message [-].
+    pub fn version(&self) -> u8 {
+        if matches!(self, Self::HelloOfVersion1(_)) { 1 } else { VERSION }
+    }
+
     /// Returns kind and payload.
     pub fn encode(&self) -> (u8, [u8; PAYLOAD]) {
         let mut w = Writer { bytes: [0; PAYLOAD], at: 0 };
         let kind = match self {
-            Self::Hello(hello) => {
+            Self::Hello(hello) | Self::HelloOfVersion1(hello) => {
                 w.put(&hello.pairing.to_le_bytes()).put(&hello.rate_hz.to_le_bytes());
                 1
             }
@@ -243,8 +267,8 @@ impl Message {
                 5
             }
             Self::Stop => 6,
-            Self::Refused(refusal) => {
-                w.put(&[*refusal as u8]);
+            Self::Refused(refused) => {
+                w.put(&[refused.reason as u8, refused.version]).put(&refused.wait_ms.to_le_bytes());
                 7
             }
         };
@@ -261,7 +285,11 @@ impl Message {
             4 => Self::Command(Command { time_us: r.u32(), tension_mn: r.tensions() }),
             5 => Self::Sample(Sample::read(&mut r)?),
             6 => Self::Stop,
-            7 => Self::Refused(coded("reason", r.u8(), &REFUSALS)?),
+            7 => Self::Refused(Refused {
+                reason: coded("reason", r.u8(), &REFUSALS)?,
+                version: r.u8(),
+                wait_ms: r.u16(),
+            }),
             _ => return Err(PayloadError::Kind(kind)),
         })
     }

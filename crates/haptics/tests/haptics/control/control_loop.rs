@@ -54,6 +54,16 @@ fn the_emergency_stop_releases_all_forces_at_once_and_for_good() {
     assert!(!later.command.enabled && later.sample.achieved.force == glam::DVec3::ZERO, "{later:?}");
 }
 
+#[test]
+fn a_hand_resumes_after_an_emergency_stop() {
+    let (mut control, mut number) = (start(), 0);
+    until(&mut control, &mut number, |s| s.command.wrench.force.z < -1.0);
+    control.emergency_stop();
+    until(&mut control, &mut number, |s| s.sample.health == Health::Stopped);
+    control.resume();
+    until(&mut control, &mut number, |s| s.sample.health == Health::Running && s.command.wrench.force.z < -3.0);
+}
+
 /// A driver that panics after some exchanges.
 struct Breaking(WeightOnSpring, u32);
 
@@ -70,6 +80,10 @@ impl HapticDevice for Breaking {
 
     fn stop(&mut self) {
         self.0.stop();
+    }
+
+    fn resume(&mut self) {
+        self.0.resume();
     }
 }
 

@@ -104,6 +104,23 @@ fn an_interrupted_session_ends_with_zero_force() {
 }
 
 #[test]
+fn a_service_that_drips_bytes_gets_a_zero_force_within_50_ms_as_the_last_word() {
+    let service = InverseService::start();
+    let mut opened = running(&service);
+    until(&mut opened, &push(DVec3::Z * 3.0), |_| service.felt().0.z > 2.9).expect("pushed");
+    service.drip();
+    // The loop goes on pushing, but the session is over; the dripping lasts for two seconds.
+    until(&mut opened, &push(DVec3::Z * 3.0), |s| s.health == Health::Lost).expect("lost");
+    let heard = service.heard();
+    let last_push = heard.iter().rposition(|(_, force)| *force != DVec3::ZERO).unwrap();
+    let zero = heard.get(last_push + 1).expect("a zero force follows");
+    let took = zero.0 - heard[last_push].0;
+    println!("zero force {took:?} after the last one");
+    assert!(took < Duration::from_millis(50), "{took:?}");
+    assert_eq!(heard.len(), last_push + 2, "it is the last word");
+}
+
+#[test]
 fn a_lost_service_is_reconnected() {
     let service = InverseService::start();
     let mut opened = running(&service);

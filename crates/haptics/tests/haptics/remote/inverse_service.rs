@@ -1,8 +1,9 @@
 //! A simulated Inverse service: first an inventory, then one answer per message.
 
+use std::io::Write;
 use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::sync::{Arc, Mutex};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use glam::DVec3;
 use serde_json::{Value, json};
@@ -26,6 +27,8 @@ struct State {
     first: Option<Value>,
     garbage: Vec<String>,
     hangs_up: bool,
+    drips: bool,
+    heard: Vec<(Instant, DVec3)>,
     messages: u64,
 }
 
@@ -69,6 +72,16 @@ impl InverseService {
         self.state.lock().unwrap().hangs_up = hangs_up;
     }
 
+    /// Sends the answer to the next message byte by byte and never ends it.
+    pub fn drip(&self) {
+        self.state.lock().unwrap().drips = true;
+    }
+
+    /// Returns the forces so far, with the times at which they came.
+    pub fn heard(&self) -> Vec<(Instant, DVec3)> {
+        self.state.lock().unwrap().heard.clone()
+    }
+
     /// Returns the last force, the largest force, and the number of messages.
     pub fn felt(&self) -> (DVec3, f64, u64) {
         let state = self.state.lock().unwrap();
@@ -99,9 +112,35 @@ impl InverseService {
                 return false;
             }
             state.receive(&text);
+            if std::mem::take(&mut state.drips) {
+                drop(state);
+                return self.keep_dripping(socket);
+            }
             state.garbage.pop().unwrap_or_else(|| state.answer(false))
         };
         socket.send(Message::text(answer)).is_ok()
+    }
+}
+
+impl InverseService {
+    /// Drips an endless answer, while it still listens.
+    fn keep_dripping(&self, socket: &mut WebSocket<TcpStream>) -> bool {
+        let stream = socket.get_mut().try_clone().unwrap();
+        let dripping = std::thread::spawn(move || {
+            let mut stream = stream;
+            // A text frame of 60 000 bytes begins, and a byte follows every 5 ms.
+            let begun = Instant::now();
+            let mut on = stream.write_all(&[0x81, 126, 0xea, 0x60]).is_ok();
+            while on && begun.elapsed() < Duration::from_secs(2) {
+                on = stream.write_all(b" ").is_ok();
+                std::thread::sleep(Duration::from_millis(5));
+            }
+        });
+        while let Ok(Message::Text(text)) = socket.read() {
+            self.state.lock().unwrap().receive(&text);
+        }
+        dripping.join().unwrap();
+        false
     }
 }
 
@@ -117,6 +156,7 @@ impl State {
         let number = |axis: &str| device["commands"]["set_cursor_force"]["vector"][axis].as_f64().unwrap();
         self.force = DVec3::new(number("x"), number("y"), number("z"));
         self.strongest = self.strongest.max(self.force.length());
+        self.heard.push((Instant::now(), self.force));
         self.messages += 1;
         self.first.get_or_insert(message);
     }

@@ -62,3 +62,30 @@ fn eight_slow_unpaired_connections_block_a_phone_for_seconds_only() {
     }
     PhoneClient::connect(address).pair(&opened.access.code.clone().unwrap());
 }
+
+#[test]
+fn a_paired_phone_comes_back_while_strangers_hold_idle_connections() {
+    let opened = open("phone@127.0.0.1:0", 0).unwrap();
+    let address: SocketAddr = opened.access.place.parse().unwrap();
+    let code = opened.access.code.clone().unwrap();
+    let mut phone = PhoneClient::connect(address);
+    phone.pair(&code);
+    drop(phone);
+    // Several times as many as there are slots; they say nothing, or drip.
+    let idle: Vec<TcpStream> = (0..5 * ROOM).map(|_| TcpStream::connect(address).unwrap()).collect();
+    let dripping: Vec<_> = (0..ROOM).map(|_| dripping_handshake(address)).collect();
+    sleep(Duration::from_millis(300));
+    let begun = Instant::now();
+    let mut phone = PhoneClient::connect(address);
+    phone.pair(&code);
+    assert!(begun.elapsed() < Duration::from_secs(3), "came back after {:?}", begun.elapsed());
+    // And it stays: strangers cannot push out a phone that is paired.
+    let more: Vec<TcpStream> = (0..5 * ROOM).map(|_| TcpStream::connect(address).unwrap()).collect();
+    sleep(Duration::from_millis(300));
+    phone.send(r#"{"kind":"flat"}"#);
+    assert!(phone.receive("flat").is_some(), "still connected");
+    drop((idle, more));
+    for one in dripping {
+        one.join().unwrap();
+    }
+}

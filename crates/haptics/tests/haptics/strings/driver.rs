@@ -130,3 +130,22 @@ fn a_device_that_is_not_as_drawn_is_distinguished_from_an_uncalibrated_one() {
     assert_eq!(after(&mut spidar, &pull(glam::DVec3::NEG_Z), 4000).health, Health::Misfit);
     assert!(bench.tensions().iter().all(|t| (t - 0.3).abs() < 1e-9), "no force without a pose");
 }
+
+#[test]
+fn no_command_changes_a_tension_faster_than_the_slew_rate_and_achieved_is_what_was_sent() {
+    let bench = Bench::new(&device("spidar-pan-crossed"));
+    let mut spidar = running(&bench);
+    let mut random = crate::random::Random(5);
+    after(&mut spidar, &pull(glam::DVec3::ZERO), 1000);
+    let (mut before, mut jump, mut off) = (bench.tensions(), 0.0f64, 0.0f64);
+    for _ in 0..3000 {
+        let wrench = Wrench { force: random.vector() * 60.0, torque: random.vector() * 3.0 };
+        let sample = spidar.exchange(&HapticCommand { wrench, enabled: true, ..HapticCommand::default() }, DT);
+        let now = bench.tensions();
+        jump = (0..8).fold(jump, |jump, i| jump.max((now[i] - before[i]).abs()));
+        before = now;
+        off = off.max((sample.achieved.force - bench.wrench().force - glam::DVec3::Z * 4.0).length());
+    }
+    assert!(jump <= 5.0 + 1e-9 && jump > 4.9, "{jump} N within a millisecond");
+    assert!(off < 0.05, "{off} N");
+}

@@ -4,8 +4,8 @@ use std::io::{self, Read, Write};
 
 use proptest::prelude::*;
 use saute_haptics::strings::wire::{
-    Caps, Command, Deframer, DeviceState, FRAME, FaultCode, Frame, FrameError, Hello, Link, Message, Refusal, STUFFED,
-    Sample, SerialLink, Units, stuff,
+    Caps, Command, Deframer, DeviceState, FRAME, FaultCode, Frame, FrameError, Hello, Link, Message, Refusal, Refused,
+    STUFFED, Sample, SerialLink, Units, stuff,
 };
 
 const DOCUMENT: &str = include_str!("../../../../../docs/spidar-protocol.md");
@@ -32,6 +32,10 @@ fn bench_caps() -> Caps {
     }
 }
 
+fn refused(reason: Refusal, wait_ms: u16) -> Message {
+    Message::Refused(Refused { reason, version: 2, wait_ms })
+}
+
 fn documented() -> Vec<(&'static str, Frame)> {
     let tension_mn = [300, 400, 500, 600, 700, 800, 900, 12_000];
     let count = [0, 1, -1, 1000, -1000, 20_000, -20_000, i32::MAX];
@@ -52,7 +56,8 @@ fn documented() -> Vec<(&'static str, Frame)> {
         ("command", frame(3, Message::Command(Command { time_us: 2000, tension_mn }))),
         ("sample", frame(2, Message::Sample(sample))),
         ("stop", frame(4, Message::Stop)),
-        ("refused", frame(1, Message::Refused(Refusal::WrongCode))),
+        ("refused", frame(1, refused(Refusal::WrongCode, 1000))),
+        ("refused-version", frame(1, refused(Refusal::OtherVersion, 0))),
     ]
 }
 
@@ -64,6 +69,14 @@ fn every_test_vector_of_the_document_is_written_and_read() {
     }
     let sample: [u8; FRAME] = vector("sample").try_into().unwrap();
     assert_eq!(stuff(&sample).to_vec(), vector("sample-stuffed"));
+}
+
+#[test]
+fn a_hello_of_version_1_is_written_for_older_devices_and_never_read() {
+    let hello = Message::HelloOfVersion1(Hello { pairing: 123_456, rate_hz: 1000 });
+    let frame = Frame { sequence: 5, session: 7, message: hello };
+    assert_eq!(frame.encode().to_vec(), vector("hello-of-version-1"));
+    assert_eq!(Frame::decode(&frame.encode()), Err(FrameError::Version(1)));
 }
 
 #[test]
@@ -79,7 +92,7 @@ fn every_single_bit_error_is_noticed() {
 #[test]
 fn another_version_needs_an_intact_checksum() {
     let mut frame = vector("caps");
-    frame[2] = 2;
+    frame[2] = 3;
     assert_eq!(Frame::decode(&frame), Err(FrameError::Checksum));
     assert_eq!(Frame::decode(&frame[..70]), Err(FrameError::Length(70)));
 }

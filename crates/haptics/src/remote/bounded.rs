@@ -25,8 +25,13 @@ impl Bounded {
         self.until = Instant::now() + time;
     }
 
+    /// Returns true after the deadline.
+    pub fn is_late(&self) -> bool {
+        Instant::now() > self.until
+    }
+
     fn in_time(&self) -> io::Result<()> {
-        if Instant::now() > self.until { Err(ErrorKind::TimedOut.into()) } else { Ok(()) }
+        if self.is_late() { Err(ErrorKind::TimedOut.into()) } else { Ok(()) }
     }
 }
 

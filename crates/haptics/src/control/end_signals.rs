@@ -1,0 +1,70 @@
+//! Signals that end the program (SIGTERM, SIGINT): running devices are stopped first.
+
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, OnceLock};
+
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::{flag, low_level};
+
+/// Exit code of a program that a second signal ends at once (128 + SIGINT, as shells report it).
+const EXIT_CODE: i32 = 130;
+
+/// What all control loops of the program know about signals.
+#[derive(Debug, Default)]
+struct Signals {
+    /// Signal that has asked the program to end; 0 for none.
+    asked: Arc<AtomicUsize>,
+    is_asked: Arc<AtomicBool>,
+    /// True while no loop runs: a signal then ends the program at once.
+    unattended: Arc<AtomicBool>,
+    loops: AtomicUsize,
+}
+
+static SIGNALS: OnceLock<Signals> = OnceLock::new();
+
+/// A control loop's interest in signals; the last one that is dropped after a signal ends the program.
+#[derive(Debug)]
+pub(crate) struct EndSignals(&'static Signals);
+
+impl EndSignals {
+    /// Watches for signals until this is dropped. Where they cannot be watched, they end the program as usual.
+    pub fn watch() -> Self {
+        let signals = SIGNALS.get_or_init(Signals::register);
+        signals.loops.fetch_add(1, Ordering::AcqRel);
+        signals.unattended.store(false, Ordering::Release);
+        Self(signals)
+    }
+
+    /// Returns true once a signal has asked the program to end.
+    pub fn is_asked(&self) -> bool {
+        self.0.is_asked.load(Ordering::Acquire)
+    }
+}
+
+impl Drop for EndSignals {
+    fn drop(&mut self) {
+        if self.0.loops.fetch_sub(1, Ordering::AcqRel) > 1 {
+            return;
+        }
+        self.0.unattended.store(true, Ordering::Release);
+        let signal = self.0.asked.load(Ordering::Acquire);
+        if signal != 0 {
+            // All devices are stopped: now the signal does what it does without a device.
+            let _ = low_level::emulate_default_handler(signal as i32);
+        }
+    }
+}
+
+impl Signals {
+    fn register() -> Self {
+        let signals = Self::default();
+        for signal in [SIGINT, SIGTERM] {
+            let _ = flag::register_conditional_default(signal, Arc::clone(&signals.unattended));
+            // A second signal ends the program at once, even if a loop hangs.
+            let _ = flag::register_conditional_shutdown(signal, EXIT_CODE, Arc::clone(&signals.is_asked));
+            let _ = flag::register_usize(signal, Arc::clone(&signals.asked), signal as usize);
+            let _ = flag::register(signal, Arc::clone(&signals.is_asked));
+        }
+        signals
+    }
+}
