@@ -133,7 +133,7 @@ impl Stage {
         let spatter = self.spots.look(kitchen, &look, &self.pace);
         SceneInput {
             camera: following(&options.camera, places.followed(kitchen)),
-            hob: HobLook { power: (kitchen.hob_drawn_w() / 2000.0).min(1.0) as f32 },
+            hob: HobLook { power: seen_power(kitchen.hob_drawn_w()) },
             pan: look,
             foods: looks.flat_map(|(piece, pose)| self.food(piece, pose, options)).collect(),
             tool: tool(kitchen),
@@ -285,6 +285,16 @@ impl CachedSkin {
     }
 }
 
+/// Power at which the ring glows brightest [W], and steps to it (chosen: the glow of two neighbours can hardly be told
+/// apart; the picture round the pan is drawn anew at each, and a hob at its limit changes its power all the time).
+const FULL_POWER_W: f64 = 2000.0;
+const POWER_STEPS: f64 = 64.0;
+
+/// Power of the hob as it is seen (0–1).
+fn seen_power(drawn_w: f64) -> f32 {
+    ((drawn_w / FULL_POWER_W).min(1.0) * POWER_STEPS).round() as f32 / POWER_STEPS as f32
+}
+
 /// The tool in the cook's hand.
 fn tool(kitchen: &Kitchen) -> Option<ToolLook> {
     let hand = kitchen.hand();
@@ -325,6 +335,7 @@ fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
     let description = &kitchen.pan_model().description;
     let look = &description.look;
     let linear = |v: f32| decoded(f64::from(v) / 255.0) as f32;
+    // Shares that change by rounding alone must not let everything be drawn anew.
     let oil_colour = kitchen.pan_model().liquids.colour(&kitchen.pan_state().liquids);
     PanLook {
         floor_radius: description.floor.radius_mm as f32 * 1e-3,
@@ -336,7 +347,7 @@ fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
         roughness: look.roughness as f32,
         film: Arc::default(),
         tint: Arc::default(),
-        oil_colour: oil_colour.map_or(Vec3::ONE, |srgb| Vec3::from_array(srgb.map(|v| linear(v as f32)))),
+        oil_colour: oil_colour.map_or(Vec3::ONE, |srgb| Vec3::from_array(srgb.map(|v| linear(v.round() as f32)))),
         ridges: kitchen.pan_model().ridges.map(|r| [r.pitch, r.width, r.height].map(|v| v as f32)),
         lid: kitchen.pan_state().lid.as_ref().map(|lid| LidLook { fog: fog(lid) }),
         position: Vec3::ZERO,
