@@ -7,6 +7,12 @@ export async function backends(asked) {
   return [...new Set(both)].filter((backend) => there[backend]);
 }
 
+/** Makes a canvas's context before the module asks for it: opaque and without buffers that nothing is drawn into. */
+export function prepare(canvas, backend) {
+  const least = { alpha: false, antialias: false, depth: false, stencil: false };
+  if (backend === "webgl2") canvas.getContext("webgl2", least);
+}
+
 async function hasWebGpu() {
   try {
     return (await navigator.gpu?.requestAdapter()) != null;

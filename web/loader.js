@@ -3,7 +3,7 @@
 // Files of one build belong together; the version keeps a browser's cache from mixing two.
 const version = new URL(import.meta.url).search;
 const place = (file) => new URL(`./${file}${version}`, import.meta.url).href;
-const [{ fetchFile, withProgress }, { backends }, { Cover }, { words }] = await Promise.all(
+const [{ fetchFile, withProgress }, { backends, prepare }, { Cover }, { words }] = await Promise.all(
   ["download.js", "graphics.js", "cover.js", "words.js"].map((file) => import(place(file))),
 );
 
@@ -31,10 +31,11 @@ async function load() {
 }
 
 /** A canvas can serve one kind of context only, so each start gets a fresh one. */
-function freshCanvas() {
+function freshCanvas(backend) {
   const canvas = document.createElement("canvas");
   canvas.id = "canvas";
   document.getElementById("stage").replaceChildren(canvas);
+  prepare(canvas, backend);
   return canvas;
 }
 
@@ -43,7 +44,7 @@ async function start(candidates) {
   const [backend, ...others] = candidates;
   try {
     page = new bindings.Page();
-    started = page.start(freshCanvas(), { ...options, backend });
+    started = page.start(freshCanvas(backend), { ...options, backend });
     await started;
     // Tests read `saute.stats()`.
     window.saute = page;

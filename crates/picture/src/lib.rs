@@ -24,6 +24,7 @@
 
 pub mod colour;
 pub mod cut;
+mod pace;
 mod pan;
 pub mod pose;
 pub mod probe;

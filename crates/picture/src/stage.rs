@@ -23,6 +23,7 @@ use crate::colour::map::{ColourMap, TemperatureMap};
 use crate::colour::side_by_side::side_by_side;
 use crate::cut::face::slice;
 use crate::cut::path::path_cut;
+use crate::pace::Pace;
 use crate::pan::film::PanFilm;
 use crate::pan::spatter::Spots;
 use crate::pan::tint::PanTint;
@@ -71,6 +72,7 @@ pub struct Stage {
     refreshed: Option<u64>,
     /// The colours of the view, and what they were made for.
     colours: Option<(Shades, Vec<ColourMap>)>,
+    pace: Pace,
 }
 
 /// View, colour map of temperatures and ids of the scales of doneness of the foods, each once; none for the look.
@@ -105,9 +107,16 @@ const STALE_TICKS: u64 = 5;
 pub(crate) const ALWAYS_FRESH: usize = 6;
 
 impl Stage {
+    /// Sets how many ticks lie between two looks at the state of foods and film: where shading them is slow, they are shown
+    /// as they were at the last look. Poses, steam and drops are always the present ones.
+    pub fn look_every(&mut self, ticks: u64) {
+        self.pace.set(ticks);
+    }
+
     /// Returns the renderer's input for one frame.
     pub fn scene(&mut self, kitchen: &Kitchen, options: &StageOptions, places: &Places) -> SceneInput {
         let pan = places.pan(kitchen);
+        self.pace.begin(kitchen.tick());
         self.colour(kitchen, options);
         self.refresh(kitchen, options);
         // Every map is in the same table; the pan is coloured by temperatures, whose map is alone.
@@ -117,14 +126,14 @@ impl Stage {
         let look = PanLook {
             position: pan.position,
             rotation: pan.rotation,
-            film: self.film.picture(kitchen),
-            tint: self.tint.picture(kitchen),
+            film: self.film.picture(kitchen, &self.pace),
+            tint: self.tint.picture(kitchen, &self.pace),
             ..pan_look(kitchen, options.view, map.as_ref())
         };
-        let spatter = self.spots.look(kitchen, &look);
+        let spatter = self.spots.look(kitchen, &look, &self.pace);
         SceneInput {
             camera: following(&options.camera, places.followed(kitchen)),
-            hob: HobLook { power: (kitchen.hob_drawn_w() / 2000.0).min(1.0) as f32 },
+            hob: HobLook { power: seen_power(kitchen.hob_drawn_w()) },
             pan: look,
             foods: looks.flat_map(|(piece, pose)| self.food(piece, pose, options)).collect(),
             tool: tool(kitchen),
@@ -187,6 +196,7 @@ impl Stage {
         self.refreshed = Some(kitchen.tick());
         let mut left = if ticked { ALWAYS_FRESH.max(count.div_ceil(STALE_TICKS as usize)) } else { 0 };
         let first = if count > ALWAYS_FRESH { self.round } else { 0 };
+        let due = self.pace.is_due();
         for piece in kitchen.pieces().iter().cycle().skip(first % count.max(1)).take(count) {
             let ticks = piece.state.ticks;
             let (scale, map) = self.map_of(piece, options);
@@ -195,7 +205,8 @@ impl Stage {
             let wanted = SkinKey { ticks, view: options.view, map: options.map, scale, part };
             let cached = self.cached(piece);
             let patient = count > ALWAYS_FRESH && cached.is_nearly(&wanted);
-            if cached.made_for.as_ref() == Some(&wanted) || (patient && left == 0) {
+            let waits = !due && cached.differs_by_time(&wanted);
+            if cached.made_for.as_ref() == Some(&wanted) || waits || (patient && left == 0) {
                 continue;
             }
             if patient {
@@ -263,11 +274,25 @@ fn sear_look(lines: SearLines) -> SearLook {
 impl CachedSkin {
     /// Returns true if the update of the vertices may wait.
     fn is_nearly(&self, wanted: &SkinKey) -> bool {
-        self.made_for.as_ref().is_some_and(|shown| {
-            let same = SkinKey { ticks: wanted.ticks, ..shown.clone() } == *wanted;
-            same && wanted.ticks.abs_diff(shown.ticks) < STALE_TICKS
-        })
+        let fresh = |shown: &SkinKey| wanted.ticks.abs_diff(shown.ticks) < STALE_TICKS;
+        self.differs_by_time(wanted) && self.made_for.as_ref().is_some_and(fresh)
     }
+
+    /// Returns true if the vertices show what is wanted, at whatever time.
+    fn differs_by_time(&self, wanted: &SkinKey) -> bool {
+        let same = |shown: &SkinKey| SkinKey { ticks: wanted.ticks, ..shown.clone() } == *wanted;
+        self.made_for.as_ref().is_some_and(same)
+    }
+}
+
+/// Power at which the ring glows brightest [W], and steps to it (chosen: the glow of two neighbours can hardly be told
+/// apart; the picture round the pan is drawn anew at each, and a hob at its limit changes its power all the time).
+const FULL_POWER_W: f64 = 2000.0;
+const POWER_STEPS: f64 = 64.0;
+
+/// Power of the hob as it is seen (0–1).
+fn seen_power(drawn_w: f64) -> f32 {
+    ((drawn_w / FULL_POWER_W).min(1.0) * POWER_STEPS).round() as f32 / POWER_STEPS as f32
 }
 
 /// The tool in the cook's hand.
@@ -306,11 +331,16 @@ pub fn half_length(piece: &Piece) -> f64 {
     0.5 * piece.model.size()[0].max(piece.model.size()[1])
 }
 
+/// Steps of the oil's turbidity [-] (chosen: finer ones are not seen, and each redraws the pan).
+const TURBIDITY_STEPS: f32 = 32.0;
+
 fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
     let description = &kitchen.pan_model().description;
     let look = &description.look;
     let linear = |v: f32| decoded(f64::from(v) / 255.0) as f32;
+    // Shares that change by rounding alone must not let everything be drawn anew.
     let oil_colour = kitchen.pan_model().liquids.colour(&kitchen.pan_state().liquids);
+    let butter = kitchen.pan_model().liquids.butter_share(&kitchen.pan_state().liquids) as f32;
     PanLook {
         floor_radius: description.floor.radius_mm as f32 * 1e-3,
         rim_radius: description.wall.rim_radius_mm as f32 * 1e-3,
@@ -321,8 +351,8 @@ fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
         roughness: look.roughness as f32,
         film: Arc::default(),
         tint: Arc::default(),
-        oil_colour: oil_colour.map_or(Vec3::ONE, |srgb| Vec3::from_array(srgb.map(|v| linear(v as f32)))),
-        oil_turbidity: kitchen.pan_model().liquids.butter_share(&kitchen.pan_state().liquids) as f32,
+        oil_colour: oil_colour.map_or(Vec3::ONE, |srgb| Vec3::from_array(srgb.map(|v| linear(v.round() as f32)))),
+        oil_turbidity: (TURBIDITY_STEPS * butter).round() / TURBIDITY_STEPS,
         ridges: kitchen.pan_model().ridges.map(|r| [r.pitch, r.width, r.height].map(|v| v as f32)),
         lid: kitchen.pan_state().lid.as_ref().map(|lid| LidLook { fog: fog(lid) }),
         position: Vec3::ZERO,

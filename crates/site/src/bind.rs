@@ -11,13 +11,14 @@ use crate::page::{MODULE, SCRIPT};
 
 /// What every browser of the last years has. `--all-features` would make wasm-opt write compact imports, which Chromium
 /// refuses.
-const FEATURES: [&str; 6] = [
+const FEATURES: [&str; 7] = [
     "--enable-bulk-memory",
     "--enable-multivalue",
     "--enable-mutable-globals",
     "--enable-nontrapping-float-to-int",
     "--enable-reference-types",
     "--enable-sign-ext",
+    "--enable-simd",
 ];
 
 /// Writes the module and its JavaScript into a folder.

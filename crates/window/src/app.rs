@@ -5,7 +5,7 @@ mod frame;
 use std::sync::Arc;
 
 use egui::{Rect, Ui};
-use saute_kitchen::{Command, Library};
+use saute_kitchen::{Command, Library, TICK_S};
 use saute_picture::stage::{Places, Stage, following};
 use saute_recipe::Recipe;
 use saute_scene::camera::Camera;
@@ -35,6 +35,9 @@ use crate::words::language::Language;
 const SETTINGS_KEY: &str = "saute.settings";
 /// Remembered settings at the first start: none.
 const FIRST_START: &str = "{}";
+/// Wall time between two looks at slow changes, where every look is slow [s] (chosen: browning and films creep; Chromium's
+/// software graphics shade foods and floor for longer than all else of a frame takes).
+const LOOK_PERIOD_S: f64 = 0.3;
 
 /// Start options of the window.
 #[derive(Clone, Debug, Default)]
@@ -45,8 +48,8 @@ pub struct Start {
     pub recipe: Option<Recipe>,
     /// Language of the window; the remembered one unless given.
     pub language: Option<Language>,
-    /// True keeps a picture of the panels between frames where the graphics are software.
-    pub keep_panels: bool,
+    /// True draws panels, and what changes slowly in the pan, a few times a second where the graphics are software.
+    pub frugal: bool,
     /// Devices that hands hold.
     #[cfg(not(target_arch = "wasm32"))]
     pub hands: crate::hand::HandsStart,
@@ -83,6 +86,8 @@ pub struct SauteApp {
     /// True if the scene can be drawn (a graphics device is there).
     drawable: bool,
     software: bool,
+    /// True if panels and slow changes are drawn a few times a second only.
+    frugal: bool,
     /// Chooses the quality of the picture where that is left to the program.
     pub(crate) governor: Governor,
     pub(crate) mirror: MirrorView,
@@ -139,12 +144,14 @@ impl SauteApp {
             session.play(recipe)?;
         }
         let mut software = false;
+        let mut frugal = false;
         if let Some(state) = graphics {
             SceneCallback::install(state);
             GroundCallback::install(state);
             MirrorCallback::install(state);
             software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
-            if software && start.keep_panels {
+            frugal = software && start.frugal;
+            if frugal {
                 PanelLayer::install(context, state);
             }
         }
@@ -171,6 +178,7 @@ impl SauteApp {
             meter: FrameMeter::default(),
             drawable: graphics.is_some(),
             software,
+            frugal,
             governor: Governor::new(Quality::Best),
             first_steps,
             japanese_font,
@@ -313,6 +321,14 @@ impl SauteApp {
     /// Returns true if the graphics are software.
     pub(crate) fn software(&self) -> bool {
         self.software
+    }
+
+    /// Ticks between two looks at slow changes in the pan.
+    pub(crate) fn look_ticks(&self) -> u64 {
+        if !self.frugal || self.session.paused || self.quality() > Quality::Quick {
+            return 1;
+        }
+        (LOOK_PERIOD_S * self.session.speed / TICK_S).round() as u64
     }
 
     pub(crate) fn drawable(&self) -> bool {

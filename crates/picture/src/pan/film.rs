@@ -7,6 +7,8 @@ use saute_kitchen::heat::Located;
 use saute_kitchen::pan::PanModel;
 use saute_scene::input::{FILM_SIZE, FilmPicture, OIL_RANGE, WATER_RANGE};
 
+use crate::pace::Pace;
+
 /// Caches where the texels lie on the pan's mesh, and the picture while it is valid.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PanFilm {
@@ -17,15 +19,15 @@ pub(crate) struct PanFilm {
 }
 
 impl PanFilm {
-    /// Returns the present picture.
-    pub(crate) fn picture(&mut self, kitchen: &Kitchen) -> Arc<FilmPicture> {
+    /// Returns the picture of the last look.
+    pub(crate) fn picture(&mut self, kitchen: &Kitchen, pace: &Pace) -> Arc<FilmPicture> {
         let model = kitchen.pan_model();
         let pan = std::ptr::from_ref(model) as usize;
         if self.pan != pan || self.places.is_empty() {
             *self = Self { pan, places: places(model), drawn: None };
         }
         match &self.drawn {
-            Some((tick, picture)) if *tick == kitchen.tick() => Arc::clone(picture),
+            Some((tick, picture)) if *tick == kitchen.tick() || !pace.is_due() => Arc::clone(picture),
             _ => {
                 let fresh = Arc::new(FilmPicture { texels: self.texels(kitchen) });
                 // An equal picture keeps its allocation, so that nothing is redrawn for it.

@@ -9,6 +9,8 @@ use saute_kitchen::liquids::spatter::Spot;
 use saute_scene::input::{DropLook, PanLook, SpatterLook, SpotLook};
 use saute_scene::mesh::pan::on_wall;
 
+use crate::pace::Pace;
+
 /// Radius of a spot over that of its drop [-] (chosen: hot oil wets glass and steel and spreads to a low cap).
 const SPREAD: f32 = 2.2;
 /// A spot is drawn this much above what it lies on [m] (chosen: over the bumps of the drawn wall).
@@ -28,10 +30,10 @@ pub(crate) struct Spots {
 
 impl Spots {
     /// Returns the visible spatter.
-    pub(crate) fn look(&mut self, kitchen: &Kitchen, pan: &PanLook) -> SpatterLook {
+    pub(crate) fn look(&mut self, kitchen: &Kitchen, pan: &PanLook, pace: &Pace) -> SpatterLook {
         let spatter = &kitchen.pan_state().liquids.spatter;
         let world_from_floor = pan.world_from_pan() * Mat4::from_translation(Vec3::Z * pan.thickness);
-        let look = (kitchen.tick() / LOOK_TICKS, world_from_floor);
+        let look = (kitchen.tick() / LOOK_TICKS.max(pace.every()), world_from_floor);
         if self.seen != Some(look) {
             let spots: Vec<SpotLook> =
                 spatter.spots.iter().filter_map(|spot| spot_look(spot, pan, &world_from_floor)).collect();

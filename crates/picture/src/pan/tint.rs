@@ -7,8 +7,12 @@ use saute_kitchen::pan::PanModel;
 use saute_kitchen::{Kitchen, celsius};
 use saute_scene::input::{FILM_SIZE, TINT_RANGE, TintPicture};
 
+use crate::pace::Pace;
+
 /// Ticks between two pictures (chosen: ten seconds; everything still is redrawn for each that differs).
 const LOOK_TICKS: u64 = 100;
+/// Looks at foods and film for which there is one at the tint at most (chosen: likewise, where those are apart).
+const LOOKS: u64 = 30;
 /// Temperatures that differ by less look the same [K] (chosen).
 const SAME: f64 = 2.0;
 
@@ -23,13 +27,13 @@ pub(crate) struct PanTint {
 
 impl PanTint {
     /// Returns the picture; it may be up to an interval old.
-    pub(crate) fn picture(&mut self, kitchen: &Kitchen) -> Arc<TintPicture> {
+    pub(crate) fn picture(&mut self, kitchen: &Kitchen, pace: &Pace) -> Arc<TintPicture> {
         let model = kitchen.pan_model();
         let pan = std::ptr::from_ref(model) as usize;
         if self.pan != pan || self.places.is_empty() {
             *self = Self { pan, places: places(model), drawn: None };
         }
-        let look = kitchen.tick() / LOOK_TICKS;
+        let look = kitchen.tick() / LOOK_TICKS.max(LOOKS * pace.every());
         match &self.drawn {
             Some((drawn, picture)) if *drawn == look => Arc::clone(picture),
             _ => {

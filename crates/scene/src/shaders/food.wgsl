@@ -114,7 +114,8 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
     let body = Surface(colour, vec3<f32>(0.03), roughness, bumpy, visibility, wrap);
     var radiance = diffuse(body, lit) + colour * side_fill(smooth_normal) * visibility;
     let tint = mix(vec3<f32>(1.0), vec3<f32>(1.0, 0.82, 0.58), crust);
-    radiance += specular(body, in.position, view, lit) * mix(0.34, 0.16, max(wetness, crust)) * (1.0 - 0.6 * look.charring) * tint;
+    // The film over it shines far more.
+    if (!quick) { radiance += specular(body, in.position, view, lit) * mix(0.34, 0.16, max(wetness, crust)) * (1.0 - 0.6 * look.charring) * tint; }
     let film_slope = look.film_slope - rest_normal * dot(look.film_slope, rest_normal);
     // Raw flesh is coated by an even film of its own juice; later the film follows every pore.
     let raw = wetness * (1.0 - crust) * (1.0 - in.state.w);

@@ -35,11 +35,12 @@ struct Grain {
 
 fn noise_at(piece: vec3<f32>, stretch: vec3<f32>) -> Noise {
     let rest = piece + food.place.xyz;
-    return Noise(
-        textureSample(solid_noise, tile_sampler, rest.zxy * 15.6 + 0.61),
-        textureSample(solid_noise, tile_sampler, rest * 54.0),
-        textureSample(solid_noise, tile_sampler, rest * 250.0 * stretch + 0.37),
-        textureSample(solid_noise, tile_sampler, rest.yxz * 610.0 * stretch.yxz + 0.11));
+    let region = textureSample(solid_noise, tile_sampler, rest.zxy * 15.6 + 0.61);
+    let broad = textureSample(solid_noise, tile_sampler, rest * 54.0);
+    let grain = textureSample(solid_noise, tile_sampler, rest * 250.0 * stretch + 0.37);
+    // From afar the finest lattice is lost between the pixels.
+    if (quick) { return Noise(region, broad, grain, vec4<f32>(0.5)); }
+    return Noise(region, broad, grain, textureSample(solid_noise, tile_sampler, rest.yxz * 610.0 * stretch.yxz + 0.11));
 }
 
 fn relief(noise: Noise, crust: f32) -> vec3<f32> {

@@ -99,6 +99,7 @@ impl SauteApp {
             white_balance: self.settings.white_balance,
             flat: false,
         };
+        self.stage.look_every(self.look_ticks());
         let input = self.stage.scene(&self.session.kitchen, &options, &self.places());
         #[cfg(not(target_arch = "wasm32"))]
         let input = SceneInput { strings: self.string_looks(), ..input };
