@@ -46,7 +46,7 @@ mod tests {
     #[test]
     fn every_picture_is_due_unless_told_and_then_one_in_an_interval() {
         let mut pace = Pace::default();
-        let mut due = |pace: &mut Pace, ticks: [u64; 5]| {
+        let due = |pace: &mut Pace, ticks: [u64; 5]| {
             ticks.map(|tick| {
                 pace.begin(tick);
                 pace.is_due()
