@@ -146,8 +146,8 @@ fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, li
     let roughness = min(sqrt(pow(mix(0.26, 0.15, wetness), 2.0) + 0.16 * dot(turn, turn)), 0.6);
     let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), roughness, world_normal(bent), visibility, vec3<f32>(0.0));
     // Only the bright parts of the room show as glints; the rest would lie on the flesh like milk.
-    let milk = GLINT * mix(1.0, 0.45, raw);
-    return max(specular(coat, in.position, view, lit) - milk, vec3<f32>(0.0)) * (mix(0.70, 1.3, raw) * film);
+    let milk = GLINT * mix(1.0, 0.8, raw);
+    return max(specular(coat, in.position, view, lit) - milk, vec3<f32>(0.0)) * (mix(0.70, 0.85, raw) * film);
 }
 
 // Depth of the dark crust and of the brown below it, under a face that is wholly browned [m] (a well-seared steak: about
