@@ -417,11 +417,11 @@ impl PanModel {
         total: &mut PanExchange,
     ) {
         let mut vapour = Vapour::default();
-        for i in 0..state.temperature.len() {
+        for (i, heat) in heat.iter_mut().enumerate() {
             if state.liquids.water.mass[i] > 0.0 {
                 let (base, area) = (state.temperature[i], self.liquids.bed.areas[i]);
                 let (taken, boiled) = state.liquids.water.heat(&self.liquids.water, i, area, base, dt);
-                heat[i] -= taken;
+                *heat -= taken;
                 made.steam[i] += boiled.mass;
                 vapour.mass += boiled.mass;
                 vapour.enthalpy += boiled.enthalpy;
