@@ -3,14 +3,18 @@
 // A failed unwrap in a test names its line.
 #![allow(clippy::unwrap_used)]
 
+mod bench_caps;
+
 use std::net::UdpSocket;
 
 use glam::DVec3;
 use saute_haptics::control::loop_step::LoopStep;
 use saute_haptics::kitchen::contact_model::{ContactModel, Impulse, Payload};
 use saute_haptics::remote::phone::{Incoming, Outgoing, Phone};
-use saute_haptics::strings::wire::{Caps, DeviceState, Frame, Message, Sample, UdpLink, Units};
+use saute_haptics::strings::wire::{DeviceState, Frame, Message, Sample, UdpLink};
 use saute_haptics::{HapticDevice, Pose, Renderer, Spidar, library, remote::haply, remote::osc};
+
+use bench_caps::CAPS;
 
 /// Answers like a device, through a real socket.
 fn answer(socket: &UdpSocket, time_us: u32, count: [i32; 8], jig: u8) {
@@ -18,17 +22,7 @@ fn answer(socket: &UdpSocket, time_us: u32, count: [i32; 8], jig: u8) {
     while let Ok((length, from)) = socket.recv_from(&mut bytes) {
         let Ok(frame) = Frame::decode(&bytes[..length]) else { continue };
         let message = match frame.message {
-            Message::Hello(_) => Message::Caps(Caps {
-                strings: 8,
-                units: Units::SPOKEN,
-                pitch_nm: 20_000,
-                min_mn: 300,
-                max_mn: 12_000,
-                rate_hz: 1000,
-                watchdog_ms: 100,
-                boot: 1,
-                name: [0; 16],
-            }),
+            Message::Hello(_) => Message::Caps(CAPS),
             Message::Arm | Message::Command(_) => {
                 Message::Sample(Sample { state: DeviceState::Running, time_us, count, jig, ..Sample::default() })
             }

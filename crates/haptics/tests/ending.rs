@@ -4,14 +4,18 @@
 #![allow(clippy::unwrap_used)]
 #![cfg(unix)]
 
+mod bench_caps;
+
 use std::net::{SocketAddr, UdpSocket};
 use std::os::unix::process::ExitStatusExt;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use saute_haptics::control::control_loop::ControlLoop;
-use saute_haptics::strings::wire::{Caps, DeviceState, Frame, Message, Sample, UdpLink, Units};
+use saute_haptics::strings::wire::{DeviceState, Frame, Message, Sample, UdpLink};
 use saute_haptics::{Spidar, library};
+
+use bench_caps::CAPS;
 
 /// Names the device's address to a program that a test starts.
 const ADDRESS: &str = "SAUTE_TEST_DEVICE";
@@ -66,18 +70,6 @@ impl Device {
         self.socket.send_to(&Frame { message, ..frame }.encode(), from).unwrap();
     }
 }
-
-const CAPS: Caps = Caps {
-    strings: 8,
-    units: Units::SPOKEN,
-    pitch_nm: 20_000,
-    min_mn: 300,
-    max_mn: 12_000,
-    rate_hz: 1000,
-    watchdog_ms: 100,
-    boot: 1,
-    name: [0; 16],
-};
 
 fn start(address: SocketAddr) -> ControlLoop {
     let geometry = library::devices().unwrap().remove(library::DEFAULT_DEVICE).unwrap();

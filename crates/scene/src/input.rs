@@ -4,7 +4,7 @@
 //! centre of the hob ring on the glass. The renderer computes no physics and knows no kitchen.
 
 mod food;
-mod pan;
+pub(crate) mod pan;
 
 use std::sync::Arc;
 

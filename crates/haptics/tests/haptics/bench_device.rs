@@ -10,6 +10,7 @@ use saute_haptics::strings::wire::{
 };
 use saute_haptics::{Geometry, Pose, Wrench};
 
+use crate::bench_caps::CAPS;
 use crate::random::Random;
 
 /// State that the test sets and reads.
@@ -63,7 +64,7 @@ impl Bench {
             pose: geometry.home(),
             tension_mn: [0; 8],
             offset: std::array::from_fn(|i| 0.01 * i as f64 - 0.03),
-            caps: caps(),
+            caps: CAPS,
             lie: Lie::None,
             random: Random(11),
             boot: 1,
@@ -147,20 +148,6 @@ impl Bench {
 }
 
 const WRONG_CODE: Refused = Refused { reason: Refusal::WrongCode, version: VERSION, wait_ms: 0 };
-
-fn caps() -> Caps {
-    Caps {
-        strings: 8,
-        units: Units::SPOKEN,
-        pitch_nm: 20_000,
-        min_mn: 300,
-        max_mn: 12_000,
-        rate_hz: 1000,
-        watchdog_ms: 100,
-        boot: 1,
-        name: *b"bench\0\0\0\0\0\0\0\0\0\0\0",
-    }
-}
 
 impl State {
     fn receive(&mut self, frame: &Frame) {

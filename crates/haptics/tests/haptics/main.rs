@@ -3,6 +3,8 @@
 // A failed unwrap in a test names its line.
 #![allow(clippy::unwrap_used)]
 
+#[path = "../bench_caps/mod.rs"]
+mod bench_caps;
 mod bench_device;
 mod control;
 mod kitchen;

@@ -176,8 +176,7 @@ impl Butter {
     /// Relaxes the foam towards its equilibrium with the steam of the butter's own water: its share of `boiled` of the
     /// water in the pan, of which `left` is left [kg].
     pub fn froth(&mut self, model: &ButterModel, boiled: f64, left: f64, dt: f64) {
-        let before = boiled + left;
-        let own = if before > 0.0 { self.water * (boiled / before).min(1.0) } else { self.water };
+        let own = if boiled > 0.0 { self.water * boiled / (boiled + left) } else { 0.0 };
         self.water = (self.water - own).clamp(0.0, left);
         let steam = own / dt;
         let half = 1e-3 * model.foam.half_g_s;

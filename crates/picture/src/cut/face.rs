@@ -72,8 +72,7 @@ impl CutFace<'_> {
         let last = self.mesh.levels.len() - 1;
         let height = |level: usize| self.model.rest_position(self.mesh.node(level, 0))[2] as f32;
         let browned = |level: usize, point: &CutPoint| {
-            let [a, b] = self.nodes(level, point).map(|node| self.state.browning[node]);
-            (a * (1.0 - point.share) + b * point.share) as f32
+            between(self.nodes(level, point), point.share, &|node| self.state.browning[node]) as f32
         };
         let of = |(point, rest): (CutPoint, Vec3)| FoodVertex {
             along: browned(last, &point),
@@ -99,7 +98,7 @@ impl CutFace<'_> {
     /// What is seen at a share of the way from a node to another, at a place of the rest frame [m].
     pub fn vertex(&self, [a, b]: [usize; 2], share: f64, rest: Vec3) -> FoodVertex {
         let (model, state) = (self.model, self.state);
-        let mix = |f: &dyn Fn(usize) -> f64| f(a) * (1.0 - share) + f(b) * share;
+        let mix = |f: &dyn Fn(usize) -> f64| between([a, b], share, f);
         let appearance = Appearance {
             changed: changed_at(state, |field| mix(&|i| field[i])),
             browning: mix(&|i| state.browning[i]),
@@ -118,6 +117,11 @@ impl CutFace<'_> {
         let place = Place { rest, now, body };
         vertex(model, appearance, CUT_MOISTURE * moisture, field, place, self.normal.to_array())
     }
+}
+
+/// A field at a share of the way from a node to another.
+fn between([a, b]: [usize; 2], share: f64, field: &dyn Fn(usize) -> f64) -> f64 {
+    field(a) * (1.0 - share) + field(b) * share
 }
 
 /// Triangles between rows of points, which need not be equally many.

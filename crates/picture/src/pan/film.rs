@@ -47,15 +47,11 @@ impl PanFilm {
             let Some(at) = place else { return [0; 4] };
             let mixed =
                 |f: &dyn Fn(usize) -> f64| -> f64 { (0..3).map(|k| at.weights[k] * f(at.nodes[k] as usize)).sum() };
-            let oil = (state.oil_film(at) / f64::from(OIL_RANGE)).sqrt();
+            let oil = state.oil_film(at);
             let wet = (mixed(&water) / f64::from(WATER_RANGE)).sqrt();
             let fond = mixed(&|node| state.liquids.fond.share[node]);
-            [
-                byte(oil),
-                byte(wet),
-                byte(fond),
-                byte(foam * state.oil_film(at).max(0.0).sqrt().min(FOAMING.sqrt()) / FOAMING.sqrt()),
-            ]
+            let standing = if foam > 0.0 { foam * (oil / FOAMING).clamp(0.0, 1.0).sqrt() } else { 0.0 };
+            [byte((oil / f64::from(OIL_RANGE)).sqrt()), byte(wet), byte(fond), byte(standing)]
         };
         self.places.iter().map(texel).collect()
     }

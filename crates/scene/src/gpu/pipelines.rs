@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::gpu::pipeline_build::{Detail, PipelineOptions, build};
 use crate::gpu::textures::{DEPTH_FORMAT, fragment_entry};
-use crate::input::{FleshTexture, FoodVertex};
+use crate::input::{FleshTexture, FoodVertex, pan};
 use crate::light::room_light;
 use crate::light::white_balance;
 use crate::mesh::solid::SolidVertex;
@@ -114,7 +114,7 @@ impl PipelineFactory {
         let solid_layout = pipeline_layout(device, &[&layouts.frame, textures]);
         let food_layout = pipeline_layout(device, &[&layouts.frame, textures, &layouts.food]);
         Self {
-            solid: module("solid", &[FRAME, &light, LIGHT, SOLID]),
+            solid: module("solid", &[FRAME, &light, LIGHT, &pan::wgsl(), SOLID]),
             food: module("food", &[FRAME, &light, LIGHT, HATCH, FLESH, GRAIN, BEADS, FOOD]),
             sprites: module("sprites", &[FRAME, &light, LIGHT, STEAM, FRY]),
             depth: module("depth", &[DEPTH]),

@@ -69,6 +69,12 @@ pub const OIL_RANGE: f32 = 20.0e-3;
 /// Thickness of water that byte 255 encodes [m] (chosen likewise).
 pub const WATER_RANGE: f32 = 20.0e-3;
 
+/// What the ranges are as constants of the shaders; thickness in millimetres.
+pub(crate) fn wgsl() -> String {
+    let [oil, water] = [OIL_RANGE, WATER_RANGE].map(|m| 1e3 * m);
+    format!("const OIL_MM = {oil:?};\nconst WATER_MM = {water:?};\nconst TINT_RANGE = {TINT_RANGE:?};\n")
+}
+
 /// A glass lid on the pan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LidLook {

@@ -90,13 +90,18 @@ fn world_normal(normal: vec3<f32>) -> vec3<f32> {
     return normalize((food.world_from_rest * vec4<f32>(normal, 0.0)).xyz);
 }
 
+// The part of a slope that lies in the face.
+fn along_face(slope: vec3<f32>, normal: vec3<f32>) -> vec3<f32> {
+    return slope - normal * dot(slope, normal);
+}
+
 fn lit_food(in: FoodOut) -> vec4<f32> {
     let rest_normal = normalize(in.normal);
     let look = look_of(in, rest_normal);
     let wetness = in.state.z * (1.0 - look.charring);
     let crust = clamp(1.4 * look.browning, 0.0, 1.0);
     let view = normalize(frame.eye.xyz - in.position);
-    let slope = look.slope - rest_normal * dot(look.slope, rest_normal);
+    let slope = along_face(look.slope, rest_normal);
     let smooth_normal = world_normal(in.normal);
     let height = max(in.position.z - support(in.position), 0.0);
     let visibility = (0.30 + 0.70 * smoothstep(-0.001, 0.010, height)) * (0.80 + 0.20 * smooth_normal.z);
@@ -116,7 +121,7 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
     let tint = mix(vec3<f32>(1.0), vec3<f32>(1.0, 0.82, 0.58), crust);
     // The film over it shines far more.
     if (!quick) { radiance += specular(body, in.position, view, lit) * mix(0.34, 0.16, max(wetness, crust)) * (1.0 - 0.6 * look.charring) * tint; }
-    let film_slope = look.film_slope - rest_normal * dot(look.film_slope, rest_normal);
+    let film_slope = along_face(look.film_slope, rest_normal);
     // Raw flesh is coated by an even film of its own juice; later the film follows every pore.
     let raw = wetness * (1.0 - crust) * (1.0 - in.state.w);
     radiance += sheen(in, look, rest_normal - film_slope * mix(mix(0.8, 1.2, wetness), 0.30, raw), raw, view, lit, visibility, wetness) * (0.35 + 0.65 * max(smooth_normal.z, 0.0)) * tint;
@@ -171,13 +176,16 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     var in = cut;
     let rest_normal = normalize(in.normal);
     let waver = 0.0007 * (textureSample(solid_noise, tile_sampler, (in.rest + food.place.xyz) * 190.0).a - 0.5);
-    // The faces' browning, above and below, and the depths under them; other bodies have none.
-    let crust = max(below_face(in.place.y, in.juice, waver), below_face(in.place.z, in.place.w, waver));
-    if (texture_kind == MUSCLE || texture_kind == GROUND) { in.state.x = max(in.state.x, crust); }
+    // An upright slice tells the browning of its faces, above and below, and the depths under them; other bodies tell neither.
+    let upright = in.juice + in.place.w > 0.0;
+    if (upright && (texture_kind == MUSCLE || texture_kind == GROUND)) {
+        let crust = max(below_face(in.place.y, in.juice, waver), below_face(in.place.z, in.place.w, waver));
+        in.state.x = max(in.state.x, crust);
+    }
     in.place.w = 0.0;
     let look = look_of(in, rest_normal);
     let view = normalize(frame.eye.xyz - in.position);
-    let slope = look.slope - rest_normal * dot(look.slope, rest_normal);
+    let slope = along_face(look.slope, rest_normal);
     let bent = world_normal(rest_normal - slope * 0.55);
     let lit = mix(0.45, 1.0, shadow(in.position, bent));
     let wet = in.state.z * (1.0 - clamp(2.0 * look.browning, 0.0, 1.0));
@@ -186,7 +194,7 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     let body = Surface(colour, vec3<f32>(0.03), 0.5, bent, 0.8, vec3<f32>(0.42, 0.24, 0.18) * (1.0 - look.browning));
     // The light of its own is white as shot; another balance tints the cut as it tints the outside.
     var radiance = colour * own / AS_SHOT + diffuse(body, lit) * 0.22;
-    let film_slope = look.film_slope - rest_normal * dot(look.film_slope, rest_normal);
+    let film_slope = along_face(look.film_slope, rest_normal);
     let film = Surface(vec3<f32>(0.0), vec3<f32>(0.028), 0.20, world_normal(rest_normal - film_slope * 0.9), 0.9, vec3<f32>(0.0));
     radiance += max(specular(film, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (0.9 * wet);
     return pixel_from_radiance(radiance, in.clip.xy);

@@ -137,14 +137,12 @@ struct Film {
     foam: f32,
 };
 
-// Thickness that the ends of the bytes stand for [mm]: OIL_RANGE and WATER_RANGE of `pan.rs`.
-const OIL_RANGE = 20.0;
-const WATER_RANGE = 20.0;
+// OIL_MM and WATER_MM, the thickness that the ends of the bytes stand for, and TINT_RANGE are those of `pan.rs`.
 
 fn film_on(local: vec3<f32>) -> Film {
     let uv = local.xy / frame.pan_shape.x * 0.5 + 0.5;
     let film = textureSampleLevel(pan_film, clamp_sampler, uv, 0.0);
-    return Film(film.r * film.r * OIL_RANGE, film.g * film.g * WATER_RANGE, film.b, film.a);
+    return Film(film.r * film.r * OIL_MM, film.g * film.g * WATER_MM, film.b, film.a);
 }
 
 // What heat has done to the colour of the pan at a place of its inside.
@@ -155,7 +153,7 @@ fn heat_tint(local: vec3<f32>) -> vec3<f32> {
     let up = length(vec2<f32>(max(radius - floor, 0.0), max(local.z - frame.pan_place.w, 0.0)));
     let unrolled = select(radius, floor + min(up, rise), radius > floor);
     let at = local.xy / max(radius, 1e-5) * unrolled / (floor + rise);
-    return textureSampleLevel(pan_tint, clamp_sampler, at * 0.5 + 0.5, 0.0).rgb * 2.0;
+    return textureSampleLevel(pan_tint, clamp_sampler, at * 0.5 + 0.5, 0.0).rgb * TINT_RANGE;
 }
 
 @fragment

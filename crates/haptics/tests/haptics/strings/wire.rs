@@ -5,8 +5,10 @@ use std::io::{self, Read, Write};
 use proptest::prelude::*;
 use saute_haptics::strings::wire::{
     Caps, Command, Deframer, DeviceState, FRAME, FaultCode, Frame, FrameError, Hello, Link, Message, Refusal, Refused,
-    STUFFED, Sample, SerialLink, Units, stuff,
+    STUFFED, Sample, SerialLink, stuff,
 };
+
+use crate::bench_caps::CAPS;
 
 const DOCUMENT: &str = include_str!("../../../../../docs/spidar-protocol.md");
 
@@ -14,22 +16,6 @@ fn vector(name: &str) -> Vec<u8> {
     let after = DOCUMENT.split(&format!("vector {name}\n")).nth(1).expect("the vector is in the document");
     let hex: String = after.split("```").next().unwrap().split_whitespace().collect();
     (0..hex.len() / 2).map(|i| u8::from_str_radix(&hex[2 * i..2 * i + 2], 16).unwrap()).collect()
-}
-
-fn bench_caps() -> Caps {
-    let mut name = [0; 16];
-    name[..5].copy_from_slice(b"bench");
-    Caps {
-        strings: 8,
-        units: Units::SPOKEN,
-        pitch_nm: 20_000,
-        min_mn: 300,
-        max_mn: 12_000,
-        rate_hz: 1000,
-        watchdog_ms: 100,
-        boot: 0xb007,
-        name,
-    }
 }
 
 fn refused(reason: Refusal, wait_ms: u16) -> Message {
@@ -51,7 +37,7 @@ fn documented() -> Vec<(&'static str, Frame)> {
     let frame = |sequence, message| Frame { sequence, session: 7, message };
     vec![
         ("hello", frame(1, Message::Hello(Hello { pairing: 123_456, rate_hz: 1000 }))),
-        ("caps", frame(1, Message::Caps(bench_caps()))),
+        ("caps", frame(1, Message::Caps(Caps { boot: 0xb007, ..CAPS }))),
         ("arm", frame(2, Message::Arm)),
         ("command", frame(3, Message::Command(Command { time_us: 2000, tension_mn }))),
         ("sample", frame(2, Message::Sample(sample))),
