@@ -83,14 +83,15 @@ fn dome(in: FryOut, place: vec2<f32>) -> vec4<f32> {
     let away = dot(place, place);
     let normal = normalize(vec3<f32>(place * 0.95, sqrt(max(1.0 - 0.9 * away, 0.02))));
     let body = smoothstep(1.0, 0.82, away);
-    let alpha = body * mix(0.30, 0.78, away * away);
-    let fat = mix(vec3<f32>(0.13, 0.105, 0.065), vec3<f32>(0.42, 0.37, 0.27), away * away);
+    let alpha = body * mix(0.26, 0.62, away * away);
+    let fat = mix(vec3<f32>(0.26, 0.21, 0.13), vec3<f32>(0.50, 0.44, 0.32), away * away);
     return vec4<f32>(pixel_from_radiance(fat + 2.0 * liquid(normal, in.position), in.clip.xy).rgb * alpha, alpha);
 }
 
 // Bubbles too small to be seen: pale, and open (chosen).
-const FOAM = vec4<f32>(0.50, 0.46, 0.38, 1.0);
-const FOAM_COVER = 0.55;
+const FOAM = vec4<f32>(0.60, 0.52, 0.36, 1.0);
+const FOAM_COVER = 0.42;
+const FINE_COVER = 0.20;
 
 // The collar: juice, then bubbles of three sizes, the largest on top.
 fn collar(in: FryOut, pixel: f32) -> vec4<f32> {
@@ -99,6 +100,9 @@ fn collar(in: FryOut, pixel: f32) -> vec4<f32> {
     let strip = Strip(in.corner / max(far, 1e-5), far / max(width, 1e-5), width);
     var seen = juice(in, far, strip.outward);
     if (width < 0.0007 || strip.share > 1.3) { return seen; }
+    // Between the bubbles that are seen stand finer ones.
+    let fine = FOAM * (FINE_COVER * smoothstep(1.0, 0.3, strip.share));
+    seen = seen * (1.0 - fine.a) + fine;
     let place = in_pan(in.position).xy;
     for (var size = 2; size >= 0; size--) {
         let found = bubble_at(place, strip, size);
