@@ -1,8 +1,10 @@
 //! The collar of bubbles and juice round what fries: a strip along the edge of every foot, as wide as its steam asks.
 
-use glam::Vec2;
+use std::sync::Arc;
 
-use crate::input::{FILM_SIZE, OIL_RANGE, PanLook, SceneInput, WATER_RANGE};
+use glam::{Mat4, Vec2};
+
+use crate::input::{FILM_SIZE, FoodLook, FoodVertex, OIL_RANGE, PanLook, SceneInput, WATER_RANGE};
 use crate::mesh::foot::{CELL, Foot, FootGrid, Near};
 use crate::mesh::steam::PuffVertex;
 
@@ -27,18 +29,71 @@ const DOUBLING_DEPTH: f32 = 5e-3;
 /// Share of the collar that stands without a film, in the juice alone (chosen).
 const DRY: f32 = 0.35;
 
-/// Strips round the foods that lie in the pan.
-pub(crate) fn collar(input: &SceneInput) -> Vec<PuffVertex> {
-    let mut grid = FootGrid::over(input.pan.floor_radius);
-    let mut any = false;
-    for food in &input.foods {
-        let Some(foot) = Foot::of(food, &input.pan) else { continue };
-        let place = foot.edge[foot.edge.len() / 2][0];
-        let width = width(food.steam_g_s / foot.length, liquid(&input.pan, place));
-        grid.add(&foot, width.max(FILM), width);
-        any = true;
+/// Strips round the foods that lie in the pan, kept from frame to frame as long as nothing moves.
+#[derive(Debug, Default)]
+pub(crate) struct Collar {
+    feet: Vec<KeptFoot>,
+    /// Pan's floor radius and pose, edge and width of every foot: what the strips were made for.
+    made_for: Option<(f32, Mat4)>,
+    strips: Vec<PuffVertex>,
+}
+
+/// A foot and what it was found for.
+#[derive(Debug)]
+struct KeptFoot {
+    vertices: Arc<Vec<FoodVertex>>,
+    pan_from_rest: Mat4,
+    foot: Option<Foot>,
+    /// Width of its collar, in steps.
+    width: f32,
+}
+
+/// Steps of the width of a collar [m] (chosen: a finer change is not seen).
+const WIDTH_STEP: f32 = 2.5e-4;
+
+impl Collar {
+    /// Returns the strips of a scene.
+    pub fn strips(&mut self, input: &SceneInput) -> &[PuffVertex] {
+        let mut same = self.feet.len() == input.foods.len();
+        let mut old = std::mem::take(&mut self.feet).into_iter();
+        for food in &input.foods {
+            let (foot, changed) = KeptFoot::updated(old.next(), food, &input.pan);
+            same &= !changed;
+            self.feet.push(foot);
+        }
+        let place = (input.pan.floor_radius, input.pan.world_from_pan());
+        if !same || self.made_for != Some(place) {
+            self.strips = self.made(input);
+            self.made_for = Some(place);
+        }
+        &self.strips
     }
-    if any { strips(&grid, input) } else { Vec::new() }
+
+    fn made(&self, input: &SceneInput) -> Vec<PuffVertex> {
+        let mut grid = FootGrid::over(input.pan.floor_radius);
+        let found: Vec<_> = self.feet.iter().filter_map(|kept| Some((kept.foot.as_ref()?, kept.width))).collect();
+        for (foot, width) in &found {
+            grid.add(foot, width.max(FILM), *width);
+        }
+        if found.is_empty() { Vec::new() } else { strips(&grid, input) }
+    }
+}
+
+impl KeptFoot {
+    /// The foot of a food, found anew if it has moved; true if its collar is another one.
+    fn updated(old: Option<Self>, food: &FoodLook, pan: &PanLook) -> (Self, bool) {
+        let pan_from_rest = pan.world_from_pan().inverse() * food.world_from_rest;
+        let is_same = |kept: &Self| kept.pan_from_rest == pan_from_rest && Arc::ptr_eq(&kept.vertices, &food.vertices);
+        let (foot, before) = match old {
+            Some(kept) if is_same(&kept) => (kept.foot, Some(kept.width)),
+            _ => (Foot::of(food, pan, pan_from_rest), None),
+        };
+        let width = foot.as_ref().map_or(0.0, |foot| {
+            let width = width(food.steam_g_s / foot.length, liquid(pan, foot.edge[foot.edge.len() / 2][0]));
+            (width / WIDTH_STEP).round() * WIDTH_STEP
+        });
+        (Self { vertices: Arc::clone(&food.vertices), pan_from_rest, foot, width }, before != Some(width))
+    }
 }
 
 /// Width of the collar [m]; `flow` is steam along the edge [g/(s m)], `depth` that of the liquid [m]. Twice the steam
@@ -89,12 +144,37 @@ mod tests {
 
     #[test]
     fn only_what_lies_in_the_pan_has_a_collar() {
-        assert!(collar(&empty_pan()).is_empty());
+        let mut collar = Collar::default();
+        assert!(collar.strips(&empty_pan()).is_empty());
         let mut scene = steak_in_pan(Doneness::HalfWay);
-        let vertices = collar(&scene);
-        assert!(!vertices.is_empty() && vertices.len() <= COLLAR_VERTICES_MAX);
+        assert!(!collar.strips(&scene).is_empty() && collar.strips.len() <= COLLAR_VERTICES_MAX);
         scene.foods[0].world_from_rest.w_axis.z += 0.05;
-        assert!(collar(&scene).is_empty());
+        assert!(collar.strips(&scene).is_empty());
+    }
+
+    #[test]
+    fn kept_strips_are_those_of_a_new_collar_whatever_moves() {
+        let mut kept = Collar::default();
+        let mut scene = steak_in_pan(Doneness::HalfWay);
+        let mut all = Vec::new();
+        for step in 0..6 {
+            match step {
+                1 => scene.foods[0].world_from_rest.w_axis.x += 0.01,
+                2 => scene.pan.position.y += 0.02,
+                3 => scene.foods[0].steam_g_s *= 0.3,
+                4 => scene.pan.film = empty_film(),
+                5 => scene.foods.push(scene.foods[0].clone()),
+                _ => (),
+            }
+            let strips = bytemuck::cast_slice::<_, u8>(kept.strips(&scene)).to_vec();
+            assert_eq!(strips, bytemuck::cast_slice::<_, u8>(Collar::default().strips(&scene)), "step {step}");
+            all.push(strips);
+        }
+        assert!(all[..5].windows(2).all(|pair| pair[0] != pair[1]), "each step but the last changes it");
+    }
+
+    fn empty_film() -> Arc<crate::input::FilmPicture> {
+        Arc::new(crate::input::FilmPicture { texels: vec![[0; 4]; (FILM_SIZE * FILM_SIZE) as usize] })
     }
 
     #[test]

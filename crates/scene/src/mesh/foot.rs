@@ -1,6 +1,6 @@
 //! Where foods meet the floor of the pan: on a grid, the way from the nearest edge of a foot.
 
-use glam::{IVec3, Vec2, Vec3};
+use glam::{IVec3, Mat4, Vec2, Vec3};
 
 use crate::input::{FoodLook, PanLook};
 
@@ -13,6 +13,7 @@ const WELD: f32 = 2e-5;
 
 /// The edge of one food's foot in the pan's frame. Triangles run counter-clockwise as seen from outside, so the food
 /// lies to the right of its edge.
+#[derive(Debug)]
 pub(crate) struct Foot {
     /// Segments of the edge on the floor [m].
     pub edge: Vec<[Vec2; 2]>,
@@ -22,8 +23,7 @@ pub(crate) struct Foot {
 
 impl Foot {
     /// Finds the triangles of a food that touch the floor, and the edge round them; none if nothing touches.
-    pub fn of(food: &FoodLook, pan: &PanLook) -> Option<Self> {
-        let pan_from_rest = pan.world_from_pan().inverse() * food.world_from_rest;
+    pub fn of(food: &FoodLook, pan: &PanLook, pan_from_rest: Mat4) -> Option<Self> {
         let middle = pan_from_rest.transform_point3(Vec3::ZERO);
         if middle.truncate().length() > pan.rim_radius {
             return None;
@@ -117,12 +117,18 @@ fn from_segment(point: Vec2, a: Vec2, b: Vec2) -> Vec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::input::SceneInput;
     use crate::sample::{Doneness, steak_in_pan};
+
+    fn found(scene: &SceneInput) -> Option<Foot> {
+        let food = &scene.foods[0];
+        Foot::of(food, &scene.pan, scene.pan.world_from_pan().inverse() * food.world_from_rest)
+    }
 
     #[test]
     fn the_grid_holds_the_way_from_the_edge() {
         let scene = steak_in_pan(Doneness::HalfWay);
-        let foot = Foot::of(&scene.foods[0], &scene.pan).expect("the steak touches");
+        let foot = found(&scene).expect("the steak touches");
         // The painted steak is 120 × 80 mm with round corners.
         assert!((0.28..0.40).contains(&foot.length), "{}", foot.length);
         let mut grid = FootGrid::over(scene.pan.floor_radius);
@@ -144,6 +150,6 @@ mod tests {
     fn what_is_lifted_has_no_foot() {
         let mut scene = steak_in_pan(Doneness::HalfWay);
         scene.foods[0].world_from_rest.w_axis.z += 0.05;
-        assert!(Foot::of(&scene.foods[0], &scene.pan).is_none());
+        assert!(found(&scene).is_none());
     }
 }

@@ -104,7 +104,8 @@ fn collar(in: FryOut, pixel: f32) -> vec4<f32> {
     let fine = FOAM * (FINE_COVER * smoothstep(1.0, 0.3, strip.share));
     seen = seen * (1.0 - fine.a) + fine;
     let place = in_pan(in.position).xy;
-    for (var size = 2; size >= 0; size--) {
+    // From afar the smallest are lost in the foam.
+    for (var size = select(2, 1, quick); size >= 0; size--) {
         let found = bubble_at(place, strip, size);
         if (found.z <= 0.0 || dot(found.xy, found.xy) >= 1.0) { continue; }
         // Bubbles of few pixels are seen as foam, not as sparks.
