@@ -5,7 +5,7 @@ use saute_picture::still::shot::ShotError;
 use saute_recipe::summary::Summary;
 use saute_recipe::{Cook, Recipe};
 
-use super::figure::{COOKS, FIGURES};
+use super::figure::Book;
 
 /// A kitchen at a time after the first food was put in, with its numbers.
 pub struct Moment {
@@ -19,14 +19,14 @@ pub struct Moment {
     pub summary: Summary,
 }
 
-/// Plays a cook once and keeps every moment that a figure shows.
-pub fn moments(cook: &'static str, library: &Library) -> Result<Vec<Moment>, ShotError> {
-    let panels = FIGURES.iter().flat_map(|figure| figure.panels);
+/// Plays a cook of a book once and keeps every moment that a figure shows.
+pub fn moments(book: &Book, cook: &'static str, library: &Library) -> Result<Vec<Moment>, ShotError> {
+    let panels = book.figures.iter().flat_map(|figure| figure.panels);
     let mut times: Vec<f64> = panels.filter(|panel| panel.cook == cook).map(|panel| panel.after_s).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();
-    let text = COOKS.iter().find(|(name, _)| *name == cook).map_or("", |(_, text)| text);
-    let file = format!("gallery/{cook}.toml");
+    let text = book.cooks.iter().find(|(name, _)| *name == cook).map_or("", |(_, text)| text);
+    let file = format!("{}/{cook}.toml", book.folder);
     let mut playing = Cook::new(Recipe::parse(text, &file, library)?, library)?;
     let (mut first_put, mut kept) = (None, Vec::new());
     while kept.len() < times.len() {

@@ -4,16 +4,14 @@ use std::fmt::Write;
 
 use saute_recipe::summary::FoodSummary;
 
-use super::figure::{FIGURES, Figure, Panel};
+use super::figure::{Book, Figure, Panel};
 use super::moment::Moment;
 use super::plate::moment_of;
 
-/// Returns the page as Markdown.
-pub fn page(moments: &[Moment]) -> String {
-    let mut text = String::from(
-        "# Gallery\n\nThe figures of the 2013 paper with this simulator's foods, drawn by `saute gallery`. Every picture shows a moment of a\ncook in `gallery/`; the numbers below it belong to the same moment.\n",
-    );
-    for (number, figure) in FIGURES.iter().enumerate() {
+/// Returns the page of a book as Markdown.
+pub fn page(book: &Book, figures: &[&Figure], moments: &[Moment]) -> String {
+    let mut text = book.opening.to_owned();
+    for (number, figure) in figures.iter().enumerate() {
         let _ = write!(
             text,
             "\n## {}. {}\n\n![{}]({}.png)\n\n{}\n\n",
@@ -69,6 +67,7 @@ fn row(text: &mut String, letters: &str, moment: &Moment, food: &FoodSummary) {
         bottom.temperature_c,
         top.browned_pct,
         bottom.browned_pct,
-        food.lost_pct
+        // Rounding must not print a minus before zero.
+        food.lost_pct.max(0.0) + 0.0
     );
 }

@@ -11,11 +11,8 @@ use saute_scene::quality::Quality;
 
 use super::figure::{Eye, Figure, Panel};
 use super::moment::Moment;
+use crate::picture::rows::in_rows;
 
-/// Gap between two panels [px] (chosen).
-const GAP: usize = 8;
-/// Colour of the gap (chosen: that of a dark page).
-const GROUND: [u8; 4] = [24, 24, 24, 255];
 /// Distance of the camera from a steak [m] (chosen: it fills the picture).
 const NEAR: f32 = 0.215;
 /// Distance of the camera from the pan [m] (chosen: it fills the picture).
@@ -28,21 +25,9 @@ pub fn moment_of<'a>(panel: &Panel, moments: &'a [Moment]) -> Option<&'a Moment>
 
 /// Renders a figure; `size` is the size of one panel [px].
 pub fn plate(gpu: &Gpu, figure: &Figure, moments: &[Moment], scales: &ScaleChoice, size: [u32; 2]) -> Picture {
-    let [width, height] = size.map(|n| n as usize);
-    let rows = figure.panels.len().div_ceil(figure.columns);
-    let across = figure.columns * (width + GAP) - GAP;
-    let mut whole = Picture { width: across, height: rows * (height + GAP) - GAP, rgba: Vec::new() };
-    whole.rgba = GROUND.repeat(whole.width * whole.height);
-    for (index, panel) in figure.panels.iter().enumerate() {
-        let Some(moment) = moment_of(panel, moments) else { continue };
-        let picture = draw(gpu, panel, &moment.kitchen, scales, size);
-        let (left, top) = (index % figure.columns * (width + GAP), index / figure.columns * (height + GAP));
-        for row in 0..height {
-            let to = 4 * ((top + row) * whole.width + left);
-            whole.rgba[to..to + 4 * width].copy_from_slice(&picture.rgba[4 * row * width..4 * (row + 1) * width]);
-        }
-    }
-    whole
+    let shown = figure.panels.iter().filter_map(|panel| Some((panel, moment_of(panel, moments)?)));
+    let pictures: Vec<Picture> = shown.map(|(panel, moment)| draw(gpu, panel, &moment.kitchen, scales, size)).collect();
+    in_rows(&pictures, figure.columns)
 }
 
 fn draw(gpu: &Gpu, panel: &Panel, kitchen: &Kitchen, scales: &ScaleChoice, size: [u32; 2]) -> Picture {

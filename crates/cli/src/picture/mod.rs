@@ -4,6 +4,7 @@ pub mod bench_frame;
 pub mod choices;
 mod contact_sheet;
 pub mod eye;
+pub mod rows;
 pub mod shot;
 pub mod size;
 mod time_lapse;

@@ -39,6 +39,6 @@ fn too_many(count: usize, until_s: f64) -> CliError {
     CliError::place(
         "--time-lapse".to_owned(),
         format!("asks for {count} frames or more, at most {FRAMES_MAX} are made"),
-        &format!("write --time-lapse {least} or more, or a smaller --at"),
+        format!("write --time-lapse {least} or more, or a smaller --at"),
     )
 }

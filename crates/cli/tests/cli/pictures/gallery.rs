@@ -23,3 +23,24 @@ fn every_figure_of_the_gallery_is_drawn_with_its_numbers() {
     // Two panels of one moment have one row.
     assert!(page.contains("| abcd | turned |"), "{page}");
 }
+
+#[test]
+fn a_food_is_drawn_from_raw_to_burnt_with_its_numbers() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("looks");
+    let ran = run(&["gallery", "--looks", "leek-ring", "--size", "64x64", "--out", out.to_str().unwrap()]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let page = std::fs::read_to_string(out.join("looks.md")).unwrap();
+    let png = std::fs::read(out.join("leek-ring.png")).unwrap();
+    assert!(png.starts_with(b"\x89PNG") && page.contains("](leek-ring.png)"), "{page}");
+    // Nine moments, of which the last is the burnt one's.
+    let rows = |cook: &str| page.lines().filter(|l| l.split('|').nth(2).is_some_and(|c| c.trim() == cook)).count();
+    assert_eq!([rows("leek-ring"), rows("leek-ring-burnt")], [8, 1], "{page}");
+}
+
+#[test]
+fn an_unknown_food_of_the_looks_is_refused_with_those_there_are() {
+    let ran = run(&["gallery", "--looks", "tofu", "--out", "never"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.err.contains("tofu") && ran.err.contains("beef-lean, beef-marbled"), "{}", ran.err);
+}

@@ -23,10 +23,11 @@ fn pixels(png: &[u8]) -> (u32, u32, Vec<u8>) {
 #[test]
 fn a_contact_sheet_holds_the_pictures_of_its_times_in_their_order() {
     let (width, height, sheet) = pixels(&drawn(&["--contact-sheet", "4,1"], "sheet.png"));
-    assert_eq!((width, height), (320, 90));
+    // Two pictures of 160 and a gap of 8.
+    assert_eq!((width, height), (328, 90));
     for (column, at) in ["4", "1"].into_iter().enumerate() {
         let (_, _, one) = pixels(&drawn(&["--at", at], "one.png"));
-        let rows = sheet.chunks_exact(4 * 320).map(|row| &row[640 * column..640 * (column + 1)]);
+        let rows = sheet.chunks_exact(4 * 328).map(|row| &row[672 * column..672 * column + 640]);
         assert!(rows.zip(one.chunks_exact(640)).all(|(a, b)| a == b), "column {column}");
     }
 }
