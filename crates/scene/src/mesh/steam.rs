@@ -31,7 +31,7 @@ impl Manner {
     fn of(kind: Vapour) -> Self {
         match kind {
             Vapour::Steam => {
-                Self { life: 0.9, rise: 0.20, dense: 0.022, half_size: [0.012, 0.042], opacity: 0.28, mark: 0.0 }
+                Self { life: 1.3, rise: 0.24, dense: 0.022, half_size: [0.013, 0.050], opacity: 0.40, mark: 0.0 }
             }
             Vapour::Smoke => {
                 Self { life: 2.2, rise: 0.30, dense: 0.004, half_size: [0.014, 0.048], opacity: 0.30, mark: 2.0 }
