@@ -146,6 +146,7 @@ impl Stage {
             white_balance: options.white_balance,
             flat: options.flat,
             mirror: None,
+            tile: None,
         }
     }
 

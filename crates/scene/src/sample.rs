@@ -64,6 +64,7 @@ pub fn empty_pan() -> SceneInput {
         white_balance: Default::default(),
         flat: false,
         mirror: None,
+        tile: None,
     }
 }
 

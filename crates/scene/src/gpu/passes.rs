@@ -135,6 +135,21 @@ pub(crate) fn draw_still_depth(
     solids.turner().into_iter().for_each(|turner| turner.draw(pass));
 }
 
+/// Depth of all that is not transparent, at one sample a pixel.
+pub(crate) fn draw_whole_depth(
+    pass: &mut wgpu::RenderPass<'_>,
+    pipelines: &DepthPipelines,
+    view: &wgpu::BindGroup,
+    solids: &Solids,
+    foods: &Foods,
+) {
+    draw_still_depth(pass, pipelines, view, solids);
+    solids.pan_floor().draw(pass);
+    solids.tool().into_iter().chain(solids.strings()).chain(solids.lid_steel()).for_each(|solid| solid.draw(pass));
+    pass.set_pipeline(&pipelines.lively);
+    foods.slots.iter().for_each(|food| food.draw_seen_depth(pass));
+}
+
 /// What does not move, nearest first. The pan's floor is drawn with the foods; a picture that is kept needs it all the
 /// same, so that the smoothed edge of the wall round it is not mixed with what lies under the pan.
 pub(crate) fn draw_still(

@@ -87,6 +87,8 @@ pub(crate) struct DepthPipelines {
     pub food: wgpu::RenderPipeline,
     /// Without the bias that shadow maps need.
     pub still: wgpu::RenderPipeline,
+    /// The same for foods.
+    pub lively: wgpu::RenderPipeline,
 }
 
 /// Compiles pipelines on demand from modules that are parsed once.
@@ -189,6 +191,7 @@ impl PipelineFactory {
             solid: make(&view_only, "vs_solid_depth", solid_buffer(), bias),
             food: make(&with_pose, "vs_food_depth", food_buffer(), bias),
             still: make(&view_only, "vs_solid_depth", solid_buffer(), wgpu::DepthBiasState::default()),
+            lively: make(&with_pose, "vs_food_depth", food_buffer(), wgpu::DepthBiasState::default()),
         }
     }
 

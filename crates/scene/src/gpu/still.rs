@@ -3,7 +3,7 @@
 use crate::camera::Camera;
 use crate::gpu::solids::MovableKey;
 use crate::gpu::uniforms::balance;
-use crate::input::SceneInput;
+use crate::input::{SceneInput, Tile};
 use crate::light::white_balance::WhiteBalance;
 
 /// Cache key of the static layer.
@@ -16,6 +16,7 @@ pub(crate) struct StillKey {
     pan: MovableKey,
     disturbances: u64,
     white: WhiteBalance,
+    tile: Option<Tile>,
 }
 
 impl StillKey {
@@ -27,6 +28,7 @@ impl StillKey {
             pan: MovableKey::of(input),
             disturbances,
             white: balance(input),
+            tile: input.tile,
         }
     }
 

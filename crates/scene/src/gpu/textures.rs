@@ -2,6 +2,7 @@
 
 use wgpu::util::{DeviceExt, TextureDataOrder};
 
+use crate::gpu::post::AMBIENT_FORMAT;
 use crate::input::FILM_SIZE;
 use crate::light::environment::{self, ENVIRONMENT_LEVELS, ENVIRONMENT_SIZE};
 use crate::noise::{bundles, halve_picture, halve_volume, solid_noise};
@@ -24,6 +25,8 @@ pub(crate) struct SceneTextures {
     table: wgpu::Texture,
     film: wgpu::Texture,
     tint: wgpu::Texture,
+    /// Share of the room's light by pixel; white until the best level makes one.
+    ambient: wgpu::TextureView,
     stepped: bool,
     samplers: Samplers,
 }
@@ -65,7 +68,9 @@ impl SceneTextures {
         let film = plain_texture(device, "pan film", [FILM_SIZE; 2]);
         let tint = plain_texture(device, "heat tint", [FILM_SIZE; 2]);
         let views = [&shadow_map, &contact_map, &environment, &patterns.noise, &patterns.bundles];
-        let bind_group = bind(device, &layout, views, [&table, &film, &tint], &samplers, false);
+        let unshaded = sampled_texture(device, queue, [1; 3], 1, AMBIENT_FORMAT, &[255]);
+        let pictures = [&table, &film, &tint];
+        let bind_group = bind(device, &layout, views, pictures, &unshaded, &samplers, false);
         Self {
             layout,
             bind_group,
@@ -78,6 +83,7 @@ impl SceneTextures {
             table,
             film,
             tint,
+            ambient: unshaded,
             stepped: false,
             samplers,
         }
@@ -134,8 +140,17 @@ impl SceneTextures {
         let finest = self.fine.as_ref().filter(|_| self.quality == Quality::Best);
         let patterns = finest.unwrap_or(&self.plain);
         let views = [&self.shadow_map, &self.contact_map, &self.environment, &patterns.noise, &patterns.bundles];
+        let pictures = [&self.table, &self.film, &self.tint];
         self.bind_group =
-            bind(device, &self.layout, views, [&self.table, &self.film, &self.tint], &self.samplers, self.stepped);
+            bind(device, &self.layout, views, pictures, &self.ambient, &self.samplers, self.stepped);
+    }
+
+    /// Takes another picture of the share of the room's light.
+    pub fn set_ambient(&mut self, device: &wgpu::Device, ambient: &wgpu::TextureView) {
+        if self.ambient != *ambient {
+            self.ambient = ambient.clone();
+            self.rebind(device);
+        }
     }
 }
 
@@ -196,6 +211,7 @@ fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
         filtering,
         texture(float, TextureViewDimension::D2),
         texture(float, TextureViewDimension::D2),
+        texture(float, TextureViewDimension::D2),
     ];
     let entries: Vec<_> = (0..).zip(types).map(|(binding, ty)| fragment_entry(binding, ty)).collect();
     device
@@ -212,6 +228,7 @@ fn bind(
     layout: &wgpu::BindGroupLayout,
     [shadow, contact, environment, noise, bundles]: [&wgpu::TextureView; 5],
     [table, film, tint]: [&wgpu::Texture; 3],
+    ambient: &wgpu::TextureView,
     samplers: &Samplers,
     stepped: bool,
 ) -> wgpu::BindGroup {
@@ -231,6 +248,7 @@ fn bind(
         Sampler(table_sampler),
         TextureView(&film),
         TextureView(&tint),
+        TextureView(ambient),
     ];
     let entries: Vec<_> =
         (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();

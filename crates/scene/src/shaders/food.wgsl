@@ -104,7 +104,7 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
     let slope = along_face(look.slope, rest_normal);
     let smooth_normal = world_normal(in.normal);
     let height = max(in.position.z - support(in.position), 0.0);
-    let visibility = (0.30 + 0.70 * smoothstep(-0.001, 0.010, height)) * (0.80 + 0.20 * smooth_normal.z);
+    let visibility = (0.30 + 0.70 * smoothstep(-0.001, 0.010, height)) * (0.80 + 0.20 * smooth_normal.z) * nearby(in.clip.xy);
     let lit = shadow(in.position, smooth_normal);
     let bumpy = world_normal(rest_normal - slope * (0.85 - 0.35 * wetness));
     let wrap = mix(vec3<f32>(0.26, 0.14, 0.10), vec3<f32>(0.42, 0.36, 0.30), look.clear) * (1.0 - 0.85 * crust);

@@ -47,14 +47,19 @@ fn srgb_from_linear(linear: vec3<f32>) -> vec3<f32> {
 // Below this the curve is straight, so that flesh keeps its own colour; above it highlights roll off (chosen).
 const SHOULDER = 0.62;
 
+// True where a later pass develops the picture: then radiances leave encoded, without curve and dither.
+override hdr: bool = false;
+
 fn filmic(radiance: vec3<f32>) -> vec3<f32> {
     let x = max(radiance * frame.white.rgb, vec3<f32>(0.0));
+    if (hdr) { return x; }
     let over = max(x - SHOULDER, vec3<f32>(0.0)) / (1.0 - SHOULDER);
     return min(x, vec3<f32>(SHOULDER)) + (1.0 - SHOULDER) * over / (1.0 + over);
 }
 
 // Interleaved gradient noise breaks the bands of 8-bit gradients.
 fn dither(pixel: vec2<f32>) -> f32 {
+    if (hdr) { return 0.0; }
     return fract(52.9829189 * fract(dot(pixel, vec2<f32>(0.06711056, 0.00583715)))) - 0.5;
 }
 

@@ -15,6 +15,9 @@
 // Reflectance of the unrolled inside of the pan over that of a new one, halved.
 @group(1) @binding(11) var pan_tint: texture_2d<f32>;
 
+// Share of the room's light that the neighbourhood lets through, half the size of the picture.
+@group(1) @binding(12) var ambient: texture_2d<f32>;
+
 // KEY, LAMP, FILL_… and FRONT are those of `room_light.rs`.
 
 struct Surface {
@@ -129,6 +132,12 @@ fn openness(position: vec3<f32>) -> f32 {
     let uv = (position.xy - frame.contact_rect.xy) * frame.contact_rect.zw;
     let low = (position.z + 0.006 - frame.contact_height.x) * frame.contact_height.y;
     return mix(0.5, 1.0, depth_test(contact_map, uv, frame.contact_height.z, low));
+}
+
+// Share of the room's light at a pixel, by what is seen round it; the pan's corners and the foot of food have theirs as well.
+fn nearby(pixel: vec2<f32>) -> f32 {
+    if (!hdr) { return 1.0; }
+    return textureSampleLevel(ambient, clamp_sampler, pixel * 0.5 / vec2<f32>(textureDimensions(ambient)), 0.0).r;
 }
 
 // Radiance from a direction, blurred for the roughness. The room is near: a step aside shifts the reflection.

@@ -54,7 +54,7 @@ fn fs_solid(in: SolidOut) -> @location(0) vec4<f32> {
     let stone = 0.90 + 0.20 * coarse + 0.10 * smoothstep(0.62, 0.80, speckle) - 0.09 * smoothstep(0.36, 0.22, speckle);
     let weave = 0.92 + 0.05 * sin(in.position.x * 2600.0) * sin(in.position.y * 2600.0) + 0.12 * (coarse - 0.5);
     s.albedo *= select(1.0, select(weave, stone, kind > 5.5), kind > 4.5);
-    s.visibility *= pan_foot(in.position);
+    s.visibility *= pan_foot(in.position) * nearby(in.clip.xy);
     let lit = shadow_on_ground(in.position, n);
     let radiance = diffuse(s, lit) + specular(s, in.position, view, lit);
     return pixel_from_radiance(radiance, in.clip.xy);
@@ -88,7 +88,7 @@ fn fs_wood(in: SolidOut) -> @location(0) vec4<f32> {
     s.albedo *= mix(vec3<f32>(0.95), vec3<f32>(1.10, 1.10, 1.11), smoothstep(0.4, 0.7, worn));
     s.roughness += 0.25 * (pores - 0.5);
     let lit = shadow_on_ground(in.position, n);
-    s.visibility *= openness(in.position);
+    s.visibility *= min(openness(in.position), nearby(in.clip.xy));
     let radiance = diffuse(s, lit) + specular(s, in.position, view, lit);
     return pixel_from_radiance(radiance, in.clip.xy);
 }
@@ -185,7 +185,7 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     s.albedo = in.colour * tint * (1.0 - 0.84 * in.surface.y) * (1.0 + 0.35 * patchy);
     s.roughness = clamp(s.roughness + 0.14 * patchy + 0.10 * (fine - 0.5), 0.05, 1.0);
     let lit = shadow_on_ground(in.position, n);
-    let open = openness(in.position);
+    let open = min(openness(in.position), nearby(in.clip.xy));
     let depth = clamp((frame.pan_place.w + frame.pan_shape.z - local.z) / frame.pan_shape.z, 0.0, 1.0);
     let corner = smoothstep(0.035, 0.0, abs(radius - frame.pan_shape.x)) * depth;
     s.visibility *= open * (1.0 - inside * (0.22 * depth + 0.25 * corner));
