@@ -11,6 +11,7 @@ use std::sync::Arc;
 use glam::{Mat4, Vec3};
 
 use crate::camera::Camera;
+use crate::light::room_light::RoomLight;
 use crate::light::white_balance::WhiteBalance;
 use crate::mesh::strings::StringLook;
 
@@ -49,6 +50,8 @@ pub struct SceneInput {
     pub colouring: Colouring,
     /// White balance of the look.
     pub white_balance: WhiteBalance,
+    /// Light of the room.
+    pub light: RoomLight,
     /// True writes the colours unlit, without tone mapping, shadow, dither or anti-aliasing, so that they decode
     /// exactly.
     pub flat: bool,

@@ -18,7 +18,7 @@ use crate::gpu::textures::SceneTextures;
 use crate::gpu::uniforms::FrameUniform;
 use crate::gpu::views::Views;
 use crate::input::{Colouring, FilmPicture, SceneInput, TintPicture};
-use crate::light::shadow::ContactMap;
+use crate::light::shadow::{ContactMap, ShadowView};
 use crate::quality::Quality;
 
 pub use crate::gpu::passes::FLAT_BACKGROUND;
@@ -162,6 +162,7 @@ impl SceneRenderer {
         if self.textures.set_quality(device, queue, self.quality) {
             self.history.forget_shadow();
         }
+        self.textures.set_light(device, queue, input.light);
         let pulled = self.contents.solids.as_ref().is_some_and(|solids| !solids.shows(&input.strings));
         match &mut self.contents.solids {
             Some(solids) => solids.update(device, queue, input),
@@ -173,7 +174,7 @@ impl SceneRenderer {
         let spots = self.contents.sprites.update_spots(queue, input);
         let aspect = size[0] as f32 / size[1] as f32;
         let frame = FrameUniform::new(input, aspect, self.quality, &self.contents.contact);
-        self.views.write(queue, &frame, &input.view_projection(aspect));
+        self.views.write(queue, &frame, &input.view_projection(aspect), &ShadowView::of(input));
         self.update_foods(device, queue, input);
         let sprites = self.contents.sprites.update(queue, input);
         self.history.begin(frame.timeless(), DirtyRect::of_sprites(input, &sprites, size));
@@ -246,7 +247,8 @@ impl SceneRenderer {
         }
         let (depth, foods) = (self.pipelines.depth(), &self.contents.foods);
         let mut pass = passes::begin_depth(encoder, &self.textures.shadow_map);
-        passes::draw_shadow(&mut pass, depth, self.views.light(), solids, foods);
+        let size = self.quality.map_sizes()[0];
+        passes::draw_shadows(&mut pass, depth, self.views.light(), size, solids, foods);
         drop(pass);
         let mut pass = passes::begin_depth(encoder, &self.textures.contact_map);
         passes::draw_food_depth(&mut pass, depth, self.views.contact(), foods);

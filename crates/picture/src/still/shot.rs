@@ -6,6 +6,7 @@ use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{InputError, Kitchen, Library, Piece, TICK_S};
 use saute_recipe::{Cook, Recipe};
 use saute_scene::camera::Camera;
+use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 use saute_scene::renderer::SceneRenderer;
@@ -76,6 +77,8 @@ pub struct ShotOptions {
     pub slice: bool,
     /// White balance of the look.
     pub white_balance: WhiteBalance,
+    /// Light of the room.
+    pub light: RoomLight,
     /// Rendering quality.
     pub quality: Quality,
     /// Unlit, exactly decodable colours.
@@ -134,6 +137,7 @@ impl ShotOptions {
             slice,
             cut: None,
             white_balance: self.white_balance,
+            light: self.light,
             flat: self.flat,
         }
     }

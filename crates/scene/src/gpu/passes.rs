@@ -87,8 +87,23 @@ fn depth_attachment(
     }
 }
 
-/// Everything that casts a shadow from the window.
-pub(crate) fn draw_shadow(
+/// Everything that casts a shadow, into both parts of the shadow map.
+pub(crate) fn draw_shadows(
+    pass: &mut wgpu::RenderPass<'_>,
+    pipelines: &DepthPipelines,
+    views: [&wgpu::BindGroup; 2],
+    size: u32,
+    solids: &Solids,
+    foods: &Foods,
+) {
+    let side = size as f32;
+    for (view, left) in views.into_iter().zip([0.0, side]) {
+        pass.set_viewport(left, 0.0, side, side, 0.0, 1.0);
+        draw_shadow(pass, pipelines, view, solids, foods);
+    }
+}
+
+fn draw_shadow(
     pass: &mut wgpu::RenderPass<'_>,
     pipelines: &DepthPipelines,
     view: &wgpu::BindGroup,

@@ -6,7 +6,6 @@ use crate::gpu::pipeline_build::{Detail, PipelineOptions, build};
 use crate::gpu::textures::{DEPTH_FORMAT, fragment_entry};
 use crate::input::{FleshTexture, FoodVertex, pan};
 use crate::light::room_light;
-use crate::light::white_balance;
 use crate::mesh::solid::SolidVertex;
 use crate::mesh::steam::PuffVertex;
 
@@ -112,7 +111,7 @@ impl PipelineFactory {
                 source: wgpu::ShaderSource::Wgsl(parts.concat().into()),
             })
         };
-        let light = room_light::wgsl() + &white_balance::wgsl();
+        let light = room_light::wgsl();
         let solid_layout = pipeline_layout(device, &[&layouts.frame, textures]);
         let food_layout = pipeline_layout(device, &[&layouts.frame, textures, &layouts.food]);
         Self {

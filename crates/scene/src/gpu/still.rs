@@ -4,6 +4,7 @@ use crate::camera::Camera;
 use crate::gpu::solids::MovableKey;
 use crate::gpu::uniforms::balance;
 use crate::input::{SceneInput, Tile};
+use crate::light::room_light::RoomLight;
 use crate::light::white_balance::WhiteBalance;
 
 /// Cache key of the static layer.
@@ -17,6 +18,7 @@ pub(crate) struct StillKey {
     disturbances: u64,
     white: WhiteBalance,
     tile: Option<Tile>,
+    light: RoomLight,
 }
 
 impl StillKey {
@@ -29,6 +31,7 @@ impl StillKey {
             disturbances,
             white: balance(input),
             tile: input.tile,
+            light: input.light,
         }
     }
 

@@ -5,6 +5,7 @@ use wgpu::util::{DeviceExt, TextureDataOrder};
 use crate::gpu::post::AMBIENT_FORMAT;
 use crate::input::FILM_SIZE;
 use crate::light::environment::{self, ENVIRONMENT_LEVELS, ENVIRONMENT_SIZE};
+use crate::light::room_light::RoomLight;
 use crate::noise::{bundles, halve_picture, halve_volume, solid_noise};
 use crate::quality::Quality;
 
@@ -19,6 +20,7 @@ pub(crate) struct SceneTextures {
     pub contact_map: wgpu::TextureView,
     quality: Quality,
     environment: wgpu::TextureView,
+    light: RoomLight,
     plain: Patterns,
     /// Made when they are first needed.
     fine: Option<Patterns>,
@@ -59,8 +61,9 @@ impl SceneTextures {
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, quality: Quality) -> Self {
         let layout = layout(device);
         let samplers = Samplers::new(device);
-        let [shadow_map, contact_map] = quality.map_sizes().map(|size| depth_map(device, size));
-        let environment = environment_texture(device, queue);
+        let [shadow_map, contact_map] = depth_maps(device, quality);
+        let light = RoomLight::default();
+        let environment = environment_texture(device, queue, light);
         let plain = Patterns::new(device, queue, PLAIN);
         let fine = (quality == Quality::Best).then(|| Patterns::new(device, queue, FINEST));
         let patterns = fine.as_ref().unwrap_or(&plain);
@@ -78,6 +81,7 @@ impl SceneTextures {
             contact_map,
             quality,
             environment,
+            light,
             plain,
             fine,
             table,
@@ -94,7 +98,7 @@ impl SceneTextures {
         if self.quality == quality {
             return false;
         }
-        [self.shadow_map, self.contact_map] = quality.map_sizes().map(|size| depth_map(device, size));
+        [self.shadow_map, self.contact_map] = depth_maps(device, quality);
         self.quality = quality;
         if quality == Quality::Best && self.fine.is_none() {
             self.fine = Some(Patterns::new(device, queue, FINEST));
@@ -143,6 +147,15 @@ impl SceneTextures {
         let pictures = [&self.table, &self.film, &self.tint];
         self.bind_group =
             bind(device, &self.layout, views, pictures, &self.ambient, &self.samplers, self.stepped);
+    }
+
+    /// Takes another light of the room.
+    pub fn set_light(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, light: RoomLight) {
+        if self.light != light {
+            self.light = light;
+            self.environment = environment_texture(device, queue, light);
+            self.rebind(device);
+        }
     }
 
     /// Takes another picture of the share of the room's light.
@@ -255,10 +268,16 @@ fn bind(
     device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("scene textures"), layout, entries: &entries })
 }
 
-fn depth_map(device: &wgpu::Device, size: u32) -> wgpu::TextureView {
+/// Shadow map, whose fine and coarse part lie side by side, and contact map.
+fn depth_maps(device: &wgpu::Device, quality: Quality) -> [wgpu::TextureView; 2] {
+    let [shadow, contact] = quality.map_sizes();
+    [[2 * shadow, shadow], [contact; 2]].map(|size| depth_map(device, size))
+}
+
+fn depth_map(device: &wgpu::Device, [width, height]: [u32; 2]) -> wgpu::TextureView {
     let texture = device.create_texture(&wgpu::TextureDescriptor {
         label: Some("depth map"),
-        size: wgpu::Extent3d { width: size, height: size, depth_or_array_layers: 1 },
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
@@ -306,8 +325,8 @@ pub(crate) fn sampled_texture_of(
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
-fn environment_texture(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureView {
-    let texels: Vec<u16> = (0..ENVIRONMENT_LEVELS).flat_map(environment::level).collect();
+fn environment_texture(device: &wgpu::Device, queue: &wgpu::Queue, light: RoomLight) -> wgpu::TextureView {
+    let texels: Vec<u16> = (0..ENVIRONMENT_LEVELS).flat_map(|level| environment::level(light, level)).collect();
     let size = [ENVIRONMENT_SIZE, ENVIRONMENT_SIZE, 1];
     let format = wgpu::TextureFormat::Rgba16Float;
     sampled_texture(device, queue, size, ENVIRONMENT_LEVELS, format, bytemuck::cast_slice(&texels))

@@ -134,7 +134,7 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
 
 // The side that the cook sees gets the light that the room behind him gives back.
 fn side_fill(normal: vec3<f32>) -> vec3<f32> {
-    return FILL_FRONT * max(dot(normal, FRONT), 0.0) * (1.0 - max(normal.z, 0.0)) * 1.1;
+    return frame.fill_front.rgb * max(dot(normal, FRONT), 0.0) * (1.0 - max(normal.z, 0.0)) * 1.1;
 }
 
 // Reflections weaker than this do not count as glints, and how much of a crust's pores oil fills (chosen).
@@ -193,7 +193,7 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     let colour = pow(look.colour, vec3<f32>(mix(1.0, DEEPENED, wet))) * mix(1.0, 1.55, wet);
     let body = Surface(colour, vec3<f32>(0.03), 0.5, bent, 0.8, vec3<f32>(0.42, 0.24, 0.18) * (1.0 - look.browning));
     // The light of its own is white as shot; another balance tints the cut as it tints the outside.
-    var radiance = colour * own / AS_SHOT + diffuse(body, lit) * 0.22;
+    var radiance = colour * own / frame.as_shot.rgb + diffuse(body, lit) * 0.22;
     let film_slope = along_face(look.film_slope, rest_normal);
     let film = Surface(vec3<f32>(0.0), vec3<f32>(0.028), 0.20, world_normal(rest_normal - film_slope * 0.9), 0.9, vec3<f32>(0.0));
     radiance += max(specular(film, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (0.9 * wet);
@@ -202,7 +202,7 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
 
 fn food_pixel(in: FoodOut) -> vec4<f32> {
     if (frame.mode.y > 0.5) {
-        return vec4<f32>(lightly_lit(hatched_colour(in.place.x, in.clip.xy), world_normal(in.normal), 1.0), 1.0);
+        return vec4<f32>(lightly_lit(hatched_colour(in.place.x, in.clip.xy + frame.origin.xy), world_normal(in.normal), 1.0), 1.0);
     }
     return lit_food(in);
 }

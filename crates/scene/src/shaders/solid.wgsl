@@ -274,7 +274,7 @@ fn under_foam(below: vec3<f32>, local: vec3<f32>, lit: f32, open: f32, foam: f32
     let crown = smoothstep(0.10, 0.60, select(small.r, large.r, big > fine));
     let cover = max(fine * 0.85, big * mix(0.75, 0.40, crown));
     let colour = mix(frame.oil.rgb, vec3<f32>(1.0, 0.96, 0.84), 0.80) * (0.70 + 0.24 * crown);
-    let light = KEY * (0.25 + 0.75 * lit) * 0.42 + LAMP * 0.5 + FILL_SKY;
+    let light = frame.key_light.rgb * (0.25 + 0.75 * lit) * 0.42 + frame.other_light.rgb * 0.5 + frame.fill_sky.rgb;
     return mix(below, colour * light * open, cover);
 }
 

@@ -5,6 +5,7 @@ use egui_kittest::{
     Harness,
     kittest::{NodeT, Queryable},
 };
+use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 use saute_window::settings::Settings;
@@ -47,6 +48,10 @@ fn every_setting_is_chosen_on_the_card() {
             choose(&mut harness, &format!("White balance: {choice}"));
             assert_eq!(settings(&harness).white_balance, white);
             harness.get_by_label_contains(&format!("{:.0} K", white.appears_k()));
+        }
+        for (choice, light) in ["Evening", "Daylight"].into_iter().zip([RoomLight::Evening, RoomLight::Daylight]) {
+            choose(&mut harness, &format!("Light: {choice}"));
+            assert_eq!(settings(&harness).light, light);
         }
         for (choice, quality) in ["Automatic", "Quick", "Smooth", "Best"].into_iter().zip(QualityChoice::ALL) {
             choose(&mut harness, &format!("Picture: {choice}"));

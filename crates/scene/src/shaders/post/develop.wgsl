@@ -15,6 +15,8 @@ const TOE_POWER = 1.5;
 // How far colours are drawn together before the curve and parted after it (chosen: bright colours pale, flesh keeps its own).
 const INSET = 0.16;
 const OUTSET = 0.15;
+// Share of the hue that is given back (chosen: wood and crust stay orange-brown).
+const HUE_KEPT = 0.75;
 
 // One half of the curve: straight at first, then bending so that it reaches `top` at `last`.
 fn bend(rise: f32, last: f32, top: f32, power: f32) -> f32 {
@@ -42,7 +44,11 @@ fn shown(radiance: vec3<f32>) -> vec3<f32> {
     let drawn = mix(radiance, vec3<f32>(luminance(radiance)), INSET);
     let bent = linear_from_srgb(vec3<f32>(curve(drawn.r), curve(drawn.g), curve(drawn.b)));
     let parted = (bent - OUTSET * luminance(bent)) / (1.0 - OUTSET);
-    return clamp(parted, vec3<f32>(0.0), vec3<f32>(1.0));
+    // A curve per channel turns orange to yellow; below white the hue is given back.
+    let bright = luminance(radiance);
+    let kept = radiance * (luminance(bent) / max(bright, 1e-6));
+    let share = HUE_KEPT * (1.0 - smoothstep(0.5, 1.2, max(kept.r, max(kept.g, kept.b))));
+    return clamp(mix(parted, kept, share), vec3<f32>(0.0), vec3<f32>(1.0));
 }
 
 fn encoded(linear: vec3<f32>) -> vec3<f32> {
