@@ -107,6 +107,12 @@ impl SceneRenderer {
         self.shown.rest = web_time::Duration::MAX;
     }
 
+    /// Draws the best level as devices without half floats do.
+    #[cfg(test)]
+    pub(crate) fn never_develop(&mut self) {
+        self.half_floats = false;
+    }
+
     pub(crate) fn picture(&self) -> &wgpu::Texture {
         &self.targets.texture
     }

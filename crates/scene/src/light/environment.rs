@@ -14,6 +14,9 @@ pub(crate) const WINDOW_DIRECTION: Vec3 = Vec3::new(-0.585, 0.515, 0.627);
 /// Unit vector towards the lamp, above, a little to the right and to the front (chosen).
 pub(crate) const LAMP_DIRECTION: Vec3 = Vec3::new(0.24, -0.10, 0.966);
 
+/// Unit vector towards the brightest part of the sky (chosen: seen in the oil from the working view).
+const SUN_DIRECTION: Vec3 = Vec3::new(-0.342, 0.583, 0.738);
+
 /// One level of the environment as RGBA16F, x fastest.
 pub(crate) fn level(light: RoomLight, level: u32) -> Vec<u16> {
     let size = ENVIRONMENT_SIZE >> level;
@@ -35,7 +38,7 @@ fn direction(at: Vec2) -> Vec3 {
 
 /// Radiance from a direction, blurred by an angle [rad].
 fn radiance(lit: &Sources, direction: Vec3, blur: f32) -> Vec3 {
-    room(direction, blur) * lit.walls + lit.window * window(direction, blur) + lit.lamp * lamp(direction, blur)
+    room(direction, blur) * lit.walls + lit.window * window(direction, blur) + lit.sun * sun(direction, blur) + lit.lamp * lamp(direction, blur)
 }
 
 /// Walls and ceiling: lighter above and on the window's side, dark towards the counter.
@@ -63,10 +66,21 @@ fn window(direction: Vec3, blur: f32) -> f32 {
     bar(u, -0.50, 0.50, spread) * bar(v, 0.38, 1.32, spread) * mullions
 }
 
+/// A bulb under its shade.
 fn lamp(direction: Vec3, blur: f32) -> f32 {
-    let width = 0.010 + blur * blur;
-    let away = 1.0 - direction.dot(LAMP_DIRECTION);
-    0.010 / width * (-away / width).exp()
+    spot(direction, LAMP_DIRECTION, 0.002, blur)
+}
+
+/// The brightest part of the sky: a cloud in the sun, in the window's upper corner.
+fn sun(direction: Vec3, blur: f32) -> f32 {
+    spot(direction, SUN_DIRECTION, 0.0012, blur)
+}
+
+/// A round light, 1 in its middle, of a width in the cosine; blurring keeps its energy.
+fn spot(direction: Vec3, towards: Vec3, size: f32, blur: f32) -> f32 {
+    let width = size + blur * blur;
+    let away = 1.0 - direction.dot(towards.normalize());
+    size / width * (-away / width).exp()
 }
 
 /// A box from `low` to `high` after blurring: keeps its area.

@@ -28,8 +28,9 @@ pub(crate) struct Sources {
     pub fill_sky: Vec3,
     pub fill_ground: Vec3,
     pub fill_front: Vec3,
-    /// Radiance of the window's panes, of the lamp, and of the walls over those of the day.
+    /// Radiance of the window's panes, of the brightest part of the sky in them, of the lamp, and of the walls over those of the day.
     pub window: Vec3,
+    pub sun: Vec3,
     pub lamp: Vec3,
     pub walls: Vec3,
 }
@@ -46,7 +47,8 @@ const DAYLIGHT: Sources = Sources {
     fill_ground: Vec3::new(0.13, 0.12, 0.11),
     fill_front: Vec3::new(0.52, 0.49, 0.44),
     window: Vec3::new(8.9, 8.7, 8.4),
-    lamp: Vec3::new(13.0, 9.2, 5.4),
+    sun: Vec3::new(190.0, 187.0, 180.0),
+    lamp: Vec3::new(65.0, 46.0, 27.0),
     walls: Vec3::ONE,
 };
 
@@ -60,7 +62,9 @@ const EVENING: Sources = Sources {
     fill_ground: Vec3::new(0.17, 0.12, 0.08),
     fill_front: Vec3::new(0.50, 0.37, 0.25),
     window: Vec3::new(0.10, 0.17, 0.36),
-    lamp: Vec3::new(40.0, 28.0, 16.5),
+    // A lamp across the room, in the pane.
+    sun: Vec3::new(120.0, 84.0, 50.0),
+    lamp: Vec3::new(200.0, 140.0, 82.0),
     walls: Vec3::new(0.85, 0.62, 0.42),
 };
 

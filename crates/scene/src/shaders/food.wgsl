@@ -125,8 +125,9 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
     // Raw flesh is coated by an even film of its own juice; later the film follows every pore.
     let raw = wetness * (1.0 - crust) * (1.0 - in.state.w);
     radiance += sheen(in, look, rest_normal - film_slope * mix(mix(0.8, 1.2, wetness), 0.30, raw), raw, view, lit, visibility, wetness) * (0.35 + 0.65 * max(smooth_normal.z, 0.0)) * tint;
+    let bead_turn = fwidth(beads.bend);
     if (beads.cover > 0.0) {
-        let drop = Surface(vec3<f32>(0.0), vec3<f32>(0.026), 0.07, world_normal(rest_normal + beads.bend), visibility, vec3<f32>(0.0));
+        let drop = Surface(vec3<f32>(0.0), vec3<f32>(0.026), widened(0.07, bead_turn), world_normal(rest_normal + beads.bend), visibility, vec3<f32>(0.0));
         radiance += specular(drop, in.position, view, lit) * beads.cover * 1.8;
     }
     return pixel_from_radiance(radiance, in.clip.xy);
@@ -207,15 +208,21 @@ fn food_pixel(in: FoodOut) -> vec4<f32> {
     return lit_food(in);
 }
 
+// Notes in the opacity how much light scatters under the surface, for a later pass; a crust lets none through.
+fn noted(pixel: vec4<f32>, state: vec4<f32>) -> vec4<f32> {
+    if (!hdr) { return pixel; }
+    return vec4<f32>(pixel.rgb, 1.0 - 0.5 * (1.0 - clamp(1.4 * state.x + state.y, 0.0, 1.0)) * mix(1.0, 0.6, state.w));
+}
+
 @fragment
 fn fs_food(in: FoodOut) -> @location(0) vec4<f32> {
-    return food_pixel(in);
+    return noted(food_pixel(in), in.state);
 }
 
 @fragment
 fn fs_cut_face(in: FoodOut) -> @location(0) vec4<f32> {
     if (frame.mode.y > 0.5) { return food_pixel(in); }
-    return lit_cut(in);
+    return noted(lit_cut(in), in.state);
 }
 
 // The part behind the cut stays visible as a veil, denser along its outline, so that the food reads as whole.

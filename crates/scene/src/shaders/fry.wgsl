@@ -15,8 +15,11 @@ fn vs_fry(in: PuffIn) -> FryOut {
     return FryOut(frame.clip_from_world * vec4<f32>(place, 1.0), place, in.corner, in.look.yz);
 }
 
+// How far the place on the disc moves within a pixel: what is smaller than a pixel has no sharp glint.
+var<private> disc_turn: vec2<f32>;
+
 fn liquid(normal: vec3<f32>, position: vec3<f32>) -> vec3<f32> {
-    let s = Surface(vec3<f32>(0.0), vec3<f32>(0.045), 0.10, normal, 1.0, vec3<f32>(0.0));
+    let s = Surface(vec3<f32>(0.0), vec3<f32>(0.045), widened(0.10, vec3<f32>(disc_turn, 0.0)), normal, 1.0, vec3<f32>(0.0));
     return specular(s, position, normalize(frame.eye.xyz - position), 1.0);
 }
 
@@ -61,6 +64,7 @@ fn spot(in: FryOut) -> vec4<f32> {
 
 @fragment
 fn fs_fry(in: FryOut) -> @location(0) vec4<f32> {
+    disc_turn = fwidth(in.corner);
     if (in.look.y < 0.0) { return ring(in); }
     if (in.look.y >= 4.0) { return spot(in); }
     if (in.look.y >= 2.0) { return drop(in); }

@@ -78,6 +78,7 @@ fn shadow(position: vec3<f32>, normal: vec3<f32>) -> f32 {
     let is_near = max(abs(near.x), abs(near.y)) < SHADOW_USED;
     // A finer map needs less room between a surface and its own image.
     let lift = select(0.0014, 0.0008, is_near);
+    if (!is_near && max(abs(bare.x), abs(bare.y)) > SHADOW_USED) { return 1.0; }
     let at = bare.xyz + lifted * lift;
     let place = select(at.xy, (at.xy - frame.shadow_fine.xy) * frame.shadow_fine.z, is_near);
     let uv = (place * vec2<f32>(0.5, -0.5) + 0.5) * vec2<f32>(0.5, 1.0) + vec2<f32>(select(0.5, 0.0, is_near), 0.0);
@@ -163,6 +164,11 @@ fn reflected(position: vec3<f32>, direction: vec3<f32>, roughness: f32) -> vec3<
     if (quick) { level = round(level); }
     let above = smoothstep(-0.25, 0.0, d.z);
     return textureSampleLevel(environment, clamp_sampler, uv, level).rgb * mix(0.10, 1.0, above);
+}
+
+// Roughness where the normal turns within a pixel: its glints spread over the pixel instead of flickering.
+fn widened(roughness: f32, turn: vec3<f32>) -> f32 {
+    return min(sqrt(roughness * roughness + 0.16 * dot(turn, turn)), max(roughness, 0.6));
 }
 
 // Integral of the GGX lobe over a uniform environment (polynomial fit for split-sum image-based lighting).

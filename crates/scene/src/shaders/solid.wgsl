@@ -45,6 +45,7 @@ fn fs_solid(in: SolidOut) -> @location(0) vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
     let n = facing(in.normal, view);
     var s = plain_surface(in, n);
+    s.roughness = widened(s.roughness, fwidth(in.normal));
     let kind = in.surface.z;
     var coarse = 0.5;
     if (!quick) { coarse = textureSampleLevel(solid_noise, tile_sampler, in.position * select(15.0, 5.3, kind > 5.5), 0.0).a; }
@@ -160,6 +161,7 @@ fn heat_tint(local: vec3<f32>) -> vec3<f32> {
 fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
     var n = facing(in.normal, view);
+    let turn = fwidth(in.normal);
     let local = in_pan(in.position);
     let radius = length(local.xy);
     let is_floor = in.surface.z > 1.5;
@@ -183,7 +185,7 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     s.f0 *= 1.0 + 0.35 * patchy + 0.16 * (fine - 0.5);
     // The patina over the metal scatters a little.
     s.albedo = in.colour * tint * (1.0 - 0.84 * in.surface.y) * (1.0 + 0.35 * patchy);
-    s.roughness = clamp(s.roughness + 0.14 * patchy + 0.10 * (fine - 0.5), 0.05, 1.0);
+    s.roughness = widened(clamp(s.roughness + 0.14 * patchy + 0.10 * (fine - 0.5), 0.05, 1.0), turn);
     let lit = shadow_on_ground(in.position, n);
     let open = min(openness(in.position), nearby(in.clip.xy));
     let depth = clamp((frame.pan_place.w + frame.pan_shape.z - local.z) / frame.pan_shape.z, 0.0, 1.0);

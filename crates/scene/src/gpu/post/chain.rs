@@ -48,11 +48,12 @@ impl Chain {
         let colour = target(size, HDR_FORMAT);
         let [noisy, ambient] = [(); 2].map(|()| target(half, AMBIENT_FORMAT));
         let before = vec![bench.step(Post::Ambient, [], &noisy), bench.step(Post::Even, [&noisy], &ambient)];
-        let mut after = Vec::new();
-        let glow = bench.bloom(&mut after, &colour, &sizes, target);
+        let [rows, flesh] = [(); 2].map(|()| target(size, HDR_FORMAT));
+        let mut after = vec![bench.step(Post::Rows, [&colour], &rows), bench.step(Post::Columns, [&rows], &flesh)];
+        let glow = bench.bloom(&mut after, &flesh, &sizes, target);
         let far = target(half, HDR_FORMAT);
-        after.push(bench.step(Post::Behind, [&colour], &far));
-        after.push(bench.step(Post::Develop, [&colour, &glow, &far], &picture.colour));
+        after.push(bench.step(Post::Behind, [&flesh], &far));
+        after.push(bench.step(Post::Develop, [&flesh, &glow, &far], &picture.colour));
         let msaa = Layer {
             colour: view(&texture(device, size, HDR_FORMAT, MSAA_SAMPLES)),
             depth: view(&texture(device, size, DEPTH_FORMAT, MSAA_SAMPLES)),

@@ -21,6 +21,8 @@ const BLOOM: &str = concat!(include_str!("../../shaders/post/lens.wgsl"), includ
 const FOCUS: &str = concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/focus.wgsl"));
 const DEVELOP: &str = concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/develop.wgsl"));
 
+const SCATTER: &str = concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/scatter.wgsl"));
+
 /// A pass over the whole of its target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Post {
@@ -28,6 +30,10 @@ pub(crate) enum Post {
     Ambient,
     /// The same without its noise.
     Even,
+    /// Light that travels in flesh, along the rows.
+    Rows,
+    /// The same along the columns.
+    Columns,
     /// What glows.
     Glow,
     /// Half the size.
@@ -41,13 +47,24 @@ pub(crate) enum Post {
 }
 
 impl Post {
-    const ALL: [Self; 7] =
-        [Self::Ambient, Self::Even, Self::Glow, Self::Halve, Self::Gather, Self::Behind, Self::Develop];
+    const ALL: [Self; 9] = [
+        Self::Ambient,
+        Self::Even,
+        Self::Rows,
+        Self::Columns,
+        Self::Glow,
+        Self::Halve,
+        Self::Gather,
+        Self::Behind,
+        Self::Develop,
+    ];
 
     fn shader(self) -> (&'static str, &'static str, wgpu::TextureFormat) {
         match self {
             Self::Ambient => (AMBIENT, "fs_ambient", AMBIENT_FORMAT),
             Self::Even => (AMBIENT, "fs_even", AMBIENT_FORMAT),
+            Self::Rows => (SCATTER, "fs_along_rows", HDR_FORMAT),
+            Self::Columns => (SCATTER, "fs_along_columns", HDR_FORMAT),
             Self::Glow => (BLOOM, "fs_glow", HDR_FORMAT),
             Self::Halve => (BLOOM, "fs_halve", HDR_FORMAT),
             Self::Gather => (BLOOM, "fs_gather", HDR_FORMAT),

@@ -7,7 +7,7 @@ use crate::gpu::foods::world_positions;
 use crate::input::SceneInput;
 
 /// Share of the light of glints that the lens scatters (chosen: seen around the window's image, not elsewhere).
-const BLOOM: f32 = 0.06;
+const BLOOM: f32 = 0.045;
 /// Share of light that the corners lose (chosen: not noticed as such).
 const VIGNETTE: f32 = 0.10;
 /// Width of the aperture [m] (chosen: a long lens wide open, stopped down until all of a pan is sharp).

@@ -4,6 +4,6 @@ mod chain;
 mod kit;
 mod lens;
 
-pub(crate) use self::chain::Chain;
+pub(crate) use self::chain::{Chain, bloom_levels};
 pub(crate) use self::kit::{AMBIENT_FORMAT, HDR_FORMAT, PostKit};
 pub(crate) use self::lens::LensUniform;

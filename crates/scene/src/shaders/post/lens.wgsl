@@ -26,6 +26,10 @@ fn radiance_from_target(encoded: vec3<f32>) -> vec3<f32> {
     return linear_from_srgb(clamp(encoded, vec3<f32>(0.0), vec3<f32>(8.0)));
 }
 
+fn target_from_radiance(linear: vec3<f32>) -> vec3<f32> {
+    return select(1.055 * pow(linear, vec3<f32>(1.0 / 2.4)) - 0.055, 12.92 * linear, linear < vec3<f32>(0.0031308));
+}
+
 // Distance along the axis of the eye [m].
 fn distance_at(pixel: vec2<i32>) -> f32 {
     let at = clamp(pixel, vec2<i32>(0), vec2<i32>(textureDimensions(scene_depth)) - 1);
