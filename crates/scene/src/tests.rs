@@ -250,7 +250,7 @@ fn the_best_level_develops_the_look_and_leaves_data_colours_and_the_half_mirror_
     let [mut plain, mut developed] = [(); 2].map(|()| SceneRenderer::new(&device, &queue));
     plain.never_develop();
     let mut draw = |scene: &SceneInput| {
-        let mut read = |r: &mut SceneRenderer| r.render_to_image(&device, &queue, scene, SIZE, Quality::Best);
+        let read = |r: &mut SceneRenderer| r.render_to_image(&device, &queue, scene, SIZE, Quality::Best);
         [read(&mut plain), read(&mut developed)]
     };
     let look = steak_in_pan(Doneness::Browned);
@@ -276,7 +276,8 @@ fn the_evening_leaves_fields_and_flat_pictures_readable_and_follows_what_is_kept
     };
     let flat = flat_field(0.5, true);
     let evening = SceneInput { light: RoomLight::Evening, ..flat.clone() };
-    let [day, night] = [flat, evening].map(|scene| SceneRenderer::new(&device, &queue).read_as_is(&device, &queue, &scene, SIZE));
+    let [day, night] =
+        [flat, evening].map(|scene| SceneRenderer::new(&device, &queue).read_as_is(&device, &queue, &scene, SIZE));
     assert!(day == night);
     let draw = |renderer: &mut SceneRenderer, light| {
         renderer.never_smooth();

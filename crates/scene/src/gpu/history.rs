@@ -33,7 +33,12 @@ pub(crate) struct ShadowCasters {
 impl ShadowCasters {
     /// Reads it from a scene.
     pub fn of(input: &SceneInput) -> Self {
-        Self { movable: MovableKey::of(input), tool: input.tool, lidded: input.pan.lid.is_some(), view: ShadowView::of(input) }
+        Self {
+            movable: MovableKey::of(input),
+            tool: input.tool,
+            lidded: input.pan.lid.is_some(),
+            view: ShadowView::of(input),
+        }
     }
 }
 

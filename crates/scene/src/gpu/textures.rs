@@ -145,8 +145,7 @@ impl SceneTextures {
         let patterns = finest.unwrap_or(&self.plain);
         let views = [&self.shadow_map, &self.contact_map, &self.environment, &patterns.noise, &patterns.bundles];
         let pictures = [&self.table, &self.film, &self.tint];
-        self.bind_group =
-            bind(device, &self.layout, views, pictures, &self.ambient, &self.samplers, self.stepped);
+        self.bind_group = bind(device, &self.layout, views, pictures, &self.ambient, &self.samplers, self.stepped);
     }
 
     /// Takes another light of the room.

@@ -38,7 +38,10 @@ fn direction(at: Vec2) -> Vec3 {
 
 /// Radiance from a direction, blurred by an angle [rad].
 fn radiance(lit: &Sources, direction: Vec3, blur: f32) -> Vec3 {
-    room(direction, blur) * lit.walls + lit.window * window(direction, blur) + lit.sun * sun(direction, blur) + lit.lamp * lamp(direction, blur)
+    room(direction, blur) * lit.walls
+        + lit.window * window(direction, blur)
+        + lit.sun * sun(direction, blur)
+        + lit.lamp * lamp(direction, blur)
 }
 
 /// Walls and ceiling: lighter above and on the window's side, dark towards the counter.

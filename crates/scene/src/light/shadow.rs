@@ -48,7 +48,9 @@ impl ShadowView {
     /// Maps the world to the clip space of the fine part.
     pub fn fine(&self) -> Mat4 {
         let scale = REACH / FINE_REACH;
-        Mat4::from_scale(Vec3::new(scale, scale, 1.0)) * Mat4::from_translation(-self.middle.extend(0.0)) * self.coarse()
+        Mat4::from_scale(Vec3::new(scale, scale, 1.0))
+            * Mat4::from_translation(-self.middle.extend(0.0))
+            * self.coarse()
     }
 
     /// Middle of the fine part, scale to it from the coarse one, and sample step as a share of the coarse part.

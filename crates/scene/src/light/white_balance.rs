@@ -117,7 +117,8 @@ mod tests {
 
     #[test]
     fn every_balance_is_equally_bright() {
-        let brightness = |balance: WhiteBalance, light: RoomLight| LUMINANCE.dot(light.white_patch() * balance.gains(light));
+        let brightness =
+            |balance: WhiteBalance, light: RoomLight| LUMINANCE.dot(light.white_patch() * balance.gains(light));
         let as_shot = brightness(WhiteBalance::AsShot, RoomLight::Daylight);
         for (balance, light) in WhiteBalance::ALL.iter().flat_map(|b| RoomLight::ALL.map(|light| (*b, light))) {
             assert!((brightness(balance, light) / as_shot - 1.0).abs() < 1e-4, "{balance:?} {light:?}");

@@ -101,13 +101,22 @@ impl Bench<'_> {
     fn step<const N: usize>(&self, post: Post, from: [&wgpu::TextureView; N], to: &wgpu::TextureView) -> Step {
         use wgpu::BindingResource::{Sampler, TextureView};
         let from = |k: usize| TextureView(from.get(k).copied().unwrap_or(&self.blank));
-        let resources =
-            [self.lens.as_entire_binding(), Sampler(&self.kit.sampler), from(0), from(1), from(2), TextureView(self.depth)];
+        let resources = [
+            self.lens.as_entire_binding(),
+            Sampler(&self.kit.sampler),
+            from(0),
+            from(1),
+            from(2),
+            TextureView(self.depth),
+        ];
         let entries: Vec<_> =
             (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
         let layout = &self.kit.layout;
-        let group =
-            self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("post"), layout, entries: &entries });
+        let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("post"),
+            layout,
+            entries: &entries,
+        });
         Step { post, group, to: to.clone() }
     }
 

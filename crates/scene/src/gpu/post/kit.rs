@@ -16,12 +16,17 @@ const DEPTH: wgpu::BindingType = wgpu::BindingType::Texture {
     multisampled: false,
 };
 
-const AMBIENT: &str = concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/ambient.wgsl"));
-const BLOOM: &str = concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/bloom.wgsl"));
-const FOCUS: &str = concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/focus.wgsl"));
-const DEVELOP: &str = concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/develop.wgsl"));
+const AMBIENT: &str =
+    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/ambient.wgsl"));
+const BLOOM: &str =
+    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/bloom.wgsl"));
+const FOCUS: &str =
+    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/focus.wgsl"));
+const DEVELOP: &str =
+    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/develop.wgsl"));
 
-const SCATTER: &str = concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/scatter.wgsl"));
+const SCATTER: &str =
+    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/scatter.wgsl"));
 
 /// A pass over the whole of its target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
