@@ -63,14 +63,14 @@ impl Seen {
         self.grey(pan.position.z + pan.rim_height, |at| at.truncate().distance(middle) < reach)
     }
 
-    /// Share of pixels that are clipped in all channels [%], and of those that are clipped on the board or the cloth.
+    /// Share of pixels whose grey is white after rounding [%], and of those among them on the board or the cloth.
     fn clipped(&self) -> [f64; 2] {
         let matt = |(eye, ray): (Vec3, Vec3)| {
             let at = eye + ray * ((BOARD_TOP - eye.z) / ray.z);
             at.x > 0.21 || at.x < -0.26
         };
-        let clipped: Vec<bool> =
-            self.pixels().filter(|(_, pixel)| pixel[..3].iter().all(|v| *v == 255)).map(|(ray, _)| matt(ray)).collect();
+        let white = |pixel: &[u8]| grey(pixel) >= 254.5 / 255.0;
+        let clipped: Vec<bool> = self.pixels().filter(|(_, pixel)| white(pixel)).map(|(ray, _)| matt(ray)).collect();
         let share = |count: usize| 100.0 * count as f64 / (SIZE[0] * SIZE[1]) as f64;
         [share(clipped.len()), share(clipped.iter().filter(|matt| **matt).count())]
     }
