@@ -3,6 +3,7 @@
 use saute_kitchen::InputError;
 use saute_kitchen::data::echo::shortened;
 use saute_kitchen::kitchen::SetupError;
+use saute_picture::still::animation::AnimationError;
 use saute_picture::still::png_file::PngError;
 use saute_picture::still::shot::ShotError;
 use saute_window::offscreen::OffscreenError;
@@ -71,6 +72,9 @@ pub enum CliError {
     /// A picture that cannot be encoded.
     #[error("{0}\n  remedy: run it without --out and report this as a bug")]
     Png(#[from] PngError),
+    /// An animation that cannot be encoded.
+    #[error("{0}\n  remedy: write a picture with --at instead and report this as a bug")]
+    Animation(#[from] AnimationError),
     /// A control loop that cannot run.
     #[error("{0}\n  remedy: close other programs and try again")]
     Loop(#[from] saute_haptics::control::control_loop::LoopError),

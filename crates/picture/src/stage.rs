@@ -246,6 +246,7 @@ impl Stage {
             world_from_rest: pose.matrix(),
             slice: None,
             sear,
+            steam_g_s: if piece.in_pan() { 1e3 * piece.vapour_flow as f32 } else { 0.0 },
         };
         let curved = matches!(piece.model.mesh().layout(), Layout::Along(..));
         let across = if curved { path_cut } else { slice };

@@ -108,7 +108,14 @@ pub fn steak(doneness: Doneness, world_from_rest: Mat4) -> FoodLook {
         palette,
         grain: marbling(),
     });
-    FoodLook { mesh, vertices: Arc::new(vertices), world_from_rest, slice: None, sear: Default::default() }
+    FoodLook {
+        mesh,
+        vertices: Arc::new(vertices),
+        world_from_rest,
+        slice: None,
+        sear: Default::default(),
+        steam_g_s: if doneness == Doneness::Raw { 0.0 } else { 0.05 },
+    }
 }
 
 /// Cuts a steak across its middle; the half towards the cook is hidden.

@@ -2,6 +2,8 @@
 
 pub mod bench_frame;
 pub mod choices;
+mod contact_sheet;
 pub mod eye;
 pub mod shot;
 pub mod size;
+mod time_lapse;

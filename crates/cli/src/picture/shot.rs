@@ -1,13 +1,18 @@
-//! `saute shot`: one picture of a recipe at one moment.
+//! `saute shot`: pictures of a recipe: one, a sheet of several, or an animation.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::ValueEnum;
 use saute_kitchen::data::library::DEFAULT_SCALE;
+use saute_kitchen::{Library, TICK_S};
 use saute_picture::View;
+use saute_picture::cut::section::Picture;
+use saute_picture::still::animation::{Format, animation};
 use saute_picture::still::png_file::png_bytes;
-use saute_picture::still::shot::{Eye, ShotOptions};
+use saute_picture::still::series::Series;
+use saute_picture::still::shot::{Eye, ShotOptions, shot};
+use saute_recipe::Recipe;
 use saute_scene::camera::FIELD_OF_VIEW;
 use saute_window::mirror::frame::MirrorOptions;
 use saute_window::mirror::rig::Rig;
@@ -16,8 +21,10 @@ use saute_window::mirror::stereo::Stereo;
 use saute_window::mirror::still::mirror_shot;
 
 use super::choices::{LightName, QualityName, StereoName, ViewName, WhiteName};
+use super::contact_sheet::contact_sheet;
 use super::eye::{eye, field_of_view};
 use super::size::size;
+use super::time_lapse::time_lapse;
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::input::{recipe_source, text_file};
@@ -29,9 +36,16 @@ pub struct ShotArgs {
     /// Recipe file, or id of a shipped recipe.
     #[arg(value_name = "RECIPE")]
     pub recipe: String,
-    /// Simulated time of the picture.
-    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_hyphen_values = true)]
-    pub at: f64,
+    /// Simulated time of the picture; of an animation the end.
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_hyphen_values = true, required_unless_present_any = ["time_lapse", "contact_sheet"])]
+    pub at: Option<f64>,
+    /// Renders an animation with a frame for every so many simulated seconds, ten frames a second, up to --at or to the
+    /// end of the recipe; --out names a .gif or an .apng.
+    #[arg(long, value_name = "EVERY_S", value_parser = every, conflicts_with_all = ["mirror", "contact_sheet"])]
+    pub time_lapse: Option<f64>,
+    /// Renders the pictures of several times in one file, in rows of up to four, each of the size given.
+    #[arg(long, value_name = "SECONDS,…", value_parser = seconds, value_delimiter = ',', conflicts_with_all = ["mirror", "at"])]
+    pub contact_sheet: Vec<f64>,
     /// Meaning of the colours.
     #[arg(long, value_enum, default_value_t = ViewName::Look, conflicts_with = "split")]
     pub view: ViewName,
@@ -77,7 +91,7 @@ pub struct ShotArgs {
     /// Size of the picture in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
     pub size: [u32; 2],
-    /// PNG file to write.
+    /// PNG file to write; of a time lapse a GIF or an APNG.
     #[arg(long, value_name = "FILE.png")]
     pub out: PathBuf,
 }
@@ -100,9 +114,18 @@ fn seconds(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Renders one picture and writes it.
+/// Reads the time from frame to frame [s].
+fn every(text: &str) -> Result<f64, String> {
+    match seconds(text) {
+        Ok(s) if s >= TICK_S => Ok(s),
+        _ => Err(format!("write the simulated seconds from frame to frame, {TICK_S} or more, as in 5")),
+    }
+}
+
+/// Renders the pictures and writes them.
 pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let recipe = recipe_source::load(&args.recipe, data)?;
+    let kind = Kind::of(args)?;
     let out = OutFile::prepare(&args.out)?;
     let scales = data.scales(&args.doneness)?;
     let options = ShotOptions {
@@ -118,17 +141,62 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         field_of_view: args.fov.to_radians(),
     };
     let library = &data.library;
-    let picture = match &args.mirror {
-        None => saute_picture::still::shot::shot(recipe, library, args.at, options, args.size)?,
-        Some(name) => {
-            let rig = rig(name)?;
-            let stereo = args.stereo.map_or(Stereo::Off, Stereo::from);
-            let mirror = MirrorOptions { stereo, eye_distance: rig.eye_distance, pan_shown: args.show_pan };
-            mirror_shot(recipe, library, args.at, &options, (&rig, &mirror), args.size)?
+    let bytes = match kind {
+        Kind::One(at_s) => png_bytes(&one(args, (recipe, library), at_s, options)?)?,
+        Kind::Sheet => {
+            let mut series = Series::new(recipe, library, options, args.size)?;
+            png_bytes(&contact_sheet(&mut series, &args.contact_sheet)?)?
+        }
+        Kind::Lapse(format, every_s) => {
+            let until_s = args.at.unwrap_or(recipe.max_s);
+            let mut series = Series::new(recipe, library, options, args.size)?;
+            animation(format, &time_lapse(&mut series, every_s, until_s, args.at.is_some())?)?
         }
     };
-    out.fill(&png_bytes(&picture)?)?;
+    out.fill(&bytes)?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// What is rendered.
+enum Kind {
+    /// One picture at a time [s].
+    One(f64),
+    /// Several pictures in one.
+    Sheet,
+    /// An animation with a frame for every so many seconds.
+    Lapse(Format, f64),
+}
+
+impl Kind {
+    /// Reads it from the arguments; the name of the file must fit.
+    fn of(args: &ShotArgs) -> Result<Self, CliError> {
+        let ending = args.out.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
+        let wrong =
+            |remedy: &str| CliError::place(format!("--out {}", args.out.display()), "has the wrong ending", remedy);
+        if let Some(every_s) = args.time_lapse {
+            let format = Format::of(&args.out)
+                .ok_or_else(|| wrong("a time lapse is a GIF or an APNG: write --out FILE.gif or FILE.apng"))?;
+            return Ok(Self::Lapse(format, every_s));
+        }
+        if ending.as_deref() != Some("png") {
+            return Err(wrong("pictures are written as PNG: write --out FILE.png"));
+        }
+        Ok(args.at.map_or(Self::Sheet, Self::One))
+    }
+}
+
+/// One picture, or that of a half mirror.
+fn one(
+    args: &ShotArgs,
+    (recipe, library): (Recipe, &Library),
+    at_s: f64,
+    options: ShotOptions,
+) -> Result<Picture, CliError> {
+    let Some(name) = &args.mirror else { return Ok(shot(recipe, library, at_s, options, args.size)?) };
+    let rig = rig(name)?;
+    let stereo = args.stereo.map_or(Stereo::Off, Stereo::from);
+    let mirror = MirrorOptions { stereo, eye_distance: rig.eye_distance, pan_shown: args.show_pan };
+    Ok(mirror_shot(recipe, library, at_s, &options, (&rig, &mirror), args.size)?)
 }
 
 /// Returns a shipped rig by its name, or reads a rig file.

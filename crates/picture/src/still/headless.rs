@@ -57,13 +57,8 @@ async fn adapter(backends: wgpu::Backends) -> Result<wgpu::Adapter, wgpu::Reques
 
 /// Draws a kitchen once, with smooth edges.
 pub fn still(gpu: &Gpu, kitchen: &Kitchen, options: &StageOptions, size: [u32; 2]) -> Picture {
-    still_at(gpu, kitchen, options, size, Quality::Smooth)
-}
-
-/// Draws a kitchen once, at a quality.
-pub fn still_at(gpu: &Gpu, kitchen: &Kitchen, options: &StageOptions, size: [u32; 2], quality: Quality) -> Picture {
     let input = Stage::default().scene(kitchen, options, &Default::default());
     let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
-    let rgba = renderer.render_to_image(&gpu.device, &gpu.queue, &input, size, quality);
+    let rgba = renderer.render_to_image(&gpu.device, &gpu.queue, &input, size, Quality::Smooth);
     Picture { width: size[0] as usize, height: size[1] as usize, rgba }
 }

@@ -6,6 +6,7 @@ use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{InputError, Kitchen, Library, Piece, TICK_S};
 use saute_recipe::{Cook, Recipe};
 use saute_scene::camera::Camera;
+use saute_scene::input::SceneInput;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
@@ -15,7 +16,7 @@ use crate::colour::map::TemperatureMap;
 use crate::cut::section::Picture;
 use crate::split::scenes;
 use crate::stage::{CUT_YAW, Stage, StageOptions};
-use crate::still::headless::{Gpu, GpuError, still_at};
+use crate::still::headless::{Gpu, GpuError};
 use crate::view::View;
 use crate::waiting::FIRST_ON_BOARD;
 
@@ -47,23 +48,32 @@ pub enum ShotError {
     Gpu(#[from] GpuError),
 }
 
+impl ShotError {
+    /// The error that an instant past the end of a cook is [s].
+    pub(crate) fn past_the_end(cook: &Cook, at_s: f64) -> Self {
+        let recipe = cook.runner.recipe();
+        let line = recipe.steps.last().map_or(1, |step| step.line);
+        Self::PastTheEnd { file: recipe.file.clone(), line, at_s, end_s: cook.kitchen.time_s() }
+    }
+}
+
 /// Cooks a recipe up to a time [s]; steps that are due then have been carried out.
 pub fn cook_until(recipe: Recipe, library: &Library, at_s: f64) -> Result<Cook, ShotError> {
     let mut cook = Cook::new(recipe, library)?;
+    if advance_to(&mut cook, at_s)? { Ok(cook) } else { Err(ShotError::past_the_end(&cook, at_s)) }
+}
+
+/// Cooks on to a time [s], steps that are due then included; returns false if the recipe ends earlier.
+pub(crate) fn advance_to(cook: &mut Cook, at_s: f64) -> Result<bool, ShotError> {
     while cook.kitchen.time_s() < at_s - 0.5 * TICK_S {
-        cook.advance()?;
         if cook.stopped().is_some() {
-            let end_s = cook.kitchen.time_s();
-            if end_s < at_s - 0.5 * TICK_S {
-                let recipe = cook.runner.recipe();
-                let line = recipe.steps.last().map_or(1, |step| step.line);
-                return Err(ShotError::PastTheEnd { file: recipe.file.clone(), line, at_s, end_s });
-            }
+            return Ok(false);
         }
+        cook.advance()?;
     }
-    let Cook { runner, kitchen, .. } = &mut cook;
+    let Cook { runner, kitchen, .. } = cook;
     runner.poll(kitchen)?;
-    Ok(cook)
+    Ok(true)
 }
 
 /// Options of a still.
@@ -176,16 +186,31 @@ pub fn shot(
     size: [u32; 2],
 ) -> Result<Picture, ShotError> {
     let cook = cook_until(recipe, library, at_s)?;
-    let (gpu, stage) = (Gpu::open()?, options.stage(&cook.kitchen));
-    let draw = if options.split { pair } else { still_at };
-    Ok(draw(&gpu, &cook.kitchen, &stage, size, options.quality))
+    let gpu = Gpu::open()?;
+    Ok(drawn(&gpu, &cook.kitchen, &options, size))
+}
+
+/// Draws a kitchen as the options ask, with a renderer of its own: what an earlier picture left would show.
+pub(crate) fn drawn(gpu: &Gpu, kitchen: &Kitchen, options: &ShotOptions, size: [u32; 2]) -> Picture {
+    let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
+    let stage = options.stage(kitchen);
+    let input = Stage::default().scene(kitchen, &stage, &Default::default());
+    if options.split {
+        return pair(gpu, &mut renderer, input, size, options.quality);
+    }
+    let rgba = renderer.render_to_image(&gpu.device, &gpu.queue, &input, size, options.quality);
+    Picture { width: size[0] as usize, height: size[1] as usize, rgba }
 }
 
 /// The look and the view of one instant side by side, each in half the width, with a dark line between.
-fn pair(gpu: &Gpu, kitchen: &Kitchen, options: &StageOptions, [width, height]: [u32; 2], quality: Quality) -> Picture {
+fn pair(
+    gpu: &Gpu,
+    renderer: &mut SceneRenderer,
+    input: SceneInput,
+    [width, height]: [u32; 2],
+    quality: Quality,
+) -> Picture {
     let half = [(width - LINE) / 2, height];
-    let input = Stage::default().scene(kitchen, options, &Default::default());
-    let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
     let scenes = scenes(input, true);
     let halves = scenes.iter().map(|scene| renderer.render_to_image(&gpu.device, &gpu.queue, scene, half, quality));
     let [row, all] = [half[0], width].map(|pixels| 4 * pixels as usize);

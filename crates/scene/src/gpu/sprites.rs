@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::input::{Colouring, SceneInput, SpotLook};
-use crate::mesh::fry::{FRY_VERTICES_MAX, fry};
+use crate::mesh::collar::{COLLAR_VERTICES_MAX, Collar};
 use crate::mesh::spatter::{DROPS_MAX, SPOTS_MAX, drops, spots};
 use crate::mesh::steam::{PUFFS_MAX, PuffVertex, puffs};
 
@@ -16,7 +16,8 @@ pub(crate) struct SpriteBuffers {
     /// Spots of oil, which lie still.
     pub spots: wgpu::Buffer,
     pub spot_vertices: u32,
-    /// What they were made for.
+    collar: Collar,
+    /// What the spots were made for.
     spots_of: Arc<Vec<SpotLook>>,
 }
 
@@ -31,10 +32,11 @@ impl SpriteBuffers {
             })
         };
         Self {
-            moving: room_for("sprites", (PUFFS_MAX + DROPS_MAX) * 6 + FRY_VERTICES_MAX),
+            moving: room_for("sprites", (PUFFS_MAX + DROPS_MAX) * 6 + COLLAR_VERTICES_MAX),
             ends: [0; 2],
             spots: room_for("spots", SPOTS_MAX * 6),
             spot_vertices: 0,
+            collar: Collar::default(),
             spots_of: Arc::default(),
         }
     }
@@ -43,7 +45,7 @@ impl SpriteBuffers {
     pub fn update(&mut self, queue: &wgpu::Queue, input: &SceneInput) -> Vec<PuffVertex> {
         let mut sprites = Vec::new();
         if matches!(input.colouring, Colouring::Look) {
-            sprites = fry(input);
+            sprites = self.collar.strips(input).to_vec();
             sprites.extend(drops(input));
             self.ends[0] = sprites.len() as u32;
             sprites.extend(puffs(&input.steam, input.time_s));

@@ -17,6 +17,8 @@ pub struct FoodLook {
     pub slice: Option<SliceLook>,
     /// Lines that ridges seared into the lower and the upper face of the rest shape, the strongest first.
     pub sear: [[Option<SearLook>; SEAR_SETS]; 2],
+    /// Steam that leaves it [g/s]; bubbles round its foot follow it.
+    pub steam_g_s: f32,
 }
 
 /// Sets of seared lines that are drawn on each face (chosen: crossed lines).

@@ -1,6 +1,7 @@
 //! Triangle meshes: props, pan, lid, tools, strings, and the sprites of steam and oil.
 
-pub(crate) mod fry;
+pub(crate) mod collar;
+pub(crate) mod foot;
 pub(crate) mod lid;
 pub mod pan;
 pub mod props;

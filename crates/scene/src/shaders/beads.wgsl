@@ -23,15 +23,18 @@ fn free(cell: vec2<f32>, seed: f32) -> vec3<f32> {
 
 // Cover in x, slope along both axes in yz of the beads of one size.
 fn beads_of(at: vec2<f32>, spacing: f32, radius: f32, juice: f32, seed: f32) -> vec3<f32> {
-    let place = at / spacing;
+    // Each size lies askew to the others and its rows are shifted, so that no grid is seen.
+    let turned = vec2<f32>(dot(at, vec2<f32>(cos(seed), sin(seed))), dot(at, vec2<f32>(-sin(seed), cos(seed)))) / spacing;
+    let place = turned + vec2<f32>(free(vec2<f32>(floor(turned.y), 3.0), seed).x, 0.0);
     let cell = floor(place);
     let chance = free(cell, seed);
-    if (juice <= 0.0 || chance.z > 0.12 + 0.62 * juice) { return vec3<f32>(0.0); }
+    if (juice <= 0.0 || chance.z > 0.10 + 0.45 * juice) { return vec3<f32>(0.0); }
     let reach = radius * (0.45 + 0.55 * fract(chance.z * 7.31)) * sqrt(clamp(juice * 1.6, 0.0, 1.0));
     let room = 1.0 - 2.0 * radius;
-    let away = (place - cell - 0.5 - (chance.xy - 0.5) * room) / max(reach, 1e-3);
-    let far = dot(away, away);
+    let off = (place - cell - 0.5 - (chance.xy - 0.5) * room) / max(reach, 1e-3);
+    let far = dot(off, off);
     if (far >= 1.0) { return vec3<f32>(0.0); }
+    let away = vec2<f32>(dot(off, vec2<f32>(cos(seed), -sin(seed))), dot(off, vec2<f32>(sin(seed), cos(seed))));
     return vec3<f32>(smoothstep(1.0, 0.72, far), away);
 }
 
@@ -47,7 +50,7 @@ fn juice_on(in: FoodOut, rest_normal: vec3<f32>, world_normal: vec3<f32>, ripple
     var most = vec3<f32>(0.0);
     for (var k = 0u; k < 3u; k++) {
         let juice = (lies - BEAD_FROM[k]) / (1.0 - BEAD_FROM[k]);
-        let here = beads_of(at + wave * 0.0010, BEAD_SPACING[k], BEAD_RADIUS[k], juice, f32(k) * 1.7);
+        let here = beads_of(at + wave * 0.0010, BEAD_SPACING[k], BEAD_RADIUS[k], juice, 0.4 + f32(k) * 1.7);
         if (here.x > most.x) { most = here; }
     }
     let slope = most.yz * 0.95;

@@ -58,6 +58,13 @@ fn grain_of(in: FoodOut, grew: Grown, rest_normal: vec3<f32>) -> Grain {
     }
 }
 
+// How far a crust covers the seams of fat in it (chosen).
+const COVERED = 0.62;
+
+// How much of the texture's light and dark is seen: on a fresh cut the juice fills it (chosen).
+var<private> shade_share: f32 = 1.0;
+const CUT_SHADE = 0.62;
+
 fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     let grew = grown(in.rest, 1.0);
     let grain = grain_of(in, grew, rest_normal);
@@ -67,11 +74,13 @@ fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     let upright = abs(rest_normal.z);
     let rim = smoothstep(0.10, 0.55, upright) * (1.0 - smoothstep(0.75, 0.995, upright));
     // Ridges press evenly: what they sear is less mottled.
-    let room = min(1.7 * browning, 0.62) * (1.0 - 0.65 * seared.share);
+    let room = min(1.9 * browning, 0.62) * (1.0 - 0.65 * seared.share);
     let uneven = clamp(browning + room * (grain.uneven + 0.5 * rim), 0.0, 1.0);
     let charring = clamp(seared.charring + min(1.5 * seared.charring, 0.7) * (grain.uneven + 0.3 * rim), 0.0, 1.0);
-    let shade = grain.shade * (1.0 - 0.45 * uneven) * (1.0 - charring);
-    let flesh = Flesh(in.lean + food.second.xyz * grew.second + shade, in.fat + 0.35 * shade, uneven, charring, grew.fatty);
+    let shade = grain.shade * shade_share * (1.0 - 0.45 * uneven) * (1.0 - charring);
+    // Browned juice and rendered fat cover seams in a crust: they stay visible, as darker gold.
+    let fatty = grew.fatty * (1.0 - COVERED * smoothstep(0.30, 0.85, uneven));
+    let flesh = Flesh(in.lean + food.second.xyz * grew.second + shade, in.fat + 0.35 * shade, uneven, charring, fatty);
     // A crust that browned deeply is redder before it is dark.
     let colour = linear_from_lab(flesh_colour(flesh)) * grain.crevice;
     return Look(colour, grain.slope * (1.0 + 0.6 * charring), grain.film_slope, grain.ridges, grew.fatty, uneven, charring, grain.clear);
@@ -112,11 +121,17 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
     // Fat and oil that fill the pores of a crust make it deeper and warmer.
     let oiled = OILED * crust * (1.0 - look.charring);
     let beads = juice_on(in, rest_normal, smooth_normal, look.film_slope);
-    let dry = look.colour * mix(vec3<f32>(1.0), sqrt(look.colour), oiled) * (1.0 - 0.05 * oiled);
+    // Red flesh is deeper under a film: light that is thrown back into it passes it twice.
+    let coated = wetness * (1.0 - in.state.w) * (1.0 - crust) * (1.0 - look.fatty) * (1.0 - look.clear);
+    let wet_flesh = mix(look.colour, pow(look.colour, vec3<f32>(1.25)) * 1.12, coated);
+    let dry = wet_flesh * mix(vec3<f32>(1.0), sqrt(look.colour), oiled) * (1.0 - 0.05 * oiled);
     // A bead gathers the window's light on its far side.
     let towards = dot((food.world_from_rest * vec4<f32>(beads.bend, 0.0)).xyz, frame.key.xyz);
     let colour = dry * mix(vec3<f32>(1.0), beads.tint * (1.0 - 0.55 * towards), beads.cover);
-    let body = Surface(colour, vec3<f32>(0.03), roughness, bumpy, visibility, wrap);
+    // Light comes through translucent flesh where it is thin: at the rim, from behind.
+    let rim = pow(1.0 - clamp(dot(smooth_normal, view), 0.0, 1.0), 2.0);
+    let through = look.clear * (1.0 - in.state.w) * (1.0 - crust);
+    let body = Surface(colour * (1.0 + through * (1.1 * rim - 0.12)), vec3<f32>(0.03), roughness, bumpy, visibility, wrap);
     var radiance = diffuse(body, lit) + colour * side_fill(smooth_normal) * visibility;
     let tint = mix(vec3<f32>(1.0), vec3<f32>(1.0, 0.82, 0.58), crust);
     // The film over it shines far more.
@@ -171,6 +186,19 @@ fn below_face(browned: f32, depth: f32, waver: f32) -> f32 {
     return min(2.0 * browned, 1.0) * max(dark, 0.48 * brown);
 }
 
+// Juice on the cut in the cook's own light: it glints where a ripple turns it to him; how steep ripples are, how sharp and
+// how bright (chosen).
+const RIPPLE = 1.5;
+const MOIST_SHARPNESS = 34.0;
+const MOIST = 0.22;
+
+fn moist(rest: vec3<f32>, normal: vec3<f32>, view: vec3<f32>) -> f32 {
+    let ripple = textureSampleLevel(solid_noise, tile_sampler, (rest + food.place.xyz) * 84.0 + 0.23, 0.0).rgb - 0.5;
+    let still = reflect(-view, world_normal(normal + vec3<f32>(0.0, 0.0, 0.38)));
+    let rippled = reflect(-view, world_normal(normal - along_face(ripple, normal) * RIPPLE));
+    return MOIST * pow(max(dot(still, rippled), 0.0), MOIST_SHARPNESS);
+}
+
 // A fresh cut: crust, band, gradient and centre, moist, in a soft light from the cook's side besides that of the room, so
 // that it can be read where the window does not reach.
 fn lit_cut(cut: FoodOut) -> vec4<f32> {
@@ -184,6 +212,7 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
         in.state.x = max(in.state.x, crust);
     }
     in.place.w = 0.0;
+    shade_share = CUT_SHADE;
     let look = look_of(in, rest_normal);
     let view = normalize(frame.eye.xyz - in.position);
     let slope = along_face(look.slope, rest_normal);
@@ -191,13 +220,16 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     let lit = mix(0.45, 1.0, shadow(in.position, bent));
     let wet = in.state.z * (1.0 - clamp(2.0 * look.browning, 0.0, 1.0));
     let own = 0.58 + 0.24 * clamp(dot(bent, normalize(view + vec3<f32>(-0.35, 0.1, 0.8))), 0.0, 1.0);
-    let colour = pow(look.colour, vec3<f32>(mix(1.0, DEEPENED, wet))) * mix(1.0, 1.55, wet);
+    // Fat is not deeper wet: little light is lost in it.
+    let deep = wet * (1.0 - look.fatty);
+    let colour = pow(look.colour, vec3<f32>(mix(1.0, DEEPENED, deep))) * mix(1.0, 1.55, deep);
     let body = Surface(colour, vec3<f32>(0.03), 0.5, bent, 0.8, vec3<f32>(0.42, 0.24, 0.18) * (1.0 - look.browning));
     // The light of its own is white as shot; another balance tints the cut as it tints the outside.
     var radiance = colour * own / frame.as_shot.rgb + diffuse(body, lit) * 0.22;
     let film_slope = along_face(look.film_slope, rest_normal);
     let film = Surface(vec3<f32>(0.0), vec3<f32>(0.028), 0.20, world_normal(rest_normal - film_slope * 0.9), 0.9, vec3<f32>(0.0));
     radiance += max(specular(film, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (0.9 * wet);
+    radiance += vec3<f32>(moist(in.rest, rest_normal, view) * wet);
     return pixel_from_radiance(radiance, in.clip.xy);
 }
 

@@ -1,11 +1,11 @@
-// Fat and juice round a frying food: a ring that climbs its side, and bubbles in it.
+// Fat and juice: the collar of bubbles round a frying food, drops in the air, spots on the pan.
 
 struct FryOut {
     @builtin(position) clip: vec4<f32>,
     @location(0) position: vec3<f32>,
-    // Bubble, drop and spot: place on the disc. Ring: outward direction.
+    // Drop and spot: place on the disc. Collar: way from the food's edge [m].
     @location(1) corner: vec2<f32>,
-    // Opacity, random value; a ring has -1 - (share of its width), a drop in the air 2, a spot of oil 4.
+    // Opacity, kind: -1 a collar, whose width [m] stands for the opacity; 2 a drop in the air, 4 a spot of oil.
     @location(2) look: vec2<f32>,
 };
 
@@ -15,32 +15,105 @@ fn vs_fry(in: PuffIn) -> FryOut {
     return FryOut(frame.clip_from_world * vec4<f32>(place, 1.0), place, in.corner, in.look.yz);
 }
 
-// How far the place on the disc moves within a pixel: what is smaller than a pixel has no sharp glint.
-var<private> disc_turn: vec2<f32>;
-
 fn liquid(normal: vec3<f32>, position: vec3<f32>) -> vec3<f32> {
-    let s = Surface(vec3<f32>(0.0), vec3<f32>(0.045), widened(0.10, vec3<f32>(disc_turn, 0.0)), normal, 1.0, vec3<f32>(0.0));
+    let s = Surface(vec3<f32>(0.0), vec3<f32>(0.045), 0.10, normal, 1.0, vec3<f32>(0.0));
     return specular(s, position, normalize(frame.eye.xyz - position), 1.0);
 }
 
-// A dark film, steep at the food and flat outside.
-fn ring(in: FryOut) -> vec4<f32> {
-    let noise = textureSampleLevel(solid_noise, tile_sampler, in.position * 26.0, 0.0).a - 0.5;
-    let across = clamp(-1.0 - in.look.y + 0.9 * noise * (-1.0 - in.look.y), 0.0, 1.0);
-    let steep = (1.0 - across) * (1.0 - across);
-    let normal = normalize(vec3<f32>(in.corner * 1.6 * steep, 1.0));
-    let alpha = in.look.x * (1.0 - smoothstep(0.25, 0.85, across)) * 0.7;
-    let juice = vec3<f32>(0.075, 0.045, 0.020);
-    return vec4<f32>(pixel_from_radiance(juice + liquid(normal, in.position), in.clip.xy).rgb * alpha, alpha);
+// How far the dark film of juice reaches from the foot [m].
+const FILM_REACH = 0.0035;
+// Sides of the cells of three sizes of bubbles [m], and how long they last [s] (chosen: large ones rise and burst).
+const CELLS = vec3<f32>(0.0056, 0.0034, 0.0020);
+const LIVES = vec3<f32>(0.55, 0.40, 0.30);
+
+fn random3(at: vec3<f32>) -> vec3<f32> {
+    var p = fract(at * vec3<f32>(0.1031, 0.1030, 0.0973));
+    p += dot(p, p.yxz + 33.33);
+    return fract((p.xxy + p.yxx) * p.zyx);
 }
 
-// A dome of clear fat: dark at its foot, with the window in it.
-fn bubble(in: FryOut) -> vec4<f32> {
-    let away = dot(in.corner, in.corner);
-    let normal = vec3<f32>(in.corner * 0.92, sqrt(max(1.0 - 0.85 * away, 0.02)));
-    let alpha = in.look.x * smoothstep(1.0, 0.80, away) * mix(0.30, 0.75, away * away);
-    let fat = vec3<f32>(0.16, 0.115, 0.06) * (1.15 - away);
-    return vec4<f32>(pixel_from_radiance(fat + 2.2 * liquid(normalize(normal), in.position), in.clip.xy).rgb * alpha, alpha);
+// A bubble of one size at a place: the way from its middle over its radius in x and y, its opacity in z.
+fn bubble_at(place: vec2<f32>, strip: Strip, size: i32) -> vec3<f32> {
+    let side = CELLS[size];
+    // The sizes lie askew to each other, so that no rows are seen.
+    let askew = f32(size) * 0.9 + 0.35;
+    let turned = vec2<f32>(cos(askew) * place.x - sin(askew) * place.y, sin(askew) * place.x + cos(askew) * place.y) / side;
+    let row = floor(turned.y);
+    let shifted = vec2<f32>(turned.x + 0.5 * fract(row * 0.5) * 2.0, turned.y);
+    let cell = floor(shifted);
+    let phase = random3(vec3<f32>(cell, f32(size) + 7.0));
+    let turn = frame.eye.w / (LIVES[size] * (0.6 + 0.8 * phase.y)) + phase.x * 17.0;
+    let now = random3(vec3<f32>(cell + 0.5, floor(turn) + 31.0 * f32(size)));
+    let age = fract(turn);
+    let radius = mix(0.24, 0.46, now.z) * (0.55 + 0.45 * sqrt(age));
+    let middle = 0.5 + (now.xy - 0.5) * (1.0 - 2.0 * radius);
+    let off = fract(shifted) - middle;
+    // Whether there is one is asked at its middle, so that none is cut off at the strip's end.
+    let back = vec2<f32>(cos(askew) * off.x + sin(askew) * off.y, cos(askew) * off.y - sin(askew) * off.x) * side;
+    let share = strip.share - dot(back, strip.outward) / strip.width;
+    // Near the food every place has its bubble; large ones keep close to it.
+    let wanted = smoothstep(1.0, 0.15 + 0.25 * f32(size), share) * step(0.0, share + 0.25);
+    let there = select(0.0, 1.0, phase.z < wanted) * min(age * 8.0, 1.0) * min((1.0 - age) * 10.0, 1.0);
+    return vec3<f32>(off / radius, there);
+}
+
+struct Strip {
+    // Unit vector away from the food.
+    outward: vec2<f32>,
+    // Place across the strip: 0 at the food, 1 where it ends.
+    share: f32,
+    // [m]
+    width: f32,
+};
+
+// The film of juice at the foot, steep at the food and flat outside.
+fn juice(in: FryOut, far: f32, outward: vec2<f32>) -> vec4<f32> {
+    let noise = textureSampleLevel(solid_noise, tile_sampler, in.position * 26.0, 0.0).a - 0.5;
+    let across = far / FILM_REACH;
+    let edge = clamp(across + 0.9 * noise * across, 0.0, 1.0);
+    let steep = (1.0 - edge) * (1.0 - edge);
+    let normal = normalize(vec3<f32>(outward * 1.6 * steep, 1.0));
+    let alpha = (1.0 - smoothstep(0.25, 0.85, edge)) * 0.6;
+    let brown = vec3<f32>(0.075, 0.045, 0.020);
+    return vec4<f32>(pixel_from_radiance(brown + liquid(normal, in.position), in.clip.xy).rgb * alpha, alpha);
+}
+
+// A dome of clear fat: bright where it scatters at its rim, with the window in it.
+fn dome(in: FryOut, place: vec2<f32>) -> vec4<f32> {
+    let away = dot(place, place);
+    let normal = normalize(vec3<f32>(place * 0.95, sqrt(max(1.0 - 0.9 * away, 0.02))));
+    let body = smoothstep(1.0, 0.82, away);
+    let alpha = body * mix(0.26, 0.62, away * away);
+    let fat = mix(vec3<f32>(0.26, 0.21, 0.13), vec3<f32>(0.50, 0.44, 0.32), away * away);
+    return vec4<f32>(pixel_from_radiance(fat + 2.0 * liquid(normal, in.position), in.clip.xy).rgb * alpha, alpha);
+}
+
+// Bubbles too small to be seen: pale, and open (chosen).
+const FOAM = vec4<f32>(0.60, 0.52, 0.36, 1.0);
+const FOAM_COVER = 0.42;
+const FINE_COVER = 0.20;
+
+// The collar: juice, then bubbles of three sizes, the largest on top.
+fn collar(in: FryOut, pixel: f32) -> vec4<f32> {
+    let far = length(in.corner);
+    let width = in.look.x;
+    let strip = Strip(in.corner / max(far, 1e-5), far / max(width, 1e-5), width);
+    var seen = juice(in, far, strip.outward);
+    if (width < 0.0007 || strip.share > 1.3) { return seen; }
+    // Between the bubbles that are seen stand finer ones.
+    let fine = FOAM * (FINE_COVER * smoothstep(1.0, 0.3, strip.share));
+    seen = seen * (1.0 - fine.a) + fine;
+    let place = in_pan(in.position).xy;
+    // From afar the smallest are lost in the foam.
+    for (var size = select(2, 1, quick); size >= 0; size--) {
+        let found = bubble_at(place, strip, size);
+        if (found.z <= 0.0 || dot(found.xy, found.xy) >= 1.0) { continue; }
+        // Bubbles of few pixels are seen as foam, not as sparks.
+        let sharp = clamp(CELLS[size] / (3.0 * pixel) - 0.4, 0.0, 1.0);
+        let over = mix(FOAM * FOAM_COVER, dome(in, found.xy), sharp) * found.z;
+        seen = seen * (1.0 - over.a) + over;
+    }
+    return seen;
 }
 
 // A drop in the air: amber, bright along its middle where it catches the window.
@@ -54,19 +127,21 @@ fn drop(in: FryOut) -> vec4<f32> {
 }
 
 // A low cap of oil that lies still: faint in its middle, a darker edge, the window in it.
-fn spot(in: FryOut) -> vec4<f32> {
+fn spot(in: FryOut, spread: f32) -> vec4<f32> {
     let away = dot(in.corner, in.corner);
     let normal = normalize(vec3<f32>(in.corner * 0.45, 1.0));
     let alpha = smoothstep(1.0, 0.70, away) * mix(0.40, 0.65, away * away);
     let fat = vec3<f32>(0.085, 0.060, 0.024);
-    return vec4<f32>(pixel_from_radiance(fat + 0.32 * liquid(normal, in.position), in.clip.xy).rgb * alpha, alpha);
+    // A spot of few pixels shows no window: its glint would be a spark.
+    let glint = 0.32 * clamp(1.0 / (2.0 * spread) - 0.25, 0.0, 1.0);
+    return vec4<f32>(pixel_from_radiance(fat + glint * liquid(normal, in.position), in.clip.xy).rgb * alpha, alpha);
 }
 
 @fragment
 fn fs_fry(in: FryOut) -> @location(0) vec4<f32> {
-    disc_turn = fwidth(in.corner);
-    if (in.look.y < 0.0) { return ring(in); }
-    if (in.look.y >= 4.0) { return spot(in); }
+    let pixel = length(fwidth(in.position.xy));
+    let spread = length(fwidth(in.corner));
+    if (in.look.y >= 4.0) { return spot(in, spread); }
     if (in.look.y >= 2.0) { return drop(in); }
-    return bubble(in);
+    return collar(in, pixel);
 }

@@ -56,6 +56,11 @@ fn ridges_of(noise: Noise) -> f32 {
     return smoothstep(0.36, 0.74, 0.4 * noise.broad.a + 0.6 * noise.grain.a);
 }
 
+// A free value on a lattice of 26 mm (0-1).
+fn far_noise(piece: vec3<f32>) -> f32 {
+    return textureSampleLevel(solid_noise, tile_sampler, (piece + food.place.xyz).yxz * 4.7 + 0.83, 0.0).a;
+}
+
 // Uneven contact: large patches, then the scale of bubbles, then the grain.
 fn patches(noise: Noise) -> f32 {
     return 1.5 * (noise.region.a - 0.5) + 1.5 * (noise.broad.a - 0.5) + 0.8 * (noise.grain.a - 0.5);
@@ -68,16 +73,17 @@ fn muscle(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     let bundle = textureSample(bundle_picture, tile_sampler, warped * 78.0);
     let fascicle = textureSample(bundle_picture, tile_sampler, warped.yx * 17.3 + 0.29);
     let strand = 1.0 - smoothstep(0.0, 0.35, bundle.r);
-    let seam = (1.0 - smoothstep(0.04, 0.20, fascicle.r)) * smoothstep(0.44, 0.62, noise.broad.a);
+    let seam = (1.0 - smoothstep(0.02, 0.16, fascicle.r)) * smoothstep(0.40, 0.75, noise.broad.a);
     let tone = 0.5 * (bundle.g - 0.5) + 0.45 * (fascicle.g - 0.5) + 0.9 * (noise.grain.a - 0.5) + 0.5 * (noise.fine.a - 0.5);
     let mottled = 0.8 * (noise.region.a - 0.5) + 0.5 * (noise.broad.a - 0.5);
     // Where flesh is darker it is also redder: less light comes back out of it.
     var light = 0.10 * tone + 0.09 * mottled * (1.0 - cooked) - 0.03 * strand;
     var shade = vec3<f32>(light, -0.10 * light * (1.0 - cooked), 0.05 * light);
     // Tissue between the bundles: pale in raw flesh, a thin shadow where cooked bundles part.
-    shade += seam * mix(vec3<f32>(0.11, -0.06, 0.0), vec3<f32>(-0.03, 0.0, 0.0), cooked);
-    // A seared face is deep and even from afar, and varied near by.
-    let uneven = 0.55 * (noise.region.a - 0.5) + 0.9 * (noise.broad.a - 0.5) + 0.9 * (noise.grain.a - 0.5) + 0.5 * (noise.fine.a - 0.5) + 0.4 * tone;
+    shade += seam * mix(vec3<f32>(0.06, -0.03, 0.0), vec3<f32>(-0.03, 0.0, 0.0), cooked);
+    // A seared face is deep and even from afar, and varied near by; where it browns late, it does so in islands.
+    let islands = 1.5 * (1.0 - crust) * (far_noise(rest) - 0.5);
+    let uneven = islands + 0.55 * (noise.region.a - 0.5) + 0.9 * (noise.broad.a - 0.5) + 0.9 * (noise.grain.a - 0.5) + 0.5 * (noise.fine.a - 0.5) + 0.4 * tone;
     let crevice = 1.0 - crust * (0.25 * (1.0 - smoothstep(0.0, 0.30, fascicle.r)) + 0.30 * smoothstep(0.50, 0.30, noise.grain.a));
     return Grain(shade, uneven, relief(noise, crust), film_relief(noise), ridges_of(noise), crevice, 0.0);
 }
@@ -95,7 +101,8 @@ fn ground(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     shade += fat * mix(vec3<f32>(0.20, -0.12, 0.0), vec3<f32>(0.06, -0.01, 0.03), cooked);
     let round = (noise.broad.rgb - 0.5) * 0.55 * (0.4 + gap);
     let crevice = 1.0 - gap * (0.35 + 0.30 * crust);
-    return Grain(shade, patches(noise) + 0.5 * (strand.g - 0.5) - 0.5 * gap, relief(noise, 0.5 + 0.5 * crust) + round, film_relief(noise), ridges_of(noise), crevice, 0.0);
+    let islands = 1.5 * (1.0 - crust) * (far_noise(rest) - 0.5);
+    return Grain(shade, islands + patches(noise) + 0.5 * (strand.g - 0.5) - 0.5 * gap, relief(noise, 0.5 + 0.5 * crust) + round, film_relief(noise), ridges_of(noise), crevice, 0.0);
 }
 
 // A root cut across its axis: rays from the core, a thin line where both meet, a rougher skin at the side.
@@ -137,29 +144,37 @@ fn sheaths(rest: vec3<f32>, grew: Grown, upright: f32, cooked: f32, crust: f32) 
     return Grain(shade, uneven, relief(noise, 0.4 * crust) * 0.6 + step, film_relief(noise) * 0.5, ridges_of(noise), crevice, 0.5);
 }
 
-// Six segments: red-orange bands over the back once cooked, grey specks and clear flesh before; a white belly.
+// Six segments: coral bands of fine specks over the back once cooked, grey specks, a dark vein and clear flesh before; a
+// white belly.
 fn shrimp(rest: vec3<f32>, along: f32, dorsal: f32, cooked: f32, crust: f32) -> Grain {
     let noise = noise_at(rest, vec3<f32>(0.8, 0.8, 0.8));
-    let waver = 0.22 * (noise.broad.a - 0.5) + 0.10 * (noise.grain.a - 0.5);
+    let waver = 0.34 * (noise.broad.a - 0.5) + 0.14 * (noise.grain.a - 0.5);
     let segments = along / 0.83 * 6.0 + waver;
     let within = fract(segments);
     let fan = smoothstep(0.80, 0.87, along);
-    // The band lies on the rear half of each segment and thins out towards the belly.
-    let band = smoothstep(0.20, 0.55, within) * (1.0 - smoothstep(0.90, 1.0, within));
-    let back = smoothstep(-0.75, 0.55, dorsal + 0.5 * (noise.region.a - 0.5));
-    let red = mix(band * (0.25 + 0.75 * back), 0.9, fan);
-    let specks = smoothstep(0.60, 0.70, noise.fine.a + 0.35 * (noise.grain.a - 0.5));
-    let joint = (smoothstep(0.90, 0.98, within) + 1.0 - smoothstep(0.0, 0.06, within)) * (1.0 - fan) * step(0.05, segments);
+    // The band lies on the rear half of each segment and thins out towards the belly; seen near by it is made of specks.
+    let band = smoothstep(0.05, 0.62, within) * (1.0 - smoothstep(0.80, 1.0, within));
+    let back = smoothstep(-0.75, 0.65, dorsal + 0.6 * (noise.region.a - 0.5));
+    let pigment = smoothstep(0.30, 0.72, 0.5 * noise.fine.a + 0.5 * noise.grain.a + 0.22 * (band - 0.5));
+    let red = mix(band * (0.20 + 0.80 * back) * (0.55 + 0.45 * pigment), 0.85, fan);
+    let specks = smoothstep(0.56, 0.70, noise.fine.a + 0.35 * (noise.grain.a - 0.5));
+    let joint = (smoothstep(0.92, 0.99, within) + 1.0 - smoothstep(0.0, 0.05, within)) * (1.0 - fan) * step(0.05, segments);
     let pearl = (noise.grain.a - 0.5) * 0.05 + (noise.fine.a - 0.5) * 0.03;
-    let done = vec3<f32>(0.085, -0.115, -0.10) * (1.0 - red) + vec3<f32>(-0.115, 0.135, 0.13) * red;
-    let raw = vec3<f32>(-0.045, 0.0, 0.0) * red - vec3<f32>(0.16, 0.0, 0.02) * specks * (0.35 + 0.65 * back) * 0.7;
+    let vein = smoothstep(0.90, 0.985, dorsal) * (1.0 - fan) * smoothstep(0.3, 0.6, noise.broad.a + 0.3);
+    let done = vec3<f32>(0.085, -0.105, -0.095) * (1.0 - red) + vec3<f32>(-0.085, 0.135, 0.10) * red;
+    // Raw flesh is blue-grey, darker where the body is thick.
+    let deep = vec3<f32>(-0.07, -0.015, -0.055);
+    let raw = deep + vec3<f32>(-0.03, 0.01, 0.0) * red - vec3<f32>(0.13, -0.01, 0.0) * specks * (0.25 + 0.75 * back) - vec3<f32>(0.14, 0.0, 0.02) * vein;
     var shade = mix(raw, done, smoothstep(0.15, 0.85, cooked)) + vec3<f32>(pearl, 0.0, 0.0);
     shade += vec3<f32>(-0.05, 0.01, 0.02) * joint;
-    // The tail fan keeps its shell: darker and redder.
-    shade += fan * mix(vec3<f32>(-0.14, 0.02, 0.02), vec3<f32>(-0.06, 0.10, 0.06), cooked);
+    // The tail fan keeps its shell: ribbed, darker and redder.
+    let rib = abs(fract(along * 60.0 + 2.0 * noise.broad.a) - 0.5) * 2.0;
+    shade += fan * mix(vec3<f32>(-0.12, 0.02, 0.03), vec3<f32>(-0.10 - 0.05 * rib, 0.07, 0.03), cooked);
     let fibre = (noise.grain.rgb - 0.5) * 0.20;
     let crevice = 1.0 - 0.22 * joint;
-    return Grain(shade, patches(noise) - 0.3 * fan, relief(noise, 0.5 * crust) * 0.55 + fibre, film_relief(noise) * 0.7, ridges_of(noise), crevice, 0.75 * (1.0 - cooked) + 0.25);
+    // Char comes in small freckles on what stands out, not in sheets.
+    let uneven = patches(noise) + 0.8 * (noise.fine.a - 0.5) - 0.3 * fan;
+    return Grain(shade, uneven, relief(noise, 0.5 * crust) * 0.55 + fibre, film_relief(noise) * 0.7, ridges_of(noise), crevice, 0.75 * (1.0 - cooked) + 0.25);
 }
 
 fn plain(rest: vec3<f32>, crust: f32) -> Grain {
