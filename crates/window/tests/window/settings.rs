@@ -101,7 +101,7 @@ fn choices_have_room(harness: &Harness<'static, SauteApp>, size: egui::Vec2) {
     let points = Rect::from_min_size(pos2(0.0, 0.0), size / harness.ctx.zoom_factor());
     let radios = harness.root().children_recursive().filter(|n| n.accesskit_node().role() == Role::RadioButton);
     let rects: Vec<Rect> = radios.map(|n| n.rect()).collect();
-    assert_eq!(rects.len(), 18);
+    assert_eq!(rects.len(), 20);
     for (i, rect) in rects.iter().enumerate() {
         assert!(points.contains_rect(*rect), "{rect:?} in {points:?}");
         assert!(rects[i + 1..].iter().all(|other| !rect.shrink(0.5).intersects(other.shrink(0.5))), "{rect:?}");
