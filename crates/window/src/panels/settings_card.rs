@@ -72,12 +72,20 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     let drawn = quality_word(QualityChoice::Always(state.quality), l);
     explained(ui, narrow, &l.fill("settings.quality_now", &[("quality", &drawn)]));
     let languages = Language::ALL.map(|other| (language::name(state.japanese_font, other), other == now.language));
-    if let Some(chosen) = row(ui, narrow, l.text("settings.language"), &languages) {
-        set(Setting::Language(Language::ALL[chosen]));
-    }
     let units = [("°C", !now.fahrenheit), ("°F", now.fahrenheit)];
-    if let Some(unit) = row(ui, narrow, l.text("settings.unit"), &units) {
-        set(Setting::Fahrenheit(unit == 1));
+    let mut language_and_unit = |ui: &mut Ui| {
+        if let Some(chosen) = row(ui, narrow, l.text("settings.language"), &languages) {
+            set(Setting::Language(Language::ALL[chosen]));
+        }
+        if let Some(unit) = row(ui, narrow, l.text("settings.unit"), &units) {
+            set(Setting::Fahrenheit(unit == 1));
+        }
+    };
+    // Two short rows share a line where there is room.
+    if narrow {
+        language_and_unit(ui)
+    } else {
+        ui.horizontal(language_and_unit).inner
     }
     let sizes = InterfaceSize::ALL.map(|s| (format!("{:.0} %", 100.0 * s.factor()), s == now.size));
     let sizes = sizes.each_ref().map(|(text, on)| (text.as_str(), *on));
