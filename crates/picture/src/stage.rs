@@ -16,6 +16,7 @@ use saute_scene::input::{
     Colouring, FLOOR_FIELD_RINGS, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RestKind, RestLook, SEAR_SETS,
     SceneInput, SearLook, ToolKind, ToolLook,
 };
+use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::mesh::props::BOARD_CENTRE;
 
@@ -51,6 +52,8 @@ pub struct StageOptions {
     pub cut: Option<String>,
     /// White balance of the look.
     pub white_balance: WhiteBalance,
+    /// Light of the room.
+    pub light: RoomLight,
     /// Unlit, exactly decodable colours.
     pub flat: bool,
 }
@@ -144,8 +147,10 @@ impl Stage {
             time_s: kitchen.time_s() as f32,
             colouring: map.map_or(Colouring::Look, |m| m.colouring()),
             white_balance: options.white_balance,
+            light: options.light,
             flat: options.flat,
             mirror: None,
+            tile: None,
         }
     }
 

@@ -7,8 +7,9 @@ use glam::{Mat4, Vec3, Vec4Swizzles};
 /// Field of view of the window [rad].
 pub const FIELD_OF_VIEW: f32 = 35.0 * std::f32::consts::PI / 180.0;
 
-const NEAR: f32 = 0.04;
-const FAR: f32 = 6.0;
+/// Nearest and farthest distance that is drawn, along the axis of the eye [m].
+pub(crate) const NEAR: f32 = 0.04;
+pub(crate) const FAR: f32 = 6.0;
 /// Lowest look: the counter still fills the lower half and the eye stays above the glass (chosen).
 pub const PITCH_MIN: f32 = 0.21;
 const PITCH_MAX: f32 = FRAC_PI_2;
@@ -94,12 +95,16 @@ impl Camera {
 
     /// Maps the world to clip space (depth 0–1) for a picture of the given width over height.
     pub fn view_projection(&self, aspect: f32) -> Mat4 {
+        let view = glam::camera::rh::view::look_at_mat4(self.eye(), self.target, self.up());
+        self.projection(aspect) * view
+    }
+
+    /// Maps the space of the eye (x right, y up, z towards the eye) to clip space.
+    pub(crate) fn projection(&self, aspect: f32) -> Mat4 {
         let vertical_fov =
             if aspect < 1.0 { 2.0 * ((0.5 * self.field_of_view).tan() / aspect).atan() } else { self.field_of_view };
         let shift = Mat4::from_translation(Vec3::new(self.shift[0], self.shift[1], 0.0));
-        let projection = glam::camera::rh::proj::directx::perspective(vertical_fov, aspect, NEAR, FAR);
-        let view = glam::camera::rh::view::look_at_mat4(self.eye(), self.target, self.up());
-        shift * projection * view
+        shift * glam::camera::rh::proj::directx::perspective(vertical_fov, aspect, NEAR, FAR)
     }
 
     /// The ray through a point of the picture, given in normalised device coordinates (y up): origin and unit

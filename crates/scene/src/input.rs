@@ -11,6 +11,7 @@ use std::sync::Arc;
 use glam::{Mat4, Vec3};
 
 use crate::camera::Camera;
+use crate::light::room_light::RoomLight;
 use crate::light::white_balance::WhiteBalance;
 use crate::mesh::strings::StringLook;
 
@@ -49,11 +50,44 @@ pub struct SceneInput {
     pub colouring: Colouring,
     /// White balance of the look.
     pub white_balance: WhiteBalance,
+    /// Light of the room.
+    pub light: RoomLight,
     /// True writes the colours unlit, without tone mapping, shadow, dither or anti-aliasing, so that they decode
     /// exactly.
     pub flat: bool,
     /// View in a half mirror; none for the room.
     pub mirror: Option<MirrorLook>,
+    /// The part of a larger picture that is drawn; none for all of it.
+    pub tile: Option<Tile>,
+}
+
+/// A part of a picture, drawn by itself with an off-centre projection [pixels].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tile {
+    /// Width and height of the whole picture.
+    pub whole: [u32; 2],
+    /// Left and upper edge of the part.
+    pub origin: [u32; 2],
+    /// Width and height of the part.
+    pub size: [u32; 2],
+}
+
+impl Tile {
+    /// Width over height of the whole picture [-].
+    fn aspect(&self) -> f32 {
+        self.whole[0] as f32 / self.whole[1] as f32
+    }
+
+    /// Maps clip space of the whole picture to that of the part.
+    fn part_from_whole(&self) -> Mat4 {
+        let scale: [f32; 2] = std::array::from_fn(|i| self.whole[i] as f32 / self.size[i] as f32);
+        // Middle of the part in the normalised device coordinates of the whole.
+        let middle = std::array::from_fn::<f32, 2, _>(|i| {
+            (2.0 * self.origin[i] as f32 + self.size[i] as f32) / self.whole[i] as f32 - 1.0
+        });
+        let shift = Vec3::new(-middle[0] * scale[0], middle[1] * scale[1], 0.0);
+        Mat4::from_translation(shift) * Mat4::from_scale(Vec3::new(scale[0], scale[1], 1.0))
+    }
 }
 
 /// View of a scene in a half mirror, which only adds light to a real pan: food, oil, steam and tools on black.
@@ -75,7 +109,14 @@ impl SceneInput {
 
     /// Maps the world to clip space (depth 0–1) for a picture of the given width over height.
     pub fn view_projection(&self, aspect: f32) -> Mat4 {
-        self.mirror.map_or_else(|| self.camera.view_projection(aspect), |mirror| mirror.clip_from_world)
+        let whole = |aspect| self.mirror.map_or_else(|| self.camera.view_projection(aspect), |m| m.clip_from_world);
+        self.tile.map_or_else(|| whole(aspect), |tile| tile.part_from_whole() * whole(tile.aspect()))
+    }
+
+    /// Maps the space of the camera to clip space, for a picture of the given width over height.
+    pub(crate) fn projection(&self, aspect: f32) -> Mat4 {
+        let tiled = |tile: Tile| tile.part_from_whole() * self.camera.projection(tile.aspect());
+        self.tile.map_or_else(|| self.camera.projection(aspect), tiled)
     }
 }
 

@@ -11,8 +11,11 @@
 //!
 //! Static content is kept as a picture with depth; each frame redraws only what moves. Quality has three levels:
 //! quick keeps static content, smooth has four samples per pixel, best adds finer maps and textures and the contact
-//! shadow of food. The light of the room is defined once, in Rust, for shaders and white balance. White balance
-//! scales the look in linear sRGB and leaves fields and flat pictures unchanged.
+//! shadow of food. Except on OpenGL and WebGL2, best draws the look as radiances in half floats and develops them:
+//! ambient occlusion from the depth, light that scatters in flesh, depth of field, bloom, vignette, tone curve. Fields,
+//! flat pictures and the half mirror pass none of this. The light of the room, by day or in the evening, is defined once,
+//! in Rust, for shaders and white balance. White balance scales the look in linear sRGB and leaves fields and flat
+//! pictures unchanged. A picture larger than the device draws at once is drawn in tiles.
 //!
 //! The camera circles a target, which appears in the middle of the picture:
 //!

@@ -29,18 +29,16 @@ impl Quality {
         Self::ALL.into_iter().find(|other| *other > self)
     }
 
-    /// Texels along each side of the shadow map and of the contact map (chosen: WebGL2 guarantees 2048).
+    /// Height of the shadow map, which is twice as wide, and side of the contact map [texels] (chosen: WebGL2 guarantees
+    /// 2048).
     pub(crate) fn map_sizes(self) -> [u32; 2] {
         match self {
-            Self::Quick => [640, CONTACT_SIZE],
-            Self::Smooth => [SOFT_SHADOW_SIZE, CONTACT_SIZE],
-            Self::Best => [2048, 2 * CONTACT_SIZE],
+            Self::Quick => [512, CONTACT_SIZE],
+            Self::Smooth => [1024, CONTACT_SIZE],
+            Self::Best => [1024, 2 * CONTACT_SIZE],
         }
     }
 }
-
-/// Size of the shadow map above which shadows become no sharper [texels] (chosen: a window is no point source).
-pub(crate) const SOFT_SHADOW_SIZE: u32 = 1024;
 
 #[cfg(test)]
 mod tests {

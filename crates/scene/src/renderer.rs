@@ -8,6 +8,7 @@ use crate::gpu::history::{History, ShadowCasters, StillStep};
 use crate::gpu::passes::{self, Groups, Subject};
 use crate::gpu::pipeline_build::Detail;
 use crate::gpu::pipeline_set::PipelineSet;
+use crate::gpu::post::{Chain, LensUniform, PostKit};
 use crate::gpu::shown::{Shown, ShownFrame, Work};
 use crate::gpu::solids::Solids;
 use crate::gpu::sprites::SpriteBuffers;
@@ -17,7 +18,7 @@ use crate::gpu::textures::SceneTextures;
 use crate::gpu::uniforms::FrameUniform;
 use crate::gpu::views::Views;
 use crate::input::{Colouring, FilmPicture, SceneInput, TintPicture};
-use crate::light::shadow::ContactMap;
+use crate::light::shadow::{ContactMap, ShadowView};
 use crate::quality::Quality;
 
 pub use crate::gpu::passes::FLAT_BACKGROUND;
@@ -33,6 +34,10 @@ pub struct SceneRenderer {
     targets: Targets,
     shown: Shown,
     history: History,
+    /// Made when the best level first needs it.
+    post: Option<PostKit>,
+    /// True if the device can draw radiances in half floats: not OpenGL, whose pictures are those of WebGL2.
+    half_floats: bool,
 }
 
 /// Buffers of what is drawn.
@@ -71,6 +76,8 @@ impl SceneRenderer {
             pictures: Pictures::default(),
             shown: Shown::default(),
             history: History::default(),
+            post: None,
+            half_floats: device.adapter_info().backend != wgpu::Backend::Gl,
         }
     }
 
@@ -98,6 +105,12 @@ impl SceneRenderer {
     #[cfg(test)]
     pub(crate) fn never_smooth(&mut self) {
         self.shown.rest = web_time::Duration::MAX;
+    }
+
+    /// Draws the best level as devices without half floats do.
+    #[cfg(test)]
+    pub(crate) fn never_develop(&mut self) {
+        self.half_floats = false;
     }
 
     pub(crate) fn picture(&self) -> &wgpu::Texture {
@@ -130,6 +143,8 @@ impl SceneRenderer {
         if let Some(mirror) = input.mirror {
             let smooth = self.quality != Quality::Quick || work == Work::Smooth;
             self.draw_mirror(device, encoder, mirror.pan_shown, smooth);
+        } else if self.develops(input) {
+            self.draw_developed(device, queue, encoder, input);
         } else if self.quality != Quality::Quick || work == Work::Smooth {
             self.draw_fine(device, encoder);
         } else {
@@ -153,6 +168,7 @@ impl SceneRenderer {
         if self.textures.set_quality(device, queue, self.quality) {
             self.history.forget_shadow();
         }
+        self.textures.set_light(device, queue, input.light);
         let pulled = self.contents.solids.as_ref().is_some_and(|solids| !solids.shows(&input.strings));
         match &mut self.contents.solids {
             Some(solids) => solids.update(device, queue, input),
@@ -164,7 +180,7 @@ impl SceneRenderer {
         let spots = self.contents.sprites.update_spots(queue, input);
         let aspect = size[0] as f32 / size[1] as f32;
         let frame = FrameUniform::new(input, aspect, self.quality, &self.contents.contact);
-        self.views.write(queue, &frame, &input.view_projection(aspect));
+        self.views.write(queue, &frame, &input.view_projection(aspect), &ShadowView::of(input));
         self.update_foods(device, queue, input);
         let sprites = self.contents.sprites.update(queue, input);
         self.history.begin(frame.timeless(), DirtyRect::of_sprites(input, &sprites, size));
@@ -237,7 +253,8 @@ impl SceneRenderer {
         }
         let (depth, foods) = (self.pipelines.depth(), &self.contents.foods);
         let mut pass = passes::begin_depth(encoder, &self.textures.shadow_map);
-        passes::draw_shadow(&mut pass, depth, self.views.light(), solids, foods);
+        let size = self.quality.map_sizes()[0];
+        passes::draw_shadows(&mut pass, depth, self.views.light(), size, solids, foods);
         drop(pass);
         let mut pass = passes::begin_depth(encoder, &self.textures.contact_map);
         passes::draw_food_depth(&mut pass, depth, self.views.contact(), foods);
@@ -281,6 +298,39 @@ impl SceneRenderer {
         let to = if smooth { self.targets.multisampled(picture) } else { picture.attachments() };
         passes::draw_mirror(encoder, &to, pipelines, &self.groups(), &subject, pan);
         self.history.forget_still();
+        self.history.drew_whole();
+    }
+
+    /// Returns true if a scene is drawn as radiances that are developed: the look at the best level, no data colours.
+    fn develops(&self, input: &SceneInput) -> bool {
+        let look = matches!(input.colouring, Colouring::Look);
+        self.quality == Quality::Best && self.half_floats && look && !input.flat && input.mirror.is_none()
+    }
+
+    /// Draws radiances in half floats and develops them.
+    fn draw_developed(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        input: &SceneInput,
+    ) {
+        self.pipelines.stock(device, Detail::Hdr, self.contents.foods.textures());
+        let kit = self.post.get_or_insert_with(|| PostKit::new(device));
+        let Targets { size, picture, chain, .. } = &mut self.targets;
+        let whole = input.tile.map_or(size[1], |tile| tile.whole[1]);
+        let chain = chain.get_or_insert_with(|| Chain::new(device, kit, *size, picture, whole));
+        chain.write(queue, &LensUniform::new(input, *size));
+        self.textures.set_ambient(device, &chain.ambient);
+        let (Some(pipelines), Some(subject)) = (self.pipelines.colour(Detail::Hdr), self.subject()) else { return };
+        let (Some(kit), Some(chain)) = (&self.post, &self.targets.chain) else { return };
+        let mut pass = passes::begin_depth(encoder, &self.targets.picture.depth);
+        let Subject { solids, foods, .. } = subject;
+        passes::draw_whole_depth(&mut pass, self.pipelines.depth(), self.views.camera(), solids, foods);
+        drop(pass);
+        chain.shade(encoder, kit);
+        passes::draw_whole(encoder, &chain.attachments(), pipelines, &self.groups(), &subject);
+        chain.develop(encoder, kit);
         self.history.drew_whole();
     }
 

@@ -62,8 +62,10 @@ pub fn empty_pan() -> SceneInput {
         time_s: 3.0,
         colouring: Colouring::Look,
         white_balance: Default::default(),
+        light: Default::default(),
         flat: false,
         mirror: None,
+        tile: None,
     }
 }
 

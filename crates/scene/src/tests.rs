@@ -1,7 +1,8 @@
 //! What the pictures must hold. Without a graphics adapter there is nothing to test, and the tests pass.
 
 use crate::camera::Camera;
-use crate::input::{Colouring, SceneInput};
+use crate::input::{Colouring, MirrorLook, SceneInput};
+use crate::light::room_light::RoomLight;
 use crate::light::white_balance::WhiteBalance;
 use crate::quality::Quality;
 use crate::renderer::{FLAT_BACKGROUND, SceneRenderer};
@@ -234,8 +235,58 @@ fn the_best_level_shades_the_ground_where_food_touches_it_and_nowhere_else() {
         return;
     };
     let mut renderer = SceneRenderer::new(&device, &queue);
+    renderer.never_develop();
     let [smooth, best] =
         [Quality::Smooth, Quality::Best].map(|quality| beside_steak(&mut renderer, &device, &queue, quality));
     assert!(best[0] < 0.98 * smooth[0], "near: {best:?} {smooth:?}");
     assert!((best[1] / smooth[1] - 1.0).abs() < 0.01, "far: {best:?} {smooth:?}");
+}
+
+#[test]
+fn the_best_level_develops_the_look_and_leaves_data_colours_and_the_half_mirror_as_they_are() {
+    let Some((device, queue)) = device() else {
+        return;
+    };
+    let [mut plain, mut developed] = [(); 2].map(|()| SceneRenderer::new(&device, &queue));
+    plain.never_develop();
+    let mut draw = |scene: &SceneInput| {
+        let read = |r: &mut SceneRenderer| r.render_to_image(&device, &queue, scene, SIZE, Quality::Best);
+        [read(&mut plain), read(&mut developed)]
+    };
+    let look = steak_in_pan(Doneness::Browned);
+    let flat_field = flat_field(0.5, true);
+    let lit_field = SceneInput { flat: false, ..flat_field.clone() };
+    let flat_look = SceneInput { flat: true, ..look.clone() };
+    let clip_from_world = look.camera.view_projection(16.0 / 9.0);
+    let mirror = MirrorLook { eye: look.camera.eye(), clip_from_world, pan_shown: false };
+    let mirrored = SceneInput { mirror: Some(mirror), ..look.clone() };
+    for scene in [flat_field, lit_field, flat_look, mirrored] {
+        let [plain, developed] = draw(&scene);
+        assert!(plain == developed, "flat {}, mirror {}", scene.flat, scene.mirror.is_some());
+    }
+    let [plain, developed] = draw(&look);
+    assert!(plain != developed);
+    assert!(developed.chunks(4).all(|pixel| pixel[3] == 255));
+}
+
+#[test]
+fn the_evening_leaves_fields_and_flat_pictures_readable_and_follows_what_is_kept() {
+    let Some((device, queue)) = device() else {
+        return;
+    };
+    let flat = flat_field(0.5, true);
+    let evening = SceneInput { light: RoomLight::Evening, ..flat.clone() };
+    let [day, night] =
+        [flat, evening].map(|scene| SceneRenderer::new(&device, &queue).read_as_is(&device, &queue, &scene, SIZE));
+    assert!(day == night);
+    let draw = |renderer: &mut SceneRenderer, light| {
+        renderer.never_smooth();
+        let scene = SceneInput { light, ..steak_in_pan(Doneness::Browned) };
+        (0..4).map(|_| renderer.read_as_is(&device, &queue, &scene, SIZE)).last().unwrap_or_default()
+    };
+    let mut renderer = SceneRenderer::new(&device, &queue);
+    let day = draw(&mut renderer, RoomLight::Daylight);
+    let evening = draw(&mut renderer, RoomLight::Evening);
+    assert!(day != evening);
+    assert!(evening == draw(&mut SceneRenderer::new(&device, &queue), RoomLight::Evening));
 }

@@ -2,6 +2,7 @@
 
 use egui::Key;
 use saute_picture::view::View;
+use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
 use crate::input::pouring::Pourable;
@@ -174,6 +175,8 @@ pub enum Setting {
     Theme(Theme),
     /// White balance of the look.
     White(WhiteBalance),
+    /// Light of the room.
+    Light(RoomLight),
     /// The quality of the picture.
     Quality(QualityChoice),
     /// The window's language.

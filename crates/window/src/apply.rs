@@ -103,6 +103,7 @@ impl SauteApp {
         match setting {
             Setting::Theme(theme) => self.settings.theme = theme,
             Setting::White(white) => self.settings.white_balance = white,
+            Setting::Light(light) => self.settings.light = light,
             Setting::Quality(quality) => self.set_quality(quality),
             Setting::Language(language) => self.set_language(language),
             Setting::Fahrenheit(on) => self.settings.fahrenheit = on,

@@ -6,6 +6,7 @@ use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_kitchen::food::Scale;
 use saute_picture::colour::map::TemperatureMap;
 use saute_picture::view::View;
+use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
 use crate::mirror::settings::MirrorSettings;
@@ -28,6 +29,8 @@ pub struct Settings {
     pub size: InterfaceSize,
     /// White balance of the look.
     pub white_balance: WhiteBalance,
+    /// Light of the room.
+    pub light: RoomLight,
     /// Rendering quality.
     pub quality: QualityChoice,
     /// True if the card of the first start was closed.
@@ -69,6 +72,7 @@ impl Default for Settings {
             theme: Theme::default(),
             size: InterfaceSize::default(),
             white_balance: WhiteBalance::default(),
+            light: RoomLight::default(),
             quality: QualityChoice::default(),
             introduced: false,
             fahrenheit: false,

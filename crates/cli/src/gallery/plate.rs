@@ -36,6 +36,7 @@ fn draw(gpu: &Gpu, panel: &Panel, kitchen: &Kitchen, scales: &ScaleChoice, size:
         view: panel.view,
         slice,
         white_balance: Default::default(),
+        light: Default::default(),
         quality: Quality::Smooth,
         flat: false,
         scales: scales.clone(),

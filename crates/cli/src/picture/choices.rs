@@ -1,7 +1,8 @@
-//! Names of views, white balances, qualities and stereo modes on the command line.
+//! Names of views, white balances, lights, qualities and stereo modes on the command line.
 
 use clap::ValueEnum;
 use saute_picture::View;
+use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 use saute_window::mirror::stereo::Stereo;
@@ -63,6 +64,24 @@ impl From<WhiteName> for WhiteBalance {
     }
 }
 
+/// Names of the lights of the room.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum LightName {
+    /// The window lights the kitchen, the lamp over the hob helps.
+    Daylight,
+    /// The lamp lights the kitchen, the window is dark blue.
+    Evening,
+}
+
+impl From<LightName> for RoomLight {
+    fn from(name: LightName) -> Self {
+        match name {
+            LightName::Daylight => Self::Daylight,
+            LightName::Evening => Self::Evening,
+        }
+    }
+}
+
 /// Names of the rendering qualities.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum QualityName {
@@ -70,7 +89,7 @@ pub enum QualityName {
     Quick,
     /// Antialiased edges.
     Smooth,
-    /// In addition contact shadows and finer maps and textures.
+    /// In addition contact shadows, finer maps and textures, ambient occlusion, depth of field and bloom.
     Best,
 }
 

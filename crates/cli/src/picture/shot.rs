@@ -20,7 +20,7 @@ use saute_window::mirror::rig_file;
 use saute_window::mirror::stereo::Stereo;
 use saute_window::mirror::still::mirror_shot;
 
-use super::choices::{QualityName, StereoName, ViewName, WhiteName};
+use super::choices::{LightName, QualityName, StereoName, ViewName, WhiteName};
 use super::contact_sheet::contact_sheet;
 use super::eye::{eye, field_of_view};
 use super::size::size;
@@ -58,6 +58,9 @@ pub struct ShotArgs {
     /// White balance of the look.
     #[arg(long, value_enum, default_value_t = WhiteName::AsShot)]
     pub white_balance: WhiteName,
+    /// Light of the room.
+    #[arg(long, value_enum, default_value_t = LightName::Daylight)]
+    pub light: LightName,
     /// Rendering quality.
     #[arg(long, value_enum, default_value_t = QualityName::Smooth)]
     pub quality: QualityName,
@@ -130,6 +133,7 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         split: args.split.is_some(),
         slice: args.slice,
         white_balance: args.white_balance.into(),
+        light: args.light.into(),
         quality: args.quality.into(),
         flat: args.flat,
         scales,

@@ -51,6 +51,7 @@ impl Colorimeter {
             view: View::Look,
             slice: at == SeenAt::Cut,
             white_balance: Default::default(),
+            light: Default::default(),
             quality: Quality::Smooth,
             flat: true,
             scales: ScaleChoice::default(),

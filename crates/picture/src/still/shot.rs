@@ -7,6 +7,7 @@ use saute_kitchen::{InputError, Kitchen, Library, Piece, TICK_S};
 use saute_recipe::{Cook, Recipe};
 use saute_scene::camera::Camera;
 use saute_scene::input::SceneInput;
+use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 use saute_scene::renderer::SceneRenderer;
@@ -86,6 +87,8 @@ pub struct ShotOptions {
     pub slice: bool,
     /// White balance of the look.
     pub white_balance: WhiteBalance,
+    /// Light of the room.
+    pub light: RoomLight,
     /// Rendering quality.
     pub quality: Quality,
     /// Unlit, exactly decodable colours.
@@ -144,6 +147,7 @@ impl ShotOptions {
             slice,
             cut: None,
             white_balance: self.white_balance,
+            light: self.light,
             flat: self.flat,
         }
     }

@@ -1,5 +1,6 @@
 //! Pictures: what they must be true to, and what they looked like when somebody last looked at them.
 
+mod exposure;
 mod looks;
 mod marbling;
 mod perceptual;

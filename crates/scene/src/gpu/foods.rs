@@ -272,7 +272,14 @@ impl FoodBuffers {
     /// Draws the shape into a depth map.
     pub fn draw_depth(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_bind_group(1, &self.pose_group, &[]);
-        match self.cut.as_ref().filter(|cut| cut.parted) {
+        let parted = self.cut.as_ref().is_some_and(|cut| cut.parted);
+        if parted { self.draw_seen_depth(pass) } else { self.draw_shape(pass) }
+    }
+
+    /// Draws into a depth map what is seen of the shape: without what a cut hides.
+    pub fn draw_seen_depth(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_bind_group(1, &self.pose_group, &[]);
+        match &self.cut {
             Some(cut) => {
                 pass.set_vertex_buffer(0, cut.outside.slice(..));
                 cut.kept.draw(pass);

@@ -5,6 +5,7 @@ use crate::gpu::solids::MovableKey;
 use crate::gpu::still::{Still, StillKey};
 use crate::gpu::uniforms::FrameUniform;
 use crate::input::{SceneInput, ToolLook};
+use crate::light::shadow::ShadowView;
 
 /// Parts of the picture that are redrawn.
 #[derive(Clone, Copy, Debug)]
@@ -26,12 +27,18 @@ pub(crate) struct ShadowCasters {
     movable: MovableKey,
     tool: Option<ToolLook>,
     lidded: bool,
+    view: ShadowView,
 }
 
 impl ShadowCasters {
     /// Reads it from a scene.
     pub fn of(input: &SceneInput) -> Self {
-        Self { movable: MovableKey::of(input), tool: input.tool, lidded: input.pan.lid.is_some() }
+        Self {
+            movable: MovableKey::of(input),
+            tool: input.tool,
+            lidded: input.pan.lid.is_some(),
+            view: ShadowView::of(input),
+        }
     }
 }
 

@@ -9,6 +9,7 @@ pub(crate) mod passes;
 pub(crate) mod pipeline_build;
 pub(crate) mod pipeline_set;
 pub(crate) mod pipelines;
+pub(crate) mod post;
 pub mod readback;
 pub(crate) mod shown;
 pub(crate) mod solids;

@@ -87,8 +87,23 @@ fn depth_attachment(
     }
 }
 
-/// Everything that casts a shadow from the window.
-pub(crate) fn draw_shadow(
+/// Everything that casts a shadow, into both parts of the shadow map.
+pub(crate) fn draw_shadows(
+    pass: &mut wgpu::RenderPass<'_>,
+    pipelines: &DepthPipelines,
+    views: [&wgpu::BindGroup; 2],
+    size: u32,
+    solids: &Solids,
+    foods: &Foods,
+) {
+    let side = size as f32;
+    for (view, left) in views.into_iter().zip([0.0, side]) {
+        pass.set_viewport(left, 0.0, side, side, 0.0, 1.0);
+        draw_shadow(pass, pipelines, view, solids, foods);
+    }
+}
+
+fn draw_shadow(
     pass: &mut wgpu::RenderPass<'_>,
     pipelines: &DepthPipelines,
     view: &wgpu::BindGroup,
@@ -133,6 +148,21 @@ pub(crate) fn draw_still_depth(
         solid.draw(pass);
     }
     solids.turner().into_iter().for_each(|turner| turner.draw(pass));
+}
+
+/// Depth of all that is not transparent, at one sample a pixel.
+pub(crate) fn draw_whole_depth(
+    pass: &mut wgpu::RenderPass<'_>,
+    pipelines: &DepthPipelines,
+    view: &wgpu::BindGroup,
+    solids: &Solids,
+    foods: &Foods,
+) {
+    draw_still_depth(pass, pipelines, view, solids);
+    solids.pan_floor().draw(pass);
+    solids.tool().into_iter().chain(solids.strings()).chain(solids.lid_steel()).for_each(|solid| solid.draw(pass));
+    pass.set_pipeline(&pipelines.lively);
+    foods.slots.iter().for_each(|food| food.draw_seen_depth(pass));
 }
 
 /// What does not move, nearest first. The pan's floor is drawn with the foods; a picture that is kept needs it all the

@@ -1,5 +1,6 @@
 //! Building one render pipeline: its detail, and the constants that its shaders leave open.
 
+use crate::gpu::post::HDR_FORMAT;
 use crate::gpu::targets::{COLOUR_FORMAT, MSAA_SAMPLES};
 use crate::input::FleshTexture;
 
@@ -13,9 +14,15 @@ pub(crate) enum Detail {
     Fine,
     /// Besides, with still more of them, and shadows where food touches the ground.
     Best,
+    /// As `Best`, for radiances in half floats that are developed later.
+    Hdr,
 }
 
 impl Detail {
+    fn format(self) -> wgpu::TextureFormat {
+        if self == Self::Hdr { HDR_FORMAT } else { COLOUR_FORMAT }
+    }
+
     fn samples(self) -> u32 {
         if self >= Self::Fine { MSAA_SAMPLES } else { 1 }
     }
@@ -43,6 +50,7 @@ impl PipelineOptions {
             Detail::Usual => Vec::new(),
             Detail::Fine => vec![("fine", 1.0)],
             Detail::Best => vec![("fine", 1.0), ("contact", 1.0)],
+            Detail::Hdr => vec![("fine", 1.0), ("contact", 1.0), ("hdr", 1.0)],
         };
         // The numbers in `grain.wgsl`.
         constants.extend(self.texture.map(|texture| ("texture_kind", f64::from(texture as u8))));
@@ -66,7 +74,8 @@ pub(crate) fn build(
     let constants = options.constants();
     let buffers = buffer.map(Some);
     let target = fragment.as_ref().map(|(_, _, blend)| {
-        [Some(wgpu::ColorTargetState { format: COLOUR_FORMAT, blend: *blend, write_mask: wgpu::ColorWrites::ALL })]
+        let (format, write_mask) = (options.detail.format(), wgpu::ColorWrites::ALL);
+        [Some(wgpu::ColorTargetState { format, blend: *blend, write_mask })]
     });
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(fragment.as_ref().map_or(vertex_entry, |(_, entry, _)| entry)),

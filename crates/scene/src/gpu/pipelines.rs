@@ -6,7 +6,6 @@ use crate::gpu::pipeline_build::{Detail, PipelineOptions, build};
 use crate::gpu::textures::{DEPTH_FORMAT, fragment_entry};
 use crate::input::{FleshTexture, FoodVertex, pan};
 use crate::light::room_light;
-use crate::light::white_balance;
 use crate::mesh::solid::SolidVertex;
 use crate::mesh::steam::PuffVertex;
 
@@ -87,6 +86,8 @@ pub(crate) struct DepthPipelines {
     pub food: wgpu::RenderPipeline,
     /// Without the bias that shadow maps need.
     pub still: wgpu::RenderPipeline,
+    /// The same for foods.
+    pub lively: wgpu::RenderPipeline,
 }
 
 /// Compiles pipelines on demand from modules that are parsed once.
@@ -110,7 +111,7 @@ impl PipelineFactory {
                 source: wgpu::ShaderSource::Wgsl(parts.concat().into()),
             })
         };
-        let light = room_light::wgsl() + &white_balance::wgsl();
+        let light = room_light::wgsl();
         let solid_layout = pipeline_layout(device, &[&layouts.frame, textures]);
         let food_layout = pipeline_layout(device, &[&layouts.frame, textures, &layouts.food]);
         Self {
@@ -189,6 +190,7 @@ impl PipelineFactory {
             solid: make(&view_only, "vs_solid_depth", solid_buffer(), bias),
             food: make(&with_pose, "vs_food_depth", food_buffer(), bias),
             still: make(&view_only, "vs_solid_depth", solid_buffer(), wgpu::DepthBiasState::default()),
+            lively: make(&with_pose, "vs_food_depth", food_buffer(), wgpu::DepthBiasState::default()),
         }
     }
 

@@ -3,7 +3,8 @@
 use crate::camera::Camera;
 use crate::gpu::solids::MovableKey;
 use crate::gpu::uniforms::balance;
-use crate::input::SceneInput;
+use crate::input::{SceneInput, Tile};
+use crate::light::room_light::RoomLight;
 use crate::light::white_balance::WhiteBalance;
 
 /// Cache key of the static layer.
@@ -16,6 +17,8 @@ pub(crate) struct StillKey {
     pan: MovableKey,
     disturbances: u64,
     white: WhiteBalance,
+    tile: Option<Tile>,
+    light: RoomLight,
 }
 
 impl StillKey {
@@ -27,6 +30,8 @@ impl StillKey {
             pan: MovableKey::of(input),
             disturbances,
             white: balance(input),
+            tile: input.tile,
+            light: input.light,
         }
     }
 

@@ -1,5 +1,6 @@
 //! Render targets for one picture size.
 
+use crate::gpu::post::Chain;
 use crate::gpu::textures::DEPTH_FORMAT;
 
 /// Holds sRGB-encoded values in a format without sRGB: the shaders encode, so that they control blending and exact
@@ -48,6 +49,8 @@ pub(crate) struct Targets {
     /// That with the foods and the pan's floor, kept as long as they look the same.
     pub lively: Kept,
     msaa: Option<Layer>,
+    /// What turns radiances into the picture.
+    pub chain: Option<Chain>,
 }
 
 impl Targets {
@@ -55,7 +58,7 @@ impl Targets {
         let texture = texture(device, size, COLOUR_FORMAT, 1);
         let [still, lively] = [(); 2].map(|()| Kept::new(device, size, restore_layout));
         let picture = Layer { colour: view(&texture), depth: view(&self::texture(device, size, DEPTH_FORMAT, 1)) };
-        Self { size, texture, picture, still, lively, msaa: None }
+        Self { size, texture, picture, still, lively, msaa: None, chain: None }
     }
 
     /// The multisampled layer, made when first needed.
@@ -94,11 +97,16 @@ fn layer(device: &wgpu::Device, size: [u32; 2], samples: u32) -> Layer {
     }
 }
 
-fn view(texture: &wgpu::Texture) -> wgpu::TextureView {
+pub(crate) fn view(texture: &wgpu::Texture) -> wgpu::TextureView {
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
-fn texture(device: &wgpu::Device, size: [u32; 2], format: wgpu::TextureFormat, sample_count: u32) -> wgpu::Texture {
+pub(crate) fn texture(
+    device: &wgpu::Device,
+    size: [u32; 2],
+    format: wgpu::TextureFormat,
+    sample_count: u32,
+) -> wgpu::Texture {
     let mut usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
     if sample_count == 1 {
         usage |= wgpu::TextureUsages::TEXTURE_BINDING;

@@ -2,8 +2,10 @@
 
 use wgpu::util::{DeviceExt, TextureDataOrder};
 
+use crate::gpu::post::AMBIENT_FORMAT;
 use crate::input::FILM_SIZE;
 use crate::light::environment::{self, ENVIRONMENT_LEVELS, ENVIRONMENT_SIZE};
+use crate::light::room_light::RoomLight;
 use crate::noise::{bundles, halve_picture, halve_volume, solid_noise};
 use crate::quality::Quality;
 
@@ -18,12 +20,15 @@ pub(crate) struct SceneTextures {
     pub contact_map: wgpu::TextureView,
     quality: Quality,
     environment: wgpu::TextureView,
+    light: RoomLight,
     plain: Patterns,
     /// Made when they are first needed.
     fine: Option<Patterns>,
     table: wgpu::Texture,
     film: wgpu::Texture,
     tint: wgpu::Texture,
+    /// Share of the room's light by pixel; white until the best level makes one.
+    ambient: wgpu::TextureView,
     stepped: bool,
     samplers: Samplers,
 }
@@ -56,8 +61,9 @@ impl SceneTextures {
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, quality: Quality) -> Self {
         let layout = layout(device);
         let samplers = Samplers::new(device);
-        let [shadow_map, contact_map] = quality.map_sizes().map(|size| depth_map(device, size));
-        let environment = environment_texture(device, queue);
+        let [shadow_map, contact_map] = depth_maps(device, quality);
+        let light = RoomLight::default();
+        let environment = environment_texture(device, queue, light);
         let plain = Patterns::new(device, queue, PLAIN);
         let fine = (quality == Quality::Best).then(|| Patterns::new(device, queue, FINEST));
         let patterns = fine.as_ref().unwrap_or(&plain);
@@ -65,7 +71,9 @@ impl SceneTextures {
         let film = plain_texture(device, "pan film", [FILM_SIZE; 2]);
         let tint = plain_texture(device, "heat tint", [FILM_SIZE; 2]);
         let views = [&shadow_map, &contact_map, &environment, &patterns.noise, &patterns.bundles];
-        let bind_group = bind(device, &layout, views, [&table, &film, &tint], &samplers, false);
+        let unshaded = sampled_texture(device, queue, [1; 3], 1, AMBIENT_FORMAT, &[255]);
+        let pictures = [&table, &film, &tint];
+        let bind_group = bind(device, &layout, views, pictures, &unshaded, &samplers, false);
         Self {
             layout,
             bind_group,
@@ -73,11 +81,13 @@ impl SceneTextures {
             contact_map,
             quality,
             environment,
+            light,
             plain,
             fine,
             table,
             film,
             tint,
+            ambient: unshaded,
             stepped: false,
             samplers,
         }
@@ -88,7 +98,7 @@ impl SceneTextures {
         if self.quality == quality {
             return false;
         }
-        [self.shadow_map, self.contact_map] = quality.map_sizes().map(|size| depth_map(device, size));
+        [self.shadow_map, self.contact_map] = depth_maps(device, quality);
         self.quality = quality;
         if quality == Quality::Best && self.fine.is_none() {
             self.fine = Some(Patterns::new(device, queue, FINEST));
@@ -134,8 +144,25 @@ impl SceneTextures {
         let finest = self.fine.as_ref().filter(|_| self.quality == Quality::Best);
         let patterns = finest.unwrap_or(&self.plain);
         let views = [&self.shadow_map, &self.contact_map, &self.environment, &patterns.noise, &patterns.bundles];
-        self.bind_group =
-            bind(device, &self.layout, views, [&self.table, &self.film, &self.tint], &self.samplers, self.stepped);
+        let pictures = [&self.table, &self.film, &self.tint];
+        self.bind_group = bind(device, &self.layout, views, pictures, &self.ambient, &self.samplers, self.stepped);
+    }
+
+    /// Takes another light of the room.
+    pub fn set_light(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, light: RoomLight) {
+        if self.light != light {
+            self.light = light;
+            self.environment = environment_texture(device, queue, light);
+            self.rebind(device);
+        }
+    }
+
+    /// Takes another picture of the share of the room's light.
+    pub fn set_ambient(&mut self, device: &wgpu::Device, ambient: &wgpu::TextureView) {
+        if self.ambient != *ambient {
+            self.ambient = ambient.clone();
+            self.rebind(device);
+        }
     }
 }
 
@@ -196,6 +223,7 @@ fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
         filtering,
         texture(float, TextureViewDimension::D2),
         texture(float, TextureViewDimension::D2),
+        texture(float, TextureViewDimension::D2),
     ];
     let entries: Vec<_> = (0..).zip(types).map(|(binding, ty)| fragment_entry(binding, ty)).collect();
     device
@@ -212,6 +240,7 @@ fn bind(
     layout: &wgpu::BindGroupLayout,
     [shadow, contact, environment, noise, bundles]: [&wgpu::TextureView; 5],
     [table, film, tint]: [&wgpu::Texture; 3],
+    ambient: &wgpu::TextureView,
     samplers: &Samplers,
     stepped: bool,
 ) -> wgpu::BindGroup {
@@ -231,16 +260,23 @@ fn bind(
         Sampler(table_sampler),
         TextureView(&film),
         TextureView(&tint),
+        TextureView(ambient),
     ];
     let entries: Vec<_> =
         (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
     device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("scene textures"), layout, entries: &entries })
 }
 
-fn depth_map(device: &wgpu::Device, size: u32) -> wgpu::TextureView {
+/// Shadow map, whose fine and coarse part lie side by side, and contact map.
+fn depth_maps(device: &wgpu::Device, quality: Quality) -> [wgpu::TextureView; 2] {
+    let [shadow, contact] = quality.map_sizes();
+    [[2 * shadow, shadow], [contact; 2]].map(|size| depth_map(device, size))
+}
+
+fn depth_map(device: &wgpu::Device, [width, height]: [u32; 2]) -> wgpu::TextureView {
     let texture = device.create_texture(&wgpu::TextureDescriptor {
         label: Some("depth map"),
-        size: wgpu::Extent3d { width: size, height: size, depth_or_array_layers: 1 },
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
@@ -288,8 +324,8 @@ pub(crate) fn sampled_texture_of(
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
-fn environment_texture(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureView {
-    let texels: Vec<u16> = (0..ENVIRONMENT_LEVELS).flat_map(environment::level).collect();
+fn environment_texture(device: &wgpu::Device, queue: &wgpu::Queue, light: RoomLight) -> wgpu::TextureView {
+    let texels: Vec<u16> = (0..ENVIRONMENT_LEVELS).flat_map(|level| environment::level(light, level)).collect();
     let size = [ENVIRONMENT_SIZE, ENVIRONMENT_SIZE, 1];
     let format = wgpu::TextureFormat::Rgba16Float;
     sampled_texture(device, queue, size, ENVIRONMENT_LEVELS, format, bytemuck::cast_slice(&texels))

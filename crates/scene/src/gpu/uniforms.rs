@@ -3,11 +3,11 @@
 use glam::{Mat4, Vec3, Vec4};
 
 use crate::input::{Colouring, FLOOR_FIELD_RINGS, SEAR_SETS, SceneInput};
-use crate::light::environment::{ENVIRONMENT_LEVELS, LAMP_DIRECTION, WINDOW_DIRECTION};
-use crate::light::shadow::{ContactMap, light_from_world};
+use crate::light::environment::ENVIRONMENT_LEVELS;
+use crate::light::shadow::{ContactMap, ShadowView};
 use crate::light::white_balance::WhiteBalance;
 use crate::mesh::props::{BOARD_CENTRE, BOARD_SIZE};
-use crate::quality::{Quality, SOFT_SHADOW_SIZE};
+use crate::quality::Quality;
 
 /// After this the time in the shaders starts again, so that single precision stays fine [s].
 const TIME_WRAP: f32 = 1000.0;
@@ -20,7 +20,9 @@ pub(crate) struct FrameUniform {
     light_from_world: Mat4,
     eye: Vec4,
     key: Vec4,
-    lamp: Vec4,
+    other: Vec4,
+    lights: [Vec4; 5],
+    as_shot: Vec4,
     pan_from_world: Mat4,
     contact_rect: Vec4,
     contact_height: Vec4,
@@ -30,6 +32,8 @@ pub(crate) struct FrameUniform {
     board: Vec4,
     oil: Vec4,
     white: Vec4,
+    shadow_fine: Vec4,
+    origin: Vec4,
     floor_field: [f32; FLOOR_FIELD_RINGS],
 }
 
@@ -46,16 +50,19 @@ impl FrameUniform {
     }
 
     pub fn new(input: &SceneInput, aspect: f32, quality: Quality, contact: &ContactMap) -> Self {
-        let softness = 1.15 / quality.map_sizes()[0].min(SOFT_SHADOW_SIZE) as f32;
+        let (shadow, lit) = (ShadowView::of(input), input.light.sources());
+        let [left, top] = input.tile.map_or([0; 2], |tile| tile.origin);
         let pan = &input.pan;
         let field = matches!(input.colouring, Colouring::Field { .. });
         let [low, high] = [BOARD_CENTRE - BOARD_SIZE * 0.5, BOARD_CENTRE + BOARD_SIZE * 0.5];
         Self {
             clip_from_world: input.view_projection(aspect),
-            light_from_world: light_from_world(),
+            light_from_world: shadow.coarse(),
             eye: input.eye().extend(input.time_s.rem_euclid(TIME_WRAP)),
-            key: WINDOW_DIRECTION.normalize().extend(softness),
-            lamp: LAMP_DIRECTION.normalize().extend((ENVIRONMENT_LEVELS - 1) as f32),
+            key: lit.key_direction.normalize().extend(0.0),
+            other: lit.other_direction.normalize().extend((ENVIRONMENT_LEVELS - 1) as f32),
+            lights: input.light.uniform(),
+            as_shot: WhiteBalance::AsShot.gains(input.light).extend(0.0),
             pan_from_world: pan.world_from_pan().inverse(),
             contact_rect: contact.rect(),
             contact_height: contact.height(),
@@ -64,7 +71,9 @@ impl FrameUniform {
             mode: Vec4::new(input.hob.power, f32::from(field), f32::from(input.flat), BOARD_CENTRE.z),
             board: Vec4::new(low.x, low.y, high.x, high.y),
             oil: pan.oil_colour.extend(f32::from(input.mirror.is_some_and(|mirror| !mirror.pan_shown))),
-            white: balance(input).gains().extend(pan.oil_turbidity),
+            white: balance(input).gains(input.light).extend(pan.oil_turbidity),
+            shadow_fine: shadow.uniform(quality),
+            origin: Vec4::new(left as f32, top as f32, 0.0, 0.0),
             floor_field: pan.floor_field,
         }
     }

@@ -4,13 +4,13 @@ use glam::Mat4;
 use wgpu::util::DeviceExt;
 
 use crate::gpu::uniforms::FrameUniform;
-use crate::light::shadow::{ContactMap, light_from_world};
+use crate::light::shadow::{ContactMap, ShadowView};
 
 /// Buffers with their bind groups.
 pub(crate) struct Views {
     frame: Uniform,
     camera: Uniform,
-    light: Uniform,
+    light: [Uniform; 2],
     contact: Uniform,
 }
 
@@ -21,13 +21,16 @@ impl Views {
         Self {
             frame: uniform(&[0; size_of::<FrameUniform>()]),
             camera: uniform(&[0; 64]),
-            light: uniform(bytemuck::bytes_of(&light_from_world())),
+            light: [uniform(&[0; 64]), uniform(&[0; 64])],
             contact: uniform(bytemuck::bytes_of(&contact.clip_from_world())),
         }
     }
 
-    /// Writes the frame and the camera's view.
-    pub fn write(&self, queue: &wgpu::Queue, frame: &FrameUniform, clip_from_world: &Mat4) {
+    /// Writes the frame, the camera's view and where the shadow map looks.
+    pub fn write(&self, queue: &wgpu::Queue, frame: &FrameUniform, clip_from_world: &Mat4, shadow: &ShadowView) {
+        for (view, matrix) in self.light.iter().zip([shadow.fine(), shadow.coarse()]) {
+            queue.write_buffer(&view.buffer, 0, bytemuck::bytes_of(&matrix));
+        }
         queue.write_buffer(&self.frame.buffer, 0, bytemuck::bytes_of(frame));
         queue.write_buffer(&self.camera.buffer, 0, bytemuck::bytes_of(clip_from_world));
     }
@@ -42,9 +45,9 @@ impl Views {
         &self.camera.group
     }
 
-    /// Bind group of the view of the window's light.
-    pub fn light(&self) -> &wgpu::BindGroup {
-        &self.light.group
+    /// Bind groups of the views of the light that casts shadows: fine and coarse.
+    pub fn light(&self) -> [&wgpu::BindGroup; 2] {
+        self.light.each_ref().map(|view| &view.group)
     }
 
     /// Bind group of the view of the contact map.

@@ -3,6 +3,8 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::light::room_light::{RoomLight, Sources};
+
 /// Texels along the finest level.
 pub(crate) const ENVIRONMENT_SIZE: u32 = 256;
 /// Levels from mirror (0) to fully rough.
@@ -12,19 +14,17 @@ pub(crate) const WINDOW_DIRECTION: Vec3 = Vec3::new(-0.585, 0.515, 0.627);
 /// Unit vector towards the lamp, above, a little to the right and to the front (chosen).
 pub(crate) const LAMP_DIRECTION: Vec3 = Vec3::new(0.24, -0.10, 0.966);
 
-/// Daylight at 5500 K and tungsten at 3000 K under a white balance between them (chosen); radiance. The window's image
-/// is a little warmer than its light, so that it lies on flesh and crust without a violet cast.
-const WINDOW_RADIANCE: Vec3 = Vec3::new(8.9, 8.7, 8.4);
-const LAMP_RADIANCE: Vec3 = Vec3::new(13.0, 9.2, 5.4);
+/// Unit vector towards the brightest part of the sky (chosen: seen in the oil from the working view).
+const SUN_DIRECTION: Vec3 = Vec3::new(-0.342, 0.583, 0.738);
 
 /// One level of the environment as RGBA16F, x fastest.
-pub(crate) fn level(level: u32) -> Vec<u16> {
+pub(crate) fn level(light: RoomLight, level: u32) -> Vec<u16> {
     let size = ENVIRONMENT_SIZE >> level;
     let blur = 0.035 + 1.1 * (level as f32 / (ENVIRONMENT_LEVELS - 1) as f32).powi(2);
     let mut texels = Vec::with_capacity((size * size * 4) as usize);
     for index in 0..size * size {
         let at = Vec2::new((index % size) as f32 + 0.5, (index / size) as f32 + 0.5) / size as f32 * 2.0 - 1.0;
-        let colour = radiance(direction(at), blur);
+        let colour = radiance(light.sources(), direction(at), blur);
         texels.extend([half(colour.x), half(colour.y), half(colour.z), half(1.0)]);
     }
     texels
@@ -37,8 +37,11 @@ fn direction(at: Vec2) -> Vec3 {
 }
 
 /// Radiance from a direction, blurred by an angle [rad].
-fn radiance(direction: Vec3, blur: f32) -> Vec3 {
-    room(direction, blur) + WINDOW_RADIANCE * window(direction, blur) + LAMP_RADIANCE * lamp(direction, blur)
+fn radiance(lit: &Sources, direction: Vec3, blur: f32) -> Vec3 {
+    room(direction, blur) * lit.walls
+        + lit.window * window(direction, blur)
+        + lit.sun * sun(direction, blur)
+        + lit.lamp * lamp(direction, blur)
 }
 
 /// Walls and ceiling: lighter above and on the window's side, dark towards the counter.
@@ -66,10 +69,21 @@ fn window(direction: Vec3, blur: f32) -> f32 {
     bar(u, -0.50, 0.50, spread) * bar(v, 0.38, 1.32, spread) * mullions
 }
 
+/// A bulb under its shade.
 fn lamp(direction: Vec3, blur: f32) -> f32 {
-    let width = 0.010 + blur * blur;
-    let away = 1.0 - direction.dot(LAMP_DIRECTION);
-    0.010 / width * (-away / width).exp()
+    spot(direction, LAMP_DIRECTION, 0.002, blur)
+}
+
+/// The brightest part of the sky: a cloud in the sun, in the window's upper corner.
+fn sun(direction: Vec3, blur: f32) -> f32 {
+    spot(direction, SUN_DIRECTION, 0.0012, blur)
+}
+
+/// A round light, 1 in its middle, of a width in the cosine; blurring keeps its energy.
+fn spot(direction: Vec3, towards: Vec3, size: f32, blur: f32) -> f32 {
+    let width = size + blur * blur;
+    let away = 1.0 - direction.dot(towards.normalize());
+    size / width * (-away / width).exp()
 }
 
 /// A box from `low` to `high` after blurring: keeps its area.

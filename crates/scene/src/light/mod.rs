@@ -1,6 +1,6 @@
 //! The light of the room, shadows and the white balance.
 
 pub(crate) mod environment;
-pub(crate) mod room_light;
+pub mod room_light;
 pub(crate) mod shadow;
 pub mod white_balance;

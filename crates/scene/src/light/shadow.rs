@@ -1,21 +1,72 @@
-//! Where the shadow map of the window and the contact map look from.
+//! Where the shadow map of the window or the lamp and the contact map look from.
 
-use glam::{Mat4, Vec3, Vec4};
+use glam::{Mat4, Vec2, Vec3, Vec4};
 
-use crate::light::environment::WINDOW_DIRECTION;
+use crate::input::SceneInput;
+use crate::light::room_light::RoomLight;
+use crate::quality::Quality;
 
 /// Texels along each side of the contact map.
 pub(crate) const CONTACT_SIZE: u32 = 256;
 
-/// Half of the extent that casts shadows, seen from the window [m].
+/// Half of the extent that casts shadows, seen from the light [m], and its height over its width (chosen: hob and board).
 const REACH: f32 = 0.56;
+const LOW: f32 = 0.82;
+/// Half of the extent of the shadow map's fine part [m] (chosen: a pan with its rim).
+pub(crate) const FINE_REACH: f32 = 0.19;
+/// The fine part follows what it shows in steps [m] (chosen: shadows do not crawl while a pan slides).
+const STEP: f32 = 0.01;
+/// How soft shadows are [m] (chosen: a window seen from a few centimetres).
+const SOFTNESS: f32 = 0.00125;
 
-/// Maps the world to the clip space of the window's shadow map.
-pub(crate) fn light_from_world() -> Mat4 {
+/// Where the two parts of the shadow map look: the left half fine, at the food, the right one coarse, at everything.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ShadowView {
+    light: RoomLight,
+    /// Middle of the fine part in the clip space of the coarse one.
+    middle: Vec2,
+}
+
+impl ShadowView {
+    /// The fine part looks at the pan, or at the foods where none is near the pan.
+    pub fn of(input: &SceneInput) -> Self {
+        let places: Vec<Vec3> = input.foods.iter().map(|food| food.world_from_rest.w_axis.truncate()).collect();
+        let pan = input.pan.position;
+        let in_pan = |place: &Vec3| place.distance(pan) < FINE_REACH;
+        let elsewhere = !places.is_empty() && !places.iter().any(in_pan);
+        let at = if elsewhere { places.iter().sum::<Vec3>() / places.len() as f32 } else { pan };
+        let step = STEP / Vec2::new(REACH, REACH * LOW);
+        let middle = coarse(input.light).project_point3(at).truncate();
+        Self { light: input.light, middle: (middle / step).round() * step }
+    }
+
+    /// Maps the world to the clip space of the coarse part.
+    pub fn coarse(&self) -> Mat4 {
+        coarse(self.light)
+    }
+
+    /// Maps the world to the clip space of the fine part.
+    pub fn fine(&self) -> Mat4 {
+        let scale = REACH / FINE_REACH;
+        Mat4::from_scale(Vec3::new(scale, scale, 1.0))
+            * Mat4::from_translation(-self.middle.extend(0.0))
+            * self.coarse()
+    }
+
+    /// Middle of the fine part, scale to it from the coarse one, and sample step as a share of the coarse part.
+    pub fn uniform(&self, quality: Quality) -> Vec4 {
+        // Soft shadows are wider where a texel is.
+        let texel = 2.0 * FINE_REACH / quality.map_sizes()[0] as f32;
+        let step = SOFTNESS.max(1.2 * texel) / (2.0 * REACH);
+        self.middle.extend(REACH / FINE_REACH).extend(step)
+    }
+}
+
+fn coarse(light: RoomLight) -> Mat4 {
     let centre = Vec3::new(0.02, 0.0, 0.02);
-    let eye = centre + WINDOW_DIRECTION.normalize() * 1.0;
+    let eye = centre + light.sources().key_direction.normalize() * 1.0;
     let view = glam::camera::rh::view::look_at_mat4(eye, centre, Vec3::Z);
-    let up = REACH * 0.82;
+    let up = REACH * LOW;
     glam::camera::rh::proj::directx::orthographic(-REACH, REACH, -up, up, 0.3, 1.7) * view
 }
 

@@ -2,7 +2,7 @@
 
 use glam::{Mat3, Vec3};
 
-use crate::light::room_light::white_patch;
+use crate::light::room_light::RoomLight;
 
 /// White balance of the look; views of fields and flat pictures are not balanced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Deserialize, serde::Serialize)]
@@ -49,21 +49,26 @@ impl WhiteBalance {
         }
     }
 
+    /// As [`Self::appears_k`], under a light of the room [K].
+    pub fn appears_in(self, light: RoomLight) -> f32 {
+        match (self, light) {
+            // The eye adapts to a lamp, but not wholly (chosen).
+            (Self::AsShot, RoomLight::Evening) => 4700.0,
+            _ => self.appears_k(),
+        }
+    }
+
     /// What radiances are multiplied by, exposure included [linear sRGB]: von Kries' scaling in linear sRGB, of one
-    /// luminance for a white patch under every balance.
-    pub(crate) fn gains(self) -> Vec3 {
-        if self == Self::AsShot {
+    /// luminance for a white patch under every balance and light.
+    pub(crate) fn gains(self, light: RoomLight) -> Vec3 {
+        if (self, light) == (Self::AsShot, RoomLight::Daylight) {
             return AS_SHOT;
         }
-        let patch = white_patch();
-        let white = daylight(self.appears_k()) / daylight(D65_K);
-        white / patch * (LUMINANCE.dot(AS_SHOT * patch) / LUMINANCE.dot(white))
+        let patch = light.white_patch();
+        let white = daylight(self.appears_in(light)) / daylight(D65_K);
+        let exposed = LUMINANCE.dot(AS_SHOT * RoomLight::Daylight.white_patch());
+        white / patch * (exposed / LUMINANCE.dot(white))
     }
-}
-
-/// What the gains as shot are, as a constant of the shaders.
-pub(crate) fn wgsl() -> String {
-    format!("const AS_SHOT = vec3<f32>({:?}, {:?}, {:?});\n", AS_SHOT.x, AS_SHOT.y, AS_SHOT.z)
 }
 
 /// Colour of daylight of a colour temperature from 4000 to 25 000 K, of luminance 1 [linear sRGB] (CIE 15:2018
@@ -85,7 +90,7 @@ mod tests {
 
     /// The white patch in the picture before the tone curve, green = 1.
     fn seen(balance: WhiteBalance) -> Vec3 {
-        let seen = white_patch() * balance.gains();
+        let seen = RoomLight::Daylight.white_patch() * balance.gains(RoomLight::Daylight);
         seen / seen.y
     }
 
@@ -112,10 +117,11 @@ mod tests {
 
     #[test]
     fn every_balance_is_equally_bright() {
-        let brightness = |balance: WhiteBalance| LUMINANCE.dot(white_patch() * balance.gains());
-        let as_shot = brightness(WhiteBalance::AsShot);
-        for balance in WhiteBalance::ALL {
-            assert!((brightness(balance) / as_shot - 1.0).abs() < 1e-4, "{balance:?}");
+        let brightness =
+            |balance: WhiteBalance, light: RoomLight| LUMINANCE.dot(light.white_patch() * balance.gains(light));
+        let as_shot = brightness(WhiteBalance::AsShot, RoomLight::Daylight);
+        for (balance, light) in WhiteBalance::ALL.iter().flat_map(|b| RoomLight::ALL.map(|light| (*b, light))) {
+            assert!((brightness(balance, light) / as_shot - 1.0).abs() < 1e-4, "{balance:?} {light:?}");
         }
     }
 

@@ -113,7 +113,7 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
     let slope = along_face(look.slope, rest_normal);
     let smooth_normal = world_normal(in.normal);
     let height = max(in.position.z - support(in.position), 0.0);
-    let visibility = (0.30 + 0.70 * smoothstep(-0.001, 0.010, height)) * (0.80 + 0.20 * smooth_normal.z);
+    let visibility = (0.30 + 0.70 * smoothstep(-0.001, 0.010, height)) * (0.80 + 0.20 * smooth_normal.z) * nearby(in.clip.xy);
     let lit = shadow(in.position, smooth_normal);
     let bumpy = world_normal(rest_normal - slope * (0.85 - 0.35 * wetness));
     let wrap = mix(vec3<f32>(0.26, 0.14, 0.10), vec3<f32>(0.42, 0.36, 0.30), look.clear) * (1.0 - 0.85 * crust);
@@ -140,8 +140,9 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
     // Raw flesh is coated by an even film of its own juice; later the film follows every pore.
     let raw = wetness * (1.0 - crust) * (1.0 - in.state.w);
     radiance += sheen(in, look, rest_normal - film_slope * mix(mix(0.8, 1.2, wetness), 0.30, raw), raw, view, lit, visibility, wetness) * (0.35 + 0.65 * max(smooth_normal.z, 0.0)) * tint;
+    let bead_turn = fwidth(beads.bend);
     if (beads.cover > 0.0) {
-        let drop = Surface(vec3<f32>(0.0), vec3<f32>(0.026), 0.07, world_normal(rest_normal + beads.bend), visibility, vec3<f32>(0.0));
+        let drop = Surface(vec3<f32>(0.0), vec3<f32>(0.026), widened(0.07, bead_turn), world_normal(rest_normal + beads.bend), visibility, vec3<f32>(0.0));
         radiance += specular(drop, in.position, view, lit) * beads.cover * 1.8;
     }
     return pixel_from_radiance(radiance, in.clip.xy);
@@ -149,7 +150,7 @@ fn lit_food(in: FoodOut) -> vec4<f32> {
 
 // The side that the cook sees gets the light that the room behind him gives back.
 fn side_fill(normal: vec3<f32>) -> vec3<f32> {
-    return FILL_FRONT * max(dot(normal, FRONT), 0.0) * (1.0 - max(normal.z, 0.0)) * 1.1;
+    return frame.fill_front.rgb * max(dot(normal, FRONT), 0.0) * (1.0 - max(normal.z, 0.0)) * 1.1;
 }
 
 // Reflections weaker than this do not count as glints, and how much of a crust's pores oil fills (chosen).
@@ -224,7 +225,7 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     let colour = pow(look.colour, vec3<f32>(mix(1.0, DEEPENED, deep))) * mix(1.0, 1.55, deep);
     let body = Surface(colour, vec3<f32>(0.03), 0.5, bent, 0.8, vec3<f32>(0.42, 0.24, 0.18) * (1.0 - look.browning));
     // The light of its own is white as shot; another balance tints the cut as it tints the outside.
-    var radiance = colour * own / AS_SHOT + diffuse(body, lit) * 0.22;
+    var radiance = colour * own / frame.as_shot.rgb + diffuse(body, lit) * 0.22;
     let film_slope = along_face(look.film_slope, rest_normal);
     let film = Surface(vec3<f32>(0.0), vec3<f32>(0.028), 0.20, world_normal(rest_normal - film_slope * 0.9), 0.9, vec3<f32>(0.0));
     radiance += max(specular(film, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (0.9 * wet);
@@ -234,20 +235,26 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
 
 fn food_pixel(in: FoodOut) -> vec4<f32> {
     if (frame.mode.y > 0.5) {
-        return vec4<f32>(lightly_lit(hatched_colour(in.place.x, in.clip.xy), world_normal(in.normal), 1.0), 1.0);
+        return vec4<f32>(lightly_lit(hatched_colour(in.place.x, in.clip.xy + frame.origin.xy), world_normal(in.normal), 1.0), 1.0);
     }
     return lit_food(in);
 }
 
+// Notes in the opacity how much light scatters under the surface, for a later pass; a crust lets none through.
+fn noted(pixel: vec4<f32>, state: vec4<f32>) -> vec4<f32> {
+    if (!hdr) { return pixel; }
+    return vec4<f32>(pixel.rgb, 1.0 - 0.5 * (1.0 - clamp(1.4 * state.x + state.y, 0.0, 1.0)) * mix(1.0, 0.6, state.w));
+}
+
 @fragment
 fn fs_food(in: FoodOut) -> @location(0) vec4<f32> {
-    return food_pixel(in);
+    return noted(food_pixel(in), in.state);
 }
 
 @fragment
 fn fs_cut_face(in: FoodOut) -> @location(0) vec4<f32> {
     if (frame.mode.y > 0.5) { return food_pixel(in); }
-    return lit_cut(in);
+    return noted(lit_cut(in), in.state);
 }
 
 // The part behind the cut stays visible as a veil, denser along its outline, so that the food reads as whole.

@@ -2,14 +2,22 @@
 
 struct Frame {
     clip_from_world: mat4x4<f32>,
-    // Shadow map of the window: clip space.
+    // Shadow map: clip space of its coarse part, seen from the light that casts shadows.
     light_from_world: mat4x4<f32>,
     // Position of the eye; w = simulated time [s], wrapped.
     eye: vec4<f32>,
-    // Unit vector towards the window; w = sample step in the shadow map.
+    // Unit vector towards the light that casts shadows.
     key: vec4<f32>,
-    // Unit vector towards the lamp; w = levels of the environment - 1.
-    lamp: vec4<f32>,
+    // Unit vector towards the other light; w = levels of the environment - 1.
+    other: vec4<f32>,
+    // Irradiance / pi of both; light of the room from above, from below, from the front.
+    key_light: vec4<f32>,
+    other_light: vec4<f32>,
+    fill_sky: vec4<f32>,
+    fill_ground: vec4<f32>,
+    fill_front: vec4<f32>,
+    // Exposure and balance as shot.
+    as_shot: vec4<f32>,
     // The pan's frame: its origin is the centre of the underside.
     pan_from_world: mat4x4<f32>,
     // Contact map: lowest corner x, y, then 1 / extent.
@@ -28,6 +36,10 @@ struct Frame {
     oil: vec4<f32>,
     // Exposure and white balance; w = how cloudy the oil is.
     white: vec4<f32>,
+    // Middle of the shadow map's fine part in the clip space of the coarse one; scale to it; sample step over the coarse one.
+    shadow_fine: vec4<f32>,
+    // Left and upper edge of this picture in a larger one [pixels].
+    origin: vec4<f32>,
     // Rings of the pan floor's field.
     floor_field: array<vec4<f32>, 4>,
 };
@@ -47,17 +59,22 @@ fn srgb_from_linear(linear: vec3<f32>) -> vec3<f32> {
 // Below this the curve is straight, so that flesh keeps its own colour; above it highlights roll off (chosen).
 const SHOULDER = 0.62;
 
+// True where a later pass develops the picture: then radiances leave encoded, without curve and dither.
+override hdr: bool = false;
+
 fn filmic(radiance: vec3<f32>) -> vec3<f32> {
     let x = max(radiance * frame.white.rgb, vec3<f32>(0.0));
+    if (hdr) { return x; }
     let over = max(x - SHOULDER, vec3<f32>(0.0)) / (1.0 - SHOULDER);
     return min(x, vec3<f32>(SHOULDER)) + (1.0 - SHOULDER) * over / (1.0 + over);
 }
 
 // Interleaved gradient noise breaks the bands of 8-bit gradients.
 fn dither(pixel: vec2<f32>) -> f32 {
+    if (hdr) { return 0.0; }
     return fract(52.9829189 * fract(dot(pixel, vec2<f32>(0.06711056, 0.00583715)))) - 0.5;
 }
 
 fn pixel_from_radiance(radiance: vec3<f32>, pixel: vec2<f32>) -> vec4<f32> {
-    return vec4<f32>(srgb_from_linear(filmic(radiance)) + dither(pixel) / 255.0, 1.0);
+    return vec4<f32>(srgb_from_linear(filmic(radiance)) + dither(pixel + frame.origin.xy) / 255.0, 1.0);
 }

@@ -15,7 +15,10 @@
 // Reflectance of the unrolled inside of the pan over that of a new one, halved.
 @group(1) @binding(11) var pan_tint: texture_2d<f32>;
 
-// KEY, LAMP, FILL_… and FRONT are those of `room_light.rs`.
+// Share of the room's light that the neighbourhood lets through, half the size of the picture.
+@group(1) @binding(12) var ambient: texture_2d<f32>;
+
+// FRONT and OTHER_WRAP are those of `room_light.rs`.
 
 struct Surface {
     albedo: vec3<f32>,
@@ -36,7 +39,7 @@ override quick: bool = false;
 // True adds shadows where food touches the ground, and takes still more samples: there is a graphics card.
 override contact: bool = false;
 
-fn depth_test(map: texture_depth_2d, uv: vec2<f32>, step: f32, depth: f32) -> f32 {
+fn depth_test(map: texture_depth_2d, uv: vec2<f32>, step: vec2<f32>, depth: f32) -> f32 {
     if (contact) {
         var sum = 0.0;
         for (var j = -2; j <= 2; j++) {
@@ -62,10 +65,25 @@ fn depth_test(map: texture_depth_2d, uv: vec2<f32>, step: f32, depth: f32) -> f3
         + textureSampleCompareLevel(map, depth_sampler, uv + vec2<f32>(1.0, -0.4) * step, depth));
 }
 
-// Share of the window's light that arrives; the softness is the window's size seen from a few centimetres (chosen).
+// Width over height of what the coarse part of the shadow map shows, and the part of the fine one that is used (chosen: its
+// edge has room for the samples).
+const SHADOW_ASPECT = 1.0 / 0.82;
+const SHADOW_USED = 0.97;
+
+// Share of the light that casts shadows that arrives. The map's left half shows the food finely, its right half everything.
 fn shadow(position: vec3<f32>, normal: vec3<f32>) -> f32 {
-    let at = frame.light_from_world * vec4<f32>(position + normal * 0.0014, 1.0);
-    return depth_test(shadow_map, at.xy * vec2<f32>(0.5, -0.5) + 0.5, frame.key.w, at.z - 0.0009);
+    let bare = frame.light_from_world * vec4<f32>(position, 1.0);
+    let lifted = (frame.light_from_world * vec4<f32>(normal, 0.0)).xyz;
+    let near = (bare.xy - frame.shadow_fine.xy) * frame.shadow_fine.z;
+    let is_near = max(abs(near.x), abs(near.y)) < SHADOW_USED;
+    // A finer map needs less room between a surface and its own image.
+    let lift = select(0.0014, 0.0008, is_near);
+    if (!is_near && max(abs(bare.x), abs(bare.y)) > SHADOW_USED) { return 1.0; }
+    let at = bare.xyz + lifted * lift;
+    let place = select(at.xy, (at.xy - frame.shadow_fine.xy) * frame.shadow_fine.z, is_near);
+    let uv = (place * vec2<f32>(0.5, -0.5) + 0.5) * vec2<f32>(0.5, 1.0) + vec2<f32>(select(0.5, 0.0, is_near), 0.0);
+    let step = vec2<f32>(0.5, SHADOW_ASPECT) * frame.shadow_fine.w * select(1.0, frame.shadow_fine.z, is_near);
+    return depth_test(shadow_map, uv, step, at.z - select(0.0009, 0.0006, is_near));
 }
 
 // How thick a food is taken to be, as only its underside is known [m] (chosen: between a coin of carrot and a steak).
@@ -128,18 +146,29 @@ fn openness(position: vec3<f32>) -> f32 {
     if (contact) { return max(0.3, free_round(position)); }
     let uv = (position.xy - frame.contact_rect.xy) * frame.contact_rect.zw;
     let low = (position.z + 0.006 - frame.contact_height.x) * frame.contact_height.y;
-    return mix(0.5, 1.0, depth_test(contact_map, uv, frame.contact_height.z, low));
+    return mix(0.5, 1.0, depth_test(contact_map, uv, vec2<f32>(frame.contact_height.z), low));
+}
+
+// Share of the room's light at a pixel, by what is seen round it; the pan's corners and the foot of food have theirs as well.
+fn nearby(pixel: vec2<f32>) -> f32 {
+    if (!hdr) { return 1.0; }
+    return textureSampleLevel(ambient, clamp_sampler, pixel * 0.5 / vec2<f32>(textureDimensions(ambient)), 0.0).r;
 }
 
 // Radiance from a direction, blurred for the roughness. The room is near: a step aside shifts the reflection.
 fn reflected(position: vec3<f32>, direction: vec3<f32>, roughness: f32) -> vec3<f32> {
     let d = normalize(direction + position * 1.5);
     let uv = d.xy / (1.0 + max(d.z, -0.2)) * 0.5 + 0.5;
-    var level = sqrt(roughness) * roughness * frame.lamp.w;
+    var level = sqrt(roughness) * roughness * frame.other.w;
     // One level is read faster than two.
     if (quick) { level = round(level); }
     let above = smoothstep(-0.25, 0.0, d.z);
     return textureSampleLevel(environment, clamp_sampler, uv, level).rgb * mix(0.10, 1.0, above);
+}
+
+// Roughness where the normal turns within a pixel: its glints spread over the pixel instead of flickering.
+fn widened(roughness: f32, turn: vec3<f32>) -> f32 {
+    return min(sqrt(roughness * roughness + 0.16 * dot(turn, turn)), max(roughness, 0.6));
 }
 
 // Integral of the GGX lobe over a uniform environment (polynomial fit for split-sum image-based lighting).
@@ -153,9 +182,9 @@ fn lobe(f0: vec3<f32>, roughness: f32, n_dot_v: f32) -> vec3<f32> {
 fn diffuse(s: Surface, lit: f32) -> vec3<f32> {
     let n_dot_l = dot(s.normal, frame.key.xyz);
     let key = max((vec3<f32>(n_dot_l) + s.wrap) / (1.0 + s.wrap), vec3<f32>(0.0)) * (lit + s.wrap * 0.2 * (1.0 - lit));
-    let n_dot_lamp = max(dot(s.normal, frame.lamp.xyz) * (1.0 - LAMP_WRAP) + LAMP_WRAP, 0.0);
-    let fill = mix(FILL_GROUND, FILL_SKY, s.normal.z * 0.5 + 0.5) + FILL_FRONT * max(dot(s.normal, FRONT), 0.0);
-    return s.albedo * (KEY * key + (LAMP * n_dot_lamp + fill) * s.visibility);
+    let n_dot_other = max(dot(s.normal, frame.other.xyz) * (1.0 - OTHER_WRAP) + OTHER_WRAP, 0.0);
+    let fill = mix(frame.fill_ground.rgb, frame.fill_sky.rgb, s.normal.z * 0.5 + 0.5) + frame.fill_front.rgb * max(dot(s.normal, FRONT), 0.0);
+    return s.albedo * (frame.key_light.rgb * key + (frame.other_light.rgb * n_dot_other + fill) * s.visibility);
 }
 
 fn specular(s: Surface, position: vec3<f32>, view: vec3<f32>, lit: f32) -> vec3<f32> {

@@ -45,6 +45,7 @@ fn fs_solid(in: SolidOut) -> @location(0) vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
     let n = facing(in.normal, view);
     var s = plain_surface(in, n);
+    s.roughness = widened(s.roughness, fwidth(in.normal));
     let kind = in.surface.z;
     var coarse = 0.5;
     if (!quick) { coarse = textureSampleLevel(solid_noise, tile_sampler, in.position * select(15.0, 5.3, kind > 5.5), 0.0).a; }
@@ -54,7 +55,7 @@ fn fs_solid(in: SolidOut) -> @location(0) vec4<f32> {
     let stone = 0.90 + 0.20 * coarse + 0.10 * smoothstep(0.62, 0.80, speckle) - 0.09 * smoothstep(0.36, 0.22, speckle);
     let weave = 0.92 + 0.05 * sin(in.position.x * 2600.0) * sin(in.position.y * 2600.0) + 0.12 * (coarse - 0.5);
     s.albedo *= select(1.0, select(weave, stone, kind > 5.5), kind > 4.5);
-    s.visibility *= pan_foot(in.position);
+    s.visibility *= pan_foot(in.position) * nearby(in.clip.xy);
     let lit = shadow_on_ground(in.position, n);
     let radiance = diffuse(s, lit) + specular(s, in.position, view, lit);
     return pixel_from_radiance(radiance, in.clip.xy);
@@ -88,7 +89,7 @@ fn fs_wood(in: SolidOut) -> @location(0) vec4<f32> {
     s.albedo *= mix(vec3<f32>(0.95), vec3<f32>(1.10, 1.10, 1.11), smoothstep(0.4, 0.7, worn));
     s.roughness += 0.25 * (pores - 0.5);
     let lit = shadow_on_ground(in.position, n);
-    s.visibility *= openness(in.position);
+    s.visibility *= min(openness(in.position), nearby(in.clip.xy));
     let radiance = diffuse(s, lit) + specular(s, in.position, view, lit);
     return pixel_from_radiance(radiance, in.clip.xy);
 }
@@ -160,6 +161,7 @@ fn heat_tint(local: vec3<f32>) -> vec3<f32> {
 fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
     var n = facing(in.normal, view);
+    let turn = fwidth(in.normal);
     let local = in_pan(in.position);
     let radius = length(local.xy);
     let is_floor = in.surface.z > 1.5;
@@ -183,9 +185,9 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     s.f0 *= 1.0 + 0.35 * patchy + 0.16 * (fine - 0.5);
     // The patina over the metal scatters a little.
     s.albedo = in.colour * tint * (1.0 - 0.84 * in.surface.y) * (1.0 + 0.35 * patchy);
-    s.roughness = clamp(s.roughness + 0.14 * patchy + 0.10 * (fine - 0.5), 0.05, 1.0);
+    s.roughness = widened(clamp(s.roughness + 0.14 * patchy + 0.10 * (fine - 0.5), 0.05, 1.0), turn);
     let lit = shadow_on_ground(in.position, n);
-    let open = openness(in.position);
+    let open = min(openness(in.position), nearby(in.clip.xy));
     let depth = clamp((frame.pan_place.w + frame.pan_shape.z - local.z) / frame.pan_shape.z, 0.0, 1.0);
     let corner = smoothstep(0.035, 0.0, abs(radius - frame.pan_shape.x)) * depth;
     s.visibility *= open * (1.0 - inside * (0.22 * depth + 0.25 * corner));
@@ -274,7 +276,7 @@ fn under_foam(below: vec3<f32>, local: vec3<f32>, lit: f32, open: f32, foam: f32
     let crown = smoothstep(0.10, 0.60, select(small.r, large.r, big > fine));
     let cover = max(fine * 0.85, big * mix(0.75, 0.40, crown));
     let colour = mix(frame.oil.rgb, vec3<f32>(1.0, 0.96, 0.84), 0.80) * (0.70 + 0.24 * crown);
-    let light = KEY * (0.25 + 0.75 * lit) * 0.42 + LAMP * 0.5 + FILL_SKY;
+    let light = frame.key_light.rgb * (0.25 + 0.75 * lit) * 0.42 + frame.other_light.rgb * 0.5 + frame.fill_sky.rgb;
     return mix(below, colour * light * open, cover);
 }
 

@@ -1,6 +1,7 @@
 //! The card of the settings: how everything looks and reads, not what is cooked.
 
 use egui::{Id, Modal, RichText, ScrollArea, Ui, vec2};
+use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 
@@ -54,11 +55,15 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     {
         set(Setting::Theme(Theme::ALL[theme]));
     }
+    let lights = RoomLight::ALL.map(|light| (light_word(light, l), light == now.light));
+    if let Some(light) = row(ui, narrow, l.text("settings.room_light"), &lights) {
+        set(Setting::Light(RoomLight::ALL[light]));
+    }
     let whites = WhiteBalance::ALL.map(|w| (white_word(w, l), w == now.white_balance));
     if let Some(white) = row(ui, narrow, l.text("settings.white"), &whites) {
         set(Setting::White(WhiteBalance::ALL[white]));
     }
-    let kelvin = format!("{:.0}", now.white_balance.appears_k());
+    let kelvin = format!("{:.0}", now.white_balance.appears_in(now.light));
     explained(ui, narrow, &l.fill("settings.white_now", &[("kelvin", &kelvin)]));
     let qualities = QualityChoice::ALL.map(|q| (quality_word(q, l), q == now.quality));
     if let Some(quality) = row(ui, narrow, l.text("settings.quality"), &qualities) {
@@ -67,12 +72,20 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     let drawn = quality_word(QualityChoice::Always(state.quality), l);
     explained(ui, narrow, &l.fill("settings.quality_now", &[("quality", &drawn)]));
     let languages = Language::ALL.map(|other| (language::name(state.japanese_font, other), other == now.language));
-    if let Some(chosen) = row(ui, narrow, l.text("settings.language"), &languages) {
-        set(Setting::Language(Language::ALL[chosen]));
-    }
     let units = [("°C", !now.fahrenheit), ("°F", now.fahrenheit)];
-    if let Some(unit) = row(ui, narrow, l.text("settings.unit"), &units) {
-        set(Setting::Fahrenheit(unit == 1));
+    let mut language_and_unit = |ui: &mut Ui| {
+        if let Some(chosen) = row(ui, narrow, l.text("settings.language"), &languages) {
+            set(Setting::Language(Language::ALL[chosen]));
+        }
+        if let Some(unit) = row(ui, narrow, l.text("settings.unit"), &units) {
+            set(Setting::Fahrenheit(unit == 1));
+        }
+    };
+    // Two short rows share a line where there is room.
+    if narrow {
+        language_and_unit(ui)
+    } else {
+        ui.horizontal(language_and_unit).inner
     }
     let sizes = InterfaceSize::ALL.map(|s| (format!("{:.0} %", 100.0 * s.factor()), s == now.size));
     let sizes = sizes.each_ref().map(|(text, on)| (text.as_str(), *on));
@@ -142,6 +155,13 @@ fn theme_word(theme: Theme, l: Language) -> &'static str {
         Theme::Dark => "settings.dark",
         Theme::Light => "settings.light",
         Theme::System => "settings.system",
+    })
+}
+
+fn light_word(light: RoomLight, l: Language) -> &'static str {
+    l.text(match light {
+        RoomLight::Daylight => "settings.daylight",
+        RoomLight::Evening => "settings.evening",
     })
 }
 

@@ -97,6 +97,7 @@ impl SauteApp {
             slice: self.slice,
             cut: self.session.steak().map(|p| p.id.clone()),
             white_balance: self.settings.white_balance,
+            light: self.settings.light,
             flat: false,
         };
         self.stage.look_every(self.look_ticks());

@@ -198,6 +198,8 @@ fn the_language_is_chosen_in_the_settings() {
     let mut harness = window(SIZES[0].0);
     harness.get_by_label("Settings").click();
     steps(&mut harness, 3);
+    harness.get_by_label("Language: 日本語").scroll_to_me();
+    steps(&mut harness, 3);
     harness.get_by_label("Language: 日本語").click();
     steps(&mut harness, 3);
     assert_eq!(harness.state().settings().language, Language::Japanese);

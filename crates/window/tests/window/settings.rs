@@ -5,6 +5,7 @@ use egui_kittest::{
     Harness,
     kittest::{NodeT, Queryable},
 };
+use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 use saute_window::settings::Settings;
@@ -47,6 +48,10 @@ fn every_setting_is_chosen_on_the_card() {
             choose(&mut harness, &format!("White balance: {choice}"));
             assert_eq!(settings(&harness).white_balance, white);
             harness.get_by_label_contains(&format!("{:.0} K", white.appears_k()));
+        }
+        for (choice, light) in ["Evening", "Daylight"].into_iter().zip([RoomLight::Evening, RoomLight::Daylight]) {
+            choose(&mut harness, &format!("Light: {choice}"));
+            assert_eq!(settings(&harness).light, light);
         }
         for (choice, quality) in ["Automatic", "Quick", "Smooth", "Best"].into_iter().zip(QualityChoice::ALL) {
             choose(&mut harness, &format!("Picture: {choice}"));
@@ -96,7 +101,7 @@ fn choices_have_room(harness: &Harness<'static, SauteApp>, size: egui::Vec2) {
     let points = Rect::from_min_size(pos2(0.0, 0.0), size / harness.ctx.zoom_factor());
     let radios = harness.root().children_recursive().filter(|n| n.accesskit_node().role() == Role::RadioButton);
     let rects: Vec<Rect> = radios.map(|n| n.rect()).collect();
-    assert_eq!(rects.len(), 18);
+    assert_eq!(rects.len(), 20);
     for (i, rect) in rects.iter().enumerate() {
         assert!(points.contains_rect(*rect), "{rect:?} in {points:?}");
         assert!(rects[i + 1..].iter().all(|other| !rect.shrink(0.5).intersects(other.shrink(0.5))), "{rect:?}");

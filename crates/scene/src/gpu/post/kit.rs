@@ -1,0 +1,107 @@
+//! Pipelines of the passes after the scene.
+
+use std::collections::BTreeMap;
+
+use crate::gpu::overlay::{self, Overlay, PICTURE, SAMPLER, UNIFORM, VS_COVER};
+use crate::gpu::targets::COLOUR_FORMAT;
+
+/// Format of radiances.
+pub(crate) const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+/// Format of the share of the room's light.
+pub(crate) const AMBIENT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
+
+const DEPTH: wgpu::BindingType = wgpu::BindingType::Texture {
+    sample_type: wgpu::TextureSampleType::Float { filterable: false },
+    view_dimension: wgpu::TextureViewDimension::D2,
+    multisampled: false,
+};
+
+const AMBIENT: &str =
+    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/ambient.wgsl"));
+const BLOOM: &str =
+    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/bloom.wgsl"));
+const FOCUS: &str =
+    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/focus.wgsl"));
+const DEVELOP: &str =
+    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/develop.wgsl"));
+
+const SCATTER: &str =
+    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/scatter.wgsl"));
+
+/// A pass over the whole of its target.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Post {
+    /// Share of the room's light, from depth.
+    Ambient,
+    /// The same without its noise.
+    Even,
+    /// Light that travels in flesh, along the rows.
+    Rows,
+    /// The same along the columns.
+    Columns,
+    /// What glows.
+    Glow,
+    /// Half the size.
+    Halve,
+    /// A level of the glow with the coarser ones.
+    Gather,
+    /// What lies behind the sharp part.
+    Behind,
+    /// The picture.
+    Develop,
+}
+
+impl Post {
+    const ALL: [Self; 9] = [
+        Self::Ambient,
+        Self::Even,
+        Self::Rows,
+        Self::Columns,
+        Self::Glow,
+        Self::Halve,
+        Self::Gather,
+        Self::Behind,
+        Self::Develop,
+    ];
+
+    fn shader(self) -> (&'static str, &'static str, wgpu::TextureFormat) {
+        match self {
+            Self::Ambient => (AMBIENT, "fs_ambient", AMBIENT_FORMAT),
+            Self::Even => (AMBIENT, "fs_even", AMBIENT_FORMAT),
+            Self::Rows => (SCATTER, "fs_along_rows", HDR_FORMAT),
+            Self::Columns => (SCATTER, "fs_along_columns", HDR_FORMAT),
+            Self::Glow => (BLOOM, "fs_glow", HDR_FORMAT),
+            Self::Halve => (BLOOM, "fs_halve", HDR_FORMAT),
+            Self::Gather => (BLOOM, "fs_gather", HDR_FORMAT),
+            Self::Behind => (FOCUS, "fs_behind", HDR_FORMAT),
+            Self::Develop => (DEVELOP, "fs_develop", COLOUR_FORMAT),
+        }
+    }
+}
+
+/// Pipelines, and what all of their bind groups share.
+pub(crate) struct PostKit {
+    pub layout: wgpu::BindGroupLayout,
+    pub sampler: wgpu::Sampler,
+    pipelines: BTreeMap<Post, wgpu::RenderPipeline>,
+}
+
+impl PostKit {
+    /// Compiles the shaders.
+    pub fn new(device: &wgpu::Device) -> Self {
+        let kinds = [UNIFORM, SAMPLER, PICTURE, PICTURE, PICTURE, DEPTH];
+        let layout = overlay::layout(device, "post", wgpu::ShaderStages::FRAGMENT, kinds);
+        let make = |post: Post| {
+            let (shader, fragment, format) = post.shader();
+            let target = format.into();
+            Overlay { label: fragment, shader, vertex: VS_COVER, fragment, layout: &layout, target }.pipeline(device)
+        };
+        let pipelines = Post::ALL.into_iter().map(|post| (post, make(post))).collect();
+        Self { pipelines, sampler: overlay::sampler(device, "post"), layout }
+    }
+
+    /// Pipeline of a pass.
+    pub fn pipeline(&self, post: Post) -> Option<&wgpu::RenderPipeline> {
+        self.pipelines.get(&post)
+    }
+}
