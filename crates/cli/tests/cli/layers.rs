@@ -159,7 +159,7 @@ fn cargo(args: &[&str]) -> String {
 }
 
 /// Reads the dependency graph for the platform of this machine, whose crates are on the disk.
-fn metadata() -> Value {
+pub fn metadata() -> Value {
     let version = cargo(&["--version", "--verbose"]);
     let host = version.lines().find_map(|line| line.strip_prefix("host: ")).unwrap();
     let text = cargo(&["metadata", "--offline", "--format-version", "1", "--filter-platform", host]);

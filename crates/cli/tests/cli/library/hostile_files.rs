@@ -8,7 +8,7 @@ use crate::running::{Ran, SHORT, run};
 const LONGEST: Duration = Duration::from_secs(20);
 
 fn fixture(name: &str) -> String {
-    format!("{}/tests/fixtures/{name}", env!("CARGO_MANIFEST_DIR"))
+    format!("{}/../../fuzz/found/{name}", env!("CARGO_MANIFEST_DIR"))
 }
 
 /// Returns true if a text contains a character that a terminal obeys.
@@ -26,7 +26,7 @@ fn cook(text: &str) -> Ran {
 #[test]
 fn a_lab_case_with_a_subnormal_grading_does_not_hang() {
     let start = Instant::now();
-    let ran = run(&["lab", &fixture("lab-grading-subnormal.toml")]);
+    let ran = run(&["lab", &fixture("lab/grading-subnormal.toml")]);
     assert!(start.elapsed() < LONGEST, "{:?}", start.elapsed());
     assert_eq!(ran.code, Some(0), "{}", ran.err);
 }
@@ -35,7 +35,7 @@ fn a_lab_case_with_a_subnormal_grading_does_not_hang() {
 fn a_lab_case_that_would_run_for_years_is_refused_before_it_begins() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("years.toml");
-    let text = std::fs::read_to_string(fixture("lab-grading-subnormal.toml")).unwrap();
+    let text = std::fs::read_to_string(fixture("lab/grading-subnormal.toml")).unwrap();
     let text = text.replace("duration_s = 1\n", "duration_s = 1e7\n");
     let text =
         text.replace("output_every_s = 1", "output_every_s = 1e6").replace("resolution_mm = 2", "resolution_mm = 1e-3");
@@ -46,7 +46,7 @@ fn a_lab_case_that_would_run_for_years_is_refused_before_it_begins() {
 
 #[test]
 fn control_characters_of_a_file_are_shown_as_escapes() {
-    let refused = run(&["cook", &fixture("terminal-commands.toml")]);
+    let refused = run(&["cook", &fixture("recipe/terminal-commands.toml")]);
     assert_eq!(refused.code, Some(2));
     assert!(!commands_terminal(&refused.err) && refused.err.contains("\\u001b[31mX"), "{:?}", refused.err);
     let cooked = cook(&SHORT.replace("\"Short\"", r#""\u001b]0;pwned\u0007\u202eShort""#));
