@@ -1,16 +1,16 @@
 //! Every reader of files and messages, as a function of bytes that must neither panic, nor hang, nor take much memory.
 //!
-//! [`TARGETS`] lists them. The programs in `fuzz/` are one line each and call [`attack`]; the tests of this crate replay
-//! the kept inputs on the stable compiler. A target reads, checks, builds and, where it can be cooked, advances ten
+//! [`TARGETS`] lists them. The programs in `fuzz/` are one line each and call one function each, so that each contains
+//! only its reader; the tests of this crate replay the kept inputs on the stable compiler. A target reads, checks, builds and, where it can be cooked, advances ten
 //! ticks. Refusals are expected; a broken promise, as an energy balance that does not close, panics.
 
-mod device_messages;
+pub mod device_messages;
 pub mod dictionary;
 mod kept_inputs;
-mod kitchen_files;
-mod lab_case;
-mod machine_files;
-mod surface_files;
+pub mod kitchen_files;
+pub mod lab_case;
+pub mod machine_files;
+pub mod surface_files;
 mod ten_ticks;
 
 pub use kept_inputs::{Input, folder, in_folder, kept};
@@ -165,14 +165,6 @@ impl Target {
     pub fn run(&self, bytes: &[u8]) {
         (self.run)(bytes);
     }
-}
-
-/// Hands an input to the target with a name.
-///
-/// # Panics
-/// If the reader panics, breaks its promise, or there is no such target.
-pub fn attack(name: &str, bytes: &[u8]) {
-    Target::named(name).unwrap_or_else(|| panic!("there is no target {name}")).run(bytes);
 }
 
 /// Returns an input as text; what is not UTF-8 is refused before any reader of text.
