@@ -41,7 +41,7 @@ fuzz_run() {
     ASAN_OPTIONS="$FUZZ_SANITIZER" "$FUZZ_BUILT/$(fuzz_host)/release/$name" "${folders[@]}" \
         -dict="fuzz/dictionaries/$name.dict" -artifact_prefix="fuzz/artifacts/$name/" \
         -runs="$2" -max_total_time="$3" -timeout="$FUZZ_TIMEOUT_S" -rss_limit_mb="$FUZZ_MEMORY_MB" \
-        -max_len=4096 -print_final_stats=1 >"$log" 2>&1 || status=$?
+        -max_len=4096 -print_funcs=0 -print_final_stats=1 >"$log" 2>&1 || status=$?
     fuzz_line "$name" "$log"
     [ "$status" = 0 ] || { tail -25 "$log"; say "an input broke $name: fuzz/artifacts/$name; add it to fuzz/found/$name"; }
     return "$status"

@@ -14,5 +14,5 @@ cd "$(dirname "$0")/.."
 source scripts/requirements.sh
 need_cargo
 mkdir -p target
-cargo build --release --quiet --package saute-soak
+cargo build --release --quiet --workspace --bin saute-soak
 exec "${CARGO_TARGET_DIR:-target}/release/saute-soak" --log "target/soak.log" "$@"
