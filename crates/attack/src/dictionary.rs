@@ -16,8 +16,20 @@ use crate::{Target, kept};
 
 /// Numbers at which readers break.
 const NUMBERS: [&str; 14] = [
-    "nan", "inf", "-inf", "1e308", "-1e308", "5e-324", "1e-9", "0", "-1", "1e9", "4294967295", "9223372036854775807",
-    "-9223372036854775808", "18446744073709551615",
+    "nan",
+    "inf",
+    "-inf",
+    "1e308",
+    "-1e308",
+    "5e-324",
+    "1e-9",
+    "0",
+    "-1",
+    "1e9",
+    "4294967295",
+    "9223372036854775807",
+    "-9223372036854775808",
+    "18446744073709551615",
 ];
 /// Longest word [bytes] (chosen: longer ones are sentences).
 const LONGEST: usize = 40;
@@ -42,7 +54,8 @@ pub fn words(target: &Target) -> Vec<String> {
         let separate = |c: char| !(c.is_ascii_alphanumeric() || "_-./".contains(c));
         words.extend(text.split(separate).filter(|word| word.len() > 1).map(str::to_owned));
     }
-    let is_short = |word: &String| word.len() <= LONGEST && word.bytes().all(|b| b.is_ascii_graphic() && b != b'"' && b != b'\\');
+    let is_short =
+        |word: &String| word.len() <= LONGEST && word.bytes().all(|b| b.is_ascii_graphic() && b != b'"' && b != b'\\');
     words.into_iter().filter(is_short).collect()
 }
 
@@ -67,7 +80,9 @@ fn keys(schema: &Value, words: &mut BTreeSet<String>) {
             for (name, inner) in entries {
                 match (name.as_str(), inner) {
                     ("properties" | "$defs", Value::Object(all)) => words.extend(all.keys().cloned()),
-                    ("enum", Value::Array(all)) => words.extend(all.iter().filter_map(Value::as_str).map(str::to_owned)),
+                    ("enum", Value::Array(all)) => {
+                        words.extend(all.iter().filter_map(Value::as_str).map(str::to_owned))
+                    }
                     ("const", Value::String(word)) => drop(words.insert(word.clone())),
                     _ => {}
                 }

@@ -99,7 +99,12 @@ pub const TARGETS: &[Target] = &[
         ],
         run: surface_files::obj,
     },
-    Target { name: "gltf", work: Work::Builds, sources: &["crates/surface/src/gltf_file.rs"], run: surface_files::gltf },
+    Target {
+        name: "gltf",
+        work: Work::Builds,
+        sources: &["crates/surface/src/gltf_file.rs"],
+        run: surface_files::gltf,
+    },
     Target {
         name: "rig",
         work: Work::Reads,

@@ -6,8 +6,14 @@ use std::fmt::Write;
 const EVERY_S: usize = 600;
 
 /// What disturbs the dish, in turn.
-const DISTURBANCES: [&str; 6] =
-    ["toss = true", "oil_g = 5", "lid = true", "water_g = 40", "lid = false", "shake = { amplitude_mm = 20, hz = 3, for_s = 3 }"];
+const DISTURBANCES: [&str; 6] = [
+    "toss = true",
+    "oil_g = 5",
+    "lid = true",
+    "lid = false",
+    "water_g = 40",
+    "shake = { amplitude_mm = 20, hz = 3, for_s = 3 }",
+];
 
 /// Pan, foods and first steps.
 const BEGIN: &str = r#"
@@ -46,7 +52,7 @@ put = { food = "leeks", at_mm = [45, 0], heap = true }
 put = { food = "steak", heap = true }
 "#;
 
-/// Returns the recipe of a number of minutes: every ten of them a toss, oil, a lid, water, no lid or shaking.
+/// Returns the recipe of a number of minutes: every ten of them a toss, oil, a lid, no lid, water or shaking.
 pub fn recipe(minutes: usize) -> String {
     let end_s = 60 * minutes;
     let mut text = BEGIN.to_owned();

@@ -95,7 +95,9 @@ impl<'a> Expression<'a> {
 #[test]
 fn an_expression_of_licences_is_read_as_spdx_defines_it() {
     let allowed = ["MIT", "Zlib", "Apache-2.0 WITH LLVM-exception"].map(str::to_owned).into();
-    for text in ["MIT", "MIT/GPL-3.0", "GPL-2.0 OR MIT AND Zlib", "(MIT OR X) AND Zlib", "Apache-2.0 WITH LLVM-exception"] {
+    for text in
+        ["MIT", "MIT/GPL-3.0", "GPL-2.0 OR MIT AND Zlib", "(MIT OR X) AND Zlib", "Apache-2.0 WITH LLVM-exception"]
+    {
         assert!(Expression::holds(text, &allowed), "{text}");
     }
     for text in ["", "GPL-3.0", "MIT AND GPL-3.0", "(MIT AND X) OR Apache-2.0", "Apache-2.0", "MIT MIT", "(MIT"] {

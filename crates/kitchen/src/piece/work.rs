@@ -35,8 +35,16 @@ mod tests {
             for mm in [&food.size.min_mm, &food.size.max_mm] {
                 let size = food.form.extent(mm).expect("dimensions").map(|mm| 1e-3 * mm);
                 let (id, temperature, mesh) = (kind.clone(), kelvin(5.0), MeshSize::Default);
-                let order =
-                    PieceOrder { id, kind: kind.clone(), size, temperature, seed: 1, coarseness: 1.0, rules: Rules::Full, mesh };
+                let order = PieceOrder {
+                    id,
+                    kind: kind.clone(),
+                    size,
+                    temperature,
+                    seed: 1,
+                    coarseness: 1.0,
+                    rules: Rules::Full,
+                    mesh,
+                };
                 kitchen.add(&library, &order).expect("builds");
                 let model = &kitchen.pieces()[0].model;
                 let steps = FoodSolver::steps_of_tick(model, &FoodState::raw(model, kelvin(5.0)), TICK_S);
