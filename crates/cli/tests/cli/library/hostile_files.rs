@@ -45,6 +45,20 @@ fn a_lab_case_that_would_run_for_years_is_refused_before_it_begins() {
 }
 
 #[test]
+fn the_steps_of_thin_layers_of_food_are_counted_before_they_are_done() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("thin.toml");
+    let text = "duration_s = 1e5\n[body]\nshape = \"slab\"\nsize_mm = [10]\nresolution_mm = 1e-3\ngrading = 3\ninitial_c = 5\n\
+        [material]\nfood = \"beef-lean\"\n[solver]\nphysics = \"cooking\"\n\
+        [[boundary]]\nface = \"all\"\nh_w_m2k = 500\nambient_c = 90\n";
+    std::fs::write(&path, text).unwrap();
+    let start = Instant::now();
+    let ran = run(&["lab", path.to_str().unwrap()]);
+    assert!(ran.code == Some(2) && ran.err.contains("node steps") && ran.err.contains("remedy"), "{}", ran.err);
+    assert!(start.elapsed() < LONGEST, "{:?}", start.elapsed());
+}
+
+#[test]
 fn control_characters_of_a_file_are_shown_as_escapes() {
     let refused = run(&["cook", &fixture("recipe/terminal-commands.toml")]);
     assert_eq!(refused.code, Some(2));
