@@ -29,6 +29,12 @@ tests() {
     TESTS_PASSED="$(awk '/^test result:/ { sum += $4 } END { print sum + 0 }' "$output")"
 }
 
+# Built with the features of the workspace, as the tests are; else its dependencies would be built anew.
+soak() {
+    cargo build --release --workspace --bin saute-soak
+    "${CARGO_TARGET_DIR:-target}/release/saute-soak" --minutes "$SHARE_SOAK_MINUTES"
+}
+
 docs() { RUSTDOCFLAGS="-D warnings" cargo doc --release --workspace --no-deps; }
 
 everything() {
@@ -37,6 +43,7 @@ everything() {
     # Apart from the tests, so that cargo can show how far it is.
     step "build of the tests" cargo test --release --workspace --no-run
     step "tests" tests
+    step "soak" soak
     step "instruction counts" compare_counts
     step "docs" docs
     step "browser crates" check_wasm "${BROWSER_CRATES[@]}"

@@ -1,14 +1,22 @@
 #!/usr/bin/env bash
-# What takes longer by nature than a test should, about an hour on 2 cores:
+# What takes longer by nature than a test should, hours on 2 cores:
 #   random cooks drawn from new seeds, and random packets for every door to a device;
+#   the fuzzer on every reader, where a nightly compiler and cargo-fuzz are installed, and the lines that it reached;
+#   a simulated day at the stove, without and with a recorder;
+#   licences, versions and known advisories of all dependencies, where cargo-deny is installed;
 #   the haptic loop against a simulated device for a minute, and every fault;
 #   the speed tables of the 2013 paper with their goals, and the speed of the heat solver.
+#
+#   scripts/campaign.sh               all of it
+#   scripts/campaign.sh fuzz NAME...  the fuzzer on these readers only, or on all
+#
 # ./test.sh runs the share of it that scripts/campaign_share.sh states.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/requirements.sh
 source scripts/steps.sh
 source scripts/campaign_share.sh
+source scripts/fuzz.sh
 
 saute() { ./run.sh "$@"; }
 
@@ -23,11 +31,47 @@ haptics() {
     done
 }
 
+# fuzz NAME...: the fuzzer on these targets, or on all. All of them run, also after one was broken.
+fuzz() {
+    local name broken=()
+    can_fuzz || return 0
+    [ $# -gt 0 ] || mapfile -t -O 0 names < <(fuzz_targets)
+    [ $# = 0 ] || names=("$@")
+    fuzz_build
+    for name in "${names[@]}"; do
+        fuzz_run "$name" "$(fuzz_goal "$name")" "$CAMPAIGN_FUZZ_S" || broken+=("$name")
+    done
+    fuzz_coverage "${names[@]}"
+    [ ${#broken[@]} = 0 ]
+}
+
+day() {
+    scripts/soak.sh
+    scripts/soak.sh --record
+}
+
+# Advisories need the network; without it, licences, versions and sources are judged from what is on the disk.
+dependencies() {
+    if ! command -v cargo-deny >/dev/null; then say "skipped: no cargo-deny (cargo install cargo-deny)"; return 0; fi
+    cargo deny check licenses bans sources
+    if ! cargo deny fetch db; then say "skipped: the database of advisories cannot be fetched"; return 0; fi
+    cargo deny check advisories
+}
+
 need_cargo
+if [ "${1:-}" = fuzz ]; then
+    shift
+    step "fuzzer" fuzz "$@"
+    finish "no input broke a reader"
+    exit
+fi
 need_packages
 need_test_packages
 step "random cooks" random_cooks
 step "random packets" random_packets
+step "fuzzer" fuzz
+step "a day" day
+step "dependencies" dependencies
 step "haptic loop" haptics
 step "tables of 2013" saute bench paper
 step "heat solver" saute bench heat

@@ -13,6 +13,14 @@ CAMPAIGN_RANDOM_PACKETS=20000
 # crates/cli/tests/cli/haptics.rs.
 CAMPAIGN_HAPTICS_S=60
 
+# Length of the cook that must keep its memory and balances [simulated minutes]; the campaign runs a day.
+SHARE_SOAK_MINUTES=10
+
+# Longest time of one target of the fuzzer in the campaign [s]; it ends sooner with the executions of fuzz_goal. ./test.sh
+# replays seeds and found cases, and the same few thousand mutations every time (crates/attack/tests): the programs of the
+# fuzzer take a quarter of an hour to build.
+CAMPAIGN_FUZZ_S=3600
+
 # fix_campaign_share: hands the share to the tests.
 fix_campaign_share() {
     export SAUTE_RANDOM_COOKS="$SHARE_RANDOM_COOKS"

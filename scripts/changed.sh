@@ -19,6 +19,7 @@ packages_of() {
                 manifest="$(cut -d/ -f1,2 <<<"$file")/Cargo.toml"
                 if [ -f "$manifest" ]; then sed -n 's/^name = "\(.*\)"/\1/p' "$manifest" | head -1; fi
                 ;;
+            fuzz/*) echo saute-attack ;;
             data/* | recipes/* | validation/* | gallery/*) echo saute-kitchen ;;
         esac
     done

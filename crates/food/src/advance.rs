@@ -167,6 +167,13 @@ impl FoodSolver {
         }
     }
 
+    /// Returns the number of steps that a tick of `dt` [s] takes in a state, without advancing it [-].
+    pub fn steps_of_tick(model: &FoodModel, state: &FoodState, dt: f64) -> u32 {
+        let mut solver = Self::default();
+        solver.refresh(model, &mut state.clone(), dt);
+        solver.substeps
+    }
+
     /// Refreshes temperatures, capacities and the number of steps.
     fn refresh(&mut self, model: &FoodModel, state: &mut FoodState, dt: f64) {
         let n = state.temperature.len();

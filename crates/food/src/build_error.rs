@@ -45,6 +45,17 @@ pub enum BuildError {
     /// The numbers of the food make no finite mass or heat.
     #[error("the numbers of this food make no finite mass or heat: use values near those of the shipped foods")]
     NotFinite,
+    /// Thin parts need so many steps that no cook would end.
+    #[error(
+        "its thinnest parts need {steps} steps in each tick of {nodes} nodes: use a thicker body without slivers, or values near those \
+         of the shipped foods"
+    )]
+    Slow {
+        /// Steps in a tick [-].
+        steps: u32,
+        /// Nodes of its mesh [-].
+        nodes: usize,
+    },
     /// A table names a change that the kinetics do not contain.
     #[error(transparent)]
     Change(#[from] NoSuchChange),

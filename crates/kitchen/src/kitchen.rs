@@ -18,6 +18,7 @@ use crate::pan::pan_model::{PanModel, PanSolver, PanState};
 use crate::piece::food_contact::Touching;
 use crate::piece::layout::{Floor, Footprint};
 use crate::piece::piece_state::{Piece, Place};
+use crate::piece::work;
 use crate::tick::clock::Clock;
 use crate::tick::energy::{Energy, EnergyAccount};
 use crate::tick::event::EventLog;
@@ -153,6 +154,7 @@ impl Kitchen {
         if !(piece.state.total_enthalpy().is_finite() && piece.mass() > 0.0 && piece.mass().is_finite()) {
             return Err(BuildError::NotFinite.into());
         }
+        work::check(&piece.model)?;
         self.next_key += 1;
         self.account.add_food(piece.state.total_enthalpy());
         self.pieces.push(piece);

@@ -35,7 +35,7 @@ mod remembered;
 pub mod session;
 pub mod settings;
 #[cfg(not(target_arch = "wasm32"))]
-mod stored_zoom;
+pub mod stored_zoom;
 pub mod ui;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;

@@ -26,7 +26,7 @@ pub fn mend(folder: &Path) {
 }
 
 /// Returns a text with every unusable zoom replaced by 1; `None` if all are usable.
-fn mended(text: &str) -> Option<String> {
+pub fn mended(text: &str) -> Option<String> {
     let mut parts = text.split(NAME);
     let mut result = parts.next().unwrap_or_default().to_owned();
     let mut is_changed = false;

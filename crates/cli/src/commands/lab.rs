@@ -17,19 +17,24 @@ use crate::output::{json, stderr, stdout};
 pub fn run(args: &LabArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let text = text_file::read(&args.case)?;
     let case = Case::parse(&text, &args.case.display().to_string(), &data.library)?;
-    let work = saute_lab::work(&case);
-    // A work that is not finite is refused too.
-    let is_bounded = work <= MOST_WORK;
-    if !is_bounded {
-        let message = format!("needs about {work:.1e} node steps; at most {MOST_WORK:.0e} are allowed");
-        let remedy = "use a larger resolution_mm, a shorter duration_s, or properties of real materials";
-        return Err(CliError::place(args.case.display(), message, remedy));
-    }
+    bounded(&case, &args.case.display().to_string())?;
     let start = Instant::now();
     let report = saute_lab::run(&case, || start.elapsed().as_secs_f64());
     stdout::print(&if args.json { json::text(&report)? } else { table(&report) })?;
     report.warnings.iter().for_each(|warning| stderr::say(format!("warning: {warning}")));
     Ok(exit_code::of_goal(report.warnings.is_empty()))
+}
+
+/// Refuses a case whose work would take more than a day; `place` names its file.
+pub fn bounded(case: &Case, place: &str) -> Result<(), CliError> {
+    let work = saute_lab::work(case);
+    // A work that is not finite is refused too.
+    if work <= MOST_WORK {
+        return Ok(());
+    }
+    let message = format!("needs about {work:.1e} node steps; at most {MOST_WORK:.0e} are allowed");
+    let remedy = "use a larger resolution_mm, a shorter duration_s, or properties of real materials";
+    Err(CliError::place(place, message, remedy))
 }
 
 fn table(report: &LabReport) -> String {

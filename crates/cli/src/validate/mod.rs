@@ -21,6 +21,7 @@ use saute_lab::{Case, Evidence, LabReport, Verdict, verdicts};
 use serde::Serialize;
 
 use crate::args::ValidateArgs;
+use crate::commands::lab::bounded;
 use crate::error::CliError;
 use crate::exit_code;
 use crate::input::data_library::DataLibrary;
@@ -109,6 +110,7 @@ fn run_case(folder: &str, id: &str, text: &str, data: &DataLibrary) -> Result<Ca
         let remedy = "write evidence = \"exact\", \"measured\", \"kitchen-band\" or \"information\" after source";
         return Err(CliError::place(file, "evidence: the case does not state its kind", remedy));
     };
+    bounded(&case, &file)?;
     let verdicts = verdicts(&case, &timed(&case));
     Ok(CaseRun { id: id.to_owned(), lab: Some(case), evidence, verdicts })
 }

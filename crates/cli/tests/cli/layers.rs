@@ -9,7 +9,7 @@ use serde_json::Value;
 
 /// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
 /// skipped.
-const ARROWS: [(&str, &[&str]); 16] = [
+const ARROWS: [(&str, &[&str]); 18] = [
     ("saute-heat", &[]),
     ("saute-food", &["saute-heat"]),
     ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
@@ -34,6 +34,19 @@ const ARROWS: [(&str, &[&str]); 16] = [
         ],
     ),
     ("saute-counts", &["saute-kitchen", "saute-recipe", "saute-lab", "saute-picture"]),
+    ("saute-soak", &["saute-kitchen", "saute-recipe"]),
+    (
+        "saute-attack",
+        &[
+            "saute-haptics",
+            "saute-kitchen",
+            "saute-lab",
+            "saute-recipe",
+            "saute-spidar-sim",
+            "saute-surface",
+            "saute-window",
+        ],
+    ),
     ("saute-spidar-sim", &["clap", "thread-priority"]),
     // Makes and serves files; has nothing of the simulator in it.
     ("saute-site", &["axum", "clap", "tokio", "tower-http"]),
@@ -159,7 +172,7 @@ fn cargo(args: &[&str]) -> String {
 }
 
 /// Reads the dependency graph for the platform of this machine, whose crates are on the disk.
-fn metadata() -> Value {
+pub fn metadata() -> Value {
     let version = cargo(&["--version", "--verbose"]);
     let host = version.lines().find_map(|line| line.strip_prefix("host: ")).unwrap();
     let text = cargo(&["metadata", "--offline", "--format-version", "1", "--filter-platform", host]);

@@ -5,6 +5,7 @@
 
 mod architecture;
 mod cook;
+mod dependencies;
 mod folders;
 mod haptics;
 mod layers;

@@ -121,3 +121,28 @@ fn input_that_is_no_surface_is_reported() {
     broken.triangles[0][0] = 99;
     assert_eq!(close(&broken), Err(Defect::NoSuchVertex(99)));
 }
+
+/// A double cone: `n` triangles around each of its two tips.
+fn double_cone(n: u32) -> Soup {
+    let at = |i: u32| f64::from(i) / f64::from(n) * std::f64::consts::TAU;
+    let rim = (0..n).map(|i| [20.0 * at(i).cos(), 20.0 * at(i).sin(), 0.0]);
+    let vertices: Vec<[f64; 3]> = [[0.0, 0.0, 9.0], [0.0, 0.0, -9.0]].into_iter().chain(rim).collect();
+    let sides = (0..n).flat_map(|i| {
+        let (a, b) = (2 + i, 2 + (i + 1) % n);
+        [[0, a, b], [1, b, a]]
+    });
+    Soup { vertices, triangles: sides.collect(), unit_mm: 1.0 }
+}
+
+#[test]
+fn a_fan_of_fifty_thousand_triangles_is_refused_soon_and_one_of_a_thousand_is_sound() {
+    let start = std::time::Instant::now();
+    let defect = close(&double_cone(50_000)).unwrap_err();
+    let took = start.elapsed();
+    assert!(matches!(defect, Defect::Dense(_)) && defect.remedy().contains("even size"), "{defect}");
+    println!("refused after {took:?}");
+    assert!(took.as_secs_f64() < 5.0, "{took:?}");
+    assert_eq!(close(&double_cone(1000)).unwrap().triangles.len(), 2000);
+    assert!(close(&ball(20.0, 6)).is_ok(), "a fine sound body");
+    println!("a fan of a thousand and a ball after {:?}", start.elapsed() - took);
+}

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use include_dir::{Dir, include_dir};
 use saute_food::components::Components;
 use saute_food::{FoodDescription, Kinetics, Scale};
 use saute_heat::mesh::surface::EXTENT;
@@ -14,13 +13,11 @@ use serde::Deserialize;
 use crate::data::data_file::DataFile;
 use crate::data::loading::{Loading, OwnFiles};
 use crate::data::room::Room;
+use crate::data::shelf::data_files;
 use crate::liquids::fond::FondData;
 use crate::liquids::oil::OilDescription;
 use crate::pan::hob::HobDescription;
 use crate::pan::pan_description::PanDescription;
-
-static DATA: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../data");
-static RECIPES: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../recipes");
 
 /// A data file that cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -38,7 +35,7 @@ pub struct LibraryError {
 pub const DEFAULT_SCALE: &str = "paper-2013";
 
 /// `doneness.toml` as it is written.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "saute doneness")]
 pub(crate) struct DonenessFile {
@@ -185,27 +182,8 @@ impl Library {
 
     /// Every data file that the program carries, for tests of the data itself.
     pub fn embedded_files() -> BTreeMap<String, String> {
-        let mut files = BTreeMap::new();
-        collect(&DATA, "", &mut files);
-        files
+        data_files()
     }
-}
-
-fn collect(dir: &Dir, prefix: &str, files: &mut BTreeMap<String, String>) {
-    for file in dir.files() {
-        if let Some(text) = file.contents_utf8() {
-            files.insert(format!("{prefix}{}", file.path().display()).replace('\\', "/"), text.to_owned());
-        }
-    }
-    dir.dirs().for_each(|sub| collect(sub, prefix, files));
-}
-
-/// Returns every data file and every recipe that the program carries.
-pub(crate) fn shipped_files() -> BTreeMap<String, String> {
-    let mut files = BTreeMap::new();
-    collect(&DATA, "", &mut files);
-    collect(&RECIPES, "recipes/", &mut files);
-    files
 }
 
 /// Line number, from 1, of a byte offset.

@@ -7,8 +7,8 @@ use saute_food::{FoodDescription, Scale};
 use saute_heat::Soup;
 
 use crate::data::data_file::DataFile;
-use crate::data::format::{Format, FormatSchema};
-use crate::data::library::{DonenessFile, Library, LibraryError, shipped_files, with_body};
+use crate::data::library::{DonenessFile, Library, LibraryError, with_body};
+use crate::data::shelf::{Shelved, shipped_files};
 use crate::pan::pan_description::{CoatingDescription, PanDescription};
 
 /// The file of the scales of doneness.
@@ -41,7 +41,7 @@ pub(crate) struct Loading<'a> {
 
 impl<'a> Loading<'a> {
     pub(crate) fn new(own: &'a OwnFiles) -> Self {
-        let mut files = shipped_files();
+        let mut files = shipped_files().clone();
         files.extend(own.texts.iter().map(|(path, text)| (path.clone(), text.clone())));
         files.retain(|path, _| !own.unreadable.contains(path));
         let set_aside = own.unreadable.iter().map(|path| (path.clone(), ITS_FILE.to_owned())).collect();
@@ -88,16 +88,15 @@ impl<'a> Loading<'a> {
         DataFile { name, text: self.files.get(name).map_or("", String::as_str) }
     }
 
-    fn parse<T: Format>(&self, path: &str) -> Result<T, LibraryError> {
-        FormatSchema::of::<T>().read(&self.file(path))
+    fn parse<T: Shelved>(&self, path: &str) -> Result<T, LibraryError> {
+        T::shelf().read(&self.file(path))
     }
 
     /// Reads and checks every file of a folder, by id.
-    fn folder<T: Format>(&mut self, folder: &str) -> Result<BTreeMap<String, T>, LibraryError> {
-        let format = FormatSchema::of::<T>();
+    fn folder<T: Shelved>(&mut self, folder: &str) -> Result<BTreeMap<String, T>, LibraryError> {
         let read = |(id, text): (&str, &String)| {
             let path = format!("{folder}{id}.toml");
-            let read = format.read(&DataFile { name: &path, text });
+            let read = T::shelf().read(&DataFile { name: &path, text });
             (id.to_owned(), path, read)
         };
         let all: Vec<(String, String, Result<T, LibraryError>)> = in_folder(&self.files, folder).map(read).collect();

@@ -14,3 +14,4 @@ mod relations;
 pub mod room;
 mod schema_text;
 mod schema_walk;
+mod shelf;

@@ -35,8 +35,29 @@ pub fn shapes(solid: &Solid) -> Vec<(SolverPose, SharedShape)> {
     }
 }
 
-/// Convex decomposition of a closed surface; its convex hull if that fails.
+/// Largest number of triangles whose convexity is looked at [-] (chosen: the look costs less than the decomposition).
+const MOST_LOOKED_AT: usize = 2000;
+/// Farthest that a corner of a convex surface may stand out of a face, over the size of the surface [-] (chosen: a few
+/// times the rounding of single precision).
+const FLAT: f32 = 1e-5;
+
+/// Returns true if a closed surface has no corner in front of any of its faces.
+fn is_convex(points: &[Vector], triangles: &[[u32; 3]]) -> bool {
+    let size = points.iter().map(|p| p.length()).fold(0.0, f32::max);
+    let behind = |[a, b, c]: [Vector; 3]| {
+        let normal = (b - a).cross(c - a).normalize_or_zero();
+        points.iter().all(|p| (*p - a).dot(normal) <= FLAT * size)
+    };
+    triangles.len() <= MOST_LOOKED_AT && triangles.iter().all(|t| behind(t.map(|i| points[i as usize])))
+}
+
+/// Convex decomposition of a closed surface; its convex hull if it is convex, or if that fails.
 fn convex_parts(points: &[Vector], triangles: &[[u32; 3]]) -> Vec<SharedShape> {
+    if is_convex(points, triangles)
+        && let Some(hull) = SharedShape::convex_hull(points)
+    {
+        return vec![hull];
+    }
     let whole = SharedShape::convex_decomposition(points, triangles);
     if let Some(compound) = whole.as_compound() {
         return compound.shapes().iter().map(|(_, shape)| shape.clone()).collect();

@@ -11,5 +11,6 @@ mod pan_contact;
 mod piece_shape;
 pub mod piece_state;
 pub mod sear_lines;
+pub(crate) mod work;
 
 pub use piece_state::{Piece, Place};

@@ -50,7 +50,7 @@ impl Row {
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Recorder {
-    /// Rows, one for each second and for each step.
+    /// Rows, one for each second and for each step; of a long cook fewer, evenly spaced.
     pub rows: Vec<Row>,
     /// Highest pan temperature [°C].
     pub pan_peak_c: f64,
@@ -58,6 +58,8 @@ pub struct Recorder {
     pub pan_at_first_put_c: Option<f64>,
     /// Lowest pan temperature after the first `put` [°C].
     pub pan_lowest_after_c: Option<f64>,
+    /// Number of times that every second row was dropped [-].
+    halvings: u32,
 }
 
 impl Recorder {
@@ -68,7 +70,7 @@ impl Recorder {
         if let Some(lowest) = &mut self.pan_lowest_after_c {
             *lowest = lowest.min(pan);
         }
-        if kitchen.tick().is_multiple_of(TICKS_PER_ROW) {
+        if kitchen.tick().is_multiple_of(TICKS_PER_ROW << self.halvings) {
             self.write_row(kitchen);
         }
     }
@@ -105,6 +107,24 @@ impl Recorder {
             self.rows.pop();
         }
         self.rows.push(row);
+        self.thin();
+    }
+
+    /// Drops every second row of a full series but the last; new rows then come half as often.
+    fn thin(&mut self) {
+        let Some(last) = self.rows.last() else { return };
+        let numbers = self.rows.len() * (ROW_NUMBERS + last.foods.len() * FOOD_COLUMNS.len());
+        if numbers <= MOST_NUMBERS {
+            return;
+        }
+        let newest = self.rows.len() - 1;
+        let mut at = 0;
+        self.rows.retain(|_| {
+            let is_kept = at % 2 == 0 || at == newest;
+            at += 1;
+            is_kept
+        });
+        self.halvings += 1;
     }
 
     /// Returns the series as CSV: columns for each food by its id, then for the means of each group. The number of
@@ -134,3 +154,31 @@ const FOOD_COLUMNS: [&str; 4] = ["core_c", "top_c", "bottom_c", "mass_g"];
 
 /// Ticks between two rows: one second.
 const TICKS_PER_ROW: u64 = 10;
+/// Size of a row without foods, in numbers of eight bytes [-].
+const ROW_NUMBERS: usize = 6;
+/// Largest size of the series, in numbers of eight bytes [-] (chosen: 24 MB, so that a day takes less than 64 MB with any
+/// number of foods; a cook of one food reaches it after three days, one of 23 foods after eight hours).
+const MOST_NUMBERS: usize = 3_000_000;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_series_is_thinned_evenly_and_keeps_its_ends() {
+        let mut recorder = Recorder::default();
+        let row = |time_s: f64| Row { time_s, hob_drawn_w: 0.0, pan_c: 20.0, foods: vec![[0.0; 4]; 99] };
+        let full = MOST_NUMBERS / (ROW_NUMBERS + 4 * 99);
+        for second in 0..=2 * full {
+            if second.is_multiple_of(1 << recorder.halvings) {
+                recorder.rows.push(row(second as f64));
+                recorder.thin();
+                assert!(recorder.rows.len() <= full);
+            }
+        }
+        assert_eq!(recorder.halvings, 1 + 1);
+        let times: Vec<f64> = recorder.rows.iter().map(|row| row.time_s).collect();
+        assert!(times[0] == 0.0 && times.windows(2).all(|w| w[1] - w[0] <= 4.0 && w[1] > w[0]), "{times:?}");
+        assert!(times.len() > full / 3 && times[times.len() - 1] >= 2.0 * full as f64 - 4.0);
+    }
+}

@@ -10,7 +10,7 @@ fn shipped(path: &str) -> String {
 }
 
 fn fixture(name: &str) -> Vec<u8> {
-    std::fs::read(format!("{}/tests/fixtures/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    std::fs::read(format!("{}/../../fuzz/found/obj/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
 }
 
 fn write(dir: &Path, name: &str, bytes: impl AsRef<[u8]>) {

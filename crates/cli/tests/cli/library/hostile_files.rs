@@ -8,7 +8,7 @@ use crate::running::{Ran, SHORT, run};
 const LONGEST: Duration = Duration::from_secs(20);
 
 fn fixture(name: &str) -> String {
-    format!("{}/tests/fixtures/{name}", env!("CARGO_MANIFEST_DIR"))
+    format!("{}/../../fuzz/found/{name}", env!("CARGO_MANIFEST_DIR"))
 }
 
 /// Returns true if a text contains a character that a terminal obeys.
@@ -26,7 +26,7 @@ fn cook(text: &str) -> Ran {
 #[test]
 fn a_lab_case_with_a_subnormal_grading_does_not_hang() {
     let start = Instant::now();
-    let ran = run(&["lab", &fixture("lab-grading-subnormal.toml")]);
+    let ran = run(&["lab", &fixture("lab/grading-subnormal.toml")]);
     assert!(start.elapsed() < LONGEST, "{:?}", start.elapsed());
     assert_eq!(ran.code, Some(0), "{}", ran.err);
 }
@@ -35,7 +35,7 @@ fn a_lab_case_with_a_subnormal_grading_does_not_hang() {
 fn a_lab_case_that_would_run_for_years_is_refused_before_it_begins() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("years.toml");
-    let text = std::fs::read_to_string(fixture("lab-grading-subnormal.toml")).unwrap();
+    let text = std::fs::read_to_string(fixture("lab/grading-subnormal.toml")).unwrap();
     let text = text.replace("duration_s = 1\n", "duration_s = 1e7\n");
     let text =
         text.replace("output_every_s = 1", "output_every_s = 1e6").replace("resolution_mm = 2", "resolution_mm = 1e-3");
@@ -45,8 +45,22 @@ fn a_lab_case_that_would_run_for_years_is_refused_before_it_begins() {
 }
 
 #[test]
+fn the_steps_of_thin_layers_of_food_are_counted_before_they_are_done() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("thin.toml");
+    let text = "duration_s = 1e5\n[body]\nshape = \"slab\"\nsize_mm = [10]\nresolution_mm = 1e-3\ngrading = 3\ninitial_c = 5\n\
+        [material]\nfood = \"beef-lean\"\n[solver]\nphysics = \"cooking\"\n\
+        [[boundary]]\nface = \"all\"\nh_w_m2k = 500\nambient_c = 90\n";
+    std::fs::write(&path, text).unwrap();
+    let start = Instant::now();
+    let ran = run(&["lab", path.to_str().unwrap()]);
+    assert!(ran.code == Some(2) && ran.err.contains("node steps") && ran.err.contains("remedy"), "{}", ran.err);
+    assert!(start.elapsed() < LONGEST, "{:?}", start.elapsed());
+}
+
+#[test]
 fn control_characters_of_a_file_are_shown_as_escapes() {
-    let refused = run(&["cook", &fixture("terminal-commands.toml")]);
+    let refused = run(&["cook", &fixture("recipe/terminal-commands.toml")]);
     assert_eq!(refused.code, Some(2));
     assert!(!commands_terminal(&refused.err) && refused.err.contains("\\u001b[31mX"), "{:?}", refused.err);
     let cooked = cook(&SHORT.replace("\"Short\"", r#""\u001b]0;pwned\u0007\u202eShort""#));

@@ -1,7 +1,7 @@
 //! A phone as a pan: its page sends orientation and acceleration over TLS, after pairing with the code on the screen.
 
 mod certificate;
-mod http;
+pub mod http;
 pub mod message;
 pub mod orientation;
 mod server;

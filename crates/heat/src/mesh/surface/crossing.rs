@@ -4,26 +4,39 @@ use glam::DVec3;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
 use super::Surface;
-use super::defect::Trouble;
+use super::defect::{Defect, Trouble};
 use super::triangle_tree::TriangleTree;
 use crate::mesh::bounds::bounds;
 
-/// Returns the number of pairs of intersecting triangles [-] and the first place.
-pub fn crossings(surface: &Surface) -> Trouble {
+/// Largest number of pairs of triangles whose boxes overlap [-] (chosen: a sound body of 100,000 triangles has some twenty
+/// for each; more take seconds).
+const MOST_PAIRS: usize = 10_000_000;
+
+/// Checks that no two triangles intersect.
+///
+/// # Errors
+/// [`Defect::Crossing`] with the number of pairs, or [`Defect::Dense`] if there are too many pairs to look at.
+pub fn crossings(surface: &Surface) -> Result<(), Defect> {
     let tree = TriangleTree::new(surface);
     let mut trouble = Trouble::at(0, [0.0; 3]);
+    let mut pairs = 0;
     for t in 0..surface.triangles.len() {
         let [low, high] = bounds(surface.corners(t));
+        let first = surface.corners(t)[0].to_array();
         tree.overlapping(low, high, |other| {
+            pairs += 1;
             if other as usize > t && cross_each_other(surface, t, other as usize) {
                 if trouble.count == 0 {
-                    trouble.place = surface.corners(t)[0].to_array();
+                    trouble.place = first;
                 }
                 trouble.count += 1;
             }
         });
+        if pairs > MOST_PAIRS {
+            return Err(Defect::Dense(first));
+        }
     }
-    trouble
+    if trouble.count > 0 { Err(Defect::Crossing(trouble)) } else { Ok(()) }
 }
 
 /// Returns the side of the plane through a, b, c on which p lies, exactly: 1, 0 or −1.

@@ -67,6 +67,9 @@ pub enum Defect {
     /// Triangles intersect each other.
     #[error("crosses itself: pairs of intersecting triangles: {0}")]
     Crossing(Trouble),
+    /// Ten thousands of long triangles lie in each other's boxes, as in a fan around one point [m].
+    #[error("too many long, thin triangles side by side, as around ({:.2}, {:.2}, {:.2}) mm", 1e3 * .0[0], 1e3 * .0[1], 1e3 * .0[2])]
+    Dense([f64; 3]),
 }
 
 impl Defect {
@@ -84,6 +87,7 @@ impl Defect {
             Self::Orientation(_) => "in your modeller, recalculate the normals so that all point outwards",
             Self::Bodies(_) => "keep one closed body in the file: join the others to it by a union, or delete them",
             Self::TooSmall(_) | Self::TooLarge(_) => "give scale_mm, the length of the file's unit in millimetres",
+            Self::Dense(_) => "in your modeller, remesh it with triangles of even size, and export it again",
             Self::Crossing(_) => "unite overlapping parts (boolean union, or remesh) and export it again",
         };
         remedy.to_owned()

@@ -83,10 +83,8 @@ impl Surface {
             surface.triangles.iter_mut().for_each(|t| t.swap(1, 2));
         }
         defect::sized(&surface)?;
-        match crossing::crossings(&surface) {
-            found if found.count > 0 => Err(Defect::Crossing(found)),
-            _ => Ok(surface),
-        }
+        crossing::crossings(&surface)?;
+        Ok(surface)
     }
 
     /// Returns the position of a vertex [m].

@@ -8,6 +8,7 @@ use saute_heat::Surface;
 use serde::Serialize;
 
 use crate::data::library::Library;
+use crate::piece::work;
 use crate::{celsius, kelvin};
 
 /// What a food's file makes, at its default size.
@@ -85,6 +86,7 @@ impl FoodReport {
             FoodModel::build(food, &library.kinetics[&food.kinetics], &library.components, &spec)
         };
         let model = build(1.0)?;
+        work::check(&model)?;
         let volume: f64 = model.mesh().volumes().iter().sum();
         let lean = [food.lean.water, food.lean.lean_solids(), food.lean.fat];
         Ok(Self {

@@ -1,0 +1,75 @@
+//! Promise: a number in a data file is refused, or the kitchen works with it; nothing panics or hangs.
+//!
+//! Every number of some shipped files is replaced by numbers that are lost, huge, tiny, or at an end of their range.
+
+use std::time::{Duration, Instant};
+
+use saute_attack::Target;
+use saute_kitchen::Library;
+
+/// Numbers that replace each number of a file.
+const HOSTILE: [&str; 10] = ["nan", "inf", "-inf", "1e308", "-1e308", "5e-324", "0", "-1", "1e-3", "1e6"];
+
+/// Longest time for reading, building and ten ticks [s] (chosen: ten times what a sound file takes on a slow machine).
+const LONGEST: Duration = Duration::from_secs(10);
+
+/// Variable of the environment with which every number is replaced by every hostile number; else by two of them.
+const CAMPAIGN: &str = "SAUTE_CAMPAIGN";
+
+/// Returns the places of the numbers in a text, as byte ranges: words after "=", "[" or "," that parse.
+fn numbers(text: &str) -> Vec<core::ops::Range<usize>> {
+    let mut found = Vec::new();
+    let (mut quoted, mut comment, mut start) = (false, false, None);
+    for (at, c) in text.char_indices() {
+        let is_part = !quoted && !comment && (c.is_ascii_alphanumeric() || "+-._".contains(c));
+        match (is_part, start) {
+            (true, None) => start = Some(at),
+            (false, Some(from)) => {
+                start = None;
+                if text[from..at].parse::<f64>().is_ok() {
+                    found.push(from..at);
+                }
+            }
+            _ => {}
+        }
+        quoted ^= c == '"' && !comment;
+        comment = (comment || (c == '#' && !quoted)) && c != '\n';
+    }
+    found
+}
+
+/// Replaces every number of a shipped file by hostile numbers, one at a time.
+fn attack(target: &str, path: &str) {
+    let target = Target::named(target).expect("a target");
+    let text = &Library::embedded_files()[path];
+    let places = numbers(text);
+    assert!(places.len() > 5, "{path}: {}", places.len());
+    let count = if std::env::var_os(CAMPAIGN).is_some() { HOSTILE.len() } else { 2 };
+    for (turn, place) in places.iter().enumerate() {
+        for hostile in HOSTILE.into_iter().cycle().skip(3 * turn).take(count) {
+            let start = Instant::now();
+            let changed = format!("{}{hostile}{}", &text[..place.start], &text[place.end..]);
+            target.run(changed.as_bytes());
+            let line = changed[..place.start].lines().count();
+            assert!(start.elapsed() < LONGEST, "{path}:{line} with {hostile} took {:?}", start.elapsed());
+        }
+    }
+}
+
+#[test]
+fn kinetics_with_any_number_are_refused_or_cook() {
+    attack("kinetics", "kinetics/shrimp.toml");
+    attack("kinetics", "kinetics/beef.toml");
+}
+
+#[test]
+fn foods_with_any_number_are_refused_or_cook() {
+    attack("food", "foods/beef-marbled.toml");
+    attack("food", "foods/shrimp.toml");
+}
+
+#[test]
+fn pans_and_oils_with_any_number_are_refused_or_work() {
+    attack("pan", "pans/cast-iron-grill-26.toml");
+    attack("oil", "oils/butter.toml");
+}
