@@ -72,18 +72,15 @@ const SHADOW_USED = 0.97;
 
 // Share of the light that casts shadows that arrives. The map's left half shows the food finely, its right half everything.
 fn shadow(position: vec3<f32>, normal: vec3<f32>) -> f32 {
-    let bare = frame.light_from_world * vec4<f32>(position, 1.0);
-    let lifted = (frame.light_from_world * vec4<f32>(normal, 0.0)).xyz;
-    let near = (bare.xy - frame.shadow_fine.xy) * frame.shadow_fine.z;
+    let at = frame.light_from_world * vec4<f32>(position + normal * 0.0010, 1.0);
+    let near = (at.xy - frame.shadow_fine.xy) * frame.shadow_fine.z;
     let is_near = max(abs(near.x), abs(near.y)) < SHADOW_USED;
-    // A finer map needs less room between a surface and its own image.
-    let lift = select(0.0014, 0.0008, is_near);
-    if (!is_near && max(abs(bare.x), abs(bare.y)) > SHADOW_USED) { return 1.0; }
-    let at = bare.xyz + lifted * lift;
-    let place = select(at.xy, (at.xy - frame.shadow_fine.xy) * frame.shadow_fine.z, is_near);
+    if (!is_near && max(abs(at.x), abs(at.y)) > SHADOW_USED) { return 1.0; }
+    let place = select(at.xy, near, is_near);
     let uv = (place * vec2<f32>(0.5, -0.5) + 0.5) * vec2<f32>(0.5, 1.0) + vec2<f32>(select(0.5, 0.0, is_near), 0.0);
     let step = vec2<f32>(0.5, SHADOW_ASPECT) * frame.shadow_fine.w * select(1.0, frame.shadow_fine.z, is_near);
-    return depth_test(shadow_map, uv, step, at.z - select(0.0009, 0.0006, is_near));
+    // A finer map needs less room between a surface and its own image.
+    return depth_test(shadow_map, uv, step, at.z - select(0.0012, 0.0006, is_near));
 }
 
 // How thick a food is taken to be, as only its underside is known [m] (chosen: between a coin of carrot and a steak).

@@ -45,7 +45,7 @@ fn fs_solid(in: SolidOut) -> @location(0) vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
     let n = facing(in.normal, view);
     var s = plain_surface(in, n);
-    s.roughness = widened(s.roughness, fwidth(in.normal));
+    if (fine) { s.roughness = widened(s.roughness, fwidth(in.normal)); }
     let kind = in.surface.z;
     var coarse = 0.5;
     if (!quick) { coarse = textureSampleLevel(solid_noise, tile_sampler, in.position * select(15.0, 5.3, kind > 5.5), 0.0).a; }
@@ -161,7 +161,8 @@ fn heat_tint(local: vec3<f32>) -> vec3<f32> {
 fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
     var n = facing(in.normal, view);
-    let turn = fwidth(in.normal);
+    var turn = vec3<f32>(0.0);
+    if (fine) { turn = fwidth(in.normal); }
     let local = in_pan(in.position);
     let radius = length(local.xy);
     let is_floor = in.surface.z > 1.5;
