@@ -7,7 +7,7 @@
 
 use std::time::{Duration, Instant};
 
-use saute_kitchen::food::{MeshSize, Rules};
+use saute_kitchen::food::{MeshSize, OutlineKind, Rules};
 use saute_kitchen::{Command, Kitchen, Library, OwnFiles, PieceOrder, kelvin};
 
 /// Numbers that replace each number of a file.
@@ -56,6 +56,7 @@ fn fry(library: &Library, pan: &str, food: &str) {
         coarseness: 3.0,
         mesh: MeshSize::Default,
         rules: Rules::Full,
+        outline: OutlineKind::Plain,
     };
     if kitchen.add(library, &order).is_err() {
         return;

@@ -3,6 +3,7 @@
 use saute_heat::BodyMesh;
 
 use crate::description::Marbling;
+use crate::tissue::fat_cap::FatCap;
 use crate::tissue::marbling::{self, MarblingField, share_at};
 use crate::tissue::node_means::Grown;
 
@@ -10,6 +11,8 @@ use crate::tissue::node_means::Grown;
 const CELLS: f64 = 3.2e5;
 /// Largest number of cells along an axis [-] (chosen: the limit that every graphics adapter supports).
 const MOST_ALONG: f64 = 256.0;
+/// Cells of a single layer [m] (chosen: the border of a fat cap is smooth between them).
+const PLANE_CELL: f64 = 0.6e-3;
 /// Margin of the volume around the nodes [m] (chosen: the unevenness of the drawn surface).
 const MARGIN: f64 = 0.7e-3;
 /// Largest depth within or outside a seam, in widths of its edge [-] (chosen: the share of fat is 0 or 1 beyond half a
@@ -30,30 +33,66 @@ pub struct MarblingVolume {
     step: [usize; 3],
     within: Vec<f32>,
     share: f64,
+    capped: bool,
 }
 
 impl MarblingVolume {
     /// The seams in the bounding box of a mesh with the mean share of adipose tissue that the food states; one lean cell
     /// without marbling.
     pub fn new(marbling: Option<&Marbling>, seed: u64, mesh: &BodyMesh) -> Self {
+        Self::with_cap(marbling, None, seed, mesh)
+    }
+
+    /// As [`Self::new`], with a fat cap that is no part of the stated share; without marbling one layer of cells holds it.
+    pub(crate) fn with_cap(marbling: Option<&Marbling>, cap: Option<&FatCap>, seed: u64, mesh: &BodyMesh) -> Self {
         let marbling = marbling.filter(|m| m.adipose_share > 0.0);
-        let mut volume = Self::empty(mesh, marbling.is_some());
-        let Some(marbling) = marbling else { return volume };
-        volume.share = marbling.adipose_share;
-        let field = MarblingField::new(marbling, seed);
-        let ridges: Vec<f64> = volume.cells().map(|cell| field.ridge(volume.middle(cell))).collect();
-        // Interpolation lowers the ridges between cell centres, so the threshold is found on the interpolated field.
-        volume.within = ridges.into_iter().map(|ridge| ridge as f32).collect();
-        let at = |node: usize| (volume.within(mesh.position(node)), mesh.volumes()[node]);
-        let threshold = marbling::threshold_for(volume.share, &(0..mesh.node_count()).map(at).collect::<Vec<_>>());
-        let depth =
-            |ridge: f32| (marbling::within(f64::from(ridge), threshold) as f32).clamp(-DEEPEST_WITHIN, DEEPEST_WITHIN);
-        volume.within.iter_mut().for_each(|ridge| *ridge = depth(*ridge));
+        let layers = [cap.is_some() || marbling.is_some(), cap.is_some() || marbling.is_some(), marbling.is_some()];
+        let mut volume = Self::empty(mesh, layers);
+        if let Some(marbling) = marbling {
+            volume.marble(marbling, seed, mesh);
+        }
+        if let Some(cap) = cap {
+            volume.cover(cap);
+        }
         volume
     }
 
-    /// Lean cells over the bounding box of a mesh; a single cell without marbling.
-    fn empty(mesh: &BodyMesh, marbled: bool) -> Self {
+    /// Fills the cells with seams.
+    fn marble(&mut self, marbling: &Marbling, seed: u64, mesh: &BodyMesh) {
+        self.share = marbling.adipose_share;
+        let field = MarblingField::new(marbling, seed);
+        let ridges: Vec<f64> = self.cells().map(|cell| field.ridge(self.middle(cell))).collect();
+        // Interpolation lowers the ridges between cell centres, so the threshold is found on the interpolated field.
+        self.within = ridges.into_iter().map(|ridge| ridge as f32).collect();
+        let at = |node: usize| (self.within(mesh.position(node)), mesh.volumes()[node]);
+        let threshold = marbling::threshold_for(self.share, &(0..mesh.node_count()).map(at).collect::<Vec<_>>());
+        let depth =
+            |ridge: f32| (marbling::within(f64::from(ridge), threshold) as f32).clamp(-DEEPEST_WITHIN, DEEPEST_WITHIN);
+        self.within.iter_mut().for_each(|ridge| *ridge = depth(*ridge));
+    }
+
+    /// Adds a fat cap through the whole thickness.
+    fn cover(&mut self, cap: &FatCap) {
+        self.capped = true;
+        let [nx, ny, _] = self.size;
+        let plane: Vec<f32> = (0..nx * ny)
+            .map(|index| {
+                let [x, y, _] = self.middle([index % nx, index / nx, 0]);
+                (cap.within([x, y]) as f32).clamp(-DEEPEST_WITHIN, DEEPEST_WITHIN)
+            })
+            .collect();
+        for layer in self.within.chunks_mut(plane.len()) {
+            layer.iter_mut().zip(&plane).for_each(|(within, cap)| *within = within.max(*cap));
+        }
+    }
+
+    /// Returns true if the piece holds adipose tissue: seams or a fat cap.
+    pub fn holds_fat(&self) -> bool {
+        self.capped || self.share > 0.0
+    }
+
+    /// Lean cells over the bounding box of a mesh; a single one along an axis that is not divided.
+    fn empty(mesh: &BodyMesh, divided: [bool; 3]) -> Self {
         let mut corners = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
         for p in (0..mesh.node_count()).map(|node| mesh.position(node)) {
             corners[0] = std::array::from_fn(|k| corners[0][k].min(p[k] - MARGIN));
@@ -61,13 +100,17 @@ impl MarblingVolume {
         }
         let low = corners[0];
         let extent: [f64; 3] = std::array::from_fn(|k| corners[1][k] - low[k]);
-        let cell = libm::cbrt(extent.iter().product::<f64>() / CELLS);
-        let size = extent.map(|v| if marbled { libm::ceil(v / cell).clamp(1.0, MOST_ALONG) as u32 } else { 1 });
+        let cell = match divided {
+            [true, true, false] => PLANE_CELL,
+            _ => libm::cbrt(extent.iter().product::<f64>() / CELLS),
+        };
+        let along = |k: usize| libm::ceil(extent[k] / cell).clamp(1.0, MOST_ALONG) as u32;
+        let size = [0, 1, 2].map(|k| if divided[k] { along(k) } else { 1 });
         let per_cell = std::array::from_fn(|k| f64::from(size[k]) / extent[k]);
         let strides = [1, size[0] as usize, (size[0] * size[1]) as usize];
         let step = std::array::from_fn(|k| if size[k] > 1 { strides[k] } else { 0 });
         let count = size.iter().product::<u32>() as usize;
-        Self { size, low, extent, per_cell, step, within: vec![-DEEPEST_WITHIN; count], share: 0.0 }
+        Self { size, low, extent, per_cell, step, within: vec![-DEEPEST_WITHIN; count], share: 0.0, capped: false }
     }
 
     /// Indices of all cells, x fastest.
@@ -81,7 +124,7 @@ impl MarblingVolume {
         std::array::from_fn(|k| self.low[k] + (f64::from(cell[k]) + 0.5) / f64::from(self.size[k]) * self.extent[k])
     }
 
-    /// Mean share of adipose tissue, as the food states it [-].
+    /// Mean share of adipose tissue in the seams, as the food states it [-].
     pub fn mean_share(&self) -> f64 {
         self.share
     }

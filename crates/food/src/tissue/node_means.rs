@@ -37,7 +37,8 @@ fn swept_means(mesh: &SweptMesh, field: &impl Grown, samples: usize) -> Vec<f64>
                 let weight = area(corners[half]) * (mesh.levels[level + 1] - mesh.levels[level]);
                 let even = even(field, corners.as_flattened());
                 for (k, node) in nodes[half].into_iter().enumerate() {
-                    let mut at = || field.at(place(&corners, k, 0.5 * half as f64, spread.next()));
+                    let near = corners.map(|corners| [0, 1, 2].map(|i| corners[(k + i) % 3]));
+                    let mut at = || field.at(place(&near, 0.5 * half as f64, spread.next()));
                     let mean = even.unwrap_or_else(|| (0..samples).map(|_| at()).sum::<f64>() / samples as f64);
                     sums[node][0] += weight * mean;
                     sums[node][1] += weight;
@@ -70,11 +71,11 @@ impl Spread {
 }
 
 /// Maps a point of the unit cube into half of a prism [m]: the half that starts at the share `from` of its height, in the
-/// third of its triangle nearest to corner `k`.
-fn place(corners: &[[[f64; 3]; 3]; 2], k: usize, from: f64, [u, v, w]: [f64; 3]) -> [f64; 3] {
+/// third of its triangle nearest to its first corner.
+fn place(corners: &[[[f64; 3]; 3]; 2], from: f64, [u, v, w]: [f64; 3]) -> [f64; 3] {
     let share = third(u, v);
     let upwards = from + 0.5 * w;
-    let on = |level: usize, axis: usize| -> f64 { (0..3).map(|i| share[i] * corners[level][(k + i) % 3][axis]).sum() };
+    let on = |level: usize, axis: usize| -> f64 { (0..3).map(|i| share[i] * corners[level][i][axis]).sum() };
     [0, 1, 2].map(|axis| (1.0 - upwards) * on(0, axis) + upwards * on(1, axis))
 }
 
