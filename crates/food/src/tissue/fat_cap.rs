@@ -17,6 +17,9 @@ const WAVELENGTH: f64 = 14.0e-3;
 const STATED_FOR: f64 = 0.080;
 /// Share of the cap at either end in which it tapers off [-] (chosen).
 const TAPERS: f64 = 0.35;
+/// Share of the cap at either end over which its border wanders, and by which it slants through the thickness [-] (chosen).
+const ENDS: f64 = 0.045;
+const SLANT: f64 = 0.07;
 /// Distance beyond the cap from which nothing of it is left, in widths of its edge [-] (chosen: that of the seams' depth).
 const FARTHEST: f64 = 4.0;
 
@@ -24,6 +27,8 @@ const FARTHEST: f64 = 4.0;
 #[derive(Clone, Debug)]
 pub(crate) struct FatCap {
     seed: u64,
+    /// Thickness of the piece [m].
+    thickness: f64,
     /// Width of the transition to the flesh [m].
     edge: f64,
     /// Corners of the outline along the cap, each with the cap's thickness there [m].
@@ -48,27 +53,44 @@ impl FatCap {
             let tapered = libm::sin(0.5 * PI * (share.min(1.0 - share) / TAPERS).min(1.0));
             (corners[(middle + CORNERS - count / 2 + k) % CORNERS], thickness * tapered)
         };
-        Self { seed, edge: 1e-3 * cap.edge_mm, along: (0..count).map(corner).collect() }
+        Self { seed, thickness: size[2], edge: 1e-3 * cap.edge_mm, along: (0..count).map(corner).collect() }
     }
 
-    /// Depth of a point of the section within the cap, in widths of its soft edge [-].
-    pub(crate) fn within(&self, p: [f64; 2]) -> f64 {
-        let side = |pair: &[([f64; 2], f64)]| {
+    /// Distance of a point of the section from the cap's side of the outline, the cap's thickness there [m], and the place
+    /// along the cap from its end [-]; none far from it.
+    pub(crate) fn near(&self, p: [f64; 2]) -> Option<NearCap> {
+        let side = |(k, pair): (usize, &[([f64; 2], f64)])| {
             let ((a, thickness), (b, next)) = (pair[0], pair[1]);
             let way = [b[0] - a[0], b[1] - a[1]];
             let from = [p[0] - a[0], p[1] - a[1]];
             let share = (from[0] * way[0] + from[1] * way[1]) / (way[0] * way[0] + way[1] * way[1]);
             let share = share.clamp(0.0, 1.0);
             let away = libm::hypot(from[0] - share * way[0], from[1] - share * way[1]);
-            (away, thickness + share * (next - thickness))
+            let along = (k as f64 + share) / (self.along.len() - 1) as f64;
+            NearCap { away, thickness: thickness + share * (next - thickness), along }
         };
-        let nearest = self.along.windows(2).map(side).min_by(|a, b| a.0.total_cmp(&b.0));
-        let Some((away, thickness)) = nearest else { return -FARTHEST };
-        if away > thickness * (1.0 + 1.2 * WAVE) + FARTHEST * self.edge {
-            return -FARTHEST;
-        }
-        let wave = WAVE * fractal(self.seed ^ 0xca_9fa7, [p[0] / WAVELENGTH, p[1] / WAVELENGTH, 0.5]);
-        // At its ends the cap runs out under the skin.
-        (thickness * (1.0 + wave) - away) / self.edge - 0.5 * (1.0 - (thickness / self.edge).min(1.0))
+        let sides = self.along.windows(2).enumerate().map(side);
+        let near = sides.min_by(|a, b| a.away.total_cmp(&b.away))?;
+        (near.away < near.thickness * (1.0 + 1.2 * WAVE) + FARTHEST * self.edge).then_some(near)
     }
+
+    /// Depth of a point within the cap, in widths of its soft edge [-].
+    pub(crate) fn within(&self, near: &NearCap, p: [f64; 3]) -> f64 {
+        let wave = fractal(self.seed ^ 0xca_9fa7, p.map(|v| v / WAVELENGTH));
+        let side = if near.along < 0.5 { 0 } else { 1 };
+        let lean = SLANT * (2.0 * uniform(self.seed, 605 + side) - 1.0) * (2.0 * p[2] / self.thickness - 1.0);
+        let wander = ENDS * fractal(self.seed ^ 0x0e_4d5, p.map(|v| v / WAVELENGTH));
+        let end = near.along.min(1.0 - near.along) + wander + lean;
+        let inside = (near.thickness * (1.0 + WAVE * wave) - near.away) / self.edge;
+        // At its ends the cap runs out in an uneven line.
+        inside.min((end - SLANT) / ENDS * FARTHEST)
+    }
+}
+
+/// Where a point lies near a cap.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct NearCap {
+    away: f64,
+    thickness: f64,
+    along: f64,
 }

@@ -21,9 +21,9 @@ const TIP: f32 = 0.55;
 /// Blades of the tail fan (anatomy: a telson between two pairs of uropods), from where along the body they part [-], the
 /// depth of the gaps over the body's length [-], and how far they thin the fan [-] (chosen).
 const BLADES: f32 = 5.0;
-const FAN_FROM: f32 = 0.86;
-const GAP: f32 = 0.055;
-const THINS: f32 = 0.45;
+const FAN_FROM: f32 = 0.88;
+const GAP: f32 = 0.034;
+const THINS: f32 = 0.3;
 
 /// Weights of up to four nodes.
 pub(crate) type Reads = [(u32, f32); 4];
@@ -180,9 +180,9 @@ fn bladed(p: Vec3, middle: Vec3, length: Vec3, share: f32, across: f32) -> Vec3 
     if fan == 0.0 {
         return p;
     }
-    // 1 in the gaps between blades, 0 along their middles; the outer edges are rounded off.
+    // 1 in the gaps between blades, 0 along their middles; the outer blades are shorter.
     let gap = (0.5 + 0.5 * (TAU * 0.5 * BLADES * (across + 1.0)).cos()).powi(3);
-    let gap = if across.abs() > 0.98 { 0.45 } else { gap };
+    let gap = if across.abs() > 0.9 { 0.6 * gap.min(0.6) } else { gap } + 0.35 * across * across;
     let p = Vec3::new(p.x, p.y, middle.z + (p.z - middle.z) * (1.0 - THINS * gap * fan.sqrt()));
     p - length * (GAP * gap * fan * fan)
 }

@@ -8,7 +8,7 @@ use saute_kitchen::food::{FoodModel, Form};
 use saute_kitchen::heat::SweptMesh;
 
 use crate::skin::fine::{Fine, Reads, curve, normals};
-use crate::skin::surface::{rim_inset, uneven};
+use crate::skin::surface::{rim_inset, rim_radius, uneven};
 
 /// Vertices around for each node of the rim [-] (chosen: a smooth silhouette).
 const AROUND: usize = 2;
@@ -98,12 +98,16 @@ impl Ring<'_> {
                 self.join(before, lower, top);
                 before = lower;
             }
-            let breadth = if outer { 2.0 * ROUNDED[1] } else { ROUNDED[1] };
-            let crest = self.row(|ring, j| ring.inside(j, sheath[j] - breadth, slip, level));
+            let breadth = if outer { rim_radius(self.model) + ROUNDED[1] } else { ROUNDED[1] };
+            // A sheath that is thin somewhere has a narrower rounding there.
+            let [most, inwards] = if outer { [0.8, 0.2] } else { [0.3, 1.0] };
+            let within =
+                |j: usize, breadth: f32| breadth.min(most * (sheath[j] - inner.map_or(0.0, |inner| inner[j])).max(0.0));
+            let crest = self.row(|ring, j| ring.inside(j, sheath[j] - within(j, breadth), slip, level));
             self.join(before, crest, top);
             before = crest;
             if let Some(inner) = inner {
-                let crest = self.row(|ring, j| ring.inside(j, inner[j] + ROUNDED[1], slip, level));
+                let crest = self.row(|ring, j| ring.inside(j, inner[j] + inwards * within(j, ROUNDED[1]), slip, level));
                 self.join(before, crest, top);
                 let lower = self.row(|ring, j| ring.inside(j, inner[j], slip - lowered(top, ROUNDED[0]), level));
                 self.join(crest, lower, top);
@@ -121,13 +125,17 @@ impl Ring<'_> {
         let borders: Vec<Vec<f64>> =
             self.edge.iter().map(|p| field.sheath_borders(p.at.to_array().map(f64::from))).collect();
         let least = self.edge.iter().map(|p| p.at.length()).fold(f32::INFINITY, f32::min);
+        // Inside the rounded rim of the slice.
+        let rim = rim_radius(self.model) + THINNEST;
         let mut sheaths: Vec<Vec<f32>> = Vec::new();
         for k in 0..borders.first().map_or(0, Vec::len) {
             let radii: Vec<f32> = borders.iter().map(|b| b[k] as f32).collect();
             let largest = radii.iter().copied().fold(0.0, f32::max);
             let from = sheaths.last().map_or(0.0, |last: &Vec<f32>| last[0]);
-            if largest < least - THINNEST && radii[0] - from > THINNEST {
-                sheaths.push(radii);
+            if largest < least - 0.5 * rim && radii[0] - from > THINNEST {
+                // Nowhere beyond the slice's own edge.
+                let inside = radii.iter().zip(&self.edge).map(|(r, p)| r.min(p.at.length() - rim));
+                sheaths.push(inside.collect());
             }
         }
         sheaths.push(self.edge.iter().map(|p| p.at.length()).collect());
