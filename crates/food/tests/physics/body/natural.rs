@@ -119,7 +119,7 @@ fn the_foot_of_a_natural_slice_is_flat_and_looks_down() {
     assert!(ends.iter().all(|z| (z - lowest).abs() < 0.1e-3), "{ends:?} {lowest}");
 }
 
-/// A cap of 4–8 mm along 30–42 % of the outline, tapering off at its ends, on one long side.
+/// A cap of 4–6 mm along 26–36 % of the outline, tapering off at its ends, on one long side.
 #[test]
 fn a_fat_cap_lies_along_its_share_of_one_long_side() {
     for seed in 1..9 {
@@ -128,11 +128,11 @@ fn a_fat_cap_lies_along_its_share_of_one_long_side() {
         let rim = mesh.section.rim();
         let fat: Vec<u32> = rim.iter().copied().filter(|i| steak.adipose()[*i as usize] > 0.5).collect();
         let share = fat.len() as f64 / rim.len() as f64;
-        assert!((0.18..0.43).contains(&share), "{seed}: {share}");
+        assert!((0.15..0.37).contains(&share), "{seed}: {share}");
         let side = fat.iter().map(|i| mesh.section.points[*i as usize][1]).sum::<f64>().signum();
         assert!(fat.iter().all(|i| side * mesh.section.points[*i as usize][1] > 0.0), "{seed}: on one side");
         let held = steak.adipose().iter().zip(mesh.graph.volume.iter()).map(|(a, v)| a * v).sum::<f64>();
-        assert!((0.02..0.10).contains(&(held / volume(&steak))), "{seed}: {}", held / volume(&steak));
+        assert!((0.01..0.08).contains(&(held / volume(&steak))), "{seed}: {}", held / volume(&steak));
         let plain = piece("beef-lean", &spec([0.12, 0.08, 0.025], seed, 1.0, OutlineKind::Plain));
         assert!(plain.adipose().iter().all(|a| *a == 0.0));
         assert!((steak.raw_mass() / plain.raw_mass() - 1.0).abs() < 0.015, "{seed}");
