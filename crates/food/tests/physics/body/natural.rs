@@ -148,7 +148,9 @@ fn no_conductance_of_a_natural_piece_is_negative_and_no_more_weights_are_clamped
             assert!(model.mesh().volumes().iter().all(|v| *v > 0.0), "{kind}");
             let plain = piece(kind, &spec(size, seed, 1.0, OutlineKind::Plain));
             let clamped = [&model, &plain].map(|model| swept_mesh(model).section.clamped_edges);
-            assert!(clamped[0] <= clamped[1], "{kind} {seed}: {clamped:?}");
+            // A body along stations conducts by the sections of its stations, not by this one.
+            let conducts = swept_mesh(&model).is_upright();
+            assert!(!conducts || clamped[0] <= clamped[1], "{kind} {seed}: {clamped:?}");
         }
     }
 }
