@@ -5,7 +5,7 @@ use std::hint::black_box;
 
 use saute_kitchen::dynamics::RIGID_HZ;
 use saute_kitchen::food::{FoodModel, PieceSpec, Rules};
-use saute_kitchen::{FRAMES_PER_TICK, Kitchen, Library, MeshSize};
+use saute_kitchen::{FRAMES_PER_TICK, Kitchen, Library, MeshSize, OutlineKind};
 use saute_lab::{Case, run};
 use saute_picture::stage::{Places, Stage, StageOptions};
 
@@ -98,7 +98,14 @@ fn food_model() -> Result<u32, Box<dyn Error>> {
     let food = library.foods.get("beef-lean").ok_or("there is no beef-lean")?;
     let kinetics = library.kinetics.get(&food.kinetics).ok_or("there are no kinetics of beef")?;
     let size = [0.12, 0.08, 0.025];
-    let spec = PieceSpec { size, seed: 1, coarseness: 1.0, mesh: MeshSize::Default, rules: Rules::Full };
+    let spec = PieceSpec {
+        size,
+        seed: 1,
+        coarseness: 1.0,
+        mesh: MeshSize::Default,
+        rules: Rules::Full,
+        outline: OutlineKind::Plain,
+    };
     let mut model = Ok(());
     counted(&mut || model = FoodModel::build(food, kinetics, &library.components, &spec).map(|m| drop(black_box(m))));
     model?;

@@ -10,7 +10,7 @@
 //! ```
 //! use saute_food::components::Components;
 //! use saute_food::{
-//!     FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, MeshSize, PieceSpec, Rules, Surroundings,
+//!     FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, MeshSize, OutlineKind, PieceSpec, Rules, Surroundings,
 //!     Touch, ZERO_C,
 //! };
 //!
@@ -27,6 +27,7 @@
 //!     coarseness: 2.0, // twice the default spacing: fewer nodes
 //!     mesh: MeshSize::Default,
 //!     rules: Rules::Full,
+//!     outline: OutlineKind::Plain,
 //! };
 //! let model = FoodModel::build(&food, &kinetics, &components, &piece)?;
 //! let mut state = FoodState::raw(&model, ZERO_C + 5.0);
@@ -81,7 +82,7 @@ pub mod water;
 pub use advance::{Exchange, FoodSolver, Surroundings, present_area};
 pub use body::{Body, Capsule, Face, Form, Patch, PatchGeometry, PatchPose, Solid};
 pub use change::{Lab, Scale, Shares};
-pub use description::{FoodDescription, Kinetics};
+pub use description::{FoodDescription, Kinetics, OutlineKind};
 pub use model::{BuildError, FoodModel, PieceSpec};
 pub use paper_2013::{MeshSize, Rules};
 pub use state::FoodState;

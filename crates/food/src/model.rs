@@ -13,7 +13,7 @@ use crate::change::browning::Browning;
 use crate::change::colour::{Appearance, Palette};
 use crate::change::response::HeatResponse;
 use crate::components::{Components, Masses, Properties};
-use crate::description::{FoodDescription, Kinetics};
+use crate::description::{FoodDescription, Kinetics, NaturalForm, OutlineKind};
 use crate::paper_2013::{MeshSize, Rules, simplified};
 use crate::state::FoodState;
 use crate::tissue::{MarblingVolume, NodeTissue, TissueField};
@@ -34,6 +34,16 @@ pub struct PieceSpec {
     pub mesh: MeshSize,
     /// Physical rules.
     pub rules: Rules,
+    /// Outline to be cut.
+    pub outline: OutlineKind,
+}
+
+impl PieceSpec {
+    /// Returns the natural form of the piece, or none if it is plain, as every piece of 2013 is.
+    pub(crate) fn natural<'a>(&self, description: &'a FoodDescription) -> Option<&'a NaturalForm> {
+        let today = self.rules == Rules::Full && self.mesh == MeshSize::Default;
+        description.natural.as_ref().filter(|_| today && self.outline == OutlineKind::Natural)
+    }
 }
 
 /// A piece of food: rest shape, tissue, properties and rates; immutable after it is built.
@@ -46,6 +56,7 @@ pub struct FoodModel {
     pub(crate) water: WaterTransport,
     pub(crate) response: HeatResponse,
     pub(crate) rules: Rules,
+    seed: u64,
     pub(crate) description: FoodDescription,
     pub(crate) kinetics: Kinetics,
 }
@@ -95,6 +106,7 @@ impl FoodModel {
             tissue,
             properties,
             rules,
+            seed,
             description: description.clone(),
             kinetics: kinetics.clone(),
         })
@@ -235,6 +247,16 @@ impl FoodModel {
     /// Rules that the piece follows.
     pub fn rules(&self) -> Rules {
         self.rules
+    }
+
+    /// Seed of the natural variation.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    /// Natural form of the piece; none if it is plain.
+    pub fn natural(&self) -> Option<&NaturalForm> {
+        self.description.natural.as_ref().filter(|_| self.shape.natural)
     }
 
     /// Description of the food, as its file states it.

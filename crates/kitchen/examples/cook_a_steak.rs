@@ -6,7 +6,7 @@ use std::error::Error;
 
 use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, RestOn, TICK_S, celsius, kelvin};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, RestOn, TICK_S, celsius, kelvin};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let library = Library::embedded()?;
@@ -20,6 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         coarseness: 1.0,
         rules: Rules::Full,
         mesh: MeshSize::Paper2013,
+        outline: OutlineKind::Plain,
     };
     kitchen.add(&library, &steak)?;
     let food = || String::from("steak");

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use saute_food::{BuildError, FoodModel, MeshSize, PieceSpec, Rules};
+use saute_food::{BuildError, FoodModel, MeshSize, OutlineKind, PieceSpec, Rules};
 
 use crate::data::library::{Library, LibraryError};
 use crate::data::room::Room;
@@ -50,6 +50,8 @@ pub struct PieceOrder {
     pub rules: Rules,
     /// Fineness of its mesh.
     pub mesh: MeshSize,
+    /// Its outline: natural or plain.
+    pub outline: OutlineKind,
 }
 
 /// Vapour flows in the last tick that come from no food [kg/s].
@@ -147,6 +149,7 @@ impl Kitchen {
             coarseness: order.coarseness,
             mesh: order.mesh,
             rules: order.rules,
+            outline: order.outline,
         };
         let model = Arc::new(FoodModel::build(food, kinetics, &library.components, &spec)?);
         let names = (order.id.clone(), order.kind.clone());

@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use saute_kitchen::food::Rules;
-//! use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, celsius, kelvin};
+//! use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, celsius, kelvin};
 //!
 //! let library = Library::embedded()?;
 //! let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(200.0))?;
@@ -18,6 +18,7 @@
 //!     coarseness: 1.0,
 //!     rules: Rules::Full,
 //!     mesh: MeshSize::Paper2013,
+//!     outline: OutlineKind::Plain,
 //! };
 //! kitchen.add(&library, &steak)?;
 //! kitchen.apply(&Command::Hob(700.0))?;
@@ -52,7 +53,7 @@ pub use hands::command::{Command, Refused, RestOn};
 pub use kitchen::{Kitchen, PieceOrder};
 pub use piece::{Piece, Place};
 pub use saute_food as food;
-pub use saute_food::MeshSize;
+pub use saute_food::{MeshSize, OutlineKind};
 pub use saute_heat as heat;
 pub use tick::event::{Event, EventKind, EventLog};
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use saute_kitchen::doneness::{ScaleChoice, core_class, fitting};
 use saute_kitchen::food::{FoodModel, Rules, Scale};
-use saute_kitchen::{Kitchen, Library, MeshSize, Piece, PieceOrder, kelvin};
+use saute_kitchen::{Kitchen, Library, MeshSize, OutlineKind, Piece, PieceOrder, kelvin};
 
 const OF_MEAT: [&str; 3] = ["paper-2013", "chefs", "academic"];
 
@@ -27,6 +27,7 @@ fn with_piece(library: &Library, kind: &str, rules: Rules) -> Kitchen {
         coarseness: 3.0,
         rules,
         mesh: MeshSize::Default,
+        outline: OutlineKind::Plain,
     };
     kitchen.add(library, &order).expect("food");
     kitchen

@@ -1,7 +1,7 @@
 //! Promises of the rigid bodies: rest, no sinking, no tunnelling, flips and tosses through forces alone.
 
 use saute_kitchen::dynamics::{Pose, RIGID_S};
-use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, Place, TICK_S, food::Rules, kelvin};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, Place, TICK_S, food::Rules, kelvin};
 
 fn library() -> Library {
     Library::embedded().expect("embedded data")
@@ -18,6 +18,7 @@ fn order(id: &str, kind: &str, library: &Library, seed: u64) -> PieceOrder {
         coarseness: 1.0,
         mesh: MeshSize::Paper2013,
         rules: Rules::Full,
+        outline: OutlineKind::Plain,
     }
 }
 

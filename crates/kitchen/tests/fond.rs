@@ -2,7 +2,7 @@
 //! kept, and nothing else in the kitchen feels them.
 
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, RestOn, TICK_S, kelvin};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, RestOn, TICK_S, kelvin};
 use saute_recipe::{Cook, Recipe};
 
 fn library() -> Library {
@@ -29,6 +29,7 @@ fn frying(library: &Library, watts: f64, seconds: f64) -> Kitchen {
         coarseness: 2.0,
         rules: Rules::Full,
         mesh: MeshSize::Default,
+        outline: OutlineKind::Plain,
     };
     kitchen.add(library, &order).expect("food");
     apply(&mut kitchen, Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false });

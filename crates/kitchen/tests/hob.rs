@@ -3,7 +3,7 @@
 
 use saute_kitchen::advice::NoPower;
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, TICK_S, celsius, kelvin};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, TICK_S, celsius, kelvin};
 use saute_recipe::{Cook, Recipe};
 
 fn library() -> Library {
@@ -133,6 +133,7 @@ fn a_hob_holds_a_heavy_pan_at_a_temperature_with_a_steak_in_it() {
         coarseness: 2.5,
         rules: Rules::Full,
         mesh: MeshSize::Default,
+        outline: OutlineKind::Plain,
     };
     kitchen.add(&library, &steak).expect("food");
     hold(&mut kitchen, 180.0);

@@ -3,7 +3,9 @@
 
 use saute_kitchen::food::Rules;
 use saute_kitchen::piece::carry_over::foreseen_peak;
-use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, Refused, RestOn, TICK_S, celsius, kelvin};
+use saute_kitchen::{
+    Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, Refused, RestOn, TICK_S, celsius, kelvin,
+};
 use saute_recipe::{Cook, Recipe};
 
 fn library() -> Library {
@@ -20,6 +22,7 @@ fn steak(size_mm: [f64; 3], initial_c: f64) -> PieceOrder {
         coarseness: 1.5,
         rules: Rules::Full,
         mesh: MeshSize::Default,
+        outline: OutlineKind::Plain,
     }
 }
 

@@ -2,7 +2,9 @@
 //! faster, and the energy account of the cook stays balanced.
 
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, EventKind, Kitchen, Library, MeshSize, PieceOrder, Refused, RestOn, TICK_S, kelvin};
+use saute_kitchen::{
+    Command, EventKind, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, Refused, RestOn, TICK_S, kelvin,
+};
 use saute_recipe::{Action, Cook, FoodAction, Recipe};
 
 fn library() -> Library {
@@ -19,6 +21,7 @@ fn order(kind: &str, size_mm: [f64; 3]) -> PieceOrder {
         coarseness: 1.5,
         rules: Rules::Full,
         mesh: MeshSize::Default,
+        outline: OutlineKind::Plain,
     }
 }
 

@@ -3,7 +3,7 @@
 
 use glam::{DQuat, DVec3};
 use saute_kitchen::dynamics::{Against, Pose, Tool};
-use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, food::Rules, kelvin};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, food::Rules, kelvin};
 
 fn kitchen(foods: &[(&str, [f64; 3])]) -> Kitchen {
     let library = Library::embedded().expect("embedded data");
@@ -18,6 +18,7 @@ fn kitchen(foods: &[(&str, [f64; 3])]) -> Kitchen {
             coarseness: 1.0,
             mesh: MeshSize::Paper2013,
             rules: Rules::Full,
+            outline: OutlineKind::Plain,
         };
         kitchen.add(&library, &order).expect("a piece");
         kitchen.apply(&Command::Put { food: order.id, at: [0.0; 2], heap: i > 0 }).expect("put");

@@ -48,6 +48,7 @@ fn steak() -> PieceOrder {
         coarseness: 2.0,
         rules: Rules::Full,
         mesh: saute_kitchen::MeshSize::Default,
+        outline: saute_kitchen::OutlineKind::Plain,
     }
 }
 

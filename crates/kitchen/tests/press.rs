@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 use saute_kitchen::dynamics::{Against, Pose, Tool};
-use saute_kitchen::{Command, FRAME_S, Kitchen, Library, MeshSize, PieceOrder, food::Rules, kelvin};
+use saute_kitchen::{Command, FRAME_S, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, food::Rules, kelvin};
 
 /// A piece and its place in the pan [m]: its kind, its thickness as a share of the usual one, where, heaped or laid.
 type Lying<'a> = (&'a str, f64, [f64; 2], bool);
@@ -30,6 +30,7 @@ fn kitchen(lying: &[Lying], pan_c: f64) -> Kitchen {
             coarseness: 2.5,
             mesh: MeshSize::Default,
             rules: Rules::Full,
+            outline: OutlineKind::Plain,
         };
         kitchen.add(&library, &order).expect("a piece");
         kitchen.apply(&Command::Put { food: order.id, at: *at, heap: *heap }).expect("put");

@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, RestOn, TICK_S, kelvin};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, RestOn, TICK_S, kelvin};
 
 /// A cook drawn at random.
 #[derive(Clone, Debug)]
@@ -100,6 +100,7 @@ fn kitchen(library: &Library, draw: &Draw) -> Kitchen {
         coarseness: 2.5,
         rules: draw.rules,
         mesh: MeshSize::Default,
+        outline: OutlineKind::Plain,
     };
     kitchen.add(library, &order).expect("builds");
     kitchen

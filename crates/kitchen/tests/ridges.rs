@@ -5,7 +5,7 @@ use glam::DQuat;
 use saute_kitchen::dynamics::{Pose, Tool};
 use saute_kitchen::food::{Face, Rules};
 use saute_kitchen::piece::sear_lines::SearLines;
-use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, TICK_S, celsius, kelvin};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, TICK_S, celsius, kelvin};
 use saute_recipe::{Cook, Recipe, StoppedBy};
 
 const GRILL: &str = "cast-iron-grill-26";
@@ -33,6 +33,7 @@ fn frying(pan: &str, pan_c: f64, seconds: f64) -> Kitchen {
         coarseness: 2.0,
         rules: Rules::Full,
         mesh: MeshSize::Default,
+        outline: OutlineKind::Plain,
     };
     kitchen.add(&library(), &order).expect("food");
     apply(&mut kitchen, Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false });

@@ -130,7 +130,7 @@ impl Skin {
                 let (nodes, weights) = (cells.skin.nodes[vertex], cells.skin.weights[vertex]);
                 NodeShares(nodes.into_iter().zip(weights).collect())
             }
-            BodyMesh::Swept(_) => NodeShares(vec![(self.node(vertex), 1.0)]),
+            BodyMesh::Swept(_) => NodeShares(self.reads(vertex)),
         }
     }
 }

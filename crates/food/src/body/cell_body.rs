@@ -37,7 +37,7 @@ impl Body {
             Patch { node: p.node, face, air: air as usize, area: p.area }
         });
         let patches = patches.collect();
-        Ok(Self { size, mesh: BodyMesh::from(cells), outline, patches, contracts: true })
+        Ok(Self { size, mesh: BodyMesh::from(cells), outline, patches, contracts: true, natural: false })
     }
 }
 

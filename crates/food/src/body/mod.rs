@@ -10,6 +10,7 @@ mod cell_body;
 pub mod form;
 pub mod halving;
 pub mod limp;
+mod natural;
 pub mod patch;
 pub mod patch_pose;
 pub mod present_shape;
@@ -50,6 +51,8 @@ pub struct Body {
     pub patches: Vec<Patch>,
     /// True if the body contracts when heated; a slice then also bends as a plate.
     pub contracts: bool,
+    /// True if the body has the natural form of its food; false if it is plain.
+    pub natural: bool,
 }
 
 impl Body {
@@ -58,16 +61,17 @@ impl Body {
     /// # Errors
     /// If a table of the form is missing, or if meshing fails.
     pub fn cut(description: &FoodDescription, piece: &PieceSpec) -> Result<Self, BuildError> {
-        match description.form {
+        let body = match description.form {
             Form::Steak | Form::Patty | Form::Coin | Form::Ring => Self::slice(description, piece),
             Form::Stick => Self::stick(description, piece),
             Form::Shrimp => Self::shrimp(description, piece),
             Form::Mesh => Self::inside_surface(description, piece),
-        }
+        };
+        Ok(Self { natural: piece.natural(description).is_some(), ..body? })
     }
 
     pub(crate) fn swept(size: [f64; 3], mesh: SweptMesh, outline: Outline) -> Self {
-        Self { size, patches: patches(&mesh), mesh: BodyMesh::Swept(mesh), outline, contracts: true }
+        Self { size, patches: patches(&mesh), mesh: BodyMesh::Swept(mesh), outline, contracts: true, natural: false }
     }
 }
 

@@ -21,6 +21,8 @@ pub(crate) struct RestShape {
     /// Outward normal of each patch in the body frame [-].
     pub(crate) rest_normals: Vec<[f64; 3]>,
     pub(crate) contracts: bool,
+    /// True if the body has the natural form of its food.
+    pub(crate) natural: bool,
     /// True if the lower end of the path is no face, as the centre of a ball is not.
     pub(crate) closed_below: bool,
     pub(crate) core: Probe,
@@ -34,7 +36,7 @@ pub(crate) struct RestShape {
 impl RestShape {
     /// The rest shape of a body; a body under the rules of 2013 does not contract.
     pub(crate) fn new(body: Body, rules: Rules) -> Self {
-        let Body { size, mesh, outline, patches, contracts } = body;
+        let Body { size, mesh, outline, patches, contracts, natural } = body;
         let closed_below = !patches.iter().any(|p| p.face == Face::Bottom && p.area > 0.0);
         let (core, core_z) = core_of(&mesh, closed_below);
         let surface = mesh.swept().map(|swept| Surface::of(swept, &patches)).unwrap_or_default();
@@ -43,6 +45,7 @@ impl RestShape {
             middle_cut: mesh.cells().map(middle_cut).unwrap_or_default(),
             rest_normals: Vec::new(),
             halving: None,
+            natural,
             mesh,
             size,
             outline,

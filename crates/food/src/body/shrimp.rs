@@ -4,6 +4,7 @@ use core::f64::consts::PI;
 
 use saute_heat::{Outline, Section, Station, SweptMesh};
 
+use crate::body::natural::Variation;
 use crate::body::rounded::{ring_shares, ringed};
 use crate::body::{Body, even_levels, paper_mesh, rule};
 use crate::description::{FoodDescription, Spine};
@@ -40,22 +41,21 @@ impl Body {
     /// Meshes a shrimp in the x–y plane with its back towards +y and its head end towards −x.
     pub(crate) fn shrimp(description: &FoodDescription, piece: &PieceSpec) -> Result<Self, BuildError> {
         let spine = description.spine.as_ref().ok_or(BuildError::Missing { form: "shrimp", table: "spine" })?;
-        let shape = Shape::new(description, spine, piece);
-        let edge = Outline::superellipse(2.0 * shape.half[0], 2.0 * shape.half[1], description.outline.exponent, &[]);
-        let first = FIRST_LAYER * piece.coarseness;
-        let around = ((AROUND as f64 / piece.coarseness) as usize).max(10);
-        let rings = match paper_mesh(description, piece) {
-            Some((rings, _)) => rings.to_vec(),
-            None => ringed(around, &ring_shares(shape.half[1], first, RINGS)),
+        let plain = Shape::new(description, spine, piece);
+        let (shape, mut mesh) = match piece.natural(description) {
+            None => (plain, plain.mesh(description, piece)?),
+            Some(form) => {
+                let variation = Variation { form, size: piece.size, seed: piece.seed };
+                let grown = plain.grown(&variation, spine);
+                // The mesh of a curled shrimp is a little smaller than its shape: both are measured on their meshes.
+                let volume = |shape: &Shape| -> Result<f64, BuildError> {
+                    Ok(shape.mesh(description, piece)?.graph.volume.iter().sum())
+                };
+                let thicker = libm::sqrt(volume(&plain)? / volume(&grown)?);
+                let grown = Shape { half: grown.half.map(|half| thicker * half), ..grown };
+                (grown, grown.mesh(description, piece)?)
+            }
         };
-        let levels = match paper_mesh(description, piece) {
-            Some((_, levels)) => even_levels(shape.length, levels),
-            None => shape.levels(first, piece.coarseness),
-        };
-        let section = Section::concentric(&edge, &rings)?;
-        let graded = piece.mesh == crate::paper_2013::MeshSize::Default;
-        let path = shape.stations(&section, &rings, &levels, graded.then_some(first))?;
-        let mut mesh = SweptMesh::along(section, path, rule(piece));
         centre(&mut mesh);
         let outline = silhouette(&mesh);
         let size = [piece.size[0], piece.size[1], 2.0 * shape.half[1]];
@@ -63,8 +63,19 @@ impl Body {
     }
 }
 
+/// Rounding of a natural head end: its length over the thickest diameter [-], and the least scale of the section there [-]
+/// (chosen: where the head was pulled off, flesh closes to a blunt tip).
+const HEAD: [f64; 2] = [0.42, 0.34];
+/// Depth of a natural tail fan over the plain one [-] (chosen: the blades spread).
+const FAN_SPREAD: [f64; 2] = [1.0, 1.3];
+
 /// Seeded shape of one shrimp.
+#[derive(Clone, Copy)]
 struct Shape {
+    /// True with the natural form: a rounded head end, a spread fan.
+    natural: bool,
+    /// Spread of the fan [-].
+    spread: f64,
     length: f64,
     /// Half of the largest depth and breadth [m].
     half: [f64; 2],
@@ -75,15 +86,46 @@ struct Shape {
 }
 
 impl Shape {
+    /// The mesh of the shape, its centre anywhere.
+    fn mesh(&self, description: &FoodDescription, piece: &PieceSpec) -> Result<SweptMesh, BuildError> {
+        let edge = Outline::superellipse(2.0 * self.half[0], 2.0 * self.half[1], description.outline.exponent, &[]);
+        let first = FIRST_LAYER * piece.coarseness;
+        let around = ((AROUND as f64 / piece.coarseness) as usize).max(10);
+        let rings = match paper_mesh(description, piece) {
+            Some((rings, _)) => rings.to_vec(),
+            None => ringed(around, &ring_shares(self.half[1], first, RINGS)),
+        };
+        let levels = match paper_mesh(description, piece) {
+            Some((_, levels)) => even_levels(self.length, levels),
+            None => self.levels(first, piece.coarseness),
+        };
+        let section = Section::concentric(&edge, &rings)?;
+        let graded = piece.mesh == crate::paper_2013::MeshSize::Default;
+        let path = self.stations(&section, &rings, &levels, graded.then_some(first))?;
+        Ok(SweptMesh::along(section, path, rule(piece)))
+    }
+
+    /// The natural shape of this plain one: longer and thinner or the reverse, with a curl, a head end and a fan of its own.
+    fn grown(self, variation: &Variation, spine: &Spine) -> Self {
+        let form = variation.form;
+        let longer = 1.0 + form.slender * (2.0 * variation.share(560) - 1.0);
+        let pick = (variation.share(561) * form.turns_deg.len() as f64) as usize;
+        let varied = 0.5 * spine.turn_varies_deg * (2.0 * variation.share(302) - 1.0);
+        let turn = form.turns_deg.get(pick).map_or(self.turn, |deg| turned(deg + varied, variation.size));
+        let spread = FAN_SPREAD[0] + (FAN_SPREAD[1] - FAN_SPREAD[0]) * variation.share(562);
+        let half = self.half.map(|half| half / libm::sqrt(longer));
+        Self { natural: true, spread, length: longer * self.length, turn, half, ..self }
+    }
+
     fn new(description: &FoodDescription, spine: &Spine, piece: &PieceSpec) -> Self {
         let ripple = description.outline.ripple;
         let varied = |index: u64| 2.0 * uniform(piece.seed, index) - 1.0;
         Self {
+            natural: false,
+            spread: 1.0,
             length: piece.size[0],
             half: [0.5 * piece.size[1], 0.5 * piece.size[1] * spine.flattening * (1.0 + 0.5 * ripple * varied(301))],
-            turn: (spine.turn_deg + spine.turn_varies_deg * varied(302))
-                .to_radians()
-                .min(MOST_TURN * piece.size[0] / piece.size[1]),
+            turn: turned(spine.turn_deg + spine.turn_varies_deg * varied(302), piece.size),
             swelling: [ripple * varied(303), ripple * varied(304)],
         }
     }
@@ -107,7 +149,11 @@ impl Shape {
 
     /// Depth and breadth relative to the largest, at a share of the length [-].
     fn scale(&self, share: f64) -> [f64; 2] {
-        let rounded = 1.0 - ROUNDING[0] * libm::exp(-share * self.length / ROUNDING[1]);
+        let rounded = if self.natural {
+            self.head(share)
+        } else {
+            1.0 - ROUNDING[0] * libm::exp(-share * self.length / ROUNDING[1])
+        };
         let bump = libm::sin(PI * (share / FAN_FROM).min(1.0));
         let along = (share / FAN_FROM * SEGMENTS).min(SEGMENTS);
         // Each segment swells towards its rear edge, which overlaps the next.
@@ -115,8 +161,20 @@ impl Shape {
         let groove = if share < FAN_FROM { GROOVE * (1.0 - libm::sin(PI * libm::pow(within, 1.4))) } else { 0.0 };
         let swollen = 1.0 + bump * (self.swelling[0] * (0.6 - share) + self.swelling[1] * (share - 0.4))
             - 0.2 * bump * bump * libm::fabs(self.swelling[0]);
-        [DEPTH, BREADTH]
-            .map(|table| interpolate(&DEPTH_AT, &table, share) * rounded * (1.0 - groove) * swollen.min(1.0))
+        let [depth, breadth] = [DEPTH, BREADTH]
+            .map(|table| interpolate(&DEPTH_AT, &table, share) * rounded * (1.0 - groove) * swollen.min(1.0));
+        [depth * (1.0 + (self.spread - 1.0) * self.in_fan(share)), breadth]
+    }
+
+    /// Scale of the section at the head end: an ellipse's quarter, with a blunt tip [-].
+    fn head(&self, share: f64) -> f64 {
+        let from = (1.0 - share * self.length / (HEAD[0] * 2.0 * self.half[0])).max(0.0);
+        HEAD[1] + (1.0 - HEAD[1]) * libm::sqrt(1.0 - from * from)
+    }
+
+    /// Share of the way through the tail fan [-].
+    fn in_fan(&self, share: f64) -> f64 {
+        ((share - FAN_FROM) / (1.0 - FAN_FROM)).clamp(0.0, 1.0)
     }
 
     /// Direction of the spine at a share of the length [rad]. The body bends more towards the tail; the fan is straight.
@@ -163,6 +221,11 @@ impl Shape {
         }
         points
     }
+}
+
+/// Angle of the spine's turn [rad], at most what a body of that size can turn without folding.
+fn turned(turn_deg: f64, [length, diameter, _]: [f64; 3]) -> f64 {
+    turn_deg.to_radians().min(MOST_TURN * length / diameter)
 }
 
 /// Moves the stations so that the centre of volume is the origin.

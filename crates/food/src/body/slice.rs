@@ -2,6 +2,7 @@
 
 use saute_heat::{MeshError, Outline, Section, SweptMesh, graded_levels};
 
+use crate::body::natural::Variation;
 use crate::body::{Body, even_levels, harmonics, paper_mesh, rule};
 use crate::description::FoodDescription;
 use crate::model::{BuildError, PieceSpec};
@@ -20,12 +21,17 @@ const BUMP_RUN: f64 = 0.35;
 impl Body {
     /// Meshes a slice: its outline swept upwards.
     pub(crate) fn slice(description: &FoodDescription, piece: &PieceSpec) -> Result<Self, BuildError> {
-        let outline = outline(description, piece);
+        let natural = piece.natural(description);
+        let natural = natural.map(|form| Variation { form, size: piece.size, seed: piece.seed });
+        let plain = outline(description, piece);
+        let outline =
+            natural.as_ref().map_or_else(|| plain.clone(), |natural| natural.outline(&plain, 0.75 * spacing(piece)));
         let (section, levels) = match paper_mesh(description, piece) {
             Some((rings, levels)) => (Section::concentric(&outline, rings)?, even_levels(piece.size[2], levels)),
             None => graded(&outline, piece)?,
         };
-        let mesh = SweptMesh::uneven(section, levels, |p| unevenness(description, piece, p), rule(piece));
+        let further = |p| natural.as_ref().map_or(0.0, |natural| natural.thickness(p));
+        let mesh = SweptMesh::uneven(section, levels, |p| unevenness(description, piece, p) + further(p), rule(piece));
         Ok(Self::swept(piece.size, mesh, outline))
     }
 }
@@ -35,9 +41,13 @@ fn outline(description: &FoodDescription, piece: &PieceSpec) -> Outline {
     Outline::superellipse(piece.size[0], piece.size[1], exponent, &harmonics(description, piece))
 }
 
+/// Spacing of the nodes inside the section [m].
+fn spacing(piece: &PieceSpec) -> f64 {
+    (SPACING * piece.coarseness).min(piece.size[0].min(piece.size[1]) / 8.0)
+}
+
 fn graded(outline: &Outline, piece: &PieceSpec) -> Result<(Section, Vec<f64>), MeshError> {
-    let smallest = piece.size[0].min(piece.size[1]);
-    let spacing = (SPACING * piece.coarseness).min(smallest / 8.0);
+    let spacing = spacing(piece);
     let section = Section::mesh(outline, spacing, 0.38 * spacing)?;
     let levels =
         graded_levels(piece.size[2], FIRST_LAYER * piece.coarseness, LAYER_GROWTH, THICKEST_LAYER * piece.coarseness);

@@ -2,6 +2,7 @@
 
 use saute_heat::{Outline, Section, Station, SweptMesh, graded_levels};
 
+use crate::body::natural::Variation;
 use crate::body::rounded::{ring_shares, ringed};
 use crate::body::slice::FIRST_LAYER;
 use crate::body::{Body, even_levels, harmonics, paper_mesh, rule};
@@ -35,9 +36,31 @@ impl Body {
             }
         };
         let across = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let at = |level: &f64| Station::scaled(&section, [level - 0.5 * length, 0.0, 0.0], across, [1.0; 2]);
+        let natural = piece.natural(description).map(|form| Variation { form, size: piece.size, seed: piece.seed });
+        let at = |level: &f64| {
+            let plain = ([level - 0.5 * length, 0.0, 0.0], [1.0; 2]);
+            let (centre, scale) = natural.as_ref().map_or(plain, |natural| natural.station(level / length));
+            Station::scaled(&section, centre, across, scale)
+        };
         let path = levels.iter().map(at).collect::<Result<Vec<_>, _>>()?;
         let outline = Outline::superellipse(length, width, 2.0 * exponent, &[]);
         Ok(Self::swept(piece.size, SweptMesh::along(section, path, rule(piece)), outline))
+    }
+}
+
+/// Taper of a stick's height over that of its breadth [-] (chosen: it was sliced flat, then cut by hand).
+const FLATNESS: f64 = 0.4;
+
+impl Variation<'_> {
+    /// Centre and scale of a natural stick's section at a share of its length: tapered and bent sideways, its lower side
+    /// flat [m].
+    fn station(&self, share: f64) -> ([f64; 3], [f64; 2]) {
+        let [length, width, thickness] = self.size;
+        let (along, taper) = (2.0 * share - 1.0, self.form.taper * self.signed(510));
+        // The volume of the plain stick: the mean of both scales' product over the length is 1.
+        let even = 1.0 / libm::sqrt(1.0 + FLATNESS * taper * taper / 3.0);
+        let scale = [even * (1.0 + taper * along), even * (1.0 + FLATNESS * taper * along)];
+        let aside = self.form.bend * self.signed(511) * width * (along * along - 1.0 / 3.0);
+        ([0.5 * length * along, aside, 0.5 * thickness * (scale[1] - 1.0)], scale)
     }
 }

@@ -19,8 +19,8 @@ pub use kinetics::{
 };
 pub use lab_colour::{LabColour, LabShift};
 pub use properties::{Anisotropy, Colours, Crust, FatMelting, Sorption, SurfaceProperties};
-pub use shape::{OutlineShape, SizeRange, Spine, SurfaceFile};
-pub use tissue::{Composition, Core, Marbling, Sheaths};
+pub use shape::{NaturalForm, OutlineKind, OutlineShape, SizeRange, Spine, SurfaceFile};
+pub use tissue::{Composition, Core, FatCap, Marbling, Sheaths};
 
 /// Confidence in the numbers of a table.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
@@ -76,6 +76,8 @@ pub struct FoodDescription {
     #[serde(default = "OutlineShape::unset")]
     #[schemars(with = "Option<OutlineShape>")]
     pub outline: OutlineShape,
+    /// Natural form; a food without it has plain pieces.
+    pub natural: Option<NaturalForm>,
     /// File of a closed surface that is filled with cells; absent in swept forms.
     pub mesh: Option<SurfaceFile>,
     /// The closed surface itself; the reader of the files sets it.
@@ -93,6 +95,8 @@ pub struct FoodDescription {
     pub adipose: Option<Composition>,
     /// Seams of fat tissue; absent in foods without them.
     pub marbling: Option<Marbling>,
+    /// Strip of fat tissue along one long side of a steak; absent in foods without it.
+    pub fat_cap: Option<FatCap>,
     /// Melting of the fat.
     pub fat_melting: FatMelting,
     /// GAB sorption isotherm: how tightly the last water is held.

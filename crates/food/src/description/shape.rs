@@ -1,7 +1,21 @@
 //! Shape tables of a food file: sizes, outline, surface file and spine.
 
+use schemars::JsonSchema;
+use serde::Deserialize;
+
 use crate::description::Confidence;
 use crate::sourced_table;
+
+/// Outline of a piece: as it grew and was cut, or plain.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+pub enum OutlineKind {
+    /// With the natural form of its food, where its file states one; each seed gives another piece of the same volume.
+    #[default]
+    Natural,
+    /// The plain outline: no natural form and no fat cap.
+    Plain,
+}
 
 sourced_table! {
     /// Allowed sizes of a piece, in the order of the form's dimensions.
@@ -35,6 +49,60 @@ sourced_table! {
         #[serde(default)]
         #[schemars(range(min = 0.0, max = 0.1), example = 0.01)]
         bumps: f64,
+    }
+}
+
+sourced_table! {
+    /// Natural form: what the seed of a piece changes of the plain outline; the volume stays. Absent in foods without it.
+    NaturalForm {
+        /// Largest deviation of the outline of a slice, relative to its radius [-].
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 0.15), example = 0.06)]
+        deviation: f64,
+        /// Largest narrowing towards one end, relative to the mean width [-].
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 0.3), example = 0.12)]
+        taper: f64,
+        /// Largest bend of the long axis, relative to the width [-].
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 0.3), example = 0.05)]
+        bend: f64,
+        /// Largest stretch of a round slice into an ellipse [-].
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 0.2), example = 0.05)]
+        ellipse: f64,
+        /// Largest further difference of the thickness between two ends, relative to its mean [-].
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 0.3), example = 0.1)]
+        wedge: f64,
+        /// Height of the middle of the upper face above its rim, relative to the mean thickness [-].
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 0.2), example = 0.07)]
+        dome: f64,
+        /// Largest number of cracks at the rim [-].
+        #[serde(default)]
+        #[schemars(range(min = 0, max = 12), example = 6)]
+        cracks: u32,
+        /// Depth of the deepest crack [mm].
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 8.0), example = 4.0)]
+        crack_mm: f64,
+        /// Largest bulge and slant of the side wall [mm]; drawn, while heat sees a vertical wall.
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 1.0), example = 1.0)]
+        bulge_mm: f64,
+        /// Slip of the inner sheaths of a shaft [mm]; drawn, while heat sees them flush.
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 3.0), example = 1.0)]
+        slip_mm: f64,
+        /// Angles of the turn from end to end among which the seed picks that of a shrimp [°].
+        #[serde(default)]
+        #[schemars(length(max = 8), inner(range(min = 0.0, max = 240.0)), extend("examples" = [[115.0, 165.0, 200.0]]))]
+        turns_deg: Vec<f64>,
+        /// Largest deviation of the length of a shrimp [-]; a longer one is as much thinner.
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 0.2), example = 0.06)]
+        slender: f64,
     }
 }
 

@@ -88,6 +88,21 @@ sourced_table! {
     }
 }
 
+sourced_table! {
+    /// Strip of fat tissue along one long side of a steak with its natural form.
+    FatCap {
+        /// Thickness of the thinnest and the thickest cap at their middle [mm].
+        #[schemars(inner(range(min = 0.5, max = 30.0)), extend("examples" = [[4.0, 8.0]]))]
+        thickness_mm: [f64; 2],
+        /// Share of the outline along the shortest and the longest cap [-].
+        #[schemars(inner(range(min = 0.05, max = 0.6)), extend("examples" = [[0.30, 0.42]]))]
+        share: [f64; 2],
+        /// Width of the transition to the flesh [mm].
+        #[schemars(range(min = 0.1, max = 5.0), example = 1.0)]
+        edge_mm: f64,
+    }
+}
+
 impl Composition {
     /// Mass fraction of the solids other than fat [-].
     pub fn lean_solids(&self) -> f64 {

@@ -1,12 +1,15 @@
 //! Fat seams along the ridges of a noise field.
 
 use crate::description::Marbling;
-use crate::tissue::noise::fractal;
+use crate::tissue::noise::Fractal;
 
 /// Seeded ridged noise; seams of fat follow its ridges [-].
 #[derive(Clone, Debug)]
 pub struct MarblingField {
-    seed: u64,
+    bend: Fractal,
+    sheet: Fractal,
+    fleck: Fractal,
+    patch: Fractal,
     wavelength: f64,
     flattening: f64,
 }
@@ -30,18 +33,19 @@ const BISECTIONS: usize = 16;
 impl MarblingField {
     /// The ridges of a piece with a seed.
     pub fn new(marbling: &Marbling, seed: u64) -> Self {
-        Self { seed, wavelength: marbling.seam_mm * 1e-3, flattening: marbling.flattening }
+        let [bend, sheet, fleck, patch] = [0xa5, 0, 0x3f, 0x77].map(|stream| Fractal::new(seed ^ stream));
+        Self { bend, sheet, fleck, patch, wavelength: marbling.seam_mm * 1e-3, flattening: marbling.flattening }
     }
 
     /// Ridged noise: large along thin, branching sheets that lie along x and through the thickness [-].
-    pub fn ridge(&self, p: [f64; 3]) -> f64 {
+    pub fn ridge(&mut self, p: [f64; 3]) -> f64 {
         let w = self.wavelength;
         let q = [p[0] / (w * self.flattening), p[1] / w, p[2] / (w * self.flattening)];
-        let bend = 0.9 * fractal(self.seed ^ 0xa5, [q[0] * 0.7, q[1] * 0.35, q[2] * 0.7]);
-        let sheet = 1.0 - libm::fabs(fractal(self.seed, [q[0], q[1] + bend, q[2]])) * 2.2;
+        let bend = 0.9 * self.bend.at([q[0] * 0.7, q[1] * 0.35, q[2] * 0.7]);
+        let sheet = 1.0 - libm::fabs(self.sheet.at([q[0], q[1] + bend, q[2]])) * 2.2;
         let [x, y, z] = [FINER * q[0], FINER * (q[1] + 0.5 * bend), FINER * q[2]];
-        let fleck = 1.0 - libm::fabs(fractal(self.seed ^ 0x3f, [x, y, z])) * 2.2 * FINER_REACH;
-        let patch = PATCHY * fractal(self.seed ^ 0x77, [p[0] / (5.0 * w), p[1] / (4.0 * w), p[2] / (4.0 * w)]);
+        let fleck = 1.0 - libm::fabs(self.fleck.at([x, y, z])) * 2.2 * FINER_REACH;
+        let patch = PATCHY * self.patch.at([p[0] / (5.0 * w), p[1] / (4.0 * w), p[2] / (4.0 * w)]);
         // Smooth maximum, so that flecks branch off the seams.
         let h = (0.5 + 0.5 * (sheet - fleck) / JOIN).clamp(0.0, 1.0);
         fleck + h * (sheet - fleck) + JOIN * h * (1.0 - h) + patch

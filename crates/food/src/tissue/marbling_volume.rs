@@ -3,6 +3,7 @@
 use saute_heat::BodyMesh;
 
 use crate::description::Marbling;
+use crate::tissue::fat_cap::FatCap;
 use crate::tissue::marbling::{self, MarblingField, share_at};
 use crate::tissue::node_means::Grown;
 
@@ -10,6 +11,8 @@ use crate::tissue::node_means::Grown;
 const CELLS: f64 = 3.2e5;
 /// Largest number of cells along an axis [-] (chosen: the limit that every graphics adapter supports).
 const MOST_ALONG: f64 = 256.0;
+/// Largest number of cells for a fat cap without seams [-] (chosen: 1.2 mm cells in a default steak; its border is smooth).
+const CAP_CELLS: f64 = 1.4e5;
 /// Margin of the volume around the nodes [m] (chosen: the unevenness of the drawn surface).
 const MARGIN: f64 = 0.7e-3;
 /// Largest depth within or outside a seam, in widths of its edge [-] (chosen: the share of fat is 0 or 1 beyond half a
@@ -30,30 +33,71 @@ pub struct MarblingVolume {
     step: [usize; 3],
     within: Vec<f32>,
     share: f64,
+    capped: bool,
 }
 
 impl MarblingVolume {
     /// The seams in the bounding box of a mesh with the mean share of adipose tissue that the food states; one lean cell
     /// without marbling.
     pub fn new(marbling: Option<&Marbling>, seed: u64, mesh: &BodyMesh) -> Self {
+        Self::with_cap(marbling, None, seed, mesh)
+    }
+
+    /// As [`Self::new`], with a fat cap that is no part of the stated share.
+    pub(crate) fn with_cap(marbling: Option<&Marbling>, cap: Option<&FatCap>, seed: u64, mesh: &BodyMesh) -> Self {
         let marbling = marbling.filter(|m| m.adipose_share > 0.0);
-        let mut volume = Self::empty(mesh, marbling.is_some());
-        let Some(marbling) = marbling else { return volume };
-        volume.share = marbling.adipose_share;
-        let field = MarblingField::new(marbling, seed);
-        let ridges: Vec<f64> = volume.cells().map(|cell| field.ridge(volume.middle(cell))).collect();
-        // Interpolation lowers the ridges between cell centres, so the threshold is found on the interpolated field.
-        volume.within = ridges.into_iter().map(|ridge| ridge as f32).collect();
-        let at = |node: usize| (volume.within(mesh.position(node)), mesh.volumes()[node]);
-        let threshold = marbling::threshold_for(volume.share, &(0..mesh.node_count()).map(at).collect::<Vec<_>>());
-        let depth =
-            |ridge: f32| (marbling::within(f64::from(ridge), threshold) as f32).clamp(-DEEPEST_WITHIN, DEEPEST_WITHIN);
-        volume.within.iter_mut().for_each(|ridge| *ridge = depth(*ridge));
+        let cells = match (marbling, cap) {
+            (Some(_), _) => CELLS,
+            (None, Some(_)) => CAP_CELLS,
+            (None, None) => 0.0,
+        };
+        let mut volume = Self::empty(mesh, cells);
+        if let Some(marbling) = marbling {
+            volume.marble(marbling, seed, mesh);
+        }
+        if let Some(cap) = cap {
+            volume.cover(cap);
+        }
         volume
     }
 
-    /// Lean cells over the bounding box of a mesh; a single cell without marbling.
-    fn empty(mesh: &BodyMesh, marbled: bool) -> Self {
+    /// Fills the cells with seams.
+    fn marble(&mut self, marbling: &Marbling, seed: u64, mesh: &BodyMesh) {
+        self.share = marbling.adipose_share;
+        let mut field = MarblingField::new(marbling, seed);
+        let ridges: Vec<f64> = self.cells().map(|cell| field.ridge(self.middle(cell))).collect();
+        // Interpolation lowers the ridges between cell centres, so the threshold is found on the interpolated field.
+        self.within = ridges.into_iter().map(|ridge| ridge as f32).collect();
+        let at = |node: usize| (self.within(mesh.position(node)), mesh.volumes()[node]);
+        let threshold = marbling::threshold_for(self.share, &(0..mesh.node_count()).map(at).collect::<Vec<_>>());
+        let depth =
+            |ridge: f32| (marbling::within(f64::from(ridge), threshold) as f32).clamp(-DEEPEST_WITHIN, DEEPEST_WITHIN);
+        self.within.iter_mut().for_each(|ridge| *ridge = depth(*ridge));
+    }
+
+    /// Adds a fat cap.
+    fn cover(&mut self, cap: &FatCap) {
+        self.capped = true;
+        let [nx, ny, nz] = self.size;
+        for column in 0..nx * ny {
+            let [x, y] = [column % nx, column / nx];
+            let [px, py, _] = self.middle([x, y, 0]);
+            let Some(near) = cap.near([px, py]) else { continue };
+            for z in 0..nz {
+                let depth = cap.within(&near, self.middle([x, y, z])) as f32;
+                let cell = &mut self.within[(column + nx * ny * z) as usize];
+                *cell = cell.max(depth.clamp(-DEEPEST_WITHIN, DEEPEST_WITHIN));
+            }
+        }
+    }
+
+    /// Returns true if the piece holds adipose tissue: seams or a fat cap.
+    pub fn holds_fat(&self) -> bool {
+        self.capped || self.share > 0.0
+    }
+
+    /// About `cells` lean cells over the bounding box of a mesh; a single one for 0.
+    fn empty(mesh: &BodyMesh, cells: f64) -> Self {
         let mut corners = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
         for p in (0..mesh.node_count()).map(|node| mesh.position(node)) {
             corners[0] = std::array::from_fn(|k| corners[0][k].min(p[k] - MARGIN));
@@ -61,13 +105,13 @@ impl MarblingVolume {
         }
         let low = corners[0];
         let extent: [f64; 3] = std::array::from_fn(|k| corners[1][k] - low[k]);
-        let cell = libm::cbrt(extent.iter().product::<f64>() / CELLS);
-        let size = extent.map(|v| if marbled { libm::ceil(v / cell).clamp(1.0, MOST_ALONG) as u32 } else { 1 });
+        let cell = libm::cbrt(extent.iter().product::<f64>() / cells.max(1.0));
+        let size = extent.map(|v| if cells > 0.0 { libm::ceil(v / cell).clamp(1.0, MOST_ALONG) as u32 } else { 1 });
         let per_cell = std::array::from_fn(|k| f64::from(size[k]) / extent[k]);
         let strides = [1, size[0] as usize, (size[0] * size[1]) as usize];
         let step = std::array::from_fn(|k| if size[k] > 1 { strides[k] } else { 0 });
         let count = size.iter().product::<u32>() as usize;
-        Self { size, low, extent, per_cell, step, within: vec![-DEEPEST_WITHIN; count], share: 0.0 }
+        Self { size, low, extent, per_cell, step, within: vec![-DEEPEST_WITHIN; count], share: 0.0, capped: false }
     }
 
     /// Indices of all cells, x fastest.
@@ -81,7 +125,7 @@ impl MarblingVolume {
         std::array::from_fn(|k| self.low[k] + (f64::from(cell[k]) + 0.5) / f64::from(self.size[k]) * self.extent[k])
     }
 
-    /// Mean share of adipose tissue, as the food states it [-].
+    /// Mean share of adipose tissue in the seams, as the food states it [-].
     pub fn mean_share(&self) -> f64 {
         self.share
     }
@@ -89,6 +133,23 @@ impl MarblingVolume {
     /// Share of adipose tissue at a point of the rest mesh's frame [-].
     pub fn at(&self, p: [f64; 3]) -> f64 {
         share_at(self.within(p))
+    }
+
+    /// A point in units of cells from the middle of the first [-].
+    fn in_cells(&self, p: [f64; 3]) -> [f32; 3] {
+        [0, 1, 2].map(|k| ((p[k] - self.low[k]) * self.per_cell[k] - 0.5) as f32)
+    }
+
+    /// Depth at a place in units of cells within the volume, trilinear between cell centres [-].
+    fn between(&self, place: [f32; 3]) -> f32 {
+        let [nx, ny, _] = self.size.map(|n| n as usize);
+        let near = [0, 1, 2].map(|k| (place[k] as u32).min(self.size[k].saturating_sub(2)));
+        let [x, y, z] = [0, 1, 2].map(|k| place[k] - near[k] as f32);
+        let first = near[0] as usize + nx * (near[1] as usize + ny * near[2] as usize);
+        let mix = |a: f32, b: f32, t: f32| a + t * (b - a);
+        let row = |at: usize| mix(self.within[at], self.within[at + self.step[0]], x);
+        let plane = |at: usize| mix(row(at), row(at + self.step[1]), y);
+        mix(plane(first), plane(first + self.step[2]), z)
     }
 
     /// Depth of a point within a seam, in widths of the seam's soft edge, trilinear between cell centres [-].
@@ -130,5 +191,23 @@ impl Grown for MarblingVolume {
         } else {
             depths.clone().all(|depth| *depth >= 0.5).then_some(1.0)
         }
+    }
+
+    // In single precision and in units of cells, a third of the time of the general way.
+    fn mean(&self, ends: [[[f64; 3]; 3]; 2], places: &[[f32; 4]]) -> f64 {
+        let cells = ends.map(|corners| corners.map(|p| self.in_cells(p)));
+        let axis = |k: usize| {
+            let [low, high] = cells.map(|corners| corners.map(|p| p[k]));
+            (low, [high[0] - low[0], high[1] - low[1], high[2] - low[2]], (self.size[k] - 1) as f32)
+        };
+        let axes = [axis(0), axis(1), axis(2)];
+        let dot = |a: [f32; 3], b: [f32; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let at = |[a, b, c, w]: &[f32; 4]| {
+            let share = [*a, *b, *c];
+            let place = axes.map(|(low, rise, last)| (dot(low, share) + w * dot(rise, share)).clamp(0.0, last));
+            let s = (self.between(place) + 0.5).clamp(0.0, 1.0);
+            s * s * (3.0 - 2.0 * s)
+        };
+        f64::from(places.iter().map(at).sum::<f32>() / places.len() as f32)
     }
 }

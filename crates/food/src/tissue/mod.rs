@@ -1,5 +1,6 @@
 //! The natural variation inside a piece: marbling, a second tissue, and the seeded noise that places them.
 
+mod fat_cap;
 pub mod marbling;
 pub mod marbling_volume;
 mod node_means;

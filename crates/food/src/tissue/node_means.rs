@@ -9,13 +9,29 @@ pub(crate) trait Grown {
 
     /// Returns the share in a box between two corners if it is known to be uniform there [-].
     fn even(&self, low: [f64; 3], high: [f64; 3]) -> Option<f64>;
+
+    /// Mean share in a prism between two triangles [m], at places given as shares of the triangle's corners and of the
+    /// height [-].
+    fn mean(&self, ends: [[[f64; 3]; 3]; 2], places: &[[f32; 4]]) -> f64 {
+        let at = |[a, b, c, w]: &[f32; 4]| self.at(between(&ends, [a, b, c].map(|v| f64::from(*v)), f64::from(*w)));
+        places.iter().map(at).sum::<f64>() / places.len() as f64
+    }
+}
+
+/// Samples of a field.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Samples {
+    /// So many in each part of a node's control volume.
+    Each(usize),
+    /// So many, in single precision, and only where the field is not uniform in the very part.
+    Single(usize),
 }
 
 /// Mean of a field over the control volume of each node [-]; zeros without a field.
 ///
 /// In a swept mesh the control volume consists of the nearest third of each adjacent triangle, half way to the levels above
 /// and below. Each of these parts is sampled `samples` times.
-pub(crate) fn node_means(mesh: &BodyMesh, field: Option<&impl Grown>, samples: usize) -> Vec<f64> {
+pub(crate) fn node_means(mesh: &BodyMesh, field: Option<&impl Grown>, samples: Samples) -> Vec<f64> {
     match (mesh, field) {
         (_, None) => vec![0.0; mesh.node_count()],
         (BodyMesh::Cells(cells), Some(field)) => {
@@ -26,9 +42,9 @@ pub(crate) fn node_means(mesh: &BodyMesh, field: Option<&impl Grown>, samples: u
     }
 }
 
-fn swept_means(mesh: &SweptMesh, field: &impl Grown, samples: usize) -> Vec<f64> {
+fn swept_means(mesh: &SweptMesh, field: &impl Grown, samples: Samples) -> Vec<f64> {
     let mut sums = vec![[0.0; 2]; mesh.node_count()];
-    let mut spread = Spread(0);
+    let mut sampler = Sampler::new(samples);
     for level in 0..mesh.levels.len() - 1 {
         for triangle in &mesh.section.triangles {
             let nodes = [level, level + 1].map(|l| triangle.map(|i| mesh.node(l, i as usize)));
@@ -37,8 +53,8 @@ fn swept_means(mesh: &SweptMesh, field: &impl Grown, samples: usize) -> Vec<f64>
                 let weight = area(corners[half]) * (mesh.levels[level + 1] - mesh.levels[level]);
                 let even = even(field, corners.as_flattened());
                 for (k, node) in nodes[half].into_iter().enumerate() {
-                    let mut at = || field.at(place(&corners, k, 0.5 * half as f64, spread.next()));
-                    let mean = even.unwrap_or_else(|| (0..samples).map(|_| at()).sum::<f64>() / samples as f64);
+                    let near = corners.map(|corners| [0, 1, 2].map(|i| corners[(k + i) % 3]));
+                    let mean = even.unwrap_or_else(|| sampler.mean(field, &near, 0.5 * half as f64));
                     sums[node][0] += weight * mean;
                     sums[node][1] += weight;
                 }
@@ -46,6 +62,72 @@ fn swept_means(mesh: &SweptMesh, field: &impl Grown, samples: usize) -> Vec<f64>
         }
     }
     sums.into_iter().map(|[sum, weight]| if weight > 0.0 { sum / weight } else { 0.0 }).collect()
+}
+
+/// Places of samples in the parts of control volumes, spread by a low-discrepancy sequence.
+struct Sampler {
+    samples: Samples,
+    spread: Spread,
+    /// Places that the parts take in turn: shares of the corners of the triangle, and of the height [-].
+    table: Vec<[f32; 4]>,
+    next: usize,
+}
+
+/// Places in the table of a sampler [-] (chosen: neighbouring parts take others).
+const TABLE: usize = 8192;
+
+impl Sampler {
+    fn new(samples: Samples) -> Self {
+        let mut spread = Spread(0);
+        let mut place = || {
+            let [u, v, w] = spread.next();
+            let [a, b, c] = third(u, v);
+            [a, b, c, w].map(|v| v as f32)
+        };
+        let table = match samples {
+            Samples::Each(_) => Vec::new(),
+            Samples::Single(_) => (0..TABLE).map(|_| place()).collect(),
+        };
+        Self { samples, spread: Spread(0), table, next: 0 }
+    }
+
+    /// Mean of a field over a part of a control volume [-]: the half of a prism that starts at the share `from` of its
+    /// height, in the third of its triangle nearest to its first corner.
+    fn mean(&mut self, field: &impl Grown, corners: &[[[f64; 3]; 3]; 2], from: f64) -> f64 {
+        match self.samples {
+            Samples::Each(count) => {
+                let mut at = || field.at(place(corners, from, self.spread.next()));
+                (0..count).map(|_| at()).sum::<f64>() / count as f64
+            }
+            Samples::Single(count) => {
+                let ends = ends_of(corners, from);
+                if let Some(even) = even(field, &ends) {
+                    return even;
+                }
+                if self.next + count > TABLE {
+                    self.next = 0;
+                }
+                self.next += count;
+                let level = |up: f64| {
+                    let corner = |i: usize| {
+                        let mut share = [0.0; 3];
+                        share[i] = 1.0;
+                        between(corners, share, up)
+                    };
+                    [corner(0), corner(1), corner(2)]
+                };
+                field.mean([level(from), level(from + 0.5)], &self.table[self.next - count..self.next])
+            }
+        }
+    }
+}
+
+/// Corners of the half of a prism that starts at the share `from` of its height, in the third of its triangle nearest to its
+/// first corner [m].
+fn ends_of(corners: &[[[f64; 3]; 3]; 2], from: f64) -> [[f64; 3]; 8] {
+    let third = 1.0 / 3.0;
+    let shares = [[1.0, 0.0, 0.0], [0.5, 0.5, 0.0], [0.5, 0.0, 0.5], [third; 3]];
+    core::array::from_fn(|i| between(corners, shares[i % 4], from + 0.5 * (i / 4) as f64))
 }
 
 /// Returns the value of a field in the bounding box of some points if it is uniform there [-].
@@ -70,11 +152,14 @@ impl Spread {
 }
 
 /// Maps a point of the unit cube into half of a prism [m]: the half that starts at the share `from` of its height, in the
-/// third of its triangle nearest to corner `k`.
-fn place(corners: &[[[f64; 3]; 3]; 2], k: usize, from: f64, [u, v, w]: [f64; 3]) -> [f64; 3] {
-    let share = third(u, v);
-    let upwards = from + 0.5 * w;
-    let on = |level: usize, axis: usize| -> f64 { (0..3).map(|i| share[i] * corners[level][(k + i) % 3][axis]).sum() };
+/// third of its triangle nearest to its first corner.
+fn place(corners: &[[[f64; 3]; 3]; 2], from: f64, [u, v, w]: [f64; 3]) -> [f64; 3] {
+    between(corners, third(u, v), from + 0.5 * w)
+}
+
+/// A point of a prism at shares of its triangle's corners and of its height [m].
+fn between(corners: &[[[f64; 3]; 3]; 2], share: [f64; 3], upwards: f64) -> [f64; 3] {
+    let on = |level: usize, axis: usize| -> f64 { (0..3).map(|i| share[i] * corners[level][i][axis]).sum() };
     [0, 1, 2].map(|axis| (1.0 - upwards) * on(0, axis) + upwards * on(1, axis))
 }
 

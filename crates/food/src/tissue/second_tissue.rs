@@ -92,6 +92,14 @@ impl TissueField {
         }
     }
 
+    /// Radii of the borders between sheaths in a direction across the axis, from the middle outwards [m]; none without
+    /// sheaths.
+    pub fn sheath_borders(&self, towards: [f64; 2]) -> Vec<f64> {
+        let Kind::Sheaths { radii, .. } = &self.kind else { return Vec::new() };
+        let wave = 1.0 + SHEATH_WAVE * self.ripple(towards);
+        radii.iter().map(|r| r * wave).collect()
+    }
+
     /// Distance from the axis of growth, corrected for the waviness of the sheaths [m].
     fn off_axis(&self, p: [f64; 3]) -> f64 {
         let q = self.across.map(|axis| p[axis]);

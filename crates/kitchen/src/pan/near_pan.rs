@@ -172,7 +172,7 @@ pub fn unevenness(model: &FoodModel, seed: u64, wavelength: f64, deviation: f64)
 
 #[cfg(test)]
 mod tests {
-    use crate::{Command, Kitchen, Library, MeshSize, PieceOrder, kelvin};
+    use crate::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, kelvin};
 
     /// Share of a piece's stations in contact with the pan, ten seconds after it was put there.
     fn share_that_lies(kind: &str) -> f64 {
@@ -188,6 +188,7 @@ mod tests {
             coarseness: 1.0,
             rules: saute_food::Rules::Full,
             mesh: MeshSize::Default,
+            outline: OutlineKind::Plain,
         };
         kitchen.add(&library, &order).expect("is built");
         kitchen.apply(&Command::Put { food: "s".into(), at: [0.0, 0.0], heap: false }).expect("is put in");

@@ -182,7 +182,7 @@ pub fn exchange(data: &FoodContact, a: &mut Piece, b: &mut Piece, links: &[Link]
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
-    use saute_food::{MeshSize, PatchPose, Rules};
+    use saute_food::{MeshSize, OutlineKind, PatchPose, Rules};
 
     use super::*;
     use crate::{Command, Kitchen, Library, PieceOrder, kelvin};
@@ -200,6 +200,7 @@ mod tests {
                 coarseness: 1.0,
                 mesh: MeshSize::Default,
                 rules: Rules::Full,
+                outline: OutlineKind::Plain,
             };
             kitchen.add(&library, &order).unwrap();
             let at = [0.01 * seed as f64, 0.0];

@@ -3,7 +3,7 @@
 // A failed unwrap in a test reports its line.
 #![allow(clippy::unwrap_used)]
 
-use saute_food::{MeshSize, Rules};
+use saute_food::{MeshSize, OutlineKind, Rules};
 
 use crate::piece::piece_state::Piece;
 use crate::{Command, Kitchen, Library, PieceOrder, kelvin};
@@ -21,6 +21,7 @@ fn order(id: &str, kind: &str, size: [f64; 3]) -> PieceOrder {
         coarseness: 2.0,
         mesh: MeshSize::Default,
         rules: Rules::Full,
+        outline: OutlineKind::Plain,
     }
 }
 

@@ -35,6 +35,7 @@ impl FoodBody {
             mesh: swept(&tensor, case, &patches).into(),
             patches,
             contracts: case.shape != Shape::Sphere,
+            natural: false,
         };
         let CookingCase { food, kinetics, components, .. } = cooking;
         let model = FoodModel::fill_body(food, kinetics, components, body, 1, Rules::Full)?;

@@ -45,7 +45,7 @@ pub(crate) fn path_cut(piece: &Piece, at: f64, view: View, map: Option<&ColourMa
 #[cfg(test)]
 mod tests {
     use saute_kitchen::food::Rules;
-    use saute_kitchen::{Command, Kitchen, Library, MeshSize, PieceOrder, RestOn, kelvin};
+    use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, RestOn, kelvin};
 
     use super::*;
     use crate::stage::{Stage, StageOptions};
@@ -62,6 +62,7 @@ mod tests {
             coarseness: 1.0,
             rules: Rules::Full,
             mesh: MeshSize::Default,
+            outline: OutlineKind::Plain,
         };
         kitchen.add(&library, &order).expect("food");
         let food = || "piece".to_owned();

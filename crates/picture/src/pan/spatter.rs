@@ -89,7 +89,7 @@ fn single(v: [f64; 3]) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use saute_kitchen::food::Rules;
-    use saute_kitchen::{Command, EventKind, Library, MeshSize, PieceOrder, kelvin};
+    use saute_kitchen::{Command, EventKind, Library, MeshSize, OutlineKind, PieceOrder, kelvin};
 
     use super::*;
     use crate::stage::{Stage, StageOptions};
@@ -108,6 +108,7 @@ mod tests {
             coarseness: 2.0,
             rules: Rules::Full,
             mesh: MeshSize::Default,
+            outline: OutlineKind::Plain,
         };
         kitchen.add(&library, &order).expect("food");
         for command in [

@@ -43,7 +43,7 @@ pub(crate) fn grain_volume(model: &FoodModel) -> GrainVolume {
     let marbling = model.marbling();
     let ([mut low, mut extent], mut size) = ([marbling.low, marbling.extent], marbling.size);
     let grown = model.description().form.grown_along();
-    if marbling.mean_share() <= 0.0 && !model.tissue_field().is_plain() {
+    if !marbling.holds_fat() && !model.tissue_field().is_plain() {
         size = [TISSUE_CELLS; 3];
         size[grown] = 1;
         // What grew along its length lies in the middle of its frame.

@@ -1,6 +1,9 @@
 //! Surfaces of foods: vertices with a state, grain, and halves.
 
 pub(crate) mod cells;
+pub(crate) mod fine;
 pub(crate) mod grain;
 pub(crate) mod halves;
+mod sheaths;
+pub(crate) mod side;
 pub mod surface;

@@ -1,5 +1,6 @@
 //! The skin of a piece of food: a surface with a state at every vertex, as the renderer reads it.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use glam::Vec3;
@@ -12,7 +13,10 @@ use saute_scene::input::{FoodMesh, FoodVertex};
 
 use crate::colour::map::ColourMap;
 use crate::skin::cells::CellLook;
+use crate::skin::fine::{Fine, Reads};
 use crate::skin::grain::{browning_palette, flesh_texture, grain_volume};
+use crate::skin::sheaths::sheathed;
+use crate::skin::side::bulge;
 use crate::view::View;
 
 /// Radius of the rounded rim between a big face and the side of a steak [m] (chosen; only the picture is rounded).
@@ -35,6 +39,8 @@ pub struct Skin {
     normals: Vec<[f32; 3]>,
     /// Place on the body of each vertex; empty where the look does not depend on it.
     bodies: Vec<[f32; 2]>,
+    /// Nodes that feed each vertex of a finer skin, by weights; empty where `nodes` feeds them.
+    blends: Vec<Reads>,
 }
 
 /// Size of rim and unevenness over those of a steak [-].
@@ -54,15 +60,39 @@ impl Skin {
     pub fn new(piece: &Piece) -> Self {
         let model = &piece.model;
         match model.mesh().layout() {
-            Layout::Upright(mesh) => Self::with_rims(piece, mesh),
-            Layout::Along(..) => Self::smooth(piece),
+            Layout::Upright(mesh) => {
+                sheathed(model).map_or_else(|| Self::with_rims(piece, mesh), |fine| Self::fine(piece, fine))
+            }
+            Layout::Along(..) => Fine::of(model).map_or_else(|| Self::smooth(piece), |fine| Self::fine(piece, fine)),
             // Its vertices read several nodes each: see [`CellLook`].
             Layout::Cells(cells) => Self::empty(food_mesh(piece, cells.skin.triangles.clone())),
         }
     }
 
     fn empty(mesh: Arc<FoodMesh>) -> Self {
-        Self { mesh, nodes: Vec::new(), positions: Vec::new(), normals: Vec::new(), bodies: Vec::new() }
+        let (nodes, bodies, blends) = (Vec::new(), Vec::new(), Vec::new());
+        Self { mesh, nodes, positions: Vec::new(), normals: Vec::new(), bodies, blends }
+    }
+
+    /// A finer surface than the nodes'.
+    fn fine(piece: &Piece, fine: Fine) -> Self {
+        let mut skin = Self::empty(food_mesh(piece, fine.triangles));
+        let mut place_of = BTreeMap::new();
+        for (node, _) in fine.reads.iter().flatten() {
+            let next = place_of.len() as u32;
+            place_of.entry(*node).or_insert(next);
+        }
+        skin.nodes = vec![0; place_of.len()];
+        place_of.iter().for_each(|(node, place)| skin.nodes[*place as usize] = *node);
+        skin.blends = fine.reads.iter().map(|reads| reads.map(|(node, weight)| (place_of[&node], weight))).collect();
+        let bodies = fine.reads.iter().map(|reads| {
+            let read = |k: usize| reads.iter().map(|(node, w)| w * on_body(&piece.model, *node as usize)[k]).sum();
+            [read(0), read(1)]
+        });
+        skin.bodies = bodies.collect();
+        skin.positions = fine.positions.iter().map(|p| p.to_array()).collect();
+        skin.normals = fine.normals.iter().map(|n| n.to_array()).collect();
+        skin
     }
 
     /// The two faces and the side of a slice.
@@ -102,7 +132,7 @@ impl Skin {
         let triangles = model.surface().triangles.iter().map(|t| t.map(&mut vertex)).collect();
         let mesh = food_mesh(piece, triangles);
         let bodies = nodes.iter().map(|node| on_body(model, *node as usize)).collect();
-        Self { mesh, nodes, positions, normals, bodies }
+        Self { mesh, nodes, positions, normals, bodies, blends: Vec::new() }
     }
 
     fn add_face(
@@ -120,7 +150,8 @@ impl Skin {
                 Some(out) => (*out * 0.7 + Vec3::Z * up).normalize(),
                 None => Vec3::Z * up,
             };
-            self.push(model, mesh, level, i, out.unwrap_or(Vec3::ZERO) * -rim_radius(model), normal);
+            let shift = out.map_or(Vec3::ZERO, |out| rim_inset(model, mesh, level, out));
+            self.push(model, mesh, level, i, shift, normal);
         }
         for t in &mesh.section.triangles {
             let [a, b, c] = t.map(|i| first + i);
@@ -143,7 +174,8 @@ impl Skin {
             for (level, &z) in mesh.levels.iter().enumerate() {
                 let [sine, cosine] = rim(model, mesh, level);
                 let up = if 2.0 * z as f32 > thickness { 1.0 } else { -1.0 };
-                let normal = (*out * (cosine + 0.3) + Vec3::Z * (up * sine)).normalize();
+                let slope = bulge(model, mesh, level, *out)[1];
+                let normal = (*out * (cosine + 0.3) + Vec3::Z * (up * sine - slope)).normalize();
                 self.push(model, mesh, level, i, rim_inset(model, mesh, level, *out), normal);
             }
         }
@@ -162,9 +194,12 @@ impl Skin {
         self.normals.push(normal.to_array());
     }
 
-    /// The node that feeds a vertex, where one alone does.
-    pub(crate) fn node(&self, vertex: usize) -> u32 {
-        self.nodes[vertex]
+    /// The nodes that feed a vertex, with their weights.
+    pub(crate) fn reads(&self, vertex: usize) -> Vec<(u32, f64)> {
+        match self.blends.get(vertex) {
+            Some(blend) => blend.iter().map(|(k, w)| (self.nodes[*k as usize], f64::from(*w))).collect(),
+            None => vec![(self.nodes[vertex], 1.0)],
+        }
     }
 
     /// State of every vertex.
@@ -177,19 +212,57 @@ impl Skin {
             return CellLook { cells, model, state, view, map }.skin(&seared, &|node| juice[node]);
         }
         let shape = PresentShape::new(model, state);
-        let vertex = |k: usize| {
+        let state_of = |k: usize, place: Place, normal: [f32; 3]| {
             let node = self.nodes[k] as usize;
             let field = map.map_or(0.0, |m| m.coordinate(view.value(model, state, node, m.change())));
             let moisture = state.water[node] / model.initial_water()[node];
-            let place = Place {
-                rest: self.positions[k],
-                now: shape.moved(self.positions[k], |f| f(node)),
-                body: self.bodies.get(k).copied().unwrap_or_default(),
-            };
-            let seen = vertex(model, model.appearance(state, node), moisture, field, place, self.normals[k]);
+            let seen = vertex(model, model.appearance(state, node), moisture, field, place, normal);
             FoodVertex { seared: seared(node) as f32, juice: juice[node] as f32, ..seen }
         };
-        (0..self.nodes.len()).map(vertex).collect()
+        let body = |k: usize| self.bodies.get(k).copied().unwrap_or_default();
+        if self.blends.is_empty() {
+            let vertex = |k: usize| {
+                let (rest, node) = (self.positions[k], self.nodes[k] as usize);
+                state_of(k, Place { rest, now: shape.moved(rest, |f| f(node)), body: body(k) }, self.normals[k])
+            };
+            return (0..self.nodes.len()).map(vertex).collect();
+        }
+        let nowhere = Place { rest: [0.0; 3], now: [0.0; 3], body: [0.0; 2] };
+        let coarse: Vec<FoodVertex> = (0..self.nodes.len()).map(|k| state_of(k, nowhere, [0.0; 3])).collect();
+        let vertex = |k: usize| {
+            let (rest, blend) = (self.positions[k], &self.blends[k]);
+            let mean = |f: &dyn Fn(usize) -> [f64; 3]| {
+                let part = |(i, w): &(u32, f32)| f(self.nodes[*i as usize] as usize).map(|v| f64::from(*w) * v);
+                blend.iter().map(part).fold([0.0; 3], |sum, v| [0, 1, 2].map(|axis| sum[axis] + v[axis]))
+            };
+            let place = Place { rest, now: shape.moved(rest, mean), body: body(k) };
+            blended(blend.map(|(i, w)| (&coarse[i as usize], w)), place, self.normals[k])
+        };
+        (0..self.blends.len()).map(vertex).collect()
+    }
+}
+
+/// A vertex between others.
+fn blended(corners: [(&FoodVertex, f32); 4], place: Place, normal: [f32; 3]) -> FoodVertex {
+    let mean = |of: fn(&FoodVertex) -> f32| corners.iter().map(|(v, w)| w * of(v)).sum::<f32>();
+    let lab = |of: fn(&FoodVertex) -> [f32; 3]| {
+        corners.iter().fold([0.0; 3], |sum, (v, w)| [0, 1, 2].map(|k| sum[k] + w * of(v)[k]))
+    };
+    FoodVertex {
+        rest: place.rest,
+        position: place.now,
+        normal,
+        lean: lab(|v| v.lean),
+        fat: lab(|v| v.fat),
+        browning: mean(|v| v.browning),
+        charring: mean(|v| v.charring),
+        wetness: mean(|v| v.wetness),
+        cooked: mean(|v| v.cooked),
+        field: mean(|v| v.field),
+        along: place.body[0],
+        dorsal: place.body[1],
+        seared: mean(|v| v.seared),
+        juice: mean(|v| v.juice),
     }
 }
 
@@ -199,9 +272,9 @@ pub(crate) fn drawn(model: &FoodModel, mesh: &SweptMesh, level: usize, i: usize,
     p + shift + uneven(p, model, mesh)
 }
 
-/// How far the rounded rim shifts the side at a level, given the direction outwards [m].
+/// How far the rounded rim and the bulge shift the side at a level, given the direction outwards [m].
 pub(crate) fn rim_inset(model: &FoodModel, mesh: &SweptMesh, level: usize, out: Vec3) -> Vec3 {
-    out * (-rim_radius(model) * (1.0 - rim(model, mesh, level)[1]))
+    out * (bulge(model, mesh, level, out)[0] - rim_radius(model) * (1.0 - rim(model, mesh, level)[1]))
 }
 
 /// Sine and cosine of the angle at which the rounded rim leans at a level.
@@ -288,7 +361,8 @@ pub(crate) fn on_body(model: &FoodModel, node: usize) -> [f32; 2] {
 /// A hand-cut surface: faces undulate, and the side with them. Where both meet, both give the same.
 pub(crate) fn uneven(p: Vec3, model: &FoodModel, mesh: &SweptMesh) -> Vec3 {
     let (thickness, [height, run]) = (mesh.thickness() as f32, UNEVEN.map(|v| v * fineness(model)));
-    let wave = |seed: u64| (height * fractal(seed, p.to_array().map(|v| f64::from(v) / run))) as f32;
+    let own = model.natural().map_or(0, |_| mix(model.seed()));
+    let wave = |seed: u64| (height * fractal(seed ^ own, p.to_array().map(|v| f64::from(v) / run))) as f32;
     let face = (2.0 * p.z.abs() / thickness).powi(8);
     Vec3::new(wave(21), wave(22), wave(23) * face)
 }
@@ -308,6 +382,7 @@ pub(crate) fn outward_normals(section: &Section) -> Vec<Option<Vec3>> {
 fn key(piece: &Piece) -> u64 {
     let bits =
         piece.model.size().into_iter().map(f64::to_bits).chain([piece.seed, piece.model.mesh().node_count() as u64]);
+    let bits = bits.chain([u64::from(piece.model.natural().is_some())]);
     let text = piece.kind.bytes().map(u64::from);
     bits.chain(text).fold(0x5a07e, |hash, v| mix(hash ^ mix(v)))
 }

@@ -110,6 +110,7 @@ impl Check<'_> {
                 MeshName::Default => MeshSize::Default,
                 MeshName::Paper2013 => MeshSize::Paper2013,
             },
+            outline: entry.outline.unwrap_or_default(),
         })
     }
 

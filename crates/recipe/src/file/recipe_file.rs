@@ -1,5 +1,6 @@
 //! The format of a recipe file.
 
+use saute_food::OutlineKind;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
@@ -78,6 +79,8 @@ pub struct FoodEntry {
     pub count: Option<Spanned<i64>>,
     /// Fineness of its mesh; "default" by default.
     pub mesh: Option<MeshName>,
+    /// "natural" (default): each seed gives a piece of its own form; "plain": the same plain outline for all.
+    pub outline: Option<OutlineKind>,
 }
 
 /// Pieces that a group may have (chosen: a 26 cm pan takes some 40 shrimps; more is a mistyped number).

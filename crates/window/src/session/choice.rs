@@ -2,7 +2,7 @@
 
 use saute_kitchen::food::{Form, Rules};
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{Kitchen, Library, MeshSize, PieceOrder, kelvin};
+use saute_kitchen::{Kitchen, Library, MeshSize, OutlineKind, PieceOrder, kelvin};
 
 /// What the person chooses before putting the food in.
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
@@ -77,6 +77,7 @@ pub(super) fn orders(library: &Library, choice: &SteakChoice, group: &str, count
         coarseness: 1.0,
         rules: Rules::Full,
         mesh: MeshSize::Default,
+        outline: OutlineKind::Natural,
     };
     (0..count).map(order).collect()
 }

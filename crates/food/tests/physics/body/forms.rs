@@ -1,6 +1,6 @@
 //! Promise: every form has its size, nodes and faces; collision shapes follow the mesh; the meshes of 2013 have their counts.
 
-use saute_food::{FoodModel, FoodState, MeshSize, PieceSpec, Rules, Solid, ZERO_C};
+use saute_food::{FoodModel, FoodState, MeshSize, OutlineKind, PieceSpec, Rules, Solid, ZERO_C};
 
 use crate::run::{FLIPPED, Run, UP, kitchen_air, model, piece, swept_mesh};
 
@@ -15,7 +15,7 @@ const FOODS: [(&str, [f64; 3], usize); 7] = [
 ];
 
 fn spec(size: [f64; 3], seed: u64, mesh: MeshSize, rules: Rules) -> PieceSpec {
-    PieceSpec { size, seed, coarseness: 1.0, mesh, rules }
+    PieceSpec { size, seed, coarseness: 1.0, mesh, rules, outline: OutlineKind::Plain }
 }
 
 fn volume(model: &FoodModel) -> f64 {
@@ -307,7 +307,10 @@ fn meshes_of_all_sizes_allow_long_steps() {
             for (seed, mesh, coarseness) in
                 [(1, MeshSize::Paper2013, 1.0), (2, MeshSize::Default, 2.5), (3, MeshSize::Default, 2.5)]
             {
-                let piece = piece(kind, &PieceSpec { size, seed, coarseness, mesh, rules: Rules::Full });
+                let piece = piece(
+                    kind,
+                    &PieceSpec { size, seed, coarseness, mesh, rules: Rules::Full, outline: OutlineKind::Plain },
+                );
                 assert!(shortest_step(&piece) > 0.02, "{kind} {size:?} {mesh:?}: {}", shortest_step(&piece));
             }
         }

@@ -2,7 +2,7 @@
 //! energy, water and the maximum principle.
 
 use saute_food::body::halving::CutError;
-use saute_food::{FoodModel, FreeAir, MeshSize, PieceSpec, Rules, ZERO_C};
+use saute_food::{FoodModel, FreeAir, MeshSize, OutlineKind, PieceSpec, Rules, ZERO_C};
 
 use crate::body::cells::cells;
 use crate::run::{Run, UP, kitchen_air, model, piece};
@@ -175,7 +175,14 @@ fn a_piece_is_cut_once_and_where_it_is() {
 fn a_piece_of_2013_can_be_cut_too() {
     for kind in ["beef-lean", "carrot-stick"] {
         let size = if kind == "beef-lean" { [0.12, 0.08, 0.025] } else { [0.06, 0.01, 0.01] };
-        let spec = PieceSpec { size, seed: 1, coarseness: 1.0, mesh: MeshSize::Paper2013, rules: Rules::Paper2013 };
+        let spec = PieceSpec {
+            size,
+            seed: 1,
+            coarseness: 1.0,
+            mesh: MeshSize::Paper2013,
+            rules: Rules::Paper2013,
+            outline: OutlineKind::Plain,
+        };
         let halves = piece(kind, &spec).halved(0.0).expect(kind);
         let area: f64 = halves.fresh_faces().map(|p| 0.5 * halves.patches()[p].area).sum();
         let plane = size[1] * size[2];

@@ -3,4 +3,5 @@
 pub mod cells;
 mod forms;
 mod halving;
+mod natural;
 mod shrinking;

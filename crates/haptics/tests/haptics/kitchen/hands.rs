@@ -5,7 +5,7 @@ use saute_haptics::device::HapticSample;
 use saute_haptics::{Health, PanInHand, Pose, TurnerInHand};
 use saute_kitchen::dynamics::Against;
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, FRAME_S, Kitchen, Library, MeshSize, PieceOrder, kelvin};
+use saute_kitchen::{Command, FRAME_S, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, kelvin};
 
 /// A cold pan with a steak at rest.
 fn kitchen() -> Kitchen {
@@ -20,6 +20,7 @@ fn kitchen() -> Kitchen {
         coarseness: 1.0,
         mesh: MeshSize::Paper2013,
         rules: Rules::Full,
+        outline: OutlineKind::Plain,
     };
     kitchen.add(&library, &order).unwrap();
     kitchen.apply(&Command::Put { food: "steak".into(), at: [0.0; 2], heap: false }).unwrap();

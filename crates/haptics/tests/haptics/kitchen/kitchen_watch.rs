@@ -5,7 +5,7 @@ use saute_haptics::control::loop_step::LoopStep;
 use saute_haptics::kitchen::contact_model::ContactModel;
 use saute_haptics::{Feel, Handover, KitchenWatch, Pose, Renderer, Spidar, Wrench, library};
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, FRAME_S, Kitchen, Library, MeshSize, PieceOrder};
+use saute_kitchen::{Command, FRAME_S, Kitchen, Library, MeshSize, OutlineKind, PieceOrder};
 
 use crate::bench_device::Bench;
 use crate::random::device;
@@ -23,6 +23,7 @@ fn kitchen(pan_c: f64) -> Kitchen {
         coarseness: 3.0,
         rules: Rules::Full,
         mesh: MeshSize::Default,
+        outline: OutlineKind::Plain,
     };
     kitchen.add(&library, &order).unwrap();
     kitchen

@@ -19,6 +19,7 @@ impl Format for FoodDescription {
         shape(self, file)?;
         spine(self, file)?;
         tissues(self, file)?;
+        natural(self, file)?;
         sizes(self, file)?;
         let core = self.core.as_ref().and_then(|c| c.tissue.as_ref());
         let sheaths = self.sheaths.as_ref().and_then(|s| s.tissue.as_ref());
@@ -70,6 +71,23 @@ fn spine(food: &FoodDescription, file: &DataFile) -> Checked {
         }
         _ => Ok(()),
     }
+}
+
+/// Swept forms alone have a natural form; a fat cap lies on a steak with one, and its tissue is stated.
+fn natural(food: &FoodDescription, file: &DataFile) -> Checked {
+    if food.natural.is_some() && food.form == Form::Mesh {
+        return Err(file.error("natural", "[natural] does not go with form = \"mesh\": leave it out"));
+    }
+    if food.fat_cap.is_none() {
+        return Ok(());
+    }
+    let message = match (food.form == Form::Steak, food.natural.is_some(), food.adipose.is_some()) {
+        (false, ..) => "[fat_cap] belongs to form = \"steak\": leave it out",
+        (_, false, _) => "[fat_cap] needs a table [natural]: a plain steak has no cap",
+        (.., false) => "[fat_cap] needs a table [adipose]: what the fat tissue consists of",
+        _ => return Ok(()),
+    };
+    Err(file.error("fat_cap", message))
 }
 
 /// A food has at most one second tissue, and a form that may hold it.
