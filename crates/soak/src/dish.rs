@@ -7,7 +7,7 @@ const EVERY_S: usize = 600;
 
 /// What disturbs the dish, in turn.
 const DISTURBANCES: [&str; 6] = [
-    "toss = true",
+    "toss = { height_mm = 60 }",
     "oil_g = 5",
     "lid = true",
     "lid = false",
