@@ -1,6 +1,6 @@
 //! Ten ticks of a kitchen with a piece in its pan, and what must hold after them.
 
-use saute_kitchen::food::{MeshSize, Rules};
+use saute_kitchen::food::{MeshSize, OutlineKind, Rules};
 use saute_kitchen::{Command, Kitchen, Library, PieceOrder, kelvin};
 
 /// Ticks that a kitchen advances [-].
@@ -42,6 +42,7 @@ fn order(library: &Library, food: &str) -> Option<PieceOrder> {
         coarseness: COARSE,
         mesh: MeshSize::Default,
         rules: Rules::Full,
+        outline: OutlineKind::Natural,
     })
 }
 

@@ -43,6 +43,7 @@ mod tests {
                     seed: 1,
                     coarseness: 1.0,
                     rules: Rules::Full,
+                    outline: crate::food::OutlineKind::Natural,
                     mesh,
                 };
                 kitchen.add(&library, &order).expect("builds");
