@@ -94,7 +94,7 @@ fn a_surface_without_area_stops_neither_lists_nor_cooks_of_other_foods() {
         let end = text[start + 1..].find("\n[").map_or(text.len(), |at| start + 1 + at);
         format!("{}{}", &text[..start], &text[end..])
     };
-    let food = without(&without(&food, "[size]"), "[outline]");
+    let food = ["[size]", "[outline]", "[natural]", "[fat_cap]"].iter().fold(food, |food, table| without(&food, table));
     write(
         dir.path(),
         "foods/own.toml",
