@@ -154,10 +154,11 @@ fn a_key_opens_the_mirror_beside_the_operators_panels() {
 fn the_mirrors_choices_stand_on_a_card_in_both_languages() {
     for (size, name) in [(vec2(1280.0, 720.0), "wide"), (vec2(390.0, 844.0), "phone")] {
         let mut harness = window(size);
+        // A card is laid out anew until it has found its size.
         harness.get_by_label("Settings").click();
-        steps(&mut harness, 3);
+        steps(&mut harness, 8);
         harness.get_by_label("Half mirror…").click();
-        steps(&mut harness, 3);
+        steps(&mut harness, 8);
         for (choice, way) in ["Off", "Red and cyan", "Side by side"].into_iter().zip(Stereo::ALL) {
             harness.get_by_label(&format!("Stereo: {choice}")).click();
             steps(&mut harness, 3);
