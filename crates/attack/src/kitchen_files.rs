@@ -45,7 +45,7 @@ pub fn library_with(path: &str, text: &str, surface: Option<Soup>) -> Option<Lib
     faults.is_empty().then_some(library)
 }
 
-/// A food, fried for ten ticks; one that names a surface has that of [`tetrahedron`].
+/// A food, fried for ten ticks; one that names a surface has that of `tetrahedron`.
 pub fn food(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     if let Some(library) = library_with("foods/attacked.toml", text, Some(tetrahedron())) {
