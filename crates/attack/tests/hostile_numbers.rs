@@ -1,11 +1,12 @@
-//! Promise: a number in a data file is refused, or the kitchen works with it; nothing panics or hangs.
+//! Promise: a number in a data file is refused, or the kitchen works with it; nothing panics or hangs. One that is lost or
+//! overflows is refused.
 //!
 //! Every number of some shipped files is replaced by numbers that are lost, huge, tiny, or at an end of their range.
 
 use std::time::{Duration, Instant};
 
 use saute_attack::Target;
-use saute_kitchen::Library;
+use saute_kitchen::{Library, OwnFiles};
 
 /// Numbers that replace each number of a file.
 const HOSTILE: [&str; 10] = ["nan", "inf", "-inf", "1e308", "-1e308", "5e-324", "0", "-1", "1e-3", "1e6"];
@@ -16,10 +17,11 @@ const LONGEST: Duration = Duration::from_secs(10);
 /// Variable of the environment with which every number is replaced by every hostile number; else by two of them.
 const CAMPAIGN: &str = "SAUTE_CAMPAIGN";
 
-/// Returns the places of the numbers in a text, as byte ranges: words after "=", "[" or "," that parse.
+/// Returns the places of the numbers in a text, as byte ranges; those in texts and comments are left out.
 fn numbers(text: &str) -> Vec<core::ops::Range<usize>> {
     let mut found = Vec::new();
     let (mut quoted, mut comment, mut start) = (false, false, None);
+    let mut before = ' ';
     for (at, c) in text.char_indices() {
         let is_part = !quoted && !comment && (c.is_ascii_alphanumeric() || "+-._".contains(c));
         match (is_part, start) {
@@ -32,8 +34,11 @@ fn numbers(text: &str) -> Vec<core::ops::Range<usize>> {
             }
             _ => {}
         }
-        quoted ^= c == '"' && !comment;
+        if c == '"' && before != '\\' && !comment {
+            quoted = !quoted;
+        }
         comment = (comment || (c == '#' && !quoted)) && c != '\n';
+        before = c;
     }
     found
 }
@@ -72,4 +77,20 @@ fn foods_with_any_number_are_refused_or_cook() {
 fn pans_and_oils_with_any_number_are_refused_or_work() {
     attack("pan", "pans/cast-iron-grill-26.toml");
     attack("oil", "oils/butter.toml");
+}
+
+#[test]
+fn a_nan_an_infinity_or_an_overflow_is_refused_in_every_file() {
+    for (path, text) in Library::embedded_files() {
+        if !["foods/", "kinetics/", "pans/", "oils/", "coatings/"].iter().any(|folder| path.starts_with(folder)) {
+            continue;
+        }
+        for place in numbers(&text) {
+            let hostile = ["nan", "inf", "1e308", "-1e308"][place.start % 4];
+            let changed = format!("{}{hostile}{}", &text[..place.start], &text[place.end..]);
+            let own = OwnFiles { texts: [(path.clone(), changed)].into(), ..OwnFiles::default() };
+            let (_, faults) = Library::with_own(&own).expect("the shipped files are sound");
+            assert!(!faults.is_empty(), "{path} accepts {hostile} at byte {}", place.start);
+        }
+    }
 }

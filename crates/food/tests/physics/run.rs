@@ -88,14 +88,8 @@ pub struct Run<'a> {
 
 impl<'a> Run<'a> {
     pub fn new(model: &'a FoodModel, celsius: f64) -> Self {
-        Self {
-            model,
-            state: FoodState::raw(model, ZERO_C + celsius),
-            up: UP,
-            solver: FoodSolver::default(),
-            passed: Passed::default(),
-            dt: DT,
-        }
+        let state = FoodState::raw(model, ZERO_C + celsius);
+        Self { model, state, up: UP, solver: FoodSolver::default(), passed: Passed::default(), dt: DT }
     }
 
     /// Fries on a plate of constant temperature and contact conductance.
@@ -115,6 +109,16 @@ impl<'a> Run<'a> {
             self.passed.rendered += exchange.rendered.mass;
             self.passed.runoff_enthalpy += exchange.drip.enthalpy + exchange.rendered.enthalpy;
         }
+    }
+
+    /// Energy and water balance since a state, to 1e-9 of what the plate gave and of the water at first.
+    pub fn assert_balanced(&self, from: &FoodState, name: &str) {
+        let p = &self.passed;
+        let stored = self.state.total_enthalpy() - from.total_enthalpy();
+        let residual = p.contact - p.air - p.evaporation - p.runoff_enthalpy - stored;
+        assert!(residual.abs() < 1e-9 * p.contact, "{name}: {residual} of {}", p.contact);
+        let (now, first) = (self.state.water.iter().sum::<f64>(), from.water.iter().sum::<f64>());
+        assert!(((now + p.evaporated + p.drip) / first - 1.0).abs() < 1e-9, "{name}: {now} of {first} kg");
     }
 
     pub fn flip(&mut self) {

@@ -248,17 +248,12 @@ fn curved_bodies_keep_their_energy_and_water() {
     {
         let body = model(kind, 1.6, size);
         let mut run = Run::new(&body, 5.0);
-        let (heat, water) = (run.state.total_enthalpy(), run.state.water.iter().sum::<f64>());
+        let raw = run.state.clone();
         for _ in 0..3 {
             run.fry(40.0, 200.0, 300.0, kitchen_air());
             run.flip();
         }
-        let p = &run.passed;
-        let stored = run.state.total_enthalpy() - heat;
-        let residual = p.contact - p.air - p.evaporation - p.runoff_enthalpy - stored;
-        assert!(residual.abs() < 1e-9 * p.contact, "{kind}: {residual} of {}", p.contact);
-        let now = run.state.water.iter().sum::<f64>() + p.evaporated + p.drip;
-        assert!((now / water - 1.0).abs() < 1e-9, "{kind}");
+        run.assert_balanced(&raw, kind);
         assert!(run.core() > 30.0, "{kind}: {}", run.core());
     }
 }
