@@ -17,6 +17,7 @@ source scripts/web.sh
 source scripts/counts.sh
 source scripts/changed.sh
 source scripts/campaign_share.sh
+source scripts/fuzz.sh
 
 # Crates that must compile for the browser and are not in the page.
 BROWSER_CRATES=(surface lab)
@@ -44,6 +45,7 @@ everything() {
     step "build of the tests" cargo test --release --workspace --no-run
     step "tests" tests
     step "soak" soak
+    step "fuzzer" fuzz_briefly "$SHARE_FUZZ_S"
     step "instruction counts" compare_counts
     step "docs" docs
     step "browser crates" check_wasm "${BROWSER_CRATES[@]}"

@@ -37,9 +37,11 @@ fuzz() {
     can_fuzz || return 0
     [ $# -gt 0 ] || mapfile -t -O 0 names < <(fuzz_targets)
     [ $# = 0 ] || names=("$@")
-    fuzz_build
+    fuzz_build plain
+    fuzz_build address
     for name in "${names[@]}"; do
-        fuzz_run "$name" "$(fuzz_goal "$name")" "$CAMPAIGN_FUZZ_S" || broken+=("$name")
+        fuzz_run plain "$name" "$(fuzz_goal "$name")" "$CAMPAIGN_FUZZ_S" || broken+=("$name")
+        fuzz_run address "$name" "$(fuzz_goal "$name")" "$CAMPAIGN_SANITIZER_S" || broken+=("$name")
     done
     fuzz_coverage "${names[@]}"
     [ ${#broken[@]} = 0 ]

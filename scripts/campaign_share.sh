@@ -16,10 +16,13 @@ CAMPAIGN_HAPTICS_S=60
 # Length of the cook that must keep its memory and balances [simulated minutes]; the campaign runs a day.
 SHARE_SOAK_MINUTES=10
 
-# Longest time of one target of the fuzzer in the campaign [s]; it ends sooner with the executions of fuzz_goal. ./test.sh
-# replays seeds and found cases, and the same few thousand mutations every time (crates/attack/tests): the programs of the
-# fuzzer take a quarter of an hour to build.
+# Longest time of one target of the fuzzer in the campaign [s], in the plain build and under the address sanitizer; it ends
+# sooner with the executions of fuzz_goal. ./test.sh replays seeds and found cases, and the same few thousand mutations
+# every time (crates/attack/tests). It runs the programs of the fuzzer briefly where they are built already: to build them
+# takes a quarter of an hour.
 CAMPAIGN_FUZZ_S=3600
+CAMPAIGN_SANITIZER_S=600
+SHARE_FUZZ_S=2
 
 # fix_campaign_share: hands the share to the tests.
 fix_campaign_share() {

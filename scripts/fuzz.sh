@@ -1,8 +1,10 @@
 # Fuzzing of every reader with cargo-fuzz (fuzz/README.md). Sourced, not run.
 
+# Two builds of each program: "plain", which is fast enough for the executions of a campaign, and "address", under the
+# address sanitizer, which watches the unsafe code of libraries; there is none of ours. Both check overflow and debug
+# assertions, and both are guided by coverage.
 FUZZ_BUILT=target/fuzz
-FUZZ_LOGS=target/fuzz/logs
-# Memory [MB] and time of one input under the sanitizer [s].
+# Memory [MB] and time [s] of one input, in both builds.
 FUZZ_MEMORY_MB=512
 FUZZ_TIMEOUT_S=10
 # The sanitizer keeps freed memory for a while; with 16 MB the memory of the reader is what is limited.
@@ -18,11 +20,16 @@ can_fuzz() {
 # fuzz_targets: names of all targets.
 fuzz_targets() { basename -s .rs fuzz/fuzz_targets/*.rs; }
 
-# fuzz_build: builds the programs, with the versions of the main workspace.
+# fuzz_build BUILD: builds the programs, with the versions of the main workspace.
 fuzz_build() {
+    local sanitizer="$1"
+    [ "$1" = plain ] && sanitizer=none
     cp Cargo.lock fuzz/Cargo.lock
-    cargo +nightly fuzz build --target-dir "$FUZZ_BUILT"
+    cargo +nightly fuzz build --sanitizer "$sanitizer" --target-dir "$FUZZ_BUILT/$1"
 }
+
+# fuzz_program BUILD TARGET: where its program is.
+fuzz_program() { echo "$FUZZ_BUILT/$1/$(fuzz_host)/release/$2"; }
 
 # fuzz_goal TARGET: the executions of a campaign: fewer where a body is built or cooked.
 fuzz_goal() {
@@ -32,19 +39,32 @@ fuzz_goal() {
     esac
 }
 
-# fuzz_run TARGET EXECUTIONS SECONDS: ends with the sooner of both; prints a line for the table. An input that breaks the
-# reader is left in fuzz/artifacts.
+# fuzz_run BUILD TARGET EXECUTIONS SECONDS: ends with the sooner of both; prints a line for the table. An input that breaks
+# the reader is left in fuzz/artifacts.
 fuzz_run() {
-    local name="$1" log="$FUZZ_LOGS/$1.log" status=0 folders=()
-    mkdir -p "$FUZZ_LOGS" "fuzz/corpus/$name" "fuzz/artifacts/$name"
+    local name="$2" log="$FUZZ_BUILT/$1/logs/$2.log" status=0 folders=()
+    mkdir -p "$FUZZ_BUILT/$1/logs" "fuzz/corpus/$name" "fuzz/artifacts/$name"
     for kind in corpus seeds found; do [ -d "fuzz/$kind/$name" ] && folders+=("fuzz/$kind/$name"); done
-    ASAN_OPTIONS="$FUZZ_SANITIZER" "$FUZZ_BUILT/$(fuzz_host)/release/$name" "${folders[@]}" \
+    ASAN_OPTIONS="$FUZZ_SANITIZER" "$(fuzz_program "$1" "$name")" "${folders[@]}" \
         -dict="fuzz/dictionaries/$name.dict" -artifact_prefix="fuzz/artifacts/$name/" \
-        -runs="$2" -max_total_time="$3" -timeout="$FUZZ_TIMEOUT_S" -rss_limit_mb="$FUZZ_MEMORY_MB" \
+        -runs="$3" -max_total_time="$4" -timeout="$FUZZ_TIMEOUT_S" -rss_limit_mb="$FUZZ_MEMORY_MB" \
         -max_len=4096 -print_funcs=0 -print_final_stats=1 >"$log" 2>&1 || status=$?
     fuzz_line "$name" "$log"
     [ "$status" = 0 ] || { tail -25 "$log"; say "an input broke $name: fuzz/artifacts/$name; add it to fuzz/found/$name"; }
     return "$status"
+}
+
+# fuzz_briefly SECONDS: the programs that are built, for this long each.
+fuzz_briefly() {
+    local name
+    can_fuzz || return 0
+    for name in $(fuzz_targets); do
+        if ! [ -x "$(fuzz_program plain "$name")" ]; then
+            say "skipped: the program of $name is not built (scripts/campaign.sh fuzz)"
+            return 0
+        fi
+        fuzz_run plain "$name" 1000000000 "$1"
+    done
 }
 
 fuzz_host() { rustc -vV | sed -n 's/^host: //p'; }
