@@ -2,11 +2,12 @@
 
 use std::sync::LazyLock;
 
+use saute_kitchen::food::MeshSize;
 use saute_kitchen::heat::Soup;
 use saute_kitchen::{Library, OwnFiles};
 use saute_recipe::{Cook, Recipe};
 
-use crate::ten_ticks::{check, fry};
+use crate::ten_ticks::{check, fry, fry_on_mesh};
 use crate::text;
 
 /// Spacing of the meshes of a recipe's pieces over the default [-], so that many inputs are tried.
@@ -57,7 +58,7 @@ pub fn food(bytes: &[u8]) {
 pub fn pan(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     if let Some(library) = library_with("pans/attacked.toml", text, None) {
-        fry(&library, "attacked", "shrimp", Some("canola"));
+        fry_on_mesh(&library, "attacked", "shrimp", Some("canola"), MeshSize::Paper2013);
     }
 }
 
@@ -65,7 +66,7 @@ pub fn pan(bytes: &[u8]) {
 pub fn oil(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     if let Some(library) = library_with("oils/attacked.toml", text, None) {
-        fry(&library, "carbon-steel-26", "shrimp", Some("attacked"));
+        fry_on_mesh(&library, "carbon-steel-26", "shrimp", Some("attacked"), MeshSize::Paper2013);
     }
 }
 

@@ -16,11 +16,16 @@ const IMBALANCE: f64 = 1e-9;
 
 /// Cooks a piece of a food at its default size; what cannot be built is refused.
 pub fn fry(library: &Library, pan: &str, food: &str, oil: Option<&str>) {
+    fry_on_mesh(library, pan, food, oil, MeshSize::Default);
+}
+
+/// Cooks a piece with a given mesh: that of 2013 is built fast, where the food is not what is attacked.
+pub fn fry_on_mesh(library: &Library, pan: &str, food: &str, oil: Option<&str>, mesh: MeshSize) {
     let Ok(mut kitchen) = Kitchen::new(library, pan, kelvin(PAN_C)) else { return };
     if let Some(oil) = oil {
         let _ = kitchen.apply(&Command::Oil { kind: Some(oil.to_owned()), mass: 0.01 });
     }
-    let Some(order) = order(library, food) else { return };
+    let Some(order) = order(library, food, mesh) else { return };
     if kitchen.add(library, &order).is_err() {
         return;
     }
@@ -30,7 +35,7 @@ pub fn fry(library: &Library, pan: &str, food: &str, oil: Option<&str>) {
     check(&kitchen);
 }
 
-fn order(library: &Library, food: &str) -> Option<PieceOrder> {
+fn order(library: &Library, food: &str, mesh: MeshSize) -> Option<PieceOrder> {
     let description = library.foods.get(food)?;
     let size = description.form.extent(&description.size.default_mm)?.map(|mm| 1e-3 * mm);
     Some(PieceOrder {
@@ -40,7 +45,7 @@ fn order(library: &Library, food: &str) -> Option<PieceOrder> {
         temperature: kelvin(5.0),
         seed: 1,
         coarseness: COARSE,
-        mesh: MeshSize::Default,
+        mesh,
         rules: Rules::Full,
         outline: OutlineKind::Natural,
     })
