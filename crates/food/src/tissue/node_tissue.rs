@@ -31,6 +31,8 @@ pub(crate) struct NodeTissue {
     pub(crate) raw_mass: f64,
     /// Raw share of adipose tissue of each node [-].
     pub(crate) adipose: Vec<f64>,
+    /// Lean solids that adipose tissue lacks, over those of lean flesh [-].
+    lacking: f64,
     /// Share of the second tissue of each node [-].
     pub(crate) second: Vec<f64>,
     pub(crate) marbling: MarblingVolume,
@@ -57,6 +59,7 @@ impl NodeTissue {
             raw_mass: 0.0,
             raw_conductivity: properties.conductivity(&[lean.water, lean.lean_solids(), lean.fat], ZERO_C + 20.0),
             adipose,
+            lacking: food.adipose.as_ref().map_or(0.0, |adipose| 1.0 - adipose.lean_solids() / lean.lean_solids()),
             second,
             marbling,
             field,
@@ -76,6 +79,12 @@ impl NodeTissue {
         }
         let all = [&self.initial_water, &self.lean_solids, &self.initial_fat];
         self.raw_mass = all.iter().map(|m| m.iter().sum::<f64>()).sum();
+    }
+
+    /// Lean solids of a node that can char, over those of lean flesh [-].
+    #[inline]
+    pub(crate) fn charring_solids(&self, node: usize) -> f64 {
+        1.0 - self.adipose[node] * self.lacking
     }
 
     /// Lowers the conductance of the edges that cross borders of sheaths, by the conductivity of the raw flesh.
