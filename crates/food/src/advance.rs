@@ -381,5 +381,6 @@ fn brown(model: &FoodModel, state: &mut FoodState, i: usize, dt: f64) {
     }
     let activity = model.water.isotherm.activity(state.water[i] / model.tissue.lean_solids[i]);
     let before = (state.browning[i], state.charring[i]);
-    (state.browning[i], state.charring[i]) = model.response.browning.advance(before, t, activity, dt);
+    (state.browning[i], state.charring[i]) =
+        model.response.browning.advance(before, t, activity, model.tissue.charring_solids(i), dt);
 }

@@ -22,6 +22,7 @@ use saute_scene::mesh::props::BOARD_CENTRE;
 
 use crate::colour::map::{ColourMap, TemperatureMap};
 use crate::colour::side_by_side::side_by_side;
+use crate::cut::contour::Outside;
 use crate::cut::face::slice;
 use crate::cut::path::path_cut;
 use crate::pace::Pace;
@@ -29,6 +30,7 @@ use crate::pan::film::PanFilm;
 use crate::pan::spatter::Spots;
 use crate::pan::tint::PanTint;
 use crate::skin::halves::opened;
+use crate::skin::pool::juice_on_board;
 use crate::skin::surface::Skin;
 use crate::vapour::steam;
 use crate::view::View;
@@ -247,15 +249,20 @@ impl Stage {
             slice: None,
             sear,
             steam_g_s: if piece.in_pan() { 1e3 * piece.vapour_flow as f32 } else { 0.0 },
+            juice_g: juice_on_board(piece),
         };
-        let curved = matches!(piece.model.mesh().layout(), Layout::Along(..));
-        let across = if curved { path_cut } else { slice };
-        if let Some(cut) = piece.halved().and_then(|cut| across(piece, cut.at, options.view, map)) {
+        let outside = Outside { triangles: &whole.mesh.triangles, vertices: &whole.vertices };
+        let across = |at: f64| match piece.model.mesh().layout() {
+            Layout::Along(..) => path_cut(piece, at, options.view, map),
+            _ => slice(piece, outside, at, options.view, map),
+        };
+        if let Some(cut) = piece.halved().and_then(|cut| across(cut.at)) {
             return opened(piece, whole, cut).into();
         }
         let cut = options.cut.as_ref().is_none_or(|id| *id == piece.id);
-        let place = options.slice.filter(|_| cut);
-        vec![FoodLook { slice: place.and_then(|s| slice(piece, s * half_length(piece), options.view, map)), ..whole }]
+        let place = options.slice.filter(|_| cut).map(|s| s * half_length(piece));
+        let slice = place.and_then(|at| slice(piece, outside, at, options.view, map));
+        vec![FoodLook { slice, ..whole }]
     }
 }
 

@@ -115,6 +115,7 @@ pub fn steak(doneness: Doneness, world_from_rest: Mat4) -> FoodLook {
         slice: None,
         sear: Default::default(),
         steam_g_s: if doneness == Doneness::Raw { 0.0 } else { 0.05 },
+        juice_g: 0.0,
     }
 }
 

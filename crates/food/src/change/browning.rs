@@ -27,10 +27,12 @@ impl Browning {
         }
     }
 
-    /// Returns browning B and charring C after `dt` [s] at `temperature` [K] and water activity `activity` [-].
+    /// Returns browning B and charring C after `dt` [s] at `temperature` [K] and water activity `activity` [-]; `solids` are
+    /// the protein and carbohydrate of the place over those of lean flesh [-].
     ///
-    /// dB/dt = k_B(T) g(a_w) (1 − B), dC/dt = k_C(T) B (1 − C), with Arrhenius rates k. Implicit in B and C, so both stay in
-    /// 0–1 and never fall.
+    /// dB/dt = k_B(T) g(a_w) (1 − B), dC/dt = k_C(T) s B (1 − C), with Arrhenius rates k and solids s: char is what protein
+    /// and carbohydrate leave, while fat renders and evaporates (estimate). Implicit in B and C, so both stay in 0–1 and never
+    /// fall.
     ///
     /// ```
     /// use saute_food::ZERO_C;
@@ -47,14 +49,14 @@ impl Browning {
     /// )?;
     /// let rates = Browning::new(&browning, &charring);
     /// // 100 s at 150 °C with k Δt = 1 on a dry surface: half browned [-], and hardly charred.
-    /// let (browned, charred) = rates.advance((0.0, 0.0), ZERO_C + 150.0, 0.0, 100.0);
+    /// let (browned, charred) = rates.advance((0.0, 0.0), ZERO_C + 150.0, 0.0, 1.0, 100.0);
     /// assert!((browned - 0.5).abs() < 1e-9 && charred < 0.01);
     /// # Ok::<(), toml::de::Error>(())
     /// ```
-    pub fn advance(&self, state: (f64, f64), temperature: f64, activity: f64, dt: f64) -> (f64, f64) {
+    pub fn advance(&self, state: (f64, f64), temperature: f64, activity: f64, solids: f64, dt: f64) -> (f64, f64) {
         let brown = self.rate.at(temperature) * self.activity_factor.at(activity) * dt;
         let browning = 1.0 - (1.0 - state.0) / (1.0 + brown);
-        let char = self.char_rate.at(temperature) * browning * dt;
+        let char = self.char_rate.at(temperature) * solids * browning * dt;
         (browning, 1.0 - (1.0 - state.1) / (1.0 + char))
     }
 }

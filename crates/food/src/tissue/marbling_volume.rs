@@ -147,7 +147,11 @@ impl MarblingVolume {
         let [x, y, z] = [0, 1, 2].map(|k| place[k] - near[k] as f32);
         let first = near[0] as usize + nx * (near[1] as usize + ny * near[2] as usize);
         let mix = |a: f32, b: f32, t: f32| a + t * (b - a);
-        let row = |at: usize| mix(self.within[at], self.within[at + self.step[0]], x);
+        // Both cells of a row with one look at its bounds.
+        let row = |at: usize| {
+            let cells = &self.within[at..=at + self.step[0]];
+            mix(cells[0], cells[cells.len() - 1], x)
+        };
         let plane = |at: usize| mix(row(at), row(at + self.step[1]), y);
         mix(plane(first), plane(first + self.step[2]), z)
     }

@@ -210,7 +210,8 @@ impl Piece {
         let below = self.model.description().crust.conductivity_w_mk / STRIP;
         let strip = (top * metal + below * BOILING) / (top + below);
         let look = REFRESH_TICKS as f64 * TICK_S;
-        let gained = if strip > BOILING { self.model.browning().advance((0.0, 0.0), strip, DRY, look).0 } else { 0.0 };
+        let gained =
+            if strip > BOILING { self.model.browning().advance((0.0, 0.0), strip, DRY, 1.0, look).0 } else { 0.0 };
         self.sear.brown_strip(patch, gained);
     }
 

@@ -9,14 +9,23 @@ use saute_kitchen::heat::{BodyMesh, CutPoint, SweptMesh};
 use saute_scene::input::{FoodVertex, SliceLook};
 
 use crate::colour::map::ColourMap;
+use crate::cut::contour::Outside;
 use crate::cut::rim::{CutRim, Plane};
+use crate::cut::steps::Steps;
 use crate::skin::cells::CellLook;
+use crate::skin::sheaths::stands_in_steps;
 use crate::skin::surface::{CUT_MOISTURE, Place, PresentShape, on_body, vertex};
 use crate::view::View;
 
 /// The cut at `x` [m] along the longest axis, its hidden side away from the origin of that axis or towards +x; a body
-/// that is no slice is cut along its middle plane, its upper half hidden.
-pub fn slice(piece: &Piece, x: f64, view: View, map: Option<&ColourMap>) -> Option<SliceLook> {
+/// that is no slice is cut along its middle plane, its upper half hidden. `outside` is the drawn surface.
+pub(crate) fn slice(
+    piece: &Piece,
+    outside: Outside<'_>,
+    x: f64,
+    view: View,
+    map: Option<&ColourMap>,
+) -> Option<SliceLook> {
     let (model, state) = (&*piece.model, &piece.state);
     let mesh = match model.mesh() {
         BodyMesh::Swept(mesh) => mesh,
@@ -36,10 +45,18 @@ pub fn slice(piece: &Piece, x: f64, view: View, map: Option<&ColourMap>) -> Opti
     let face = CutFace { model, mesh, state, view, map, normal, shape: PresentShape::new(model, state) };
     let levels = 0..mesh.levels.len();
     let rows: Vec<Vec<FoodVertex>> = if slice {
-        let rim = CutRim::new(model, mesh, Plane { x, along_x }, &cut);
-        levels.map(|level| face.crusted(level, rim.row(level))).collect()
+        let plane = Plane { x, along_x };
+        let steps = stands_in_steps(model).then(|| Steps::new(outside, plane, normal)).flatten();
+        steps.map_or_else(
+            || {
+                let rim = CutRim::new(model, mesh, plane, &cut);
+                levels.map(|level| face.crusted(level, rim.row(level))).collect()
+            },
+            |steps| steps.rows(&face, plane, &cut),
+        )
     } else {
-        levels.map(|level| face.row(level, cut.points.iter().map(|p| (*p, face.rest(level, p))))).collect()
+        let sides = mesh.section.sides();
+        levels.map(|level| face.row(level, face.middle(level, &sides))).collect()
     };
     let mut triangles = joined(&rows);
     let vertices = rows.concat();
@@ -70,23 +87,49 @@ impl CutFace<'_> {
     /// A level of an upright slice: each point knows its depth below both faces and how far they are browned.
     fn crusted(&self, level: usize, points: impl IntoIterator<Item = (CutPoint, Vec3)>) -> Vec<FoodVertex> {
         let last = self.mesh.levels.len() - 1;
-        let height = |level: usize| self.model.rest_position(self.mesh.node(level, 0))[2] as f32;
+        // A wedge is thicker at one end.
+        let height = |level: usize, point: &CutPoint| self.rest(level, point).z;
         let browned = |level: usize, point: &CutPoint| {
             between(self.nodes(level, point), point.share, &|node| self.state.browning[node]) as f32
         };
         let of = |(point, rest): (CutPoint, Vec3)| FoodVertex {
             along: browned(last, &point),
             dorsal: browned(0, &point),
-            juice: height(last) - rest.z,
-            seared: rest.z - height(0),
+            juice: height(last, &point) - height(level, &point),
+            seared: height(level, &point) - height(0, &point),
             ..self.vertex(self.nodes(level, &point), point.share, rest)
         };
         points.into_iter().map(of).collect()
     }
 
+    /// Where the sides of a station's section meet the middle plane of a body along a path, in order across it: a section
+    /// that tapers meets it elsewhere than the first one.
+    fn middle(&self, level: usize, sides: &[[u32; 2]]) -> Vec<(CutPoint, Vec3)> {
+        let met = |nodes: &[u32; 2]| {
+            let [from, to] = nodes.map(|i| self.model.rest_position(self.mesh.node(level, i as usize))[2]);
+            // A node in the plane counts as above it, so that every crossing is proper.
+            let crosses = (from >= 0.0) != (to >= 0.0);
+            let point = CutPoint { along: 0.0, nodes: *nodes, share: from / (from - to) };
+            crosses.then(|| (point, self.rest(level, &point).with_z(0.0)))
+        };
+        let across = |point: &CutPoint| {
+            let section = self.mesh.section_at(level);
+            let [a, b] = point.nodes.map(|i| section.points[i as usize][0]);
+            a * (1.0 - point.share) + b * point.share
+        };
+        let mut points: Vec<_> = sides.iter().filter_map(met).collect();
+        points.sort_by(|(p, _), (q, _)| across(p).total_cmp(&across(q)));
+        points
+    }
+
     /// Nodes of a level that feed a point.
     fn nodes(&self, level: usize, point: &CutPoint) -> [usize; 2] {
         point.nodes.map(|i| self.mesh.node(level, i as usize))
+    }
+
+    /// What is seen at a point of the cut, where the mesh has it.
+    pub(crate) fn seen(&self, level: usize, point: &CutPoint) -> FoodVertex {
+        self.vertex(self.nodes(level, point), point.share, self.rest(level, point))
     }
 
     /// Where the mesh has a point [m].

@@ -43,6 +43,11 @@ impl Plane {
         if self.along_x { Vec3::new(x, at.x, at.y) } else { Vec3::new(-at.x, x, at.y) }
     }
 
+    /// Place of a point of the rest frame along the cut [m].
+    pub(crate) fn along(self, p: Vec3) -> f32 {
+        self.seen(p).1.x
+    }
+
     /// Distance from the plane, and place along the cut and upwards [m].
     fn seen(self, p: Vec3) -> (f32, Vec2) {
         let x = self.x as f32;

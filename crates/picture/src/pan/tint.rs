@@ -60,12 +60,20 @@ fn texel(share: [f64; 3]) -> [u8; 4] {
     [r, g, b, 255]
 }
 
-/// Where each texel lies on the pan's mesh, or the place there nearest to it.
+/// Texels farther out than this share of the inside are read there [-] (chosen: half a texel within the mesh's rim, as a
+/// search for the nearest node takes long).
+const OUTMOST: f64 = 0.985;
+
+/// Where each texel lies on the pan's mesh; of those beyond its rim the place on the way to the middle.
 fn places(model: &PanModel) -> Vec<Located> {
     let wall = &model.description.wall;
     let floor = model.description.floor.radius_mm;
     let radius = 1e-3 * (floor + wall.height_mm.hypot(wall.rim_radius_mm - floor));
     let at = |k: u32| (2.0 * (f64::from(k) + 0.5) / f64::from(FILM_SIZE) - 1.0) * radius;
-    let of = |k: u32| model.locator.locate_or_nearest(&model.section, [at(k % FILM_SIZE), at(k / FILM_SIZE)]);
+    let of = |k: u32| {
+        let [x, y] = [at(k % FILM_SIZE), at(k / FILM_SIZE)];
+        let inwards = (OUTMOST * radius / x.hypot(y)).min(1.0);
+        model.locator.locate_or_nearest(&model.section, [inwards * x, inwards * y])
+    };
     (0..FILM_SIZE * FILM_SIZE).map(of).collect()
 }

@@ -19,12 +19,17 @@ const SLIPS: f64 = 0.7;
 /// Sheaths thinner than this are drawn with the next [m] (chosen: less than two rounded edges).
 const THINNEST: f32 = 0.9e-3;
 
-/// The surface of a natural slice with sheaths; none of other pieces and of halves.
+/// True if the faces of a piece stand in steps: a natural slice with sheaths.
+pub(crate) fn stands_in_steps(model: &FoodModel) -> bool {
+    let sheaths = model.description().form == Form::Ring && !model.tissue_field().is_plain();
+    sheaths && model.natural().is_some_and(|form| form.slip_mm > 0.0)
+}
+
+/// The surface of a slice that stands in steps; none of other pieces.
 pub(crate) fn sheathed(model: &FoodModel) -> Option<Fine> {
     let slip = 1e-3 * model.natural()?.slip_mm;
     let mesh = model.mesh().swept().filter(|mesh| mesh.is_upright() && !mesh.section.triangles.is_empty())?;
-    let whole = model.halved_at().is_none() && model.description().form == Form::Ring;
-    if !whole || slip == 0.0 || model.tissue_field().is_plain() {
+    if !stands_in_steps(model) {
         return None;
     }
     let mut ring = Ring { model, mesh, edge: edge(mesh), slip, fine: Fine::default() };

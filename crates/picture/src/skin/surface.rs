@@ -39,6 +39,8 @@ pub struct Skin {
     normals: Vec<[f32; 3]>,
     /// Place on the body of each vertex; empty where the look does not depend on it.
     bodies: Vec<[f32; 2]>,
+    /// Nodes of the lower and the upper face at whose edge each vertex of a slice's side lies; none on the faces.
+    edges: Vec<Option<[u32; 2]>>,
     /// Nodes that feed each vertex of a finer skin, by weights; empty where `nodes` feeds them.
     blends: Vec<Reads>,
 }
@@ -70,8 +72,8 @@ impl Skin {
     }
 
     fn empty(mesh: Arc<FoodMesh>) -> Self {
-        let (nodes, bodies, blends) = (Vec::new(), Vec::new(), Vec::new());
-        Self { mesh, nodes, positions: Vec::new(), normals: Vec::new(), bodies, blends }
+        let (nodes, bodies, edges, blends) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { mesh, nodes, positions: Vec::new(), normals: Vec::new(), bodies, edges, blends }
     }
 
     /// A finer surface than the nodes'.
@@ -132,7 +134,7 @@ impl Skin {
         let triangles = model.surface().triangles.iter().map(|t| t.map(&mut vertex)).collect();
         let mesh = food_mesh(piece, triangles);
         let bodies = nodes.iter().map(|node| on_body(model, *node as usize)).collect();
-        Self { mesh, nodes, positions, normals, bodies, blends: Vec::new() }
+        Self { mesh, nodes, positions, normals, bodies, edges: Vec::new(), blends: Vec::new() }
     }
 
     fn add_face(
@@ -152,6 +154,7 @@ impl Skin {
             };
             let shift = out.map_or(Vec3::ZERO, |out| rim_inset(model, mesh, level, out));
             self.push(model, mesh, level, i, shift, normal);
+            self.edges.push(None);
         }
         for t in &mesh.section.triangles {
             let [a, b, c] = t.map(|i| first + i);
@@ -177,6 +180,7 @@ impl Skin {
                 let slope = bulge(model, mesh, level, *out)[1];
                 let normal = (*out * (cosine + 0.3) + Vec3::Z * (up * sine - slope)).normalize();
                 self.push(model, mesh, level, i, rim_inset(model, mesh, level, *out), normal);
+                self.edges.push(Some([0, mesh.levels.len() - 1].map(|level| mesh.node(level, i) as u32)));
             }
         }
         for &[a, b] in &mesh.section.boundary {
@@ -219,7 +223,12 @@ impl Skin {
             let seen = vertex(model, model.appearance(state, node), moisture, field, place, normal);
             FoodVertex { seared: seared(node) as f32, juice: juice[node] as f32, ..seen }
         };
-        let body = |k: usize| self.bodies.get(k).copied().unwrap_or_default();
+        // The side of a slice tells the browning of its faces: it creeps over the edge.
+        let crept = |k: usize| self.edges[k].map(|nodes| nodes.map(|node| state.browning[node as usize] as f32));
+        let body = |k: usize| match self.edges.get(k).and_then(|_| crept(k)) {
+            Some([lower, upper]) => [upper, lower],
+            None => self.bodies.get(k).copied().unwrap_or_default(),
+        };
         if self.blends.is_empty() {
             let vertex = |k: usize| {
                 let (rest, node) = (self.positions[k], self.nodes[k] as usize);

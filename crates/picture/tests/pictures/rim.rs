@@ -77,7 +77,13 @@ impl Rim {
             Some([near.0, Lab([0, 1, 2].map(|i| near.0.0[i] - back * (far.0.0[i] - near.0.0[i])))])
         };
         let (mut steps, mut next) = (Vec::new(), 0.0);
-        for pair in self.line.windows(2) {
+        // The wall of a step is seen edge-on: only one side of such a rim is in the picture, and a reading beside its foot
+        // or its crest falls on what lies behind.
+        let wall = |pair: &[Vec3]| (pair[1].z - pair[0].z).abs() > pair[1].truncate().distance(pair[0].truncate());
+        let walls: Vec<Vec2> =
+            self.line.windows(2).filter(|pair| wall(pair)).flatten().filter_map(|p| pixel(*p)).collect();
+        let beside_wall = |at: Vec2| walls.iter().any(|end| end.distance(at) < 2.5 * BESIDE + 1.0);
+        for pair in self.line.windows(2).filter(|pair| !wall(pair)) {
             let (Some(from), Some(to)) = (pixel(pair[0]), pixel(pair[1])) else { continue };
             let Some(along) = (to - from).try_normalize() else { continue };
             let across = along.perp() * BESIDE;
@@ -86,6 +92,9 @@ impl Rim {
             while next < length {
                 let at = from + along * next;
                 next += APART;
+                if beside_wall(at) {
+                    continue;
+                }
                 let both = sides(at, across).zip(sides(at, -across));
                 steps.extend(both.map(|(a, b)| a[0].difference(b[0]).min(a[1].difference(b[1]))));
             }
@@ -118,10 +127,18 @@ fn seen_rim(scene: &SceneInput, model: &FoodModel) -> (Vec<Vec3>, Vec3) {
         let above = if first[first.len() / 2].z > last[last.len() / 2].z { first } else { last };
         return (above.clone(), food.world_from_rest.transform_vector3(cut.normal));
     }
-    let across = model.cut_across(0.0).points.len();
-    let line: Vec<Vec3> = cut.vertices.iter().step_by(across).map(place).collect();
+    // A row runs straight across the body: the next one begins where the points come nearer to its beginning again.
+    let mut rows: Vec<Vec<FoodVertex>> = Vec::new();
+    for v in &cut.vertices {
+        let away = |from: &FoodVertex, to: &FoodVertex| Vec3::from(from.rest).distance(Vec3::from(to.rest));
+        match rows.last_mut() {
+            Some(row) if away(&row[0], v) >= away(&row[0], &row[row.len() - 1]) => row.push(*v),
+            _ => rows.push(vec![*v]),
+        }
+    }
+    let line: Vec<Vec3> = rows.iter().map(|row| place(&row[0])).collect();
     let middle = line.len() / 2;
-    let towards = line[middle] - place(&cut.vertices[middle * across + across / 2]);
+    let towards = line[middle] - place(&rows[middle][rows[middle].len() / 2]);
     (line, towards.with_z(0.0).normalize())
 }
 

@@ -1,15 +1,16 @@
-//! GPU buffers of the sprites: bubbles around frying foods, drops in the air, steam, and spots of oil.
+//! GPU buffers of the sprites: bubbles around frying foods, pools of juice, drops in the air, steam, and spots of oil.
 
 use std::sync::Arc;
 
 use crate::input::{Colouring, SceneInput, SpotLook};
 use crate::mesh::collar::{COLLAR_VERTICES_MAX, Collar};
+use crate::mesh::pool::{POOL_VERTICES_MAX, pools};
 use crate::mesh::spatter::{DROPS_MAX, SPOTS_MAX, drops, spots};
 use crate::mesh::steam::{PUFFS_MAX, PuffVertex, puffs};
 
 /// All sprites on the device.
 pub(crate) struct SpriteBuffers {
-    /// What lies round frying foods with the drops in the air first, then steam.
+    /// What lies round foods with the drops in the air first, then steam.
     pub moving: wgpu::Buffer,
     /// Vertices of the first kind, and of both.
     pub ends: [u32; 2],
@@ -32,7 +33,7 @@ impl SpriteBuffers {
             })
         };
         Self {
-            moving: room_for("sprites", (PUFFS_MAX + DROPS_MAX) * 6 + COLLAR_VERTICES_MAX),
+            moving: room_for("sprites", (PUFFS_MAX + DROPS_MAX) * 6 + COLLAR_VERTICES_MAX + POOL_VERTICES_MAX),
             ends: [0; 2],
             spots: room_for("spots", SPOTS_MAX * 6),
             spot_vertices: 0,
@@ -46,6 +47,7 @@ impl SpriteBuffers {
         let mut sprites = Vec::new();
         if matches!(input.colouring, Colouring::Look) {
             sprites = self.collar.strips(input).to_vec();
+            sprites.extend(pools(input));
             sprites.extend(drops(input));
             self.ends[0] = sprites.len() as u32;
             sprites.extend(puffs(&input.steam, input.time_s));

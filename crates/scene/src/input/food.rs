@@ -19,6 +19,8 @@ pub struct FoodLook {
     pub sear: [[Option<SearLook>; SEAR_SETS]; 2],
     /// Steam that leaves it [g/s]; bubbles round its foot follow it.
     pub steam_g_s: f32,
+    /// Juice that lies round it on the board [g].
+    pub juice_g: f32,
 }
 
 /// Sets of seared lines that are drawn on each face (chosen: crossed lines).

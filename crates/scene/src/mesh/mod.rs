@@ -4,6 +4,7 @@ pub(crate) mod collar;
 pub(crate) mod foot;
 pub(crate) mod lid;
 pub mod pan;
+pub(crate) mod pool;
 pub mod props;
 pub(crate) mod rest;
 pub(crate) mod solid;

@@ -52,7 +52,7 @@ fn grain_of(in: FoodOut, grew: Grown, rest_normal: vec3<f32>) -> Grain {
         case MUSCLE: { return muscle(in.rest, cooked, crust); }
         case GROUND: { return ground(in.rest, cooked, crust); }
         case ROOT: { return root(in.rest, grew, cooked, crust); }
-        case SHEATHS: { return sheaths(in.rest, grew, abs(rest_normal.z), cooked, crust); }
+        case SHEATHS: { return sheaths(in.rest, grew, max(abs(rest_normal.z), laid_open), cooked, crust); }
         case SHRIMP: { return shrimp(in.rest, in.place.y, in.place.z, cooked, crust); }
         default: { return plain(in.rest, crust); }
     }
@@ -60,14 +60,21 @@ fn grain_of(in: FoodOut, grew: Grown, rest_normal: vec3<f32>) -> Grain {
 
 // How far a crust covers the seams of fat in it (chosen).
 const COVERED = 0.62;
+// Share of the blackening from which fat is spared (chosen: it holds no sugars or proteins that turn to char).
+const FAT_SPARED = 0.30;
 
 // How much of the texture's light and dark is seen: on a fresh cut the juice fills it (chosen).
 var<private> shade_share: f32 = 1.0;
 const CUT_SHADE = 0.62;
+// 1 on a cut, which shows gaps between sheaths as the faces do.
+var<private> laid_open: f32 = 0.0;
 
 fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
-    let grew = grown(in.rest, 1.0);
+    // Muscle asks nothing of what grew in it, and lets it stray a little.
+    var grew = Grown(0.0, 0.0, 0.0, 0.0);
+    if (texture_kind != MUSCLE) { grew = grown(in.rest, 1.0); }
     let grain = grain_of(in, grew, rest_normal);
+    if (texture_kind == MUSCLE) { grew = grown(in.rest + grain.stray, 1.0); }
     let seared = on_lines(in.state.x, in.state.y, in.place.w, in.rest, rest_normal, 0.0006 * grain.uneven);
     let browning = seared.browning;
     // The edge between face and side browns first: there the pan's heat comes from two sides.
@@ -76,13 +83,15 @@ fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     // Ridges press evenly: what they sear is less mottled.
     let room = min(1.9 * browning, 0.62) * (1.0 - 0.65 * seared.share);
     let uneven = clamp(browning + room * (grain.uneven + 0.5 * rim), 0.0, 1.0);
-    let charring = clamp(seared.charring + min(1.5 * seared.charring, 0.7) * (grain.uneven + 0.3 * rim), 0.0, 1.0);
+    let blackened = clamp(seared.charring + min(1.5 * seared.charring, 0.7) * (grain.uneven + 0.3 * rim), 0.0, 1.0);
+    // Seams of fat are still brown and shine where lean flesh is black already.
+    let charring = blackened * (1.0 - FAT_SPARED * grew.fatty);
     let shade = grain.shade * shade_share * (1.0 - 0.45 * uneven) * (1.0 - charring);
     // Browned juice and rendered fat cover seams in a crust: they stay visible, as darker gold.
     let fatty = grew.fatty * (1.0 - COVERED * smoothstep(0.30, 0.85, uneven));
     let flesh = Flesh(in.lean + food.second.xyz * grew.second + shade, in.fat + 0.35 * shade, uneven, charring, fatty);
     // A crust that browned deeply is redder before it is dark.
-    let colour = linear_from_lab(flesh_colour(flesh)) * grain.crevice;
+    let colour = linear_from_lab(flesh_colour(flesh)) * grain.crevice * (1.0 - 0.75 * grain.crack * charring);
     return Look(colour, grain.slope * (1.0 + 0.6 * charring), grain.film_slope, grain.ridges, grew.fatty, uneven, charring, grain.clear);
 }
 
@@ -104,8 +113,33 @@ fn along_face(slope: vec3<f32>, normal: vec3<f32>) -> vec3<f32> {
     return slope - normal * dot(slope, normal);
 }
 
-fn lit_food(in: FoodOut) -> vec4<f32> {
+// How far the browning of a face creeps over its edge onto the side, at least and at most [m] (chosen: hot fat climbs and
+// spatters a few millimetres up, more where it bubbled).
+const CREEPS = vec2<f32>(0.0010, 0.0055);
+// How far the volume of what grew reaches beyond the flesh [m].
+const GRAIN_MARGIN = 0.0007;
+
+// Browning of the side of a slice near the edges of its faces.
+fn crept(in: FoodOut, rest_normal: vec3<f32>) -> f32 {
+    let seared = in.place.yz;
+    if (!(texture_kind == MUSCLE || texture_kind == GROUND) || seared.x + seared.y <= 0.0) { return 0.0; }
+    let place = in.rest + food.place.xyz;
+    let far = textureSampleLevel(solid_noise, tile_sampler, place * 31.0 + 0.71, 0.0).a;
+    let near = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(150.0, 150.0, 60.0) + 0.29, 0.0).a;
+    let reach = mix(CREEPS.x, CREEPS.y, smoothstep(0.30, 0.78, 0.62 * far + 0.38 * near));
+    let thickness = 1.0 / food.grain_scale.z - 2.0 * GRAIN_MARGIN;
+    let up = clamp(in.rest.z - food.grain_origin.z - GRAIN_MARGIN, 0.0, thickness);
+    let depth = vec2<f32>(thickness - up, up);
+    let near_face = exp(-depth * depth / (reach * reach));
+    let stained = 0.30 * exp(-depth / (2.2 * reach));
+    let both = seared * max(0.85 * near_face, stained);
+    return max(both.x, both.y) * (1.0 - smoothstep(0.5, 0.9, abs(rest_normal.z)));
+}
+
+fn lit_food(outside: FoodOut) -> vec4<f32> {
+    var in = outside;
     let rest_normal = normalize(in.normal);
+    in.state.x = max(in.state.x, crept(in, rest_normal));
     let look = look_of(in, rest_normal);
     let wetness = in.state.z * (1.0 - look.charring);
     let crust = clamp(1.4 * look.browning, 0.0, 1.0);
@@ -171,10 +205,10 @@ fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, li
     return max(specular(coat, in.position, view, lit) - milk, vec3<f32>(0.0)) * (mix(0.70, 0.85, raw) * film);
 }
 
-// Depth of the dark crust and of the brown below it, under a face that is wholly browned [m] (a well-seared steak: about
-// 1 mm, and another one and a half).
-const CRUST_DEPTH = 0.0011;
-const BROWN_DEPTH = 0.0026;
+// Depth of the dark crust and of the brown below it, under a face that is wholly browned [m] (a well-seared steak: one to one
+// and a half millimetres, and another three that fade).
+const CRUST_DEPTH = 0.0014;
+const BROWN_DEPTH = 0.0044;
 // How much the light in wet flesh is coloured by going to and fro under its film (chosen: red meat is deeper wet).
 const DEEPENED = 1.42;
 
@@ -183,20 +217,26 @@ fn below_face(browned: f32, depth: f32, waver: f32) -> f32 {
     let d = depth + waver;
     let dark = 1.0 - smoothstep(0.7 * CRUST_DEPTH, 1.3 * CRUST_DEPTH, d);
     let brown = 1.0 - smoothstep(CRUST_DEPTH, BROWN_DEPTH, d);
-    return min(2.0 * browned, 1.0) * max(dark, 0.48 * brown);
+    return min(2.0 * browned, 1.0) * max(dark, 0.68 * brown);
 }
 
-// Juice on the cut in the cook's own light: it glints where a ripple turns it to him; how steep ripples are, how sharp and
-// how bright (chosen).
+// Juice on the cut in the cook's own light: it glints where a ripple turns it to him; how steep ripples are, up to which
+// height it gathers [m], how sharp and how bright its glints are (chosen).
 const RIPPLE = 1.5;
+const GATHERS = 0.0042;
 const MOIST_SHARPNESS = 34.0;
-const MOIST = 0.22;
+const MOIST = 0.10;
+// Ripples lie along the fibres, which draw the juice with them: patterns over a metre across and along them (chosen).
+const RIPPLES = vec3<f32>(120.0, 120.0, 21.0);
 
 fn moist(rest: vec3<f32>, normal: vec3<f32>, view: vec3<f32>) -> f32 {
-    let ripple = textureSampleLevel(solid_noise, tile_sampler, (rest + food.place.xyz) * 84.0 + 0.23, 0.0).rgb - 0.5;
+    let place = rest + food.place.xyz;
+    let ripple = textureSampleLevel(solid_noise, tile_sampler, place * RIPPLES + 0.23, 0.0).rgb - 0.5;
+    // Juice stands here and is wiped off there.
+    let patchy = smoothstep(0.40, 0.66, textureSampleLevel(solid_noise, tile_sampler, place.yzx * 19.0 + 0.57, 0.0).a);
     let still = reflect(-view, world_normal(normal + vec3<f32>(0.0, 0.0, 0.38)));
     let rippled = reflect(-view, world_normal(normal - along_face(ripple, normal) * RIPPLE));
-    return MOIST * pow(max(dot(still, rippled), 0.0), MOIST_SHARPNESS);
+    return MOIST * patchy * pow(max(dot(still, rippled), 0.0), MOIST_SHARPNESS);
 }
 
 // A fresh cut: crust, band, gradient and centre, moist, in a soft light from the cook's side besides that of the room, so
@@ -204,7 +244,7 @@ fn moist(rest: vec3<f32>, normal: vec3<f32>, view: vec3<f32>) -> f32 {
 fn lit_cut(cut: FoodOut) -> vec4<f32> {
     var in = cut;
     let rest_normal = normalize(in.normal);
-    let waver = 0.0007 * (textureSample(solid_noise, tile_sampler, (in.rest + food.place.xyz) * 190.0).a - 0.5);
+    let waver = 0.0010 * (textureSample(solid_noise, tile_sampler, (in.rest + food.place.xyz) * 190.0).a - 0.5);
     // An upright slice tells the browning of its faces, above and below, and the depths under them; other bodies tell neither.
     let upright = in.juice + in.place.w > 0.0;
     if (upright && (texture_kind == MUSCLE || texture_kind == GROUND)) {
@@ -213,13 +253,17 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     }
     in.place.w = 0.0;
     shade_share = CUT_SHADE;
+    laid_open = 1.0;
     let look = look_of(in, rest_normal);
     let view = normalize(frame.eye.xyz - in.position);
     let slope = along_face(look.slope, rest_normal);
-    let bent = world_normal(rest_normal - slope * 0.55);
+    let bent = world_normal(rest_normal - slope * 0.85);
     let lit = mix(0.45, 1.0, shadow(in.position, bent));
     let wet = in.state.z * (1.0 - clamp(2.0 * look.browning, 0.0, 1.0));
-    let own = 0.58 + 0.24 * clamp(dot(bent, normalize(view + vec3<f32>(-0.35, 0.1, 0.8))), 0.0, 1.0);
+    let own = 0.50 + 0.35 * clamp(dot(bent, normalize(view + vec3<f32>(-0.35, 0.1, 0.8))), 0.0, 1.0);
+    // Juice runs down and gathers where the cut meets the board.
+    let height = max(in.position.z - support(in.position), 0.0);
+    let gathered = wet * (1.0 - smoothstep(0.0004, GATHERS, height + 2.0 * waver));
     // Fat is not deeper wet: little light is lost in it.
     let deep = wet * (1.0 - look.fatty);
     let colour = pow(look.colour, vec3<f32>(mix(1.0, DEEPENED, deep))) * mix(1.0, 1.55, deep);
@@ -229,8 +273,9 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     let film_slope = along_face(look.film_slope, rest_normal);
     let film = Surface(vec3<f32>(0.0), vec3<f32>(0.028), 0.20, world_normal(rest_normal - film_slope * 0.9), 0.9, vec3<f32>(0.0));
     radiance += max(specular(film, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (0.9 * wet);
-    radiance += vec3<f32>(moist(in.rest, rest_normal, view) * wet);
-    return pixel_from_radiance(radiance, in.clip.xy);
+    radiance *= 1.0 - 0.30 * gathered;
+    radiance += vec3<f32>(moist(in.rest, rest_normal, view) * wet * (1.0 + 2.0 * gathered));
+    return noted(pixel_from_radiance(radiance, in.clip.xy), in.state);
 }
 
 fn food_pixel(in: FoodOut) -> vec4<f32> {
@@ -254,7 +299,7 @@ fn fs_food(in: FoodOut) -> @location(0) vec4<f32> {
 @fragment
 fn fs_cut_face(in: FoodOut) -> @location(0) vec4<f32> {
     if (frame.mode.y > 0.5) { return food_pixel(in); }
-    return noted(lit_cut(in), in.state);
+    return lit_cut(in);
 }
 
 // The part behind the cut stays visible as a veil, denser along its outline, so that the food reads as whole.

@@ -65,8 +65,10 @@ override hdr: bool = false;
 fn filmic(radiance: vec3<f32>) -> vec3<f32> {
     let x = max(radiance * frame.white.rgb, vec3<f32>(0.0));
     if (hdr) { return x; }
-    let over = max(x - SHOULDER, vec3<f32>(0.0)) / (1.0 - SHOULDER);
-    return min(x, vec3<f32>(SHOULDER)) + (1.0 - SHOULDER) * over / (1.0 + over);
+    // A parabola that reaches white at twice the way from the shoulder to 1, where it is level: there glints of the window are
+    // white, as in the developed pictures.
+    let rest = max(1.0 - max(x - SHOULDER, vec3<f32>(0.0)) / (2.0 * (1.0 - SHOULDER)), vec3<f32>(0.0));
+    return min(x, vec3<f32>(SHOULDER)) + (1.0 - SHOULDER) * (1.0 - rest * rest);
 }
 
 // Interleaved gradient noise breaks the bands of 8-bit gradients.

@@ -5,7 +5,8 @@ struct FryOut {
     @location(0) position: vec3<f32>,
     // Drop and spot: place on the disc. Collar: way from the food's edge [m].
     @location(1) corner: vec2<f32>,
-    // Opacity, kind: -1 a collar, whose width [m] stands for the opacity; 2 a drop in the air, 4 a spot of oil.
+    // Opacity, kind: -1 a collar, whose width [m] stands for the opacity; 2 a drop in the air, 4 a spot of oil, 6 a pool of
+    // juice, whose redness stands for it.
     @location(2) look: vec2<f32>,
 };
 
@@ -121,27 +122,53 @@ fn drop(in: FryOut) -> vec4<f32> {
     let away = dot(in.corner, in.corner);
     let body = smoothstep(1.0, 0.45, away);
     let glint = smoothstep(0.55, 0.05, away);
-    let colour = vec3<f32>(0.30, 0.22, 0.10) + vec3<f32>(0.55, 0.50, 0.40) * glint;
-    let alpha = in.look.x * body * 0.85;
+    let colour = vec3<f32>(0.22, 0.16, 0.07) + vec3<f32>(0.22, 0.20, 0.16) * glint;
+    let alpha = in.look.x * body * 0.65;
     return vec4<f32>(pixel_from_radiance(colour, in.clip.xy).rgb * alpha, alpha);
 }
 
 // A low cap of oil that lies still: faint in its middle, a darker edge, the window in it.
 fn spot(in: FryOut, spread: f32) -> vec4<f32> {
     let away = dot(in.corner, in.corner);
-    let normal = normalize(vec3<f32>(in.corner * 0.45, 1.0));
-    let alpha = smoothstep(1.0, 0.70, away) * mix(0.40, 0.65, away * away);
+    let normal = normalize(vec3<f32>(in.corner * 0.30, 1.0));
+    let alpha = smoothstep(1.0, 0.65, away) * mix(0.40, 0.60, away * away);
     let fat = vec3<f32>(0.085, 0.060, 0.024);
     // A spot of few pixels shows no window: its glint would be a spark.
-    let glint = 0.32 * clamp(1.0 / (2.0 * spread) - 0.25, 0.0, 1.0);
+    let glint = 0.25 * clamp(1.0 / (2.0 * spread) - 0.25, 0.0, 1.0);
     return vec4<f32>(pixel_from_radiance(fat + glint * liquid(normal, in.position), in.clip.xy).rgb * alpha, alpha);
+}
+
+// Colour of juice through which the board is seen, from flesh that is done and from raw flesh (chosen by eye).
+const JUICE_BROWN = vec3<f32>(0.070, 0.026, 0.008);
+const JUICE_RED = vec3<f32>(0.095, 0.006, 0.004);
+
+// Weaker reflections than this are left out: they would lie on the board like milk (chosen).
+const MILK = 0.025;
+
+// A pool of juice on the board: clear and red to brown, with a ragged edge that stands steep.
+fn pool(in: FryOut) -> vec4<f32> {
+    let across = length(in.corner);
+    let coarse = textureSampleLevel(solid_noise, tile_sampler, in.position * 13.0, 0.0).a - 0.5;
+    let fine = textureSampleLevel(solid_noise, tile_sampler, in.position * 60.0, 0.0).a - 0.5;
+    let edge = across + 1.3 * coarse * across + 0.10 * fine * across;
+    let body = smoothstep(0.86, 0.78, edge);
+    if (body <= 0.0) { return vec4<f32>(0.0); }
+    let rim = smoothstep(0.50, 0.82, edge);
+    let normal = normalize(vec3<f32>(in.corner / max(across, 1e-4) * 0.5 * rim * rim, 1.0));
+    let lit = shadow(in.position, vec3<f32>(0.0, 0.0, 1.0));
+    // Deep in its middle, thin and pale at its edge.
+    let alpha = body * mix(0.62, 0.46, rim);
+    let s = Surface(mix(JUICE_BROWN, JUICE_RED, in.look.x), vec3<f32>(0.0), 1.0, normal, 0.8, vec3<f32>(0.0));
+    return vec4<f32>(pixel_from_radiance(diffuse(s, lit) + max(liquid(normal, in.position) - MILK, vec3<f32>(0.0)) * mix(0.7, 1.3, lit), in.clip.xy).rgb * alpha, alpha);
 }
 
 @fragment
 fn fs_fry(in: FryOut) -> @location(0) vec4<f32> {
     let pixel = length(fwidth(in.position.xy));
     let spread = length(fwidth(in.corner));
-    if (in.look.y >= 4.0) { return spot(in, spread); }
-    if (in.look.y >= 2.0) { return drop(in); }
+    // Interpolated kinds are a little off.
+    if (in.look.y > 5.0) { return pool(in); }
+    if (in.look.y > 3.0) { return spot(in, spread); }
+    if (in.look.y > 1.0) { return drop(in); }
     return collar(in, pixel);
 }

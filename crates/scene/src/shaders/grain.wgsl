@@ -31,6 +31,10 @@ struct Grain {
     crevice: f32,
     // Share of light that the flesh lets creep round its edges: translucent flesh.
     clear: f32,
+    // Where a char shrinks until it cracks (0-1).
+    crack: f32,
+    // How far what grew in the flesh strays from its grid [m].
+    stray: vec3<f32>,
 };
 
 fn noise_at(piece: vec3<f32>, stretch: vec3<f32>) -> Noise {
@@ -66,6 +70,9 @@ fn patches(noise: Noise) -> f32 {
     return 1.5 * (noise.region.a - 0.5) + 1.5 * (noise.broad.a - 0.5) + 0.8 * (noise.grain.a - 0.5);
 }
 
+// How far seams of fat stray from the grid that holds them, at most [m] (chosen: below its cells, so that the mean stays).
+const STRAYS = 0.0030;
+
 // Fibres along z in bundles of 0.8 mm, in fascicles of 3.6 mm with pale tissue between some of them.
 fn muscle(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     let noise = noise_at(rest, vec3<f32>(1.0, 1.0, 0.17));
@@ -82,10 +89,11 @@ fn muscle(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     // Tissue between the bundles: pale in raw flesh, a thin shadow where cooked bundles part.
     shade += seam * mix(vec3<f32>(0.06, -0.03, 0.0), vec3<f32>(-0.03, 0.0, 0.0), cooked);
     // A seared face is deep and even from afar, and varied near by; where it browns late, it does so in islands.
-    let islands = 1.5 * (1.0 - crust) * (far_noise(rest) - 0.5);
+    let islands = (1.0 - smoothstep(0.70, 1.0, crust)) * (2.6 * (far_noise(rest) - 0.46) + 2.0 * (noise.region.a - 0.47));
     let uneven = islands + 0.55 * (noise.region.a - 0.5) + 0.9 * (noise.broad.a - 0.5) + 0.9 * (noise.grain.a - 0.5) + 0.5 * (noise.fine.a - 0.5) + 0.4 * tone;
     let crevice = 1.0 - crust * (0.25 * (1.0 - smoothstep(0.0, 0.30, fascicle.r)) + 0.30 * smoothstep(0.50, 0.30, noise.grain.a));
-    return Grain(shade, uneven, relief(noise, crust), film_relief(noise), ridges_of(noise), crevice, 0.0);
+    let crack = (1.0 - smoothstep(0.015, 0.11, fascicle.r)) * smoothstep(0.42, 0.58, noise.region.a);
+    return Grain(shade, uneven, relief(noise, crust), film_relief(noise), ridges_of(noise), crevice, 0.0, crack, (noise.region.gbr - 0.5) * STRAYS + (noise.broad.gbr - 0.5) * (0.3 * STRAYS));
 }
 
 // Strands of ground meat, some 3 mm thick and pressed together, with crumbs of fat and dark gaps.
@@ -102,7 +110,7 @@ fn ground(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     let round = (noise.broad.rgb - 0.5) * 0.55 * (0.4 + gap);
     let crevice = 1.0 - gap * (0.35 + 0.30 * crust);
     let islands = 1.5 * (1.0 - crust) * (far_noise(rest) - 0.5);
-    return Grain(shade, islands + patches(noise) + 0.5 * (strand.g - 0.5) - 0.5 * gap, relief(noise, 0.5 + 0.5 * crust) + round, film_relief(noise), ridges_of(noise), crevice, 0.0);
+    return Grain(shade, islands + patches(noise) + 0.5 * (strand.g - 0.5) - 0.5 * gap, relief(noise, 0.5 + 0.5 * crust) + round, film_relief(noise), ridges_of(noise), crevice, 0.0, 0.0, vec3<f32>(0.0));
 }
 
 // A root cut across its axis: rays from the core, a thin line where both meet, a rougher skin at the side.
@@ -122,7 +130,7 @@ fn root(rest: vec3<f32>, grew: Grown, cooked: f32, crust: f32) -> Grain {
     shade += vec3<f32>(0.035, -0.03, 0.015) * smoothstep(0.0022, 0.0006, away) * grew.second;
     let uneven = patches(noise) + 0.9 * rays - 0.4 * grew.second;
     let crevice = 1.0 - crust * 0.30 * smoothstep(0.52, 0.30, noise.grain.a);
-    return Grain(shade, uneven, relief(noise, 0.5 * crust) * 0.75, film_relief(noise) * 0.6, ridges_of(noise), crevice, 0.35);
+    return Grain(shade, uneven, relief(noise, 0.5 * crust) * 0.75, film_relief(noise) * 0.6, ridges_of(noise), crevice, 0.35, 0.0, vec3<f32>(0.0));
 }
 
 // Sheaths of a shaft: each with a tone of its own, dark gaps between, fine veins along the axis.
@@ -141,7 +149,7 @@ fn sheaths(rest: vec3<f32>, grew: Grown, upright: f32, cooked: f32, crust: f32) 
     let uneven = patches(noise) + 1.1 * (1.0 - glow) * upright - 0.3;
     let crevice = 1.0 - gap * upright * (0.40 + 0.2 * crust);
     let step = (noise.broad.rgb - 0.5) * 0.2 * gap;
-    return Grain(shade, uneven, relief(noise, 0.4 * crust) * 0.6 + step, film_relief(noise) * 0.5, ridges_of(noise), crevice, 0.5);
+    return Grain(shade, uneven, relief(noise, 0.4 * crust) * 0.6 + step, film_relief(noise) * 0.5, ridges_of(noise), crevice, 0.5, 0.0, vec3<f32>(0.0));
 }
 
 // Six segments: coral bands of fine specks over the back once cooked, grey specks, a dark vein and clear flesh before; a
@@ -174,12 +182,12 @@ fn shrimp(rest: vec3<f32>, along: f32, dorsal: f32, cooked: f32, crust: f32) -> 
     let crevice = 1.0 - 0.22 * joint;
     // Char comes in small freckles on what stands out, not in sheets.
     let uneven = patches(noise) + 0.8 * (noise.fine.a - 0.5) - 0.3 * fan;
-    return Grain(shade, uneven, relief(noise, 0.5 * crust) * 0.55 + fibre, film_relief(noise) * 0.7, ridges_of(noise), crevice, 0.75 * (1.0 - cooked) + 0.25);
+    return Grain(shade, uneven, relief(noise, 0.5 * crust) * 0.55 + fibre, film_relief(noise) * 0.7, ridges_of(noise), crevice, 0.75 * (1.0 - cooked) + 0.25, 0.0, vec3<f32>(0.0));
 }
 
 fn plain(rest: vec3<f32>, crust: f32) -> Grain {
     let noise = noise_at(rest, vec3<f32>(1.0));
     let light = 0.06 * (noise.grain.a - 0.5) + 0.05 * (noise.region.a - 0.5) + 0.03 * (noise.fine.a - 0.5);
     let crevice = 1.0 - crust * 0.30 * smoothstep(0.52, 0.30, noise.grain.a);
-    return Grain(vec3<f32>(light, 0.0, 0.2 * light), patches(noise), relief(noise, crust) * 0.8, film_relief(noise), ridges_of(noise), crevice, 0.2);
+    return Grain(vec3<f32>(light, 0.0, 0.2 * light), patches(noise), relief(noise, crust) * 0.8, film_relief(noise), ridges_of(noise), crevice, 0.2, 0.0, vec3<f32>(0.0));
 }

@@ -235,13 +235,32 @@ const OIL_DEPTH = 15.0;
 // How quickly molten butter with its milk solids turns opaque [1/mm] (chosen: a film of half a millimetre is cloudy).
 const TURBID = 2.2;
 
+// Steps of a mirrored ray, and how far up it may meet food [m] (chosen: most of a steak; higher up its edge is soft).
+const MIRROR_STEPS = 14;
+const MIRROR_HEIGHT = 0.020;
+
+// Share of what a film mirrors that food beside it hides: the film mirrors the window, and a food in front of it is dark.
+fn hidden_by_food(position: vec3<f32>, towards: vec3<f32>) -> f32 {
+    if (!fine || towards.z <= 0.05) { return 0.0; }
+    var hidden = 0.0;
+    for (var k = 0; k < MIRROR_STEPS; k++) {
+        let share = (f32(k) + 0.6) / f32(MIRROR_STEPS);
+        let at = position + towards * (MIRROR_HEIGHT * share / towards.z);
+        let uv = (at.xy - frame.contact_rect.xy) * frame.contact_rect.zw;
+        let height = (at.z - frame.contact_height.x) * frame.contact_height.y;
+        let over = 1.0 - textureSampleCompareLevel(contact_map, depth_sampler, uv, height);
+        hidden = max(hidden, over * (1.0 - smoothstep(0.75, 1.05, share)));
+    }
+    return 0.85 * hidden;
+}
+
 // A clear film: hardly coloured where it is thin, mirror-smooth on top, with slow waves.
 fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit: f32, open: f32, cover: f32, thickness: f32, slope: vec3<f32>) -> vec3<f32> {
     let local = in_pan(in.position);
     let wave = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(local.xy * 9.0, frame.eye.w * 0.05), 0.0).rgb - 0.5;
     let rim = (slope.xy - 0.5) * (1.0 - cover) * 0.12;
     let film = normalize(n + vec3<f32>(wave.xy * 0.05 + rim, 0.0));
-    let mirror = liquid_mirror(in, film, mix(0.30, 0.06, cover), view, lit, open);
+    let mirror = liquid_mirror(in, film, mix(0.30, 0.06, cover), view, lit, open) * (1.0 - hidden_by_food(in.position, reflect(-view, film)));
     // Light passes the film twice; a deep pool also sends some back itself.
     let passed = pow(frame.oil.rgb, vec3<f32>(2.0 * thickness / OIL_DEPTH));
     let deep = 1.0 - exp(-thickness * mix(1.0 / OIL_DEPTH, TURBID, frame.white.w));
