@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use saute_food::{BuildError, FoodModel, MeshSize, OutlineKind, PieceSpec, Rules};
+use serde::{Deserialize, Serialize};
 
 use crate::data::library::{Library, LibraryError};
 use crate::data::room::Room;
@@ -26,6 +27,10 @@ use crate::tick::event::EventLog;
 /// Immutable model of a kitchen.
 #[derive(Clone, Debug)]
 pub(crate) struct Fixed {
+    /// Kind of the pan.
+    pub(crate) pan_kind: String,
+    /// Hash of the data files of pan and kitchen.
+    pub(crate) data_hash: u64,
     pub(crate) room: Room,
     pub(crate) hob: HobDescription,
     pub(crate) pan: PanModel,
@@ -55,7 +60,7 @@ pub struct PieceOrder {
 }
 
 /// Vapour flows in the last tick that come from no food [kg/s].
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
 pub(crate) struct OtherVapour {
     /// From water in the pan.
     pub(crate) puddle: f64,
@@ -76,7 +81,7 @@ pub struct Kitchen {
     pub(crate) load: FoodLoad,
     pub(crate) vapour: OtherVapour,
     pub(crate) pieces: Vec<Piece>,
-    next_key: u32,
+    pub(crate) next_key: u32,
     /// Pairs of pieces in contact.
     pub(crate) touching: Vec<Touching>,
     /// The rigid bodies.
@@ -104,17 +109,37 @@ pub enum SetupError {
     Build(#[from] BuildError),
 }
 
-impl Kitchen {
-    /// Sets up a kitchen with a pan at a uniform temperature [K] on a cold hob.
-    pub fn new(library: &Library, pan_kind: &str, pan_temperature: f64) -> Result<Self, SetupError> {
+/// Builds the model of a piece.
+pub(crate) fn built(library: &Library, kind: &str, spec: &PieceSpec) -> Result<FoodModel, SetupError> {
+    let no_such_food = || SetupError::NoSuchFood(kind.to_owned(), Library::names(&library.foods));
+    let food = library.foods.get(kind).ok_or_else(no_such_food)?;
+    Ok(FoodModel::build(food, &library.kinetics[&food.kinetics], &library.components, spec)?)
+}
+
+impl Fixed {
+    /// Builds the model of a kitchen with a pan.
+    pub(crate) fn build(library: &Library, pan_kind: &str) -> Result<Self, SetupError> {
         library.check_oils()?;
         let description = library
             .pans
             .get(pan_kind)
             .ok_or_else(|| SetupError::NoSuchPan(pan_kind.into(), Library::names(&library.pans)))?;
-        let pan = PanModel::build(description, library).map_err(BuildError::from)?;
-        let state = pan.at(pan_temperature, &library.room, &library.hob);
-        let world = World::new(PanShape::of(description));
+        Ok(Self {
+            pan_kind: pan_kind.to_owned(),
+            data_hash: library.pan_hash(pan_kind),
+            pan: PanModel::build(description, library).map_err(BuildError::from)?,
+            room: library.room.clone(),
+            hob: library.hob.clone(),
+        })
+    }
+}
+
+impl Kitchen {
+    /// Sets up a kitchen with a pan at a uniform temperature [K] on a cold hob.
+    pub fn new(library: &Library, pan_kind: &str, pan_temperature: f64) -> Result<Self, SetupError> {
+        let fixed = Fixed::build(library, pan_kind)?;
+        let state = fixed.pan.at(pan_temperature, &fixed.room, &fixed.hob);
+        let world = World::new(PanShape::of(&fixed.pan.description));
         Ok(Self {
             clock: Clock::default(),
             hob_w: 0.0,
@@ -129,20 +154,15 @@ impl Kitchen {
             pan_hold: PanHold::at(world.motion.pose),
             world,
             second_hand: SecondHand::default(),
-            account: EnergyAccount::new(pan.stored(&state)),
+            account: EnergyAccount::new(fixed.pan.stored(&state)),
             events: EventLog::default(),
             pan: state,
-            fixed: Arc::new(Fixed { room: library.room.clone(), hob: library.hob.clone(), pan }),
+            fixed: Arc::new(fixed),
         })
     }
 
     /// Adds a piece. It waits at its start temperature, without heat exchange, until it is put into the pan.
     pub fn add(&mut self, library: &Library, order: &PieceOrder) -> Result<(), SetupError> {
-        let food = library
-            .foods
-            .get(&order.kind)
-            .ok_or_else(|| SetupError::NoSuchFood(order.kind.clone(), Library::names(&library.foods)))?;
-        let kinetics = &library.kinetics[&food.kinetics];
         let spec = PieceSpec {
             size: order.size,
             seed: order.seed,
@@ -151,9 +171,10 @@ impl Kitchen {
             rules: order.rules,
             outline: order.outline,
         };
-        let model = Arc::new(FoodModel::build(food, kinetics, &library.components, &spec)?);
+        let model = Arc::new(built(library, &order.kind, &spec)?);
         let names = (order.id.clone(), order.kind.clone());
-        let piece = Piece::new(names, order.seed, self.next_key, model, order.temperature, &self.fixed.room);
+        let mut piece = Piece::new(names, spec, self.next_key, model, order.temperature, &self.fixed.room);
+        piece.data_hash = library.foods.get(&order.kind).map_or(0, |food| library.food_hash(&order.kind, food));
         if !(piece.state.total_enthalpy().is_finite() && piece.mass() > 0.0 && piece.mass().is_finite()) {
             return Err(BuildError::NotFinite.into());
         }
