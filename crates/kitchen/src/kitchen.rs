@@ -2,13 +2,15 @@
 
 use std::sync::Arc;
 
+use saute_food::body::halving::CutError;
 use saute_food::{BuildError, FoodModel, MeshSize, OutlineKind, PieceSpec, Rules};
 use serde::{Deserialize, Serialize};
 
+use crate::bytes::{FoodKey, Models};
 use crate::data::library::{Library, LibraryError};
 use crate::data::room::Room;
 use crate::dynamics::{Gesture, Hand, PanShape, Pose, Task, World};
-use crate::hands::command::Refused;
+use crate::hands::command::{Command, Refused};
 use crate::hands::pan_hold::PanHold;
 use crate::hands::second_hand::SecondHand;
 use crate::pan::cloth::Cloth;
@@ -37,7 +39,7 @@ pub(crate) struct Fixed {
 }
 
 /// Order for a piece of food.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct PieceOrder {
     /// Name in recipes.
     pub id: String,
@@ -57,6 +59,20 @@ pub struct PieceOrder {
     pub mesh: MeshSize,
     /// Its outline: natural or plain.
     pub outline: OutlineKind,
+}
+
+impl PieceOrder {
+    /// Returns what its model is built from, apart from the food.
+    pub(crate) fn spec(&self) -> PieceSpec {
+        PieceSpec {
+            size: self.size,
+            seed: self.seed,
+            coarseness: self.coarseness,
+            mesh: self.mesh,
+            rules: self.rules,
+            outline: self.outline,
+        }
+    }
 }
 
 /// Vapour flows in the last tick that come from no food [kg/s].
@@ -90,6 +106,8 @@ pub struct Kitchen {
     pub(crate) second_hand: SecondHand,
     pub(crate) account: EnergyAccount,
     pub(crate) events: EventLog,
+    /// Commands carried out since they were last taken; `None` unless they are listened to.
+    pub(crate) carried_out: Option<Vec<Command>>,
 }
 
 /// Reason why a kitchen cannot be set up.
@@ -104,6 +122,9 @@ pub enum SetupError {
     /// An oil that every kitchen needs is set aside.
     #[error(transparent)]
     Oil(#[from] LibraryError),
+    /// The cut of a halved piece misses it.
+    #[error(transparent)]
+    Cut(CutError),
     /// The model of a piece or of the pan cannot be built.
     #[error(transparent)]
     Build(#[from] BuildError),
@@ -156,6 +177,7 @@ impl Kitchen {
             second_hand: SecondHand::default(),
             account: EnergyAccount::new(fixed.pan.stored(&state)),
             events: EventLog::default(),
+            carried_out: None,
             pan: state,
             fixed: Arc::new(fixed),
         })
@@ -163,18 +185,14 @@ impl Kitchen {
 
     /// Adds a piece. It waits at its start temperature, without heat exchange, until it is put into the pan.
     pub fn add(&mut self, library: &Library, order: &PieceOrder) -> Result<(), SetupError> {
-        let spec = PieceSpec {
-            size: order.size,
-            seed: order.seed,
-            coarseness: order.coarseness,
-            mesh: order.mesh,
-            rules: order.rules,
-            outline: order.outline,
-        };
-        let model = Arc::new(built(library, &order.kind, &spec)?);
-        let names = (order.id.clone(), order.kind.clone());
-        let mut piece = Piece::new(names, spec, self.next_key, model, order.temperature, &self.fixed.room);
-        piece.data_hash = library.foods.get(&order.kind).map_or(0, |food| library.food_hash(&order.kind, food));
+        self.add_with(library, order, &mut Models::default())
+    }
+
+    /// Adds a piece, with known models, to which one that had to be built is added.
+    pub fn add_with(&mut self, library: &Library, order: &PieceOrder, models: &mut Models) -> Result<(), SetupError> {
+        let food = FoodKey::ordered(order, library);
+        let parts = models.food(&food, &self.fixed, library)?;
+        let piece = Piece::new((order, food.data_hash), self.next_key, parts, &self.fixed.room);
         if !(piece.state.total_enthalpy().is_finite() && piece.mass() > 0.0 && piece.mass().is_finite()) {
             return Err(BuildError::NotFinite.into());
         }
@@ -271,6 +289,21 @@ impl Kitchen {
     /// Ticks since the start.
     pub fn tick(&self) -> u64 {
         self.clock.tick()
+    }
+
+    /// Frames since the start: commands take effect between two of them.
+    pub fn frame(&self) -> u64 {
+        self.clock.frames()
+    }
+
+    /// Begins to keep the commands that are carried out, for [`Self::take_carried_out`].
+    pub fn listen(&mut self) {
+        self.carried_out.get_or_insert_default();
+    }
+
+    /// Returns the commands that were carried out since the last call, by whomever; none before [`Self::listen`].
+    pub fn take_carried_out(&mut self) -> Vec<Command> {
+        self.carried_out.as_mut().map(core::mem::take).unwrap_or_default()
     }
 
     /// All pieces.

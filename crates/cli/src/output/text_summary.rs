@@ -27,6 +27,7 @@ fn head(s: &Summary) -> String {
     let how = match s.stopped_by {
         StoppedBy::End => "ended by its last step",
         StoppedBy::MaxS => "stopped by max_s",
+        StoppedBy::Hand => "ended by hand",
     };
     let speed = s.simulated_s / s.wall_s.max(1e-9);
     format!(

@@ -36,4 +36,5 @@ mod sources;
 pub use bytes_error::BytesError;
 pub(crate) use hashing::hash_of;
 pub use header::sealed;
+pub(crate) use models::FoodKey;
 pub use models::Models;

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use saute_food::body::halving::CutError;
 use saute_food::{FoodModel, PieceSpec};
 
 use crate::data::library::Library;
-use crate::kitchen::{Fixed, Kitchen, SetupError, built};
+use crate::kitchen::{Fixed, Kitchen, PieceOrder, SetupError, built};
 use crate::pan::near_pan::uneven_of;
 use crate::piece::piece_state::Piece;
 
@@ -18,16 +19,16 @@ pub struct Models {
 
 /// Description from which the model of a piece follows.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct FoodKey {
+pub(crate) struct FoodKey {
     pub(super) kind: String,
-    pub(super) data_hash: u64,
+    pub(crate) data_hash: u64,
     pub(super) spec: PieceSpec,
     /// Place of the cut that halved it [m].
     pub(super) cut: Option<f64>,
 }
 
 /// Model of a piece and the unevenness of its faces.
-pub(super) type FoodParts = (Arc<FoodModel>, Arc<Vec<f64>>);
+pub(crate) type FoodParts = (Arc<FoodModel>, Arc<Vec<f64>>);
 
 #[derive(Clone, Debug)]
 struct KnownFood {
@@ -36,6 +37,13 @@ struct KnownFood {
 }
 
 impl FoodKey {
+    /// Returns the description of a whole piece that is ordered.
+    pub(crate) fn ordered(order: &PieceOrder, library: &Library) -> Self {
+        let food = library.foods.get(&order.kind);
+        let data_hash = food.map_or(0, |food| library.food_hash(&order.kind, food));
+        Self { kind: order.kind.clone(), data_hash, spec: order.spec(), cut: None }
+    }
+
     /// Returns the description of a piece.
     pub(super) fn of(piece: &Piece) -> Self {
         Self {
@@ -86,15 +94,10 @@ impl Models {
         Ok(fixed)
     }
 
-    /// Returns the model of a piece, built if it is not known; `None` if its cut misses it.
-    pub(super) fn food(
-        &mut self,
-        key: &FoodKey,
-        fixed: &Fixed,
-        library: &Library,
-    ) -> Result<Option<FoodParts>, SetupError> {
+    /// Returns the model of a piece, built if it is not known.
+    pub(crate) fn food(&mut self, key: &FoodKey, fixed: &Fixed, library: &Library) -> Result<FoodParts, SetupError> {
         if let Some(known) = self.known_food(key) {
-            return Ok(Some(known.clone()));
+            return Ok(known.clone());
         }
         let whole = FoodKey { cut: None, ..key.clone() };
         let (model, uneven) = match (key.cut, self.known_food(&whole)) {
@@ -105,17 +108,17 @@ impl Models {
             }
             (Some(_), Some((model, uneven))) => (Arc::clone(model), uneven.as_ref().clone()),
         };
-        let Some((model, uneven)) = cut(model, uneven, key.cut) else { return Ok(None) };
+        let (model, uneven) = cut(model, uneven, key.cut).map_err(SetupError::Cut)?;
         let parts = (model, Arc::new(uneven));
         self.foods.push(KnownFood { key: key.clone(), parts: parts.clone() });
-        Ok(Some(parts))
+        Ok(parts)
     }
 }
 
 /// Cuts a model; the fresh faces are even.
-fn cut(model: Arc<FoodModel>, mut uneven: Vec<f64>, at: Option<f64>) -> Option<(Arc<FoodModel>, Vec<f64>)> {
-    let Some(at) = at else { return Some((model, uneven)) };
-    let halved = model.halved(at).ok()?;
+fn cut(model: Arc<FoodModel>, mut uneven: Vec<f64>, at: Option<f64>) -> Result<(Arc<FoodModel>, Vec<f64>), CutError> {
+    let Some(at) = at else { return Ok((model, uneven)) };
+    let halved = model.halved(at)?;
     uneven.resize(halved.patches().len(), 0.0);
-    Some((Arc::new(halved), uneven))
+    Ok((Arc::new(halved), uneven))
 }

@@ -128,7 +128,7 @@ impl SavedKitchen<'_> {
         for saved in self.pieces {
             let data_hash = sources.food(&saved.kind).ok_or(BytesError::Damaged)?;
             let key = saved.food_key(data_hash).ok_or(BytesError::Damaged)?;
-            let parts = models.food(&key, &fixed, library)?.ok_or(BytesError::Damaged)?;
+            let parts = models.food(&key, &fixed, library)?;
             pieces.push(saved.restored(data_hash, parts, &fixed.pan).ok_or(BytesError::Damaged)?);
         }
         let shape = PanShape::of(&fixed.pan.description);
@@ -150,6 +150,7 @@ impl SavedKitchen<'_> {
             second_hand: self.second_hand.into_owned(),
             account: self.account,
             events: self.events.into_owned(),
+            carried_out: None,
             fixed,
         };
         if kitchen.is_sound() { Ok(kitchen) } else { Err(BytesError::Damaged) }

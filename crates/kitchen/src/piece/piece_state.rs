@@ -14,7 +14,8 @@ use crate::data::room::Room;
 use crate::dynamics::extent::outline;
 use crate::dynamics::{Contact, PanShape, Pose};
 use crate::hands::command::{Refused, RestOn};
-use crate::pan::near_pan::{NearPatch, uneven_of};
+use crate::kitchen::PieceOrder;
+use crate::pan::near_pan::NearPatch;
 use crate::pan::pan_model::{PanModel, PanState};
 use crate::pan::ridges::AcrossGroove;
 use crate::piece::board::Board;
@@ -117,15 +118,13 @@ pub struct Piece {
 impl Piece {
     /// A waiting piece at a uniform temperature [K].
     pub(crate) fn new(
-        (id, kind): (String, String),
-        spec: PieceSpec,
+        (order, data_hash): (&PieceOrder, u64),
         key: u32,
-        model: Arc<FoodModel>,
-        temperature: f64,
+        (model, uneven): (Arc<FoodModel>, Arc<Vec<f64>>),
         room: &Room,
     ) -> Self {
+        let temperature = order.temperature;
         let state = FoodState::raw(&model, temperature);
-        let uneven = uneven_of(&model, spec.seed, room);
         Self {
             core_peak: (temperature, 0.0),
             place: Place::Waiting,
@@ -138,15 +137,15 @@ impl Piece {
             solver: FoodSolver::default(),
             sear: SearRecord::default(),
             shape: PieceShape::of(&model, &state),
-            uneven: Arc::new(uneven),
+            uneven,
             board: Board::at(room.temperature()),
             touch: Vec::new(),
             media: Media::default(),
-            id,
-            kind,
-            seed: spec.seed,
-            spec,
-            data_hash: 0,
+            id: order.id.clone(),
+            kind: order.kind.clone(),
+            seed: order.seed,
+            spec: order.spec(),
+            data_hash,
             key,
             model,
             state,

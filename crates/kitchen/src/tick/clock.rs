@@ -18,6 +18,11 @@ impl Clock {
         self.tick
     }
 
+    /// Frames since the start [-].
+    pub(crate) fn frames(self) -> u64 {
+        self.tick * u64::from(FRAMES_PER_TICK) + u64::from(self.frame)
+    }
+
     /// Time at the present frame [s].
     pub(crate) fn time_s(self) -> f64 {
         self.tick as f64 * TICK_S + f64::from(self.frame) * FRAME_S

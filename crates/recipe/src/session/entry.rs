@@ -1,0 +1,42 @@
+//! One entry of a recording.
+
+use saute_kitchen::{Command, FRAME_S, PieceOrder};
+use serde::{Deserialize, Serialize};
+
+/// What happened between two frames, other than the recipe's own steps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// Frames since the start.
+    pub frame: u64,
+    /// True if it happened after the recipe's steps that were due at this frame.
+    pub after_steps: bool,
+    /// What happened.
+    pub deed: Deed,
+}
+
+/// What a person or a device did.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub enum Deed {
+    /// The recipe was stopped: a person took over.
+    TakeOver,
+    /// A command that the kitchen carried out.
+    Command(Command),
+    /// Food that was added.
+    Add(PieceOrder),
+    /// A piece that was removed, by its name.
+    Remove(String),
+}
+
+impl Entry {
+    /// Time of the entry [s].
+    pub fn time_s(&self) -> f64 {
+        self.frame as f64 * FRAME_S
+    }
+}
+
+impl Deed {
+    /// Returns true for one of the many poses by which a hand moves pan or tool.
+    pub fn is_pose(&self) -> bool {
+        matches!(self, Self::Command(Command::HoldPan { .. } | Command::Lead { .. }))
+    }
+}
