@@ -211,3 +211,36 @@ impl Replay {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::Recipe;
+
+    #[test]
+    fn a_replay_says_where_it_departs() {
+        let library = Library::embedded().expect("embedded data");
+        let text = "[[step]]\nhob_w = 900\n[[step]]\nat_s = 40\nend = true\n";
+        let recipe = Recipe::parse(text, "warm.toml", &library).expect("parses");
+        let mut recording = Recording::begin(&recipe, true, &library);
+        let mut live = Replay::begin(&recording, &library).expect("begins");
+        while live.kitchen.time_s() < 25.0 {
+            live.advance_frame(&recording.clone(), &library);
+            recording.observe(&live.kitchen);
+        }
+        assert_eq!(live.departure(), None);
+        let played = |recording: &Recording| {
+            let mut replay = Replay::begin(recording, &library).expect("begins");
+            replay.run_to(recording, &library, recording.moment());
+            replay.departure().cloned()
+        };
+        assert_eq!(played(&recording), None);
+        recording.restore_hash(1200, 7);
+        let departure = played(&recording).expect("departs");
+        assert!(matches!(departure.cause, DepartureCause::Hash { recorded: 7, .. }));
+        assert!(
+            departure.to_string().starts_with("the replay departs at 20.0 s: the state has the hash "),
+            "{departure}"
+        );
+    }
+}

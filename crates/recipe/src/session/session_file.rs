@@ -225,3 +225,124 @@ fn next(rest: &mut &[u8]) -> Option<Record<'static>> {
     *rest = after;
     left.is_empty().then_some(record)
 }
+
+#[cfg(test)]
+mod tests {
+    use saute_kitchen::dynamics::Pose;
+    use saute_kitchen::{Command, FRAME_S, Library};
+
+    use super::*;
+    use crate::recipe::Recipe;
+
+    /// Frames of twenty minutes.
+    const TWENTY_MINUTES: u64 = 72_000;
+    /// Frames from one append to the next: half a second.
+    const APPENDED: u64 = 30;
+
+    fn begun() -> Recording {
+        let library = Library::embedded().expect("embedded data");
+        let text = &library.recipes["steak-carrots-leeks"];
+        Recording::begin(&Recipe::parse(text, "dish.toml", &library).expect("parses"), true, &library)
+    }
+
+    /// A session of twenty minutes as it stands in its file; `deed` says what is done at each frame.
+    fn file_of(deed: impl Fn(u64) -> Option<Command>) -> (Recording, Vec<u8>) {
+        let (mut recording, mut file) = (begun(), Vec::new());
+        for frame in 0..=TWENTY_MINUTES {
+            if let Some(command) = deed(frame) {
+                recording.restore(Entry { frame, after_steps: false, deed: Deed::Command(command) });
+            }
+            if frame.is_multiple_of(600) {
+                recording.restore_hash(frame, frame.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            }
+            recording.restore_reached(frame, false);
+            if frame.is_multiple_of(APPENDED) {
+                file.extend(recording.unsaved());
+            }
+        }
+        (recording, file)
+    }
+
+    fn pan_in_hand(frame: u64) -> Option<Command> {
+        let t = frame as f64 * FRAME_S;
+        let mut pose = Pose::at(0.05 * libm::sin(t), 0.02 * libm::cos(1.3 * t), 0.03);
+        pose.rotation.x = 0.1 * libm::sin(0.7 * t);
+        Some(Command::HoldPan { pose })
+    }
+
+    #[test]
+    fn twenty_minutes_of_keys_take_less_than_100_kb_and_of_a_pan_in_the_hand_less_than_5_mb() {
+        let key = |frame: u64| frame.is_multiple_of(60).then(|| Command::Flip { food: "leeks.11".into() });
+        for (name, most, (recording, file)) in
+            [("keys", 100_000, file_of(key)), ("a pan in the hand", 5_000_000, file_of(pan_in_hand))]
+        {
+            println!("{name}: {} bytes", file.len());
+            assert!(file.len() < most, "{name}: {}", file.len());
+            let opened = Recording::from_file(&file).expect("opens");
+            assert_eq!((opened.damage, &opened.recording), (None, &recording));
+        }
+    }
+
+    #[test]
+    fn a_file_that_is_cut_anywhere_opens_up_to_its_last_whole_record() {
+        let (mut recording, mut file) = (begun(), Vec::new());
+        let mut frames = Vec::new();
+        for frame in 0..20 {
+            recording.restore(Entry { frame, after_steps: false, deed: Deed::Command(Command::Hob(frame as f64)) });
+            recording.restore_reached(frame, false);
+            file.extend(recording.unsaved());
+            frames.push((file.len(), frame));
+        }
+        let mut damaged = 0;
+        for cut in 0..file.len() {
+            let Ok(opened) = Recording::from_file(&file[..cut]) else {
+                assert!(cut < frames[0].0, "{cut}");
+                continue;
+            };
+            // What was appended completely is there.
+            let whole = frames.iter().rev().find(|(end, _)| *end <= cut).map_or(0, |(_, frame)| *frame);
+            assert!(opened.recording.moment().frame >= whole, "{cut}");
+            damaged += usize::from(opened.damage.is_some());
+            if let Some(damage) = opened.damage {
+                assert_eq!(damage.sound + damage.lost, cut);
+            }
+        }
+        assert!(damaged > file.len() / 2);
+        for at in 0..file.len() {
+            let mut changed = file.clone();
+            changed[at] ^= 1 << (at % 8);
+            match Recording::from_file(&changed) {
+                Ok(opened) => assert!(opened.damage.is_some(), "{at}"),
+                Err(error) => assert!(at < frames[0].0, "{at}: {error}"),
+            }
+        }
+    }
+
+    #[test]
+    fn undone_entries_do_not_come_back() {
+        let mut recording = begun();
+        let hob = |frame| Entry { frame, after_steps: false, deed: Deed::Command(Command::Hob(frame as f64)) };
+        (0..10).for_each(|frame| recording.restore(hob(frame)));
+        let mut file = recording.unsaved();
+        recording.truncate(recording.before(4).expect("an entry"));
+        recording.restore(hob(6));
+        file.extend(recording.unsaved());
+        recording.truncate(recording.before(2).expect("an entry"));
+        file.extend(recording.unsaved());
+        recording.restore(hob(9));
+        file.extend(recording.unsaved());
+        assert!(recording.unsaved().is_empty());
+        let read = Recording::from_file(&file).expect("opens").recording;
+        assert_eq!(read, recording);
+        let frames: Vec<u64> = read.entries().iter().map(|entry| entry.frame).collect();
+        assert_eq!(frames, [0, 1, 9]);
+    }
+
+    #[test]
+    fn what_is_no_session_is_refused_with_a_reason() {
+        assert_eq!(Recording::from_file(b"title = \"Steak\""), Err(SessionError::NoSession));
+        assert_eq!(Recording::from_file(b"saute session 2\nrest"), Err(SessionError::Format("2".into())));
+        assert_eq!(Recording::from_file(b"saute session 1\nrest"), Err(SessionError::NoBeginning));
+        assert!(is_session(b"saute session 2\n") && !is_session(b"saute"));
+    }
+}
