@@ -104,7 +104,7 @@ pub enum StartError {
     Library(#[from] saute_kitchen::LibraryError),
     /// The first kitchen cannot be set up.
     #[error(transparent)]
-    Setup(#[from] saute_kitchen::kitchen::SetupError),
+    Setup(#[from] saute_recipe::session::ReplayError),
 }
 
 impl SauteApp {

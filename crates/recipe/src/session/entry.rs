@@ -25,6 +25,8 @@ pub enum Deed {
     Add(PieceOrder),
     /// A piece that was removed, by its name.
     Remove(String),
+    /// The recipe goes on after a person had taken over.
+    Resume,
 }
 
 impl Entry {

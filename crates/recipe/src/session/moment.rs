@@ -3,7 +3,9 @@
 use saute_kitchen::FRAME_S;
 
 /// An instant of a session: a frame, and what was carried out in it so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+///
+/// Moments of one recording are ordered by time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Moment {
     /// Frames since the start.
     pub frame: u64,

@@ -81,7 +81,13 @@ impl Recording {
     pub fn take_over(&mut self, kitchen: &Kitchen) {
         if self.beginning.plays && !self.is_taken_over {
             self.enter(kitchen, Deed::TakeOver);
-            self.is_taken_over = true;
+        }
+    }
+
+    /// Records that the recipe goes on from where a person took over, if one did.
+    pub fn resume(&mut self, kitchen: &Kitchen) {
+        if self.is_taken_over {
+            self.enter(kitchen, Deed::Resume);
         }
     }
 
@@ -113,10 +119,14 @@ impl Recording {
         self.restore(Entry { frame, after_steps, deed });
     }
 
-    /// Adds an entry that follows all others.
-    pub(super) fn restore(&mut self, entry: Entry) {
+    /// Adds an entry that follows all others, as it is: one of another recording that is carried out again, or of a file.
+    pub fn restore(&mut self, entry: Entry) {
         self.reached = self.reached.max(entry.frame);
-        self.is_taken_over |= entry.deed == Deed::TakeOver;
+        match entry.deed {
+            Deed::TakeOver => self.is_taken_over = true,
+            Deed::Resume => self.is_taken_over = false,
+            _ => {}
+        }
         self.entries.push(entry);
     }
 
@@ -157,7 +167,7 @@ impl Recording {
         &self.hashes
     }
 
-    /// Returns true once a person has taken over from the recipe.
+    /// Returns true while a person has taken over from the recipe.
     pub fn is_taken_over(&self) -> bool {
         self.is_taken_over
     }
@@ -185,7 +195,8 @@ impl Recording {
     pub fn truncate(&mut self, moment: Moment) {
         self.entries.truncate(moment.entries);
         self.hashes.retain(|frame, _| *frame <= moment.frame);
-        self.is_taken_over = self.entries.iter().any(|entry| entry.deed == Deed::TakeOver);
+        let hand_over = self.entries.iter().rev().find(|e| matches!(e.deed, Deed::TakeOver | Deed::Resume));
+        self.is_taken_over = hand_over.is_some_and(|entry| entry.deed == Deed::TakeOver);
         self.restore_reached(moment.frame, moment.steps_done);
         if self.saved.has_begun {
             let kept = self.saved.cut.unwrap_or(self.saved.entries).min(moment.entries);

@@ -96,6 +96,13 @@ impl Replay {
         Self { kitchen, runner, plays, moment, departure: None, fault: None, models }
     }
 
+    /// Shares known models, so that foods that are added again need not be built again.
+    pub fn sharing(mut self, models: &Models) -> Self {
+        self.models = models.clone();
+        self.models.learn(&self.kitchen);
+        self
+    }
+
     /// The instant at which it is.
     pub fn moment(&self) -> Moment {
         self.moment
@@ -185,6 +192,7 @@ impl Replay {
     fn carry_out_one(&mut self, deed: &Deed, library: &Library) {
         match deed {
             Deed::TakeOver => self.plays = false,
+            Deed::Resume => self.plays = true,
             Deed::Command(command) => {
                 if let Err(refused) = self.kitchen.apply(command) {
                     self.depart(DepartureCause::Refused(refused));

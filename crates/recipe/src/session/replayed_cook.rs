@@ -79,7 +79,7 @@ impl ReplayedCook {
         match deed {
             Deed::Command(command) => self.steps.extend(step_of(command, time_s)),
             Deed::Add(_) | Deed::Remove(_) => self.weigh(),
-            Deed::TakeOver => {}
+            Deed::TakeOver | Deed::Resume => {}
         }
     }
 
