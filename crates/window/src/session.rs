@@ -31,6 +31,8 @@ pub struct Session {
     pub kitchen: Kitchen,
     /// The recipe that plays, until the user gives a command.
     pub runner: Option<Runner>,
+    /// The recipe that was left when the user gave a command.
+    left: Option<Runner>,
     /// Series for the plot.
     pub recorder: Recorder,
     /// Points in the food whose temperature is recorded.
@@ -64,6 +66,7 @@ impl Session {
             library,
             kitchen,
             runner: None,
+            left: None,
             recorder: Recorder::default(),
             probes: Probes::default(),
             marks: Vec::new(),
@@ -90,6 +93,7 @@ impl Session {
         self.probes = Probes::default();
         self.marks.clear();
         self.added.clear();
+        self.left = None;
         self.owed_s = 0.0;
         self.forecast = None;
         self.generation += 1;
@@ -134,7 +138,7 @@ impl Session {
     /// Carries out a command of the user, which stops the recipe.
     pub fn command(&mut self, command: &Command) -> Result<(), Refused> {
         self.kitchen.apply(command)?;
-        self.runner = None;
+        self.leave_recipe();
         if matches!(command, Command::Put { .. }) {
             self.recorder.on_put(&self.kitchen);
         }
@@ -142,6 +146,22 @@ impl Session {
             self.mark(label);
         }
         Ok(())
+    }
+
+    /// Stops the recipe; it can be resumed.
+    fn leave_recipe(&mut self) {
+        self.left = self.runner.take().or_else(|| self.left.take());
+    }
+
+    /// Lets the recipe go on from the step that it waited for; returns false if none was left.
+    pub fn resume_recipe(&mut self) -> bool {
+        self.runner = self.left.take().or_else(|| self.runner.take());
+        self.runner.is_some()
+    }
+
+    /// Returns the title of the recipe that was left, if there is one.
+    pub fn left_recipe(&self) -> Option<&str> {
+        self.left.as_ref().map(|runner| runner.recipe().title.as_str())
     }
 
     fn mark(&mut self, label: String) {
@@ -208,5 +228,9 @@ mod tests {
         s.command(&Command::Hob(0.0)).expect("hob");
         assert!(s.runner.is_none());
         assert_eq!(s.kitchen.hob_w(), 0.0);
+        assert!(s.left_recipe().is_some() && s.resume_recipe());
+        s.advance(Duration::from_secs(60), Duration::from_secs(60)).expect("runs");
+        assert!(s.paused, "the recipe has ended by its own last step");
+        assert!(!s.resume_recipe());
     }
 }

@@ -14,7 +14,7 @@ impl Session {
             self.kitchen.add(&self.library, &order)?;
         }
         self.weigh_new();
-        self.runner = None;
+        self.leave_recipe();
         self.added.push((choice.clone(), count));
         Ok(group)
     }
@@ -32,7 +32,7 @@ impl Session {
             self.kitchen.remove(id);
             self.start_mass_g.remove(id);
         }
-        self.runner = None;
+        self.leave_recipe();
     }
 
     /// Stores the mass of new pieces.
