@@ -80,6 +80,17 @@ pub enum Command {
     /// Lists and checks haptic devices.
     #[command(subcommand)]
     Haptics(Haptics),
+    /// Prints a shell's completions of this command.
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+    /// Prints the manual page of this command, or of one of its commands, as roff: `saute man cook | man -l -`.
+    Man {
+        /// The command, for instance `bench frame`.
+        #[arg(value_name = "COMMAND")]
+        command: Vec<String>,
+    },
 }
 
 /// `saute haptics`.

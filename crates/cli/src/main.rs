@@ -21,7 +21,7 @@ use std::time::Instant;
 use clap::Parser;
 
 use crate::args::{Args, Bench, Command, Food, Haptics};
-use crate::commands::{cook, food_check, lab, list, open, schema};
+use crate::commands::{cook, food_check, lab, list, manual, open, schema};
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::input::recipe_source;
@@ -64,6 +64,8 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         // The file under check may lie in the --data folder, which as a whole could not be read then.
         Some(Command::Food(Food::Check(check))) => food_check::run(&check, args.data.as_deref()),
         Some(Command::Schema(args)) => schema::run(&args),
+        Some(Command::Completions { shell }) => manual::completions(shell),
+        Some(Command::Man { command }) => manual::page(&command),
         Some(Command::Haptics(Haptics::List(args))) => haptics::list(&args),
         Some(Command::Haptics(Haptics::Check(args))) => haptics::check(&args, &library()?.library),
     }

@@ -1,6 +1,8 @@
 //! The program's window.
 
 mod frame;
+mod keys;
+mod pace;
 
 use std::sync::Arc;
 
@@ -25,6 +27,7 @@ use crate::paint::scene::SceneCallback;
 use crate::panels::window_state::PanelMemory;
 use crate::session::Session;
 use crate::settings::Settings;
+use crate::ui::glance::Glance;
 use crate::ui::motion::Motions;
 use crate::ui::notice::Notice;
 use crate::ui::scene_view::SceneView;
@@ -38,6 +41,10 @@ const FIRST_START: &str = "{}";
 /// Wall time between two looks at slow changes, where every look is slow [s] (chosen: browning and films creep; Chromium's
 /// software graphics shade foods and floor for longer than all else of a frame takes).
 const LOOK_PERIOD_S: f64 = 0.3;
+
+/// Time between two savings of the settings (chosen: whoever is cut off loses no more than this; a file of a few
+/// kilobytes).
+const AUTO_SAVE: std::time::Duration = std::time::Duration::from_secs(5);
 
 /// Start options of the window.
 #[derive(Clone, Debug, Default)]
@@ -65,6 +72,8 @@ pub struct SauteApp {
     /// Place of the cut (−1…1), or none.
     pub(crate) slice: Option<f64>,
     pub(crate) help: bool,
+    /// True if the list of what was said is open.
+    pub(crate) messages: bool,
     /// True if the card of the settings is open.
     pub(crate) settings_open: bool,
     pub(crate) notice: Notice,
@@ -78,6 +87,12 @@ pub struct SauteApp {
     pub(crate) portion: Portion,
     pub(crate) pad: Pad,
     last_time: Option<f64>,
+    /// The present lag of the clock.
+    lag: Option<pace::Lag>,
+    /// Where the eye is on its way to.
+    pub(crate) glance: Option<Glance>,
+    /// The piece to which the eye turns once it lies on the board.
+    pub(crate) taken_out: Option<String>,
     pub(crate) meter: FrameMeter,
     /// True if the card of the first steps is shown.
     pub(crate) first_steps: bool,
@@ -91,6 +106,9 @@ pub struct SauteApp {
     /// Chooses the quality of the picture where that is left to the program.
     pub(crate) governor: Governor,
     pub(crate) mirror: MirrorView,
+    /// The file dialog while it is open.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) dialog: crate::files::Dialog,
     /// What the page hands in.
     #[cfg(target_arch = "wasm32")]
     pub(crate) inbox: crate::browser::Inbox,
@@ -165,6 +183,7 @@ impl SauteApp {
             camera_preset: 0,
             slice: None,
             help: false,
+            messages: false,
             settings_open: false,
             notice: Notice::default(),
             motions: Motions::default(),
@@ -175,6 +194,9 @@ impl SauteApp {
             portion: Portion::default(),
             pad: Pad::default(),
             last_time: None,
+            lag: None,
+            glance: None,
+            taken_out: None,
             meter: FrameMeter::default(),
             drawable: graphics.is_some(),
             software,
@@ -183,6 +205,8 @@ impl SauteApp {
             first_steps,
             japanese_font,
             mirror: MirrorView::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            dialog: crate::files::Dialog::default(),
             #[cfg(target_arch = "wasm32")]
             inbox: crate::browser::Inbox::default(),
         };
@@ -260,12 +284,26 @@ impl SauteApp {
 
     /// Gives the kitchen a command and says so if it refuses.
     pub(crate) fn command(&mut self, command: &Command) {
+        self.give(command);
+    }
+
+    /// As [`Self::command`]; returns true if the kitchen takes it.
+    pub(crate) fn give(&mut self, command: &Command) -> bool {
         let played = self.session.runner.is_some();
-        match self.session.command(command) {
+        let taken = self.session.command(command);
+        let is_taken = taken.is_ok();
+        match taken {
             Ok(()) if played => self.say("notice.taken_over"),
+            Ok(()) if self.session.paused && takes_time(command) => self.say("notice.later"),
             Ok(()) => {}
             Err(refused) => self.say_refused(&refused),
         }
+        is_taken
+    }
+
+    /// Returns true if a card covers the scene; time then waits.
+    pub(crate) fn card_is_open(&self) -> bool {
+        self.help || self.messages || self.settings_open || self.first_steps
     }
 
     /// Says a text that leaves nothing open.
@@ -347,6 +385,20 @@ impl SauteApp {
     }
 }
 
+/// Commands that a hand carries out over time.
+fn takes_time(command: &Command) -> bool {
+    matches!(
+        command,
+        Command::Flip { .. }
+            | Command::Rest { .. }
+            | Command::Toss { .. }
+            | Command::Shake { .. }
+            | Command::Press { .. }
+            | Command::Move { .. }
+            | Command::Tilt { .. }
+    )
+}
+
 impl eframe::App for SauteApp {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.frame(ui);
@@ -357,12 +409,11 @@ impl eframe::App for SauteApp {
         Some(&mut *self)
     }
 
+    fn auto_save_interval(&self) -> std::time::Duration {
+        AUTO_SAVE
+    }
+
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        self.settings.choice = if self.session.recipe_title().is_some() {
-            self.settings.choice.clone()
-        } else {
-            self.session.choice().clone()
-        };
         if let Ok(text) = serde_json::to_string(&self.settings) {
             storage.set_string(SETTINGS_KEY, text);
         }

@@ -309,5 +309,9 @@ mod tests {
         s.command(&Command::Hob(0.0)).expect("hob");
         assert!(s.runner.is_none());
         assert_eq!(s.kitchen.hob_w(), 0.0);
+        assert!(s.left_recipe().is_some() && s.resume_recipe());
+        s.advance(Duration::from_secs(60), Duration::from_secs(60)).expect("runs");
+        assert!(s.paused, "the recipe has ended by its own last step");
+        assert!(!s.resume_recipe());
     }
 }

@@ -51,7 +51,7 @@ fn cook_through(
     out: Option<&OutDir>,
 ) -> Result<(Cook, Vec<Snapshot>, Duration), CliError> {
     let interruption = out.map_or_else(Interruption::default, |_| Interruption::watch());
-    let progress = Progress::start(cook.runner.recipe().max_s);
+    let progress = Progress::start(&cook);
     let mut snapshots = Vec::new();
     let started = Instant::now();
     let mut painting = Duration::ZERO;

@@ -16,6 +16,9 @@ use crate::input::data_library::DataLibrary;
 pub fn run(data: DataLibrary, recipe: Option<Recipe>, hands: HandArgs) -> Result<ExitCode, CliError> {
     // The window states doneness in the words of a scale.
     data.scales(DEFAULT_SCALE)?;
+    for device in [&hands.device, &hands.turner].into_iter().flatten() {
+        saute_haptics::Named::parse(device)?;
+    }
     if !has_display() {
         return Err(CliError::NoDisplay(NO_DISPLAY.to_owned()));
     }

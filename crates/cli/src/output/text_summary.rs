@@ -184,9 +184,9 @@ fn imbalance_pct(e: &Energy) -> f64 {
 }
 
 fn steps(s: &Summary) -> String {
-    let mut lines = "steps\n".to_owned();
+    let mut lines = "steps (min:s)\n".to_owned();
     for step in &s.steps {
-        let _ = writeln!(lines, "  {:>8.1} s    {}", step.time_s, wording::step(step));
+        let _ = writeln!(lines, "  {:>8}    {}", wording::clock(step.time_s), wording::step(step));
     }
     lines
 }
