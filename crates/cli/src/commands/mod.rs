@@ -6,4 +6,5 @@ pub mod lab;
 pub mod list;
 mod list_actions;
 pub mod open;
+pub mod replay;
 pub mod schema;
