@@ -1,11 +1,13 @@
 //! Promise: a session is played again bit by bit: recipes, hands that take over, devices, foods that come and go, and undone deeds;
 //! through its file too, however often that was appended to.
 
+use std::sync::Arc;
+
 use saute_kitchen::dynamics::{Pose, Tool};
 use saute_kitchen::food::{MeshSize, OutlineKind, Rules};
 use saute_kitchen::{Command, Library, PieceOrder, RestOn, kelvin};
-use saute_recipe::session::{ReplayedCook, SetOutFood, set_out};
-use saute_recipe::{Recipe, Recording, Replay};
+use saute_recipe::session::{SetOutFood, set_out};
+use saute_recipe::{Cook, Recipe, Recording, Replay};
 
 /// A recipe that plays while a hand may take over.
 const RECIPE: &str = r#"
@@ -210,6 +212,15 @@ fn random_session<'a>(library: &'a Library, draws: &mut Draws) -> Live<'a> {
     live
 }
 
+/// Plays a session to its end.
+fn cooked_again(recording: Recording, library: &Library) -> Cook {
+    let mut cook = Cook::again(recording, Arc::new(library.clone())).expect("begins");
+    while cook.stopped().is_none() {
+        cook.advance().expect("goes on");
+    }
+    cook
+}
+
 #[test]
 fn random_sessions_are_played_again_bit_by_bit_from_their_files() {
     let library = Library::embedded().expect("embedded data");
@@ -223,13 +234,9 @@ fn random_sessions_are_played_again_bit_by_bit_from_their_files() {
         assert_eq!(read.entries(), live.recording.entries(), "session {session}");
         assert_eq!(read.hashes(), live.recording.hashes(), "session {session}");
         assert_eq!(read.moment().frame, live.recording.moment().frame, "session {session}");
-        let mut cook = ReplayedCook::begin(&read, &library).expect("begins");
-        while cook.goes_on(&read) {
-            cook.advance_frame(&read, &library);
-        }
-        cook.finish(&read, &library);
-        assert_eq!(cook.replay.departure(), None, "session {session}");
-        assert_eq!(cook.replay.kitchen.state_hash(), live.here.kitchen.state_hash(), "session {session}");
+        let cook = cooked_again(read.clone(), &library);
+        assert_eq!(cook.departure(), None, "session {session}");
+        assert_eq!(cook.kitchen.state_hash(), live.here.kitchen.state_hash(), "session {session}");
         serde_json::to_string(&cook.summary(0.0)).expect("numbers");
         // The whole file, written anew, says the same.
         let anew = Recording::from_file(&live.recording.to_file()).expect("opens").recording;
@@ -301,12 +308,9 @@ fn a_session_becomes_a_recipe() {
         }
         live.frame((frame == 1000).then(|| Command::HoldPan { pose: Pose::at(0.0, 0.0, 0.1) }));
     }
-    let mut cook = ReplayedCook::begin(&live.recording, &library).expect("begins");
-    while cook.goes_on(&live.recording) {
-        cook.advance_frame(&live.recording, &library);
-    }
-    cook.finish(&live.recording, &library);
-    let made = cook.to_recipe(&live.recording, &library).expect("a recipe");
+    let cook = cooked_again(live.recording, &library);
+    assert_eq!(cook.kitchen.state_hash(), live.here.kitchen.state_hash());
+    let made = cook.to_recipe(&library).expect("a recipe");
     assert_eq!(made.left_out, ["motions of pan and tools in the hand"]);
     let again = Recipe::parse(&made.text, "again.toml", &library).expect("parses");
     let mut cooked = saute_recipe::Cook::new(again, &library).expect("builds");
@@ -316,7 +320,7 @@ fn a_session_becomes_a_recipe() {
     assert!((cooked.kitchen.time_s() - 20.0).abs() < 0.11, "{}", cooked.kitchen.time_s());
     assert_eq!(cooked.kitchen.hob_w(), 700.0);
     let cores = |kitchen: &saute_kitchen::Kitchen| kitchen.pieces().iter().map(|p| p.core()).collect::<Vec<_>>();
-    for (now, then) in cores(&cooked.kitchen).iter().zip(cores(&cook.replay.kitchen)) {
+    for (now, then) in cores(&cooked.kitchen).iter().zip(cores(&cook.kitchen)) {
         assert!((now - then).abs() < 3.0, "{}\n{now} K, {then} K", made.text);
     }
 }

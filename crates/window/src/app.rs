@@ -9,7 +9,7 @@ use std::sync::Arc;
 use egui::{Rect, Ui};
 use saute_kitchen::{Command, Library, TICK_S};
 use saute_picture::stage::{Places, Stage, following};
-use saute_recipe::Recipe;
+use saute_recipe::{Recipe, Recording};
 use saute_scene::camera::Camera;
 use saute_scene::quality::Quality;
 
@@ -53,6 +53,8 @@ pub struct Start {
     pub library: Option<Arc<Library>>,
     /// A recipe to play at once.
     pub recipe: Option<Recipe>,
+    /// A recorded session to go on with.
+    pub recorded: Option<Recording>,
     /// Language of the window; the remembered one unless given.
     pub language: Option<Language>,
     /// True draws panels, and what changes slowly in the pan, a few times a second where the graphics are software.
@@ -152,7 +154,7 @@ impl SauteApp {
     ) -> Result<Self, StartError> {
         theme::install(context);
         let japanese_font = crate::ui::japanese_font::install(context);
-        let remembers = stored.is_some() && start.recipe.is_none();
+        let remembers = stored.is_some() && start.recipe.is_none() && start.recorded.is_none();
         let (settings, refused) = stored.map_or_else(Default::default, |text| Settings::remembered(&text));
         let library = start.library.map_or_else(|| Library::embedded().map(Arc::new), Ok)?;
         let mut session = Session::new(Arc::clone(&library), &settings.choice)
@@ -160,6 +162,9 @@ impl SauteApp {
         session.set_speed(settings.speed);
         if let Some(recipe) = start.recipe {
             session.play(recipe)?;
+        }
+        if let Some(recorded) = start.recorded {
+            session.resume(recorded)?;
         }
         let mut software = false;
         let mut frugal = false;

@@ -35,6 +35,8 @@ pub mod panels;
 pub mod pose;
 mod remembered;
 pub mod session;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod session_file;
 pub mod settings;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod stored_zoom;

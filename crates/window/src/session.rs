@@ -4,6 +4,7 @@ mod choice;
 mod clock;
 mod foresight;
 mod mark;
+mod resumed;
 mod selection;
 mod stock;
 pub mod timeline;

@@ -7,4 +7,5 @@ pub mod list;
 mod list_actions;
 pub mod manual;
 pub mod open;
+pub mod replay;
 pub mod schema;

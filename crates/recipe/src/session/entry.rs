@@ -3,6 +3,9 @@
 use saute_kitchen::{Command, FRAME_S, PieceOrder};
 use serde::{Deserialize, Serialize};
 
+use crate::action::Action;
+use crate::cook::step_record::StepRecord;
+
 /// What happened between two frames, other than the recipe's own steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
@@ -33,6 +36,16 @@ impl Entry {
     /// Time of the entry [s].
     pub fn time_s(&self) -> f64 {
         self.frame as f64 * FRAME_S
+    }
+}
+
+impl Entry {
+    /// Returns a command as the step of a recipe; none for what no recipe can state.
+    pub(crate) fn as_step(&self) -> Option<StepRecord> {
+        let Deed::Command(command) = &self.deed else { return None };
+        let action = Action::of_command(command)?;
+        let foods = action.target().map(|target| target.foods.clone()).unwrap_or_default();
+        Some(StepRecord::new(action, foods, self.time_s()))
     }
 }
 

@@ -25,6 +25,8 @@
 //! A [`Replay`] is also a keyframe: [`Replay::at`] makes one of a live kitchen, a clone keeps it, and [`Replay::run_to`] goes on from it to
 //! a later moment. Its parts ([`Replay::into_parts`]) go on living.
 //!
+//! [`Cook::again`](crate::Cook::again) plays a session with all numbers of a cook.
+//!
 //! ```
 //! use saute_kitchen::{Command, Library};
 //! use saute_recipe::{Recipe, Recording, Replay};
@@ -65,17 +67,17 @@
 mod beginning;
 mod entry;
 mod moment;
+pub(crate) mod playhead;
 mod recording;
 mod replay;
-mod replayed_cook;
 pub mod session_file;
 mod to_recipe;
 
 pub use beginning::{Beginning, SetOutFood, set_out};
 pub use entry::{Deed, Entry};
 pub use moment::Moment;
+pub use playhead::{Departure, DepartureCause, Played};
 pub use recording::{FRAMES_PER_HASH, Recording};
-pub use replay::{Departure, DepartureCause, Played, Replay, ReplayError};
-pub use replayed_cook::ReplayedCook;
+pub use replay::{Replay, ReplayError};
 pub use session_file::{Damage, Opened, SessionError};
 pub use to_recipe::{ToRecipe, ToRecipeError};

@@ -7,12 +7,12 @@ use saute_kitchen::{InputError, Library, PieceOrder, TICK_S, celsius};
 use serde_json::Value;
 
 use crate::action::{Action, mm, tidy};
+use crate::cook::play::Cook;
 use crate::cook::step_record::StepRecord;
 use crate::recipe::Recipe;
 use crate::session::beginning::{SetOutFood, head, write_food};
 use crate::session::entry::Deed;
 use crate::session::recording::Recording;
-use crate::session::replayed_cook::{ReplayedCook, step_of};
 
 /// A session as a recipe.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,20 +34,23 @@ pub enum ToRecipeError {
     NoRecipe(#[from] InputError),
 }
 
-impl ReplayedCook {
+impl Cook {
     /// Returns the session, played to its end, as a recipe. A session without a hand's command is its own recipe; else the
     /// steps that were carried out follow at their times.
     ///
     /// # Errors
     ///
     /// If what was done breaks a rule of recipes.
-    pub fn to_recipe(&self, recording: &Recording, library: &Library) -> Result<ToRecipe, ToRecipeError> {
+    pub fn to_recipe(&self, library: &Library) -> Result<ToRecipe, ToRecipeError> {
+        let Some(recording) = self.recording() else {
+            return Ok(ToRecipe { text: self.runner.recipe().text.clone(), left_out: Vec::new() });
+        };
         let beginning = recording.beginning();
         if beginning.plays && recording.entries().is_empty() {
             return Ok(ToRecipe { text: beginning.text.clone(), left_out: Vec::new() });
         }
-        let begun = self.replay.runner.recipe();
-        let end_s = TICK_S * libm::ceil(tidy(self.replay.moment().time_s() / TICK_S));
+        let begun = self.runner.recipe();
+        let end_s = TICK_S * libm::ceil(tidy(self.kitchen.time_s() / TICK_S));
         let max_s = (end_s + 1.0).clamp(1.0, 86_400.0);
         let mut text = head(&begun.title, max_s, &begun.pan_kind, tidy(celsius(begun.pan_temperature)));
         let mut orders: Vec<&PieceOrder> = begun.foods.iter().collect();
@@ -137,7 +140,7 @@ fn left_out(recording: &Recording) -> Vec<String> {
     let mut words = BTreeSet::new();
     for entry in recording.entries() {
         match &entry.deed {
-            Deed::Command(command) if step_of(command, 0.0).is_none() => {
+            Deed::Command(command) if Action::of_command(command).is_none() => {
                 words.insert("motions of pan and tools in the hand".to_owned());
             }
             Deed::Remove(food) => {

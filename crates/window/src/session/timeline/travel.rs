@@ -152,6 +152,18 @@ impl Session {
         self.keep_keyframe();
     }
 
+    /// What a recording holds after the shown instant happens when time goes on.
+    pub(in crate::session) fn lay_ahead(&mut self, recording: Recording) {
+        let line = Line { recording, ..self.line() };
+        self.timeline.course.ahead = Some(Ahead { line, is_followed: true });
+        self.rejoin();
+    }
+
+    /// Returns true while something lies ahead.
+    pub fn lies_ahead(&self) -> bool {
+        self.timeline.course.ahead.is_some()
+    }
+
     /// Does again what was done at this frame, where time follows what lies ahead.
     pub(in crate::session) fn follow(&mut self, after_steps: bool) {
         while let Some(entry) = self.due(after_steps) {
