@@ -46,19 +46,21 @@ pub struct HandArgs {
     pub calibration: Option<PathBuf>,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done; 1 ran but fell short: max_s stopped the recipe, a validation case failed, `lab` warned, or `bench paper` or `haptics check` missed a goal; 2 wrong usage or input.";
+const EXIT_CODES: &str = "Exit codes: 0 done; 1 ran but fell short: max_s stopped the recipe, a replay departed, a validation case failed, `lab` warned, or `bench paper` or `haptics check` missed a goal; 2 wrong usage or input.";
 
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Opens the window and plays a recipe.
+    /// Opens the window and plays a recipe, or goes on with a recorded session.
     Open {
-        /// Recipe file, or id of a shipped recipe.
+        /// Recipe file, id of a shipped recipe, or session file (.saute).
         #[arg(value_name = "RECIPE")]
         recipe: String,
     },
     /// Cooks a recipe without a window.
     Cook(CookArgs),
+    /// Plays a recorded session again, bit by bit, and prints its numbers. Exit code 1 if it departs.
+    Replay(ReplayArgs),
     /// Solves heat conduction in a plain body with given boundary conditions, from a case file.
     Lab(LabArgs),
     /// Runs the validation cases and compares them with published values and exact solutions.
@@ -80,6 +82,17 @@ pub enum Command {
     /// Lists and checks haptic devices.
     #[command(subcommand)]
     Haptics(Haptics),
+    /// Prints a shell's completions of this command.
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+    /// Prints the manual page of this command, or of one of its commands, as roff: `saute man cook | man -l -`.
+    Man {
+        /// The command, for instance `bench frame`.
+        #[arg(value_name = "COMMAND")]
+        command: Vec<String>,
+    },
 }
 
 /// `saute haptics`.
@@ -109,7 +122,28 @@ pub struct CookArgs {
     /// Writes pictures of every piece of a group instead of its first piece only.
     #[arg(long, requires = "out")]
     pub every_piece: bool,
+    /// Session file to write while it cooks, for `saute replay`, `saute shot` and `saute open`; a file that is there is replaced.
+    /// A program that is killed loses at most a second.
+    #[arg(long, value_name = "FILE.saute")]
+    pub record: Option<PathBuf>,
     /// Prints the numbers as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `saute replay`.
+#[derive(Debug, clap::Args)]
+pub struct ReplayArgs {
+    /// Session file, as `saute cook --record` and the window write it.
+    #[arg(value_name = "FILE.saute")]
+    pub session: PathBuf,
+    /// Recipe file to write: what was done becomes steps at their times. Motions of pan and tools in the hand are left out.
+    #[arg(long, value_name = "OUT.toml")]
+    pub to_recipe: Option<PathBuf>,
+    /// Scale of doneness for the summary, for foods that it fits, see `saute list scales`. Other foods keep their own.
+    #[arg(long, value_name = "SCALE", default_value = DEFAULT_SCALE)]
+    pub doneness: String,
+    /// Prints the numbers as JSON: those of the cook that was recorded, apart from `wall_s`.
     #[arg(long)]
     pub json: bool,
 }

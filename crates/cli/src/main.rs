@@ -21,10 +21,10 @@ use std::time::Instant;
 use clap::Parser;
 
 use crate::args::{Args, Bench, Command, Food, Haptics};
-use crate::commands::{cook, food_check, lab, list, open, schema};
+use crate::commands::{cook, food_check, lab, list, manual, open, replay, schema};
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
-use crate::input::recipe_source;
+use crate::input::session_source;
 use crate::output::stderr;
 
 fn main() -> ExitCode {
@@ -49,10 +49,11 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         None => open::run(library()?, None, args.hands),
         Some(Command::Open { recipe }) => {
             let data = library()?;
-            let recipe = recipe_source::load(&recipe, &data)?;
-            open::run(data, Some(recipe), args.hands)
+            let source = session_source::load(&recipe, &data)?;
+            open::run(data, Some(source), args.hands)
         }
         Some(Command::Cook(args)) => cook::run(&args, &library()?),
+        Some(Command::Replay(args)) => replay::run(&args, &library()?),
         Some(Command::Lab(args)) => lab::run(&args, &library()?),
         Some(Command::Validate(args)) => validate::run(&args, &library()?),
         Some(Command::Shot(args)) => picture::shot::run(&args, &library()?),
@@ -64,6 +65,8 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         // The file under check may lie in the --data folder, which as a whole could not be read then.
         Some(Command::Food(Food::Check(check))) => food_check::run(&check, args.data.as_deref()),
         Some(Command::Schema(args)) => schema::run(&args),
+        Some(Command::Completions { shell }) => manual::completions(shell),
+        Some(Command::Man { command }) => manual::page(&command),
         Some(Command::Haptics(Haptics::List(args))) => haptics::list(&args),
         Some(Command::Haptics(Haptics::Check(args))) => haptics::check(&args, &library()?.library),
     }

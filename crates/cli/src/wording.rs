@@ -11,6 +11,12 @@ pub fn duration(seconds: f64) -> String {
     if seconds < 60.0 { format!("{seconds:.1} s") } else { format!("{} min {:02} s", whole / 60, whole % 60) }
 }
 
+/// Returns a time as minutes and seconds, for tables: `16:38.0`.
+pub fn clock(seconds: f64) -> String {
+    let tenths = (10.0 * seconds).round() as u64;
+    format!("{}:{:02}.{}", tenths / 600, tenths / 10 % 60, tenths % 10)
+}
+
 /// Returns a step as it was carried out: `hob 2000 W`, `flip steak`.
 pub fn step(step: &StepRecord) -> String {
     step.action.words()
@@ -51,5 +57,15 @@ pub fn class_range(scale: &Scale, place: usize) -> String {
         (0, Some(end)) => format!("< {end} {unit}"),
         (_, Some(end)) => format!("{from}–{end} {unit}"),
         (_, None) => format!("> {from} {unit}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_in_tables_are_minutes_and_seconds() {
+        assert_eq!([0.0, 59.96, 345.6, 998.0].map(clock), ["0:00.0", "1:00.0", "5:45.6", "16:38.0"]);
     }
 }

@@ -4,6 +4,8 @@
 //! with the surroundings is implicit in the node's own temperature. Both keep every temperature within the range of
 //! those it is coupled to, and both conserve energy.
 
+pub mod saved;
+
 use saute_heat::vector::{dot, sub, unit};
 use saute_heat::{BodyMesh, Conduction, Layers, SweptMesh};
 

@@ -4,6 +4,7 @@
 //! method on tables of the components' enthalpies `[@choi-okos-1986]`.
 
 use saute_heat::{BodyMesh, Outline};
+use serde::{Deserialize, Serialize};
 
 use crate::Lab;
 use crate::body::rest_shape::RestShape;
@@ -22,7 +23,7 @@ use crate::water::WaterTransport;
 pub use crate::build_error::BuildError;
 
 /// Size, seed and mesh of a piece to be built.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct PieceSpec {
     /// Length, width, thickness [m].
     pub size: [f64; 3],

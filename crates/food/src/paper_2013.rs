@@ -9,9 +9,10 @@ use crate::ZERO_C;
 use crate::body::form::Form;
 use crate::components::{Components, Properties};
 use crate::description::{FoodDescription, Kinetics};
+use serde::{Deserialize, Serialize};
 
 /// Physical rules of a piece.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 pub enum Rules {
     /// The full physics.
     #[default]
@@ -23,7 +24,7 @@ pub enum Rules {
 }
 
 /// Resolution of a mesh.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 pub enum MeshSize {
     /// The default mesh, graded towards the surface.
     #[default]

@@ -2,9 +2,10 @@
 
 use crate::ZERO_C;
 use crate::model::FoodModel;
+use serde::{Deserialize, Serialize};
 
 /// Stretch ratios of the present shape relative to the rest shape.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Stretch {
     /// Stretch ratio across the fibres, uniform over the piece [-].
     pub lateral: f64,
@@ -16,7 +17,7 @@ pub struct Stretch {
 }
 
 /// Node fields of a piece, its stretch ratios and the masses that have left it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct FoodState {
     /// Temperature [K].
     pub temperature: Vec<f64>,
@@ -127,6 +128,28 @@ impl FoodState {
         let fields = [juice, rising, fat, peak, browning, charring, lethality, &stretch.axial];
         let scalars = [stretch.lateral, stretch.dome, self.evaporated, self.dripped, self.rendered];
         self.has_finite_heat() && fields.into_iter().chain(changed).all(|f| all_finite(f)) && all_finite(&scalars)
+    }
+
+    /// Returns true if it has a value for each node and change of a model.
+    pub fn fits(&self, model: &FoodModel) -> bool {
+        let n = model.shape.mesh.node_count();
+        self.changed.len() == model.response.rates.count() && self.fields().iter().all(|field| field.len() == n)
+    }
+
+    /// Returns all node fields.
+    pub(crate) fn fields(&self) -> Vec<&Vec<f64>> {
+        let Self { temperature, enthalpy, water, juice, rising, fat, peak, changed, .. } = self;
+        let Self { browning, charring, lethality, oiled, stretch, .. } = self;
+        let heat = [temperature, enthalpy, water, juice, rising, fat, peak];
+        heat.into_iter().chain(changed).chain([browning, charring, lethality, oiled, &stretch.axial]).collect()
+    }
+
+    /// Returns all node fields, in the order of [`Self::fields`].
+    pub(crate) fn fields_mut(&mut self) -> Vec<&mut Vec<f64>> {
+        let Self { temperature, enthalpy, water, juice, rising, fat, peak, changed, .. } = self;
+        let heat = [temperature, enthalpy, water, juice, rising, fat, peak];
+        let surface = [&mut self.browning, &mut self.charring, &mut self.lethality, &mut self.oiled];
+        heat.into_iter().chain(changed).chain(surface).chain([&mut self.stretch.axial]).collect()
     }
 
     /// Mass of the piece [kg]: the sum over its nodes.

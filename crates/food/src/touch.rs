@@ -1,10 +1,12 @@
 //! Contact of a patch of food: open to the air, closed, or in contact with a surface.
 
+use serde::{Deserialize, Serialize};
+
 /// Conductance of a contact with fixed surface temperature [W/(m²·K)] (chosen: a thousand times that of any node).
 const FIXED_CONDUCTANCE: f64 = 1e7;
 
 /// Contact of a patch during one tick.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub enum Touch {
     /// No contact: the patch exchanges heat and vapour with the air in front of it (Robin boundary).
     #[default]

@@ -2,12 +2,15 @@
 
 use std::sync::Arc;
 
+use saute_food::body::halving::CutError;
 use saute_food::{BuildError, FoodModel, MeshSize, OutlineKind, PieceSpec, Rules};
+use serde::{Deserialize, Serialize};
 
+use crate::bytes::{FoodKey, Models};
 use crate::data::library::{Library, LibraryError};
 use crate::data::room::Room;
 use crate::dynamics::{Gesture, Hand, PanShape, Pose, Task, World};
-use crate::hands::command::Refused;
+use crate::hands::command::{Command, Refused};
 use crate::hands::pan_hold::PanHold;
 use crate::hands::second_hand::SecondHand;
 use crate::pan::cloth::Cloth;
@@ -26,13 +29,17 @@ use crate::tick::event::EventLog;
 /// Immutable model of a kitchen.
 #[derive(Clone, Debug)]
 pub(crate) struct Fixed {
+    /// Kind of the pan.
+    pub(crate) pan_kind: String,
+    /// Hash of the data files of pan and kitchen.
+    pub(crate) data_hash: u64,
     pub(crate) room: Room,
     pub(crate) hob: HobDescription,
     pub(crate) pan: PanModel,
 }
 
 /// Order for a piece of food.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct PieceOrder {
     /// Name in recipes.
     pub id: String,
@@ -54,8 +61,22 @@ pub struct PieceOrder {
     pub outline: OutlineKind,
 }
 
+impl PieceOrder {
+    /// Returns what its model is built from, apart from the food.
+    pub(crate) fn spec(&self) -> PieceSpec {
+        PieceSpec {
+            size: self.size,
+            seed: self.seed,
+            coarseness: self.coarseness,
+            mesh: self.mesh,
+            rules: self.rules,
+            outline: self.outline,
+        }
+    }
+}
+
 /// Vapour flows in the last tick that come from no food [kg/s].
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
 pub(crate) struct OtherVapour {
     /// From water in the pan.
     pub(crate) puddle: f64,
@@ -76,7 +97,7 @@ pub struct Kitchen {
     pub(crate) load: FoodLoad,
     pub(crate) vapour: OtherVapour,
     pub(crate) pieces: Vec<Piece>,
-    next_key: u32,
+    pub(crate) next_key: u32,
     /// Pairs of pieces in contact.
     pub(crate) touching: Vec<Touching>,
     /// The rigid bodies.
@@ -85,6 +106,8 @@ pub struct Kitchen {
     pub(crate) second_hand: SecondHand,
     pub(crate) account: EnergyAccount,
     pub(crate) events: EventLog,
+    /// Commands carried out since they were last taken; `None` unless they are listened to.
+    pub(crate) carried_out: Option<Vec<Command>>,
 }
 
 /// Reason why a kitchen cannot be set up.
@@ -99,22 +122,45 @@ pub enum SetupError {
     /// An oil that every kitchen needs is set aside.
     #[error(transparent)]
     Oil(#[from] LibraryError),
+    /// The cut of a halved piece misses it.
+    #[error(transparent)]
+    Cut(CutError),
     /// The model of a piece or of the pan cannot be built.
     #[error(transparent)]
     Build(#[from] BuildError),
 }
 
-impl Kitchen {
-    /// Sets up a kitchen with a pan at a uniform temperature [K] on a cold hob.
-    pub fn new(library: &Library, pan_kind: &str, pan_temperature: f64) -> Result<Self, SetupError> {
+/// Builds the model of a piece.
+pub(crate) fn built(library: &Library, kind: &str, spec: &PieceSpec) -> Result<FoodModel, SetupError> {
+    let no_such_food = || SetupError::NoSuchFood(kind.to_owned(), Library::names(&library.foods));
+    let food = library.foods.get(kind).ok_or_else(no_such_food)?;
+    Ok(FoodModel::build(food, &library.kinetics[&food.kinetics], &library.components, spec)?)
+}
+
+impl Fixed {
+    /// Builds the model of a kitchen with a pan.
+    pub(crate) fn build(library: &Library, pan_kind: &str) -> Result<Self, SetupError> {
         library.check_oils()?;
         let description = library
             .pans
             .get(pan_kind)
             .ok_or_else(|| SetupError::NoSuchPan(pan_kind.into(), Library::names(&library.pans)))?;
-        let pan = PanModel::build(description, library).map_err(BuildError::from)?;
-        let state = pan.at(pan_temperature, &library.room, &library.hob);
-        let world = World::new(PanShape::of(description));
+        Ok(Self {
+            pan_kind: pan_kind.to_owned(),
+            data_hash: library.pan_hash(pan_kind),
+            pan: PanModel::build(description, library).map_err(BuildError::from)?,
+            room: library.room.clone(),
+            hob: library.hob.clone(),
+        })
+    }
+}
+
+impl Kitchen {
+    /// Sets up a kitchen with a pan at a uniform temperature [K] on a cold hob.
+    pub fn new(library: &Library, pan_kind: &str, pan_temperature: f64) -> Result<Self, SetupError> {
+        let fixed = Fixed::build(library, pan_kind)?;
+        let state = fixed.pan.at(pan_temperature, &fixed.room, &fixed.hob);
+        let world = World::new(PanShape::of(&fixed.pan.description));
         Ok(Self {
             clock: Clock::default(),
             hob_w: 0.0,
@@ -129,31 +175,24 @@ impl Kitchen {
             pan_hold: PanHold::at(world.motion.pose),
             world,
             second_hand: SecondHand::default(),
-            account: EnergyAccount::new(pan.stored(&state)),
+            account: EnergyAccount::new(fixed.pan.stored(&state)),
             events: EventLog::default(),
+            carried_out: None,
             pan: state,
-            fixed: Arc::new(Fixed { room: library.room.clone(), hob: library.hob.clone(), pan }),
+            fixed: Arc::new(fixed),
         })
     }
 
     /// Adds a piece. It waits at its start temperature, without heat exchange, until it is put into the pan.
     pub fn add(&mut self, library: &Library, order: &PieceOrder) -> Result<(), SetupError> {
-        let food = library
-            .foods
-            .get(&order.kind)
-            .ok_or_else(|| SetupError::NoSuchFood(order.kind.clone(), Library::names(&library.foods)))?;
-        let kinetics = &library.kinetics[&food.kinetics];
-        let spec = PieceSpec {
-            size: order.size,
-            seed: order.seed,
-            coarseness: order.coarseness,
-            mesh: order.mesh,
-            rules: order.rules,
-            outline: order.outline,
-        };
-        let model = Arc::new(FoodModel::build(food, kinetics, &library.components, &spec)?);
-        let names = (order.id.clone(), order.kind.clone());
-        let piece = Piece::new(names, order.seed, self.next_key, model, order.temperature, &self.fixed.room);
+        self.add_with(library, order, &mut Models::default())
+    }
+
+    /// Adds a piece, with known models, to which one that had to be built is added.
+    pub fn add_with(&mut self, library: &Library, order: &PieceOrder, models: &mut Models) -> Result<(), SetupError> {
+        let food = FoodKey::ordered(order, library);
+        let parts = models.food(&food, &self.fixed, library)?;
+        let piece = Piece::new((order, food.data_hash), self.next_key, parts, &self.fixed.room);
         if !(piece.state.total_enthalpy().is_finite() && piece.mass() > 0.0 && piece.mass().is_finite()) {
             return Err(BuildError::NotFinite.into());
         }
@@ -250,6 +289,21 @@ impl Kitchen {
     /// Ticks since the start.
     pub fn tick(&self) -> u64 {
         self.clock.tick()
+    }
+
+    /// Frames since the start: commands take effect between two of them.
+    pub fn frame(&self) -> u64 {
+        self.clock.frames()
+    }
+
+    /// Begins to keep the commands that are carried out, for [`Self::take_carried_out`].
+    pub fn listen(&mut self) {
+        self.carried_out.get_or_insert_default();
+    }
+
+    /// Returns the commands that were carried out since the last call, by whomever; none before [`Self::listen`].
+    pub fn take_carried_out(&mut self) -> Vec<Command> {
+        self.carried_out.as_mut().map(core::mem::take).unwrap_or_default()
     }
 
     /// All pieces.

@@ -36,6 +36,7 @@
 //! ```
 
 pub mod advice;
+pub mod bytes;
 pub mod data;
 pub mod doneness;
 pub mod dynamics;

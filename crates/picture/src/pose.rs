@@ -106,10 +106,10 @@ impl Places {
 const EYE_FOLLOWS: f32 = 0.62;
 const EYE_RISES: f32 = 0.35;
 
-/// Returns the camera moved along with the pan.
+/// Returns the camera moved along with the pan, within the room.
 pub fn following(camera: &Camera, pan: Vec3) -> Camera {
     let share = Vec3::new(EYE_FOLLOWS, EYE_FOLLOWS, EYE_RISES);
-    Camera { target: camera.target + pan.with_z(pan.z.max(0.0)) * share, ..camera.clone() }
+    Camera { target: camera.target + pan.with_z(pan.z.max(0.0)) * share, ..camera.clone() }.in_room()
 }
 
 /// Pose of the pan in the picture: the centre of its underside.

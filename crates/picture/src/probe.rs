@@ -136,6 +136,12 @@ impl Probes {
         self.selected = selected.filter(|n| self.list.iter().any(|p| p.number == *n));
     }
 
+    /// Forgets what was remembered after a time [s], and probes that were put in after it.
+    pub fn cut(&mut self, time_s: f64) {
+        self.list.iter_mut().for_each(|p| p.series.retain(|point| point[0] < time_s));
+        self.list.retain(|p| !p.series.is_empty());
+    }
+
     /// Remembers the temperatures after a tick.
     pub fn observe(&mut self, kitchen: &Kitchen) {
         self.list.iter_mut().for_each(|p| p.remember(kitchen));

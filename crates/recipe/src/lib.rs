@@ -53,6 +53,7 @@ pub mod cook;
 pub mod file;
 pub mod full_pan;
 pub mod recipe;
+pub mod session;
 pub mod summary;
 
 pub use action::{Action, ActionKind, FoodAction, PanAction, Repeat, RepeatEnd};
@@ -64,4 +65,5 @@ pub use cook::step_record;
 pub use file::{action_file, recipe_file, shorthand, step_file};
 pub use recipe::{Group, Recipe, Step, Target, Trigger};
 pub use saute_kitchen::{InputError, InputText};
+pub use session::{Moment, Recording, Replay};
 pub use summary::{Summary, cook_summary, group_summary};

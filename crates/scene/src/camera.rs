@@ -17,6 +17,9 @@ const PITCH_MAX: f32 = FRAC_PI_2;
 pub const DISTANCE_MIN: f32 = 0.14;
 /// Farthest eye [m].
 pub const DISTANCE_MAX: f32 = 1.5;
+/// How far from the middle the eye may go towards the wall behind the hob [m] (chosen: a hand's breadth before the plaster,
+/// which stands at 0.6 m).
+pub const WALL_FROM: f32 = 0.52;
 
 /// An eye that circles a target.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,6 +87,16 @@ impl Camera {
     /// Position of the eye [m].
     pub fn eye(&self) -> Vec3 {
         self.target - self.forward() * self.distance
+    }
+
+    /// The camera with its eye in the room: nearer to its target where it would look from behind the wall.
+    pub fn in_room(mut self) -> Self {
+        let beyond = self.eye().y - WALL_FROM;
+        let back = -self.forward().y;
+        if beyond > 0.0 && back > 0.0 {
+            self.distance = (self.distance - beyond / back).max(DISTANCE_MIN);
+        }
+        self
     }
 
     /// Unit vector from the eye to the target.
@@ -181,6 +194,19 @@ mod tests {
         assert!(camera.distance >= DISTANCE_MIN);
         camera.zoom(1e9);
         assert!(camera.distance <= DISTANCE_MAX);
+    }
+
+    #[test]
+    fn the_eye_stays_in_the_room() {
+        for yaw in 0..64u8 {
+            let mut camera = Camera::three_quarter();
+            camera.orbit(0.1 * f32::from(yaw), -10.0);
+            camera.zoom(10.0);
+            let kept = camera.clone().in_room();
+            assert!(kept.eye().y < WALL_FROM + 1e-4, "{}", kept.eye());
+            assert!((kept.forward() - camera.forward()).length() < 1e-6, "it looks the same way");
+        }
+        assert_eq!(Camera::three_quarter().in_room(), Camera::three_quarter());
     }
 
     #[test]

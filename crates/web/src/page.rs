@@ -94,7 +94,7 @@ impl Page {
 fn start(options: Options) -> Result<Start, String> {
     let library = saute_kitchen::Library::embedded().map_err(|e| e.to_string())?;
     let recipe = options.recipe.map(|name| shipped(&library, &name)).transpose()?;
-    Ok(Start { library: Some(library.into()), recipe, language: options.language, frugal: true })
+    Ok(Start { library: Some(library.into()), recipe, recorded: None, language: options.language, frugal: true })
 }
 
 fn shipped(library: &saute_kitchen::Library, name: &str) -> Result<Recipe, String> {

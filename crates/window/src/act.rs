@@ -8,6 +8,7 @@ use saute_scene::light::white_balance::WhiteBalance;
 use crate::input::pouring::Pourable;
 use crate::mirror::settings::MirrorSettings;
 use crate::session::SteakChoice;
+use crate::ui::glance::EyeView;
 use crate::ui::interface_size::InterfaceSize;
 use crate::ui::quality_choice::QualityChoice;
 use crate::ui::theme::Theme;
@@ -77,9 +78,16 @@ pub enum Act {
     Add(usize),
     /// Plays a recipe of the library from its start, by its id.
     Play(String),
-    /// Opens the browser's file dialog for a recipe.
-    #[cfg(target_arch = "wasm32")]
+    /// Lets the recipe go on from which a command took over.
+    ResumeRecipe,
+    /// Opens a file dialog for a recipe.
     ChooseFile,
+    /// Opens a recipe's file.
+    #[cfg(not(target_arch = "wasm32"))]
+    OpenFile(std::path::PathBuf),
+    /// Shows a file in the system's file manager.
+    #[cfg(not(target_arch = "wasm32"))]
+    ShowFile(std::path::PathBuf),
     /// List of the pieces.
     Pieces,
     /// Start over.
@@ -112,6 +120,8 @@ pub enum Act {
     Units,
     /// Next camera.
     Camera,
+    /// Sends the eye to a view.
+    Eye(EyeView),
     /// Nearer (below 1) or farther.
     Zoom(f32),
     /// Turns the eye [rad].
@@ -164,6 +174,8 @@ pub enum Act {
     Settings,
     /// This list.
     Help,
+    /// What was said so far.
+    Messages,
     /// Closes list and card; no probe is put in.
     Close,
 }
@@ -202,10 +214,50 @@ pub enum Card {
     Help,
     /// The settings.
     Settings,
+    /// What was said so far.
+    Messages,
     /// The half mirror.
     Mirror,
     /// The first steps.
     FirstSteps,
+}
+
+/// What a key is about: the help lists keys by it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// Food, oil, lid.
+    Food,
+    /// Turner and tongs.
+    Tool,
+    /// Hob and time.
+    Hob,
+    /// What is seen of the food.
+    Views,
+    /// The eye.
+    Eye,
+    /// Panels, pictures, devices.
+    Window,
+}
+
+impl Subject {
+    /// All of them, in the order of the help.
+    pub const ALL: [Self; 6] = [Self::Food, Self::Hob, Self::Views, Self::Eye, Self::Tool, Self::Window];
+
+    /// The subject of an act that has a key.
+    pub fn of(act: &Act) -> Self {
+        use Act::{
+            Camera, Cloth, Halve, Hob, LevelTool, Lid, Map, NextPiece, Orbit, Out, Pause, Portion, Pour, Probe, Put,
+            PutAway, Restart, RollBy, Scale, Slice, SliceBy, Speed, Split, Step, Tool, ToolBy, Toss, Units, View, Zoom,
+        };
+        match act {
+            Put | Act::Flip | Out | Halve | Toss | Pour(_) | Portion | Lid | NextPiece => Self::Food,
+            Tool | ToolBy(_) | RollBy(_) | LevelTool | PutAway => Self::Tool,
+            Hob(_) | Cloth | Pause | Step | Speed(_) | Restart => Self::Hob,
+            View(_) | Split | Probe | Map | Scale | Slice | SliceBy(_) | Units => Self::Views,
+            Camera | Orbit(..) | Zoom(_) => Self::Eye,
+            _ => Self::Window,
+        }
+    }
 }
 
 /// A key, what it does, and how the help calls it.
@@ -230,7 +282,7 @@ pub const TOOL_STEP: f64 = 0.01;
 pub const ROLL_STEP: f64 = std::f64::consts::PI / 6.0;
 
 /// All keys, in the order in which the help lists them.
-pub static BINDINGS: [Binding; 60] = [
+pub static BINDINGS: [Binding; 61] = [
     bind(Key::A, "A", Act::Put, "key.put"),
     bind(Key::F, "F", Act::Flip, "key.flip"),
     bind(Key::O, "O", Act::Out, "key.out"),
@@ -289,6 +341,7 @@ pub static BINDINGS: [Binding; 60] = [
     bind(Key::F12, "F12", Act::Picture, "key.picture"),
     bind(Key::F1, "F1", Act::Help, "key.help"),
     bind(Key::F2, "F2", Act::Settings, "key.settings"),
+    bind(Key::F3, "F3", Act::Messages, "key.messages"),
     bind(Key::F9, "F9", Act::Mirror, "key.mirror"),
     bind(Key::Escape, "Esc", Act::Close, "key.close"),
 ];

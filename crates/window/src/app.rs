@@ -1,13 +1,15 @@
 //! The program's window.
 
 mod frame;
+mod keys;
+mod pace;
 
 use std::sync::Arc;
 
 use egui::{Rect, Ui};
 use saute_kitchen::{Command, Library, TICK_S};
 use saute_picture::stage::{Places, Stage, following};
-use saute_recipe::Recipe;
+use saute_recipe::{Recipe, Recording};
 use saute_scene::camera::Camera;
 use saute_scene::quality::Quality;
 
@@ -25,6 +27,7 @@ use crate::paint::scene::SceneCallback;
 use crate::panels::window_state::PanelMemory;
 use crate::session::Session;
 use crate::settings::Settings;
+use crate::ui::glance::Glance;
 use crate::ui::motion::Motions;
 use crate::ui::notice::Notice;
 use crate::ui::scene_view::SceneView;
@@ -39,6 +42,10 @@ const FIRST_START: &str = "{}";
 /// software graphics shade foods and floor for longer than all else of a frame takes).
 const LOOK_PERIOD_S: f64 = 0.3;
 
+/// Time between two savings of the settings (chosen: whoever is cut off loses no more than this; a file of a few
+/// kilobytes).
+const AUTO_SAVE: std::time::Duration = std::time::Duration::from_secs(5);
+
 /// Start options of the window.
 #[derive(Clone, Debug, Default)]
 pub struct Start {
@@ -46,6 +53,8 @@ pub struct Start {
     pub library: Option<Arc<Library>>,
     /// A recipe to play at once.
     pub recipe: Option<Recipe>,
+    /// A recorded session to go on with.
+    pub recorded: Option<Recording>,
     /// Language of the window; the remembered one unless given.
     pub language: Option<Language>,
     /// True draws panels, and what changes slowly in the pan, a few times a second where the graphics are software.
@@ -65,6 +74,8 @@ pub struct SauteApp {
     /// Place of the cut (−1…1), or none.
     pub(crate) slice: Option<f64>,
     pub(crate) help: bool,
+    /// True if the list of what was said is open.
+    pub(crate) messages: bool,
     /// True if the card of the settings is open.
     pub(crate) settings_open: bool,
     pub(crate) notice: Notice,
@@ -78,6 +89,12 @@ pub struct SauteApp {
     pub(crate) portion: Portion,
     pub(crate) pad: Pad,
     last_time: Option<f64>,
+    /// The present lag of the clock.
+    lag: Option<pace::Lag>,
+    /// Where the eye is on its way to.
+    pub(crate) glance: Option<Glance>,
+    /// The piece to which the eye turns once it lies on the board.
+    pub(crate) taken_out: Option<String>,
     pub(crate) meter: FrameMeter,
     /// True if the card of the first steps is shown.
     pub(crate) first_steps: bool,
@@ -91,6 +108,9 @@ pub struct SauteApp {
     /// Chooses the quality of the picture where that is left to the program.
     pub(crate) governor: Governor,
     pub(crate) mirror: MirrorView,
+    /// The file dialog while it is open.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) dialog: crate::files::Dialog,
     /// What the page hands in.
     #[cfg(target_arch = "wasm32")]
     pub(crate) inbox: crate::browser::Inbox,
@@ -104,7 +124,7 @@ pub enum StartError {
     Library(#[from] saute_kitchen::LibraryError),
     /// The first kitchen cannot be set up.
     #[error(transparent)]
-    Setup(#[from] saute_kitchen::kitchen::SetupError),
+    Setup(#[from] saute_recipe::session::ReplayError),
 }
 
 impl SauteApp {
@@ -134,7 +154,7 @@ impl SauteApp {
     ) -> Result<Self, StartError> {
         theme::install(context);
         let japanese_font = crate::ui::japanese_font::install(context);
-        let remembers = stored.is_some() && start.recipe.is_none();
+        let remembers = stored.is_some() && start.recipe.is_none() && start.recorded.is_none();
         let (settings, refused) = stored.map_or_else(Default::default, |text| Settings::remembered(&text));
         let library = start.library.map_or_else(|| Library::embedded().map(Arc::new), Ok)?;
         let mut session = Session::new(Arc::clone(&library), &settings.choice)
@@ -142,6 +162,9 @@ impl SauteApp {
         session.set_speed(settings.speed);
         if let Some(recipe) = start.recipe {
             session.play(recipe)?;
+        }
+        if let Some(recorded) = start.recorded {
+            session.resume(recorded)?;
         }
         let mut software = false;
         let mut frugal = false;
@@ -165,6 +188,7 @@ impl SauteApp {
             camera_preset: 0,
             slice: None,
             help: false,
+            messages: false,
             settings_open: false,
             notice: Notice::default(),
             motions: Motions::default(),
@@ -175,6 +199,9 @@ impl SauteApp {
             portion: Portion::default(),
             pad: Pad::default(),
             last_time: None,
+            lag: None,
+            glance: None,
+            taken_out: None,
             meter: FrameMeter::default(),
             drawable: graphics.is_some(),
             software,
@@ -183,6 +210,8 @@ impl SauteApp {
             first_steps,
             japanese_font,
             mirror: MirrorView::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            dialog: crate::files::Dialog::default(),
             #[cfg(target_arch = "wasm32")]
             inbox: crate::browser::Inbox::default(),
         };
@@ -260,12 +289,26 @@ impl SauteApp {
 
     /// Gives the kitchen a command and says so if it refuses.
     pub(crate) fn command(&mut self, command: &Command) {
+        self.give(command);
+    }
+
+    /// As [`Self::command`]; returns true if the kitchen takes it.
+    pub(crate) fn give(&mut self, command: &Command) -> bool {
         let played = self.session.runner.is_some();
-        match self.session.command(command) {
+        let taken = self.session.command(command);
+        let is_taken = taken.is_ok();
+        match taken {
             Ok(()) if played => self.say("notice.taken_over"),
+            Ok(()) if self.session.paused && takes_time(command) => self.say("notice.later"),
             Ok(()) => {}
             Err(refused) => self.say_refused(&refused),
         }
+        is_taken
+    }
+
+    /// Returns true if a card covers the scene; time then waits.
+    pub(crate) fn card_is_open(&self) -> bool {
+        self.help || self.messages || self.settings_open || self.first_steps
     }
 
     /// Says a text that leaves nothing open.
@@ -347,6 +390,20 @@ impl SauteApp {
     }
 }
 
+/// Commands that a hand carries out over time.
+fn takes_time(command: &Command) -> bool {
+    matches!(
+        command,
+        Command::Flip { .. }
+            | Command::Rest { .. }
+            | Command::Toss { .. }
+            | Command::Shake { .. }
+            | Command::Press { .. }
+            | Command::Move { .. }
+            | Command::Tilt { .. }
+    )
+}
+
 impl eframe::App for SauteApp {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.frame(ui);
@@ -357,12 +414,11 @@ impl eframe::App for SauteApp {
         Some(&mut *self)
     }
 
+    fn auto_save_interval(&self) -> std::time::Duration {
+        AUTO_SAVE
+    }
+
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        self.settings.choice = if self.session.recipe_title().is_some() {
-            self.settings.choice.clone()
-        } else {
-            self.session.choice().clone()
-        };
         if let Ok(text) = serde_json::to_string(&self.settings) {
             storage.set_string(SETTINGS_KEY, text);
         }

@@ -5,7 +5,7 @@ mod clock;
 mod food;
 mod look;
 
-use saute_kitchen::{Command, RestOn};
+use saute_kitchen::Command;
 
 use crate::act::{Act, Setting};
 use crate::app::SauteApp;
@@ -31,8 +31,8 @@ impl SauteApp {
             Act::Heap(ids) => self.heap_in(&ids),
             Act::Remove(ids) => self.session.remove(&ids),
             Act::Flip => self.command(&Command::Flip { food: self.handled_id() }),
-            Act::Halve => self.command(&Command::Halve { food: self.handled_id(), at: 0.0 }),
-            Act::Out => self.command(&Command::Rest { food: self.handled_id(), on: RestOn::Board }),
+            Act::Halve => self.halve(),
+            Act::Out => self.take_out(),
             Act::Toss => self.command(&Command::Toss { height: TOSS_M }),
             Act::Pour(what) => self.pour(what),
             Act::Portion => self.next_portion(),
@@ -47,8 +47,12 @@ impl SauteApp {
             Act::SetOut => self.set_out(),
             Act::Add(count) => self.add(count),
             Act::Play(id) => self.play(&id),
-            #[cfg(target_arch = "wasm32")]
+            Act::ResumeRecipe => self.resume_recipe(),
             Act::ChooseFile => self.choose_file(ctx),
+            #[cfg(not(target_arch = "wasm32"))]
+            Act::OpenFile(path) => self.open_file(&path),
+            #[cfg(not(target_arch = "wasm32"))]
+            Act::ShowFile(path) => self.show_file(&path),
             Act::Pieces => self.open_left(false, !self.settings.pieces_open),
             Act::Restart => self.restart(),
             Act::View(view) => self.settings.view = view,
@@ -65,8 +69,9 @@ impl SauteApp {
             Act::SliceAt(place) => self.slice = Some(place),
             Act::Units => self.settings.fahrenheit = !self.settings.fahrenheit,
             Act::Camera => self.next_camera(),
-            Act::Zoom(factor) => self.camera.zoom(factor),
-            Act::Orbit(dx, dy) => self.camera.orbit(dx, dy),
+            Act::Eye(view) => self.look_from(view),
+            Act::Zoom(factor) => self.zoom(factor),
+            Act::Orbit(dx, dy) => self.orbit(dx, dy),
             Act::Pantry => self.open_left(!self.settings.pantry_open, false),
             Act::Curves => self.settings.curves_open = !self.settings.curves_open,
             Act::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
@@ -93,6 +98,7 @@ impl SauteApp {
             Act::Open(card) => self.open_card(card),
             Act::Shut(card) => self.shut_card(card),
             Act::Help => self.toggle_help(),
+            Act::Messages => self.toggle_messages(),
             Act::Settings => self.toggle_settings(),
             Act::Close => self.close_all(),
         }

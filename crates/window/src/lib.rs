@@ -20,6 +20,8 @@ mod apply;
 pub mod bench_frame;
 #[cfg(target_arch = "wasm32")]
 pub mod browser;
+#[cfg(not(target_arch = "wasm32"))]
+mod files;
 pub mod frame_meter;
 pub mod governor;
 #[cfg(not(target_arch = "wasm32"))]
@@ -33,6 +35,8 @@ pub mod panels;
 pub mod pose;
 mod remembered;
 pub mod session;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod session_file;
 pub mod settings;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod stored_zoom;

@@ -4,19 +4,22 @@ mod choice;
 mod clock;
 mod foresight;
 mod mark;
+mod resumed;
 mod selection;
 mod stock;
+pub mod timeline;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{Command, Kitchen, Library, Refused};
+use saute_kitchen::{Command, Kitchen, Library, PieceOrder, Refused};
 use saute_picture::probe::Probes;
-use saute_recipe::{Recipe, Recorder, Runner};
+use saute_recipe::session::{Deed, ReplayError};
+use saute_recipe::{Recipe, Recorder, Recording, Runner};
 
-use self::choice::set_out;
+use self::choice::as_recipe;
 use self::mark::label;
+use self::timeline::Timeline;
 
 pub use self::choice::{STEAK, SteakChoice, group_of, noun};
 pub use self::clock::SPEEDS;
@@ -31,6 +34,8 @@ pub struct Session {
     pub kitchen: Kitchen,
     /// The recipe that plays, until the user gives a command.
     pub runner: Option<Runner>,
+    /// The recipe that was left when the user gave a command.
+    left: Option<Runner>,
     /// Series for the plot.
     pub recorder: Recorder,
     /// Points in the food whose temperature is recorded.
@@ -47,9 +52,12 @@ pub struct Session {
     #[cfg(not(target_arch = "wasm32"))]
     pub hands: crate::hand::Hands,
     choice: SteakChoice,
-    recipe: Option<Recipe>,
-    /// Food that was added to the first choice.
-    added: Vec<(SteakChoice, usize)>,
+    /// What the cook began with: a recipe that plays, or one that only sets out the chosen food and pan.
+    recipe: Arc<Recipe>,
+    plays: bool,
+    /// What happened, from the beginning to the instant that is shown.
+    recording: Recording,
+    timeline: Timeline,
     owed_s: f64,
     selected: Option<String>,
     start_mass_g: BTreeMap<String, f64>,
@@ -58,12 +66,19 @@ pub struct Session {
 
 impl Session {
     /// Starts a session with the chosen food and pan.
-    pub fn new(library: Arc<Library>, choice: &SteakChoice) -> Result<Self, SetupError> {
-        let kitchen = set_out(&library, choice)?;
+    ///
+    /// # Errors
+    ///
+    /// If the library has not what was chosen.
+    pub fn new(library: Arc<Library>, choice: &SteakChoice) -> Result<Self, ReplayError> {
+        let recipe = Arc::new(as_recipe(&library, choice)?);
+        let kitchen = recipe.kitchen(&library)?;
+        let recording = Recording::begin(&recipe, false, &library);
         let mut session = Self {
             library,
             kitchen,
             runner: None,
+            left: None,
             recorder: Recorder::default(),
             probes: Probes::default(),
             marks: Vec::new(),
@@ -73,8 +88,10 @@ impl Session {
             #[cfg(not(target_arch = "wasm32"))]
             hands: crate::hand::Hands::default(),
             choice: choice.clone(),
-            recipe: None,
-            added: Vec::new(),
+            recipe,
+            plays: false,
+            recording,
+            timeline: Timeline::default(),
             owed_s: 0.0,
             selected: None,
             start_mass_g: BTreeMap::new(),
@@ -84,79 +101,164 @@ impl Session {
         Ok(session)
     }
 
+    /// Begins with a kitchen that is set out and its recording.
     fn begin(&mut self) {
         self.recorder = Recorder::default();
         self.recorder.observe(&self.kitchen);
         self.probes = Probes::default();
         self.marks.clear();
-        self.added.clear();
+        self.left = None;
+        self.selected = None;
+        self.start_mass_g.clear();
+        self.timeline.begin();
+        self.listen();
+        self.recording.observe(&self.kitchen);
+        self.weigh_new();
+        self.keep_keyframe();
+        self.start_afresh();
+    }
+
+    /// The kitchen that is shown is another one: what was thought of the last one is forgotten.
+    fn start_afresh(&mut self) {
         self.owed_s = 0.0;
         self.forecast = None;
         self.generation += 1;
-        self.selected = None;
-        self.start_mass_g.clear();
         #[cfg(not(target_arch = "wasm32"))]
         self.hands.begin();
-        self.weigh_new();
+    }
+
+    /// Devices give the kitchen commands themselves.
+    fn listen(&mut self) {
+        #[cfg(not(target_arch = "wasm32"))]
+        self.kitchen.listen();
+    }
+
+    /// Begins a cook in place of the present one, which can be brought back.
+    fn begin_with(&mut self, recipe: Arc<Recipe>, plays: bool) -> Result<(), ReplayError> {
+        let kitchen = recipe.kitchen(&self.library)?;
+        self.put_by();
+        self.recording = Recording::begin(&recipe, plays, &self.library);
+        self.kitchen = kitchen;
+        self.runner = plays.then(|| Runner::new(Arc::clone(&recipe)));
+        (self.recipe, self.plays) = (recipe, plays);
+        self.begin();
+        Ok(())
     }
 
     /// Restarts with another choice of food and pan.
-    pub fn set_out(&mut self, choice: &SteakChoice) -> Result<(), SetupError> {
-        self.kitchen = set_out(&self.library, choice)?;
-        (self.choice, self.recipe, self.runner) = (choice.clone(), None, None);
-        self.begin();
+    ///
+    /// # Errors
+    ///
+    /// If the library has not what was chosen.
+    pub fn set_out(&mut self, choice: &SteakChoice) -> Result<(), ReplayError> {
+        let recipe = as_recipe(&self.library, choice)?;
+        self.begin_with(Arc::new(recipe), false)?;
+        self.choice = choice.clone();
         Ok(())
     }
 
     /// Plays a recipe from its start.
-    pub fn play(&mut self, recipe: Recipe) -> Result<(), SetupError> {
-        self.kitchen = recipe.kitchen(&self.library)?;
-        self.runner = Some(Runner::new(Arc::new(recipe.clone())));
-        self.recipe = Some(recipe);
+    ///
+    /// # Errors
+    ///
+    /// If the library has not what the recipe needs.
+    pub fn play(&mut self, recipe: Recipe) -> Result<(), ReplayError> {
+        self.begin_with(Arc::new(recipe), true)?;
         self.paused = false;
         self.speed = 1.0;
-        self.begin();
         Ok(())
     }
 
-    /// Restarts the same recipe or choice.
-    pub fn restart(&mut self) -> Result<(), SetupError> {
-        match self.recipe.clone() {
-            Some(recipe) => self.play(recipe),
-            None => {
-                let added = std::mem::take(&mut self.added);
-                self.set_out(&self.choice.clone())?;
-                added.iter().try_for_each(|(choice, count)| self.add(choice, *count).map(drop))
-            }
+    /// Restarts the same recipe or choice, with the food that was added.
+    ///
+    /// # Errors
+    ///
+    /// If a food cannot be built.
+    pub fn restart(&mut self) -> Result<(), ReplayError> {
+        if self.plays {
+            return self.play(Recipe::clone(&self.recipe));
         }
+        let orders: Vec<PieceOrder> = self.recording.entries().iter().filter_map(|e| added(&e.deed)).cloned().collect();
+        self.set_out(&self.choice.clone())?;
+        orders.into_iter().try_for_each(|order| self.add_one(order))?;
+        self.end_of_beginning();
+        Ok(())
     }
 
     /// Carries out a command of the user, which stops the recipe.
+    ///
+    /// # Errors
+    ///
+    /// If the kitchen refuses it.
     pub fn command(&mut self, command: &Command) -> Result<(), Refused> {
+        self.finish_travel();
         self.kitchen.apply(command)?;
-        self.runner = None;
+        drop(self.kitchen.take_carried_out());
+        self.depart(self.recording.entries().len());
+        self.leave_recipe();
+        self.recording.push(&self.kitchen, command.clone());
+        self.note(command);
+        Ok(())
+    }
+
+    /// Notes a command that was carried out in series and marks.
+    fn note(&mut self, command: &Command) {
         if matches!(command, Command::Put { .. }) {
             self.recorder.on_put(&self.kitchen);
         }
         if let Some(label) = label(command) {
             self.mark(label);
         }
-        Ok(())
+    }
+
+    /// Stops the recipe; it can be resumed.
+    fn leave_recipe(&mut self) {
+        self.left = self.runner.take().or_else(|| self.left.take());
+    }
+
+    /// Lets the recipe go on from the step that it waited for; returns false if none was left.
+    pub fn resume_recipe(&mut self) -> bool {
+        self.finish_travel();
+        if self.left.is_none() {
+            return self.runner.is_some();
+        }
+        self.depart(self.recording.entries().len());
+        self.recording.resume(&self.kitchen);
+        self.runner = self.left.take();
+        true
+    }
+
+    /// Returns the title of the recipe that was left, if there is one.
+    pub fn left_recipe(&self) -> Option<&str> {
+        self.left.as_ref().map(|runner| runner.recipe().title.as_str())
     }
 
     fn mark(&mut self, label: String) {
         self.recorder.write_row(&self.kitchen);
-        self.marks.push(Mark { time_s: self.kitchen.time_s(), label });
+        self.marks.push(Mark { time_s: self.kitchen.time_s(), label, at: self.recording.moment() });
     }
 
     /// Returns the title of the recipe, if one was loaded.
     pub fn recipe_title(&self) -> Option<&str> {
-        self.recipe.as_ref().map(|r| r.title.as_str())
+        self.plays.then_some(self.recipe.title.as_str())
     }
 
     /// Returns the last choice of food and pan.
     pub fn choice(&self) -> &SteakChoice {
         &self.choice
+    }
+
+    /// What happened, from the beginning to the instant that is shown.
+    pub fn recording(&self) -> &Recording {
+        &self.recording
+    }
+}
+
+/// Food that was added.
+fn added(deed: &Deed) -> Option<&PieceOrder> {
+    match deed {
+        Deed::Add(order) => Some(order),
+        _ => None,
     }
 }
 
@@ -208,5 +310,9 @@ mod tests {
         s.command(&Command::Hob(0.0)).expect("hob");
         assert!(s.runner.is_none());
         assert_eq!(s.kitchen.hob_w(), 0.0);
+        assert!(s.left_recipe().is_some() && s.resume_recipe());
+        s.advance(Duration::from_secs(60), Duration::from_secs(60)).expect("runs");
+        assert!(s.paused, "the recipe has ended by its own last step");
+        assert!(!s.resume_recipe());
     }
 }

@@ -49,7 +49,7 @@ pub struct Settings {
     pub speed: f64,
     /// The food and the pan.
     pub choice: SteakChoice,
-    /// Goal for the core's peak of food whose scale states no goal of its own [°C].
+    /// Goal for the core's peak of food whose scale states no goal of its own [°C]: at first medium.
     pub goal_c: f64,
     /// Goals for the core by the ids of the scales that state one, in the unit of the scale [°C or %].
     pub goals: BTreeMap<String, f64>,
@@ -57,10 +57,12 @@ pub struct Settings {
     pub pantry_open: bool,
     /// True if the list of the pieces is open.
     pub pieces_open: bool,
-    /// True if the curves are shown.
+    /// True if the curves and all readings are shown.
     pub curves_open: bool,
     /// True if all panels are hidden.
     pub panels_hidden: bool,
+    /// Recipes that were opened from files, the last one first.
+    pub recent: Vec<std::path::PathBuf>,
     /// The half mirror.
     pub mirror: MirrorSettings,
 }
@@ -82,12 +84,13 @@ impl Default for Settings {
             scale: DEFAULT_SCALE.to_owned(),
             speed: 1.0,
             choice: SteakChoice::default(),
-            goal_c: 60.0,
+            goal_c: 62.0,
             goals: BTreeMap::new(),
             pantry_open: false,
             pieces_open: false,
-            curves_open: true,
+            curves_open: false,
             panels_hidden: false,
+            recent: Vec::new(),
             mirror: MirrorSettings::default(),
         }
     }

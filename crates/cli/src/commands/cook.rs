@@ -1,19 +1,22 @@
 //! `saute cook`.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use saute_kitchen::doneness::ScaleChoice;
-use saute_recipe::{Cook, Recipe, StoppedBy, Summary};
+use saute_recipe::{Cook, StoppedBy, Summary};
 
 use crate::args::CookArgs;
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::input::recipe_source;
+use crate::input::session_source::{self, Source};
 use crate::output::interruption::Interruption;
 use crate::output::out_dir::OutDir;
 use crate::output::progress::Progress;
 use crate::output::section_files::{Snapshot, pictured};
+use crate::output::session_out::SessionOut;
 use crate::output::{json, stderr, stdout, text_summary};
 use crate::{exit_code, report};
 
@@ -21,10 +24,12 @@ use crate::{exit_code, report};
 pub fn run(args: &CookArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let scales = data.scales(&args.doneness)?;
     let recipe = recipe_source::load(&args.recipe, data)?;
-    let cook = start(recipe, data)?;
+    let cook = session_source::cook(Source::Recipe(recipe), data)?;
     let pictured = if args.out.is_some() { pictured(&cook, args.every_piece) } else { Vec::new() };
     let out = args.out.as_deref().map(OutDir::prepare).transpose()?;
-    let (cook, snapshots, wall) = cook_through(cook, &pictured, out.as_ref())?;
+    let begin = |path: &PathBuf| SessionOut::begin(path, cook.runner.recipe(), &data.library, &cook.kitchen);
+    let session = args.record.as_ref().map(begin).transpose()?;
+    let (cook, snapshots, wall) = cook_through(cook, &pictured, out.as_ref(), session)?;
     let summary = cook.summary(wall.as_secs_f64());
     if let Some(out) = out {
         let place = out.place();
@@ -37,11 +42,6 @@ pub fn run(args: &CookArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     Ok(report_end(&cook, &summary))
 }
 
-fn start(recipe: Recipe, data: &DataLibrary) -> Result<Cook, CliError> {
-    let file = recipe.file.clone();
-    Cook::new(recipe, &data.library).map_err(|source| CliError::Setup { file, source })
-}
-
 /// Cooks to the end and takes pictures of some foods. The wall time is the time of the simulation without the pictures.
 ///
 /// A signal ends a cook with an output folder early, with an error that says what is left; later it is too late to matter.
@@ -49,25 +49,33 @@ fn cook_through(
     mut cook: Cook,
     pictured: &[usize],
     out: Option<&OutDir>,
+    mut session: Option<SessionOut>,
 ) -> Result<(Cook, Vec<Snapshot>, Duration), CliError> {
     let interruption = out.map_or_else(Interruption::default, |_| Interruption::watch());
-    let progress = Progress::start(cook.runner.recipe().max_s);
+    let progress = Progress::start(&cook);
     let mut snapshots = Vec::new();
     let started = Instant::now();
     let mut painting = Duration::ZERO;
     while cook.stopped().is_none() {
         let fired = cook.fire()?;
+        if let Some(session) = &mut session {
+            session.on_steps(&mut cook.kitchen);
+        }
         if !pictured.is_empty() && !fired.is_empty() {
             let begun = Instant::now();
             snapshots.extend(Snapshot::take(&cook, &fired, pictured)?);
             painting += begun.elapsed();
         }
         cook.tick();
+        if let Some(session) = &mut session {
+            session.on_tick(&cook.kitchen)?;
+        }
         progress.show(&cook);
         if let (true, Some(out)) = (interruption.is_asked(), out) {
             return Err(CliError::Interrupted { at_s: cook.kitchen.time_s(), left: out.left() });
         }
     }
+    session.map_or(Ok(()), SessionOut::finish)?;
     Ok((cook, snapshots, started.elapsed().saturating_sub(painting)))
 }
 
@@ -88,11 +96,12 @@ fn files(
     Ok(files)
 }
 
-fn report_end(cook: &Cook, summary: &Summary) -> ExitCode {
+/// Says the warnings of a cook, and why it stopped if it did not end by itself; returns the exit code.
+pub fn report_end(cook: &Cook, summary: &Summary) -> ExitCode {
     for warning in &summary.warnings {
         stderr::say(format!("warning: {warning}"));
     }
-    if summary.stopped_by == StoppedBy::End {
+    if summary.stopped_by != StoppedBy::MaxS {
         return ExitCode::SUCCESS;
     }
     let (recipe, waiting) = (cook.runner.recipe(), cook.runner.waiting_step());

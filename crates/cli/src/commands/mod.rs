@@ -5,5 +5,7 @@ pub mod food_check;
 pub mod lab;
 pub mod list;
 mod list_actions;
+pub mod manual;
 pub mod open;
+pub mod replay;
 pub mod schema;

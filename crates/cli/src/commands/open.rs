@@ -4,24 +4,32 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use saute_kitchen::data::library::DEFAULT_SCALE;
-use saute_recipe::Recipe;
 use saute_window::Start;
 use saute_window::hand::HandsStart;
 
 use crate::args::HandArgs;
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
+use crate::input::session_source::Source;
 
-/// Opens the window and plays a recipe if there is one.
-pub fn run(data: DataLibrary, recipe: Option<Recipe>, hands: HandArgs) -> Result<ExitCode, CliError> {
+/// Opens the window, and plays a recipe or goes on with a session if there is one.
+pub fn run(data: DataLibrary, source: Option<Source>, hands: HandArgs) -> Result<ExitCode, CliError> {
     // The window states doneness in the words of a scale.
     data.scales(DEFAULT_SCALE)?;
+    for device in [&hands.device, &hands.turner].into_iter().flatten() {
+        saute_haptics::Named::parse(device)?;
+    }
     if !has_display() {
         return Err(CliError::NoDisplay(NO_DISPLAY.to_owned()));
     }
     let HandArgs { device, turner, pairing, calibration } = hands;
     let hands = HandsStart { pan: device, turner, pairing, calibration };
-    let start = Start { library: Some(Arc::new(data.library)), recipe, hands, ..Start::default() };
+    let (recipe, recorded) = match source {
+        Some(Source::Recipe(recipe)) => (Some(recipe), None),
+        Some(Source::Session(recording)) => (None, Some(*recording)),
+        None => (None, None),
+    };
+    let start = Start { library: Some(Arc::new(data.library)), recipe, recorded, hands, ..Start::default() };
     saute_window::window::run(start)
         .map_err(|e| CliError::NoDisplay(format!("the window cannot be opened: {e}\n{NO_DISPLAY}")))?;
     Ok(ExitCode::SUCCESS)

@@ -2,5 +2,6 @@
 
 pub mod data_library;
 pub mod recipe_source;
+pub mod session_source;
 pub mod surface_file;
 pub mod text_file;

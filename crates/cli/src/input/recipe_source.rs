@@ -7,11 +7,14 @@ use saute_recipe::Recipe;
 
 use crate::error::CliError;
 use crate::input::data_library::{DataLibrary, MEND};
-use crate::input::text_file;
+use crate::input::{session_source, text_file};
 
 /// Reads and checks the recipe with a path or an id. A file takes precedence over an id of the same name.
 pub fn load(name: &str, data: &DataLibrary) -> Result<Recipe, CliError> {
     let path = Path::new(name);
+    if session_source::is_session(path) {
+        return Err(CliError::place(name, "is a recorded session, not a recipe", "play it again with: saute replay"));
+    }
     let text = match data.library.recipes.get(name) {
         Some(text) if !path.is_file() => return parse(text, &data.recipe_place(name), data),
         _ if path.exists() => text_file::read(path)?,

@@ -8,6 +8,7 @@ pub mod out_file;
 mod printable;
 pub mod progress;
 pub mod section_files;
+pub mod session_out;
 mod staged_files;
 pub mod stderr;
 pub mod stdout;

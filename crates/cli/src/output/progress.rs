@@ -5,7 +5,7 @@ use std::io::IsTerminal;
 use indicatif::{ProgressBar, ProgressStyle};
 use saute_recipe::Cook;
 
-use crate::wording::duration;
+use crate::wording::clock;
 
 /// Ticks between two updates (chosen: smooth to the eye, no cost in time).
 const EVERY: u64 = 50;
@@ -15,9 +15,9 @@ const EVERY: u64 = 50;
 pub struct Progress(Option<ProgressBar>);
 
 impl Progress {
-    /// Starts the bar of a cook.
-    pub fn start(max_s: f64) -> Self {
-        Self::over(max_s.ceil() as u64)
+    /// Starts the bar of a cook, over the steps of its recipe.
+    pub fn start(cook: &Cook) -> Self {
+        Self::over(cook.runner.recipe().steps.len() as u64)
     }
 
     /// Starts a bar over a number of parts.
@@ -40,14 +40,10 @@ impl Progress {
     pub fn show(&self, cook: &Cook) {
         let Some(bar) = &self.0 else { return };
         if cook.kitchen.tick().is_multiple_of(EVERY) {
-            let (time, most) = (cook.kitchen.time_s(), cook.runner.recipe().max_s);
-            bar.set_position(time as u64);
-            bar.set_message(format!(
-                "{} of at most {}; next: {}",
-                duration(time),
-                duration(most),
-                cook.runner.waiting_for()
-            ));
+            let (done, time) = (cook.runner.waiting_step(), clock(cook.kitchen.time_s()));
+            bar.set_position(done as u64);
+            let all = cook.runner.recipe().steps.len();
+            bar.set_message(format!("{time}, step {done} of {all}; next: {}", cook.runner.waiting_for()));
         }
     }
 }

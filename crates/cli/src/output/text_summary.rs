@@ -27,6 +27,7 @@ fn head(s: &Summary) -> String {
     let how = match s.stopped_by {
         StoppedBy::End => "ended by its last step",
         StoppedBy::MaxS => "stopped by max_s",
+        StoppedBy::Hand => "ended by hand",
     };
     let speed = s.simulated_s / s.wall_s.max(1e-9);
     format!(
@@ -183,9 +184,9 @@ fn imbalance_pct(e: &Energy) -> f64 {
 }
 
 fn steps(s: &Summary) -> String {
-    let mut lines = "steps\n".to_owned();
+    let mut lines = "steps (min:s)\n".to_owned();
     for step in &s.steps {
-        let _ = writeln!(lines, "  {:>8.1} s    {}", step.time_s, wording::step(step));
+        let _ = writeln!(lines, "  {:>8}    {}", wording::clock(step.time_s), wording::step(step));
     }
     lines
 }

@@ -4,21 +4,21 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::ValueEnum;
+use saute_kitchen::TICK_S;
 use saute_kitchen::data::library::DEFAULT_SCALE;
-use saute_kitchen::{Library, TICK_S};
 use saute_picture::View;
 use saute_picture::cut::section::Picture;
 use saute_picture::still::animation::{Format, animation};
 use saute_picture::still::png_file::png_bytes;
 use saute_picture::still::series::Series;
-use saute_picture::still::shot::{Eye, ShotOptions, shot};
-use saute_recipe::Recipe;
+use saute_picture::still::shot::{Eye, ShotOptions, shot_of};
+use saute_recipe::Cook;
 use saute_scene::camera::FIELD_OF_VIEW;
 use saute_window::mirror::frame::MirrorOptions;
 use saute_window::mirror::rig::Rig;
 use saute_window::mirror::rig_file;
 use saute_window::mirror::stereo::Stereo;
-use saute_window::mirror::still::mirror_shot;
+use saute_window::mirror::still::mirror_shot_of;
 
 use super::choices::{LightName, QualityName, StereoName, ViewName, WhiteName};
 use super::contact_sheet::contact_sheet;
@@ -27,13 +27,13 @@ use super::size::size;
 use super::time_lapse::time_lapse;
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
-use crate::input::{recipe_source, text_file};
+use crate::input::{session_source, text_file};
 use crate::output::out_file::OutFile;
 
 /// `saute shot`.
 #[derive(Debug, clap::Args)]
 pub struct ShotArgs {
-    /// Recipe file, or id of a shipped recipe.
+    /// Recipe file, id of a shipped recipe, or session file (.saute).
     #[arg(value_name = "RECIPE")]
     pub recipe: String,
     /// Simulated time of the picture; of an animation the end.
@@ -124,7 +124,7 @@ fn every(text: &str) -> Result<f64, String> {
 
 /// Renders the pictures and writes them.
 pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
-    let recipe = recipe_source::load(&args.recipe, data)?;
+    let source = session_source::load(&args.recipe, data)?;
     let kind = Kind::of(args)?;
     let out = OutFile::prepare(&args.out)?;
     let scales = data.scales(&args.doneness)?;
@@ -140,16 +140,16 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         eye: args.camera,
         field_of_view: args.fov.to_radians(),
     };
-    let library = &data.library;
+    let cook = session_source::cook(source, data)?;
     let bytes = match kind {
-        Kind::One(at_s) => png_bytes(&one(args, (recipe, library), at_s, options)?)?,
+        Kind::One(at_s) => png_bytes(&one(args, cook, at_s, options)?)?,
         Kind::Sheet => {
-            let mut series = Series::new(recipe, library, options, args.size)?;
+            let mut series = Series::of(cook, options, args.size)?;
             png_bytes(&contact_sheet(&mut series, &args.contact_sheet)?)?
         }
         Kind::Lapse(format, every_s) => {
-            let until_s = args.at.unwrap_or(recipe.max_s);
-            let mut series = Series::new(recipe, library, options, args.size)?;
+            let until_s = args.at.unwrap_or(cook.runner.recipe().max_s);
+            let mut series = Series::of(cook, options, args.size)?;
             animation(format, &time_lapse(&mut series, every_s, until_s, args.at.is_some())?)?
         }
     };
@@ -186,17 +186,12 @@ impl Kind {
 }
 
 /// One picture, or that of a half mirror.
-fn one(
-    args: &ShotArgs,
-    (recipe, library): (Recipe, &Library),
-    at_s: f64,
-    options: ShotOptions,
-) -> Result<Picture, CliError> {
-    let Some(name) = &args.mirror else { return Ok(shot(recipe, library, at_s, options, args.size)?) };
+fn one(args: &ShotArgs, cook: Cook, at_s: f64, options: ShotOptions) -> Result<Picture, CliError> {
+    let Some(name) = &args.mirror else { return Ok(shot_of(cook, at_s, options, args.size)?) };
     let rig = rig(name)?;
     let stereo = args.stereo.map_or(Stereo::Off, Stereo::from);
     let mirror = MirrorOptions { stereo, eye_distance: rig.eye_distance, pan_shown: args.show_pan };
-    Ok(mirror_shot(recipe, library, at_s, &options, (&rig, &mirror), args.size)?)
+    Ok(mirror_shot_of(cook, at_s, &options, (&rig, &mirror), args.size)?)
 }
 
 /// Returns a shipped rig by its name, or reads a rig file.

@@ -4,6 +4,7 @@ use maud::{Markup, html};
 use saute_kitchen::doneness::ScaleChoice;
 use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::Measure;
+use saute_picture::colour::hatch::{DOT, INK, LINE, PERIOD, Pattern};
 use saute_picture::colour::map::Tone;
 use saute_recipe::Summary;
 use saute_recipe::summary::{ClassShares, FoodSummary, ScaleReading};
@@ -24,13 +25,35 @@ fn css(tone: Tone) -> &'static str {
     }
 }
 
-/// Returns the rules of the style sheet for the tones, in the colours of the doneness view.
+/// Returns the rules of the style sheet for the tones, in the colours and with the patterns of the doneness view.
 pub fn style() -> String {
     let rule = |tone: &Tone| {
-        let [r, g, b] = tone.colour();
-        format!(".{} {{ background-color: rgb({r} {g} {b}); }}\n", css(*tone))
+        let ([r, g, b], name) = (tone.colour(), css(*tone));
+        let colour = format!(".{name} {{ background-color: rgb({r} {g} {b}); }}\n");
+        format!("{colour}.pattern.{name} {{ {} }}\n", hatch(tone.pattern()))
     };
     Tone::of_scale(saute_kitchen::food::change::doneness::MOST_CLASSES).iter().map(rule).collect()
+}
+
+/// Returns a pattern as rules of a style sheet: that of the window's swatches, on the same grid and with the same ink.
+fn hatch(pattern: Pattern) -> String {
+    let ink = format!("rgb(0 0 0 / {INK})");
+    let lines = |degrees: u16, apart: f64| {
+        format!("repeating-linear-gradient({degrees}deg, {ink} 0 {LINE}px, transparent {LINE}px {apart:.2}px)")
+    };
+    let slant = PERIOD / std::f64::consts::SQRT_2;
+    let dot =
+        |x: f64, y: f64| format!("radial-gradient(circle at {x}px {y}px, {ink} {DOT}px, transparent {}px)", DOT + 0.5);
+    match pattern {
+        Pattern::Plain => "background-image: none;".to_owned(),
+        Pattern::Dots => {
+            let dots = [dot(0.25 * PERIOD, 0.375 * PERIOD), dot(0.75 * PERIOD, 1.125 * PERIOD)].join(", ");
+            format!("background-image: {dots}; background-size: {PERIOD}px {}px;", 1.5 * PERIOD)
+        }
+        Pattern::Levels => format!("background-image: {};", lines(180, 0.625 * PERIOD)),
+        Pattern::Diagonal => format!("background-image: {};", lines(135, slant)),
+        Pattern::Cross => format!("background-image: {}, {};", lines(135, slant), lines(45, slant)),
+    }
 }
 
 /// Returns bars for all foods that a scale covers, each in its own words, for groups the means; nothing if there is none.

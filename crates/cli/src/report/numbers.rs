@@ -135,7 +135,7 @@ fn steps(cook: &Cook, summary: &Summary) -> Markup {
         table.steps {
             caption { "Steps" }
             tr {
-                @for head in ["time", "step", "pan"] { th scope="col" { (head) } }
+                @for head in ["time, min:s", "step", "pan"] { th scope="col" { (head) } }
                 @for entry in &entries { th scope="col" { "core of " (entry.food.id) } }
             }
             @for step in &summary.steps { (step_row(cook, &entries, step)) }
@@ -146,7 +146,7 @@ fn steps(cook: &Cook, summary: &Summary) -> Markup {
 fn step_row(cook: &Cook, entries: &[FoodOrGroup], step: &StepRecord) -> Markup {
     html! {
         tr {
-            td { (format!("{:.1} s", step.time_s)) }
+            td { (wording::clock(step.time_s)) }
             th scope="row" { (wording::step(step)) }
             @if let Some(row) = super::row_at(cook, step.time_s) {
                 td { (format!("{:.1} °C", row.pan_c)) }

@@ -10,6 +10,7 @@ mod folders;
 mod haptics;
 mod layers;
 mod library;
+mod manual;
 mod pictures;
 mod running;
 mod sources;

@@ -52,6 +52,16 @@ impl Form {
         }
     }
 
+    /// Returns the dimensions of an extent of length, width and thickness: the inverse of [`Self::extent`].
+    pub fn dimensions_of(self, [length, width, thickness]: [f64; 3]) -> Vec<f64> {
+        match self {
+            Self::Steak | Self::Stick => vec![length, width, thickness],
+            Self::Coin | Self::Ring | Self::Patty => vec![length, thickness],
+            Self::Shrimp => vec![length, width],
+            Self::Mesh => vec![length],
+        }
+    }
+
     /// Name of the dimension that length (0), width (1) or thickness (2) comes from.
     pub fn dimension_of(self, axis: usize) -> &'static str {
         let names = self.dimensions();

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use saute_heat::Layout;
+use serde::{Deserialize, Serialize};
 
 use crate::GRAVITY;
 use crate::model::FoodModel;
@@ -12,7 +13,7 @@ use crate::state::FoodState;
 const CARRIES: f64 = 0.1e-3;
 
 /// Beam model of a body along its stations: Euler–Bernoulli bending under its own weight.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Limp {
     nodes_per_level: usize,
     /// Positions of the stations along the path [m].
@@ -41,6 +42,12 @@ impl FoodModel {
 }
 
 impl Limp {
+    /// Returns true if it has the stations of a model.
+    pub fn fits(&self, model: &FoodModel) -> bool {
+        let Layout::Along(mesh, _) = model.shape.mesh.layout() else { return false };
+        self.nodes_per_level == mesh.nodes_per_level() && self.along.len() == mesh.levels.len()
+    }
+
     /// Index of the station of a node.
     pub fn station(&self, node: u32) -> usize {
         node as usize / self.nodes_per_level

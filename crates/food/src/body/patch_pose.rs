@@ -1,6 +1,7 @@
 //! Positions and outward normals of the patches, at rest and in the present shape.
 
 use saute_heat::{BodyMesh, Layout};
+use serde::{Deserialize, Serialize};
 
 use crate::body::patch::{Face, Patch};
 use crate::body::rest_shape::RestShape;
@@ -11,7 +12,7 @@ use crate::state::FoodState;
 const BELOW: f64 = -0.7;
 
 /// Position and outward normal of a patch in the body frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct PatchPose {
     /// Position [m].
     pub position: [f64; 3],
@@ -20,10 +21,11 @@ pub struct PatchPose {
 }
 
 /// Poses of all patches, in buffers that are reused between calls.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub struct PatchGeometry {
     /// Pose of each patch, in the order of the patches.
     pub poses: Vec<PatchPose>,
+    #[serde(skip)]
     positions: Vec<[f64; 3]>,
 }
 

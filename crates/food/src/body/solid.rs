@@ -1,13 +1,14 @@
 //! Collision shapes of a piece.
 
 use saute_heat::{Layout, Station, SweptMesh};
+use serde::{Deserialize, Serialize};
 
 use crate::body::form::Form;
 use crate::model::FoodModel;
 use crate::state::FoodState;
 
 /// Capsule: a rod with round ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Capsule {
     /// Centres of the round ends [m].
     pub ends: [[f64; 3]; 2],
@@ -16,7 +17,7 @@ pub struct Capsule {
 }
 
 /// Collision shape in the body frame and the present shape, about the origin of [`FoodModel::positions`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub enum Solid {
     /// A cylinder whose axis is z.
     Cylinder {

@@ -1,13 +1,13 @@
 //! Shape tables of a food file: sizes, outline, surface file and spine.
 
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::description::Confidence;
 use crate::sourced_table;
 
 /// Outline of a piece: as it grew and was cut, or plain.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum OutlineKind {
     /// With the natural form of its food, where its file states one; each seed gives another piece of the same volume.

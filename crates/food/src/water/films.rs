@@ -2,6 +2,8 @@
 
 use core::array::from_fn;
 
+use serde::{Deserialize, Serialize};
+
 use crate::advance::{Exchange, Surroundings};
 use crate::body::patch::Patch;
 use crate::model::FoodModel;
@@ -27,6 +29,13 @@ pub(crate) struct Films {
     step: f64,
 }
 
+/// What of a block does not follow from the model: the films about the state at which they were linearised.
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
+pub(crate) struct SavedBlock {
+    film: FilmLanes,
+    rates: [Lanes; 2],
+}
+
 /// Up to four consecutive patches.
 #[derive(Clone, Copy, Debug)]
 struct Block {
@@ -42,7 +51,7 @@ struct Block {
 }
 
 /// Fields of [`AirFilm`].
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
 struct FilmLanes {
     area: Lanes,
     radiant: Lanes,
@@ -89,6 +98,39 @@ impl Films {
             self.rates.push(rates);
         }
         (self.count, self.step) = (model.shape.patches.len(), f64::NAN);
+    }
+
+    /// Returns what does not follow from the model and the nodes' heat capacities.
+    pub(crate) fn saved(&self) -> Vec<SavedBlock> {
+        self.blocks
+            .iter()
+            .zip(&self.rates)
+            .map(|(block, rates)| SavedBlock { film: block.film, rates: *rates })
+            .collect()
+    }
+
+    /// Returns the films again; `None` if they are not of this model. The next step prepares its length anew.
+    pub(crate) fn of_saved(saved: &[SavedBlock], model: &FoodModel, capacity: &[f64]) -> Option<Self> {
+        let patches = &model.shape.patches;
+        if saved.is_empty() {
+            return Some(Self::default());
+        }
+        if saved.len() != patches.len().div_ceil(TOGETHER) {
+            return None;
+        }
+        let restored = |(patches, saved): (&[Patch], &SavedBlock)| {
+            let mut block = Block { film: saved.film, ..Block::of(patches) };
+            for (k, patch) in patches.iter().enumerate() {
+                block.capacity[k] = *capacity.get(patch.node as usize)?;
+            }
+            Some(block)
+        };
+        Some(Self {
+            blocks: patches.chunks(TOGETHER).zip(saved).map(restored).collect::<Option<_>>()?,
+            rates: saved.iter().map(|block| block.rates).collect(),
+            count: patches.len(),
+            step: f64::NAN,
+        })
     }
 
     /// Prepares steps of `dt` [s].

@@ -1,9 +1,10 @@
 //! Point location in the triangulation of a cross-section.
 
 use crate::mesh::section::Section;
+use serde::{Deserialize, Serialize};
 
 /// A point inside a triangle, as three nodes and their linear shape functions [-].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Located {
     /// Nodes at the corners of the triangle.
     pub nodes: [u32; 3],

@@ -72,6 +72,8 @@ pub struct Library {
     pub fond: FondData,
     /// Entries that are not in the tables because a file of the user's is broken, by path: the cause.
     pub(crate) set_aside: BTreeMap<String, String>,
+    /// Hash of every data file, by path.
+    pub(crate) hashes: BTreeMap<String, u64>,
 }
 
 impl Library {

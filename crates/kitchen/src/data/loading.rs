@@ -7,6 +7,7 @@ use saute_food::{FoodDescription, Scale};
 use saute_heat::Soup;
 
 use crate::data::data_file::DataFile;
+use crate::data::data_hash::file_hashes;
 use crate::data::library::{DonenessFile, Library, LibraryError, with_body};
 use crate::data::shelf::{Shelved, shipped_files};
 use crate::pan::pan_description::{CoatingDescription, PanDescription};
@@ -64,6 +65,7 @@ impl<'a> Loading<'a> {
             hob: self.parse("hobs/induction.toml")?,
             fond: self.parse(FOND_FILE)?,
             set_aside: BTreeMap::new(),
+            hashes: file_hashes(&self.files, &self.own.surfaces),
         };
         self.set_coated_aside(&library.pans, &coatings);
         self.settle_oils(&mut library)?;

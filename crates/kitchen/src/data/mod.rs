@@ -1,6 +1,7 @@
 //! Data files: what a kitchen is built from. The types of the descriptions state each format once.
 
 pub mod data_file;
+mod data_hash;
 pub mod echo;
 pub mod finding;
 pub mod food_check;

@@ -3,12 +3,13 @@
 use core::f64::consts::TAU;
 
 use glam::{DQuat, DVec3};
+use serde::{Deserialize, Serialize};
 
 use super::pan_motion::PanTarget;
 use super::pose::{Pose, turn};
 
 /// A scripted motion of the pan about the pose at which it is held.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub enum Gesture {
     /// Oscillation left and right.
     Shake {

@@ -5,6 +5,7 @@
 
 use glam::DVec3;
 use saute_food::GRAVITY;
+use serde::{Deserialize, Serialize};
 
 use super::pose::{Pose, rotation_between, turn};
 use super::press_path::{is_covered, on_top};
@@ -13,7 +14,7 @@ use super::spring::Spring;
 use super::world::{RIGID_S, World};
 
 /// Tool of a hand.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 pub enum Tool {
     /// A blade that slides under food, lifts, turns and presses it.
     #[default]
@@ -37,7 +38,7 @@ const YIELD_FORCE: f64 = 12.0;
 const PATIENCE_S: f64 = 0.5;
 
 /// Frame of reference of a leg.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
 pub enum Frame {
     /// Moves with the pan.
     Pan,
@@ -46,7 +47,7 @@ pub enum Frame {
 }
 
 /// Action of a tool at the end of a leg.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub enum Act {
     /// No action.
     Pass,
@@ -66,7 +67,7 @@ pub enum Act {
 }
 
 /// A leg of a tool's path.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Leg {
     /// Frame of reference.
     pub frame: Frame,
@@ -90,7 +91,7 @@ pub enum Ended {
 }
 
 /// A grip on a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 struct Grip {
     key: u32,
     /// Pose of the body in the tool's frame.
@@ -100,7 +101,7 @@ struct Grip {
 }
 
 /// The hand with its tool.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Hand {
     /// Its tool.
     pub tool: Tool,
@@ -135,6 +136,11 @@ impl Hand {
             active: true,
             ..Self::default()
         };
+    }
+
+    /// Returns true if it is on one of its legs.
+    pub(crate) fn is_sound(&self) -> bool {
+        self.legs.is_empty() || self.leg < self.legs.len()
     }
 
     /// Returns true while it works.

@@ -21,6 +21,7 @@ pub mod pan_shape;
 pub mod pose;
 mod press;
 mod press_path;
+pub(crate) mod saved_world;
 mod scale;
 mod scoop;
 pub mod solid_shape;

@@ -1,6 +1,7 @@
 //! Motion of the pan: it follows its target with bounded speed and acceleration.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use super::pose::{Pose, about, rotation_between};
 
@@ -29,7 +30,7 @@ pub struct PanTarget {
 }
 
 /// The moving pan.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct PanMotion {
     /// Pose of the centre of the floor's upper face.
     pub pose: Pose,

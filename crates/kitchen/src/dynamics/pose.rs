@@ -5,10 +5,11 @@
 //! one of them differently.
 
 use glam::{DQuat, DVec3};
+use serde::{Deserialize, Serialize};
 
 /// Position and orientation of a body in the kitchen [m]: x to the right, y away from the cook, z up; the origin is the
 /// ring's centre on the hob's glass.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Pose {
     /// Position of its origin [m].
     pub position: DVec3,

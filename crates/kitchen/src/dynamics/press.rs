@@ -10,6 +10,7 @@ use std::collections::BTreeSet;
 use glam::DVec3;
 use rapier3d::dynamics::MassProperties;
 use rapier3d::math::Vector;
+use serde::{Deserialize, Serialize};
 
 use super::scale;
 use super::world::{Against, RIGID_S, World};
@@ -25,7 +26,7 @@ const FOLLOW: f64 = 0.1;
 const GYRATION: f64 = 0.045;
 
 /// The press at work.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub(super) struct Press {
     key: u32,
     /// Full force [N].

@@ -2,6 +2,7 @@
 //! or turned over. In any other attitude it collides with food: upright it pushes, from above it presses.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use super::blade::BLADE_HALF;
 use super::hand::{Hand, TOOL_CLEARANCE, Tool};
@@ -9,7 +10,7 @@ use super::pose::Pose;
 use super::world::{Against, BOARD_AT, BOARD_HALF, World};
 
 /// Food above the blade.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub(super) struct Under {
     key: u32,
     /// Lowest height of the blade above pan, board or glass since it slid there [m].

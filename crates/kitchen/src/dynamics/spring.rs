@@ -1,6 +1,7 @@
 //! The spring–damper by which a hand holds a body: critically damped, relative to the moving target.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use super::pose::{Pose, rotation_between};
 use super::world::RIGID_S;
@@ -9,7 +10,7 @@ use super::world::RIGID_S;
 const STIFF: f64 = 50.0;
 
 /// A spring–damper between the target pose of a body and its pose.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Spring {
     /// Target pose in the last step.
     wanted: Pose,

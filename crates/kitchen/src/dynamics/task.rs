@@ -3,6 +3,7 @@
 use core::f64::consts::PI;
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use super::extent::{radius, reach};
 use super::hand::{Act, Frame, Leg, Tool};
@@ -11,7 +12,7 @@ use super::press_path::press;
 use super::world::{BOARD_AT, World};
 
 /// A task with one body.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub enum Task {
     /// Turns it over about its long axis at its place.
     Flip {

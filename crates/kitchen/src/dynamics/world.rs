@@ -14,6 +14,7 @@ use rapier3d::geometry::{
 use rapier3d::math::Vector;
 use rapier3d::pipeline::PhysicsPipeline;
 use saute_food::{GRAVITY, Solid};
+use serde::{Deserialize, Serialize};
 
 use super::blade::insert_blade;
 use super::pan_motion::{PanMotion, PanTarget};
@@ -59,7 +60,7 @@ pub(super) const BLADE: Group = Group::GROUP_5;
 pub(super) const FOODS: Group = Group::GROUP_1.union(Group::GROUP_2);
 
 /// Counterpart of a contact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub enum Against {
     /// The pan's floor.
     Floor,
@@ -100,7 +101,7 @@ impl Against {
 }
 
 /// One contact of a piece.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Contact {
     /// Counterpart.
     pub against: Against,
@@ -115,10 +116,10 @@ pub const BOARD_HALF: DVec3 = DVec3::new(0.13, 0.18, 0.008);
 /// Half the side length of the hob's glass [m] (chosen: one zone with its frame).
 pub const GLASS_HALF: f64 = 0.2;
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub(super) struct FoodBody {
-    body: RigidBodyHandle,
-    colliders: Vec<ColliderHandle>,
+    pub(super) body: RigidBodyHandle,
+    pub(super) colliders: Vec<ColliderHandle>,
     solid: Solid,
     mass: f64,
     friction: f64,
@@ -127,26 +128,26 @@ pub(super) struct FoodBody {
 
 /// All rigid bodies.
 pub struct World {
-    pipeline: PhysicsPipeline,
-    parameters: IntegrationParameters,
-    islands: IslandManager,
-    broad_phase: BroadPhaseBvh,
+    pub(super) pipeline: PhysicsPipeline,
+    pub(super) parameters: IntegrationParameters,
+    pub(super) islands: IslandManager,
+    pub(super) broad_phase: BroadPhaseBvh,
     pub(super) narrow_phase: NarrowPhase,
     pub(super) bodies: RigidBodySet,
-    colliders: ColliderSet,
-    joints: ImpulseJointSet,
-    multibody_joints: MultibodyJointSet,
-    soft_bodies: SoftBodySet,
-    ccd: CCDSolver,
-    shape: PanShape,
-    pan: RigidBodyHandle,
+    pub(super) colliders: ColliderSet,
+    pub(super) joints: ImpulseJointSet,
+    pub(super) multibody_joints: MultibodyJointSet,
+    pub(super) soft_bodies: SoftBodySet,
+    pub(super) ccd: CCDSolver,
+    pub(super) shape: PanShape,
+    pub(super) pan: RigidBodyHandle,
     pub(super) blade: RigidBodyHandle,
     pub(super) spared: Option<u32>,
     pub(super) foods: BTreeMap<u32, FoodBody>,
     pub(super) press: Option<Press>,
     /// Motion of the pan.
     pub motion: PanMotion,
-    may_sleep: bool,
+    pub(super) may_sleep: bool,
     pub(super) settled: bool,
 }
 
@@ -525,7 +526,7 @@ fn set_sleep(body: &mut RigidBody, may_sleep: bool) {
     activation.angular_threshold = if may_sleep { default.angular_threshold } else { -1.0 };
 }
 
-fn parameters() -> IntegrationParameters {
+pub(super) fn parameters() -> IntegrationParameters {
     let mut parameters = IntegrationParameters {
         dt: RIGID_S as f32,
         length_unit: TYPICAL,

@@ -18,7 +18,7 @@ pub enum RestOn {
 }
 
 /// A command. It takes effect at the start of the next tick.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub enum Command {
     /// Sets the hob's electrical power [W].
     Hob(f64),

@@ -1,6 +1,7 @@
 //! A tool that a person moves freely: it follows a target pose, grips food and lays it down.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use crate::dynamics::{Pose, RIGID_S, Tool};
 use crate::hands::command::Refused;
@@ -8,7 +9,7 @@ use crate::kitchen::Kitchen;
 use crate::piece::piece_state::Place;
 
 /// Tool that a person moves freely, with its target.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub(crate) struct Led {
     tool: Tool,
     to: Pose,

@@ -41,6 +41,14 @@ impl Kitchen {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn apply(&mut self, command: &Command) -> Result<(), Refused> {
+        self.carry_out(command)?;
+        if let Some(carried_out) = &mut self.carried_out {
+            carried_out.push(command.clone());
+        }
+        Ok(())
+    }
+
+    fn carry_out(&mut self, command: &Command) -> Result<(), Refused> {
         if self.pan.lid.is_some() && command.needs_open_pan() {
             return Err(Refused::LidIsOn);
         }

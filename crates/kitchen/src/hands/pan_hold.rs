@@ -1,11 +1,12 @@
 //! The hand that holds the pan.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use crate::dynamics::{Gesture, Pose};
 
 /// How the pan is held.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 pub(crate) struct PanHold {
     /// Pose at which the pan is held between gestures.
     pub(crate) pose: Pose,

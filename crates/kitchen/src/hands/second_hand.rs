@@ -1,12 +1,13 @@
 //! The second hand with its queue of tasks, and the tool that a person moves.
 
+use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 
 use crate::dynamics::{Hand, Task};
 use crate::hands::lead::Led;
 
 /// The second hand and its tasks.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub(crate) struct SecondHand {
     /// The hand with its tool.
     pub(crate) hand: Hand,

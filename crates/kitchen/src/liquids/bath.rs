@@ -2,6 +2,7 @@
 
 use saute_food::table::{Table, interpolate};
 use saute_food::{ZERO_C, sourced_table};
+use serde::{Deserialize, Serialize};
 
 use crate::liquids::water_film::{WATER_DENSITY, WATER_SPECIFIC_HEAT, WaterFilm};
 use crate::{celsius, kelvin};
@@ -54,7 +55,7 @@ pub struct BathModel {
 }
 
 /// Water that stands deeper than a puddle: the part of the film that food can stand in.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Pool {
     /// Mass [kg]; 0 without a pool.
     pub mass: f64,

@@ -2,6 +2,7 @@
 
 use saute_food::ZERO_C;
 use saute_food::sourced_table;
+use serde::{Deserialize, Serialize};
 
 use crate::kelvin;
 use crate::liquids::oil::{Emulsion, Oil};
@@ -36,7 +37,7 @@ pub struct ButterModel {
 }
 
 /// A lump of solid butter.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Lump {
     /// Mass [kg].
     pub mass: f64,
@@ -49,7 +50,7 @@ pub struct Lump {
 }
 
 /// Butter in the pan, without its molten fat and water, which belong to the films of oil and water.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Butter {
     /// Lump that has not melted yet.
     pub lump: Option<Lump>,

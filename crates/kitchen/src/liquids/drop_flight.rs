@@ -6,6 +6,7 @@
 use core::f64::consts::{PI, TAU};
 
 use saute_food::GRAVITY;
+use serde::{Deserialize, Serialize};
 
 /// Density of hot oil [kg/m³] (standard tables, 120 °C).
 pub(crate) const OIL_DENSITY: f64 = 855.0;
@@ -23,7 +24,7 @@ const STEP: f64 = 2.0e-3;
 const LONGEST: f64 = 1.0;
 
 /// Surface on which a flight ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
 pub enum Landing {
     /// The pan's floor; the drop joins the oil.
     Floor,
@@ -47,7 +48,7 @@ pub struct Vessel {
 }
 
 /// Ballistic flight of one drop.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct DropFlight {
     /// Start time [s].
     pub thrown_s: f64,

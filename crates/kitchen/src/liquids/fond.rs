@@ -10,7 +10,7 @@ use saute_food::sourced_table;
 use saute_food::table::Table;
 use saute_heat::Located;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::kelvin;
 use crate::liquids::film_flow::FilmFlow;
@@ -90,7 +90,7 @@ pub struct FondModel {
 }
 
 /// Solids at every node; browning and charring are advected as mass × extent.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Solids {
     /// Mass at each node.
     pub mass: Vec<f64>,
@@ -101,7 +101,7 @@ pub struct Solids {
 }
 
 /// Dried and dissolved solids.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Fond {
     /// Dried solids per area [kg/m²].
     pub dried: Solids,

@@ -2,6 +2,7 @@
 
 use saute_food::{FreeAir, Rules, ZERO_C};
 use saute_heat::Located;
+use serde::{Deserialize, Serialize};
 
 use crate::data::library::Library;
 use crate::data::room::Room;
@@ -46,7 +47,7 @@ pub struct LiquidModel {
 }
 
 /// Liquids in a pan.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Liquids {
     /// Oil and fat.
     pub oil: OilFilm,
@@ -72,7 +73,7 @@ pub struct Liquids {
 }
 
 /// Adaptive interval between updates of a liquid's flow: every tick while it flows fast, less often when slow.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 struct Pace {
     /// Time between two updates [s].
     interval: f64,

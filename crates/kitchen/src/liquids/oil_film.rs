@@ -1,13 +1,14 @@
 //! The oil film on the pan: mass of each kind of fat at each node, at the temperature of the metal below.
 
 use saute_food::ZERO_C;
+use serde::{Deserialize, Serialize};
 
 use crate::liquids::film_flow::{FilmFlow, Manner, Run, Sweep};
 use crate::liquids::oil::Oil;
 use crate::pan::bed::Bed;
 
 /// One kind of fat in the film.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Fat {
     /// Index among the pan's oils.
     pub kind: usize,
@@ -16,7 +17,7 @@ pub struct Fat {
 }
 
 /// Oil and fat in the pan.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct OilFilm {
     /// Kinds of fat in the pan.
     pub fats: Vec<Fat>,

@@ -1,6 +1,7 @@
 //! Overheated oil: smoke, flash point and fire.
 
 use saute_food::sourced_table;
+use serde::{Deserialize, Serialize};
 
 use crate::kelvin;
 use crate::liquids::oil::Oil;
@@ -29,7 +30,7 @@ const HYSTERESIS: f64 = 10.0;
 const TRACE: f64 = 0.02;
 
 /// Smoke and fire of the oil in the pan.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Smoke {
     /// Present flow of smoke [kg/s].
     pub rate: f64,

@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 
 use saute_food::sourced_table;
 use saute_food::tissue::noise::uniform;
+use serde::{Deserialize, Serialize};
 
 use crate::liquids::drop_flight::{DropFlight, Landing, OIL_DENSITY, Vessel};
 use crate::liquids::oil_film::OilFilm;
@@ -44,7 +45,7 @@ const COVERED: f64 = 0.2;
 const FLIGHT_STREAM: u64 = 0xf1_1947;
 
 /// A spot of oil left by a drop.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Spot {
     /// Surface: the pan's wall, or the plane below the pan.
     pub landing: Landing,
@@ -68,7 +69,7 @@ pub struct DropSurroundings<'a> {
 }
 
 /// Spatter as a Poisson process whose rate follows the steam under oil.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Spatter {
     /// Oil lost as drops [kg].
     pub spattered: f64,

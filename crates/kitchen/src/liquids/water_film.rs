@@ -3,6 +3,7 @@
 use saute_food::table::{Table, interpolate};
 use saute_food::water::{latent_heat, saturation_density};
 use saute_food::{FreeAir, ZERO_C, sourced_table};
+use serde::{Deserialize, Serialize};
 
 use crate::liquids::film_flow::{FilmFlow, Manner, Run, Sweep};
 use crate::liquids::fond::Fond;
@@ -57,7 +58,7 @@ pub struct WaterModel {
 }
 
 /// Water in the pan.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct WaterFilm {
     /// Mass at each node [kg].
     pub mass: Vec<f64>,

@@ -1,12 +1,13 @@
 //! The wet cloth: heat flux by a boiling curve, limited by a finite mass of water.
 
 use saute_food::water::latent_heat;
+use serde::{Deserialize, Serialize};
 
 use crate::data::room::ClothData;
 use crate::{celsius, kelvin};
 
 /// A cloth with its remaining water.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Cloth {
     /// Water [kg].
     pub water: f64,

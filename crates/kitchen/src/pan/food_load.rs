@@ -1,9 +1,10 @@
 //! Load of the foods on the pan's nodes in one tick.
 
 use saute_heat::Located;
+use serde::{Deserialize, Serialize};
 
 /// Sums over all foods at each node of the pan.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub(crate) struct FoodLoad {
     /// Heat flow into food [W].
     pub(crate) heat: Vec<f64>,

@@ -1,7 +1,7 @@
 //! The induction hob: a ring-shaped heat source and the glass between it and the pan.
 
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use saute_food::sourced_table;
 
@@ -86,7 +86,7 @@ pub struct HobDescription {
 }
 
 /// Place of a pan over its ring.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct PanPose {
     /// Centre of the pan relative to the ring's [m].
     pub at: [f64; 2],

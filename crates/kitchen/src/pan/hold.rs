@@ -1,6 +1,7 @@
 //! What the hob infers of the pan from its sensor under the glass: it holds a temperature with it and limits the power.
 
 use saute_food::sourced_table;
+use serde::{Deserialize, Serialize};
 
 use crate::pan::hob::HobDescription;
 use crate::tick::low_pass::low_pass;
@@ -50,7 +51,7 @@ sourced_table! {
 
 /// The electronics that hold a pan at a temperature: a proportional–integral controller of the floor's mean
 /// temperature, which it infers from the sensor under the middle of the glass and from the power that it gave.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct HoldControl {
     /// Temperature to hold [K]; none if the hob gives the power at which it is set.
     target: Option<f64>,

@@ -8,6 +8,7 @@
 use saute_food::water::air_film::radiation_coefficient;
 use saute_food::water::{ATMOSPHERE, VAPOUR_GAS_CONSTANT, latent_heat, saturation_density, saturation_pressure};
 use saute_food::{FreeAir, ZERO_C, sourced_table};
+use serde::{Deserialize, Serialize};
 
 use crate::data::room::Room;
 use crate::kelvin;
@@ -41,7 +42,7 @@ const MOST_AT_ONCE: f64 = 0.3;
 const RADIATION: f64 = 9.0;
 
 /// A lid on the pan and the air under it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Lid {
     /// Temperature of the lid [K].
     pub temperature: f64,

@@ -4,7 +4,9 @@ use glam::DVec3;
 use saute_food::body::limp::Limp;
 use saute_food::{FoodModel, Patch, PatchPose, Rules};
 use saute_heat::Located;
+use serde::{Deserialize, Serialize};
 
+use crate::data::room::Room;
 use crate::dynamics::pan_shape::OverPan;
 use crate::dynamics::{PanShape, Pose};
 use crate::pan::pan_model::PanModel;
@@ -32,7 +34,7 @@ const BEND: f64 = 8.0e-3;
 const SAME: f64 = 0.1e-3;
 
 /// A patch that faces the pan.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct NearPatch {
     /// Index of the patch.
     pub patch: u32,
@@ -43,7 +45,7 @@ pub struct NearPatch {
 }
 
 /// All patches of a piece that face the pan.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub struct NearPan {
     /// The patches, in their order.
     pub patches: Vec<NearPatch>,
@@ -142,6 +144,12 @@ fn settle(facing: &mut [(u32, OverPan)], limp: &Limp, patches: &[Patch]) {
         let at = station(*patch);
         over.gap -= gaps[at] - settled[at];
     }
+}
+
+/// Returns the unevenness of the faces of a piece in a room [m].
+pub(crate) fn uneven_of(model: &FoodModel, seed: u64, room: &Room) -> Vec<f64> {
+    let gap = &room.contact;
+    unevenness(model, seed, 1e-3 * gap.unevenness_scale_mm, 1e-3 * gap.unevenness_mm)
 }
 
 /// Unevenness of a piece's surface at each patch [m]: seeded noise of a wavelength, with mean 0 and the given standard

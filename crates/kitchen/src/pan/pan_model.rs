@@ -4,6 +4,7 @@ use saute_food::water::air_film::radiation_coefficient;
 use saute_food::water::juice::Runoff;
 use saute_food::{Exchange, FreeAir, Rules};
 use saute_heat::{Conduction, Graph, Located, Locator, MeshError, Section};
+use serde::{Deserialize, Serialize};
 
 use crate::data::library::Library;
 use crate::data::room::{OverPan, Room};
@@ -47,7 +48,7 @@ pub struct PanModel {
 }
 
 /// State of a pan.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct PanState {
     /// Temperature of the metal at each node [K].
     pub temperature: Vec<f64>,

@@ -1,12 +1,13 @@
 //! The wooden board below resting food: one-dimensional conduction into layers of wood.
 
 use crate::data::room::BoardData;
+use serde::{Deserialize, Serialize};
 
 /// Number of layers that warm up within a long rest [-] (chosen: √(αt) is 12 mm in 15 minutes).
 const LAYERS: usize = 6;
 
 /// Temperatures of the wood under one piece [K].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Board {
     /// Layer temperatures from the surface down [K].
     pub layers: [f64; LAYERS],

@@ -1,6 +1,7 @@
 //! Contact conductance between pieces: links between patches of one that face patches of another.
 
 use glam::{DMat3, DVec3};
+use serde::{Deserialize, Serialize};
 
 use crate::data::room::FoodContact;
 use crate::dynamics::Pose;
@@ -14,7 +15,7 @@ const FACING: f64 = -0.5;
 const SAME: f64 = 0.3e-3;
 
 /// Two patches in contact.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Link {
     /// Patch of the first piece.
     pub a: u32,
@@ -25,7 +26,7 @@ pub struct Link {
 }
 
 /// Two pieces in contact.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Touching {
     /// Keys of the pieces, ascending.
     pub pair: [u32; 2],

@@ -9,6 +9,7 @@ use saute_food::advance::REFRESH_TICKS;
 use saute_food::water::latent_heat;
 use saute_food::{Touch, ZERO_C};
 use saute_heat::Located;
+use serde::{Deserialize, Serialize};
 
 use crate::data::room::Room;
 use crate::dynamics::{PanShape, Pose};
@@ -31,7 +32,7 @@ const STEAM_S: f64 = 1.0;
 const MOST_RISE: f64 = 1.0;
 
 /// Kind of medium.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
 pub(crate) enum Medium {
     /// Steam at 100 °C.
     Steam,
@@ -40,7 +41,7 @@ pub(crate) enum Medium {
 }
 
 /// A patch in a medium.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 struct InMedium {
     patch: u32,
     medium: Medium,
@@ -53,14 +54,14 @@ struct InMedium {
 }
 
 /// A patch in deep oil, which has the temperature of the metal below.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 pub(crate) struct Oiled {
     pub(crate) patch: u32,
     pub(crate) located: Located,
 }
 
 /// Media around a piece.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub(crate) struct Media {
     patches: Vec<InMedium>,
     /// Patches below the surface of the pool.
@@ -69,6 +70,16 @@ pub(crate) struct Media {
     pub(crate) in_oil: Vec<Oiled>,
     /// Steam that boils off below the piece, averaged [kg/s].
     steam: f64,
+}
+
+impl Media {
+    /// Returns true if it names some of so many patches and nodes of the pan.
+    pub(crate) fn fits(&self, patches: usize, nodes: usize) -> bool {
+        let named = self.patches.iter().map(|m| m.patch).chain(self.in_water.iter().copied());
+        let mut named = named.chain(self.in_oil.iter().map(|oiled| oiled.patch));
+        let mut located = self.in_oil.iter().flat_map(|oiled| oiled.located.nodes);
+        named.all(|patch| (patch as usize) < patches) && located.all(|node| (node as usize) < nodes)
+    }
 }
 
 /// Heat that a piece took from its media in one tick [J].

@@ -2,6 +2,7 @@
 
 use crate::pan::near_pan::NearPan;
 use crate::tick::low_pass::low_pass;
+use serde::{Deserialize, Serialize};
 
 /// Longest loss of contact that does not restart the contact [s] (chosen: a hop of a few millimetres).
 const HOP_S: f64 = 0.15;
@@ -9,7 +10,7 @@ const HOP_S: f64 = 0.15;
 const PRESSURE_S: f64 = 0.3;
 
 /// Contact of a piece with the pan.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub(crate) struct PanContact {
     /// Patches near the pan.
     pub(crate) near: NearPan,

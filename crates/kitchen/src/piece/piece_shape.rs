@@ -2,6 +2,7 @@
 
 use saute_food::body::limp::Limp;
 use saute_food::{FoodModel, FoodState, PatchGeometry, PatchPose};
+use serde::{Deserialize, Serialize};
 
 use crate::pan::near_pan::Seen;
 
@@ -9,7 +10,7 @@ use crate::pan::near_pan::Seen;
 const SHAPE_TICKS: u64 = 20;
 
 /// Present shape of a piece.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub(crate) struct PieceShape {
     geometry: PatchGeometry,
     limp: Option<Limp>,
@@ -24,6 +25,11 @@ impl PieceShape {
         let mut geometry = PatchGeometry::default();
         model.patch_geometry_into(state, &mut geometry);
         Self { geometry, limp: model.limp(state), count: 0, updated_at: 0 }
+    }
+
+    /// Returns true if it has the patches and stations of a model.
+    pub(crate) fn fits(&self, model: &FoodModel) -> bool {
+        self.geometry.poses.len() == model.patches().len() && self.limp.as_ref().is_none_or(|limp| limp.fits(model))
     }
 
     /// Derives the shape again.

@@ -5,15 +5,17 @@ use std::sync::Arc;
 use saute_food::advance::REFRESH_TICKS;
 use saute_food::body::halving::{Cut, CutError};
 use saute_food::{
-    Exchange, FoodModel, FoodSolver, FoodState, FreeAir, PatchPose, Rules, Surroundings, Touch, present_area,
+    Exchange, FoodModel, FoodSolver, FoodState, FreeAir, PatchPose, PieceSpec, Rules, Surroundings, Touch, present_area,
 };
+use serde::{Deserialize, Serialize};
 
 use crate::TICK_S;
 use crate::data::room::Room;
 use crate::dynamics::extent::outline;
 use crate::dynamics::{Contact, PanShape, Pose};
 use crate::hands::command::{Refused, RestOn};
-use crate::pan::near_pan::{NearPatch, unevenness};
+use crate::kitchen::PieceOrder;
+use crate::pan::near_pan::NearPatch;
 use crate::pan::pan_model::{PanModel, PanState};
 use crate::pan::ridges::AcrossGroove;
 use crate::piece::board::Board;
@@ -26,7 +28,7 @@ use crate::piece::piece_shape::PieceShape;
 use crate::piece::sear_lines::SearRecord;
 
 /// Place of a piece.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub enum Place {
     /// Waiting at its start temperature, without heat exchange.
     Waiting,
@@ -80,6 +82,10 @@ pub struct Piece {
     pub seed: u64,
     /// Key: unique and constant during the life of the kitchen.
     pub key: u32,
+    /// Size, seed and mesh from which its model was built.
+    pub(crate) spec: PieceSpec,
+    /// Hash of the data files of its food.
+    pub(crate) data_hash: u64,
     /// Immutable model.
     pub model: Arc<FoodModel>,
     /// State of the food.
@@ -102,26 +108,23 @@ pub struct Piece {
     pub(crate) contacts: Vec<Contact>,
     pub(crate) solver: FoodSolver,
     pub(crate) sear: SearRecord,
-    shape: PieceShape,
+    pub(crate) shape: PieceShape,
     pub(crate) uneven: Arc<Vec<f64>>,
-    board: Board,
-    touch: Vec<Touch>,
+    pub(crate) board: Board,
+    pub(crate) touch: Vec<Touch>,
     pub(crate) media: Media,
 }
 
 impl Piece {
     /// A waiting piece at a uniform temperature [K].
     pub(crate) fn new(
-        (id, kind): (String, String),
-        seed: u64,
+        (order, data_hash): (&PieceOrder, u64),
         key: u32,
-        model: Arc<FoodModel>,
-        temperature: f64,
+        (model, uneven): (Arc<FoodModel>, Arc<Vec<f64>>),
         room: &Room,
     ) -> Self {
+        let temperature = order.temperature;
         let state = FoodState::raw(&model, temperature);
-        let gap = &room.contact;
-        let uneven = unevenness(&model, seed, 1e-3 * gap.unevenness_scale_mm, 1e-3 * gap.unevenness_mm);
         Self {
             core_peak: (temperature, 0.0),
             place: Place::Waiting,
@@ -134,13 +137,15 @@ impl Piece {
             solver: FoodSolver::default(),
             sear: SearRecord::default(),
             shape: PieceShape::of(&model, &state),
-            uneven: Arc::new(uneven),
+            uneven,
             board: Board::at(room.temperature()),
             touch: Vec::new(),
             media: Media::default(),
-            id,
-            kind,
-            seed,
+            id: order.id.clone(),
+            kind: order.kind.clone(),
+            seed: order.seed,
+            spec: order.spec(),
+            data_hash,
             key,
             model,
             state,

@@ -8,6 +8,7 @@
 use glam::DVec3;
 use saute_food::advance::REFRESH_TICKS;
 use saute_food::{Face, FoodModel};
+use serde::{Deserialize, Serialize};
 
 use crate::TICK_S;
 use crate::data::room::Room;
@@ -34,7 +35,7 @@ const DRY: f64 = 0.65;
 /// Parallel lines on a face, in the rest frame of the body as seen from +z.
 ///
 /// A point (x, y) lies on a line if x·d_y − y·d_x − phase is within half a width of a multiple of the pitch.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct SearLines {
     /// Unit vector along the lines, its x not negative [-].
     pub direction: [f64; 2],
@@ -96,7 +97,7 @@ impl SearLines {
 }
 
 /// History of a piece on ridges.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct SearRecord {
     /// Lines of the lower and upper face of the rest shape; `share` holds the mean browning gained so far.
     faces: [Vec<SearLines>; 2],
@@ -107,6 +108,11 @@ pub struct SearRecord {
 }
 
 impl SearRecord {
+    /// Returns true if it has no strips, or one for each of so many patches, and names a face that it has.
+    pub(crate) fn fits(&self, patches: usize) -> bool {
+        [0, patches].contains(&self.strips.len()) && self.seen.is_none_or(|(face, _)| face < self.faces.len())
+    }
+
     /// Returns the face that lies below, given the upward direction in the body's frame.
     fn face_below(up: [f64; 3]) -> Option<Face> {
         if up[2] > FLAT {

@@ -1,9 +1,10 @@
 //! Simulated time in ticks and frames.
 
 use crate::{FRAME_S, FRAMES_PER_TICK, TICK_S};
+use serde::{Deserialize, Serialize};
 
 /// Clock of a kitchen.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 pub(crate) struct Clock {
     /// Ticks since the start.
     tick: u64,
@@ -15,6 +16,11 @@ impl Clock {
     /// Ticks since the start [-].
     pub(crate) fn tick(self) -> u64 {
         self.tick
+    }
+
+    /// Frames since the start [-].
+    pub(crate) fn frames(self) -> u64 {
+        self.tick * u64::from(FRAMES_PER_TICK) + u64::from(self.frame)
     }
 
     /// Time at the present frame [s].
@@ -35,6 +41,11 @@ impl Clock {
     /// Returns true if no frame has passed since the last tick.
     pub(crate) fn is_between_ticks(self) -> bool {
         self.frame == 0
+    }
+
+    /// Returns true if it can go on: a part of a tick, and ticks that still count exactly as a number of seconds.
+    pub(crate) fn is_sound(self) -> bool {
+        self.frame < FRAMES_PER_TICK && self.tick < 1 << 50
     }
 
     /// Counts a frame; returns true if it completes a tick, whose heat transfer is then due.

@@ -1,9 +1,9 @@
 //! The energy account: where the hob's energy went.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Energy account since the start [J]. Each term is the sum of its own fluxes or a difference of its own state.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Energy {
     /// Electrical energy from the hob.
     pub hob: f64,
@@ -30,7 +30,7 @@ impl Energy {
 }
 
 /// Running sums behind the energy account [J].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
 pub(crate) struct EnergyAccount {
     /// Sums of the fluxes.
     pub(crate) flows: Energy,

@@ -2,10 +2,10 @@
 
 use std::collections::VecDeque;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Kind of an event.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum EventKind {
     /// A drop of oil flies off; amount: its mass [kg].
@@ -62,7 +62,7 @@ impl EventKind {
 }
 
 /// An event at a time and place.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Event {
     /// Time [s].
     pub time_s: f64,
@@ -75,7 +75,7 @@ pub struct Event {
 }
 
 /// Summary of all events of one kind.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Tally {
     /// Kind.
     pub kind: EventKind,
@@ -93,7 +93,7 @@ pub struct Tally {
 const KEPT: usize = 512;
 
 /// The latest events, and a tally of each kind.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct EventLog {
     latest: VecDeque<Event>,
     tallies: [Tally; EventKind::ALL.len()],

@@ -18,7 +18,11 @@ pub struct Series {
 impl Series {
     /// Sets up the kitchen of a recipe and a graphics device for pictures of a size [px].
     pub fn new(recipe: Recipe, library: &Library, options: ShotOptions, size: [u32; 2]) -> Result<Self, ShotError> {
-        let cook = Cook::new(recipe, library)?;
+        Self::of(Cook::new(recipe, library)?, options, size)
+    }
+
+    /// A graphics device for pictures of a cook, or of a session that is played again, of a size [px].
+    pub fn of(cook: Cook, options: ShotOptions, size: [u32; 2]) -> Result<Self, ShotError> {
         let gpu = Gpu::open()?;
         Ok(Self { cook, gpu, options, size })
     }

@@ -60,7 +60,13 @@ impl ShotError {
 /// Cooks a recipe up to a time [s]; steps that are due then have been carried out.
 pub fn cook_until(recipe: Recipe, library: &Library, at_s: f64) -> Result<Cook, ShotError> {
     let mut cook = Cook::new(recipe, library)?;
-    if advance_to(&mut cook, at_s)? { Ok(cook) } else { Err(ShotError::past_the_end(&cook, at_s)) }
+    cook_to(&mut cook, at_s)?;
+    Ok(cook)
+}
+
+/// Cooks on to a time [s]; steps that are due then have been carried out.
+pub fn cook_to(cook: &mut Cook, at_s: f64) -> Result<(), ShotError> {
+    if advance_to(cook, at_s)? { Ok(()) } else { Err(ShotError::past_the_end(cook, at_s)) }
 }
 
 /// Cooks on to a time [s], steps that are due then included; returns false if the recipe ends earlier.
@@ -71,8 +77,7 @@ pub(crate) fn advance_to(cook: &mut Cook, at_s: f64) -> Result<bool, ShotError> 
         }
         cook.advance()?;
     }
-    let Cook { runner, kitchen, .. } = cook;
-    runner.poll(kitchen)?;
+    cook.fire()?;
     Ok(true)
 }
 
@@ -185,7 +190,12 @@ pub fn shot(
     options: ShotOptions,
     size: [u32; 2],
 ) -> Result<Picture, ShotError> {
-    let cook = cook_until(recipe, library, at_s)?;
+    shot_of(Cook::new(recipe, library)?, at_s, options, size)
+}
+
+/// Cooks on to a time [s], or plays a session again up to it, and draws the kitchen.
+pub fn shot_of(mut cook: Cook, at_s: f64, options: ShotOptions, size: [u32; 2]) -> Result<Picture, ShotError> {
+    cook_to(&mut cook, at_s)?;
     let gpu = Gpu::open()?;
     Ok(drawn(&gpu, &cook.kitchen, &options, size))
 }

@@ -82,6 +82,20 @@ impl FoodAction {
         }
     }
 
+    /// Returns the action that gives a command, and its food; none for a command on the pan and for motions of a hand.
+    pub fn of_command(command: &Command) -> Option<(String, Self)> {
+        let (food, action) = match command {
+            Command::Put { food, at, heap } => (food, Self::Put { at: *at, heap: *heap }),
+            Command::Flip { food } => (food, Self::Flip),
+            Command::Rest { food, on } => (food, Self::Rest(*on)),
+            Command::Halve { food, at } => (food, Self::Halve { at: *at }),
+            Command::Press { food, newtons, for_s } => (food, Self::Press { newtons: *newtons, for_s: *for_s }),
+            Command::Move { food, to } => (food, Self::Move(*to)),
+            _ => return None,
+        };
+        Some((food.clone(), action))
+    }
+
     /// Returns where a food must be for the action.
     pub fn requirement(self) -> Requirement {
         match self {

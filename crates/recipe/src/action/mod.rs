@@ -19,6 +19,7 @@ pub mod kind;
 pub mod pan_action;
 pub mod repeat;
 
+use saute_kitchen::Command;
 use serde_json::Value;
 
 pub use food_action::FoodAction;
@@ -42,6 +43,14 @@ pub enum Action {
 }
 
 impl Action {
+    /// Returns the action that gives a command; none for the motions of a hand, which no recipe states.
+    pub fn of_command(command: &Command) -> Option<Self> {
+        PanAction::of_command(command).map(Self::Pan).or_else(|| {
+            let (food, action) = FoodAction::of_command(command)?;
+            Some(Self::Each(Target { name: food.clone(), foods: vec![food], group: false }, action))
+        })
+    }
+
     /// Returns the kind of the action.
     pub fn kind(&self) -> ActionKind {
         match self {

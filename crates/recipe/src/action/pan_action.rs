@@ -100,6 +100,26 @@ impl PanAction {
         }
     }
 
+    /// Returns the action that gives a command; none for a command on a food and for motions of a hand.
+    pub fn of_command(command: &Command) -> Option<Self> {
+        Some(match command {
+            Command::Hob(power) => Self::Hob(*power),
+            Command::HobHold { temperature, power } => Self::HobHold { temperature: *temperature, power: *power },
+            Command::MovePan { at, lift } => Self::MovePan { at: *at, lift: *lift },
+            Command::Cool { for_s } => Self::Cool { for_s: *for_s },
+            Command::Oil { kind, mass } => Self::Oil { kind: kind.clone(), mass: *mass },
+            Command::Butter(mass) => Self::Butter(*mass),
+            Command::Water(mass) => Self::Water(*mass),
+            Command::Toss { height } => Self::Toss { height: *height },
+            Command::Shake { amplitude, hz, for_s } => Self::Shake { amplitude: *amplitude, hz: *hz, for_s: *for_s },
+            Command::Tilt { angle, towards } => Self::Tilt { angle: *angle, towards: *towards },
+            Command::Lid(on) => Self::Lid(*on),
+            Command::Put { .. } | Command::Flip { .. } | Command::Rest { .. } | Command::Halve { .. } => return None,
+            Command::Press { .. } | Command::Move { .. } => return None,
+            Command::Lead { .. } | Command::LetGo | Command::HoldPan { .. } => return None,
+        })
+    }
+
     /// Returns the action's value in the units of the recipe, as JSON.
     pub fn value(&self) -> Value {
         match self {

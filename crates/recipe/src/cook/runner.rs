@@ -24,6 +24,8 @@ pub enum StoppedBy {
     End,
     /// The recipe's `max_s`.
     MaxS,
+    /// A hand: a person took over from the recipe, or left.
+    Hand,
 }
 
 /// Runs a recipe's steps in order.

@@ -11,6 +11,7 @@ use crate::action;
 use crate::cook::recorder::Recorder;
 use crate::cook::runner::{Runner, StoppedBy};
 use crate::cook::step_record::{StepRecord, rounded};
+use crate::recipe::Group;
 use crate::summary::group_summary::GroupSummary;
 use saute_kitchen::celsius;
 use saute_kitchen::data::library::DEFAULT_SCALE;
@@ -335,7 +336,13 @@ impl Summary {
         wall_s: f64,
     ) -> Self {
         let stopped_by = runner.stopped().unwrap_or(StoppedBy::MaxS);
-        let groups = &runner.recipe().groups;
+        // In a session pieces may have been removed: a group counts while it is whole.
+        let ids = |g: &Group| (kitchen.pieces().get(g.members.clone()), runner.recipe().foods.get(g.members.clone()));
+        let is_whole = |g: &&Group| match ids(g) {
+            (Some(pieces), Some(foods)) => pieces.iter().map(|p| &p.id).eq(foods.iter().map(|f| &f.id)),
+            _ => false,
+        };
+        let groups: Vec<&Group> = runner.recipe().groups.iter().filter(is_whole).collect();
         let group_of = |i: usize| groups.iter().find(|g| g.members.contains(&i)).map(|g| g.id.clone());
         let pieces = kitchen.pieces().iter().zip(masses_at_start).enumerate();
         let foods: Vec<FoodSummary> =

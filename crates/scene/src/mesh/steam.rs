@@ -67,12 +67,14 @@ pub(crate) struct PuffVertex {
     pub random: f32,
 }
 
-/// Sprites of all sources, six vertices each.
+/// Sprites of all sources, six vertices each. Flames come first: a fire is always seen.
 pub(crate) fn puffs(sources: &[SteamSource], time: f32) -> Vec<PuffVertex> {
     let mut vertices = Vec::new();
     // With many sources each one has fewer puffs; their opacity stays in proportion to the flow.
     let count = (PUFFS_MAX / sources.len().max(1)).clamp(1, PUFFS_PER_SOURCE);
-    for (seed, source) in sources.iter().enumerate().take(PUFFS_MAX) {
+    let mut ordered: Vec<(usize, &SteamSource)> = sources.iter().enumerate().collect();
+    ordered.sort_by_key(|(_, source)| source.kind != Vapour::Flame);
+    for (seed, source) in ordered.into_iter().take(PUFFS_MAX) {
         let manner = Manner::of(source.kind);
         let opacity = manner.opacity(source.flow_g_s, count);
         if opacity < FAINTEST {
@@ -127,6 +129,16 @@ mod tests {
         // The mean over a puff's life.
         let times = (0..30).map(|k| k as f32 * 0.03);
         times.map(|time| puffs(sources, time).iter().map(|v| v.opacity).sum::<f32>()).sum()
+    }
+
+    #[test]
+    fn flames_are_seen_however_much_steam_there_is() {
+        let source = |kind| SteamSource { kind, position: Vec3::ZERO, radius: 0.02, flow_g_s: 1.0 };
+        let mut sources = vec![source(Vapour::Steam); 3 * PUFFS_MAX];
+        sources.extend([source(Vapour::Flame); 3]);
+        let drawn = puffs(&sources, 0.2);
+        let flames = drawn.iter().filter(|v| v.random >= Manner::of(Vapour::Flame).mark).count();
+        assert_eq!((flames, drawn.len()), (3 * 6, PUFFS_MAX * 6));
     }
 
     #[test]

@@ -6,7 +6,7 @@ use egui::Ui;
 use web_time::{Duration, Instant};
 
 use super::SauteApp;
-use crate::act::{Act, Acts, BINDINGS};
+use crate::act::Acts;
 use crate::panels;
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::Layout;
@@ -29,6 +29,8 @@ impl SauteApp {
         self.take_devices(&ctx);
         self.take_keys(&ctx);
         self.take_dropped_files(&ctx);
+        #[cfg(not(target_arch = "wasm32"))]
+        self.take_chosen_file();
         #[cfg(target_arch = "wasm32")]
         self.take_inbox(&ctx);
         self.let_time_pass(&ctx);
@@ -68,6 +70,8 @@ impl SauteApp {
             portion: self.portion,
             slice: self.slice,
             help: self.help,
+            messages: self.messages,
+            said: &self.notice,
             settings_open: self.settings_open,
             first_steps: self.first_steps,
             japanese_font: self.japanese_font,
@@ -78,20 +82,6 @@ impl SauteApp {
         let mut acts = Acts::new();
         panels::show_all(&state, &mut self.memory, ui, &mut acts, layout);
         acts
-    }
-
-    fn take_keys(&mut self, ctx: &egui::Context) {
-        self.settings.size = self.settings.size.by_keys(ctx);
-        if ctx.egui_wants_keyboard_input() {
-            return;
-        }
-        let pressed: Vec<Act> = ctx.input(|i| {
-            // With Shift, letters move the pan.
-            let plain = !i.modifiers.command && !i.modifiers.alt && !i.modifiers.shift;
-            let times = |b: &crate::act::Binding| if plain { i.num_presses(b.key) } else { 0 };
-            BINDINGS.iter().flat_map(|b| std::iter::repeat_n(b.act.clone(), times(b))).collect()
-        });
-        pressed.into_iter().for_each(|act| self.act(act, ctx));
     }
 
     #[cfg(not(target_arch = "wasm32"))]
@@ -119,17 +109,22 @@ impl SauteApp {
         self.last_time = Some(now);
         self.take_hands(ctx, wall.clamp(0.0, LONGEST_FRAME_S));
         let begun = Instant::now();
-        let passed = self.session.advance(Duration::from_secs_f64(wall.max(0.0)), step_budget(wall));
+        // Behind a card nothing is missed.
+        let waits = self.card_is_open();
+        let passes = if waits { 0.0 } else { wall.max(0.0) };
+        let passed = self.session.advance(Duration::from_secs_f64(passes), step_budget(wall));
         self.meter.frame(now, self.session.kitchen.time_s());
         // While time stands still frames come when there is something to see.
-        if !self.session.paused {
+        if !self.session.paused && !waits {
             self.governor.frame(wall, begun.elapsed().as_secs_f64());
         }
+        self.keep_up(passes);
         if let Err(error) = passed {
             self.say_trouble(&error);
         }
         self.motions.advance(&self.session.kitchen, self.session.generation, wall as f32);
-        if !self.session.paused || self.motions.moving() {
+        self.move_eye(wall as f32);
+        if !(self.session.paused || waits) || self.motions.moving() || self.glance.is_some() {
             ctx.request_repaint();
         } else {
             ctx.request_repaint_after(std::time::Duration::from_millis(250));

@@ -7,6 +7,7 @@ use crate::panels::Drawer;
 impl SauteApp {
     pub(super) fn open_card(&mut self, card: Card) {
         (self.help, self.settings_open) = (card == Card::Help, card == Card::Settings);
+        self.messages = card == Card::Messages;
         self.mirror.card |= card == Card::Mirror;
         self.first_steps |= card == Card::FirstSteps;
     }
@@ -15,23 +16,28 @@ impl SauteApp {
         match card {
             Card::Help => self.help = false,
             Card::Settings => self.settings_open = false,
+            Card::Messages => self.messages = false,
             Card::Mirror => self.mirror.card = false,
             Card::FirstSteps => self.close_first_steps(),
         }
     }
 
     pub(super) fn toggle_help(&mut self) {
-        (self.help, self.settings_open) = (!self.help, false);
+        (self.help, self.settings_open, self.messages) = (!self.help, false, false);
+    }
+
+    pub(super) fn toggle_messages(&mut self) {
+        (self.help, self.settings_open, self.messages) = (false, false, !self.messages);
     }
 
     pub(super) fn toggle_settings(&mut self) {
-        (self.settings_open, self.help) = (!self.settings_open, false);
+        (self.settings_open, self.help, self.messages) = (!self.settings_open, false, false);
         self.mirror.card &= !self.settings_open;
     }
 
     /// Closes the cards and ends the placing of probes.
     pub(super) fn close_all(&mut self) {
-        (self.help, self.settings_open, self.scene.placing) = (false, false, false);
+        (self.help, self.settings_open, self.messages, self.scene.placing) = (false, false, false, false);
     }
 
     /// Opens one of the panels on the left, or none.

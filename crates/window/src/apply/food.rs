@@ -1,6 +1,6 @@
 //! Hob, food and recipes by acts.
 
-use saute_kitchen::{Command, kelvin};
+use saute_kitchen::{Command, RestOn, kelvin};
 
 use crate::app::SauteApp;
 use crate::words::piece_words::name;
@@ -31,6 +31,30 @@ impl SauteApp {
         };
         if let Some(w) = next {
             self.command(&Command::Hob(w));
+        }
+    }
+
+    /// Takes the food out onto the board; the eye follows it there.
+    pub(super) fn take_out(&mut self) {
+        let food = self.handled_id();
+        if self.give(&Command::Rest { food: food.clone(), on: RestOn::Board }) {
+            self.taken_out = Some(food);
+        }
+    }
+
+    /// Halves the food on the board; the eye turns to the cut faces.
+    pub(super) fn halve(&mut self) {
+        let food = self.handled_id();
+        if self.give(&Command::Halve { food: food.clone(), at: 0.0 }) {
+            self.session.select(Some(food));
+            self.look_at_cut();
+        }
+    }
+
+    /// Lets the recipe go on from which a command took over.
+    pub(super) fn resume_recipe(&mut self) {
+        if self.session.resume_recipe() {
+            self.say("notice.resumed");
         }
     }
 

@@ -41,7 +41,22 @@ impl SauteApp {
         };
     }
 
+    /// Turns the eye [rad].
+    pub(crate) fn orbit(&mut self, dx: f32, dy: f32) {
+        self.take_eye();
+        self.camera.orbit(dx, dy);
+    }
+
+    /// Brings the eye nearer (below 1) or farther.
+    pub(crate) fn zoom(&mut self, factor: f32) {
+        if factor != 1.0 {
+            self.take_eye();
+        }
+        self.camera.zoom(factor);
+    }
+
     pub(crate) fn next_camera(&mut self) {
+        self.take_eye();
         self.camera_preset = (self.camera_preset + 1) % 3;
         self.camera = [Camera::three_quarter, Camera::above, Camera::close_up][self.camera_preset]();
         if self.camera_preset == 2 {

@@ -62,7 +62,7 @@ impl SauteApp {
             if self.scene.hold == Hold::Turner && scroll != 0.0 {
                 self.with_turner(|turner| turner.shift(DVec3::Z * (RAISE_PER_SCROLL * f64::from(scroll))));
             } else if self.scene.hold != Hold::Turner {
-                self.camera.zoom((-0.0015 * scroll).exp() / pinch);
+                self.zoom((-0.0015 * scroll).exp() / pinch);
             }
         }
         if let Some(at) = response.interact_pointer_pos() {
@@ -144,7 +144,7 @@ impl SauteApp {
             Hold::Nothing => {}
             Hold::Eye => {
                 let delta = response.drag_delta();
-                self.camera.orbit(-ORBIT_PER_POINT * delta.x, ORBIT_PER_POINT * delta.y);
+                self.orbit(-ORBIT_PER_POINT * delta.x, ORBIT_PER_POINT * delta.y);
             }
             Hold::Waiting(id) => self.carry(id, at, rect),
             Hold::Piece(id) => self.lead(id, at, rect),

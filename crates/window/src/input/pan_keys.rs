@@ -39,22 +39,34 @@ impl SauteApp {
     pub(crate) fn take_hands(&mut self, ctx: &Context, wall: f64) {
         self.look_at_tool();
         let pad = self.take_pad(ctx);
-        if self.session.paused {
+        if self.session.paused || self.card_is_open() {
+            self.say_if_held(ctx);
             return;
         }
-        let (way, lean) = if ctx.egui_wants_keyboard_input() { Default::default() } else { self.take_held_keys(ctx) };
+        let (way, lean) = if ctx.text_edit_focused() { Default::default() } else { self.take_held_keys(ctx) };
         self.move_pan((way + pad.pan).clamp_length_max(1.0), (lean + pad.lean).clamp_length_max(1.0), wall);
         self.move_tool(pad.tool, pad.twist, wall);
     }
 
+    /// Says that nothing moves while time stands still.
+    fn say_if_held(&self, ctx: &Context) {
+        const KEYS: [Key; 9] = [Key::W, Key::A, Key::S, Key::D, Key::E, Key::Q, Key::R, Key::F, Key::Z];
+        let held = ctx.input(|i| i.modifiers.shift_only() && KEYS.iter().any(|key| i.key_pressed(*key)));
+        let shakes = ctx.input(|i| i.modifiers.is_none() && i.key_pressed(Key::K));
+        if (held || shakes) && !self.card_is_open() && !ctx.text_edit_focused() {
+            self.say("notice.paused");
+        }
+    }
+
     /// Way and lean of the pan that held keys ask for (−1…1).
     fn take_held_keys(&mut self, ctx: &Context) -> (DVec3, DVec2) {
-        let (down, shift) = ctx.input(|i| (i.keys_down.clone(), i.modifiers.shift));
+        let (down, keys) = ctx.input(|i| (i.keys_down.clone(), i.modifiers));
+        let shift = keys.shift_only();
         let held = |key: Key| f64::from(u8::from(down.contains(&key)));
         let push = |plus: Key, minus: Key| if shift { held(plus) - held(minus) } else { 0.0 };
         let way = DVec3::new(push(Key::D, Key::A), push(Key::W, Key::S), push(Key::E, Key::Q));
         let lean = DVec2::new(push(Key::Z, Key::C), push(Key::F, Key::R));
-        self.shake_while(down.contains(&Key::K) && !shift);
+        self.shake_while(down.contains(&Key::K) && keys.is_none());
         (way, lean)
     }
 

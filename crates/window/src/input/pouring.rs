@@ -1,5 +1,6 @@
 //! Oil, butter, water and the lid: what a cook adds at once, and what lies in the pan.
 
+use saute_kitchen::advice::SMOKE_SEEN_MG_S;
 use saute_kitchen::{Command, EventKind, Kitchen};
 
 use crate::app::SauteApp;
@@ -114,7 +115,7 @@ fn grams(g: f64) -> String {
     if g < 10.0 { format!("{g:.1}\u{a0}g") } else { format!("{g:.0}\u{a0}g") }
 }
 
-/// Warning about the oil: on fire, or smoking.
+/// Warning about the oil: on fire, or smoking so that it is seen.
 pub(crate) fn danger(kitchen: &Kitchen, l: Language) -> Option<String> {
     let pan = kitchen.pan_state();
     if pan.liquids.smoke.burning {
@@ -122,7 +123,8 @@ pub(crate) fn danger(kitchen: &Kitchen, l: Language) -> Option<String> {
     }
     let smoke = pan.smoke_mg_s();
     let advice = l.called("event", EventKind::SmokeBegins.advice().unwrap_or_default());
-    (smoke > 0.0).then(|| l.fill("pour.smoke", &[("rate", &format!("{smoke:.1}")), ("advice", &advice)]))
+    let seen = smoke >= SMOKE_SEEN_MG_S;
+    seen.then(|| l.fill("pour.smoke", &[("rate", &format!("{smoke:.1}")), ("advice", &advice)]))
 }
 
 #[cfg(test)]

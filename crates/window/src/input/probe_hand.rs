@@ -34,6 +34,8 @@ impl SauteApp {
         let named = |number| l.fill("probe.name", &[("number", &number)]);
         match self.session.probes.place(&self.session.kitchen, point, named) {
             Ok(number) => {
+                // What a probe is for is its curve.
+                self.settings.curves_open = true;
                 self.session.select(Some(piece.clone()));
                 self.notice.say(l.fill("probe.is_in", &[("number", &number), ("food", &name(&piece, l))]));
             }

@@ -5,8 +5,8 @@ use saute_kitchen::Library;
 use saute_picture::cut::section::Picture;
 use saute_picture::stage::Stage;
 use saute_picture::still::headless::Gpu;
-use saute_picture::still::shot::{ShotError, ShotOptions, cook_until};
-use saute_recipe::Recipe;
+use saute_picture::still::shot::{ShotError, ShotOptions, cook_to};
+use saute_recipe::{Cook, Recipe};
 use saute_scene::gpu::readback::read_picture;
 use saute_scene::input::SceneInput;
 use saute_scene::quality::Quality;
@@ -24,7 +24,18 @@ pub fn mirror_shot(
     (rig, options): (&Rig, &MirrorOptions),
     size: [u32; 2],
 ) -> Result<Picture, ShotError> {
-    let cook = cook_until(recipe, library, at_s)?;
+    mirror_shot_of(Cook::new(recipe, library)?, at_s, shot, (rig, options), size)
+}
+
+/// Cooks on to a time, or plays a session again up to it, and draws what the rig's device shows.
+pub fn mirror_shot_of(
+    mut cook: Cook,
+    at_s: f64,
+    shot: &ShotOptions,
+    (rig, options): (&Rig, &MirrorOptions),
+    size: [u32; 2],
+) -> Result<Picture, ShotError> {
+    cook_to(&mut cook, at_s)?;
     let gpu = Gpu::open()?;
     let scene = Stage::default().scene(&cook.kitchen, &shot.stage(&cook.kitchen), &Default::default());
     Ok(mirror_still(&gpu, &scene, rig, options, size, shot.quality))

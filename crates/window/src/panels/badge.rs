@@ -5,8 +5,8 @@ use saute_kitchen::food::Rules;
 use saute_picture::view::View;
 
 use crate::act::Acts;
-use crate::panels::legend;
 use crate::panels::window_state::WindowState;
+use crate::panels::{legend, messages};
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
 
@@ -18,10 +18,14 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
             "scene.behind",
             &[("speed", &format!("{:.0}", state.session.speed)), ("seconds", &format!("{behind:.0}"))],
         );
-        message(ui, layout, "behind", 12.0, &text);
+        message(ui, layout, ("behind", 12.0), false, &text, |_| {});
     }
-    if let Some(text) = &state.notice {
-        message(ui, layout, "notice", 52.0, text);
+    if let Some(said) = &state.notice {
+        // A click on its button must reach it; through all others it reaches the scene.
+        let has_button = said.file.is_some();
+        message(ui, layout, ("notice", 52.0), has_button, &said.text, |ui| {
+            messages::show_button(state, ui, acts, said);
+        });
     }
 }
 
@@ -34,7 +38,8 @@ fn standing(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     }
     let pane = layout.field_pane(state.settings.is_split());
     let at = pane.free.left_bottom() + egui::vec2(GAP, -GAP);
-    let width = layout.whole.right().min(layout.free.right()) - at.x - 2.0 * GAP - 16.0;
+    let eye = if layout.narrow { layout.free.right() } else { layout.eye.left() };
+    let width = pane.free.right().min(eye) - at.x - 2.0 * GAP - 16.0;
     let area = Area::new(Id::unique("standing")).fixed_pos(at).pivot(Align2::LEFT_BOTTOM);
     area.show(ui.ctx(), |ui| {
         theme::of(ui).panel().inner_margin(8).show(ui, |ui| {
@@ -51,15 +56,25 @@ fn standing(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     });
 }
 
-fn message(ui: &Ui, layout: &Layout, name: &str, drop: f32, text: &str) {
+fn message(
+    ui: &Ui,
+    layout: &Layout,
+    (name, drop): (&str, f32),
+    clicked: bool,
+    text: &str,
+    beside: impl FnOnce(&mut Ui),
+) {
+    // On a narrow window the buttons of the eye stand at the top.
+    let drop = if layout.narrow { drop + layout.eye.height() } else { drop };
     let at = layout.free.center_top() + egui::vec2(0.0, drop);
-    Area::new(Id::unique(("message", name))).fixed_pos(at).pivot(Align2::CENTER_TOP).interactable(false).show(
-        ui.ctx(),
-        |ui| {
-            theme::of(ui).panel().show(ui, |ui| {
-                ui.set_max_width(layout.free.width() - 40.0);
+    let area = Area::new(Id::unique(("message", name))).fixed_pos(at).pivot(Align2::CENTER_TOP);
+    area.interactable(clicked).show(ui.ctx(), |ui| {
+        theme::of(ui).panel().show(ui, |ui| {
+            ui.set_max_width(layout.free.width() - 40.0);
+            ui.horizontal_wrapped(|ui| {
                 ui.label(RichText::new(text).font(FontId::proportional(14.5)));
+                beside(ui);
             });
-        },
-    );
+        });
+    });
 }

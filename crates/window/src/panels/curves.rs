@@ -16,9 +16,11 @@ use crate::words::language::Language;
 
 /// Points drawn at most per curve (chosen: about one a pixel).
 const MOST_POINTS: usize = 400;
-/// Events nearer to the pointer than this are named [points]; labels of events keep a line of type between them.
+/// Events nearer to the pointer than this are named [points].
 const EVENT_NEAR: f32 = 6.0;
-const EVENT_APART: f32 = 12.0;
+/// Height of the lane above the curves in which events are named, and space between two names [points].
+const LANE: f32 = 15.0;
+const EVENT_APART: f32 = 6.0;
 /// How strongly the lines of events are drawn [-] (chosen: behind the curves).
 const EVENT_SEEN: f32 = 0.35;
 
@@ -41,10 +43,12 @@ pub fn show(state: &WindowState, ui: &mut Ui, height: f32) {
     legend(state, ui, &curves);
     // The axis leaves numbers away that stand closer than this.
     let levels = ((f64::from(height) - 36.0) / 24.0).clamp(2.0, 6.0);
+    let (lane, _) = ui.allocate_exact_size(vec2(ui.available_width(), LANE), Sense::hover());
     let plot = Plot::new("curves")
-        .height(height)
-        .allow_drag(false)
-        .allow_zoom(false)
+        .height(height - LANE)
+        // Time is zoomed and moved; a double click shows all of it again.
+        .allow_drag([true, false])
+        .allow_zoom([true, false])
         .allow_scroll(false)
         .allow_boxed_zoom(false)
         .show_crosshair(false)
@@ -71,7 +75,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, height: f32) {
             plot.vline(line.color(palette.quiet.gamma_multiply(EVENT_SEEN)).width(1.0));
         }
     });
-    events(ui, &shown.transform, &state.session.marks, settings.language);
+    events(ui, lane, &shown.transform, &state.session.marks, settings.language);
     ends(ui, &shown.transform, &curves);
     let spoken = settings.language.text("curves.spoken");
     shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, spoken));
@@ -173,25 +177,25 @@ fn sample(ui: &mut Ui, colour: Color32, style: LineStyle, width: f32) {
     }
 }
 
-/// What happened, written along the lines; what would cover the label before it is left to the pointer.
-fn events(ui: &Ui, transform: &PlotTransform, marks: &[Mark], l: Language) {
-    let painter = ui.painter().with_clip_rect(transform.frame().intersect(ui.clip_rect()));
-    let mut written: Vec<(f32, String)> = Vec::new();
+/// What happened, named in the lane above the curves; a name that has no room is a dot, and left to the pointer.
+fn events(ui: &Ui, lane: Rect, transform: &PlotTransform, marks: &[Mark], l: Language) {
+    let frame = transform.frame();
+    let mut free_from = f32::NEG_INFINITY;
     for mark in marks {
         let x = transform.position_from_point_x(mark.time_s / 60.0);
-        match written.last_mut() {
-            Some((before, words)) if x - *before < 1.0 => {
-                *words = format!("{words}{}{}", l.text("doneness.list_joint"), mark_words(mark, l));
-            }
-            Some((before, _)) if x - *before < EVENT_APART => {}
-            _ => written.push((x, mark_words(mark, l))),
+        if !(frame.left()..=frame.right()).contains(&x) {
+            continue;
         }
-    }
-    for (x, words) in written {
-        let text = painter.layout_no_wrap(words, FontId::proportional(10.5), theme::of(ui).quiet);
-        let at = pos2(x + 1.0, transform.frame().top() + 3.0 + text.size().x);
-        painter
-            .add(egui::epaint::TextShape::new(at, text, theme::of(ui).quiet).with_angle(-std::f32::consts::FRAC_PI_2));
+        let ink = theme::of(ui).quiet;
+        let text = ui.painter().layout_no_wrap(mark_words(mark, l), FontId::proportional(11.0), ink);
+        let half = 0.5 * text.size().x;
+        let left = (x - half).clamp(lane.left(), lane.right() - 2.0 * half);
+        if left >= free_from {
+            free_from = left + 2.0 * half + EVENT_APART;
+            ui.painter().galley(pos2(left, lane.top()), text, ink);
+        } else {
+            ui.painter().circle_filled(pos2(x, frame.top() + 3.0), 2.0, ink);
+        }
     }
 }
 
@@ -257,7 +261,8 @@ fn value_at(points: &[[f64; 2]], x: f64) -> Option<f64> {
 
 /// Grid lines at round steps, at most `most` over a span: each label then has the room that it needs to be shown.
 fn spacing(span: f64, most: f64) -> [f64; 3] {
-    let round = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0];
+    // Below a minute where time is zoomed.
+    let round = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0];
     let step = round.into_iter().find(|s| span / s <= most).unwrap_or(1000.0);
     [step; 3]
 }

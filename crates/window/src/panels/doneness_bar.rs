@@ -65,7 +65,7 @@ fn selector(state: &WindowState, ui: &mut Ui, acts: &mut Acts, scale: &Scale) {
 
 fn bar(state: &WindowState, inside: &Inside, ui: &mut Ui, scale: &Scale) {
     let shares = inside.shares.0;
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 24.0), Sense::hover());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
     let l = state.settings.language;
     let share = |name: &str, share: f64| {
         l.fill("doneness.share", &[("class", &l.called("class", name)), ("percent", &format!("{share:.0}"))])

@@ -1,62 +1,139 @@
-//! The list of keys, of what the mouse does and of what a gamepad does.
+//! The list of keys, of what the mouse does and of what a gamepad does: by subjects, with a search.
 
-use egui::{Id, Modal, Rect, RichText, Ui};
+use egui::{Id, Modal, Rect, RichText, TextEdit, Ui, vec2};
 
-use crate::act::{Act, Acts, BINDINGS, Card};
+use crate::act::{Act, Acts, BINDINGS, Card, Subject};
 use crate::input::gamepad::PAD;
 use crate::input::pan_keys::HELD;
-use crate::panels::window_state::WindowState;
+use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::theme;
+use crate::words::language::Language;
 
-/// What a gamepad does; browsers' gamepads are not read.
-fn pad() -> impl Iterator<Item = (&'static str, &'static str)> {
-    PAD.into_iter().filter(|_| cfg!(not(target_arch = "wasm32")))
+/// Room for a key as it is written [points].
+const KEY: egui::Vec2 = vec2(82.0, 18.0);
+
+/// A group of keys: its title, and how each key is written with what it does.
+struct Group {
+    title: &'static str,
+    lines: Vec<(&'static str, &'static str)>,
 }
 
-/// What keys do; a browser reaches no haptic device and no half mirror.
-fn keys() -> impl Iterator<Item = (&'static str, &'static str)> {
+/// The keys of a subject; a browser reaches no haptic device and no half mirror.
+fn keys(subject: Subject) -> impl Iterator<Item = (&'static str, &'static str)> {
     let native = |act: &Act| matches!(act, Act::StopHands | Act::Strings | Act::Mirror);
     let here = move |b: &&crate::act::Binding| cfg!(not(target_arch = "wasm32")) || !native(&b.act);
-    BINDINGS.iter().filter(here).map(|b| (b.written, b.words))
+    BINDINGS.iter().filter(here).filter(move |b| Subject::of(&b.act) == subject).map(|b| (b.written, b.words))
 }
 
-/// Shows the list over everything; Esc, F1 or a click beside it closes it.
-pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
+/// Groups of keys that have what was searched for in their words, or in how they are written.
+fn groups(search: &str, l: Language) -> Vec<Group> {
+    let title = |subject| match subject {
+        Subject::Food => "help.food",
+        Subject::Tool => "help.tool",
+        Subject::Hob => "help.hob",
+        Subject::Views => "help.views",
+        Subject::Eye => "help.eye",
+        Subject::Window => "help.window",
+    };
+    let mut groups: Vec<Group> = Subject::ALL
+        .into_iter()
+        .map(|subject| Group { title: l.text(title(subject)), lines: keys(subject).collect() })
+        .collect();
+    groups.push(Group { title: l.text("help.pan"), lines: HELD.to_vec() });
+    // Browsers' gamepads are not read.
+    if cfg!(not(target_arch = "wasm32")) {
+        groups.push(Group { title: l.text("help.pad"), lines: PAD.to_vec() });
+    }
+    let wanted = search.trim().to_lowercase();
+    let found = |(written, words): &(&str, &'static str)| {
+        written.to_lowercase() == wanted || l.text(words).to_lowercase().contains(&wanted)
+    };
+    for group in &mut groups {
+        if !group.title.to_lowercase().contains(&wanted) {
+            group.lines.retain(found);
+        }
+    }
+    groups.retain(|group| !group.lines.is_empty());
+    groups
+}
+
+/// Shows the list over everything; Esc, F1, the button or a click beside it closes it.
+pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut Acts, whole: Rect) {
+    let mut done = false;
     let modal =
         Modal::new(Id::unique("help")).frame(theme::of(ui).panel().fill(theme::of(ui).solid)).show(ui.ctx(), |ui| {
-            ui.set_width((whole.width() - 60.0).min(900.0));
-            let l = state.settings.language;
-            ui.horizontal(|ui| {
-                ui.heading(l.text("help.title"));
-                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    if ui.add(theme::of(ui).button(l.text("help.first_steps"), false)).clicked() {
-                        acts.push(Act::Open(Card::FirstSteps));
-                    }
-                });
-            });
-            ui.label(l.text("help.mouse"));
-            ui.add_space(6.0);
-            let height = whole.height() - 250.0;
+            ui.set_width((whole.width() - 60.0).min(960.0));
+            done = heading(state, memory, ui, acts, whole.width() > 700.0);
+            let height = whole.height() - 140.0;
             egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
                 let columns = if whole.width() > 700.0 { 3 } else { 1 };
-                let lines: Vec<(&str, &str)> = keys().chain(HELD).chain(pad()).collect();
-                let rows = lines.len().div_ceil(columns);
-                ui.columns(columns, |uis| {
-                    for (i, (written, words)) in lines.into_iter().enumerate() {
-                        let ui = &mut uis[i / rows];
-                        ui.horizontal(|ui| {
-                            let key = RichText::new(l.called("button", written))
-                                .monospace()
-                                .strong()
-                                .color(theme::of(ui).accent);
-                            ui.add_sized([90.0, 20.0], egui::Label::new(key));
-                            ui.label(l.text(words));
-                        });
-                    }
-                });
+                list(ui, &groups(&memory.search, state.settings.language), columns, state.settings.language);
+                ui.separator();
+                ui.label(state.settings.language.text("help.mouse"));
             });
         });
-    if modal.should_close() {
+    if done || modal.should_close() {
+        memory.search.clear();
         acts.push(Act::Shut(Card::Help));
     }
+}
+
+/// Title, search and buttons; returns true if the help is to be closed.
+fn heading(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, wide: bool) -> bool {
+    let l = state.settings.language;
+    let mut done = false;
+    let mut search = |ui: &mut Ui, width: f32| {
+        let field = TextEdit::singleline(&mut memory.search).hint_text(l.text("help.search")).desired_width(width);
+        let spoken = l.text("help.search");
+        ui.add(field).widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::TextInput, true, spoken));
+    };
+    ui.horizontal(|ui| {
+        ui.heading(l.text("help.title"));
+        if wide {
+            search(ui, 260.0);
+        }
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            done = ui.add(theme::of(ui).button(l.text("settings.done"), true)).clicked();
+            if ui.add(theme::of(ui).button(l.text("help.first_steps"), false)).clicked() {
+                acts.push(Act::Open(Card::FirstSteps));
+            }
+        });
+    });
+    if !wide {
+        search(ui, ui.available_width() - 24.0);
+    }
+    ui.separator();
+    done
+}
+
+/// Groups in columns of about one length, none of them parted.
+fn list(ui: &mut Ui, groups: &[Group], columns: usize, l: Language) {
+    let all: usize = groups.iter().map(|group| group.lines.len() + 2).sum();
+    let most = all.div_ceil(columns);
+    ui.columns(columns, |uis| {
+        let mut filled = 0;
+        for group in groups {
+            // The middle of a group decides in which column it stands.
+            let column = ((filled + group.lines.len() / 2) / most.max(1)).min(columns - 1);
+            filled += group.lines.len() + 2;
+            shown(&mut uis[column], group, l);
+        }
+    });
+}
+
+fn shown(ui: &mut Ui, group: &Group, l: Language) {
+    (ui.spacing_mut().item_spacing.y, ui.spacing_mut().interact_size.y) = (2.0, 18.0);
+    ui.label(RichText::new(group.title).size(15.0).strong());
+    for (written, words) in &group.lines {
+        ui.horizontal(|ui| {
+            let key = RichText::new(l.called("button", written)).size(13.0).strong().color(theme::of(ui).accent);
+            let beside = egui::Layout::left_to_right(egui::Align::Center);
+            ui.allocate_ui_with_layout(KEY, beside, |ui| {
+                ui.set_min_size(KEY);
+                ui.label(key);
+            });
+            ui.add(egui::Label::new(RichText::new(l.text(words)).size(13.5)).wrap());
+        });
+    }
+    ui.add_space(8.0);
 }

@@ -1,35 +1,57 @@
 //! Hob, cloth, hands and time.
 
 use egui::{RichText, Ui};
-use saute_kitchen::advice::NoPower;
 use saute_kitchen::doneness::core_class;
-use saute_kitchen::{Kitchen, Place, celsius};
+use saute_kitchen::{Place, celsius};
 
 use crate::act::{Act, Acts, hint};
 use crate::panels::inside::clock;
-use crate::panels::pour;
 use crate::panels::window_state::WindowState;
+use crate::panels::{hob_slider, pour, status};
 use crate::session::SPEEDS;
 use crate::ui::theme;
 
-/// Shows the controls: in three rows, or wrapped where it is narrow.
+/// Height of a control for a mouse, and space at the sides of its text [points].
+const DESK: f32 = 36.0;
+const DESK_PADDING: f32 = 8.0;
+
+/// Shows the controls: in two rows over a line of words, or wrapped where it is narrow.
 pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     if narrow {
+        ui.spacing_mut().interact_size.y = theme::TOUCH;
+        (ui.spacing_mut().item_spacing, ui.spacing_mut().button_padding.x) = (egui::vec2(6.0, 6.0), 9.0);
+        crate::panels::inside::show_advice(state, ui, 2);
         ui.horizontal_wrapped(|ui| hands(state, ui, acts));
-        ui.horizontal_wrapped(|ui| pour::show(state, ui, acts));
-        ui.horizontal_wrapped(|ui| hob(state, ui, acts));
+        ui.horizontal_wrapped(|ui| {
+            hob_slider::show(state, ui, acts);
+            hold(state, ui, acts);
+        });
         ui.horizontal_wrapped(|ui| time(state, ui, acts));
+        ui.horizontal_wrapped(|ui| pour::show(state, ui, acts));
+        if state.turner_in_hand {
+            ui.horizontal_wrapped(|ui| pour::turner(state, ui, acts));
+        }
+        ui.horizontal_wrapped(|ui| status::show(state, ui, acts));
         ui.separator();
         temperatures(state, ui);
-        crate::panels::inside::show_advice(state, ui);
         return;
     }
+    ui.spacing_mut().interact_size.y = DESK;
+    ui.spacing_mut().item_spacing = egui::vec2(5.0, 4.0);
+    ui.spacing_mut().button_padding.x = DESK_PADDING;
     ui.horizontal(|ui| {
         hob(state, ui, acts);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| time_right_to_left(state, ui, acts));
     });
-    ui.horizontal(|ui| hands(state, ui, acts));
-    ui.horizontal(|ui| pour::show(state, ui, acts));
+    ui.horizontal(|ui| {
+        hands(state, ui, acts);
+        pour::show(state, ui, acts);
+    });
+    ui.spacing_mut().interact_size.y = 18.0;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 14.0;
+        status::show(state, ui, acts);
+    });
 }
 
 /// Core and pan at a glance, where the panel with all readings is not open.
@@ -49,20 +71,7 @@ fn temperatures(state: &WindowState, ui: &mut Ui) {
 fn hob(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.label(RichText::new(l.text("hob.hob")).color(theme::of(ui).quiet));
-    let settings = state.session.kitchen.hob().coil.settings_w.clone();
-    let now = state.session.kitchen.hob_w();
-    let holds = state.session.kitchen.hob_holds().is_some();
-    for w in settings {
-        let text = if w == 0.0 { l.text("hob.off").to_owned() } else { format!("{w:.0} W") };
-        let on = (w - now).abs() < 0.5 && !holds;
-        if press(ui, &text, on, true, l.text("hob.power")) {
-            acts.push(Act::HobSet(w));
-        }
-    }
-    let custom = !state.session.kitchen.hob().coil.settings_w.iter().any(|w| (w - now).abs() < 0.5);
-    if custom && !holds {
-        ui.label(RichText::new(format!("{now:.0} W")).color(theme::of(ui).accent));
-    }
+    hob_slider::show(state, ui, acts);
     hold(state, ui, acts);
 }
 
@@ -72,6 +81,7 @@ fn hold(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let held = kitchen.hob_holds().map(celsius);
     let words = |c: f64| l.fill("hob.hold_at", &[("temperature", &state.settings.temperature(c))]);
     let text = held.map_or_else(|| l.text("hob.hold").to_owned(), words);
+    let hint = l.text("hob.hold_hint");
     let colour = if held.is_some() { theme::of(ui).accent } else { theme::of(ui).text };
     let list = egui::ComboBox::from_id_salt("hold").selected_text(RichText::new(text).color(colour));
     let shown = list.show_ui(ui, |ui| {
@@ -82,7 +92,7 @@ fn hold(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             }
         }
     });
-    shown.response.on_hover_text(l.text("hob.hold_hint"));
+    shown.response.on_hover_text(hint);
 }
 
 fn hands(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
@@ -105,29 +115,6 @@ fn hands(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let on_cloth = state.session.kitchen.cloth().is_some();
     button(state, ui, acts, l.text("hob.cloth"), on_cloth, true, Act::Cloth);
     button(state, ui, acts, l.text("hob.restart"), false, true, Act::Restart);
-    if let Some(text) = no_power(&state.session.kitchen) {
-        ui.label(RichText::new(l.text(text)).size(13.0).color(theme::of(ui).accent).strong());
-    }
-    if let Some(runner) = &state.session.runner {
-        let text = l.fill(
-            "hob.next_step",
-            &[
-                ("title", &l.called("recipe", &runner.recipe().title)),
-                ("step", &crate::words::next_step::words(runner, state.settings)),
-            ],
-        );
-        ui.add(egui::Label::new(RichText::new(text).size(13.0).color(theme::of(ui).quiet)).truncate());
-    }
-}
-
-/// Key of why the hob gives no power although it is on.
-fn no_power(kitchen: &Kitchen) -> Option<&'static str> {
-    Some(match NoPower::of(kitchen)? {
-        NoPower::Cloth => "hob.no_power_cloth",
-        NoPower::Limit => "hob.no_power_limit",
-        NoPower::Lifted => "hob.no_power_lifted",
-        NoPower::OffRing => "hob.no_power_off_ring",
-    })
 }
 
 fn capitalised(text: &str) -> String {
@@ -169,6 +156,7 @@ pub(crate) fn button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &s
 }
 
 fn press(ui: &mut Ui, text: &str, on: bool, enabled: bool, hint: &str) -> bool {
-    let response = ui.add_enabled(enabled, theme::of(ui).button(text, on));
+    let height = ui.spacing().interact_size.y;
+    let response = ui.add_enabled(enabled, theme::of(ui).button(text, on).min_size(egui::vec2(height, height)));
     response.on_hover_text(hint).clicked()
 }

@@ -20,7 +20,7 @@ use crate::ui::theme;
 /// Pictures of the cut of a steak are painted at this scale [pixels/mm] (chosen: sharp in the panel, 4 ms a picture).
 const PER_MM: f64 = 3.2;
 /// Width of the picture's place in the panel [points]; narrower pieces are painted finer.
-const PANEL_WIDTH: f64 = 290.0;
+const PANEL_WIDTH: f64 = 276.0;
 /// Interval at which the picture is repainted [wall s] (chosen).
 const REPAINT_S: f64 = 0.4;
 
@@ -50,9 +50,10 @@ struct Painted {
 }
 
 /// Height of the picture of the cut at most [points].
-const CUT_HEIGHT: f32 = 84.0;
-/// Room for two lines of advice [points].
-const ADVICE_HEIGHT: f32 = 40.0;
+const CUT_HEIGHT: f32 = 52.0;
+/// Room for a line of advice [points], and for how many of them there is room in this panel.
+const ADVICE_LINE: f32 = 16.5;
+const ADVICE_LINES: u8 = 4;
 
 /// Shows the panel.
 pub fn show(state: &WindowState, inside: &mut Inside, ui: &mut Ui, acts: &mut Acts) {
@@ -61,17 +62,27 @@ pub fn show(state: &WindowState, inside: &mut Inside, ui: &mut Ui, acts: &mut Ac
         return;
     };
     inside.refresh(state, piece, ui);
+    (ui.spacing_mut().item_spacing.y, ui.spacing_mut().interact_size.y) = (4.0, 26.0);
+    goal(state, ui, acts);
     cut(state, inside, ui, acts);
     doneness_bar::show(state, inside, ui, acts);
-    ui.separator();
     readings(state, inside, piece, ui);
-    ui.separator();
-    goal(state, ui, acts);
     probes::show(state, ui, acts);
+    more(state, ui, acts);
     if state.settings.curves_open {
-        ui.separator();
-        let height = (ui.available_height() - 32.0).clamp(112.0, 260.0);
+        let height = (ui.available_height() - 36.0).clamp(128.0, 280.0);
         curves::show(state, ui, height);
+    }
+}
+
+/// Opens and closes the curves with all readings.
+fn more(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let open = state.settings.curves_open;
+    let l = state.settings.language;
+    let text = RichText::new(l.text(if open { "inside.less" } else { "inside.more" })).size(13.0);
+    let button = egui::Button::new(text).min_size(vec2(ui.available_width(), 24.0));
+    if ui.add(button).on_hover_text(crate::act::hint(&Act::Curves, l)).clicked() {
+        acts.push(Act::Curves);
     }
 }
 
@@ -180,9 +191,11 @@ fn readings(state: &WindowState, inside: &Inside, piece: &Piece, ui: &mut Ui) {
         ],
         [("inside.time", clock(kitchen.time_s())), ("inside.since_flip", since.map_or_else(|| "–".into(), clock))],
     ];
+    // The rest belongs to the curves.
+    let shown = if state.settings.curves_open { rows.len() } else { 2 };
     ui.spacing_mut().interact_size.y = 21.0;
-    egui::Grid::new("readings").num_columns(4).min_col_width(56.0).spacing(vec2(10.0, 3.0)).show(ui, |ui| {
-        for row in rows {
+    egui::Grid::new("readings").num_columns(4).min_col_width(52.0).spacing(vec2(8.0, 3.0)).show(ui, |ui| {
+        for row in rows.into_iter().take(shown) {
             for (name, value) in row {
                 ui.label(RichText::new(settings.language.text(name)).size(12.5).color(theme::of(ui).quiet));
                 ui.label(RichText::new(value).size(15.0).strong());
@@ -210,7 +223,7 @@ pub fn clock(seconds: f64) -> String {
 
 fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let Some(scale) = state.scale() else {
-        show_advice(state, ui);
+        show_advice(state, ui, ADVICE_LINES);
         return;
     };
     let l = state.settings.language;
@@ -218,7 +231,7 @@ fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     ui.horizontal_wrapped(|ui| {
         let many = scale.class.len() > 4;
         (ui.spacing_mut().button_padding.x, ui.spacing_mut().item_spacing.x) =
-            if many { (4.0, 2.0) } else { (7.0, 8.0) };
+            if many { (3.0, 2.0) } else { (6.0, 4.0) };
         ui.label(RichText::new(l.text("inside.goal")).size(if many { 11.0 } else { 12.5 }).color(theme::of(ui).quiet));
         goals(state.settings, &scale, ui, acts);
         let share = scale.measure() == Measure::Share;
@@ -235,7 +248,7 @@ fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             acts.push(Act::Set(Setting::Goal(if share { shown } else { state.settings.celsius(shown) })));
         }
     });
-    show_advice(state, ui);
+    show_advice(state, ui, ADVICE_LINES);
 }
 
 /// A button for each class but the least done.
@@ -247,34 +260,47 @@ fn goals(settings: &Settings, scale: &Scale, ui: &mut Ui, acts: &mut Acts) {
         } else {
             15.0
         });
-        if ui.selectable_label((settings.goal(scale) - goal).abs() < 0.5, name).clicked() {
+        let on = (settings.goal(scale) - goal).abs() < 0.5;
+        if ui.selectable_label(on, name).on_hover_text(settings.language.text("inside.goal_hint")).clicked() {
             acts.push(Act::Set(Setting::Goal(goal)));
         }
     }
 }
 
-/// Shows what to do next.
-pub fn show_advice(state: &WindowState, ui: &mut Ui) {
-    let text = state.advice.map_or_else(String::new, |advice| advice_words(advice, state));
-    let text = RichText::new(text).size(14.5);
-    let now = state.advice.is_some_and(Advice::is_due);
-    let label = egui::Label::new(if now { text.color(theme::of(ui).accent).strong() } else { text });
-    // Always the same height, so that the curves below stay where they are.
-    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ADVICE_HEIGHT), egui::Sense::hover());
-    ui.scope_builder(egui::UiBuilder::new().max_rect(rect), |ui| ui.add(label));
+/// Shows what to do next: what is due in the accent, then what to wait for.
+pub fn show_advice(state: &WindowState, ui: &mut Ui, lines: u8) {
+    // Always the same height, so that what is below stays where it is.
+    let (rect, _) =
+        ui.allocate_exact_size(vec2(ui.available_width(), ADVICE_LINE * f32::from(lines)), egui::Sense::hover());
+    let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
+    child.set_clip_rect(rect.expand(2.0).intersect(ui.clip_rect()));
+    child.spacing_mut().item_spacing.y = 1.0;
+    for (place, advice) in state.advice.iter().take(2).enumerate() {
+        let words = advice_words(*advice, state);
+        let text = RichText::new(&words).size(13.5);
+        let text = if advice.is_due() { text.color(theme::of(&child).accent).strong() } else { text };
+        let label = egui::Label::new(text);
+        // The second one has one line.
+        child.add(if place == 0 { label } else { label.truncate() }).on_hover_text(words);
+    }
 }
 
 /// Advice in the cook's words.
 fn advice_words(advice: Advice, state: &WindowState) -> String {
     let l = state.settings.language;
     let at = |key, celsius: f64| l.fill(key, &[("temperature", &state.settings.temperature(celsius))]);
+    let hob = |key, watts: f64| l.fill(key, &[("power", &format!("{watts:.0} W"))]);
     match advice {
-        Advice::TurnOn { .. } => l.text("advice.turn_on").to_owned(),
+        Advice::TurnOn { power_w } => hob("advice.turn_on", power_w),
+        Advice::TooCold { power_w } => hob("advice.too_cold", power_w),
+        Advice::TurnOff => l.text("advice.turn_off").to_owned(),
         Advice::Heating { until_c, .. } => at("advice.heating", until_c),
-        Advice::TooHot { .. } => l.text("advice.too_hot").to_owned(),
+        Advice::TooHot { smokes: true, .. } => l.text("advice.smokes").to_owned(),
+        Advice::TooHot { smokes: false, .. } => l.text("advice.too_hot").to_owned(),
         Advice::PutIn { .. } => l.fill("advice.put_in", &[("food", &l.called("noun", &state.session.noun()))]),
         Advice::Wet { .. } => l.text("advice.wet").to_owned(),
         Advice::Browns { .. } => l.text("advice.browns").to_owned(),
+        Advice::Flip => l.fill("advice.flip", &[("food", &l.called("noun", &state.session.noun()))]),
         Advice::TakeOut { peak_c } => at("advice.take_out", peak_c),
         Advice::Ready { .. } => l.fill("advice.ready", &[("class", &class_now(state))]),
         Advice::NotReady { share_pct, until_pct } => {
@@ -283,7 +309,8 @@ fn advice_words(advice: Advice, state: &WindowState) -> String {
         }
         Advice::WouldPeak { peak_c, wet: true } => at("advice.would_peak_wet", peak_c),
         Advice::WouldPeak { peak_c, wet: false } => at("advice.would_peak", peak_c),
-        Advice::Resting { peak_c } => resting_words(peak_c, state),
+        Advice::Resting { peak_c } => resting_words("advice.resting", peak_c, state),
+        Advice::Rested { peak_c } => resting_words("advice.rested", peak_c, state),
     }
 }
 
@@ -295,11 +322,18 @@ fn class_now(state: &WindowState) -> String {
 }
 
 /// What a resting piece has reached, with its class where a scale says anything about it.
-fn resting_words(peak_c: f64, state: &WindowState) -> String {
+fn resting_words(key: &'static str, peak_c: f64, state: &WindowState) -> String {
     let l = state.settings.language;
-    let temperature = state.settings.temperature(peak_c);
-    let Some(scale) = state.scale() else { return l.fill("advice.resting", &[("temperature", &temperature)]) };
-    let class = class_now(state);
-    let scale = l.called("scale", &scale.name);
-    l.fill("advice.resting_class", &[("temperature", &temperature), ("class", &class), ("scale", &scale)])
+    let reached = match state.scale() {
+        None => state.settings.temperature(peak_c),
+        Some(scale) => l.fill(
+            "advice.reached_class",
+            &[
+                ("temperature", &state.settings.temperature(peak_c)),
+                ("class", &class_now(state)),
+                ("scale", &l.called("scale", &scale.name)),
+            ],
+        ),
+    };
+    l.fill(key, &[("reached", &reached)])
 }

@@ -1,14 +1,18 @@
 //! The panels around the scene.
 
+pub mod alarm;
 pub mod badge;
 pub mod curves;
 pub mod doneness_bar;
+pub mod eye_bar;
 pub mod first_steps;
 pub mod help;
 pub mod hob_bar;
+pub mod hob_slider;
 pub mod inside;
 pub mod language;
 pub mod legend;
+pub mod messages;
 pub mod mirror_card;
 pub mod pantry;
 pub mod pieces;
@@ -16,6 +20,8 @@ pub mod pour;
 pub mod probes;
 pub mod read_out;
 pub mod settings_card;
+pub mod status;
+pub mod still;
 pub mod top;
 pub mod window_state;
 
@@ -24,8 +30,12 @@ use egui::{Rect, ScrollArea, Ui, UiBuilder};
 use crate::act::Acts;
 use crate::paint::ground::GroundCallback;
 use crate::panels::window_state::{PanelMemory, WindowState};
-use crate::ui::layout::Layout;
+use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
+
+/// Space within a panel of controls for a mouse, and within one for fingers [points].
+const MARGIN: i8 = 6;
+const WIDE_MARGIN: i8 = 12;
 
 /// Which part of the drawer is open on a narrow window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -48,7 +58,7 @@ impl Drawer {
         match self {
             Self::Cook => state.settings.language.text("drawer.cook"),
             Self::Inside => state.settings.language.text("drawer.inside"),
-            Self::Food => top::food_word(state),
+            Self::Food => state.settings.language.text("top.food"),
             Self::Pieces => state.settings.language.text("top.pieces"),
         }
     }
@@ -62,10 +72,13 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
     let whole = layout.whole;
     read_out::show(state, ui, whole);
     badge::show(state, ui, acts, layout);
+    alarm::show(state, ui, acts, whole);
     #[cfg(not(target_arch = "wasm32"))]
     crate::hand::show(state, ui, acts, layout);
     if state.help {
-        help::show(state, ui, acts, whole);
+        help::show(state, memory, ui, acts, whole);
+    } else if state.messages {
+        messages::show(state, ui, acts, whole);
     } else if state.settings_open {
         settings_card::show(state, memory, ui, acts, whole);
     } else if state.mirror.card {
@@ -77,22 +90,40 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
 
 /// Shows all panels.
 fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, layout: &Layout) {
-    floating(ui, layout.top, 0, "views", |ui| top::show(state, ui, acts, layout.narrow));
+    eye_bar::show(state, ui, acts, layout.eye);
+    let margin = if layout.narrow { WIDE_MARGIN } else { MARGIN };
+    floating(ui, layout.top, (0, margin), "views", |ui| top::show(state, ui, acts, layout.narrow));
     if layout.narrow {
-        floating(ui, layout.bottom, 1, "drawer", |ui| drawer(state, memory, ui, acts));
+        floating(ui, layout.bottom, (1, WIDE_MARGIN), "drawer", |ui| drawer(state, memory, ui, acts));
         return;
     }
-    floating(ui, layout.right, 2, "inside", |ui| scrolled(ui, |ui| inside::show(state, &mut memory.inside, ui, acts)));
-    floating(ui, layout.bottom, 3, "cook", |ui| hob_bar::show(state, ui, acts, false));
-    if let Some(left) = layout.left {
-        if state.settings.pieces_open {
-            floating(ui, left, 4, "pieces", |ui| {
-                scrolled(ui, |ui| pieces::show(state, &mut memory.unfolded, ui, acts))
-            });
-        } else {
-            floating(ui, left, 4, "food", |ui| scrolled(ui, |ui| pantry::show(state, &mut memory.count, ui, acts)));
-        }
+    floating(ui, layout.right, (2, 10), "inside", |ui| {
+        scrolled(ui, |ui| inside::show(state, &mut memory.inside, ui, acts))
+    });
+    floating(ui, layout.bottom, (3, MARGIN), "cook", |ui| hob_bar::show(state, ui, acts, false));
+    turner_strip(state, ui, acts, layout);
+    let Some(left) = layout.left else { return };
+    floating(ui, left, (4, WIDE_MARGIN), "left", |ui| {
+        scrolled(ui, |ui| {
+            if state.settings.pieces_open {
+                pieces::show(state, &mut memory.unfolded, ui, acts);
+            } else {
+                pantry::show(state, memory, ui, acts);
+            }
+        });
+    });
+}
+
+/// What moves the turner, over the scene: no row of the panels jumps when it is taken.
+fn turner_strip(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+    if !state.turner_in_hand {
+        return;
     }
+    let at = layout.eye.left_bottom() - egui::vec2(GAP, 0.0);
+    let area = egui::Area::new(egui::Id::unique("turner")).fixed_pos(at).pivot(egui::Align2::RIGHT_BOTTOM);
+    area.show(ui.ctx(), |ui| {
+        theme::of(ui).panel().inner_margin(MARGIN).show(ui, |ui| ui.horizontal(|ui| pour::turner(state, ui, acts)));
+    });
 }
 
 fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts) {
@@ -109,13 +140,13 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
     scrolled(ui, |ui| match memory.drawer {
         Drawer::Cook => hob_bar::show(state, ui, acts, true),
         Drawer::Inside => inside::show(state, &mut memory.inside, ui, acts),
-        Drawer::Food => pantry::show(state, &mut memory.count, ui, acts),
+        Drawer::Food => pantry::show(state, memory, ui, acts),
         Drawer::Pieces => pieces::show(state, &mut memory.unfolded, ui, acts),
     });
 }
 
 /// A panel at a fixed place; it takes the mouse so that the scene below does not.
-fn floating(ui: &mut Ui, rect: Rect, index: u32, name: &str, content: impl FnOnce(&mut Ui)) {
+fn floating(ui: &mut Ui, rect: Rect, (index, margin): (u32, i8), name: &str, content: impl FnOnce(&mut Ui)) {
     ui.interact(rect, ui.scope_id().with(("ground", name)), egui::Sense::click_and_drag());
     let points = ui.ctx().pixels_per_point();
     let ground = GroundCallback {
@@ -126,7 +157,7 @@ fn floating(ui: &mut Ui, rect: Rect, index: u32, name: &str, content: impl FnOnc
     };
     ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, ground));
     let mut child = ui.new_child(UiBuilder::new().id_salt(name).max_rect(rect));
-    theme::of(ui).panel().fill(egui::Color32::TRANSPARENT).show(&mut child, |ui| {
+    theme::of(ui).panel().fill(egui::Color32::TRANSPARENT).inner_margin(margin).show(&mut child, |ui| {
         let inner = ui.available_size();
         ui.set_min_size(inner);
         ui.set_max_size(inner);

@@ -1,11 +1,12 @@
 //! Choosing the food and the pan.
 
-use egui::{RichText, Ui};
+use egui::{RichText, Ui, vec2};
 use saute_kitchen::Library;
 use saute_kitchen::food::FoodDescription;
 
 use crate::act::{Act, Acts, Setting};
-use crate::panels::window_state::WindowState;
+use crate::panels::still::Stills;
+use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::session::{SteakChoice, noun};
 use crate::ui::theme;
 use crate::words::language::Language;
@@ -13,20 +14,23 @@ use crate::words::language::Language;
 /// Most pieces that are added at once (chosen: a full pan).
 const MOST_AT_ONCE: usize = 35;
 
+/// Height of a food with its picture [points] (chosen: for a finger).
+const KIND: f32 = 44.0;
+
 /// Shows the choices; they take effect with "Set out".
-pub fn show(state: &WindowState, count: &mut usize, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts) {
     let library = &state.session.library;
     let l = state.settings.language;
     let noun = noun(library, &state.settings.choice.kind);
     let food = l.called("noun", &noun);
     ui.heading(l.fill("pantry.mine", &[("food", &food)]));
-    set_out(state, *count, ui, acts);
-    how_many(count, ui, l);
+    set_out(state, memory.count, ui, acts);
+    how_many(&mut memory.count, ui, l);
     crate::panels::pieces::all_at_once(state, ui, acts);
     let starts = l.fill("pantry.starts", &[("food", &food)]);
     ui.label(RichText::new(starts).size(12.5).color(theme::of(ui).quiet));
     let mut choice = state.settings.choice.clone();
-    food_and_pan(state, &mut choice, ui);
+    food_and_pan(state, &mut choice, &mut memory.stills, ui);
     if choice != state.settings.choice {
         acts.push(Act::Set(Setting::Choice(choice)));
     }
@@ -35,9 +39,9 @@ pub fn show(state: &WindowState, count: &mut usize, ui: &mut Ui, acts: &mut Acts
 }
 
 /// The kind of food, its size and temperature, and the pan.
-fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, ui: &mut Ui) {
+fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stills, ui: &mut Ui) {
     let (library, l, fahrenheit) = (&state.session.library, state.settings.language, state.settings.fahrenheit);
-    ui.scope(|ui| kinds(ui, library, choice, l));
+    ui.scope(|ui| kinds(ui, library, choice, stills, l));
     if let Some(food) = library.foods.get(&choice.kind) {
         sizes(ui, food, &mut choice.size_mm, l);
     }
@@ -58,14 +62,37 @@ fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, ui: &mut Ui) {
 }
 
 /// One button for each kind of food; another kind begins with its own size.
-fn kinds(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, l: Language) {
-    (ui.spacing_mut().interact_size.y, ui.spacing_mut().item_spacing.y) = (24.0, 3.0);
+fn kinds(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, stills: &mut Stills, l: Language) {
+    ui.spacing_mut().item_spacing.y = 3.0;
     for (id, food) in &library.foods {
-        if ui.radio(choice.kind == *id, l.called("food", &food.name)).clicked() && choice.kind != *id {
+        let clicked = kind(ui, stills.of(ui.ctx(), id), l.called("food", &food.name), choice.kind == *id);
+        if clicked && choice.kind != *id {
             choice.kind.clone_from(id);
             choice.size_mm.clone_from(&food.size.default_mm);
         }
     }
+}
+
+/// A food with its picture and its name; returns true if it was clicked.
+fn kind(ui: &mut Ui, still: Option<egui::TextureHandle>, name: &str, on: bool) -> bool {
+    let palette = theme::of(ui);
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width() - 4.0, KIND), egui::Sense::click());
+    response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, name));
+    let ground = if on || response.hovered() { palette.raised } else { egui::Color32::TRANSPARENT };
+    let edge = match (response.has_focus(), on) {
+        (true, _) => palette.text,
+        (_, true) => palette.accent,
+        _ => egui::Color32::TRANSPARENT,
+    };
+    ui.painter().rect(rect, 7.0, ground, egui::Stroke::new(2.0, edge), egui::StrokeKind::Inside);
+    let picture = egui::Rect::from_min_size(rect.min + vec2(3.0, 3.0), vec2(1.5 * (KIND - 6.0), KIND - 6.0));
+    match still {
+        Some(texture) => egui::Image::new((texture.id(), picture.size())).corner_radius(5).paint_at(ui, picture),
+        None => drop(ui.painter().rect_filled(picture, 5.0, palette.sunken)),
+    }
+    let at = egui::pos2(picture.right() + 9.0, rect.center().y);
+    ui.painter().text(at, egui::Align2::LEFT_CENTER, name, egui::FontId::proportional(15.0), palette.text);
+    response.clicked()
 }
 
 /// A slider for each dimension of the form, the thickness first.
@@ -116,9 +143,16 @@ fn recipes(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.heading(l.text("pantry.play"));
     ui.label(RichText::new(l.text("pantry.drop")).size(12.5).color(theme::of(ui).quiet));
-    #[cfg(target_arch = "wasm32")]
     if ui.add(theme::of(ui).button(l.text("pantry.choose_file"), false)).clicked() {
         acts.push(Act::ChooseFile);
+    }
+    #[cfg(not(target_arch = "wasm32"))]
+    for file in &state.settings.recent {
+        let name = file.file_name().map_or_else(|| file.display().to_string(), |n| n.to_string_lossy().into_owned());
+        let button = egui::Button::new(name).min_size(vec2(ui.available_width(), 34.0));
+        if ui.add(button).on_hover_text(file.display().to_string()).clicked() {
+            acts.push(Act::OpenFile(file.clone()));
+        }
     }
     for id in state.session.library.recipes.keys() {
         let plain = id.replace('-', " ");

@@ -1,15 +1,14 @@
 //! What goes into the pan and onto it: oil, butter, water, the lid; and which tool is in the hand.
 
-use egui::{Label, RichText, Ui};
+use egui::Ui;
 use saute_kitchen::dynamics::Tool;
 
 use crate::act::{Act, Acts, ROLL_STEP, TOOL_STEP};
-use crate::input::pouring::{Pourable, danger, in_the_pan};
+use crate::input::pouring::Pourable;
 use crate::panels::hob_bar::button;
 use crate::panels::window_state::WindowState;
-use crate::ui::theme;
 
-/// Shows the controls and what is in the pan.
+/// Shows the controls.
 pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     let lid = state.session.kitchen.pan_state().lid.is_some();
@@ -26,25 +25,16 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         Tool::Turner => "pour.turner",
     };
     button(state, ui, acts, l.text(tool), state.turner_in_hand, true, Act::Tool);
-    if state.turner_in_hand {
-        // Fingers have no wheel and no right button.
-        let by_hand = [
-            ("pour.up", Act::ToolBy(TOOL_STEP)),
-            ("pour.down", Act::ToolBy(-TOOL_STEP)),
-            ("pour.roll", Act::RollBy(ROLL_STEP)),
-            ("pour.put_away", Act::PutAway),
-        ];
-        by_hand.into_iter().for_each(|(key, act)| button(state, ui, acts, l.text(key), false, true, act));
-    }
-    match danger(&state.session.kitchen, l) {
-        Some(text) => line(ui, RichText::new(text).color(theme::of(ui).accent).strong()),
-        None => {
-            let text = l.fill("pour.in_the_pan", &[("what", &in_the_pan(&state.session.kitchen, l))]);
-            line(ui, RichText::new(text).color(theme::of(ui).quiet));
-        }
-    }
 }
 
-fn line(ui: &mut Ui, text: RichText) {
-    ui.add(Label::new(text.size(13.0)).truncate());
+/// What moves the turner in the hand: fingers have no wheel and no right button.
+pub fn turner(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let by_hand = [
+        ("pour.up", Act::ToolBy(TOOL_STEP)),
+        ("pour.down", Act::ToolBy(-TOOL_STEP)),
+        ("pour.roll", Act::RollBy(ROLL_STEP)),
+        ("pour.put_away", Act::PutAway),
+    ];
+    let l = state.settings.language;
+    by_hand.into_iter().for_each(|(key, act)| button(state, ui, acts, l.text(key), false, true, act));
 }

@@ -13,8 +13,10 @@ use crate::input::pouring::Portion;
 use crate::mirror::view::MirrorView;
 use crate::panels::Drawer;
 use crate::panels::inside::Inside;
+use crate::panels::still::Stills;
 use crate::session::Session;
 use crate::settings::Settings;
+use crate::ui::notice::{Notice, Said};
 use crate::ui::scene_view::SceneView;
 
 /// The window's state as panels read it; what they want changed they say with an [`crate::act::Act`].
@@ -37,6 +39,10 @@ pub struct WindowState<'a> {
     pub slice: Option<f64>,
     /// True while the list of keys is open.
     pub help: bool,
+    /// True while the list of what was said is open.
+    pub messages: bool,
+    /// What was said so far.
+    pub said: &'a Notice,
     /// True while the card of the settings is open.
     pub settings_open: bool,
     /// True while the card of the first steps is open.
@@ -45,10 +51,10 @@ pub struct WindowState<'a> {
     pub japanese_font: bool,
     /// The quality at which the scene is drawn.
     pub quality: Quality,
-    /// What to do next with the piece that the panels are about.
-    pub advice: Option<Advice>,
+    /// What to do next with the piece that the panels are about, the most urgent first.
+    pub advice: Vec<Advice>,
     /// What was said last, while it is still shown.
-    pub notice: Option<String>,
+    pub notice: Option<Said>,
 }
 
 impl WindowState<'_> {
@@ -73,6 +79,10 @@ pub struct PanelMemory {
     pub unfolded: BTreeSet<String>,
     /// How many pieces the pantry adds at once.
     pub count: usize,
+    /// What was typed into the search of the help.
+    pub search: String,
+    /// Pictures of the foods.
+    pub stills: Stills,
     /// What was typed and chosen about a device.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) hand_choice: crate::hand::Choice,
@@ -85,6 +95,8 @@ impl Default for PanelMemory {
             drawer: Drawer::default(),
             unfolded: BTreeSet::new(),
             count: 1,
+            search: String::new(),
+            stills: Stills::default(),
             #[cfg(not(target_arch = "wasm32"))]
             hand_choice: Default::default(),
         }

@@ -1,8 +1,9 @@
 //! The chosen food and pan, and the orders that follow from it.
 
-use saute_kitchen::food::{Form, Rules};
-use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{Kitchen, Library, MeshSize, OutlineKind, PieceOrder, kelvin};
+use saute_kitchen::food::{FoodDescription, Form, Rules};
+use saute_kitchen::{InputError, Library, MeshSize, OutlineKind, PieceOrder, kelvin};
+use saute_recipe::Recipe;
+use saute_recipe::session::{SetOutFood, set_out};
 
 /// What the person chooses before putting the food in.
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
@@ -54,12 +55,30 @@ pub(super) fn base_name(library: &Library, kind: &str) -> String {
     if noun(library, kind) == STEAK { STEAK.into() } else { kind.into() }
 }
 
-pub(super) fn set_out(library: &Library, choice: &SteakChoice) -> Result<Kitchen, SetupError> {
-    let mut kitchen = Kitchen::new(library, &choice.pan, kelvin(choice.preheat_c))?;
-    for order in orders(library, choice, &base_name(library, &choice.kind), 1) {
-        kitchen.add(library, &order)?;
+/// The recipe that sets out a choice and does nothing with it.
+pub(super) fn as_recipe(library: &Library, choice: &SteakChoice) -> Result<Recipe, InputError> {
+    let food = SetOutFood {
+        id: base_name(library, &choice.kind),
+        kind: choice.kind.clone(),
+        size_mm: size_of(library, choice),
+        initial_c: choice.initial_c,
+        seed: 1,
+        count: None,
+    };
+    let text = set_out(&noun(library, &choice.kind), &choice.pan, choice.preheat_c, &[food]);
+    Recipe::parse(&text, SET_OUT, library)
+}
+
+/// Name of the recipe of a choice, where it is refused.
+const SET_OUT: &str = "set-out.toml";
+
+/// The chosen dimensions, or the food's own where they do not belong to its form [mm].
+fn size_of(library: &Library, choice: &SteakChoice) -> Vec<f64> {
+    let fits = |f: &FoodDescription| f.form.extent(&choice.size_mm).is_some();
+    match library.foods.get(&choice.kind) {
+        Some(food) if !fits(food) => food.size.default_mm.clone(),
+        _ => choice.size_mm.clone(),
     }
-    Ok(kitchen)
 }
 
 /// Orders of pieces under one name; each has a seed of its own, so that no two are the same.

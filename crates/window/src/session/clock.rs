@@ -22,7 +22,11 @@ impl Session {
     ///
     /// Returns the error of a recipe's step; the recipe then stops playing.
     pub fn advance(&mut self, wall: Duration, budget: Duration) -> Result<(), String> {
-        if self.paused {
+        if self.is_travelling() {
+            self.travel_on(budget);
+            return Ok(());
+        }
+        if self.paused || self.timeline.is_held {
             return Ok(());
         }
         self.owed_s += wall.as_secs_f64() * self.speed;
@@ -53,12 +57,18 @@ impl Session {
     /// Advances by one frame; at the start of a tick, the recipe's due steps run first. Returns true if a tick or the
     /// recipe has ended.
     fn frame(&mut self) -> Result<bool, String> {
+        let begun = Instant::now();
+        self.finish_travel();
+        self.let_go_of_undone();
+        self.follow(false);
         if self.kitchen.is_between_ticks() && !self.poll()? {
             return Ok(true);
         }
+        self.follow(true);
         #[cfg(not(target_arch = "wasm32"))]
-        self.hands.lead(&mut self.kitchen);
+        self.let_devices_lead();
         let ticked = self.kitchen.advance_frame();
+        self.recording.observe(&self.kitchen);
         // Forces are only valid at real time; otherwise they fade out.
         #[cfg(not(target_arch = "wasm32"))]
         if self.speed == 1.0 {
@@ -68,16 +78,31 @@ impl Session {
             self.recorder.observe(&self.kitchen);
             self.probes.observe(&self.kitchen);
         }
+        self.rejoin();
+        self.keep_keyframes(begun.elapsed());
         Ok(ticked)
+    }
+
+    /// Lets devices give their commands, and records them.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn let_devices_lead(&mut self) {
+        self.hands.lead(&mut self.kitchen);
+        let before = self.recording.entries().len();
+        self.recording.take(&mut self.kitchen);
+        if self.recording.entries().len() > before {
+            self.depart(before);
+        }
     }
 
     /// Runs the due steps of the recipe; returns true if the recipe has not stopped.
     fn poll(&mut self) -> Result<bool, String> {
         let Some(mut runner) = self.runner.take() else { return Ok(true) };
-        let fired = runner.poll(&mut self.kitchen).map_err(|e| e.to_string())?;
+        let fired = runner.poll(&mut self.kitchen);
+        self.recording.on_steps(&mut self.kitchen);
+        let fired = fired.map_err(|e| e.to_string())?;
         self.recorder.on_steps(&self.kitchen, &fired);
-        let time_s = self.kitchen.time_s();
-        self.marks.extend(fired.iter().map(|step| Mark { time_s, label: step_label(step) }));
+        let (time_s, at) = (self.kitchen.time_s(), self.recording.moment());
+        self.marks.extend(fired.iter().map(|step| Mark { time_s, label: step_label(step), at }));
         if runner.stopped().is_some() {
             self.paused = true;
             self.owed_s = 0.0;

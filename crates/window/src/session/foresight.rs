@@ -32,9 +32,9 @@ impl Session {
         self.forecast.as_ref().map(|(.., f)| *f)
     }
 
-    /// Returns advice for the piece that the panels show, with a goal for its core, in the unit of the scale [°C or %],
+    /// Returns advice for the piece that the panels show, the most urgent first, with a goal for its core, in the unit of the scale [°C or %],
     /// where a scale of doneness applies.
-    pub fn advice(&mut self, goal: Option<(Arc<Scale>, f64)>) -> Option<Advice> {
+    pub fn advice(&mut self, goal: Option<(Arc<Scale>, f64)>) -> Vec<Advice> {
         let goal = goal.and_then(|(scale, wanted)| match scale.measure() {
             Measure::Peak => self.forecast().map(|f| Goal::Peak { core_c: wanted, foreseen_c: f.peak_c }),
             Measure::Share => {
@@ -42,7 +42,7 @@ impl Session {
                 Some(Goal::Share { wanted_pct: wanted, reached_pct })
             }
         });
-        Situation::of(&self.kitchen, self.steak()?).advice(goal)
+        self.steak().map_or_else(Vec::new, |piece| Situation::of(&self.kitchen, piece).advice(goal))
     }
 
     /// Returns the scales of doneness with the one with an id chosen.

@@ -1,7 +1,7 @@
 //! Marks: labelled events for the plot.
 
 use saute_kitchen::Command;
-use saute_recipe::Action;
+use saute_recipe::{Action, Moment};
 
 /// An event, for the plot.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,10 +10,12 @@ pub struct Mark {
     pub time_s: f64,
     /// What.
     pub label: String,
+    /// The instant after it.
+    pub at: Moment,
 }
 
 /// Label of a command at the curves; none for what a hand does all the time.
-pub(super) fn label(command: &Command) -> Option<String> {
+pub(crate) fn label(command: &Command) -> Option<String> {
     Some(match command {
         Command::Lead { .. } | Command::LetGo | Command::HoldPan { .. } => return None,
         Command::Hob(w) => format!("{w:.0} W"),

@@ -1,22 +1,34 @@
 //! Pieces of a session: added, removed, laid into the pan.
 
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{Command, Refused};
+use saute_kitchen::{Command, PieceOrder, Refused};
 
 use super::Session;
 use super::choice::{SteakChoice, base_name, group_of, orders};
 
 impl Session {
     /// Adds waiting pieces in one group; returns the name of the group.
+    ///
+    /// # Errors
+    ///
+    /// If they cannot be built.
     pub fn add(&mut self, choice: &SteakChoice, count: usize) -> Result<String, SetupError> {
         let group = self.free_name(&base_name(&self.library, &choice.kind));
-        for order in orders(&self.library, choice, &group, count) {
-            self.kitchen.add(&self.library, &order)?;
-        }
-        self.weigh_new();
-        self.runner = None;
-        self.added.push((choice.clone(), count));
+        orders(&self.library, choice, &group, count).into_iter().try_for_each(|order| self.add_one(order))?;
         Ok(group)
+    }
+
+    /// Adds one piece.
+    pub(super) fn add_one(&mut self, order: PieceOrder) -> Result<(), SetupError> {
+        self.finish_travel();
+        self.kitchen.add_with(&self.library, &order, self.timeline.models())?;
+        self.depart(self.recording.entries().len());
+        self.leave_recipe();
+        // A piece that was taken away, or added in a cook that was undone, may have had this name.
+        self.start_mass_g.remove(&order.id);
+        self.recording.add(&self.kitchen, order);
+        self.weigh_new();
+        Ok(())
     }
 
     /// Returns an unused name for a group: the base, or the base with the first free number.
@@ -28,11 +40,13 @@ impl Session {
 
     /// Removes pieces from the kitchen.
     pub fn remove(&mut self, ids: &[String]) {
+        self.finish_travel();
+        self.depart(self.recording.entries().len());
+        self.leave_recipe();
         for id in ids {
+            self.recording.remove(&self.kitchen, id);
             self.kitchen.remove(id);
-            self.start_mass_g.remove(id);
         }
-        self.runner = None;
     }
 
     /// Stores the mass of new pieces.

@@ -1,6 +1,6 @@
 //! Layout of scene and panels.
 
-use egui::{Pos2, Rect, pos2, vec2};
+use egui::{Pos2, Rect, Vec2, pos2, vec2};
 
 use crate::settings::Settings;
 
@@ -9,11 +9,16 @@ const NARROW: f32 = 1080.0;
 /// Width of the drawer beside the scene [points].
 const DRAWER_WIDTH: f32 = 366.0;
 /// Space around panels [points].
-pub const GAP: f32 = 10.0;
-const RIGHT_WIDTH: f32 = 318.0;
+pub const GAP: f32 = 8.0;
+const RIGHT_WIDTH: f32 = 296.0;
 const LEFT_WIDTH: f32 = 276.0;
-const BOTTOM_HEIGHT: f32 = 172.0;
-const TOP_HEIGHT: f32 = 62.0;
+/// Height of what is inside without the curves [points]; with them it takes the whole height.
+const INSIDE_HEIGHT: f32 = 408.0;
+/// Two rows of controls and a line of words.
+const BOTTOM_HEIGHT: f32 = 110.0;
+const TOP_HEIGHT: f32 = 46.0;
+/// Size of the buttons of the views of the eye together [points].
+const EYE: Vec2 = vec2(168.0, 30.0);
 /// Two rows of chips.
 const NARROW_TOP_HEIGHT: f32 = 106.0;
 
@@ -52,6 +57,8 @@ pub struct Layout {
     pub right: Rect,
     /// Hob, hands and time.
     pub bottom: Rect,
+    /// Views of the eye, over the scene.
+    pub eye: Rect,
     /// What no panel covers.
     pub free: Rect,
     /// One drawer instead of side panels.
@@ -68,24 +75,30 @@ impl Layout {
         } else if narrow {
             Self::below(whole, inner)
         } else {
-            Self::wide(whole, inner, settings.pantry_open || settings.pieces_open)
+            Self::wide(whole, inner, settings)
         };
+        // Where it is narrow the legend needs the lower edge.
+        let corner =
+            if narrow { layout.free.right_top() + vec2(0.0, EYE.y + 2.0 * GAP) } else { layout.free.right_bottom() };
+        layout.eye = Rect::from_min_size(corner - EYE - vec2(GAP, GAP), EYE);
         if settings.panels_hidden {
             layout.free = whole;
         }
         layout
     }
 
-    fn wide(whole: Rect, inner: Rect, open: bool) -> Self {
-        let right = Rect::from_min_max(pos2(inner.right() - RIGHT_WIDTH, inner.top()), inner.max);
+    fn wide(whole: Rect, inner: Rect, settings: &Settings) -> Self {
+        let low = if settings.curves_open { inner.bottom() } else { inner.bottom().min(inner.top() + INSIDE_HEIGHT) };
+        let right = Rect::from_min_max(pos2(inner.right() - RIGHT_WIDTH, inner.top()), pos2(inner.right(), low));
         let rest = right.left() - GAP;
         let top = Rect::from_min_max(inner.min, pos2(rest, inner.top() + TOP_HEIGHT));
         let bottom = Rect::from_min_max(pos2(inner.left(), inner.bottom() - BOTTOM_HEIGHT), pos2(rest, inner.bottom()));
         let middle = Rect::from_min_max(pos2(inner.left(), top.bottom() + GAP), pos2(rest, bottom.top() - GAP));
+        let open = settings.pantry_open || settings.pieces_open;
         let left = open.then(|| Rect::from_min_size(middle.min, vec2(LEFT_WIDTH, middle.height())));
         let free_left = left.map_or(whole.left(), |l| l.right());
         let free = Rect::from_min_max(pos2(free_left, top.bottom() - 0.4 * TOP_HEIGHT), pos2(rest, bottom.top()));
-        Self { whole, top, left, right, bottom, free, narrow: false }
+        Self { whole, top, left, right, bottom, eye: Rect::NOTHING, free, narrow: false }
     }
 
     /// The drawer at the right, over the whole height.
@@ -94,7 +107,7 @@ impl Layout {
         let left = drawer.left() - GAP;
         let top = Rect::from_min_max(inner.min, pos2(left, inner.top() + NARROW_TOP_HEIGHT));
         let free = Rect::from_min_max(pos2(whole.left(), top.bottom()), pos2(left, whole.bottom()));
-        Self { whole, top, left: None, right: drawer, bottom: drawer, free, narrow: true }
+        Self { whole, top, left: None, right: drawer, bottom: drawer, eye: Rect::NOTHING, free, narrow: true }
     }
 
     /// The drawer at the bottom.
@@ -103,7 +116,16 @@ impl Layout {
         let top = Rect::from_min_max(inner.min, pos2(inner.right(), inner.top() + NARROW_TOP_HEIGHT));
         let bottom = Rect::from_min_max(pos2(inner.left(), split), inner.max);
         let free = Rect::from_min_max(pos2(whole.left(), top.bottom()), pos2(whole.right(), split));
-        Self { whole, top, left: None, right: bottom, bottom, free, narrow: true }
+        Self { whole, top, left: None, right: bottom, bottom, eye: Rect::NOTHING, free, narrow: true }
+    }
+
+    /// What covers the scene.
+    pub fn panels(&self) -> Vec<Rect> {
+        let mut panels = vec![self.top, self.right, self.eye];
+        // One drawer has both.
+        panels.extend((!self.narrow).then_some(self.bottom));
+        panels.extend(self.left);
+        panels
     }
 
     /// Where the scene is drawn: over the whole window, or, split, in two panes of one size that share what no panel
@@ -146,16 +168,23 @@ mod tests {
     }
 
     #[test]
+    fn the_scene_has_seven_tenths_of_a_usual_window() {
+        let whole = Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 720.0));
+        let covered: f32 = Layout::new(whole, &Settings::default()).panels().iter().map(|part| part.area()).sum();
+        let seen = 1.0 - covered / whole.area();
+        assert!(seen >= 0.70, "{:.1} %", 100.0 * seen);
+    }
+
+    #[test]
     fn panels_do_not_overlap_at_any_size() {
-        for size in [vec2(1280.0, 720.0), vec2(1920.0, 1080.0), vec2(900.0, 640.0), vec2(853.0, 480.0)] {
-            for pantry_open in [false, true] {
-                let settings = Settings { pantry_open, ..Settings::default() };
+        let sizes = [[1280.0, 720.0], [1920.0, 1080.0], [900.0, 640.0], [853.0, 480.0], [390.0, 844.0], [844.0, 390.0]];
+        for size in sizes.map(Vec2::from) {
+            for [pantry_open, curves_open] in [[false, false], [true, false], [false, true]] {
+                let settings = Settings { pantry_open, curves_open, ..Settings::default() };
                 let l = Layout::new(Rect::from_min_size(Pos2::ZERO, size), &settings);
-                let mut parts = vec![l.top, l.right];
-                // One drawer has both.
                 assert_eq!(l.narrow, l.bottom == l.right);
-                parts.extend((!l.narrow).then_some(l.bottom));
-                parts.extend(l.left);
+                let parts = l.panels();
+                assert!(parts.iter().all(|part| l.whole.contains_rect(*part)), "{size:?} {l:?}");
                 for (i, a) in parts.iter().enumerate() {
                     assert!(parts[i + 1..].iter().all(|b| !a.intersects(*b)), "{size:?} {l:?}");
                 }

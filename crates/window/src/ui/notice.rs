@@ -1,29 +1,86 @@
-//! Notices: a sentence that is shown for a while.
+//! Notices: sentences that are shown for a while and kept in a list.
 
+use std::collections::VecDeque;
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 
 use web_time::Instant;
 
-/// How long a sentence stays [s].
+/// How long a sentence stays over the scene [s].
 const STAYS_S: f32 = 7.0;
+/// Sentences that are kept at most (chosen: those of an evening).
+const KEPT: usize = 100;
 
-/// The last sentence; clones speak into the same place, so that a picture saved later can say so.
+/// A sentence that was said.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Said {
+    /// The sentence.
+    pub text: String,
+    /// The file that it speaks of, if it can be shown.
+    pub file: Option<PathBuf>,
+    /// When.
+    at: Instant,
+}
+
+/// All that was said; clones speak into the same list, so that a picture saved later can say so.
 #[derive(Clone, Debug, Default)]
 pub struct Notice {
-    last: Arc<Mutex<Option<(String, Instant)>>>,
+    said: Arc<Mutex<VecDeque<Said>>>,
 }
 
 impl Notice {
     /// Shows a sentence; it replaces the one before.
     pub fn say(&self, text: impl Into<String>) {
-        if let Ok(mut last) = self.last.lock() {
-            *last = Some((text.into(), Instant::now()));
+        self.keep(text.into(), None);
+    }
+
+    /// Shows a sentence about a file.
+    pub fn say_of(&self, text: impl Into<String>, file: PathBuf) {
+        self.keep(text.into(), Some(file));
+    }
+
+    fn keep(&self, text: String, file: Option<PathBuf>) {
+        let Ok(mut said) = self.said.lock() else { return };
+        // What is said again is kept once.
+        if said.back().is_some_and(|last| last.text == text) {
+            said.pop_back();
+        }
+        said.push_back(Said { text, file, at: Instant::now() });
+        if said.len() > KEPT {
+            said.pop_front();
         }
     }
 
-    /// Returns the sentence while it is shown.
-    pub fn current(&self) -> Option<String> {
-        let last = self.last.lock().ok()?;
-        last.as_ref().filter(|(_, at)| at.elapsed().as_secs_f32() < STAYS_S).map(|(text, _)| text.clone())
+    /// Returns the last sentence while it is shown.
+    pub fn current(&self) -> Option<Said> {
+        let said = self.said.lock().ok()?;
+        said.back().filter(|last| last.at.elapsed().as_secs_f32() < STAYS_S).cloned()
+    }
+
+    /// Returns all that was said, the last first.
+    pub fn all(&self) -> Vec<Said> {
+        self.said.lock().map(|said| said.iter().rev().cloned().collect()).unwrap_or_default()
+    }
+}
+
+impl Said {
+    /// How long ago it was said [s].
+    pub fn ago_s(&self) -> f32 {
+        self.at.elapsed().as_secs_f32()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_said_is_kept_once_and_the_last_comes_first() {
+        let notice = Notice::default();
+        ["one", "two", "two"].into_iter().for_each(|text| notice.say(text));
+        let texts: Vec<String> = notice.all().into_iter().map(|said| said.text).collect();
+        assert_eq!(texts, ["two", "one"]);
+        (0..2 * KEPT).for_each(|n| notice.say(n.to_string()));
+        assert_eq!(notice.all().len(), KEPT);
     }
 }

@@ -75,7 +75,6 @@ fn shape(style: &mut Style) {
 
 fn visuals(p: &Palette) -> Visuals {
     let mut v = if p.dark { Visuals::dark() } else { Visuals::light() };
-    v.override_text_color = Some(p.text);
     v.panel_fill = p.ground;
     v.window_fill = p.ground;
     v.extreme_bg_color = p.sunken;
@@ -90,7 +89,11 @@ fn visuals(p: &Palette) -> Visuals {
         &mut v.widgets.noninteractive,
     ] {
         widget.corner_radius = CornerRadius::same(8);
+        // Text takes this colour, except on what is chosen: there `selection` holds.
+        widget.fg_stroke.color = p.text;
     }
+    // What has the focus of the keyboard, and what is pressed.
+    v.widgets.active.bg_stroke = Stroke::new(2.0, p.text);
     v.widgets.inactive.weak_bg_fill = p.raised;
     v.widgets.inactive.bg_fill = p.raised;
     v.widgets.hovered.weak_bg_fill = p.hovered;

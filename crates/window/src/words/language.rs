@@ -88,6 +88,11 @@ impl Language {
         key.and_then(|key| self.texts().get(section)?.get(key)).map_or(english, String::as_str)
     }
 
+    /// The name of one of our own ids in a section; ids are written with hyphens, keys with underscores.
+    pub fn known(self, section: &str, id: &str) -> Option<&'static str> {
+        self.texts().get(section)?.get(&id.replace('-', "_")).map(String::as_str)
+    }
+
     fn texts(self) -> &'static Texts {
         static PARSED: [OnceLock<Texts>; 2] = [const { OnceLock::new() }; 2];
         // Both files are parts of the program, and a test reads them: an error cannot reach a user.

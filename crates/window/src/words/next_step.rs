@@ -4,6 +4,7 @@ use saute_kitchen::celsius;
 use saute_recipe::recipe::{ALL, Quantity};
 use saute_recipe::{Action, Condition, Measured, Runner, Target, Trigger};
 
+use crate::panels::inside::clock;
 use crate::settings::Settings;
 use crate::words::piece_words::name;
 
@@ -16,7 +17,7 @@ pub fn words(runner: &Runner, settings: &Settings) -> String {
         _ => None,
     };
     let once = what(repeat.map_or(&step.action, |repeat| &repeat.action), settings);
-    let at = |what: &str, seconds: f64| l.fill("awaits.at", &[("what", &what), ("seconds", &format!("{seconds:.0}"))]);
+    let at = |what: &str, seconds: f64| l.fill("awaits.at", &[("what", &what), ("time", &clock(seconds))]);
     if let Some(seconds) = runner.next_repetition_s() {
         return at(&once, seconds);
     }

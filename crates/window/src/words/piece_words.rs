@@ -38,16 +38,38 @@ pub fn place(piece: &Piece, l: Language) -> &'static str {
     })
 }
 
-/// Name of a piece or a group: our own names in the language, with their numbers; others as they are.
+/// Name of a piece or a group: our own names in the language, with the number of the group from the second on, and that of
+/// the piece in its group; names of a user's own as they are.
 pub fn name(id: &str, l: Language) -> String {
     let group = group_of(id);
     let numbered = group.rsplit_once('-').filter(|(_, number)| number.parse::<u32>().is_ok());
     let base = numbered.map_or(group, |(base, _)| base);
-    format!("{}{}", l.called("id", base), &id[base.len()..])
+    let of_kind = match l.known("id", base) {
+        None => group.to_owned(),
+        Some(name) => numbered.map_or_else(|| name.to_owned(), |(_, number)| format!("{name} {number}")),
+    };
+    match id.strip_prefix(group).and_then(|rest| rest.strip_prefix('.')) {
+        Some(number) => l.fill("piece.numbered", &[("name", &of_kind), ("number", &number)]),
+        None => of_kind,
+    }
 }
 
 /// Its mass, with as many places as it takes to see it change.
 pub fn grams(piece: &Piece) -> String {
     let mass = 1e3 * piece.mass();
     if mass < 50.0 { format!("{mass:.1} g") } else { format!("{mass:.0} g") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_are_spoken_of_by_names_and_not_by_ids() {
+        let said = |id| name(id, Language::English);
+        assert_eq!([said("steak"), said("steak-2")], ["steak", "steak 2"]);
+        assert_eq!(said("carrot-coin.3"), "carrot coin no. 3");
+        assert_eq!(said("carrot-coin-2.3"), "carrot coin 2 no. 3");
+        assert_eq!(said("grandmas-roast"), "grandmas-roast", "a name of the user's own");
+    }
 }

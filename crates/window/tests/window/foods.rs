@@ -39,7 +39,9 @@ fn the_scale_of_doneness_is_cycled_by_key_and_always_labelled() {
         harness.get_by_label(&format!("Doneness by {label}"));
         save(&mut harness, &format!("scale-{id}"));
         let right = harness.get_by_label("Goal for the core").rect().right();
-        assert!(right < WIDE.x - 20.0, "the goals stay in their panel: {right}");
+        let whole = egui::Rect::from_min_size(egui::Pos2::ZERO, WIDE);
+        let panel = saute_window::ui::layout::Layout::new(whole, harness.state().settings()).right;
+        assert!(right <= panel.right() - 10.0, "the goals stay in their panel: {right}");
         press(&mut harness, Key::Num1);
     }
 }
@@ -111,11 +113,11 @@ fn the_goal_of_a_shrimp_is_its_own_and_a_steak_keeps_the_goal_that_was_set() {
     let mut harness = playing(WIDE, &frying("shrimp", "shrimp", ""), 10.0);
     let app = harness.state();
     let (shrimp, steak) = (app.scale().expect("a scale"), app.session().library.scale("chefs").expect("chefs").clone());
-    assert_eq!((shrimp.id.as_str(), app.settings().goal(&shrimp), app.settings().goal(&steak)), ("shrimp", 63.0, 60.0));
+    assert_eq!((shrimp.id.as_str(), app.settings().goal(&shrimp), app.settings().goal(&steak)), ("shrimp", 63.0, 62.0));
     harness.get_by_role_and_label(egui::accesskit::Role::Button, "firm").click();
     steps(&mut harness, 3);
     let settings = harness.state().settings();
-    assert_eq!((settings.goal(&shrimp), settings.goal(&steak)), (72.0, 60.0));
+    assert_eq!((settings.goal(&shrimp), settings.goal(&steak)), (72.0, 62.0));
     let stored = serde_json::to_string(settings).expect("settings");
     let again = SauteApp::start(&egui::Context::default(), None, Some(stored), Start::default()).expect("starts");
     assert_eq!(again.settings().goal(&shrimp), 72.0);
@@ -125,6 +127,7 @@ fn the_goal_of_a_shrimp_is_its_own_and_a_steak_keeps_the_goal_that_was_set() {
 fn a_vegetable_is_crisp_tender_or_soft_and_keeps_its_words_whatever_scale_is_chosen_for_meat() {
     let mut harness = playing(WIDE, &frying("carrot-coin", "coin", ""), 240.0);
     harness.get_by_label_contains("Cross-section by Tenderness: crisp");
+    press(&mut harness, Key::G);
     harness.get_by_label("Juiciness");
     press(&mut harness, Key::D);
     steps(&mut harness, 10);

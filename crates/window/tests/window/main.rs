@@ -1,9 +1,12 @@
 //! The window, tested through the window.
 
+mod advice;
+mod at_hand;
 mod foods;
 mod hand;
 mod harness;
 mod japanese;
+mod keys;
 mod mirror;
 mod pan;
 mod settings;

@@ -147,7 +147,7 @@ fn a_phone_shows_the_scene_and_one_drawer() {
     harness.get_by_label("Inside").click();
     steps(&mut harness, 12);
     save(&mut harness, "phone-inside");
-    harness.get_by_label("Steak").click();
+    harness.get_by_label("Food").click();
     steps(&mut harness, 3);
     save(&mut harness, "phone-steak");
 }
@@ -253,8 +253,9 @@ fn a_dropped_recipe_plays_and_a_broken_one_is_explained() {
     harness.get_by_label_contains("dropped.toml:2");
 }
 
+/// What the window remembers.
 #[derive(Default)]
-struct Memory(std::collections::BTreeMap<String, String>);
+pub struct Memory(pub std::collections::BTreeMap<String, String>);
 
 impl eframe::Storage for Memory {
     fn get_string(&self, key: &str) -> Option<String> {

@@ -228,6 +228,7 @@ fn a_probe_is_placed_without_a_keyboard() {
 #[test]
 fn the_curves_tell_values_and_events_under_the_pointer() {
     let mut harness = fried(vec2(1280.0, 720.0));
+    press(&mut harness, Key::G);
     let plot = harness.get_by_label_contains("Curves of pan").rect();
     // The flip at 200 s: find it from the time axis, 0 to a little over 240 s.
     for k in 0..40u8 {

@@ -47,6 +47,21 @@ fn the_shares_of_2013_equal_the_plain_ones_and_its_class_is_that_of_the_cores_pe
     assert_eq!(medium.summary["foods"][0]["doneness"]["paper-2013"]["class"], class);
 }
 
+/// Promise: a class is hatched in the report as in the window, where medium has lines that rise to the right.
+#[test]
+fn the_report_hatches_a_class_as_the_window_does() {
+    let report = cooked("medium").text("report.html");
+    for (class, pattern) in [
+        ("raw", "none"),
+        ("rare", "radial-gradient(circle at 2px 3px, rgb(0 0 0 / 0.42) 1.5px"),
+        ("medium", "repeating-linear-gradient(135deg, rgb(0 0 0 / 0.42) 0 1.3px"),
+        ("well-done", "repeating-linear-gradient(135deg"),
+    ] {
+        assert!(report.contains(&format!(".pattern.{class} {{ background-image: {pattern}")), "{class}: {pattern}");
+    }
+    assert!(report.contains("time, min:s"));
+}
+
 #[test]
 fn a_vegetable_is_spoken_of_as_crisp_tender_or_soft_and_not_as_meat() {
     let dir = tempfile::tempdir().unwrap();

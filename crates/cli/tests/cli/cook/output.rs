@@ -195,6 +195,8 @@ fn without_json_the_text_has_a_summary_and_no_progress_bar_gets_into_a_file() {
         "browned",
         "imbalance",
         "flip steak",
+        "steps (min:s)",
+        "0:20.0",
     ] {
         assert!(ran.out.contains(part), "{part}:\n{}", ran.out);
     }

@@ -1,0 +1,274 @@
+//! Readings of the kitchen and of one piece, and the advice that follows from them.
+
+use super::{
+    Advice, BROWN_ENOUGH, FORECAST_HIGH_K, Goal, HALF_WAY, HOT_C, SMOKE_SEEN_MG_S, TOO_COLD_C, TOO_HOT_C,
+    WARM_ENOUGH_C, WET_BELOW_C,
+};
+use crate::{Kitchen, Piece, Place, celsius};
+
+/// Readings from which advice is derived.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Situation {
+    /// Where the piece is.
+    pub place: Place,
+    /// Temperature of the pan's floor [°C].
+    pub pan_c: f64,
+    /// True if food is in the pan.
+    pub pan_is_used: bool,
+    /// Power to which the hob is set [W].
+    pub hob_w: f64,
+    /// Setting of the hob that heats a pan well [W].
+    pub heating_w: f64,
+    /// Flow of smoke [mg/s].
+    pub smoke_mg_s: f64,
+    /// Mean temperature of the piece's underside [°C].
+    pub underside_c: f64,
+    /// Mean browning index of its underside and of its upper side [-].
+    pub browning: [f64; 2],
+    /// True once it was flipped.
+    pub flipped: bool,
+    /// Temperature of the room [°C].
+    pub room_c: f64,
+    /// Temperature of its core now [°C].
+    pub core_c: f64,
+    /// Highest temperature that its core has reached [°C].
+    pub core_peak_c: f64,
+}
+
+/// How far the core cools below its peak before the food counts as rested [K] (chosen: far above rounding, soon after the
+/// peak).
+const RESTED_K: f64 = 0.3;
+
+impl Situation {
+    /// Reads the situation of a piece.
+    pub fn of(kitchen: &Kitchen, piece: &Piece) -> Self {
+        let up = piece.up();
+        let browning = |up| piece.model.face_browning(&piece.state, up);
+        Self {
+            place: piece.place,
+            pan_c: celsius(kitchen.pan_temperature()),
+            pan_is_used: kitchen.pieces().iter().any(Piece::in_pan),
+            hob_w: kitchen.hob_w(),
+            heating_w: heating_w(&kitchen.hob().coil.settings_w),
+            smoke_mg_s: kitchen.pan_state().smoke_mg_s(),
+            underside_c: celsius(piece.face(true)),
+            browning: [browning(up), browning(up.map(|u| -u))],
+            flipped: piece.flipped_at().is_some(),
+            room_c: celsius(kitchen.room().temperature()),
+            core_c: celsius(piece.core()),
+            core_peak_c: celsius(piece.core_peak.0),
+        }
+    }
+
+    /// Returns what to do, the most urgent first: what the food needs now, then the hob, then what to wait for. Without a
+    /// goal the advice is about the underside.
+    pub fn advice(&self, goal: Option<Goal>) -> Vec<Advice> {
+        match self.place {
+            Place::Waiting => vec![self.too_hot().unwrap_or_else(|| self.before())],
+            Place::Pan(_) => self.in_pan(goal),
+            Place::Rest(_) => self.off_the_pan(),
+            _ => Vec::new(),
+        }
+    }
+
+    fn before(&self) -> Advice {
+        let pan_c = self.pan_c;
+        match () {
+            () if pan_c >= WARM_ENOUGH_C => Advice::PutIn { pan_c },
+            () if self.hob_w > 0.0 => Advice::Heating { pan_c, until_c: HOT_C },
+            () => Advice::TurnOn { power_w: self.heating_w },
+        }
+    }
+
+    fn too_hot(&self) -> Option<Advice> {
+        let smokes = self.smoke_mg_s >= SMOKE_SEEN_MG_S;
+        let hot = smokes || self.pan_c > TOO_HOT_C || self.chars_on();
+        hot.then_some(Advice::TooHot { pan_c: self.pan_c, smokes })
+    }
+
+    /// True if both sides are brown and the hob still heats as for browning.
+    fn chars_on(&self) -> bool {
+        let brown = self.browning.iter().all(|b| *b >= BROWN_ENOUGH);
+        brown && self.pan_c > HOT_C && self.hob_w >= self.heating_w
+    }
+
+    fn too_cold(&self) -> Option<Advice> {
+        let cold = self.pan_c < TOO_COLD_C && self.hob_w < self.heating_w;
+        cold.then_some(Advice::TooCold { power_w: self.heating_w })
+    }
+
+    fn in_pan(&self, goal: Option<Goal>) -> Vec<Advice> {
+        let food = self.of_food(goal);
+        let hob = self.too_hot().or(self.too_cold());
+        let mut advice: Vec<Advice> = [Some(food), hob].into_iter().flatten().collect();
+        // What is due comes before what is waited for; food before the hob.
+        advice.sort_by_key(|one| !one.is_due());
+        advice
+    }
+
+    fn of_food(&self, goal: Option<Goal>) -> Advice {
+        let (underside_c, wet) = (self.underside_c, self.underside_c < WET_BELOW_C);
+        let goal = goal.map(Goal::corrected);
+        match goal {
+            None if wet => Advice::Wet { underside_c },
+            None => Advice::Browns { underside_c },
+            Some(Goal::Peak { core_c, foreseen_c }) if foreseen_c >= core_c => Advice::TakeOut { peak_c: foreseen_c },
+            Some(Goal::Peak { core_c, foreseen_c }) if self.wants_flip(core_c, foreseen_c) => Advice::Flip,
+            Some(Goal::Peak { foreseen_c, .. }) => Advice::WouldPeak { peak_c: foreseen_c, wet },
+            Some(Goal::Share { wanted_pct, reached_pct }) if reached_pct >= wanted_pct => {
+                Advice::Ready { share_pct: reached_pct }
+            }
+            Some(Goal::Share { wanted_pct, reached_pct }) => {
+                Advice::NotReady { share_pct: reached_pct, until_pct: wanted_pct }
+            }
+        }
+    }
+
+    /// Once half of the heat is in; later only so that no side chars.
+    fn wants_flip(&self, goal_c: f64, foreseen_c: f64) -> bool {
+        let [below, above] = self.browning;
+        let chars = below >= BROWN_ENOUGH && above < BROWN_ENOUGH;
+        let half = self.room_c + HALF_WAY * (goal_c - self.room_c);
+        chars || (!self.flipped && foreseen_c >= half)
+    }
+
+    fn off_the_pan(&self) -> Vec<Advice> {
+        let peak_c = self.core_peak_c;
+        let rests =
+            if self.core_c > peak_c - RESTED_K { Advice::Resting { peak_c } } else { Advice::Rested { peak_c } };
+        let idle = self.hob_w > 0.0 && !self.pan_is_used;
+        idle.then_some(Advice::TurnOff).into_iter().chain([rests]).collect()
+    }
+}
+
+impl Goal {
+    /// The goal with the forecast that is to be expected by experience.
+    fn corrected(self) -> Self {
+        match self {
+            Self::Peak { core_c, foreseen_c } => Self::Peak { core_c, foreseen_c: foreseen_c - FORECAST_HIGH_K },
+            share @ Self::Share { .. } => share,
+        }
+    }
+}
+
+/// The setting of a hob in the middle of its dial [W]: it heats a pan in a few minutes.
+fn heating_w(settings: &[f64]) -> f64 {
+    settings.get(settings.len() / 2).copied().unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::RestOn;
+
+    const RAW: Situation = Situation {
+        place: Place::Waiting,
+        pan_c: 20.0,
+        pan_is_used: false,
+        hob_w: 0.0,
+        heating_w: 1100.0,
+        smoke_mg_s: 0.0,
+        underside_c: 5.0,
+        browning: [0.0; 2],
+        flipped: false,
+        room_c: 20.0,
+        core_c: 5.0,
+        core_peak_c: 5.0,
+    };
+    const FRYING: Situation = Situation {
+        place: Place::Pan([0.0; 2]),
+        pan_c: 200.0,
+        pan_is_used: true,
+        hob_w: 1100.0,
+        underside_c: 140.0,
+        core_c: 40.0,
+        core_peak_c: 40.0,
+        ..RAW
+    };
+
+    /// A goal of 60 °C, and the peak to expect.
+    fn peak(expected_c: f64) -> Option<Goal> {
+        Some(Goal::Peak { core_c: 60.0, foreseen_c: expected_c + FORECAST_HIGH_K })
+    }
+
+    #[test]
+    fn food_waits_until_the_pan_is_hot() {
+        let at = |pan_c, hob_w| Situation { pan_c, hob_w, ..RAW }.advice(None);
+        assert_eq!(at(20.0, 0.0), [Advice::TurnOn { power_w: 1100.0 }]);
+        assert_eq!(at(159.0, 400.0), [Advice::Heating { pan_c: 159.0, until_c: 180.0 }]);
+        assert_eq!(at(161.0, 0.0), [Advice::PutIn { pan_c: 161.0 }]);
+        assert_eq!(at(271.0, 1100.0), [Advice::TooHot { pan_c: 271.0, smokes: false }]);
+    }
+
+    #[test]
+    fn food_that_is_ready_comes_before_a_pan_that_is_too_hot_and_both_are_said() {
+        let hot = Situation { pan_c: 275.0, ..FRYING };
+        let too_hot = Advice::TooHot { pan_c: 275.0, smokes: false };
+        assert_eq!(hot.advice(peak(60.0)), [Advice::TakeOut { peak_c: 60.0 }, too_hot]);
+        assert_eq!(hot.advice(peak(30.0)), [too_hot, Advice::WouldPeak { peak_c: 30.0, wet: false }]);
+    }
+
+    #[test]
+    fn smoke_that_nobody_sees_is_not_spoken_of() {
+        let at = |smoke_mg_s| Situation { smoke_mg_s, ..FRYING }.advice(None);
+        assert_eq!(at(0.04), [Advice::Browns { underside_c: 140.0 }]);
+        assert_eq!(at(0.5)[0], Advice::TooHot { pan_c: 200.0, smokes: true });
+    }
+
+    #[test]
+    fn food_comes_out_when_resting_would_bring_it_to_the_goal() {
+        let at = |foreseen_c| Situation { flipped: true, ..FRYING }.advice(peak(foreseen_c));
+        assert_eq!(at(59.9), [Advice::WouldPeak { peak_c: 59.9, wet: false }]);
+        assert_eq!(at(60.0), [Advice::TakeOut { peak_c: 60.0 }]);
+    }
+
+    #[test]
+    fn food_is_flipped_half_way_and_before_a_side_chars() {
+        let at = |flipped, browning, foreseen_c| {
+            Situation { flipped, browning, ..FRYING }.advice(peak(foreseen_c))[0] == Advice::Flip
+        };
+        assert!(!at(false, [0.3, 0.0], 39.9) && at(false, [0.3, 0.0], 40.0));
+        assert!(!at(true, [0.3, 0.5], 50.0), "once is enough");
+        assert!(at(true, [0.9, 0.5], 50.0) && !at(true, [0.9, 0.9], 50.0));
+    }
+
+    #[test]
+    fn the_hob_is_turned_down_once_when_both_sides_are_brown() {
+        let at = |hob_w, browning| Situation { hob_w, browning, flipped: true, ..FRYING }.advice(peak(50.0))[0];
+        assert_eq!(at(1100.0, [0.9, 0.9]), Advice::TooHot { pan_c: 200.0, smokes: false });
+        assert!(!at(400.0, [0.9, 0.9]).is_due() && !at(1100.0, [0.9, 0.8]).is_due());
+    }
+
+    #[test]
+    fn food_that_softens_comes_out_when_its_core_has_softened_enough() {
+        let at = |reached_pct| FRYING.advice(Some(Goal::Share { wanted_pct: 50.0, reached_pct }));
+        assert_eq!(at(49.9), [Advice::NotReady { share_pct: 49.9, until_pct: 50.0 }]);
+        assert_eq!(at(50.0), [Advice::Ready { share_pct: 50.0 }]);
+        assert!(at(50.0)[0].is_due() && !at(10.0)[0].is_due());
+    }
+
+    #[test]
+    fn an_underside_is_wet_until_its_water_has_boiled_off() {
+        let at = |underside_c| Situation { underside_c, ..FRYING };
+        assert_eq!(at(105.9).advice(None), [Advice::Wet { underside_c: 105.9 }]);
+        assert_eq!(at(106.0).advice(None), [Advice::Browns { underside_c: 106.0 }]);
+        assert_eq!(at(100.0).advice(peak(30.0)), [Advice::WouldPeak { peak_c: 30.0, wet: true }]);
+    }
+
+    #[test]
+    fn a_pan_that_no_longer_fries_is_heated_and_an_empty_one_is_not() {
+        let cold = Situation { pan_c: 119.0, hob_w: 400.0, ..FRYING };
+        assert_eq!(cold.advice(None)[0], Advice::TooCold { power_w: 1100.0 });
+        assert!(!Situation { hob_w: 1100.0, ..cold }.advice(None)[0].is_due(), "it is being heated");
+        let out = Situation { place: Place::Rest(RestOn::Board), pan_is_used: false, ..FRYING };
+        assert_eq!(out.advice(None), [Advice::TurnOff, Advice::Resting { peak_c: 40.0 }]);
+    }
+
+    #[test]
+    fn food_rests_until_its_core_cools_and_held_food_needs_no_advice() {
+        let at = |place, core_c| Situation { place, core_c, hob_w: 0.0, ..FRYING }.advice(None);
+        assert_eq!(at(Place::Rest(RestOn::Board), 40.0), [Advice::Resting { peak_c: 40.0 }]);
+        assert_eq!(at(Place::Rest(RestOn::Board), 39.6), [Advice::Rested { peak_c: 40.0 }]);
+        assert_eq!(at(Place::Held, 40.0), []);
+    }
+}

@@ -1,0 +1,57 @@
+//! One entry of a recording.
+
+use saute_kitchen::{Command, FRAME_S, PieceOrder};
+use serde::{Deserialize, Serialize};
+
+use crate::action::Action;
+use crate::cook::step_record::StepRecord;
+
+/// What happened between two frames, other than the recipe's own steps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// Frames since the start.
+    pub frame: u64,
+    /// True if it happened after the recipe's steps that were due at this frame.
+    pub after_steps: bool,
+    /// What happened.
+    pub deed: Deed,
+}
+
+/// What a person or a device did.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub enum Deed {
+    /// The recipe was stopped: a person took over.
+    TakeOver,
+    /// A command that the kitchen carried out.
+    Command(Command),
+    /// Food that was added.
+    Add(PieceOrder),
+    /// A piece that was removed, by its name.
+    Remove(String),
+    /// The recipe goes on after a person had taken over.
+    Resume,
+}
+
+impl Entry {
+    /// Time of the entry [s].
+    pub fn time_s(&self) -> f64 {
+        self.frame as f64 * FRAME_S
+    }
+}
+
+impl Entry {
+    /// Returns a command as the step of a recipe; none for what no recipe can state.
+    pub(crate) fn as_step(&self) -> Option<StepRecord> {
+        let Deed::Command(command) = &self.deed else { return None };
+        let action = Action::of_command(command)?;
+        let foods = action.target().map(|target| target.foods.clone()).unwrap_or_default();
+        Some(StepRecord::new(action, foods, self.time_s()))
+    }
+}
+
+impl Deed {
+    /// Returns true for one of the many poses by which a hand moves pan or tool.
+    pub fn is_pose(&self) -> bool {
+        matches!(self, Self::Command(Command::HoldPan { .. } | Command::Lead { .. }))
+    }
+}

@@ -1,0 +1,326 @@
+//! Promise: a session is played again bit by bit: recipes, hands that take over, devices, foods that come and go, and undone deeds;
+//! through its file too, however often that was appended to.
+
+use std::sync::Arc;
+
+use saute_kitchen::dynamics::{Pose, Tool};
+use saute_kitchen::food::{MeshSize, OutlineKind, Rules};
+use saute_kitchen::{Command, Library, PieceOrder, RestOn, kelvin};
+use saute_recipe::session::{SetOutFood, set_out};
+use saute_recipe::{Cook, Recipe, Recording, Replay};
+
+/// A recipe that plays while a hand may take over.
+const RECIPE: &str = r#"
+title = "Shrimps and a coin"
+max_s = 120
+[pan]
+initial_c = 160
+[[food]]
+id = "shrimp"
+kind = "shrimp"
+mesh = "2013"
+count = 3
+[[food]]
+id = "coin"
+kind = "carrot-coin"
+mesh = "2013"
+[[step]]
+oil_g = 8
+[[step]]
+hob_w = 1500
+[[step]]
+put = "shrimp"
+[[step]]
+after_s = 3
+put = { food = "coin", heap = true }
+[[step]]
+after_s = 2
+shake = 1
+[[step]]
+after_s = 3
+flip = "shrimp"
+[[step]]
+after_s = 10
+end = true
+"#;
+
+/// Number of random sessions: SAUTE_RANDOM_SESSIONS, or as many as `./test.sh` takes (scripts/campaign_share.sh).
+fn random_sessions() -> u64 {
+    std::env::var("SAUTE_RANDOM_SESSIONS").map_or(10, |count| count.parse().expect("a number"))
+}
+
+/// Seed of all draws: that of proptest, so that `./test.sh` draws the same and the campaign anew.
+fn seed() -> u64 {
+    use std::hash::{BuildHasher, RandomState};
+    let given = std::env::var("PROPTEST_RNG_SEED").ok().map(|seed| seed.parse().expect("a number"));
+    let seed = given.unwrap_or_else(|| RandomState::new().hash_one(0));
+    println!("PROPTEST_RNG_SEED={seed}");
+    seed
+}
+
+/// SplitMix64.
+struct Draws(u64);
+
+impl Draws {
+    fn below(&mut self, count: u64) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (z ^ (z >> 31)) % count
+    }
+
+    fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.below(1 << 40) as f64 / (1_u64 << 40) as f64
+    }
+}
+
+fn pose(draws: &mut Draws) -> Pose {
+    let mut pose = Pose::at(draws.within(-0.06, 0.06), draws.within(-0.06, 0.06), draws.within(0.0, 0.08));
+    pose.rotation.x = draws.within(-0.15, 0.15);
+    pose.rotation = pose.rotation.normalize();
+    pose
+}
+
+fn command(foods: &[String], draws: &mut Draws) -> Command {
+    let food = foods[draws.below(foods.len() as u64) as usize].clone();
+    let at = [draws.within(-0.05, 0.05), draws.within(-0.05, 0.05)];
+    match draws.below(14) {
+        0 => Command::Hob(draws.within(0.0, 3000.0)),
+        1 => Command::Put { food, at, heap: true },
+        2 => Command::Flip { food },
+        3 => Command::Rest { food, on: RestOn::Rack },
+        4 => Command::Halve { food, at: 0.0 },
+        5 => Command::MovePan { at, lift: draws.within(0.0, 0.1) },
+        6 => Command::Cool { for_s: 1.0 },
+        7 => Command::Toss { height: draws.within(0.05, 0.2) },
+        8 => Command::Shake { amplitude: 0.02, hz: 3.0, for_s: 1.0 },
+        9 => Command::Tilt { angle: draws.within(0.0, 0.4), towards: draws.within(0.0, 6.0) },
+        10 => Command::Press { food, newtons: draws.within(1.0, 20.0), for_s: 0.7 },
+        11 => Command::Lead { tool: Tool::Tongs, to: pose(draws), grip: Some(food) },
+        12 => Command::Water(draws.within(0.001, 0.03)),
+        _ => Command::Lid(draws.below(2) == 0),
+    }
+}
+
+fn added(name: String) -> PieceOrder {
+    PieceOrder {
+        id: name,
+        kind: "carrot-coin".into(),
+        size: [0.026, 0.026, 0.006],
+        temperature: kelvin(15.0),
+        seed: 7,
+        coarseness: 1.0,
+        rules: Rules::Full,
+        mesh: MeshSize::Paper2013,
+        outline: OutlineKind::Plain,
+    }
+}
+
+/// A live session as a window has it.
+struct Live<'a> {
+    library: &'a Library,
+    here: Replay,
+    recording: Recording,
+    file: Vec<u8>,
+}
+
+impl<'a> Live<'a> {
+    fn begin(library: &'a Library, recipe: &Recipe, plays: bool) -> Self {
+        let recording = Recording::begin(recipe, plays, library);
+        let mut here = Replay::begin(&recording, library).expect("begins");
+        here.kitchen.listen();
+        let mut live = Self { library, here, recording, file: Vec::new() };
+        live.recording.observe(&live.here.kitchen);
+        live
+    }
+
+    fn plays(&self) -> bool {
+        self.recording.beginning().plays && !self.recording.is_taken_over()
+    }
+
+    /// What a frame of the window does; `device` moves pan or turner in it.
+    fn frame(&mut self, device: Option<Command>) {
+        let Replay { kitchen, runner, .. } = &mut self.here;
+        if kitchen.is_between_ticks() && self.recording.beginning().plays && !self.recording.is_taken_over() {
+            runner.poll(kitchen).expect("carried out");
+            self.recording.on_steps(kitchen);
+        }
+        device.iter().for_each(|command| _ = kitchen.apply(command));
+        self.recording.take(kitchen);
+        kitchen.advance_frame();
+        self.recording.observe(kitchen);
+    }
+
+    fn person(&mut self, command: Command) {
+        if self.here.kitchen.apply(&command).is_ok() {
+            drop(self.here.kitchen.take_carried_out());
+            self.recording.push(&self.here.kitchen, command);
+        }
+    }
+
+    /// Undoes from a random entry on.
+    fn undo(&mut self, draws: &mut Draws) {
+        let count = self.recording.entries().len() as u64;
+        if count == 0 {
+            return;
+        }
+        let moment = self.recording.before(draws.below(count) as usize).expect("an entry");
+        self.recording.truncate(moment);
+        let mut replay = Replay::begin(&self.recording, self.library).expect("begins");
+        replay.run_to(&self.recording, self.library, moment);
+        assert_eq!(replay.departure(), None);
+        self.here = replay;
+        self.here.kitchen.listen();
+    }
+}
+
+fn random_session<'a>(library: &'a Library, draws: &mut Draws) -> Live<'a> {
+    let recipe = Recipe::parse(RECIPE, "random.toml", library).expect("parses");
+    let plays = draws.below(4) > 0;
+    let mut live = Live::begin(library, &recipe, plays);
+    let (takes_over_at, mut foods_added) = (draws.below(1200), 0);
+    let device_from = draws.below(2000);
+    for frame in 0..900 + draws.below(600) {
+        let is_free = !live.plays();
+        if (frame >= takes_over_at || is_free) && draws.below(40) == 0 {
+            let foods: Vec<String> = live.here.kitchen.pieces().iter().map(|p| p.id.clone()).collect();
+            match draws.below(12) {
+                0 => {
+                    foods_added += 1;
+                    let order = added(format!("more-{foods_added}"));
+                    if live.here.kitchen.add(library, &order).is_ok() {
+                        live.recording.add(&live.here.kitchen, order);
+                    }
+                }
+                1 if foods.len() > 2 => {
+                    live.here.kitchen.remove(&foods[0]);
+                    live.recording.remove(&live.here.kitchen, &foods[0]);
+                }
+                2 => live.undo(draws),
+                _ => live.person(command(&foods, draws)),
+            }
+        }
+        let device = (frame > device_from && frame < device_from + 100).then(|| Command::HoldPan { pose: pose(draws) });
+        live.frame(device);
+        if draws.below(60) == 0 {
+            let appended = live.recording.unsaved();
+            live.file.extend(appended);
+        }
+    }
+    let appended = live.recording.unsaved();
+    live.file.extend(appended);
+    live
+}
+
+/// Plays a session to its end.
+fn cooked_again(recording: Recording, library: &Library) -> Cook {
+    let mut cook = Cook::again(recording, Arc::new(library.clone())).expect("begins");
+    while cook.stopped().is_none() {
+        cook.advance().expect("goes on");
+    }
+    cook
+}
+
+#[test]
+fn random_sessions_are_played_again_bit_by_bit_from_their_files() {
+    let library = Library::embedded().expect("embedded data");
+    let mut draws = Draws(seed());
+    let (mut entries, mut over) = (0, 0);
+    for session in 0..random_sessions() {
+        let live = random_session(&library, &mut draws);
+        let opened = Recording::from_file(&live.file).expect("opens");
+        assert_eq!(opened.damage, None);
+        let read = opened.recording;
+        assert_eq!(read.entries(), live.recording.entries(), "session {session}");
+        assert_eq!(read.hashes(), live.recording.hashes(), "session {session}");
+        assert_eq!(read.moment().frame, live.recording.moment().frame, "session {session}");
+        let cook = cooked_again(read.clone(), &library);
+        assert_eq!(cook.departure(), None, "session {session}");
+        assert_eq!(cook.kitchen.state_hash(), live.here.kitchen.state_hash(), "session {session}");
+        serde_json::to_string(&cook.summary(0.0)).expect("numbers");
+        // The whole file, written anew, says the same.
+        let anew = Recording::from_file(&live.recording.to_file()).expect("opens").recording;
+        assert_eq!((anew.entries(), anew.hashes()), (read.entries(), read.hashes()));
+        entries += read.entries().len();
+        over += u32::from(read.is_taken_over());
+    }
+    println!("{} sessions with {entries} entries, {over} taken over", random_sessions());
+}
+
+#[test]
+fn a_keyframe_leads_to_the_same_instant_as_the_beginning() {
+    let library = Library::embedded().expect("embedded data");
+    let live = random_session(&library, &mut Draws(3));
+    let recording = &live.recording;
+    let mut from_start = Replay::begin(recording, &library).expect("begins");
+    from_start.run_to(recording, &library, recording.moment_at(300));
+    let mut keyframe = from_start.clone();
+    let bytes = from_start.kitchen.to_bytes();
+    let later = recording.moment_at(420);
+    from_start.run_to(recording, &library, later);
+    keyframe.run_to(recording, &library, later);
+    assert!(from_start.kitchen.to_bytes() == keyframe.kitchen.to_bytes());
+    assert!(saute_kitchen::Kitchen::from_bytes(&bytes, &library).is_ok());
+}
+
+/// The kitchen of a window's choice is the kitchen of the recipe that says it.
+#[test]
+fn a_choice_is_set_out_as_a_recipe() {
+    let library = Library::embedded().expect("embedded data");
+    let food = SetOutFood {
+        id: "steak".into(),
+        kind: "beef-lean".into(),
+        size_mm: vec![120.0, 80.0, 25.3],
+        initial_c: 5.5,
+        seed: 1,
+        count: None,
+    };
+    let shrimps = SetOutFood {
+        id: "shrimp".into(),
+        kind: "shrimp".into(),
+        size_mm: vec![80.0, 16.0],
+        count: Some(2),
+        ..food.clone()
+    };
+    let text = set_out("A \"choice\"", "cast-iron-26", 180.25, &[food, shrimps]);
+    let recipe = Recipe::parse(&text, "choice", &library).expect("parses");
+    assert_eq!((recipe.title.as_str(), recipe.pan_kind.as_str()), ("A \"choice\"", "cast-iron-26"));
+    assert_eq!(recipe.pan_temperature, kelvin(180.25));
+    let ids: Vec<&str> = recipe.foods.iter().map(|order| order.id.as_str()).collect();
+    assert_eq!(ids, ["steak", "shrimp.1", "shrimp.2"]);
+    assert_eq!(recipe.foods[0].size, [120.0, 80.0, 25.3].map(|mm| mm * 1e-3));
+    assert_eq!((recipe.foods[0].temperature, recipe.foods[2].seed), (kelvin(5.5), 2));
+}
+
+/// A session with a hand's commands becomes a recipe whose cook goes nearly the same way.
+#[test]
+fn a_session_becomes_a_recipe() {
+    let library = Library::embedded().expect("embedded data");
+    let recipe = Recipe::parse(RECIPE, "random.toml", &library).expect("parses");
+    let mut live = Live::begin(&library, &recipe, true);
+    for frame in 0..1200 {
+        match frame {
+            500 => live.person(Command::Hob(700.0)),
+            560 => live.person(Command::Put { food: "coin".into(), at: [0.04, 0.0], heap: true }),
+            700 => live.person(Command::Flip { food: "shrimp.2".into() }),
+            900 => live.person(Command::Rest { food: "coin".into(), on: RestOn::Foil }),
+            _ => {}
+        }
+        live.frame((frame == 1000).then(|| Command::HoldPan { pose: Pose::at(0.0, 0.0, 0.1) }));
+    }
+    let cook = cooked_again(live.recording, &library);
+    assert_eq!(cook.kitchen.state_hash(), live.here.kitchen.state_hash());
+    let made = cook.to_recipe(&library).expect("a recipe");
+    assert_eq!(made.left_out, ["motions of pan and tools in the hand"]);
+    let again = Recipe::parse(&made.text, "again.toml", &library).expect("parses");
+    let mut cooked = saute_recipe::Cook::new(again, &library).expect("builds");
+    while cooked.stopped().is_none() {
+        cooked.advance().expect("carried out");
+    }
+    assert!((cooked.kitchen.time_s() - 20.0).abs() < 0.11, "{}", cooked.kitchen.time_s());
+    assert_eq!(cooked.kitchen.hob_w(), 700.0);
+    let cores = |kitchen: &saute_kitchen::Kitchen| kitchen.pieces().iter().map(|p| p.core()).collect::<Vec<_>>();
+    for (now, then) in cores(&cooked.kitchen).iter().zip(cores(&cook.kitchen)) {
+        assert!((now - then).abs() < 3.0, "{}\n{now} K, {then} K", made.text);
+    }
+}

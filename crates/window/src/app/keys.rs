@@ -1,0 +1,44 @@
+//! Keys that do something at once: which act a press means, and whose a key is.
+
+use egui::{Context, Event, Key};
+
+use super::SauteApp;
+use crate::act::{Act, BINDINGS};
+
+impl SauteApp {
+    /// Carries out what was pressed since the last frame. A text field takes all keys, a widget with the focus only those
+    /// by which it is used.
+    pub(super) fn take_keys(&mut self, ctx: &Context) {
+        self.settings.size = self.settings.size.by_keys(ctx);
+        if ctx.text_edit_focused() {
+            return;
+        }
+        let focused = ctx.egui_wants_keyboard_input();
+        let keys: Vec<Key> = ctx.input(|i| i.events.iter().filter_map(plain_press).collect());
+        for key in keys.into_iter().filter(|key| !(focused && uses_widgets(*key))) {
+            let Some(binding) = BINDINGS.iter().find(|b| b.key == key) else { continue };
+            if !self.card_is_open() || works_over_cards(&binding.act) {
+                self.act(binding.act.clone(), ctx);
+            }
+        }
+    }
+}
+
+/// The key of a press without Ctrl, Alt or Shift, by the modifiers of the press itself: they may be up again before the
+/// frame ends. With Shift, letters move the pan.
+fn plain_press(event: &Event) -> Option<Key> {
+    match event {
+        Event::Key { key, pressed: true, modifiers, .. } if modifiers.is_none() => Some(*key),
+        _ => None,
+    }
+}
+
+/// Keys by which a button is pressed and a slider moved.
+fn uses_widgets(key: Key) -> bool {
+    matches!(key, Key::Space | Key::Enter | Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp | Key::ArrowDown)
+}
+
+/// Behind a card nobody cooks.
+fn works_over_cards(act: &Act) -> bool {
+    matches!(act, Act::Help | Act::Settings | Act::Messages | Act::Mirror | Act::Close | Act::StopHands | Act::Picture)
+}

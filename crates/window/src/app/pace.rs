@@ -1,0 +1,56 @@
+//! A speed that the machine cannot hold gives way to one that it can.
+
+use super::SauteApp;
+use crate::session::SPEEDS;
+
+/// How long the clock may lag before a lower speed is chosen [wall s] (chosen: one slow moment is no slow machine).
+const PATIENCE_S: f64 = 2.0;
+
+/// A lag of the clock: when it began, and for how long it has lasted.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lag {
+    /// Simulated time at its beginning [s].
+    from_s: f64,
+    /// Wall time since [s].
+    wall_s: f64,
+}
+
+impl SauteApp {
+    /// Watches the clock through `wall` seconds. The chosen speed is kept in the settings: the next cook tries it again.
+    pub(super) fn keep_up(&mut self, wall: f64) {
+        let (now, time_s) = (self.session.speed, self.session.kitchen.time_s());
+        if self.session.behind_s().is_none() || now <= SPEEDS[0] {
+            self.lag = None;
+            return;
+        }
+        let lag = self.lag.get_or_insert(Lag { from_s: time_s, wall_s: 0.0 });
+        lag.wall_s += wall;
+        if lag.wall_s < PATIENCE_S {
+            return;
+        }
+        let holds = holdable(now, (time_s - lag.from_s) / lag.wall_s);
+        self.lag = None;
+        self.session.set_speed(holds);
+        let words = |speed: f64| format!("{speed:.0}");
+        let said: [(&str, &dyn std::fmt::Display); 2] = [("wanted", &words(now)), ("speed", &words(holds))];
+        self.notice.say(self.settings.language.fill("notice.slowed", &said));
+    }
+}
+
+/// The highest speed below the present one that the machine holds, or the lowest.
+fn holdable(now: f64, held: f64) -> f64 {
+    let lower = SPEEDS.into_iter().rev().find(|s| *s < now && *s <= held);
+    lower.unwrap_or(SPEEDS[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_highest_speed_that_holds_is_chosen() {
+        assert_eq!(holdable(20.0, 12.0), 5.0);
+        assert_eq!(holdable(20.0, 3.0), 1.0);
+        assert_eq!(holdable(5.0, 0.4), 1.0);
+    }
+}

@@ -1,0 +1,130 @@
+//! Files of the system: a dialog that opens a recipe, the recipes opened before, the folder of pictures.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+
+use crate::app::SauteApp;
+
+/// Recipes that are remembered at most (chosen: what is seen without scrolling).
+const REMEMBERED: usize = 5;
+/// The largest recipe that is read [bytes] (chosen: far above any).
+const LARGEST: u64 = 1 << 20;
+
+/// A dialog that is open in a thread of its own; the window goes on.
+#[derive(Debug, Default)]
+pub(crate) struct Dialog(Option<Receiver<Option<PathBuf>>>);
+
+impl SauteApp {
+    /// Opens the system's file dialog for a recipe.
+    pub(crate) fn choose_file(&mut self, ctx: &egui::Context) {
+        if self.dialog.0.is_some() {
+            return;
+        }
+        let (send, receive) = channel();
+        let (ctx, title) = (ctx.clone(), self.settings.language.text("pantry.choose_file").to_owned());
+        let folder = self.settings.recent.first().and_then(|file| file.parent()).map(Path::to_owned);
+        let begun = std::thread::Builder::new().name("file-dialog".to_owned()).spawn(move || {
+            let dialog = rfd::FileDialog::new().set_title(title).add_filter("TOML", &["toml"]);
+            let dialog = match folder {
+                Some(folder) => dialog.set_directory(folder),
+                None => dialog,
+            };
+            // Nobody waits for the answer once the window is closed.
+            let _ = send.send(dialog.pick_file());
+            ctx.request_repaint();
+        });
+        match begun {
+            Ok(_) => self.dialog = Dialog(Some(receive)),
+            Err(error) => self.say_trouble(&error),
+        }
+    }
+
+    /// Opens the file that was chosen since the last frame.
+    pub(crate) fn take_chosen_file(&mut self) {
+        let Some(answer) = &self.dialog.0 else { return };
+        match answer.try_recv() {
+            Ok(chosen) => {
+                self.dialog = Dialog::default();
+                if let Some(path) = chosen {
+                    self.open_file(&path);
+                }
+            }
+            Err(std::sync::mpsc::TryRecvError::Empty) => {}
+            Err(std::sync::mpsc::TryRecvError::Disconnected) => self.dialog = Dialog::default(),
+        }
+    }
+
+    /// Opens a recipe's file and remembers it.
+    pub(crate) fn open_file(&mut self, path: &Path) {
+        let read = read(path);
+        if read.is_ok() {
+            self.settings.recent.retain(|file| file != path);
+            self.settings.recent.insert(0, path.to_owned());
+            self.settings.recent.truncate(REMEMBERED);
+        }
+        self.take_file(&path.display().to_string(), read);
+    }
+
+    /// Shows a file in the system's file manager.
+    pub(crate) fn show_file(&mut self, file: &Path) {
+        let folder = file.parent().unwrap_or(file);
+        let opener = if cfg!(target_os = "macos") {
+            "open"
+        } else if cfg!(windows) {
+            "explorer"
+        } else {
+            "xdg-open"
+        };
+        let mut shown = Command::new(opener);
+        shown.arg(folder).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+        if let Err(error) = shown.spawn() {
+            self.say_trouble(&format!("{opener} {}: {error}", folder.display()));
+        }
+    }
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, String> {
+    let size = std::fs::metadata(path).map_err(|e| e.to_string())?.len();
+    if size > LARGEST {
+        return Err(format!("it has {size} bytes; a recipe has at most {LARGEST}"));
+    }
+    std::fs::read(path).map_err(|e| e.to_string())
+}
+
+/// The folder of pictures: that of the user's folders, else Pictures in the home folder where there is one, else the
+/// working folder.
+pub(crate) fn pictures_folder() -> PathBuf {
+    let home = std::env::var_os(if cfg!(windows) { "USERPROFILE" } else { "HOME" }).map(PathBuf::from);
+    let usual = || home.as_ref().map(|home| home.join("Pictures"));
+    let named = home.as_deref().and_then(named_by_user);
+    let found = named.into_iter().chain(usual()).find(|folder| folder.is_dir());
+    found.or_else(|| std::env::current_dir().ok()).unwrap_or_default()
+}
+
+/// The folder that the file of the user's folders names (XDG: user-dirs.dirs).
+fn named_by_user(home: &Path) -> Option<PathBuf> {
+    let config = std::env::var_os("XDG_CONFIG_HOME").map_or_else(|| home.join(".config"), PathBuf::from);
+    let text = std::fs::read_to_string(config.join("user-dirs.dirs")).ok()?;
+    pictures_in(&text, home)
+}
+
+fn pictures_in(user_dirs: &str, home: &Path) -> Option<PathBuf> {
+    let line = user_dirs.lines().find_map(|line| line.trim().strip_prefix("XDG_PICTURES_DIR="))?;
+    let path = line.trim_matches('"');
+    Some(path.strip_prefix("$HOME/").map_or_else(|| PathBuf::from(path), |below| home.join(below)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_users_folder_of_pictures_is_read_as_the_desktop_writes_it() {
+        let text = "# comment\nXDG_DESKTOP_DIR=\"$HOME/Desktop\"\nXDG_PICTURES_DIR=\"$HOME/Bilder\"\n";
+        assert_eq!(pictures_in(text, Path::new("/home/a")), Some(PathBuf::from("/home/a/Bilder")));
+        let text = "XDG_PICTURES_DIR=\"/data/pictures\"\n";
+        assert_eq!(pictures_in(text, Path::new("/home/a")), Some(PathBuf::from("/data/pictures")));
+        assert_eq!(pictures_in("", Path::new("/home/a")), None);
+    }
+}

@@ -1,0 +1,36 @@
+//! Buttons that send the eye to a view.
+
+use egui::{Rect, RichText, Ui, UiBuilder, vec2};
+
+use crate::act::{Act, Acts};
+use crate::panels::window_state::WindowState;
+use crate::ui::glance::EyeView;
+use crate::ui::theme;
+
+/// Shows a button for each view.
+pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, rect: Rect) {
+    let l = state.settings.language;
+    let mut child = ui.new_child(UiBuilder::new().id_salt("eye").max_rect(rect));
+    child.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        ui.spacing_mut().button_padding.x = 4.0;
+        let width = (rect.width() - 2.0 * 3.0) / EyeView::ALL.len() as f32;
+        for view in EyeView::ALL {
+            let (name, hint) = words(view);
+            let text = RichText::new(l.text(name)).size(13.0);
+            let button = egui::Button::new(text).fill(theme::of(ui).ground).min_size(vec2(width, rect.height()));
+            if ui.add(button).on_hover_text(l.text(hint)).clicked() {
+                acts.push(Act::Eye(view));
+            }
+        }
+    });
+}
+
+/// Keys of a view's name and of what it is for.
+fn words(view: EyeView) -> (&'static str, &'static str) {
+    match view {
+        EyeView::Front => ("seen_from.front", "seen_from.front_hint"),
+        EyeView::Above => ("seen_from.above", "seen_from.above_hint"),
+        EyeView::Food => ("seen_from.food", "seen_from.food_hint"),
+    }
+}

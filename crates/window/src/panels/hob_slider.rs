@@ -1,0 +1,122 @@
+//! The dial of the hob: a slider over its power, with its settings marked.
+
+use egui::{Align2, FontId, Rect, Response, Sense, Ui, pos2, vec2};
+
+use crate::act::{Act, Acts};
+use crate::panels::window_state::WindowState;
+use crate::ui::theme;
+
+/// Width of the slider, and the least at which no two words meet [points].
+const WIDTH: f32 = 262.0;
+const NARROWEST: f32 = 204.0;
+/// Room for the list of temperatures beside it [points].
+const HOLD: f32 = 142.0;
+/// Height of the track's part and of the marks' part [points].
+const TRACK: f32 = 18.0;
+const MARKS: f32 = 18.0;
+/// Room for a mark's word at either end [points].
+const END: f32 = 24.0;
+/// How near to a setting the slider snaps to it [W] (chosen: a finger's width).
+const SNAP_W: f64 = 45.0;
+/// Step of the power between settings [W] (chosen: as fine as a dial is turned).
+const STEP_W: f64 = 10.0;
+
+/// Shows the slider; a click on a mark chooses its setting.
+pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let kitchen = &state.session.kitchen;
+    let settings = &kitchen.hob().coil.settings_w;
+    let most = settings.iter().copied().fold(1.0, f64::max);
+    let held = kitchen.hob_holds().is_some();
+    let now = if held { 0.0 } else { kitchen.hob_w() };
+    // Room for the temperatures beside it, where there is no more.
+    let width = (ui.available_width() - HOLD).clamp(NARROWEST, WIDTH);
+    let (rect, _) = ui.allocate_exact_size(vec2(width, TRACK + MARKS), Sense::hover());
+    let track = Rect::from_min_max(pos2(rect.left() + END, rect.top()), pos2(rect.right() - END, rect.top() + TRACK));
+    let power = Power { track, most, settings };
+    if let Some(watts) = dragged(state, ui, &power, now) {
+        acts.push(Act::HobSet(watts));
+    }
+    for watts in settings {
+        if mark(state, ui, &power, *watts, !held && (watts - now).abs() < 0.5) {
+            acts.push(Act::HobSet(*watts));
+        }
+    }
+}
+
+/// Where powers lie on the track.
+struct Power<'a> {
+    track: Rect,
+    most: f64,
+    settings: &'a [f64],
+}
+
+impl Power<'_> {
+    fn x(&self, watts: f64) -> f32 {
+        self.track.left() + self.track.width() * (watts / self.most).clamp(0.0, 1.0) as f32
+    }
+
+    /// The power at a place, that of a setting where one is near.
+    fn at(&self, x: f32) -> f64 {
+        let watts = self.most * f64::from(((x - self.track.left()) / self.track.width()).clamp(0.0, 1.0));
+        let near = self.settings.iter().copied().find(|w| (w - watts).abs() < SNAP_W);
+        near.unwrap_or((watts / STEP_W).round() * STEP_W)
+    }
+
+    /// The power an arrow key away: the next step.
+    fn beside(&self, watts: f64, steps: f64) -> f64 {
+        (watts + 10.0 * steps * STEP_W).clamp(0.0, self.most)
+    }
+}
+
+/// The knob and the bar; returns the power that a drag, a click or an arrow key asks for.
+fn dragged(state: &WindowState, ui: &mut Ui, power: &Power, now: f64) -> Option<f64> {
+    let l = state.settings.language;
+    let id = ui.scope_id().with("hob");
+    let response = ui.interact(power.track.expand2(vec2(8.0, 0.0)), id, Sense::click_and_drag());
+    response.widget_info(|| egui::WidgetInfo::slider(true, now, l.text("hob.power_spoken")));
+    paint(ui, &response, power, now);
+    let by_key = if response.has_focus() { arrows(ui) } else { 0.0 };
+    let at = response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked());
+    let wanted = at.map(|at| power.at(at.x)).or((by_key != 0.0).then(|| power.beside(now, by_key)));
+    response.on_hover_text(l.text("hob.power"));
+    wanted.filter(|watts| (watts - now).abs() > 0.5)
+}
+
+fn arrows(ui: &Ui) -> f64 {
+    let pressed = |key| ui.input(|i| i.num_presses(key)) as f64;
+    pressed(egui::Key::ArrowRight) - pressed(egui::Key::ArrowLeft)
+}
+
+fn paint(ui: &Ui, response: &Response, power: &Power, now: f64) {
+    let (palette, painter, middle) = (theme::of(ui), ui.painter(), power.track.center().y);
+    let bar = |right: f32| Rect::from_min_max(pos2(power.track.left(), middle - 3.5), pos2(right, middle + 3.5));
+    painter.rect_filled(bar(power.track.right()), 3.5, palette.raised);
+    painter.rect_filled(bar(power.x(now)), 3.5, palette.accent);
+    let edge = if response.has_focus() {
+        egui::Stroke::new(3.0, palette.text)
+    } else {
+        ui.style().interact(response).fg_stroke
+    };
+    painter.circle(pos2(power.x(now), middle), 8.0, palette.hovered, edge);
+}
+
+/// A setting's tick and word; returns true if it was clicked.
+fn mark(state: &WindowState, ui: &mut Ui, power: &Power, watts: f64, on: bool) -> bool {
+    let l = state.settings.language;
+    let text = if watts == 0.0 { l.text("hob.off").to_owned() } else { format!("{watts:.0} W") };
+    let palette = theme::of(ui);
+    let (x, top) = (power.x(watts), power.track.bottom());
+    let half = if watts == 0.0 { 11.0 } else { 18.0 };
+    let place = Rect::from_min_max(pos2(x - half, top - 2.0), pos2(x + half, top + MARKS));
+    let response = ui.interact(place, ui.scope_id().with(("setting", watts as i64)), Sense::click());
+    response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, &text));
+    let ink = if on { palette.accent } else { palette.text };
+    let tick = [pos2(x, power.track.center().y + 5.0), pos2(x, top)];
+    ui.painter().line_segment(tick, egui::Stroke::new(1.5, ink));
+    if response.has_focus() {
+        ui.painter().rect_stroke(place, 4.0, egui::Stroke::new(2.0, palette.text), egui::StrokeKind::Inside);
+    }
+    let font = FontId::proportional(if on || response.hovered() { 14.0 } else { 13.0 });
+    ui.painter().text(pos2(x, top + 0.5 * MARKS - 1.0), Align2::CENTER_CENTER, text, font, ink);
+    response.on_hover_text(l.text("hob.power")).clicked()
+}

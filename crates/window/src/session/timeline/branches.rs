@@ -1,0 +1,111 @@
+//! Branches: other ways that the cook went.
+
+use saute_recipe::Recording;
+use saute_recipe::session::{Deed, Entry};
+
+use super::acts::label_of;
+use super::line::Line;
+use crate::session::Session;
+
+/// Branches that are kept beside the one that is shown (chosen: four ways fit side by side).
+pub const MOST_BESIDE: usize = 3;
+
+/// What a branch is called by: the act by which it differs from the one that is shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BranchName {
+    /// Label of the act; none if nothing was done that differs.
+    pub label: Option<String>,
+    /// When it was done, or when the two part [s].
+    pub at_s: f64,
+}
+
+impl Session {
+    /// An act is done here: what lay ahead of the first `entries` becomes a branch.
+    pub(in crate::session) fn depart(&mut self, entries: usize) {
+        let course = &mut self.timeline.course;
+        course.redo.clear();
+        course.is_last_undone = false;
+        self.timeline.later.clear();
+        self.part_from_ahead(entries);
+    }
+
+    /// Time goes on without what was undone: it becomes a branch, to which redo leads until another act is done.
+    pub(in crate::session) fn let_go_of_undone(&mut self) {
+        let undone = |ahead: &super::Ahead| !ahead.is_followed;
+        if self.timeline.course.ahead.as_ref().is_some_and(undone) {
+            self.timeline.course.redo.clear();
+            let entries = self.recording.entries().len();
+            self.timeline.course.is_last_undone = self.part_from_ahead(entries);
+        }
+    }
+
+    /// Keeps what lies ahead as a branch if it has acts after the first `entries`; returns true if it does.
+    fn part_from_ahead(&mut self, entries: usize) -> bool {
+        let Some(ahead) = self.timeline.course.ahead.take() else { return false };
+        let has_acts = ahead.line.recording.entries().len() > entries;
+        if has_acts {
+            self.keep_branch(ahead.line);
+        }
+        has_acts
+    }
+
+    /// Keeps a branch; the oldest one makes room.
+    fn keep_branch(&mut self, line: Line) {
+        let branches = &mut self.timeline.course.branches;
+        branches.push(line);
+        let surplus = branches.len().saturating_sub(MOST_BESIDE);
+        branches.drain(..surplus);
+    }
+
+    /// Names of the branches, by what differs from the one that is shown.
+    pub fn branches(&self) -> Vec<BranchName> {
+        let shown = self.longest();
+        self.timeline.course.branches.iter().map(|line| name_of(&line.recording, shown)).collect()
+    }
+
+    /// Goes over to a branch at the same time, or at its end; the one that was shown becomes a branch.
+    pub fn go_to_branch(&mut self, place: usize, keeps: bool) {
+        self.finish_travel();
+        if place >= self.timeline.course.branches.len() {
+            return;
+        }
+        self.keep_keyframe();
+        let frame = self.recording.moment().frame;
+        let course = &mut self.timeline.course;
+        let other = course.branches.remove(place);
+        course.is_last_undone = false;
+        course.redo.clear();
+        let ahead = course.ahead.take().map(|ahead| ahead.line);
+        let mine = ahead.unwrap_or_else(|| self.line());
+        if keeps {
+            self.timeline.course.branches.insert(place, mine);
+        }
+        let end = other.recording.moment();
+        let to = if keeps && frame < end.frame { other.recording.moment_at(frame) } else { end };
+        self.go_onto(other, to);
+    }
+
+    /// Shows another line at a moment of it.
+    fn go_onto(&mut self, line: Line, to: saute_recipe::Moment) {
+        let nearest = line.keyframes.before(to).cloned().expect("the beginning is a keyframe");
+        let replay = nearest.replay(&self.library, &mut self.timeline.models);
+        self.kitchen = replay.kitchen.clone();
+        self.recording = line.recording.clone();
+        self.recording.truncate(nearest.moment);
+        self.show_traces(line.traces.until(to));
+        self.timeline.course.keyframes = line.keyframes.until(nearest.moment);
+        self.timeline.course.ahead = Some(super::Ahead { line, is_followed: true });
+        self.take_kitchen(replay);
+        self.travel_to(to, true);
+        self.rejoin();
+    }
+}
+
+/// The act by which a recording differs from another one.
+fn name_of(recording: &Recording, other: &Recording) -> BranchName {
+    let same = recording.entries().iter().zip(other.entries()).take_while(|(a, b)| a == b).count();
+    let own = recording.entries()[same..].iter().find(|entry| entry.deed != Deed::TakeOver);
+    let theirs = other.entries().get(same);
+    let at = own.or(theirs).map_or_else(|| recording.moment().time_s(), Entry::time_s);
+    BranchName { label: own.map(|entry| label_of(&entry.deed)), at_s: at }
+}

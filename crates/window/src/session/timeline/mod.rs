@@ -1,0 +1,144 @@
+//! The handle on time: undo, redo, scrubbing and branches of a cook.
+//!
+//! A session's recording ends at the instant that is shown. After a step back, [`Ahead`] holds the line that goes on from there: the
+//! same commands up to that instant, and those that followed. Time that goes on after scrubbing follows it, command by command, until
+//! its end is reached; a command of a person departs from it, and what lay ahead becomes a branch. After an undo, what was undone is not
+//! followed: it becomes a branch as soon as time goes on.
+
+mod acts;
+mod branches;
+mod keyframes;
+mod line;
+mod put_by;
+mod travel;
+mod undo;
+
+use saute_kitchen::bytes::Models;
+use saute_recipe::Moment;
+use web_time::Duration;
+
+pub use self::branches::BranchName;
+pub use self::keyframes::MOST_BYTES;
+pub use self::undo::Undone;
+
+use self::keyframes::Keyframes;
+use self::line::Line;
+use self::put_by::PutBy;
+use self::travel::Travel;
+use super::{Mark, Session};
+
+/// Computing time between two keyframes (chosen: to reach any instant from a keyframe takes a part of a second).
+const COMPUTED_PER_KEYFRAME: Duration = Duration::from_millis(250);
+/// Frames between two keyframes at least: one second (chosen: nobody aims finer).
+const FRAMES_PER_KEYFRAME: u64 = 60;
+
+/// Everything that lies beside the instant that is shown.
+#[derive(Default)]
+pub(super) struct Timeline {
+    course: Course,
+    travel: Option<Travel>,
+    /// Cooks in place of which others began, and those that an undo put by in turn.
+    past: Vec<PutBy>,
+    later: Vec<PutBy>,
+    models: Models,
+    /// Computing time since the last keyframe.
+    computed: Duration,
+    /// True while a person holds the strip: time stands still.
+    pub(super) is_held: bool,
+}
+
+/// What belongs to one cook.
+#[derive(Default)]
+pub(super) struct Course {
+    keyframes: Keyframes,
+    ahead: Option<Ahead>,
+    /// Instants to which redo leads, the next one last.
+    redo: Vec<Moment>,
+    branches: Vec<Line>,
+    /// True if the last branch was undone, and no command was given since.
+    is_last_undone: bool,
+    /// Entries that the beginning itself made.
+    given: usize,
+}
+
+/// What was done after the instant that is shown.
+pub(super) struct Ahead {
+    line: Line,
+    /// True if it happens again when time goes on.
+    is_followed: bool,
+}
+
+impl Timeline {
+    /// A cook begins.
+    pub(super) fn begin(&mut self) {
+        self.course = Course::default();
+        self.travel = None;
+    }
+
+    /// Models that are known.
+    pub(super) fn models(&mut self) -> &mut Models {
+        &mut self.models
+    }
+
+    fn lists(&mut self) -> impl Iterator<Item = &mut Keyframes> {
+        let courses = self.past.iter_mut().chain(&mut self.later).map(|by| &mut by.course);
+        courses.chain([&mut self.course]).flat_map(|course| {
+            let ahead = course.ahead.iter_mut().map(|ahead| &mut ahead.line.keyframes);
+            let branches = course.branches.iter_mut().map(|line| &mut line.keyframes);
+            ahead.chain(branches).chain([&mut course.keyframes])
+        })
+    }
+}
+
+impl Session {
+    /// End of what can be scrubbed to [s].
+    pub fn end_s(&self) -> f64 {
+        self.longest().moment().time_s()
+    }
+
+    /// The instant that is shown, or on its way to be shown [s].
+    pub fn shown_s(&self) -> f64 {
+        self.here().time_s()
+    }
+
+    /// Everything that was done, after the shown instant too.
+    pub fn all_marks(&self) -> &[Mark] {
+        self.timeline.course.ahead.as_ref().map_or(&self.marks, |ahead| &ahead.line.traces.marks)
+    }
+
+    /// Size of all keyframes [bytes].
+    pub fn keyframe_bytes(&mut self) -> usize {
+        keyframes::bytes_of(self.timeline.lists())
+    }
+
+    /// Number of keyframes of the cook that is shown.
+    pub fn keyframe_count(&self) -> usize {
+        let course = &self.timeline.course;
+        course.ahead.as_ref().map_or(&course.keyframes, |ahead| &ahead.line.keyframes).len()
+    }
+
+    /// Keeps the instant that is shown as a keyframe.
+    pub(super) fn keep_keyframe(&mut self) {
+        let moment = self.recording.moment();
+        self.timeline.computed = Duration::ZERO;
+        if self.timeline.course.keyframes.has(moment) {
+            return;
+        }
+        self.timeline.models.learn(&self.kitchen);
+        let plays = self.runner.is_some();
+        let runner = self.runner.as_ref().or(self.left.as_ref()).cloned();
+        let runner = runner.unwrap_or_else(|| saute_recipe::Runner::new(self.recipe.clone()));
+        self.timeline.course.keyframes.keep(&self.kitchen, &runner, plays, moment);
+        keyframes::thin(&mut self.timeline);
+    }
+
+    /// Keeps a keyframe now and then.
+    pub(super) fn keep_keyframes(&mut self, computed: Duration) {
+        self.timeline.computed += computed;
+        let last = self.timeline.course.keyframes.before(self.recording.moment()).map_or(0, |k| k.moment.frame);
+        let is_due = self.timeline.computed >= COMPUTED_PER_KEYFRAME;
+        if is_due && self.kitchen.is_between_ticks() && self.kitchen.frame() >= last + FRAMES_PER_KEYFRAME {
+            self.keep_keyframe();
+        }
+    }
+}

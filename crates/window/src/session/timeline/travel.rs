@@ -1,0 +1,224 @@
+//! Travel along what was done: to any instant, in slices of a frame's time.
+
+use saute_recipe::{Moment, Recording, Replay};
+use web_time::{Duration, Instant};
+
+use super::line::Line;
+use super::{Ahead, COMPUTED_PER_KEYFRAME};
+use crate::session::Session;
+use saute_kitchen::FRAMES_PER_TICK;
+use saute_recipe::session::{Deed, Entry};
+
+/// A travel that has not arrived.
+pub(super) struct Travel {
+    replay: Replay,
+    to: Moment,
+    /// Computing time since the last keyframe.
+    computed: Duration,
+}
+
+impl Session {
+    /// True until the instant to which time was turned is reached; a near one is shown meanwhile.
+    pub fn is_travelling(&self) -> bool {
+        self.timeline.travel.is_some()
+    }
+
+    /// The instant that is shown or on its way.
+    pub(super) fn here(&self) -> Moment {
+        self.timeline.travel.as_ref().map_or_else(|| self.recording.moment(), |travel| travel.to)
+    }
+
+    /// The recording with what was done after the shown instant.
+    pub(super) fn longest(&self) -> &Recording {
+        self.timeline.course.ahead.as_ref().map_or(&self.recording, |ahead| &ahead.line.recording)
+    }
+
+    /// Holds time still while the strip is dragged, or lets it go on.
+    pub fn hold_time(&mut self, held: bool) {
+        self.timeline.is_held = held;
+        self.owed_s = 0.0;
+    }
+
+    /// Turns time to an instant of the cook [s]; what lay ahead happens again when time goes on.
+    pub fn scrub(&mut self, time_s: f64) {
+        let longest = self.longest();
+        let tick = (time_s.max(0.0) / saute_kitchen::TICK_S).round() as u64;
+        let end = longest.moment();
+        let frame = tick * u64::from(FRAMES_PER_TICK);
+        let to = if frame >= end.frame { end } else { longest.moment_at(frame) };
+        self.timeline.course.redo.clear();
+        self.travel_to(to, true);
+    }
+
+    /// Begins to travel to a moment of the longest line.
+    pub(super) fn travel_to(&mut self, to: Moment, is_followed: bool) {
+        if to == self.here() {
+            return;
+        }
+        self.open_ahead(is_followed);
+        let travel = self.timeline.travel.take();
+        let Some(ahead) = &self.timeline.course.ahead else { return };
+        let nearest = ahead.line.keyframes.before(to).cloned().expect("the beginning is a keyframe");
+        let traces = ahead.line.traces.until(to);
+        let from = nearest.moment;
+        let replay = match travel {
+            Some(travel) if (from..=to).contains(&travel.replay.moment()) => travel.replay,
+            None if (from..=to).contains(&self.recording.moment()) => self.as_replay(),
+            _ => {
+                let replay = nearest.replay(&self.library, &mut self.timeline.models);
+                self.kitchen = replay.kitchen.clone();
+                self.start_afresh();
+                replay
+            }
+        };
+        self.show_traces(traces);
+        self.timeline.travel = Some(Travel { replay, to, computed: Duration::ZERO });
+    }
+
+    /// Keeps the present line as what lies ahead, if nothing does yet.
+    fn open_ahead(&mut self, is_followed: bool) {
+        if self.timeline.course.ahead.is_none() {
+            self.keep_keyframe();
+            self.timeline.course.ahead = Some(Ahead { line: self.line(), is_followed });
+        }
+        if let Some(ahead) = &mut self.timeline.course.ahead {
+            ahead.is_followed = is_followed;
+        }
+    }
+
+    /// The shown instant, from which a recording can be played on.
+    fn as_replay(&mut self) -> Replay {
+        self.timeline.models.learn(&self.kitchen);
+        let plays = self.runner.is_some();
+        let runner = self.runner.as_ref().or(self.left.as_ref()).cloned();
+        let runner = runner.unwrap_or_else(|| saute_recipe::Runner::new(self.recipe.clone()));
+        Replay::at(self.kitchen.clone(), runner, plays, self.recording.moment()).sharing(&self.timeline.models)
+    }
+
+    /// Travels on for no longer than `budget`; at least by a frame.
+    pub fn travel_on(&mut self, budget: Duration) {
+        let begun = Instant::now();
+        let Some(mut travel) = self.timeline.travel.take() else { return };
+        let Some(ahead) = &mut self.timeline.course.ahead else { return };
+        let line = &mut ahead.line;
+        while travel.replay.moment().frame < travel.to.frame {
+            travel.step(line, &self.library);
+            if begun.elapsed() >= budget && travel.replay.moment().frame < travel.to.frame {
+                self.timeline.travel = Some(travel);
+                super::keyframes::thin(&mut self.timeline);
+                return;
+            }
+        }
+        travel.replay.settle(&line.recording, &self.library, travel.to);
+        self.arrive(travel);
+    }
+
+    /// Travels to the end at once.
+    pub fn finish_travel(&mut self) {
+        self.travel_on(Duration::MAX);
+    }
+
+    fn arrive(&mut self, travel: Travel) {
+        let Some(ahead) = self.timeline.course.ahead.take() else { return };
+        let to = travel.to;
+        if to == ahead.line.recording.moment() {
+            self.recording = ahead.line.recording;
+            self.timeline.course.keyframes = ahead.line.keyframes;
+            self.show_traces(ahead.line.traces);
+            self.take_kitchen(travel.replay);
+            return;
+        }
+        self.recording = ahead.line.recording.clone();
+        self.recording.truncate(to);
+        self.timeline.course.keyframes = ahead.line.keyframes.until(to);
+        let mut traces = ahead.line.traces.until(to);
+        traces.settle(&travel.replay.kitchen);
+        self.show_traces(traces);
+        self.timeline.course.ahead = Some(ahead);
+        self.take_kitchen(travel.replay);
+    }
+
+    /// The kitchen of a replay is the one that is shown.
+    pub(super) fn take_kitchen(&mut self, replay: Replay) {
+        let plays = replay.plays() && replay.runner.stopped().is_none();
+        self.kitchen = replay.kitchen;
+        let left = self.plays && self.recording.is_taken_over() && replay.runner.stopped().is_none();
+        (self.runner, self.left) = match plays {
+            true => (Some(replay.runner), None),
+            false => (None, left.then_some(replay.runner)),
+        };
+        self.listen();
+        self.start_afresh();
+        self.keep_keyframe();
+    }
+
+    /// What a recording holds after the shown instant happens when time goes on.
+    pub(in crate::session) fn lay_ahead(&mut self, recording: Recording) {
+        let line = Line { recording, ..self.line() };
+        self.timeline.course.ahead = Some(Ahead { line, is_followed: true });
+        self.rejoin();
+    }
+
+    /// Returns true while something lies ahead.
+    pub fn lies_ahead(&self) -> bool {
+        self.timeline.course.ahead.is_some()
+    }
+
+    /// Does again what was done at this frame, where time follows what lies ahead.
+    pub(in crate::session) fn follow(&mut self, after_steps: bool) {
+        while let Some(entry) = self.due(after_steps) {
+            self.do_again(&entry);
+        }
+    }
+
+    fn due(&self, after_steps: bool) -> Option<Entry> {
+        let ahead = self.timeline.course.ahead.as_ref().filter(|ahead| ahead.is_followed)?;
+        let next = ahead.line.recording.entries().get(self.recording.entries().len())?;
+        (next.frame == self.kitchen.frame() && next.after_steps == after_steps).then(|| next.clone())
+    }
+
+    /// What the kitchen carried out once it carries out again: nothing is refused.
+    fn do_again(&mut self, entry: &Entry) {
+        match &entry.deed {
+            Deed::TakeOver => self.leave_recipe(),
+            Deed::Resume => self.runner = self.left.take(),
+            Deed::Command(command) => drop(self.kitchen.apply(command)),
+            Deed::Add(order) => drop(self.kitchen.add_with(&self.library, order, &mut self.timeline.models)),
+            Deed::Remove(food) => self.kitchen.remove(food),
+        }
+        drop(self.kitchen.take_carried_out());
+        self.recording.restore(entry.clone());
+        if let Deed::Command(command) = &entry.deed {
+            self.note(command);
+        }
+        self.weigh_new();
+    }
+
+    /// Where what lay ahead is reached again, nothing lies ahead.
+    pub(in crate::session) fn rejoin(&mut self) {
+        let here = self.recording.moment();
+        let is_end = |ahead: &mut Ahead| ahead.is_followed && ahead.line.recording.moment() <= here;
+        if self.is_travelling() {
+            return;
+        }
+        if let Some(ahead) = self.timeline.course.ahead.take_if(is_end) {
+            self.timeline.course.keyframes.join(ahead.line.keyframes);
+            self.probes = ahead.line.traces.probes;
+        }
+    }
+}
+
+impl Travel {
+    /// Plays a frame again; keeps a keyframe after much computing, so that the way is short the next time.
+    fn step(&mut self, line: &mut Line, library: &saute_kitchen::Library) {
+        let begun = Instant::now();
+        let Replay { kitchen, .. } = &self.replay;
+        let (moment, is_due) = (self.replay.moment(), self.computed >= COMPUTED_PER_KEYFRAME);
+        if is_due && kitchen.is_between_ticks() && !line.keyframes.has(moment) {
+            line.keyframes.keep(kitchen, &self.replay.runner, self.replay.plays(), moment);
+            self.computed = Duration::ZERO;
+        }
+        self.replay.advance_frame(&line.recording, library);
+        self.computed += begun.elapsed();
+    }
+}

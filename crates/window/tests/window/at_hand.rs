@@ -1,0 +1,194 @@
+//! Promise: everything is at hand and stays where it is: controls, views of the eye, messages, the help, the recipe.
+
+use egui::{Key, Rect, accesskit::Role, pos2, vec2};
+use egui_kittest::{
+    Harness,
+    kittest::{NodeT, Queryable},
+};
+use saute_window::SauteApp;
+use saute_window::ui::layout::Layout;
+
+use crate::harness::{WINDOW, cook, drag, press, save, steps, window};
+
+/// Controls that lie wholly in one of the panels.
+fn controls(harness: &Harness<'static, SauteApp>, size: egui::Vec2) -> Vec<(String, Rect)> {
+    let whole = Rect::from_min_size(pos2(0.0, 0.0), size);
+    let panels = Layout::new(whole, harness.state().settings()).panels();
+    let roles = [Role::Button, Role::RadioButton, Role::ComboBox];
+    let nodes = harness.root().children_recursive().filter(|n| roles.contains(&n.accesskit_node().role()));
+    let named = nodes.map(|n| (n.accesskit_node().label().unwrap_or_default(), n.rect()));
+    named.filter(|(_, rect)| panels.iter().any(|panel| panel.contains_rect(*rect))).collect()
+}
+
+#[test]
+fn no_control_lies_on_another_on_a_desk_or_on_a_phone() {
+    for (size, name) in [(vec2(1280.0, 720.0), "wide"), (vec2(390.0, 844.0), "upright"), (vec2(844.0, 390.0), "lying")]
+    {
+        let mut harness = window(size);
+        for language in saute_window::Language::ALL {
+            harness.state_mut().set_language(language);
+            steps(&mut harness, 14);
+            save(&mut harness, &format!("at-hand-{name}-{language:?}"));
+            let all = controls(&harness, size);
+            assert!(all.len() > 15, "{name}: {}", all.len());
+            for (i, (label, rect)) in all.iter().enumerate() {
+                let on = |(_, other): &&(String, Rect)| rect.shrink(1.0).intersects(other.shrink(1.0));
+                let hit: Vec<_> = all[i + 1..].iter().filter(on).collect();
+                assert!(hit.is_empty(), "{name} {language:?}: {label} {rect:?} on {hit:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_jumps_when_a_tool_a_recipe_or_a_warning_comes() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    let places = |h: &Harness<'static, SauteApp>| {
+        ["Pause", "Lid", "Flip", "Look", "Settings", "1100 W"].map(|label| h.get_by_label(label).rect())
+    };
+    let before = places(&harness);
+    press(&mut harness, Key::A);
+    harness.get_by_label("Tongs").click();
+    steps(&mut harness, 3);
+    let steak = harness.state().steak_on_screen(WINDOW).expect("in view");
+    drag(&mut harness, steak + vec2(-90.0, 60.0), steak + vec2(-60.0, 40.0));
+    harness.get_by_label("Put away");
+    save(&mut harness, "turner-strip");
+    harness.get_by_label("Turner").click();
+    steps(&mut harness, 2);
+    harness.state_mut().session_mut().command(&saute_kitchen::Command::Hob(2000.0)).expect("hob");
+    cook(&mut harness, 200.0);
+    assert_eq!(places(&harness)[1..], before[1..]);
+    let text = "[[step]]\nhob_w = 1100\n[[step]]\nafter_s = 60\nend = true\n";
+    harness.state_mut().open_recipe(text, "own.toml");
+    steps(&mut harness, 3);
+    assert_eq!(places(&harness), before);
+}
+
+#[test]
+fn the_hob_is_a_slider_with_its_settings_marked() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    let [off, most] = ["off", "2000 W"].map(|label| harness.get_by_label(label).rect().center());
+    let track = harness.get_by_label("Hob power").rect();
+    let at = |share: f32| pos2(off.x + share * (most.x - off.x), track.center().y);
+    drag(&mut harness, at(0.0), at(0.75));
+    let power = harness.state().session().kitchen.hob_w();
+    assert!((power - 1500.0).abs() < 60.0, "{power}");
+    harness.get_by_label("400 W").click();
+    steps(&mut harness, 2);
+    assert_eq!(harness.state().session().kitchen.hob_w(), 400.0);
+}
+
+#[test]
+fn what_is_taken_out_and_halved_is_looked_at_beside_the_panels() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    let free = |h: &Harness<'static, SauteApp>| Layout::new(WINDOW, h.state().settings()).free;
+    press(&mut harness, Key::A);
+    cook(&mut harness, 60.0);
+    let before = harness.state().steak_on_screen(WINDOW).expect("in view");
+    press(&mut harness, Key::O);
+    cook(&mut harness, 4.0);
+    steps(&mut harness, 20);
+    save(&mut harness, "eye-out");
+    let out = harness.state().steak_on_screen(WINDOW).expect("in view");
+    assert!(free(&harness).shrink(120.0).contains(out), "{out:?} in {:?}", free(&harness));
+    harness.get_by_label("Halve").click();
+    steps(&mut harness, 24);
+    save(&mut harness, "eye-halved");
+    let cut = harness.state().steak_on_screen(WINDOW).expect("in view");
+    assert!(free(&harness).shrink(120.0).contains(cut), "{cut:?}");
+    harness.get_by_label("Front").click();
+    steps(&mut harness, 24);
+    let pan = harness.state().on_screen(glam::Vec3::ZERO, WINDOW).expect("in view");
+    assert!((pan - before).length() < 40.0, "the working view: {pan:?} {before:?}");
+    harness.get_by_label("To food").click();
+    steps(&mut harness, 24);
+    assert!(free(&harness).shrink(120.0).contains(harness.state().steak_on_screen(WINDOW).expect("in view")));
+}
+
+#[test]
+fn what_was_said_is_kept_in_a_list() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    press(&mut harness, Key::F);
+    press(&mut harness, Key::T);
+    press(&mut harness, Key::F3);
+    harness.get_by_label_contains("is not in the pan");
+    save(&mut harness, "messages");
+    assert!(harness.get_all_by_label_contains("nothing in the pan to toss").count() >= 1);
+    harness.get_by_label("Done").click();
+    steps(&mut harness, 2);
+    harness.get_by_label("Messages").click();
+    steps(&mut harness, 2);
+    harness.get_by_label_contains("is not in the pan");
+}
+
+#[test]
+fn the_help_is_grouped_searched_and_closed_by_a_button() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    press(&mut harness, Key::F1);
+    for title in ["Food", "Hob and time", "Views of the food", "Camera", "Tools", "Window"] {
+        assert!(harness.query_all_by_label(title).next().is_some(), "{title}");
+    }
+    save(&mut harness, "help");
+    harness.get_by_label("search").focus();
+    steps(&mut harness, 2);
+    harness.get_by_label("search").type_text("butter");
+    steps(&mut harness, 3);
+    harness.get_by_label("butter into the pan");
+    assert!(harness.query_by_label("start over").is_none());
+    save(&mut harness, "help-search");
+    harness.get_by_label("Done").click();
+    steps(&mut harness, 2);
+    assert!(!harness.state().help_is_open());
+}
+
+#[test]
+fn a_recipe_shows_its_progress_and_is_resumed_after_taking_over() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    let text = "title = \"Own\"\n[[step]]\nhob_w = 1100\n[[step]]\nafter_s = 60\nhob_w = 400\n[[step]]\nafter_s = 60\nend = true\n";
+    harness.state_mut().open_recipe(text, "own.toml");
+    steps(&mut harness, 3);
+    harness.get_by_label("step 1 of 3");
+    harness.get_by_label("off").click();
+    steps(&mut harness, 2);
+    assert!(harness.state().session().runner.is_none());
+    save(&mut harness, "resume");
+    harness.get_by_label("Resume Own").click();
+    steps(&mut harness, 2);
+    cook(&mut harness, 61.0);
+    assert_eq!(harness.state().session().kitchen.hob_w(), 400.0, "its next step has come");
+}
+
+#[test]
+fn the_curves_are_zoomed_and_a_double_click_shows_all_of_them() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    press(&mut harness, Key::G);
+    harness.get_by_label("1100 W").click();
+    cook(&mut harness, 240.0);
+    let plot = harness.get_by_label_contains("Curves of pan").rect();
+    let minutes = |h: &mut Harness<'static, SauteApp>| {
+        h.hover_at(pos2(plot.left() + 50.0, plot.center().y - 20.0));
+        steps(h, 3);
+        (0..5u8).find(|m| h.query_all_by_label_contains(&format!("{m}:")).any(|n| n.rect().height() < 30.0))
+    };
+    assert_eq!(minutes(&mut harness), Some(0));
+    harness.hover_at(pos2(plot.right() - 30.0, plot.center().y - 20.0));
+    steps(&mut harness, 2);
+    (0..6).for_each(|_| {
+        harness.event(egui::Event::Zoom(1.5));
+        harness.step();
+    });
+    steps(&mut harness, 6);
+    assert!(minutes(&mut harness) >= Some(3), "the left end has moved to the end of the cook");
+    save(&mut harness, "curves-zoomed");
+    let middle = plot.center() - vec2(0.0, 20.0);
+    for _ in 0..2 {
+        harness.hover_at(middle);
+        harness.drag_at(middle);
+        harness.step();
+        harness.drop_at(middle);
+        harness.step();
+    }
+    steps(&mut harness, 6);
+    assert_eq!(minutes(&mut harness), Some(0), "all of it is shown again");
+}
