@@ -7,8 +7,8 @@
 #   scripts/soak.sh --record         the same with a recorder, whose series is thinned
 #   scripts/soak.sh --minutes 60     another length
 #
-# Each finished hour is written to target/soak.log. A kitchen cannot be stored yet: after an interruption the same command
-# repeats the finished hours, compares each with the log, and goes on. Remove the log when the program has changed.
+# Each finished hour is written to target/soak.log and its kitchen to target/soak.kitchen. After an interruption the same
+# command goes on from there; with --record it begins again, because the series is not stored.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/requirements.sh

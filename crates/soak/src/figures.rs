@@ -13,8 +13,6 @@ pub struct Figures {
     pub energy: f64,
     /// Largest error of the mass balance of a piece over what it lost and has [-].
     pub mass: f64,
-    /// Number that two equal kitchens share [-].
-    pub fingerprint: u64,
 }
 
 impl Figures {
@@ -24,7 +22,7 @@ impl Figures {
         let gross = energy.hob.abs() + energy.air.abs() + energy.evaporation.abs() + energy.other.abs();
         let pieces = kitchen.pieces().iter();
         let mass = pieces.map(|p| mass_error(&p.model, &p.state)).fold(0.0, f64::max);
-        Self { energy: energy.imbalance.abs() / gross.max(1.0), mass, fingerprint: fingerprint(kitchen) }
+        Self { energy: energy.imbalance.abs() / gross.max(1.0), mass }
     }
 
     /// Returns true if both balances close.
@@ -38,11 +36,4 @@ fn mass_error(model: &FoodModel, state: &FoodState) -> f64 {
     let raw = model.raw_mass();
     let lost = state.evaporated + state.dripped + state.rendered;
     (raw - lost - state.mass(model)).abs() / raw
-}
-
-/// FNV-1a over the bits of all temperatures of the pan and the pieces.
-fn fingerprint(kitchen: &Kitchen) -> u64 {
-    let foods = kitchen.pieces().iter().flat_map(|p| p.state.temperature.iter().chain(&p.state.water));
-    let all = kitchen.pan_state().temperature.iter().chain(foods);
-    all.fold(0xcbf2_9ce4_8422_2325, |hash, value| (hash ^ value.to_bits()).wrapping_mul(0x0100_0000_01b3))
 }
