@@ -1,8 +1,8 @@
 //! Promise: changes are irreversible and proceed at the published rates.
 
-use saute_food::{FreeAir, ZERO_C};
+use saute_food::{Face, FreeAir, MeshSize, OutlineKind, PieceSpec, Rules, ZERO_C};
 
-use crate::run::{Run, UP, kitchen_air, lean, model};
+use crate::run::{Run, UP, kitchen_air, lean, model, piece};
 
 #[test]
 fn nothing_uncooks_when_it_cools() {
@@ -64,4 +64,31 @@ fn cooked_meat_is_as_stiff_as_measured() {
     assert!((run.model.elastic_modulus_kpa(&run.state) - 14.0).abs() < 1e-9);
     run.state.changed[2].fill(1.0);
     assert!((run.model.elastic_modulus_kpa(&run.state) - 60.0).abs() < 1e-9);
+}
+
+/// Adipose tissue has a tenth of the protein of lean flesh: as brown and as hot as that, it chars a tenth as fast.
+#[test]
+fn fat_chars_later_than_lean_flesh() {
+    let charred = |solids: f64| lean().browning().advance((1.0, 0.0), ZERO_C + 250.0, 0.3, solids, 60.0).1;
+    assert!(charred(1.0) > 0.2 && charred(0.1) < 0.15 * charred(1.0), "{} {}", charred(1.0), charred(0.1));
+    let spec = PieceSpec {
+        size: [0.10, 0.07, 0.015],
+        seed: 1,
+        coarseness: 1.6,
+        mesh: MeshSize::Default,
+        rules: Rules::Full,
+        outline: OutlineKind::Natural,
+    };
+    let capped = piece("beef-lean", &spec);
+    let mut run = Run::new(&capped, 20.0);
+    run.fry(240.0, 290.0, 500.0, kitchen_air());
+    let mean = |fatty: std::ops::Range<f64>| {
+        let faces = capped.patches().iter().filter(|patch| patch.face == Face::Bottom);
+        let nodes = faces.map(|patch| patch.node as usize).filter(|node| fatty.contains(&capped.adipose()[*node]));
+        let values: Vec<f64> = nodes.map(|node| run.state.charring[node]).collect();
+        assert!(values.len() > 3, "{}", values.len());
+        values.iter().sum::<f64>() / values.len() as f64
+    };
+    let (flesh, fat) = (mean(0.0..0.1), mean(0.6..1.1));
+    assert!(flesh > 0.01 && fat < 0.5 * flesh, "{flesh} {fat}");
 }
