@@ -12,6 +12,7 @@ mod layers;
 mod library;
 mod pictures;
 mod running;
+mod sessions;
 mod sources;
 mod validation;
 mod validation_list;
