@@ -11,4 +11,5 @@ mod mirror;
 mod pan;
 mod settings;
 mod steak;
+mod time;
 mod views;

@@ -10,6 +10,8 @@ mod branches;
 mod keyframes;
 mod line;
 mod put_by;
+#[cfg(test)]
+mod tests;
 mod travel;
 mod undo;
 
