@@ -12,4 +12,5 @@ mod pan;
 mod settings;
 mod steak;
 mod time;
+mod timeline;
 mod views;

@@ -10,8 +10,6 @@ mod branches;
 mod keyframes;
 mod line;
 mod put_by;
-#[cfg(test)]
-mod tests;
 mod travel;
 mod undo;
 
