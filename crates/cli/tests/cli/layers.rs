@@ -64,6 +64,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
             "egui",
             "egui-wgpu",
             "gilrs",
+            "rfd",
             "wgpu",
         ],
     ),

@@ -24,12 +24,9 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
                 ui.horizontal_wrapped(|ui| {
                     ui.spacing_mut().item_spacing = vec2(14.0, 6.0);
                     ui.label(words(l.text("alarm.fire")).size(22.0));
-                    if kitchen.pan_state().lid.is_none() {
-                        deed(ui, l.text("alarm.lid"), acts, Act::Lid);
-                    }
-                    if kitchen.hob_w() > 0.0 {
-                        deed(ui, l.text("alarm.hob"), acts, Act::HobSet(0.0));
-                    }
+                    let lidded = kitchen.pan_state().lid.is_some();
+                    deed(ui, l.text("alarm.lid"), lidded, acts, Act::Lid);
+                    deed(ui, l.text("alarm.hob"), kitchen.hob_w() == 0.0, acts, Act::HobSet(0.0));
                     ui.label(words(l.text("alarm.water")).size(18.0));
                 });
             });
@@ -41,7 +38,12 @@ fn words(text: &str) -> RichText {
     RichText::new(text).strong().color(Color32::WHITE)
 }
 
-fn deed(ui: &mut Ui, text: &str, acts: &mut Acts, act: Act) {
+/// A thing to do, struck out once it is done.
+fn deed(ui: &mut Ui, text: &str, done: bool, acts: &mut Acts, act: Act) {
+    if done {
+        ui.label(words(text).size(18.0).strikethrough());
+        return;
+    }
     let button = egui::Button::new(RichText::new(text).size(18.0).strong().color(RED));
     if ui.add(button.fill(Color32::WHITE).min_size(vec2(theme::TOUCH, theme::TOUCH))).clicked() {
         acts.push(act);

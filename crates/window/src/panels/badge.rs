@@ -5,8 +5,9 @@ use saute_kitchen::food::Rules;
 use saute_picture::view::View;
 
 use crate::act::Acts;
+use crate::panels::cards::messages;
+use crate::panels::legend;
 use crate::panels::window_state::WindowState;
-use crate::panels::{legend, messages};
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
 
@@ -22,7 +23,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     }
     if let Some(said) = &state.notice {
         // A click on its button must reach it; through all others it reaches the scene.
-        let has_button = said.file.is_some();
+        let has_button = cfg!(not(target_arch = "wasm32")) && said.file.is_some();
         message(ui, layout, ("notice", 52.0), has_button, &said.text, |ui| {
             messages::show_button(state, ui, acts, said);
         });

@@ -2,27 +2,21 @@
 
 pub mod alarm;
 pub mod badge;
+pub mod cards;
+pub mod cook;
 pub mod curves;
 pub mod doneness_bar;
 pub mod eye_bar;
-pub mod first_steps;
-pub mod help;
-pub mod hob_bar;
-pub mod hob_slider;
 pub mod inside;
 pub mod language;
 pub mod legend;
-pub mod messages;
 pub mod mirror_card;
 pub mod pantry;
 pub mod pieces;
-pub mod pour;
 pub mod probes;
 pub mod read_out;
 pub mod settings_card;
-pub mod status;
 pub mod still;
-pub mod time_strip;
 pub mod top;
 pub mod window_state;
 
@@ -30,6 +24,8 @@ use egui::{Rect, ScrollArea, Ui, UiBuilder};
 
 use crate::act::Acts;
 use crate::paint::ground::GroundCallback;
+use crate::panels::cards::{first_steps, help, messages};
+use crate::panels::cook::{hob_bar, pour, time_strip};
 use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;

@@ -32,6 +32,7 @@ fn recipe(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     if let Some(title) = state.session.left_recipe() {
         let text = l.fill("hob.resume", &[("title", &l.called("recipe", title))]);
+        ui.spacing_mut().button_padding.y = 0.0;
         let button = egui::Button::new(RichText::new(text).size(13.0)).min_size(vec2(0.0, 18.0));
         if ui.add(button).on_hover_text(l.text("hob.resume_hint")).clicked() {
             acts.push(Act::ResumeRecipe);

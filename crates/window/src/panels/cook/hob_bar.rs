@@ -5,9 +5,9 @@ use saute_kitchen::doneness::core_class;
 use saute_kitchen::{Place, celsius};
 
 use crate::act::{Act, Acts, hint};
+use crate::panels::cook::{hob_slider, pour, status, time_strip};
 use crate::panels::inside::clock;
 use crate::panels::window_state::WindowState;
-use crate::panels::{hob_slider, pour, status, time_strip};
 use crate::session::SPEEDS;
 use crate::ui::theme;
 

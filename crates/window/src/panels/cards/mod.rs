@@ -1,0 +1,5 @@
+//! Cards over everything: first steps, keys, messages.
+
+pub mod first_steps;
+pub mod help;
+pub mod messages;

@@ -1,0 +1,7 @@
+//! The panel of the cook: hob, hands, time, what is poured.
+
+pub mod hob_bar;
+pub mod hob_slider;
+pub mod pour;
+pub mod status;
+pub mod time_strip;
