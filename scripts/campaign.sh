@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What takes longer by nature than a test should, hours on 2 cores:
 #   random cooks drawn from new seeds, and random packets for every door to a device;
+#   a dish stored and restored at random instants, random sessions played again, and kills of a cook that is recorded;
 #   the fuzzer on every reader, where a nightly compiler and cargo-fuzz are installed, and the lines that it reached;
 #   a simulated day at the stove, without and with a recorder;
 #   licences, versions and known advisories of all dependencies, where cargo-deny is installed;
@@ -23,6 +24,16 @@ saute() { ./run.sh "$@"; }
 random_cooks() { SAUTE_RANDOM_COOKS="$CAMPAIGN_RANDOM_COOKS" cargo test --release -p saute-kitchen --test properties; }
 
 random_packets() { PROPTEST_CASES="$CAMPAIGN_RANDOM_PACKETS" cargo test --release -p saute-haptics -- --quiet; }
+
+random_instants() {
+    SAUTE_RANDOM_INSTANTS="$CAMPAIGN_RANDOM_INSTANTS" cargo test --release -p saute-kitchen --test bytes
+}
+
+random_sessions() {
+    SAUTE_RANDOM_SESSIONS="$CAMPAIGN_RANDOM_SESSIONS" cargo test --release -p saute-recipe --test sessions
+}
+
+random_kills() { SAUTE_RANDOM_KILLS="$CAMPAIGN_RANDOM_KILLS" cargo test --release -p saute --test cli killed; }
 
 haptics() {
     local device
@@ -69,6 +80,9 @@ need_packages
 need_test_packages
 step "random cooks" random_cooks
 step "random packets" random_packets
+step "random instants" random_instants
+step "random sessions" random_sessions
+step "random kills" random_kills
 step "fuzzer" fuzz
 step "a day" day
 step "dependencies" dependencies

@@ -21,8 +21,20 @@ SHARE_SOAK_MINUTES=10
 # fuzzer take a quarter of an hour to build.
 CAMPAIGN_FUZZ_S=3600
 
+# Random instants at which a dish is stored and restored (crates/kitchen/tests/bytes.rs), and random sessions that are played again
+# (crates/recipe/tests/sessions.rs).
+SHARE_RANDOM_INSTANTS=20
+CAMPAIGN_RANDOM_INSTANTS=200
+SHARE_RANDOM_SESSIONS=10
+CAMPAIGN_RANDOM_SESSIONS=100
+
+# Kills of a cook that is recorded (crates/cli/tests/cli/sessions.rs). ./test.sh makes 100, or as many as 20 s take.
+CAMPAIGN_RANDOM_KILLS=1000
+
 # fix_campaign_share: hands the share to the tests.
 fix_campaign_share() {
     export SAUTE_RANDOM_COOKS="$SHARE_RANDOM_COOKS"
+    export SAUTE_RANDOM_INSTANTS="$SHARE_RANDOM_INSTANTS"
+    export SAUTE_RANDOM_SESSIONS="$SHARE_RANDOM_SESSIONS"
     export PROPTEST_RNG_SEED="$SHARE_SEED"
 }

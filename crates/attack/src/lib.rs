@@ -10,6 +10,7 @@ mod kept_inputs;
 pub mod kitchen_files;
 pub mod lab_case;
 pub mod machine_files;
+pub mod stored;
 pub mod surface_files;
 mod ten_ticks;
 
@@ -104,6 +105,13 @@ pub const TARGETS: &[Target] = &[
         work: Work::Builds,
         sources: &["crates/surface/src/gltf_file.rs"],
         run: surface_files::gltf,
+    },
+    Target { name: "kitchen", work: Work::Builds, sources: &["crates/kitchen/src/bytes/"], run: stored::kitchen },
+    Target {
+        name: "session",
+        work: Work::Reads,
+        sources: &["crates/recipe/src/session/session_file.rs"],
+        run: stored::session,
     },
     Target {
         name: "rig",

@@ -62,6 +62,10 @@ pub struct PieceOrder {
 }
 
 impl PieceOrder {
+    /// Finest and coarsest mesh that is built from files of another program [-] (chosen: recipes order the finest, tests and the
+    /// fuzzer coarser ones).
+    pub const COARSENESS: core::ops::RangeInclusive<f64> = 1.0..=8.0;
+
     /// Returns what its model is built from, apart from the food.
     pub(crate) fn spec(&self) -> PieceSpec {
         PieceSpec {

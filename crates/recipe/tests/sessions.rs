@@ -153,8 +153,8 @@ impl<'a> Live<'a> {
 
     fn person(&mut self, command: Command) {
         if self.here.kitchen.apply(&command).is_ok() {
-            drop(self.here.kitchen.take_carried_out());
-            self.recording.push(&self.here.kitchen, command);
+            self.recording.take_over(&self.here.kitchen);
+            self.recording.take(&mut self.here.kitchen);
         }
     }
 

@@ -13,6 +13,7 @@ mod library;
 mod manual;
 mod pictures;
 mod running;
+mod sessions;
 mod sources;
 mod validation;
 mod validation_list;

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::bytes::models::{FoodKey, FoodParts};
 use crate::dynamics::{Contact, Pose};
 use crate::hands::command::RestOn;
+use crate::kitchen::PieceOrder;
 use crate::pan::pan_model::PanModel;
 use crate::piece::board::Board;
 use crate::piece::medium::Media;
@@ -17,9 +18,6 @@ use crate::piece::pan_contact::PanContact;
 use crate::piece::piece_shape::PieceShape;
 use crate::piece::piece_state::{Piece, Place};
 use crate::piece::sear_lines::SearRecord;
-
-/// Finest and coarsest mesh that is built again [-] (chosen: beyond what recipes, tests and the fuzzer order).
-const COARSENESS: core::ops::RangeInclusive<f64> = 0.5..=8.0;
 
 /// What of a piece does not follow from its order.
 #[derive(Deserialize, Serialize)]
@@ -75,7 +73,7 @@ impl<'a> SavedPiece<'a> {
     /// Returns what its model is built from, given the hash of its data; `None` if its mesh would be too fine.
     pub(super) fn food_key(&self, data_hash: u64) -> Option<FoodKey> {
         let key = FoodKey { kind: self.kind.clone().into_owned(), data_hash, spec: self.spec, cut: self.cut };
-        COARSENESS.contains(&self.spec.coarseness).then_some(key)
+        PieceOrder::COARSENESS.contains(&self.spec.coarseness).then_some(key)
     }
 
     /// Returns the piece again; `None` if its fields are not those of its model in this pan.

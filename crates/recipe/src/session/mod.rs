@@ -8,12 +8,12 @@
 //! # How to record
 //!
 //! The owner of a live kitchen calls, in this order:
-//! 1. [`Recording::begin`], then [`Recording::observe`] at frame 0;
+//! 1. [`Recording::begin`], then [`Recording::observe`] at frame 0, and [`Kitchen::listen`](saute_kitchen::Kitchen::listen) if devices
+//!    give commands to the kitchen themselves;
 //! 2. before each tick, if a recipe plays: [`Runner::poll`](crate::Runner::poll), then [`Recording::on_steps`];
-//! 3. for each command of a person that the kitchen carried out, [`Recording::push`] (it stops the recipe); for foods
-//!    [`Recording::add`] and [`Recording::remove`];
-//! 4. for commands that devices give to the kitchen themselves: [`Kitchen::listen`](saute_kitchen::Kitchen::listen) once, and before each
-//!    frame [`Recording::take`], which leaves the recipe playing;
+//! 3. after a command of a person that the kitchen carried out: [`Recording::push`], which stops the recipe; of a kitchen that listens,
+//!    [`Recording::take_over`] and [`Recording::take`] instead. For foods [`Recording::add`] and [`Recording::remove`];
+//! 4. before each frame, of a kitchen that listens: [`Recording::take`], which leaves the recipe playing;
 //! 5. after each frame, [`Recording::observe`].
 //!
 //! # Time travel

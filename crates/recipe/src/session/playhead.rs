@@ -102,6 +102,8 @@ impl Playhead {
             self.moment.steps_done = true;
         }
         self.carry_out(stage, until, true);
+        // What a listening kitchen heard is in the recording already.
+        drop(stage.kitchen.take_carried_out());
         Played { fired, entries: first..self.moment.entries, ticked: false }
     }
 

@@ -99,7 +99,7 @@ impl Recording {
         }
     }
 
-    /// Notes that the recipe's steps due at this frame were carried out. What the kitchen heard of them is forgotten.
+    /// Notes that the recipe's steps due at this frame were carried out. What a listening kitchen heard of them is forgotten.
     pub fn on_steps(&mut self, kitchen: &mut Kitchen) {
         self.steps_done_at = Some(kitchen.frame());
         drop(kitchen.take_carried_out());

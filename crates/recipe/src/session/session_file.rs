@@ -5,6 +5,7 @@
 
 use std::borrow::Cow;
 
+use saute_kitchen::PieceOrder;
 use serde::{Deserialize, Serialize};
 
 use crate::session::beginning::Beginning;
@@ -21,8 +22,10 @@ const ANY_VERSION: &[u8] = b"saute session ";
 const RECORD_HEAD: usize = 8;
 /// Longest record [bytes] (chosen: an hour of poses of two hands; a longer one is damage).
 const LONGEST_RECORD: u32 = 64 << 20;
-/// Latest frame (chosen: ticks still count exactly as seconds).
-const LATEST_FRAME: u64 = 1 << 50;
+/// Latest frame: that after a week (chosen: nobody cooks longer, and a replay ends).
+const LATEST_FRAME: u64 = 7 * 24 * 3600 * 60;
+/// Largest number of foods that are added [-] (chosen: more than pans hold; a larger one is damage).
+const MOST_ADDED: usize = 2000;
 
 /// One record.
 #[derive(Deserialize, Serialize)]
@@ -178,16 +181,25 @@ impl Recording {
         let mut last = self.entries().last().map_or((0, false), |entry| (entry.frame, entry.after_steps));
         for (since, after_steps, deed) in stored {
             frame = sound(frame.checked_add(since)?)?;
-            let follows = (frame, after_steps) >= last;
-            last = (frame, after_steps);
-            entries.push(Entry { frame, after_steps, deed: deed.into_owned() });
-            if !follows {
+            if (frame, after_steps) < last || !is_sound(&deed) {
                 return None;
             }
+            last = (frame, after_steps);
+            entries.push(Entry { frame, after_steps, deed: deed.into_owned() });
+        }
+        let is_added = |entry: &&Entry| matches!(entry.deed, Deed::Add(_));
+        let fresh = entries.iter().filter(is_added).count();
+        if fresh > 0 && fresh + self.entries().iter().filter(is_added).count() > MOST_ADDED {
+            return None;
         }
         entries.into_iter().for_each(|entry| self.restore(entry));
         Some(())
     }
+}
+
+/// Returns true for what a program records: food of a mesh that is built in a moment.
+fn is_sound(deed: &Deed) -> bool {
+    !matches!(deed, Deed::Add(order) if !PieceOrder::COARSENESS.contains(&order.coarseness))
 }
 
 /// Returns a frame that a session may reach.
@@ -307,7 +319,7 @@ mod tests {
                 assert_eq!(damage.sound + damage.lost, cut);
             }
         }
-        assert!(damaged > file.len() / 2);
+        assert!(2 * damaged > file.len() - frames[0].0, "{damaged} of {}", file.len());
         for at in 0..file.len() {
             let mut changed = file.clone();
             changed[at] ^= 1 << (at % 8);

@@ -1,0 +1,194 @@
+//! Sessions: `cook --record`, `replay`, and `shot` of a session; refusals, damage and kills.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant, SystemTime};
+
+use saute_recipe::Recording;
+use serde_json::Value;
+
+use crate::running::{Ran, SHORT, run, saute};
+
+/// Longest wall time that a killed cook may lose.
+const LOST: Duration = Duration::from_secs(1);
+/// Wall time after which a run of ./test.sh kills no more (chosen: a tenth of the campaign on a fast machine, part of it on a
+/// slow one).
+const KILLS_FOR: Duration = Duration::from_secs(20);
+
+struct Recorded {
+    dir: tempfile::TempDir,
+    session: PathBuf,
+    recipe: PathBuf,
+    ran: Ran,
+}
+
+/// Cooks a recipe and records it.
+fn record(text: &str) -> Recorded {
+    let dir = tempfile::tempdir().unwrap();
+    let (recipe, session) = (dir.path().join("short.toml"), dir.path().join("short.saute"));
+    std::fs::write(&recipe, text).unwrap();
+    let ran = run(&["cook", name(&recipe), "--json", "--record", name(&session)]);
+    Recorded { dir, session, recipe, ran }
+}
+
+fn name(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+/// Numbers without the wall time.
+fn numbers(ran: &Ran) -> Value {
+    let mut summary: Value = serde_json::from_str(&ran.out).unwrap_or_else(|e| panic!("{e}\n{}", ran.err));
+    summary.as_object_mut().unwrap().remove("wall_s").expect("a wall time");
+    summary
+}
+
+#[test]
+fn a_replay_gives_the_numbers_of_the_cook() {
+    let tossed = SHORT.replace("[[step]]\nafter_s = 10\nend", "[[step]]\ntoss = true\n[[step]]\nafter_s = 10\nend");
+    for text in [SHORT.to_owned(), tossed, SHORT.replace("max_s = 100", "max_s = 15")] {
+        let recorded = record(&text);
+        let replayed = run(&["replay", name(&recorded.session), "--json"]);
+        assert_eq!(replayed.code, recorded.ran.code, "{}", replayed.err);
+        assert_eq!(numbers(&replayed), numbers(&recorded.ran));
+        assert_eq!(crate::running::names_in(recorded.dir.path()), ["short.saute", "short.toml"]);
+    }
+}
+
+#[test]
+fn a_session_of_a_recipe_is_written_as_that_recipe() {
+    let recorded = record(SHORT);
+    let made = recorded.dir.path().join("made.toml");
+    let ran = run(&["replay", name(&recorded.session), "--to-recipe", name(&made)]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    assert!(ran.out.contains("Short"), "{}", ran.out);
+    assert_eq!(std::fs::read_to_string(made).unwrap(), SHORT);
+}
+
+#[test]
+fn an_earlier_session_is_replaced() {
+    let recorded = record(SHORT);
+    let ran = run(&["cook", name(&recorded.recipe), "--record", name(&recorded.session)]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let opened = Recording::from_file(&std::fs::read(&recorded.session).unwrap()).unwrap();
+    assert_eq!(opened.damage, None);
+    assert!((opened.recording.moment().time_s() - 20.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_damaged_end_is_said_and_the_rest_opens() {
+    let recorded = record(SHORT);
+    let mut bytes = std::fs::read(&recorded.session).unwrap();
+    bytes.extend_from_slice(b"half a record");
+    std::fs::write(&recorded.session, &bytes).unwrap();
+    let ran = run(&["replay", name(&recorded.session), "--json"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    assert!(ran.err.contains("last 13 bytes are damaged") && ran.err.contains("up to 20.0 s"), "{}", ran.err);
+    assert_eq!(numbers(&ran), numbers(&recorded.ran));
+}
+
+#[test]
+fn other_data_are_said_and_a_departure_has_exit_code_1() {
+    let recorded = record(SHORT);
+    let food = saute_kitchen::Library::embedded_files()["foods/beef-lean.toml"].clone();
+    let data = recorded.dir.path().join("data");
+    std::fs::create_dir_all(data.join("foods")).unwrap();
+    let replayed = |text: &str| {
+        std::fs::write(data.join("foods/beef-lean.toml"), text).unwrap();
+        run(&["replay", name(&recorded.session), "--data", name(&data), "--json"])
+    };
+    let same = replayed(&food);
+    assert_eq!((same.code, same.err.as_str()), (Some(0), ""));
+    let commented = replayed(&format!("{food}\n# More words.\n"));
+    assert!(commented.err.contains("is not what it was"), "{}", commented.err);
+    let wetter = food.lines().map(|line| if line.starts_with("emissivity") { "emissivity = 0.5" } else { line });
+    let other = replayed(&wetter.collect::<Vec<_>>().join("\n"));
+    assert_eq!(other.code, Some(1), "{}", other.err);
+    assert!(other.err.contains("the replay departs at ") && other.err.contains("remedy"), "{}", other.err);
+}
+
+#[test]
+fn what_cannot_be_recorded_or_replayed_is_refused_with_a_remedy() {
+    let recorded = record(SHORT);
+    let (recipe, session) = (name(&recorded.recipe), name(&recorded.session));
+    let folder = recorded.dir.path().join("folder.saute");
+    std::fs::create_dir(&folder).unwrap();
+    let missing = recorded.dir.path().join("none/a.saute");
+    for (args, part) in [
+        (vec!["replay", recipe], "no session of saute"),
+        (vec!["replay", name(&folder)], "is a folder"),
+        (vec!["replay", "none.saute"], "cannot be read"),
+        (vec!["cook", session], "saute replay"),
+        (vec!["cook", recipe, "--record", "session.txt"], "FILE.saute"),
+        (vec!["cook", recipe, "--record", name(&folder)], "is not a file"),
+        (vec!["cook", recipe, "--record", name(&missing)], "cannot be written"),
+        (vec!["replay", session, "--to-recipe", name(recorded.dir.path())], "is not a file"),
+    ] {
+        let ran = run(&args);
+        assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""), "{args:?}");
+        assert!(ran.err.contains(part) && ran.err.contains("remedy: "), "{args:?}: {}", ran.err);
+    }
+}
+
+#[test]
+fn a_picture_of_a_session_is_that_of_its_recipe() {
+    let recorded = record(SHORT);
+    let picture = |source: &Path, at: &str| {
+        let out = recorded.dir.path().join("shot.png");
+        let args = ["shot", name(source), "--at", at, "--size", "96x64", "--view", "temperature", "--out", name(&out)];
+        let ran = run(&args);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        std::fs::read(out).unwrap()
+    };
+    for at in ["5", "20"] {
+        assert!(picture(&recorded.recipe, at) == picture(&recorded.session, at), "{at} s");
+    }
+    let late = run(&["shot", name(&recorded.session), "--at", "30", "--out", "late.png"]);
+    assert_eq!(late.code, Some(2));
+    assert!(late.err.contains("past the end"), "{}", late.err);
+}
+
+/// Number of kills: SAUTE_RANDOM_KILLS without a limit of time, or as many of 100 as [`KILLS_FOR`] takes.
+fn kills() -> (u64, Duration) {
+    let given = std::env::var("SAUTE_RANDOM_KILLS").ok();
+    given.map_or((100, KILLS_FOR), |count| (count.parse().expect("a number"), Duration::MAX))
+}
+
+#[test]
+fn a_killed_cook_loses_at_most_a_second() {
+    let dir = tempfile::tempdir().unwrap();
+    let (recipe, session) = (dir.path().join("long.toml"), dir.path().join("long.saute"));
+    std::fs::write(&recipe, SHORT.replace("max_s = 100", "max_s = 80000").replace("after_s = 10", "after_s = 30000"))
+        .unwrap();
+    let (count, most) = kills();
+    let (begun, mut written, mut reached) = (Instant::now(), 0, 0.0_f64);
+    for kill in 0..count {
+        if begun.elapsed() > most {
+            break;
+        }
+        let _ = std::fs::remove_file(&session);
+        let mut child = saute()
+            .args(["cook", name(&recipe), "--record", name(&session)])
+            .stdout(std::process::Stdio::null())
+            .stderr(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        // Spread over the start, the first write and some later ones; golden ratio steps fall everywhere.
+        let share = (kill as f64 * 0.618_033_988_749_895).fract();
+        std::thread::sleep(Duration::from_millis(20 + (1400.0 * share) as u64));
+        let killed = SystemTime::now();
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let Ok(bytes) = std::fs::read(&session) else { continue };
+        let last = std::fs::metadata(&session).unwrap().modified().unwrap();
+        let lost = killed.duration_since(last).unwrap_or_default();
+        assert!(lost <= LOST, "kill {kill}: {lost:?} lost");
+        // A kill within the very first write leaves an empty file; nothing was cooked then.
+        if let Ok(opened) = Recording::from_file(&bytes) {
+            written += 1;
+            reached = reached.max(opened.recording.moment().time_s());
+        } else {
+            assert!(bytes.len() < 4096 && lost < LOST, "kill {kill}: {} bytes", bytes.len());
+        }
+    }
+    println!("{written} killed sessions open; the longest reached {reached:.1} s");
+    assert!(written > 0);
+}
