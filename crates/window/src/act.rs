@@ -92,6 +92,16 @@ pub enum Act {
     Pieces,
     /// Start over.
     Restart,
+    /// Back to before the last act.
+    Undo,
+    /// Forward to where the last undo began.
+    Redo,
+    /// Turns time to an instant [s].
+    Scrub(f64),
+    /// Holds time still, or lets it go on.
+    HoldTime(bool),
+    /// Goes over to another branch, by its place.
+    Branch(usize),
     /// View that the colours show.
     View(View),
     /// The look next to the view, or the view alone.
@@ -275,6 +285,9 @@ pub struct Binding {
 const fn bind(key: Key, written: &'static str, act: Act, words: &'static str) -> Binding {
     Binding { key, written, act, words }
 }
+
+/// Keys with Ctrl, as the help lists them, with the keys of the words for them.
+pub const CHORDS: [(&str, &str); 2] = [("Ctrl+Z", "key.undo"), ("Ctrl+Y", "key.redo")];
 
 /// Distance by which a key raises the turner [m] (chosen: a pan's wall in four).
 pub const TOOL_STEP: f64 = 0.01;

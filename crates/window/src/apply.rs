@@ -4,6 +4,7 @@ mod cards;
 mod clock;
 mod food;
 mod look;
+mod time;
 
 use saute_kitchen::Command;
 
@@ -55,6 +56,11 @@ impl SauteApp {
             Act::ShowFile(path) => self.show_file(&path),
             Act::Pieces => self.open_left(false, !self.settings.pieces_open),
             Act::Restart => self.restart(),
+            Act::Undo => self.undo(),
+            Act::Redo => self.redo(),
+            Act::Scrub(time_s) => self.scrub(time_s),
+            Act::HoldTime(held) => self.session.hold_time(held),
+            Act::Branch(place) => self.go_to_branch(place),
             Act::View(view) => self.settings.view = view,
             Act::Split => self.toggle_split(),
             Act::Probe => self.place_probe(),

@@ -23,7 +23,7 @@ pub fn run(args: &ReplayArgs, data: &DataLibrary) -> Result<ExitCode, CliError> 
         args.to_recipe.as_deref().map(|path| OutFile::prepare_as("--to-recipe", path, "FILE.toml")).transpose()?;
     let mut cook = session_source::play_again(recording, data)?;
     let started = Instant::now();
-    let progress = Progress::start(cook.runner.recipe().max_s);
+    let progress = Progress::start(&cook);
     while cook.stopped().is_none() {
         cook.advance()?;
         progress.show(&cook);

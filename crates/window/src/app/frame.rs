@@ -124,7 +124,11 @@ impl SauteApp {
         }
         self.motions.advance(&self.session.kitchen, self.session.generation, wall as f32);
         self.move_eye(wall as f32);
-        if !(self.session.paused || waits) || self.motions.moving() || self.glance.is_some() {
+        if !(self.session.paused || waits)
+            || self.motions.moving()
+            || self.glance.is_some()
+            || self.session.is_travelling()
+        {
             ctx.request_repaint();
         } else {
             ctx.request_repaint_after(std::time::Duration::from_millis(250));

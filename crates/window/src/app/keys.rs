@@ -14,6 +14,10 @@ impl SauteApp {
             return;
         }
         let focused = ctx.egui_wants_keyboard_input();
+        let chords: Vec<Act> = ctx.input(|i| i.events.iter().filter_map(chord).collect());
+        if !self.card_is_open() {
+            chords.into_iter().for_each(|act| self.act(act, ctx));
+        }
         let keys: Vec<Key> = ctx.input(|i| i.events.iter().filter_map(plain_press).collect());
         for key in keys.into_iter().filter(|key| !(focused && uses_widgets(*key))) {
             let Some(binding) = BINDINGS.iter().find(|b| b.key == key) else { continue };
@@ -29,6 +33,16 @@ impl SauteApp {
 fn plain_press(event: &Event) -> Option<Key> {
     match event {
         Event::Key { key, pressed: true, modifiers, .. } if modifiers.is_none() => Some(*key),
+        _ => None,
+    }
+}
+
+/// The act of a press with Ctrl.
+fn chord(event: &Event) -> Option<Act> {
+    let Event::Key { key, pressed: true, modifiers, .. } = event else { return None };
+    match (key, modifiers.command && !modifiers.alt, modifiers.shift) {
+        (Key::Z, true, false) => Some(Act::Undo),
+        (Key::Z, true, true) | (Key::Y, true, _) => Some(Act::Redo),
         _ => None,
     }
 }

@@ -84,7 +84,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, height: f32) {
 
 /// What happened, in a language; a power is a number and needs none.
 fn mark_words(mark: &Mark, l: Language) -> String {
-    l.find(&format!("mark.{}", mark.label.replace(' ', "_"))).unwrap_or(&mark.label).to_owned()
+    crate::words::act_words::act_words(&mark.label, l)
 }
 
 fn curves(state: &WindowState, palette: &Palette) -> Vec<Curve> {

@@ -25,7 +25,7 @@ use egui::{Rect, ScrollArea, Ui, UiBuilder};
 use crate::act::Acts;
 use crate::paint::ground::GroundCallback;
 use crate::panels::cards::{first_steps, help, messages};
-use crate::panels::cook::{hob_bar, pour};
+use crate::panels::cook::{hob_bar, pour, time_strip};
 use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
@@ -33,6 +33,9 @@ use crate::ui::theme;
 /// Space within a panel of controls for a mouse, and within one for fingers [points].
 const MARGIN: i8 = 6;
 const WIDE_MARGIN: i8 = 12;
+
+/// Height of the strip of time in the drawer [points].
+const STRIP_HEIGHT: f32 = 36.0;
 
 /// Which part of the drawer is open on a narrow window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -132,6 +135,14 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
             }
         }
         top::help_and_settings(state, ui, acts);
+    });
+    ui.horizontal(|ui| {
+        (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (5.0, 7.0);
+        ui.spacing_mut().interact_size.y = STRIP_HEIGHT;
+        time_strip::undo_and_redo(state, ui, acts);
+        time_strip::branches(state, ui, acts);
+        let width = ui.available_width();
+        time_strip::show(state, ui, acts, egui::vec2(width, STRIP_HEIGHT));
     });
     ui.separator();
     scrolled(ui, |ui| match memory.drawer {

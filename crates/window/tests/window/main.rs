@@ -11,4 +11,6 @@ mod mirror;
 mod pan;
 mod settings;
 mod steak;
+mod time;
+mod timeline;
 mod views;

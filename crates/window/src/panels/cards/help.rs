@@ -2,7 +2,7 @@
 
 use egui::{Id, Modal, Rect, RichText, TextEdit, Ui, vec2};
 
-use crate::act::{Act, Acts, BINDINGS, Card, Subject};
+use crate::act::{Act, Acts, BINDINGS, CHORDS, Card, Subject};
 use crate::input::gamepad::PAD;
 use crate::input::pan_keys::HELD;
 use crate::panels::window_state::{PanelMemory, WindowState};
@@ -39,6 +39,7 @@ fn groups(search: &str, l: Language) -> Vec<Group> {
         .into_iter()
         .map(|subject| Group { title: l.text(title(subject)), lines: keys(subject).collect() })
         .collect();
+    groups.push(Group { title: l.text("help.time"), lines: CHORDS.to_vec() });
     groups.push(Group { title: l.text("help.pan"), lines: HELD.to_vec() });
     // Browsers' gamepads are not read.
     if cfg!(not(target_arch = "wasm32")) {

@@ -5,7 +5,7 @@ use saute_kitchen::doneness::core_class;
 use saute_kitchen::{Place, celsius};
 
 use crate::act::{Act, Acts, hint};
-use crate::panels::cook::{hob_slider, pour, status};
+use crate::panels::cook::{hob_slider, pour, status, time_strip};
 use crate::panels::inside::clock;
 use crate::panels::window_state::WindowState;
 use crate::session::SPEEDS;
@@ -14,6 +14,9 @@ use crate::ui::theme;
 /// Height of a control for a mouse, and space at the sides of its text [points].
 const DESK: f32 = 36.0;
 const DESK_PADDING: f32 = 8.0;
+
+/// Size of the strip of time [points].
+const STRIP: egui::Vec2 = egui::vec2(430.0, 18.0);
 
 /// Shows the controls: in two rows over a line of words, or wrapped where it is narrow.
 pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
@@ -46,11 +49,16 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     ui.horizontal(|ui| {
         hands(state, ui, acts);
         pour::show(state, ui, acts);
+        time_strip::undo_and_redo(state, ui, acts);
     });
-    ui.spacing_mut().interact_size.y = 18.0;
+    ui.spacing_mut().interact_size.y = STRIP.y;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 14.0;
-        status::show(state, ui, acts);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            time_strip::show(state, ui, acts, STRIP);
+            time_strip::branches(state, ui, acts);
+            ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| status::show(state, ui, acts));
+        });
     });
 }
 
@@ -124,7 +132,7 @@ fn capitalised(text: &str) -> String {
 
 fn time(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let pause = pause_word(state);
-    ui.label(RichText::new(clock(state.session.kitchen.time_s())).size(20.0).strong());
+    ui.label(RichText::new(clock(state.session.shown_s())).size(20.0).strong());
     button(state, ui, acts, pause, state.session.paused, true, Act::Pause);
     button(state, ui, acts, state.settings.language.text("hob.step"), false, true, Act::Step);
     SPEEDS.into_iter().for_each(|speed| speed_button(state, ui, acts, speed));
@@ -135,7 +143,7 @@ fn time_right_to_left(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     button(state, ui, acts, state.settings.language.text("hob.step"), false, true, Act::Step);
     let pause = pause_word(state);
     button(state, ui, acts, pause, state.session.paused, true, Act::Pause);
-    ui.label(RichText::new(clock(state.session.kitchen.time_s())).size(20.0).strong());
+    ui.label(RichText::new(clock(state.session.shown_s())).size(20.0).strong());
 }
 
 fn pause_word(state: &WindowState) -> &'static str {

@@ -4,3 +4,4 @@ pub mod hob_bar;
 pub mod hob_slider;
 pub mod pour;
 pub mod status;
+pub mod time_strip;

@@ -1,0 +1,165 @@
+//! Promise: nothing that was done is lost: undo, redo, a strip of time, and starting over that can be undone.
+
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers, Pos2, pos2};
+use egui_kittest::{Harness, kittest::Queryable};
+use saute_window::SauteApp;
+use saute_window::ui::theme::Theme;
+
+use crate::harness::{click, cook, drag, press, save, steps, window};
+
+const WIDE: egui::Vec2 = egui::vec2(1280.0, 720.0);
+const PHONE: egui::Vec2 = egui::vec2(390.0, 844.0);
+
+fn chord(harness: &mut Harness<'static, SauteApp>, modifiers: Modifiers, key: Key) {
+    let event = |pressed| Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
+    harness.event(event(true));
+    harness.event(event(false));
+    steps(harness, 3);
+    while harness.state().session().is_travelling() {
+        harness.step();
+    }
+    steps(harness, 2);
+}
+
+fn undo(harness: &mut Harness<'static, SauteApp>) {
+    chord(harness, Modifiers::COMMAND, Key::Z);
+}
+
+fn hash(harness: &Harness<'static, SauteApp>) -> u64 {
+    harness.state().session().kitchen.state_hash()
+}
+
+fn time_s(harness: &Harness<'static, SauteApp>) -> f64 {
+    harness.state().session().kitchen.time_s()
+}
+
+/// A steak that was put in, turned over after a while, and fried on; time stands still.
+fn fried(size: egui::Vec2) -> Harness<'static, SauteApp> {
+    let mut harness = window(size);
+    harness.state_mut().session_mut().set_paused(true);
+    press(&mut harness, Key::E);
+    press(&mut harness, Key::E);
+    cook(&mut harness, 40.0);
+    press(&mut harness, Key::A);
+    cook(&mut harness, 60.0);
+    press(&mut harness, Key::F);
+    cook(&mut harness, 50.0);
+    harness
+}
+
+/// A place on the strip by a share of its length.
+fn on_strip(harness: &Harness<'static, SauteApp>, share: f32) -> Pos2 {
+    let rect = harness.get_by_role_and_label(Role::Slider, "Time of the cook").rect();
+    pos2(rect.left() + 7.0 + share * (rect.width() - 14.0), rect.center().y)
+}
+
+/// Share of the strip for a time, with five minutes in all.
+fn share(seconds: f32) -> f32 {
+    seconds / 300.0
+}
+
+#[test]
+fn ctrl_z_undoes_and_ctrl_y_or_ctrl_shift_z_redoes() {
+    let mut harness = fried(WIDE);
+    let end = hash(&harness);
+    undo(&mut harness);
+    assert!((time_s(&harness) - 100.0).abs() < 1.0 && harness.state().session().paused);
+    assert!(harness.query_by_label_contains("Undone: flip. It is 1:40 again").is_some());
+    save(&mut harness, "time-undone");
+    undo(&mut harness);
+    assert!((time_s(&harness) - 40.0).abs() < 1.0);
+    chord(&mut harness, Modifiers::COMMAND, Key::Y);
+    chord(&mut harness, Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    assert_eq!(hash(&harness), end);
+    // The buttons do the same.
+    harness.get_by_label("Undo").click();
+    steps(&mut harness, 4);
+    harness.state_mut().session_mut().finish_travel();
+    assert!((time_s(&harness) - 100.0).abs() < 1.0);
+    harness.get_by_label("Redo").click();
+    steps(&mut harness, 4);
+    harness.state_mut().session_mut().finish_travel();
+    assert_eq!(hash(&harness), end);
+}
+
+#[test]
+fn the_strip_is_dragged_through_time_and_back() {
+    let mut harness = fried(WIDE);
+    let end = hash(&harness);
+    let (from, to) = (on_strip(&harness, share(150.0)), on_strip(&harness, share(60.0)));
+    drag(&mut harness, from, to);
+    harness.state_mut().session_mut().finish_travel();
+    steps(&mut harness, 3);
+    assert!((time_s(&harness) - 60.0).abs() < 2.0, "{}", time_s(&harness));
+    assert!(harness.state().session().end_s() > 149.0);
+    save(&mut harness, "time-scrubbed");
+    let (from, to) = (on_strip(&harness, share(60.0)), on_strip(&harness, 1.0));
+    drag(&mut harness, from, to);
+    harness.state_mut().session_mut().finish_travel();
+    assert_eq!(hash(&harness), end);
+    // A click on a mark goes to it; arrow keys turn time by a second and to the marks.
+    let flip = on_strip(&harness, share(101.0));
+    click(&mut harness, flip);
+    harness.state_mut().session_mut().finish_travel();
+    assert!((time_s(&harness) - 100.0).abs() < 1.0, "{}", time_s(&harness));
+    let at = time_s(&harness);
+    for (key, expected) in [(Key::ArrowLeft, at - 1.0), (Key::ArrowRight, at), (Key::ArrowDown, 40.0)] {
+        harness.get_by_role_and_label(Role::Slider, "Time of the cook").focus();
+        steps(&mut harness, 2);
+        press(&mut harness, key);
+        harness.state_mut().session_mut().finish_travel();
+        assert!((time_s(&harness) - expected).abs() < 0.8, "{key:?} {} {expected}", time_s(&harness));
+    }
+}
+
+#[test]
+fn starting_over_is_undone() {
+    let mut harness = fried(WIDE);
+    let end = hash(&harness);
+    press(&mut harness, Key::R);
+    assert!(time_s(&harness) < 1.0);
+    undo(&mut harness);
+    assert_eq!(hash(&harness), end);
+    assert!(harness.query_by_label_contains("The cook from before is back.").is_some());
+}
+
+#[test]
+fn another_way_is_gone_and_the_first_one_is_kept() {
+    let mut harness = fried(WIDE);
+    let end = hash(&harness);
+    undo(&mut harness);
+    press(&mut harness, Key::Q);
+    cook(&mut harness, 50.0);
+    harness.get_by_label("Other ways: 1").click();
+    steps(&mut harness, 4);
+    save(&mut harness, "time-ways");
+    harness.get_by_label("flip at 1:40").click();
+    steps(&mut harness, 4);
+    harness.state_mut().session_mut().finish_travel();
+    // It is at the time of the way that was left, and goes on to its own end.
+    let session = harness.state_mut().session_mut();
+    session.scrub(1e9);
+    session.finish_travel();
+    assert_eq!(hash(&harness), end);
+}
+
+#[test]
+fn the_strip_is_at_hand_on_a_phone_and_on_paper() {
+    let mut harness = fried(PHONE);
+    save(&mut harness, "phone-time");
+    harness.get_by_label("Undo").click();
+    steps(&mut harness, 6);
+    harness.state_mut().session_mut().finish_travel();
+    assert!((time_s(&harness) - 100.0).abs() < 1.0);
+    let rect = harness.get_by_role_and_label(Role::Slider, "Time of the cook").rect();
+    assert!(rect.width() > 150.0 && rect.height() >= 30.0, "{rect}");
+    let set = saute_window::act::Setting::Theme(Theme::Light);
+    let ctx = harness.ctx.clone();
+    harness.state_mut().act(saute_window::act::Act::Set(set), &ctx);
+    steps(&mut harness, 4);
+    save(&mut harness, "phone-time-light");
+    harness.set_size(WIDE);
+    steps(&mut harness, 4);
+    save(&mut harness, "time-light");
+}
