@@ -188,7 +188,7 @@ fn bladed(p: Vec3, middle: Vec3, length: Vec3, share: f32, across: f32) -> Vec3 
 }
 
 /// A point on the cubic curve through four successive points, between the middle two.
-pub(crate) fn curve([a, b, c, d]: [Vec3; 4], t: f32) -> Vec3 {
+fn curve([a, b, c, d]: [Vec3; 4], t: f32) -> Vec3 {
     let (t2, t3) = (t * t, t * t * t);
     0.5 * (2.0 * b + (c - a) * t + (2.0 * a - 5.0 * b + 4.0 * c - d) * t2 + (3.0 * b - a - 3.0 * c + d) * t3)
 }

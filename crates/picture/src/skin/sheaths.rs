@@ -7,11 +7,13 @@ use saute_kitchen::food::tissue::noise::uniform;
 use saute_kitchen::food::{FoodModel, Form};
 use saute_kitchen::heat::SweptMesh;
 
-use crate::skin::fine::{Fine, Reads, curve, normals};
+use crate::skin::fine::{Fine, Reads, normals};
 use crate::skin::surface::{rim_inset, rim_radius, uneven};
 
-/// Vertices around for each node of the rim [-] (chosen: a smooth silhouette).
-const AROUND: usize = 2;
+/// Levels at either end of which each has its row on the side, and how many lie between rows farther in (chosen: browning ends
+/// near the faces, and steps on both faces cost triangles enough).
+const SIDE_DENSE: usize = 3;
+const SIDE_APART: usize = 5;
 /// How far the edges of a sheath are rounded down [m], and over which breadth [m] (chosen).
 const ROUNDED: [f32; 2] = [0.22e-3, 0.35e-3];
 /// Share of the sheaths that slip [-] (chosen: an inner one sticks to its neighbours now and then).
@@ -40,11 +42,11 @@ pub(crate) fn sheathed(model: &FoodModel) -> Option<Fine> {
     Some(ring.fine)
 }
 
-/// A vertex around the slice: where it lies in the section, outwards of it, and the nodes of the rim that feed it.
+/// A vertex around the slice: where it lies in the section, outwards of it, and the node of the rim that feeds it.
 struct EdgePoint {
     at: Vec2,
     out: Vec3,
-    reads: [(u32, f32); 2],
+    node: u32,
 }
 
 struct Ring<'a> {
@@ -55,32 +57,26 @@ struct Ring<'a> {
     fine: Fine,
 }
 
-/// The outline between the nodes of the rim.
+/// The outline, at every node of the rim.
 fn edge(mesh: &SweptMesh) -> Vec<EdgePoint> {
     let rim = mesh.section.rim();
-    let n = rim.len();
-    let place = |k: usize| {
-        let [x, y] = mesh.section.points[rim[k % n] as usize];
-        Vec3::new(x as f32, y as f32, 0.0)
-    };
-    let count = AROUND * n;
     let at = |k: usize| {
-        let (i, share) = (k / AROUND % n, (k % AROUND) as f32 / AROUND as f32);
-        curve([place(i + n - 1), place(i), place(i + 1), place(i + 2)], share)
+        let [x, y] = mesh.section.points[rim[k % rim.len()] as usize];
+        Vec2::new(x as f32, y as f32)
     };
     let point = |k: usize| {
-        let (i, share) = (k / AROUND, (k % AROUND) as f32 / AROUND as f32);
-        let along = at(k + 1) - at(k + count - 1);
-        let out = Vec3::new(along.y, -along.x, 0.0).normalize_or_zero();
-        EdgePoint { at: at(k).truncate(), out, reads: [(rim[i], 1.0 - share), (rim[(i + 1) % n], share)] }
+        let along = at(k + 1) - at(k + rim.len() - 1);
+        EdgePoint { at: at(k), out: Vec3::new(along.y, -along.x, 0.0).normalize_or_zero(), node: rim[k] }
     };
-    (0..count).map(point).collect()
+    (0..rim.len()).map(point).collect()
 }
 
 impl Ring<'_> {
     /// Adds the outer side.
     fn side(&mut self) {
-        for level in 0..self.mesh.levels.len() {
+        let last = self.mesh.levels.len() - 1;
+        let seen = |level: &usize| level.min(&(last - level)) < &SIDE_DENSE || level % SIDE_APART == 0;
+        for level in (0..=last).filter(seen) {
             let row = self.row(|ring, point| ring.on_side(point, level));
             if level > 0 {
                 self.strip(row - self.edge.len() as u32, row);
@@ -168,12 +164,12 @@ impl Ring<'_> {
     }
 
     fn on_side(&self, j: usize, level: usize) -> (Vec3, Reads) {
-        let EdgePoint { at, out, reads } = &self.edge[j];
-        let reads = reads.map(|(i, weight)| (self.mesh.node(level, i as usize) as u32, weight));
-        let z: f32 = reads.iter().map(|(node, w)| w * self.model.rest_position(*node as usize)[2] as f32).sum();
-        let p = at.extend(z);
+        let EdgePoint { at, out, node } = &self.edge[j];
+        let node = self.mesh.node(level, *node as usize);
+        let p = at.extend(self.model.rest_position(node)[2] as f32);
         let p = p + rim_inset(self.model, self.mesh, level, *out) + uneven(p, self.model, self.mesh);
-        (p, [reads[0], reads[1], (reads[0].0, 0.0), (reads[0].0, 0.0)])
+        let node = node as u32;
+        (p, [(node, 1.0), (node, 0.0), (node, 0.0), (node, 0.0)])
     }
 
     /// A point of a face at a radius, lifted by a slip.
