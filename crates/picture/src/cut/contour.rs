@@ -13,7 +13,8 @@ pub(crate) struct Outside<'a> {
 }
 
 impl Outside<'_> {
-    /// The lines in which the surface meets a plane, given by a point [m] and its unit normal.
+    /// The lines in which the surface meets a plane, given by a point [m] and its unit normal; those that close on themselves
+    /// are left out, as faces and sides end at an edge.
     pub(crate) fn contour(&self, point: Vec3, normal: Vec3) -> Vec<Vec<FoodVertex>> {
         let height = |i: u32| (Vec3::from(self.vertices[i as usize].rest) - point).dot(normal);
         let mut beside: BTreeMap<[u32; 2], Vec<[u32; 2]>> = BTreeMap::new();
@@ -30,7 +31,6 @@ impl Outside<'_> {
             self.vertices[a as usize].lerp(&self.vertices[b as usize], from / (from - to))
         };
         let mut lines = Vec::new();
-        // Lines that end somewhere begin at an end; then what is left are rings.
         let ends: Vec<[u32; 2]> = beside.iter().filter(|(_, next)| next.len() == 1).map(|(side, _)| *side).collect();
         for start in ends {
             let line = walk(&mut beside, start);
@@ -51,4 +51,27 @@ fn walk(beside: &mut BTreeMap<[u32; 2], Vec<[u32; 2]>>, start: [u32; 2]) -> Vec<
         here = next.into_iter().find(|side| beside.contains_key(side));
     }
     line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_contour_of_a_wall_runs_from_edge_to_edge_through_every_triangle() {
+        let vertex =
+            |x: f32, y: f32| FoodVertex { rest: [x, y, 0.0], browning: 0.5 + 0.5 * x, ..FoodVertex::default() };
+        // Three quads side by side, of which the plane x = 0 halves each.
+        let vertices: Vec<FoodVertex> = (0..4).flat_map(|row| [-1.0, 1.0].map(|x| vertex(x, row as f32))).collect();
+        let quad = |row: u32| [[2 * row, 2 * row + 1, 2 * row + 3], [2 * row, 2 * row + 3, 2 * row + 2]];
+        let triangles: Vec<[u32; 3]> = (0..3).flat_map(quad).collect();
+        let outside = Outside { triangles: &triangles, vertices: &vertices };
+        let lines = outside.contour(Vec3::ZERO, Vec3::X);
+        assert_eq!(lines.len(), 1);
+        assert_eq!(lines[0].len(), 7, "four edges and three diagonals");
+        assert!(lines[0].iter().all(|v| v.rest[0].abs() < 1e-6 && (v.browning - 0.5).abs() < 1e-6));
+        let apart = lines[0].windows(2).map(|pair| (pair[1].rest[1] - pair[0].rest[1]).abs());
+        assert!(apart.into_iter().all(|step| (step - 0.5).abs() < 1e-6));
+        assert!(outside.contour(Vec3::X * 2.0, Vec3::X).is_empty());
+    }
 }

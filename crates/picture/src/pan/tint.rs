@@ -60,8 +60,8 @@ fn texel(share: [f64; 3]) -> [u8; 4] {
     [r, g, b, 255]
 }
 
-/// Texels farther out than this share of the inside are read there [-] (chosen: half a texel within the mesh's rim, as a
-/// search for the nearest node takes long).
+/// Texels farther out than this share of the mesh's reach are read there [-] (chosen: half a texel within its rim, as a search
+/// for the nearest node takes long).
 const OUTMOST: f64 = 0.985;
 
 /// Where each texel lies on the pan's mesh; of those beyond its rim the place on the way to the middle.
@@ -70,9 +70,10 @@ fn places(model: &PanModel) -> Vec<Located> {
     let floor = model.description.floor.radius_mm;
     let radius = 1e-3 * (floor + wall.height_mm.hypot(wall.rim_radius_mm - floor));
     let at = |k: u32| (2.0 * (f64::from(k) + 0.5) / f64::from(FILM_SIZE) - 1.0) * radius;
+    let reach = model.section.points.iter().map(|p| p[0].hypot(p[1])).fold(0.0, f64::max);
     let of = |k: u32| {
         let [x, y] = [at(k % FILM_SIZE), at(k / FILM_SIZE)];
-        let inwards = (OUTMOST * radius / x.hypot(y)).min(1.0);
+        let inwards = (OUTMOST * reach / x.hypot(y)).min(1.0);
         model.locator.locate_or_nearest(&model.section, [inwards * x, inwards * y])
     };
     (0..FILM_SIZE * FILM_SIZE).map(of).collect()
