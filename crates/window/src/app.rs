@@ -2,6 +2,7 @@
 
 mod frame;
 mod keys;
+mod open_session;
 mod pace;
 
 use std::sync::Arc;

@@ -8,8 +8,8 @@ use crate::app::SauteApp;
 
 /// Recipes that are remembered at most (chosen: what is seen without scrolling).
 const REMEMBERED: usize = 5;
-/// The largest recipe that is read [bytes] (chosen: far above any).
-const LARGEST: u64 = 1 << 20;
+/// The largest file that is read [bytes] (chosen: far above any recipe, and an hour of a session with the pan in the hand).
+const LARGEST: u64 = 16 << 20;
 
 /// A dialog that is open in a thread of its own; the window goes on.
 #[derive(Debug, Default)]
@@ -25,7 +25,7 @@ impl SauteApp {
         let (ctx, title) = (ctx.clone(), self.settings.language.text("pantry.choose_file").to_owned());
         let folder = self.settings.recent.first().and_then(|file| file.parent()).map(Path::to_owned);
         let begun = std::thread::Builder::new().name("file-dialog".to_owned()).spawn(move || {
-            let dialog = rfd::FileDialog::new().set_title(title).add_filter("TOML", &["toml"]);
+            let dialog = rfd::FileDialog::new().set_title(title).add_filter("TOML, SAUTE", &["toml", "saute"]);
             let dialog = match folder {
                 Some(folder) => dialog.set_directory(folder),
                 None => dialog,
@@ -87,7 +87,7 @@ impl SauteApp {
 fn read(path: &Path) -> Result<Vec<u8>, String> {
     let size = std::fs::metadata(path).map_err(|e| e.to_string())?.len();
     if size > LARGEST {
-        return Err(format!("it has {size} bytes; a recipe has at most {LARGEST}"));
+        return Err(format!("it has {size} bytes; a file has at most {LARGEST}"));
     }
     std::fs::read(path).map_err(|e| e.to_string())
 }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use egui::Ui;
+use saute_recipe::session::session_file::is_session;
 use web_time::{Duration, Instant};
 
 use super::SauteApp;
@@ -91,8 +92,12 @@ impl SauteApp {
         }
     }
 
-    /// Opens what was read of a recipe's file, or says why it cannot.
+    /// Opens what was read of a recipe's or a session's file, or says why it cannot.
     pub(crate) fn take_file(&mut self, name: &str, read: Result<Vec<u8>, String>) {
+        let read = match read {
+            Ok(bytes) if is_session(&bytes) => return self.open_session(name, &bytes),
+            read => read,
+        };
         match read.map(String::from_utf8) {
             Ok(Ok(text)) => self.open_recipe(&text, name),
             Ok(Err(_)) => self.notice.say(self.settings.language.fill("notice.not_text", &[("file", &name)])),

@@ -2,14 +2,16 @@
 
 use std::sync::Arc;
 
+use web_time::{Duration, Instant};
+
 use saute_recipe::Recording;
 use saute_recipe::session::ReplayError;
 
 use super::Session;
 
 impl Session {
-    /// Goes to the end of a recorded session, paused; its recipe goes on if nobody had taken over. Curves, marks and keyframes come
-    /// back on the way.
+    /// Begins to play a recorded session again, up to its end, in slices of a frame's time ([`Self::travel_on`]). Curves, marks and
+    /// keyframes come back on the way; time then stands still. Its recipe goes on if nobody had taken over.
     ///
     /// # Errors
     ///
@@ -18,11 +20,23 @@ impl Session {
         let recipe = recording.beginning().recipe(&self.library)?;
         self.begin_with(Arc::new(recipe), recording.beginning().plays)?;
         self.lay_ahead(recording);
+        self.set_paused(true);
+        self.timeline.catches_up = self.lies_ahead();
+        Ok(())
+    }
+
+    /// Plays on for no longer than `budget`; at least a tick.
+    pub(super) fn catch_up(&mut self, budget: Duration) {
+        let begun = Instant::now();
+        self.timeline.catches_up = false;
         while self.lies_ahead() {
             // A step that failed has ended the recipe then, too.
             let _ = self.tick();
+            if begun.elapsed() >= budget {
+                break;
+            }
         }
         self.set_paused(true);
-        Ok(())
+        self.timeline.catches_up = self.lies_ahead();
     }
 }

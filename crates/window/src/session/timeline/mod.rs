@@ -43,6 +43,8 @@ pub(super) struct Timeline {
     models: Models,
     /// Computing time since the last keyframe.
     computed: Duration,
+    /// True while a recorded session is played up to its end.
+    pub(super) catches_up: bool,
     /// True while a person holds the strip: time stands still.
     pub(super) is_held: bool,
 }
@@ -73,6 +75,7 @@ impl Timeline {
     pub(super) fn begin(&mut self) {
         self.course = Course::default();
         self.travel = None;
+        self.catches_up = false;
     }
 
     /// Models that are known.

@@ -20,7 +20,7 @@ pub(super) struct Travel {
 impl Session {
     /// True until the instant to which time was turned is reached; a near one is shown meanwhile.
     pub fn is_travelling(&self) -> bool {
-        self.timeline.travel.is_some()
+        self.timeline.travel.is_some() || self.timeline.catches_up
     }
 
     /// The instant that is shown or on its way.
@@ -41,6 +41,9 @@ impl Session {
 
     /// Turns time to an instant of the cook [s]; what lay ahead happens again when time goes on.
     pub fn scrub(&mut self, time_s: f64) {
+        if self.timeline.catches_up {
+            return;
+        }
         let longest = self.longest();
         let tick = (time_s.max(0.0) / saute_kitchen::TICK_S).round() as u64;
         let end = longest.moment();
@@ -97,6 +100,9 @@ impl Session {
 
     /// Travels on for no longer than `budget`; at least by a frame.
     pub fn travel_on(&mut self, budget: Duration) {
+        if self.timeline.catches_up {
+            return self.catch_up(budget);
+        }
         let begun = Instant::now();
         let Some(mut travel) = self.timeline.travel.take() else { return };
         let Some(ahead) = &mut self.timeline.course.ahead else { return };

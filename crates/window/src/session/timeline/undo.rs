@@ -15,6 +15,9 @@ pub enum Undone {
 impl Session {
     /// Goes back to before the last act, and stops there; returns what was undone.
     pub fn undo(&mut self) -> Option<Undone> {
+        if self.timeline.catches_up {
+            self.finish_travel();
+        }
         let here = self.here();
         let (longest, given) = (self.longest(), self.timeline.course.given);
         let Some(first) = last_act(longest.entries(), given, here.entries) else {

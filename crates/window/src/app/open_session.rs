@@ -1,0 +1,27 @@
+//! Sessions from files.
+
+use std::fmt::Display;
+
+use saute_recipe::Recording;
+use saute_recipe::session::Opened;
+
+use super::SauteApp;
+
+impl SauteApp {
+    /// Opens a session's file: it is played again up to its end. Says what of it was lost, or why it cannot be opened.
+    pub(crate) fn open_session(&mut self, name: &str, bytes: &[u8]) {
+        let l = self.settings.language;
+        let Opened { recording, damage } = match Recording::from_file(bytes) {
+            Ok(opened) => opened,
+            Err(error) => return self.say_trouble(&error),
+        };
+        if let Err(error) = self.session.resume(recording) {
+            return self.say_trouble(&error);
+        }
+        let file: (&str, &dyn Display) = ("file", &name);
+        self.notice.say(match damage {
+            Some(_) => l.fill("notice.session_damaged", &[file]),
+            None => l.fill("notice.session_opened", &[file]),
+        });
+    }
+}
