@@ -48,10 +48,13 @@ fn fried(size: egui::Vec2) -> Harness<'static, SauteApp> {
     harness
 }
 
+/// Room for a time at either end of the strip.
+const END: f32 = 40.0;
+
 /// A place on the strip by a share of its length.
 fn on_strip(harness: &Harness<'static, SauteApp>, share: f32) -> Pos2 {
     let rect = harness.get_by_role_and_label(Role::Slider, "Time of the cook").rect();
-    pos2(rect.left() + 7.0 + share * (rect.width() - 14.0), rect.center().y)
+    pos2(rect.left() + END + share * (rect.width() - 2.0 * END), rect.center().y)
 }
 
 /// Share of the strip for a time, with five minutes in all.

@@ -16,7 +16,7 @@ const DESK: f32 = 36.0;
 const DESK_PADDING: f32 = 8.0;
 
 /// Size of the strip of time [points].
-const STRIP: egui::Vec2 = egui::vec2(430.0, 18.0);
+const STRIP: egui::Vec2 = egui::vec2(470.0, 18.0);
 
 /// Shows the controls: in two rows over a line of words, or wrapped where it is narrow.
 pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {

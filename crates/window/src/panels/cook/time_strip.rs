@@ -19,6 +19,9 @@ const NEAR: f32 = 6.0;
 const LINE: f32 = 4.0;
 const MARK: f32 = 3.5;
 const HANDLE: f32 = 7.0;
+/// Room for a time at either end of the strip [points], and its size.
+const END: f32 = 40.0;
+const END_SIZE: f32 = 12.0;
 
 /// Shows the strip with a size.
 pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, size: egui::Vec2) {
@@ -64,6 +67,7 @@ pub fn branches(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         return;
     }
     let text = egui::RichText::new(l.fill("strip.ways", &[("count", &names.len())])).size(13.0);
+    ui.spacing_mut().button_padding = vec2(7.0, 0.0);
     let shown = ui.menu_button(text, |ui| {
         ui.label(egui::RichText::new(l.text("strip.ways_title")).size(13.0).color(theme::of(ui).quiet));
         for (place, name) in names.iter().enumerate() {
@@ -104,7 +108,7 @@ impl<'a> Strip<'a> {
     }
 
     fn ends(&self) -> [f32; 2] {
-        [self.rect.left() + HANDLE, self.rect.right() - HANDLE]
+        [self.rect.left() + END, self.rect.right() - END]
     }
 
     fn at(&self, time_s: f64) -> Pos2 {
@@ -168,6 +172,11 @@ impl<'a> Strip<'a> {
             let ends = [self.at(from), self.at(to)];
             painter.line_segment(ends, Stroke::new(LINE, colour));
         };
+        for (at, time_s) in [(self.rect.left_center(), 0.0), (self.rect.right_center(), self.span_s)] {
+            let text = painter.layout_no_wrap(clock(time_s), FontId::proportional(END_SIZE), palette.quiet);
+            let left = if time_s > 0.0 { at.x - text.size().x } else { at.x };
+            painter.galley(pos2(left, at.y - 0.5 * text.size().y), text, palette.quiet);
+        }
         line(0.0, self.span_s, palette.raised);
         line(0.0, self.end_s, palette.pressed);
         line(0.0, self.shown_s, palette.accent);

@@ -154,6 +154,8 @@ impl Session {
             false => (None, left.then_some(replay.runner)),
         };
         self.listen();
+        // What was heard on the way is recorded already.
+        drop(self.kitchen.take_carried_out());
         self.start_afresh();
         self.keep_keyframe();
     }
