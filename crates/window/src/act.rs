@@ -92,6 +92,8 @@ pub enum Act {
     Pieces,
     /// Start over.
     Restart,
+    /// Goes on with the cook of the last time, or leaves it.
+    GoOn(bool),
     /// Back to before the last act.
     Undo,
     /// Forward to where the last undo began.

@@ -112,6 +112,9 @@ pub struct SauteApp {
     /// The file dialog while it is open.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) dialog: crate::files::Dialog,
+    /// The file of the cook that goes on.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) autosave: crate::autosave::Autosave,
     /// What the page hands in.
     #[cfg(target_arch = "wasm32")]
     pub(crate) inbox: crate::browser::Inbox,
@@ -134,12 +137,18 @@ impl SauteApp {
         let stored = cc.storage.map(|s| s.get_string(SETTINGS_KEY).unwrap_or_else(|| FIRST_START.to_owned()));
         #[cfg(not(target_arch = "wasm32"))]
         let hands = start.hands.clone();
+        // A recipe or a session that is named is what the person wants.
+        #[cfg(not(target_arch = "wasm32"))]
+        let keeps = stored.is_some() && start.recipe.is_none() && start.recorded.is_none();
         let mut app = Self::start(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), stored, start)?;
         app.pad = Pad::connected();
         #[cfg(not(target_arch = "wasm32"))]
         {
             app.session.hands.folder = eframe::storage_dir("saute").map(|folder| folder.join("calibrations"));
             app.begin_hands(hands);
+            if let Some(folder) = eframe::storage_dir("saute").filter(|_| keeps) {
+                app.keep_cook_in(&folder.join("cook.saute"));
+            }
         }
         Ok(app)
     }
@@ -213,6 +222,8 @@ impl SauteApp {
             mirror: MirrorView::default(),
             #[cfg(not(target_arch = "wasm32"))]
             dialog: crate::files::Dialog::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            autosave: Default::default(),
             #[cfg(target_arch = "wasm32")]
             inbox: crate::browser::Inbox::default(),
         };
@@ -309,7 +320,15 @@ impl SauteApp {
 
     /// Returns true if a card covers the scene; time then waits.
     pub(crate) fn card_is_open(&self) -> bool {
-        self.help || self.messages || self.settings_open || self.first_steps
+        self.help || self.messages || self.settings_open || self.first_steps || self.offered_s().is_some()
+    }
+
+    /// How far the cook came with which the window offers to go on [s].
+    pub(crate) fn offered_s(&self) -> Option<f64> {
+        #[cfg(target_arch = "wasm32")]
+        return None;
+        #[cfg(not(target_arch = "wasm32"))]
+        self.autosave.offered.as_ref().map(|recording| recording.moment().time_s())
     }
 
     /// Says a text that leaves nothing open.

@@ -56,6 +56,10 @@ impl SauteApp {
             Act::ShowFile(path) => self.show_file(&path),
             Act::Pieces => self.open_left(false, !self.settings.pieces_open),
             Act::Restart => self.restart(),
+            #[cfg(not(target_arch = "wasm32"))]
+            Act::GoOn(goes_on) => self.decide_on_offer(goes_on),
+            #[cfg(target_arch = "wasm32")]
+            Act::GoOn(_) => {}
             Act::Undo => self.undo(),
             Act::Redo => self.redo(),
             Act::Scrub(time_s) => self.scrub(time_s),

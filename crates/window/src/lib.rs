@@ -17,6 +17,8 @@ pub mod act;
 pub mod app;
 mod apply;
 #[cfg(not(target_arch = "wasm32"))]
+mod autosave;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod bench_frame;
 #[cfg(target_arch = "wasm32")]
 pub mod browser;

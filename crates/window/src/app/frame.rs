@@ -35,6 +35,8 @@ impl SauteApp {
         #[cfg(target_arch = "wasm32")]
         self.take_inbox(&ctx);
         self.let_time_pass(&ctx);
+        #[cfg(not(target_arch = "wasm32"))]
+        self.keep_cook();
         self.show(ui);
         self.show_mirror(&ctx);
     }
@@ -74,6 +76,7 @@ impl SauteApp {
             messages: self.messages,
             said: &self.notice,
             settings_open: self.settings_open,
+            unfinished_s: self.offered_s(),
             first_steps: self.first_steps,
             japanese_font: self.japanese_font,
             quality,

@@ -24,7 +24,7 @@ use egui::{Rect, ScrollArea, Ui, UiBuilder};
 
 use crate::act::Acts;
 use crate::paint::ground::GroundCallback;
-use crate::panels::cards::{first_steps, help, messages};
+use crate::panels::cards::{first_steps, help, messages, unfinished};
 use crate::panels::cook::{hob_bar, pour, time_strip};
 use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::layout::{GAP, Layout};
@@ -35,7 +35,7 @@ const MARGIN: i8 = 6;
 const WIDE_MARGIN: i8 = 12;
 
 /// Height of the strip of time in the drawer [points].
-const STRIP_HEIGHT: f32 = 36.0;
+const STRIP_HEIGHT: f32 = 28.0;
 
 /// Which part of the drawer is open on a narrow window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -75,7 +75,9 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
     alarm::show(state, ui, acts, whole);
     #[cfg(not(target_arch = "wasm32"))]
     crate::hand::show(state, ui, acts, layout);
-    if state.help {
+    if let Some(time_s) = state.unfinished_s {
+        unfinished::show(state, time_s, ui, acts, whole);
+    } else if state.help {
         help::show(state, memory, ui, acts, whole);
     } else if state.messages {
         messages::show(state, ui, acts, whole);
@@ -144,7 +146,6 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
         let width = ui.available_width();
         time_strip::show(state, ui, acts, egui::vec2(width, STRIP_HEIGHT));
     });
-    ui.separator();
     scrolled(ui, |ui| match memory.drawer {
         Drawer::Cook => hob_bar::show(state, ui, acts, true),
         Drawer::Inside => inside::show(state, &mut memory.inside, ui, acts),

@@ -45,6 +45,8 @@ pub struct WindowState<'a> {
     pub said: &'a Notice,
     /// True while the card of the settings is open.
     pub settings_open: bool,
+    /// How far a cook came with which the window offers to go on [s].
+    pub unfinished_s: Option<f64>,
     /// True while the card of the first steps is open.
     pub first_steps: bool,
     /// True if the system has a font with kana and kanji.

@@ -112,7 +112,7 @@ impl Layout {
 
     /// The drawer at the bottom.
     fn below(whole: Rect, inner: Rect) -> Self {
-        let split = whole.top() + (0.48 * whole.height()).max(240.0);
+        let split = whole.top() + (0.465 * whole.height()).max(240.0);
         let top = Rect::from_min_max(inner.min, pos2(inner.right(), inner.top() + NARROW_TOP_HEIGHT));
         let bottom = Rect::from_min_max(pos2(inner.left(), split), inner.max);
         let free = Rect::from_min_max(pos2(whole.left(), top.bottom()), pos2(whole.right(), split));

@@ -156,7 +156,7 @@ fn the_strip_is_at_hand_on_a_phone_and_on_paper() {
     harness.state_mut().session_mut().finish_travel();
     assert!((time_s(&harness) - 100.0).abs() < 1.0);
     let rect = harness.get_by_role_and_label(Role::Slider, "Time of the cook").rect();
-    assert!(rect.width() > 150.0 && rect.height() >= 30.0, "{rect}");
+    assert!(rect.width() > 150.0 && rect.height() >= 28.0, "{rect}");
     let set = saute_window::act::Setting::Theme(Theme::Light);
     let ctx = harness.ctx.clone();
     harness.state_mut().act(saute_window::act::Act::Set(set), &ctx);
@@ -165,4 +165,31 @@ fn the_strip_is_at_hand_on_a_phone_and_on_paper() {
     harness.set_size(WIDE);
     steps(&mut harness, 4);
     save(&mut harness, "time-light");
+}
+
+#[test]
+fn a_window_that_was_killed_goes_on_with_its_cook() {
+    let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("cook-{}.saute", std::process::id()));
+    let mut harness = fried(WIDE);
+    harness.state_mut().keep_cook_in(&file);
+    steps(&mut harness, 3);
+    undo(&mut harness);
+    press(&mut harness, Key::Q);
+    cook(&mut harness, 20.0);
+    std::thread::sleep(std::time::Duration::from_millis(600));
+    steps(&mut harness, 2);
+    let end = hash(&harness);
+    drop(harness);
+    let mut harness = window(WIDE);
+    harness.state_mut().keep_cook_in(&file);
+    steps(&mut harness, 3);
+    assert!(harness.query_by_label("It stopped at 2:00. Everything is as it was.").is_some());
+    save(&mut harness, "time-unfinished");
+    harness.get_by_label("Go on with it").click();
+    steps(&mut harness, 4);
+    harness.state_mut().session_mut().finish_travel();
+    steps(&mut harness, 2);
+    assert_eq!(hash(&harness), end);
+    assert_eq!(harness.state().session().marks.len(), 4);
+    std::fs::remove_file(&file).expect("removes");
 }

@@ -3,3 +3,4 @@
 pub mod first_steps;
 pub mod help;
 pub mod messages;
+pub mod unfinished;

@@ -95,6 +95,7 @@ impl Session {
         self.show_traces(line.traces.until(to));
         self.timeline.course.keyframes = line.keyframes.until(nearest.moment);
         self.timeline.course.ahead = Some(super::Ahead { line, is_followed: true });
+        self.timeline.number += 1;
         self.take_kitchen(replay);
         self.travel_to(to, true);
         self.rejoin();

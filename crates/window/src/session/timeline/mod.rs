@@ -43,6 +43,8 @@ pub(super) struct Timeline {
     models: Models,
     /// Computing time since the last keyframe.
     computed: Duration,
+    /// Number of the line of time that is shown, for the file that it is kept in.
+    number: u64,
     /// True while a recorded session is played up to its end.
     pub(super) catches_up: bool,
     /// True while a person holds the strip: time stands still.
@@ -74,6 +76,7 @@ impl Timeline {
     /// A cook begins.
     pub(super) fn begin(&mut self) {
         self.course = Course::default();
+        self.number += 1;
         self.travel = None;
         self.catches_up = false;
     }
@@ -118,6 +121,14 @@ impl Session {
     pub fn keyframe_count(&self) -> usize {
         let course = &self.timeline.course;
         course.ahead.as_ref().map_or(&course.keyframes, |ahead| &ahead.line.keyframes).len()
+    }
+
+    /// The line of time that is shown, with its number, for a file that follows it; none while something lies ahead, or nothing was
+    /// done.
+    pub fn unsaved(&mut self) -> Option<(u64, &mut saute_recipe::Recording)> {
+        let is_at_end = !self.lies_ahead() && !self.is_travelling();
+        let has_begun = !self.recording.entries().is_empty() || self.plays;
+        (is_at_end && has_begun).then_some((self.timeline.number, &mut self.recording))
     }
 
     /// Keeps the instant that is shown as a keyframe.

@@ -76,6 +76,7 @@ impl Session {
 
     fn bring(&mut self, by: PutBy) {
         self.timeline.course = by.course;
+        self.timeline.number += 1;
         (self.recipe, self.plays, self.choice) = (by.recipe, by.plays, by.choice);
         self.start_mass_g = by.start_mass_g;
         let moment = by.recording.moment();

@@ -1,0 +1,29 @@
+//! The card that offers to go on with a cook.
+
+use egui::{Id, Modal, Rect, Ui};
+
+use crate::act::{Act, Acts};
+use crate::panels::inside::clock;
+use crate::panels::window_state::WindowState;
+use crate::ui::theme;
+
+/// Width of the card at most [points].
+const WIDTH: f32 = 380.0;
+
+/// Shows the card over everything; only its buttons close it.
+pub fn show(state: &WindowState, time_s: f64, ui: &Ui, acts: &mut Acts, whole: Rect) {
+    let (l, palette) = (state.settings.language, theme::of(ui));
+    Modal::new(Id::unique("unfinished")).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
+        ui.set_width((whole.width() - 56.0).min(WIDTH));
+        ui.heading(l.text("unfinished.title"));
+        ui.label(l.fill("unfinished.how", &[("time", &clock(time_s))]));
+        ui.add_space(6.0);
+        ui.horizontal(|ui| {
+            for (key, first) in [("unfinished.go_on", true), ("unfinished.leave", false)] {
+                if ui.add(palette.button(l.text(key), first)).clicked() {
+                    acts.push(Act::GoOn(first));
+                }
+            }
+        });
+    });
+}
