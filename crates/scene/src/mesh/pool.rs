@@ -101,12 +101,17 @@ mod tests {
     fn a_pool_is_as_large_as_its_juice_and_dry_food_has_none() {
         let mut scene = steak_in_pan(Doneness::Browned);
         assert!(pools(&scene).is_empty());
-        let under = 0.36 * UNDER;
-        for juice_g in [0.5_f32, 1.0, 2.0, 4.0] {
+        let mut of = |juice_g: f32| {
             scene.foods[0].juice_g = juice_g;
-            let sprites = pools(&scene);
-            let wanted = 1e-6 * juice_g / DEPTH;
-            assert!((0.8..1.5).contains(&((area(&sprites) - under) / wanted)), "{juice_g} {}", area(&sprites) / wanted);
+            pools(&scene)
+        };
+        // The part under the food is the same for any amount.
+        let least = 1.2 * LEAST;
+        let dry = area(&of(least));
+        for juice_g in [0.5, 1.0, 2.0, 4.0] {
+            let sprites = of(juice_g);
+            let grown = (area(&sprites) - dry) / (1e-6 * (juice_g - least) / DEPTH);
+            assert!((0.8..1.5).contains(&grown), "{juice_g} g: {grown}");
             assert!(sprites.len() <= POOL_VERTICES_MAX);
         }
     }
