@@ -75,7 +75,7 @@ impl Ring<'_> {
     /// Adds the outer side.
     fn side(&mut self) {
         let last = self.mesh.levels.len() - 1;
-        let seen = |level: &usize| level.min(&(last - level)) < &SIDE_DENSE || level % SIDE_APART == 0;
+        let seen = |level: &usize| level.min(&(last - level)) < &SIDE_DENSE || level.is_multiple_of(SIDE_APART);
         for level in (0..=last).filter(seen) {
             let row = self.row(|ring, point| ring.on_side(point, level));
             if level > 0 {
