@@ -1,6 +1,6 @@
 //! The handle on time: undo, redo, scrubbing and branches of a cook.
 //!
-//! A session's recording ends at the instant that is shown. After a step back, [`Ahead`] holds the line that goes on from there: the
+//! A session's recording ends at the instant that is shown. After a step back, `Ahead` holds the line that goes on from there: the
 //! same commands up to that instant, and those that followed. Time that goes on after scrubbing follows it, command by command, until
 //! its end is reached; a command of a person departs from it, and what lay ahead becomes a branch. After an undo, what was undone is not
 //! followed: it becomes a branch as soon as time goes on.
