@@ -1,10 +1,14 @@
 //! Promise: a kitchen that was restored from bytes goes on bit by bit as the one that never stopped, at any instant of a dish of
 //! 23 pieces; bytes of something else are refused with a reason.
 
+mod draws;
+
 use saute_kitchen::bytes::{BytesError, Models};
 use saute_kitchen::dynamics::{Pose, Tool};
 use saute_kitchen::{Command, Kitchen, Library, OwnFiles, Place, RestOn, kelvin};
 use saute_recipe::Recipe;
+
+use draws::{Draws, count, seed};
 
 /// The dish: a steak, eleven carrot coins and eleven leek rings.
 const DISH: &str = "steak-carrots-leeks";
@@ -12,40 +16,6 @@ const DISH: &str = "steak-carrots-leeks";
 const INSTANTS_OF_A_DISH: u64 = DEEDS;
 /// Kinds of deeds [-].
 const DEEDS: u64 = 20;
-
-/// Number of random instants: SAUTE_RANDOM_INSTANTS, or as many as `./test.sh` takes (scripts/campaign_share.sh).
-fn random_instants() -> u64 {
-    std::env::var("SAUTE_RANDOM_INSTANTS").map_or(20, |count| count.parse().expect("a number"))
-}
-
-/// Seed of all draws: that of proptest, so that `./test.sh` draws the same and the campaign anew.
-fn seed() -> u64 {
-    use std::hash::{BuildHasher, RandomState};
-    let given = std::env::var("PROPTEST_RNG_SEED").ok().map(|seed| seed.parse().expect("a number"));
-    let seed = given.unwrap_or_else(|| RandomState::new().hash_one(0));
-    println!("PROPTEST_RNG_SEED={seed}");
-    seed
-}
-
-/// SplitMix64.
-struct Draws(u64);
-
-impl Draws {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, count: u64) -> u64 {
-        self.next() % count
-    }
-
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.next() >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
 
 fn dish(library: &Library) -> Kitchen {
     let recipe = Recipe::parse(&library.recipes[DISH], DISH, library).expect("parses");
@@ -126,7 +96,7 @@ fn a_kitchen_restored_at_any_instant_goes_on_as_the_one_that_never_stopped() {
     let mut kitchen = begun.clone();
     let mut models = Models::of(&begun);
     let mut seen = [0u32; 5];
-    for instant in 0..random_instants() {
+    for instant in 0..count("SAUTE_RANDOM_INSTANTS", 20) {
         if instant % INSTANTS_OF_A_DISH == 0 {
             kitchen = begun.clone();
         }
@@ -166,8 +136,8 @@ fn a_kitchen_restored_at_any_instant_goes_on_as_the_one_that_never_stopped() {
             );
         }
     }
-    println!("of {} instants: gesture, tool, lid, cloth, halved at {seen:?}", random_instants());
-    assert!(random_instants() < DEEDS || seen.iter().all(|seen| *seen > 0), "{seen:?}");
+    println!("of {} instants: gesture, tool, lid, cloth, halved at {seen:?}", count("SAUTE_RANDOM_INSTANTS", 20));
+    assert!(count("SAUTE_RANDOM_INSTANTS", 20) < DEEDS || seen.iter().all(|seen| *seen > 0), "{seen:?}");
 }
 
 /// Without the models of the kitchen that was stored they are built again, the halved ones too.

@@ -1,6 +1,9 @@
 //! Promise: a session is played again bit by bit: recipes, hands that take over, devices, foods that come and go, and undone deeds;
 //! through its file too, however often that was appended to.
 
+#[path = "../../kitchen/tests/draws/mod.rs"]
+mod draws;
+
 use std::sync::Arc;
 
 use saute_kitchen::dynamics::{Pose, Tool};
@@ -8,6 +11,8 @@ use saute_kitchen::food::{MeshSize, OutlineKind, Rules};
 use saute_kitchen::{Command, Library, PieceOrder, RestOn, kelvin};
 use saute_recipe::session::{SetOutFood, set_out};
 use saute_recipe::{Cook, Recipe, Recording, Replay};
+
+use draws::{Draws, count, seed};
 
 /// A recipe that plays while a hand may take over.
 const RECIPE: &str = r#"
@@ -43,36 +48,6 @@ flip = "shrimp"
 after_s = 10
 end = true
 "#;
-
-/// Number of random sessions: SAUTE_RANDOM_SESSIONS, or as many as `./test.sh` takes (scripts/campaign_share.sh).
-fn random_sessions() -> u64 {
-    std::env::var("SAUTE_RANDOM_SESSIONS").map_or(10, |count| count.parse().expect("a number"))
-}
-
-/// Seed of all draws: that of proptest, so that `./test.sh` draws the same and the campaign anew.
-fn seed() -> u64 {
-    use std::hash::{BuildHasher, RandomState};
-    let given = std::env::var("PROPTEST_RNG_SEED").ok().map(|seed| seed.parse().expect("a number"));
-    let seed = given.unwrap_or_else(|| RandomState::new().hash_one(0));
-    println!("PROPTEST_RNG_SEED={seed}");
-    seed
-}
-
-/// SplitMix64.
-struct Draws(u64);
-
-impl Draws {
-    fn below(&mut self, count: u64) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        (z ^ (z >> 31)) % count
-    }
-
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.below(1 << 40) as f64 / (1_u64 << 40) as f64
-    }
-}
 
 fn pose(draws: &mut Draws) -> Pose {
     let mut pose = Pose::at(draws.within(-0.06, 0.06), draws.within(-0.06, 0.06), draws.within(0.0, 0.08));
@@ -226,7 +201,7 @@ fn random_sessions_are_played_again_bit_by_bit_from_their_files() {
     let library = Library::embedded().expect("embedded data");
     let mut draws = Draws(seed());
     let (mut entries, mut over) = (0, 0);
-    for session in 0..random_sessions() {
+    for session in 0..count("SAUTE_RANDOM_SESSIONS", 10) {
         let live = random_session(&library, &mut draws);
         let opened = Recording::from_file(&live.file).expect("opens");
         assert_eq!(opened.damage, None);
@@ -244,7 +219,7 @@ fn random_sessions_are_played_again_bit_by_bit_from_their_files() {
         entries += read.entries().len();
         over += u32::from(read.is_taken_over());
     }
-    println!("{} sessions with {entries} entries, {over} taken over", random_sessions());
+    println!("{} sessions with {entries} entries, {over} taken over", count("SAUTE_RANDOM_SESSIONS", 10));
 }
 
 #[test]
