@@ -1,6 +1,7 @@
 //! A GPU without a window: for stills and measurements.
 
 use saute_kitchen::Kitchen;
+use saute_scene::input::SceneInput;
 use saute_scene::quality::Quality;
 use saute_scene::renderer::SceneRenderer;
 
@@ -58,7 +59,12 @@ async fn adapter(backends: wgpu::Backends) -> Result<wgpu::Adapter, wgpu::Reques
 /// Draws a kitchen once, with smooth edges.
 pub fn still(gpu: &Gpu, kitchen: &Kitchen, options: &StageOptions, size: [u32; 2]) -> Picture {
     let input = Stage::default().scene(kitchen, options, &Default::default());
+    picture(gpu, &input, size, Quality::Smooth)
+}
+
+/// Draws a scene once, with a renderer of its own: what an earlier picture left would show.
+pub(crate) fn picture(gpu: &Gpu, input: &SceneInput, size: [u32; 2], quality: Quality) -> Picture {
     let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
-    let rgba = renderer.render_to_image(&gpu.device, &gpu.queue, &input, size, Quality::Smooth);
+    let rgba = renderer.render_to_image(&gpu.device, &gpu.queue, input, size, quality);
     Picture { width: size[0] as usize, height: size[1] as usize, rgba }
 }

@@ -16,7 +16,7 @@ use crate::colour::map::TemperatureMap;
 use crate::cut::section::Picture;
 use crate::split::scenes;
 use crate::stage::{CUT_YAW, Stage, StageOptions};
-use crate::still::headless::{Gpu, GpuError};
+use crate::still::headless::{Gpu, GpuError, picture};
 use crate::view::View;
 use crate::waiting::FIRST_ON_BOARD;
 
@@ -200,26 +200,19 @@ pub fn shot_of(mut cook: Cook, at_s: f64, options: ShotOptions, size: [u32; 2]) 
     Ok(drawn(&gpu, &cook.kitchen, &options, size))
 }
 
-/// Draws a kitchen as the options ask, with a renderer of its own: what an earlier picture left would show.
+/// Draws a kitchen as the options ask.
 pub(crate) fn drawn(gpu: &Gpu, kitchen: &Kitchen, options: &ShotOptions, size: [u32; 2]) -> Picture {
-    let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
     let stage = options.stage(kitchen);
     let input = Stage::default().scene(kitchen, &stage, &Default::default());
     if options.split {
-        return pair(gpu, &mut renderer, input, size, options.quality);
+        return pair(gpu, input, size, options.quality);
     }
-    let rgba = renderer.render_to_image(&gpu.device, &gpu.queue, &input, size, options.quality);
-    Picture { width: size[0] as usize, height: size[1] as usize, rgba }
+    picture(gpu, &input, size, options.quality)
 }
 
 /// The look and the view of one instant side by side, each in half the width, with a dark line between.
-fn pair(
-    gpu: &Gpu,
-    renderer: &mut SceneRenderer,
-    input: SceneInput,
-    [width, height]: [u32; 2],
-    quality: Quality,
-) -> Picture {
+fn pair(gpu: &Gpu, input: SceneInput, [width, height]: [u32; 2], quality: Quality) -> Picture {
+    let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
     let half = [(width - LINE) / 2, height];
     let scenes = scenes(input, true);
     let halves = scenes.iter().map(|scene| renderer.render_to_image(&gpu.device, &gpu.queue, scene, half, quality));
