@@ -138,17 +138,10 @@ impl Playhead {
         match deed {
             Deed::TakeOver => self.plays = false,
             Deed::Resume => self.plays = true,
-            Deed::Command(command) => {
-                if let Err(refused) = stage.kitchen.apply(command) {
-                    self.depart(DepartureCause::Refused(refused));
-                }
-            }
-            Deed::Add(order) => {
-                if let Err(error) = stage.kitchen.add_with(stage.library, order, &mut self.models) {
-                    self.depart(DepartureCause::Setup(error));
-                }
-            }
-            Deed::Remove(food) => stage.kitchen.remove(food),
+            Deed::Command(_) | Deed::Add(_) | Deed::Remove(_) => {}
+        }
+        if let Err(cause) = deed.carry_out(stage.kitchen, stage.library, &mut self.models) {
+            self.depart(cause);
         }
     }
 

@@ -139,9 +139,7 @@ impl Session {
             return;
         }
         self.timeline.models.learn(&self.kitchen);
-        let plays = self.runner.is_some();
-        let runner = self.runner.as_ref().or(self.left.as_ref()).cloned();
-        let runner = runner.unwrap_or_else(|| saute_recipe::Runner::new(self.recipe.clone()));
+        let (runner, plays) = self.runner_here();
         self.timeline.course.keyframes.keep(&self.kitchen, &runner, plays, moment);
         keyframes::thin(&mut self.timeline);
     }

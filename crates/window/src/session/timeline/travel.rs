@@ -1,6 +1,6 @@
 //! Travel along what was done: to any instant, in slices of a frame's time.
 
-use saute_recipe::{Moment, Recording, Replay};
+use saute_recipe::{Moment, Recording, Replay, Runner};
 use web_time::{Duration, Instant};
 
 use super::line::Line;
@@ -92,10 +92,14 @@ impl Session {
     /// The shown instant, from which a recording can be played on.
     fn as_replay(&mut self) -> Replay {
         self.timeline.models.learn(&self.kitchen);
-        let plays = self.runner.is_some();
-        let runner = self.runner.as_ref().or(self.left.as_ref()).cloned();
-        let runner = runner.unwrap_or_else(|| saute_recipe::Runner::new(self.recipe.clone()));
+        let (runner, plays) = self.runner_here();
         Replay::at(self.kitchen.clone(), runner, plays, self.recording.moment()).sharing(&self.timeline.models)
+    }
+
+    /// The runner of the shown instant, also of a recipe that was left, and whether it plays.
+    pub(super) fn runner_here(&self) -> (Runner, bool) {
+        let runner = self.runner.as_ref().or(self.left.as_ref()).cloned();
+        (runner.unwrap_or_else(|| Runner::new(self.recipe.clone())), self.runner.is_some())
     }
 
     /// Travels on for no longer than `budget`; at least by a frame.
@@ -190,10 +194,9 @@ impl Session {
         match &entry.deed {
             Deed::TakeOver => self.leave_recipe(),
             Deed::Resume => self.runner = self.left.take(),
-            Deed::Command(command) => drop(self.kitchen.apply(command)),
-            Deed::Add(order) => drop(self.kitchen.add_with(&self.library, order, &mut self.timeline.models)),
-            Deed::Remove(food) => self.kitchen.remove(food),
+            Deed::Command(_) | Deed::Add(_) | Deed::Remove(_) => {}
         }
+        drop(entry.deed.carry_out(&mut self.kitchen, &self.library, &mut self.timeline.models));
         drop(self.kitchen.take_carried_out());
         self.recording.restore(entry.clone());
         if let Deed::Command(command) = &entry.deed {
