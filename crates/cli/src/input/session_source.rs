@@ -10,11 +10,11 @@ use saute_recipe::{Cook, Recipe, Recording};
 
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
-use crate::input::recipe_source;
+use crate::input::{recipe_source, text_file};
 use crate::output::stderr;
 
-/// Larger files are not read [bytes] (chosen: a day with a pan in the hand).
-const LARGEST: u64 = 512 << 20;
+/// Larger files are not read [MiB] (chosen: a day with a pan in the hand).
+const LARGEST_MIB: u64 = 512;
 
 /// A recipe, or a session that was recorded.
 #[derive(Debug)]
@@ -42,17 +42,7 @@ pub fn is_session(path: &Path) -> bool {
 
 /// Reads a session. A damaged end is said on stderr, and the rest is returned.
 pub fn load_session(path: &Path) -> Result<Recording, CliError> {
-    let place = path.display();
-    if path.is_dir() {
-        return Err(CliError::place(place, "is a folder, not a file", "name a .saute file in it"));
-    }
-    let mut bytes = Vec::new();
-    File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes)).map_err(|e| {
-        CliError::place(place, format!("cannot be read: {e}"), "check the path and the file's permissions")
-    })?;
-    if bytes.len() as u64 > LARGEST {
-        return Err(CliError::place(path.display(), "is larger than 512 MiB", "name a session file"));
-    }
+    let bytes = text_file::bytes(path, LARGEST_MIB, ".saute", "a session file")?;
     let opened = Recording::from_file(&bytes).map_err(|error| {
         let text = error.to_string();
         let (message, remedy) = text.split_once("; ").unwrap_or((&text, "name another file"));

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use crate::error::CliError;
 
-/// Larger files are not read [bytes] (chosen: the largest shipped file has 4 kB).
-const LARGEST: u64 = 4 << 20;
+/// Larger files are not read [MiB] (chosen: the largest shipped file has 4 kB).
+const LARGEST_MIB: u64 = 4;
 
 /// Reads a UTF-8 file that must be a regular one: a pipe or a device in a folder could block, or have no end.
 pub fn read_regular(path: &Path) -> Result<String, CliError> {
@@ -18,23 +18,26 @@ pub fn read_regular(path: &Path) -> Result<String, CliError> {
     read(path)
 }
 
+/// Reads a file of at most so many MiB, with its ending and what it holds for messages.
+pub fn bytes(path: &Path, largest_mib: u64, ending: &str, content: &str) -> Result<Vec<u8>, CliError> {
+    let refused = |message: String, remedy: String| CliError::place(path.display(), message, remedy);
+    if path.is_dir() {
+        return Err(refused("is a folder, not a file".into(), format!("name a {ending} file in it")));
+    }
+    let largest = largest_mib << 20;
+    let mut bytes = Vec::new();
+    File::open(path)
+        .and_then(|file| file.take(largest + 1).read_to_end(&mut bytes))
+        .map_err(|e| refused(format!("cannot be read: {e}"), "check the path and the file's permissions".into()))?;
+    if bytes.len() as u64 > largest {
+        return Err(refused(format!("is larger than {largest_mib} MiB"), format!("name {content}")));
+    }
+    Ok(bytes)
+}
+
 /// Reads a UTF-8 file.
 pub fn read(path: &Path) -> Result<String, CliError> {
-    let place = path.display();
-    if path.is_dir() {
-        return Err(CliError::place(place, "is a folder, not a file", "name a .toml file in it"));
-    }
-    let mut bytes = Vec::new();
-    File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes)).map_err(|e| {
-        CliError::place(place, format!("cannot be read: {e}"), "check the path and the file's permissions")
-    })?;
-    if bytes.len() as u64 > LARGEST {
-        return Err(CliError::place(
-            path.display(),
-            "is larger than 4 MiB",
-            "name a TOML file of the documented format",
-        ));
-    }
+    let bytes = bytes(path, LARGEST_MIB, ".toml", "a TOML file of the documented format")?;
     String::from_utf8(bytes).map_err(|e| not_text(path, &e))
 }
 

@@ -1,7 +1,6 @@
 //! `--record FILE.saute`: the session of a cook, written while it cooks.
 
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use saute_kitchen::{Kitchen, Library};
 use saute_recipe::{Recipe, Recording};
@@ -9,11 +8,15 @@ use saute_window::session_file::SessionFile;
 
 use crate::error::CliError;
 use crate::output::file_lock::FileLock;
+use crate::output::out_file::OutPlace;
+
+/// Example of the option's value, for messages.
+const EXAMPLE: &str = "FILE.saute";
 
 /// A place for a session that this program alone writes to.
 #[derive(Debug)]
 pub struct SessionOut {
-    path: PathBuf,
+    place: OutPlace,
     recording: Recording,
     file: SessionFile,
     _lock: FileLock,
@@ -22,22 +25,15 @@ pub struct SessionOut {
 impl SessionOut {
     /// Locks the place, and begins the session of a recipe in it. A file that is there is replaced.
     pub fn begin(path: &Path, recipe: &Recipe, library: &Library, kitchen: &Kitchen) -> Result<Self, CliError> {
-        let place = || format!("--record {}", path.display());
-        let wrong = |message: &str| CliError::place(place(), message, "write --record FILE.saute");
         if path.extension().is_none_or(|ending| ending != saute_recipe::session::session_file::ENDING) {
-            return Err(wrong("has the wrong ending"));
+            let place = format!("--record {}", path.display());
+            return Err(CliError::place(place, "has the wrong ending", format!("write --record {EXAMPLE}")));
         }
-        // A link is followed, so that the file behind it is replaced and not the link.
-        let path = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-        let Some(name) = path.file_name().filter(|_| !path.exists() || path.is_file()) else {
-            return Err(wrong("exists and is not a file"));
-        };
-        let lock = path.with_file_name(format!(".saute-unfinished-{}", name.display()));
-        let lock = FileLock::take(&lock).map_err(|e| error(&path, &e))?;
+        let (place, lock) = OutPlace::lock("--record", path, EXAMPLE)?;
         let mut recording = Recording::begin(recipe, true, library);
         recording.observe(kitchen);
-        let file = SessionFile::create(&path, &mut recording).map_err(|e| error(&path, &e))?;
-        Ok(Self { path, recording, file, _lock: lock })
+        let file = SessionFile::create(place.path(), &mut recording).map_err(|e| place.error(&e))?;
+        Ok(Self { place, recording, file, _lock: lock })
     }
 
     /// Notes that the steps that are due were carried out.
@@ -48,19 +44,11 @@ impl SessionOut {
     /// Notes a tick, and writes now and then.
     pub fn on_tick(&mut self, kitchen: &Kitchen) -> Result<(), CliError> {
         self.recording.observe(kitchen);
-        self.file.follow(&mut self.recording).map_err(|e| error(&self.path, &e))
+        self.file.follow(&mut self.recording).map_err(|e| self.place.error(&e))
     }
 
     /// Writes the rest.
     pub fn finish(mut self) -> Result<(), CliError> {
-        self.file.bring_up_to_date(&mut self.recording).map_err(|e| error(&self.path, &e))
+        self.file.bring_up_to_date(&mut self.recording).map_err(|e| self.place.error(&e))
     }
-}
-
-fn error(path: &Path, error: &io::Error) -> CliError {
-    let remedy = match error.kind() {
-        io::ErrorKind::ResourceBusy => "wait until it has ended, or name another file",
-        _ => "name a file in a folder with write permission and free space",
-    };
-    CliError::place(format!("--record {}", path.display()), format!("cannot be written: {error}"), remedy)
 }
