@@ -1,6 +1,6 @@
 //! The card of the half mirror: window, rig, projector, stereo, calibration with its numbers.
 
-use egui::{Align, DragValue, Id, Layout, Modal, Response, RichText, ScrollArea, TextEdit, Ui, vec2};
+use egui::{Align, DragValue, Layout, Response, RichText, ScrollArea, TextEdit, Ui, vec2};
 
 use super::settings_card::{NAMES, NARROW, WIDTH, explained, row};
 use crate::act::{Act, Acts, Card, Setting};
@@ -10,40 +10,36 @@ use crate::mirror::rig_file::SHIPPED;
 use crate::mirror::settings::{MirrorSettings, WIDEST_MM};
 use crate::mirror::stereo::Stereo;
 use crate::mirror::view::stereo_word;
+use crate::panels::cards::frame::Framed;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 
 /// Shows the card over everything; Esc, the button or a click beside it closes it.
 pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
-    let l = state.settings.language;
-    let palette = theme::of(ui);
-    let mut done = false;
-    let modal = Modal::new(Id::unique("mirror")).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
-        ui.set_width((whole.width() - 56.0).min(WIDTH));
-        ui.horizontal(|ui| {
-            ui.heading(l.text("half_mirror.title"));
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                done = ui.add(palette.button(l.text("settings.done"), true)).clicked();
+    let framed = Framed { card: Card::Mirror, id: "mirror", title: "half_mirror.title", width: WIDTH };
+    framed.show(
+        state,
+        ui,
+        acts,
+        whole,
+        |_, _| {},
+        |ui, acts| {
+            let height = whole.height() - 112.0;
+            let scrolled =
+                ScrollArea::vertical().auto_shrink([false, true]).max_height(height).min_scrolled_height(height);
+            scrolled.show(ui, |ui| {
+                let narrow = whole.width() < NARROW;
+                let mut chosen = state.settings.mirror.clone();
+                window(state, &mut chosen, ui, acts, narrow);
+                place(state, &mut chosen, ui, acts, narrow);
+                eyes(state, &mut chosen, ui, narrow);
+                calibration(state, &mut chosen, ui, acts, narrow);
+                if chosen != state.settings.mirror {
+                    acts.push(Act::Set(Setting::Mirror(Box::new(chosen))));
+                }
             });
-        });
-        ui.separator();
-        let height = whole.height() - 112.0;
-        let scrolled = ScrollArea::vertical().auto_shrink([false, true]).max_height(height).min_scrolled_height(height);
-        scrolled.show(ui, |ui| {
-            let narrow = whole.width() < NARROW;
-            let mut chosen = state.settings.mirror.clone();
-            window(state, &mut chosen, ui, acts, narrow);
-            place(state, &mut chosen, ui, acts, narrow);
-            eyes(state, &mut chosen, ui, narrow);
-            calibration(state, &mut chosen, ui, acts, narrow);
-            if chosen != state.settings.mirror {
-                acts.push(Act::Set(Setting::Mirror(Box::new(chosen))));
-            }
-        });
-    });
-    if done || modal.should_close() {
-        acts.push(Act::Shut(Card::Mirror));
-    }
+        },
+    );
 }
 
 /// The window, and what it shows.

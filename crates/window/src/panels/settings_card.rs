@@ -1,11 +1,12 @@
 //! The card of the settings: how everything looks and reads, not what is cooked.
 
-use egui::{Id, Modal, RichText, ScrollArea, Ui, vec2};
+use egui::{RichText, ScrollArea, Ui, vec2};
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 
 use crate::act::{Act, Acts, Card, Setting};
+use crate::panels::cards::frame::Framed;
 use crate::panels::language;
 use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::interface_size::InterfaceSize;
@@ -21,30 +22,18 @@ pub(super) const NAMES: f32 = 128.0;
 
 /// Shows the card over everything; Esc, F2, the button or a click beside it closes it.
 pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
-    let l = state.settings.language;
-    let palette = theme::of(ui);
-    let mut done = false;
-    let modal = Modal::new(Id::unique("settings")).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
-        ui.set_width((whole.width() - 56.0).min(WIDTH));
-        ui.horizontal(|ui| {
-            ui.heading(l.text("settings.title"));
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                done = ui.add(palette.button(l.text("settings.done"), true)).clicked();
-                if cfg!(not(target_arch = "wasm32"))
-                    && ui.add(palette.button(l.text("half_mirror.more"), false)).clicked()
-                {
-                    acts.push(Act::Open(Card::Mirror));
-                }
-            });
-        });
-        ui.separator();
+    let framed = Framed { card: Card::Settings, id: "settings", title: "settings.title", width: WIDTH };
+    let to_mirror = |ui: &mut Ui, acts: &mut Acts| {
+        let words = state.settings.language.text("half_mirror.more");
+        if cfg!(not(target_arch = "wasm32")) && ui.add(theme::of(ui).button(words, false)).clicked() {
+            acts.push(Act::Open(Card::Mirror));
+        }
+    };
+    framed.show(state, ui, acts, whole, to_mirror, |ui, acts| {
         let height = whole.height() - 112.0;
         let scrolled = ScrollArea::vertical().auto_shrink([false, true]).max_height(height).min_scrolled_height(height);
         scrolled.show(ui, |ui| choices(state, memory, ui, acts, whole.width() < NARROW));
     });
-    if done || modal.should_close() {
-        acts.push(Act::Shut(Card::Settings));
-    }
 }
 
 fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, narrow: bool) {

@@ -53,17 +53,36 @@ pub fn help_and_settings(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     });
 }
 
+/// A button with a drawing, which needs no language, in place of words.
+struct Drawn {
+    /// Key of its name for screen readers.
+    name: &'static str,
+    width: f32,
+    is_on: bool,
+    act: Act,
+    paint: fn(&egui::Painter, egui::Pos2, egui::Color32),
+}
+
+impl Drawn {
+    fn show(self, state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+        let l = state.settings.language;
+        let palette = theme::of(ui);
+        let response = ui.add(palette.button("", self.is_on).min_size(egui::vec2(self.width, HEIGHT)));
+        let name = l.text(self.name);
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, name));
+        let ink = if self.is_on { palette.on_accent } else { palette.text };
+        (self.paint)(ui.painter(), response.rect.center(), ink);
+        if response.on_hover_text(hint(&self.act, l)).clicked() {
+            acts.push(self.act);
+        }
+    }
+}
+
 /// A speech bubble: the list of what was said.
 fn messages(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
-    let name = state.settings.language.text("messages.title");
-    let palette = theme::of(ui);
-    let response = ui.add(palette.button("", state.messages).min_size(egui::vec2(36.0, HEIGHT)));
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, name));
-    let ink = if state.messages { palette.on_accent } else { palette.text };
-    paint_bubble(ui.painter(), response.rect.center(), ink);
-    if response.on_hover_text(hint(&Act::Messages, state.settings.language)).clicked() {
-        acts.push(Act::Messages);
-    }
+    let act = Act::Messages;
+    Drawn { name: "messages.title", width: 36.0, is_on: state.messages, act, paint: paint_bubble }
+        .show(state, ui, acts);
 }
 
 /// A rounded box with three dots and a tail.
@@ -77,17 +96,11 @@ fn paint_bubble(painter: &egui::Painter, at: egui::Pos2, ink: egui::Color32) {
     }
 }
 
-/// A gear, which needs no language.
+/// A gear: the settings.
 fn gear(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
-    let name = state.settings.language.text("settings.title");
-    let palette = theme::of(ui);
-    let response = ui.add(palette.button("", state.settings_open).min_size(egui::vec2(38.0, HEIGHT)));
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, name));
-    let ink = if state.settings_open { palette.on_accent } else { palette.text };
-    paint_gear(ui.painter(), response.rect.center(), ink);
-    if response.on_hover_text(hint(&Act::Settings, state.settings.language)).clicked() {
-        acts.push(Act::Settings);
-    }
+    let act = Act::Settings;
+    Drawn { name: "settings.title", width: 38.0, is_on: state.settings_open, act, paint: paint_gear }
+        .show(state, ui, acts);
 }
 
 /// Eight teeth round a ring.

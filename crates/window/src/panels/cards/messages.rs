@@ -1,8 +1,9 @@
 //! The list of what was said, the last first.
 
-use egui::{Id, Modal, Rect, RichText, ScrollArea, Ui};
+use egui::{Rect, RichText, ScrollArea, Ui};
 
 use crate::act::{Act, Acts, Card};
+use crate::panels::cards::frame::Framed;
 use crate::panels::inside::clock;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
@@ -12,23 +13,17 @@ const WIDTH: f32 = 560.0;
 
 /// Shows the list over everything; Esc, the button or a click beside it closes it.
 pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
-    let l = state.settings.language;
-    let palette = theme::of(ui);
-    let mut done = false;
-    let modal = Modal::new(Id::unique("messages")).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
-        ui.set_width((whole.width() - 56.0).min(WIDTH));
-        ui.horizontal(|ui| {
-            ui.heading(l.text("messages.title"));
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                done = ui.add(palette.button(l.text("settings.done"), true)).clicked();
-            });
-        });
-        ui.separator();
-        ScrollArea::vertical().max_height(whole.height() - 140.0).show(ui, |ui| lines(state, ui, acts));
-    });
-    if done || modal.should_close() {
-        acts.push(Act::Shut(Card::Messages));
-    }
+    let framed = Framed { card: Card::Messages, id: "messages", title: "messages.title", width: WIDTH };
+    framed.show(
+        state,
+        ui,
+        acts,
+        whole,
+        |_, _| {},
+        |ui, acts| {
+            ScrollArea::vertical().max_height(whole.height() - 140.0).show(ui, |ui| lines(state, ui, acts));
+        },
+    );
 }
 
 fn lines(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {

@@ -1,6 +1,7 @@
 //! Cards over everything: first steps, keys, messages.
 
 pub mod first_steps;
+pub mod frame;
 pub mod help;
 pub mod messages;
 pub mod unfinished;

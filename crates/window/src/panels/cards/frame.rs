@@ -1,0 +1,51 @@
+//! The frame of a card over everything: heading, buttons beside it, and what the card shows.
+
+use egui::{Id, Modal, Rect, Ui};
+
+use crate::act::{Act, Acts, Card};
+use crate::panels::window_state::WindowState;
+use crate::ui::theme;
+
+/// A card with a heading.
+pub struct Framed {
+    /// The card.
+    pub card: Card,
+    /// Its name in the memory of the interface.
+    pub id: &'static str,
+    /// Key of its heading.
+    pub title: &'static str,
+    /// Its width at most [points].
+    pub width: f32,
+}
+
+impl Framed {
+    /// Shows the card, with buttons beside the one that closes it; Esc, that button or a click beside the card closes it.
+    pub fn show(
+        &self,
+        state: &WindowState,
+        ui: &Ui,
+        acts: &mut Acts,
+        whole: Rect,
+        beside: impl FnOnce(&mut Ui, &mut Acts),
+        content: impl FnOnce(&mut Ui, &mut Acts),
+    ) {
+        let l = state.settings.language;
+        let palette = theme::of(ui);
+        let mut done = false;
+        let modal = Modal::new(Id::unique(self.id)).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
+            ui.set_width((whole.width() - 56.0).min(self.width));
+            ui.horizontal(|ui| {
+                ui.heading(l.text(self.title));
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    done = ui.add(palette.button(l.text("settings.done"), true)).clicked();
+                    beside(ui, acts);
+                });
+            });
+            ui.separator();
+            content(ui, acts);
+        });
+        if done || modal.should_close() {
+            acts.push(Act::Shut(self.card));
+        }
+    }
+}
