@@ -18,6 +18,7 @@ source scripts/counts.sh
 source scripts/changed.sh
 source scripts/campaign_share.sh
 source scripts/fuzz.sh
+source scripts/dependencies.sh
 
 # Crates that must compile for the browser and are not in the page.
 BROWSER_CRATES=(surface lab)
@@ -46,6 +47,7 @@ everything() {
     step "tests" tests
     step "soak" soak
     step "fuzzer" fuzz_briefly "$SHARE_FUZZ_S"
+    step "dependencies" judge_dependencies
     step "instruction counts" compare_counts
     step "docs" docs
     step "browser crates" check_wasm "${BROWSER_CRATES[@]}"

@@ -18,6 +18,7 @@ source scripts/requirements.sh
 source scripts/steps.sh
 source scripts/campaign_share.sh
 source scripts/fuzz.sh
+source scripts/dependencies.sh
 
 saute() { ./run.sh "$@"; }
 
@@ -63,14 +64,6 @@ day() {
     scripts/soak.sh --record
 }
 
-# Advisories need the network; without it, licences, versions and sources are judged from what is on the disk.
-dependencies() {
-    if ! command -v cargo-deny >/dev/null; then say "skipped: no cargo-deny (cargo install cargo-deny)"; return 0; fi
-    cargo deny check licenses bans sources
-    if ! cargo deny fetch db; then say "skipped: the database of advisories cannot be fetched"; return 0; fi
-    cargo deny check advisories
-}
-
 need_cargo
 if [ "${1:-}" = fuzz ]; then
     shift
@@ -87,7 +80,8 @@ step "random sessions" random_sessions
 step "random kills" random_kills
 step "fuzzer" fuzz
 step "a day" day
-step "dependencies" dependencies
+step "dependencies" judge_dependencies
+step "advisories" judge_advisories
 step "haptic loop" haptics
 step "tables of 2013" saute bench paper
 step "heat solver" saute bench heat

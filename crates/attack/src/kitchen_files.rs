@@ -2,12 +2,11 @@
 
 use std::sync::LazyLock;
 
-use saute_kitchen::food::MeshSize;
 use saute_kitchen::heat::Soup;
 use saute_kitchen::{Library, OwnFiles};
 use saute_recipe::{Cook, Recipe};
 
-use crate::ten_ticks::{check, fry, fry_on_mesh};
+use crate::ten_ticks::{check, fry, fry_shrimp};
 use crate::text;
 
 /// Spacing of the meshes of a recipe's pieces over the default [-], so that many inputs are tried.
@@ -50,7 +49,7 @@ pub fn library_with(path: &str, text: &str, surface: Option<Soup>) -> Option<Lib
 pub fn food(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     if let Some(library) = library_with("foods/attacked.toml", text, Some(tetrahedron())) {
-        fry(&library, "carbon-steel-26", "attacked", None);
+        fry(&library, "attacked");
     }
 }
 
@@ -58,7 +57,7 @@ pub fn food(bytes: &[u8]) {
 pub fn pan(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     if let Some(library) = library_with("pans/attacked.toml", text, None) {
-        fry_on_mesh(&library, "attacked", "shrimp", Some("canola"), MeshSize::Paper2013);
+        fry_shrimp(&library, Some("attacked"), "canola");
     }
 }
 
@@ -66,7 +65,7 @@ pub fn pan(bytes: &[u8]) {
 pub fn oil(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     if let Some(library) = library_with("oils/attacked.toml", text, None) {
-        fry_on_mesh(&library, "carbon-steel-26", "shrimp", Some("attacked"), MeshSize::Paper2013);
+        fry_shrimp(&library, None, "attacked");
     }
 }
 
@@ -84,7 +83,7 @@ pub fn kinetics(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     let Some((_, id, food)) = KINETICS.iter().find(|(change, ..)| text.contains(change)) else { return };
     if let Some(library) = library_with(&format!("kinetics/{id}.toml"), text, None) {
-        fry(&library, "carbon-steel-26", food, None);
+        fry(&library, food);
     }
 }
 

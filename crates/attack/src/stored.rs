@@ -42,6 +42,12 @@ static SOUND: LazyLock<(Vec<u8>, Models)> = LazyLock::new(|| {
     (kitchen.to_bytes().split_off(head), Models::of(&kitchen))
 });
 
+/// The file of a session in which nothing was done yet.
+static BEGINNING: LazyLock<Vec<u8>> = LazyLock::new(|| {
+    let recipe = Recipe::parse(RECIPE, "recipe.toml", &LIBRARY).expect("the recipe is sound");
+    Recording::begin(&recipe, true, &LIBRARY).to_file()
+});
+
 /// Bytes as a stored kitchen; and a stored kitchen whose bytes are changed at places that the input names, under a checksum that
 /// holds.
 pub fn kitchen(bytes: &[u8]) {
@@ -67,8 +73,7 @@ pub fn session(bytes: &[u8]) {
     if session_file::is_session(bytes) {
         return open(bytes);
     }
-    let recipe = Recipe::parse(RECIPE, "recipe.toml", &LIBRARY).expect("the recipe is sound");
-    let mut file = Recording::begin(&recipe, true, &LIBRARY).to_file();
+    let mut file = BEGINNING.clone();
     file.extend_from_slice(&(bytes.len() as u32).to_le_bytes());
     file.extend_from_slice(&crc32fast::hash(bytes).to_le_bytes());
     file.extend_from_slice(bytes);

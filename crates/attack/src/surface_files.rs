@@ -27,6 +27,6 @@ fn cook(name: &str, bytes: &[u8]) {
     debug_assert!(surface_file(FOOD).is_some(), "the food has a surface");
     let Ok(soup) = saute_surface::read(name, bytes, |_| Some(bytes.to_vec())) else { return };
     if let Some(library) = library_with("foods/attacked.toml", FOOD, Some(soup)) {
-        fry(&library, "carbon-steel-26", "attacked", None);
+        fry(&library, "attacked");
     }
 }

@@ -1,7 +1,11 @@
 //! Ten ticks of a kitchen with a piece in its pan, and what must hold after them.
 
+use std::sync::LazyLock;
+
 use saute_kitchen::food::{MeshSize, OutlineKind, Rules};
 use saute_kitchen::{Command, Kitchen, Library, PieceOrder, kelvin};
+
+use crate::kitchen_files::LIBRARY;
 
 /// Ticks that a kitchen advances [-].
 const TICKS: usize = 10;
@@ -14,14 +18,24 @@ const COARSE: f64 = 3.0;
 /// Largest error of the energy balance over the gross exchange [-].
 const IMBALANCE: f64 = 1e-9;
 
-/// Cooks a piece of a food at its default size; what cannot be built is refused.
-pub fn fry(library: &Library, pan: &str, food: &str, oil: Option<&str>) {
-    fry_on_mesh(library, pan, food, oil, MeshSize::Default);
+/// A shipped pan, hot and empty: built once, since it is not what is attacked.
+static HOT: LazyLock<Kitchen> =
+    LazyLock::new(|| Kitchen::new(&LIBRARY, "carbon-steel-26", kelvin(PAN_C)).expect("the pan is shipped"));
+
+/// Cooks a piece of a food at its default size in a shipped pan; what cannot be built is refused.
+pub fn fry(library: &Library, food: &str) {
+    cook(HOT.clone(), library, food, None, MeshSize::Default);
 }
 
-/// Cooks a piece with a given mesh: that of 2013 is built fast, where the food is not what is attacked.
-pub fn fry_on_mesh(library: &Library, pan: &str, food: &str, oil: Option<&str>, mesh: MeshSize) {
-    let Ok(mut kitchen) = Kitchen::new(library, pan, kelvin(PAN_C)) else { return };
+/// Cooks a shrimp in a shipped pan or another one, on the mesh of 2013: it is built fast, and is not what is attacked.
+pub fn fry_shrimp(library: &Library, pan: Option<&str>, oil: &str) {
+    let kitchen = pan.map_or_else(|| Ok(HOT.clone()), |pan| Kitchen::new(library, pan, kelvin(PAN_C)));
+    if let Ok(kitchen) = kitchen {
+        cook(kitchen, library, "shrimp", Some(oil), MeshSize::Paper2013);
+    }
+}
+
+fn cook(mut kitchen: Kitchen, library: &Library, food: &str, oil: Option<&str>, mesh: MeshSize) {
     if let Some(oil) = oil {
         let _ = kitchen.apply(&Command::Oil { kind: Some(oil.to_owned()), mass: 0.01 });
     }

@@ -145,7 +145,9 @@ fn every_second_version_of_a_crate_is_listed_with_its_reason() {
     let (metadata, rules) = (metadata(), rules());
     let skips = rules["bans"]["skip"].as_array().unwrap();
     assert!(skips.iter().all(|skip| skip["reason"].as_str().is_some_and(|reason| !reason.is_empty())));
-    let listed: BTreeSet<&str> = skips.iter().map(|skip| skip["crate"].as_str().unwrap()).collect();
+    // Those of other platforms are not on this disk; `cargo deny` judges them.
+    let here = skips.iter().filter(|skip| !skip["reason"].as_str().is_some_and(|why| why.starts_with("elsewhere:")));
+    let listed: BTreeSet<&str> = here.map(|skip| skip["crate"].as_str().unwrap()).collect();
     let mut versions: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for package in packages(&metadata).values() {
         versions.entry(text(package, "name")).or_default().push(text(package, "version"));
