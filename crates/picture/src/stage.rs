@@ -16,6 +16,7 @@ use saute_scene::input::{
     Colouring, FLOOR_FIELD_RINGS, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RestKind, RestLook, SEAR_SETS,
     SceneInput, SearLook, ToolKind, ToolLook,
 };
+use saute_scene::light::photo::Photo;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::mesh::props::BOARD_CENTRE;
@@ -56,6 +57,8 @@ pub struct StageOptions {
     pub white_balance: WhiteBalance,
     /// Light of the room.
     pub light: RoomLight,
+    /// Exposure and aperture of the look.
+    pub photo: Photo,
     /// Unlit, exactly decodable colours.
     pub flat: bool,
 }
@@ -150,6 +153,7 @@ impl Stage {
             colouring: map.map_or(Colouring::Look, |m| m.colouring()),
             white_balance: options.white_balance,
             light: options.light,
+            photo: options.photo,
             flat: options.flat,
             mirror: None,
             tile: None,

@@ -11,6 +11,7 @@ use std::sync::Arc;
 use glam::{Mat4, Vec3};
 
 use crate::camera::Camera;
+use crate::light::photo::Photo;
 use crate::light::room_light::RoomLight;
 use crate::light::white_balance::WhiteBalance;
 use crate::mesh::strings::StringLook;
@@ -52,6 +53,8 @@ pub struct SceneInput {
     pub white_balance: WhiteBalance,
     /// Light of the room.
     pub light: RoomLight,
+    /// Exposure and aperture of the look.
+    pub photo: Photo,
     /// True writes the colours unlit, without tone mapping, shadow, dither or anti-aliasing, so that they decode
     /// exactly.
     pub flat: bool,

@@ -63,6 +63,7 @@ pub fn empty_pan() -> SceneInput {
         colouring: Colouring::Look,
         white_balance: Default::default(),
         light: Default::default(),
+        photo: Default::default(),
         flat: false,
         mirror: None,
         tile: None,

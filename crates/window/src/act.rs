@@ -166,6 +166,14 @@ pub enum Act {
     Disconnect(crate::hand::Role),
     /// Saves a picture.
     Picture,
+    /// The photo mode.
+    Photo,
+    /// Sets exposure, blur and size of a photo.
+    #[cfg(not(target_arch = "wasm32"))]
+    SetPhoto(crate::photo::PhotoChoice),
+    /// Makes a time lapse of the cook.
+    #[cfg(not(target_arch = "wasm32"))]
+    TimeLapse,
     /// The half mirror's window on or off, with a word on how to use it.
     Mirror,
     /// Opens the half mirror's window or closes it.
@@ -297,7 +305,7 @@ pub const TOOL_STEP: f64 = 0.01;
 pub const ROLL_STEP: f64 = std::f64::consts::PI / 6.0;
 
 /// All keys, in the order in which the help lists them.
-pub static BINDINGS: [Binding; 61] = [
+pub static BINDINGS: [Binding; 62] = [
     bind(Key::A, "A", Act::Put, "key.put"),
     bind(Key::F, "F", Act::Flip, "key.flip"),
     bind(Key::O, "O", Act::Out, "key.out"),
@@ -354,6 +362,7 @@ pub static BINDINGS: [Binding; 61] = [
     bind(Key::F7, "F7", Act::Strings, "key.strings"),
     bind(Key::S, "S", Act::Picture, "key.picture"),
     bind(Key::F12, "F12", Act::Picture, "key.picture"),
+    bind(Key::F4, "F4", Act::Photo, "key.photo"),
     bind(Key::F1, "F1", Act::Help, "key.help"),
     bind(Key::F2, "F2", Act::Settings, "key.settings"),
     bind(Key::F3, "F3", Act::Messages, "key.messages"),

@@ -60,6 +60,9 @@ pub struct Start {
     pub language: Option<Language>,
     /// True draws panels, and what changes slowly in the pan, a few times a second where the graphics are software.
     pub frugal: bool,
+    /// Folder of pictures; that of the user unless given.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub pictures: Option<std::path::PathBuf>,
     /// Devices that hands hold.
     #[cfg(not(target_arch = "wasm32"))]
     pub hands: crate::hand::HandsStart,
@@ -109,6 +112,12 @@ pub struct SauteApp {
     /// Chooses the quality of the picture where that is left to the program.
     pub(crate) governor: Governor,
     pub(crate) mirror: MirrorView,
+    /// The photo mode.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) photo: crate::photo::PhotoMode,
+    /// The folder of pictures, if it is not the user's.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) pictures: Option<std::path::PathBuf>,
     /// The file dialog while it is open.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) dialog: crate::files::Dialog,
@@ -221,6 +230,10 @@ impl SauteApp {
             japanese_font,
             mirror: MirrorView::default(),
             #[cfg(not(target_arch = "wasm32"))]
+            photo: Default::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            pictures: start.pictures,
+            #[cfg(not(target_arch = "wasm32"))]
             dialog: crate::files::Dialog::default(),
             #[cfg(not(target_arch = "wasm32"))]
             autosave: Default::default(),
@@ -289,6 +302,12 @@ impl SauteApp {
         self.settings_open
     }
 
+    /// The photo mode.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn photo(&self) -> &crate::photo::PhotoMode {
+        &self.photo
+    }
+
     /// How fast frames and simulated time have run lately.
     pub fn meter(&self) -> &FrameMeter {
         &self.meter
@@ -318,9 +337,18 @@ impl SauteApp {
         is_taken
     }
 
-    /// Returns true if a card covers the scene; time then waits.
+    /// Returns true if panels and clock make room for the camera.
+    pub(crate) fn photo_is_open(&self) -> bool {
+        #[cfg(target_arch = "wasm32")]
+        return false;
+        #[cfg(not(target_arch = "wasm32"))]
+        self.photo.open
+    }
+
+    /// Returns true if a card covers the scene, or a photo is taken of it; time then waits.
     pub(crate) fn card_is_open(&self) -> bool {
-        self.help || self.messages || self.settings_open || self.first_steps || self.offered_s().is_some()
+        let card = self.help || self.messages || self.settings_open || self.first_steps;
+        card || self.photo_is_open() || self.offered_s().is_some()
     }
 
     /// How far the cook came with which the window offers to go on [s].

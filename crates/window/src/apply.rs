@@ -97,7 +97,17 @@ impl SauteApp {
             Act::Disconnect(role) => self.session.hands.disconnect(role),
             #[cfg(target_arch = "wasm32")]
             Act::StopHands | Act::Strings => {}
-            Act::Picture => crate::ui::save_picture::save_picture(ctx, &self.notice, self.settings.language),
+            #[cfg(not(target_arch = "wasm32"))]
+            Act::Picture if self.photo.open => self.take_photo(ctx),
+            Act::Picture => self.save_picture(ctx),
+            #[cfg(target_arch = "wasm32")]
+            Act::Photo => self.say("settings.native_only"),
+            #[cfg(not(target_arch = "wasm32"))]
+            Act::Photo => self.photo.open = !self.photo.open,
+            #[cfg(not(target_arch = "wasm32"))]
+            Act::SetPhoto(choice) => self.photo.choice = choice,
+            #[cfg(not(target_arch = "wasm32"))]
+            Act::TimeLapse => self.make_time_lapse(ctx),
             Act::Mirror if cfg!(target_arch = "wasm32") => self.say("settings.native_only"),
             Act::Mirror => self.toggle_mirror(),
             Act::MirrorWindow(open) => (self.mirror.open, self.mirror.full) = (open, false),

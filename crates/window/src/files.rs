@@ -66,6 +66,11 @@ impl SauteApp {
         self.take_file(&path.display().to_string(), read);
     }
 
+    /// The folder into which pictures are saved.
+    pub(crate) fn pictures_folder(&self) -> PathBuf {
+        self.pictures.clone().unwrap_or_else(pictures_folder)
+    }
+
     /// Shows a file in the system's file manager.
     pub(crate) fn show_file(&mut self, file: &Path) {
         let folder = file.parent().unwrap_or(file);
@@ -92,9 +97,15 @@ fn read(path: &Path) -> Result<Vec<u8>, String> {
     std::fs::read(path).map_err(|e| e.to_string())
 }
 
+/// A path for a new picture in a folder: `saute-N` with an ending.
+pub(crate) fn fresh_picture(folder: &Path, ending: &str) -> Result<PathBuf, String> {
+    let mut paths = (1..10_000).map(|n| folder.join(format!("saute-{n}.{ending}")));
+    paths.find(|path| !path.exists()).ok_or_else(|| format!("{} holds too many pictures", folder.display()))
+}
+
 /// The folder of pictures: that of the user's folders, else Pictures in the home folder where there is one, else the
 /// working folder.
-pub(crate) fn pictures_folder() -> PathBuf {
+fn pictures_folder() -> PathBuf {
     let home = std::env::var_os(if cfg!(windows) { "USERPROFILE" } else { "HOME" }).map(PathBuf::from);
     let usual = || home.as_ref().map(|home| home.join("Pictures"));
     let named = home.as_deref().and_then(named_by_user);

@@ -34,6 +34,8 @@ pub mod mirror;
 pub mod offscreen;
 pub mod paint;
 pub mod panels;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod photo;
 pub mod pose;
 mod remembered;
 pub mod session;

@@ -37,6 +37,7 @@ fn draw(gpu: &Gpu, panel: &Panel, kitchen: &Kitchen, scales: &ScaleChoice, size:
         slice,
         white_balance: Default::default(),
         light: Default::default(),
+        photo: Default::default(),
         quality: Quality::Smooth,
         flat: false,
         scales: scales.clone(),

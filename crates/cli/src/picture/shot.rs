@@ -1,5 +1,6 @@
 //! `saute shot`: pictures of a recipe: one, a sheet of several, or an animation.
 
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -14,6 +15,7 @@ use saute_picture::still::series::Series;
 use saute_picture::still::shot::{Eye, ShotOptions, shot_of};
 use saute_recipe::Cook;
 use saute_scene::camera::FIELD_OF_VIEW;
+use saute_scene::light::photo::Photo;
 use saute_window::mirror::frame::MirrorOptions;
 use saute_window::mirror::rig::Rig;
 use saute_window::mirror::rig_file;
@@ -61,6 +63,12 @@ pub struct ShotArgs {
     /// Light of the room.
     #[arg(long, value_enum, default_value_t = LightName::Daylight)]
     pub light: LightName,
+    /// Exposure over the usual one, from -2 to 2; each 1 doubles the light.
+    #[arg(long, value_name = "EV", default_value_t = 0.0, value_parser = exposure, allow_hyphen_values = true, conflicts_with_all = ["flat", "mirror"])]
+    pub exposure: f32,
+    /// Blur of what lies behind the food over the usual one, from 0 (all is sharp) to 4; seen with --quality best.
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = blur, conflicts_with_all = ["flat", "mirror"])]
+    pub blur: f32,
     /// Rendering quality.
     #[arg(long, value_enum, default_value_t = QualityName::Smooth)]
     pub quality: QualityName,
@@ -122,6 +130,20 @@ fn every(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Reads an exposure [EV].
+fn exposure(text: &str) -> Result<f32, String> {
+    within(text, Photo::EXPOSURES_EV).ok_or_else(|| "write a number of stops from -2 to 2, as in 0.5".to_owned())
+}
+
+/// Reads a blur [-].
+fn blur(text: &str) -> Result<f32, String> {
+    within(text, Photo::APERTURES).ok_or_else(|| "write a factor from 0 (all is sharp) to 4, as in 2".to_owned())
+}
+
+fn within(text: &str, range: RangeInclusive<f32>) -> Option<f32> {
+    text.parse().ok().filter(|value| range.contains(value))
+}
+
 /// Renders the pictures and writes them.
 pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let source = session_source::load(&args.recipe, data)?;
@@ -134,6 +156,7 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         slice: args.slice,
         white_balance: args.white_balance.into(),
         light: args.light.into(),
+        photo: Photo { exposure_ev: args.exposure, aperture: args.blur },
         quality: args.quality.into(),
         flat: args.flat,
         scales,

@@ -52,6 +52,7 @@ impl Colorimeter {
             slice: at == SeenAt::Cut,
             white_balance: Default::default(),
             light: Default::default(),
+            photo: Default::default(),
             quality: Quality::Smooth,
             flat: true,
             scales: ScaleChoice::default(),

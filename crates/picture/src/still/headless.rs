@@ -63,7 +63,7 @@ pub fn still(gpu: &Gpu, kitchen: &Kitchen, options: &StageOptions, size: [u32; 2
 }
 
 /// Draws a scene once, with a renderer of its own: what an earlier picture left would show.
-pub(crate) fn picture(gpu: &Gpu, input: &SceneInput, size: [u32; 2], quality: Quality) -> Picture {
+pub fn picture(gpu: &Gpu, input: &SceneInput, size: [u32; 2], quality: Quality) -> Picture {
     let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
     let rgba = renderer.render_to_image(&gpu.device, &gpu.queue, input, size, quality);
     Picture { width: size[0] as usize, height: size[1] as usize, rgba }

@@ -7,6 +7,7 @@ use saute_kitchen::{InputError, Kitchen, Library, Piece, TICK_S};
 use saute_recipe::{Cook, Recipe};
 use saute_scene::camera::Camera;
 use saute_scene::input::SceneInput;
+use saute_scene::light::photo::Photo;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
@@ -94,6 +95,8 @@ pub struct ShotOptions {
     pub white_balance: WhiteBalance,
     /// Light of the room.
     pub light: RoomLight,
+    /// Exposure and aperture of the look.
+    pub photo: Photo,
     /// Rendering quality.
     pub quality: Quality,
     /// Unlit, exactly decodable colours.
@@ -153,6 +156,7 @@ impl ShotOptions {
             cut: None,
             white_balance: self.white_balance,
             light: self.light,
+            photo: self.photo,
             flat: self.flat,
         }
     }

@@ -71,7 +71,7 @@ impl FrameUniform {
             mode: Vec4::new(input.hob.power, f32::from(field), f32::from(input.flat), BOARD_CENTRE.z),
             board: Vec4::new(low.x, low.y, high.x, high.y),
             oil: pan.oil_colour.extend(f32::from(input.mirror.is_some_and(|mirror| !mirror.pan_shown))),
-            white: balance(input).gains(input.light).extend(pan.oil_turbidity),
+            white: (exposure(input) * balance(input).gains(input.light)).extend(pan.oil_turbidity),
             shadow_fine: shadow.uniform(quality),
             origin: Vec4::new(left as f32, top as f32, 0.0, 0.0),
             floor_field: pan.floor_field,
@@ -82,6 +82,11 @@ impl FrameUniform {
 /// The balance of the look; what stands round the colours of a field stays as it is.
 pub(crate) fn balance(input: &SceneInput) -> WhiteBalance {
     if matches!(input.colouring, Colouring::Look) { input.white_balance } else { WhiteBalance::default() }
+}
+
+/// What the look's radiances are multiplied by for its exposure [-].
+fn exposure(input: &SceneInput) -> f32 {
+    if matches!(input.colouring, Colouring::Look) { input.photo.gain() } else { 1.0 }
 }
 
 /// Mirrors `Food` in `food.wgsl`; its head is `Pose` in `depth.wgsl`.

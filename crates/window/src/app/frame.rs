@@ -32,6 +32,8 @@ impl SauteApp {
         self.take_dropped_files(&ctx);
         #[cfg(not(target_arch = "wasm32"))]
         self.take_chosen_file();
+        #[cfg(not(target_arch = "wasm32"))]
+        self.take_photo_made();
         #[cfg(target_arch = "wasm32")]
         self.take_inbox(&ctx);
         self.let_time_pass(&ctx);
@@ -46,6 +48,7 @@ impl SauteApp {
         let layout = Layout::new(whole, &self.settings);
         #[cfg(not(target_arch = "wasm32"))]
         let layout = crate::hand::make_room(layout, &self.session.hands);
+        let layout = if self.photo_is_open() { layout.bare() } else { layout };
         self.session.probes.forget_gone(&self.session.kitchen);
         self.show_scene(ui, &layout);
         let acts = self.show_panels(ui, &layout);
@@ -68,6 +71,8 @@ impl SauteApp {
             settings: &self.settings,
             scene: &self.scene,
             mirror: &self.mirror,
+            #[cfg(not(target_arch = "wasm32"))]
+            photo: &self.photo,
             tool: self.tool_hand.tool,
             turner_in_hand: self.tool_hand.turner.is_some(),
             portion: self.portion,

@@ -21,7 +21,8 @@ impl SauteApp {
         let keys: Vec<Key> = ctx.input(|i| i.events.iter().filter_map(plain_press).collect());
         for key in keys.into_iter().filter(|key| !(focused && uses_widgets(*key))) {
             let Some(binding) = BINDINGS.iter().find(|b| b.key == key) else { continue };
-            if !self.card_is_open() || works_over_cards(&binding.act) {
+            let framed = self.photo_is_open() && frames_a_photo(&binding.act);
+            if !self.card_is_open() || works_over_cards(&binding.act) || framed {
                 self.act(binding.act.clone(), ctx);
             }
         }
@@ -55,4 +56,12 @@ fn uses_widgets(key: Key) -> bool {
 /// Behind a card nobody cooks.
 fn works_over_cards(act: &Act) -> bool {
     matches!(act, Act::Help | Act::Settings | Act::Messages | Act::Mirror | Act::Close | Act::StopHands | Act::Picture)
+}
+
+/// A photographer moves the eye and chooses what is seen.
+fn frames_a_photo(act: &Act) -> bool {
+    matches!(
+        act,
+        Act::Photo | Act::Camera | Act::Orbit(..) | Act::Zoom(_) | Act::View(_) | Act::Slice | Act::SliceBy(_)
+    )
 }

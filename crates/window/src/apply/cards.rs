@@ -38,6 +38,10 @@ impl SauteApp {
     /// Closes the cards and ends the placing of probes.
     pub(super) fn close_all(&mut self) {
         (self.help, self.settings_open, self.messages, self.scene.placing) = (false, false, false, false);
+        #[cfg(not(target_arch = "wasm32"))]
+        {
+            self.photo.open = false;
+        }
     }
 
     /// Opens one of the panels on the left, or none.

@@ -1,8 +1,8 @@
-//! Buttons that send the eye to a view.
+//! Buttons that send the eye to a view, and the one that opens the photo mode.
 
 use egui::{Rect, RichText, Ui, UiBuilder, vec2};
 
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, hint};
 use crate::panels::window_state::WindowState;
 use crate::ui::glance::EyeView;
 use crate::ui::theme;
@@ -14,13 +14,21 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, rect: Rect) {
     child.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
         ui.spacing_mut().button_padding.x = 4.0;
-        let width = (rect.width() - 2.0 * 3.0) / EyeView::ALL.len() as f32;
-        for view in EyeView::ALL {
-            let (name, hint) = words(view);
+        let mut all: Vec<(&str, String, Act)> = EyeView::ALL
+            .map(|view| {
+                let (name, explained) = words(view);
+                (name, l.text(explained).to_owned(), Act::Eye(view))
+            })
+            .into();
+        if cfg!(not(target_arch = "wasm32")) {
+            all.push(("photo.open", hint(&Act::Photo, l), Act::Photo));
+        }
+        let width = (rect.width() - (all.len() - 1) as f32 * 3.0) / all.len() as f32;
+        for (name, explained, act) in all {
             let text = RichText::new(l.text(name)).size(13.0);
             let button = egui::Button::new(text).fill(theme::of(ui).ground).min_size(vec2(width, rect.height()));
-            if ui.add(button).on_hover_text(l.text(hint)).clicked() {
-                acts.push(Act::Eye(view));
+            if ui.add(button).on_hover_text(explained).clicked() {
+                acts.push(act);
             }
         }
     });

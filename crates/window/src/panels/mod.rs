@@ -12,6 +12,8 @@ pub mod language;
 pub mod legend;
 pub mod mirror_card;
 pub mod pantry;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod photo_bar;
 pub mod pieces;
 pub mod probes;
 pub mod read_out;
@@ -66,6 +68,11 @@ impl Drawer {
 
 /// Shows all panels, what is said over the scene, and the card that is open.
 pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, layout: &Layout) {
+    #[cfg(not(target_arch = "wasm32"))]
+    if state.photo.open {
+        photo_bar::show(state, ui, acts, layout.whole);
+        return crate::hand::show(state, ui, acts, layout);
+    }
     if !state.settings.panels_hidden {
         show(state, memory, ui, acts, layout);
     }

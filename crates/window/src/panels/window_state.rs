@@ -29,6 +29,9 @@ pub struct WindowState<'a> {
     pub scene: &'a SceneView,
     /// The half mirror's window.
     pub mirror: &'a MirrorView,
+    /// The photo mode.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub photo: &'a crate::photo::PhotoMode,
     /// The tool that mouse and right stick lead.
     pub tool: Tool,
     /// True while a turner is in the hand.

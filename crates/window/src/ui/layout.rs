@@ -18,7 +18,7 @@ const INSIDE_HEIGHT: f32 = 408.0;
 const BOTTOM_HEIGHT: f32 = 110.0;
 const TOP_HEIGHT: f32 = 46.0;
 /// Size of the buttons of the views of the eye together [points].
-const EYE: Vec2 = vec2(168.0, 30.0);
+const EYE: Vec2 = vec2(if cfg!(target_arch = "wasm32") { 168.0 } else { 226.0 }, 30.0);
 /// Two rows of chips.
 const NARROW_TOP_HEIGHT: f32 = 106.0;
 
@@ -82,9 +82,14 @@ impl Layout {
             if narrow { layout.free.right_top() + vec2(0.0, EYE.y + 2.0 * GAP) } else { layout.free.right_bottom() };
         layout.eye = Rect::from_min_size(corner - EYE - vec2(GAP, GAP), EYE);
         if settings.panels_hidden {
-            layout.free = whole;
+            layout = layout.bare();
         }
         layout
+    }
+
+    /// The same window without panels.
+    pub fn bare(self) -> Self {
+        Self { free: self.whole, ..self }
     }
 
     fn wide(whole: Rect, inner: Rect, settings: &Settings) -> Self {

@@ -98,6 +98,7 @@ impl SauteApp {
             cut: self.session.steak().map(|p| p.id.clone()),
             white_balance: self.settings.white_balance,
             light: self.settings.light,
+            photo: self.photo_set(),
             flat: false,
         };
         self.stage.look_every(self.look_ticks());
@@ -121,6 +122,14 @@ impl SauteApp {
             let line = [field.free.left_top(), field.free.left_bottom()];
             ui.painter().line_segment(line, Stroke::new(2.0, theme::of(ui).solid));
         }
+    }
+
+    /// Exposure and aperture of the scene.
+    fn photo_set(&self) -> saute_scene::light::photo::Photo {
+        #[cfg(target_arch = "wasm32")]
+        return Default::default();
+        #[cfg(not(target_arch = "wasm32"))]
+        self.photo.photo()
     }
 
     pub(crate) fn steak_pose(&self) -> Option<(Pose, &Piece)> {

@@ -9,6 +9,7 @@ mod japanese;
 mod keys;
 mod mirror;
 mod pan;
+mod photo;
 mod settings;
 mod steak;
 mod time;

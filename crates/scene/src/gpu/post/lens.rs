@@ -35,7 +35,7 @@ impl LensUniform {
             part: Vec4::new(width, height, origin[0] as f32, origin[1] as f32),
             whole: Vec4::new(whole[0] as f32, whole[1] as f32, BLOOM, VIGNETTE),
             projection: Vec4::new(projection.x_axis.x, projection.y_axis.y, shift.x, shift.y),
-            depth: Vec4::new(NEAR, FAR, sharp_until(input), APERTURE),
+            depth: Vec4::new(NEAR, FAR, sharp_until(input), APERTURE * input.photo.aperture),
         }
     }
 }

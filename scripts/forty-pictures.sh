@@ -1,0 +1,130 @@
+#!/usr/bin/env bash
+# Draws forty pictures of foods for somebody who is to name what they show (docs/looks.md), in random order and without
+# captions, and the key to them: 15 cut steaks from rare to well done, the rest raw, golden and burnt foods of all kinds.
+#
+#   scripts/forty-pictures.sh SEED FOLDER    FOLDER/01.png to 40.png, FOLDER/key.tsv
+#
+# Another seed gives other pieces in another order. Pictures that are there already are kept.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+[ $# = 2 ] || { sed -n '2,8p' "$0" | sed 's/^# *//' >&2; exit 2; }
+SEED="$1"
+OUT="$2"
+SAUTE="${SAUTE:-${CARGO_TARGET_DIR:-target}/release/saute}"
+export SAUTE
+WORK="$(mktemp -d)"
+trap 'rm -rf "$WORK"' EXIT
+mkdir -p "$OUT"
+
+# piece FOOD SEED KEYS [PAN_C]: a pan and what goes into it.
+piece() {
+    printf '[pan]\nkind = "cast-iron-26"\ninitial_c = %s\n' "${4:-20}"
+    printf '[[food]]\nid = "it"\nkind = "%s"\nseed = %s\n%s\n' "$1" "$2" "$3"
+}
+
+# hot FOOD SEED KEYS C: a food in a little oil in a pan that is held at a temperature.
+hot() {
+    piece "$@"
+    printf '[[step]]\noil_g = 6\n[[step]]\nhob_w = { w = 2200, hold_c = %s }\n[[step]]\nput = "it"\n' "$4"
+}
+
+# cut FOOD SEED NAME CORE_C THICKNESS_MM: flipped every 75 s, taken out at a core temperature, rested for four minutes, halved.
+cut() {
+    hot "$1" "$2" "size_mm = [120, 80, $5]" 200
+    printf '[[step]]\nrepeat = { flip = "it", every_s = 75, until = { food = "it", core_c = %s } }\n' "$4"
+    printf '[[step]]\nrest = "it"\n[[step]]\nafter_s = 240\nhalve = "it"\n[[step]]\nafter_s = 4\nend = true\n'
+}
+
+# raw FOOD SEED KEYS: just laid into a cold pan.
+raw() {
+    piece "$1" "$2" "$3"
+    printf '[[step]]\nput = "it"\n[[step]]\nafter_s = 4\nend = true\n'
+}
+
+# golden FOOD SEED KEYS C SECONDS: so long on each side; what has rolled lies as it will.
+golden() {
+    hot "$1" "$2" "$3" "$4"
+    printf '[[step]]\nafter_s = %s\nflip = "it"\n[[step]]\nafter_s = %s\nend = true\n' "$5" "$5"
+}
+
+# burnt FOOD SEED KEYS SECONDS: forgotten on a strong flame.
+burnt() {
+    piece "$1" "$2" "$3" 250
+    printf '[[step]]\noil_g = 6\n[[step]]\nhob_w = 1500\n[[step]]\nput = "it"\n'
+    printf '[[step]]\nafter_s = %s\nflip = "it"\n[[step]]\nafter_s = 60\nend = true\n' "$4"
+}
+
+# all: a line for each picture: name of the recipe, where the camera is, answer.
+all() {
+    local a=$((SEED + 1)) b=$((SEED + 12)) c=$((SEED + 27)) line
+    while read -r food seed done core; do
+        cut "beef-$food" "$seed" "$done" "$core" $((25 + seed % 3 * 2)) >"$WORK/cut-$food-$done-$seed.toml"
+        printf 'cut-%s-%s-%s\t32,-28,230\t%s steak, cut: %s, seed %s\n' "$food" "$done" "$seed" "$food" "${done/-/ }" "$seed"
+    done <<LIST
+lean $a rare 37
+lean $b rare 37
+lean $c rare 37
+marbled $a rare 37
+marbled $b rare 37
+lean $a medium 53
+lean $b medium 53
+marbled $a medium 53
+marbled $b medium 53
+marbled $c medium 53
+lean $a well-done 75
+lean $b well-done 75
+lean $c well-done 75
+marbled $a well-done 75
+marbled $c well-done 75
+LIST
+    # Food, how many, distance of the camera [mm], golden at [°C] for [s] a side, burnt after [s].
+    while read -r food count mm c side_s burnt_s; do
+        line=""
+        [ "$count" = 1 ] || line="count = $count"
+        raw "$food" "$a" "$line" >"$WORK/raw-$food-$a.toml"
+        golden "$food" "$b" "$line" "$c" "$side_s" >"$WORK/golden-$food-$b.toml"
+        burnt "$food" "$c_seed" "$line" "$burnt_s" >"$WORK/burnt-$food-$c_seed.toml"
+        for state in "raw-$food-$a" "golden-$food-$b" "burnt-$food-$c_seed"; do
+            printf '%s\t42,20,%s\t%s, %s, seed %s\n' "$state" "$mm" "$food" "${state%%-*}" "${state##*-}"
+        done
+    done <<LIST
+beef-lean 1 300 185 150 480
+beef-marbled 1 300 185 150 480
+beef-patty 1 280 180 170 480
+shrimp 5 260 190 110 420
+carrot-coin 9 240 170 230 480
+carrot-stick 7 240 170 230 480
+leek-ring 7 240 170 220 420
+LIST
+    for more in beef-lean:raw beef-marbled:golden shrimp:golden carrot-coin:raw; do
+        again "${more%%:*}" "${more##*:}" $((SEED + 41))
+    done
+}
+
+# again FOOD STATE SEED: one more picture of a state, with another piece.
+again() {
+    case "$1:$2" in
+        beef-lean:raw) raw beef-lean "$3" "" ;;
+        beef-marbled:golden) golden beef-marbled "$3" "" 185 150 ;;
+        shrimp:golden) golden shrimp "$3" "count = 5" 190 110 ;;
+        carrot-coin:raw) raw carrot-coin "$3" "count = 9" ;;
+    esac >"$WORK/$2-$1-$3.toml"
+    printf '%s-%s-%s\t42,20,270\t%s, %s, seed %s\n' "$2" "$1" "$3" "$1" "$2" "$3"
+}
+
+# draw NUMBER RECIPE CAMERA: at its end.
+draw() {
+    local end_s
+    end_s="$("$SAUTE" cook "$WORK/$2.toml" --json | awk -F '[:,]' '/"simulated_s"/ { print $2 + 0 }')"
+    "$SAUTE" shot "$WORK/$2.toml" --at "$end_s" --camera "$3" --size 720x480 --quality best --out "$OUT/$1.png"
+}
+
+c_seed=$((SEED + 27))
+number=0
+: >"$OUT/key.tsv"
+while IFS=$'\t' read -r recipe camera answer; do
+    number=$((number + 1))
+    name="$(printf '%02d' "$number")"
+    printf '%s\t%s\n' "$name" "$answer" >>"$OUT/key.tsv"
+    [ -e "$OUT/$name.png" ] || draw "$name" "$recipe" "$camera" </dev/null
+done < <(all | shuf --random-source=<(yes "$SEED"))
