@@ -157,6 +157,20 @@ fn heat_tint(local: vec3<f32>) -> vec3<f32> {
     return textureSampleLevel(pan_tint, clamp_sampler, at * 0.5 + 0.5, 0.0).rgb * TINT_RANGE;
 }
 
+// Runnels by which a film drains from a tilted pan: long along the slope, narrow across it. Slope of their sides, pan frame, and
+// how much fuller (above 0) or emptier they are; 0 in a level pan.
+fn runnels(local: vec3<f32>) -> vec3<f32> {
+    let downhill = (frame.pan_from_world * vec4<f32>(0.0, 0.0, -1.0, 0.0)).xy;
+    let steep = length(downhill);
+    if (steep < 0.03) { return vec3<f32>(0.0); }
+    let along = downhill / steep;
+    let across = vec2<f32>(-along.y, along.x);
+    let at = vec3<f32>(dot(local.xy, across) * 42.0, dot(local.xy, along) * 4.0 - frame.eye.w * 0.4 * steep, 0.37);
+    let here = textureSampleLevel(solid_noise, tile_sampler, at, 0.0);
+    let shown = smoothstep(0.03, 0.10, steep);
+    return vec3<f32>(across * (here.r - 0.5) * 0.22, here.a - 0.5) * shown;
+}
+
 @fragment
 fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
@@ -200,16 +214,17 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
         return pixel_from_radiance(bare, in.clip.xy);
     }
     let film = film_on(local);
-    // A thin film beads: droplets and streaks, then a sheet.
+    // A thin film beads: droplets and streaks, then a sheet. In a tilted pan it drains by runnels.
     let beads = coarse.a - 0.5 + 0.5 * (fine - 0.5);
-    let cover = smoothstep(0.004, 0.030, film.oil + 0.030 * beads) * smoothstep(0.0, 0.004, film.oil);
+    let ran = runnels(local);
+    let cover = smoothstep(0.004, 0.030, film.oil + 0.030 * beads + 0.100 * ran.z) * smoothstep(0.0, 0.004, film.oil);
     s.albedo = mix(s.albedo, vec3<f32>(0.042, 0.020, 0.009), film.fond);
     s.f0 *= 1.0 - 0.8 * film.fond;
     var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * (0.62 - 0.38 * cover);
     // In a half mirror the real metal is seen: only what the liquids themselves send is added, without dither on black.
     let added = frame.oil.w > 0.5;
     if (added) { radiance = vec3<f32>(0.0); }
-    radiance = under_oil(radiance, in, n, view, lit, open, cover, film.oil, coarse.rgb);
+    radiance = under_oil(radiance, in, n, view, lit, open, cover, film.oil, (coarse.xy - 0.5) * (1.0 - cover) * 0.12 + ran.xy);
     radiance = under_water(radiance, in, n, view, lit, open, film.water, beads);
     radiance = under_foam(radiance, local, lit, open, film.foam);
     if (added) { return vec4<f32>(srgb_from_linear(filmic(radiance)), 1.0); }
@@ -255,11 +270,10 @@ fn hidden_by_food(position: vec3<f32>, towards: vec3<f32>) -> f32 {
 }
 
 // A clear film: hardly coloured where it is thin, mirror-smooth on top, with slow waves.
-fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit: f32, open: f32, cover: f32, thickness: f32, slope: vec3<f32>) -> vec3<f32> {
+fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit: f32, open: f32, cover: f32, thickness: f32, slope: vec2<f32>) -> vec3<f32> {
     let local = in_pan(in.position);
     let wave = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(local.xy * 9.0, frame.eye.w * 0.05), 0.0).rgb - 0.5;
-    let rim = (slope.xy - 0.5) * (1.0 - cover) * 0.12;
-    let film = normalize(n + vec3<f32>(wave.xy * 0.05 + rim, 0.0));
+    let film = normalize(n + vec3<f32>(wave.xy * 0.05 + slope, 0.0));
     let mirror = liquid_mirror(in, film, mix(0.30, 0.06, cover), view, lit, open) * (1.0 - hidden_by_food(in.position, reflect(-view, film)));
     // Light passes the film twice; a deep pool also sends some back itself.
     let passed = pow(frame.oil.rgb, vec3<f32>(2.0 * thickness / OIL_DEPTH));
