@@ -362,7 +362,7 @@ pub static BINDINGS: [Binding; 62] = [
     bind(Key::F7, "F7", Act::Strings, "key.strings"),
     bind(Key::S, "S", Act::Picture, "key.picture"),
     bind(Key::F12, "F12", Act::Picture, "key.picture"),
-    bind(Key::F4, "F4", Act::Photo, "key.photo"),
+    bind(Key::F8, "F8", Act::Photo, "key.photo"),
     bind(Key::F1, "F1", Act::Help, "key.help"),
     bind(Key::F2, "F2", Act::Settings, "key.settings"),
     bind(Key::F3, "F3", Act::Messages, "key.messages"),

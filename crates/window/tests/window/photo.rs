@@ -78,7 +78,7 @@ fn the_photo_mode_shows_the_scene_alone_and_time_waits() {
 #[test]
 fn a_phone_has_room_for_the_photo_mode() {
     let (mut harness, _) = window("phone", vec2(390.0, 844.0));
-    press(&mut harness, Key::F4);
+    press(&mut harness, Key::F8);
     let screen = egui::Rect::from_min_size(egui::Pos2::ZERO, vec2(390.0, 844.0));
     save(&mut harness, "phone-photo");
     for label in ["Take the photo", "Time lapse", "Done", "1280 × 720", "3840 × 2160"] {
@@ -90,7 +90,7 @@ fn a_phone_has_room_for_the_photo_mode() {
 #[test]
 fn a_photo_has_the_chosen_size_and_a_time_lapse_its_frames() {
     let (mut harness, folder) = window("files", vec2(1280.0, 720.0));
-    press(&mut harness, Key::F4);
+    press(&mut harness, Key::F8);
     harness.get_by_label("1280 × 720").click();
     steps(&mut harness, 2);
     press(&mut harness, Key::S);
