@@ -165,7 +165,8 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     // Light comes through translucent flesh where it is thin: at the rim, from behind.
     let rim = pow(1.0 - clamp(dot(smooth_normal, view), 0.0, 1.0), 2.0);
     let through = look.clear * (1.0 - in.state.w) * (1.0 - crust);
-    let body = Surface(colour * (1.0 + through * (1.1 * rim - 0.12)), vec3<f32>(0.03), roughness, bumpy, visibility, wrap);
+    // Where it is thick and faces the eye, the dark pan is seen through it.
+    let body = Surface(colour * (1.0 + through * (1.1 * rim - SEEN_THROUGH)), vec3<f32>(0.03), roughness, bumpy, visibility, wrap);
     var radiance = diffuse(body, lit) + colour * side_fill(smooth_normal) * visibility;
     let tint = mix(vec3<f32>(1.0), vec3<f32>(1.0, 0.82, 0.58), crust);
     // The film over it shines far more.
@@ -187,6 +188,11 @@ fn side_fill(normal: vec3<f32>) -> vec3<f32> {
     return frame.fill_front.rgb * max(dot(normal, FRONT), 0.0) * (1.0 - max(normal.z, 0.0)) * 1.1;
 }
 
+// Share of the light that raw translucent flesh loses to what lies under it, and how much of a cooked one a film of fat or glaze
+// covers (chosen).
+const SEEN_THROUGH = 0.34;
+const GLAZED = 0.55;
+
 // Reflections weaker than this do not count as glints, and how much of a crust's pores oil fills (chosen).
 const GLINT = 0.075;
 const OILED = 0.85;
@@ -195,10 +201,12 @@ const OILED = 0.85;
 fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {
     let crust = clamp(1.4 * look.browning, 0.0, 1.0);
     let oily = 0.28 * crust * (1.0 - look.charring) * look.ridges;
-    let film = max(wetness * mix(0.06 + 0.94 * look.ridges, 0.75 + 0.25 * look.ridges, raw), oily);
+    // Shrimps and vegetables that fried in fat are glazed by it.
+    let glaze = GLAZED * in.state.w * smoothstep(0.10, 0.24, look.clear) * (1.0 - look.charring) * (0.45 + 0.55 * look.ridges);
+    let film = max(wetness * mix(0.06 + 0.94 * look.ridges, 0.75 + 0.25 * look.ridges, raw), max(oily, glaze));
     // Where the relief is finer than a pixel its glints spread over the pixel.
     let turn = fwidth(bent);
-    let roughness = min(sqrt(pow(mix(0.26, 0.15, wetness), 2.0) + 0.16 * dot(turn, turn)), 0.6);
+    let roughness = min(sqrt(pow(mix(0.26, 0.15, max(wetness, glaze)), 2.0) + 0.16 * dot(turn, turn)), 0.6);
     let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), roughness, world_normal(bent), visibility, vec3<f32>(0.0));
     // Only the bright parts of the room show as glints; the rest would lie on the flesh like milk.
     let milk = GLINT * mix(1.0, 0.8, raw);
