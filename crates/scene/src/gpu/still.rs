@@ -2,7 +2,7 @@
 
 use crate::camera::Camera;
 use crate::gpu::solids::MovableKey;
-use crate::gpu::uniforms::balance;
+use crate::gpu::uniforms::{balance, exposure};
 use crate::input::{SceneInput, Tile};
 use crate::light::room_light::RoomLight;
 use crate::light::white_balance::WhiteBalance;
@@ -17,6 +17,8 @@ pub(crate) struct StillKey {
     pan: MovableKey,
     disturbances: u64,
     white: WhiteBalance,
+    /// Exposure of the look [-].
+    exposure: f32,
     tile: Option<Tile>,
     light: RoomLight,
 }
@@ -30,6 +32,7 @@ impl StillKey {
             pan: MovableKey::of(input),
             disturbances,
             white: balance(input),
+            exposure: exposure(input),
             tile: input.tile,
             light: input.light,
         }

@@ -85,7 +85,7 @@ pub(crate) fn balance(input: &SceneInput) -> WhiteBalance {
 }
 
 /// What the look's radiances are multiplied by for its exposure [-].
-fn exposure(input: &SceneInput) -> f32 {
+pub(crate) fn exposure(input: &SceneInput) -> f32 {
     if matches!(input.colouring, Colouring::Look) { input.photo.gain() } else { 1.0 }
 }
 
