@@ -166,7 +166,7 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     let rim = pow(1.0 - clamp(dot(smooth_normal, view), 0.0, 1.0), 2.0);
     let through = look.clear * (1.0 - in.state.w) * (1.0 - crust);
     // Where it is thick and faces the eye, the dark pan is seen through it.
-    let body = Surface(colour * (1.0 + through * (1.1 * rim - SEEN_THROUGH)), vec3<f32>(0.03), roughness, bumpy, visibility, wrap);
+    let body = Surface(colour * (1.0 + through * (1.1 * rim - mix(0.12, SEEN_THROUGH, smoothstep(0.6, 1.0, look.clear)))), vec3<f32>(0.03), roughness, bumpy, visibility, wrap);
     var radiance = diffuse(body, lit) + colour * side_fill(smooth_normal) * visibility;
     let tint = mix(vec3<f32>(1.0), vec3<f32>(1.0, 0.82, 0.58), crust);
     // The film over it shines far more.
