@@ -24,6 +24,25 @@ fn another_white_balance_or_quality_draws_another_picture() {
 }
 
 #[test]
+fn exposure_brightens_a_picture_and_blur_softens_what_lies_behind() {
+    let [usual, brighter] = ["0", "1"].map(|ev| shot(&["--exposure", ev]));
+    assert!(usual == shot(&[]) && brighter != usual);
+    let grey = |png: &[u8]| {
+        let mut reader = png::Decoder::new(std::io::Cursor::new(png)).read_info().unwrap();
+        let mut rgba = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut rgba).unwrap();
+        rgba.iter().map(|value| f64::from(*value)).sum::<f64>() / rgba.len() as f64
+    };
+    assert!(grey(&brighter) > grey(&usual) + 10.0);
+    let best = |blur: &str| shot(&["--quality", "best", "--blur", blur]);
+    assert!(best("0") != best("4"));
+    for (option, value, remedy) in [("--exposure", "9", "-2 to 2"), ("--blur", "nan", "0 (all is sharp) to 4")] {
+        let ran = run(&["shot", "medium", "--at", "1", "--out", "never.png", option, value]);
+        assert!(ran.code == Some(2) && ran.err.contains(remedy), "{}", ran.err);
+    }
+}
+
+#[test]
 fn an_unknown_white_balance_is_refused_and_the_choices_are_named() {
     let ran = run(&["shot", "medium", "--at", "1", "--out", "never.png", "--white-balance", "tungsten"]);
     assert_eq!(ran.code, Some(2));
