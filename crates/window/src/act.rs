@@ -104,6 +104,8 @@ pub enum Act {
     HoldTime(bool),
     /// Goes over to another branch, by its place.
     Branch(usize),
+    /// All ways side by side, or the one that goes on alone.
+    SideBySide,
     /// View that the colours show.
     View(View),
     /// The look next to the view, or the view alone.
@@ -265,7 +267,7 @@ impl Subject {
             Put | Act::Flip | Out | Halve | Toss | Pour(_) | Portion | Lid | NextPiece => Self::Food,
             Tool | ToolBy(_) | RollBy(_) | LevelTool | PutAway => Self::Tool,
             Hob(_) | Cloth | Pause | Step | Speed(_) | Restart => Self::Hob,
-            View(_) | Split | Probe | Map | Scale | Slice | SliceBy(_) | Units => Self::Views,
+            View(_) | Split | Probe | Map | Scale | Slice | SliceBy(_) | Units | Act::SideBySide => Self::Views,
             Camera | Orbit(..) | Zoom(_) => Self::Eye,
             _ => Self::Window,
         }
@@ -297,7 +299,7 @@ pub const TOOL_STEP: f64 = 0.01;
 pub const ROLL_STEP: f64 = std::f64::consts::PI / 6.0;
 
 /// All keys, in the order in which the help lists them.
-pub static BINDINGS: [Binding; 61] = [
+pub static BINDINGS: [Binding; 62] = [
     bind(Key::A, "A", Act::Put, "key.put"),
     bind(Key::F, "F", Act::Flip, "key.flip"),
     bind(Key::O, "O", Act::Out, "key.out"),
@@ -357,6 +359,7 @@ pub static BINDINGS: [Binding; 61] = [
     bind(Key::F1, "F1", Act::Help, "key.help"),
     bind(Key::F2, "F2", Act::Settings, "key.settings"),
     bind(Key::F3, "F3", Act::Messages, "key.messages"),
+    bind(Key::F4, "F4", Act::SideBySide, "key.side_by_side"),
     bind(Key::F9, "F9", Act::Mirror, "key.mirror"),
     bind(Key::Escape, "Esc", Act::Close, "key.close"),
 ];

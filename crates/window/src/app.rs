@@ -1,6 +1,6 @@
 //! The program's window.
 
-mod frame;
+pub(crate) mod frame;
 mod keys;
 mod open_session;
 mod pace;
@@ -33,6 +33,7 @@ use crate::ui::motion::Motions;
 use crate::ui::notice::Notice;
 use crate::ui::scene_view::SceneView;
 use crate::ui::theme;
+use crate::ui::ways_view::WaysView;
 use crate::words::language::Language;
 
 /// Where settings are remembered.
@@ -82,6 +83,8 @@ pub struct SauteApp {
     pub(crate) notice: Notice,
     pub(crate) motions: Motions,
     pub(crate) scene: SceneView,
+    /// Ways side by side.
+    pub(crate) ways: WaysView,
     /// What panels keep from frame to frame.
     pub(crate) memory: PanelMemory,
     pub(crate) pan_keys: PanKeys,
@@ -203,6 +206,7 @@ impl SauteApp {
             notice: Notice::default(),
             motions: Motions::default(),
             scene: SceneView::default(),
+            ways: WaysView::default(),
             memory: PanelMemory::default(),
             pan_keys: PanKeys::default(),
             tool_hand: ToolHand::default(),

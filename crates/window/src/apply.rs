@@ -65,6 +65,7 @@ impl SauteApp {
             Act::Scrub(time_s) => self.scrub(time_s),
             Act::HoldTime(held) => self.session.hold_time(held),
             Act::Branch(place) => self.go_to_branch(place),
+            Act::SideBySide => self.toggle_ways(),
             Act::View(view) => self.settings.view = view,
             Act::Split => self.toggle_split(),
             Act::Probe => self.place_probe(),

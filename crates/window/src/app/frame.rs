@@ -47,6 +47,7 @@ impl SauteApp {
         #[cfg(not(target_arch = "wasm32"))]
         let layout = crate::hand::make_room(layout, &self.session.hands);
         self.session.probes.forget_gone(&self.session.kitchen);
+        let layout = self.lay_out_ways(layout);
         self.show_scene(ui, &layout);
         let acts = self.show_panels(ui, &layout);
         if !acts.is_empty() {
@@ -82,6 +83,7 @@ impl SauteApp {
             quality,
             advice,
             notice: self.notice.current(),
+            ways: if self.shows_ways() { self.session.ways() } else { Vec::new() },
         };
         let mut acts = Acts::new();
         panels::show_all(&state, &mut self.memory, ui, &mut acts, layout);
@@ -126,6 +128,7 @@ impl SauteApp {
         if !self.session.paused && !waits {
             self.governor.frame(wall, begun.elapsed().as_secs_f64());
         }
+        self.keep_ways_beside(wall);
         self.keep_up(passes);
         if let Err(error) = passed {
             self.say_trouble(&error);
@@ -136,6 +139,7 @@ impl SauteApp {
             || self.motions.moving()
             || self.glance.is_some()
             || self.session.is_travelling()
+            || self.ways.catch_up
         {
             ctx.request_repaint();
         } else {
@@ -145,7 +149,7 @@ impl SauteApp {
 }
 
 /// How long a frame may spend on stepping the world, when the last one took `wall_s`.
-fn step_budget(wall_s: f64) -> Duration {
+pub(crate) fn step_budget(wall_s: f64) -> Duration {
     let least = Duration::from_millis(STEP_BUDGET_MS);
     let share = Duration::from_secs_f64((STEP_SHARE * wall_s).clamp(0.0, LONGEST_STEPPING_S));
     if cfg!(target_arch = "wasm32") { least.max(share) } else { least }

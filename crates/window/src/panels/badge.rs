@@ -32,9 +32,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
 
 /// What holds all the time: the legend of the view, and simplified rules.
 fn standing(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
-    let simple = state.session.kitchen.rules() == Rules::Paper2013;
-    let coloured = state.settings.view != View::Look;
-    if !simple && !coloured {
+    if layout.ways.is_some() || !says_what_holds(state) {
         return;
     }
     let pane = layout.field_pane(state.settings.is_split());
@@ -43,18 +41,21 @@ fn standing(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     let width = pane.free.right().min(eye) - at.x - 2.0 * GAP - 16.0;
     let area = Area::new(Id::unique("standing")).fixed_pos(at).pivot(Align2::LEFT_BOTTOM);
     area.show(ui.ctx(), |ui| {
-        theme::of(ui).panel().inner_margin(8).show(ui, |ui| {
-            legend::show(state, ui, acts, width);
-            if simple {
-                ui.label(
-                    RichText::new(state.settings.language.text("scene.rules_2013"))
-                        .size(15.0)
-                        .strong()
-                        .color(theme::of(ui).accent),
-                );
-            }
-        });
+        theme::of(ui).panel().inner_margin(8).show(ui, |ui| what_holds(state, ui, acts, width));
     });
+}
+
+fn says_what_holds(state: &WindowState) -> bool {
+    state.session.kitchen.rules() == Rules::Paper2013 || state.settings.view != View::Look
+}
+
+/// The legend of the view, and whether rules are simplified, at most `width` points wide.
+pub fn what_holds(state: &WindowState, ui: &mut Ui, acts: &mut Acts, width: f32) {
+    legend::show(state, ui, acts, width);
+    if state.session.kitchen.rules() == Rules::Paper2013 {
+        let text = RichText::new(state.settings.language.text("scene.rules_2013"));
+        ui.label(text.size(15.0).strong().color(theme::of(ui).accent));
+    }
 }
 
 fn message(

@@ -14,7 +14,9 @@ use crate::mirror::view::MirrorView;
 use crate::panels::Drawer;
 use crate::panels::inside::Inside;
 use crate::panels::still::Stills;
+use crate::panels::ways::WaysMemory;
 use crate::session::Session;
+use crate::session::timeline::WayBeside;
 use crate::settings::Settings;
 use crate::ui::notice::{Notice, Said};
 use crate::ui::scene_view::SceneView;
@@ -57,6 +59,8 @@ pub struct WindowState<'a> {
     pub advice: Vec<Advice>,
     /// What was said last, while it is still shown.
     pub notice: Option<Said>,
+    /// Ways side by side; none while the scene alone is shown.
+    pub ways: Vec<WayBeside<'a>>,
 }
 
 impl WindowState<'_> {
@@ -85,6 +89,8 @@ pub struct PanelMemory {
     pub search: String,
     /// Pictures of the foods.
     pub stills: Stills,
+    /// What is kept of ways side by side.
+    pub ways: WaysMemory,
     /// What was typed and chosen about a device.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) hand_choice: crate::hand::Choice,
@@ -99,6 +105,7 @@ impl Default for PanelMemory {
             count: 1,
             search: String::new(),
             stills: Stills::default(),
+            ways: WaysMemory::default(),
             #[cfg(not(target_arch = "wasm32"))]
             hand_choice: Default::default(),
         }

@@ -14,3 +14,4 @@ mod steak;
 mod time;
 mod timeline;
 mod views;
+mod ways;

@@ -6,6 +6,7 @@
 //! followed: it becomes a branch as soon as time goes on.
 
 mod acts;
+mod beside;
 mod branches;
 mod keyframes;
 mod line;
@@ -17,10 +18,12 @@ use saute_kitchen::bytes::Models;
 use saute_recipe::Moment;
 use web_time::Duration;
 
-pub use self::branches::BranchName;
+pub use self::beside::{Stand, WayBeside};
+pub use self::branches::{BranchName, MOST_BESIDE, Way};
 pub use self::keyframes::MOST_BYTES;
 pub use self::undo::Undone;
 
+use self::branches::Branch;
 use self::keyframes::Keyframes;
 use self::line::Line;
 use self::put_by::PutBy;
@@ -45,6 +48,10 @@ pub(super) struct Timeline {
     computed: Duration,
     /// Number of the line of time that is shown, for the file that it is kept in.
     number: u64,
+    /// Ways that began so far.
+    ways: u64,
+    /// Number of looks at the ways beside the one that is shown: each has its turn to be the first.
+    looks: usize,
     /// True while a recorded session is played up to its end.
     pub(super) catches_up: bool,
     /// True while a person holds the strip: time stands still.
@@ -58,7 +65,9 @@ pub(super) struct Course {
     ahead: Option<Ahead>,
     /// Instants to which redo leads, the next one last.
     redo: Vec<Moment>,
-    branches: Vec<Line>,
+    branches: Vec<Branch>,
+    /// The way that is shown.
+    way: Way,
     /// True if the last branch was undone, and no command was given since.
     is_last_undone: bool,
     /// Entries that the beginning itself made.
@@ -76,9 +85,19 @@ impl Timeline {
     /// A cook begins.
     pub(super) fn begin(&mut self) {
         self.course = Course::default();
+        self.begin_way();
         self.number += 1;
         self.travel = None;
         self.catches_up = false;
+    }
+
+    /// What is shown is a new way, in the first place that is free.
+    fn begin_way(&mut self) {
+        self.ways += 1;
+        let branches = &self.course.branches;
+        let is_free = |slot: &usize| branches.iter().all(|branch| branch.way.slot != *slot);
+        let slot = (0..MOST_BESIDE).find(is_free).unwrap_or(MOST_BESIDE);
+        self.course.way = Way { slot, id: self.ways };
     }
 
     /// Models that are known.
@@ -90,7 +109,7 @@ impl Timeline {
         let courses = self.past.iter_mut().chain(&mut self.later).map(|by| &mut by.course);
         courses.chain([&mut self.course]).flat_map(|course| {
             let ahead = course.ahead.iter_mut().map(|ahead| &mut ahead.line.keyframes);
-            let branches = course.branches.iter_mut().map(|line| &mut line.keyframes);
+            let branches = course.branches.iter_mut().map(|branch| &mut branch.line.keyframes);
             ahead.chain(branches).chain([&mut course.keyframes])
         })
     }

@@ -45,6 +45,7 @@ impl Session {
 
     fn take_present(&mut self) -> PutBy {
         self.keep_keyframe();
+        self.forget_beside();
         PutBy {
             course: std::mem::take(&mut self.timeline.course),
             recording: self.recording.clone(),

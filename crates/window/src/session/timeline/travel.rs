@@ -6,15 +6,58 @@ use web_time::{Duration, Instant};
 use super::line::Line;
 use super::{Ahead, COMPUTED_PER_KEYFRAME};
 use crate::session::Session;
-use saute_kitchen::FRAMES_PER_TICK;
+use saute_kitchen::bytes::Models;
+use saute_kitchen::{FRAMES_PER_TICK, Library};
 use saute_recipe::session::{Deed, Entry};
 
 /// A travel that has not arrived.
 pub(super) struct Travel {
-    replay: Replay,
-    to: Moment,
+    pub(super) replay: Replay,
+    pub(super) to: Moment,
     /// Computing time since the last keyframe.
     computed: Duration,
+}
+
+impl Travel {
+    /// A travel along a line to a moment: it goes on from where an earlier one is if that is near, else from a keyframe.
+    pub(super) fn toward(
+        to: Moment,
+        earlier: &mut Option<Self>,
+        line: &Line,
+        library: &Library,
+        models: &mut Models,
+    ) -> Self {
+        match earlier.take_if(|travel| travel.is_near(to, line)) {
+            Some(travel) => Self { to, ..travel },
+            None => {
+                let nearest = line.keyframes.before(to).expect("the beginning is a keyframe");
+                Self { replay: nearest.replay(library, models), to, computed: Duration::ZERO }
+            }
+        }
+    }
+
+    /// Returns true if a moment is reached sooner from here than from any keyframe of its line.
+    pub(super) fn is_near(&self, to: Moment, line: &Line) -> bool {
+        let here = self.replay.moment();
+        here <= to && line.keyframes.before(to).is_none_or(|nearest| nearest.moment <= here)
+    }
+
+    /// Goes on along a line for no longer than `budget`, at least by a frame; returns true when it has arrived.
+    pub(super) fn go_on(&mut self, line: &mut Line, library: &Library, budget: Duration) -> bool {
+        let begun = Instant::now();
+        while self.replay.moment().frame < self.to.frame {
+            self.step(line, library);
+            if begun.elapsed() >= budget && self.replay.moment().frame < self.to.frame {
+                return false;
+            }
+        }
+        self.replay.settle(&line.recording, library, self.to);
+        true
+    }
+
+    pub(super) fn into_replay(self) -> Replay {
+        self.replay
+    }
 }
 
 impl Session {
@@ -107,20 +150,13 @@ impl Session {
         if self.timeline.catches_up {
             return self.catch_up(budget);
         }
-        let begun = Instant::now();
         let Some(mut travel) = self.timeline.travel.take() else { return };
         let Some(ahead) = &mut self.timeline.course.ahead else { return };
-        let line = &mut ahead.line;
-        while travel.replay.moment().frame < travel.to.frame {
-            travel.step(line, &self.library);
-            if begun.elapsed() >= budget && travel.replay.moment().frame < travel.to.frame {
-                self.timeline.travel = Some(travel);
-                super::keyframes::thin(&mut self.timeline);
-                return;
-            }
+        if travel.go_on(&mut ahead.line, &self.library, budget) {
+            return self.arrive(travel);
         }
-        travel.replay.settle(&line.recording, &self.library, travel.to);
-        self.arrive(travel);
+        self.timeline.travel = Some(travel);
+        super::keyframes::thin(&mut self.timeline);
     }
 
     /// Travels to the end at once.
@@ -221,7 +257,7 @@ impl Session {
 
 impl Travel {
     /// Plays a frame again; keeps a keyframe after much computing, so that the way is short the next time.
-    fn step(&mut self, line: &mut Line, library: &saute_kitchen::Library) {
+    fn step(&mut self, line: &mut Line, library: &Library) {
         let begun = Instant::now();
         let Replay { kitchen, .. } = &self.replay;
         let (moment, is_due) = (self.replay.moment(), self.computed >= COMPUTED_PER_KEYFRAME);
