@@ -82,6 +82,9 @@ pub enum Act {
     ResumeRecipe,
     /// Opens a file dialog for a recipe.
     ChooseFile,
+    /// Opens a file dialog for the file in which the cook is kept.
+    #[cfg(not(target_arch = "wasm32"))]
+    SaveCook,
     /// Opens a recipe's file.
     #[cfg(not(target_arch = "wasm32"))]
     OpenFile(std::path::PathBuf),

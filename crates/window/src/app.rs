@@ -14,6 +14,7 @@ use saute_recipe::{Recipe, Recording};
 use saute_scene::camera::Camera;
 use saute_scene::quality::Quality;
 
+use crate::apply::waiting::Waiting;
 use crate::frame_meter::FrameMeter;
 use crate::governor::Governor;
 use crate::input::pad_input::Pad;
@@ -97,6 +98,8 @@ pub struct SauteApp {
     lag: Option<pace::Lag>,
     /// Where the eye is on its way to.
     pub(crate) glance: Option<Glance>,
+    /// What waits until the instant is reached to which time is turned.
+    pub(crate) waiting: Vec<Waiting>,
     /// The piece to which the eye turns once it lies on the board.
     pub(crate) taken_out: Option<String>,
     pub(crate) meter: FrameMeter,
@@ -215,6 +218,7 @@ impl SauteApp {
             last_time: None,
             lag: None,
             glance: None,
+            waiting: Vec::new(),
             taken_out: None,
             meter: FrameMeter::default(),
             drawable: graphics.is_some(),
@@ -308,8 +312,11 @@ impl SauteApp {
         self.give(command);
     }
 
-    /// As [`Self::command`]; returns true if the kitchen takes it.
+    /// As [`Self::command`]; returns true if the kitchen takes it at once.
     pub(crate) fn give(&mut self, command: &Command) -> bool {
+        if self.puts_off_command(command) {
+            return false;
+        }
         let played = self.session.runner.is_some();
         let taken = self.session.command(command);
         let is_taken = taken.is_ok();

@@ -5,6 +5,7 @@ mod clock;
 mod food;
 mod look;
 mod time;
+pub(crate) mod waiting;
 
 use saute_kitchen::Command;
 
@@ -18,6 +19,9 @@ const TOSS_M: f64 = 0.12;
 impl SauteApp {
     /// Carries out an act. Only this function lets acts change the window; the match is exhaustive, one line per act.
     pub fn act(&mut self, act: Act, ctx: &egui::Context) {
+        if self.puts_off(&act) {
+            return;
+        }
         match act {
             Act::Pause => self.session.set_paused(!self.session.paused),
             Act::Step => self.single_step(),
@@ -50,6 +54,8 @@ impl SauteApp {
             Act::Play(id) => self.play(&id),
             Act::ResumeRecipe => self.resume_recipe(),
             Act::ChooseFile => self.choose_file(ctx),
+            #[cfg(not(target_arch = "wasm32"))]
+            Act::SaveCook => self.choose_place(ctx),
             #[cfg(not(target_arch = "wasm32"))]
             Act::OpenFile(path) => self.open_file(&path),
             #[cfg(not(target_arch = "wasm32"))]

@@ -83,6 +83,7 @@ impl SauteApp {
             quality,
             advice,
             notice: self.notice.current(),
+            waiting: self.waiting.iter().map(|waiting| waiting.words(self.settings.language)).collect(),
             ways: if self.shows_ways() { self.session.ways() } else { Vec::new() },
         };
         let mut acts = Acts::new();
@@ -128,6 +129,7 @@ impl SauteApp {
         if !self.session.paused && !waits {
             self.governor.frame(wall, begun.elapsed().as_secs_f64());
         }
+        self.do_what_waited(ctx);
         self.keep_ways_beside(wall);
         self.keep_up(passes);
         if let Err(error) = passed {

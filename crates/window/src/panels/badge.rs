@@ -6,6 +6,7 @@ use saute_picture::view::View;
 
 use crate::act::Acts;
 use crate::panels::cards::messages;
+use crate::panels::inside::clock;
 use crate::panels::legend;
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
@@ -20,6 +21,12 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
             &[("speed", &format!("{:.0}", state.session.speed)), ("seconds", &format!("{behind:.0}"))],
         );
         message(ui, layout, ("behind", 12.0), false, &text, |_| {});
+    }
+    if !state.waiting.is_empty() {
+        let l = state.settings.language;
+        let (what, time) = (state.waiting.join(l.text("doneness.list_joint")), clock(state.session.shown_s()));
+        let text = l.fill("waiting.until", &[("what", &what), ("time", &time)]);
+        message(ui, layout, ("waiting", 12.0), false, &text, |_| {});
     }
     if let Some(said) = &state.notice {
         // A click on its button must reach it; through all others it reaches the scene.
@@ -68,8 +75,12 @@ fn message(
 ) {
     // On a narrow window the buttons of the eye stand at the top.
     let drop = if layout.narrow { drop + layout.eye.height() } else { drop };
-    let at = layout.free.center_top() + egui::vec2(0.0, drop);
-    let area = Area::new(Id::unique(("message", name))).fixed_pos(at).pivot(Align2::CENTER_TOP);
+    // Names of ways side by side stand at the top.
+    let (at, pivot) = match &layout.ways {
+        Some(ways) => (ways.ground.center_bottom() - egui::vec2(0.0, drop), Align2::CENTER_BOTTOM),
+        None => (layout.free.center_top() + egui::vec2(0.0, drop), Align2::CENTER_TOP),
+    };
+    let area = Area::new(Id::unique(("message", name))).fixed_pos(at).pivot(pivot);
     area.interactable(clicked).show(ui.ctx(), |ui| {
         theme::of(ui).panel().show(ui, |ui| {
             ui.set_max_width(layout.free.width() - 40.0);

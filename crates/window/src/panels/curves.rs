@@ -50,7 +50,8 @@ pub fn show(state: &WindowState, ui: &mut Ui, height: f32) {
     let settings = state.settings;
     legend(state, ui, &curves);
     let (lane, _) = ui.allocate_exact_size(vec2(ui.available_width(), LANE), Sense::hover());
-    let shown = axes(state, "curves", height - LANE).include_y(settings.degrees(200.0)).show(ui, |plot| {
+    let axes = axes(state, "curves", height - LANE).include_y(settings.degrees(0.0)).include_y(settings.degrees(200.0));
+    let shown = axes.show(ui, |plot| {
         for curve in &curves {
             plot.line(curve.line(&curve.points, curve.colour));
         }
@@ -83,7 +84,6 @@ pub(super) fn axes<'a>(state: &WindowState, name: &'static str, height: f32) -> 
         .allow_boxed_zoom(false)
         .show_crosshair(false)
         .label_formatter(|_| None)
-        .include_y(settings.degrees(0.0))
         .include_x(0.0)
         .include_x(2.0)
         .y_axis_min_width(28.0)

@@ -69,7 +69,7 @@ impl Drawer {
 /// Shows all panels, what is said over the scene, and the card that is open.
 pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, layout: &Layout) {
     if let Some(ways) = &layout.ways {
-        ways::show(state, &mut memory.ways, ui, acts, ways);
+        ways::show(state, &mut memory.ways, ui, acts, (layout.whole, ways));
     }
     if !state.settings.panels_hidden {
         show(state, memory, ui, acts, layout);

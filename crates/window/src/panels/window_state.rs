@@ -59,6 +59,8 @@ pub struct WindowState<'a> {
     pub advice: Vec<Advice>,
     /// What was said last, while it is still shown.
     pub notice: Option<Said>,
+    /// What waits until the instant is reached to which time is turned.
+    pub waiting: Vec<String>,
     /// Ways side by side; none while the scene alone is shown.
     pub ways: Vec<WayBeside<'a>>,
 }

@@ -89,9 +89,11 @@ impl Session {
         self.hands.lead(&mut self.kitchen);
         let before = self.recording.entries().len();
         self.recording.take(&mut self.kitchen);
-        if self.recording.entries().len() > before {
+        let after = self.recording.entries().len();
+        if after > before {
             self.depart(before);
         }
+        (before..after).for_each(|entry| self.note_until(entry + 1));
     }
 
     /// Runs the due steps of the recipe; returns true if the recipe has not stopped.

@@ -128,7 +128,7 @@ fn another_way_is_cooked_on_at_the_same_time_and_keeps_its_column() {
     drop(ways);
     // A fourth way; then the oldest makes room.
     harness.state_mut().session_mut().set_paused(true);
-    act(&mut harness, Act::Scrub(80.0));
+    act(&mut harness, Act::Scrub(50.0));
     harness.state_mut().session_mut().finish_travel();
     act(&mut harness, Act::HobSet(600.0));
     cook(&mut harness, 10.0);

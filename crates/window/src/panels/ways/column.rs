@@ -43,8 +43,8 @@ pub(super) fn show(
 
 fn head(state: &WindowState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut Ui, name: &str) {
     ui.spacing_mut().item_spacing = vec2(5.0, 1.0);
+    ui.spacing_mut().interact_size.y = SMALL_BUTTON;
     ui.horizontal(|ui| {
-        ui.set_min_height(SMALL_BUTTON);
         sample(ui, theme::of(ui).way(way.way.slot), style(way.way.slot), 2.4);
         let is_all_shown = way.place.is_none() || !memory.pages;
         let room = if is_all_shown { 0.0 } else { 2.0 * (SMALL_BUTTON + 5.0) };
@@ -127,12 +127,13 @@ fn cut(state: &WindowState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut U
     picture.refresh(state, piece, ui);
     let room = vec2(ui.available_width(), CUT_SHARE * ui.available_height());
     let (rect, _) = ui.allocate_exact_size(room, Sense::hover());
+    ui.spacing_mut().item_spacing.y = 1.0;
     if let Some(texture) = picture.texture() {
         let size = texture.size_vec2();
-        let size = size * (room.x / size.x).min((room.y - 6.0) / size.y);
+        let size = size * (room.x / size.x).min((room.y - 10.0) / size.y);
         let alt = l.fill("ways.cut", &[("way", &name)]);
         let image = egui::Image::new((texture.id(), size)).corner_radius(4).alt_text(alt);
-        ui.put(Rect::from_center_size(rect.center(), size), image);
+        ui.put(Rect::from_center_size(rect.center() + vec2(0.0, 3.0), size), image);
     }
     let core = l.fill("piece.core", &[("core", &state.settings.temperature(celsius(piece.core())))]);
     let text = format!("{core} · {}", doneness(state.scale_of(piece).as_deref(), piece, l));

@@ -36,8 +36,14 @@ pub struct WaysMemory {
 }
 
 /// Shows all of it but the pans, which are drawn with the scene.
-pub fn show(state: &WindowState, memory: &mut WaysMemory, ui: &mut Ui, acts: &mut Acts, layout: &WaysLayout) {
-    ground(ui, layout);
+pub fn show(
+    state: &WindowState,
+    memory: &mut WaysMemory,
+    ui: &mut Ui,
+    acts: &mut Acts,
+    (whole, layout): (Rect, &WaysLayout),
+) {
+    ground(ui, whole, layout);
     memory.cuts.retain(|id, _| state.ways.iter().any(|way| way.way.id == *id));
     memory.pages = state.ways.len() > layout.columns().len();
     let shown: Vec<&WayBeside> = displayed(&state.ways, memory, layout.columns().len());
@@ -89,12 +95,12 @@ pub(crate) fn way_words(name: &BranchName, l: Language) -> String {
     }
 }
 
-/// The ground round the pans. It covers no pan: those are drawn before all panels.
-fn ground(ui: &Ui, layout: &WaysLayout) {
-    let (all, columns) = (layout.ground, layout.columns());
+/// The ground round the pans, over the whole window. It covers no pan: those are drawn before all panels.
+fn ground(ui: &Ui, all: Rect, layout: &WaysLayout) {
+    let columns = layout.columns();
     let Some(first) = columns.first().map(|column| column.picture) else { return };
     let fill = |from: egui::Pos2, to: egui::Pos2| {
-        ui.painter().rect_filled(Rect::from_min_max(from, to), 0.0, theme::of(ui).solid);
+        ui.painter().rect_filled(Rect::from_min_max(from, to), 0.0, theme::of(ui).sunken);
     };
     fill(all.min, pos2(all.right(), first.top()));
     fill(pos2(all.left(), first.bottom()), all.max);

@@ -8,6 +8,7 @@ use saute_recipe::recorder::Row;
 use saute_recipe::{Moment, Recording};
 use web_time::Duration;
 
+use super::Course;
 use super::branches::{Branch, BranchName, Way, name_of, shared_entries};
 use super::travel::Travel;
 use crate::session::Session;
@@ -39,7 +40,7 @@ pub enum Stand {
     Here,
     /// On its way to the instant that is shown: it is seen as it was at this time [s].
     CatchingUp(f64),
-    /// It ended before, at this time [s], and is seen, or soon will be, as it was then.
+    /// It ended before, at this time [s], and is seen as it was then.
     Ended(f64),
 }
 
@@ -119,9 +120,9 @@ impl Session {
         let has_arrived = seen.is_some_and(|travel| travel.replay.moment().frame == beside.moment().frame);
         let stand = match beside {
             Beside::Shared(_, parting) => Stand::Same(parting as f64 * saute_kitchen::FRAME_S),
-            Beside::End(end) => Stand::Ended(end.time_s()),
+            Beside::End(end) if has_arrived => Stand::Ended(end.time_s()),
             Beside::Own(_) if has_arrived => Stand::Here,
-            Beside::Own(_) => Stand::CatchingUp(at_s),
+            Beside::End(_) | Beside::Own(_) => Stand::CatchingUp(at_s),
         };
         WayBeside {
             way: branch.way,
@@ -169,7 +170,8 @@ impl Session {
 
     /// Brings a branch nearer to a moment; returns true if it is there. Reading a keyframe takes time: one in a frame is.
     fn bring_beside(&mut self, place: usize, to: Moment, budget: Duration, may_turn_back: &mut bool) -> bool {
-        let Branch { line, seen, .. } = &mut self.timeline.course.branches[place];
+        let Course { branches, models, .. } = &mut self.timeline.course;
+        let Branch { line, seen, .. } = &mut branches[place];
         if seen.as_ref().is_some_and(|travel| travel.replay.moment() == to) {
             return true;
         }
@@ -177,7 +179,7 @@ impl Session {
         if !is_near && !std::mem::take(may_turn_back) {
             return false;
         }
-        let mut travel = Travel::toward(to, seen, line, &self.library, &mut self.timeline.models);
+        let mut travel = Travel::toward(to, seen, line, &self.library, models);
         let has_arrived = travel.go_on(line, &self.library, budget);
         *seen = Some(travel);
         has_arrived

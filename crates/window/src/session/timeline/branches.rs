@@ -109,7 +109,7 @@ impl Session {
     /// Shows another way at a moment of it.
     fn go_onto(&mut self, branch: Branch, to: Moment) {
         let Branch { mut seen, line, .. } = branch;
-        let replay = Travel::toward(to, &mut seen, &line, &self.library, &mut self.timeline.models).into_replay();
+        let replay = Travel::toward(to, &mut seen, &line, &self.library, &mut self.timeline.course.models).into_replay();
         let from = replay.moment();
         self.kitchen = replay.kitchen.clone();
         self.recording = line.recording.clone();

@@ -10,6 +10,7 @@ mod beside;
 mod branches;
 mod keyframes;
 mod line;
+mod packed;
 mod put_by;
 mod travel;
 mod undo;
@@ -43,9 +44,10 @@ pub(super) struct Timeline {
     /// Cooks in place of which others began, and those that an undo put by in turn.
     past: Vec<PutBy>,
     later: Vec<PutBy>,
-    models: Models,
     /// Computing time since the last keyframe.
     computed: Duration,
+    /// The keyframe that is being packed.
+    packing: Option<keyframes::Packing>,
     /// Number of the line of time that is shown, for the file that it is kept in.
     number: u64,
     /// Ways that began so far.
@@ -72,6 +74,8 @@ pub(super) struct Course {
     is_last_undone: bool,
     /// Entries that the beginning itself made.
     given: usize,
+    /// Models of its kitchens: they go with it.
+    models: Models,
 }
 
 /// What was done after the instant that is shown.
@@ -102,7 +106,7 @@ impl Timeline {
 
     /// Models that are known.
     pub(super) fn models(&mut self) -> &mut Models {
-        &mut self.models
+        &mut self.course.models
     }
 
     fn lists(&mut self) -> impl Iterator<Item = &mut Keyframes> {
@@ -124,6 +128,17 @@ impl Session {
     /// The instant that is shown, or on its way to be shown [s].
     pub fn shown_s(&self) -> f64 {
         self.here().time_s()
+    }
+
+    /// Returns true while a recorded session is played up to its end.
+    pub(crate) fn catches_up(&self) -> bool {
+        self.timeline.catches_up
+    }
+
+    /// All that was recorded, after the shown instant too; it is in no file yet.
+    pub fn whole_recording(&self) -> saute_recipe::Recording {
+        let longest = self.longest();
+        longest.fork(longest.moment())
     }
 
     /// Everything that was done, after the shown instant too.
@@ -157,7 +172,7 @@ impl Session {
         if self.timeline.course.keyframes.has(moment) {
             return;
         }
-        self.timeline.models.learn(&self.kitchen);
+        self.timeline.course.models.learn(&self.kitchen);
         let (runner, plays) = self.runner_here();
         self.timeline.course.keyframes.keep(&self.kitchen, &runner, plays, moment);
         keyframes::thin(&mut self.timeline);
@@ -166,9 +181,13 @@ impl Session {
     /// Keeps a keyframe now and then.
     pub(super) fn keep_keyframes(&mut self, computed: Duration) {
         self.timeline.computed += computed;
+        let is_narrow = keyframes::pack_on(&mut self.timeline);
+        // What is closer than all others would be dropped first.
+        let course = &self.timeline.course;
+        let apart = if is_narrow { course.keyframes.least_gap() } else { 0 }.max(FRAMES_PER_KEYFRAME);
         let last = self.timeline.course.keyframes.before(self.recording.moment()).map_or(0, |k| k.moment.frame);
         let is_due = self.timeline.computed >= COMPUTED_PER_KEYFRAME;
-        if is_due && self.kitchen.is_between_ticks() && self.kitchen.frame() >= last + FRAMES_PER_KEYFRAME {
+        if is_due && self.kitchen.is_between_ticks() && self.kitchen.frame() >= last + apart {
             self.keep_keyframe();
         }
     }

@@ -111,7 +111,7 @@ impl Session {
             Some(travel) if (from..=to).contains(&travel.replay.moment()) => travel.replay,
             None if (from..=to).contains(&self.recording.moment()) => self.as_replay(),
             _ => {
-                let replay = nearest.replay(&self.library, &mut self.timeline.models);
+                let replay = nearest.replay(&self.library, &mut self.timeline.course.models);
                 self.kitchen = replay.kitchen.clone();
                 self.start_afresh();
                 replay
@@ -134,9 +134,9 @@ impl Session {
 
     /// The shown instant, from which a recording can be played on.
     fn as_replay(&mut self) -> Replay {
-        self.timeline.models.learn(&self.kitchen);
+        self.timeline.course.models.learn(&self.kitchen);
         let (runner, plays) = self.runner_here();
-        Replay::at(self.kitchen.clone(), runner, plays, self.recording.moment()).sharing(&self.timeline.models)
+        Replay::at(self.kitchen.clone(), runner, plays, self.recording.moment()).sharing(&self.timeline.course.models)
     }
 
     /// The runner of the shown instant, also of a recipe that was left, and whether it plays.
@@ -232,12 +232,10 @@ impl Session {
             Deed::Resume => self.runner = self.left.take(),
             Deed::Command(_) | Deed::Add(_) | Deed::Remove(_) => {}
         }
-        drop(entry.deed.carry_out(&mut self.kitchen, &self.library, &mut self.timeline.models));
+        drop(entry.deed.carry_out(&mut self.kitchen, &self.library, &mut self.timeline.course.models));
         drop(self.kitchen.take_carried_out());
         self.recording.restore(entry.clone());
-        if let Deed::Command(command) = &entry.deed {
-            self.note(command);
-        }
+        self.note_last();
         self.weigh_new();
     }
 
