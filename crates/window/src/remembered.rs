@@ -98,7 +98,10 @@ mod tests {
         assert_eq!(goal(r#"{"goal_c":60.0}"#), 62.0);
         assert_eq!(goal(r#"{"goal_c":58.0}"#), 58.0);
         assert_eq!(goal(r#"{"goal_c":60.0,"version":1}"#), 60.0, "it was chosen");
-        assert_eq!(Settings::remembered("{}").0, Settings { language: Settings::remembered("{}").0.language, ..Settings::default() });
+        assert_eq!(
+            Settings::remembered("{}").0,
+            Settings { language: Settings::remembered("{}").0.language, ..Settings::default() }
+        );
     }
 
     #[test]

@@ -29,6 +29,9 @@ put = "steak"
 [[step]]
 at_s = 9
 flip = "steak"
+[[step]]
+at_s = 600
+end = true
 "#;
 
 /// Sequences, and things done in each (chosen: half a minute in all).

@@ -1,5 +1,6 @@
 //! One frame of the window: input, time, scene and panels.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use egui::Ui;
@@ -9,6 +10,7 @@ use web_time::{Duration, Instant};
 use super::SauteApp;
 use crate::act::Acts;
 use crate::panels;
+use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::Layout;
 
@@ -64,6 +66,9 @@ impl SauteApp {
             // The card shows the error of a rig that cannot be read.
             let _ = self.mirror.rig(&self.settings.mirror.rig);
         }
+        let ways = if self.shows_ways() { self.session.ways() } else { Vec::new() };
+        let way_names = if ways.is_empty() { BTreeMap::new() } else { self.session.way_names() };
+        let l = self.settings.language;
         let state = WindowState {
             session: &self.session,
             settings: &self.settings,
@@ -83,8 +88,9 @@ impl SauteApp {
             quality,
             advice,
             notice: self.notice.current(),
-            waiting: self.waiting.iter().map(|waiting| waiting.words(self.settings.language)).collect(),
-            ways: if self.shows_ways() { self.session.ways() } else { Vec::new() },
+            waiting: self.waiting.iter().map(|waiting| waiting.words(l)).collect(),
+            ways,
+            way_names: way_names.into_iter().map(|(id, name)| (id, way_words(&name, l))).collect(),
         };
         let mut acts = Acts::new();
         panels::show_all(&state, &mut self.memory, ui, &mut acts, layout);

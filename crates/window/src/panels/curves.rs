@@ -233,7 +233,13 @@ fn ends(ui: &Ui, transform: &PlotTransform, curves: &[Curve]) {
 }
 
 /// The values at the time under the pointer.
-pub(super) fn read_off(state: &WindowState, ui: &Ui, response: &egui::Response, transform: &PlotTransform, curves: &[Curve]) {
+pub(super) fn read_off(
+    state: &WindowState,
+    ui: &Ui,
+    response: &egui::Response,
+    transform: &PlotTransform,
+    curves: &[Curve],
+) {
     let Some(at) = response.hover_pos().filter(|at| transform.frame().contains(*at)) else { return };
     let minutes = transform.value_from_position(at).x;
     let frame = transform.frame();

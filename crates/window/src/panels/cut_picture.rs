@@ -89,4 +89,3 @@ fn per_mm(piece: &Piece) -> f64 {
         };
     (PANEL_WIDTH / across).clamp(PER_MM, 8.0 * PER_MM)
 }
-

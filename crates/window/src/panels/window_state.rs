@@ -1,6 +1,6 @@
 //! What panels read of the window, and what they keep from frame to frame.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use saute_kitchen::Piece;
@@ -63,12 +63,19 @@ pub struct WindowState<'a> {
     pub waiting: Vec<String>,
     /// Ways side by side; none while the scene alone is shown.
     pub ways: Vec<WayBeside<'a>>,
+    /// What they are called, by their numbers.
+    pub way_names: BTreeMap<u64, String>,
 }
 
 impl WindowState<'_> {
     /// The scale of doneness in whose words the food that the panels show is spoken of.
     pub fn scale(&self) -> Option<Arc<Scale>> {
         self.session.scale(&self.settings.scale)
+    }
+
+    /// What a way is called.
+    pub fn way_name(&self, way: &WayBeside) -> &str {
+        self.way_names.get(&way.way.id).map_or("", String::as_str)
     }
 
     /// The scale in whose words a piece is spoken of.

@@ -101,11 +101,7 @@ mod tests {
             after_steps: false,
             deed: Deed::Command(Command::HoldPan { pose: saute_kitchen::dynamics::Pose::default() }),
         };
-        let flip = Entry {
-            frame: 40,
-            after_steps: false,
-            deed: Deed::Command(Command::Flip { food: "a".into() }),
-        };
+        let flip = Entry { frame: 40, after_steps: false, deed: Deed::Command(Command::Flip { food: "a".into() }) };
         let entries = [pose(10), pose(11), flip, pose(50), pose(109), pose(170)];
         let marks: Vec<Option<String>> = (1..=entries.len()).map(|count| mark_of(&entries[..count])).collect();
         let hand = Some("hand".to_owned());

@@ -110,7 +110,17 @@ impl Layout {
         let left = drawer.left() - GAP;
         let top = Rect::from_min_max(inner.min, pos2(left, inner.top() + NARROW_TOP_HEIGHT));
         let free = Rect::from_min_max(pos2(whole.left(), top.bottom()), pos2(left, whole.bottom()));
-        Self { whole, top, left: None, right: drawer, bottom: drawer, eye: Rect::NOTHING, free, narrow: true, ways: None }
+        Self {
+            whole,
+            top,
+            left: None,
+            right: drawer,
+            bottom: drawer,
+            eye: Rect::NOTHING,
+            free,
+            narrow: true,
+            ways: None,
+        }
     }
 
     /// The drawer at the bottom.

@@ -102,9 +102,12 @@ mod tests {
 
     #[test]
     fn every_way_has_a_pan_that_can_be_seen() {
-        for (size, least, columns) in
-            [([1280.0, 720.0], 190.0, 4), ([1920.0, 1080.0], 300.0, 4), ([390.0, 844.0], 110.0, 2), ([844.0, 390.0], 110.0, 2)]
-        {
+        for (size, least, columns) in [
+            ([1280.0, 720.0], 190.0, 4),
+            ([1920.0, 1080.0], 300.0, 4),
+            ([390.0, 844.0], 110.0, 2),
+            ([844.0, 390.0], 110.0, 2),
+        ] {
             for count in 1..=MOST {
                 let whole = Rect::from_min_size(Pos2::ZERO, Vec2::from(size));
                 let layout = Layout::new(whole, &Settings::default()).with_ways(count, 0);
@@ -115,7 +118,13 @@ mod tests {
                     assert!(picture.width() >= least && picture.height() >= 100.0, "{size:?} {count} {picture:?}");
                     assert!(ways.ground.contains_rect(picture) && ways.ground.contains_rect(column.cut));
                 }
-                assert!(layout.panels().iter().filter(|part| **part != layout.eye).all(|part| !part.intersects(ways.ground)));
+                assert!(
+                    layout
+                        .panels()
+                        .iter()
+                        .filter(|part| **part != layout.eye)
+                        .all(|part| !part.intersects(ways.ground))
+                );
             }
         }
     }

@@ -81,9 +81,9 @@ impl SauteApp {
         if !self.shows_ways() {
             return layout;
         }
-        let ways = self.session.ways();
-        let live = ways.iter().position(|way| way.place.is_none()).unwrap_or(0);
-        layout.with_ways(ways.len(), live)
+        let live = self.session.way();
+        let before = self.session.all_ways().filter(|way| way.slot < live.slot).count();
+        layout.with_ways(self.session.all_ways().count(), before)
     }
 
     /// Draws the pans of the ways beside the one that goes on.

@@ -4,9 +4,9 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::{Harness, kittest::Queryable};
 use saute_kitchen::Command;
+use saute_window::Language;
 use saute_window::SauteApp;
 use saute_window::act::{Act, Setting};
-use saute_window::Language;
 use saute_window::session::timeline::Stand;
 use saute_window::ui::theme::Theme;
 
@@ -94,8 +94,7 @@ fn ways_are_seen_side_by_side_and_turned_together() {
     act(&mut harness, Act::Scrub(45.0));
     settle(&mut harness);
     assert!(harness.query_all_by_label("the same until 1:00").count() == 2);
-    let hashes: Vec<u64> =
-        harness.state().session().ways().iter().map(|way| way.kitchen.state_hash()).collect();
+    let hashes: Vec<u64> = harness.state().session().ways().iter().map(|way| way.kitchen.state_hash()).collect();
     assert!(hashes.iter().all(|hash| *hash == hashes[0]));
     act(&mut harness, Act::Set(Setting::Theme(Theme::Light)));
     act(&mut harness, Act::View(saute_picture::view::View::Temperature));

@@ -3,13 +3,13 @@
 use egui::{Align2, Rect, RichText, Sense, Stroke, StrokeKind, Ui, UiBuilder, vec2};
 use saute_kitchen::{Piece, celsius};
 
-use super::{WaysMemory, way_words, within};
+use super::{WaysMemory, within};
 use crate::act::{Act, Acts};
 use crate::input::grab::ORBIT_PER_POINT;
 use crate::panels::curves::sample;
 use crate::panels::inside::clock;
-use crate::panels::window_state::WindowState;
 use crate::panels::ways::plot::style;
+use crate::panels::window_state::WindowState;
 use crate::session::timeline::{Stand, WayBeside};
 use crate::ui::theme;
 use crate::ui::ways_layout::WayColumn;
@@ -30,20 +30,20 @@ pub(super) fn show(
     acts: &mut Acts,
     column: &WayColumn,
 ) {
-    let (palette, name) = (theme::of(ui), way_words(&way.name, state.settings.language));
+    let (palette, name) = (theme::of(ui), state.way_name(way));
     let is_live = way.place.is_none();
-    within(ui, column.head, &format!("way-{}", way.way.slot), |ui| head(state, way, memory, ui, &name));
+    within(ui, column.head, &format!("way-{}", way.way.slot), |ui| head(state, way, memory, ui, name));
     let edge = Stroke::new(if is_live { 3.0 } else { 1.5 }, palette.way(way.way.slot));
     ui.painter().rect_stroke(column.picture, 0.0, edge, StrokeKind::Outside);
     if let Some(place) = way.place {
-        beside(state, place, ui, acts, column.picture, &name);
+        beside(state, place, ui, acts, column.picture, name);
     }
-    within(ui, column.cut, &format!("cut-{}", way.way.slot), |ui| cut(state, way, memory, ui, &name));
+    within(ui, column.cut, &format!("cut-{}", way.way.slot), |ui| cut(state, way, memory, ui, name));
 }
 
 fn head(state: &WindowState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut Ui, name: &str) {
     ui.spacing_mut().item_spacing = vec2(5.0, 1.0);
-    ui.spacing_mut().interact_size.y = SMALL_BUTTON;
+    (ui.spacing_mut().interact_size.y, ui.spacing_mut().button_padding.y) = (SMALL_BUTTON, 0.0);
     ui.horizontal(|ui| {
         sample(ui, theme::of(ui).way(way.way.slot), style(way.way.slot), 2.4);
         let is_all_shown = way.place.is_none() || !memory.pages;
@@ -105,7 +105,10 @@ fn beside(state: &WindowState, place: usize, ui: &mut Ui, acts: &mut Acts, pictu
     let button = egui::Button::new(text).fill(theme::of(ui).ground).min_size(vec2(0.0, BUTTON));
     let corner = Align2::RIGHT_BOTTOM.align_size_within_rect(vec2(picture.width(), BUTTON), picture.shrink(4.0));
     let mut child = ui.new_child(
-        UiBuilder::new().max_rect(corner).layout(egui::Layout::right_to_left(egui::Align::Center)).id_salt(("go", place)),
+        UiBuilder::new()
+            .max_rect(corner)
+            .layout(egui::Layout::right_to_left(egui::Align::Center))
+            .id_salt(("go", place)),
     );
     if child.add(button).on_hover_text(l.text("ways.go_hint")).clicked() {
         acts.push(Act::Branch(place));

@@ -5,7 +5,6 @@ use egui_plot::{LineStyle, VLine};
 use saute_recipe::recorder::Row;
 
 use super::column::piece;
-use super::way_words;
 use crate::panels::curves::{Curve, MOST_POINTS, axes, goal_line, read_off, sample};
 use crate::panels::window_state::WindowState;
 use crate::session::timeline::WayBeside;
@@ -100,7 +99,7 @@ fn curve(state: &WindowState, way: &WayBeside, quantity: Quantity, ui: &Ui) -> C
     let step = way.rows.len().div_ceil(MOST_POINTS).max(1);
     let rows = way.rows.iter().step_by(step).chain(way.rows.last());
     Curve {
-        name: way_words(&way.name, state.settings.language),
+        name: state.way_name(way).to_owned(),
         mark: String::new(),
         colour: theme::of(ui).way(way.way.slot),
         style: style(way.way.slot),
@@ -127,8 +126,8 @@ pub(super) fn legend(state: &WindowState, quantity: &mut Quantity, ui: &mut Ui) 
     for way in &state.ways {
         ui.horizontal(|ui| {
             sample(ui, theme::of(ui).way(way.way.slot), style(way.way.slot), 2.4);
-            let name = way_words(&way.name, l);
-            let text = if way.place.is_none() { l.fill("ways.this", &[("way", &name)]) } else { name };
+            let name = state.way_name(way);
+            let text = if way.place.is_none() { l.fill("ways.this", &[("way", &name)]) } else { name.to_owned() };
             ui.add(egui::Label::new(RichText::new(text).size(13.0)).truncate());
         });
     }

@@ -3,6 +3,8 @@
 //! Where two ways have not parted yet they are the same, and no second kitchen is computed. A way that has parted is replayed up to the
 //! instant from the last keyframe before it, in slices of a frame's time, and from then on follows the clock.
 
+use std::collections::BTreeMap;
+
 use saute_kitchen::Kitchen;
 use saute_recipe::recorder::Row;
 use saute_recipe::{Moment, Recording};
@@ -17,8 +19,6 @@ use crate::session::Session;
 pub struct WayBeside<'a> {
     /// Which way it is.
     pub way: Way,
-    /// The act by which it differs from the way that is most like it.
-    pub name: BranchName,
     /// Its place among the branches; none for the one that goes on.
     pub place: Option<usize>,
     /// The kitchen as it is seen.
@@ -101,7 +101,6 @@ impl Session {
         let rows = course.ahead.as_ref().map_or(&self.recorder.rows, |ahead| &ahead.line.traces.recorder.rows);
         let live = WayBeside {
             way: course.way,
-            name: self.way_name(self.longest()),
             place: None,
             kitchen: &self.kitchen,
             rows,
@@ -126,12 +125,19 @@ impl Session {
         };
         WayBeside {
             way: branch.way,
-            name: self.way_name(&branch.line.recording),
             place: Some(place),
             kitchen: seen.map_or(&self.kitchen, |travel| &travel.replay.kitchen),
             rows: &branch.line.traces.recorder.rows,
             stand,
         }
+    }
+
+    /// Names of all ways by their numbers: the act by which each differs from the one that is most like it.
+    pub fn way_names(&self) -> BTreeMap<u64, BranchName> {
+        let course = &self.timeline.course;
+        let branches = course.branches.iter().map(|branch| (branch.way.id, &branch.line.recording));
+        let all = branches.chain([(course.way.id, self.longest())]);
+        all.map(|(id, recording)| (id, self.way_name(recording))).collect()
     }
 
     /// The act by which a way differs from the one with which it shares most.

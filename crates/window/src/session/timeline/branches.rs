@@ -3,10 +3,10 @@
 use saute_recipe::session::{Deed, Entry};
 use saute_recipe::{Moment, Recording};
 
+use super::Ahead;
 use super::acts::label_of;
 use super::line::Line;
 use super::travel::Travel;
-use super::Ahead;
 use crate::session::Session;
 
 /// Branches that are kept beside the one that is shown (chosen: four ways fit side by side).
@@ -109,7 +109,8 @@ impl Session {
     /// Shows another way at a moment of it.
     fn go_onto(&mut self, branch: Branch, to: Moment) {
         let Branch { mut seen, line, .. } = branch;
-        let replay = Travel::toward(to, &mut seen, &line, &self.library, &mut self.timeline.course.models).into_replay();
+        let replay =
+            Travel::toward(to, &mut seen, &line, &self.library, &mut self.timeline.course.models).into_replay();
         let from = replay.moment();
         self.kitchen = replay.kitchen.clone();
         self.recording = line.recording.clone();
