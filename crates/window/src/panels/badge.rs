@@ -24,7 +24,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     }
     if !state.waiting.is_empty() {
         let l = state.settings.language;
-        let (what, time) = (state.waiting.join(l.text("doneness.list_joint")), clock(state.session.shown_s()));
+        let (what, time) = (state.waiting.join(l.text("doneness.list_joint")), clock(state.session.bound_for_s()));
         let text = l.fill("waiting.until", &[("what", &what), ("time", &time)]);
         message(ui, layout, ("waiting", 12.0), false, &text, |_| {});
     }
@@ -65,6 +65,19 @@ pub fn what_holds(state: &WindowState, ui: &mut Ui, acts: &mut Acts, width: f32)
     }
 }
 
+/// Where a message is that stands so far below the upper edge of the scene, and which point of it.
+fn place(layout: &Layout, drop: f32) -> (egui::Pos2, Align2) {
+    let below = |drop: f32| egui::vec2(0.0, drop);
+    match &layout.ways {
+        // It covers no pan: it stands over the views, or over the curves.
+        Some(ways) if layout.narrow => (ways.ground.center_top() - below(drop), Align2::CENTER_BOTTOM),
+        Some(ways) => (ways.ground.center_bottom() - below(drop), Align2::CENTER_BOTTOM),
+        // On a narrow window the buttons of the eye stand at the top.
+        None if layout.narrow => (layout.free.center_top() + below(drop + layout.eye.height()), Align2::CENTER_TOP),
+        None => (layout.free.center_top() + below(drop), Align2::CENTER_TOP),
+    }
+}
+
 fn message(
     ui: &Ui,
     layout: &Layout,
@@ -73,13 +86,7 @@ fn message(
     text: &str,
     beside: impl FnOnce(&mut Ui),
 ) {
-    // On a narrow window the buttons of the eye stand at the top.
-    let drop = if layout.narrow { drop + layout.eye.height() } else { drop };
-    // Names of ways side by side stand at the top.
-    let (at, pivot) = match &layout.ways {
-        Some(ways) => (ways.ground.center_bottom() - egui::vec2(0.0, drop), Align2::CENTER_BOTTOM),
-        None => (layout.free.center_top() + egui::vec2(0.0, drop), Align2::CENTER_TOP),
-    };
+    let (at, pivot) = place(layout, drop);
     let area = Area::new(Id::unique(("message", name))).fixed_pos(at).pivot(pivot);
     area.interactable(clicked).show(ui.ctx(), |ui| {
         theme::of(ui).panel().show(ui, |ui| {

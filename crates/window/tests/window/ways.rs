@@ -94,6 +94,16 @@ fn ways_are_seen_side_by_side_and_turned_together() {
     act(&mut harness, Act::Scrub(45.0));
     settle(&mut harness);
     assert!(harness.query_all_by_label("the same until 1:00").count() == 2);
+    // A way whose kitchen is not computed yet says so, and no frame waits for it.
+    turn_to(&mut harness, 97.3);
+    let session = harness.state_mut().session_mut();
+    session.forget_beside();
+    assert!(session.keep_beside(std::time::Duration::ZERO));
+    let stands = stands(&harness);
+    assert!(matches!(stands[..], [Stand::CatchingUp(_), Stand::CatchingUp(_), Stand::Live]), "{stands:?}");
+    settle(&mut harness);
+    turn_to(&mut harness, 45.0);
+    settle(&mut harness);
     let hashes: Vec<u64> = harness.state().session().ways().iter().map(|way| way.kitchen.state_hash()).collect();
     assert!(hashes.iter().all(|hash| *hash == hashes[0]));
     act(&mut harness, Act::Set(Setting::Theme(Theme::Light)));

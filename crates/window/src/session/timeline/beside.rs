@@ -99,13 +99,7 @@ impl Session {
     pub fn ways(&self) -> Vec<WayBeside<'_>> {
         let course = &self.timeline.course;
         let rows = course.ahead.as_ref().map_or(&self.recorder.rows, |ahead| &ahead.line.traces.recorder.rows);
-        let live = WayBeside {
-            way: course.way,
-            place: None,
-            kitchen: &self.kitchen,
-            rows,
-            stand: Stand::Live,
-        };
+        let live = WayBeside { way: course.way, place: None, kitchen: &self.kitchen, rows, stand: Stand::Live };
         let others = course.branches.iter().enumerate().map(|(place, branch)| self.way_beside(place, branch));
         let mut ways: Vec<WayBeside> = std::iter::once(live).chain(others).collect();
         ways.sort_by_key(|way| way.way.slot);

@@ -141,6 +141,11 @@ impl Session {
         longest.fork(longest.moment())
     }
 
+    /// The instant at which travelling ends [s].
+    pub(crate) fn bound_for_s(&self) -> f64 {
+        if self.timeline.catches_up { self.end_s() } else { self.shown_s() }
+    }
+
     /// Everything that was done, after the shown instant too.
     pub fn all_marks(&self) -> &[Mark] {
         self.timeline.course.ahead.as_ref().map_or(&self.marks, |ahead| &ahead.line.traces.marks)
