@@ -27,6 +27,7 @@ impl Session {
             return Ok(());
         }
         if self.paused || self.timeline.is_held {
+            self.pack_keyframes();
             return Ok(());
         }
         self.owed_s += wall.as_secs_f64() * self.speed;

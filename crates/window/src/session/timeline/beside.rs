@@ -170,6 +170,7 @@ impl Session {
 
     /// Brings a branch nearer to a moment; returns true if it is there. Reading a keyframe takes time: one in a frame is.
     fn bring_beside(&mut self, place: usize, to: Moment, budget: Duration, may_turn_back: &mut bool) -> bool {
+        let apart = self.timeline.apart();
         let Course { branches, models, .. } = &mut self.timeline.course;
         let Branch { line, seen, .. } = &mut branches[place];
         if seen.as_ref().is_some_and(|travel| travel.replay.moment() == to) {
@@ -179,7 +180,7 @@ impl Session {
         if !is_near && !std::mem::take(may_turn_back) {
             return false;
         }
-        let mut travel = Travel::toward(to, seen, line, &self.library, models);
+        let mut travel = Travel::toward(to, seen, line, &self.library, (models, apart));
         let has_arrived = travel.go_on(line, &self.library, budget);
         *seen = Some(travel);
         has_arrived

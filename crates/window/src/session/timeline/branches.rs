@@ -109,8 +109,8 @@ impl Session {
     /// Shows another way at a moment of it.
     fn go_onto(&mut self, branch: Branch, to: Moment) {
         let Branch { mut seen, line, .. } = branch;
-        let replay =
-            Travel::toward(to, &mut seen, &line, &self.library, &mut self.timeline.course.models).into_replay();
+        let known = (&mut self.timeline.course.models, 0);
+        let replay = Travel::toward(to, &mut seen, &line, &self.library, known).into_replay();
         let from = replay.moment();
         self.kitchen = replay.kitchen.clone();
         self.recording = line.recording.clone();

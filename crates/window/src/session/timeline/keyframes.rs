@@ -72,10 +72,12 @@ impl Keyframes {
         self.0.extend(other.0);
     }
 
-    /// The shortest gap between two of them [frames].
-    pub(super) fn least_gap(&self) -> u64 {
+    /// The gap between two of them in the middle of all gaps [frames].
+    pub(super) fn usual_gap(&self) -> u64 {
         let frames: Vec<u64> = self.0.keys().map(|moment| moment.frame).collect();
-        frames.windows(2).map(|pair| pair[1] - pair[0]).filter(|gap| *gap > 0).min().unwrap_or(0)
+        let mut gaps: Vec<u64> = frames.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        gaps.sort_unstable();
+        gaps.get(gaps.len() / 2).copied().unwrap_or(0)
     }
 
     /// The first one that is not packed.
@@ -113,15 +115,15 @@ pub(super) struct Packing {
     packed: Packed,
 }
 
-/// Packs a part of a keyframe where all of them need much room; returns true if they do.
-pub(super) fn pack_on(timeline: &mut Timeline) -> bool {
-    let needs_room = bytes_of(timeline.lists()) > PACKED_FROM;
-    if timeline.packing.is_none() && needs_room {
+/// Packs a part of a keyframe where all of them need much room.
+pub(super) fn pack_on(timeline: &mut Timeline) {
+    timeline.is_narrow = bytes_of(timeline.lists()) > PACKED_FROM;
+    if timeline.packing.is_none() && timeline.is_narrow {
         let plain = timeline.lists().find_map(|list| list.plain().cloned());
         timeline.packing = plain.map(|keyframe| Packing { keyframe, packed: Packed::default() });
     }
-    let Some(packing) = &mut timeline.packing else { return needs_room };
-    let Stored::Plain(bytes) = &packing.keyframe.stored else { return needs_room };
+    let Some(packing) = &mut timeline.packing else { return };
+    let Stored::Plain(bytes) = &packing.keyframe.stored else { return };
     if packing.packed.pack_on(bytes)
         && let Some(Packing { keyframe, packed }) = timeline.packing.take()
     {
@@ -130,5 +132,4 @@ pub(super) fn pack_on(timeline: &mut Timeline) -> bool {
             *kept = Arc::clone(&packed);
         }
     }
-    needs_room
 }

@@ -48,6 +48,8 @@ pub(super) struct Timeline {
     computed: Duration,
     /// The keyframe that is being packed.
     packing: Option<keyframes::Packing>,
+    /// True if keyframes need much room.
+    is_narrow: bool,
     /// Number of the line of time that is shown, for the file that it is kept in.
     number: u64,
     /// Ways that began so far.
@@ -107,6 +109,13 @@ impl Timeline {
     /// Models that are known.
     pub(super) fn models(&mut self) -> &mut Models {
         &mut self.course.models
+    }
+
+    /// Frames between two keyframes at least where room is scarce: what is closer would be dropped first.
+    fn apart(&self) -> u64 {
+        let course = &self.course;
+        let keyframes = course.ahead.as_ref().map_or(&course.keyframes, |ahead| &ahead.line.keyframes);
+        if self.is_narrow { keyframes.usual_gap() / 2 } else { 0 }
     }
 
     fn lists(&mut self) -> impl Iterator<Item = &mut Keyframes> {
@@ -183,13 +192,16 @@ impl Session {
         keyframes::thin(&mut self.timeline);
     }
 
+    /// Packs keyframes a little where they need much room.
+    pub(super) fn pack_keyframes(&mut self) {
+        keyframes::pack_on(&mut self.timeline);
+    }
+
     /// Keeps a keyframe now and then.
     pub(super) fn keep_keyframes(&mut self, computed: Duration) {
         self.timeline.computed += computed;
-        let is_narrow = keyframes::pack_on(&mut self.timeline);
-        // What is closer than all others would be dropped first.
-        let course = &self.timeline.course;
-        let apart = if is_narrow { course.keyframes.least_gap() } else { 0 }.max(FRAMES_PER_KEYFRAME);
+        self.pack_keyframes();
+        let apart = self.timeline.apart().max(FRAMES_PER_KEYFRAME);
         let last = self.timeline.course.keyframes.before(self.recording.moment()).map_or(0, |k| k.moment.frame);
         let is_due = self.timeline.computed >= COMPUTED_PER_KEYFRAME;
         if is_due && self.kitchen.is_between_ticks() && self.kitchen.frame() >= last + apart {

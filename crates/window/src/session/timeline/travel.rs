@@ -16,6 +16,8 @@ pub(super) struct Travel {
     pub(super) to: Moment,
     /// Computing time since the last keyframe.
     computed: Duration,
+    /// Frames between two keyframes at least.
+    apart: u64,
 }
 
 impl Travel {
@@ -25,13 +27,13 @@ impl Travel {
         earlier: &mut Option<Self>,
         line: &Line,
         library: &Library,
-        models: &mut Models,
+        (models, apart): (&mut Models, u64),
     ) -> Self {
         match earlier.take_if(|travel| travel.is_near(to, line)) {
-            Some(travel) => Self { to, ..travel },
+            Some(travel) => Self { to, apart, ..travel },
             None => {
                 let nearest = line.keyframes.before(to).expect("the beginning is a keyframe");
-                Self { replay: nearest.replay(library, models), to, computed: Duration::ZERO }
+                Self { replay: nearest.replay(library, models), to, computed: Duration::ZERO, apart }
             }
         }
     }
@@ -118,7 +120,8 @@ impl Session {
             }
         };
         self.show_traces(traces);
-        self.timeline.travel = Some(Travel { replay, to, computed: Duration::ZERO });
+        let apart = self.timeline.apart();
+        self.timeline.travel = Some(Travel { replay, to, computed: Duration::ZERO, apart });
     }
 
     /// Keeps the present line as what lies ahead, if nothing does yet.
@@ -157,6 +160,7 @@ impl Session {
         }
         self.timeline.travel = Some(travel);
         super::keyframes::thin(&mut self.timeline);
+        super::keyframes::pack_on(&mut self.timeline);
     }
 
     /// Travels to the end at once.
@@ -258,8 +262,14 @@ impl Travel {
     fn step(&mut self, line: &mut Line, library: &Library) {
         let begun = Instant::now();
         let Replay { kitchen, .. } = &self.replay;
-        let (moment, is_due) = (self.replay.moment(), self.computed >= COMPUTED_PER_KEYFRAME);
-        if is_due && kitchen.is_between_ticks() && !line.keyframes.has(moment) {
+        let moment = self.replay.moment();
+        let is_apart =
+            || line.keyframes.before(moment).is_none_or(|last| last.moment.frame + self.apart <= moment.frame);
+        if self.computed >= COMPUTED_PER_KEYFRAME
+            && is_apart()
+            && kitchen.is_between_ticks()
+            && !line.keyframes.has(moment)
+        {
             line.keyframes.keep(kitchen, &self.replay.runner, self.replay.plays(), moment);
             self.computed = Duration::ZERO;
         }
