@@ -61,9 +61,10 @@ fn cook_in(file: &Path) -> Option<Recording> {
 fn a_window_that_is_killed_loses_at_most_a_second() {
     let display = format!(":{}", 100 + std::process::id() % 900);
     let screen = started(Command::new("Xvfb").args([&display, "-screen", "0", "1280x720x24", "-nolisten", "tcp"]));
-    let (Some(_screen), Some(_)) = (screen, xdotool(&display, &["version"])) else {
+    let (Some(_screen), Ok(_)) = (screen, Command::new("xdotool").arg("version").output()) else {
         return eprintln!("skipped: Xvfb and xdotool are not installed");
     };
+    awaited(|| xdotool(&display, &["getmouselocation"])).expect("the screen is there");
     let data = tempfile::tempdir().expect("folder");
     let folder = data.path().join("saute");
     std::fs::create_dir_all(&folder).expect("folder");
