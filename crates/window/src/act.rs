@@ -82,6 +82,9 @@ pub enum Act {
     ResumeRecipe,
     /// Opens a file dialog for a recipe.
     ChooseFile,
+    /// Opens a file dialog for the file in which the cook is kept.
+    #[cfg(not(target_arch = "wasm32"))]
+    SaveCook,
     /// Opens a recipe's file.
     #[cfg(not(target_arch = "wasm32"))]
     OpenFile(std::path::PathBuf),
@@ -104,6 +107,8 @@ pub enum Act {
     HoldTime(bool),
     /// Goes over to another branch, by its place.
     Branch(usize),
+    /// All ways side by side, or the one that goes on alone.
+    SideBySide,
     /// View that the colours show.
     View(View),
     /// The look next to the view, or the view alone.
@@ -273,7 +278,7 @@ impl Subject {
             Put | Act::Flip | Out | Halve | Toss | Pour(_) | Portion | Lid | NextPiece => Self::Food,
             Tool | ToolBy(_) | RollBy(_) | LevelTool | PutAway => Self::Tool,
             Hob(_) | Cloth | Pause | Step | Speed(_) | Restart => Self::Hob,
-            View(_) | Split | Probe | Map | Scale | Slice | SliceBy(_) | Units => Self::Views,
+            View(_) | Split | Probe | Map | Scale | Slice | SliceBy(_) | Units | Act::SideBySide => Self::Views,
             Camera | Orbit(..) | Zoom(_) => Self::Eye,
             _ => Self::Window,
         }
@@ -305,7 +310,7 @@ pub const TOOL_STEP: f64 = 0.01;
 pub const ROLL_STEP: f64 = std::f64::consts::PI / 6.0;
 
 /// All keys, in the order in which the help lists them.
-pub static BINDINGS: [Binding; 62] = [
+pub static BINDINGS: [Binding; 63] = [
     bind(Key::A, "A", Act::Put, "key.put"),
     bind(Key::F, "F", Act::Flip, "key.flip"),
     bind(Key::O, "O", Act::Out, "key.out"),
@@ -366,6 +371,7 @@ pub static BINDINGS: [Binding; 62] = [
     bind(Key::F1, "F1", Act::Help, "key.help"),
     bind(Key::F2, "F2", Act::Settings, "key.settings"),
     bind(Key::F3, "F3", Act::Messages, "key.messages"),
+    bind(Key::F4, "F4", Act::SideBySide, "key.side_by_side"),
     bind(Key::F9, "F9", Act::Mirror, "key.mirror"),
     bind(Key::Escape, "Esc", Act::Close, "key.close"),
 ];

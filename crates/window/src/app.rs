@@ -1,8 +1,9 @@
 //! The program's window.
 
-mod frame;
+pub(crate) mod frame;
 mod keys;
 mod open_session;
+mod outside;
 mod pace;
 
 use std::sync::Arc;
@@ -14,6 +15,7 @@ use saute_recipe::{Recipe, Recording};
 use saute_scene::camera::Camera;
 use saute_scene::quality::Quality;
 
+use crate::apply::waiting::Waiting;
 use crate::frame_meter::FrameMeter;
 use crate::governor::Governor;
 use crate::input::pad_input::Pad;
@@ -33,6 +35,7 @@ use crate::ui::motion::Motions;
 use crate::ui::notice::Notice;
 use crate::ui::scene_view::SceneView;
 use crate::ui::theme;
+use crate::ui::ways_view::WaysView;
 use crate::words::language::Language;
 
 /// Where settings are remembered.
@@ -85,6 +88,8 @@ pub struct SauteApp {
     pub(crate) notice: Notice,
     pub(crate) motions: Motions,
     pub(crate) scene: SceneView,
+    /// Ways side by side.
+    pub(crate) ways: WaysView,
     /// What panels keep from frame to frame.
     pub(crate) memory: PanelMemory,
     pub(crate) pan_keys: PanKeys,
@@ -97,6 +102,8 @@ pub struct SauteApp {
     lag: Option<pace::Lag>,
     /// Where the eye is on its way to.
     pub(crate) glance: Option<Glance>,
+    /// What waits until the instant is reached to which time is turned.
+    pub(crate) waiting: Vec<Waiting>,
     /// The piece to which the eye turns once it lies on the board.
     pub(crate) taken_out: Option<String>,
     pub(crate) meter: FrameMeter,
@@ -212,6 +219,7 @@ impl SauteApp {
             notice: Notice::default(),
             motions: Motions::default(),
             scene: SceneView::default(),
+            ways: WaysView::default(),
             memory: PanelMemory::default(),
             pan_keys: PanKeys::default(),
             tool_hand: ToolHand::default(),
@@ -220,6 +228,7 @@ impl SauteApp {
             last_time: None,
             lag: None,
             glance: None,
+            waiting: Vec::new(),
             taken_out: None,
             meter: FrameMeter::default(),
             drawable: graphics.is_some(),
@@ -248,83 +257,16 @@ impl SauteApp {
         Ok(app)
     }
 
-    /// The world behind the window.
-    pub fn session(&self) -> &Session {
-        &self.session
-    }
-
-    /// The world behind the window, to drive it from outside.
-    pub fn session_mut(&mut self) -> &mut Session {
-        &mut self.session
-    }
-
-    /// The settings that are remembered.
-    pub fn settings(&self) -> &Settings {
-        &self.settings
-    }
-
-    /// Place of the cut (−1…1), or none.
-    pub fn slice(&self) -> Option<f64> {
-        self.slice
-    }
-
-    /// Chooses how many pieces the pantry adds at once.
-    pub fn set_count(&mut self, count: usize) {
-        self.memory.count = count;
-    }
-
-    /// Chooses the window's language; a page without a font for Japanese asks its host for one first.
-    pub fn set_language(&mut self, language: Language) {
-        #[cfg(target_arch = "wasm32")]
-        if language == Language::Japanese && !self.japanese_font {
-            return self.want_font();
-        }
-        self.settings.language = language;
-    }
-
-    /// Returns true if the card of the first steps is shown.
-    pub fn first_steps_are_open(&self) -> bool {
-        self.first_steps
-    }
-
-    pub(crate) fn close_first_steps(&mut self) {
-        self.first_steps = false;
-        self.settings.introduced = true;
-    }
-
-    /// Returns true if the list of keys is open.
-    pub fn help_is_open(&self) -> bool {
-        self.help
-    }
-
-    /// Returns true if the card of the settings is open.
-    pub fn settings_are_open(&self) -> bool {
-        self.settings_open
-    }
-
-    /// The photo mode.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub fn photo(&self) -> &crate::photo::PhotoMode {
-        &self.photo
-    }
-
-    /// How fast frames and simulated time have run lately.
-    pub fn meter(&self) -> &FrameMeter {
-        &self.meter
-    }
-
-    /// Size at which the scene was drawn last [pixels].
-    pub fn scene_size(&self) -> [u32; 2] {
-        self.scene.drawn_size
-    }
-
     /// Gives the kitchen a command and says so if it refuses.
     pub(crate) fn command(&mut self, command: &Command) {
         self.give(command);
     }
 
-    /// As [`Self::command`]; returns true if the kitchen takes it.
+    /// As [`Self::command`]; returns true if the kitchen takes it at once.
     pub(crate) fn give(&mut self, command: &Command) -> bool {
+        if self.puts_off_command(command) {
+            return false;
+        }
         let played = self.session.runner.is_some();
         let taken = self.session.command(command);
         let is_taken = taken.is_ok();

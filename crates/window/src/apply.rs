@@ -5,6 +5,7 @@ mod clock;
 mod food;
 mod look;
 mod time;
+pub(crate) mod waiting;
 
 use saute_kitchen::Command;
 
@@ -18,6 +19,9 @@ const TOSS_M: f64 = 0.12;
 impl SauteApp {
     /// Carries out an act. Only this function lets acts change the window; the match is exhaustive, one line per act.
     pub fn act(&mut self, act: Act, ctx: &egui::Context) {
+        if self.puts_off(&act) {
+            return;
+        }
         match act {
             Act::Pause => self.session.set_paused(!self.session.paused),
             Act::Step => self.single_step(),
@@ -51,6 +55,8 @@ impl SauteApp {
             Act::ResumeRecipe => self.resume_recipe(),
             Act::ChooseFile => self.choose_file(ctx),
             #[cfg(not(target_arch = "wasm32"))]
+            Act::SaveCook => self.choose_place(ctx),
+            #[cfg(not(target_arch = "wasm32"))]
             Act::OpenFile(path) => self.open_file(&path),
             #[cfg(not(target_arch = "wasm32"))]
             Act::ShowFile(path) => self.show_file(&path),
@@ -65,6 +71,7 @@ impl SauteApp {
             Act::Scrub(time_s) => self.scrub(time_s),
             Act::HoldTime(held) => self.session.hold_time(held),
             Act::Branch(place) => self.go_to_branch(place),
+            Act::SideBySide => self.toggle_ways(),
             Act::View(view) => self.settings.view = view,
             Act::Split => self.toggle_split(),
             Act::Probe => self.place_probe(),

@@ -1,4 +1,4 @@
-//! Files of the system: a dialog that opens a recipe, the recipes opened before, the folder of pictures.
+//! Files of the system: dialogs that open a recipe and save a cook, the recipes opened before, the folder of pictures.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -8,50 +8,102 @@ use crate::app::SauteApp;
 
 /// Recipes that are remembered at most (chosen: what is seen without scrolling).
 const REMEMBERED: usize = 5;
+/// How names of files of cooks end.
+const SUFFIX: &str = "saute";
 /// The largest file that is read [bytes] (chosen: far above any recipe, and an hour of a session with the pan in the hand).
 const LARGEST: u64 = 16 << 20;
 
+/// What a dialog asks for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Asked {
+    /// A file to open.
+    Open,
+    /// A file in which the cook is kept.
+    Save,
+}
+
 /// A dialog that is open in a thread of its own; the window goes on.
 #[derive(Debug, Default)]
-pub(crate) struct Dialog(Option<Receiver<Option<PathBuf>>>);
+pub(crate) struct Dialog(Option<(Asked, Receiver<Option<PathBuf>>)>);
 
 impl SauteApp {
     /// Opens the system's file dialog for a recipe.
     pub(crate) fn choose_file(&mut self, ctx: &egui::Context) {
+        self.ask(Asked::Open, ctx);
+    }
+
+    /// Opens the system's file dialog for the place of the cook.
+    pub(crate) fn choose_place(&mut self, ctx: &egui::Context) {
+        self.ask(Asked::Save, ctx);
+    }
+
+    fn ask(&mut self, asked: Asked, ctx: &egui::Context) {
         if self.dialog.0.is_some() {
             return;
         }
         let (send, receive) = channel();
-        let (ctx, title) = (ctx.clone(), self.settings.language.text("pantry.choose_file").to_owned());
-        let folder = self.settings.recent.first().and_then(|file| file.parent()).map(Path::to_owned);
+        let ctx = ctx.clone();
+        let dialog = self.dialog_for(asked);
         let begun = std::thread::Builder::new().name("file-dialog".to_owned()).spawn(move || {
-            let dialog = rfd::FileDialog::new().set_title(title).add_filter("TOML, SAUTE", &["toml", "saute"]);
-            let dialog = match folder {
-                Some(folder) => dialog.set_directory(folder),
-                None => dialog,
+            let chosen = match asked {
+                Asked::Open => dialog.pick_file(),
+                Asked::Save => dialog.save_file(),
             };
             // Nobody waits for the answer once the window is closed.
-            let _ = send.send(dialog.pick_file());
+            let _ = send.send(chosen);
             ctx.request_repaint();
         });
         match begun {
-            Ok(_) => self.dialog = Dialog(Some(receive)),
+            Ok(_) => self.dialog = Dialog(Some((asked, receive))),
             Err(error) => self.say_trouble(&error),
         }
     }
 
-    /// Opens the file that was chosen since the last frame.
+    fn dialog_for(&self, asked: Asked) -> rfd::FileDialog {
+        let l = self.settings.language;
+        let dialog = match asked {
+            Asked::Open => rfd::FileDialog::new()
+                .set_title(l.text("pantry.choose_file"))
+                .add_filter("TOML, SAUTE", &["toml", SUFFIX]),
+            Asked::Save => rfd::FileDialog::new()
+                .set_title(l.text("pantry.save_cook"))
+                .add_filter("SAUTE", &[SUFFIX])
+                .set_file_name(format!("{}.{SUFFIX}", l.text("pantry.cook_file"))),
+        };
+        match self.settings.recent.first().and_then(|file| file.parent()) {
+            Some(folder) => dialog.set_directory(folder),
+            None => dialog,
+        }
+    }
+
+    /// Opens the file that was chosen since the last frame, or writes it.
     pub(crate) fn take_chosen_file(&mut self) {
-        let Some(answer) = &self.dialog.0 else { return };
+        let Some((asked, answer)) = &self.dialog.0 else { return };
+        let asked = *asked;
         match answer.try_recv() {
             Ok(chosen) => {
                 self.dialog = Dialog::default();
-                if let Some(path) = chosen {
-                    self.open_file(&path);
+                match chosen {
+                    Some(path) if asked == Asked::Open => self.open_file(&path),
+                    Some(path) => self.save_cook(&path),
+                    None => {}
                 }
             }
             Err(std::sync::mpsc::TryRecvError::Empty) => {}
             Err(std::sync::mpsc::TryRecvError::Disconnected) => self.dialog = Dialog::default(),
+        }
+    }
+
+    /// Keeps the cook that is shown, with what lies ahead of the shown instant, in a file, and says so; or says why it cannot.
+    pub fn save_cook(&mut self, path: &Path) {
+        let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension(SUFFIX) };
+        let l = self.settings.language;
+        match crate::session_file::write_whole(&path, &mut self.session.whole_recording()) {
+            Ok(()) => self.notice.say_of(l.fill("notice.cook_saved", &[("path", &path.display())]), path),
+            Err(error) => {
+                let parts: [(&str, &dyn std::fmt::Display); 2] = [("path", &path.display()), ("error", &error)];
+                self.notice.say(l.fill("notice.cook_not_saved", &parts));
+            }
         }
     }
 

@@ -16,7 +16,7 @@ impl Settings {
         let read = |value: &Value| parse(value).filter(Self::is_within_ranges);
         let kept = fitting(stored.clone(), &|value| read(value).is_some());
         let refused = kept != stored;
-        read(&kept).map_or_else(|| (Self::default(), true), |settings| (settings, refused))
+        read(&kept).map_or_else(|| (Self::default(), true), |settings| (settings.up_to_date(), refused))
     }
 }
 
@@ -90,6 +90,18 @@ mod tests {
         assert_eq!((settings.speed, settings.goals.len(), settings.goals["shrimp"]), (1.0, 1, 63.0));
         assert_eq!((settings.choice.kind.as_str(), settings.choice.initial_c), ("shrimp", 5.0));
         assert_eq!(settings.mirror.calibrations["ceiling"].moved.len(), 1);
+    }
+
+    #[test]
+    fn a_goal_that_was_never_chosen_is_the_present_first_one() {
+        let goal = |text: &str| Settings::remembered(text).0.goal_c;
+        assert_eq!(goal(r#"{"goal_c":60.0}"#), 62.0);
+        assert_eq!(goal(r#"{"goal_c":58.0}"#), 58.0);
+        assert_eq!(goal(r#"{"goal_c":60.0,"version":1}"#), 60.0, "it was chosen");
+        assert_eq!(
+            Settings::remembered("{}").0,
+            Settings { language: Settings::remembered("{}").0.language, ..Settings::default() }
+        );
     }
 
     #[test]

@@ -18,13 +18,13 @@ use saute_recipe::session::{Deed, ReplayError};
 use saute_recipe::{Recipe, Recorder, Recording, Runner};
 
 use self::choice::as_recipe;
-use self::mark::label;
 use self::timeline::Timeline;
 
 pub use self::choice::{STEAK, SteakChoice, group_of, noun};
 pub use self::clock::SPEEDS;
 pub use self::foresight::Forecast;
 pub use self::mark::Mark;
+pub(crate) use self::mark::label;
 
 /// The state behind the window.
 pub struct Session {
@@ -197,18 +197,8 @@ impl Session {
         self.depart(self.recording.entries().len());
         self.leave_recipe();
         self.recording.push(&self.kitchen, command.clone());
-        self.note(command);
+        self.note_last();
         Ok(())
-    }
-
-    /// Notes a command that was carried out in series and marks.
-    fn note(&mut self, command: &Command) {
-        if matches!(command, Command::Put { .. }) {
-            self.recorder.on_put(&self.kitchen);
-        }
-        if let Some(label) = label(command) {
-            self.mark(label);
-        }
     }
 
     /// Stops the recipe; it can be resumed.
@@ -231,11 +221,6 @@ impl Session {
     /// Returns the title of the recipe that was left, if there is one.
     pub fn left_recipe(&self) -> Option<&str> {
         self.left.as_ref().map(|runner| runner.recipe().title.as_str())
-    }
-
-    fn mark(&mut self, label: String) {
-        self.recorder.write_row(&self.kitchen);
-        self.marks.push(Mark { time_s: self.kitchen.time_s(), label, at: self.recording.moment() });
     }
 
     /// Returns the title of the recipe, if one was loaded.

@@ -16,10 +16,19 @@ use crate::ui::quality_choice::QualityChoice;
 use crate::ui::theme::Theme;
 use crate::words::language::Language;
 
+/// Version of remembered settings: since 1 the goal is 62 °C at first, before it was 60 °C.
+pub const VERSION: u32 = 1;
+/// The first goal for the core, and that of version 0 [°C].
+const GOAL_C: f64 = 62.0;
+const GOAL_C_0: f64 = 60.0;
+
 /// Remembered settings.
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
 #[serde(default)]
 pub struct Settings {
+    /// Version of what is remembered ([`VERSION`]); 0 where none is stated.
+    #[serde(default)]
+    pub version: u32,
     /// Language of the window; that of the system where none was ever chosen.
     #[serde(default = "Language::of_system")]
     pub language: Language,
@@ -70,6 +79,7 @@ pub struct Settings {
 impl Default for Settings {
     fn default() -> Self {
         Self {
+            version: VERSION,
             language: Language::English,
             theme: Theme::default(),
             size: InterfaceSize::default(),
@@ -84,7 +94,7 @@ impl Default for Settings {
             scale: DEFAULT_SCALE.to_owned(),
             speed: 1.0,
             choice: SteakChoice::default(),
-            goal_c: 62.0,
+            goal_c: GOAL_C,
             goals: BTreeMap::new(),
             pantry_open: false,
             pieces_open: false,
@@ -97,6 +107,15 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Brings settings of an earlier version up to date: a goal that was never chosen is the present first one.
+    pub(crate) fn up_to_date(mut self) -> Self {
+        if self.version < 1 && self.goal_c == GOAL_C_0 {
+            self.goal_c = GOAL_C;
+        }
+        self.version = VERSION;
+        self
+    }
+
     /// Gives the interface the chosen theme and size.
     pub fn display(&self, ctx: &egui::Context) {
         ctx.set_theme(self.theme.preference());

@@ -8,6 +8,8 @@ mod cook;
 mod dependencies;
 mod folders;
 mod haptics;
+#[cfg(target_os = "linux")]
+mod killed;
 mod layers;
 mod library;
 mod manual;

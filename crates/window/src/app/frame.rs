@@ -1,5 +1,6 @@
 //! One frame of the window: input, time, scene and panels.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use egui::Ui;
@@ -9,6 +10,7 @@ use web_time::{Duration, Instant};
 use super::SauteApp;
 use crate::act::Acts;
 use crate::panels;
+use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::Layout;
 
@@ -50,6 +52,7 @@ impl SauteApp {
         let layout = crate::hand::make_room(layout, &self.session.hands);
         let layout = if self.photo_is_open() { layout.bare() } else { layout };
         self.session.probes.forget_gone(&self.session.kitchen);
+        let layout = self.lay_out_ways(layout);
         self.show_scene(ui, &layout);
         let acts = self.show_panels(ui, &layout);
         if !acts.is_empty() {
@@ -66,6 +69,9 @@ impl SauteApp {
             // The card shows the error of a rig that cannot be read.
             let _ = self.mirror.rig(&self.settings.mirror.rig);
         }
+        let ways = if self.shows_ways() { self.session.ways() } else { Vec::new() };
+        let way_names = if ways.is_empty() { BTreeMap::new() } else { self.session.way_names() };
+        let l = self.settings.language;
         let state = WindowState {
             session: &self.session,
             settings: &self.settings,
@@ -87,6 +93,9 @@ impl SauteApp {
             quality,
             advice,
             notice: self.notice.current(),
+            waiting: self.waiting.iter().map(|waiting| waiting.words(l)).collect(),
+            ways,
+            way_names: way_names.into_iter().map(|(id, name)| (id, way_words(&name, l))).collect(),
         };
         let mut acts = Acts::new();
         panels::show_all(&state, &mut self.memory, ui, &mut acts, layout);
@@ -131,6 +140,8 @@ impl SauteApp {
         if !self.session.paused && !waits {
             self.governor.frame(wall, begun.elapsed().as_secs_f64());
         }
+        self.do_what_waited(ctx);
+        self.keep_ways_beside(wall);
         self.keep_up(passes);
         if let Err(error) = passed {
             self.say_trouble(&error);
@@ -141,6 +152,7 @@ impl SauteApp {
             || self.motions.moving()
             || self.glance.is_some()
             || self.session.is_travelling()
+            || self.ways.catch_up
         {
             ctx.request_repaint();
         } else {
@@ -150,7 +162,7 @@ impl SauteApp {
 }
 
 /// How long a frame may spend on stepping the world, when the last one took `wall_s`.
-fn step_budget(wall_s: f64) -> Duration {
+pub(crate) fn step_budget(wall_s: f64) -> Duration {
     let least = Duration::from_millis(STEP_BUDGET_MS);
     let share = Duration::from_secs_f64((STEP_SHARE * wall_s).clamp(0.0, LONGEST_STEPPING_S));
     if cfg!(target_arch = "wasm32") { least.max(share) } else { least }

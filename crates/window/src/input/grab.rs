@@ -35,7 +35,7 @@ pub(crate) enum Hold {
 }
 
 /// Radians a point of drag (chosen: half a turn across a window).
-const ORBIT_PER_POINT: f32 = 0.005;
+pub(crate) const ORBIT_PER_POINT: f32 = 0.005;
 /// Height at which a carried piece hangs [m] (chosen: above the rim), and within the pan (chosen: over what lies
 /// there).
 const CARRY_HEIGHT: f32 = 0.085;

@@ -6,6 +6,7 @@ use saute_picture::view::View;
 
 use crate::act::Acts;
 use crate::panels::cards::messages;
+use crate::panels::inside::clock;
 use crate::panels::legend;
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
@@ -21,6 +22,12 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
         );
         message(ui, layout, ("behind", 12.0), false, &text, |_| {});
     }
+    if !state.waiting.is_empty() {
+        let l = state.settings.language;
+        let (what, time) = (state.waiting.join(l.text("doneness.list_joint")), clock(state.session.bound_for_s()));
+        let text = l.fill("waiting.until", &[("what", &what), ("time", &time)]);
+        message(ui, layout, ("waiting", 12.0), false, &text, |_| {});
+    }
     if let Some(said) = &state.notice {
         // A click on its button must reach it; through all others it reaches the scene.
         let has_button = cfg!(not(target_arch = "wasm32")) && said.file.is_some();
@@ -32,9 +39,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
 
 /// What holds all the time: the legend of the view, and simplified rules.
 fn standing(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
-    let simple = state.session.kitchen.rules() == Rules::Paper2013;
-    let coloured = state.settings.view != View::Look;
-    if !simple && !coloured {
+    if layout.ways.is_some() || !says_what_holds(state) {
         return;
     }
     let pane = layout.field_pane(state.settings.is_split());
@@ -43,18 +48,34 @@ fn standing(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     let width = pane.free.right().min(eye) - at.x - 2.0 * GAP - 16.0;
     let area = Area::new(Id::unique("standing")).fixed_pos(at).pivot(Align2::LEFT_BOTTOM);
     area.show(ui.ctx(), |ui| {
-        theme::of(ui).panel().inner_margin(8).show(ui, |ui| {
-            legend::show(state, ui, acts, width);
-            if simple {
-                ui.label(
-                    RichText::new(state.settings.language.text("scene.rules_2013"))
-                        .size(15.0)
-                        .strong()
-                        .color(theme::of(ui).accent),
-                );
-            }
-        });
+        theme::of(ui).panel().inner_margin(8).show(ui, |ui| what_holds(state, ui, acts, width));
     });
+}
+
+fn says_what_holds(state: &WindowState) -> bool {
+    state.session.kitchen.rules() == Rules::Paper2013 || state.settings.view != View::Look
+}
+
+/// The legend of the view, and whether rules are simplified, at most `width` points wide.
+pub fn what_holds(state: &WindowState, ui: &mut Ui, acts: &mut Acts, width: f32) {
+    legend::show(state, ui, acts, width);
+    if state.session.kitchen.rules() == Rules::Paper2013 {
+        let text = RichText::new(state.settings.language.text("scene.rules_2013"));
+        ui.label(text.size(15.0).strong().color(theme::of(ui).accent));
+    }
+}
+
+/// Where a message is that stands so far below the upper edge of the scene, and which point of it.
+fn place(layout: &Layout, drop: f32) -> (egui::Pos2, Align2) {
+    let below = |drop: f32| egui::vec2(0.0, drop);
+    match &layout.ways {
+        // It covers no pan: it stands over the views, or over the curves.
+        Some(ways) if layout.narrow => (ways.ground.center_top() - below(drop), Align2::CENTER_BOTTOM),
+        Some(ways) => (ways.ground.center_bottom() - below(drop), Align2::CENTER_BOTTOM),
+        // On a narrow window the buttons of the eye stand at the top.
+        None if layout.narrow => (layout.free.center_top() + below(drop + layout.eye.height()), Align2::CENTER_TOP),
+        None => (layout.free.center_top() + below(drop), Align2::CENTER_TOP),
+    }
 }
 
 fn message(
@@ -65,10 +86,8 @@ fn message(
     text: &str,
     beside: impl FnOnce(&mut Ui),
 ) {
-    // On a narrow window the buttons of the eye stand at the top.
-    let drop = if layout.narrow { drop + layout.eye.height() } else { drop };
-    let at = layout.free.center_top() + egui::vec2(0.0, drop);
-    let area = Area::new(Id::unique(("message", name))).fixed_pos(at).pivot(Align2::CENTER_TOP);
+    let (at, pivot) = place(layout, drop);
+    let area = Area::new(Id::unique(("message", name))).fixed_pos(at).pivot(pivot);
     area.interactable(clicked).show(ui.ctx(), |ui| {
         theme::of(ui).panel().show(ui, |ui| {
             ui.set_max_width(layout.free.width() - 40.0);

@@ -15,7 +15,7 @@ use crate::ui::theme;
 use crate::words::language::Language;
 
 /// Points drawn at most per curve (chosen: about one a pixel).
-const MOST_POINTS: usize = 400;
+pub(super) const MOST_POINTS: usize = 400;
 /// Events nearer to the pointer than this are named [points].
 const EVENT_NEAR: f32 = 6.0;
 /// Height of the lane above the curves in which events are named, and space between two names [points].
@@ -25,14 +25,22 @@ const EVENT_APART: f32 = 6.0;
 const EVENT_SEEN: f32 = 0.35;
 
 /// One curve: minutes and degrees in the chosen unit.
-struct Curve {
-    name: String,
+pub(super) struct Curve {
+    pub(super) name: String,
     /// Label at its end; empty for curves that the legend distinguishes.
-    mark: String,
-    colour: Color32,
-    style: LineStyle,
-    width: f32,
-    points: Vec<[f64; 2]>,
+    pub(super) mark: String,
+    pub(super) colour: Color32,
+    pub(super) style: LineStyle,
+    pub(super) width: f32,
+    pub(super) points: Vec<[f64; 2]>,
+}
+
+impl Curve {
+    /// A part of it that is drawn as a line.
+    pub(super) fn line<'a>(&self, points: &[[f64; 2]], colour: Color32) -> Line<'a> {
+        let line = Line::new(self.name.clone(), PlotPoints::from(points.to_vec()));
+        line.color(colour).style(self.style).width(self.width)
+    }
 }
 
 /// Shows the curves with what happened.
@@ -41,34 +49,14 @@ pub fn show(state: &WindowState, ui: &mut Ui, height: f32) {
     let curves = curves(state, palette);
     let settings = state.settings;
     legend(state, ui, &curves);
-    // The axis leaves numbers away that stand closer than this.
-    let levels = ((f64::from(height) - 36.0) / 24.0).clamp(2.0, 6.0);
     let (lane, _) = ui.allocate_exact_size(vec2(ui.available_width(), LANE), Sense::hover());
-    let plot = Plot::new("curves")
-        .height(height - LANE)
-        // Time is zoomed and moved; a double click shows all of it again.
-        .allow_drag([true, false])
-        .allow_zoom([true, false])
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .show_crosshair(false)
-        .label_formatter(|_| None)
-        .include_y(settings.degrees(0.0))
-        .include_y(settings.degrees(200.0))
-        .include_x(0.0)
-        .include_x(2.0)
-        .y_axis_min_width(28.0)
-        .x_grid_spacer(egui_plot::uniform_grid_spacer(|input| spacing(input.bounds.1 - input.bounds.0, 3.0)))
-        .y_grid_spacer(egui_plot::uniform_grid_spacer(|input| spacing(input.bounds.1 - input.bounds.0, levels)))
-        .x_axis_label(settings.language.fill("curves.minutes", &[("unit", &settings.unit())]));
-    let shown = plot.show(ui, |plot| {
+    let axes = axes(state, "curves", height - LANE).include_y(settings.degrees(0.0)).include_y(settings.degrees(200.0));
+    let shown = axes.show(ui, |plot| {
         for curve in &curves {
-            let line = Line::new(curve.name.clone(), PlotPoints::from(curve.points.clone()));
-            plot.line(line.color(curve.colour).style(curve.style).width(curve.width));
+            plot.line(curve.line(&curve.points, curve.colour));
         }
-        if let Some(scale) = of_temperature(state) {
-            let goal = HLine::new(settings.language.text("curves.goal"), settings.degrees(settings.goal(&scale)));
-            plot.hline(goal.color(palette.quiet).style(LineStyle::dotted_dense()).width(1.0));
+        if let Some(goal) = goal_line(state, palette) {
+            plot.hline(goal);
         }
         for mark in &state.session.marks {
             let line = VLine::new(mark_words(mark, settings.language), mark.time_s / 60.0);
@@ -80,6 +68,35 @@ pub fn show(state: &WindowState, ui: &mut Ui, height: f32) {
     let spoken = settings.language.text("curves.spoken");
     shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, spoken));
     read_off(state, ui, &shown.response, &shown.transform, &curves);
+}
+
+/// Axes of time and temperature in a plot of a height [points].
+pub(super) fn axes<'a>(state: &WindowState, name: &'static str, height: f32) -> Plot<'a> {
+    let settings = state.settings;
+    // The axis leaves numbers away that stand closer than this.
+    let levels = ((f64::from(height) - 21.0) / 24.0).clamp(2.0, 6.0);
+    Plot::new(name)
+        .height(height)
+        // Time is zoomed and moved; a double click shows all of it again.
+        .allow_drag([true, false])
+        .allow_zoom([true, false])
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .show_crosshair(false)
+        .label_formatter(|_| None)
+        .include_x(0.0)
+        .include_x(2.0)
+        .y_axis_min_width(28.0)
+        .x_grid_spacer(egui_plot::uniform_grid_spacer(|input| spacing(input.bounds.1 - input.bounds.0, 3.0)))
+        .y_grid_spacer(egui_plot::uniform_grid_spacer(move |input| spacing(input.bounds.1 - input.bounds.0, levels)))
+        .x_axis_label(settings.language.fill("curves.minutes", &[("unit", &settings.unit())]))
+}
+
+/// The goal of the food that the panels show, where it is a temperature.
+pub(super) fn goal_line(state: &WindowState, palette: &Palette) -> Option<HLine> {
+    let goal = state.settings.degrees(state.settings.goal(&*of_temperature(state)?));
+    let line = HLine::new(state.settings.language.text("curves.goal"), goal);
+    Some(line.color(palette.quiet).style(LineStyle::dotted_dense()).width(1.0))
 }
 
 /// What happened, in a language; a power is a number and needs none.
@@ -162,7 +179,7 @@ fn legend(state: &WindowState, ui: &mut Ui, curves: &[Curve]) {
 }
 
 /// A short piece of a line, as it is drawn.
-fn sample(ui: &mut Ui, colour: Color32, style: LineStyle, width: f32) {
+pub(super) fn sample(ui: &mut Ui, colour: Color32, style: LineStyle, width: f32) {
     let (rect, _) = ui.allocate_exact_size(vec2(22.0, 12.0), Sense::hover());
     let ends = [rect.left_center(), rect.right_center()];
     let stroke = Stroke::new(width, colour);
@@ -216,7 +233,13 @@ fn ends(ui: &Ui, transform: &PlotTransform, curves: &[Curve]) {
 }
 
 /// The values at the time under the pointer.
-fn read_off(state: &WindowState, ui: &Ui, response: &egui::Response, transform: &PlotTransform, curves: &[Curve]) {
+pub(super) fn read_off(
+    state: &WindowState,
+    ui: &Ui,
+    response: &egui::Response,
+    transform: &PlotTransform,
+    curves: &[Curve],
+) {
     let Some(at) = response.hover_pos().filter(|at| transform.frame().contains(*at)) else { return };
     let minutes = transform.value_from_position(at).x;
     let frame = transform.frame();

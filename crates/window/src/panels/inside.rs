@@ -1,52 +1,29 @@
 //! What is inside now: the cut, doneness, temperatures, the goal and the curves.
 
-use egui::{RichText, TextureHandle, TextureOptions, Ui, vec2};
+use egui::{RichText, Ui, vec2};
 use saute_kitchen::advice::{Advice, class_goal};
 use saute_kitchen::doneness::core_class;
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::food::{Scale, Shares};
-use saute_kitchen::heat::Layout;
 use saute_kitchen::{Piece, celsius};
-use saute_picture::colour::map::TemperatureMap;
-use saute_picture::cut::section::section_picture;
-use saute_picture::view::View;
 
 use crate::act::{Act, Acts, Setting};
+use crate::panels::cut_picture::CutPicture;
 use crate::panels::window_state::WindowState;
 use crate::panels::{curves, doneness_bar, probes};
 use crate::settings::Settings;
 use crate::ui::theme;
 
-/// Pictures of the cut of a steak are painted at this scale [pixels/mm] (chosen: sharp in the panel, 4 ms a picture).
-const PER_MM: f64 = 3.2;
-/// Width of the picture's place in the panel [points]; narrower pieces are painted finer.
-const PANEL_WIDTH: f64 = 276.0;
-/// Interval at which the picture is repainted [wall s] (chosen).
-const REPAINT_S: f64 = 0.4;
-
 /// What the panel keeps between frames.
 #[derive(Default)]
 pub struct Inside {
-    texture: Option<TextureHandle>,
-    painted_at: f64,
-    painted_for: Option<Painted>,
+    cut: CutPicture,
     /// Doneness of the section, in the words of the food.
     pub(crate) shares: Shares,
     /// Names and mean shares of what heat has changed.
     pub(crate) changed: Vec<(String, f64)>,
     /// Hardness over that of the raw food [-] and juiciness [%].
     bite: [f64; 2],
-}
-
-/// What a picture of the cut was painted for.
-#[derive(Clone, Debug, PartialEq)]
-struct Painted {
-    generation: u64,
-    place: i64,
-    view: View,
-    map: TemperatureMap,
-    scale: Option<String>,
-    flipped: bool,
 }
 
 /// Height of the picture of the cut at most [points].
@@ -87,16 +64,11 @@ fn more(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 impl Inside {
-    /// Reads everything again and paints the cut, at intervals and as soon as it should look different.
+    /// Reads everything again where the cut is painted again.
     fn refresh(&mut self, state: &WindowState, piece: &Piece, ui: &Ui) {
-        let now = ui.input(|i| i.time);
-        let wanted = Painted::wanted(state, piece);
-        if self.painted_for.as_ref() == Some(&wanted) && now - self.painted_at < REPAINT_S {
-            return;
+        if self.cut.refresh(state, piece, ui) {
+            self.read(piece, state.scale().as_deref());
         }
-        self.read(piece, state.scale().as_deref());
-        self.paint(state, piece, ui, &wanted);
-        (self.painted_at, self.painted_for) = (now, Some(wanted));
     }
 
     fn read(&mut self, piece: &Piece, scale: Option<&Scale>) {
@@ -106,46 +78,10 @@ impl Inside {
         self.changed = model.kinetics().names().into_iter().map(str::to_owned).zip(means).collect();
         self.bite = [model.hardness_index(now), model.juiciness_pct(now)];
     }
-
-    fn paint(&mut self, state: &WindowState, piece: &Piece, ui: &Ui, wanted: &Painted) {
-        let x = state.slice.unwrap_or(0.0) * saute_picture::stage::half_length(piece);
-        let colours = wanted.view.colour_map(wanted.map, state.scale().as_deref());
-        let picture = section_picture(piece, x, wanted.view, colours.as_ref(), per_mm(piece));
-        let image = egui::ColorImage::from_rgba_unmultiplied([picture.width, picture.height], &picture.rgba);
-        match &mut self.texture {
-            Some(texture) => texture.set(image, TextureOptions::LINEAR),
-            None => self.texture = Some(ui.ctx().load_texture("cut", image, TextureOptions::LINEAR)),
-        }
-    }
-}
-
-impl Painted {
-    fn wanted(state: &WindowState, piece: &Piece) -> Self {
-        Self {
-            generation: state.session.generation,
-            place: (state.slice.unwrap_or(0.0) * 1e4) as i64,
-            view: state.settings.view,
-            map: state.settings.map,
-            scale: state.scale().map(|s| s.id.clone()),
-            flipped: piece.upside_down(),
-        }
-    }
-}
-
-/// Fineness at which the cut of a piece is sharp in the panel [pixels/mm].
-fn per_mm(piece: &Piece) -> f64 {
-    let model = &piece.model;
-    // A cut that follows a curved body shows all of its length.
-    let across = 1e3
-        * match model.mesh().layout() {
-            Layout::Along(mesh, _) => mesh.thickness(),
-            Layout::Upright(_) | Layout::Cells(_) => model.size()[0].min(model.size()[1]),
-        };
-    (PANEL_WIDTH / across).clamp(PER_MM, 8.0 * PER_MM)
 }
 
 fn cut(state: &WindowState, inside: &Inside, ui: &mut Ui, acts: &mut Acts) {
-    let Some(texture) = &inside.texture else { return };
+    let Some(texture) = inside.cut.texture() else { return };
     let width = ui.available_width();
     let size = texture.size_vec2();
     let scale = (width / size.x).min(CUT_HEIGHT / size.y);

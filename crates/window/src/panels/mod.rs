@@ -5,6 +5,7 @@ pub mod badge;
 pub mod cards;
 pub mod cook;
 pub mod curves;
+pub mod cut_picture;
 pub mod doneness_bar;
 pub mod eye_bar;
 pub mod inside;
@@ -20,6 +21,7 @@ pub mod read_out;
 pub mod settings_card;
 pub mod still;
 pub mod top;
+pub mod ways;
 pub mod window_state;
 
 use egui::{Rect, ScrollArea, Ui, UiBuilder};
@@ -73,6 +75,9 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
         photo_bar::show(state, ui, acts, layout.whole);
         return crate::hand::show(state, ui, acts, layout);
     }
+    if let Some(ways) = &layout.ways {
+        ways::show(state, &mut memory.ways, ui, acts, (layout.whole, ways));
+    }
     if !state.settings.panels_hidden {
         show(state, memory, ui, acts, layout);
     }
@@ -99,7 +104,9 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
 
 /// Shows all panels.
 fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, layout: &Layout) {
-    eye_bar::show(state, ui, acts, layout.eye);
+    if layout.eye.is_positive() {
+        eye_bar::show(state, ui, acts, layout.eye);
+    }
     let margin = if layout.narrow { WIDE_MARGIN } else { MARGIN };
     floating(ui, layout.top, (0, margin), "views", |ui| top::show(state, ui, acts, layout.narrow));
     if layout.narrow {
@@ -155,7 +162,10 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
     });
     scrolled(ui, |ui| match memory.drawer {
         Drawer::Cook => hob_bar::show(state, ui, acts, true),
-        Drawer::Inside => inside::show(state, &mut memory.inside, ui, acts),
+        Drawer::Inside => {
+            ways::curves_in_drawer(state, &mut memory.ways, ui);
+            inside::show(state, &mut memory.inside, ui, acts);
+        }
         Drawer::Food => pantry::show(state, memory, ui, acts),
         Drawer::Pieces => pieces::show(state, &mut memory.unfolded, ui, acts),
     });

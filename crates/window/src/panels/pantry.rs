@@ -147,6 +147,10 @@ fn recipes(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         acts.push(Act::ChooseFile);
     }
     #[cfg(not(target_arch = "wasm32"))]
+    if ui.add(theme::of(ui).button(l.text("pantry.save_cook"), false)).clicked() {
+        acts.push(Act::SaveCook);
+    }
+    #[cfg(not(target_arch = "wasm32"))]
     for file in &state.settings.recent {
         let name = file.file_name().map_or_else(|| file.display().to_string(), |n| n.to_string_lossy().into_owned());
         let button = egui::Button::new(name).min_size(vec2(ui.available_width(), 34.0));

@@ -10,6 +10,8 @@ use crate::words::view_words::ViewWords;
 
 /// Height of a chip [points]: two rows of them fit above a narrow scene.
 const HEIGHT: f32 = 34.0;
+/// Width of the speech bubble [points].
+const BUBBLE: f32 = 36.0;
 
 /// Shows the chips of the views, the switches of cut and split, and what stands at the right.
 pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
@@ -40,7 +42,7 @@ pub fn help_and_settings(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         chip(state, ui, acts, "?", state.help, Act::Help);
         gear(state, ui, acts);
-        if ui.available_width() > 40.0 {
+        if ui.available_width() >= BUBBLE {
             messages(state, ui, acts);
         }
         if ui.available_width() > 90.0 {
@@ -81,7 +83,7 @@ impl Drawn {
 /// A speech bubble: the list of what was said.
 fn messages(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let act = Act::Messages;
-    Drawn { name: "messages.title", width: 36.0, is_on: state.messages, act, paint: paint_bubble }
+    Drawn { name: "messages.title", width: BUBBLE, is_on: state.messages, act, paint: paint_bubble }
         .show(state, ui, acts);
 }
 

@@ -1,6 +1,6 @@
 //! What panels read of the window, and what they keep from frame to frame.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use saute_kitchen::Piece;
@@ -14,7 +14,9 @@ use crate::mirror::view::MirrorView;
 use crate::panels::Drawer;
 use crate::panels::inside::Inside;
 use crate::panels::still::Stills;
+use crate::panels::ways::WaysMemory;
 use crate::session::Session;
+use crate::session::timeline::WayBeside;
 use crate::settings::Settings;
 use crate::ui::notice::{Notice, Said};
 use crate::ui::scene_view::SceneView;
@@ -60,12 +62,23 @@ pub struct WindowState<'a> {
     pub advice: Vec<Advice>,
     /// What was said last, while it is still shown.
     pub notice: Option<Said>,
+    /// What waits until the instant is reached to which time is turned.
+    pub waiting: Vec<String>,
+    /// Ways side by side; none while the scene alone is shown.
+    pub ways: Vec<WayBeside<'a>>,
+    /// What they are called, by their numbers.
+    pub way_names: BTreeMap<u64, String>,
 }
 
 impl WindowState<'_> {
     /// The scale of doneness in whose words the food that the panels show is spoken of.
     pub fn scale(&self) -> Option<Arc<Scale>> {
         self.session.scale(&self.settings.scale)
+    }
+
+    /// What a way is called.
+    pub fn way_name(&self, way: &WayBeside) -> &str {
+        self.way_names.get(&way.way.id).map_or("", String::as_str)
     }
 
     /// The scale in whose words a piece is spoken of.
@@ -88,6 +101,8 @@ pub struct PanelMemory {
     pub search: String,
     /// Pictures of the foods.
     pub stills: Stills,
+    /// What is kept of ways side by side.
+    pub ways: WaysMemory,
     /// What was typed and chosen about a device.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) hand_choice: crate::hand::Choice,
@@ -102,6 +117,7 @@ impl Default for PanelMemory {
             count: 1,
             search: String::new(),
             stills: Stills::default(),
+            ways: WaysMemory::default(),
             #[cfg(not(target_arch = "wasm32"))]
             hand_choice: Default::default(),
         }

@@ -27,6 +27,7 @@ impl Session {
             return Ok(());
         }
         if self.paused || self.timeline.is_held {
+            self.pack_keyframes();
             return Ok(());
         }
         self.owed_s += wall.as_secs_f64() * self.speed;
@@ -89,9 +90,11 @@ impl Session {
         self.hands.lead(&mut self.kitchen);
         let before = self.recording.entries().len();
         self.recording.take(&mut self.kitchen);
-        if self.recording.entries().len() > before {
+        let after = self.recording.entries().len();
+        if after > before {
             self.depart(before);
         }
+        (before..after).for_each(|entry| self.note_until(entry + 1));
     }
 
     /// Runs the due steps of the recipe; returns true if the recipe has not stopped.

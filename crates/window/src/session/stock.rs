@@ -27,6 +27,7 @@ impl Session {
         // A piece that was taken away, or added in a cook that was undone, may have had this name.
         self.start_mass_g.remove(&order.id);
         self.recording.add(&self.kitchen, order);
+        self.note_last();
         self.weigh_new();
         Ok(())
     }
@@ -46,6 +47,7 @@ impl Session {
         for id in ids {
             self.recording.remove(&self.kitchen, id);
             self.kitchen.remove(id);
+            self.note_last();
         }
     }
 

@@ -3,6 +3,7 @@
 use egui::{Pos2, Rect, Vec2, pos2, vec2};
 
 use crate::settings::Settings;
+use crate::ui::ways_layout::WaysLayout;
 
 /// Below this width the panels gather in one drawer [points] (chosen: hob and clock still stand in one row).
 const NARROW: f32 = 1080.0;
@@ -63,6 +64,8 @@ pub struct Layout {
     pub free: Rect,
     /// One drawer instead of side panels.
     pub narrow: bool,
+    /// Ways side by side in place of the scene, where they are shown.
+    pub ways: Option<WaysLayout>,
 }
 
 impl Layout {
@@ -103,7 +106,7 @@ impl Layout {
         let left = open.then(|| Rect::from_min_size(middle.min, vec2(LEFT_WIDTH, middle.height())));
         let free_left = left.map_or(whole.left(), |l| l.right());
         let free = Rect::from_min_max(pos2(free_left, top.bottom() - 0.4 * TOP_HEIGHT), pos2(rest, bottom.top()));
-        Self { whole, top, left, right, bottom, eye: Rect::NOTHING, free, narrow: false }
+        Self { whole, top, left, right, bottom, eye: Rect::NOTHING, free, narrow: false, ways: None }
     }
 
     /// The drawer at the right, over the whole height.
@@ -112,7 +115,17 @@ impl Layout {
         let left = drawer.left() - GAP;
         let top = Rect::from_min_max(inner.min, pos2(left, inner.top() + NARROW_TOP_HEIGHT));
         let free = Rect::from_min_max(pos2(whole.left(), top.bottom()), pos2(left, whole.bottom()));
-        Self { whole, top, left: None, right: drawer, bottom: drawer, eye: Rect::NOTHING, free, narrow: true }
+        Self {
+            whole,
+            top,
+            left: None,
+            right: drawer,
+            bottom: drawer,
+            eye: Rect::NOTHING,
+            free,
+            narrow: true,
+            ways: None,
+        }
     }
 
     /// The drawer at the bottom.
@@ -121,7 +134,17 @@ impl Layout {
         let top = Rect::from_min_max(inner.min, pos2(inner.right(), inner.top() + NARROW_TOP_HEIGHT));
         let bottom = Rect::from_min_max(pos2(inner.left(), split), inner.max);
         let free = Rect::from_min_max(pos2(whole.left(), top.bottom()), pos2(whole.right(), split));
-        Self { whole, top, left: None, right: bottom, bottom, eye: Rect::NOTHING, free, narrow: true }
+        Self { whole, top, left: None, right: bottom, bottom, eye: Rect::NOTHING, free, narrow: true, ways: None }
+    }
+
+    /// Shows this many ways side by side in place of the scene; the one at the place `live` goes on.
+    pub fn with_ways(mut self, count: usize, live: usize) -> Self {
+        let top = if self.free == self.whole { self.whole.top() } else { self.top.bottom() };
+        let ground = Rect::from_min_max(pos2(self.free.left(), top), self.free.max).shrink(GAP);
+        let ways = WaysLayout::new(ground, (count, live), self.narrow);
+        self.eye = ways.eye;
+        self.ways = Some(ways);
+        self
     }
 
     /// What covers the scene.
@@ -133,9 +156,13 @@ impl Layout {
         panels
     }
 
-    /// Where the scene is drawn: over the whole window, or, split, in two panes of one size that share what no panel
+    /// Where the scene is drawn: in its column among ways side by side, else over the whole window, or, split, in two panes of one size that share what no panel
     /// covers, the look at the left. Both see the same with the same eye.
     pub fn panes(&self, split: bool) -> Vec<Pane> {
+        if let Some(ways) = &self.ways {
+            let live = ways.live_picture();
+            return vec![Pane { rect: live, free: live, look: false }];
+        }
         if !split {
             return vec![Pane { rect: self.whole, free: self.free, look: false }];
         }

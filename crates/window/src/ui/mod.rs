@@ -11,3 +11,5 @@ pub mod quality_choice;
 pub(crate) mod save_picture;
 pub mod scene_view;
 pub mod theme;
+pub mod ways_layout;
+pub(crate) mod ways_view;

@@ -45,6 +45,11 @@ impl Palette {
     pub fn probe(&self, number: usize) -> Color32 {
         self.probes[number.saturating_sub(1) % self.probes.len()]
     }
+
+    /// Colour of a way beside others, by its slot from 0: they are told apart as probes are.
+    pub fn way(&self, slot: usize) -> Color32 {
+        self.probe(slot + 1)
+    }
 }
 
 /// A kitchen at night (chosen: the pan is the brightest thing in the window).

@@ -53,7 +53,8 @@ impl SauteApp {
         let panes = layout.panes(self.settings.is_split());
         self.camera.shift = panes[0].lens_shift();
         self.scene.pane = Some(panes[0]);
-        let response = ui.interact(layout.whole, ui.scope_id().with("scene"), Sense::click_and_drag());
+        let seen = layout.ways.map_or(layout.whole, |ways| ways.live_picture());
+        let response = ui.interact(seen, ui.scope_id().with("scene"), Sense::click_and_drag());
         let l = self.settings.language;
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, l.text("scene.spoken")));
         let rect = self.used_pane(ui, &panes).rect;
@@ -118,6 +119,7 @@ impl SauteApp {
             let callback = SceneCallback { input, size, quality: self.quality(), pane: place };
             ui.painter().add(egui_wgpu::Callback::new_paint_callback(pane.rect, callback));
         }
+        self.draw_ways(ui, layout, &options, fineness);
         if let [_, field] = panes {
             let line = [field.free.left_top(), field.free.left_bottom()];
             ui.painter().line_segment(line, Stroke::new(2.0, theme::of(ui).solid));

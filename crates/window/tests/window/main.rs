@@ -15,3 +15,4 @@ mod steak;
 mod time;
 mod timeline;
 mod views;
+mod ways;

@@ -193,3 +193,93 @@ fn a_window_that_was_killed_goes_on_with_its_cook() {
     assert_eq!(harness.state().session().marks.len(), 4);
     std::fs::remove_file(&file).expect("removes");
 }
+
+/// What is done while the exact instant is still computed happens in it, and nothing waits for it.
+#[test]
+fn what_is_done_while_time_is_turned_waits_for_the_instant() {
+    let mut harness = fried(WIDE);
+    let ctx = harness.ctx.clone();
+    // A copy without keyframes: the way is long.
+    let recording = harness.state().session().recording().clone();
+    harness.state_mut().session_mut().resume(recording).expect("resumes");
+    harness.step();
+    assert!(harness.state().session().is_travelling());
+    let begun = std::time::Instant::now();
+    harness.state_mut().act(saute_window::act::Act::HobSet(500.0), &ctx);
+    harness.state_mut().act(saute_window::act::Act::Out, &ctx);
+    assert!(begun.elapsed().as_secs_f64() < 0.05, "an act blocked");
+    steps(&mut harness, 3);
+    assert!(harness.query_by_label_contains("As soon as 2:30 is reached: 500 W, ").is_some());
+    save(&mut harness, "time-waiting");
+    // Undo takes back what waits.
+    harness.state_mut().act(saute_window::act::Act::Undo, &ctx);
+    while harness.state().session().is_travelling() {
+        harness.step();
+    }
+    steps(&mut harness, 3);
+    let session = harness.state().session();
+    assert_eq!((session.kitchen.hob_w(), session.marks.len()), (500.0, 5));
+    assert!((session.marks[4].time_s - 150.0).abs() < 1.0 && session.kitchen.pieces()[0].in_pan());
+}
+
+#[test]
+fn a_cook_is_saved_as_a_whole_or_not_at_all() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("saved-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("folder");
+    let mut harness = fried(WIDE);
+    let end = hash(&harness);
+    press(&mut harness, Key::N);
+    assert!(harness.query_by_label("Save this cook…").is_some());
+    // What lies ahead is saved, too.
+    undo(&mut harness);
+    harness.state_mut().save_cook(&folder.join("mine"));
+    steps(&mut harness, 2);
+    assert!(harness.query_by_label_contains("The cook is saved in ").is_some());
+    save(&mut harness, "time-saved");
+    let file = folder.join("mine.saute");
+    let bytes = std::fs::read(&file).expect("is there");
+    // A folder that is not there, and one whose name is taken by a file.
+    for place in [folder.join("nowhere").join("mine.saute"), file.join("mine.saute")] {
+        harness.state_mut().save_cook(&place);
+        steps(&mut harness, 2);
+        assert!(harness.query_by_label_contains("The cook could not be saved in ").is_some(), "{}", place.display());
+    }
+    assert_eq!(std::fs::read(&file).expect("is there"), bytes);
+    assert_eq!(std::fs::read_dir(&folder).expect("folder").count(), 1, "nothing half-written is left");
+    let opened = saute_recipe::Recording::from_file(&bytes).expect("opens");
+    let mut harness = window(WIDE);
+    let session = harness.state_mut().session_mut();
+    session.resume(opened.recording).expect("resumes");
+    session.finish_travel();
+    assert_eq!(hash(&harness), end);
+    std::fs::remove_dir_all(&folder).expect("removes");
+}
+
+#[test]
+fn food_that_was_added_and_stretches_of_a_hand_have_marks() {
+    let mut harness = fried(WIDE);
+    let labels = |harness: &Harness<'static, SauteApp>| -> Vec<String> {
+        harness.state().session().marks.iter().skip(4).map(|mark| mark.label.clone()).collect()
+    };
+    let session = harness.state_mut().session_mut();
+    session.add(&Default::default(), 3).expect("adds");
+    for stretch in 0..2 {
+        for step in 0..20 {
+            let pose = saute_kitchen::dynamics::Pose::at(0.002 * f64::from(step), 0.0, 0.0);
+            session.command(&saute_kitchen::Command::HoldPan { pose }).expect("holds");
+            session.tick().expect("ticks");
+        }
+        session.command(&saute_kitchen::Command::LetGo).expect("lets go");
+        (0..30 * (1 - stretch)).for_each(|_| session.tick().expect("ticks"));
+    }
+    steps(&mut harness, 3);
+    assert_eq!(labels(&harness), ["add", "hand", "hand"]);
+    save(&mut harness, "time-marks");
+    // They come back when the cook is played again.
+    let recording = harness.state().session().recording().clone();
+    let marks = harness.state().session().marks.clone();
+    let session = harness.state_mut().session_mut();
+    session.resume(recording).expect("resumes");
+    session.finish_travel();
+    assert_eq!(session.marks, marks);
+}

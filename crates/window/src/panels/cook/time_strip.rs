@@ -4,6 +4,7 @@ use egui::{Color32, EventFilter, FontId, Key, Pos2, Rect, Response, Sense, Strok
 
 use crate::act::{Act, Acts};
 use crate::panels::inside::clock;
+use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
 use crate::session::Mark;
 use crate::ui::theme;
@@ -69,17 +70,14 @@ pub fn branches(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let text = egui::RichText::new(l.fill("strip.ways", &[("count", &names.len())])).size(13.0);
     ui.spacing_mut().button_padding = vec2(7.0, 0.0);
     let shown = ui.menu_button(text, |ui| {
+        if ui.selectable_label(!state.ways.is_empty(), l.text("ways.side_by_side")).clicked() {
+            acts.push(Act::SideBySide);
+            ui.close();
+        }
+        ui.separator();
         ui.label(egui::RichText::new(l.text("strip.ways_title")).size(13.0).color(theme::of(ui).quiet));
         for (place, name) in names.iter().enumerate() {
-            let time = clock(name.at_s);
-            let text = match &name.label {
-                Some(label) => {
-                    let parts: [(&str, &dyn std::fmt::Display); 2] = [("what", &act_words(label, l)), ("time", &time)];
-                    l.fill("strip.way", &parts)
-                }
-                None => l.fill("strip.way_without", &[("time", &time)]),
-            };
-            if ui.button(text).clicked() {
+            if ui.button(way_words(name, l)).clicked() {
                 acts.push(Act::Branch(place));
                 ui.close();
             }

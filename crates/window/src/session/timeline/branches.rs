@@ -1,14 +1,33 @@
 //! Branches: other ways that the cook went.
 
-use saute_recipe::Recording;
 use saute_recipe::session::{Deed, Entry};
+use saute_recipe::{Moment, Recording};
 
+use super::Ahead;
 use super::acts::label_of;
 use super::line::Line;
+use super::travel::Travel;
 use crate::session::Session;
 
 /// Branches that are kept beside the one that is shown (chosen: four ways fit side by side).
 pub const MOST_BESIDE: usize = 3;
+
+/// Which of the ways that a cook went: it stays the same while others are gone over to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Way {
+    /// Its place among the ways from 0: the lowest that was free when it began, below [`MOST_BESIDE`] + 1.
+    pub slot: usize,
+    /// A number that no other way has.
+    pub id: u64,
+}
+
+/// A way beside the one that is shown.
+pub(super) struct Branch {
+    pub(super) way: Way,
+    pub(super) line: Line,
+    /// Where it is seen beside the others.
+    pub(super) seen: Option<Travel>,
+}
 
 /// What a branch is called by: the act by which it differs from the one that is shown.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,18 +68,20 @@ impl Session {
         has_acts
     }
 
-    /// Keeps a branch; the oldest one makes room.
+    /// Keeps the way that is left as a branch; the oldest one makes room. What is shown is a new way.
     fn keep_branch(&mut self, line: Line) {
+        let way = self.timeline.course.way;
         let branches = &mut self.timeline.course.branches;
-        branches.push(line);
+        branches.push(Branch { way, line, seen: None });
         let surplus = branches.len().saturating_sub(MOST_BESIDE);
         branches.drain(..surplus);
+        self.timeline.begin_way();
     }
 
     /// Names of the branches, by what differs from the one that is shown.
     pub fn branches(&self) -> Vec<BranchName> {
         let shown = self.longest();
-        self.timeline.course.branches.iter().map(|line| name_of(&line.recording, shown)).collect()
+        self.timeline.course.branches.iter().map(|branch| name_of(&branch.line.recording, shown)).collect()
     }
 
     /// Goes over to a branch at the same time, or at its end; the one that was shown becomes a branch.
@@ -70,31 +91,33 @@ impl Session {
             return;
         }
         self.keep_keyframe();
-        let frame = self.recording.moment().frame;
+        let to = self.beside(&self.timeline.course.branches[place].line.recording).moment();
         let course = &mut self.timeline.course;
         let other = course.branches.remove(place);
         course.is_last_undone = false;
         course.redo.clear();
+        let way = std::mem::replace(&mut course.way, other.way);
         let ahead = course.ahead.take().map(|ahead| ahead.line);
-        let mine = ahead.unwrap_or_else(|| self.line());
+        let line = ahead.unwrap_or_else(|| self.line());
         if keeps {
-            self.timeline.course.branches.insert(place, mine);
+            self.timeline.course.branches.insert(place, Branch { way, line, seen: None });
         }
-        let end = other.recording.moment();
-        let to = if keeps && frame < end.frame { other.recording.moment_at(frame) } else { end };
+        let to = if keeps { to } else { other.line.recording.moment() };
         self.go_onto(other, to);
     }
 
-    /// Shows another line at a moment of it.
-    fn go_onto(&mut self, line: Line, to: saute_recipe::Moment) {
-        let nearest = line.keyframes.before(to).cloned().expect("the beginning is a keyframe");
-        let replay = nearest.replay(&self.library, &mut self.timeline.models);
+    /// Shows another way at a moment of it.
+    fn go_onto(&mut self, branch: Branch, to: Moment) {
+        let Branch { mut seen, line, .. } = branch;
+        let known = (&mut self.timeline.course.models, 0);
+        let replay = Travel::toward(to, &mut seen, &line, &self.library, known).into_replay();
+        let from = replay.moment();
         self.kitchen = replay.kitchen.clone();
         self.recording = line.recording.clone();
-        self.recording.truncate(nearest.moment);
+        self.recording.truncate(from);
         self.show_traces(line.traces.until(to));
-        self.timeline.course.keyframes = line.keyframes.until(nearest.moment);
-        self.timeline.course.ahead = Some(super::Ahead { line, is_followed: true });
+        self.timeline.course.keyframes = line.keyframes.until(from);
+        self.timeline.course.ahead = Some(Ahead { line, is_followed: true });
         self.timeline.number += 1;
         self.take_kitchen(replay);
         self.travel_to(to, true);
@@ -102,9 +125,14 @@ impl Session {
     }
 }
 
+/// Number of the first entries that two recordings share.
+pub(super) fn shared_entries(one: &Recording, other: &Recording) -> usize {
+    one.entries().iter().zip(other.entries()).take_while(|(a, b)| a == b).count()
+}
+
 /// The act by which a recording differs from another one.
-fn name_of(recording: &Recording, other: &Recording) -> BranchName {
-    let same = recording.entries().iter().zip(other.entries()).take_while(|(a, b)| a == b).count();
+pub(super) fn name_of(recording: &Recording, other: &Recording) -> BranchName {
+    let same = shared_entries(recording, other);
     let own = recording.entries()[same..].iter().find(|entry| entry.deed != Deed::TakeOver);
     let theirs = other.entries().get(same);
     let at = own.or(theirs).map_or_else(|| recording.moment().time_s(), Entry::time_s);

@@ -8,22 +8,30 @@ use saute_kitchen::{Kitchen, Library};
 use saute_recipe::{Moment, Replay, Runner};
 
 use super::Timeline;
+use super::packed::{Packed, Stored};
 
 /// Size of all keyframes at most [bytes].
 pub const MOST_BYTES: usize = 256 << 20;
 
+/// Size of all keyframes from which on they are packed [bytes] (chosen: a usual cook of one steak needs no packing).
+const PACKED_FROM: usize = MOST_BYTES / 2;
+
 /// An instant that is kept whole; models are shared.
 pub(super) struct Keyframe {
     pub(super) moment: Moment,
-    bytes: Vec<u8>,
+    stored: Stored,
     runner: Runner,
     plays: bool,
 }
 
 impl Keyframe {
+    fn stored_as(&self, stored: Stored) -> Self {
+        Self { moment: self.moment, stored, runner: self.runner.clone(), plays: self.plays }
+    }
+
     /// Returns its kitchen, from which a recording can be played on.
     pub(super) fn replay(&self, library: &Library, models: &mut Models) -> Replay {
-        let kitchen = Kitchen::from_bytes_with(&self.bytes, library, models);
+        let kitchen = Kitchen::from_bytes_with(&self.stored.bytes(), library, models);
         let kitchen = kitchen.expect("this program wrote the bytes with this library");
         Replay::at(kitchen, self.runner.clone(), self.plays, self.moment).sharing(models)
     }
@@ -44,7 +52,8 @@ impl Keyframes {
 
     /// Keeps an instant.
     pub(super) fn keep(&mut self, kitchen: &Kitchen, runner: &Runner, plays: bool, moment: Moment) {
-        let keyframe = Keyframe { moment, bytes: kitchen.to_bytes(), runner: runner.clone(), plays };
+        let stored = Stored::Plain(kitchen.to_bytes());
+        let keyframe = Keyframe { moment, stored, runner: runner.clone(), plays };
         self.0.insert(moment, Arc::new(keyframe));
     }
 
@@ -63,6 +72,19 @@ impl Keyframes {
         self.0.extend(other.0);
     }
 
+    /// The gap between two of them in the middle of all gaps [frames].
+    pub(super) fn usual_gap(&self) -> u64 {
+        let frames: Vec<u64> = self.0.keys().map(|moment| moment.frame).collect();
+        let mut gaps: Vec<u64> = frames.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        gaps.sort_unstable();
+        gaps.get(gaps.len() / 2).copied().unwrap_or(0)
+    }
+
+    /// The first one that is not packed.
+    fn plain(&self) -> Option<&Arc<Keyframe>> {
+        self.0.values().find(|keyframe| matches!(keyframe.stored, Stored::Plain(_)))
+    }
+
     /// The one without which the longest gap is the shortest, and that gap [frames]; of equal ones the oldest. Both ends stay.
     fn least_worth(&self) -> Option<(u64, Arc<Keyframe>)> {
         let all: Vec<&Arc<Keyframe>> = self.0.values().collect();
@@ -74,7 +96,7 @@ impl Keyframes {
 /// Size of keyframes that lists share [bytes].
 pub(super) fn bytes_of<'a>(lists: impl Iterator<Item = &'a mut Keyframes>) -> usize {
     let each: BTreeMap<usize, usize> =
-        lists.flat_map(|list| list.0.values().map(|k| (Arc::as_ptr(k) as usize, k.bytes.len()))).collect();
+        lists.flat_map(|list| list.0.values().map(|k| (Arc::as_ptr(k) as usize, k.stored.size()))).collect();
     each.values().sum()
 }
 
@@ -84,5 +106,30 @@ pub(super) fn thin(timeline: &mut Timeline) {
         let candidates = timeline.lists().filter_map(|list| list.least_worth());
         let Some((_, least)) = candidates.min_by_key(|(gap, _)| *gap) else { return };
         timeline.lists().for_each(|list| list.0.retain(|_, kept| !Arc::ptr_eq(kept, &least)));
+    }
+}
+
+/// A keyframe that is being packed.
+pub(super) struct Packing {
+    keyframe: Arc<Keyframe>,
+    packed: Packed,
+}
+
+/// Packs a part of a keyframe where all of them need much room.
+pub(super) fn pack_on(timeline: &mut Timeline) {
+    timeline.is_narrow = bytes_of(timeline.lists()) > PACKED_FROM;
+    if timeline.packing.is_none() && timeline.is_narrow {
+        let plain = timeline.lists().find_map(|list| list.plain().cloned());
+        timeline.packing = plain.map(|keyframe| Packing { keyframe, packed: Packed::default() });
+    }
+    let Some(packing) = &mut timeline.packing else { return };
+    let Stored::Plain(bytes) = &packing.keyframe.stored else { return };
+    if packing.packed.pack_on(bytes)
+        && let Some(Packing { keyframe, packed }) = timeline.packing.take()
+    {
+        let packed = Arc::new(keyframe.stored_as(Stored::Packed(packed)));
+        for kept in timeline.lists().flat_map(|list| list.0.values_mut()).filter(|kept| Arc::ptr_eq(kept, &keyframe)) {
+            *kept = Arc::clone(&packed);
+        }
     }
 }

@@ -6,9 +6,11 @@
 //! followed: it becomes a branch as soon as time goes on.
 
 mod acts;
+mod beside;
 mod branches;
 mod keyframes;
 mod line;
+mod packed;
 mod put_by;
 mod travel;
 mod undo;
@@ -17,10 +19,12 @@ use saute_kitchen::bytes::Models;
 use saute_recipe::Moment;
 use web_time::Duration;
 
-pub use self::branches::BranchName;
+pub use self::beside::{Stand, WayBeside};
+pub use self::branches::{BranchName, MOST_BESIDE, Way};
 pub use self::keyframes::MOST_BYTES;
 pub use self::undo::Undone;
 
+use self::branches::Branch;
 use self::keyframes::Keyframes;
 use self::line::Line;
 use self::put_by::PutBy;
@@ -40,11 +44,18 @@ pub(super) struct Timeline {
     /// Cooks in place of which others began, and those that an undo put by in turn.
     past: Vec<PutBy>,
     later: Vec<PutBy>,
-    models: Models,
     /// Computing time since the last keyframe.
     computed: Duration,
+    /// The keyframe that is being packed.
+    packing: Option<keyframes::Packing>,
+    /// True if keyframes need much room.
+    is_narrow: bool,
     /// Number of the line of time that is shown, for the file that it is kept in.
     number: u64,
+    /// Ways that began so far.
+    ways: u64,
+    /// Number of looks at the ways beside the one that is shown: each has its turn to be the first.
+    looks: usize,
     /// True while a recorded session is played up to its end.
     pub(super) catches_up: bool,
     /// True while a person holds the strip: time stands still.
@@ -58,11 +69,15 @@ pub(super) struct Course {
     ahead: Option<Ahead>,
     /// Instants to which redo leads, the next one last.
     redo: Vec<Moment>,
-    branches: Vec<Line>,
+    branches: Vec<Branch>,
+    /// The way that is shown.
+    way: Way,
     /// True if the last branch was undone, and no command was given since.
     is_last_undone: bool,
     /// Entries that the beginning itself made.
     given: usize,
+    /// Models of its kitchens: they go with it.
+    models: Models,
 }
 
 /// What was done after the instant that is shown.
@@ -76,21 +91,38 @@ impl Timeline {
     /// A cook begins.
     pub(super) fn begin(&mut self) {
         self.course = Course::default();
+        self.begin_way();
         self.number += 1;
         self.travel = None;
         self.catches_up = false;
     }
 
+    /// What is shown is a new way, in the first place that is free.
+    fn begin_way(&mut self) {
+        self.ways += 1;
+        let branches = &self.course.branches;
+        let is_free = |slot: &usize| branches.iter().all(|branch| branch.way.slot != *slot);
+        let slot = (0..MOST_BESIDE).find(is_free).unwrap_or(MOST_BESIDE);
+        self.course.way = Way { slot, id: self.ways };
+    }
+
     /// Models that are known.
     pub(super) fn models(&mut self) -> &mut Models {
-        &mut self.models
+        &mut self.course.models
+    }
+
+    /// Frames between two keyframes at least where room is scarce: what is closer would be dropped first.
+    fn apart(&self) -> u64 {
+        let course = &self.course;
+        let keyframes = course.ahead.as_ref().map_or(&course.keyframes, |ahead| &ahead.line.keyframes);
+        if self.is_narrow { keyframes.usual_gap() / 2 } else { 0 }
     }
 
     fn lists(&mut self) -> impl Iterator<Item = &mut Keyframes> {
         let courses = self.past.iter_mut().chain(&mut self.later).map(|by| &mut by.course);
         courses.chain([&mut self.course]).flat_map(|course| {
             let ahead = course.ahead.iter_mut().map(|ahead| &mut ahead.line.keyframes);
-            let branches = course.branches.iter_mut().map(|line| &mut line.keyframes);
+            let branches = course.branches.iter_mut().map(|branch| &mut branch.line.keyframes);
             ahead.chain(branches).chain([&mut course.keyframes])
         })
     }
@@ -105,6 +137,22 @@ impl Session {
     /// The instant that is shown, or on its way to be shown [s].
     pub fn shown_s(&self) -> f64 {
         self.here().time_s()
+    }
+
+    /// Returns true while a recorded session is played up to its end.
+    pub(crate) fn catches_up(&self) -> bool {
+        self.timeline.catches_up
+    }
+
+    /// All that was recorded, after the shown instant too; it is in no file yet.
+    pub fn whole_recording(&self) -> saute_recipe::Recording {
+        let longest = self.longest();
+        longest.fork(longest.moment())
+    }
+
+    /// The instant at which travelling ends [s].
+    pub(crate) fn bound_for_s(&self) -> f64 {
+        if self.timeline.catches_up { self.end_s() } else { self.shown_s() }
     }
 
     /// Everything that was done, after the shown instant too.
@@ -138,18 +186,25 @@ impl Session {
         if self.timeline.course.keyframes.has(moment) {
             return;
         }
-        self.timeline.models.learn(&self.kitchen);
+        self.timeline.course.models.learn(&self.kitchen);
         let (runner, plays) = self.runner_here();
         self.timeline.course.keyframes.keep(&self.kitchen, &runner, plays, moment);
         keyframes::thin(&mut self.timeline);
     }
 
+    /// Packs keyframes a little where they need much room.
+    pub(super) fn pack_keyframes(&mut self) {
+        keyframes::pack_on(&mut self.timeline);
+    }
+
     /// Keeps a keyframe now and then.
     pub(super) fn keep_keyframes(&mut self, computed: Duration) {
         self.timeline.computed += computed;
+        self.pack_keyframes();
+        let apart = self.timeline.apart().max(FRAMES_PER_KEYFRAME);
         let last = self.timeline.course.keyframes.before(self.recording.moment()).map_or(0, |k| k.moment.frame);
         let is_due = self.timeline.computed >= COMPUTED_PER_KEYFRAME;
-        if is_due && self.kitchen.is_between_ticks() && self.kitchen.frame() >= last + FRAMES_PER_KEYFRAME {
+        if is_due && self.kitchen.is_between_ticks() && self.kitchen.frame() >= last + apart {
             self.keep_keyframe();
         }
     }

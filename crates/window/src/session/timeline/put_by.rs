@@ -45,6 +45,7 @@ impl Session {
 
     fn take_present(&mut self) -> PutBy {
         self.keep_keyframe();
+        self.forget_beside();
         PutBy {
             course: std::mem::take(&mut self.timeline.course),
             recording: self.recording.clone(),
@@ -82,7 +83,7 @@ impl Session {
         let moment = by.recording.moment();
         let nearest = self.timeline.course.keyframes.before(moment).cloned();
         let nearest = nearest.expect("the beginning is a keyframe");
-        let mut replay = nearest.replay(&self.library, &mut self.timeline.models);
+        let mut replay = nearest.replay(&self.library, &mut self.timeline.course.models);
         replay.run_to(&by.recording, &self.library, moment);
         self.recording = by.recording;
         self.show_traces(by.traces);

@@ -6,15 +6,60 @@ use web_time::{Duration, Instant};
 use super::line::Line;
 use super::{Ahead, COMPUTED_PER_KEYFRAME};
 use crate::session::Session;
-use saute_kitchen::FRAMES_PER_TICK;
+use saute_kitchen::bytes::Models;
+use saute_kitchen::{FRAMES_PER_TICK, Library};
 use saute_recipe::session::{Deed, Entry};
 
 /// A travel that has not arrived.
 pub(super) struct Travel {
-    replay: Replay,
-    to: Moment,
+    pub(super) replay: Replay,
+    pub(super) to: Moment,
     /// Computing time since the last keyframe.
     computed: Duration,
+    /// Frames between two keyframes at least.
+    apart: u64,
+}
+
+impl Travel {
+    /// A travel along a line to a moment: it goes on from where an earlier one is if that is near, else from a keyframe.
+    pub(super) fn toward(
+        to: Moment,
+        earlier: &mut Option<Self>,
+        line: &Line,
+        library: &Library,
+        (models, apart): (&mut Models, u64),
+    ) -> Self {
+        match earlier.take_if(|travel| travel.is_near(to, line)) {
+            Some(travel) => Self { to, apart, ..travel },
+            None => {
+                let nearest = line.keyframes.before(to).expect("the beginning is a keyframe");
+                Self { replay: nearest.replay(library, models), to, computed: Duration::ZERO, apart }
+            }
+        }
+    }
+
+    /// Returns true if a moment is reached sooner from here than from any keyframe of its line.
+    pub(super) fn is_near(&self, to: Moment, line: &Line) -> bool {
+        let here = self.replay.moment();
+        here <= to && line.keyframes.before(to).is_none_or(|nearest| nearest.moment <= here)
+    }
+
+    /// Goes on along a line for no longer than `budget`, at least by a frame; returns true when it has arrived.
+    pub(super) fn go_on(&mut self, line: &mut Line, library: &Library, budget: Duration) -> bool {
+        let begun = Instant::now();
+        while self.replay.moment().frame < self.to.frame {
+            self.step(line, library);
+            if begun.elapsed() >= budget && self.replay.moment().frame < self.to.frame {
+                return false;
+            }
+        }
+        self.replay.settle(&line.recording, library, self.to);
+        true
+    }
+
+    pub(super) fn into_replay(self) -> Replay {
+        self.replay
+    }
 }
 
 impl Session {
@@ -68,14 +113,15 @@ impl Session {
             Some(travel) if (from..=to).contains(&travel.replay.moment()) => travel.replay,
             None if (from..=to).contains(&self.recording.moment()) => self.as_replay(),
             _ => {
-                let replay = nearest.replay(&self.library, &mut self.timeline.models);
+                let replay = nearest.replay(&self.library, &mut self.timeline.course.models);
                 self.kitchen = replay.kitchen.clone();
                 self.start_afresh();
                 replay
             }
         };
         self.show_traces(traces);
-        self.timeline.travel = Some(Travel { replay, to, computed: Duration::ZERO });
+        let apart = self.timeline.apart();
+        self.timeline.travel = Some(Travel { replay, to, computed: Duration::ZERO, apart });
     }
 
     /// Keeps the present line as what lies ahead, if nothing does yet.
@@ -91,9 +137,9 @@ impl Session {
 
     /// The shown instant, from which a recording can be played on.
     fn as_replay(&mut self) -> Replay {
-        self.timeline.models.learn(&self.kitchen);
+        self.timeline.course.models.learn(&self.kitchen);
         let (runner, plays) = self.runner_here();
-        Replay::at(self.kitchen.clone(), runner, plays, self.recording.moment()).sharing(&self.timeline.models)
+        Replay::at(self.kitchen.clone(), runner, plays, self.recording.moment()).sharing(&self.timeline.course.models)
     }
 
     /// The runner of the shown instant, also of a recipe that was left, and whether it plays.
@@ -107,20 +153,14 @@ impl Session {
         if self.timeline.catches_up {
             return self.catch_up(budget);
         }
-        let begun = Instant::now();
         let Some(mut travel) = self.timeline.travel.take() else { return };
         let Some(ahead) = &mut self.timeline.course.ahead else { return };
-        let line = &mut ahead.line;
-        while travel.replay.moment().frame < travel.to.frame {
-            travel.step(line, &self.library);
-            if begun.elapsed() >= budget && travel.replay.moment().frame < travel.to.frame {
-                self.timeline.travel = Some(travel);
-                super::keyframes::thin(&mut self.timeline);
-                return;
-            }
+        if travel.go_on(&mut ahead.line, &self.library, budget) {
+            return self.arrive(travel);
         }
-        travel.replay.settle(&line.recording, &self.library, travel.to);
-        self.arrive(travel);
+        self.timeline.travel = Some(travel);
+        super::keyframes::thin(&mut self.timeline);
+        super::keyframes::pack_on(&mut self.timeline);
     }
 
     /// Travels to the end at once.
@@ -196,12 +236,10 @@ impl Session {
             Deed::Resume => self.runner = self.left.take(),
             Deed::Command(_) | Deed::Add(_) | Deed::Remove(_) => {}
         }
-        drop(entry.deed.carry_out(&mut self.kitchen, &self.library, &mut self.timeline.models));
+        drop(entry.deed.carry_out(&mut self.kitchen, &self.library, &mut self.timeline.course.models));
         drop(self.kitchen.take_carried_out());
         self.recording.restore(entry.clone());
-        if let Deed::Command(command) = &entry.deed {
-            self.note(command);
-        }
+        self.note_last();
         self.weigh_new();
     }
 
@@ -221,11 +259,17 @@ impl Session {
 
 impl Travel {
     /// Plays a frame again; keeps a keyframe after much computing, so that the way is short the next time.
-    fn step(&mut self, line: &mut Line, library: &saute_kitchen::Library) {
+    fn step(&mut self, line: &mut Line, library: &Library) {
         let begun = Instant::now();
         let Replay { kitchen, .. } = &self.replay;
-        let (moment, is_due) = (self.replay.moment(), self.computed >= COMPUTED_PER_KEYFRAME);
-        if is_due && kitchen.is_between_ticks() && !line.keyframes.has(moment) {
+        let moment = self.replay.moment();
+        let is_apart =
+            || line.keyframes.before(moment).is_none_or(|last| last.moment.frame + self.apart <= moment.frame);
+        if self.computed >= COMPUTED_PER_KEYFRAME
+            && is_apart()
+            && kitchen.is_between_ticks()
+            && !line.keyframes.has(moment)
+        {
             line.keyframes.keep(kitchen, &self.replay.runner, self.replay.plays(), moment);
             self.computed = Duration::ZERO;
         }

@@ -1,0 +1,79 @@
+//! What the window's owner reads and sets from outside: the page, measurements and tests.
+
+use super::SauteApp;
+use crate::frame_meter::FrameMeter;
+use crate::session::Session;
+use crate::settings::Settings;
+use crate::words::language::Language;
+
+impl SauteApp {
+    /// The world behind the window.
+    pub fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// The world behind the window, to drive it from outside.
+    pub fn session_mut(&mut self) -> &mut Session {
+        &mut self.session
+    }
+
+    /// The settings that are remembered.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Place of the cut (−1…1), or none.
+    pub fn slice(&self) -> Option<f64> {
+        self.slice
+    }
+
+    /// Chooses how many pieces the pantry adds at once.
+    pub fn set_count(&mut self, count: usize) {
+        self.memory.count = count;
+    }
+
+    /// Chooses the window's language; a page without a font for Japanese asks its host for one first.
+    pub fn set_language(&mut self, language: Language) {
+        #[cfg(target_arch = "wasm32")]
+        if language == Language::Japanese && !self.japanese_font {
+            return self.want_font();
+        }
+        self.settings.language = language;
+    }
+
+    /// Returns true if the card of the first steps is shown.
+    pub fn first_steps_are_open(&self) -> bool {
+        self.first_steps
+    }
+
+    pub(crate) fn close_first_steps(&mut self) {
+        self.first_steps = false;
+        self.settings.introduced = true;
+    }
+
+    /// Returns true if the list of keys is open.
+    pub fn help_is_open(&self) -> bool {
+        self.help
+    }
+
+    /// Returns true if the card of the settings is open.
+    pub fn settings_are_open(&self) -> bool {
+        self.settings_open
+    }
+
+    /// The photo mode.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn photo(&self) -> &crate::photo::PhotoMode {
+        &self.photo
+    }
+
+    /// How fast frames and simulated time have run lately.
+    pub fn meter(&self) -> &FrameMeter {
+        &self.meter
+    }
+
+    /// Size at which the scene was drawn last [pixels].
+    pub fn scene_size(&self) -> [u32; 2] {
+        self.scene.drawn_size
+    }
+}
