@@ -356,14 +356,13 @@ impl SceneRenderer {
         let Subject { solids, foods, sprites } = subject;
         let mut touched = self.history.sprites_to_draw();
         if let Some(lively) = self.history.lively_to_draw() {
-            let to = targets.lively.layer.attachments();
+            let to = targets.lively.attachments();
             let mut pass = passes::begin_restored(encoder, restore, &to, &targets.still, lively.scissor(size));
             passes::draw_lively(&mut pass, pipelines, &groups, solids, foods);
             passes::draw_spots(&mut pass, pipelines, sprites);
             touched = touched.union(lively);
         }
-        let to = targets.picture.attachments();
-        let mut pass = passes::begin_restored(encoder, restore, &to, &targets.lively, touched.scissor(size));
+        let mut pass = passes::begin_over(encoder, &targets.picture, &targets.lively, touched.scissor(size));
         passes::draw_veils(&mut pass, pipelines, &groups, solids, foods, sprites);
         drop(pass);
         self.history.drew_from_kept();

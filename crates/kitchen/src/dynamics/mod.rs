@@ -13,6 +13,7 @@
 //! Bodies at rest sleep; with all bodies asleep no rigid step is computed.
 
 mod blade;
+mod damping;
 pub mod extent;
 pub mod gesture;
 pub mod hand;

@@ -17,6 +17,7 @@ use saute_food::{GRAVITY, Solid};
 use serde::{Deserialize, Serialize};
 
 use super::blade::insert_blade;
+use super::damping::damping;
 use super::pan_motion::{PanMotion, PanTarget};
 use super::pan_shape::PanShape;
 use super::pose::Pose;
@@ -37,10 +38,6 @@ const CONTACT_DAMPING: f32 = 4.0;
 const ITERATIONS: usize = 2;
 /// Stabilisation iterations per solver iteration [-] (chosen: with fewer, coins leaning on each other rattle).
 const RELAXATIONS: usize = 2;
-/// Speed below which a body creeps [solver units/s] (chosen: 5 cm/s), and the linear and angular damping of a creeping
-/// body [1/s] (chosen: soft, wet food stops within hundredths of a second).
-const CREEPING: f32 = 5.0;
-const CREEP_DAMPING: [f32; 2] = [30.0, 60.0];
 /// Prediction distance of contacts [TYPICAL] (chosen: a millimetre).
 const PREDICTION: f32 = 0.05;
 /// Drift up to which a contact is reused [TYPICAL] (chosen: 0.2 mm).
@@ -470,11 +467,12 @@ impl World {
         let mut asleep = true;
         let mut changed = Vec::new();
         for (key, food) in &self.foods {
+            let on_table = !food.inside && self.lies_on_table(food);
             let Some(body) = self.bodies.get_mut(food.body) else { continue };
             body.reset_forces(false);
             body.reset_torques(false);
             asleep &= body.is_sleeping();
-            let [linear, angular] = if body.linvel().length() < CREEPING { CREEP_DAMPING } else { [0.0; 2] };
+            let [linear, angular] = damping(body.linvel().length(), on_table);
             body.set_linear_damping(linear);
             body.set_angular_damping(angular);
             let inside = self.shape.holds(self.motion.pose.to_body(scale::metres(body.translation())));
@@ -484,6 +482,15 @@ impl World {
         }
         changed.into_iter().for_each(|(key, inside)| self.set_groups(key, inside));
         self.settled = asleep && self.may_sleep && self.motion.is_still();
+    }
+
+    fn lies_on_table(&self, food: &FoodBody) -> bool {
+        let ground = Against::Ground.code();
+        let is_ground = |other: ColliderHandle| self.colliders.get(other).is_some_and(|c| c.user_data == ground);
+        food.colliders.iter().any(|own| {
+            let mut pairs = self.narrow_phase.contact_pairs_with(*own).filter(|pair| pair.has_any_active_contact());
+            pairs.any(|pair| is_ground(pair.collider1) || is_ground(pair.collider2))
+        })
     }
 
     /// Sets the collision groups of a food: over the pan it collides with the floor, elsewhere with table and board.

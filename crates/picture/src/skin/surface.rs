@@ -253,25 +253,13 @@ impl Skin {
 
 /// A vertex between others.
 fn blended(corners: [(&FoodVertex, f32); 4], place: Place, normal: [f32; 3]) -> FoodVertex {
-    let mean = |of: fn(&FoodVertex) -> f32| corners.iter().map(|(v, w)| w * of(v)).sum::<f32>();
-    let lab = |of: fn(&FoodVertex) -> [f32; 3]| {
-        corners.iter().fold([0.0; 3], |sum, (v, w)| [0, 1, 2].map(|k| sum[k] + w * of(v)[k]))
-    };
     FoodVertex {
         rest: place.rest,
         position: place.now,
         normal,
-        lean: lab(|v| v.lean),
-        fat: lab(|v| v.fat),
-        browning: mean(|v| v.browning),
-        charring: mean(|v| v.charring),
-        wetness: mean(|v| v.wetness),
-        cooked: mean(|v| v.cooked),
-        field: mean(|v| v.field),
         along: place.body[0],
         dorsal: place.body[1],
-        seared: mean(|v| v.seared),
-        juice: mean(|v| v.juice),
+        ..FoodVertex::mean(corners)
     }
 }
 

@@ -35,8 +35,8 @@ impl DirtyRect {
             cover(world_from_pan.transform_point3(floor), 0.0);
         }
         tool.iter().for_each(|point| cover(*point, 0.0));
-        input.foods.iter().flat_map(world_positions).for_each(|point| cover(point, 0.0));
-        rect
+        let foods = input.foods.iter().map(|food| eye.covered_by(world_positions(food)));
+        foods.fold(rect, Self::union)
     }
 
     /// What spots of oil cover.
@@ -81,6 +81,23 @@ impl Eye {
         Self { clip_from_world, size, scale: 0.5 * size.y * clip_from_world.row(1).truncate().length() }
     }
 
+    /// Pixels that a body with these corners covers; none where it lies beyond an edge of the picture.
+    fn covered_by(&self, corners: impl Iterator<Item = Vec3>) -> DirtyRect {
+        let (mut rect, mut beyond) = (DirtyRect::NOTHING, u8::MAX);
+        for corner in corners {
+            rect = rect.union(self.covered(corner, 0.0));
+            beyond &= self.edges_before(corner);
+        }
+        if beyond == 0 { rect } else { DirtyRect::NOTHING }
+    }
+
+    /// The edges of the picture beyond which a point lies, a bit for each, and one for the plane of the eye.
+    fn edges_before(&self, point: Vec3) -> u8 {
+        let clip = self.clip_from_world * point.extend(1.0);
+        let inside = [clip.w + clip.x, clip.w - clip.x, clip.w + clip.y, clip.w - clip.y, clip.w];
+        inside.iter().enumerate().map(|(edge, inside)| u8::from(*inside < 0.0) << edge).sum()
+    }
+
     /// Pixels that a sphere covers, y downwards.
     fn covered(&self, point: Vec3, radius: f32) -> DirtyRect {
         let clip = self.clip_from_world * point.extend(1.0);
@@ -110,6 +127,20 @@ mod tests {
             assert!(x >= left as f32 && x <= (left + width) as f32, "{x}");
             assert!(y >= top as f32 && y <= (top + height) as f32, "{y}");
         }
+    }
+
+    #[test]
+    fn a_food_out_of_sight_is_not_drawn_over_the_picture() {
+        let rect = |x: f32, y: f32| {
+            let mut scene = steak_in_pan(Doneness::Raw);
+            (scene.foods[0].world_from_rest.w_axis.x, scene.foods[0].world_from_rest.w_axis.y) = (x, y);
+            DirtyRect::of_lively(&scene, &[], [960, 540])
+        };
+        let pan = DirtyRect::of_lively(&empty_pan(), &[], [960, 540]);
+        for [x, y] in [[5.0, 0.0], [-5.0, 1.0], [0.0, -9.0], [3.0, -9.0]] {
+            assert_eq!(rect(x, y), pan, "{x} {y}");
+        }
+        assert_ne!(rect(0.3, 0.0), pan);
     }
 
     #[test]

@@ -13,11 +13,8 @@ use crate::gpu::uniforms::{FoodUniform, reciprocal};
 use crate::input::{
     BORDER_RANGE, FleshTexture, FoodLook, FoodMesh, FoodVertex, GrainVolume, SearLook, SliceLook, WITHIN_RANGE,
 };
+use crate::mesh::stays::stays;
 
-/// A piece of which no point has moved by more than this looks the same [m] (chosen: a seventh of a pixel).
-const LOOK_TOLERANCE: f32 = 1e-4;
-/// No point of a food is further from its origin than this [m] (chosen: half a large steak's diagonal).
-const LEVER: f32 = 0.15;
 /// A shape that has moved by less than this still casts the same shadow [m].
 const SHADOW_TOLERANCE: f32 = 3e-4;
 /// A shape that has moved by less than this leaves the look of pan wall and board as it was [m].
@@ -297,12 +294,8 @@ impl FoodBuffers {
     }
 }
 
-/// True when the poses put no point of a food further apart than the eye sees.
 fn same_pose(a: &FoodLook, b: &FoodLook) -> bool {
-    let (a, b) = (a.world_from_rest, b.world_from_rest);
-    let turned = [a.x_axis - b.x_axis, a.y_axis - b.y_axis, a.z_axis - b.z_axis];
-    let turn = turned.iter().map(|axis| axis.length_squared()).sum::<f32>().sqrt();
-    (a.w_axis - b.w_axis).length() + turn * LEVER < LOOK_TOLERANCE
+    stays(&a.world_from_rest, &b.world_from_rest)
 }
 
 fn same_vertices(a: &FoodLook, b: &FoodLook) -> bool {

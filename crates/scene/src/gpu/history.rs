@@ -170,8 +170,37 @@ impl History {
             Some(still) if still.is_best_for(key) => StillStep::Keep,
             // A food in motion: its shadow on wall and board may lag until it rests.
             Some(still) if still.key.same_view(key) && casts && still.drawn => StillStep::Keep,
-            Some(still) if still.key.same_view(key) && !casts => StillStep::Refine,
+            // The eye rests. A food that moves on must not keep the layer from being drawn once.
+            Some(still) if still.key.same_view(key) => StillStep::Refine,
             _ => StillStep::Skip,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::empty_pan;
+
+    #[test]
+    fn a_food_that_never_rests_leaves_the_still_layer_drawn_once() {
+        let mut history = History::default();
+        let mut step = |camera_moves: bool| {
+            history.disturb();
+            let mut scene = empty_pan();
+            scene.camera.target.x += if camera_moves { 0.1 } else { 0.0 };
+            let key = StillKey::new(&scene, [960, 540], history.disturbances());
+            let step = history.still_step(&key, true);
+            match step {
+                StillStep::Skip => history.keep_still(key, false),
+                StillStep::Refine => history.keep_still(key, true),
+                StillStep::Keep => (),
+            }
+            step
+        };
+        assert!(matches!(step(true), StillStep::Skip), "the first picture");
+        assert!(matches!(step(false), StillStep::Skip), "the eye has moved");
+        assert!(matches!(step(false), StillStep::Refine), "it rests");
+        assert!((0..9).all(|_| matches!(step(false), StillStep::Keep)));
     }
 }

@@ -4,7 +4,7 @@ use crate::gpu::foods::Foods;
 use crate::gpu::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines};
 use crate::gpu::solids::Solids;
 use crate::gpu::sprites::SpriteBuffers;
-use crate::gpu::targets::{Attachments, Kept};
+use crate::gpu::targets::{Attachments, Kept, Layer};
 
 /// Colour around the subject in flat pictures, sRGB.
 pub const FLAT_BACKGROUND: [u8; 3] = [24, 24, 24];
@@ -62,6 +62,27 @@ pub(crate) fn begin_restored<'e>(
     pass.set_bind_group(0, &from.restore, &[]);
     pass.set_scissor_rect(left, top, width, height);
     pass.draw(0..3, 0..1);
+    pass
+}
+
+/// Begins a pass over a copy of a rectangle of a kept picture, for what is transparent: it is hidden by the kept depth,
+/// which it leaves as it is.
+pub(crate) fn begin_over<'e>(
+    encoder: &'e mut wgpu::CommandEncoder,
+    to: &Layer,
+    kept: &Layer,
+    [left, top, width, height]: [u32; 4],
+) -> wgpu::RenderPass<'e> {
+    let origin = wgpu::Origin3d { x: left, y: top, z: 0 };
+    if width > 0 && height > 0 {
+        let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
+        let [from, into] = [kept, to].map(|layer| layer.colour.texture().as_image_copy());
+        let part = |whole| wgpu::TexelCopyTextureInfo { origin, ..whole };
+        encoder.copy_texture_to_texture(part(from), part(into), size);
+    }
+    let to = Attachments { colour: &to.colour, resolve: None, depth: &kept.depth };
+    let mut pass = begin(encoder, &to, None);
+    pass.set_scissor_rect(left, top, width, height);
     pass
 }
 

@@ -47,7 +47,7 @@ pub(crate) struct Targets {
     /// What does not move, kept between frames.
     pub still: Kept,
     /// That with the foods and the pan's floor, kept as long as they look the same.
-    pub lively: Kept,
+    pub lively: Layer,
     msaa: Option<Layer>,
     /// What turns radiances into the picture.
     pub chain: Option<Chain>,
@@ -56,7 +56,7 @@ pub(crate) struct Targets {
 impl Targets {
     pub fn new(device: &wgpu::Device, size: [u32; 2], restore_layout: &wgpu::BindGroupLayout) -> Self {
         let texture = texture(device, size, COLOUR_FORMAT, 1);
-        let [still, lively] = [(); 2].map(|()| Kept::new(device, size, restore_layout));
+        let (still, lively) = (Kept::new(device, size, restore_layout), layer(device, size, 1));
         let picture = Layer { colour: view(&texture), depth: view(&self::texture(device, size, DEPTH_FORMAT, 1)) };
         Self { size, texture, picture, still, lively, msaa: None, chain: None }
     }
@@ -112,7 +112,7 @@ pub(crate) fn texture(
         usage |= wgpu::TextureUsages::TEXTURE_BINDING;
     }
     if sample_count == 1 && format == COLOUR_FORMAT {
-        usage |= wgpu::TextureUsages::COPY_SRC;
+        usage |= wgpu::TextureUsages::COPY_SRC | wgpu::TextureUsages::COPY_DST;
     }
     device.create_texture(&wgpu::TextureDescriptor {
         label: Some("scene target"),

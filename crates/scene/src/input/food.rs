@@ -169,6 +169,16 @@ pub struct FoodVertex {
 }
 
 impl FoodVertex {
+    /// Returns the mean of vertices by weights.
+    pub fn mean<const N: usize>(corners: [(&Self, f32); N]) -> Self {
+        let mut sum = [0.0f32; VERTEX_NUMBERS];
+        for (corner, weight) in corners {
+            let numbers: &[f32; VERTEX_NUMBERS] = bytemuck::cast_ref(corner);
+            sum.iter_mut().zip(numbers).for_each(|(sum, number)| *sum += weight * number);
+        }
+        bytemuck::cast(sum)
+    }
+
     /// Returns the state at a share of the way to another vertex.
     pub fn lerp(&self, other: &Self, share: f32) -> Self {
         let numbers = |v: &Self| -> [f32; VERTEX_NUMBERS] { bytemuck::cast(*v) };
@@ -179,3 +189,18 @@ impl FoodVertex {
 
 /// Numbers in a vertex.
 const VERTEX_NUMBERS: usize = size_of::<FoodVertex>() / size_of::<f32>();
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mean_of_vertices_is_the_mean_of_all_their_numbers() {
+        let vertex = |first: f32| -> FoodVertex {
+            bytemuck::cast(std::array::from_fn::<f32, VERTEX_NUMBERS, _>(|k| first + k as f32))
+        };
+        let [a, b, c] = [1.0, 3.0, 9.0].map(vertex);
+        assert_eq!(FoodVertex::mean([(&a, 0.75), (&b, 0.25)]), a.lerp(&b, 0.25));
+        assert_eq!(FoodVertex::mean([(&a, 0.25), (&b, 0.5), (&c, 0.25)]), vertex(4.0));
+    }
+}

@@ -6,6 +6,7 @@ use glam::{Mat4, Vec2};
 
 use crate::input::{FILM_SIZE, FoodLook, FoodVertex, OIL_RANGE, PanLook, SceneInput, WATER_RANGE};
 use crate::mesh::foot::{CELL, Foot, FootGrid, Near};
+use crate::mesh::stays::{same_shape, stays};
 use crate::mesh::steam::PuffVertex;
 
 /// Cells of the grid that are drawn, at most (chosen: the floor of a pan of 30 cm).
@@ -42,6 +43,8 @@ pub(crate) struct Collar {
 #[derive(Debug)]
 struct KeptFoot {
     vertices: Arc<Vec<FoodVertex>>,
+    /// The last ones that were seen to have the same shape.
+    shown: Arc<Vec<FoodVertex>>,
     pan_from_rest: Mat4,
     foot: Option<Foot>,
     /// Width of its collar, in steps.
@@ -83,16 +86,30 @@ impl KeptFoot {
     /// The foot of a food, found anew if it has moved; true if its collar is another one.
     fn updated(old: Option<Self>, food: &FoodLook, pan: &PanLook) -> (Self, bool) {
         let pan_from_rest = pan.world_from_pan().inverse() * food.world_from_rest;
-        let is_same = |kept: &Self| kept.pan_from_rest == pan_from_rest && Arc::ptr_eq(&kept.vertices, &food.vertices);
-        let (foot, before) = match old {
-            Some(kept) if is_same(&kept) => (kept.foot, Some(kept.width)),
-            _ => (Foot::of(food, pan, pan_from_rest), None),
-        };
-        let width = foot.as_ref().map_or(0.0, |foot| {
+        let kept = old.filter(|kept| stays(&kept.pan_from_rest, &pan_from_rest));
+        let kept = kept.and_then(|kept| kept.with_shape_of(food));
+        let before = kept.as_ref().map(|kept| kept.width);
+        let mut kept = kept.unwrap_or_else(|| Self::found(food, pan, pan_from_rest));
+        kept.width = kept.foot.as_ref().map_or(0.0, |foot| {
             let width = width(food.steam_g_s / foot.length, liquid(pan, foot.edge[foot.edge.len() / 2][0]));
             (width / WIDTH_STEP).round() * WIDTH_STEP
         });
-        (Self { vertices: Arc::clone(&food.vertices), pan_from_rest, foot, width }, before != Some(width))
+        let changed = before != Some(kept.width);
+        (kept, changed)
+    }
+
+    fn found(food: &FoodLook, pan: &PanLook, pan_from_rest: Mat4) -> Self {
+        let foot = Foot::of(food, pan, pan_from_rest);
+        let vertices = Arc::clone(&food.vertices);
+        Self { shown: Arc::clone(&vertices), vertices, pan_from_rest, foot, width: 0.0 }
+    }
+
+    /// Itself if a food has the shape for which the foot was found, whatever its colours are now.
+    fn with_shape_of(self, food: &FoodLook) -> Option<Self> {
+        if Arc::ptr_eq(&self.shown, &food.vertices) {
+            return Some(self);
+        }
+        same_shape(&self.vertices, &food.vertices).then(|| Self { shown: Arc::clone(&food.vertices), ..self })
     }
 }
 
@@ -171,6 +188,25 @@ mod tests {
             all.push(strips);
         }
         assert!(all[..5].windows(2).all(|pair| pair[0] != pair[1]), "each step but the last changes it");
+    }
+
+    #[test]
+    fn a_foot_is_found_anew_where_the_shape_or_the_place_is_another_not_where_colours_are() {
+        let mut scene = steak_in_pan(Doneness::HalfWay);
+        let mut collar = Collar::default();
+        let mut is_found_for = |scene: &SceneInput, vertices: &Arc<Vec<FoodVertex>>| {
+            collar.strips(scene);
+            Arc::ptr_eq(&collar.feet[0].vertices, vertices)
+        };
+        let first = Arc::clone(&scene.foods[0].vertices);
+        assert!(is_found_for(&scene, &first));
+        Arc::make_mut(&mut scene.foods[0].vertices)[0].browning += 0.1;
+        let browned = Arc::clone(&scene.foods[0].vertices);
+        assert!(is_found_for(&scene, &first) && is_found_for(&scene, &first), "browned");
+        scene.foods[0].world_from_rest.w_axis.x += 1e-3;
+        assert!(is_found_for(&scene, &browned), "moved");
+        Arc::make_mut(&mut scene.foods[0].vertices).iter_mut().for_each(|v| v.position[0] *= 0.98);
+        assert!(is_found_for(&scene, &scene.foods[0].vertices), "shrunk");
     }
 
     fn empty_film() -> Arc<crate::input::FilmPicture> {

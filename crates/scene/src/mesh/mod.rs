@@ -9,6 +9,7 @@ pub mod props;
 pub(crate) mod rest;
 pub(crate) mod solid;
 pub(crate) mod spatter;
+pub(crate) mod stays;
 pub(crate) mod steam;
 pub mod strings;
 pub(crate) mod tool;
