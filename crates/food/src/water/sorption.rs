@@ -108,10 +108,10 @@ fn boils(activity: f64, temperature: f64) -> bool {
     activity * saturation_pressure(temperature) >= ATMOSPHERE
 }
 
-/// Boiling point [K] by the Clausius–Clapeyron relation, repeated: each step leaves a few percent of the error.
+/// Boiling point [K] by the Clausius–Clapeyron relation, repeated: each step leaves a few percent of the error, near the critical point half.
 fn estimate(activity: f64) -> f64 {
     let mut t: f64 = 373.0;
-    for _ in 0..12 {
+    for _ in 0..40 {
         let rate = latent_heat(t) / VAPOUR_GAS_CONSTANT;
         let step = log(activity * saturation_pressure(t) / ATMOSPHERE) / rate;
         t = (1.0 / (1.0 / t + step)).clamp(360.0, HOTTEST);
