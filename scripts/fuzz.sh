@@ -84,7 +84,8 @@ fuzz_coverage() {
     local tools name sources binary profile="$PWD/target/coverage/profiles"
     tools="$(rustc +nightly --print sysroot)/lib/rustlib/$(fuzz_host)/bin"
     if ! [ -x "$tools/llvm-cov" ]; then say "skipped: no llvm-tools (rustup component add llvm-tools --toolchain nightly)"; return 0; fi
-    RUSTFLAGS="-C instrument-coverage" cargo +nightly build --release --package saute-attack --target-dir target/coverage
+    # Build scripts are measured, too; their profiles would lie about in the tree.
+    LLVM_PROFILE_FILE="$PWD/target/coverage/build-%p.profraw" RUSTFLAGS="-C instrument-coverage" cargo +nightly build --release --package saute-attack --target-dir target/coverage
     binary=target/coverage/release/saute-attack
     for name in "$@"; do
         rm -rf "$profile" && mkdir -p "$profile"
