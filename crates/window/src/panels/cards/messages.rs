@@ -2,7 +2,7 @@
 
 use egui::{Rect, RichText, ScrollArea, Ui};
 
-use crate::act::{Act, Acts, Card};
+use crate::act::{Acts, Card};
 use crate::panels::cards::frame::Framed;
 use crate::panels::inside::clock;
 use crate::panels::window_state::WindowState;
@@ -51,6 +51,6 @@ pub fn show_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, said: &cra
     if let Some(file) = &said.file
         && ui.button(state.settings.language.text("messages.show")).clicked()
     {
-        acts.push(Act::ShowFile(file.clone()));
+        acts.push(crate::act::Act::ShowFile(file.clone()));
     }
 }
