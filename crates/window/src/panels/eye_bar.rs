@@ -20,9 +20,9 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, rect: Rect) {
                 (name, l.text(explained).to_owned(), Act::Eye(view))
             })
             .into();
-        if cfg!(not(target_arch = "wasm32")) {
-            all.push(("photo.open", hint(&Act::Photo, l), Act::Photo));
-        }
+        // A page takes the picture at once: it has no photo mode.
+        let photo = if cfg!(target_arch = "wasm32") { Act::Picture } else { Act::Photo };
+        all.push(("photo.open", hint(&photo, l), photo));
         let width = (rect.width() - (all.len() - 1) as f32 * 3.0) / all.len() as f32;
         for (name, explained, act) in all {
             let text = RichText::new(l.text(name)).size(13.0);

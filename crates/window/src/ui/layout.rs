@@ -19,7 +19,7 @@ const INSIDE_HEIGHT: f32 = 408.0;
 const BOTTOM_HEIGHT: f32 = 110.0;
 const TOP_HEIGHT: f32 = 46.0;
 /// Size of the buttons of the views of the eye together [points].
-const EYE: Vec2 = vec2(if cfg!(target_arch = "wasm32") { 168.0 } else { 200.0 }, 26.0);
+const EYE: Vec2 = vec2(200.0, 26.0);
 /// Two rows of chips.
 const NARROW_TOP_HEIGHT: f32 = 106.0;
 
