@@ -6,6 +6,7 @@ pub mod marbling_volume;
 mod node_means;
 mod node_tissue;
 pub mod noise;
+mod seam_blocks;
 pub mod second_tissue;
 
 pub use marbling_volume::MarblingVolume;

@@ -2,6 +2,13 @@
 
 use saute_heat::{BodyMesh, SweptMesh};
 
+/// Samples that are computed together [-] (chosen: two vectors of four single numbers).
+pub(crate) const LANES: usize = 8;
+/// Single numbers of samples that are computed together.
+pub(crate) type Lanes = [f32; LANES];
+/// Places in a prism: shares of the three corners of its triangle, and of its height [-].
+pub(crate) type Places = [Lanes; 4];
+
 /// A share from 0 to 1 at every point of the rest mesh's frame, such as the share of a tissue [-].
 pub(crate) trait Grown {
     /// Share at a point [-].
@@ -10,11 +17,14 @@ pub(crate) trait Grown {
     /// Returns the share in a box between two corners if it is known to be uniform there [-].
     fn even(&self, low: [f64; 3], high: [f64; 3]) -> Option<f64>;
 
-    /// Mean share in a prism between two triangles [m], at places given as shares of the triangle's corners and of the
-    /// height [-].
-    fn mean(&self, ends: [[[f64; 3]; 3]; 2], places: &[[f32; 4]]) -> f64 {
-        let at = |[a, b, c, w]: &[f32; 4]| self.at(between(&ends, [a, b, c].map(|v| f64::from(*v)), f64::from(*w)));
-        places.iter().map(at).sum::<f64>() / places.len() as f64
+    /// Mean share in a prism between two triangles [m].
+    fn mean(&self, ends: [[[f64; 3]; 3]; 2], places: &[Places]) -> f64 {
+        let lane = |places: &Places, lane: usize| {
+            let [a, b, c, w] = places.map(|lanes| f64::from(lanes[lane]));
+            self.at(between(&ends, [a, b, c], w))
+        };
+        let sum: f64 = places.iter().map(|group| (0..LANES).map(|i| lane(group, i)).sum::<f64>()).sum();
+        sum / (places.len() * LANES) as f64
     }
 }
 
@@ -23,7 +33,7 @@ pub(crate) trait Grown {
 pub(crate) enum Samples {
     /// So many in each part of a node's control volume.
     Each(usize),
-    /// So many, in single precision, and only where the field is not uniform in the very part.
+    /// So many groups of [`LANES`], in single precision, and only where the field is not uniform in the very part.
     Single(usize),
 }
 
@@ -68,25 +78,29 @@ fn swept_means(mesh: &SweptMesh, field: &impl Grown, samples: Samples) -> Vec<f6
 struct Sampler {
     samples: Samples,
     spread: Spread,
-    /// Places that the parts take in turn: shares of the corners of the triangle, and of the height [-].
-    table: Vec<[f32; 4]>,
+    /// Places that the parts take in turn.
+    table: Vec<Places>,
     next: usize,
 }
 
-/// Places in the table of a sampler [-] (chosen: neighbouring parts take others).
-const TABLE: usize = 8192;
+/// Groups of places in the table of a sampler [-] (chosen: neighbouring parts take others).
+const TABLE: usize = 1024;
 
 impl Sampler {
     fn new(samples: Samples) -> Self {
         let mut spread = Spread(0);
-        let mut place = || {
-            let [u, v, w] = spread.next();
-            let [a, b, c] = third(u, v);
-            [a, b, c, w].map(|v| v as f32)
+        let mut group = || {
+            let mut places = Places::default();
+            for lane in 0..LANES {
+                let [u, v, w] = spread.next();
+                let [a, b, c] = third(u, v);
+                [a, b, c, w].into_iter().zip(&mut places).for_each(|(share, lanes)| lanes[lane] = share as f32);
+            }
+            places
         };
         let table = match samples {
             Samples::Each(_) => Vec::new(),
-            Samples::Single(_) => (0..TABLE).map(|_| place()).collect(),
+            Samples::Single(_) => (0..TABLE).map(|_| group()).collect(),
         };
         Self { samples, spread: Spread(0), table, next: 0 }
     }

@@ -9,13 +9,14 @@ use crate::description::FoodDescription;
 use crate::tissue::fat_cap::FatCap;
 use crate::tissue::marbling_volume::MarblingVolume;
 use crate::tissue::node_means::{Samples, node_means};
+use crate::tissue::seam_blocks::SeamBlocks;
 use crate::tissue::second_tissue::TissueField;
 
 /// Samples of seams and of second tissues in each of the dozen pieces of a node's volume (chosen: seams are finer than nodes,
 /// and a node's fat is right within 2 %; tissues change over many nodes).
 const SEAM_SAMPLES: Samples = Samples::Each(256);
 /// The same in a piece with its natural form (chosen: nearly as exact in a seventh of the time; a plain piece keeps its bits).
-const NATURAL_SAMPLES: Samples = Samples::Single(168);
+const NATURAL_SAMPLES: Samples = Samples::Single(21);
 const TISSUE_SAMPLES: Samples = Samples::Each(4);
 
 /// Raw masses of every node and the tissues that they come from.
@@ -48,8 +49,7 @@ impl NodeTissue {
         let cap = cap.map(|cap| FatCap::new(cap, &shape.outline, shape.size, seed));
         let marbling = MarblingVolume::with_cap(food.marbling.as_ref(), cap.as_ref(), seed, &shape.mesh);
         let field = TissueField::new(food, shape.size, seed);
-        let seams = Some(&marbling).filter(|marbling| marbling.holds_fat());
-        let adipose = node_means(&shape.mesh, seams, if shape.natural { NATURAL_SAMPLES } else { SEAM_SAMPLES });
+        let adipose = Self::adipose_shares(&marbling, shape);
         let second = node_means(&shape.mesh, Some(&field).filter(|field| !field.is_plain()), TISSUE_SAMPLES);
         let lean = &food.lean;
         let mut tissue = Self {
@@ -66,6 +66,16 @@ impl NodeTissue {
         };
         tissue.fill(food, properties, shape.mesh.volumes());
         tissue
+    }
+
+    /// Share of adipose tissue of each node [-].
+    fn adipose_shares(marbling: &MarblingVolume, shape: &RestShape) -> Vec<f64> {
+        let seams = Some(marbling).filter(|marbling| marbling.holds_fat());
+        if shape.natural {
+            node_means(&shape.mesh, seams.map(SeamBlocks::new).as_ref(), NATURAL_SAMPLES)
+        } else {
+            node_means(&shape.mesh, seams, SEAM_SAMPLES)
+        }
     }
 
     /// Gives every node the masses that its volume of lean, second and adipose tissue holds at 20 °C.
