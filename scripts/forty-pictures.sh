@@ -78,13 +78,13 @@ marbled $a well-done 75
 marbled $c well-done 75
 LIST
     # Food, how many, distance of the camera [mm], golden at [°C] for [s] a side, burnt after [s].
-    while read -r food count mm c side_s burnt_s; do
+    while read -r food count mm pan_c side_s burnt_s; do
         line=""
         [ "$count" = 1 ] || line="count = $count"
         raw "$food" "$a" "$line" >"$WORK/raw-$food-$a.toml"
-        golden "$food" "$b" "$line" "$c" "$side_s" >"$WORK/golden-$food-$b.toml"
-        burnt "$food" "$c_seed" "$line" "$burnt_s" >"$WORK/burnt-$food-$c_seed.toml"
-        for state in "raw-$food-$a" "golden-$food-$b" "burnt-$food-$c_seed"; do
+        golden "$food" "$b" "$line" "$pan_c" "$side_s" >"$WORK/golden-$food-$b.toml"
+        burnt "$food" "$c" "$line" "$burnt_s" >"$WORK/burnt-$food-$c.toml"
+        for state in "raw-$food-$a" "golden-$food-$b" "burnt-$food-$c"; do
             printf '%s\t42,20,%s\t%s, %s, seed %s\n' "$state" "$mm" "$food" "${state%%-*}" "${state##*-}"
         done
     done <<LIST
@@ -119,7 +119,6 @@ draw() {
     "$SAUTE" shot "$WORK/$2.toml" --at "$end_s" --camera "$3" --size 720x480 --quality best --out "$OUT/$1.png"
 }
 
-c_seed=$((SEED + 27))
 number=0
 : >"$OUT/key.tsv"
 while IFS=$'\t' read -r recipe camera answer; do

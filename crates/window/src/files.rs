@@ -149,10 +149,13 @@ fn read(path: &Path) -> Result<Vec<u8>, String> {
     std::fs::read(path).map_err(|e| e.to_string())
 }
 
-/// A path for a new picture in a folder: `saute-N` with an ending.
-pub(crate) fn fresh_picture(folder: &Path, ending: &str) -> Result<PathBuf, String> {
+/// Writes a new picture into a folder, as `saute-N` with an ending; returns its path.
+pub(crate) fn write_picture(folder: &Path, ending: &str, bytes: &[u8]) -> Result<PathBuf, String> {
     let mut paths = (1..10_000).map(|n| folder.join(format!("saute-{n}.{ending}")));
-    paths.find(|path| !path.exists()).ok_or_else(|| format!("{} holds too many pictures", folder.display()))
+    let path = paths.find(|path| !path.exists());
+    let path = path.ok_or_else(|| format!("{} holds too many pictures", folder.display()))?;
+    std::fs::write(&path, bytes).map_err(|e| format!("{}: {e}", path.display()))?;
+    Ok(path)
 }
 
 /// The folder of pictures: that of the user's folders, else Pictures in the home folder where there is one, else the

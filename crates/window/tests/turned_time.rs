@@ -99,8 +99,7 @@ fn deed(session: &mut Session, draws: &mut Draws) -> &'static str {
         _ => {
             session.set_paused(false);
             // A recipe that was resumed may ask for what hands have done already: the window says so, and time stops there.
-            let mut ticks = 0..draws.below(TICKS);
-            while ticks.next().is_some() && session.tick().is_ok() {}
+            let _ = (0..draws.below(TICKS)).all(|_| session.tick().is_ok());
             let _ = session.command(&command(draws));
             "time"
         }

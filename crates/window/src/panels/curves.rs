@@ -92,10 +92,14 @@ pub(super) fn axes<'a>(state: &WindowState, name: &'static str, height: f32) -> 
         .x_axis_label(settings.language.fill("curves.minutes", &[("unit", &settings.unit())]))
 }
 
-/// The goal of the food that the panels show, where it is a temperature.
+/// The goal of the food that the panels show in the chosen unit, where it is a temperature.
+pub(super) fn goal(state: &WindowState) -> Option<f64> {
+    Some(state.settings.degrees(state.settings.goal(&*of_temperature(state)?)))
+}
+
+/// A line at that goal.
 pub(super) fn goal_line(state: &WindowState, palette: &Palette) -> Option<HLine> {
-    let goal = state.settings.degrees(state.settings.goal(&*of_temperature(state)?));
-    let line = HLine::new(state.settings.language.text("curves.goal"), goal);
+    let line = HLine::new(state.settings.language.text("curves.goal"), goal(state)?);
     Some(line.color(palette.quiet).style(LineStyle::dotted_dense()).width(1.0))
 }
 

@@ -17,29 +17,21 @@ use crate::ui::theme;
 /// Shows the card over everything; Esc, the button or a click beside it closes it.
 pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
     let framed = Framed { card: Card::Mirror, id: "mirror", title: "half_mirror.title", width: WIDTH };
-    framed.show(
-        state,
-        ui,
-        acts,
-        whole,
-        |_, _| {},
-        |ui, acts| {
-            let height = whole.height() - 112.0;
-            let scrolled =
-                ScrollArea::vertical().auto_shrink([false, true]).max_height(height).min_scrolled_height(height);
-            scrolled.show(ui, |ui| {
-                let narrow = whole.width() < NARROW;
-                let mut chosen = state.settings.mirror.clone();
-                window(state, &mut chosen, ui, acts, narrow);
-                place(state, &mut chosen, ui, acts, narrow);
-                eyes(state, &mut chosen, ui, narrow);
-                calibration(state, &mut chosen, ui, acts, narrow);
-                if chosen != state.settings.mirror {
-                    acts.push(Act::Set(Setting::Mirror(Box::new(chosen))));
-                }
-            });
-        },
-    );
+    framed.show(state, ui, acts, whole, |ui, acts| {
+        let height = whole.height() - 112.0;
+        let scrolled = ScrollArea::vertical().auto_shrink([false, true]).max_height(height).min_scrolled_height(height);
+        scrolled.show(ui, |ui| {
+            let narrow = whole.width() < NARROW;
+            let mut chosen = state.settings.mirror.clone();
+            window(state, &mut chosen, ui, acts, narrow);
+            place(state, &mut chosen, ui, acts, narrow);
+            eyes(state, &mut chosen, ui, narrow);
+            calibration(state, &mut chosen, ui, acts, narrow);
+            if chosen != state.settings.mirror {
+                acts.push(Act::Set(Setting::Mirror(Box::new(chosen))));
+            }
+        });
+    });
 }
 
 /// The window, and what it shows.

@@ -29,7 +29,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
             acts.push(Act::Open(Card::Mirror));
         }
     };
-    framed.show(state, ui, acts, whole, to_mirror, |ui, acts| {
+    framed.show_with(state, ui, acts, whole, to_mirror, |ui, acts| {
         let height = whole.height() - 112.0;
         let scrolled = ScrollArea::vertical().auto_shrink([false, true]).max_height(height).min_scrolled_height(height);
         scrolled.show(ui, |ui| choices(state, memory, ui, acts, whole.width() < NARROW));

@@ -1,6 +1,6 @@
 //! Pictures and time lapses that are made beside the window, with a graphics device of their own.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -15,7 +15,7 @@ use saute_recipe::{Cook, Recording};
 use saute_scene::input::SceneInput;
 use saute_scene::quality::Quality;
 
-use crate::files::fresh_picture;
+use crate::files::write_picture;
 
 /// Frames of a time lapse at most (chosen: it lasts ten seconds).
 const FRAMES: u32 = 10 * FRAMES_PER_S as u32;
@@ -60,9 +60,15 @@ struct Bench {
     done: Arc<AtomicU32>,
     stopped: Arc<AtomicBool>,
     ctx: egui::Context,
+    folder: PathBuf,
 }
 
 impl Bench {
+    /// Writes a file into the folder of pictures under a name that is free.
+    fn save(&self, ending: &str, bytes: &[u8]) -> Result<PathBuf, String> {
+        write_picture(&self.folder, ending, bytes)
+    }
+
     /// One more part is done; returns false if nobody waits any more.
     fn goes_on(&self) -> bool {
         self.done.fetch_add(1, Ordering::Relaxed);
@@ -82,11 +88,10 @@ pub struct Maker {
 impl Maker {
     /// A picture of a scene at the best quality.
     pub fn photo(self, scene: Arc<SceneInput>, size: [u32; 2]) -> std::io::Result<Making> {
-        let folder = self.folder.clone();
-        self.begin(1, move |_| {
+        self.begin(1, move |bench| {
             let gpu = Gpu::open().map_err(|error| error.to_string())?;
             let drawn = picture(&gpu, &scene, size, Quality::Best);
-            save(&folder, "png", &png_bytes(&drawn).map_err(|error| error.to_string())?)
+            bench.save("png", &png_bytes(&drawn).map_err(|error| error.to_string())?)
         })
     }
 
@@ -100,7 +105,6 @@ impl Maker {
         let until_s = recording.moment().time_s();
         let every_s = (until_s / f64::from(FRAMES)).max(LEAST_EVERY_S);
         let count = (until_s / every_s + 1e-9).floor() as u32 + 1;
-        let folder = self.folder.clone();
         self.begin(count, move |bench| {
             let cook = Cook::again(recording, library).map_err(|error| error.to_string())?;
             let mut series = Series::of(cook, options, LAPSE_SIZE).map_err(|error| error.to_string())?;
@@ -112,7 +116,7 @@ impl Maker {
                     return Err("the window was closed".to_owned());
                 }
             }
-            save(&folder, "gif", &animation(Format::Gif, &frames).map_err(|error| error.to_string())?)
+            bench.save("gif", &animation(Format::Gif, &frames).map_err(|error| error.to_string())?)
         })
     }
 
@@ -124,7 +128,7 @@ impl Maker {
         let (send, answer) = channel();
         let (done, stopped) = (Arc::default(), Arc::default());
         let making = Making { done: Arc::clone(&done), all, stopped: Arc::clone(&stopped), answer };
-        let bench = Bench { done, stopped, ctx: self.ctx };
+        let bench = Bench { done, stopped, ctx: self.ctx, folder: self.folder };
         std::thread::Builder::new().name("photo".to_owned()).spawn(move || {
             // Nobody waits for the answer once the window is closed.
             let _ = send.send(make(&bench));
@@ -132,11 +136,4 @@ impl Maker {
         })?;
         Ok(making)
     }
-}
-
-/// Writes a file into the folder of pictures under a name that is free.
-fn save(folder: &Path, ending: &str, bytes: &[u8]) -> Result<PathBuf, String> {
-    let path = fresh_picture(folder, ending)?;
-    std::fs::write(&path, bytes).map_err(|error| format!("{}: {error}", path.display()))?;
-    Ok(path)
 }

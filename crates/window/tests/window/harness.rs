@@ -6,11 +6,16 @@ use saute_window::{SauteApp, Start};
 
 /// The window at a size.
 pub fn window(size: egui::Vec2) -> Harness<'static, SauteApp> {
+    window_with(size, Start::default())
+}
+
+/// The window at a size, with options.
+pub fn window_with(size: egui::Vec2, start: Start) -> Harness<'static, SauteApp> {
     let mut harness = Harness::builder()
         .with_size(size)
         .with_step_dt(0.05)
         .wgpu()
-        .build_eframe(|cc| SauteApp::new(cc, Start::default()).expect("starts"));
+        .build_eframe(|cc| SauteApp::new(cc, start).expect("starts"));
     harness.step();
     harness
 }

@@ -10,20 +10,14 @@ use saute_window::act::Act;
 use saute_window::photo::PhotoChoice;
 use saute_window::{SauteApp, Start};
 
-use crate::harness::{cook, press, save, steps};
+use crate::harness::{cook, press, save, steps, window_with};
 
 /// A window that saves pictures into a folder of its own.
 fn window(name: &str, size: egui::Vec2) -> (Harness<'static, SauteApp>, PathBuf) {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("photos-{name}"));
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("folder");
-    let start = Start { pictures: Some(folder.clone()), ..Start::default() };
-    let mut harness = Harness::builder()
-        .with_size(size)
-        .with_step_dt(0.05)
-        .wgpu()
-        .build_eframe(|cc| SauteApp::new(cc, start).expect("starts"));
-    harness.step();
+    let mut harness = window_with(size, Start { pictures: Some(folder.clone()), ..Start::default() });
     let text = "[pan]\ninitial_c = 210\n[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\n\
         [[step]]\nhob_w = 900\n[[step]]\nput = \"steak\"\n[[step]]\nafter_s = 900\nend = true\n";
     harness.state_mut().open_recipe(text, "steak.toml");

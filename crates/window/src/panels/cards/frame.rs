@@ -19,8 +19,20 @@ pub struct Framed {
 }
 
 impl Framed {
-    /// Shows the card, with buttons beside the one that closes it; Esc, that button or a click beside the card closes it.
+    /// Shows the card with the button alone that closes it.
     pub fn show(
+        &self,
+        state: &WindowState,
+        ui: &Ui,
+        acts: &mut Acts,
+        whole: Rect,
+        content: impl FnOnce(&mut Ui, &mut Acts),
+    ) {
+        self.show_with(state, ui, acts, whole, |_, _| {}, content);
+    }
+
+    /// Shows the card, with buttons beside the one that closes it; Esc, that button or a click beside the card closes it.
+    pub fn show_with(
         &self,
         state: &WindowState,
         ui: &Ui,

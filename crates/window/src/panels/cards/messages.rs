@@ -14,16 +14,9 @@ const WIDTH: f32 = 560.0;
 /// Shows the list over everything; Esc, the button or a click beside it closes it.
 pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let framed = Framed { card: Card::Messages, id: "messages", title: "messages.title", width: WIDTH };
-    framed.show(
-        state,
-        ui,
-        acts,
-        whole,
-        |_, _| {},
-        |ui, acts| {
-            ScrollArea::vertical().max_height(whole.height() - 140.0).show(ui, |ui| lines(state, ui, acts));
-        },
-    );
+    framed.show(state, ui, acts, whole, |ui, acts| {
+        ScrollArea::vertical().max_height(whole.height() - 140.0).show(ui, |ui| lines(state, ui, acts));
+    });
 }
 
 fn lines(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {

@@ -63,11 +63,12 @@ pub fn undo_and_redo(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 
 /// Shows the other ways that the cook went, if there are any.
 pub fn branches(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
-    let (l, names) = (state.settings.language, state.session.branches());
-    if names.is_empty() {
+    if !state.session.has_branches() {
         return;
     }
-    let text = egui::RichText::new(l.fill("strip.ways", &[("count", &names.len())])).size(13.0);
+    let l = state.settings.language;
+    let others = state.session.all_ways().count() - 1;
+    let text = egui::RichText::new(l.fill("strip.ways", &[("count", &others)])).size(13.0);
     ui.spacing_mut().button_padding = vec2(7.0, 0.0);
     let shown = ui.menu_button(text, |ui| {
         if ui.selectable_label(!state.ways.is_empty(), l.text("ways.side_by_side")).clicked() {
@@ -76,7 +77,7 @@ pub fn branches(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         }
         ui.separator();
         ui.label(egui::RichText::new(l.text("strip.ways_title")).size(13.0).color(theme::of(ui).quiet));
-        for (place, name) in names.iter().enumerate() {
+        for (place, name) in state.session.branches().iter().enumerate() {
             if ui.button(way_words(name, l)).clicked() {
                 acts.push(Act::Branch(place));
                 ui.close();

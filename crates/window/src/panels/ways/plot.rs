@@ -5,7 +5,7 @@ use egui_plot::{LineStyle, VLine};
 use saute_recipe::recorder::Row;
 
 use super::column::piece;
-use crate::panels::curves::{Curve, MOST_POINTS, axes, goal_line, read_off, sample};
+use crate::panels::curves::{Curve, MOST_POINTS, axes, goal, goal_line, read_off, sample};
 use crate::panels::window_state::WindowState;
 use crate::session::timeline::WayBeside;
 use crate::ui::theme;
@@ -70,7 +70,7 @@ pub(super) fn show(state: &WindowState, quantity: Quantity, ui: &mut Ui, height:
     let curves: Vec<Curve> = ways.into_iter().map(|way| curve(state, way, quantity, ui)).collect();
     let now = state.session.shown_s() / 60.0;
     let highest = curves.iter().flat_map(|curve| &curve.points).map(|point| point[1]).fold(f64::MIN, f64::max);
-    let is_near = quantity == Quantity::Core && highest > goal(state) - GOAL_NEAR;
+    let is_near = quantity == Quantity::Core && goal(state).is_some_and(|goal| highest > goal - GOAL_NEAR);
     let shown = axes(state, "ways", height).show(ui, |plot| {
         for curve in &curves {
             let done = curve.points.partition_point(|point| point[0] <= now);
@@ -85,11 +85,6 @@ pub(super) fn show(state: &WindowState, quantity: Quantity, ui: &mut Ui, height:
     let spoken = state.settings.language.text("ways.curves_spoken");
     shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, spoken));
     read_off(state, ui, &shown.response, &shown.transform, &curves);
-}
-
-/// The goal of the food that the panels show, in the chosen unit.
-fn goal(state: &WindowState) -> f64 {
-    state.scale().map_or(f64::MAX, |scale| state.settings.degrees(state.settings.goal(&scale)))
 }
 
 fn curve(state: &WindowState, way: &WayBeside, quantity: Quantity, ui: &Ui) -> Curve {

@@ -100,13 +100,20 @@ pub(super) fn bytes_of<'a>(lists: impl Iterator<Item = &'a mut Keyframes>) -> us
     each.values().sum()
 }
 
-/// Drops keyframes where they are closest until the rest keeps to its size.
+/// Drops keyframes where they are closest until the rest keeps to its size. Call it when keyframes were added.
 pub(super) fn thin(timeline: &mut Timeline) {
-    while bytes_of(timeline.lists()) > MOST_BYTES {
+    while weigh(timeline) > MOST_BYTES {
         let candidates = timeline.lists().filter_map(|list| list.least_worth());
         let Some((_, least)) = candidates.min_by_key(|(gap, _)| *gap) else { return };
         timeline.lists().for_each(|list| list.0.retain(|_, kept| !Arc::ptr_eq(kept, &least)));
     }
+}
+
+/// Size of all keyframes [bytes]; notes whether that is much.
+fn weigh(timeline: &mut Timeline) -> usize {
+    let size = bytes_of(timeline.lists());
+    timeline.is_narrow = size > PACKED_FROM;
+    size
 }
 
 /// A keyframe that is being packed.
@@ -117,7 +124,6 @@ pub(super) struct Packing {
 
 /// Packs a part of a keyframe where all of them need much room.
 pub(super) fn pack_on(timeline: &mut Timeline) {
-    timeline.is_narrow = bytes_of(timeline.lists()) > PACKED_FROM;
     if timeline.packing.is_none() && timeline.is_narrow {
         let plain = timeline.lists().find_map(|list| list.plain().cloned());
         timeline.packing = plain.map(|keyframe| Packing { keyframe, packed: Packed::default() });
@@ -131,5 +137,6 @@ pub(super) fn pack_on(timeline: &mut Timeline) {
         for kept in timeline.lists().flat_map(|list| list.0.values_mut()).filter(|kept| Arc::ptr_eq(kept, &keyframe)) {
             *kept = Arc::clone(&packed);
         }
+        weigh(timeline);
     }
 }
