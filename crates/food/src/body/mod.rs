@@ -8,6 +8,7 @@
 
 mod cell_body;
 pub mod form;
+mod free_edge;
 pub mod halving;
 pub mod limp;
 mod natural;

@@ -101,7 +101,7 @@ impl FoodModel {
     }
 
     /// Logarithmic contraction across the fibres of a free node at its relative volume [-].
-    fn free_contraction(&self, state: &FoodState, node: usize, volume: f64) -> f64 {
+    pub(super) fn free_contraction(&self, state: &FoodState, node: usize, volume: f64) -> f64 {
         if volume == 1.0 {
             return 0.0;
         }
@@ -142,14 +142,14 @@ impl Stretch {
 }
 
 /// Specific volumes of water and fat, and the least volume of a node.
-struct Rest {
+pub(super) struct Rest {
     water: f64,
     fat: f64,
     least: f64,
 }
 
 impl Rest {
-    fn of(model: &FoodModel) -> Self {
+    pub(super) fn of(model: &FoodModel) -> Self {
         Self {
             water: model.properties.volume(&[1.0, 0.0, 0.0], REST),
             fat: model.properties.volume(&[0.0, 0.0, 1.0], REST),
@@ -157,7 +157,7 @@ impl Rest {
         }
     }
 
-    fn relative_volume(&self, model: &FoodModel, state: &FoodState, node: usize) -> f64 {
+    pub(super) fn relative_volume(&self, model: &FoodModel, state: &FoodState, node: usize) -> f64 {
         let lost = self.water * (model.tissue.initial_water[node] - state.water[node])
             + self.fat * (model.tissue.initial_fat[node] - state.fat[node]);
         // A film of juice on a face does not swell the flesh.

@@ -294,6 +294,9 @@ impl PresentShape {
             let rest = model.rest_position(node);
             (0..3).for_each(|axis| shift[axis] -= rest[axis]);
         }
+        if let Layout::Upright(mesh) = model.mesh().layout() {
+            bulge_sides(model, state, mesh, &mut moved);
+        }
         Self { moved }
     }
 
@@ -301,6 +304,19 @@ impl PresentShape {
     pub(crate) fn moved(&self, rest: [f32; 3], at: impl Fn(&dyn Fn(usize) -> [f64; 3]) -> [f64; 3]) -> [f32; 3] {
         let shift = at(&|node| self.moved[node]);
         std::array::from_fn(|axis| rest[axis] + shift[axis] as f32)
+    }
+}
+
+/// Moves the side of a slice out or in where its levels contract less or more than the whole [m].
+fn bulge_sides(model: &FoodModel, state: &FoodState, mesh: &SweptMesh, moved: &mut [[f64; 3]]) {
+    let shifts = model.edge_shifts(state);
+    for (i, out) in outward_normals(&mesh.section).into_iter().enumerate() {
+        let Some(out) = out else { continue };
+        for (level, shift) in shifts.iter().enumerate() {
+            let shifted = &mut moved[mesh.node(level, i)];
+            shifted[0] += shift * f64::from(out.x);
+            shifted[1] += shift * f64::from(out.y);
+        }
     }
 }
 

@@ -1,0 +1,40 @@
+//! The side of a slice: layers that contract more than the plate draw back from it, the others bulge.
+
+use saute_heat::{Layout, SweptMesh};
+
+use crate::body::shrink::Rest;
+use crate::model::FoodModel;
+use crate::state::FoodState;
+
+/// Decay of a self-equilibrated stress from the free edge of a strip, in half thicknesses [-]: the real part of the first
+/// root of sin 2λ = −2λ, symmetric stress (Horgan and Knowles 1983 `[@horgan-1983]`).
+const DECAY: f64 = 2.1061;
+
+impl FoodModel {
+    /// How far each level of a slice stands out at its side beyond the mean outline, from the bottom [m]; negative where it
+    /// draws back, empty for other bodies.
+    ///
+    /// Inside a slice all levels contract by the stiffness-weighted mean. Towards the side this constraint decays over
+    /// the length h/2λ, so a level with the free contraction c stands out by (c̄ − c)·h/2λ. It is drawn; heat and contact
+    /// see a vertical side.
+    pub fn edge_shifts(&self, state: &FoodState) -> Vec<f64> {
+        let Layout::Upright(mesh) = self.shape.mesh.layout() else { return Vec::new() };
+        if state.stretch.lateral == 1.0 {
+            return vec![0.0; mesh.levels.len()];
+        }
+        let reach = 0.5 * self.thickness(state) / DECAY;
+        let mean = -libm::log(state.stretch.lateral);
+        (0..mesh.levels.len()).map(|level| (mean - self.edge_contraction(mesh, state, level)) * reach).collect()
+    }
+
+    /// Mean free contraction of the nodes along the side of a level, logarithmic [-].
+    fn edge_contraction(&self, mesh: &SweptMesh, state: &FoodState, level: usize) -> f64 {
+        let rest = Rest::of(self);
+        let at = |[i, _]: &[u32; 2]| {
+            let node = mesh.node(level, *i as usize);
+            self.free_contraction(state, node, rest.relative_volume(self, state, node))
+        };
+        let boundary = &mesh.section.boundary;
+        boundary.iter().map(at).sum::<f64>() / boundary.len() as f64
+    }
+}
