@@ -31,7 +31,7 @@ CAMPAIGN_RANDOM_INSTANTS=200
 SHARE_RANDOM_SESSIONS=10
 CAMPAIGN_RANDOM_SESSIONS=100
 
-# Kills of a cook that is recorded (crates/cli/tests/cli/sessions.rs). ./test.sh makes 100, or as many as 20 s take.
+# Kills of a cook that is recorded (crates/cli/tests/cli/sessions.rs). ./test.sh makes 100.
 CAMPAIGN_RANDOM_KILLS=1000
 
 # fix_campaign_share: hands the share to the tests.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::gpu::backdrop::{Backdrop, Blurred};
 use crate::gpu::dirty::DirtyRect;
 use crate::gpu::foods::{Foods, Moved};
 use crate::gpu::history::{History, ShadowCasters, StillStep};
@@ -36,6 +37,8 @@ pub struct SceneRenderer {
     history: History,
     /// Made when the best level first needs it.
     post: Option<PostKit>,
+    /// Made when another level first needs it.
+    backdrop: Option<Backdrop>,
     /// True if the device can draw radiances in half floats: not OpenGL, whose pictures are those of WebGL2.
     half_floats: bool,
 }
@@ -77,6 +80,7 @@ impl SceneRenderer {
             shown: Shown::default(),
             history: History::default(),
             post: None,
+            backdrop: None,
             half_floats: device.adapter_info().backend != wgpu::Backend::Gl,
         }
     }
@@ -146,9 +150,9 @@ impl SceneRenderer {
         } else if self.develops(input) {
             self.draw_developed(device, queue, encoder, input);
         } else if self.quality != Quality::Quick || work == Work::Smooth {
-            self.draw_fine(device, encoder);
+            self.draw_fine(device, queue, encoder, input);
         } else {
-            self.draw_fast(device, encoder, key, size);
+            self.draw_fast(device, queue, encoder, input, key);
         }
     }
 
@@ -334,20 +338,47 @@ impl SceneRenderer {
         self.history.drew_whole();
     }
 
-    fn draw_fine(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
+    fn draw_fine(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        input: &SceneInput,
+    ) {
         let detail = if self.quality == Quality::Best { Detail::Best } else { Detail::Fine };
         self.pipelines.stock(device, detail, self.contents.foods.textures());
         self.targets.msaa(device);
-        let (Some(pipelines), Some(subject)) = (self.pipelines.colour(detail), self.subject()) else { return };
-        let to = self.targets.multisampled(&self.targets.picture);
+        self.backdrop.get_or_insert_with(|| Backdrop::new(device));
+        let (Some(pipelines), Some(subject), Some(backdrop)) =
+            (self.pipelines.colour(detail), self.subject(), &self.backdrop)
+        else {
+            return;
+        };
+        let Targets { picture, lively, .. } = &self.targets;
+        // The kept layer with the foods is free: it is drawn anew after this.
+        let to = self.targets.multisampled(lively);
         passes::draw_whole(encoder, &to, pipelines, &self.groups(), &subject);
+        let mut pass = passes::begin_depth(encoder, &picture.depth);
+        let Subject { solids, foods, .. } = subject;
+        passes::draw_whole_depth(&mut pass, self.pipelines.depth(), self.views.camera(), solids, foods);
+        drop(pass);
+        let blurred = Blurred { sharp: &lively.colour, depth: &picture.depth, into: &picture.colour };
+        backdrop.blur(device, queue, encoder, &LensUniform::on_target(input, self.targets.size), &blurred);
         self.history.drew_whole();
     }
 
-    fn draw_fast(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey, size: [u32; 2]) {
+    fn draw_fast(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        input: &SceneInput,
+        key: StillKey,
+    ) {
+        let size = self.targets.size;
         match self.history.still_step(&key, self.contents.moved.shadow) {
             StillStep::Skip => return self.draw_direct(device, encoder, key),
-            StillStep::Refine => self.refine_still(device, encoder, key),
+            StillStep::Refine => self.refine_still(device, queue, encoder, input, key),
             StillStep::Keep => {}
         }
         self.pipelines.stock(device, Detail::Usual, self.contents.foods.textures());
@@ -378,20 +409,32 @@ impl SceneRenderer {
         self.history.drew_whole();
     }
 
-    /// Draws the static layer with anti-aliasing once the camera rests.
-    fn refine_still(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey) {
+    /// Draws the static layer with anti-aliasing once the camera rests, and blurs what lies behind the pan.
+    fn refine_still(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        input: &SceneInput,
+        key: StillKey,
+    ) {
         self.pipelines.stock(device, Detail::Fine, std::iter::empty());
         self.targets.msaa(device);
-        let (Some(pipelines), Some(solids)) = (self.pipelines.colour(Detail::Fine), &self.contents.solids) else {
+        self.backdrop.get_or_insert_with(|| Backdrop::new(device));
+        let (Some(pipelines), Some(solids), Some(backdrop)) =
+            (self.pipelines.colour(Detail::Fine), &self.contents.solids, &self.backdrop)
+        else {
             return;
         };
-        let still = &self.targets.still.layer;
-        let mut pass = passes::begin(encoder, &self.targets.multisampled(still), Some(FLAT_BACKGROUND));
+        let (still, sharp) = (&self.targets.still.layer, &self.targets.lively);
+        let mut pass = passes::begin(encoder, &self.targets.multisampled(sharp), Some(FLAT_BACKGROUND));
         passes::draw_still(&mut pass, pipelines, &self.groups(), solids, true);
         drop(pass);
         let mut pass = passes::begin_depth(encoder, &still.depth);
         passes::draw_still_depth(&mut pass, self.pipelines.depth(), self.views.camera(), solids);
         drop(pass);
+        let blurred = Blurred { sharp: &sharp.colour, depth: &still.depth, into: &still.colour };
+        backdrop.blur(device, queue, encoder, &LensUniform::on_target(input, self.targets.size), &blurred);
         self.history.keep_still(key, true);
         self.history.drew_whole();
     }

@@ -290,3 +290,31 @@ fn the_evening_leaves_fields_and_flat_pictures_readable_and_follows_what_is_kept
     assert!(day != evening);
     assert!(evening == draw(&mut SceneRenderer::new(&device, &queue), RoomLight::Evening));
 }
+
+#[test]
+fn the_lower_levels_blur_the_room_behind_the_pan_and_leave_the_pan_sharp() {
+    let Some((device, queue)) = device() else {
+        return;
+    };
+    let mut renderer = SceneRenderer::new(&device, &queue);
+    renderer.never_smooth();
+    for quality in [Quality::Quick, Quality::Smooth] {
+        renderer.set_quality(quality);
+        let mut drawn = |aperture: f32| {
+            let mut scene = steak_in_pan(Doneness::Browned);
+            scene.camera = Camera { pitch: 0.35, ..Camera::default() };
+            scene.photo.aperture = aperture;
+            (0..3).map(|_| renderer.read_as_is(&device, &queue, &scene, SIZE)).last().unwrap_or_default()
+        };
+        let pictures = [0.0, 1.0, 4.0].map(&mut drawn);
+        let rows = |picture: &[u8], part: std::ops::Range<usize>| picture[1280 * part.start..1280 * part.end].to_vec();
+        // The edge of the worktop runs across the picture.
+        let edges = |picture: &Vec<u8>| -> u32 {
+            let room = rows(picture, 0..50);
+            room.windows(1281).map(|column| u32::from(column[0].abs_diff(column[1280])).pow(2)).sum()
+        };
+        let [sharp, usual, soft] = [0, 1, 2].map(|k| edges(&pictures[k]));
+        assert!(soft < usual && usual < sharp && 2 * soft < sharp, "{quality:?}: {sharp}, {usual}, {soft}");
+        assert!(pictures.iter().all(|picture| rows(picture, 90..180) == rows(&pictures[0], 90..180)), "{quality:?}");
+    }
+}

@@ -1,5 +1,6 @@
 //! Pipelines, buffers and textures.
 
+pub(crate) mod backdrop;
 pub(crate) mod clip;
 pub(crate) mod dirty;
 pub(crate) mod foods;

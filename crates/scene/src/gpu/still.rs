@@ -19,6 +19,8 @@ pub(crate) struct StillKey {
     white: WhiteBalance,
     /// Exposure of the look [-].
     exposure: f32,
+    /// Width of the aperture over the usual one [-].
+    aperture: f32,
     tile: Option<Tile>,
     light: RoomLight,
 }
@@ -33,6 +35,7 @@ impl StillKey {
             disturbances,
             white: balance(input),
             exposure: exposure(input),
+            aperture: input.photo.aperture,
             tile: input.tile,
             light: input.light,
         }

@@ -36,12 +36,7 @@ impl Chain {
     /// `picture` is the finished picture with its depth; `whole` the height of the whole picture if this is a tile.
     pub fn new(device: &wgpu::Device, kit: &PostKit, size: [u32; 2], picture: &Layer, whole: u32) -> Self {
         let target = |size, format| view(&texture(device, size, format, 1));
-        let lens = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("lens"),
-            size: size_of::<LensUniform>() as u64,
-            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
+        let lens = LensUniform::buffer(device);
         let bench = Bench { device, kit, lens: &lens, depth: &picture.depth, blank: target([1; 2], HDR_FORMAT) };
         let sizes: Vec<[u32; 2]> = halves(size).take(bloom_levels(whole) as usize).collect();
         let half = sizes[0];

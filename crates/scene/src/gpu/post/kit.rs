@@ -10,23 +10,38 @@ pub(crate) const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Fl
 /// Format of the share of the room's light.
 pub(crate) const AMBIENT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 
-const DEPTH: wgpu::BindingType = wgpu::BindingType::Texture {
+/// The depth of a picture, read as a plain float.
+pub(crate) const DEPTH: wgpu::BindingType = wgpu::BindingType::Texture {
     sample_type: wgpu::TextureSampleType::Float { filterable: false },
     view_dimension: wgpu::TextureViewDimension::D2,
     multisampled: false,
 };
 
-const AMBIENT: &str =
-    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/ambient.wgsl"));
-const BLOOM: &str =
-    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/bloom.wgsl"));
-const FOCUS: &str =
-    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/focus.wgsl"));
-const DEVELOP: &str =
-    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/develop.wgsl"));
-
-const SCATTER: &str =
-    concat!(include_str!("../../shaders/post/lens.wgsl"), include_str!("../../shaders/post/scatter.wgsl"));
+const AMBIENT: &str = concat!(
+    include_str!("../../shaders/post/lens.wgsl"),
+    include_str!("../../shaders/post/radiance.wgsl"),
+    include_str!("../../shaders/post/ambient.wgsl")
+);
+const BLOOM: &str = concat!(
+    include_str!("../../shaders/post/lens.wgsl"),
+    include_str!("../../shaders/post/radiance.wgsl"),
+    include_str!("../../shaders/post/bloom.wgsl")
+);
+const FOCUS: &str = concat!(
+    include_str!("../../shaders/post/lens.wgsl"),
+    include_str!("../../shaders/post/radiance.wgsl"),
+    include_str!("../../shaders/post/focus.wgsl")
+);
+const DEVELOP: &str = concat!(
+    include_str!("../../shaders/post/lens.wgsl"),
+    include_str!("../../shaders/post/radiance.wgsl"),
+    include_str!("../../shaders/post/develop.wgsl")
+);
+const SCATTER: &str = concat!(
+    include_str!("../../shaders/post/lens.wgsl"),
+    include_str!("../../shaders/post/radiance.wgsl"),
+    include_str!("../../shaders/post/scatter.wgsl")
+);
 
 /// A pass over the whole of its target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -26,7 +26,28 @@ pub(crate) struct LensUniform {
 }
 
 impl LensUniform {
+    /// The lens of the best level: sharp up to the farthest food.
     pub fn new(input: &SceneInput, size: [u32; 2]) -> Self {
+        Self::sharp_until(input, size, sharp_until(input))
+    }
+
+    /// The lens of the other levels, whose picture of what does not move is kept while foods move: sharp up to behind what
+    /// the eye looks at.
+    pub fn on_target(input: &SceneInput, size: [u32; 2]) -> Self {
+        Self::sharp_until(input, size, input.camera.distance + 2.0 * SHARP_BEHIND)
+    }
+
+    /// A buffer for it.
+    pub fn buffer(device: &wgpu::Device) -> wgpu::Buffer {
+        device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("lens"),
+            size: size_of::<Self>() as u64,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        })
+    }
+
+    fn sharp_until(input: &SceneInput, size: [u32; 2], sharp_until: f32) -> Self {
         let [width, height] = size.map(|side| side as f32);
         let (whole, origin) = input.tile.map_or((size, [0; 2]), |tile| (tile.whole, tile.origin));
         let projection = input.projection(width / height);
@@ -35,7 +56,7 @@ impl LensUniform {
             part: Vec4::new(width, height, origin[0] as f32, origin[1] as f32),
             whole: Vec4::new(whole[0] as f32, whole[1] as f32, BLOOM, VIGNETTE),
             projection: Vec4::new(projection.x_axis.x, projection.y_axis.y, shift.x, shift.y),
-            depth: Vec4::new(NEAR, FAR, sharp_until(input), APERTURE * input.photo.aperture),
+            depth: Vec4::new(NEAR, FAR, sharp_until, APERTURE * input.photo.aperture),
         }
     }
 }

@@ -5,5 +5,5 @@ mod kit;
 mod lens;
 
 pub(crate) use self::chain::{Chain, bloom_levels};
-pub(crate) use self::kit::{AMBIENT_FORMAT, HDR_FORMAT, PostKit};
+pub(crate) use self::kit::{AMBIENT_FORMAT, DEPTH, HDR_FORMAT, PostKit};
 pub(crate) use self::lens::LensUniform;
