@@ -90,7 +90,8 @@ pub struct ShotArgs {
     pub show_pan: bool,
     /// Where the eye is: front, above, close-up (near the first food), or PITCH,YAW,DISTANCE[,X,Y,Z]. Angles in degrees
     /// (90 looks straight down, a positive yaw comes from the right), lengths in millimetres from the centre of the hob;
-    /// without X,Y,Z it looks at the first food.
+    /// without X,Y,Z it looks at the first food. By default over hob and board, or over the food when all of it was taken
+    /// out.
     #[arg(long, value_name = "EYE", value_parser = eye, allow_hyphen_values = true, conflicts_with = "mirror")]
     pub camera: Option<Eye>,
     /// Field of view along the height of the picture [°].

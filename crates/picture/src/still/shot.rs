@@ -3,7 +3,7 @@
 use glam::Vec3;
 use saute_kitchen::doneness::ScaleChoice;
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{InputError, Kitchen, Library, Piece, TICK_S};
+use saute_kitchen::{InputError, Kitchen, Library, Piece, Place, TICK_S};
 use saute_recipe::{Cook, Recipe};
 use saute_scene::camera::Camera;
 use saute_scene::input::SceneInput;
@@ -103,7 +103,7 @@ pub struct ShotOptions {
     pub flat: bool,
     /// The scales of doneness, with the one that is chosen.
     pub scales: ScaleChoice,
-    /// Where the eye is; by default over hob and board, or near a cut.
+    /// Where the eye is; by default over hob and board, over food that was taken out, or near a cut.
     pub eye: Option<Eye>,
     /// Field of view [rad].
     pub field_of_view: f32,
@@ -130,11 +130,11 @@ pub enum Eye {
 }
 
 impl ShotOptions {
-    /// The eye: over hob and board, or, for a cut, near to the food and on the side to which the cut looks.
+    /// The eye: over hob and board, or over the food that was taken out, or, for a cut, near to the food and on the side to which the cut looks.
     pub fn stage(&self, kitchen: &Kitchen) -> StageOptions {
         let mut camera = match self.eye {
             Some(eye) => eye.camera(kitchen),
-            None => Camera::three_quarter(),
+            None => working_view(kitchen),
         };
         camera.field_of_view = self.field_of_view;
         if self.slice && self.eye.is_none() {
@@ -162,6 +162,20 @@ impl ShotOptions {
     }
 }
 
+/// From the cook's side: over hob and board, or over the food when all of it was taken out.
+fn working_view(kitchen: &Kitchen) -> Camera {
+    let camera = Camera::three_quarter();
+    let resting = |piece: &&Piece| matches!(piece.place, Place::Rest(_));
+    match kitchen.pieces().iter().find(resting) {
+        Some(piece) if !kitchen.pieces().iter().any(Piece::in_pan) => {
+            let mut near = Camera { target: piece.pose.position.as_vec3(), ..camera };
+            near.zoom(REST_DISTANCE);
+            near
+        }
+        _ => camera,
+    }
+}
+
 impl Eye {
     fn camera(self, kitchen: &Kitchen) -> Camera {
         let food = || kitchen.pieces().first().map(|piece| piece.pose.position.as_vec3());
@@ -180,6 +194,8 @@ impl Eye {
     }
 }
 
+/// Factor on the distance from which food on the board is seen [-] (chosen: the board fills the picture).
+const REST_DISTANCE: f32 = 0.7;
 /// Factor on the distance from which a cut is seen [-] (chosen: the pan fills the picture).
 const CUT_DISTANCE: f32 = 0.62;
 
