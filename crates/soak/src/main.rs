@@ -21,7 +21,7 @@ use kept_kitchen::KeptKitchen;
 use log::Log;
 
 /// Largest growth of memory after the first hour, without a recorder [bytes].
-const GROWTH: u64 = 1 << 20;
+const GROWTH: u64 = 1_000_000;
 /// Largest memory of a recorder [bytes].
 const RECORDED: u64 = 64 << 20;
 /// Ticks of an hour [-].

@@ -25,6 +25,8 @@ type Matrix = [[f32; 4]; 4];
 
 const UNIT: Matrix = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
+/// Length of the header of a binary file [bytes], which its stated length includes.
+const BINARY_HEADER: u32 = 12;
 /// Largest nesting depth of nodes [-] (chosen: valid files have far less).
 const DEEPEST: usize = 64;
 
@@ -35,6 +37,9 @@ const DEEPEST: usize = 64;
 /// the file or its body is too large.
 pub fn read(bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Soup, ReadError> {
     bounded(bytes)?;
+    if let Some(length) = binary_length(bytes).filter(|length| *length < BINARY_HEADER) {
+        return Err(ReadError::new(format!("states a length of {length} bytes, less than its header"), DAMAGED));
+    }
     let Gltf { document, blob } = valid(bytes)?;
     let buffers = buffers(&document, blob, sibling)?;
     let mut reader = Reader { buffers, soup: Soup::default(), visited: vec![false; document.nodes().len()] };
@@ -44,6 +49,13 @@ pub fn read(bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>) -> Result<S
         None => document.meshes().flat_map(|m| m.primitives()).try_for_each(|p| reader.primitive(&p, UNIT))?,
     }
     Ok(reader.soup)
+}
+
+/// Length [bytes] that the header of a binary file states, by the specification its third number.
+fn binary_length(bytes: &[u8]) -> Option<u32> {
+    let (magic, rest) = bytes.split_first_chunk::<4>()?;
+    let length = rest.get(4..)?.first_chunk::<4>()?;
+    (magic == b"glTF").then(|| u32::from_le_bytes(*length))
 }
 
 /// Returns the parsed and validated file.

@@ -25,19 +25,51 @@ pub fn read(bytes: &[u8]) -> Result<Soup, ReadError> {
     Ok(soup)
 }
 
-/// Counts the triangles and the corners of a file before it is parsed: parsing takes many times the memory of its text.
+/// Counts the triangles and the corners of a file before it is parsed, which takes many times the memory of its text, and
+/// checks that faces refer to what is there: the parser computes with their indices before it does.
 fn bounded(bytes: &[u8]) -> Result<(), ReadError> {
-    let [mut triangles, mut corners, mut others] = [0, 0, 0];
+    let (mut triangles, mut counts, mut highest) = (0, [0; 3], [0; 3]);
     for line in bytes.split(|b| *b == b'\n') {
         let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-        match words.next() {
+        let kind = words.next();
+        match kind.map(|word| (word, KINDS.iter().position(|kind| *kind == word))) {
+            Some((_, Some(kind))) => counts[kind] += 1,
             // A polygon with n corners becomes n − 2 triangles.
-            Some(b"f") => triangles += words.count().max(3) - 2,
-            Some(b"v") => corners += 1,
-            Some(b"vn" | b"vt") => others += 1,
+            Some((b"f" | b"l" | b"p", _)) => {
+                let mut corners = 0;
+                for corner in words {
+                    refer(corner, &counts, &mut highest)?;
+                    corners += 1;
+                }
+                triangles += usize::max(corners, 3) - 2;
+            }
             _ => {}
         }
     }
+    if let Some(kind) = (0..3).find(|kind| highest[*kind] > counts[*kind] as i64) {
+        return Err(absent(highest[kind], kind, counts[kind]));
+    }
     // Normals and texture coordinates may be as many each.
-    enough_room(triangles, corners.max(others / 2))
+    enough_room(triangles, counts[0].max((counts[1] + counts[2]) / 2))
+}
+
+/// Words before a vertex, a texture coordinate and a normal, in the order in which a corner names them.
+const KINDS: [&[u8]; 3] = [b"v", b"vt", b"vn"];
+
+/// Notes the largest indices of a corner such as `5/1/-2`; a negative one counts back from what was read so far.
+fn refer(corner: &[u8], counts: &[usize; 3], highest: &mut [i64; 3]) -> Result<(), ReadError> {
+    for (kind, number) in corner.split(|b| *b == b'/').take(3).enumerate() {
+        // What is no number is refused by the parser.
+        let Some(index) = std::str::from_utf8(number).ok().and_then(|text| text.parse::<i64>().ok()) else { continue };
+        if index == 0 || (index < 0 && index.unsigned_abs() > counts[kind] as u64) {
+            return Err(absent(index, kind, counts[kind]));
+        }
+        highest[kind] = highest[kind].max(index);
+    }
+    Ok(())
+}
+
+fn absent(index: i64, kind: usize, count: usize) -> ReadError {
+    let what = ["vertex", "texture coordinate", "normal"][kind];
+    ReadError::new(format!("refers to {what} {index}, but contains {count}"), DAMAGED)
 }

@@ -33,6 +33,8 @@ fn outcome(name: &str, bytes: &[u8]) -> Result<Surface, String> {
 fn every_found_case_is_refused_with_its_reason() {
     let cases = [
         ("one-point.obj", "triangles without area: 1"),
+        ("index-before-the-first.obj", "refers to texture coordinate -11, but contains 1"),
+        ("length-below-its-header.glb", "states a length of 0 bytes, less than its header"),
         ("doubled-nodes.gltf", "has two parents"),
         ("doubled-nodes-without-mesh.gltf", "has two parents"),
         ("signed-indices.gltf", "accessor 1 has a type that glTF does not permit there"),
