@@ -5,4 +5,5 @@
 mod backend;
 mod options;
 pub mod page;
+mod shared_app;
 mod stats;

@@ -3,6 +3,7 @@
 pub mod glance;
 pub mod interface_size;
 pub(crate) mod japanese_font;
+pub(crate) mod latin_font;
 pub mod layout;
 pub mod motion;
 pub mod notice;

@@ -45,7 +45,7 @@ fn write(picture: &saute_picture::cut::section::Picture, folder: &Path) -> Resul
 #[cfg(target_arch = "wasm32")]
 fn write(picture: &saute_picture::cut::section::Picture, _: &Path) -> Result<PathBuf, String> {
     let bytes = saute_picture::still::png_file::png_bytes(picture).map_err(|e| e.to_string())?;
-    crate::browser::download(FILE, &bytes)?;
+    crate::browser::download(FILE, "image/png", &bytes)?;
     Ok(PathBuf::from(FILE))
 }
 
