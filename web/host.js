@@ -2,9 +2,18 @@
 
 /** The page's side of the module. */
 export class Host {
-  constructor(keptCook, controls) {
-    this.keptCook = keptCook;
-    this.controls = controls;
+  constructor(keptCook, controls, errands) {
+    Object.assign(this, { keptCook, controls, errands });
+  }
+
+  /** Gives the worker an errand. The module's memory may move: the bytes are copied. */
+  askWorker(errand) {
+    this.errands.ask(errand.slice());
+  }
+
+  /** What the worker answered; undefined if it is of no use. */
+  workerAnswers() {
+    return this.errands.take();
   }
 
   /** Shows the controls of the panels, from JSON. */
@@ -20,7 +29,7 @@ export class Host {
 
   /** Keeps a part of the cook; returns why an earlier part could not be kept. */
   keepCook(begins, bytes) {
-    return this.keptCook?.keep(begins, bytes);
+    return this.keptCook?.keep(begins, bytes.slice());
   }
 
   /** Copies a text; without access to the clipboard by a field that is selected. */

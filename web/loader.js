@@ -3,9 +3,9 @@
 // Files of one build belong together; the version keeps a browser's cache from mixing two.
 const version = new URL(import.meta.url).search;
 const place = (file) => new URL(`./${file}${version}`, import.meta.url).href;
-const FILES = ["download", "graphics", "cover", "words", "host", "kept_cook", "controls", "offline"];
+const FILES = ["download", "graphics", "cover", "words", "host", "kept_cook", "controls", "offline", "errands"];
 const parts = await Promise.all(FILES.map((file) => import(place(`${file}.js`))));
-const { fetchFile, withProgress, backends, prepare, Cover, words, Host, KeptCook, Controls, takeNewVersion, keepForOffline } = Object.assign({}, ...parts);
+const { fetchFile, withProgress, backends, prepare, Cover, words, Host, KeptCook, Controls, Errands, takeNewVersion, keepForOffline } = Object.assign({}, ...parts);
 
 const asked = new URLSearchParams(location.search);
 // Without a language in the address the kitchen takes the remembered one, else the browser's.
@@ -15,7 +15,12 @@ const recipe = asked.get("recipe") ?? "";
 const isEmbedded = asked.has("embed");
 const keptCook = isEmbedded ? null : new KeptCook(`${recipe}${location.hash}`);
 const controls = new Controls(document.getElementById("controls"), () => page);
-const options = { lang, recipe, link: location.hash, embed: isEmbedded, host: new Host(keptCook, controls) };
+/** The compiled module and the address of its script, for the worker. */
+let giveProgram;
+const program = new Promise((resolve) => (giveProgram = resolve));
+const errands = new Errands(program, place("errand_worker.js"), () => page?.wake());
+const host = new Host(keptCook, controls, errands);
+const options = { lang, recipe, link: location.hash, embed: isEmbedded, host };
 const language = lang || navigator.language;
 const cover = new Cover(words(language));
 document.documentElement.lang = language;
@@ -29,8 +34,10 @@ let started = Promise.resolve();
 async function load() {
   const bytes = Number(document.body.dataset.moduleBytes);
   const [loaded, response] = await Promise.all([import(place("saute_web.js")), fetchFile(place("saute_web_bg.wasm"))]);
-  const module = withProgress(response, (done) => cover.downloaded(done, bytes));
+  const counted = withProgress(response, (done) => cover.downloaded(done, bytes));
+  const module = await WebAssembly.compileStreaming(counted);
   await loaded.default({ module_or_path: module });
+  giveProgram({ module, script: place("saute_web.js") });
   cover.preparing();
   return loaded;
 }

@@ -95,6 +95,13 @@ impl Page {
         }
     }
 
+    /// Draws a frame soon: something has come for the window.
+    pub fn wake(&self) {
+        if let Some(app) = self.app.get() {
+            app.wake();
+        }
+    }
+
     /// Writes what happened to the storage at once, as before the page is closed.
     pub fn keep_now(&self) {
         if let Some(mut app) = self.app.get() {

@@ -1,5 +1,6 @@
 //! What the browser does for the window: events to the page, files, downloads.
 
+mod helper;
 pub mod host;
 mod mirrored;
 

@@ -15,6 +15,14 @@ extern "C" {
     #[wasm_bindgen(method, js_name = keepCook)]
     fn keep_cook(this: &Host, begins: bool, bytes: &[u8]) -> Option<String>;
 
+    /// Gives the page's worker an errand.
+    #[wasm_bindgen(method, js_name = askWorker)]
+    pub(super) fn ask_worker(this: &Host, errand: &[u8]);
+
+    /// Takes what the worker answered; none if it is of no use.
+    #[wasm_bindgen(method, js_name = workerAnswers)]
+    pub(super) fn worker_answers(this: &Host) -> Option<js_sys::Array>;
+
     /// Shows the controls of the panels as HTML, from JSON.
     #[wasm_bindgen(method, js_name = showControls)]
     pub(super) fn show_controls(this: &Host, controls: &str);
@@ -56,6 +64,9 @@ impl SauteApp {
         self.mirrored.listen(ctx);
         let PageStart { host, kept, link, is_embedded } = around.0;
         self.host = host;
+        if let Some(host) = self.host.clone() {
+            self.session.employ(Box::new(host));
+        }
         self.first_steps &= !is_embedded;
         self.open_link(&link);
         if let Some(host) = self.host.clone() {

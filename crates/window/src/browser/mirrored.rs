@@ -45,7 +45,15 @@ impl Mirrored {
     fn ask(&self, request: ActionRequest) {
         let Ok(mut passed) = self.passed.lock() else { return };
         passed.asked.push(request);
-        if let Some(ctx) = &passed.ctx {
+        drop(passed);
+        self.wake();
+    }
+
+    /// Lets a frame be drawn soon.
+    fn wake(&self) {
+        if let Ok(passed) = self.passed.lock()
+            && let Some(ctx) = &passed.ctx
+        {
             ctx.request_repaint();
         }
     }
@@ -99,6 +107,11 @@ impl SauteApp {
             let said = self.notice.current().map(|said| said.text).unwrap_or_default();
             host.tell(&told(&self.session, &self.settings), &said);
         }
+    }
+
+    /// Draws a frame soon: something has come for the window.
+    pub fn wake(&self) {
+        self.mirrored.wake();
     }
 
     /// Presses a control of the page.
