@@ -1,5 +1,5 @@
-// The panels a second time, as HTML controls for screen readers and switches. They lie beside the canvas and are not seen; what is
-// done to them is done to the panels.
+// The panels a second time, as HTML controls for screen readers and switches. They lie beside the canvas; the one that has the
+// focus is seen. What is done to them is done to the panels.
 
 /** Makes the element of a control. */
 const MAKERS = {
@@ -61,7 +61,6 @@ export class Controls {
   make({ id, kind }) {
     const element = MAKERS[kind]();
     element.dataset.kind = kind;
-    element.addEventListener("focus", () => this.page().focus_control(id));
     element.addEventListener("click", () => element instanceof HTMLButtonElement && this.page().press_control(id));
     element.addEventListener("change", () => this.page().set_control(id, element.value, kind === "text"));
     return element;

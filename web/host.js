@@ -1,9 +1,17 @@
 // What the page does for the window, by the names that the module calls.
 
+const version = new URL(import.meta.url).search;
+const { readPad } = await import(new URL(`./gamepad.js${version}`, import.meta.url).href);
+
 /** The page's side of the module. */
 export class Host {
   constructor(keptCook, controls, errands) {
     Object.assign(this, { keptCook, controls, errands });
+  }
+
+  /** Numbers of the first gamepad; undefined where there is none. */
+  readPad() {
+    return readPad();
   }
 
   /** Gives the worker an errand. The module's memory may move: the bytes are copied. */

@@ -59,6 +59,7 @@ async function start(candidates) {
     page ??= new bindings.Page();
     started = page.start(freshCanvas(backend), { ...options, backend });
     await started;
+    nameTextFields();
     // Tests read `saute.stats()`.
     window.saute = page;
     cover.lift();
@@ -66,6 +67,14 @@ async function start(candidates) {
     if (!others.length) throw error;
     console.info(`${backend} could not be started, ${others[0]} is tried: ${error?.message ?? error}`);
     await start(others);
+  }
+}
+
+/** The field by which the canvas hears what is typed gets a name, and is no stop of its own for the Tab key. */
+function nameTextFields() {
+  for (const field of document.querySelectorAll("input[autocapitalize]")) {
+    field.setAttribute("aria-label", cover.words.typed);
+    field.tabIndex = -1;
   }
 }
 

@@ -123,13 +123,6 @@ impl Page {
         }
     }
 
-    /// Gives the focus to what a control stands for.
-    pub fn focus_control(&self, id: &str) {
-        if let Some(app) = self.app.get() {
-            app.focus_control(id);
-        }
-    }
-
     /// Sets what a control holds: a text, else a number.
     pub fn set_control(&self, id: &str, value: &str, is_text: bool) {
         if let Some(app) = self.app.get() {

@@ -1,5 +1,6 @@
 //! What the browser does for the window: events to the page, files, downloads.
 
+pub(crate) mod gamepad;
 mod helper;
 pub mod host;
 mod mirrored;

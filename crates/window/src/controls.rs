@@ -65,7 +65,8 @@ pub fn controls(update: &TreeUpdate) -> Vec<Control> {
 fn control(id: NodeId, node: &Node) -> Option<Control> {
     let kind = kind(node)?;
     let range = (kind == Kind::Slider).then(|| range(node)).flatten();
-    let kind = if kind == Kind::Slider && range.is_none() { Kind::Text } else { kind };
+    // What has no range is only read.
+    let kind = if kind == Kind::Slider && range.is_none() { Kind::Label } else { kind };
     let named = node.label().or_else(|| node.value().filter(|_| kind == Kind::Label));
     let name = named.map(str::trim).filter(|name| !name.is_empty())?.to_owned();
     let on = node.toggled().map(|toggled| toggled == Toggled::True);

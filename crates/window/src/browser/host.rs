@@ -15,6 +15,10 @@ extern "C" {
     #[wasm_bindgen(method, js_name = keepCook)]
     fn keep_cook(this: &Host, begins: bool, bytes: &[u8]) -> Option<String>;
 
+    /// Numbers of the first gamepad; none where none is plugged in.
+    #[wasm_bindgen(method, js_name = readPad)]
+    pub(super) fn read_pad(this: &Host) -> Option<Vec<f64>>;
+
     /// Gives the page's worker an errand.
     #[wasm_bindgen(method, js_name = askWorker)]
     pub(super) fn ask_worker(this: &Host, errand: &[u8]);

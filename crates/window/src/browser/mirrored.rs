@@ -119,11 +119,6 @@ impl SauteApp {
         self.ask_control(id, Action::Click, None);
     }
 
-    /// Gives the focus to what a control of the page stands for, so that it is seen where it is.
-    pub fn focus_control(&self, id: &str) {
-        self.ask_control(id, Action::Focus, None);
-    }
-
     /// Sets what a control of the page holds: a text, else a number.
     pub fn set_control(&self, id: &str, value: &str, is_text: bool) {
         let number = value.parse().ok().filter(|_| !is_text).map(ActionData::NumericValue);

@@ -11,6 +11,7 @@ pub mod palette;
 pub mod quality_choice;
 pub(crate) mod save_picture;
 pub mod scene_view;
+pub(crate) mod spoken_range;
 pub mod theme;
 pub mod ways_layout;
 pub(crate) mod ways_view;
