@@ -5,12 +5,12 @@ export async function takeNewVersion() {
   const registration = await navigator.serviceWorker?.getRegistration().catch(() => undefined);
   if (!registration?.waiting) return;
   const taken = new Promise((resolve) => {
-    navigator.serviceWorker.addEventListener("controllerchange", resolve, { once: true });
-    // A worker that does not answer does not keep the page from starting.
-    setTimeout(resolve, 3000);
+    navigator.serviceWorker.addEventListener("controllerchange", () => resolve(true), { once: true });
+    // A version that does not answer does not keep this one from starting.
+    setTimeout(() => resolve(false), 10_000);
   });
   registration.waiting.postMessage("take over");
-  await taken;
+  if (!(await taken)) return;
   location.reload();
   await new Promise(() => {});
 }

@@ -26,7 +26,7 @@ butter_g = 10
 [[step]]
 put = "carrots"
 [[step]]
-put = "shrimp"
+put = { food = "shrimp", heap = true }
 [[step]]
 at_s = 10
 toss = true

@@ -370,11 +370,12 @@ fn two_fingers_move_the_eye_and_not_the_pan() {
     let ([middle, edge], pan) = (seen(&harness), held(&harness));
     let other = middle + vec2(40.0, 0.0);
     fingers(&mut harness, [middle, other], egui::TouchPhase::Start);
-    for k in 1..=8u8 {
-        let by = 6.0 * f32::from(k);
-        fingers(&mut harness, [middle - vec2(by, 0.0), other + vec2(by, by)], egui::TouchPhase::Move);
+    let mut apart = [middle, other];
+    for _ in 0..8 {
+        apart = [apart[0] - vec2(6.0, 0.0), apart[1] + vec2(6.0, 6.0)];
+        fingers(&mut harness, apart, egui::TouchPhase::Move);
     }
-    fingers(&mut harness, [middle, other], egui::TouchPhase::End);
+    fingers(&mut harness, apart, egui::TouchPhase::End);
     let [now, edge_now] = seen(&harness);
     assert!(now.distance(edge_now) > 1.2 * middle.distance(edge), "fingers apart bring it nearer");
     assert_eq!(held(&harness), pan);
