@@ -369,6 +369,9 @@ fn two_fingers_move_the_eye_and_not_the_pan() {
     let held = |harness: &Harness<'static, SauteApp>| harness.state().session().kitchen.held_pan();
     let ([middle, edge], pan) = (seen(&harness), held(&harness));
     let other = middle + vec2(40.0, 0.0);
+    // The first finger is the pointer, too, and lies on the pan.
+    harness.hover_at(middle);
+    harness.drag_at(middle);
     fingers(&mut harness, [middle, other], egui::TouchPhase::Start);
     let mut apart = [middle, other];
     for _ in 0..8 {
@@ -376,6 +379,8 @@ fn two_fingers_move_the_eye_and_not_the_pan() {
         fingers(&mut harness, apart, egui::TouchPhase::Move);
     }
     fingers(&mut harness, apart, egui::TouchPhase::End);
+    harness.drop_at(middle);
+    steps(&mut harness, 2);
     let [now, edge_now] = seen(&harness);
     assert!(now.distance(edge_now) > 1.2 * middle.distance(edge), "fingers apart bring it nearer");
     assert_eq!(held(&harness), pan);
