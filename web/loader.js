@@ -1,16 +1,26 @@
-// Loads the kitchen and starts it. The address may say: ?lang=ja, ?backend=webgl2 (or webgpu), ?recipe=medium.
+// Loads the kitchen and starts it. The address may say: ?lang=ja, ?backend=webgl2 (or webgpu), ?recipe=medium, ?embed, #cook=….
 
 // Files of one build belong together; the version keeps a browser's cache from mixing two.
 const version = new URL(import.meta.url).search;
 const place = (file) => new URL(`./${file}${version}`, import.meta.url).href;
-const [{ fetchFile, withProgress }, { backends, prepare }, { Cover }, { words }] = await Promise.all(
-  ["download.js", "graphics.js", "cover.js", "words.js"].map((file) => import(place(file))),
-);
+const FILES = ["download", "graphics", "cover", "words", "host", "kept_cook", "controls", "offline", "errands"];
+const parts = await Promise.all(FILES.map((file) => import(place(`${file}.js`))));
+const { fetchFile, withProgress, backends, prepare, Cover, words, Host, KeptCook, Controls, Errands, takeNewVersion, keepForOffline } = Object.assign({}, ...parts);
 
 const asked = new URLSearchParams(location.search);
 // Without a language in the address the kitchen takes the remembered one, else the browser's.
 const lang = ["en", "ja"].includes(asked.get("lang")) ? asked.get("lang") : "";
-const options = { lang, recipe: asked.get("recipe") ?? "" };
+const recipe = asked.get("recipe") ?? "";
+/** In a frame of another page (`?embed`) nothing is kept, neither the cook nor the page. */
+const isEmbedded = asked.has("embed");
+const keptCook = isEmbedded ? null : new KeptCook(`${recipe}${location.hash}`);
+const controls = new Controls(document.getElementById("controls"), () => page);
+/** The compiled module and the address of its script, for the worker. */
+let giveProgram;
+const program = new Promise((resolve) => (giveProgram = resolve));
+const errands = new Errands(program, place("errand_worker.js"), () => page?.wake());
+const host = new Host(keptCook, controls, errands);
+const options = { lang, recipe, link: location.hash, embed: isEmbedded, host };
 const language = lang || navigator.language;
 const cover = new Cover(words(language));
 document.documentElement.lang = language;
@@ -24,8 +34,10 @@ let started = Promise.resolve();
 async function load() {
   const bytes = Number(document.body.dataset.moduleBytes);
   const [loaded, response] = await Promise.all([import(place("saute_web.js")), fetchFile(place("saute_web_bg.wasm"))]);
-  const module = withProgress(response, (done) => cover.downloaded(done, bytes));
+  const counted = withProgress(response, (done) => cover.downloaded(done, bytes));
+  const module = await WebAssembly.compileStreaming(counted);
   await loaded.default({ module_or_path: module });
+  giveProgram({ module, script: place("saute_web.js") });
   cover.preparing();
   return loaded;
 }
@@ -34,6 +46,7 @@ async function load() {
 function freshCanvas(backend) {
   const canvas = document.createElement("canvas");
   canvas.id = "canvas";
+  canvas.addEventListener("webglcontextlost", startAgain, { once: true });
   document.getElementById("stage").replaceChildren(canvas);
   prepare(canvas, backend);
   return canvas;
@@ -43,9 +56,10 @@ function freshCanvas(backend) {
 async function start(candidates) {
   const [backend, ...others] = candidates;
   try {
-    page = new bindings.Page();
+    page ??= new bindings.Page();
     started = page.start(freshCanvas(backend), { ...options, backend });
     await started;
+    nameTextFields();
     // Tests read `saute.stats()`.
     window.saute = page;
     cover.lift();
@@ -56,11 +70,19 @@ async function start(candidates) {
   }
 }
 
-/** The graphics device is gone: the page starts again with the backend that asks least. */
+/** The field by which the canvas hears what is typed gets a name, and is no stop of its own for the Tab key. */
+function nameTextFields() {
+  for (const field of document.querySelectorAll("input[autocapitalize]")) {
+    field.setAttribute("aria-label", cover.words.typed);
+    field.tabIndex = -1;
+  }
+}
+
+/** The graphics are gone: the cook goes on with new ones, by the backend that asks least. */
 async function startAgain() {
-  cover.preparing();
+  await started.catch(() => {});
   try {
-    page?.destroy();
+    page.destroy();
     await start(["webgl2"]);
   } catch (error) {
     cover.fail("not_started", error);
@@ -85,21 +107,26 @@ function noticeStop(event) {
 
 async function main() {
   document.documentElement.dataset.state = "loading";
+  if (!isEmbedded) await takeNewVersion();
   if (typeof WebAssembly === "undefined") return cover.fail("no_wasm");
   const candidates = await backends(asked.get("backend") ?? "auto");
   if (!candidates.length) return cover.fail("no_graphics");
   try {
-    bindings = await load();
+    [bindings, options.kept] = await Promise.all([load(), keptCook?.open()]);
   } catch (error) {
     return cover.fail("not_loaded", error);
   }
   try {
     await start(candidates);
   } catch (error) {
-    cover.fail("not_started", error);
+    return cover.fail("not_started", error);
   }
+  if (!isEmbedded) await keepForOffline();
 }
 
+window.addEventListener("hashchange", () => page?.open_link(location.hash));
+window.addEventListener("pagehide", () => page?.keep_now());
+document.addEventListener("visibilitychange", () => document.hidden && page?.keep_now());
 window.addEventListener("saute-lost", startAgain);
 window.addEventListener("saute-font", offerFont);
 window.addEventListener("error", noticeStop);

@@ -7,6 +7,7 @@ const ENGLISH = {
   loading: "Loading",
   loaded: (done, all) => `${done} of ${all} MB`,
   preparing: "Preparing the kitchen",
+  typed: "What is typed into the picture",
   no_graphics:
     "This browser offers neither WebGPU nor WebGL 2, and the kitchen is drawn with one of them. Update the browser, " +
     "switch on hardware acceleration in its settings, or open this page in another browser.",
@@ -23,6 +24,7 @@ const JAPANESE = {
   loading: "読み込み中",
   loaded: (done, all) => `${all} MB のうち ${done} MB`,
   preparing: "台所を準備中",
+  typed: "画面への文字入力",
   no_graphics:
     "このブラウザーでは WebGPU も WebGL 2 も使えないため、台所を描けません。ブラウザーを新しくするか、設定で" +
     "ハードウェアアクセラレーションを有効にするか、別のブラウザーで開いてください。",

@@ -8,6 +8,7 @@ import { after, before, test } from "node:test";
 
 import { WEBGL2, WEBGPU, launch, reaches, trouble, watch } from "./browser.mjs";
 import { difference, pixels } from "./canvas.mjs";
+import { press, until } from "./cooking.mjs";
 import { serve } from "./site_server.mjs";
 
 const SITE = resolve(process.env.SAUTE_PAGE);
@@ -23,26 +24,6 @@ before(async () => {
 });
 
 after(() => host?.end());
-
-const stats = (page) => page.evaluate(() => JSON.parse(window.saute.stats()));
-
-/** Waits until the state fulfils a condition; the last state is in the message if it never does. */
-async function until(page, what, holds, timeout = 120_000) {
-  const end = Date.now() + timeout;
-  for (let state; ; ) {
-    state = await stats(page);
-    if (holds(state)) return state;
-    assert.ok(Date.now() < end, `${what}: ${JSON.stringify(state)}`);
-    await page.waitForTimeout(100);
-  }
-}
-
-/** Presses a key on the canvas and waits for two more frames. */
-async function press(page, key) {
-  const before = await stats(page);
-  await page.keyboard.press(key);
-  await until(page, `a frame after ${key}`, (now) => now.frames > before.frames + 1);
-}
 
 /** Takes a picture of the canvas and keeps it. */
 async function look(page, name) {

@@ -61,6 +61,7 @@ pub use condition::{Condition, Measured, Side};
 pub use cook::play::{Cook, Fired};
 pub use cook::recorder::{self, Recorder};
 pub use cook::runner::{self, Runner, StoppedBy};
+pub use cook::runner_state::RunnerState;
 pub use cook::step_record;
 pub use file::{action_file, recipe_file, shorthand, step_file};
 pub use recipe::{Group, Recipe, Step, Target, Trigger};

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::error::{SiteError, at};
 
 /// Pictures are compressed already.
-const ENDINGS: [&str; 9] = ["wasm", "js", "html", "css", "svg", "otf", "txt", "json", "toml"];
+const ENDINGS: [&str; 10] = ["wasm", "js", "html", "css", "svg", "otf", "txt", "json", "toml", "webmanifest"];
 /// brotli's best, and its usual window (16 MB).
 const QUALITY: i32 = 11;
 const WINDOW: i32 = 24;

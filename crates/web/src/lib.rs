@@ -3,6 +3,8 @@
 #![cfg(target_arch = "wasm32")]
 
 mod backend;
+pub mod errand_bench;
 mod options;
 pub mod page;
+mod shared_app;
 mod stats;

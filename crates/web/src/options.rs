@@ -1,7 +1,8 @@
 //! What a page's script asks for.
 
 use saute_window::Language;
-use wasm_bindgen::JsValue;
+use saute_window::browser::host::Host;
+use wasm_bindgen::{JsCast, JsValue};
 
 use crate::backend::Choice;
 
@@ -13,27 +14,45 @@ pub(crate) struct Options {
     pub language: Option<Language>,
     /// Name of a shipped recipe to play at once, or none.
     pub recipe: Option<String>,
+    /// The page's script.
+    pub host: Option<Host>,
+    /// What is kept of the last cook.
+    pub kept: Option<Vec<u8>>,
+    /// Fragment of the address.
+    pub link: String,
+    /// True if the page is a part of another one.
+    pub is_embedded: bool,
 }
 
 impl Options {
-    /// Reads `{ backend, lang, recipe }`; absent and empty values leave the choice to the program.
+    /// Reads `{ backend, lang, recipe, link, embed, host, kept }`; absent and empty values leave the choice to the program.
     ///
     /// # Errors
     ///
     /// Says which value is unknown.
     pub fn read(object: &JsValue) -> Result<Self, String> {
-        let [backend, lang, recipe] = ["backend", "lang", "recipe"].map(|key| text(object, key));
+        let [backend, lang, recipe, link] = ["backend", "lang", "recipe", "link"].map(|key| text(object, key));
         let language = match lang.as_str() {
             "" => None,
             "en" => Some(Language::English),
             "ja" => Some(Language::Japanese),
             other => return Err(format!("lang: \"{other}\" is neither \"en\" nor \"ja\"")),
         };
-        Ok(Self { backend: Choice::read(&backend)?, language, recipe: Some(recipe).filter(|name| !name.is_empty()) })
+        let recipe = Some(recipe).filter(|name| !name.is_empty());
+        let host = value(object, "host").map(JsCast::unchecked_into);
+        let is_embedded = value(object, "embed").is_some_and(|embed| embed.is_truthy());
+        let kept =
+            value(object, "kept").and_then(|kept| kept.dyn_into::<js_sys::Uint8Array>().ok()).map(|kept| kept.to_vec());
+        Ok(Self { backend: Choice::read(&backend)?, language, recipe, host, kept, link, is_embedded })
     }
+}
+
+/// A value of the object, if there is one.
+fn value(object: &JsValue, key: &str) -> Option<JsValue> {
+    js_sys::Reflect::get(object, &key.into()).ok().filter(|value| !value.is_undefined() && !value.is_null())
 }
 
 /// A text of the object; empty where there is none.
 fn text(object: &JsValue, key: &str) -> String {
-    js_sys::Reflect::get(object, &key.into()).ok().and_then(|value| value.as_string()).unwrap_or_default()
+    value(object, key).and_then(|value| value.as_string()).unwrap_or_default()
 }

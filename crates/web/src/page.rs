@@ -5,6 +5,7 @@ use std::rc::Rc;
 
 use eframe::{CreationContext, WebOptions, WebRunner};
 use saute_recipe::Recipe;
+use saute_window::browser::host::PageStart;
 use saute_window::pose::Pose;
 use saute_window::{SauteApp, Start};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -13,6 +14,7 @@ use web_sys::HtmlCanvasElement;
 
 use crate::backend::Backend;
 use crate::options::Options;
+use crate::shared_app::SharedApp;
 use crate::stats::Stats;
 
 /// Sent to the window when the graphics device is lost.
@@ -22,6 +24,7 @@ const LOST: &str = "saute-lost";
 #[wasm_bindgen]
 pub struct Page {
     runner: WebRunner,
+    app: SharedApp,
     backend: Rc<Cell<Option<Backend>>>,
 }
 
@@ -33,10 +36,11 @@ impl Page {
     pub fn new() -> Self {
         // A second page of the same module finds the logger installed.
         let _ = eframe::WebLogger::init(log::LevelFilter::Error);
-        Self { runner: WebRunner::new(), backend: Rc::default() }
+        Self { runner: WebRunner::new(), app: SharedApp::default(), backend: Rc::default() }
     }
 
-    /// Starts on a canvas with `{ backend: "auto" | "webgpu" | "webgl2", lang: "en" | "ja" | "", recipe }`.
+    /// Starts on a canvas with `{ backend: "auto" | "webgpu" | "webgl2", lang: "en" | "ja" | "", recipe, link, embed, host, kept }`. A
+    /// page that was started goes on with its cook on the new canvas.
     ///
     /// # Errors
     ///
@@ -45,9 +49,11 @@ impl Page {
         let options = Options::read(&options).map_err(|message| js_sys::Error::new(&message))?;
         let backend = options.backend.resolve().await;
         let web = WebOptions { wgpu_options: backend.setup(), dithering: false, ..WebOptions::default() };
+        let app = self.app.clone();
         let create = move |cc: &CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
             watch(cc);
-            Ok(Box::new(SauteApp::new(cc, start(options)?)?) as Box<dyn eframe::App>)
+            app.begin(cc, || start(options))?;
+            Ok(Box::new(app) as Box<dyn eframe::App>)
         };
         self.runner.start(canvas, web, Box::new(create)).await.map_err(error)?;
         self.backend.set(Some(backend));
@@ -59,7 +65,7 @@ impl Page {
         self.backend.get().map(Backend::name).unwrap_or_default().to_owned()
     }
 
-    /// Stops, and frees canvas and graphics.
+    /// Stops the picture, and frees canvas and graphics; the cook stays for another start.
     pub fn destroy(&self) {
         self.runner.destroy();
         self.backend.set(None);
@@ -67,7 +73,7 @@ impl Page {
 
     /// State and speed as JSON; empty before the start.
     pub fn stats(&self) -> String {
-        let app = self.runner.app_mut::<SauteApp>();
+        let app = self.app.get();
         app.and_then(|app| serde_json::to_string(&Stats::of(&app, self.backend())).ok()).unwrap_or_default()
     }
 
@@ -78,15 +84,60 @@ impl Page {
     /// Throws with a message if the text or its recipe is wrong.
     pub fn pose(&self, json: &str) -> Result<(), JsValue> {
         let pose = serde_json::from_str::<Pose>(json).map_err(|e| e.to_string());
-        let mut app = self.runner.app_mut::<SauteApp>().ok_or_else(|| js_sys::Error::new("not started"))?;
+        let mut app = self.app.get().ok_or_else(|| js_sys::Error::new("not started"))?;
         pose.and_then(|pose| app.pose(&pose)).map_err(|message| js_sys::Error::new(&message).into())
     }
 
     /// Takes a font that has the characters of Japanese.
     pub fn offer_font(&self, bytes: Vec<u8>) {
-        if let Some(app) = self.runner.app_mut::<SauteApp>() {
+        if let Some(app) = self.app.get() {
             app.offer_font(bytes);
         }
+    }
+
+    /// Draws a frame soon: something has come for the window.
+    pub fn wake(&self) {
+        if let Some(app) = self.app.get() {
+            app.wake();
+        }
+    }
+
+    /// Writes what happened to the storage at once, as before the page is closed.
+    pub fn keep_now(&self) {
+        if let Some(mut app) = self.app.get() {
+            app.keep_cook(true);
+        }
+    }
+
+    /// Opens the cook of a fragment that was put into the page's address.
+    pub fn open_link(&self, fragment: &str) {
+        if let Some(mut app) = self.app.get() {
+            app.open_link(fragment);
+        }
+    }
+
+    /// Presses a control that is shown as HTML.
+    pub fn press_control(&self, id: &str) {
+        if let Some(app) = self.app.get() {
+            app.press_control(id);
+        }
+    }
+
+    /// Sets what a control holds: a text, else a number.
+    pub fn set_control(&self, id: &str, value: &str, is_text: bool) {
+        if let Some(app) = self.app.get() {
+            app.set_control(id, value, is_text);
+        }
+    }
+
+    /// Hashes of the kitchen's state every ten seconds of the cook, as lines of frame and hash: the same on every machine.
+    pub fn hashes(&self) -> String {
+        let app = self.app.get();
+        let lines = |app: &SauteApp| {
+            let hashes = app.session().recording().hashes().iter();
+            hashes.map(|(frame, hash)| format!("{frame} {hash:016x}\n")).collect::<String>()
+        };
+        app.map(|app| lines(&app)).unwrap_or_default()
     }
 }
 
@@ -94,7 +145,9 @@ impl Page {
 fn start(options: Options) -> Result<Start, String> {
     let library = saute_kitchen::Library::embedded().map_err(|e| e.to_string())?;
     let recipe = options.recipe.map(|name| shipped(&library, &name)).transpose()?;
-    Ok(Start { library: Some(library.into()), recipe, recorded: None, language: options.language, frugal: true })
+    let page =
+        PageStart { host: options.host, kept: options.kept, link: options.link, is_embedded: options.is_embedded };
+    Ok(Start { library: Some(library.into()), recipe, recorded: None, language: options.language, frugal: true, page })
 }
 
 fn shipped(library: &saute_kitchen::Library, name: &str) -> Result<Recipe, String> {

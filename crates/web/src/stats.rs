@@ -30,7 +30,22 @@ pub(crate) struct Stats {
     /// Temperature of the pan's floor [°C].
     pan_c: f64,
     pieces: Vec<PieceStats>,
+    /// How far the cook came with which the window offers to go on [s].
+    offered_s: Option<f64>,
+    /// True while a recorded cook is played again, or time is turned.
+    travels: bool,
+    /// End of what was recorded [s].
+    end_s: f64,
+    /// What was said, the last first.
+    said: Vec<String>,
+    /// Memory of the module [bytes].
+    memory_bytes: usize,
+    /// Length of the longest frame of the last ten seconds [s].
+    longest_frame_s: f64,
 }
+
+/// Size of a page of WebAssembly's memory [bytes].
+const MEMORY_PAGE: usize = 65_536;
 
 /// One piece.
 #[derive(Serialize)]
@@ -74,6 +89,12 @@ impl Stats {
             hob_w: kitchen.hob_w(),
             pan_c: celsius(kitchen.pan_temperature()),
             pieces: kitchen.pieces().iter().map(PieceStats::of).collect(),
+            offered_s: app.offered_s(),
+            travels: session.is_travelling(),
+            end_s: session.end_s(),
+            said: app.said(),
+            memory_bytes: core::arch::wasm32::memory_size(0) * MEMORY_PAGE,
+            longest_frame_s: meter.longest_frame_s(),
         }
     }
 }

@@ -82,9 +82,10 @@ pub enum Act {
     ResumeRecipe,
     /// Opens a file dialog for a recipe.
     ChooseFile,
-    /// Opens a file dialog for the file in which the cook is kept.
-    #[cfg(not(target_arch = "wasm32"))]
-    SaveCook,
+    /// Saves a file that is made of the cook.
+    Export(crate::export::Export),
+    /// Copies an address that holds the cook.
+    CopyLink,
     /// Opens a recipe's file.
     #[cfg(not(target_arch = "wasm32"))]
     OpenFile(std::path::PathBuf),

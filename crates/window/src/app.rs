@@ -16,6 +16,8 @@ use saute_scene::camera::Camera;
 use saute_scene::quality::Quality;
 
 use crate::apply::waiting::Waiting;
+#[cfg(target_arch = "wasm32")]
+use crate::browser::host::Surroundings;
 use crate::frame_meter::FrameMeter;
 use crate::governor::Governor;
 use crate::input::pad_input::Pad;
@@ -36,6 +38,8 @@ use crate::ui::notice::Notice;
 use crate::ui::scene_view::SceneView;
 use crate::ui::theme;
 use crate::ui::ways_view::WaysView;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::window::Surroundings;
 use crate::words::language::Language;
 
 /// Where settings are remembered.
@@ -69,6 +73,9 @@ pub struct Start {
     /// Devices that hands hold.
     #[cfg(not(target_arch = "wasm32"))]
     pub hands: crate::hand::HandsStart,
+    /// What the page has for the window.
+    #[cfg(target_arch = "wasm32")]
+    pub page: crate::browser::host::PageStart,
 }
 
 /// The window's state.
@@ -114,7 +121,7 @@ pub struct SauteApp {
     /// True if the scene can be drawn (a graphics device is there).
     drawable: bool,
     software: bool,
-    /// True if panels and slow changes are drawn a few times a second only.
+    /// True if panels and slow changes are drawn a few times a second only where the graphics are software.
     frugal: bool,
     /// Chooses the quality of the picture where that is left to the program.
     pub(crate) governor: Governor,
@@ -128,12 +135,17 @@ pub struct SauteApp {
     /// The file dialog while it is open.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) dialog: crate::files::Dialog,
-    /// The file of the cook that goes on.
-    #[cfg(not(target_arch = "wasm32"))]
+    /// The cook that goes on, as it is kept.
     pub(crate) autosave: crate::autosave::Autosave,
     /// What the page hands in.
     #[cfg(target_arch = "wasm32")]
     pub(crate) inbox: crate::browser::Inbox,
+    /// What the page's script does for the window.
+    #[cfg(target_arch = "wasm32")]
+    pub(crate) host: Option<crate::browser::host::Host>,
+    /// The panels a second time, as HTML.
+    #[cfg(target_arch = "wasm32")]
+    pub(crate) mirrored: crate::browser::Mirrored,
 }
 
 /// Errors of starting the window.
@@ -151,21 +163,10 @@ impl SauteApp {
     /// Sets out the remembered food, or plays the given recipe.
     pub fn new(cc: &eframe::CreationContext<'_>, start: Start) -> Result<Self, StartError> {
         let stored = cc.storage.map(|s| s.get_string(SETTINGS_KEY).unwrap_or_else(|| FIRST_START.to_owned()));
-        #[cfg(not(target_arch = "wasm32"))]
-        let hands = start.hands.clone();
-        // A recipe or a session that is named is what the person wants.
-        #[cfg(not(target_arch = "wasm32"))]
-        let keeps = stored.is_some() && start.recipe.is_none() && start.recorded.is_none();
+        let around = Surroundings::of(&start, stored.is_some());
         let mut app = Self::start(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), stored, start)?;
         app.pad = Pad::connected();
-        #[cfg(not(target_arch = "wasm32"))]
-        {
-            app.session.hands.folder = eframe::storage_dir("saute").map(|folder| folder.join("calibrations"));
-            app.begin_hands(hands);
-            if let Some(folder) = eframe::storage_dir("saute").filter(|_| keeps) {
-                app.keep_cook_in(&folder.join("cook.saute"));
-            }
-        }
+        app.settle_in(around, &cc.egui_ctx);
         Ok(app)
     }
 
@@ -178,7 +179,6 @@ impl SauteApp {
         stored: Option<String>,
         start: Start,
     ) -> Result<Self, StartError> {
-        theme::install(context);
         let japanese_font = crate::ui::japanese_font::install(context);
         let remembers = stored.is_some() && start.recipe.is_none() && start.recorded.is_none();
         let (settings, refused) = stored.map_or_else(Default::default, |text| Settings::remembered(&text));
@@ -191,18 +191,6 @@ impl SauteApp {
         }
         if let Some(recorded) = start.recorded {
             session.resume(recorded)?;
-        }
-        let mut software = false;
-        let mut frugal = false;
-        if let Some(state) = graphics {
-            SceneCallback::install(state);
-            GroundCallback::install(state);
-            MirrorCallback::install(state);
-            software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
-            frugal = software && start.frugal;
-            if frugal {
-                PanelLayer::install(context, state);
-            }
         }
         let language = start.language.unwrap_or(settings.language);
         let first_steps = remembers && !settings.introduced;
@@ -231,9 +219,9 @@ impl SauteApp {
             waiting: Vec::new(),
             taken_out: None,
             meter: FrameMeter::default(),
-            drawable: graphics.is_some(),
-            software,
-            frugal,
+            drawable: false,
+            software: false,
+            frugal: start.frugal,
             governor: Governor::new(Quality::Best),
             first_steps,
             japanese_font,
@@ -244,17 +232,40 @@ impl SauteApp {
             pictures: start.pictures,
             #[cfg(not(target_arch = "wasm32"))]
             dialog: crate::files::Dialog::default(),
-            #[cfg(not(target_arch = "wasm32"))]
             autosave: Default::default(),
             #[cfg(target_arch = "wasm32")]
             inbox: crate::browser::Inbox::default(),
+            #[cfg(target_arch = "wasm32")]
+            host: None,
+            #[cfg(target_arch = "wasm32")]
+            mirrored: Default::default(),
         };
+        app.draw_on(context, graphics);
         app.settings.language = Language::English;
         app.set_language(language);
         if refused {
             app.say("notice.settings_refused");
         }
         Ok(app)
+    }
+
+    /// Draws on this context from now on; without graphics the scene is left out.
+    fn draw_on(&mut self, context: &egui::Context, graphics: Option<&egui_wgpu::RenderState>) {
+        theme::install(context);
+        self.drawable = graphics.is_some();
+        let Some(state) = graphics else { return };
+        SceneCallback::install(state);
+        GroundCallback::install(state);
+        MirrorCallback::install(state);
+        self.software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
+        if self.is_frugal() {
+            PanelLayer::install(context, state);
+        }
+    }
+
+    /// Panels and slow changes are drawn a few times a second only.
+    fn is_frugal(&self) -> bool {
+        self.frugal && self.software
     }
 
     /// Gives the kitchen a command and says so if it refuses.
@@ -291,14 +302,6 @@ impl SauteApp {
     pub(crate) fn card_is_open(&self) -> bool {
         let card = self.help || self.messages || self.settings_open || self.first_steps;
         card || self.photo_is_open() || self.offered_s().is_some()
-    }
-
-    /// How far the cook came with which the window offers to go on [s].
-    pub(crate) fn offered_s(&self) -> Option<f64> {
-        #[cfg(target_arch = "wasm32")]
-        return None;
-        #[cfg(not(target_arch = "wasm32"))]
-        self.autosave.offered.as_ref().map(|recording| recording.moment().time_s())
     }
 
     /// Says a text that leaves nothing open.
@@ -358,7 +361,7 @@ impl SauteApp {
 
     /// Ticks between two looks at slow changes in the pan.
     pub(crate) fn look_ticks(&self) -> u64 {
-        if !self.frugal || self.session.paused || self.quality() > Quality::Quick {
+        if !self.is_frugal() || self.session.paused || self.quality() > Quality::Quick {
             return 1;
         }
         (LOOK_PERIOD_S * self.session.speed / TICK_S).round() as u64

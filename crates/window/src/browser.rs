@@ -1,5 +1,12 @@
 //! What the browser does for the window: events to the page, files, downloads.
 
+pub(crate) mod gamepad;
+mod helper;
+pub mod host;
+mod mirrored;
+
+pub(crate) use self::mirrored::Mirrored;
+
 use std::sync::{Arc, Mutex};
 
 use js_sys::{Array, Uint8Array};
@@ -9,6 +16,7 @@ use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{Blob, BlobPropertyBag, CustomEvent, File, HtmlAnchorElement, HtmlInputElement, Url};
 
 use crate::app::SauteApp;
+use crate::export::Export;
 use crate::ui::japanese_font;
 use crate::words::language::Language;
 
@@ -23,6 +31,8 @@ type ReadFile = (String, Result<Vec<u8>, String>);
 pub(crate) struct Inbox {
     files: Arc<Mutex<Vec<ReadFile>>>,
     font: Arc<Mutex<Option<Vec<u8>>>>,
+    /// The font that was taken: a picture that begins anew needs it again.
+    taken_font: Option<Arc<egui::FontData>>,
     /// True if time was stopped because the tab was hidden.
     paused_hidden: bool,
 }
@@ -68,13 +78,30 @@ impl SauteApp {
         self.pause_hidden();
         let (files, font) = self.inbox.take();
         if let Some(bytes) = font {
-            japanese_font::install_font(ctx, Arc::new(egui::FontData::from_owned(bytes)));
-            self.japanese_font = true;
+            self.inbox.taken_font = Some(Arc::new(egui::FontData::from_owned(bytes)));
+            self.japanese_font = self.install_taken_font(ctx);
             self.set_language(Language::Japanese);
         }
         for (name, read) in files {
             self.take_file(&name, read);
         }
+    }
+
+    /// Installs the font that the page handed in; returns false if there is none.
+    pub(crate) fn install_taken_font(&self, ctx: &egui::Context) -> bool {
+        let Some(font) = &self.inbox.taken_font else { return false };
+        japanese_font::install_font(ctx, Arc::clone(font));
+        true
+    }
+
+    /// Hands the browser a file that is made of the cook.
+    pub(crate) fn export(&mut self, what: Export, _: &egui::Context) {
+        let l = self.settings.language;
+        let name = what.file_name(l);
+        self.notice.say(match download(&name, what.media_type(), &self.session.exported(what)) {
+            Ok(()) => l.fill("notice.saved", &[("path", &name)]),
+            Err(error) => l.fill("notice.cook_not_saved", &[("path", &name), ("error", &error)]),
+        });
     }
 
     /// Reads dropped files; they arrive in a later frame.
@@ -89,7 +116,7 @@ impl SauteApp {
         }
     }
 
-    /// Opens the browser's file dialog for a recipe.
+    /// Opens the browser's file dialog for a recipe or a session.
     pub(crate) fn choose_file(&mut self, ctx: &egui::Context) {
         if let Err(error) = choose(self.inbox.clone(), ctx.clone()) {
             self.say_trouble(&shown(&error));
@@ -115,15 +142,15 @@ pub(crate) fn language() -> Option<String> {
     web_sys::window()?.navigator().language()
 }
 
-/// Hands the browser a picture to save.
-pub(crate) fn download(name: &str, png: &[u8]) -> Result<(), String> {
-    save(name, png).map_err(|error| shown(&error))
+/// Hands the browser a file to save.
+pub(crate) fn download(name: &str, media_type: &str, bytes: &[u8]) -> Result<(), String> {
+    save(name, media_type, bytes).map_err(|error| shown(&error))
 }
 
-fn save(name: &str, png: &[u8]) -> Result<(), JsValue> {
+fn save(name: &str, media_type: &str, bytes: &[u8]) -> Result<(), JsValue> {
     let kind = BlobPropertyBag::new();
-    kind.set_type("image/png");
-    let blob = Blob::new_with_u8_array_sequence_and_options(&Array::of1(&Uint8Array::from(png)), &kind)?;
+    kind.set_type(media_type);
+    let blob = Blob::new_with_u8_array_sequence_and_options(&Array::of1(&Uint8Array::from(bytes)), &kind)?;
     let address = Url::create_object_url_with_blob(&blob)?;
     let link: HtmlAnchorElement = element("a")?;
     link.set_href(&address);
@@ -135,7 +162,7 @@ fn save(name: &str, png: &[u8]) -> Result<(), JsValue> {
 fn choose(inbox: Inbox, ctx: egui::Context) -> Result<(), JsValue> {
     let input: HtmlInputElement = element("input")?;
     input.set_type("file");
-    input.set_accept(".toml,text/plain");
+    input.set_accept(".toml,.saute,text/plain");
     let chosen = input.clone();
     let read = Closure::once_into_js(move || {
         let Some(file) = chosen.files().and_then(|files| files.get(0)) else { return };

@@ -5,11 +5,11 @@ use std::process::{Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 
 use crate::app::SauteApp;
+use crate::export::Export;
+use crate::session_file::write_whole;
 
 /// Recipes that are remembered at most (chosen: what is seen without scrolling).
 const REMEMBERED: usize = 5;
-/// How names of files of cooks end.
-const SUFFIX: &str = "saute";
 /// The largest file that is read [bytes] (chosen: far above any recipe, and an hour of a session with the pan in the hand).
 const LARGEST: u64 = 16 << 20;
 
@@ -18,8 +18,8 @@ const LARGEST: u64 = 16 << 20;
 enum Asked {
     /// A file to open.
     Open,
-    /// A file in which the cook is kept.
-    Save,
+    /// A file that is made of the cook.
+    Save(Export),
 }
 
 /// A dialog that is open in a thread of its own; the window goes on.
@@ -32,9 +32,9 @@ impl SauteApp {
         self.ask(Asked::Open, ctx);
     }
 
-    /// Opens the system's file dialog for the place of the cook.
-    pub(crate) fn choose_place(&mut self, ctx: &egui::Context) {
-        self.ask(Asked::Save, ctx);
+    /// Opens the system's file dialog for the place of a file that is made of the cook.
+    pub(crate) fn export(&mut self, what: Export, ctx: &egui::Context) {
+        self.ask(Asked::Save(what), ctx);
     }
 
     fn ask(&mut self, asked: Asked, ctx: &egui::Context) {
@@ -47,7 +47,7 @@ impl SauteApp {
         let begun = std::thread::Builder::new().name("file-dialog".to_owned()).spawn(move || {
             let chosen = match asked {
                 Asked::Open => dialog.pick_file(),
-                Asked::Save => dialog.save_file(),
+                Asked::Save(_) => dialog.save_file(),
             };
             // Nobody waits for the answer once the window is closed.
             let _ = send.send(chosen);
@@ -64,11 +64,11 @@ impl SauteApp {
         let dialog = match asked {
             Asked::Open => rfd::FileDialog::new()
                 .set_title(l.text("pantry.choose_file"))
-                .add_filter("TOML, SAUTE", &["toml", SUFFIX]),
-            Asked::Save => rfd::FileDialog::new()
-                .set_title(l.text("pantry.save_cook"))
-                .add_filter("SAUTE", &[SUFFIX])
-                .set_file_name(format!("{}.{SUFFIX}", l.text("pantry.cook_file"))),
+                .add_filter("TOML, SAUTE", &["toml", Export::Cook.ending()]),
+            Asked::Save(what) => rfd::FileDialog::new()
+                .set_title(l.text(what.words()))
+                .add_filter(what.ending().to_uppercase(), &[what.ending()])
+                .set_file_name(what.file_name(l)),
         };
         match self.settings.recent.first().and_then(|file| file.parent()) {
             Some(folder) => dialog.set_directory(folder),
@@ -83,10 +83,10 @@ impl SauteApp {
         match answer.try_recv() {
             Ok(chosen) => {
                 self.dialog = Dialog::default();
-                match chosen {
-                    Some(path) if asked == Asked::Open => self.open_file(&path),
-                    Some(path) => self.save_cook(&path),
-                    None => {}
+                match (chosen, asked) {
+                    (Some(path), Asked::Open) => self.open_file(&path),
+                    (Some(path), Asked::Save(what)) => self.save_export(what, &path),
+                    (None, _) => {}
                 }
             }
             Err(std::sync::mpsc::TryRecvError::Empty) => {}
@@ -94,11 +94,11 @@ impl SauteApp {
         }
     }
 
-    /// Keeps the cook that is shown, with what lies ahead of the shown instant, in a file, and says so; or says why it cannot.
-    pub fn save_cook(&mut self, path: &Path) {
-        let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension(SUFFIX) };
+    /// Writes a file that is made of the cook, and says so; or says why it cannot.
+    pub fn save_export(&mut self, what: Export, path: &Path) {
+        let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension(what.ending()) };
         let l = self.settings.language;
-        match crate::session_file::write_whole(&path, &mut self.session.whole_recording()) {
+        match write_whole(&path, &self.session.exported(what)) {
             Ok(()) => self.notice.say_of(l.fill("notice.cook_saved", &[("path", &path.display())]), path),
             Err(error) => {
                 let parts: [(&str, &dyn std::fmt::Display); 2] = [("path", &path.display()), ("error", &error)];

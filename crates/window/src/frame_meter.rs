@@ -38,6 +38,11 @@ impl FrameMeter {
         apart.get(apart.len() / 2).filter(|apart| **apart > 0.0).map_or(0.0, |apart| 1.0 / apart)
     }
 
+    /// Wall time of the longest frame of the last seconds [s]; 0 before the second frame.
+    pub fn longest_frame_s(&self) -> f64 {
+        self.frames.iter().zip(self.frames.iter().skip(1)).map(|(a, b)| b.0 - a.0).fold(0.0, f64::max)
+    }
+
     /// Simulated seconds per wall second, over the last seconds.
     pub fn time_ratio(&self) -> f64 {
         let (Some(first), Some(last)) = (self.frames.front(), self.frames.back()) else { return 0.0 };
@@ -55,6 +60,9 @@ mod tests {
         (0..100).for_each(|n| meter.frame(f64::from(n) * 0.05, f64::from(n) * 0.25));
         assert!((meter.frames_per_s() - 20.0).abs() < 1e-9 && (meter.time_ratio() - 5.0).abs() < 1e-9);
         assert_eq!(meter.count(), 100);
+        assert!((meter.longest_frame_s() - 0.05).abs() < 1e-9);
+        meter.frame(5.4, 30.0);
+        assert!((meter.longest_frame_s() - 0.45).abs() < 1e-9);
     }
 
     #[test]

@@ -16,12 +16,13 @@
 pub mod act;
 pub mod app;
 mod apply;
-#[cfg(not(target_arch = "wasm32"))]
-mod autosave;
+pub mod autosave;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod bench_frame;
 #[cfg(target_arch = "wasm32")]
 pub mod browser;
+pub mod controls;
+pub mod export;
 #[cfg(not(target_arch = "wasm32"))]
 mod files;
 pub mod frame_meter;
@@ -29,6 +30,7 @@ pub mod governor;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod hand;
 pub mod input;
+pub mod link;
 pub mod mirror;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod offscreen;

@@ -2,6 +2,7 @@
 
 mod choice;
 mod clock;
+pub mod errand;
 mod foresight;
 mod mark;
 mod resumed;
@@ -58,6 +59,8 @@ pub struct Session {
     /// What happened, from the beginning to the instant that is shown.
     recording: Recording,
     timeline: Timeline,
+    /// What is played elsewhere.
+    errands: errand::Errands,
     owed_s: f64,
     selected: Option<String>,
     start_mass_g: BTreeMap<String, f64>,
@@ -92,6 +95,7 @@ impl Session {
             plays: false,
             recording,
             timeline: Timeline::default(),
+            errands: Default::default(),
             owed_s: 0.0,
             selected: None,
             start_mass_g: BTreeMap::new(),
@@ -111,6 +115,7 @@ impl Session {
         self.selected = None;
         self.start_mass_g.clear();
         self.timeline.begin();
+        self.errands.forget();
         self.listen();
         self.recording.observe(&self.kitchen);
         self.weigh_new();
@@ -231,6 +236,11 @@ impl Session {
     /// Returns the last choice of food and pan.
     pub fn choice(&self) -> &SteakChoice {
         &self.choice
+    }
+
+    /// Lets a helper play recorded cooks, long ways through time and ways beside the one that is shown.
+    pub fn employ(&mut self, helper: Box<dyn errand::Helper>) {
+        self.errands.employ(helper);
     }
 
     /// What happened, from the beginning to the instant that is shown.

@@ -4,5 +4,6 @@ pub mod play;
 pub mod recorder;
 mod repeating;
 pub mod runner;
+pub mod runner_state;
 pub mod step_record;
 mod watch;

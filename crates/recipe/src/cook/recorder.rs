@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use serde::{Deserialize, Serialize};
+
 use crate::action::ActionKind;
 use crate::cook::step_record::{StepRecord, rounded};
 use crate::recipe::Group;
@@ -9,7 +11,7 @@ use saute_kitchen::celsius;
 use saute_kitchen::kitchen::Kitchen;
 
 /// One row of the time series.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Row {
     /// Time [s].
     pub time_s: f64,
@@ -48,7 +50,7 @@ impl Row {
 /// assert!(cook.recorder.pan_peak_c > 20.0, "{} °C", cook.recorder.pan_peak_c);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub struct Recorder {
     /// Rows, one for each second and for each step; of a long cook fewer, evenly spaced.
     pub rows: Vec<Row>,

@@ -1,12 +1,14 @@
 //! The state of a repeated action.
 
+use serde::{Deserialize, Serialize};
+
 use crate::action::{Repeat, RepeatEnd};
 use crate::cook::step_record::StepRecord;
 use crate::cook::watch::Watch;
 use saute_kitchen::kitchen::Kitchen;
 
 /// A repeated action that goes on.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub(crate) struct Repeating {
     /// Time of the last repetition, or of the step's start [s].
     pub(crate) last_s: f64,

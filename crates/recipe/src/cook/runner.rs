@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::action::food_action::Destination;
 use crate::action::{Action, FoodAction, RepeatEnd};
@@ -17,7 +17,7 @@ use saute_kitchen::hands::command::{Command, Refused};
 use saute_kitchen::kitchen::Kitchen;
 
 /// The reason for which a cook stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum StoppedBy {
     /// The recipe's `end`.
@@ -31,14 +31,14 @@ pub enum StoppedBy {
 /// Runs a recipe's steps in order.
 #[derive(Clone, Debug)]
 pub struct Runner {
-    recipe: Arc<Recipe>,
-    next: usize,
-    begun: bool,
-    ready_at: f64,
-    armed: Option<Watch>,
-    repeating: Option<Repeating>,
-    warnings: Vec<String>,
-    stopped: Option<StoppedBy>,
+    pub(super) recipe: Arc<Recipe>,
+    pub(super) next: usize,
+    pub(super) begun: bool,
+    pub(super) ready_at: f64,
+    pub(super) armed: Option<Watch>,
+    pub(super) repeating: Option<Repeating>,
+    pub(super) warnings: Vec<String>,
+    pub(super) stopped: Option<StoppedBy>,
 }
 
 /// Times closer than this count as equal [s] (chosen: far below a tick, far above rounding).

@@ -1,5 +1,7 @@
 //! Watches a condition from tick to tick.
 
+use serde::{Deserialize, Serialize};
+
 use crate::condition::{Condition, Side};
 use saute_kitchen::kitchen::Kitchen;
 
@@ -7,7 +9,7 @@ use saute_kitchen::kitchen::Kitchen;
 const SAME_VALUE: f64 = 1e-7;
 
 /// Memory of which foods have met a condition since it was first looked at.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub(crate) struct Watch {
     met: Vec<bool>,
 }

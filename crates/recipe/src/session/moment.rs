@@ -1,11 +1,12 @@
 //! An instant of a session.
 
 use saute_kitchen::FRAME_S;
+use serde::{Deserialize, Serialize};
 
 /// An instant of a session: a frame, and what was carried out in it so far.
 ///
 /// Moments of one recording are ordered by time.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize)]
 pub struct Moment {
     /// Frames since the start.
     pub frame: u64,

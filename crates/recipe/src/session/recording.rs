@@ -206,6 +206,11 @@ impl Recording {
         }
     }
 
+    /// Returns it without hashes of states, for where room is scarce; it is in no file yet.
+    pub fn without_hashes(&self) -> Self {
+        Self { hashes: BTreeMap::new(), saved: Saved::default(), ..self.clone() }
+    }
+
     /// Returns a branch that ends at a moment; it is in no file yet.
     pub fn fork(&self, moment: Moment) -> Self {
         let mut fork = Self { saved: Saved::default(), ..self.clone() };

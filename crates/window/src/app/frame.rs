@@ -39,9 +39,10 @@ impl SauteApp {
         #[cfg(target_arch = "wasm32")]
         self.take_inbox(&ctx);
         self.let_time_pass(&ctx);
-        #[cfg(not(target_arch = "wasm32"))]
-        self.keep_cook();
+        self.keep_cook(false);
         self.show(ui);
+        #[cfg(target_arch = "wasm32")]
+        self.show_mirrored();
         self.show_mirror(&ctx);
     }
 

@@ -67,6 +67,25 @@ impl SauteApp {
         &self.photo
     }
 
+    /// Goes on with a new picture after the graphics were lost: the cook, the eye and what is open stay.
+    #[cfg(target_arch = "wasm32")]
+    pub fn begin_picture_anew(&mut self, cc: &eframe::CreationContext<'_>) {
+        if !self.install_taken_font(&cc.egui_ctx) {
+            cc.egui_ctx.set_fonts(crate::ui::latin_font::definitions());
+        }
+        self.mirrored.listen(&cc.egui_ctx);
+        self.draw_on(&cc.egui_ctx, cc.wgpu_render_state.as_ref());
+        // Pictures of panels, and what was drawn before, belonged to the lost graphics.
+        self.memory = Default::default();
+        self.stage = Default::default();
+        self.last_time = None;
+    }
+
+    /// All that was said, the last first.
+    pub fn said(&self) -> Vec<String> {
+        self.notice.all().into_iter().map(|said| said.text).collect()
+    }
+
     /// How fast frames and simulated time have run lately.
     pub fn meter(&self) -> &FrameMeter {
         &self.meter

@@ -52,8 +52,24 @@ const RAISE_PER_SCROLL: f64 = 1e-4;
 const TOOL_GRAB: f32 = 44.0;
 
 impl SauteApp {
+    /// Two fingers turn the eye and bring it nearer, wherever they lie; returns false if there are none.
+    fn take_two_fingers(&mut self, ui: &Ui) -> bool {
+        let Some(fingers) = ui.input(|i| i.multi_touch()) else { return false };
+        // What the first finger took hold of before the second one came is let go.
+        if self.scene.hold != Hold::Nothing {
+            self.let_go();
+        }
+        let by = fingers.translation_delta;
+        self.orbit(-ORBIT_PER_POINT * by.x, ORBIT_PER_POINT * by.y);
+        self.zoom(1.0 / fingers.zoom_delta);
+        true
+    }
+
     /// Takes the mouse in the scene.
     pub(crate) fn take_mouse(&mut self, ui: &Ui, response: &egui::Response, rect: Rect) {
+        if self.take_two_fingers(ui) {
+            return;
+        }
         if response.hovered() {
             // With Shift, which moves the pan, the wheel scrolls sideways.
             let wheel = ui.input(|i| i.smooth_scroll_delta());

@@ -13,14 +13,13 @@ pub(crate) struct Pad {
     #[cfg(not(target_arch = "wasm32"))]
     device: GamepadDevice,
     /// True if a device is plugged in; its state is dropped when it is unplugged.
-    #[cfg(not(target_arch = "wasm32"))]
     plugged: bool,
     now: PadState,
     before: PadState,
 }
 
 impl Pad {
-    /// Reads the gamepad that is plugged in; in a browser none.
+    /// Reads the gamepad that is plugged in; in a browser the page's script does.
     pub(crate) fn connected() -> Self {
         Self {
             #[cfg(not(target_arch = "wasm32"))]
@@ -50,8 +49,17 @@ impl SauteApp {
     }
 
     #[cfg(not(target_arch = "wasm32"))]
+    fn read_pad(&mut self) -> Option<PadState> {
+        self.pad.device.read()
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    fn read_pad(&mut self) -> Option<PadState> {
+        self.host.as_ref().and_then(crate::browser::gamepad::read)
+    }
+
     fn listen(&mut self) {
-        let said = self.pad.device.read();
+        let said = self.read_pad();
         if said.is_some() || self.pad.plugged {
             self.pad.now = said.unwrap_or_default();
         }
@@ -60,7 +68,6 @@ impl SauteApp {
 
     /// Carries out what the gamepad's buttons ask for and returns what its sticks do.
     pub(crate) fn take_pad(&mut self, ctx: &Context) -> PadMotion {
-        #[cfg(not(target_arch = "wasm32"))]
         self.listen();
         let (before, now) = (self.pad.before, self.pad.now);
         self.pad.before = now;

@@ -5,6 +5,7 @@ use saute_kitchen::Library;
 use saute_kitchen::food::FoodDescription;
 
 use crate::act::{Act, Acts, Setting};
+use crate::export::Export;
 use crate::panels::still::Stills;
 use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::session::{SteakChoice, noun};
@@ -146,9 +147,13 @@ fn recipes(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     if ui.add(theme::of(ui).button(l.text("pantry.choose_file"), false)).clicked() {
         acts.push(Act::ChooseFile);
     }
-    #[cfg(not(target_arch = "wasm32"))]
-    if ui.add(theme::of(ui).button(l.text("pantry.save_cook"), false)).clicked() {
-        acts.push(Act::SaveCook);
+    for what in Export::ALL {
+        if ui.add(theme::of(ui).button(l.text(what.words()), false)).clicked() {
+            acts.push(Act::Export(what));
+        }
+    }
+    if crate::link::page_address().is_some() && ui.add(theme::of(ui).button(l.text("link.copy"), false)).clicked() {
+        acts.push(Act::CopyLink);
     }
     #[cfg(not(target_arch = "wasm32"))]
     for file in &state.settings.recent {

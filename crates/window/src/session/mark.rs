@@ -10,7 +10,7 @@ use super::Session;
 const STRETCH: u64 = 60;
 
 /// An event, for the plot.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
 pub struct Mark {
     /// When [s].
     pub time_s: f64,

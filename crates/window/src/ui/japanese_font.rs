@@ -5,7 +5,9 @@ use std::sync::Arc;
 #[cfg(not(target_arch = "wasm32"))]
 use std::sync::OnceLock;
 
-use egui::{FontData, FontDefinitions, FontFamily};
+use egui::{FontData, FontFamily};
+
+use crate::ui::latin_font;
 
 /// Where systems keep their fonts for Japanese, the plainest sans-serif first; in a collection the number is the face.
 #[cfg(not(target_arch = "wasm32"))]
@@ -45,14 +47,17 @@ const NAME: &str = "japanese";
 
 /// Adds the Japanese font behind egui's own, which keep Latin letters and digits; returns true if there is one.
 pub fn install(ctx: &egui::Context) -> bool {
-    let Some(font) = found() else { return false };
+    let Some(font) = found() else {
+        ctx.set_fonts(latin_font::definitions());
+        return false;
+    };
     install_font(ctx, font);
     true
 }
 
 /// Adds a Japanese font likewise.
 pub(crate) fn install_font(ctx: &egui::Context, font: Arc<FontData>) {
-    let mut fonts = FontDefinitions::default();
+    let mut fonts = latin_font::definitions();
     fonts.font_data.insert(NAME.to_owned(), font);
     for family in [FontFamily::Proportional, FontFamily::Monospace] {
         fonts.families.entry(family).or_default().push(NAME.to_owned());

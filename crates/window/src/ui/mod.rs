@@ -3,6 +3,7 @@
 pub mod glance;
 pub mod interface_size;
 pub(crate) mod japanese_font;
+pub(crate) mod latin_font;
 pub mod layout;
 pub mod motion;
 pub mod notice;
@@ -10,6 +11,7 @@ pub mod palette;
 pub mod quality_choice;
 pub(crate) mod save_picture;
 pub mod scene_view;
+pub(crate) mod spoken_range;
 pub mod theme;
 pub mod ways_layout;
 pub(crate) mod ways_view;

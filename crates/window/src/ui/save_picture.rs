@@ -37,7 +37,7 @@ impl SauteApp {
     /// What downloads a picture; returns what it is called.
     #[cfg(target_arch = "wasm32")]
     fn keeper(&self) -> impl Fn(&[u8]) -> Result<PathBuf, String> + Send + 'static {
-        |bytes| crate::browser::download(FILE, bytes).map(|()| PathBuf::from(FILE))
+        |bytes| crate::browser::download(FILE, "image/png", bytes).map(|()| PathBuf::from(FILE))
     }
 }
 

@@ -5,4 +5,5 @@ pub mod language;
 pub(crate) mod next_step;
 pub(crate) mod piece_words;
 pub mod refusal;
+pub mod told;
 pub mod view_words;

@@ -41,10 +41,7 @@ fn groups(search: &str, l: Language) -> Vec<Group> {
         .collect();
     groups.push(Group { title: l.text("help.time"), lines: CHORDS.to_vec() });
     groups.push(Group { title: l.text("help.pan"), lines: HELD.to_vec() });
-    // Browsers' gamepads are not read.
-    if cfg!(not(target_arch = "wasm32")) {
-        groups.push(Group { title: l.text("help.pad"), lines: PAD.to_vec() });
-    }
+    groups.push(Group { title: l.text("help.pad"), lines: PAD.to_vec() });
     let wanted = search.trim().to_lowercase();
     let found = |(written, words): &(&str, &'static str)| {
         written.to_lowercase() == wanted || l.text(words).to_lowercase().contains(&wanted)

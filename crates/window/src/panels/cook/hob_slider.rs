@@ -4,6 +4,7 @@ use egui::{Align2, FontId, Rect, Response, Sense, Ui, pos2, vec2};
 
 use crate::act::{Act, Acts};
 use crate::panels::window_state::WindowState;
+use crate::ui::spoken_range::spoken_range;
 use crate::ui::theme;
 
 /// Width of the slider, and the least at which no two words meet [points].
@@ -75,9 +76,10 @@ fn dragged(state: &WindowState, ui: &mut Ui, power: &Power, now: f64) -> Option<
     let response = ui.interact(power.track.expand2(vec2(8.0, 0.0)), id, Sense::click_and_drag());
     response.widget_info(|| egui::WidgetInfo::slider(true, now, l.text("hob.power_spoken")));
     paint(ui, &response, power, now);
+    let spoken = spoken_range(ui, &response, 0.0..=power.most, now);
     let by_key = if response.has_focus() { arrows(ui) } else { 0.0 };
     let at = response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked());
-    let wanted = at.map(|at| power.at(at.x)).or((by_key != 0.0).then(|| power.beside(now, by_key)));
+    let wanted = at.map(|at| power.at(at.x)).or(spoken).or((by_key != 0.0).then(|| power.beside(now, by_key)));
     response.on_hover_text(l.text("hob.power"));
     wanted.filter(|watts| (watts - now).abs() > 0.5)
 }

@@ -7,6 +7,7 @@ use crate::panels::inside::clock;
 use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
 use crate::session::Mark;
+use crate::ui::spoken_range::spoken_range;
 use crate::ui::theme;
 use crate::words::act_words::act_words;
 
@@ -30,6 +31,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, size: egui::Vec2)
     let strip = Strip::new(state, rect);
     let l = state.settings.language;
     response.widget_info(|| egui::WidgetInfo::slider(true, strip.shown_s, l.text("strip.name")));
+    acts.extend(spoken_range(ui, &response, 0.0..=strip.end_s, strip.shown_s).map(Act::Scrub));
     strip.turn_by_pointer(&response, acts);
     strip.turn_by_keys(ui, &response, acts);
     strip.paint(ui, &response);

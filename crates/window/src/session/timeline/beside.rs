@@ -14,6 +14,7 @@ use super::Course;
 use super::branches::{Branch, BranchName, Way, name_of, shared_entries};
 use super::travel::Travel;
 use crate::session::Session;
+use crate::session::errand::Purpose;
 
 /// A way as it is seen beside the others.
 pub struct WayBeside<'a> {
@@ -172,7 +173,7 @@ impl Session {
     fn bring_beside(&mut self, place: usize, to: Moment, budget: Duration, may_turn_back: &mut bool) -> bool {
         let apart = self.timeline.apart();
         let Course { branches, models, .. } = &mut self.timeline.course;
-        let Branch { line, seen, .. } = &mut branches[place];
+        let Branch { way, line, seen } = &mut branches[place];
         if seen.as_ref().is_some_and(|travel| travel.replay.moment() == to) {
             return true;
         }
@@ -181,6 +182,11 @@ impl Session {
             return false;
         }
         let mut travel = Travel::toward(to, seen, line, &self.library, (models, apart));
+        let purpose = Purpose::Beside(way.id);
+        if self.errands.play_elsewhere(purpose, &mut travel, line, &self.library, models) {
+            *seen = Some(travel);
+            return false;
+        }
         let has_arrived = travel.go_on(line, &self.library, budget);
         *seen = Some(travel);
         has_arrived

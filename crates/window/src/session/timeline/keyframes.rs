@@ -5,13 +5,14 @@ use std::sync::Arc;
 
 use saute_kitchen::bytes::Models;
 use saute_kitchen::{Kitchen, Library};
-use saute_recipe::{Moment, Replay, Runner};
+use saute_recipe::{Moment, Recipe, Replay, Runner};
 
 use super::Timeline;
 use super::packed::{Packed, Stored};
+use crate::session::errand::Stop;
 
-/// Size of all keyframes at most [bytes].
-pub const MOST_BYTES: usize = 256 << 20;
+/// Size of all keyframes at most [bytes] (chosen: in a page, whose memory never shrinks, those of a cook leave room for the rest of 20 MB).
+pub const MOST_BYTES: usize = if cfg!(target_arch = "wasm32") { 12 << 20 } else { 256 << 20 };
 
 /// Size of all keyframes from which on they are packed [bytes] (chosen: a usual cook of one steak needs no packing).
 const PACKED_FROM: usize = MOST_BYTES / 2;
@@ -55,6 +56,14 @@ impl Keyframes {
         let stored = Stored::Plain(kitchen.to_bytes());
         let keyframe = Keyframe { moment, stored, runner: runner.clone(), plays };
         self.0.insert(moment, Arc::new(keyframe));
+    }
+
+    /// Keeps an instant that was played elsewhere.
+    pub(super) fn keep_stop(&mut self, stop: &Stop, recipe: &Arc<Recipe>) {
+        let (moment, kitchen, runner, plays) = stop.instant(recipe);
+        self.0
+            .entry(moment)
+            .or_insert_with(|| Arc::new(Keyframe { moment, stored: Stored::Plain(kitchen.to_vec()), runner, plays }));
     }
 
     /// The last one that is not after a moment.

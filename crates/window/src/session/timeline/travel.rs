@@ -1,11 +1,14 @@
 //! Travel along what was done: to any instant, in slices of a frame's time.
 
+use std::sync::Arc;
+
 use saute_recipe::{Moment, Recording, Replay, Runner};
 use web_time::{Duration, Instant};
 
 use super::line::Line;
 use super::{Ahead, COMPUTED_PER_KEYFRAME};
 use crate::session::Session;
+use crate::session::errand::{Errands, Instant as ErrandInstant, Purpose, WORTH_FRAMES};
 use saute_kitchen::bytes::Models;
 use saute_kitchen::{FRAMES_PER_TICK, Library};
 use saute_recipe::session::{Deed, Entry};
@@ -74,7 +77,7 @@ impl Session {
     }
 
     /// The recording with what was done after the shown instant.
-    pub(super) fn longest(&self) -> &Recording {
+    pub(in crate::session) fn longest(&self) -> &Recording {
         self.timeline.course.ahead.as_ref().map_or(&self.recording, |ahead| &ahead.line.recording)
     }
 
@@ -120,6 +123,7 @@ impl Session {
             }
         };
         self.show_traces(traces);
+        self.errands.forget();
         let apart = self.timeline.apart();
         self.timeline.travel = Some(Travel { replay, to, computed: Duration::ZERO, apart });
     }
@@ -143,18 +147,32 @@ impl Session {
     }
 
     /// The runner of the shown instant, also of a recipe that was left, and whether it plays.
-    pub(super) fn runner_here(&self) -> (Runner, bool) {
+    pub(in crate::session) fn runner_here(&self) -> (Runner, bool) {
         let runner = self.runner.as_ref().or(self.left.as_ref()).cloned();
         (runner.unwrap_or_else(|| Runner::new(self.recipe.clone())), self.runner.is_some())
     }
 
     /// Travels on for no longer than `budget`; at least by a frame.
     pub fn travel_on(&mut self, budget: Duration) {
+        // Who cannot wait plays it here.
+        let waits = budget < Duration::MAX;
+        if !waits {
+            self.errands.forget();
+        }
         if self.timeline.catches_up {
-            return self.catch_up(budget);
+            if !(waits && self.catch_up_elsewhere()) {
+                self.catch_up(budget);
+            }
+            return;
         }
         let Some(mut travel) = self.timeline.travel.take() else { return };
         let Some(ahead) = &mut self.timeline.course.ahead else { return };
+        let models = &mut self.timeline.course.models;
+        let purpose = Purpose::Shown(travel.to);
+        if waits && self.errands.play_elsewhere(purpose, &mut travel, &mut ahead.line, &self.library, models) {
+            self.timeline.travel = Some(travel);
+            return super::keyframes::thin(&mut self.timeline);
+        }
         if travel.go_on(&mut ahead.line, &self.library, budget) {
             return self.arrive(travel);
         }
@@ -189,7 +207,7 @@ impl Session {
     }
 
     /// The kitchen of a replay is the one that is shown.
-    pub(super) fn take_kitchen(&mut self, replay: Replay) {
+    pub(in crate::session) fn take_kitchen(&mut self, replay: Replay) {
         let plays = replay.plays() && replay.runner.stopped().is_none();
         self.kitchen = replay.kitchen;
         let left = self.plays && self.recording.is_taken_over() && replay.runner.stopped().is_none();
@@ -254,6 +272,34 @@ impl Session {
             self.timeline.course.keyframes.join(ahead.line.keyframes);
             self.probes = ahead.line.traces.probes;
         }
+    }
+}
+
+impl Errands {
+    /// Lets the helper play a long way, and keeps the keyframes that come back; returns false where the way is short, or at its end.
+    pub(super) fn play_elsewhere(
+        &mut self,
+        purpose: Purpose,
+        travel: &mut Travel,
+        line: &mut Line,
+        library: &Library,
+        models: &mut Models,
+    ) -> bool {
+        let rest = travel.to.frame.saturating_sub(travel.replay.moment().frame);
+        if !self.has_helper() || rest < WORTH_FRAMES && !self.is_open(purpose) {
+            return false;
+        }
+        self.ask(purpose, travel.to, || (line.recording.to_file(), Some(ErrandInstant::of(&travel.replay))));
+        let recipe = Arc::clone(travel.replay.runner.recipe());
+        for stop in self.stops(purpose) {
+            line.keyframes.keep_stop(&stop, &recipe);
+            if stop.is_last()
+                && let Some(replay) = stop.into_replay(&recipe, library, models)
+            {
+                travel.replay = replay;
+            }
+        }
+        self.is_open(purpose)
     }
 }
 

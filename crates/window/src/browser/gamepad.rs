@@ -1,0 +1,22 @@
+//! The gamepad that the page's script reads.
+
+use super::host::Host;
+use crate::input::gamepad::{PadButton, PadState};
+
+/// Numbers before the buttons: both sticks to the right and up, both triggers.
+const AXES: usize = 6;
+
+/// What the first gamepad says; none where none is plugged in.
+pub(crate) fn read(host: &Host) -> Option<PadState> {
+    let said = host.read_pad()?;
+    let (axes, buttons) = said.split_at_checked(AXES)?;
+    let mut down = [false; PadButton::ALL.len()];
+    down.iter_mut().zip(buttons).for_each(|(down, value)| *down = *value > 0.0);
+    Some(PadState {
+        left: [axes[0], axes[1]],
+        right: [axes[2], axes[3]],
+        left_trigger: axes[4],
+        right_trigger: axes[5],
+        down,
+    })
+}

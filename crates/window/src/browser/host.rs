@@ -1,0 +1,103 @@
+//! The page's script, as the window calls it.
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::app::{SauteApp, Start};
+use crate::autosave::CookStore;
+
+#[wasm_bindgen]
+extern "C" {
+    /// What the page's script does for the window; `web/host.js` is one.
+    #[derive(Clone, Debug)]
+    pub type Host;
+
+    /// Keeps a part of the cook; returns why an earlier part could not be kept.
+    #[wasm_bindgen(method, js_name = keepCook)]
+    fn keep_cook(this: &Host, begins: bool, bytes: &[u8]) -> Option<String>;
+
+    /// Numbers of the first gamepad; none where none is plugged in.
+    #[wasm_bindgen(method, js_name = readPad)]
+    pub(super) fn read_pad(this: &Host) -> Option<Vec<f64>>;
+
+    /// Gives the page's worker an errand.
+    #[wasm_bindgen(method, js_name = askWorker)]
+    pub(super) fn ask_worker(this: &Host, errand: &[u8]);
+
+    /// Takes what the worker answered; none if it is of no use.
+    #[wasm_bindgen(method, js_name = workerAnswers)]
+    pub(super) fn worker_answers(this: &Host) -> Option<js_sys::Array>;
+
+    /// Shows the controls of the panels as HTML, from JSON.
+    #[wasm_bindgen(method, js_name = showControls)]
+    pub(super) fn show_controls(this: &Host, controls: &str);
+
+    /// Tells how the cook stands, and what was said last.
+    #[wasm_bindgen(method)]
+    pub(super) fn tell(this: &Host, cook: &str, said: &str);
+
+    /// Copies a text to the clipboard.
+    #[wasm_bindgen(method, js_name = copyText)]
+    fn copy_text(this: &Host, text: &str);
+}
+
+/// What a page has for the window when it starts.
+#[derive(Clone, Debug, Default)]
+pub struct PageStart {
+    /// Its script; without one nothing is kept.
+    pub host: Option<Host>,
+    /// What is kept of the last cook.
+    pub kept: Option<Vec<u8>>,
+    /// The fragment of the page's address.
+    pub link: String,
+    /// True if the page is a part of another one: it begins with the cook itself.
+    pub is_embedded: bool,
+}
+
+/// What a start says about the world around the window.
+pub(crate) struct Surroundings(PageStart);
+
+impl Surroundings {
+    pub fn of(start: &Start, _remembers: bool) -> Self {
+        Self(start.page.clone())
+    }
+}
+
+impl SauteApp {
+    /// Opens the cook of the address, and keeps the cook in the browser's storage.
+    pub(crate) fn settle_in(&mut self, around: Surroundings, ctx: &egui::Context) {
+        self.mirrored.listen(ctx);
+        let PageStart { host, kept, link, is_embedded } = around.0;
+        self.host = host;
+        if let Some(host) = self.host.clone() {
+            self.session.employ(Box::new(host));
+        }
+        self.first_steps &= !is_embedded;
+        self.open_link(&link);
+        if let Some(host) = self.host.clone() {
+            self.keep_cook_by(Box::new(host), kept.as_deref());
+        }
+    }
+}
+
+impl CookStore for Host {
+    fn begin(&mut self, bytes: &[u8]) -> Result<(), String> {
+        self.keep_cook(true, bytes).map_or(Ok(()), Err)
+    }
+
+    fn append(&mut self, bytes: &[u8]) -> Result<(), String> {
+        self.keep_cook(false, bytes).map_or(Ok(()), Err)
+    }
+}
+
+/// The address of the page without its query and fragment.
+pub(crate) fn page_address() -> Option<String> {
+    let address = web_sys::window()?.location().href().ok()?;
+    address.split(['?', '#']).next().map(str::to_owned)
+}
+
+/// Copies a text to the clipboard.
+pub(crate) fn copy_text(app: &SauteApp, text: String) {
+    if let Some(host) = &app.host {
+        Host::copy_text(host, &text);
+    }
+}

@@ -1,0 +1,147 @@
+//! The panels as a list of controls, for a page that shows them a second time as HTML: egui's tree for screen readers, in reading
+//! order.
+
+use std::collections::BTreeMap;
+
+use egui::accesskit::{Node, NodeId, Role, Toggled, TreeUpdate};
+use serde::Serialize;
+
+/// What a control is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Kind {
+    /// Pressed.
+    Button,
+    /// On or off.
+    Check,
+    /// One of several.
+    Radio,
+    /// Opens a list.
+    Menu,
+    /// Holds a number in a range.
+    Slider,
+    /// Holds a text.
+    Text,
+    /// Is only read.
+    Label,
+}
+
+/// One of them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Control {
+    /// Its number, as text: scripts do not hold it as a number.
+    pub id: String,
+    /// What it is.
+    pub kind: Kind,
+    /// What it is called.
+    pub name: String,
+    /// Whether it is on, for those that are on or off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub on: Option<bool>,
+    /// Lowest and highest value, and the present one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub range: Option<[f64; 3]>,
+    /// The text that it holds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub text: Option<String>,
+    /// True if it cannot be used now.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub off: bool,
+}
+
+/// All controls and texts of a tree that have a name, in reading order.
+pub fn controls(update: &TreeUpdate) -> Vec<Control> {
+    let nodes: BTreeMap<NodeId, &Node> = update.nodes.iter().map(|(id, node)| (*id, node)).collect();
+    let mut found = Vec::new();
+    let mut waiting: Vec<NodeId> = update.tree.iter().map(|tree| tree.root).collect();
+    while let Some(id) = waiting.pop() {
+        let Some(node) = nodes.get(&id) else { continue };
+        waiting.extend(node.children().iter().rev());
+        found.extend(control(id, node));
+    }
+    found
+}
+
+fn control(id: NodeId, node: &Node) -> Option<Control> {
+    let kind = kind(node)?;
+    let range = (kind == Kind::Slider).then(|| range(node)).flatten();
+    // What has no range is only read.
+    let kind = if kind == Kind::Slider && range.is_none() { Kind::Label } else { kind };
+    let named = node.label().or_else(|| node.value().filter(|_| kind == Kind::Label));
+    let name = named.map(str::trim).filter(|name| !name.is_empty())?.to_owned();
+    let on = node.toggled().map(|toggled| toggled == Toggled::True);
+    let on = on.or_else(|| node.is_selected()).or((kind == Kind::Radio).then_some(false));
+    let text = (kind == Kind::Text).then(|| node.value().unwrap_or_default().to_owned());
+    Some(Control { id: id.0.to_string(), kind, name, on, range, text, off: node.is_disabled() })
+}
+
+fn kind(node: &Node) -> Option<Kind> {
+    Some(match node.role() {
+        Role::Button | Role::DefaultButton | Role::Link => Kind::Button,
+        Role::CheckBox | Role::Switch => Kind::Check,
+        Role::RadioButton => Kind::Radio,
+        Role::ComboBox => Kind::Menu,
+        Role::Slider | Role::SpinButton => Kind::Slider,
+        Role::TextInput | Role::SearchInput | Role::MultilineTextInput => Kind::Text,
+        Role::Label | Role::Heading | Role::ProgressIndicator => Kind::Label,
+        _ => return None,
+    })
+}
+
+fn range(node: &Node) -> Option<[f64; 3]> {
+    Some([node.min_numeric_value()?, node.max_numeric_value()?, node.numeric_value()?])
+}
+
+#[cfg(test)]
+mod tests {
+    use egui::accesskit::{TreeId, TreeInfo};
+
+    use super::*;
+
+    fn node(role: Role, label: &str) -> Node {
+        let mut node = Node::new(role);
+        node.set_label(label);
+        node
+    }
+
+    #[test]
+    fn controls_come_in_reading_order_with_what_they_hold() {
+        let mut root = Node::new(Role::Window);
+        root.set_children(vec![NodeId(2), NodeId(3)]);
+        let mut panel = Node::new(Role::GenericContainer);
+        panel.set_children(vec![NodeId(4), NodeId(5), NodeId(6)]);
+        let mut slider = node(Role::Slider, "Power");
+        slider.set_min_numeric_value(0.0);
+        slider.set_max_numeric_value(2000.0);
+        slider.set_numeric_value(800.0);
+        let mut label = Node::new(Role::Label);
+        label.set_value("Pan 20 °C");
+        let mut lid = node(Role::Button, "Lid");
+        lid.set_toggled(Toggled::True);
+        let mut flip = node(Role::Button, "Flip");
+        flip.set_disabled();
+        let numbered = |id, node| (NodeId(id), node);
+        let update = TreeUpdate {
+            nodes: vec![
+                numbered(1, root),
+                numbered(3, flip),
+                numbered(2, panel),
+                numbered(6, lid),
+                numbered(5, label),
+                numbered(4, slider),
+            ],
+            tree: Some(TreeInfo::new(NodeId(1))),
+            tree_id: TreeId::ROOT,
+            focus: NodeId(1),
+        };
+        let found = controls(&update);
+        let names: Vec<&str> = found.iter().map(|control| control.name.as_str()).collect();
+        assert_eq!(names, ["Power", "Pan 20 °C", "Lid", "Flip"]);
+        assert_eq!(found[0].range, Some([0.0, 2000.0, 800.0]));
+        assert_eq!((found[1].kind, found[2].on, found[3].off), (Kind::Label, Some(true), true));
+        assert_eq!(
+            serde_json::to_string(&found[2]).expect("is written"),
+            r#"{"id":"6","kind":"button","name":"Lid","on":true}"#
+        );
+    }
+}

@@ -1,0 +1,172 @@
+//! A cook as the fragment of an address: what it began with and every command, packed, with a version and a checksum.
+
+use std::io::{Read, Write};
+
+use data_encoding::BASE64URL_NOPAD;
+use flate2::Compression;
+use flate2::read::DeflateDecoder;
+use flate2::write::DeflateEncoder;
+use saute_recipe::Recording;
+use saute_recipe::session::Opened;
+
+use crate::app::SauteApp;
+#[cfg(target_arch = "wasm32")]
+use crate::browser::host as outside;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::window as outside;
+
+/// What a fragment begins with that holds a cook; a version and a dot follow.
+const NAME: &str = "cook=";
+/// The version of such fragments that this program writes, and the latest that it reads.
+const VERSION: u32 = 1;
+/// The longest fragment that is offered to be sent [characters] (chosen: programs that carry messages cut longer addresses, and
+/// browsers of all kinds open these).
+pub const LONGEST: usize = 8000;
+/// The longest session that a fragment is unpacked to [bytes] (chosen: far above what packs into the longest; a longer one is no cook).
+const MOST_BYTES: u64 = 16 << 20;
+
+/// Why a fragment holds no cook.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LinkError {
+    /// It was cut off or changed on its way.
+    Damaged,
+    /// A newer program wrote it.
+    Newer,
+}
+
+impl LinkError {
+    /// Key of the words for it.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Damaged => "link.damaged",
+            Self::Newer => "link.newer",
+        }
+    }
+}
+
+/// The fragment of a cook, without `#`.
+pub fn fragment(recording: &Recording) -> String {
+    let packed = packed(&recording.without_hashes().to_file());
+    let sealed: Vec<u8> = crc32fast::hash(&packed).to_le_bytes().into_iter().chain(packed).collect();
+    format!("{NAME}{VERSION}.{}", BASE64URL_NOPAD.encode(&sealed))
+}
+
+/// The cook that a fragment holds, with or without `#`; none if it is about something else.
+///
+/// # Errors
+///
+/// If it is damaged, or newer than this program.
+pub fn read(fragment: &str) -> Result<Option<Recording>, LinkError> {
+    let Some(link) = fragment.trim_start_matches('#').strip_prefix(NAME) else { return Ok(None) };
+    let (version, text) = link.split_once('.').ok_or(LinkError::Damaged)?;
+    let version: u32 = version.parse().map_err(|_| LinkError::Damaged)?;
+    if version > VERSION {
+        return Err(LinkError::Newer);
+    }
+    let sealed = BASE64URL_NOPAD.decode(text.as_bytes()).map_err(|_| LinkError::Damaged)?;
+    let (checksum, packed) = sealed.split_first_chunk::<4>().ok_or(LinkError::Damaged)?;
+    if crc32fast::hash(packed).to_le_bytes() != *checksum {
+        return Err(LinkError::Damaged);
+    }
+    let opened = unpacked(packed).and_then(|file| Recording::from_file(&file).ok());
+    let whole = opened.filter(|opened: &Opened| opened.damage.is_none()).map(|opened| opened.recording);
+    whole.map(Some).ok_or(LinkError::Damaged)
+}
+
+/// The address of the page, to which a fragment is added; a window of its own has none.
+pub(crate) fn page_address() -> Option<String> {
+    outside::page_address()
+}
+
+impl SauteApp {
+    /// Copies an address that holds the cook, and says how long it is; one that is too long to be sent is not copied.
+    pub(crate) fn copy_link(&mut self) {
+        let Some(address) = page_address() else { return };
+        let link = format!("{address}#{}", fragment(&self.session.whole_recording()));
+        let (l, length) = (self.settings.language, link.len());
+        if length > LONGEST {
+            return self.notice.say(l.fill("link.too_long", &[("length", &length), ("most", &LONGEST)]));
+        }
+        outside::copy_text(self, link);
+        self.notice.say(l.fill("link.copied", &[("length", &length)]));
+    }
+
+    /// Opens the cook that a fragment holds; nothing if it is about something else.
+    pub fn open_link(&mut self, fragment: &str) {
+        match read(fragment) {
+            Ok(None) => {}
+            Ok(Some(recording)) => match self.session.resume(recording) {
+                Ok(()) => self.say("link.opened"),
+                Err(error) => self.say_trouble(&error),
+            },
+            Err(error) => self.say(error.words()),
+        }
+    }
+}
+
+fn packed(bytes: &[u8]) -> Vec<u8> {
+    let mut encoder = DeflateEncoder::new(Vec::new(), Compression::best());
+    encoder.write_all(bytes).and_then(|()| encoder.finish()).expect("memory takes all")
+}
+
+fn unpacked(packed: &[u8]) -> Option<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let read = DeflateDecoder::new(packed).take(MOST_BYTES + 1).read_to_end(&mut bytes).ok()?;
+    (read as u64 <= MOST_BYTES).then_some(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use saute_kitchen::{Command, Library};
+    use saute_recipe::{Recipe, Replay};
+
+    use super::*;
+
+    fn cook(commands: u32) -> Recording {
+        let library = Library::embedded().expect("embedded data");
+        let recipe = Recipe::parse(&library.recipes["medium"], "medium", &library).expect("parses");
+        let mut recording = Recording::begin(&recipe, true, &library);
+        let mut live = Replay::begin(&recording, &library).expect("begins");
+        recording.observe(&live.kitchen);
+        for command in 0..commands {
+            let hob = Command::Hob(f64::from(command * 7919 % 2000));
+            live.kitchen.apply(&hob).expect("is taken");
+            recording.push(&live.kitchen, hob);
+            live.kitchen.advance_frame();
+            recording.observe(&live.kitchen);
+        }
+        recording
+    }
+
+    #[test]
+    fn a_cook_comes_back_from_its_link() {
+        let recording = cook(20);
+        let link = fragment(&recording);
+        println!("20 commands: {} characters", link.len());
+        assert!(link.len() < 1000 && link.chars().all(|c| c.is_ascii_alphanumeric() || "=.-_".contains(c)), "{link}");
+        for link in [link.clone(), format!("#{link}")] {
+            let read = read(&link).expect("holds").expect("is a cook");
+            assert_eq!((read.entries(), read.moment()), (recording.entries(), recording.moment()));
+            assert_eq!(read.beginning(), recording.beginning());
+        }
+        assert!(fragment(&cook(3000)).len() > LONGEST, "a long cook is too long");
+    }
+
+    #[test]
+    fn a_link_that_is_cut_changed_or_newer_is_refused() {
+        let link = fragment(&cook(3));
+        for cut in NAME.len()..link.len() {
+            assert_eq!(read(&link[..cut]), Err(LinkError::Damaged), "{cut}");
+        }
+        let body = link.find('.').expect("a dot") + 1;
+        for at in body..link.len() {
+            let other = if link.as_bytes()[at] == b'A' { "B" } else { "A" };
+            let changed = format!("{}{other}{}", &link[..at], &link[at + 1..]);
+            assert_eq!(read(&changed), Err(LinkError::Damaged), "{at}");
+        }
+        assert_eq!(read(&link.replace("cook=1.", "cook=2.")), Err(LinkError::Newer));
+        assert_eq!(read(&link.replace("cook=1.", "cook=x.")), Err(LinkError::Damaged));
+        assert_eq!(read("").map(|read| read.is_none()), Ok(true));
+        assert_eq!(read("#top").map(|read| read.is_none()), Ok(true));
+    }
+}

@@ -1,0 +1,177 @@
+//! Work for another thread of the program: a cook that is played again, as bytes that go there and bytes that come back.
+//!
+//! The window gives an [`Errand`] to its [`Helper`] and goes on drawing. A [`Bench`](self::bench::Bench) on the other side plays the
+//! recording in slices, and answers with [`Stop`]s on the way: keyframes that the window keeps, the last one where it was bound for.
+//! Nothing is shared: a page's helper is a second instance of the program. Without a helper the window plays the cook itself.
+
+pub mod bench;
+mod caught_up;
+
+use std::sync::Arc;
+
+use saute_kitchen::bytes::Models;
+use saute_kitchen::{Kitchen, Library};
+use saute_recipe::{Moment, Recipe, Recorder, Replay, Runner, RunnerState};
+use serde::{Deserialize, Serialize};
+
+use super::mark::Mark;
+
+/// Frames that are played faster than they are handed over (chosen: two seconds; a kitchen as bytes takes some thousandths of a second).
+pub(super) const WORTH_FRAMES: u64 = 120;
+
+/// Whoever plays cooks elsewhere. It may be slow; it is asked anew when something else is wanted.
+pub trait Helper {
+    /// Begins an errand, in place of the one before.
+    fn ask(&mut self, errand: Vec<u8>);
+
+    /// Answers that have come since the last call; none once the helper is of no use any more.
+    fn answers(&mut self) -> Option<Vec<Vec<u8>>>;
+}
+
+/// A cook to be played.
+#[derive(Debug, Deserialize, Serialize)]
+pub struct Errand {
+    /// Its number, by which answers are known.
+    number: u64,
+    /// The file of the recording.
+    recording: Vec<u8>,
+    /// From where on; from the beginning, with curves and marks, unless given.
+    from: Option<Instant>,
+    /// Up to where.
+    to: Moment,
+}
+
+/// An instant of a cook as bytes.
+#[derive(Debug, Deserialize, Serialize)]
+pub struct Instant {
+    moment: Moment,
+    kitchen: Vec<u8>,
+    runner: RunnerState,
+    plays: bool,
+}
+
+impl Instant {
+    pub(super) fn of(replay: &Replay) -> Self {
+        let Replay { kitchen, runner, .. } = replay;
+        let (moment, plays) = (replay.moment(), replay.plays());
+        Self { moment, kitchen: kitchen.to_bytes(), runner: runner.state(), plays }
+    }
+
+    /// The instant, from which the cook can be played on; none if the bytes are of another program.
+    fn replay(self, recipe: &Arc<Recipe>, library: &Library, models: &mut Models) -> Option<Replay> {
+        let kitchen = Kitchen::from_bytes_with(&self.kitchen, library, models).ok()?;
+        let runner = Runner::resumed(Arc::clone(recipe), self.runner);
+        Some(Replay::at(kitchen, runner, self.plays, self.moment).sharing(models))
+    }
+}
+
+/// What comes back: an instant on the way.
+#[derive(Debug, Deserialize, Serialize)]
+pub struct Stop {
+    number: u64,
+    at: Instant,
+    /// What belongs to the way there, if it was played from the beginning.
+    traced: Option<Traced>,
+    /// True if the errand is done.
+    is_last: bool,
+}
+
+impl Stop {
+    /// True if the errand is done.
+    pub(super) fn is_last(&self) -> bool {
+        self.is_last
+    }
+
+    /// Its moment, its kitchen as bytes, its runner, and whether the recipe plays.
+    pub(super) fn instant(&self, recipe: &Arc<Recipe>) -> (Moment, &[u8], Runner, bool) {
+        let Instant { moment, kitchen, runner, plays } = &self.at;
+        (*moment, kitchen, Runner::resumed(Arc::clone(recipe), runner.clone()), *plays)
+    }
+
+    /// The instant, from which the cook can be played on.
+    pub(super) fn into_replay(self, recipe: &Arc<Recipe>, library: &Library, models: &mut Models) -> Option<Replay> {
+        self.at.replay(recipe, library, models)
+    }
+}
+
+/// What a cook leaves behind: its recording with hashes, curves and marks.
+#[derive(Debug, Deserialize, Serialize)]
+struct Traced {
+    recording: Vec<u8>,
+    recorder: Recorder,
+    marks: Vec<Mark>,
+    start_mass_g: std::collections::BTreeMap<String, f64>,
+}
+
+/// The window's side: the helper, and what it was asked last.
+#[derive(Default)]
+pub(super) struct Errands {
+    helper: Option<Box<dyn Helper>>,
+    asked: u64,
+    /// What was asked and is not done.
+    open: Option<(u64, Purpose)>,
+}
+
+/// What an errand is for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Purpose {
+    /// The cook that is shown, at a moment.
+    Shown(Moment),
+    /// A way beside it, by its number: it follows the clock.
+    Beside(u64),
+}
+
+impl Errands {
+    /// Lets a helper play cooks from now on.
+    pub fn employ(&mut self, helper: Box<dyn Helper>) {
+        self.helper = Some(helper);
+    }
+
+    /// Returns true while an errand for this purpose is under way.
+    pub(super) fn is_open(&self, purpose: Purpose) -> bool {
+        self.open.is_some_and(|(_, open)| open == purpose)
+    }
+
+    /// Returns true if there is a helper.
+    pub fn has_helper(&self) -> bool {
+        self.helper.is_some()
+    }
+
+    /// Asks for an errand unless it is open already. What is shown comes first: a way beside it waits.
+    pub(super) fn ask(&mut self, purpose: Purpose, to: Moment, errand: impl FnOnce() -> (Vec<u8>, Option<Instant>)) {
+        let Some(helper) = &mut self.helper else { return };
+        let comes_first = |open: Purpose| open == purpose || matches!(purpose, Purpose::Beside(_));
+        if self.open.is_some_and(|(_, open)| comes_first(open)) {
+            return;
+        }
+        self.asked += 1;
+        self.open = Some((self.asked, purpose));
+        let (recording, from) = errand();
+        let errand = Errand { number: self.asked, recording, from, to };
+        helper.ask(postcard::to_allocvec(&errand).expect("an errand has no kind that postcard lacks"));
+    }
+
+    /// Stops that have come, if the open errand is for this purpose. A helper that is of no use is let go.
+    pub(super) fn stops(&mut self, purpose: Purpose) -> Vec<Stop> {
+        if self.open.is_some_and(|(_, open)| open != purpose) {
+            return Vec::new();
+        }
+        let Some(answers) = self.helper.as_mut().map(|helper| helper.answers()) else { return Vec::new() };
+        let Some(answers) = answers else {
+            (self.helper, self.open) = (None, None);
+            return Vec::new();
+        };
+        let open = self.open.map(|(number, _)| number);
+        let read = answers.iter().filter_map(|bytes| postcard::from_bytes::<Stop>(bytes).ok());
+        let stops: Vec<Stop> = read.filter(|stop| Some(stop.number) == open).collect();
+        if stops.iter().any(|stop| stop.is_last) {
+            self.open = None;
+        }
+        stops
+    }
+
+    /// What is open is not wanted any more.
+    pub fn forget(&mut self) {
+        self.open = None;
+    }
+}

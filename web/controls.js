@@ -1,0 +1,89 @@
+// The panels a second time, as HTML controls for screen readers and switches. They lie beside the canvas; the one that has the
+// focus is seen. What is done to them is done to the panels.
+
+/** Makes the element of a control. */
+const MAKERS = {
+  button: () => button(),
+  menu: () => button({ "aria-haspopup": "listbox" }),
+  check: () => button({ role: "checkbox" }),
+  radio: () => button({ role: "radio" }),
+  slider: () => input("range"),
+  text: () => input("text"),
+  label: () => document.createElement("p"),
+};
+
+function button(attributes = {}) {
+  const made = document.createElement("button");
+  made.type = "button";
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  return made;
+}
+
+function input(type) {
+  const made = document.createElement("input");
+  made.type = type;
+  return made;
+}
+
+/** Sets an attribute if it is another: screen readers speak of what changes. */
+function set(element, name, value) {
+  if (value == null) element.removeAttribute(name);
+  else if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+}
+
+/** The controls in their element; `page` is what they act on. */
+export class Controls {
+  constructor(list, page) {
+    this.list = list;
+    this.page = page;
+    this.known = new Map();
+  }
+
+  /** Shows these controls, in this order; elements of controls that stay are kept with their focus. */
+  show(controls) {
+    const before = this.known;
+    this.known = new Map(controls.map((control) => [control.id, this.element(control, before)]));
+    for (const [id, element] of before) if (this.known.get(id) !== element) element.remove();
+    let next = this.list.firstChild;
+    for (const element of this.known.values()) {
+      if (element === next) next = next.nextSibling;
+      else this.list.insertBefore(element, next);
+    }
+  }
+
+  element(control, before) {
+    const old = before.get(control.id);
+    const element = old?.dataset.kind === control.kind ? old : this.make(control);
+    update(element, control);
+    return element;
+  }
+
+  make({ id, kind }) {
+    const element = MAKERS[kind]();
+    element.dataset.kind = kind;
+    element.addEventListener("click", () => element instanceof HTMLButtonElement && this.page().press_control(id));
+    element.addEventListener("change", () => this.page().set_control(id, element.value, kind === "text"));
+    return element;
+  }
+}
+
+function update(element, { kind, name, on, range, text, off }) {
+  if (kind === "label" || element instanceof HTMLButtonElement) {
+    if (element.textContent !== name) element.textContent = name;
+  } else {
+    set(element, "aria-label", name);
+  }
+  if (kind !== "label") element.disabled = off === true;
+  const state = { check: "aria-checked", radio: "aria-checked", button: "aria-pressed" }[kind];
+  if (state) set(element, state, on === undefined ? null : String(on));
+  if (element === document.activeElement) return;
+  if (range) fillRange(element, range);
+  if (text !== undefined && element.value !== text) element.value = text;
+}
+
+function fillRange(element, [least, most, now]) {
+  set(element, "min", String(least));
+  set(element, "max", String(most));
+  set(element, "step", "any");
+  if (element.value !== String(now)) element.value = String(now);
+}

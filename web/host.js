@@ -1,0 +1,64 @@
+// What the page does for the window, by the names that the module calls.
+
+const version = new URL(import.meta.url).search;
+const { readPad } = await import(new URL(`./gamepad.js${version}`, import.meta.url).href);
+
+/** The page's side of the module. */
+export class Host {
+  constructor(keptCook, controls, errands) {
+    Object.assign(this, { keptCook, controls, errands });
+  }
+
+  /** Numbers of the first gamepad; undefined where there is none. */
+  readPad() {
+    return readPad();
+  }
+
+  /** Gives the worker an errand. The module's memory may move: the bytes are copied. */
+  askWorker(errand) {
+    this.errands.ask(errand.slice());
+  }
+
+  /** What the worker answered; undefined if it is of no use. */
+  workerAnswers() {
+    return this.errands.take();
+  }
+
+  /** Shows the controls of the panels, from JSON. */
+  showControls(text) {
+    this.controls.show(JSON.parse(text));
+  }
+
+  /** Tells how the cook stands, and what was said last. */
+  tell(cook, said) {
+    write("told", cook);
+    write("said", said);
+  }
+
+  /** Keeps a part of the cook; returns why an earlier part could not be kept. */
+  keepCook(begins, bytes) {
+    return this.keptCook?.keep(begins, bytes.slice());
+  }
+
+  /** Copies a text; without access to the clipboard by a field that is selected. */
+  copyText(text) {
+    const copied = navigator.clipboard?.writeText(text) ?? Promise.reject(new Error("no clipboard"));
+    copied.catch(() => copyByField(text));
+  }
+}
+
+/** Writes a text if it is new: a live region speaks of what changes. */
+function write(id, text) {
+  const place = document.getElementById(id);
+  if (place.textContent !== text) place.textContent = text;
+}
+
+function copyByField(text) {
+  const field = document.createElement("textarea");
+  field.value = text;
+  field.className = "unseen";
+  document.body.append(field);
+  field.select();
+  document.execCommand("copy");
+  field.remove();
+}

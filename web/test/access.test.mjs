@@ -1,0 +1,73 @@
+// Promises to those who do not see the canvas, or have no mouse: the panels are there as HTML controls, axe finds no violation in
+// them, a description tells the cook, and a whole cook needs nothing else.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { resolve } from "node:path";
+import { after, before, test } from "node:test";
+
+import { launch, trouble } from "./browser.mjs";
+import { until, visit } from "./cooking.mjs";
+import { clickLabel } from "./labels.mjs";
+import { serve } from "./site_server.mjs";
+
+const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+let browser, host;
+
+before(async () => {
+  [browser, host] = await Promise.all([launch(), serve(resolve(process.env.SAUTE_PAGE))]);
+});
+
+after(async () => {
+  host?.end();
+  await browser?.close();
+});
+
+/** Rules that axe finds broken in the whole page, in words. */
+async function violations(page) {
+  await page.evaluate(AXE);
+  const { violations } = await page.evaluate(() => window.axe.run(document));
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`);
+}
+
+for (const [lang, colorScheme] of [["en", "dark"], ["ja", "light"]]) {
+  test(`axe finds no violation (${lang}, ${colorScheme})`, { timeout: 240_000 }, async () => {
+    const { page, close } = await visit(browser, `${host.address}?lang=${lang}`, { colorScheme });
+    await page.waitForFunction(() => document.querySelectorAll("#controls button").length > 20, null, { timeout: 30_000 });
+    assert.deepEqual(await violations(page), []);
+    // With panels and a card open.
+    await page.keyboard.press("n");
+    await page.waitForTimeout(1500);
+    assert.deepEqual(await violations(page), []);
+    await close();
+  });
+}
+
+test("a cook by the HTML controls alone, told in words", { timeout: 240_000 }, async () => {
+  const { page, seen, close } = await visit(browser, host.address);
+  const slider = page.locator("#controls").getByRole("slider", { name: "Hob" });
+  await slider.waitFor({ state: "attached" });
+  await slider.evaluate((element) => {
+    element.value = "1400";
+    element.dispatchEvent(new Event("change"));
+  });
+  await until(page, "the hob is on", (now) => Math.abs(now.hob_w - 1400) < 100);
+  await clickLabel(page, "5×");
+  await until(page, "time runs faster", (now) => now.speed === 5);
+  await clickLabel(page, "Steak in");
+  await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");
+  await page.waitForFunction(() => /steak: in the pan, core \d+ °C/.test(document.getElementById("told").textContent.replaceAll("\u00a0", " ")));
+  // A control keeps its focus while the panels change, and is pressed by the keyboard.
+  const flip = page.locator("#controls").getByRole("button", { name: "Flip", exact: true });
+  await flip.focus();
+  await page.waitForTimeout(1500);
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Flip");
+  await page.keyboard.press("Enter");
+  await until(page, "the steak is turned", (now) => now.pieces[0].upside_down);
+  await clickLabel(page, "Take out");
+  await until(page, "the steak is out", (now) => now.pieces[0].place === "board");
+  assert.deepEqual(trouble(seen), []);
+  await close();
+});

@@ -1,0 +1,47 @@
+// Cooking in a page that is watched: its state, keys, and a cook that is quickly begun.
+
+import assert from "node:assert/strict";
+
+import { reaches, watch } from "./browser.mjs";
+
+export const stats = (page) => page.evaluate(() => JSON.parse(window.saute.stats()));
+
+/** Waits until the state fulfils a condition; the last state is in the message if it never does. */
+export async function until(page, what, holds, timeout = 120_000) {
+  const end = Date.now() + timeout;
+  for (let state; ; ) {
+    state = await stats(page);
+    if (holds(state)) return state;
+    assert.ok(Date.now() < end, `${what}: ${JSON.stringify(state)}`);
+    await page.waitForTimeout(100);
+  }
+}
+
+/** Presses a key on the canvas and waits for two more frames. */
+export async function press(page, key) {
+  const before = await stats(page);
+  await page.keyboard.press(key);
+  await until(page, `a frame after ${key}`, (now) => now.frames > before.frames + 1);
+}
+
+/** Opens an address and waits until the page cooks; the card of the first steps is closed. */
+export async function visit(browser, address, options = {}) {
+  const found = await watch(browser, address, options);
+  await begins(found.page);
+  return found;
+}
+
+/** Waits until the page cooks, and closes the card of the first steps. */
+export async function begins(page) {
+  await reaches(page, "cooking");
+  await until(page, "the first frames", (now) => now.frames > 2);
+  await page.locator("#canvas").focus();
+  await press(page, "Escape");
+}
+
+/** Heats the pan at five times real time until a time has passed [s]. */
+export async function cookUntil(page, time_s) {
+  await press(page, "e");
+  await press(page, "]");
+  return until(page, "the pan heats", (now) => now.hob_w > 0 && now.time_s > time_s);
+}

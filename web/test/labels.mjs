@@ -1,0 +1,12 @@
+// Controls of the panels by their names, in the HTML beside the canvas.
+
+/** Presses the control of a name as a screen reader does; the panel that shows it is opened by its key. */
+export async function clickLabel(page, name, key = null) {
+  const control = page.locator("#controls").getByRole("button", { name, exact: true });
+  if (key && !(await control.count())) {
+    await page.locator("#canvas").focus();
+    await page.keyboard.press(key);
+  }
+  await control.waitFor({ state: "attached", timeout: 30_000 });
+  await control.evaluate((element) => element.click());
+}

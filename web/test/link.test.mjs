@@ -1,0 +1,55 @@
+// Promises: a link holds a cook and opens it elsewhere; one that is damaged or newer is refused with a reason.
+
+import assert from "node:assert/strict";
+import { resolve } from "node:path";
+import { after, before, test } from "node:test";
+
+import { launch, reaches, trouble, watch } from "./browser.mjs";
+import { cookUntil, press, stats, until, visit } from "./cooking.mjs";
+import { clickLabel } from "./labels.mjs";
+import { serve } from "./site_server.mjs";
+
+let browser, host;
+
+before(async () => {
+  [browser, host] = await Promise.all([launch(), serve(resolve(process.env.SAUTE_PAGE))]);
+});
+
+after(async () => {
+  host?.end();
+  await browser?.close();
+});
+
+const LINK = "Copy a link to this cook";
+
+test("a link opens the cook that was copied, and a broken one says why not", { timeout: 240_000 }, async () => {
+  const permissions = ["clipboard-read", "clipboard-write"];
+  const { page, seen, close } = await visit(browser, host.address, { permissions });
+  await cookUntil(page, 6);
+  await press(page, "a");
+  await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");
+  await press(page, " ");
+  const shared = await until(page, "time stands still", (now) => now.paused);
+  await clickLabel(page, LINK, "n");
+  const said = await until(page, "it is said", (now) => now.said[0]?.includes("is copied"));
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  assert.ok(said.said[0].includes(`${link.length} characters`), said.said[0]);
+  assert.ok(link.startsWith(`${host.address}#cook=1.`) && link.length < 1500, link);
+  // In another profile, as on another machine.
+  const elsewhere = await watch(browser, link);
+  await reaches(elsewhere.page, "cooking");
+  const opened = await until(elsewhere.page, "it is played", (now) => now.frames > 2 && !now.travels && now.end_s > 1);
+  assert.equal(opened.time_s, shared.time_s);
+  assert.equal(opened.pan_c, shared.pan_c, "the same bits");
+  assert.deepEqual(opened.pieces, shared.pieces);
+  // A link that is put into the address of an open page.
+  const cases = [[link.slice(0, -3), /damaged/], [link.replace("#cook=1.", "#cook=7."), /newer version/]];
+  for (const [broken, words] of cases) {
+    await elsewhere.page.evaluate((to) => (location.hash = new URL(to).hash), broken);
+    await until(elsewhere.page, `${words}`, (now) => words.test(now.said[0]));
+    assert.equal((await stats(elsewhere.page)).end_s, opened.end_s, "the cook stays");
+  }
+  assert.deepEqual([...trouble(seen), ...trouble(elsewhere.seen)], []);
+  await elsewhere.close();
+  await close();
+});

@@ -1,0 +1,62 @@
+// Promise: when the browser takes the graphics away, the picture is back within three seconds, with the cook where it was.
+
+import assert from "node:assert/strict";
+import { mkdirSync, writeFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { test } from "node:test";
+
+import { WEBGL2, WEBGPU, launch, trouble } from "./browser.mjs";
+import { difference, pixels } from "./canvas.mjs";
+import { cookUntil, press, stats, until, visit } from "./cooking.mjs";
+import { serve } from "./site_server.mjs";
+
+const PICTURES = resolve(process.env.SAUTE_PICTURES ?? "pictures");
+/** How long the picture may be away [ms]. */
+const BACK_MS = 3000;
+
+/** What a browser says when its graphics are gone; what follows is the page's own. */
+const SAID_OF_LOSS = /CONTEXT_LOST|context lost|device (is )?lost|Device.*lost|graphics/i;
+
+const loseWebGl = () =>
+  document.getElementById("canvas").getContext("webgl2").getExtension("WEBGL_lose_context").loseContext();
+
+for (const [backend, args, lose] of [["webgl2", WEBGL2, loseWebGl]]) {
+  test(`a lost ${backend} comes back with the cook`, { timeout: 240_000 }, async () => {
+    mkdirSync(PICTURES, { recursive: true });
+    const [browser, host] = await Promise.all([launch(args), serve(resolve(process.env.SAUTE_PAGE))]);
+    try {
+      const { page, seen } = await visit(browser, `${host.address}?backend=${backend}`);
+      await cookUntil(page, 8);
+      await press(page, "a");
+      await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");
+      await press(page, " ");
+      const before = await until(page, "time stands still", (now) => now.paused);
+      await page.waitForTimeout(1000);
+      const { png: _, ...picture } = await pixels(page);
+      await page.evaluate(() => (window.before = document.getElementById("canvas")));
+      const lost = Date.now();
+      await page.evaluate(lose);
+      const isDrawn = (frames) =>
+        document.getElementById("canvas") !== window.before && JSON.parse(window.saute.stats() || "{}").frames > frames + 1;
+      await page.waitForFunction(isDrawn, before.frames, { timeout: 60_000, polling: 20 });
+      const away = Date.now() - lost;
+      const after = await stats(page);
+      await page.waitForTimeout(1500);
+      const { png, ...again } = await pixels(page);
+      writeFileSync(join(PICTURES, `${backend}-lost-and-back.png`), png);
+      console.log(`${backend}: the picture was away for ${away} ms`);
+      assert.ok(away <= BACK_MS, `${away} ms`);
+      assert.deepEqual([after.time_s, after.pan_c, after.pieces], [before.time_s, before.pan_c, before.pieces]);
+      const { p99 } = difference(picture, again);
+      assert.ok(p99 < 3, `the picture differs by ${p99}`);
+      // The cook goes on.
+      await page.locator("#canvas").focus();
+      await press(page, " ");
+      await until(page, "time goes on", (now) => now.time_s > before.time_s + 3);
+      assert.deepEqual(trouble(seen).filter((line) => !SAID_OF_LOSS.test(line)), []);
+    } finally {
+      host.end();
+      await browser.close();
+    }
+  });
+}
