@@ -28,6 +28,15 @@ const isKept = (page) =>
   page.waitForFunction(() => navigator.serviceWorker.controller !== null, null, { timeout: 120_000 });
 const versionOf = (page) => page.evaluate(() => new URL(document.querySelector("script").src).search.slice(3));
 
+/** Waits until a new version lies ready beside the one that is used. */
+async function isFetched(page) {
+  const isReady = () => navigator.serviceWorker.getRegistration().then((registration) => registration.waiting !== null);
+  for (const end = Date.now() + 60_000; !(await page.evaluate(isReady)); ) {
+    assert.ok(Date.now() < end, "no new version was fetched");
+    await page.waitForTimeout(200);
+  }
+}
+
 /** Makes the site another version of itself, as a new build does. */
 function newVersion(from, to) {
   for (const name of ["index.html", "service_worker.js"]) {
@@ -65,7 +74,7 @@ test("a new version takes its place as a whole at the next start", { timeout: 24
   // This start still has the old version, and fetches the new one.
   await page.reload();
   await reaches(page, "cooking");
-  await page.waitForFunction(async () => (await navigator.serviceWorker.getRegistration()).waiting, null, { timeout: 60_000 });
+  await isFetched(page);
   assert.equal(await versionOf(page), before);
   await page.reload();
   await page.waitForFunction(() => document.querySelector("script")?.src.endsWith("00000002"), null, { timeout: 60_000 });
