@@ -45,7 +45,6 @@ pub mod session;
 pub mod session_file;
 pub mod settings;
 #[cfg(not(target_arch = "wasm32"))]
-pub mod stored_zoom;
 pub mod ui;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;

@@ -1,7 +1,7 @@
 //! The native window.
 
 use crate::app::{SauteApp, Start};
-use crate::stored_zoom;
+use crate::ui::stored_zoom;
 
 /// What a start says about the world around the window.
 pub(crate) struct Surroundings {
