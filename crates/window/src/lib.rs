@@ -44,7 +44,6 @@ pub mod session;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod session_file;
 pub mod settings;
-#[cfg(not(target_arch = "wasm32"))]
 pub mod ui;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;

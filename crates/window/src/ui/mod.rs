@@ -12,6 +12,7 @@ pub mod quality_choice;
 pub(crate) mod save_picture;
 pub mod scene_view;
 pub(crate) mod spoken_range;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod stored_zoom;
 pub mod theme;
 pub mod ways_layout;
