@@ -149,10 +149,14 @@ impl SceneRenderer {
             self.draw_mirror(device, encoder, mirror.pan_shown, smooth);
         } else if self.develops(input) {
             self.draw_developed(device, queue, encoder, input);
-        } else if self.quality != Quality::Quick || work == Work::Smooth {
-            self.draw_fine(device, queue, encoder, input);
         } else {
-            self.draw_fast(device, queue, encoder, input, key);
+            let backdrop = self.backdrop.get_or_insert_with(|| Backdrop::new(device));
+            backdrop.write(queue, &LensUniform::on_target(input, size));
+            if self.quality != Quality::Quick || work == Work::Smooth {
+                self.draw_fine(device, encoder);
+            } else {
+                self.draw_fast(device, encoder, key, size);
+            }
         }
     }
 
@@ -338,17 +342,10 @@ impl SceneRenderer {
         self.history.drew_whole();
     }
 
-    fn draw_fine(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        encoder: &mut wgpu::CommandEncoder,
-        input: &SceneInput,
-    ) {
+    fn draw_fine(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
         let detail = if self.quality == Quality::Best { Detail::Best } else { Detail::Fine };
         self.pipelines.stock(device, detail, self.contents.foods.textures());
         self.targets.msaa(device);
-        self.backdrop.get_or_insert_with(|| Backdrop::new(device));
         let (Some(pipelines), Some(subject), Some(backdrop)) =
             (self.pipelines.colour(detail), self.subject(), &self.backdrop)
         else {
@@ -363,22 +360,14 @@ impl SceneRenderer {
         passes::draw_whole_depth(&mut pass, self.pipelines.depth(), self.views.camera(), solids, foods);
         drop(pass);
         let blurred = Blurred { sharp: &lively.colour, depth: &picture.depth, into: &picture.colour };
-        backdrop.blur(device, queue, encoder, &LensUniform::on_target(input, self.targets.size), &blurred);
+        backdrop.blur(device, encoder, &blurred);
         self.history.drew_whole();
     }
 
-    fn draw_fast(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        encoder: &mut wgpu::CommandEncoder,
-        input: &SceneInput,
-        key: StillKey,
-    ) {
-        let size = self.targets.size;
+    fn draw_fast(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey, size: [u32; 2]) {
         match self.history.still_step(&key, self.contents.moved.shadow) {
             StillStep::Skip => return self.draw_direct(device, encoder, key),
-            StillStep::Refine => self.refine_still(device, queue, encoder, input, key),
+            StillStep::Refine => self.refine_still(device, encoder, key),
             StillStep::Keep => {}
         }
         self.pipelines.stock(device, Detail::Usual, self.contents.foods.textures());
@@ -410,17 +399,9 @@ impl SceneRenderer {
     }
 
     /// Draws the static layer with anti-aliasing once the camera rests, and blurs what lies behind the pan.
-    fn refine_still(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        encoder: &mut wgpu::CommandEncoder,
-        input: &SceneInput,
-        key: StillKey,
-    ) {
+    fn refine_still(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey) {
         self.pipelines.stock(device, Detail::Fine, std::iter::empty());
         self.targets.msaa(device);
-        self.backdrop.get_or_insert_with(|| Backdrop::new(device));
         let (Some(pipelines), Some(solids), Some(backdrop)) =
             (self.pipelines.colour(Detail::Fine), &self.contents.solids, &self.backdrop)
         else {
@@ -434,7 +415,7 @@ impl SceneRenderer {
         passes::draw_still_depth(&mut pass, self.pipelines.depth(), self.views.camera(), solids);
         drop(pass);
         let blurred = Blurred { sharp: &sharp.colour, depth: &still.depth, into: &still.colour };
-        backdrop.blur(device, queue, encoder, &LensUniform::on_target(input, self.targets.size), &blurred);
+        backdrop.blur(device, encoder, &blurred);
         self.history.keep_still(key, true);
         self.history.drew_whole();
     }

@@ -12,7 +12,7 @@ use saute_window::session::errand::Helper;
 use saute_window::session::errand::bench::Bench;
 use web_time::Duration;
 
-/// How long a frame may play, and how long the helper does between two frames.
+/// How long a frame may play.
 const FRAME: Duration = Duration::from_millis(5);
 
 /// A helper in the same thread: it works when the test lets it.
@@ -30,8 +30,9 @@ impl Beside {
         Self { bench, answers: Rc::default(), fails: false, asked: Rc::default() }
     }
 
+    /// Plays a single tick, whatever the machine's speed.
     fn work(&self) {
-        self.answers.borrow_mut().extend(self.bench.borrow_mut().go_on(20 * FRAME));
+        self.answers.borrow_mut().extend(self.bench.borrow_mut().go_on(Duration::ZERO));
     }
 }
 
@@ -84,7 +85,7 @@ fn a_recorded_cook_is_played_elsewhere_with_its_curves_and_marks() {
     let helper = Beside::new(&library);
     session.employ(Box::new(helper.clone()));
     session.resume(live.whole_recording()).expect("resumes");
-    assert!(arrive(&mut session, &helper) > 3, "it is shown on its way");
+    assert!(arrive(&mut session, &helper) > 100, "frames pass on the way");
     assert_eq!(*helper.asked.borrow(), 1);
     assert_eq!(session.kitchen.state_hash(), live.kitchen.state_hash());
     let recorded = |session: &Session| {

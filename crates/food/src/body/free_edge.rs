@@ -27,12 +27,12 @@ impl FoodModel {
         }
         let reach = 0.5 * self.thickness(state) / DECAY;
         let mean = -libm::log(state.stretch.lateral);
-        (0..mesh.levels.len()).map(|level| (mean - self.edge_contraction(mesh, state, level)) * reach).collect()
+        let rest = Rest::of(self);
+        (0..mesh.levels.len()).map(|level| (mean - self.edge_contraction(mesh, state, &rest, level)) * reach).collect()
     }
 
     /// Mean free contraction of the nodes along the side of a level, logarithmic [-].
-    fn edge_contraction(&self, mesh: &SweptMesh, state: &FoodState, level: usize) -> f64 {
-        let rest = Rest::of(self);
+    fn edge_contraction(&self, mesh: &SweptMesh, state: &FoodState, rest: &Rest, level: usize) -> f64 {
         let at = |[i, _]: &[u32; 2]| {
             let node = mesh.node(level, *i as usize);
             self.free_contraction(state, node, rest.relative_volume(self, state, node))

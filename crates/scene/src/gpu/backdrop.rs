@@ -34,16 +34,13 @@ impl Backdrop {
         Self { pipeline: overlay.pipeline(device), lens: LensUniform::buffer(device), exact, layout }
     }
 
-    /// Blurs a picture that is drawn with the next submission.
-    pub fn blur(
-        &self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        encoder: &mut wgpu::CommandEncoder,
-        lens: &LensUniform,
-        picture: &Blurred<'_>,
-    ) {
+    /// Sets how the picture of the next submission is read, and what of it is sharp.
+    pub fn write(&self, queue: &wgpu::Queue, lens: &LensUniform) {
         queue.write_buffer(&self.lens, 0, bytemuck::bytes_of(lens));
+    }
+
+    /// Blurs a picture that is drawn with the next submission.
+    pub fn blur(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, picture: &Blurred<'_>) {
         let group = self.group(device, picture);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("backdrop"),
