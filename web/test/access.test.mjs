@@ -4,26 +4,15 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { resolve } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
-import { launch, trouble } from "./browser.mjs";
-import { until, visit } from "./cooking.mjs";
+import { trouble } from "./browser.mjs";
+import { kitchen, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
-import { serve } from "./site_server.mjs";
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
-let browser, host;
-
-before(async () => {
-  [browser, host] = await Promise.all([launch(), serve(resolve(process.env.SAUTE_PAGE))]);
-});
-
-after(async () => {
-  host?.end();
-  await browser?.close();
-});
+const there = kitchen();
 
 /** Rules that axe finds broken in the whole page, in words. */
 async function violations(page) {
@@ -34,7 +23,7 @@ async function violations(page) {
 
 for (const [lang, colorScheme] of [["en", "dark"], ["ja", "light"]]) {
   test(`axe finds no violation (${lang}, ${colorScheme})`, { timeout: 240_000 }, async () => {
-    const { page, close } = await visit(browser, `${host.address}?lang=${lang}`, { colorScheme });
+    const { page, close } = await visit(there.browser, `${there.host.address}?lang=${lang}`, { colorScheme });
     await page.waitForFunction(() => document.querySelectorAll("#controls button").length > 20, null, { timeout: 30_000 });
     assert.deepEqual(await violations(page), []);
     // With panels and a card open.
@@ -46,7 +35,7 @@ for (const [lang, colorScheme] of [["en", "dark"], ["ja", "light"]]) {
 }
 
 test("a cook by the HTML controls alone, told in words", { timeout: 240_000 }, async () => {
-  const { page, seen, close } = await visit(browser, host.address);
+  const { page, seen, close } = await visit(there.browser, there.host.address);
   const slider = page.locator("#controls").getByRole("slider", { name: "Hob" });
   await slider.waitFor({ state: "attached" });
   await slider.evaluate((element) => {

@@ -1,8 +1,24 @@
 // Cooking in a page that is watched: its state, keys, and a cook that is quickly begun.
 
 import assert from "node:assert/strict";
+import { resolve } from "node:path";
+import { after, before } from "node:test";
 
-import { reaches, watch } from "./browser.mjs";
+import { launch, reaches, watch } from "./browser.mjs";
+import { serve } from "./site_server.mjs";
+
+/** A browser and the built page on a server, for all tests of a file. */
+export function kitchen() {
+  const there = { browser: null, host: null };
+  before(async () => {
+    [there.browser, there.host] = await Promise.all([launch(), serve(resolve(process.env.SAUTE_PAGE))]);
+  });
+  after(async () => {
+    there.host?.end();
+    await there.browser?.close();
+  });
+  return there;
+}
 
 export const stats = (page) => page.evaluate(() => JSON.parse(window.saute.stats()));
 

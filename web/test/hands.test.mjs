@@ -1,24 +1,13 @@
 // Promises: a gamepad cooks in the page; two fingers bring the eye nearer. That the pan stays then: crates/window/tests/window/pan.rs.
 
 import assert from "node:assert/strict";
-import { resolve } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
-import { launch, trouble } from "./browser.mjs";
+import { trouble } from "./browser.mjs";
 import { difference, pixels } from "./canvas.mjs";
-import { until, visit } from "./cooking.mjs";
-import { serve } from "./site_server.mjs";
+import { kitchen, until, visit } from "./cooking.mjs";
 
-let browser, host;
-
-before(async () => {
-  [browser, host] = await Promise.all([launch(), serve(resolve(process.env.SAUTE_PAGE))]);
-});
-
-after(async () => {
-  host?.end();
-  await browser?.close();
-});
+const there = kitchen();
 
 /** A gamepad of the usual kind whose state the test sets. */
 const plugIn = (page) =>
@@ -40,7 +29,7 @@ async function pressPad(page, button) {
 }
 
 test("a gamepad cooks: hob, steak, flip and pause", { timeout: 240_000 }, async () => {
-  const { page, seen, close } = await visit(browser, host.address, { prepare: plugIn });
+  const { page, seen, close } = await visit(there.browser, there.host.address, { prepare: plugIn });
   await pressPad(page, 12);
   await until(page, "the hob is higher", (now) => now.hob_w > 0);
   await pressPad(page, 14);
@@ -55,7 +44,7 @@ test("a gamepad cooks: hob, steak, flip and pause", { timeout: 240_000 }, async 
 
 test("two fingers bring the eye nearer", { timeout: 240_000 }, async () => {
   const options = { viewport: { width: 390, height: 844 }, hasTouch: true };
-  const { page, close } = await visit(browser, host.address, options);
+  const { page, close } = await visit(there.browser, there.host.address, options);
   const touch = await page.context().newCDPSession(page);
   const fingers = (type, apart) => {
     const touchPoints = apart === null ? [] : [-apart, apart].map((x, id) => ({ x: 150 + x, y: 250, id }));

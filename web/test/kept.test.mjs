@@ -3,27 +3,18 @@
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { join, resolve } from "node:path";
-import { after, before, test } from "node:test";
+import { before, test } from "node:test";
 
-import { launch, reaches, trouble } from "./browser.mjs";
-import { begins, cookUntil, press, stats, until, visit } from "./cooking.mjs";
-import { serve } from "./site_server.mjs";
+import { reaches, trouble } from "./browser.mjs";
+import { begins, cookUntil, kitchen, press, stats, until, visit } from "./cooking.mjs";
 
 const PICTURES = resolve(process.env.SAUTE_PICTURES ?? "pictures");
 /** What a reload may lose [simulated s]: a second of wall time at five times real time. */
 const LOST_S = 5;
 
-let browser, host;
+const there = kitchen();
 
-before(async () => {
-  mkdirSync(PICTURES, { recursive: true });
-  [browser, host] = await Promise.all([launch(), serve(resolve(process.env.SAUTE_PAGE))]);
-});
-
-after(async () => {
-  host?.end();
-  await browser?.close();
-});
+before(() => mkdirSync(PICTURES, { recursive: true }));
 
 /** Reloads and waits for the offer; returns how far the offered cook came [s]. */
 async function offered(page) {
@@ -41,7 +32,7 @@ async function goOn(page) {
 }
 
 test("a cook survives a reload, and a second one", { timeout: 240_000 }, async () => {
-  const { page, seen, close } = await visit(browser, host.address);
+  const { page, seen, close } = await visit(there.browser, there.host.address);
   let last = await cookUntil(page, 8);
   await press(page, "a");
   last = await until(page, "the steak is in", (now) => now.pieces[0].place === "pan" && now.time_s > last.time_s + 3);
@@ -61,11 +52,11 @@ test("a cook survives a reload, and a second one", { timeout: 240_000 }, async (
 });
 
 test("two tabs keep a cook each", { timeout: 240_000 }, async () => {
-  const one = await visit(browser, host.address);
+  const one = await visit(there.browser, there.host.address);
   const first = await cookUntil(one.page, 6);
   const context = one.page.context();
   const other = await context.newPage();
-  await other.goto(host.address);
+  await other.goto(there.host.address);
   await begins(other);
   assert.equal((await stats(other)).offered_s, null, "a cook that goes on in another tab is not offered");
   const second = await cookUntil(other, 30);
@@ -101,7 +92,7 @@ test("a storage that fails is told once, and the cook goes on", { timeout: 240_0
     };
   };
   for (const [script, why] of [[breakAll, "SecurityError"], [breakWrites, "QuotaExceededError"]]) {
-    const { page, seen, close } = await visit(browser, host.address, { prepare: (page) => page.addInitScript(script) });
+    const { page, seen, close } = await visit(there.browser, there.host.address, { prepare: (page) => page.addInitScript(script) });
     const now = await cookUntil(page, 10);
     assert.equal(now.said.filter((text) => text.includes(why)).length, 1, `${now.said}`);
     await until(page, "time goes on", (later) => later.time_s > now.time_s + 5);

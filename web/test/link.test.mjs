@@ -1,30 +1,19 @@
 // Promises: a link holds a cook and opens it elsewhere; one that is damaged or newer is refused with a reason.
 
 import assert from "node:assert/strict";
-import { resolve } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
-import { launch, reaches, trouble, watch } from "./browser.mjs";
-import { cookUntil, press, stats, until, visit } from "./cooking.mjs";
+import { reaches, watch } from "./browser.mjs";
+import { cookUntil, kitchen, press, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
-import { serve } from "./site_server.mjs";
 
-let browser, host;
-
-before(async () => {
-  [browser, host] = await Promise.all([launch(), serve(resolve(process.env.SAUTE_PAGE))]);
-});
-
-after(async () => {
-  host?.end();
-  await browser?.close();
-});
+const there = kitchen();
 
 const LINK = "Copy a link to this cook";
 
 test("a link opens the cook that was copied, and a broken one says why not", { timeout: 240_000 }, async () => {
   const permissions = ["clipboard-read", "clipboard-write"];
-  const { page, seen, close } = await visit(browser, host.address, { permissions });
+  const { page, seen, close } = await visit(there.browser, there.host.address, { permissions });
   await cookUntil(page, 6);
   await press(page, "a");
   await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");
@@ -34,9 +23,9 @@ test("a link opens the cook that was copied, and a broken one says why not", { t
   const said = await until(page, "it is said", (now) => now.said[0]?.includes("is copied"));
   const link = await page.evaluate(() => navigator.clipboard.readText());
   assert.ok(said.said[0].includes(`${link.length} characters`), said.said[0]);
-  assert.ok(link.startsWith(`${host.address}#cook=1.`) && link.length < 1500, link);
+  assert.ok(link.startsWith(`${there.host.address}#cook=1.`) && link.length < 1500, link);
   // In another profile, as on another machine.
-  const elsewhere = await watch(browser, link);
+  const elsewhere = await watch(there.browser, link);
   await reaches(elsewhere.page, "cooking");
   const opened = await until(elsewhere.page, "it is played", (now) => now.frames > 2 && !now.travels && now.end_s > 1);
   assert.equal(opened.time_s, shared.time_s);

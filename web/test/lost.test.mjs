@@ -5,7 +5,7 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
 
-import { WEBGL2, WEBGPU, launch, trouble } from "./browser.mjs";
+import { WEBGL2, launch, trouble } from "./browser.mjs";
 import { difference, pixels } from "./canvas.mjs";
 import { cookUntil, press, stats, until, visit } from "./cooking.mjs";
 import { serve } from "./site_server.mjs";

@@ -10,7 +10,6 @@ import { launch, reaches, trouble } from "./browser.mjs";
 import { begins, until, visit } from "./cooking.mjs";
 import { serve } from "./site_server.mjs";
 
-
 let browser, site;
 
 before(async () => {

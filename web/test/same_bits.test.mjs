@@ -4,28 +4,18 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
-import { launch, trouble } from "./browser.mjs";
-import { press, until, visit } from "./cooking.mjs";
+import { trouble } from "./browser.mjs";
+import { kitchen, press, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
-import { serve } from "./site_server.mjs";
 
 const COOK = join(resolve(process.env.SAUTE_STILLS), "cook.saute");
 
-let browser, host;
-
-before(async () => {
-  [browser, host] = await Promise.all([launch(), serve(resolve(process.env.SAUTE_PAGE))]);
-});
-
-after(async () => {
-  host?.end();
-  await browser?.close();
-});
+const there = kitchen();
 
 test("a native cook replays in the page to the same bits, and is saved as the same file", { timeout: 240_000 }, async () => {
-  const { page, seen, close } = await visit(browser, host.address);
+  const { page, seen, close } = await visit(there.browser, there.host.address);
   const [chooser] = await Promise.all([page.waitForEvent("filechooser"), clickLabel(page, "Open a recipe file…", "n")]);
   await chooser.setFiles(COOK);
   await until(page, "the cook is opened", (now) => now.end_s > 10);
@@ -49,7 +39,7 @@ test("a native cook replays in the page to the same bits, and is saved as the sa
 });
 
 test("a recipe that is dropped on the page is played, and a file that is none is refused", { timeout: 240_000 }, async () => {
-  const { page, close } = await visit(browser, host.address);
+  const { page, close } = await visit(there.browser, there.host.address);
   const drop = (name, text) =>
     page.evaluate(
       ([name, text]) => {

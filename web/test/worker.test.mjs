@@ -2,24 +2,13 @@
 // longest frame meanwhile is printed, not judged: the one in which the cook changes takes longer than 100 ms on a busy machine.
 
 import assert from "node:assert/strict";
-import { resolve } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
-import { launch, trouble } from "./browser.mjs";
-import { press, stats, until, visit } from "./cooking.mjs";
+import { trouble } from "./browser.mjs";
+import { kitchen, press, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
-import { serve } from "./site_server.mjs";
 
-let browser, host;
-
-before(async () => {
-  [browser, host] = await Promise.all([launch(), serve(resolve(process.env.SAUTE_PAGE))]);
-});
-
-after(async () => {
-  host?.end();
-  await browser?.close();
-});
+const there = kitchen();
 
 /** Notes how long each frame keeps the page's thread. */
 const noteFrames = (page) =>
@@ -63,7 +52,7 @@ async function openedAgain(page) {
 const OPTIONS = { permissions: ["clipboard-read", "clipboard-write"] };
 
 test("a cook is played by a worker", { timeout: 300_000 }, async () => {
-  const { page, seen, close } = await visit(browser, `${host.address}?recipe=medium`, { ...OPTIONS, prepare: noteFrames });
+  const { page, seen, close } = await visit(there.browser, `${there.host.address}?recipe=medium`, { ...OPTIONS, prepare: noteFrames });
   const end = await cooked(page, 120);
   await longest(page);
   await page.waitForTimeout(3000);
@@ -89,7 +78,7 @@ test("without workers the page plays the cook itself", { timeout: 300_000 }, asy
     await noteFrames(page);
     await page.addInitScript(() => delete window.Worker);
   };
-  const { page, close } = await visit(browser, `${host.address}?recipe=medium`, { ...OPTIONS, prepare });
+  const { page, close } = await visit(there.browser, `${there.host.address}?recipe=medium`, { ...OPTIONS, prepare });
   const end = await cooked(page, 30);
   await openedAgain(page);
   assert.equal(page.workers().length, 0);
