@@ -46,8 +46,8 @@ use crate::words::language::Language;
 const SETTINGS_KEY: &str = "saute.settings";
 /// Remembered settings at the first start: none.
 const FIRST_START: &str = "{}";
-/// Wall time between two looks at slow changes, where every look is slow [s] (chosen: browning and films creep; Chromium's
-/// software graphics shade foods and floor for longer than all else of a frame takes).
+/// Wall time between two looks at slow changes, where the graphics are software [s] (chosen: browning and films creep; to shade
+/// foods and floor takes longer there than all else of a frame, so that frames between two looks come three times as fast).
 const LOOK_PERIOD_S: f64 = 0.3;
 
 /// Time between two savings of the settings (chosen: whoever is cut off loses no more than this; a file of a few
@@ -65,7 +65,7 @@ pub struct Start {
     pub recorded: Option<Recording>,
     /// Language of the window; the remembered one unless given.
     pub language: Option<Language>,
-    /// True draws panels, and what changes slowly in the pan, a few times a second where the graphics are software.
+    /// True draws panels a few times a second where the graphics are software.
     pub frugal: bool,
     /// Folder of pictures; that of the user unless given.
     #[cfg(not(target_arch = "wasm32"))]
@@ -121,7 +121,7 @@ pub struct SauteApp {
     /// True if the scene can be drawn (a graphics device is there).
     drawable: bool,
     software: bool,
-    /// True if panels and slow changes are drawn a few times a second only where the graphics are software.
+    /// True if panels are drawn a few times a second only where the graphics are software.
     frugal: bool,
     /// Chooses the quality of the picture where that is left to the program.
     pub(crate) governor: Governor,
@@ -263,7 +263,7 @@ impl SauteApp {
         }
     }
 
-    /// Panels and slow changes are drawn a few times a second only.
+    /// Returns true if panels are drawn a few times a second only.
     fn is_frugal(&self) -> bool {
         self.frugal && self.software
     }
@@ -361,7 +361,7 @@ impl SauteApp {
 
     /// Ticks between two looks at slow changes in the pan.
     pub(crate) fn look_ticks(&self) -> u64 {
-        if !self.is_frugal() || self.session.paused || self.quality() > Quality::Quick {
+        if !self.software || self.session.paused || self.quality() > Quality::Quick {
             return 1;
         }
         (LOOK_PERIOD_S * self.session.speed / TICK_S).round() as u64
