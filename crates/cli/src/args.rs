@@ -16,7 +16,7 @@ use crate::picture::shot::ShotArgs;
 #[derive(Debug, Parser)]
 #[command(name = "saute", version, after_help = EXIT_CODES)]
 pub struct Args {
-    /// Folder with your own foods/, pans/, recipes/, kinetics/, coatings/ or oils/, or doneness.toml. Its files are added to
+    /// Folder with your own foods/, pans/, recipes/, kinetics/, coatings/ or oils/, doneness.toml or kitchen-at-home.toml. Its files are added to
     /// the shipped ones; a file of the same name replaces the shipped one.
     #[arg(long, global = true, value_name = "DIR")]
     pub data: Option<PathBuf>,
