@@ -26,6 +26,13 @@ pub struct KitchenAtHome {
     pub confidence: Confidence,
 }
 
+impl Default for KitchenAtHome {
+    fn default() -> Self {
+        let source = "the program's kitchen".to_owned();
+        Self { hob_factor: 1.0, contact_factor: 1.0, source, confidence: Confidence::High }
+    }
+}
+
 impl KitchenAtHome {
     /// Sets the factors in the data of hob and room.
     ///

@@ -67,6 +67,7 @@ impl<'a> Loading<'a> {
             components: self.parse("components.toml")?,
             room: self.parse("kitchen.toml")?,
             hob: self.parse("hobs/induction.toml")?,
+            at_home: KitchenAtHome::default(),
             fond: self.parse(FOND_FILE)?,
             set_aside: BTreeMap::new(),
             hashes: file_hashes(&self.files, &self.own.surfaces),
@@ -158,6 +159,7 @@ impl<'a> Loading<'a> {
         match read {
             Ok(Some(at_home)) => {
                 at_home.set_in(&mut library.hob, &mut library.room);
+                library.at_home = at_home;
                 return Ok(());
             }
             Ok(None) => {}

@@ -120,6 +120,12 @@ impl LogFile {
         self.headers.iter().position(is_time).unwrap_or(0)
     }
 
+    /// Returns the first column beside that of the times whose header contains one of some words.
+    pub fn column_with(&self, words: &[&str], time: usize) -> Option<usize> {
+        let contains = |header: &String| words.iter().any(|word| header.to_lowercase().contains(word));
+        self.headers.iter().enumerate().find(|(at, header)| *at != time && contains(header)).map(|(at, _)| at)
+    }
+
     /// Returns the header of a column.
     pub fn header(&self, column: usize) -> &str {
         self.headers.get(column).map_or("", String::as_str)

@@ -27,12 +27,15 @@ pub enum Quantity {
     Mass,
 }
 
+/// Time of what was measured when all was done [s].
+pub const END: f64 = f64::INFINITY;
+
 /// One measured value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// What was measured.
     pub quantity: Quantity,
-    /// Time since the beginning of the recipe [s].
+    /// Time since the beginning of the recipe [s]; [`END`] for its end.
     pub at_s: f64,
     /// Value [K, kg].
     pub value: f64,

@@ -1,6 +1,5 @@
 //! What a kitchen at home may have otherwise than the program's data.
 
-use saute_food::description::Confidence;
 use saute_kitchen::Library;
 use saute_kitchen::data::at_home::KitchenAtHome;
 use saute_recipe::Recipe;
@@ -67,8 +66,7 @@ impl Parameters {
         KitchenAtHome {
             hob_factor: self.hob_efficiency / library.hob.coil.efficiency,
             contact_factor: self.contact,
-            source: "tried by a fit".to_owned(),
-            confidence: Confidence::Low,
+            ..KitchenAtHome::default()
         }
     }
 

@@ -6,7 +6,7 @@ use saute_kitchen::{Kitchen, Library};
 use saute_recipe::{Cook, Recipe};
 
 use super::levels::Level;
-use super::observed::{Quantity, Sample};
+use super::observed::{END, Quantity, Sample};
 use super::parameters::Parameters;
 
 /// A reason for which a cook cannot be compared with a log.
@@ -20,6 +20,16 @@ pub enum FitError {
     /// The recipe has no food.
     #[error("the recipe has no food; a fit needs the food that was cooked")]
     NoFood,
+    /// A step waits for a condition.
+    #[error(
+        "step {step} (line {line}) waits for a condition, which the simulation meets at another time than your kitchen did; write at_s with the time at which you did it"
+    )]
+    Condition {
+        /// Number of the step, from 1.
+        step: usize,
+        /// Line in the recipe, from 1.
+        line: usize,
+    },
     /// The kitchen cannot be built or the recipe cannot be carried out with parameters that were tried.
     #[error("{0}")]
     Cook(String),
@@ -73,6 +83,9 @@ impl Job {
 fn reach(cook: &mut Cook, at_s: f64) -> Result<(), FitError> {
     while cook.kitchen.time_s() < at_s - 0.5 * saute_kitchen::TICK_S {
         if cook.stopped().is_some() {
+            if at_s == END {
+                return Ok(());
+            }
             return Err(FitError::Ended { at_s, end_s: cook.kitchen.time_s() });
         }
         cook.advance().map_err(|e| FitError::Cook(e.to_string()))?;

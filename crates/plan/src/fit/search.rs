@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, SMatrix};
 use saute_kitchen::Library;
-use saute_recipe::Recipe;
+use saute_recipe::{Recipe, Step, Trigger};
 
 use super::found::{Estimate, Found};
 use super::levels::Level;
@@ -55,7 +55,7 @@ impl Fit {
     ///
     /// # Errors
     ///
-    /// If nothing was measured, or the recipe has no food.
+    /// If nothing was measured, the recipe has no food, or a step waits for a condition.
     pub fn new(recipe: Recipe, library: Arc<Library>, observed: &Observed) -> Result<Self, FitError> {
         Self::on(recipe, library, observed, vec![Level::Coarse, Level::Full])
     }
@@ -76,6 +76,10 @@ impl Fit {
         }
         if recipe.foods.is_empty() {
             return Err(FitError::NoFood);
+        }
+        let waits = |step: &Step| matches!(step.trigger, Trigger::When(_));
+        if let Some(at) = recipe.steps.iter().position(waits) {
+            return Err(FitError::Condition { step: at + 1, line: recipe.steps[at].line });
         }
         let start = Parameters::of(&recipe, &library).logs();
         let (samples, level) = (Arc::new(samples), levels[0]);
