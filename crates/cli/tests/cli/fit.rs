@@ -55,16 +55,16 @@ fn a_kitchen_with_a_weaker_hob_is_found_from_the_log_of_its_cook() {
     let cooked = run(&["--data", &folder.path("theirs"), "cook", &recipe, "--out", &folder.path("cook")]);
     assert_eq!(cooked.code, Some(0), "{}", cooked.err);
     let (log, found) = (folder.path("cook/series.csv"), folder.path("found"));
-    let fitted = run(&[
-        "fit", &log, "--recipe", &recipe, "--core", "steak.core_c", "--pan", "pan_c", "--out", &found, "--json",
-    ]);
+    let fitted =
+        run(&["fit", &log, "--recipe", &recipe, "--core", "steak.core_c", "--pan", "pan_c", "--out", &found, "--json"]);
     assert_eq!(fitted.code, Some(0), "{}", fitted.err);
     let json: serde_json::Value = serde_json::from_str(&fitted.out).unwrap();
-    let (low, high) = (json["hob_efficiency"]["low"].as_f64().unwrap(), json["hob_efficiency"]["high"].as_f64().unwrap());
+    let (low, high) =
+        (json["hob_efficiency"]["low"].as_f64().unwrap(), json["hob_efficiency"]["high"].as_f64().unwrap());
     assert!((low..high).contains(&(0.9 * 0.87)) && high < 0.83, "{json}");
     assert!((json["thickness_mm"]["value"].as_f64().unwrap() - 15.0).abs() < 0.5, "{json}");
     let again = run(&["--data", &found, "cook", &recipe, "--json"]);
-    let peak = |out: &str| serde_json::from_str::<serde_json::Value>(out).unwrap()["pan"]["peak_c"].as_f64();
+    let peak = |out: &str| serde_json::from_str::<serde_json::Value>(out).unwrap()["pan_c"]["peak"].as_f64();
     let theirs = std::fs::read_to_string(folder.path("cook/summary.json")).unwrap();
     let (here, there) = (peak(&again.out), peak(&theirs));
     assert!((here.unwrap() - there.unwrap()).abs() < 3.0, "{here:?} {there:?}");
@@ -83,15 +83,22 @@ fn a_fit_without_times_columns_or_measurements_is_refused_with_the_remedy() {
     assert!(says(&["fit", "--recipe", &recipe]).contains("give a column of core or pan temperatures"));
     assert!(says(&["fit", &log, "--recipe", "medium", "--core", "a"]).contains("waits for a condition"));
     assert!(says(&["fit", &log, "--recipe", &recipe]).contains("--core COLUMN"));
-    assert!(says(&["fit", &log, "--recipe", &recipe, "--core", "c"]).contains("there are: 1 \"time_s\", 2 \"a\", 3 \"b\""));
-    assert!(says(&["fit", "--recipe", &recipe, "--class", "blue"]).contains("raw, rare, medium-rare, medium, well-done"));
+    assert!(
+        says(&["fit", &log, "--recipe", &recipe, "--core", "c"]).contains("there are: 1 \"time_s\", 2 \"a\", 3 \"b\"")
+    );
+    assert!(
+        says(&["fit", "--recipe", &recipe, "--class", "blue"]).contains("raw, rare, medium-rare, medium, well-done")
+    );
     assert!(says(&["fit", "--recipe", &recipe, "--weight-g", "-5"]).contains("--weight-g"));
 }
 
 #[test]
 fn a_broken_kitchen_at_home_stops_cooking_and_nothing_else() {
     let folder = Folder::new();
-    folder.write("data/kitchen-at-home.toml", "hob_factor = 9.0\ncontact_factor = 1.0\nsource = \"x\"\nconfidence = \"low\"\n");
+    folder.write(
+        "data/kitchen-at-home.toml",
+        "hob_factor = 9.0\ncontact_factor = 1.0\nsource = \"x\"\nconfidence = \"low\"\n",
+    );
     let data = folder.path("data");
     let listed = run(&["--data", &data, "list", "foods"]);
     assert_eq!(listed.code, Some(0), "{}", listed.err);

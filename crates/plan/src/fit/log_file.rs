@@ -41,8 +41,8 @@ impl Unit {
     /// Returns a temperature [K].
     pub fn kelvin(self, value: f64) -> f64 {
         match self {
-            Self::Celsius => value + saute_food::ZERO_C,
-            Self::Fahrenheit => (value - 32.0) / 1.8 + saute_food::ZERO_C,
+            Self::Celsius => value + saute_kitchen::food::ZERO_C,
+            Self::Fahrenheit => (value - 32.0) / 1.8 + saute_kitchen::food::ZERO_C,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What was measured at a real stove.
 
-use saute_food::Scale;
+use saute_kitchen::food::Scale;
 use std::sync::Arc;
 
 /// Standard deviation of a probe in the core [K] (chosen: ±1 K of a household thermometer and its place).
@@ -85,7 +85,7 @@ impl Observed {
 /// Bounds of a class [K]; the first and the last class are as wide as their neighbour. None where the scale measures no
 /// temperature or has no such class.
 fn class_bounds(scale: &Scale, class: &str) -> Option<(f64, f64)> {
-    if scale.measure() != saute_food::change::doneness::Measure::Peak {
+    if scale.measure() != saute_kitchen::food::change::doneness::Measure::Peak {
         return None;
     }
     let place = scale.class.iter().position(|c| c.name == class)?;
