@@ -7,6 +7,7 @@ use saute_kitchen::data::library::DEFAULT_SCALE;
 
 use crate::bench_heat::BenchHeatArgs;
 use crate::bench_paper::BenchPaperArgs;
+use crate::fit::FitArgs;
 use crate::gallery::GalleryArgs;
 use crate::haptics::{CheckArgs, DevicesArgs};
 use crate::picture::bench_frame::BenchFrameArgs;
@@ -16,7 +17,7 @@ use crate::picture::shot::ShotArgs;
 #[derive(Debug, Parser)]
 #[command(name = "saute", version, after_help = EXIT_CODES)]
 pub struct Args {
-    /// Folder with your own foods/, pans/, recipes/, kinetics/, coatings/ or oils/, or doneness.toml. Its files are added to
+    /// Folder with your own foods/, pans/, recipes/, kinetics/, coatings/ or oils/, doneness.toml or kitchen-at-home.toml. Its files are added to
     /// the shipped ones; a file of the same name replaces the shipped one.
     #[arg(long, global = true, value_name = "DIR")]
     pub data: Option<PathBuf>,
@@ -46,7 +47,7 @@ pub struct HandArgs {
     pub calibration: Option<PathBuf>,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done; 1 ran but fell short: max_s stopped the recipe, a replay departed, a validation case failed, `lab` warned, or `bench paper` or `haptics check` missed a goal; 2 wrong usage or input.";
+const EXIT_CODES: &str = "Exit codes: 0 done; 1 ran but fell short: max_s stopped the recipe, a replay departed, a fit does not describe its log, a validation case failed, `lab` warned, or `bench paper` or `haptics check` missed a goal; 2 wrong usage or input.";
 
 /// The commands.
 #[derive(Debug, Subcommand)]
@@ -63,6 +64,9 @@ pub enum Command {
     Replay(ReplayArgs),
     /// Solves heat conduction in a plain body with given boundary conditions, from a case file.
     Lab(LabArgs),
+    /// Fits hob efficiency, contact and thickness to what was measured at a real stove, with 90 % intervals. Exit code 1 if the
+    /// model does not describe the measurements.
+    Fit(FitArgs),
     /// Runs the validation cases and compares them with published values and exact solutions.
     Validate(ValidateArgs),
     /// Renders one picture of a recipe at a given time.

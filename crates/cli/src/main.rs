@@ -6,6 +6,7 @@ mod bench_paper;
 mod commands;
 mod error;
 mod exit_code;
+mod fit;
 mod gallery;
 mod haptics;
 mod input;
@@ -14,6 +15,7 @@ mod picture;
 mod report;
 mod validate;
 mod wording;
+mod workers;
 
 use std::process::ExitCode;
 use std::time::Instant;
@@ -54,6 +56,7 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         }
         Some(Command::Cook(args)) => cook::run(&args, &library()?),
         Some(Command::Replay(args)) => replay::run(&args, &library()?),
+        Some(Command::Fit(args)) => fit::run(&args, &library()?),
         Some(Command::Lab(args)) => lab::run(&args, &library()?),
         Some(Command::Validate(args)) => validate::run(&args, &library()?),
         Some(Command::Shot(args)) => picture::shot::run(&args, &library()?),

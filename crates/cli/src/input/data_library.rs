@@ -14,8 +14,10 @@ use crate::output::stderr;
 /// Folders that are read in the `--data` folder.
 const FOLDERS: [&str; 6] = ["foods", "pans", "recipes", "kinetics", "coatings", "oils"];
 
-/// File that is read in the `--data` folder itself: the scales of doneness.
-const FILE: &str = "doneness.toml";
+/// The file of the scales of doneness.
+const SCALES: &str = "doneness.toml";
+/// Files that are read in the `--data` folder itself.
+const FILES: [&str; 2] = [SCALES, "kitchen-at-home.toml"];
 
 /// The library, with the list of the files that come from the `--data` folder.
 #[derive(Debug)]
@@ -105,7 +107,7 @@ impl DataLibrary {
         if self.library.scale(id).is_some() {
             return Ok(ScaleChoice::new(&self.library.scales, id));
         }
-        if let Some(cause) = self.library.set_aside(FILE) {
+        if let Some(cause) = self.library.set_aside(SCALES) {
             return Err(CliError::place(format!("--doneness {id}"), format!("cannot be used: {cause}"), MEND));
         }
         let remedy = format!("use one of: {}", self.library.scale_names());
@@ -127,16 +129,16 @@ impl DataLibrary {
 pub const MEND: &str = "correct that file, or remove it from the --data folder to use the shipped one";
 
 fn read_folders(dir: &Path) -> Result<Found, CliError> {
-    let remedy = "name a folder with foods/, pans/, recipes/, kinetics/, coatings/ or oils/ that contain .toml files, or with doneness.toml";
+    let remedy = "name a folder with foods/, pans/, recipes/, kinetics/, coatings/ or oils/ that contain .toml files, or with doneness.toml or kitchen-at-home.toml";
     if !dir.is_dir() {
         let message = if dir.exists() { "--data is not a folder" } else { "--data does not exist" };
         return Err(CliError::place(dir.display(), message, remedy));
     }
     let present: Vec<&str> = FOLDERS.into_iter().filter(|f| dir.join(f).is_dir()).collect();
     let mut found = Found::default();
-    if dir.join(FILE).exists() {
-        found.add(dir, FILE.to_owned());
-    } else if present.is_empty() {
+    let files: Vec<&str> = FILES.into_iter().filter(|file| dir.join(file).exists()).collect();
+    files.iter().for_each(|file| found.add(dir, (*file).to_owned()));
+    if files.is_empty() && present.is_empty() {
         return Err(CliError::place(dir.display(), "--data contains none of the folders that are read", remedy));
     }
     for folder in present {

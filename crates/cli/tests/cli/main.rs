@@ -6,6 +6,7 @@
 mod architecture;
 mod cook;
 mod dependencies;
+mod fit;
 mod folders;
 mod haptics;
 #[cfg(target_os = "linux")]

@@ -9,7 +9,8 @@ use crate::bytes::hash_of;
 use crate::data::library::Library;
 
 /// Files that every kitchen is built from.
-const OF_EVERY_KITCHEN: [&str; 4] = ["components.toml", "fond.toml", "hobs/induction.toml", "kitchen.toml"];
+const OF_EVERY_KITCHEN: [&str; 5] =
+    ["components.toml", "fond.toml", "hobs/induction.toml", "kitchen-at-home.toml", "kitchen.toml"];
 
 /// Returns the hash of every data file by path; that of a food with a surface includes the surface.
 pub(crate) fn file_hashes(

@@ -84,6 +84,7 @@ mod tests {
     use saute_food::{FoodDescription, Kinetics};
 
     use super::*;
+    use crate::data::at_home::KitchenAtHome;
     use crate::data::library::{DonenessFile, Library};
     use crate::data::room::Room;
     use crate::data::schema_text::{Kind, bounds, kind, resolved};
@@ -104,6 +105,7 @@ mod tests {
             ("doneness.toml", FormatSchema::of::<DonenessFile>()),
             ("components.toml", FormatSchema::of::<Components>()),
             ("kitchen.toml", FormatSchema::of::<Room>()),
+            ("kitchen-at-home.toml", FormatSchema::of::<KitchenAtHome>()),
             ("fond.toml", FormatSchema::of::<FondData>()),
         ]
     }

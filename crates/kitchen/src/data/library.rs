@@ -10,6 +10,7 @@ use saute_heat::{Soup, Surface};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::data::at_home::KitchenAtHome;
 use crate::data::data_file::DataFile;
 use crate::data::loading::{Loading, OwnFiles};
 use crate::data::room::Room;
@@ -68,6 +69,8 @@ pub struct Library {
     pub room: Room,
     /// The hob.
     pub hob: HobDescription,
+    /// What a kitchen at home has otherwise; hob and room contain it already.
+    pub at_home: KitchenAtHome,
     /// What juice leaves on the pan.
     pub fond: FondData,
     /// Entries that are not in the tables because a file of the user's is broken, by path: the cause.

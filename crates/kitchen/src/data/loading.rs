@@ -6,6 +6,7 @@ use std::sync::Arc;
 use saute_food::{FoodDescription, Scale};
 use saute_heat::Soup;
 
+use crate::data::at_home::KitchenAtHome;
 use crate::data::data_file::DataFile;
 use crate::data::data_hash::file_hashes;
 use crate::data::library::{DonenessFile, Library, LibraryError, with_body};
@@ -17,6 +18,9 @@ const DONENESS_FILE: &str = "doneness.toml";
 
 /// The file of what juice leaves on the pan.
 const FOND_FILE: &str = "fond.toml";
+
+/// The file of what a kitchen at home has otherwise.
+const AT_HOME_FILE: &str = "kitchen-at-home.toml";
 
 /// The cause for which an entry is set aside, where its own file is broken. The error of that file says more.
 const ITS_FILE: &str = "its file in the --data folder is broken";
@@ -63,11 +67,13 @@ impl<'a> Loading<'a> {
             components: self.parse("components.toml")?,
             room: self.parse("kitchen.toml")?,
             hob: self.parse("hobs/induction.toml")?,
+            at_home: KitchenAtHome::default(),
             fond: self.parse(FOND_FILE)?,
             set_aside: BTreeMap::new(),
             hashes: file_hashes(&self.files, &self.own.surfaces),
         };
         self.set_coated_aside(&library.pans, &coatings);
+        self.settle_at_home(&mut library)?;
         self.settle_oils(&mut library)?;
         self.settle_foods(&mut library)?;
         library.set_aside.clone_from(&self.set_aside);
@@ -142,6 +148,28 @@ impl<'a> Loading<'a> {
             let cause = "the file of its pan or of its coating in the --data folder is broken";
             self.set_aside.entry(format!("pans/{id}.toml")).or_insert_with(|| cause.to_owned());
         }
+    }
+
+    /// Sets what a kitchen at home has otherwise. Where its file is broken, nothing can be cooked: all pans are set aside.
+    fn settle_at_home(&mut self, library: &mut Library) -> Result<(), LibraryError> {
+        let read = match self.set_aside.contains_key(AT_HOME_FILE) {
+            true => Ok(None),
+            false => self.parse::<KitchenAtHome>(AT_HOME_FILE).map(Some),
+        };
+        match read {
+            Ok(Some(at_home)) => {
+                at_home.set_in(&mut library.hob, &mut library.room);
+                library.at_home = at_home;
+                return Ok(());
+            }
+            Ok(None) => {}
+            Err(error) => self.fault(AT_HOME_FILE, error)?,
+        }
+        let cause = format!("the file {AT_HOME_FILE} in the --data folder is broken");
+        for id in std::mem::take(&mut library.pans).into_keys() {
+            self.set_aside.entry(format!("pans/{id}.toml")).or_insert_with(|| cause.clone());
+        }
+        Ok(())
     }
 
     /// Sets aside a butter of the user's that does not melt; without it no pan can be filled. An oil that is set aside may be

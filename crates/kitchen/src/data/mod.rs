@@ -1,5 +1,6 @@
 //! Data files: what a kitchen is built from. The types of the descriptions state each format once.
 
+pub mod at_home;
 pub mod data_file;
 mod data_hash;
 pub mod echo;

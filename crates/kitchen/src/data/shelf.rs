@@ -9,6 +9,7 @@ use include_dir::{Dir, include_dir};
 use saute_food::components::Components;
 use saute_food::{FoodDescription, Kinetics};
 
+use crate::data::at_home::KitchenAtHome;
 use crate::data::data_file::DataFile;
 use crate::data::format::{Format, FormatSchema};
 use crate::data::library::{DonenessFile, LibraryError};
@@ -73,6 +74,7 @@ shelves! {
     DonenessFile: "doneness.toml",
     Components: "components.toml",
     Room: "kitchen.toml",
+    KitchenAtHome: "kitchen-at-home.toml",
     FondData: "fond.toml",
 }
 

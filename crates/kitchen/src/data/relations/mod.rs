@@ -8,6 +8,7 @@ mod pan;
 
 use saute_food::components::Components;
 
+use crate::data::at_home::KitchenAtHome;
 use crate::data::data_file::DataFile;
 use crate::data::format::Format;
 use crate::data::library::LibraryError;
@@ -35,6 +36,12 @@ impl Format for HobDescription {
 
 /// The names of the oils are checked against the library, once all files are read.
 impl Format for Room {
+    fn relations(&self, _: &DataFile) -> Result<(), LibraryError> {
+        Ok(())
+    }
+}
+
+impl Format for KitchenAtHome {
     fn relations(&self, _: &DataFile) -> Result<(), LibraryError> {
         Ok(())
     }

@@ -1,0 +1,137 @@
+//! `saute fit`.
+
+mod answer;
+mod log;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use saute_plan::fit::found::Found;
+use saute_plan::fit::observed::Observed;
+use saute_plan::fit::predict::FitError;
+use saute_plan::fit::search::Fit;
+use saute_recipe::Recipe;
+
+use crate::error::CliError;
+use crate::exit_code;
+use crate::input::data_library::DataLibrary;
+use crate::input::recipe_source;
+use crate::output::out_file::OutFile;
+use crate::output::progress::Progress;
+use crate::output::{json, stderr, stdout};
+use crate::workers::map_all;
+
+/// `saute fit`.
+#[derive(Debug, clap::Args)]
+pub struct FitArgs {
+    /// Log of a thermometer: a CSV file with a column of times (s, min:s or a clock) and columns of temperatures. Optional if a
+    /// weight or a class is given.
+    #[arg(value_name = "LOG.csv")]
+    pub log: Option<PathBuf>,
+    /// Recipe of what was cooked: its steps at the times (at_s, after_s) at which they were done.
+    #[arg(long, value_name = "RECIPE")]
+    pub recipe: String,
+    /// Column of the times, by header or number from 1 [default: the one whose header says so, else the first].
+    #[arg(long, value_name = "COLUMN", requires = "log")]
+    pub time: Option<String>,
+    /// Column of the core's temperature, by header or number from 1.
+    #[arg(long, value_name = "COLUMN", requires = "log")]
+    pub core: Option<String>,
+    /// Column of the pan's temperature, by header or number from 1.
+    #[arg(long, value_name = "COLUMN", requires = "log")]
+    pub pan: Option<String>,
+    /// Unit of the temperatures [default: °F where the header of a column says so, else °C].
+    #[arg(long, value_name = "UNIT", requires = "log")]
+    pub unit: Option<UnitArg>,
+    /// Time in the recipe at which the log begins [s].
+    #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true, requires = "log")]
+    pub shift_s: f64,
+    /// Weight of the food at the end [g].
+    #[arg(long, value_name = "G")]
+    pub weight_g: Option<f64>,
+    /// Class of the core that was seen on the cut at the end.
+    #[arg(long, value_name = "CLASS")]
+    pub class: Option<String>,
+    /// Scale of doneness of the class, see `saute list scales`.
+    #[arg(long, value_name = "SCALE", default_value = "chefs")]
+    pub scale: String,
+    /// Folder in which kitchen-at-home.toml is written; `saute --data DIR` cooks in the kitchen that was found.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Prints the numbers as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Unit of temperatures.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+pub enum UnitArg {
+    /// °C.
+    C,
+    /// °F.
+    F,
+}
+
+/// Misfit from which the model does not describe a log [-] (chosen: residuals of twice the errors of thermometers).
+const LARGEST_MISFIT: f64 = 2.0;
+/// Parts of the progress bar [-] (about as many rounds as a fit has).
+const PARTS: u64 = 10;
+
+/// Fits a kitchen, prints what was found and writes it as a data file.
+pub fn run(args: &FitArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
+    let recipe = recipe_source::load(&args.recipe, data)?;
+    let observed = log::observed(args, data)?;
+    let file = args.out.as_deref().map(prepare).transpose()?;
+    let (found, wall) = fitted(recipe.clone(), data, &observed).map_err(|error| of_fit(&error, args))?;
+    let answer = answer::Answer::new(&found, &recipe, &data.library, wall);
+    if let Some(file) = file {
+        let place = file.place().to_string();
+        file.fill(answer.data_file(args.log.as_deref()).as_bytes())?;
+        stderr::say(format!(
+            "wrote {place}; use it with: saute --data {}",
+            args.out.as_deref().unwrap_or(Path::new("")).display()
+        ));
+    }
+    stdout::print(&if args.json { json::text(&answer)? } else { answer.text() })?;
+    let describes = found.misfit <= LARGEST_MISFIT;
+    if !describes {
+        stderr::say(format!(
+            "the model does not describe the measurements: they miss it by {:.1} times their errors; the intervals are widened by that",
+            found.misfit
+        ));
+        stderr::say("  remedy: check the times and powers of the recipe, the columns, their unit and --shift-s");
+    }
+    Ok(exit_code::of_goal(describes))
+}
+
+fn prepare(dir: &Path) -> Result<OutFile, CliError> {
+    let place = |e: std::io::Error| {
+        let remedy = "name a folder that can be written";
+        CliError::place(format!("--out {}", dir.display()), format!("cannot be made: {e}"), remedy)
+    };
+    std::fs::create_dir_all(dir).map_err(place)?;
+    OutFile::prepare_as("--out", &dir.join(answer::FILE), "DIR")
+}
+
+/// Runs the rounds of a fit on every core.
+fn fitted(recipe: Recipe, data: &DataLibrary, observed: &Observed) -> Result<(Found, Duration), FitError> {
+    let started = Instant::now();
+    let progress = Progress::over(PARTS);
+    let mut fit = Fit::new(recipe, Arc::new(data.library.clone()), observed)?;
+    loop {
+        if let Some(found) = fit.found() {
+            return Ok((*found, started.elapsed()));
+        }
+        progress.next(format!("round {}", fit.progress().0 + 1));
+        let values = map_all(&fit.next_jobs(), |_, job| job.run());
+        fit.take(&values.into_iter().collect::<Result<Vec<_>, _>>()?);
+    }
+}
+
+fn of_fit(error: &FitError, args: &FitArgs) -> CliError {
+    let message = error.to_string();
+    let (message, remedy) = message.split_once("; ").unwrap_or((&message, "check the recipe with: saute cook"));
+    CliError::place(&args.recipe, message, remedy)
+}

@@ -1,0 +1,19 @@
+//! A fit of a kitchen at home: hob efficiency, contact with the pan and thickness of the food from a log of temperatures.
+//!
+//! The cook is simulated with the parameters θ; the fit minimises the weighted squares of the residuals and of the distance
+//! from the prior by the Levenberg–Marquardt method, with Jacobians by forward differences:
+//!
+//! χ²(θ) = Σ ((predicted(θ) − observed)/σ)² + Σ ((θ_k − θ₀_k)/s_k)².
+//!
+//! The covariance is the inverse of JᵀJ at the minimum, times χ²/ν where the residuals are larger than their σ. Intervals
+//! are the 90 % intervals of a normal distribution of θ: the logarithms of contact and thickness, and ln(η/(1 − η)) of the hob's
+//! efficiency η.
+
+mod clock;
+pub mod found;
+pub mod levels;
+pub mod log_file;
+pub mod observed;
+pub mod parameters;
+pub mod predict;
+pub mod search;

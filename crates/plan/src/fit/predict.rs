@@ -1,0 +1,105 @@
+//! What a kitchen with given parameters would have measured: one job of a fit.
+
+use std::sync::Arc;
+
+use saute_kitchen::{Kitchen, Library};
+use saute_recipe::{Cook, Recipe};
+
+use super::levels::Level;
+use super::observed::{END, Quantity, Sample};
+use super::parameters::Parameters;
+
+/// A reason for which a cook cannot be compared with a log.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FitError {
+    /// Nothing was measured.
+    #[error(
+        "the log holds no value that can be compared; give a column of core or pan temperatures, a weight or a class"
+    )]
+    Nothing,
+    /// The recipe has no food.
+    #[error("the recipe has no food; a fit needs the food that was cooked")]
+    NoFood,
+    /// A step waits for a condition.
+    #[error(
+        "step {step} (line {line}) waits for a condition, which the simulation meets at another time than your kitchen did; write at_s with the time at which you did it"
+    )]
+    Condition {
+        /// Number of the step, from 1.
+        step: usize,
+        /// Line in the recipe, from 1.
+        line: usize,
+    },
+    /// The kitchen cannot be built or the recipe cannot be carried out with parameters that were tried.
+    #[error("{0}")]
+    Cook(String),
+    /// The cook ended before a value was measured.
+    #[error(
+        "a value was measured at {at_s:.0} s, but the recipe ends at {end_s:.0} s; let the recipe last longer, or shift the log's time"
+    )]
+    Ended {
+        /// Time of the value [s].
+        at_s: f64,
+        /// End of the recipe [s].
+        end_s: f64,
+    },
+}
+
+/// A cook with parameters that are tried.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// Number within its round.
+    pub number: usize,
+    pub(super) recipe: Arc<Recipe>,
+    pub(super) library: Arc<Library>,
+    pub(super) samples: Arc<Vec<Sample>>,
+    pub(super) parameters: Parameters,
+    pub(super) level: Level,
+}
+
+impl Job {
+    /// Cooks, and returns the values at the times of the samples [K, kg].
+    ///
+    /// # Errors
+    ///
+    /// If the kitchen cannot be built, a step cannot be carried out, or the cook ends before the last sample.
+    pub fn run(&self) -> Result<Vec<f64>, FitError> {
+        let mut library = (*self.library).clone();
+        self.parameters.set_in(&mut library);
+        let mut recipe = (*self.recipe).clone();
+        self.parameters.set_in_recipe(&mut recipe);
+        self.level.set_in(&mut recipe);
+        let mut cook = Cook::new(recipe, &library).map_err(|e| FitError::Cook(e.to_string()))?;
+        let mut values = Vec::with_capacity(self.samples.len());
+        for sample in self.samples.iter() {
+            reach(&mut cook, sample.at_s)?;
+            values.push(value(&cook.kitchen, sample.quantity));
+        }
+        Ok(values)
+    }
+}
+
+/// Cooks on until a time [s].
+fn reach(cook: &mut Cook, at_s: f64) -> Result<(), FitError> {
+    while cook.kitchen.time_s() < at_s - 0.5 * saute_kitchen::TICK_S {
+        if cook.stopped().is_some() {
+            if at_s == END {
+                return Ok(());
+            }
+            return Err(FitError::Ended { at_s, end_s: cook.kitchen.time_s() });
+        }
+        cook.advance().map_err(|e| FitError::Cook(e.to_string()))?;
+    }
+    Ok(())
+}
+
+/// A quantity now [K, kg]; of several foods, that of the first.
+fn value(kitchen: &Kitchen, quantity: Quantity) -> f64 {
+    let of_food = |measure: fn(&saute_kitchen::Piece) -> f64| kitchen.pieces().first().map_or(0.0, measure);
+    match quantity {
+        Quantity::Pan => kitchen.pan_temperature(),
+        Quantity::Core => of_food(saute_kitchen::Piece::core),
+        Quantity::CorePeak => of_food(|piece| piece.core_peak.0),
+        Quantity::Mass => of_food(saute_kitchen::Piece::mass),
+    }
+}
