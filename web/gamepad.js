@@ -5,7 +5,7 @@ const BUTTONS = [0, 1, 2, 3, 12, 13, 14, 15, 4, 5, 9, 8];
 /** Length of an effect, and after how long it is renewed [ms] (chosen: the motors stop soon after a page that hangs). */
 const EFFECT_MS = 500;
 const RENEW_MS = 250;
-/** Strengths nearer than this are one [-] (chosen: less is not felt; each is a message). */
+/** Strengths nearer than this are one, and weaker ones are none [-] (chosen: less is not felt; each is a message). */
 const ONE_STRENGTH = 0.02;
 
 const firstPad = () => navigator.getGamepads?.().find((pad) => pad?.connected && pad.mapping === "standard");
@@ -21,18 +21,17 @@ export function readPad() {
 }
 
 /** What the motors were told last, and when. */
-let told = { strong: 0, weak: 0, at: 0 };
+let told = { strong: 0, weak: 0, rests: true, at: 0 };
 
 /** Lets the motors of that gamepad turn so fast, 0 to 1; nothing where the browser does not reach them. */
 export function shakePad(strong, weak) {
   const motors = firstPad()?.vibrationActuator;
   if (!motors?.playEffect) return;
-  const rests = strong === 0 && weak === 0;
-  const rested = told.strong === 0 && told.weak === 0;
+  const rests = Math.max(strong, weak) < ONE_STRENGTH;
   const isNear = Math.max(Math.abs(strong - told.strong), Math.abs(weak - told.weak)) < ONE_STRENGTH;
   const now = performance.now();
-  if (rests ? rested : isNear && now - told.at < RENEW_MS) return;
-  told = { strong, weak, at: now };
+  if (rests ? told.rests : isNear && now - told.at < RENEW_MS) return;
+  told = { strong, weak, rests, at: now };
   const effect = { duration: EFFECT_MS, strongMagnitude: Math.min(strong, 1), weakMagnitude: Math.min(weak, 1) };
   const played = rests ? motors.reset?.() : motors.playEffect("dual-rumble", effect);
   // A gamepad that is pulled out at this moment is missed at the next reading.

@@ -45,7 +45,7 @@ async function pressPad(page, button) {
   }
 }
 
-test("a gamepad cooks: hob, steak, flip and pause", { timeout: 240_000 }, async () => {
+test("a gamepad cooks and shakes: hob, steak, flip, toss and pause", { timeout: 240_000 }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address, { prepare: plugIn });
   await pressPad(page, 12);
   await until(page, "the hob is higher", (now) => now.hob_w > 0);
@@ -53,8 +53,9 @@ test("a gamepad cooks: hob, steak, flip and pause", { timeout: 240_000 }, async 
   await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");
   await pressPad(page, 0);
   await until(page, "the steak is turned", (now) => now.pieces[0].upside_down);
-  // The steak fell into the pan.
-  await page.waitForFunction(() => window.effects.some(({ strongMagnitude }) => strongMagnitude > 0), null, { timeout: 30_000 });
+  await pressPad(page, 2);
+  // What was tossed falls into the pan.
+  await page.waitForFunction(() => window.effects.some(({ strongMagnitude }) => strongMagnitude > 0.1), null, { timeout: 30_000 });
   await pressPad(page, 9);
   await until(page, "time stands still", (now) => now.paused);
   await page.waitForFunction(() => window.effects.at(-1).kind === "reset", null, { timeout: 30_000 });
