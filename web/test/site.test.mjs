@@ -127,7 +127,7 @@ test("without WebGPU an address that asks for it gets WebGL 2", async () => {
 test("a frame of another site cooks, and keeps nothing", async () => {
   const root = mkdtempSync(join(tmpdir(), "saute-frame-"));
   const frame = `<iframe src="${host.address}?embed&recipe=medium" width="800" height="600" title="A pan"></iframe>`;
-  writeFileSync(join(root, "index.html"), `<!doctype html><title>Another site</title>${frame}`);
+  writeFileSync(join(root, "index.html"), `<!doctype html><title>Another site</title><link rel="icon" href="data:,">${frame}`);
   const other = await serve(root);
   const { page, seen, close } = await watch(browser, other.address);
   try {
