@@ -7,7 +7,7 @@ const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
 export class Cover {
   constructor(words) {
     this.words = words;
-    for (const id of ["about", "guides", "again"]) part(id).textContent = words[id];
+    for (const id of ["about", "guides", "again", "tilt"]) part(id).textContent = words[id];
     part("status").textContent = words.loading;
     part("progress").setAttribute("aria-label", words.loading);
     part("again").addEventListener("click", () => location.reload());

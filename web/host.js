@@ -1,17 +1,39 @@
 // What the page does for the window, by the names that the module calls.
 
 const version = new URL(import.meta.url).search;
-const { readPad } = await import(new URL(`./gamepad.js${version}`, import.meta.url).href);
+const part = (name) => import(new URL(`./${name}.js${version}`, import.meta.url).href);
+const [{ readPad, shakePad }, { canTilt, Tilt }] = await Promise.all([part("gamepad"), part("tilt")]);
 
 /** The page's side of the module. */
 export class Host {
   constructor(keptCook, controls, errands) {
     Object.assign(this, { keptCook, controls, errands });
+    this.phone = new Tilt(document.getElementById("tilt"));
   }
 
   /** Numbers of the first gamepad; undefined where there is none. */
   readPad() {
     return readPad();
+  }
+
+  /** Lets the strong and the weak motor of the first gamepad turn so fast, 0 to 1. */
+  shakePad(strong, weak) {
+    shakePad(strong, weak);
+  }
+
+  /** Returns true if the page can read how the phone is held. */
+  canTilt() {
+    return canTilt();
+  }
+
+  /** Reads from now on how the phone is held, after permission; or no longer. */
+  tilt(on) {
+    this.phone.hold(on);
+  }
+
+  /** How the phone is held, if that is new; empty if it was refused. */
+  readTilt() {
+    return this.phone.read();
   }
 
   /** Gives the worker an errand. The module's memory may move: the bytes are copied. */

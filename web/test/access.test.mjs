@@ -1,5 +1,6 @@
-// Promises to those who do not see the canvas, or have no mouse: the panels are there as HTML controls, axe finds no violation in
-// them, a description tells the cook, and a whole cook needs nothing else.
+// Promises to those who do not see the canvas, have no mouse, or asked for less motion: the panels are there as HTML controls, axe
+// finds no violation in them, a description tells the cook, and a whole cook needs nothing else; the window moves less. How:
+// crates/window/tests/window/settings.rs.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -21,15 +22,21 @@ async function violations(page) {
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`);
 }
 
-for (const [lang, colorScheme] of [["en", "dark"], ["ja", "light"]]) {
-  test(`axe finds no violation (${lang}, ${colorScheme})`, { timeout: 240_000 }, async () => {
-    const { page, close } = await visit(there.browser, `${there.host.address}?lang=${lang}`, { colorScheme });
+const CASES = [["en", "dark", "reduce", "Movement: Reduced"], ["ja", "light", "no-preference", "動き: なめらか"]];
+
+for (const [lang, colorScheme, reducedMotion, motion] of CASES) {
+  test(`axe finds no violation, and motion is as the browser says (${lang}, ${colorScheme})`, { timeout: 240_000 }, async () => {
+    const { page, close } = await visit(there.browser, `${there.host.address}?lang=${lang}`, { colorScheme, reducedMotion });
     await page.waitForFunction(() => document.querySelectorAll("#controls button").length > 20, null, { timeout: 30_000 });
     assert.deepEqual(await violations(page), []);
     // With panels and a card open.
     await page.keyboard.press("n");
     await page.waitForTimeout(1500);
     assert.deepEqual(await violations(page), []);
+    await page.keyboard.press("F2");
+    const chosen = page.locator("#controls").getByRole("radio", { name: motion });
+    await chosen.waitFor({ state: "attached", timeout: 30_000 });
+    assert.equal(await chosen.getAttribute("aria-checked"), "true");
     await close();
   });
 }

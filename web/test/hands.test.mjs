@@ -1,11 +1,13 @@
-// Promises: a gamepad cooks in the page; two fingers bring the eye nearer. That the pan stays then: crates/window/tests/window/pan.rs.
+// Promises: a gamepad cooks in the page and shakes; two fingers bring the eye nearer; the phone is the pan. What fingers do else, and
+// how high controls are for them: crates/window/tests/window/touch.rs.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { trouble } from "./browser.mjs";
 import { difference, pixels } from "./canvas.mjs";
-import { kitchen, until, visit } from "./cooking.mjs";
+import { kitchen, stats, until, visit } from "./cooking.mjs";
+import { clickLabel } from "./labels.mjs";
 
 const there = kitchen();
 
@@ -14,7 +16,22 @@ const plugIn = (page) =>
   page.addInitScript(() => {
     const button = () => ({ pressed: false, value: 0 });
     window.pad = { connected: true, mapping: "standard", axes: [0, 0, 0, 0], buttons: Array.from({ length: 17 }, button) };
+    window.effects = [];
+    window.pad.vibrationActuator = {
+      playEffect: async (kind, effect) => window.effects.push({ kind, ...effect }),
+      reset: async () => window.effects.push({ kind: "reset" }),
+    };
     navigator.getGamepads = () => [null, window.pad];
+  });
+
+/** A browser that lets pages read the sensors only after a touch. */
+const askForSensors = (page) =>
+  page.addInitScript(() => {
+    window.asked = 0;
+    window.DeviceOrientationEvent.requestPermission = async () => {
+      window.asked += 1;
+      return navigator.userActivation.isActive ? "granted" : "denied";
+    };
   });
 
 /** Presses a button for a few frames. */
@@ -28,7 +45,7 @@ async function pressPad(page, button) {
   }
 }
 
-test("a gamepad cooks: hob, steak, flip and pause", { timeout: 240_000 }, async () => {
+test("a gamepad cooks and shakes: hob, steak, flip, toss and pause", { timeout: 240_000 }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address, { prepare: plugIn });
   await pressPad(page, 12);
   await until(page, "the hob is higher", (now) => now.hob_w > 0);
@@ -36,15 +53,21 @@ test("a gamepad cooks: hob, steak, flip and pause", { timeout: 240_000 }, async 
   await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");
   await pressPad(page, 0);
   await until(page, "the steak is turned", (now) => now.pieces[0].upside_down);
+  await pressPad(page, 2);
+  // What was tossed falls into the pan.
+  await page.waitForFunction(() => window.effects.some(({ strongMagnitude }) => strongMagnitude > 0.1), null, { timeout: 30_000 });
   await pressPad(page, 9);
   await until(page, "time stands still", (now) => now.paused);
+  await page.waitForFunction(() => window.effects.at(-1).kind === "reset", null, { timeout: 30_000 });
+  const kinds = await page.evaluate(() => [...new Set(window.effects.map(({ kind }) => kind))].sort());
+  assert.deepEqual(kinds, ["dual-rumble", "reset"]);
   assert.deepEqual(trouble(seen), []);
   await close();
 });
 
-test("two fingers bring the eye nearer", { timeout: 240_000 }, async () => {
+test("two fingers bring the eye nearer, and the phone is the pan", { timeout: 240_000 }, async () => {
   const options = { viewport: { width: 390, height: 844 }, hasTouch: true };
-  const { page, close } = await visit(there.browser, there.host.address, options);
+  const { page, close } = await visit(there.browser, there.host.address, { ...options, prepare: askForSensors });
   const touch = await page.context().newCDPSession(page);
   const fingers = (type, apart) => {
     const touchPoints = apart === null ? [] : [-apart, apart].map((x, id) => ({ x: 150 + x, y: 250, id }));
@@ -60,5 +83,26 @@ test("two fingers bring the eye nearer", { timeout: 240_000 }, async () => {
   await page.waitForTimeout(1500);
   const { png: __, ...after } = await pixels(page);
   assert.ok(difference(before, after).changed > 0.1, "the pan is seen from nearer");
+  // As on iOS: the page asks by a button of its own.
+  await clickLabel(page, "Phone tilt");
+  const button = page.getByRole("button", { name: "how the phone is held" });
+  await button.tap();
+  /** Holds the phone until the pan is there; a hand is never quite still. */
+  const hold = async (beta, tilt_deg) => {
+    for (let times = 0, near = 0; near < 10; times++) {
+      const held = { alpha: 0, beta: beta + 0.1 * (times % 2), gamma: 0 };
+      await touch.send("DeviceOrientation.setDeviceOrientationOverride", held);
+      const now = await stats(page);
+      near = Math.abs(now.pan_tilt_deg - tilt_deg) < 2 ? near + 1 : 0;
+      assert.ok(times < 400, `${now.pan_tilt_deg}° for ${beta}°`);
+      await page.waitForTimeout(50);
+    }
+  };
+  // The pan stands as the phone is first held, and tilts with it.
+  await hold(40, 0);
+  await hold(25, 15);
+  assert.equal(await page.evaluate(() => window.asked), 1);
+  await clickLabel(page, "Phone tilt");
+  await until(page, "the pan is laid down", (now) => now.pan_tilt_deg < 1);
   await close();
 });

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { reaches, watch } from "./browser.mjs";
+import { reaches, trouble, watch } from "./browser.mjs";
 import { cookUntil, kitchen, press, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
 

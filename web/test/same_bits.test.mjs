@@ -32,6 +32,9 @@ test("a native cook replays in the page to the same bits, and is saved as the sa
   const rows = readFileSync(await table.path(), "utf8").split("\n");
   assert.match(rows[0], /^time_s,hob_drawn_w,pan_c,/);
   assert.ok(rows.length > 50, `${rows.length} rows`);
+  const [recipe] = await Promise.all([page.waitForEvent("download"), clickLabel(page, "Save as a recipe…")]);
+  assert.equal(recipe.suggestedFilename(), "my-recipe.toml");
+  assert.match(readFileSync(await recipe.path(), "utf8"), /^\[\[step\]\]\nat_s = [\d.]+\nhob_w = /m);
   const [picture] = await Promise.all([page.waitForEvent("download"), press(page, "s")]);
   assert.equal(readFileSync(await picture.path()).toString("latin1", 1, 4), "PNG");
   assert.deepEqual(trouble(seen), []);

@@ -1,7 +1,7 @@
 // Promises of the page as a site: what it fetches, what it says, which hosts it works on.
 
 import assert from "node:assert/strict";
-import { mkdirSync, mkdtempSync, rmSync, symlinkSync } from "node:fs";
+import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { after, before, test } from "node:test";
@@ -124,16 +124,27 @@ test("without WebGPU an address that asks for it gets WebGL 2", async () => {
   });
 });
 
-test("after the loss of the graphics device the page starts again", async () => {
-  await cooks(host.address, async ({ page }) => {
-    await page.evaluate(() => {
-      window.before = document.querySelector("canvas");
-      window.dispatchEvent(new CustomEvent("saute-lost"));
-    });
-    const isNew = () => document.querySelector("canvas") !== window.before && window.saute.backend() === "webgl2";
-    await page.waitForFunction(isNew, null, { timeout: 60_000 });
-    await page.waitForFunction(() => JSON.parse(window.saute.stats() || "{}").frames > 2, null, { timeout: 120_000 });
-  });
+test("a frame of another site cooks, and keeps nothing", async () => {
+  const root = mkdtempSync(join(tmpdir(), "saute-frame-"));
+  const frame = `<iframe src="${host.address}?embed&recipe=medium" width="800" height="600" title="A pan"></iframe>`;
+  writeFileSync(join(root, "index.html"), `<!doctype html><title>Another site</title><link rel="icon" href="data:,">${frame}`);
+  const other = await serve(root);
+  const { page, seen, close } = await watch(browser, other.address);
+  try {
+    const inside = await (await page.waitForSelector("iframe")).contentFrame();
+    const cooks = () => window.saute && JSON.parse(window.saute.stats() || "{}").time_s > 6;
+    await inside.waitForFunction(cooks, null, { timeout: 120_000 });
+    const { recipe } = await inside.evaluate(() => JSON.parse(window.saute.stats()));
+    assert.match(recipe, /medium/i);
+    const kept = () =>
+      Promise.all([indexedDB.databases(), caches.keys(), navigator.serviceWorker.getRegistrations(), Object.keys(localStorage)]);
+    assert.deepEqual(await inside.evaluate(kept), [[], [], [], []]);
+    assert.deepEqual(trouble(seen), []);
+  } finally {
+    await close();
+    other.end();
+    rmSync(root, { recursive: true });
+  }
 });
 
 test("a phone gets the whole screen, light or dark", async () => {

@@ -8,6 +8,8 @@
 //! - [`remote`]: networked devices: phones, the Haply Inverse3, OSC senders
 //! - [`kitchen`]: the contact model, and the pan and turner in hand
 //!
+//! A browser reaches no device: there the crate has what is felt (contact model, rumble) and how a phone holds the pan.
+//!
 //! A simulated device carries 0.3 kg of food:
 //!
 //! ```
@@ -31,37 +33,47 @@
 //! ```
 
 pub mod control;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod device;
 pub mod kitchen;
 pub mod library;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod open;
 pub mod remote;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod strings;
+#[cfg(not(target_arch = "wasm32"))]
 mod template;
 pub mod wrench;
 
-// The former name of `library`, until window and command line use the new one.
-
-pub use control::control_loop::ControlLoop;
-pub use control::degrade::Rendering;
 pub use control::feel::Feel;
-pub use control::renderer::Renderer;
-pub use control::rumble::Rumble;
-pub use device::{Capabilities, HapticCommand, HapticDevice, HapticSample, Health};
+pub use control::rumble::{Rumble, RumbleRule};
 pub use kitchen::contact_model::ContactModel;
 pub use kitchen::handover::Handover;
 pub use kitchen::kitchen_watch::KitchenWatch;
 pub use kitchen::pan_in_hand::PanInHand;
 pub use kitchen::turner_in_hand::TurnerInHand;
-pub use open::{Access, Named, OpenError, Opened, open};
 pub use saute_kitchen::dynamics::Pose;
-pub use strings::geometry::Geometry;
-pub use strings::jig_calibration::Calibration;
-pub use strings::kept_calibration::KeptCalibration;
-pub use strings::pose_from_lengths::PoseEstimator;
-pub use strings::simulator::Simulator;
-pub use strings::spidar::Spidar;
-pub use strings::tension::{TensionRule, TensionSolver};
-pub use strings::{STRINGS, StringRig};
-pub use template::WeightOnSpring;
 pub use wrench::{Twist, Wrench};
+
+#[cfg(not(target_arch = "wasm32"))]
+pub use with_devices::*;
+
+/// What needs a device.
+#[cfg(not(target_arch = "wasm32"))]
+mod with_devices {
+    pub use crate::control::control_loop::ControlLoop;
+    pub use crate::control::degrade::Rendering;
+    pub use crate::control::renderer::Renderer;
+    pub use crate::device::{Capabilities, HapticCommand, HapticDevice, HapticSample, Health};
+    pub use crate::open::{Access, Named, OpenError, Opened, open};
+    pub use crate::strings::geometry::Geometry;
+    pub use crate::strings::jig_calibration::Calibration;
+    pub use crate::strings::kept_calibration::KeptCalibration;
+    pub use crate::strings::pose_from_lengths::PoseEstimator;
+    pub use crate::strings::simulator::Simulator;
+    pub use crate::strings::spidar::Spidar;
+    pub use crate::strings::tension::{TensionRule, TensionSolver};
+    pub use crate::strings::{STRINGS, StringRig};
+    pub use crate::template::WeightOnSpring;
+}

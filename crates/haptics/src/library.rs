@@ -1,5 +1,6 @@
 //! The embedded library: string devices and haptic parameters that the program ships.
 
+#[cfg(not(target_arch = "wasm32"))]
 use std::collections::BTreeMap;
 
 use saute_kitchen::InputError;
@@ -7,21 +8,25 @@ use saute_kitchen::Library;
 use serde::de::DeserializeOwned;
 
 use crate::control::feel::Feel;
+#[cfg(not(target_arch = "wasm32"))]
 use crate::strings::geometry::Geometry;
 
 /// Folder of the devices among the embedded files.
+#[cfg(not(target_arch = "wasm32"))]
 const DEVICES: &str = "haptics/devices/";
 
 /// Name of the default device.
 pub const DEFAULT_DEVICE: &str = "spidar-pan-crossed";
 
 /// Returns the files of the embedded string devices, by name.
+#[cfg(not(target_arch = "wasm32"))]
 pub fn device_texts() -> BTreeMap<String, String> {
     let name = |path: &str| Some(path.strip_prefix(DEVICES)?.strip_suffix(".toml")?.to_owned());
     Library::embedded_files().into_iter().filter_map(|(path, text)| Some((name(&path)?, text))).collect()
 }
 
 /// Returns the embedded string devices, by name.
+#[cfg(not(target_arch = "wasm32"))]
 pub fn devices() -> Result<BTreeMap<String, Geometry>, InputError> {
     let parse = |(name, text): (String, String)| {
         let geometry = Geometry::parse(&text, &format!("{DEVICES}{name}.toml"))?;

@@ -48,6 +48,9 @@ impl Page {
     pub async fn start(&self, canvas: HtmlCanvasElement, options: JsValue) -> Result<(), JsValue> {
         let options = Options::read(&options).map_err(|message| js_sys::Error::new(&message))?;
         let backend = options.backend.resolve().await;
+        if options.is_embedded {
+            self.app.forget();
+        }
         let web = WebOptions { wgpu_options: backend.setup(), dithering: false, ..WebOptions::default() };
         let app = self.app.clone();
         let create = move |cc: &CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {

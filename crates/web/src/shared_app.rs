@@ -1,6 +1,6 @@
 //! The program, kept apart from the picture: where the graphics are lost, a new picture shows the same cook.
 
-use std::cell::{RefCell, RefMut};
+use std::cell::{Cell, RefCell, RefMut};
 use std::rc::Rc;
 
 use eframe::CreationContext;
@@ -8,12 +8,16 @@ use saute_window::{SauteApp, Start, StartError};
 
 /// The program once it has started; clones share it.
 #[derive(Clone, Default)]
-pub(crate) struct SharedApp(Rc<RefCell<Option<SauteApp>>>);
+pub(crate) struct SharedApp {
+    app: Rc<RefCell<Option<SauteApp>>>,
+    /// True if the browser is to keep nothing of it.
+    forgets: Rc<Cell<bool>>,
+}
 
 impl SharedApp {
     /// Starts the program, or lets the one that runs draw on new graphics.
     pub fn begin(&self, cc: &CreationContext<'_>, start: impl FnOnce() -> Result<Start, String>) -> Result<(), String> {
-        let mut app = self.0.borrow_mut();
+        let mut app = self.app.borrow_mut();
         match &mut *app {
             Some(app) => app.begin_picture_anew(cc),
             none => *none = Some(SauteApp::new(cc, start()?).map_err(|error: StartError| error.to_string())?),
@@ -21,9 +25,14 @@ impl SharedApp {
         Ok(())
     }
 
+    /// Lets the browser keep nothing of it, as where the page is a part of another one.
+    pub fn forget(&self) {
+        self.forgets.set(true);
+    }
+
     /// The program; none before it has started, or while it draws.
     pub fn get(&self) -> Option<RefMut<'_, SauteApp>> {
-        RefMut::filter_map(self.0.try_borrow_mut().ok()?, Option::as_mut).ok()
+        RefMut::filter_map(self.app.try_borrow_mut().ok()?, Option::as_mut).ok()
     }
 }
 
@@ -39,8 +48,12 @@ impl eframe::App for SharedApp {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        if let Some(mut app) = self.get() {
+        if let (false, Some(mut app)) = (self.forgets.get(), self.get()) {
             app.save(storage);
         }
+    }
+
+    fn persist_egui_memory(&self) -> bool {
+        !self.forgets.get()
     }
 }

@@ -1,6 +1,6 @@
 //! State and speed of a page, for its tests.
 
-use saute_kitchen::{Piece, celsius};
+use saute_kitchen::{Kitchen, Piece, celsius};
 use saute_scene::quality::Quality;
 use saute_window::SauteApp;
 use serde::Serialize;
@@ -29,6 +29,8 @@ pub(crate) struct Stats {
     hob_w: f64,
     /// Temperature of the pan's floor [°C].
     pan_c: f64,
+    /// Tilt of the pan from level [°].
+    pan_tilt_deg: f64,
     pieces: Vec<PieceStats>,
     /// How far the cook came with which the window offers to go on [s].
     offered_s: Option<f64>,
@@ -88,6 +90,7 @@ impl Stats {
             recipe: session.recipe_title().map(str::to_owned),
             hob_w: kitchen.hob_w(),
             pan_c: celsius(kitchen.pan_temperature()),
+            pan_tilt_deg: tilt_deg(kitchen),
             pieces: kitchen.pieces().iter().map(PieceStats::of).collect(),
             offered_s: app.offered_s(),
             travels: session.is_travelling(),
@@ -97,4 +100,11 @@ impl Stats {
             longest_frame_s: meter.longest_frame_s(),
         }
     }
+}
+
+/// Tilt of the pan from level [°].
+fn tilt_deg(kitchen: &Kitchen) -> f64 {
+    let turned = kitchen.world().motion.pose.rotation;
+    let up = 1.0 - 2.0 * (turned.x * turned.x + turned.y * turned.y);
+    up.clamp(-1.0, 1.0).acos().to_degrees()
 }

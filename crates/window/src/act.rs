@@ -58,6 +58,9 @@ pub enum Act {
     Portion,
     /// Lid on or off.
     Lid,
+    /// The phone holds the pan, or no longer.
+    #[cfg(target_arch = "wasm32")]
+    TiltPhone,
     /// The other tool.
     Tool,
     /// Raises the turner [m].
@@ -223,6 +226,8 @@ pub enum Setting {
     Fahrenheit(bool),
     /// Size of the interface.
     Size(InterfaceSize),
+    /// True if what glides jumps.
+    LessMotion(bool),
     /// The scale of doneness, by its id.
     Scale(String),
     /// Goal for the core by the scale of the food shown, in its unit [°C or %].

@@ -32,6 +32,7 @@ use crate::paint::scene::SceneCallback;
 use crate::panels::window_state::PanelMemory;
 use crate::session::Session;
 use crate::settings::Settings;
+use crate::ui::fingers;
 use crate::ui::glance::Glance;
 use crate::ui::motion::Motions;
 use crate::ui::notice::Notice;
@@ -252,6 +253,7 @@ impl SauteApp {
     /// Draws on this context from now on; without graphics the scene is left out.
     fn draw_on(&mut self, context: &egui::Context, graphics: Option<&egui_wgpu::RenderState>) {
         theme::install(context);
+        fingers::note(context, crate::system::has_coarse_pointer());
         self.drawable = graphics.is_some();
         let Some(state) = graphics else { return };
         SceneCallback::install(state);

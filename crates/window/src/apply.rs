@@ -42,6 +42,8 @@ impl SauteApp {
             Act::Pour(what) => self.pour(what),
             Act::Portion => self.next_portion(),
             Act::Lid => self.turn_lid(),
+            #[cfg(target_arch = "wasm32")]
+            Act::TiltPhone => self.tilt_phone(),
             Act::Tool => self.choose_tool(),
             Act::ToolBy(by) => self.with_turner(|turner| turner.shift(glam::DVec3::Z * by)),
             Act::RollBy(by) => self.with_turner(|turner| turner.tilt(by, 0.0)),
@@ -138,6 +140,7 @@ impl SauteApp {
             Setting::Language(language) => self.set_language(language),
             Setting::Fahrenheit(on) => self.settings.fahrenheit = on,
             Setting::Size(size) => self.settings.size = size,
+            Setting::LessMotion(less) => self.settings.less_motion = Some(less),
             Setting::Scale(id) => {
                 if let Some(scale) = self.session.library.scale(&id).cloned() {
                     self.choose_scale(&scale);

@@ -1,12 +1,14 @@
 //! What the browser does for the window: events to the page, files, downloads.
 
 pub(crate) mod gamepad;
+pub(crate) mod hands;
 mod helper;
 pub mod host;
 mod mirrored;
 
 pub(crate) use self::mirrored::Mirrored;
 
+use std::path::Path;
 use std::sync::{Arc, Mutex};
 
 use js_sys::{Array, Uint8Array};
@@ -96,12 +98,8 @@ impl SauteApp {
 
     /// Hands the browser a file that is made of the cook.
     pub(crate) fn export(&mut self, what: Export, _: &egui::Context) {
-        let l = self.settings.language;
-        let name = what.file_name(l);
-        self.notice.say(match download(&name, what.media_type(), &self.session.exported(what)) {
-            Ok(()) => l.fill("notice.saved", &[("path", &name)]),
-            Err(error) => l.fill("notice.cook_not_saved", &[("path", &name), ("error", &error)]),
-        });
+        let name = what.file_name(self.settings.language);
+        self.export_by(what, Path::new(&name), |bytes| download(&name, what.media_type(), bytes));
     }
 
     /// Reads dropped files; they arrive in a later frame.

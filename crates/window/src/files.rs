@@ -97,14 +97,7 @@ impl SauteApp {
     /// Writes a file that is made of the cook, and says so; or says why it cannot.
     pub fn save_export(&mut self, what: Export, path: &Path) {
         let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension(what.ending()) };
-        let l = self.settings.language;
-        match write_whole(&path, &self.session.exported(what)) {
-            Ok(()) => self.notice.say_of(l.fill("notice.cook_saved", &[("path", &path.display())]), path),
-            Err(error) => {
-                let parts: [(&str, &dyn std::fmt::Display); 2] = [("path", &path.display()), ("error", &error)];
-                self.notice.say(l.fill("notice.cook_not_saved", &parts));
-            }
-        }
+        self.export_by(what, &path, |bytes| write_whole(&path, bytes).map_err(|error| error.to_string()));
     }
 
     /// Opens a recipe's file and remembers it.

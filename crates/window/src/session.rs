@@ -20,6 +20,10 @@ use saute_recipe::{Recipe, Recorder, Recording, Runner};
 
 use self::choice::as_recipe;
 use self::timeline::Timeline;
+#[cfg(target_arch = "wasm32")]
+use crate::browser::hands::Hands;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::hand::Hands;
 
 pub use self::choice::{STEAK, SteakChoice, group_of, noun};
 pub use self::clock::SPEEDS;
@@ -49,9 +53,8 @@ pub struct Session {
     pub paused: bool,
     /// Number of restarts [-].
     pub generation: u64,
-    /// Haptic devices and the tools they hold.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub hands: crate::hand::Hands,
+    /// Devices that hands hold, and the tools in them.
+    pub hands: Hands,
     choice: SteakChoice,
     /// What the cook began with: a recipe that plays, or one that only sets out the chosen food and pan.
     recipe: Arc<Recipe>,
@@ -88,8 +91,7 @@ impl Session {
             speed: 1.0,
             paused: false,
             generation: 0,
-            #[cfg(not(target_arch = "wasm32"))]
-            hands: crate::hand::Hands::default(),
+            hands: Hands::default(),
             choice: choice.clone(),
             recipe,
             plays: false,
@@ -128,13 +130,11 @@ impl Session {
         self.owed_s = 0.0;
         self.forecast = None;
         self.generation += 1;
-        #[cfg(not(target_arch = "wasm32"))]
         self.hands.begin();
     }
 
     /// Devices give the kitchen commands themselves.
     fn listen(&mut self) {
-        #[cfg(not(target_arch = "wasm32"))]
         self.kitchen.listen();
     }
 

@@ -36,6 +36,8 @@ pub struct Settings {
     pub theme: Theme,
     /// Size of the interface.
     pub size: InterfaceSize,
+    /// True if what glides jumps; as the system says unless it was chosen.
+    pub less_motion: Option<bool>,
     /// White balance of the look.
     pub white_balance: WhiteBalance,
     /// Light of the room.
@@ -83,6 +85,7 @@ impl Default for Settings {
             language: Language::English,
             theme: Theme::default(),
             size: InterfaceSize::default(),
+            less_motion: None,
             white_balance: WhiteBalance::default(),
             light: RoomLight::default(),
             quality: QualityChoice::default(),
@@ -119,7 +122,13 @@ impl Settings {
     /// Gives the interface the chosen theme and size.
     pub fn display(&self, ctx: &egui::Context) {
         ctx.set_theme(self.theme.preference());
+        crate::ui::motion::still_interface(ctx, self.moves_less());
         ctx.set_zoom_factor(self.size.fitting(ctx));
+    }
+
+    /// Returns true if nothing glides that can jump.
+    pub fn moves_less(&self) -> bool {
+        self.less_motion.unwrap_or_else(crate::system::wants_less_motion)
     }
 
     /// Returns the goal for the core by a scale, in its unit [°C or %].

@@ -7,21 +7,36 @@
 //! displacement with the commanded and with the reported force and uses the lower value; forces fade out before it is
 //! empty.
 
+#[cfg(not(target_arch = "wasm32"))]
 pub mod control_loop;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod coupled_payload;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod degrade;
+#[cfg(not(target_arch = "wasm32"))]
 mod end_signals;
 pub mod feel;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod guard_planes;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod impulse_train;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod jitter;
+#[cfg(not(target_arch = "wasm32"))]
 mod loop_state;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod loop_step;
+#[cfg(not(target_arch = "wasm32"))]
 mod pacer;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod passivity;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod renderer;
 pub mod rumble;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod safety_limits;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod safety_watch;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod scheduling;
 pub mod vibration;

@@ -1,7 +1,9 @@
 //! Moves the kitchen's pan with a device, and lays it down without one.
 
+use saute_kitchen::dynamics::Pose;
 use saute_kitchen::{Command, Kitchen};
 
+#[cfg(not(target_arch = "wasm32"))]
 use crate::device::{HapticSample, Health};
 use crate::kitchen::handover::Handover;
 use crate::kitchen::lay_down::LayDown;
@@ -19,10 +21,17 @@ impl PanInHand {
     ///
     /// A running device that moves the pan holds it at its pose. Otherwise (stopped, lost, `None`, or a device for the turner only) a
     /// held pan is laid down.
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn step(&mut self, sample: Option<&HapticSample>, kitchen: &mut Kitchen, dt: f64) {
-        if let Some(sample) = sample.filter(|s| s.health == Health::Running && s.leads_pan) {
+        let sample = sample.filter(|s| s.health == Health::Running && s.leads_pan);
+        self.hold(sample.map(|s| &s.pose), kitchen, dt);
+    }
+
+    /// As [`Self::step`], by the pose alone at which a hand holds the pan; without one a held pan is laid down.
+    pub fn hold(&mut self, hand: Option<&Pose>, kitchen: &mut Kitchen, dt: f64) {
+        if let Some(hand) = hand {
             (self.holds, self.laying) = (true, None);
-            let pose = self.handover.pose(&kitchen.held_pan(), &sample.pose, dt);
+            let pose = self.handover.pose(&kitchen.held_pan(), hand, dt);
             // Only poses that are not finite are refused, and drivers return none.
             let _ = kitchen.apply(&Command::HoldPan { pose });
             return;

@@ -41,7 +41,7 @@ impl Entry {
     }
 
     /// Returns a command as the step of a recipe; none for what no recipe can state.
-    pub(crate) fn as_step(&self) -> Option<StepRecord> {
+    pub fn as_step(&self) -> Option<StepRecord> {
         let Deed::Command(command) = &self.deed else { return None };
         let action = Action::of_command(command)?;
         let foods = action.target().map(|target| target.foods.clone()).unwrap_or_default();

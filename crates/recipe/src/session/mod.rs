@@ -80,4 +80,4 @@ pub use playhead::{Departure, DepartureCause, Played};
 pub use recording::{FRAMES_PER_HASH, Recording};
 pub use replay::{Replay, ReplayError};
 pub use session_file::{Damage, Opened, SessionError};
-pub use to_recipe::{ToRecipe, ToRecipeError};
+pub use to_recipe::{ToRecipe, ToRecipeError, Told};

@@ -45,12 +45,37 @@ impl Cook {
         let Some(recording) = self.recording() else {
             return Ok(ToRecipe { text: self.runner.recipe().text.clone(), left_out: Vec::new() });
         };
+        let steps = self.steps.iter().map(StepRecord::as_text).collect();
+        Told { recording, begun: self.runner.recipe(), steps, end_s: self.kitchen.time_s() }.to_recipe(library)
+    }
+}
+
+/// What a session tells of its cook, for a recipe.
+#[derive(Clone, Debug)]
+pub struct Told<'a> {
+    /// What was done.
+    pub recording: &'a Recording,
+    /// The recipe with which it began.
+    pub begun: &'a Recipe,
+    /// The steps in their order, as [`StepRecord::as_text`] writes them.
+    pub steps: Vec<String>,
+    /// Its end [s].
+    pub end_s: f64,
+}
+
+impl Told<'_> {
+    /// Returns it as a recipe: its own if no hand gave a command, else its steps at their times.
+    ///
+    /// # Errors
+    ///
+    /// If what was done breaks a rule of recipes.
+    pub fn to_recipe(&self, library: &Library) -> Result<ToRecipe, ToRecipeError> {
+        let Self { recording, begun, .. } = self;
         let beginning = recording.beginning();
         if beginning.plays && recording.entries().is_empty() {
             return Ok(ToRecipe { text: beginning.text.clone(), left_out: Vec::new() });
         }
-        let begun = self.runner.recipe();
-        let end_s = TICK_S * libm::ceil(tidy(self.kitchen.time_s() / TICK_S));
+        let end_s = TICK_S * libm::ceil(tidy(self.end_s / TICK_S));
         let max_s = (end_s + 1.0).clamp(1.0, 86_400.0);
         let mut text = head(&begun.title, max_s, &begun.pan_kind, tidy(celsius(begun.pan_temperature)));
         let mut orders: Vec<&PieceOrder> = begun.foods.iter().collect();
@@ -59,7 +84,7 @@ impl Cook {
             _ => None,
         }));
         foods(&orders, library)?.iter().for_each(|food| write_food(&mut text, food));
-        self.steps.iter().filter(|step| step.action != Action::End).for_each(|step| write_step(&mut text, step));
+        self.steps.iter().for_each(|step| text.push_str(step));
         let _ = write!(text, "[[step]]\nat_s = {}\nend = true\n", tidy(end_s));
         Recipe::parse(&text, &beginning.file, library)?;
         Ok(ToRecipe { text, left_out: left_out(recording) })
@@ -92,10 +117,15 @@ fn foods(orders: &[&PieceOrder], library: &Library) -> Result<Vec<SetOutFood>, T
     Ok(foods)
 }
 
-/// Writes a step as a recipe states it.
-fn write_step(text: &mut String, step: &StepRecord) {
-    let at_s = tidy(TICK_S * libm::ceil(tidy(step.time_s / TICK_S)));
-    let _ = write!(text, "[[step]]\nat_s = {at_s}\n{} = {}\n", step.action.name(), value_of(step));
+impl StepRecord {
+    /// Returns the step as a recipe states it; empty for the end, which a recipe has once.
+    pub fn as_text(&self) -> String {
+        if self.action == Action::End {
+            return String::new();
+        }
+        let at_s = tidy(TICK_S * libm::ceil(tidy(self.time_s / TICK_S)));
+        format!("[[step]]\nat_s = {at_s}\n{} = {}\n", self.action.name(), value_of(self))
+    }
 }
 
 /// The value of a step's action, with its food.

@@ -12,6 +12,7 @@ use crate::act::Acts;
 use crate::panels;
 use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
+use crate::ui::fingers;
 use crate::ui::layout::Layout;
 
 /// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
@@ -28,7 +29,8 @@ impl SauteApp {
     pub fn frame(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         self.settings.display(&ctx);
-        #[cfg(not(target_arch = "wasm32"))]
+        fingers::note(&ctx, false);
+        self.shake_pad(&ctx);
         self.take_devices(&ctx);
         self.take_keys(&ctx);
         self.take_dropped_files(&ctx);
@@ -48,7 +50,7 @@ impl SauteApp {
 
     fn show(&mut self, ui: &mut Ui) {
         let whole = ui.max_rect();
-        let layout = Layout::new(whole, &self.settings);
+        let layout = Layout::used_by(whole, &self.settings, fingers::are_used(ui.ctx()));
         #[cfg(not(target_arch = "wasm32"))]
         let layout = crate::hand::make_room(layout, &self.session.hands);
         let layout = if self.photo_is_open() { layout.bare() } else { layout };
@@ -82,6 +84,8 @@ impl SauteApp {
             photo: &self.photo,
             tool: self.tool_hand.tool,
             turner_in_hand: self.tool_hand.turner.is_some(),
+            #[cfg(target_arch = "wasm32")]
+            phone_tilts: self.phone_tilts(),
             portion: self.portion,
             slice: self.slice,
             help: self.help,
@@ -147,6 +151,7 @@ impl SauteApp {
         if let Err(error) = passed {
             self.say_trouble(&error);
         }
+        self.motions.jumps = self.settings.moves_less();
         self.motions.advance(&self.session.kitchen, self.session.generation, wall as f32);
         self.move_eye(wall as f32);
         if !(self.session.paused || waits)

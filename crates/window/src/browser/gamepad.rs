@@ -1,5 +1,7 @@
 //! The gamepad that the page's script reads.
 
+use saute_haptics::Rumble;
+
 use super::host::Host;
 use crate::input::gamepad::{PadButton, PadState};
 
@@ -19,4 +21,9 @@ pub(crate) fn read(host: &Host) -> Option<PadState> {
         right_trigger: axes[5],
         down,
     })
+}
+
+/// Lets the motors of the first gamepad turn so fast; nothing where it has none.
+pub(crate) fn shake(host: &Host, rumble: &Rumble) {
+    host.shake_pad(rumble.strong, rumble.weak);
 }

@@ -19,6 +19,22 @@ extern "C" {
     #[wasm_bindgen(method, js_name = readPad)]
     pub(super) fn read_pad(this: &Host) -> Option<Vec<f64>>;
 
+    /// Lets the strong and the weak motor of the first gamepad turn so fast, 0 to 1.
+    #[wasm_bindgen(method, js_name = shakePad)]
+    pub(super) fn shake_pad(this: &Host, strong: f64, weak: f64);
+
+    /// Returns true if the page can read how the phone is held.
+    #[wasm_bindgen(method, js_name = canTilt)]
+    pub(super) fn can_tilt(this: &Host) -> bool;
+
+    /// Reads from now on how the phone is held, after permission; or no longer.
+    #[wasm_bindgen(method)]
+    pub(super) fn tilt(this: &Host, on: bool);
+
+    /// How the phone is held, if that is new: angles, turn of the picture, accelerations; nothing in it if it was refused.
+    #[wasm_bindgen(method, js_name = readTilt)]
+    pub(super) fn read_tilt(this: &Host) -> Option<Vec<f64>>;
+
     /// Gives the page's worker an errand.
     #[wasm_bindgen(method, js_name = askWorker)]
     pub(super) fn ask_worker(this: &Host, errand: &[u8]);

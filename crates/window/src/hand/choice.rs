@@ -106,7 +106,7 @@ fn access_words(access: &Access, l: Language) -> Vec<String> {
 fn typed(ui: &mut Ui, narrow: bool, name: &str, hint: &str, text: &mut String) {
     named(ui, narrow, name, |ui| {
         let width = ui.available_width().min(TYPED);
-        let line = ui.add(TextEdit::singleline(text).hint_text(hint).desired_width(width));
+        let line = theme::field(ui, TextEdit::singleline(text).hint_text(hint).desired_width(width));
         line.widget_info(|| WidgetInfo::labeled(accesskit::Role::TextInput, true, name));
     });
 }

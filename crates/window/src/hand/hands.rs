@@ -2,15 +2,14 @@
 
 use std::path::PathBuf;
 
-use saute_haptics::control::rumble::{Rumble, RumbleRule};
+use saute_haptics::Rumble;
 use saute_haptics::strings::kept_calibration::file_in;
-use saute_haptics::{ContactModel, HapticDevice, Health, KitchenWatch, PanInHand, TurnerInHand, library};
+use saute_haptics::{HapticDevice, Health, PanInHand, TurnerInHand};
 use saute_kitchen::{FRAME_S, Kitchen};
 
 use super::connected::{ConnectError, Connected};
+use crate::felt::Felt;
 
-/// A gamepad falls silent when nothing has happened for so long [s] (chosen: three frames).
-const SILENT_S: f64 = 0.05;
 /// Degrees of freedom that a turner's device must sense.
 const TURNER_DOF: u8 = 6;
 
@@ -44,13 +43,7 @@ pub struct Hands {
     turner: Option<Connected>,
     pan_in_hand: PanInHand,
     turner_in_hand: TurnerInHand,
-    watch: KitchenWatch,
-    model: ContactModel,
-    /// Time since the contact model was sent last [s].
-    silent: f64,
-    /// True if a gamepad renders what is felt.
-    listened: bool,
-    rumble: Option<RumbleRule>,
+    felt: Felt,
     /// Distance of the eye before it stepped back to see the strings [m]; none while they are not shown.
     pub(crate) eye_before: Option<f32>,
     /// Folder of calibrations; none where nothing is remembered.
@@ -138,7 +131,7 @@ impl Hands {
     /// A new kitchen: hands take hold of it gently.
     pub fn begin(&mut self) {
         (self.pan_in_hand, self.turner_in_hand) = Default::default();
-        self.watch.forget();
+        self.felt.forget();
     }
 
     /// Reads the state of the devices; returns the files into which calibrations were written, and errors.
@@ -164,26 +157,17 @@ impl Hands {
 
     /// After a frame at the pace of the clock: sends the contact model to the device that holds the pan.
     pub fn send(&mut self, kitchen: &Kitchen) {
-        if self.pan.is_none() && !self.listened {
+        if self.pan.is_none() && !self.felt.is_listened() {
             return;
         }
-        self.model = self.watch.look(kitchen, FRAME_S);
-        self.silent = 0.0;
+        let model = self.felt.look(kitchen);
         if let Some(pan) = &mut self.pan {
-            pan.send(&self.model);
+            pan.send(model);
         }
     }
 
-    /// Returns the rumble of a gamepad now, `wall` after the last call [s]; none while time stands still or runs
-    /// faster.
+    /// Returns the rumble of a gamepad now, `wall` after the last call [s].
     pub fn rumble(&mut self, wall: f64) -> Rumble {
-        self.listened = true;
-        self.silent += wall;
-        if self.rumble.is_none() {
-            // The program's own file is whole, or nothing at all is felt.
-            self.rumble = library::feel().ok().map(|feel| RumbleRule::new(&feel));
-        }
-        let (silent, model) = (self.silent > SILENT_S + wall, &self.model);
-        self.rumble.as_mut().filter(|_| !silent).map_or_else(Rumble::default, |rule| rule.step(model, wall))
+        self.felt.rumble(wall)
     }
 }

@@ -51,11 +51,6 @@ impl SauteApp {
     /// Reads the state of the devices, first of all in a frame. While one is connected, Enter stops it, whichever
     /// widget has the focus.
     pub(crate) fn take_devices(&mut self, ctx: &Context) {
-        let shaken = ctx.input(|i| f64::from(i.stable_dt));
-        if self.pad.is_plugged() {
-            let rumble = self.session.hands.rumble(shaken);
-            self.pad.shake(&rumble);
-        }
         if !self.session.hands.any() {
             return;
         }

@@ -19,6 +19,8 @@ pub(crate) enum Hold {
     Nothing,
     /// It turns the eye.
     Eye,
+    /// A finger that was held still asks what is under it.
+    Asks,
     /// It carries a piece that waits on the board.
     Waiting(String),
     /// It leads the tongs that hold a piece.
@@ -93,18 +95,28 @@ impl SauteApp {
                 self.click(at, rect);
             }
         }
-        if response.drag_stopped() {
+        if response.long_touched() {
+            self.scene.hold = Hold::Asks;
+        }
+        let lifted = self.scene.hold == Hold::Asks && !ui.input(|i| i.pointer.any_down());
+        if response.drag_stopped() || lifted {
             self.let_go();
         }
         self.hover(ui, response, rect);
     }
 
     fn hover(&mut self, ui: &Ui, response: &egui::Response, rect: Rect) {
-        let idle = response.hover_pos().filter(|_| self.scene.hold == Hold::Nothing);
-        self.scene.hovered = idle.and_then(|at| self.piece_near(at, rect, TOUCH));
+        let touched = ui.input(|i| i.any_touches());
+        let asks = self.scene.hold == Hold::Asks;
+        let finger = ui.input(|i| i.pointer.latest_pos()).filter(|_| asks);
+        // A finger on its way to a tap or a drag asks nothing.
+        let idle = response.hover_pos().filter(|_| self.scene.hold == Hold::Nothing && !touched);
+        self.scene.reads_at = finger.or(idle).map(|at| (at, asks));
+        let within = if asks { GRAB } else { TOUCH };
+        self.scene.hovered = finger.or(idle).and_then(|at| self.piece_near(at, rect, within));
         if self.scene.hovered.is_some() || idle.is_some_and(|at| self.pan_near(at, rect)) {
             ui.ctx().set_cursor_icon(egui::CursorIcon::Grab);
-        } else if !matches!(self.scene.hold, Hold::Nothing | Hold::Eye) {
+        } else if !matches!(self.scene.hold, Hold::Nothing | Hold::Eye | Hold::Asks) {
             ui.ctx().set_cursor_icon(egui::CursorIcon::Grabbing);
         }
     }
@@ -157,7 +169,7 @@ impl SauteApp {
 
     fn drag(&mut self, ui: &Ui, response: &egui::Response, at: Pos2, rect: Rect) {
         match self.scene.hold.clone() {
-            Hold::Nothing => {}
+            Hold::Nothing | Hold::Asks => {}
             Hold::Eye => {
                 let delta = response.drag_delta();
                 self.orbit(-ORBIT_PER_POINT * delta.x, ORBIT_PER_POINT * delta.y);
@@ -253,7 +265,7 @@ impl SauteApp {
             Hold::Pan { .. } => self.release_pan(),
             Hold::Waiting(_) => self.drop_waiting(),
             Hold::Turner => self.settle_turner(),
-            Hold::Nothing | Hold::Eye => {}
+            Hold::Nothing | Hold::Eye | Hold::Asks => {}
         }
     }
 

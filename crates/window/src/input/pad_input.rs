@@ -1,6 +1,7 @@
 //! The gamepad in the window: its state from frame to frame.
 
 use egui::Context;
+use saute_haptics::Rumble;
 
 use crate::app::SauteApp;
 use crate::input::gamepad::{PadMotion, PadState, acts, motion};
@@ -29,19 +30,6 @@ impl Pad {
     }
 }
 
-#[cfg(not(target_arch = "wasm32"))]
-impl Pad {
-    /// Returns true if a device is plugged in.
-    pub(crate) fn is_plugged(&self) -> bool {
-        self.plugged
-    }
-
-    /// Lets its motors shake.
-    pub(crate) fn shake(&mut self, rumble: &saute_haptics::Rumble) {
-        self.device.shake(rumble);
-    }
-}
-
 impl SauteApp {
     /// Sets the gamepad's state, until one that is plugged in reports another.
     pub fn set_pad(&mut self, state: PadState) {
@@ -56,6 +44,26 @@ impl SauteApp {
     #[cfg(target_arch = "wasm32")]
     fn read_pad(&mut self) -> Option<PadState> {
         self.host.as_ref().and_then(crate::browser::gamepad::read)
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    fn turn_motors(&mut self, rumble: &Rumble) {
+        self.pad.device.shake(rumble);
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    fn turn_motors(&mut self, rumble: &Rumble) {
+        if let Some(host) = &self.host {
+            crate::browser::gamepad::shake(host, rumble);
+        }
+    }
+
+    /// Lets a gamepad that is plugged in shake as it feels in the pan.
+    pub(crate) fn shake_pad(&mut self, ctx: &Context) {
+        if self.pad.plugged {
+            let rumble = self.session.hands.rumble(ctx.input(|i| f64::from(i.stable_dt)));
+            self.turn_motors(&rumble);
+        }
     }
 
     fn listen(&mut self) {

@@ -9,7 +9,7 @@ use crate::act::{Act, Acts, Setting};
 use crate::panels::inside::Inside;
 use crate::panels::window_state::WindowState;
 use crate::settings::Settings;
-use crate::ui::theme;
+use crate::ui::{fingers, theme};
 use crate::words::piece_words::change;
 
 /// Bounds of a class in the chosen unit; the first and the last bear the unit.
@@ -40,7 +40,7 @@ pub fn show(state: &WindowState, inside: &Inside, ui: &mut Ui, acts: &mut Acts) 
 fn selector(state: &WindowState, ui: &mut Ui, acts: &mut Acts, scale: &Scale) {
     let l = state.settings.language;
     ui.horizontal(|ui| {
-        ui.spacing_mut().interact_size.y = 22.0;
+        ui.spacing_mut().interact_size.y = fingers::height(ui, 22.0);
         ui.spacing_mut().button_padding = vec2(8.0, 2.0);
         ui.label(RichText::new(l.text("doneness.by")).size(12.5).color(theme::of(ui).quiet));
         let own = l.called("scale", &scale.name);

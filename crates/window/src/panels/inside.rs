@@ -12,7 +12,7 @@ use crate::panels::cut_picture::CutPicture;
 use crate::panels::window_state::WindowState;
 use crate::panels::{curves, doneness_bar, probes};
 use crate::settings::Settings;
-use crate::ui::theme;
+use crate::ui::{fingers, theme};
 
 /// What the panel keeps between frames.
 #[derive(Default)]
@@ -39,7 +39,7 @@ pub fn show(state: &WindowState, inside: &mut Inside, ui: &mut Ui, acts: &mut Ac
         return;
     };
     inside.refresh(state, piece, ui);
-    (ui.spacing_mut().item_spacing.y, ui.spacing_mut().interact_size.y) = (4.0, 26.0);
+    (ui.spacing_mut().item_spacing.y, ui.spacing_mut().interact_size.y) = (4.0, fingers::height(ui, 26.0));
     goal(state, ui, acts);
     cut(state, inside, ui, acts);
     doneness_bar::show(state, inside, ui, acts);
@@ -57,7 +57,8 @@ fn more(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let open = state.settings.curves_open;
     let l = state.settings.language;
     let text = RichText::new(l.text(if open { "inside.less" } else { "inside.more" })).size(13.0);
-    let button = egui::Button::new(text).min_size(vec2(ui.available_width(), 24.0));
+    let size = vec2(ui.available_width(), fingers::height(ui, 24.0));
+    let button = egui::Button::new(text).min_size(size);
     if ui.add(button).on_hover_text(crate::act::hint(&Act::Curves, l)).clicked() {
         acts.push(Act::Curves);
     }

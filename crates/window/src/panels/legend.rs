@@ -6,7 +6,7 @@ use saute_picture::colour::map::{ColourMap, Tone};
 
 use crate::act::{Act, Acts};
 use crate::panels::window_state::WindowState;
-use crate::ui::theme;
+use crate::ui::{fingers, theme};
 use crate::words::language::Language;
 use crate::words::view_words::ViewWords;
 
@@ -34,7 +34,8 @@ fn bar(state: &WindowState, ui: &mut Ui, acts: &mut Acts, map: &ColourMap, width
     let view = state.settings.view;
     let changes = view.is_of_temperature(state.scale().as_deref());
     let sense = if changes { Sense::click() } else { Sense::hover() };
-    let (rect, response) = ui.allocate_exact_size(vec2(BAR.x.min(width), BAR.y), sense);
+    let height = if changes { fingers::height(ui, BAR.y) } else { BAR.y };
+    let (rect, response) = ui.allocate_exact_size(vec2(BAR.x.min(width), height), sense);
     let l = state.settings.language;
     let (role, key) = if changes {
         (egui::accesskit::Role::Button, "legend.spoken_change")

@@ -86,7 +86,7 @@ fn beside(ui: &mut Ui, narrow: bool, name: &str, field: impl FnOnce(&mut Ui) -> 
 
 fn text_field(ui: &mut Ui, typed: &mut String) -> Response {
     let room = ui.available_width() - 2.0 * ui.spacing().item_spacing.x;
-    ui.add(TextEdit::singleline(typed).desired_width(room.min(280.0)))
+    theme::field(ui, TextEdit::singleline(typed).desired_width(room.min(280.0)))
 }
 
 /// What a rig is called, and how well touched points agree with it.

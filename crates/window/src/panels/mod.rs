@@ -32,7 +32,7 @@ use crate::panels::cards::{first_steps, help, messages, unfinished};
 use crate::panels::cook::{hob_bar, pour, time_strip};
 use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::layout::{GAP, Layout};
-use crate::ui::theme;
+use crate::ui::{fingers, theme};
 
 /// Space within a panel of controls for a mouse, and within one for fingers [points].
 const MARGIN: i8 = 6;
@@ -154,11 +154,12 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
     });
     ui.horizontal(|ui| {
         (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (5.0, 7.0);
-        ui.spacing_mut().interact_size.y = STRIP_HEIGHT;
+        let height = fingers::height(ui, STRIP_HEIGHT);
+        ui.spacing_mut().interact_size.y = height;
         time_strip::undo_and_redo(state, ui, acts);
         time_strip::branches(state, ui, acts);
         let width = ui.available_width();
-        time_strip::show(state, ui, acts, egui::vec2(width, STRIP_HEIGHT));
+        time_strip::show(state, ui, acts, egui::vec2(width, height));
     });
     scrolled(ui, |ui| match memory.drawer {
         Drawer::Cook => hob_bar::show(state, ui, acts, true),

@@ -8,7 +8,7 @@ use saute_kitchen::{Piece, celsius};
 use crate::act::{Act, Acts};
 use crate::panels::window_state::WindowState;
 use crate::session::group_of;
-use crate::ui::theme;
+use crate::ui::{fingers, theme};
 use crate::words::language::Language;
 use crate::words::piece_words::{doneness, grams, name, place};
 
@@ -177,7 +177,8 @@ fn spoken(line: &Line, what: String, l: Language) -> String {
 
 /// Draws a line; returns true if it was clicked.
 fn shown(ui: &mut Ui, line: &Line, indent: f32, selected: bool, spoken: &str) -> bool {
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::click());
+    let size = vec2(ui.available_width(), fingers::height(ui, LINE));
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::Button, true, selected, spoken));
     if !ui.is_rect_visible(rect) {
         return response.clicked();

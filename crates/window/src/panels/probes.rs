@@ -4,7 +4,7 @@ use egui::{RichText, Ui, vec2};
 
 use crate::act::{Act, Acts, key_of};
 use crate::panels::window_state::WindowState;
-use crate::ui::theme;
+use crate::ui::{fingers, theme};
 
 /// A button after which the next click on the food puts a probe in.
 pub fn add_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
@@ -25,7 +25,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     if shown.is_empty() {
         return;
     }
-    ui.spacing_mut().interact_size.y = 24.0;
+    ui.spacing_mut().interact_size.y = fingers::height(ui, 24.0);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
         ui.spacing_mut().button_padding = vec2(7.0, 3.0);
@@ -51,7 +51,7 @@ fn edit(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     ui.horizontal(|ui| {
         let edit = egui::TextEdit::singleline(&mut name).char_limit(24).desired_width(ui.available_width() - 90.0);
         let spoken = l.fill("probe.name_of", &[("number", &number)]);
-        let edit = ui.add(edit);
+        let edit = theme::field(ui, edit);
         edit.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::TextInput, true, &spoken));
         if edit.changed() {
             acts.push(Act::NameProbe(number, name));

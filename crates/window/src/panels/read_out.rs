@@ -1,6 +1,6 @@
 //! Read-out next to the pointer: the state of the piece under it, and the value at its point.
 
-use egui::{Area, Id, Order, Rect, RichText, Ui, vec2};
+use egui::{Align2, Area, Id, Order, Rect, RichText, Ui, Vec2, vec2};
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::{Piece, celsius};
 
@@ -9,10 +9,17 @@ use crate::ui::theme;
 use crate::words::piece_words::{doneness, grams, name, place};
 use crate::words::view_words::ViewWords;
 
-/// Shows the read-out while the pointer rests on a piece.
+/// How far it stands below a mouse, and above a finger [points].
+const BY_MOUSE: Vec2 = vec2(18.0, 14.0);
+const BY_FINGER: Vec2 = vec2(0.0, 48.0);
+
+/// Shows the read-out while the pointer rests on a piece, or a finger is held on it.
 pub fn show(state: &WindowState, ui: &Ui, whole: Rect) {
     let piece = state.scene.hovered.as_ref().and_then(|id| state.session.kitchen.piece(id));
-    let (Some(piece), Some(at)) = (piece, ui.ctx().pointer_hover_pos()) else { return };
+    let (Some(piece), Some((at, by_finger))) = (piece, state.scene.reads_at) else { return };
+    // A hand covers what is below its finger.
+    let (at, pivot) =
+        if by_finger { (at - BY_FINGER, Align2::CENTER_BOTTOM) } else { (at + BY_MOUSE, Align2::LEFT_TOP) };
     let l = state.settings.language;
     let shown = |kelvin: f64| state.settings.temperature(celsius(kelvin));
     let (above, below) = (shown(piece.face(false)), shown(piece.face(true)));
@@ -23,7 +30,7 @@ pub fn show(state: &WindowState, ui: &Ui, whole: Rect) {
         place(piece, l).to_owned(),
     ];
     let area = Area::new(Id::unique("read-out")).order(Order::Tooltip).interactable(false);
-    area.fixed_pos(at + vec2(18.0, 14.0)).constrain_to(whole.shrink(6.0)).show(ui.ctx(), |ui| {
+    area.fixed_pos(at).pivot(pivot).constrain_to(whole.shrink(6.0)).show(ui.ctx(), |ui| {
         theme::of(ui).panel().fill(theme::of(ui).solid).inner_margin(9).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 2.0;
             ui.label(RichText::new(name(&piece.id, l)).size(14.5).strong().color(theme::of(ui).accent));

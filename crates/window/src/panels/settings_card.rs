@@ -78,8 +78,20 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     }
     let sizes = InterfaceSize::ALL.map(|s| (format!("{:.0} %", 100.0 * s.factor()), s == now.size));
     let sizes = sizes.each_ref().map(|(text, on)| (text.as_str(), *on));
-    if let Some(size) = row(ui, narrow, l.text("settings.size"), &sizes) {
-        set(Setting::Size(InterfaceSize::ALL[size]));
+    let less = now.moves_less();
+    let motions = [(l.text("settings.motion_full"), !less), (l.text("settings.motion_less"), less)];
+    let mut size_and_motion = |ui: &mut Ui| {
+        if let Some(size) = row(ui, narrow, l.text("settings.size"), &sizes) {
+            set(Setting::Size(InterfaceSize::ALL[size]));
+        }
+        if let Some(motion) = row(ui, narrow, l.text("settings.motion"), &motions) {
+            set(Setting::LessMotion(motion == 1));
+        }
+    };
+    if narrow {
+        size_and_motion(ui)
+    } else {
+        ui.horizontal(size_and_motion).inner
     }
     #[cfg(target_arch = "wasm32")]
     {

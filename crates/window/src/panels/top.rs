@@ -5,7 +5,7 @@ use saute_picture::view::View;
 
 use crate::act::{Act, Acts, hint};
 use crate::panels::window_state::WindowState;
-use crate::ui::theme;
+use crate::ui::{fingers, theme};
 use crate::words::view_words::ViewWords;
 
 /// Height of a chip [points]: two rows of them fit above a narrow scene.
@@ -69,7 +69,8 @@ impl Drawn {
     fn show(self, state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         let l = state.settings.language;
         let palette = theme::of(ui);
-        let response = ui.add(palette.button("", self.is_on).min_size(egui::vec2(self.width, HEIGHT)));
+        let size = egui::vec2(self.width, fingers::height(ui, HEIGHT));
+        let response = ui.add(palette.button("", self.is_on).min_size(size));
         let name = l.text(self.name);
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, name));
         let ink = if self.is_on { palette.on_accent } else { palette.text };
@@ -115,7 +116,8 @@ fn paint_gear(painter: &egui::Painter, at: egui::Pos2, ink: egui::Color32) {
 }
 
 fn chip(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool, act: Act) {
-    let response = ui.add(theme::of(ui).button(text, on).min_size(egui::vec2(38.0, HEIGHT)));
+    let size = egui::vec2(38.0, fingers::height(ui, HEIGHT));
+    let response = ui.add(theme::of(ui).button(text, on).min_size(size));
     let response = response.on_hover_text(explained(state, &act));
     if response.clicked() {
         acts.push(act);

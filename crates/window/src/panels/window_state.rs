@@ -38,6 +38,9 @@ pub struct WindowState<'a> {
     pub tool: Tool,
     /// True while a turner is in the hand.
     pub turner_in_hand: bool,
+    /// True while the phone holds the pan; none where it cannot.
+    #[cfg(target_arch = "wasm32")]
+    pub phone_tilts: Option<bool>,
     /// Portion that is poured at once.
     pub portion: Portion,
     /// Place of the cut (−1…1), or none.

@@ -1,6 +1,7 @@
 //! The clock of a session: wall time to simulated time, frames, ticks and recipe steps.
 
 use saute_kitchen::{FRAME_S, TICK_S};
+use saute_recipe::Fired;
 use web_time::{Duration, Instant};
 
 use super::Session;
@@ -66,12 +67,10 @@ impl Session {
             return Ok(true);
         }
         self.follow(true);
-        #[cfg(not(target_arch = "wasm32"))]
         self.let_devices_lead();
         let ticked = self.kitchen.advance_frame();
         self.recording.observe(&self.kitchen);
         // Forces are only valid at real time; otherwise they fade out.
-        #[cfg(not(target_arch = "wasm32"))]
         if self.speed == 1.0 {
             self.hands.send(&self.kitchen);
         }
@@ -85,7 +84,6 @@ impl Session {
     }
 
     /// Lets devices give their commands, and records them.
-    #[cfg(not(target_arch = "wasm32"))]
     fn let_devices_lead(&mut self) {
         self.hands.lead(&mut self.kitchen);
         let before = self.recording.entries().len();
@@ -105,7 +103,8 @@ impl Session {
         let fired = fired.map_err(|e| e.to_string())?;
         self.recorder.on_steps(&self.kitchen, &fired);
         let (time_s, at) = (self.kitchen.time_s(), self.recording.moment());
-        self.marks.extend(fired.iter().map(|step| Mark { time_s, label: step_label(step), at }));
+        let mark = |step: &Fired| Mark { time_s, label: step_label(step), at, step: step.as_text() };
+        self.marks.extend(fired.iter().map(mark));
         if runner.stopped().is_some() {
             self.paused = true;
             self.owed_s = 0.0;

@@ -18,6 +18,8 @@ pub struct Mark {
     pub label: String,
     /// The instant after it.
     pub at: Moment,
+    /// The step as a recipe states it, if a recipe's step did it; empty for what a hand did, which the recording has.
+    pub step: String,
 }
 
 /// Label of a command at the curves; none for what a hand does all the time.
@@ -86,7 +88,7 @@ impl Session {
         let Some(label) = mark_of(entries) else { return };
         let at = Moment { entries: count, ..self.recording.moment() };
         self.recorder.write_row(&self.kitchen);
-        self.marks.push(Mark { time_s: self.kitchen.time_s(), label, at });
+        self.marks.push(Mark { time_s: self.kitchen.time_s(), label, at, step: String::new() });
     }
 }
 

@@ -95,7 +95,7 @@ impl SauteApp {
             }
         }
         let Some(glance) = &mut self.glance else { return };
-        glance.progress += wall / GLANCE_S;
+        glance.progress += if self.settings.moves_less() { 1.0 } else { wall / GLANCE_S };
         self.camera = glance.at();
         if glance.progress >= 1.0 {
             self.glance = None;

@@ -3,6 +3,7 @@
 use egui::{Pos2, Rect, Vec2, pos2, vec2};
 
 use crate::settings::Settings;
+use crate::ui::theme::TOUCH;
 use crate::ui::ways_layout::WaysLayout;
 
 /// Below this width the panels gather in one drawer [points] (chosen: hob and clock still stand in one row).
@@ -22,6 +23,10 @@ const TOP_HEIGHT: f32 = 46.0;
 const EYE: Vec2 = vec2(200.0, 26.0);
 /// Two rows of chips.
 const NARROW_TOP_HEIGHT: f32 = 106.0;
+/// Rows of chips for fingers: of one where they fit into this width, else two; and the buttons of the views of the eye [points].
+const ONE_ROW: f32 = 700.0;
+const FINGER_TOP_HEIGHTS: [f32; 2] = [68.0, 118.0];
+const FINGER_EYE: Vec2 = vec2(212.0, TOUCH);
 
 /// A part of the window in which the scene is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,21 +74,27 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Lays out a window.
+    /// Lays out a window for a mouse.
     pub fn new(whole: Rect, settings: &Settings) -> Self {
-        let narrow = whole.width() < NARROW;
+        Self::used_by(whole, settings, false)
+    }
+
+    /// Lays out a window for a mouse, or for fingers: the drawer has the room that they need, at any width.
+    pub fn used_by(whole: Rect, settings: &Settings, fingers: bool) -> Self {
+        let narrow = fingers || whole.width() < NARROW;
         let inner = whole.shrink(GAP);
         let mut layout = if narrow && whole.width() > whole.height() {
-            Self::beside(whole, inner)
+            Self::beside(whole, inner, fingers)
         } else if narrow {
-            Self::below(whole, inner)
+            Self::below(whole, inner, fingers)
         } else {
             Self::wide(whole, inner, settings)
         };
+        let eye = if fingers { FINGER_EYE } else { EYE };
         // Where it is narrow the legend needs the lower edge.
         let corner =
-            if narrow { layout.free.right_top() + vec2(0.0, EYE.y + 2.0 * GAP) } else { layout.free.right_bottom() };
-        layout.eye = Rect::from_min_size(corner - EYE - vec2(GAP, GAP), EYE);
+            if narrow { layout.free.right_top() + vec2(0.0, eye.y + 2.0 * GAP) } else { layout.free.right_bottom() };
+        layout.eye = Rect::from_min_size(corner - eye - vec2(GAP, GAP), eye);
         if settings.panels_hidden {
             layout = layout.bare();
         }
@@ -110,10 +121,10 @@ impl Layout {
     }
 
     /// The drawer at the right, over the whole height.
-    fn beside(whole: Rect, inner: Rect) -> Self {
+    fn beside(whole: Rect, inner: Rect, fingers: bool) -> Self {
         let drawer = Rect::from_min_max(pos2(inner.right() - DRAWER_WIDTH, inner.top()), inner.max);
         let left = drawer.left() - GAP;
-        let top = Rect::from_min_max(inner.min, pos2(left, inner.top() + NARROW_TOP_HEIGHT));
+        let top = chips(inner, left, fingers);
         let free = Rect::from_min_max(pos2(whole.left(), top.bottom()), pos2(left, whole.bottom()));
         Self {
             whole,
@@ -129,9 +140,9 @@ impl Layout {
     }
 
     /// The drawer at the bottom.
-    fn below(whole: Rect, inner: Rect) -> Self {
+    fn below(whole: Rect, inner: Rect, fingers: bool) -> Self {
         let split = whole.top() + (0.465 * whole.height()).max(240.0);
-        let top = Rect::from_min_max(inner.min, pos2(inner.right(), inner.top() + NARROW_TOP_HEIGHT));
+        let top = chips(inner, inner.right(), fingers);
         let bottom = Rect::from_min_max(pos2(inner.left(), split), inner.max);
         let free = Rect::from_min_max(pos2(whole.left(), top.bottom()), pos2(whole.right(), split));
         Self { whole, top, left: None, right: bottom, bottom, eye: Rect::NOTHING, free, narrow: true, ways: None }
@@ -182,6 +193,16 @@ impl Layout {
     }
 }
 
+/// The panel of the chips of a window with a drawer, up to a right edge.
+fn chips(inner: Rect, right: f32, fingers: bool) -> Rect {
+    let height = match (fingers, right - inner.left() >= ONE_ROW) {
+        (false, _) => NARROW_TOP_HEIGHT,
+        (true, true) => FINGER_TOP_HEIGHTS[0],
+        (true, false) => FINGER_TOP_HEIGHTS[1],
+    };
+    Rect::from_min_max(inner.min, pos2(right, inner.top() + height))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -211,9 +232,11 @@ mod tests {
     fn panels_do_not_overlap_at_any_size() {
         let sizes = [[1280.0, 720.0], [1920.0, 1080.0], [900.0, 640.0], [853.0, 480.0], [390.0, 844.0], [844.0, 390.0]];
         for size in sizes.map(Vec2::from) {
-            for [pantry_open, curves_open] in [[false, false], [true, false], [false, true]] {
+            for [pantry_open, curves_open, fingers] in
+                [[false, false, false], [true, false, false], [false, true, false], [false, false, true]]
+            {
                 let settings = Settings { pantry_open, curves_open, ..Settings::default() };
-                let l = Layout::new(Rect::from_min_size(Pos2::ZERO, size), &settings);
+                let l = Layout::used_by(Rect::from_min_size(Pos2::ZERO, size), &settings, fingers);
                 assert_eq!(l.narrow, l.bottom == l.right);
                 let parts = l.panels();
                 assert!(parts.iter().all(|part| l.whole.contains_rect(*part)), "{size:?} {l:?}");

@@ -3,6 +3,8 @@
 
 use std::collections::BTreeMap;
 
+use egui::Style;
+use egui::style::ScrollAnimation;
 use glam::Vec3;
 use saute_kitchen::Kitchen;
 use saute_picture::stage::{Places, Pose, pan_pose, poses};
@@ -14,6 +16,17 @@ const LIFT: f32 = 0.075;
 
 /// How far a body may come between two pictures [m] (chosen: more than any hand moves it, less than from board to pan).
 const JUMP: f32 = 0.1;
+
+/// Lets the interface unfold, scroll and blink, or not.
+pub(crate) fn still_interface(ctx: &egui::Context, still: bool) {
+    if (ctx.global_style().animation_time == 0.0) != still {
+        ctx.all_styles_mut(|style| {
+            style.animation_time = if still { 0.0 } else { Style::default().animation_time };
+            style.scroll_animation = if still { ScrollAnimation::none() } else { ScrollAnimation::default() };
+            style.visuals.text_cursor.blink = !still;
+        });
+    }
+}
 
 #[derive(Clone, Copy, Debug)]
 struct Motion {
@@ -30,6 +43,8 @@ pub struct Motions {
     /// The point to which the eye has followed the pan, and true while it moves.
     followed: Option<(Vec3, bool)>,
     generation: u64,
+    /// True if everything is at once where it goes.
+    pub(crate) jumps: bool,
 }
 
 /// How far the pan moves before the eye follows, and how near the eye then comes [m] (chosen: a shake leaves it at
@@ -47,6 +62,8 @@ impl Motions {
 
     /// Follows the kitchen through `wall` seconds; a new `generation` starts at rest.
     pub fn advance(&mut self, kitchen: &Kitchen, generation: u64, wall: f32) {
+        // The end of every way.
+        let wall = if self.jumps { f32::INFINITY } else { wall };
         if generation != self.generation {
             self.clear();
             self.generation = generation;

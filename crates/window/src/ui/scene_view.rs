@@ -29,6 +29,8 @@ pub struct SceneView {
     pub(crate) hold: Hold,
     /// The piece under the pointer.
     pub(crate) hovered: Option<String>,
+    /// Where the pointer reads the scene, and true if it is a finger that was held still.
+    pub(crate) reads_at: Option<(Pos2, bool)>,
     /// What the pointer is on.
     pub(crate) pointed: Option<SeenPoint>,
     /// True if the next click puts a probe in.
@@ -66,8 +68,8 @@ impl SauteApp {
         if self.scene.placing {
             ui.ctx().set_cursor_icon(egui::CursorIcon::Crosshair);
         }
-        let hover = response.hover_pos().filter(|_| self.scene.hovered.is_some());
-        self.scene.pointed = hover.and_then(|at| self.seen_point(at, rect));
+        let read = self.scene.reads_at.filter(|_| self.scene.hovered.is_some());
+        self.scene.pointed = read.and_then(|(at, _)| self.seen_point(at, rect));
         if let (true, Some(at)) = (placed, response.interact_pointer_pos()) {
             match self.seen_point(at, rect) {
                 Some(point) => self.place_probe_at(point),

@@ -1,12 +1,17 @@
 //! The theme of the panels: which palette holds, type and spacing.
 
-use egui::{CornerRadius, FontFamily, FontId, Frame, Margin, Stroke, Style, TextStyle, Ui, Visuals};
+use egui::{
+    CornerRadius, FontFamily, FontId, Frame, Margin, Response, Stroke, StrokeKind, Style, TextEdit, TextStyle, Ui,
+    Visuals,
+};
 use serde::{Deserialize, Serialize};
 
 use crate::ui::palette::Palette;
 
 /// Corner radius of a panel [points].
 pub const CORNER: u8 = 12;
+/// Corner radius of a control [points].
+const CONTROL_CORNER: u8 = 8;
 /// Height of a control that a finger can hit [points].
 pub const TOUCH: f32 = 44.0;
 
@@ -40,6 +45,20 @@ impl Theme {
 /// The colours that hold here.
 pub fn of(ui: &Ui) -> &'static Palette {
     Palette::of(ui.visuals().dark_mode)
+}
+
+/// Shows a field into which text is typed, with an edge: an empty one has nothing else by which it is seen.
+pub fn field(ui: &mut Ui, edit: TextEdit) -> Response {
+    let palette = of(ui);
+    let shown = ui.scope(|ui| {
+        ui.visuals_mut().widgets.inactive.bg_stroke = Stroke::new(1.0, palette.quiet);
+        ui.add(edit)
+    });
+    let response = shown.inner;
+    if response.has_focus() {
+        ui.painter().rect_stroke(response.rect, CONTROL_CORNER, Stroke::new(2.0, palette.text), StrokeKind::Inside);
+    }
+    response
 }
 
 /// Sets up both themes; [`Theme::preference`] then chooses.
@@ -81,6 +100,7 @@ fn visuals(p: &Palette) -> Visuals {
     v.selection.bg_fill = p.accent;
     v.selection.stroke = Stroke::new(1.0, p.on_accent);
     v.slider_trailing_fill = true;
+    v.weak_text_color = Some(p.quiet);
     for widget in [
         &mut v.widgets.inactive,
         &mut v.widgets.hovered,
@@ -88,7 +108,7 @@ fn visuals(p: &Palette) -> Visuals {
         &mut v.widgets.open,
         &mut v.widgets.noninteractive,
     ] {
-        widget.corner_radius = CornerRadius::same(8);
+        widget.corner_radius = CornerRadius::same(CONTROL_CORNER);
         // Text takes this colour, except on what is chosen: there `selection` holds.
         widget.fg_stroke.color = p.text;
     }

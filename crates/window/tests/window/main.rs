@@ -2,6 +2,7 @@
 
 mod advice;
 mod at_hand;
+mod contrast;
 mod foods;
 mod hand;
 mod harness;
@@ -14,5 +15,6 @@ mod settings;
 mod steak;
 mod time;
 mod timeline;
+mod touch;
 mod views;
 mod ways;

@@ -350,38 +350,3 @@ fn a_gamepad_moves_pan_and_tool_together_and_its_buttons_act() {
     harness.get_by_label_contains("move the tool");
     save(&mut harness, "help");
 }
-
-/// Two fingers on the pan turn the eye and bring it nearer; the pan stays where it is.
-#[test]
-fn two_fingers_move_the_eye_and_not_the_pan() {
-    let mut harness = window(PHONE);
-    let fingers = |harness: &mut Harness<'static, SauteApp>, places: [egui::Pos2; 2], phase: egui::TouchPhase| {
-        for (number, pos) in places.into_iter().enumerate() {
-            let (device_id, id) = (egui::TouchDeviceId(1), egui::TouchId(number as u64 + 1));
-            harness.event(Event::Touch { device_id, id, phase, pos, force: None });
-        }
-        steps(harness, 2);
-    };
-    let phone = Rect::from_min_size(egui::Pos2::ZERO, PHONE);
-    let seen = |harness: &Harness<'static, SauteApp>| {
-        [0.0, 0.1].map(|x| harness.state().on_screen(Vec3::new(x, 0.0, 0.0), phone).expect("is seen"))
-    };
-    let held = |harness: &Harness<'static, SauteApp>| harness.state().session().kitchen.held_pan();
-    let ([middle, edge], pan) = (seen(&harness), held(&harness));
-    let other = middle + vec2(40.0, 0.0);
-    // The first finger is the pointer, too, and lies on the pan.
-    harness.hover_at(middle);
-    harness.drag_at(middle);
-    fingers(&mut harness, [middle, other], egui::TouchPhase::Start);
-    let mut apart = [middle, other];
-    for _ in 0..8 {
-        apart = [apart[0] - vec2(6.0, 0.0), apart[1] + vec2(6.0, 6.0)];
-        fingers(&mut harness, apart, egui::TouchPhase::Move);
-    }
-    fingers(&mut harness, apart, egui::TouchPhase::End);
-    harness.drop_at(middle);
-    steps(&mut harness, 2);
-    let [now, edge_now] = seen(&harness);
-    assert!(now.distance(edge_now) > 1.2 * middle.distance(edge), "fingers apart bring it nearer");
-    assert_eq!(held(&harness), pan);
-}

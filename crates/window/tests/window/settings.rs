@@ -65,6 +65,10 @@ fn every_setting_is_chosen_on_the_card() {
             choose(&mut harness, &format!("Size: {:.0} %", 100.0 * size.factor()));
             assert_eq!(settings(&harness).size, size);
         }
+        for (choice, less) in [("Reduced", true), ("Gliding", false)] {
+            choose(&mut harness, &format!("Movement: {choice}"));
+            assert_eq!(settings(&harness).moves_less(), less);
+        }
         choose(&mut harness, "Language: 日本語");
         assert_eq!(settings(&harness).language, Language::Japanese);
         choose(&mut harness, "言語: EN");
@@ -103,7 +107,7 @@ fn choices_have_room(harness: &Harness<'static, SauteApp>, size: egui::Vec2) {
     let nodes = harness.root().children_recursive().filter(|n| n.accesskit_node().role() == Role::RadioButton);
     let radios = nodes.filter(|n| named(n.accesskit_node().label()));
     let rects: Vec<Rect> = radios.map(|n| n.rect()).collect();
-    assert_eq!(rects.len(), 20);
+    assert_eq!(rects.len(), 22);
     for (i, rect) in rects.iter().enumerate() {
         assert!(points.contains_rect(*rect), "{rect:?} in {points:?}");
         assert!(rects[i + 1..].iter().all(|other| !rect.shrink(0.5).intersects(other.shrink(0.5))), "{rect:?}");
@@ -224,4 +228,34 @@ fn settings_are_remembered_and_old_ones_are_still_read() {
     assert_eq!(serde_json::from_str::<Settings>(&text).expect("is read"), chosen);
     let old = serde_json::from_str::<Settings>("{\"fahrenheit\":true}").expect("is read");
     assert!(old.fahrenheit && old.theme == Theme::Dark && old.quality == QualityChoice::Automatic);
+}
+
+/// Who asks for less motion sees the eye, the food and the panels where they go, not on their way.
+#[test]
+fn with_less_motion_nothing_glides() {
+    let mut harness = opened(SIZES[0].0);
+    choose(&mut harness, "Movement: Reduced");
+    press(&mut harness, Key::Escape);
+    let seen = |h: &Harness<'static, SauteApp>| h.state().on_screen(glam::Vec3::ZERO, crate::harness::WINDOW);
+    let steps_until_there = |harness: &mut Harness<'static, SauteApp>, view: &str| {
+        harness.get_by_label(view).click();
+        steps(harness, 2);
+        let soon = seen(harness);
+        steps(harness, 24);
+        soon == seen(harness)
+    };
+    assert!(steps_until_there(&mut harness, "Above"), "the eye jumps");
+    let steak = |h: &Harness<'static, SauteApp>| h.state().steak_on_screen(crate::harness::WINDOW);
+    harness.key_press(Key::Space);
+    harness.key_press(Key::A);
+    steps(&mut harness, 3);
+    let soon = steak(&harness);
+    steps(&mut harness, 12);
+    assert_eq!(soon, steak(&harness), "the steak is in the pan at once");
+    assert_eq!(harness.ctx.global_style().animation_time, 0.0);
+    press(&mut harness, Key::F2);
+    choose(&mut harness, "Movement: Gliding");
+    press(&mut harness, Key::Escape);
+    assert!(!steps_until_there(&mut harness, "Front"), "the eye glides");
+    assert!(harness.ctx.global_style().animation_time > 0.0);
 }

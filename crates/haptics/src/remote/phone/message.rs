@@ -106,7 +106,7 @@ impl FromPhone {
 }
 
 impl Measured {
-    fn check(&self) -> Result<(), BadMessage> {
+    pub(super) fn check(&self) -> Result<(), BadMessage> {
         let within = |list: &[f64], most: f64| list.iter().all(|v| v.is_finite() && v.abs() <= most);
         if !within(&self.turn, LARGEST_DEG) {
             return Err(BadMessage::Range("turn"));

@@ -40,8 +40,13 @@ impl Level {
 
     /// Sets the present orientation as level and straight ahead; returns false if the phone is too steep.
     pub fn set(&mut self, phone: DQuat) -> bool {
+        self.set_within(FLAT, phone)
+    }
+
+    /// As [`Self::set`], with the largest tilt that can be set as level [rad]; the heading is known up to a right angle.
+    pub fn set_within(&mut self, most: f64, phone: DQuat) -> bool {
         let steep = libm::acos((phone * DVec3::Z).z.clamp(-1.0, 1.0));
-        if steep > FLAT {
+        if steep > most {
             return false;
         }
         let heading = heading(phone);

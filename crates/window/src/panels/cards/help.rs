@@ -68,6 +68,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
                 list(ui, &groups(&memory.search, state.settings.language), columns, state.settings.language);
                 ui.separator();
                 ui.label(state.settings.language.text("help.mouse"));
+                ui.label(state.settings.language.text("help.touch"));
             });
         });
     if done || modal.should_close() {
@@ -83,7 +84,8 @@ fn heading(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     let mut search = |ui: &mut Ui, width: f32| {
         let field = TextEdit::singleline(&mut memory.search).hint_text(l.text("help.search")).desired_width(width);
         let spoken = l.text("help.search");
-        ui.add(field).widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::TextInput, true, spoken));
+        theme::field(ui, field)
+            .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::TextInput, true, spoken));
     };
     ui.horizontal(|ui| {
         ui.heading(l.text("help.title"));

@@ -5,7 +5,7 @@ use egui::{Align2, FontId, Rect, Response, Sense, Ui, pos2, vec2};
 use crate::act::{Act, Acts};
 use crate::panels::window_state::WindowState;
 use crate::ui::spoken_range::spoken_range;
-use crate::ui::theme;
+use crate::ui::{fingers, theme};
 
 /// Width of the slider, and the least at which no two words meet [points].
 const WIDTH: f32 = 262.0;
@@ -31,9 +31,9 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let now = if held { 0.0 } else { kitchen.hob_w() };
     // Room for the temperatures beside it, where there is no more.
     let width = (ui.available_width() - HOLD).clamp(NARROWEST, WIDTH);
-    let (rect, _) = ui.allocate_exact_size(vec2(width, TRACK + MARKS), Sense::hover());
-    let track = Rect::from_min_max(pos2(rect.left() + END, rect.top()), pos2(rect.right() - END, rect.top() + TRACK));
-    let power = Power { track, most, settings };
+    let (rect, _) = ui.allocate_exact_size(vec2(width, fingers::height(ui, TRACK + MARKS)), Sense::hover());
+    let track = rect.shrink2(vec2(END, 0.0)).split_top_bottom_at_fraction(TRACK / (TRACK + MARKS)).0;
+    let power = Power { track, whole: rect, most, settings };
     if let Some(watts) = dragged(state, ui, &power, now) {
         acts.push(Act::HobSet(watts));
     }
@@ -47,6 +47,8 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 /// Where powers lie on the track.
 struct Power<'a> {
     track: Rect,
+    /// Track and marks.
+    whole: Rect,
     most: f64,
     settings: &'a [f64],
 }
@@ -73,7 +75,11 @@ impl Power<'_> {
 fn dragged(state: &WindowState, ui: &mut Ui, power: &Power, now: f64) -> Option<f64> {
     let l = state.settings.language;
     let id = ui.scope_id().with("hob");
-    let response = ui.interact(power.track.expand2(vec2(8.0, 0.0)), id, Sense::click_and_drag());
+    let mut place = power.track.expand2(vec2(8.0, 0.0));
+    if fingers::are_used(ui.ctx()) {
+        place.max.y = power.whole.bottom();
+    }
+    let response = ui.interact(place, id, Sense::click_and_drag());
     response.widget_info(|| egui::WidgetInfo::slider(true, now, l.text("hob.power_spoken")));
     paint(ui, &response, power, now);
     let spoken = spoken_range(ui, &response, 0.0..=power.most, now);
@@ -109,7 +115,9 @@ fn mark(state: &WindowState, ui: &mut Ui, power: &Power, watts: f64, on: bool) -
     let palette = theme::of(ui);
     let (x, top) = (power.x(watts), power.track.bottom());
     let half = if watts == 0.0 { 11.0 } else { 18.0 };
-    let place = Rect::from_min_max(pos2(x - half, top - 2.0), pos2(x + half, top + MARKS));
+    // A finger may miss the word upwards: a drag still moves the knob.
+    let upper = if fingers::are_used(ui.ctx()) { power.whole.top() } else { top - 2.0 };
+    let place = Rect::from_min_max(pos2(x - half, upper), pos2(x + half, power.whole.bottom()));
     let response = ui.interact(place, ui.scope_id().with(("setting", watts as i64)), Sense::click());
     response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, &text));
     let ink = if on { palette.accent } else { palette.text };
@@ -119,6 +127,6 @@ fn mark(state: &WindowState, ui: &mut Ui, power: &Power, watts: f64, on: bool) -
         ui.painter().rect_stroke(place, 4.0, egui::Stroke::new(2.0, palette.text), egui::StrokeKind::Inside);
     }
     let font = FontId::proportional(if on || response.hovered() { 14.0 } else { 13.0 });
-    ui.painter().text(pos2(x, top + 0.5 * MARKS - 1.0), Align2::CENTER_CENTER, text, font, ink);
+    ui.painter().text(pos2(x, 0.5 * (top + power.whole.bottom()) - 1.0), Align2::CENTER_CENTER, text, font, ink);
     response.on_hover_text(l.text("hob.power")).clicked()
 }

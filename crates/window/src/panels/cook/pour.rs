@@ -25,6 +25,13 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         Tool::Turner => "pour.turner",
     };
     button(state, ui, acts, l.text(tool), state.turner_in_hand, true, Act::Tool);
+    #[cfg(target_arch = "wasm32")]
+    if let Some(on) = state.phone_tilts {
+        let button = crate::ui::theme::of(ui).button(l.text("pour.tilt"), on);
+        if ui.add(button).on_hover_text(l.text("pour.tilt_hint")).clicked() {
+            acts.push(Act::TiltPhone);
+        }
+    }
 }
 
 /// What moves the turner in the hand: fingers have no wheel and no right button.

@@ -7,7 +7,7 @@ use saute_kitchen::advice::NoPower;
 use crate::act::{Act, Acts};
 use crate::input::pouring::{danger, in_the_pan};
 use crate::panels::window_state::WindowState;
-use crate::ui::theme;
+use crate::ui::{fingers, theme};
 
 /// Size of the bar of a recipe's progress [points].
 const BAR: egui::Vec2 = vec2(90.0, 8.0);
@@ -33,7 +33,8 @@ fn recipe(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     if let Some(title) = state.session.left_recipe() {
         let text = l.fill("hob.resume", &[("title", &l.called("recipe", title))]);
         ui.spacing_mut().button_padding.y = 0.0;
-        let button = egui::Button::new(RichText::new(text).size(13.0)).min_size(vec2(0.0, 18.0));
+        let height = fingers::height(ui, 18.0);
+        let button = egui::Button::new(RichText::new(text).size(13.0)).min_size(vec2(0.0, height));
         if ui.add(button).on_hover_text(l.text("hob.resume_hint")).clicked() {
             acts.push(Act::ResumeRecipe);
         }

@@ -8,7 +8,7 @@ use super::column::piece;
 use crate::panels::curves::{Curve, MOST_POINTS, axes, goal, goal_line, read_off, sample};
 use crate::panels::window_state::WindowState;
 use crate::session::timeline::WayBeside;
-use crate::ui::theme;
+use crate::ui::{fingers, theme};
 
 /// How strongly what lies after the shown instant is drawn [-] (chosen: seen, and told from what has happened).
 const AHEAD_SEEN: f32 = 0.4;
@@ -108,8 +108,9 @@ fn curve(state: &WindowState, way: &WayBeside, quantity: Quantity, ui: &Ui) -> C
 /// Shows which curve is whose, and chooses what they show.
 pub(super) fn legend(state: &WindowState, quantity: &mut Quantity, ui: &mut Ui) {
     let l = state.settings.language;
-    (ui.spacing_mut().item_spacing, ui.spacing_mut().interact_size.y) = (vec2(6.0, 2.0), ROW);
+    ui.spacing_mut().item_spacing = vec2(6.0, 2.0);
     ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().interact_size.y = fingers::height(ui, ROW);
         ui.spacing_mut().button_padding = vec2(7.0, 2.0);
         for other in Quantity::ALL {
             let text = RichText::new(l.text(other.name())).size(13.0);
@@ -118,6 +119,7 @@ pub(super) fn legend(state: &WindowState, quantity: &mut Quantity, ui: &mut Ui) 
             }
         }
     });
+    ui.spacing_mut().interact_size.y = ROW;
     for way in &state.ways {
         ui.horizontal(|ui| {
             sample(ui, theme::of(ui).way(way.way.slot), style(way.way.slot), 2.4);
