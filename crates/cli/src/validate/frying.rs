@@ -7,9 +7,9 @@ use saute_lab::Case;
 use saute_recipe::{Cook, Recipe, Summary};
 
 use super::chart::{Chart, Curve};
-use super::workers::map_all;
 use super::{CaseRun, timed};
 use crate::error::CliError;
+use crate::workers::map_all;
 
 /// Foods whose heat is shown.
 const FOODS: [&str; 5] = ["beef-lean", "beef-patty", "shrimp", "carrot-coin", "leek-ring"];

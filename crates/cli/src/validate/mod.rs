@@ -10,7 +10,6 @@ mod listed_cases;
 mod page;
 mod picture;
 mod segments;
-mod workers;
 
 use std::process::ExitCode;
 use std::time::Instant;
@@ -26,6 +25,7 @@ use crate::error::CliError;
 use crate::exit_code;
 use crate::input::data_library::DataLibrary;
 use crate::output::{json, stderr, stdout};
+use crate::workers::map_all;
 
 use case_folder::CaseFolder;
 use groups::GroupSummary;
@@ -93,7 +93,7 @@ fn run_cases(folder: &CaseFolder, only: Option<&str>, data: &DataLibrary) -> Res
         stderr::say(format!("{} of {}: {id}", i + 1, chosen.len()));
         run_case(&folder.path, id, text, data)
     };
-    workers::map_all(&chosen, run).into_iter().collect()
+    map_all(&chosen, run).into_iter().collect()
 }
 
 fn run_case(folder: &str, id: &str, text: &str, data: &DataLibrary) -> Result<CaseRun, CliError> {

@@ -8,8 +8,8 @@ use saute_lab::{Case, Shape, Verdict, verdicts};
 use super::chart::Curve;
 use super::page::number;
 use super::picture::{dense, draw, expected};
-use super::workers::map_all;
 use super::{CaseRun, timed};
+use crate::workers::map_all;
 
 /// Cases with more nodes are left out: segments are summed edge by edge (chosen: some seconds per case).
 const MOST_NODES: usize = 40_000;

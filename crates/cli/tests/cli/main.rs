@@ -14,6 +14,7 @@ mod layers;
 mod library;
 mod manual;
 mod pictures;
+mod plan;
 mod running;
 mod sessions;
 mod sources;
