@@ -139,7 +139,7 @@ mod tests {
     fn the_score_is_the_formula_on_its_page() {
         let of = |outcome: Outcome| Score::of(&outcome, 5, &medium()).0;
         assert!((of(on_target()) - (70.0 - 1.5 - 0.5)).abs() < 1e-9);
-        assert!((of(Outcome { at_core: 58.0, ..on_target() }) - (68.0 - 10.0 - 2.0)).abs() < 1e-9);
+        assert!((of(Outcome { at_core: 57.5, ..on_target() }) - (68.0 - 12.5 - 2.0)).abs() < 1e-9);
         assert!(
             (of(Outcome { least_crust_pct: 40.0, charred_pct: 3.0, ..on_target() }) - (68.0 - 20.0 - 3.0)).abs() < 1e-9
         );

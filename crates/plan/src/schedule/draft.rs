@@ -13,6 +13,8 @@ pub struct Draft {
     pub change_s: u32,
     /// Index of the power after the change.
     pub then: usize,
+    /// True if the second face gets the first power for the same time, after the first flip.
+    pub both: bool,
     /// Time from putting in to the first flip [s].
     pub first_flip_s: u32,
     /// Time between flips [s].
@@ -22,6 +24,12 @@ pub struct Draft {
 }
 
 impl Draft {
+    /// Returns true if the power rises again for the second face: a longer first power lasts until then anyway.
+    pub(crate) fn sears_both(&self) -> bool {
+        let changes = self.change_s > 0 && self.first != self.then;
+        self.both && changes && self.flips > 0 && self.change_s < self.first_flip_s
+    }
+
     /// Returns the schedule, given the time at which the pan has the temperature of the draft [s] and the latest time to pull [s
     /// after putting in].
     pub fn schedule(&self, order: &Order, put_s: u32, limit_s: u32) -> Schedule {
@@ -37,6 +45,10 @@ impl Draft {
             set(put_s, power(self.first));
         }
         set(put_s + self.change_s, power(self.then));
+        if self.sears_both() {
+            set(put_s + self.first_flip_s, power(self.first));
+            set(put_s + self.first_flip_s + self.change_s, power(self.then));
+        }
         let flip = |k: usize| put_s + self.first_flip_s + k as u32 * self.every_s;
         let flips_s = (0..self.flips).map(flip).collect();
         let pull_s = put_s + limit_s;

@@ -31,6 +31,8 @@ impl Stride {
 /// Returns the neighbours of a draft, in a fixed order; some may be equal to it or to each other.
 pub(crate) fn neighbours(draft: &Draft, order: &Order, stride: Stride) -> Vec<Draft> {
     let mut all = powers(draft, order.hob_w.len(), stride);
+    // Where it makes no difference there is only one draft.
+    all.retain(|draft| !draft.both || draft.sears_both());
     let [low, high] = PREHEAT_C;
     all.push(Draft { preheat_c: (draft.preheat_c + stride.preheat_k).min(high), ..*draft });
     all.push(Draft { preheat_c: (draft.preheat_c - stride.preheat_k).max(low), ..*draft });
@@ -45,6 +47,7 @@ pub(crate) fn combined(from: &Draft, better: &[Draft]) -> Draft {
         all.preheat_c = if draft.preheat_c == from.preheat_c { all.preheat_c } else { draft.preheat_c };
         if (draft.first, draft.change_s, draft.then) != (from.first, from.change_s, from.then) {
             (all.first, all.change_s, all.then) = (draft.first, draft.change_s, draft.then);
+            all.both = draft.both;
         }
         if (draft.first_flip_s, draft.every_s) != (from.first_flip_s, from.every_s) {
             (all.first_flip_s, all.every_s) = (draft.first_flip_s, draft.every_s);
@@ -68,6 +71,7 @@ fn powers(draft: &Draft, count: usize, stride: Stride) -> Vec<Draft> {
     ];
     if stride.powers {
         let sear_s = change_s.max(stride.change_s);
+        all.push(Draft { both: !draft.both, ..*draft });
         all.push(changed((first + 1).min(last), sear_s, then));
         all.push(changed(first.saturating_sub(1), sear_s, then));
         all.push(changed(first, sear_s, (then + 1).min(last)));

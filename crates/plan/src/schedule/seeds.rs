@@ -21,7 +21,9 @@ pub(crate) const LEAST_EVERY_S: u32 = 20;
 pub(crate) fn seeds(order: &Order) -> BTreeSet<Draft> {
     let flips = rhythm(order);
     let draft = |(first, change_s, then)| Draft { preheat_c: PREHEAT_C, first, change_s, then, ..flips };
-    powers(order.hob_w.len()).into_iter().map(draft).collect()
+    let plain: BTreeSet<Draft> = powers(order.hob_w.len()).into_iter().map(draft).collect();
+    let both = plain.iter().map(|draft| Draft { both: true, ..*draft }).filter(Draft::sears_both);
+    both.chain(plain.iter().copied()).collect()
 }
 
 /// Returns the powers to start with: the lowest ones alone, and to the lowest from each other one.
@@ -41,7 +43,7 @@ fn powers(count: usize) -> Vec<(usize, u32, usize)> {
 fn rhythm(order: &Order) -> Draft {
     let guess_s = GUESS_S_MM * order.thickness_mm();
     let flips = order.most_flips;
-    let none = Draft { preheat_c: 0, first: 0, change_s: 0, then: 0, first_flip_s: 0, every_s: 0, flips };
+    let none = Draft { preheat_c: 0, first: 0, change_s: 0, then: 0, both: false, first_flip_s: 0, every_s: 0, flips };
     let even_s = ((guess_s / (flips + 1) as f64) as u32).max(RHYTHM_S);
     match flips {
         0 => none,
