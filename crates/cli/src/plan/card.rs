@@ -12,6 +12,7 @@ const STYLE: &str = include_str!("card.css");
 /// Returns the whole page; it needs no other file.
 pub fn page(plan: &Plan, library: &Library) -> String {
     let title = text::heading(&plan.order);
+    let food = library.foods.get(&plan.order.food).map_or(plan.order.food.as_str(), |food| food.name.as_str());
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -23,7 +24,7 @@ pub fn page(plan: &Plan, library: &Library) -> String {
             }
             body {
                 main {
-                    h1 { (plan.order.food) ", " (plan.order.goal.name) }
+                    h1 { (food) ", " (plan.order.goal.name) }
                     p { (title) }
                     @for why in text::why_not(plan).iter().take(1) { p.notice { (why) } }
                     table {

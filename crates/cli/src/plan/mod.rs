@@ -51,7 +51,7 @@ pub fn run(args: &PlanArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
 }
 
 fn write(file: OutFile, text: &str) -> Result<(), CliError> {
-    let place = file.place().to_string();
+    let place = file.place().path().display().to_string();
     file.fill(text.as_bytes())?;
     stderr::say(format!("wrote {place}"));
     Ok(())

@@ -121,10 +121,10 @@ fn scale<'a>(args: &PlanArgs, model: &FoodModel, data: &'a DataLibrary) -> Resul
     let fitting = fitting(&data.library.scales, model);
     let by_id = |id: &str| fitting.iter().find(|scale| scale.id == id).copied();
     if let Some(id) = &args.scale {
-        data.scales(id)?;
         let known: Vec<&str> = fitting.iter().map(|scale| scale.id.as_str()).collect();
         return by_id(id).map(AsRef::as_ref).ok_or_else(|| {
-            let message = format!("does not fit {}", args.food);
+            let is_known = data.library.scale(id).is_some();
+            let message = if is_known { format!("does not fit {}", args.food) } else { "is not a scale".to_owned() };
             wrong(format!("--scale {id}"), message, format!("use one of: {}", known.join(", ")))
         });
     }
@@ -150,16 +150,19 @@ fn of_target(args: &PlanArgs, error: &saute_plan::goal::TargetError) -> CliError
 pub fn of_job(error: JobError, args: &PlanArgs) -> CliError {
     let JobError::Input(input) = error else { return CliError::place("saute plan", error.to_string(), OTHER_SIZE) };
     let sizes: Vec<String> = args.size_mm.iter().map(f64::to_string).collect();
-    let options = [
-        ("size_mm", "--size-mm", sizes.join(",")),
-        ("food.initial_c", "--initial-c", args.initial_c.to_string()),
-        ("count", "--count", args.count.map_or(String::new(), |count| count.to_string())),
-        ("not all of", "--count", args.count.map_or(String::new(), |count| count.to_string())),
-    ];
-    let at_fault = options.iter().find(|(start, ..)| input.message.starts_with(start));
-    match at_fault {
-        Some((_, option, value)) => wrong(format!("{option} {value}"), input.message.clone(), input.remedy),
-        None => CliError::Input(input),
+    let count = || args.count.map_or(String::new(), |count| count.to_string());
+    let start = |key: &str| input.message.starts_with(key);
+    match () {
+        () if start("size_mm") => {
+            let remedy = input.remedy.replace("size_mm = ", "--size-mm ").replace(['[', ']'], "");
+            wrong(format!("--size-mm {}", sizes.join(",")), input.message, remedy)
+        }
+        () if start("food.initial_c") => wrong(format!("--initial-c {}", args.initial_c), input.message, input.remedy),
+        () if start("count") => wrong(format!("--count {}", count()), input.message, input.remedy),
+        () if start("not all of") => {
+            wrong(format!("--count {}", count()), input.message, "choose fewer or smaller pieces")
+        }
+        () => CliError::Input(input),
     }
 }
 

@@ -88,7 +88,7 @@ fn wrong_options_are_named_with_a_remedy() {
             &["--food", "shrimp", "--target", "rare", "--scale", "chefs"],
             &["--scale chefs", "does not fit shrimp", "shrimp"],
         ),
-        (&["--food", "shrimp", "--target", "rare", "--scale", "mine"], &["mine", "use one of"]),
+        (&["--food", "shrimp", "--target", "rare", "--scale", "mine"], &["--scale mine", "use one of: shrimp"]),
         (&["--food", "beef-lean", "--target", "rare", "--hob", "400,9000"], &["--hob 9000", "3500"]),
         (&["--food", "beef-lean", "--target", "rare", "--crust-pct", "200"], &["--crust-pct 200", "0 to 100"]),
         (&["--food", "beef-lean", "--target", "rare", "--count", "30"], &["--count 30", "room"]),
