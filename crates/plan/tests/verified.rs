@@ -31,19 +31,20 @@ struct Combination {
 impl Combination {
     fn read(number: usize, line: &'static str, library: &Library) -> Self {
         let cells: Vec<&str> = line.split(',').collect();
-        let [food, size, initial_c, count, pan, scale, target, flips, quick, shipped] = cells[..] else {
+        let [food, size, initial_c, count, pan, scale, target, hob_w, flips, quick, shipped] = cells[..] else {
             panic!("line {number}: {line}")
         };
         let crust = Order::usual_crust_pct(library.foods[food].form);
         let goal = Goal::new(&target.parse().unwrap(), library.scale(scale).unwrap(), crust).unwrap();
-        let settings = library.hob.coil.settings_w.iter().copied();
+        let numbers = |cell: &str| -> Vec<f64> { cell.split_whitespace().map(|n| n.parse().unwrap()).collect() };
+        let dial = || library.hob.coil.settings_w.iter().copied().filter(|w| *w > 0.0).collect();
         let order = Order {
             food: food.to_owned(),
-            size_mm: size.split(' ').map(|mm| mm.parse().unwrap()).collect(),
+            size_mm: numbers(size),
             initial_c: initial_c.parse().unwrap(),
             count: count.parse().ok(),
             pan: pan.to_owned(),
-            hob_w: settings.filter(|w| *w > 0.0).collect(),
+            hob_w: if hob_w.is_empty() { dial() } else { numbers(hob_w) },
             most_flips: flips.parse().unwrap_or(FLIPS),
             goal,
         };

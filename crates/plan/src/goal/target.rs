@@ -46,6 +46,9 @@ const CORE_MISS_K: f64 = 1.0;
 const AIM_SHARE: f64 = 0.25;
 const MOST_AIM_K: f64 = 1.5;
 const MOST_AIM_PCT: f64 = 10.0;
+/// Aim above the lower end of a class without an upper end, over the largest distance inside of the others [-] (chosen: the whole
+/// section gets there, its edges too).
+const OPEN_AIM: f64 = 2.5;
 
 impl FromStr for Wish {
     type Err = TargetError;
@@ -141,7 +144,7 @@ fn aim(scale: &Scale, class: usize) -> f64 {
     match end {
         Some(end) if class == 0 => end - most,
         Some(end) => from + (AIM_SHARE * (end - from)).min(most),
-        None => from + most,
+        None => from + OPEN_AIM * most,
     }
 }
 
@@ -160,7 +163,7 @@ mod tests {
     #[test]
     fn the_aim_is_a_little_inside_of_the_class_or_the_goal_of_its_scale() {
         let aim = |scale, target| goal(scale, target).aim;
-        assert_eq!([aim("chefs", "rare"), aim("chefs", "medium"), aim("chefs", "well-done")], [51.25, 61.5, 71.5]);
+        assert_eq!([aim("chefs", "rare"), aim("chefs", "medium"), aim("chefs", "well-done")], [51.25, 61.5, 73.75]);
         assert_eq!(
             [aim("shrimp", "opaque"), aim("ground-beef", "safe"), aim("vegetables", "tender")],
             [63.0, 73.0, 50.0]

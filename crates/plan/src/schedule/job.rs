@@ -97,7 +97,7 @@ impl Job {
         let mut trunk = Trunk::new(Cook::new(recipe, library)?, self);
         match self.pull {
             Pull::AtItsTime => trunk.to(self.schedule.pull_s)?,
-            Pull::ToAim { rise, within, most_rests } => return trunk.to_aim([rise, within], most_rests),
+            Pull::ToAim { rise, within, most_rests } => return trunk.until_aim([rise, within], most_rests),
         }
         let rested = trunk.rest(Some(self.schedule.rest_s));
         Ok(trunk.result(rested))
@@ -157,10 +157,10 @@ impl<'a> Trunk<'a> {
     }
 
     /// Cooks until the core comes to the aim after its rest, and the rests.
-    fn to_aim(mut self, [rise, within]: [f64; 2], most_rests: u32) -> Result<JobResult, JobError> {
+    fn until_aim(mut self, [rise, within]: [f64; 2], most_rests: u32) -> Result<JobResult, JobError> {
         let goal = &self.job.order.goal;
-        let (mut next, mut best) = (goal.aim - rise, None::<Rested>);
-        let mut rests = 0;
+        let missing = |rested: &Rested| goal.aim - rested.outcome.at_core;
+        let (mut next, mut rests, mut best) = (goal.aim - rise, 0, None::<Rested>);
         self.to(self.job.schedule.put_s + SETTLED_S)?;
         loop {
             self.second()?;
@@ -170,16 +170,14 @@ impl<'a> Trunk<'a> {
                 continue;
             }
             let rested = self.rest(None);
-            let missing = goal.aim - rested.outcome.at_core;
             rests += 1;
-            let off = |rested: &Rested| (goal.aim - rested.outcome.at_core).abs();
-            if best.as_ref().is_none_or(|b| off(&rested) < off(b)) {
-                best = Some(rested);
+            next = core + NEXT_SHARE * missing(&rested);
+            let is_over = is_last || rests >= most_rests || missing(&rested) <= within;
+            let closest = best.take().filter(|best| missing(best).abs() <= missing(&rested).abs()).unwrap_or(rested);
+            if is_over {
+                return Ok(self.result(closest));
             }
-            if let (Some(best), true) = (best.take_if(|_| is_last || rests >= most_rests || missing <= within), true) {
-                return Ok(self.result(best));
-            }
-            next = core + NEXT_SHARE * missing;
+            best = Some(closest);
         }
     }
 

@@ -219,7 +219,7 @@ impl Planner {
         self.keep(results);
         let after = self.best().map(|(draft, result)| (*draft, self.rank(result)));
         let (Some((from, before)), Some((to, after))) = (before, after) else { return };
-        let gains = after.0 > before.0 || after.1.0 >= before.1.0 + GAIN;
+        let gains = (after.0 && !before.0) || after.1.0 >= before.1.0 + GAIN;
         let other_powers = (from.first, from.then) != (to.first, to.then);
         let stays = gains && (other_powers || !Stride::ALL[stride].powers);
         let next = if stays { stride } else { stride + 1 };
