@@ -31,6 +31,9 @@ CAMPAIGN_RANDOM_INSTANTS=200
 SHARE_RANDOM_SESSIONS=10
 CAMPAIGN_RANDOM_SESSIONS=100
 
+# Plans that are verified by the cooks of their recipes (crates/plan/tests/verified.rs): of ./test.sh the quick ones of its list.
+CAMPAIGN_PLANS=all
+
 # Kills of a cook that is recorded (crates/cli/tests/cli/sessions.rs). ./test.sh makes 100.
 CAMPAIGN_RANDOM_KILLS=1000
 

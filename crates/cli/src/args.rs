@@ -12,6 +12,7 @@ use crate::gallery::GalleryArgs;
 use crate::haptics::{CheckArgs, DevicesArgs};
 use crate::picture::bench_frame::BenchFrameArgs;
 use crate::picture::shot::ShotArgs;
+use crate::plan::PlanArgs;
 
 /// Simulates a frying pan and the food in it. Without a command the window opens.
 #[derive(Debug, Parser)]
@@ -47,7 +48,7 @@ pub struct HandArgs {
     pub calibration: Option<PathBuf>,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done; 1 ran but fell short: max_s stopped the recipe, a replay departed, a fit does not describe its log, a validation case failed, `lab` warned, or `bench paper` or `haptics check` missed a goal; 2 wrong usage or input.";
+const EXIT_CODES: &str = "Exit codes: 0 done; 1 ran but fell short: max_s stopped the recipe, a replay departed, a fit does not describe its log, a validation case failed, `plan` missed its target, `lab` warned, or `bench paper` or `haptics check` missed a goal; 2 wrong usage or input.";
 
 /// The commands.
 #[derive(Debug, Subcommand)]
@@ -69,6 +70,9 @@ pub enum Command {
     Fit(FitArgs),
     /// Runs the validation cases and compares them with published values and exact solutions.
     Validate(ValidateArgs),
+    /// Finds the schedule (preheating, flips, power, pull, rest) that meets a target best. Exit code 1 if the target cannot be
+    /// met.
+    Plan(PlanArgs),
     /// Renders one picture of a recipe at a given time.
     Shot(ShotArgs),
     /// Renders the figures of the 2013 paper with this simulator's foods, each with its numbers.

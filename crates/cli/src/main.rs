@@ -12,6 +12,7 @@ mod haptics;
 mod input;
 mod output;
 mod picture;
+mod plan;
 mod report;
 mod validate;
 mod wording;
@@ -60,6 +61,7 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         Some(Command::Lab(args)) => lab::run(&args, &library()?),
         Some(Command::Validate(args)) => validate::run(&args, &library()?),
         Some(Command::Shot(args)) => picture::shot::run(&args, &library()?),
+        Some(Command::Plan(args)) => plan::run(&args, &library()?),
         Some(Command::Gallery(args)) => gallery::run(&args, &library()?),
         Some(Command::Bench(Bench::Frame(args))) => picture::bench_frame::run(&args, &library()?, process_start),
         Some(Command::Bench(Bench::Heat(args))) => bench_heat::run(&args, &library()?.library),

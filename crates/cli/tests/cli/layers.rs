@@ -78,6 +78,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
             "saute-surface",
             "saute-scene",
             "saute-picture",
+            "saute-plan",
             "saute-haptics",
             "saute-window",
             "clap",

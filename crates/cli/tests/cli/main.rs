@@ -15,6 +15,7 @@ mod layers;
 mod library;
 mod manual;
 mod pictures;
+mod plan;
 mod running;
 mod sessions;
 mod sources;

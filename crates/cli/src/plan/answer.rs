@@ -1,0 +1,70 @@
+//! The plan as `saute plan --json` prints it.
+
+use std::time::Duration;
+
+use saute_plan::goal::{Outcome, Score, Shortfall};
+use saute_plan::schedule::{Cue, Plan, Schedule, Sensitivity};
+use serde::Serialize;
+
+/// The plan as JSON.
+#[derive(Debug, Serialize)]
+pub struct Answer<'a> {
+    target: Target<'a>,
+    is_met: bool,
+    missing: Vec<Shortfall>,
+    schedule: &'a Schedule,
+    /// What the cook of the recipe gives, on the mesh of `saute cook`.
+    promised: Outcome,
+    score: Score,
+    cues: &'a [Cue],
+    sensitivity: Vec<Changed<'a>>,
+    candidates: usize,
+    recipe: String,
+    wall_s: f64,
+}
+
+/// What was wanted.
+#[derive(Debug, Serialize)]
+struct Target<'a> {
+    name: &'a str,
+    scale: &'a str,
+    /// Value of the core that is aimed at, in the unit of the scale.
+    aim: f64,
+    unit: &'static str,
+    crust_pct: f64,
+}
+
+/// What comes of a change.
+#[derive(Debug, Serialize)]
+struct Changed<'a> {
+    words: String,
+    #[serde(flatten)]
+    sensitivity: &'a Sensitivity,
+}
+
+impl<'a> Answer<'a> {
+    /// Returns the answer of a plan that took some time.
+    pub fn new(plan: &'a Plan, wall: Duration) -> Self {
+        let goal = &plan.order.goal;
+        let changed = |s: &'a Sensitivity| Changed { words: s.change.words(), sensitivity: s };
+        Self {
+            target: Target {
+                name: &goal.name,
+                scale: &goal.scale.id,
+                aim: goal.aim,
+                unit: goal.unit(),
+                crust_pct: goal.crust_pct,
+            },
+            is_met: plan.shortfalls().is_empty(),
+            missing: plan.shortfalls(),
+            schedule: &plan.schedule,
+            promised: plan.promised,
+            score: plan.score,
+            cues: &plan.cues,
+            sensitivity: plan.sensitivity.iter().map(changed).collect(),
+            candidates: plan.candidates,
+            recipe: plan.recipe_text(),
+            wall_s: wall.as_secs_f64(),
+        }
+    }
+}

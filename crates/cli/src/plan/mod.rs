@@ -1,0 +1,76 @@
+//! `saute plan`.
+
+mod answer;
+mod card;
+mod cues;
+mod options;
+mod steps;
+mod text;
+
+use std::path::Path;
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use saute_kitchen::Library;
+use saute_plan::schedule::{JobError, Order, Plan, Planner};
+
+use crate::error::CliError;
+use crate::exit_code;
+use crate::input::data_library::DataLibrary;
+use crate::output::out_file::OutFile;
+use crate::output::progress::Progress;
+use crate::output::{json, stderr, stdout};
+use crate::workers::map_all;
+
+pub use options::PlanArgs;
+
+/// Parts of the progress bar [-] (about as many jobs as a search has).
+const PARTS: u64 = 60;
+
+/// Searches a schedule, prints it, and writes its recipe and its card.
+pub fn run(args: &PlanArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
+    let order = options::order(args, data)?;
+    let prepare =
+        |option, path: Option<&Path>, example| path.map(|p| OutFile::prepare_as(option, p, example)).transpose();
+    let recipe = prepare("--out", args.out.as_deref(), "RECIPE.toml")?;
+    let card = prepare("--card", args.card.as_deref(), "CARD.html")?;
+    let (plan, wall) = search(order, &data.library).map_err(|error| options::of_job(error, args))?;
+    let is_met = plan.shortfalls().is_empty();
+    if let Some(file) = recipe {
+        write(file, &text::recipe(&plan))?;
+    }
+    if let Some(file) = card {
+        write(file, &card::page(&plan, &data.library))?;
+    }
+    stdout::print(&if args.json { json::text(&answer::Answer::new(&plan, wall))? } else { text::text(&plan, wall) })?;
+    if !is_met {
+        text::why_not(&plan).into_iter().for_each(stderr::say);
+    }
+    Ok(exit_code::of_goal(is_met))
+}
+
+fn write(file: OutFile, text: &str) -> Result<(), CliError> {
+    let place = file.place().path().display().to_string();
+    file.fill(text.as_bytes())?;
+    stderr::say(format!("wrote {place}"));
+    Ok(())
+}
+
+/// Runs the jobs of a search on every core.
+fn search(order: Order, library: &Library) -> Result<(Plan, Duration), JobError> {
+    let started = Instant::now();
+    let progress = Progress::over(PARTS);
+    let mut planner = Planner::new(order, Arc::new(library.clone()))?;
+    loop {
+        if let Some(plan) = planner.plan() {
+            return Ok((plan, started.elapsed()));
+        }
+        let (jobs, doing) = (planner.next_jobs(), planner.doing());
+        let run = |_, job: &saute_plan::schedule::Job| {
+            progress.next(doing.to_owned());
+            job.run(library)
+        };
+        planner.take(map_all(&jobs, run).into_iter().collect::<Result<_, _>>()?);
+    }
+}

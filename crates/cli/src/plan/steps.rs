@@ -1,0 +1,54 @@
+//! The steps of a plan in the order of a cook's hands.
+
+use saute_plan::schedule::Plan;
+
+/// One step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// Time since the hob was switched on [s].
+    pub at_s: u32,
+    /// What is done.
+    pub deed: Deed,
+}
+
+/// What is done.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Deed {
+    /// The hob is set to a power [W].
+    Power(f64),
+    /// The food goes into the pan.
+    Put,
+    /// The food is turned over, for the nth time.
+    Flip(usize),
+    /// The food comes out of the pan, and the hob is switched off.
+    Pull,
+    /// The rest is over.
+    Serve,
+}
+
+impl Deed {
+    /// Returns the step in English.
+    pub fn words(&self) -> String {
+        match self {
+            Self::Power(hob_w) => format!("hob to {hob_w} W"),
+            Self::Put => "into the pan".to_owned(),
+            Self::Flip(number) => format!("flip {number}"),
+            Self::Pull => "out of the pan, hob off".to_owned(),
+            Self::Serve => "rested: serve".to_owned(),
+        }
+    }
+}
+
+/// Returns the steps of a plan, in order.
+pub fn steps(plan: &Plan) -> Vec<Step> {
+    let schedule = &plan.schedule;
+    let mut steps = vec![Step { at_s: schedule.put_s, deed: Deed::Put }];
+    steps.extend(schedule.powers.iter().map(|p| Step { at_s: p.at_s, deed: Deed::Power(p.hob_w) }));
+    let flips = schedule.flips_s.iter().enumerate();
+    steps.extend(flips.map(|(index, at_s)| Step { at_s: *at_s, deed: Deed::Flip(index + 1) }));
+    steps.push(Step { at_s: schedule.pull_s, deed: Deed::Pull });
+    steps.push(Step { at_s: schedule.pull_s + schedule.rest_s, deed: Deed::Serve });
+    // The sort is stable: as in the recipe, the food goes in before the power changes.
+    steps.sort_by_key(|step| step.at_s);
+    steps
+}

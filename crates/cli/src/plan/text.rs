@@ -1,0 +1,120 @@
+//! The plan as plain text, and as a recipe file with its promise as a comment.
+
+use std::fmt::Write;
+use std::time::Duration;
+
+use saute_plan::goal::{Outcome, Shortfall};
+use saute_plan::schedule::{Order, Plan, Sensitivity};
+
+use super::steps::{Deed, steps};
+use crate::wording::clock;
+
+/// Returns the plan on one screen.
+pub fn text(plan: &Plan, wall: Duration) -> String {
+    let goal = &plan.order.goal;
+    let mut text = format!(
+        "{}\n{} of {} candidates in {:.1} s\n",
+        heading(&plan.order),
+        if plan.shortfalls().is_empty() { "best" } else { "target not met; best" },
+        plan.candidates,
+        wall.as_secs_f64()
+    );
+    text.push_str("\nschedule (min:s)\n");
+    for step in steps(plan) {
+        row(&mut text, &minutes(step.at_s), &format!("{}{}", step.deed.words(), seen(plan, step.at_s, &step.deed)));
+    }
+    let _ = writeln!(text, "\npromised (scale: {})", goal.scale.name);
+    row(&mut text, "core", &format!("{:.1} °C at its highest", plan.promised.core_peak_c));
+    row(&mut text, "on target", &on_target(plan));
+    row(&mut text, "crust", &crust(&plan.promised));
+    row(&mut text, "mass", &format!("−{:.1} %", plan.promised.lost_pct));
+    row(&mut text, "score", &plan.score.to_string());
+    text.push_str("\nif something is different and the times stay the same\n");
+    plan.sensitivity.iter().for_each(|s| row(&mut text, &s.change.words(), &changed(s)));
+    text
+}
+
+/// Returns what is cooked to what: `beef-lean 120 × 80 × 30 mm from 5 °C to medium, in cast-iron-26`.
+pub fn heading(order: &Order) -> String {
+    let size: Vec<String> = order.size_mm.iter().map(f64::to_string).collect();
+    let count = order.count.map_or(String::new(), |count| format!("{count} × "));
+    let Order { food, initial_c, pan, goal, .. } = order;
+    format!("{count}{food} {} mm from {initial_c} °C to {}, in {pan}", size.join(" × "), goal.name)
+}
+
+/// Returns the share of the section that is on target.
+pub fn on_target(plan: &Plan) -> String {
+    let Outcome { target_share_pct, beyond_pct, .. } = plan.promised;
+    let class = plan.order.goal.scale.class.get(plan.order.goal.class).map_or("", |class| class.name.as_str());
+    format!("{target_share_pct:.0} % of the section is {class}, {beyond_pct:.0} % beyond")
+}
+
+/// Returns the crust of both faces.
+pub fn crust(outcome: &Outcome) -> String {
+    let Outcome { crust_pct, least_crust_pct, charred_pct, .. } = outcome;
+    format!("{crust_pct:.0} % of the faces browned, the paler one {least_crust_pct:.0} %; {charred_pct:.0} % charred")
+}
+
+/// Returns what comes of a change.
+pub fn changed(s: &Sensitivity) -> String {
+    let met = if s.is_met { "" } else { "; misses the target" };
+    format!("core {:.1} °C, {:.0} % on target, crust {:.0} %{met}", s.core_peak_c, s.target_share_pct, s.crust_pct)
+}
+
+/// Returns a time as minutes and seconds.
+pub fn minutes(at_s: u32) -> String {
+    clock(f64::from(at_s)).trim_end_matches(".0").to_owned()
+}
+
+/// Returns the text of the recipe, under what it promises.
+pub fn recipe(plan: &Plan) -> String {
+    let mut lines = vec![
+        format!("Planned by saute {}: {}.", env!("CARGO_PKG_VERSION"), heading(&plan.order)),
+        format!("Promised: core {:.1} °C at its highest, {};", plan.promised.core_peak_c, on_target(plan)),
+        format!("{}.", crust(&plan.promised)),
+    ];
+    lines.extend(why_not(plan).first().map(|why| format!("The {why}.")));
+    let comment: String = lines.iter().map(|line| format!("# {line}\n")).collect();
+    comment + &plan.recipe_text()
+}
+
+/// Returns why the target is not met, with a remedy; nothing if it is.
+pub fn why_not(plan: &Plan) -> Vec<String> {
+    let shortfalls = plan.shortfalls();
+    if shortfalls.is_empty() {
+        return Vec::new();
+    }
+    let words: Vec<String> = shortfalls.iter().map(|s| s.words(&plan.promised, &plan.order.goal)).collect();
+    let target = format!("target {} is not met: {}", plan.order.goal.name, words.join("; "));
+    vec![target, format!("  remedy: {}", remedy(&shortfalls))]
+}
+
+fn remedy(shortfalls: &[Shortfall]) -> &'static str {
+    let has = |shortfall| shortfalls.contains(&shortfall);
+    if has(Shortfall::Crust) && has(Shortfall::Overcooked) {
+        return "a thicker piece, a colder start, or less crust (--crust-pct): the inside is done before the faces are brown";
+    }
+    match shortfalls.first() {
+        Some(Shortfall::Undercooked) => "a thinner piece, a warmer start, or more powers (--hob)",
+        Some(Shortfall::Overcooked) => "a thicker piece, a colder start, or lower powers (--hob)",
+        Some(Shortfall::Crust) => "a thicker piece, a colder start, less crust (--crust-pct), or higher powers (--hob)",
+        Some(Shortfall::Burnt | Shortfall::Fire) => "lower powers (--hob), or less crust (--crust-pct)",
+        None => "none is needed",
+    }
+}
+
+/// Returns what there is to see when a step comes.
+fn seen(plan: &Plan, at_s: u32, deed: &Deed) -> String {
+    let Some(cue) = plan.cues.iter().find(|cue| cue.at_s == at_s) else { return String::new() };
+    match deed {
+        Deed::Put => format!(" (pan at {:.0} °C)", cue.pan_c),
+        Deed::Flip(_) => format!(" (core {:.0} °C, underside {:.0} % brown)", cue.core_c, cue.browned_pct),
+        Deed::Pull => format!(" (core {:.0} °C)", cue.core_c),
+        Deed::Power(_) | Deed::Serve => String::new(),
+    }
+}
+
+fn row(text: &mut String, name: &str, value: &str) {
+    // Writing to a string cannot fail.
+    let _ = writeln!(text, "  {name:<18}{value}");
+}

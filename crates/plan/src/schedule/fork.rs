@@ -1,0 +1,81 @@
+//! A rest on a clone of the kitchen.
+
+use saute_kitchen::{Command, Kitchen, Piece, RestOn};
+
+use crate::goal::{Goal, Outcome, at_core};
+use crate::schedule::job::{Cue, TICKS_PER_S};
+
+/// Shortest and longest rest [s] (chosen: a minute lets the juices settle; the core of a thick steak peaks within ten).
+const REST_S: [u32; 2] = [60, 600];
+/// A rest ends at a multiple of this [s] (chosen: nobody rests meat by the second).
+const REST_STEP_S: u32 = 10;
+/// Time for which every core has fallen when a rest ends [s] (chosen).
+const FALLEN_S: f64 = 15.0;
+/// Work of pan, hob and rigid bodies in a tick, in nodes of food [-] (measured: a coarse steak of 1000 nodes takes about as long
+/// as an empty pan).
+const NODES_OF_PAN: u64 = 1000;
+
+/// A food that was pulled and rested.
+#[derive(Clone, Debug)]
+pub(crate) struct Rested {
+    /// When it was pulled [s].
+    pub(crate) pull_s: u32,
+    /// How long it rested [s].
+    pub(crate) rest_s: u32,
+    /// What it gave.
+    pub(crate) outcome: Outcome,
+    /// Rise of the core during the rest [K or points of %].
+    pub(crate) rise: f64,
+    /// What there was to see when it was pulled.
+    pub(crate) pull: Option<Cue>,
+    /// Work that it took [-].
+    pub(crate) work: u64,
+}
+
+/// Pulls the foods of a kitchen now and rests them: for a time [s], or until their cores have peaked.
+pub(crate) fn rest(kitchen: &Kitchen, pull_s: u32, masses: &[f64], goal: &Goal, rest_s: Option<u32>) -> Rested {
+    let before = core_now(kitchen, goal);
+    let mut kitchen = kitchen.clone();
+    pull(&mut kitchen);
+    let (mut elapsed, mut work) = (0, 0);
+    while rest_s.map_or_else(|| goes_on(&kitchen, elapsed), |end| elapsed < end) {
+        (0..TICKS_PER_S).for_each(|_| kitchen.step());
+        work += work_of_second(&kitchen);
+        elapsed += 1;
+    }
+    let outcome = Outcome::read(&kitchen, masses, goal);
+    Rested { pull_s, rest_s: elapsed, outcome, rise: outcome.at_core - before, pull: None, work }
+}
+
+/// Takes the foods out of the pan and switches the hob off, as the last steps of a recipe do.
+fn pull(kitchen: &mut Kitchen) {
+    let foods: Vec<String> = kitchen.pieces().iter().filter(|p| p.in_pan()).map(|p| p.id.clone()).collect();
+    let rests = foods.into_iter().map(|food| Command::Rest { food, on: RestOn::Board });
+    for command in rests.chain([Command::Hob(0.0)]) {
+        // A food in the pan can be taken out, and every hob can be switched off.
+        let _ = kitchen.apply(&command);
+    }
+}
+
+/// Returns true while a core may still rise.
+fn goes_on(kitchen: &Kitchen, elapsed_s: u32) -> bool {
+    let latest = kitchen.pieces().iter().map(|p| p.core_peak.1).fold(0.0, f64::max);
+    let is_over = elapsed_s.is_multiple_of(REST_STEP_S) && kitchen.time_s() - latest >= FALLEN_S;
+    elapsed_s < REST_S[0] || (elapsed_s < REST_S[1] && !is_over)
+}
+
+/// Mean of what the goal's scale measures at the core now [°C or %].
+pub(crate) fn core_now(kitchen: &Kitchen, goal: &Goal) -> f64 {
+    at_core(kitchen, goal, Piece::core)
+}
+
+/// Work of the last second [-].
+pub(crate) fn work_of_second(kitchen: &Kitchen) -> u64 {
+    let nodes: usize = kitchen.pieces().iter().map(|p| p.model.mesh().node_count()).sum();
+    u64::from(TICKS_PER_S) * work_of_tick(nodes)
+}
+
+/// Work of a tick with a number of nodes of food [-].
+pub(crate) fn work_of_tick(nodes: usize) -> u64 {
+    nodes as u64 + NODES_OF_PAN
+}

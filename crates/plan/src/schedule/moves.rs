@@ -1,0 +1,97 @@
+//! Steps of the search from a draft to its neighbours.
+
+use crate::schedule::seeds::LEAST_EVERY_S;
+use crate::schedule::{Draft, Order};
+
+/// Temperatures of the pan at which food goes in [°C] (chosen: below, hardly anything browns; above, oil smokes).
+const PREHEAT_C: [u32; 2] = [140, 230];
+/// Longest time until the power changes [s] (chosen).
+const LATEST_CHANGE_S: u32 = 900;
+
+/// Sizes of the steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Stride {
+    preheat_k: u32,
+    change_s: u32,
+    /// Factor of the rhythm of the flips [-].
+    rhythm: f64,
+    /// True if powers change too.
+    pub(crate) powers: bool,
+}
+
+impl Stride {
+    /// The strides, from coarse to fine; powers are gone through first.
+    pub(crate) const ALL: [Self; 3] = [
+        Self { preheat_k: 20, change_s: 40, rhythm: 1.4, powers: true },
+        Self { preheat_k: 20, change_s: 40, rhythm: 1.4, powers: false },
+        Self { preheat_k: 10, change_s: 20, rhythm: 1.2, powers: false },
+    ];
+}
+
+/// Returns the neighbours of a draft, in a fixed order; some may be equal to it or to each other.
+pub(crate) fn neighbours(draft: &Draft, order: &Order, stride: Stride) -> Vec<Draft> {
+    let mut all = powers(draft, order.hob_w.len(), stride);
+    // Where it makes no difference there is only one draft.
+    all.retain(|draft| !draft.both || draft.sears_both());
+    let [low, high] = PREHEAT_C;
+    all.push(Draft { preheat_c: (draft.preheat_c + stride.preheat_k).min(high), ..*draft });
+    all.push(Draft { preheat_c: (draft.preheat_c - stride.preheat_k).max(low), ..*draft });
+    all.extend(rhythms(draft, order, stride));
+    all
+}
+
+/// Returns the draft with everything that is different in drafts that were found to be better than it.
+pub(crate) fn combined(from: &Draft, better: &[Draft]) -> Draft {
+    let mut all = *from;
+    for draft in better {
+        all.preheat_c = if draft.preheat_c == from.preheat_c { all.preheat_c } else { draft.preheat_c };
+        if (draft.first, draft.change_s, draft.then) != (from.first, from.change_s, from.then) {
+            (all.first, all.change_s, all.then) = (draft.first, draft.change_s, draft.then);
+            all.both = draft.both;
+        }
+        if (draft.first_flip_s, draft.every_s) != (from.first_flip_s, from.every_s) {
+            (all.first_flip_s, all.every_s) = (draft.first_flip_s, draft.every_s);
+        }
+    }
+    all
+}
+
+fn powers(draft: &Draft, count: usize, stride: Stride) -> Vec<Draft> {
+    let last = count.saturating_sub(1);
+    let changed = |first: usize, change_s: u32, then: usize| {
+        // Without a change there is only one power.
+        let change_s = if first == then { 0 } else { change_s.min(LATEST_CHANGE_S) };
+        let first = if change_s == 0 { then } else { first };
+        Draft { first, change_s, then, ..*draft }
+    };
+    let Draft { first, change_s, then, .. } = *draft;
+    let mut all = vec![
+        changed(first, change_s + stride.change_s, then),
+        changed(first, change_s.saturating_sub(stride.change_s), then),
+    ];
+    if stride.powers {
+        let sear_s = change_s.max(stride.change_s);
+        all.push(Draft { both: !draft.both, ..*draft });
+        all.push(changed((first + 1).min(last), sear_s, then));
+        all.push(changed(first.saturating_sub(1), sear_s, then));
+        all.push(changed(first, sear_s, (then + 1).min(last)));
+        all.push(changed(first, sear_s, then.saturating_sub(1)));
+    }
+    all
+}
+
+fn rhythms(draft: &Draft, order: &Order, stride: Stride) -> Vec<Draft> {
+    let scaled = |s: u32, factor: f64| (libm::round(f64::from(s) * factor) as u32).max(LEAST_EVERY_S);
+    let [wider, closer] = [stride.rhythm, 1.0 / stride.rhythm];
+    let every = |factor: f64| Draft {
+        first_flip_s: scaled(draft.first_flip_s, factor),
+        every_s: scaled(draft.every_s, factor),
+        ..*draft
+    };
+    let first = |factor: f64| Draft { first_flip_s: scaled(draft.first_flip_s, factor), ..*draft };
+    match order.most_flips {
+        0 => Vec::new(),
+        1 => vec![first(wider), first(closer)],
+        _ => vec![every(wider), every(closer), first(wider)],
+    }
+}

@@ -1,0 +1,111 @@
+//! How much a plan depends on what a kitchen does differently.
+
+use saute_kitchen::Library;
+use serde::{Deserialize, Serialize};
+
+use crate::goal::{Outcome, Shortfall};
+use crate::schedule::job::{Job, JobResult, Pull};
+use crate::schedule::{Order, Schedule};
+
+/// Something that differs from the order.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Change {
+    /// Thickness [mm].
+    ThicknessMm(f64),
+    /// Temperature at which the food goes in [K].
+    InitialK(f64),
+    /// Power of the hob [%].
+    PowerPct(f64),
+}
+
+impl Change {
+    /// The changes that every plan is checked for (chosen: what a ruler, a refrigerator and a hob differ by).
+    pub const ALL: [Self; 6] = [
+        Self::ThicknessMm(-3.0),
+        Self::ThicknessMm(3.0),
+        Self::InitialK(-5.0),
+        Self::InitialK(5.0),
+        Self::PowerPct(-10.0),
+        Self::PowerPct(10.0),
+    ];
+
+    /// Returns the change in English: `thickness +3 mm`.
+    pub fn words(self) -> String {
+        match self {
+            Self::ThicknessMm(mm) => format!("thickness {mm:+} mm"),
+            Self::InitialK(k) => format!("start {k:+} °C"),
+            Self::PowerPct(pct) => format!("power {pct:+} %"),
+        }
+    }
+}
+
+/// What a plan gives if something is different and the times stay the same.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Sensitivity {
+    /// What is different.
+    pub change: Change,
+    /// Highest temperature of the core [°C].
+    pub core_peak_c: f64,
+    /// Share of the section in the class of the goal [%].
+    pub target_share_pct: f64,
+    /// Browned share of the faces [%].
+    pub crust_pct: f64,
+    /// True if the goal is still met.
+    pub is_met: bool,
+}
+
+/// Temperatures at which food may go into the pan [°C] (those of recipes).
+const INITIAL_C: [f64; 2] = [0.0, 60.0];
+
+/// Returns the job of a schedule without a change.
+pub(crate) fn base(order: &Order, schedule: &Schedule, coarseness: f64) -> Job {
+    Job { order: order.clone(), schedule: schedule.clone(), pull: Pull::AtItsTime, coarseness }
+}
+
+/// Returns the job of a schedule with a change.
+pub(crate) fn changed(job: Job, change: Change, library: &Library) -> Job {
+    let Job { order, schedule, .. } = &job;
+    match change {
+        Change::ThicknessMm(mm) => Job { order: order.with_thickness(order.thickness_mm() + mm, library), ..job },
+        Change::InitialK(k) => {
+            let initial_c = (order.initial_c + k).clamp(INITIAL_C[0], INITIAL_C[1]);
+            Job { order: Order { initial_c, ..order.clone() }, ..job }
+        }
+        Change::PowerPct(pct) => {
+            let largest_w = library.hob.coil.largest_w;
+            Job { schedule: schedule.with_power(1.0 + 0.01 * pct, largest_w), ..job }
+        }
+    }
+}
+
+impl Sensitivity {
+    /// Returns what a plan gives with a change: what it promises, and the difference between two cooks on the same mesh.
+    pub(crate) fn new(
+        change: Change,
+        promised: &Outcome,
+        base: &JobResult,
+        changed: &JobResult,
+        order: &Order,
+    ) -> Self {
+        let (from, to) = (&base.outcome, &changed.outcome);
+        let moved = |value: fn(&Outcome) -> f64| value(promised) + value(to) - value(from);
+        let share = |value: fn(&Outcome) -> f64| moved(value).clamp(0.0, 100.0);
+        let expected = Outcome {
+            core_peak_c: moved(|o| o.core_peak_c),
+            at_core: moved(|o| o.at_core),
+            target_share_pct: share(|o| o.target_share_pct),
+            crust_pct: share(|o| o.crust_pct),
+            least_crust_pct: share(|o| o.least_crust_pct),
+            charred_pct: share(|o| o.charred_pct),
+            ..*to
+        };
+        Self {
+            change,
+            core_peak_c: expected.core_peak_c,
+            target_share_pct: expected.target_share_pct,
+            crust_pct: expected.crust_pct,
+            is_met: Shortfall::of(&expected, &order.goal).is_empty(),
+        }
+    }
+}
