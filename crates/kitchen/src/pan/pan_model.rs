@@ -94,6 +94,8 @@ pub struct PanLoad<'a> {
     pub limited: bool,
     /// Time at the start of the tick [s].
     pub time: f64,
+    /// Length of the tick [s].
+    pub lapse_s: f64,
     /// Heat flow from each node into food [W].
     pub food: &'a [f64],
     /// Share of each node's area under food [-].
@@ -434,9 +436,9 @@ impl PanModel {
 
     /// Heat from the ring, and between floor and glass: contact conductance in series with the air under a lifted pan.
     fn add_hob(&self, state: &mut PanState, load: &PanLoad, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
-        let PanLoad { hob, time, .. } = *load;
+        let PanLoad { hob, time, lapse_s, .. } = *load;
         let off = state.limited && load.rules == Rules::Paper2013;
-        let power = if off { 0.0 } else { hob.switched(load.hob_w, time, crate::TICK_S) };
+        let power = if off { 0.0 } else { hob.switched(load.hob_w, time, lapse_s) };
         let glass = &hob.glass;
         let gap = 1.0 / (1.0 / glass.gap_conductance_w_m2k + state.pose.lift / AIR_CONDUCTIVITY);
         for (i, share) in state.ring_shares.iter().enumerate() {

@@ -1,0 +1,6 @@
+//! Tests of forecasts, one file for each promise.
+#![allow(clippy::unwrap_used)]
+
+mod band;
+mod comparison;
+mod exact;
