@@ -7,19 +7,17 @@
 //! The restriction is the adjoint of linear interpolation, balanced so that every coarse column holds exactly its volume
 //! and every full one is handed out exactly: masses, heat and water are conserved, and the diffusivity is that of the food.
 
-mod columns;
 mod restriction;
 
 use std::sync::Arc;
 
-use saute_heat::{Layout, MeshError, Section, SweptMesh};
+use saute_heat::{Coarsening, Layout, MeshError, Section, SweptMesh};
 
 use crate::body::rest_shape::RestShape;
 use crate::body::{Body, rule_of};
 use crate::model::{BuildError, FoodModel};
 use crate::paper_2013::Rings;
 use crate::water::WaterTransport;
-use columns::Columns;
 
 /// Rings of the section: nodes and share of the radius (chosen: the core has a column of its own, and the rim is narrow;
 /// `docs/forecast.md` states what they cost and how far they are from the full mesh).
@@ -29,7 +27,7 @@ const RINGS: Rings = &[(14, 1.0), (10, 0.72), (6, 0.36), (1, 0.0)];
 #[derive(Clone, Debug)]
 pub struct Reduction {
     model: Arc<FoodModel>,
-    columns: Columns,
+    columns: Coarsening,
 }
 
 impl Reduction {
@@ -40,7 +38,11 @@ impl Reduction {
     pub fn of(fine: &FoodModel) -> Result<Option<Self>, BuildError> {
         let Layout::Upright(mesh) = fine.shape.mesh.layout() else { return Ok(None) };
         let coarse = coarse_mesh(fine, mesh)?;
-        let columns = Columns::between(mesh, &coarse);
+        let columns = Coarsening::between(
+            (&mesh.section.points, &column_volumes(mesh)),
+            (&coarse.section, &column_volumes(&coarse)),
+            |_, _| true,
+        );
         let model = Self::filled(fine, coarse, &columns)?;
         let model = match fine.halved_at() {
             Some(cut) => model.halved(cut.at).unwrap_or(model),
@@ -60,7 +62,7 @@ impl Reduction {
         self.columns.means(values, areas)
     }
 
-    fn filled(fine: &FoodModel, coarse: SweptMesh, columns: &Columns) -> Result<FoodModel, BuildError> {
+    fn filled(fine: &FoodModel, coarse: SweptMesh, columns: &Coarsening) -> Result<FoodModel, BuildError> {
         let shape = &fine.shape;
         let body = Body {
             contracts: shape.contracts,
@@ -98,4 +100,9 @@ fn coarse_mesh(fine: &FoodModel, mesh: &SweptMesh) -> Result<SweptMesh, MeshErro
     let section = Section::concentric(outline, &rings)?;
     let height = |p: [f64; 2]| mesh.column_at(&mesh.locate_or_nearest(p));
     Ok(SweptMesh::uneven(section, mesh.levels.clone(), height, rule_of(fine.rules)))
+}
+
+/// Volume of each column over the mean height of the slice [m²].
+fn column_volumes(mesh: &SweptMesh) -> Vec<f64> {
+    mesh.section.areas.iter().enumerate().map(|(i, area)| area * mesh.path.column(i)).collect()
 }

@@ -36,9 +36,9 @@ impl Piece {
     fn level(&mut self, pan: &Pose) {
         let seen = self.pose.seen_from(pan);
         let below: Vec<usize> = self.model.patches_below(seen.up()).collect();
-        let places = below.iter().map(|&i| {
-            (seen.to_world(DVec3::from_array(self.patch_poses()[i].position)), self.model.patches()[i].area)
-        });
+        let places = below
+            .iter()
+            .map(|&i| (seen.to_world(DVec3::from_array(self.patch_poses()[i].position)), self.model.patches()[i].area));
         if let Some(normal) = plane(&places.collect::<Vec<_>>()) {
             self.pose.rotation =
                 (pan.rotation * DQuat::from_rotation_arc(normal, DVec3::Z) * seen.rotation).normalize();

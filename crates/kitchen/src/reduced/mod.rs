@@ -1,7 +1,7 @@
-//! A kitchen whose slices have coarse meshes, for forecasts: the same physics in a few per cent of the time.
+//! A kitchen whose pan and slices have coarse meshes, for forecasts: the same physics in a few per cent of the time.
 //!
 //! [`Kitchen::reduced`](crate::Kitchen::reduced) carries the present state over: heat, water and fat of the pieces are
-//! conserved ([`saute_food::reduced`]), pan, liquids and electronics are the same. A [`ReducedKitchen`] takes
+//! conserved ([`saute_food::reduced`]), and so are those of the pan and its liquids; electronics and lid are the same. A [`ReducedKitchen`] takes
 //! [`LAPSE_S`] in one step. Its bodies lie still: a flip lays a piece on its other face, level, after the time that the
 //! motion takes. Pieces that are no slices keep their meshes.
 //!
@@ -34,6 +34,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod coarse_pan;
 mod laying;
 mod reduced_kitchen;
 mod reductions;

@@ -56,7 +56,7 @@ impl Kitchen {
     /// # Errors
     /// If a coarse mesh cannot be built.
     pub fn reduced(&self, reductions: &mut Reductions) -> Result<ReducedKitchen, BuildError> {
-        reductions.learn(self)?;
+        let coarse_pan = reductions.learn(self)?;
         let (surface, pan) = (*self.world.pan_shape(), self.world.motion.pose);
         let reduced = |piece: &Piece| {
             let mut coarse = reductions.reduced(piece);
@@ -71,11 +71,11 @@ impl Kitchen {
             Some(Touching::between(a?, b?, None))
         });
         let kitchen = Kitchen {
-            fixed: Arc::clone(&self.fixed),
-            pan: self.pan.clone(),
+            fixed: Arc::clone(&coarse_pan.fixed),
+            pan: coarse_pan.restricted(&self.pan),
             pan_solver: PanSolver::default(),
             cloth: self.cloth.clone(),
-            load: FoodLoad::none(self.pan.temperature.len()),
+            load: FoodLoad::none(coarse_pan.fixed.pan.section.points.len()),
             touching: touching.collect(),
             world: self.world.clone(),
             second_hand: SecondHand::default(),

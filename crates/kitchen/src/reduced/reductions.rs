@@ -1,4 +1,4 @@
-//! Pieces of a kitchen on coarse meshes.
+//! Pan and pieces of a kitchen on coarse meshes.
 
 use std::sync::Arc;
 
@@ -9,10 +9,12 @@ use crate::kitchen::Kitchen;
 use crate::piece::piece_shape::PieceShape;
 use crate::piece::piece_state::Piece;
 use crate::piece::sear_lines::SearRecord;
+use crate::reduced::coarse_pan::CoarsePan;
 
-/// Coarse models of the pieces of a kitchen: built once for each piece, and again after it was cut.
+/// Coarse models of the pan and the pieces of a kitchen: built once for each piece, and again after it was cut.
 #[derive(Clone, Debug, Default)]
 pub struct Reductions {
+    pan: Option<CoarsePan>,
     known: Vec<Known>,
 }
 
@@ -30,11 +32,11 @@ struct Coarse {
 }
 
 impl Reductions {
-    /// Builds what it does not know of a kitchen's pieces, and forgets the pieces that are gone.
+    /// Builds what it does not know of a kitchen, and forgets the pieces that are gone; returns its pan.
     ///
     /// # Errors
     /// If a coarse mesh cannot be built.
-    pub fn learn(&mut self, kitchen: &Kitchen) -> Result<(), BuildError> {
+    pub(super) fn learn(&mut self, kitchen: &Kitchen) -> Result<CoarsePan, BuildError> {
         self.known.retain(|known| kitchen.pieces.iter().any(|piece| Arc::ptr_eq(&piece.model, &known.fine)));
         for piece in kitchen.pieces.iter().filter(|piece| piece.is_out()) {
             if self.of(piece).is_none() {
@@ -44,7 +46,12 @@ impl Reductions {
                 self.known.push(Known { fine: Arc::clone(&piece.model), coarse });
             }
         }
-        Ok(())
+        let pan = match self.pan.take().filter(|pan| pan.is_of(&kitchen.fixed)) {
+            Some(pan) => pan,
+            None => CoarsePan::of(&kitchen.fixed)?,
+        };
+        self.pan = Some(pan.clone());
+        Ok(pan)
     }
 
     fn of(&self, piece: &Piece) -> Option<&Known> {

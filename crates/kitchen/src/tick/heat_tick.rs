@@ -286,13 +286,7 @@ impl Kitchen {
 
     /// Adds what a piece took and gave in this tick to the pan below it: heat, cover, steam [kg], fond, juice and condensed
     /// steam.
-    fn load_pan(
-        &mut self,
-        fixed: &Fixed,
-        index: usize,
-        (boiled, lapse): (f64, Lapse),
-        dripping: [&Runoff; 2],
-    ) {
+    fn load_pan(&mut self, fixed: &Fixed, index: usize, (boiled, lapse): (f64, Lapse), dripping: [&Runoff; 2]) {
         let piece = &self.pieces[index];
         let whole: f64 = piece.near_patches().iter().map(|n| piece.patch_area(n.patch as usize)).sum();
         for near in piece.near_patches() {

@@ -10,14 +10,14 @@
 
 mod ahead;
 mod band;
-
+mod desk;
 mod exact;
 mod outlook;
 mod question;
 
 pub use ahead::{Ahead, HORIZON_S};
-pub use band::SPANS_S;
-
+pub use band::{Band, Bands, BandsError, Confidence, SPANS_S};
+pub use desk::{Answer, Desk, Wanted};
 pub use exact::{EXACT_S, Exact};
 pub use outlook::{Outlook, Peak, SAMPLE_S, Sample};
 pub use question::{Ask, Question};

@@ -132,25 +132,6 @@ fn miss(kitchen: &Kitchen, question: Question, reductions: &mut Reductions) -> O
     }
     let foreseen = ahead.outlook();
     let happened = cooked(kitchen, &ask, foreseen.peak.after_s);
-    if std::env::var_os("FORECAST_CURVES").is_some() {
-        for s in &foreseen.samples {
-            let near = happened.samples.iter().find(|h| (h.after_s - s.after_s).abs() < 0.01);
-            if let Some(h) = near {
-                println!(
-                    "   {question:?} {:5.1} core {:6.2} {:6.2}  below {:6.1} {:6.1} b {:.2} {:.2}  above {:6.1} {:6.1}",
-                    s.after_s,
-                    s.core - 273.15,
-                    h.core - 273.15,
-                    s.faces[0].temperature - 273.15,
-                    h.faces[0].temperature - 273.15,
-                    s.faces[0].browning,
-                    h.faces[0].browning,
-                    s.faces[1].temperature - 273.15,
-                    h.faces[1].temperature - 273.15,
-                );
-            }
-        }
-    }
     Some(Miss {
         question,
         cores: SPANS_S.map(|span| foreseen.core_at(span) - happened.core_at(span)),

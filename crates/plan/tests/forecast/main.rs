@@ -3,4 +3,5 @@
 
 mod band;
 mod comparison;
+mod desk;
 mod exact;
