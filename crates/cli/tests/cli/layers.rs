@@ -15,7 +15,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
     ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
     ("saute-recipe", &["saute-food", "saute-kitchen"]),
     ("saute-lab", &["saute-heat", "saute-food", "saute-kitchen", "saute-recipe"]),
-    ("saute-plan", &["saute-recipe"]),
+    ("saute-plan", &["saute-kitchen", "saute-recipe"]),
     ("saute-surface", &["saute-heat"]),
     ("saute-scene", &["wgpu"]),
     ("saute-picture", &["saute-kitchen", "saute-recipe", "saute-scene", "wgpu"]),

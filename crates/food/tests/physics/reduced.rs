@@ -24,7 +24,7 @@ fn heat_water_juice_and_fat_are_kept() {
     for (kind, fine) in slices() {
         let mut run = Run::new(&fine, 5.0);
         run.fry(90.0, 200.0, 400.0, kitchen_air());
-        let reduction = Reduction::of(&fine).unwrap().expect("a slice");
+        let reduction = Reduction::of(&fine).expect("builds").expect("a slice");
         let (coarse, state) = (reduction.model(), reduction.restricted(&fine, &run.state));
         assert!(state.fits(coarse) && coarse.mesh().node_count() < fine.mesh().node_count(), "{kind}");
         close(state.total_enthalpy(), run.state.total_enthalpy(), 1e-12, kind);
@@ -45,7 +45,7 @@ fn core_and_faces_are_those_of_the_full_mesh() {
     for (kind, fine) in slices() {
         let mut run = Run::new(&fine, 5.0);
         run.fry(90.0, 200.0, 400.0, kitchen_air());
-        let reduction = Reduction::of(&fine).unwrap().expect("a slice");
+        let reduction = Reduction::of(&fine).expect("builds").expect("a slice");
         let (coarse, state) = (reduction.model(), reduction.restricted(&fine, &run.state));
         let cores = [fine.core_temperature(&run.state), coarse.core_temperature(&state)];
         assert!((cores[0] - cores[1]).abs() < 1.5, "{kind}: {cores:?}");
@@ -62,7 +62,7 @@ fn core_and_faces_are_those_of_the_full_mesh() {
 #[test]
 fn every_coarse_node_is_as_dense_as_the_food() {
     let fine = model("beef-lean", 1.0, [0.12, 0.08, 0.025]);
-    let reduction = Reduction::of(&fine).unwrap().expect("a slice");
+    let reduction = Reduction::of(&fine).expect("builds").expect("a slice");
     let coarse = reduction.model();
     let mean = fine.raw_mass() / fine.mesh().volumes().iter().sum::<f64>();
     for (node, volume) in coarse.mesh().volumes().iter().enumerate() {
@@ -73,8 +73,8 @@ fn every_coarse_node_is_as_dense_as_the_food() {
 
 #[test]
 fn a_body_that_is_no_slice_keeps_its_mesh_and_a_cut_slice_stays_cut() {
-    assert!(Reduction::of(&model("shrimp", 1.0, [0.08, 0.02, 0.015])).unwrap().is_none());
-    let halves = model("beef-lean", 1.0, [0.12, 0.08, 0.025]).halved(0.01).unwrap();
-    let reduction = Reduction::of(&halves).unwrap().expect("a slice");
+    assert!(Reduction::of(&model("shrimp", 1.0, [0.08, 0.02, 0.015])).expect("builds").is_none());
+    let halves = model("beef-lean", 1.0, [0.12, 0.08, 0.025]).halved(0.01).expect("is cut");
+    let reduction = Reduction::of(&halves).expect("builds").expect("a slice");
     assert!(!reduction.model().fresh_faces().is_empty());
 }

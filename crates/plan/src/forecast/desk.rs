@@ -9,6 +9,7 @@ use std::sync::Arc;
 use saute_kitchen::food::{BuildError, Scale};
 use saute_kitchen::reduced::Reductions;
 use saute_kitchen::{FRAME_S, Kitchen};
+use serde::{Deserialize, Serialize};
 
 use crate::forecast::ahead::Ahead;
 use crate::forecast::exact::{EXACT_S, Exact};
@@ -25,7 +26,7 @@ const STEPS_PER_TICK: u64 = 7;
 const ROUND_PARTS: u64 = 3;
 
 /// A finished forecast.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Answer {
     /// What it says.
     pub outlook: Outlook,

@@ -3,6 +3,7 @@
 use saute_kitchen::food::Shares;
 use saute_kitchen::food::readings::FaceReading;
 use saute_kitchen::{Kitchen, Piece};
+use serde::{Deserialize, Serialize};
 
 use crate::forecast::question::{Ask, Question};
 
@@ -10,7 +11,7 @@ use crate::forecast::question::{Ask, Question};
 pub const SAMPLE_S: f64 = 5.0;
 
 /// State of the piece at an instant ahead.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Sample {
     /// Time from the present on [s].
     pub after_s: f64,
@@ -23,7 +24,7 @@ pub struct Sample {
 }
 
 /// Highest core temperature ahead.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Peak {
     /// Temperature [K].
     pub core: f64,
@@ -34,7 +35,7 @@ pub struct Peak {
 }
 
 /// The course of a piece from the present on.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Outlook {
     /// What was asked.
     pub question: Question,

@@ -3,5 +3,6 @@
 
 mod band;
 mod comparison;
+mod cost;
 mod desk;
 mod exact;
