@@ -100,6 +100,7 @@ impl ReducedKitchen {
     /// # Errors
     /// As [`Kitchen::apply`].
     pub fn apply(&mut self, command: &Command) -> Result<(), Refused> {
+        self.kitchen.check_lid(command)?;
         match command {
             Command::Flip { food } => {
                 let Place::Pan(at) = self.in_pan(food)?.place else { return Err(Refused::NotInPan(food.clone())) };

@@ -6,3 +6,4 @@ mod comparison;
 mod cost;
 mod desk;
 mod exact;
+mod others;
