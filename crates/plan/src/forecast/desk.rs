@@ -104,7 +104,8 @@ impl Desk {
         }
     }
 
-    /// Begins a round from a kitchen, given a count of what was done there so far.
+    /// Begins a round from a kitchen, given a count of what was done there so far. While a hand moves food there is none, and
+    /// the last answers age.
     ///
     /// # Errors
     /// If a coarse mesh cannot be built.
@@ -116,9 +117,8 @@ impl Desk {
             (self.answers, self.exact_answer, self.exact_from) = (Vec::new(), None, None);
         }
         self.present = Some((frame, done));
-        let reduced = kitchen.reduced(&mut self.reductions)?;
         let asks = Question::ALL.map(ask);
-        self.round = asks.iter().rev().filter_map(|ask| Ahead::from(kitchen, reduced.clone(), ask)).collect();
+        self.round = self.asked(kitchen, &asks)?;
         let possible = |answer: &Answer| asks.iter().any(|ask| is_of(answer, ask) && is_possible(kitchen, ask));
         self.answers.retain(possible);
         if self.is_exact_due(frame, done) {
@@ -127,6 +127,15 @@ impl Desk {
             self.exact = Exact::begin(kitchen, &ask(Question::AsItIs), EXACT_S).ok().flatten();
         }
         Ok(())
+    }
+
+    /// What a round asks; nothing while a hand moves food: on coarse meshes it would stay where it is.
+    fn asked(&mut self, kitchen: &Kitchen, asks: &[Ask]) -> Result<Vec<Ahead>, BuildError> {
+        if kitchen.is_moving_food() {
+            return Ok(Vec::new());
+        }
+        let reduced = kitchen.reduced(&mut self.reductions)?;
+        Ok(asks.iter().rev().filter_map(|ask| Ahead::from(kitchen, reduced.clone(), ask)).collect())
     }
 
     fn is_exact_due(&self, frame: u64, done: u64) -> bool {

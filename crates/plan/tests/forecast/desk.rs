@@ -103,3 +103,22 @@ fn it_drops_what_it_found_of_another_piece() {
     desk.begin(&kitchen, 0).unwrap();
     assert_eq!(desk.advance(10), 0);
 }
+
+#[test]
+fn while_a_hand_turns_a_piece_over_only_the_full_model_runs() {
+    let library = Library::embedded().unwrap();
+    let mut kitchen = kitchen(&library);
+    let mut desk = Desk::default();
+    desk.watch(Some(FOOD), None);
+    kitchen.apply(&Command::Flip { food: FOOD.into() }).unwrap();
+    kitchen.step();
+    desk.begin(&kitchen, 1).unwrap();
+    work(&mut desk);
+    assert!(Question::ALL.iter().all(|question| desk.answer(*question).is_none()));
+    assert!(desk.exact_answer().unwrap().is_current(1));
+    (0..30).for_each(|_| kitchen.step());
+    assert_eq!(desk.wants(kitchen.frame(), 1), Wanted::Present);
+    desk.begin(&kitchen, 1).unwrap();
+    work(&mut desk);
+    assert!(desk.answer(Question::Flip).unwrap().is_current(1));
+}
