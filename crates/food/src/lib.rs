@@ -62,7 +62,8 @@
 //! ```
 //!
 //! Modules: [`body`] holds mesh, faces and shape, [`tissue`] marbling and other variation, [`change`] kinetics, browning,
-//! doneness and colour, [`water`] everything that leaves a piece, [`description`] the tables of the data files.
+//! doneness and colour, [`water`] everything that leaves a piece, [`description`] the tables of the data files, [`reduced`] a slice on a coarse
+//! mesh.
 
 pub mod advance;
 pub mod body;
@@ -73,6 +74,7 @@ pub mod description;
 pub mod model;
 pub mod paper_2013;
 pub mod readings;
+pub mod reduced;
 pub mod state;
 pub mod table;
 pub mod tissue;
@@ -85,6 +87,7 @@ pub use change::{Lab, Scale, Shares};
 pub use description::{FoodDescription, Kinetics, OutlineKind};
 pub use model::{BuildError, FoodModel, PieceSpec};
 pub use paper_2013::{MeshSize, Rules};
+pub use reduced::Reduction;
 pub use state::FoodState;
 pub use touch::Touch;
 pub use water::FreeAir;

@@ -57,7 +57,7 @@ pub struct FoodModel {
     pub(crate) water: WaterTransport,
     pub(crate) response: HeatResponse,
     pub(crate) rules: Rules,
-    seed: u64,
+    pub(crate) seed: u64,
     pub(crate) description: FoodDescription,
     pub(crate) kinetics: Kinetics,
 }

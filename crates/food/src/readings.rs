@@ -1,6 +1,7 @@
 //! Readings of a piece: core, faces, colour, texture, shares of doneness.
 
 use saute_heat::{Cut, CutPoint, Layout};
+use serde::{Deserialize, Serialize};
 
 use crate::change::colour::{Appearance, Lab};
 use crate::change::doneness::{MOST_CLASSES, Measure, Scale, Shares};
@@ -16,7 +17,7 @@ pub fn changed_at(state: &FoodState, read: impl Fn(&[f64]) -> f64) -> PerChange 
 }
 
 /// Area means and area shares of a face.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct FaceReading {
     /// Mean temperature [K].
     pub temperature: f64,

@@ -47,6 +47,7 @@ pub use conduction::rule::Rule;
 pub use conduction::{Conduction, Graph, Layers};
 pub use mesh::body_mesh::{BodyMesh, Layout};
 pub use mesh::cells::{CellMesh, CellMeshError, Fineness};
+pub use mesh::coarsening::Coarsening;
 pub use mesh::cut::{Cut, CutPoint};
 pub use mesh::levels::graded_levels;
 pub use mesh::locate::{Located, Locator};

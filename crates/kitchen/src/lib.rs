@@ -45,6 +45,7 @@ pub mod kitchen;
 pub mod liquids;
 pub mod pan;
 pub mod piece;
+pub mod reduced;
 pub mod tick;
 
 pub use data::input_error::{InputError, InputText};

@@ -78,7 +78,12 @@ impl Body {
 
 /// The rule by which conductances follow from the mesh.
 pub(crate) fn rule(piece: &PieceSpec) -> Rule {
-    if piece.rules == Rules::Paper2013 { Rule::Segments } else { Rule::ShapeFunctions }
+    rule_of(piece.rules)
+}
+
+/// The rule of conductances that belongs to physical rules.
+pub(crate) fn rule_of(rules: Rules) -> Rule {
+    if rules == Rules::Paper2013 { Rule::Segments } else { Rule::ShapeFunctions }
 }
 
 /// Rings and levels of the mesh of 2013; none for the default mesh.

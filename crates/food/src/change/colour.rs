@@ -2,10 +2,12 @@
 
 use std::sync::LazyLock;
 
+use serde::{Deserialize, Serialize};
+
 use crate::description::{Colours, Kinetics, MOST_CHANGES, NoSuchChange, PerChange};
 
 /// A colour in CIE L*a*b* (D65, 2°).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Lab(pub [f64; 3]);
 
 /// State of a point of flesh that determines its colour: shares from 0 to 1 [-].

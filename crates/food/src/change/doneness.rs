@@ -1,7 +1,7 @@
 //! Doneness of each point: scales of named classes, by peak temperature or by the share of a change, and their shares.
 
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::description::{Confidence, Kinetics};
 
@@ -152,7 +152,7 @@ impl Scale {
 }
 
 /// Shares of the classes of a scale, in the order of the scale; their sum is 100 [%].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Shares(pub [f64; MOST_CLASSES]);
 
 impl Shares {

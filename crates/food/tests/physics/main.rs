@@ -6,4 +6,5 @@ mod change;
 mod colour;
 mod composition;
 mod juice;
+mod reduced;
 mod run;

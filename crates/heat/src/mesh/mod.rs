@@ -27,6 +27,7 @@
 pub mod body_mesh;
 mod bounds;
 pub mod cells;
+pub mod coarsening;
 pub mod cut;
 pub mod levels;
 pub mod locate;

@@ -48,10 +48,14 @@ impl Kitchen {
         Ok(())
     }
 
+    /// Refuses what a lid prevents while it is on.
+    pub(crate) fn check_lid(&self, command: &Command) -> Result<(), Refused> {
+        let prevented = self.pan.lid.is_some() && command.needs_open_pan();
+        if prevented { Err(Refused::LidIsOn) } else { Ok(()) }
+    }
+
     fn carry_out(&mut self, command: &Command) -> Result<(), Refused> {
-        if self.pan.lid.is_some() && command.needs_open_pan() {
-            return Err(Refused::LidIsOn);
-        }
+        self.check_lid(command)?;
         match command {
             Command::Hob(power) => self.set_hob(*power, None),
             Command::HobHold { temperature, power } => self.set_hob(*power, Some(*temperature)),

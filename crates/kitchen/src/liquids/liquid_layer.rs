@@ -154,6 +154,11 @@ impl LiquidModel {
         }
     }
 
+    /// The same liquids on another mesh of the pan.
+    pub(crate) fn on(&self, bed: Bed, floor_nodes: usize) -> Self {
+        Self { floor_area: bed.areas[..floor_nodes].iter().sum(), floor_nodes, bed, ..self.clone() }
+    }
+
     /// Index of butter among the oils.
     pub fn butter_kind(&self) -> Option<usize> {
         self.butter.as_ref().map(|b| b.kind)

@@ -22,6 +22,8 @@ use crate::tick::event::EventLog;
 
 /// Rings of nodes on the floor [-] (chosen: 8 mm apart; the heated ring is 50 mm wide).
 const FLOOR_RINGS: usize = 12;
+/// The same of a coarse pan [-] (chosen: 21 mm apart; explicit steps are six times as long, and half a second is one or two).
+const COARSE_RINGS: usize = 5;
 
 /// Immutable model of a pan on its hob.
 #[derive(Clone, Debug)]
@@ -94,6 +96,8 @@ pub struct PanLoad<'a> {
     pub limited: bool,
     /// Time at the start of the tick [s].
     pub time: f64,
+    /// Length of the tick [s].
+    pub lapse_s: f64,
     /// Heat flow from each node into food [W].
     pub food: &'a [f64],
     /// Share of each node's area under food [-].
@@ -133,13 +137,29 @@ pub struct PanExchange {
 impl PanModel {
     /// Meshes a pan: rings on the floor and on the wall, which is unrolled into the plane.
     pub fn build(description: &PanDescription, library: &Library) -> Result<Self, MeshError> {
+        let liquids = |bed, floor_nodes| LiquidModel::new(bed, floor_nodes, description, library);
+        Self::meshed(description, FLOOR_RINGS, &library.hob, liquids)
+    }
+
+    /// Meshes the same pan with few nodes.
+    pub(crate) fn coarser(&self, hob: &HobDescription) -> Result<Self, MeshError> {
+        let liquids = |bed, floor_nodes| self.liquids.on(bed, floor_nodes);
+        Self::meshed(&self.description, COARSE_RINGS, hob, liquids)
+    }
+
+    fn meshed(
+        description: &PanDescription,
+        floor_rings: usize,
+        hob: &HobDescription,
+        liquids: impl FnOnce(Bed, usize) -> LiquidModel,
+    ) -> Result<Self, MeshError> {
         let floor = description.floor.radius_mm * 1e-3;
-        let step = floor / (FLOOR_RINGS as f64 - 0.5);
+        let step = floor / (floor_rings as f64 - 0.5);
         let rise =
             libm::hypot(description.wall.height_mm, description.wall.rim_radius_mm - description.floor.radius_mm)
                 * 1e-3;
         let wall_rings = libm::round(rise / step).max(1.0) as usize;
-        let radii: Vec<f64> = (0..FLOOR_RINGS + wall_rings).map(|i| i as f64 * step).collect();
+        let radii: Vec<f64> = (0..floor_rings + wall_rings).map(|i| i as f64 * step).collect();
         let section = Section::rings(&radii, step)?;
         let floor_nodes = section.points.iter().filter(|p| libm::hypot(p[0], p[1]) < floor).count();
         let thickness = |i: usize| {
@@ -164,8 +184,8 @@ impl PanModel {
         conduction.refresh(&graph, &vec![metal.conductivity_w_mk; areas.len()]);
         let bed = Bed::new(&section, description);
         Ok(Self {
-            liquids: LiquidModel::new(bed, floor_nodes, description, library),
-            steepest: areas.iter().map(|a| a * (STEEPEST_AIR_LOSS + library.hob.glass.gap_conductance_w_m2k)).collect(),
+            liquids: liquids(bed, floor_nodes),
+            steepest: areas.iter().map(|a| a * (STEEPEST_AIR_LOSS + hob.glass.gap_conductance_w_m2k)).collect(),
             floor_area: areas[..floor_nodes].iter().sum(),
             locator: Locator::new(&section),
             description: description.clone(),
@@ -434,9 +454,9 @@ impl PanModel {
 
     /// Heat from the ring, and between floor and glass: contact conductance in series with the air under a lifted pan.
     fn add_hob(&self, state: &mut PanState, load: &PanLoad, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
-        let PanLoad { hob, time, .. } = *load;
+        let PanLoad { hob, time, lapse_s, .. } = *load;
         let off = state.limited && load.rules == Rules::Paper2013;
-        let power = if off { 0.0 } else { hob.switched(load.hob_w, time, crate::TICK_S) };
+        let power = if off { 0.0 } else { hob.switched(load.hob_w, time, lapse_s) };
         let glass = &hob.glass;
         let gap = 1.0 / (1.0 / glass.gap_conductance_w_m2k + state.pose.lift / AIR_CONDUCTIVITY);
         for (i, share) in state.ring_shares.iter().enumerate() {

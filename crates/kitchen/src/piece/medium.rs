@@ -73,6 +73,11 @@ pub(crate) struct Media {
 }
 
 impl Media {
+    /// Returns the media of the piece on another mesh, whose patches are to be found again.
+    pub(crate) fn on_other_mesh(&self) -> Self {
+        Self { steam: self.steam, ..Self::default() }
+    }
+
     /// Returns true if it names some of so many patches and nodes of the pan.
     pub(crate) fn fits(&self, patches: usize, nodes: usize) -> bool {
         let named = self.patches.iter().map(|m| m.patch).chain(self.in_water.iter().copied());

@@ -33,6 +33,11 @@ impl PanContact {
         Self { near, since: 0.0, force: 0.0, flipped_at: None, lay_up, lost_s: 0.0 }
     }
 
+    /// Returns the record of the piece on another mesh, whose patches are to be found again.
+    pub(crate) fn on_other_mesh(&self) -> Self {
+        Self { near: NearPan::default(), ..*self }
+    }
+
     /// Updates duration, flips and filtered force after an update of the near patches; `up` is the upward direction in
     /// the body's frame.
     pub(crate) fn follow(&mut self, up: [f64; 3], force: f64, now: f64, dt: f64) {

@@ -9,7 +9,6 @@ use saute_food::{
 };
 use serde::{Deserialize, Serialize};
 
-use crate::TICK_S;
 use crate::data::room::Room;
 use crate::dynamics::extent::outline;
 use crate::dynamics::{Contact, PanShape, Pose};
@@ -332,13 +331,13 @@ impl Piece {
         self.on_pan.leave();
     }
 
-    /// Sets the contacts of the patches near the pan.
+    /// Sets the contacts of the patches near the pan for a tick of `dt` [s].
     pub(crate) fn touch_pan(
         &mut self,
-        pan: &PanModel,
-        pan_state: &PanState,
+        (pan, pan_state): (&PanModel, &PanState),
         (surface, seen): (&PanShape, &Pose),
         room: &Room,
+        dt: f64,
     ) {
         let near = core::mem::take(&mut self.on_pan.near.patches);
         let mut mean = 0.0;
@@ -357,7 +356,7 @@ impl Piece {
         }
         self.on_pan.near.patches = near;
         if self.model.rules() == Rules::Full {
-            self.stand_in_media((pan, pan_state), surface, seen, (mean, room), TICK_S);
+            self.stand_in_media((pan, pan_state), surface, seen, (mean, room), dt);
         }
     }
 

@@ -1,5 +1,6 @@
 //! Simulated time in ticks and frames.
 
+use crate::tick::lapse::Lapse;
 use crate::{FRAME_S, FRAMES_PER_TICK, TICK_S};
 use serde::{Deserialize, Serialize};
 
@@ -33,9 +34,9 @@ impl Clock {
         self.tick as f64 * TICK_S
     }
 
-    /// Time at the end of the present tick [s].
-    pub(crate) fn tick_end_s(self) -> f64 {
-        (self.tick + 1) as f64 * TICK_S
+    /// Time at the end of a lapse that begins with the present tick [s].
+    pub(crate) fn end_s(self, lapse: Lapse) -> f64 {
+        (self.tick + lapse.ticks) as f64 * TICK_S
     }
 
     /// Returns true if no frame has passed since the last tick.
@@ -58,8 +59,8 @@ impl Clock {
         true
     }
 
-    /// Counts a tick.
-    pub(crate) fn count_tick(&mut self) {
-        self.tick += 1;
+    /// Counts the ticks of a lapse.
+    pub(crate) fn count(&mut self, lapse: Lapse) {
+        self.tick += lapse.ticks;
     }
 }

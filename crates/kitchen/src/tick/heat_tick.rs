@@ -19,6 +19,7 @@ use crate::pan::hold::HoldLoad;
 use crate::pan::pan_model::{LEVEL, PanLoad, PanState};
 use crate::piece::food_contact::{self, Touching};
 use crate::piece::piece_state::{Piece, Place, Under};
+use crate::tick::lapse::Lapse;
 use crate::tick::low_pass::low_pass;
 use crate::{TICK_S, kelvin};
 
@@ -38,24 +39,29 @@ impl Kitchen {
         }
         self.find_places();
         self.follow_shapes();
-        self.exchange_between_foods(&fixed.room);
-        for index in 0..self.pieces.len() {
-            self.step_piece(&fixed, index);
+        if !self.world.is_settled() {
+            self.find_touching();
         }
-        self.load.covered.iter_mut().for_each(|c| *c = c.min(1.0));
-        self.step_pan(&fixed);
-        self.clock.count_tick();
+        self.exchange_between_foods(&fixed.room, Lapse::TICK);
+        for index in 0..self.pieces.len() {
+            self.step_piece(&fixed, index, Lapse::TICK);
+        }
+        self.step_pan(&fixed, Lapse::TICK);
+        self.clock.count(Lapse::TICK);
     }
 
-    fn step_pan(&mut self, fixed: &Fixed) {
+    /// Advances the pan with the load of all pieces.
+    pub(crate) fn step_pan(&mut self, fixed: &Fixed, lapse: Lapse) {
+        self.load.covered.iter_mut().for_each(|c| *c = c.min(1.0));
         let gravity = self.felt_gravity();
-        self.hold_pan_temperature(fixed);
+        self.hold_pan_temperature(fixed, lapse);
         let load = PanLoad {
             hob: &fixed.hob,
             room: &fixed.room,
             hob_w: self.hob_power(),
             limited: self.hold.limit_share() < 1.0,
             time: self.clock.tick_start_s(),
+            lapse_s: lapse.s(),
             food: &self.load.heat,
             covered: &self.load.covered,
             steam: &self.load.steam,
@@ -63,28 +69,28 @@ impl Kitchen {
             rules: self.rules(),
         };
         let (pan, solver) = (&mut self.pan, &mut self.pan_solver);
-        let exchange = fixed.pan.advance(pan, solver, &load, &mut self.cloth, &mut self.events, TICK_S);
+        let exchange = fixed.pan.advance(pan, solver, &load, &mut self.cloth, &mut self.events, lapse.s());
         self.account.flows.hob += exchange.hob;
         self.account.flows.air += exchange.air;
         self.account.flows.other += exchange.other;
-        self.vapour.cloth = exchange.cloth_vapour / TICK_S;
+        self.vapour.cloth = exchange.cloth_vapour / lapse.s();
         self.account.flows.evaporation += exchange.vapour.enthalpy;
-        self.vapour.puddle = exchange.vapour.mass / TICK_S;
-        self.average_steam(fixed);
-        self.lift_off_cloth();
+        self.vapour.puddle = exchange.vapour.mass / lapse.s();
+        self.average_steam(fixed, lapse);
+        self.lift_off_cloth(lapse);
     }
 
     /// Averages the steam over the pan and updates the share of its floor under food.
-    fn average_steam(&mut self, fixed: &Fixed) {
+    fn average_steam(&mut self, fixed: &Fixed, lapse: Lapse) {
         let foods: f64 = self.pieces.iter().filter(|p| p.in_pan()).map(|p| p.vapour_flow.max(0.0)).sum();
         let steam = foods + self.vapour.puddle;
-        low_pass(&mut self.pan.steam, steam, PLUME_S, TICK_S);
+        low_pass(&mut self.pan.steam, steam, PLUME_S, lapse.s());
         let floor = self.load.covered.iter().zip(&fixed.pan.section.areas).take(fixed.pan.floor_nodes);
         self.pan.covered = floor.map(|(covered, area)| covered * area).sum::<f64>() / fixed.pan.floor_area;
     }
 
     /// Advances the electronics that hold the pan at a temperature.
-    fn hold_pan_temperature(&mut self, fixed: &Fixed) {
+    fn hold_pan_temperature(&mut self, fixed: &Fixed, lapse: Lapse) {
         let load = HoldLoad {
             hob: &fixed.hob,
             largest: self.hob_w,
@@ -94,12 +100,12 @@ impl Kitchen {
             room: fixed.room.temperature(),
             detected: self.cloth.is_none() && fixed.hob.detects(&self.pan.pose),
         };
-        self.hold.advance(&load, TICK_S);
+        self.hold.advance(&load, lapse.s());
     }
 
-    fn lift_off_cloth(&mut self) {
+    fn lift_off_cloth(&mut self, lapse: Lapse) {
         if let Some(cloth) = &mut self.cloth {
-            cloth.remaining_s -= TICK_S;
+            cloth.remaining_s -= lapse.s();
             if cloth.remaining_s < 0.5 * TICK_S {
                 self.cloth = None;
             }
@@ -173,10 +179,7 @@ impl Kitchen {
     }
 
     /// Exchanges heat between pieces in contact; their patches in contact are closed to the air.
-    fn exchange_between_foods(&mut self, room: &Room) {
-        if !self.world.is_settled() {
-            self.find_touching();
-        }
+    pub(crate) fn exchange_between_foods(&mut self, room: &Room, lapse: Lapse) {
         for touching in &self.touching {
             let index = |key: u32| self.pieces.iter().position(|p| p.key == key);
             let [Some(i), Some(j)] = touching.pair.map(index) else { continue };
@@ -185,7 +188,7 @@ impl Kitchen {
             let (a, b) = (&mut first[i], &mut rest[0]);
             // A frozen piece exchanges nothing.
             if a.state.healthy && b.state.healthy {
-                food_contact::exchange(&room.food_contact, a, b, &touching.links, TICK_S);
+                food_contact::exchange(&room.food_contact, a, b, &touching.links, lapse.s());
             }
             for link in &touching.links {
                 a.close(link.a);
@@ -206,60 +209,61 @@ impl Kitchen {
         }
     }
 
-    fn step_piece(&mut self, fixed: &Fixed, index: usize) {
+    /// Advances a piece with pan, ground and air.
+    pub(crate) fn step_piece(&mut self, fixed: &Fixed, index: usize, lapse: Lapse) {
         let under = match self.pieces[index].place {
             Place::Waiting => return,
             Place::Pan(_) | Place::Held | Place::Rest(RestOn::Rack) => Under::Air,
             Place::Rest(_) | Place::Table => Under::Wood,
             Place::Glass => Under::Glass(self.glass_under(index)),
         };
-        self.meet(fixed, index, under);
+        self.meet(fixed, index, under, lapse);
         let air = self.air_round(fixed, &self.pieces[index]);
         let piece = &mut self.pieces[index];
-        let exchange = piece.advance(air, TICK_S);
+        let exchange = piece.advance(air, lapse.s());
         let exchanges = piece.in_pan() && piece.state.healthy;
-        let condensed = if exchanges { self.exchange_with_media(fixed, index) } else { Runoff::default() };
+        let condensed = if exchanges { self.exchange_with_media(fixed, index, lapse) } else { Runoff::default() };
         let piece = &mut self.pieces[index];
         if under == Under::Wood && piece.state.healthy {
-            piece.warm_wood(&fixed.room, TICK_S);
+            piece.warm_wood(&fixed.room, lapse.s());
         }
-        let (core, time) = (piece.core(), self.clock.tick_end_s());
+        let (core, time) = (piece.core(), self.clock.end_s(lapse));
         if core > piece.core_peak.0 {
             piece.core_peak = (core, time);
         }
-        self.book(fixed, index, &exchange, &condensed);
+        self.book(fixed, index, (&exchange, &condensed), lapse);
     }
 
     /// Takes the heat that media gave to a piece out of them: that of water from the pool; steam that gave heat condenses.
     /// Returns that water.
-    fn exchange_with_media(&mut self, fixed: &Fixed, index: usize) -> Runoff {
+    fn exchange_with_media(&mut self, fixed: &Fixed, index: usize, lapse: Lapse) -> Runoff {
         let piece = &mut self.pieces[index];
-        let heat = piece.take_media_heat(TICK_S);
+        let heat = piece.take_media_heat(lapse.s());
         piece.heat_taken += heat.water + heat.steam + piece.solver.contact_heat.iter().sum::<f64>();
         if heat.water != 0.0 {
             self.account.flows.other -= fixed.pan.liquids.draw_from_pool(&mut self.pan.liquids, heat.water);
         }
         let mass = heat.steam / latent_heat(kelvin(100.0));
         let piece = &mut self.pieces[index];
-        piece.vapour_flow = (piece.vapour_flow - mass / TICK_S).max(0.0);
+        piece.vapour_flow = (piece.vapour_flow - mass / lapse.s()).max(0.0);
         Runoff { mass, enthalpy: mass * WATER_SPECIFIC_HEAT * 100.0 }
     }
 
     /// Updates the contacts of a piece with pan and ground for this tick.
-    fn meet(&mut self, fixed: &Fixed, index: usize, under: Under) {
+    fn meet(&mut self, fixed: &Fixed, index: usize, under: Under, lapse: Lapse) {
         let (force, pan_pose, surface) = (self.pan_force(index), self.world.motion.pose, *self.world.pan_shape());
-        let time = self.clock.tick_end_s();
+        let time = self.clock.end_s(lapse);
         let piece = &mut self.pieces[index];
         if piece.in_pan() {
             let seen = piece.pose.seen_from(&pan_pose);
-            piece.meet_pan(&fixed.pan, &surface, &seen, force, time, TICK_S);
-            piece.touch_pan(&fixed.pan, &self.pan, (&surface, &seen), &fixed.room);
+            piece.meet_pan(&fixed.pan, &surface, &seen, force, time, lapse.s());
+            piece.touch_pan((&fixed.pan, &self.pan), (&surface, &seen), &fixed.room, lapse.s());
         }
         piece.touch_ground(under, &fixed.room);
     }
 
     /// Adds the exchange of a piece to the pan and to the energy account: heat from the pan's nodes, juice and fat.
-    fn book(&mut self, fixed: &Fixed, index: usize, exchange: &Exchange, condensed: &Runoff) {
+    fn book(&mut self, fixed: &Fixed, index: usize, (exchange, condensed): (&Exchange, &Runoff), lapse: Lapse) {
         let piece = &self.pieces[index];
         let taken: f64 = piece.solver.contact_heat.iter().sum();
         if !piece.in_pan() {
@@ -274,21 +278,21 @@ impl Kitchen {
         self.account.flows.evaporation += evaporation;
         // Steam that boils off at the lower face rises through the oil there.
         let boiled = exchange.evaporated.min(taken.max(0.0) / latent_heat(kelvin(100.0))).max(0.0);
-        self.load_pan(fixed, index, boiled, [&exchange.drip, condensed]);
-        self.pieces[index].average_steam(boiled, TICK_S);
+        self.load_pan(fixed, index, (boiled, lapse), [&exchange.drip, condensed]);
+        self.pieces[index].average_steam(boiled, lapse.s());
         let latent = self.pieces[index].model.description().fat_melting.latent_j_kg;
         self.account.flows.other += fixed.pan.render(&mut self.pan, &exchange.rendered, latent);
     }
 
     /// Adds what a piece took and gave in this tick to the pan below it: heat, cover, steam [kg], fond, juice and condensed
     /// steam.
-    fn load_pan(&mut self, fixed: &Fixed, index: usize, boiled: f64, dripping: [&Runoff; 2]) {
+    fn load_pan(&mut self, fixed: &Fixed, index: usize, (boiled, lapse): (f64, Lapse), dripping: [&Runoff; 2]) {
         let piece = &self.pieces[index];
         let whole: f64 = piece.near_patches().iter().map(|n| piece.patch_area(n.patch as usize)).sum();
         for near in piece.near_patches() {
             let (patch, at) = (near.patch as usize, &near.located);
             let (area, wet) = (piece.patch_area(patch), piece.wetness(piece.node_of(near.patch)));
-            self.load.take(at, piece.solver.contact_heat[patch], TICK_S);
+            self.load.take(at, piece.solver.contact_heat[patch], lapse.s());
             self.load.cover(at, area, &fixed.pan.section.areas);
             for (node, weight) in at.nodes.into_iter().zip(at.weights) {
                 let steam = weight * area / whole * boiled;
@@ -301,7 +305,7 @@ impl Kitchen {
             drip(fixed, &mut self.pan, at, |weight| weight * area / whole, dripping);
         }
         for oiled in &piece.media.in_oil {
-            self.load.take(&oiled.located, piece.solver.contact_heat[oiled.patch as usize], TICK_S);
+            self.load.take(&oiled.located, piece.solver.contact_heat[oiled.patch as usize], lapse.s());
         }
         if let (true, Place::Pan(below)) = (piece.near_patches().is_empty(), piece.place) {
             let at = fixed.pan.locator.locate_or_nearest(&fixed.pan.section, below);

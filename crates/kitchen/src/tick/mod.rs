@@ -7,5 +7,6 @@ pub mod event;
 #[cfg(test)]
 mod frozen_piece;
 mod heat_tick;
+pub(crate) mod lapse;
 pub(crate) mod low_pass;
 mod motion;

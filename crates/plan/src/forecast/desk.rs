@@ -1,0 +1,208 @@
+//! Keeps the forecasts of one piece fresh, in small parts of work.
+//!
+//! A round asks all questions from one present, on coarse meshes; the next begins from a newer present. "As it is" runs the
+//! full model beside, from the present at which something was done last, and anew every ten seconds. The desk has no clock:
+//! the shell gives it the present when it [`wants`](Desk::wants) it, and calls [`Desk::advance`] while it has time.
+
+use std::sync::Arc;
+
+use saute_kitchen::food::{BuildError, Scale};
+use saute_kitchen::reduced::Reductions;
+use saute_kitchen::{FRAME_S, Kitchen};
+use serde::{Deserialize, Serialize};
+
+use crate::forecast::ahead::Ahead;
+use crate::forecast::exact::{EXACT_S, Exact};
+use crate::forecast::outlook::Outlook;
+use crate::forecast::question::{Ask, Question};
+
+/// Age at which "as it is" is computed anew with the full model [s].
+const EXACT_AGE_S: f64 = 10.0;
+/// Steps on coarse meshes that cost as much as a tick of the full model [-] (measured with a steak of 120 × 80 × 25 mm: 0.07
+/// and 0.49 ms).
+const STEPS_PER_TICK: u64 = 7;
+/// Parts of work on a round for each part with the full model, while both are open [-] (chosen: with half a core, a steak's
+/// round then ends twice a second, and the full model is through in three seconds).
+const ROUND_PARTS: u64 = 3;
+
+/// A finished forecast.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Answer {
+    /// What it says.
+    pub outlook: Outlook,
+    /// What had been done when it began, as the shell counts it.
+    pub done: u64,
+}
+
+impl Answer {
+    /// Age at a frame of the kitchen [s].
+    pub fn age_s(&self, frame: u64) -> f64 {
+        frame.saturating_sub(self.outlook.frame) as f64 * FRAME_S
+    }
+
+    /// Returns true if nothing was done since it began, given what has been done now.
+    pub fn is_current(&self, done: u64) -> bool {
+        self.done == done
+    }
+}
+
+/// What the desk wants from the shell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wanted {
+    /// Time for its work.
+    Time,
+    /// The present kitchen.
+    Present,
+    /// Nothing: no piece is watched, or the present is what it has forecast.
+    Nothing,
+}
+
+/// The desk: what is asked, what is under way and what was found.
+#[derive(Clone, Debug, Default)]
+pub struct Desk {
+    watched: Option<(String, Option<Arc<Scale>>)>,
+    reductions: Reductions,
+    /// What of the round is still to do, the next one last.
+    round: Vec<Ahead>,
+    exact: Option<Exact>,
+    /// Frame and what had been done at the last present.
+    present: Option<(u64, u64)>,
+    /// The same when the full model began.
+    exact_from: Option<(u64, u64)>,
+    answers: Vec<Answer>,
+    exact_answer: Option<Answer>,
+    parts: u64,
+}
+
+impl Desk {
+    /// Watches a piece, with the scale in whose classes its section is shared out; or none. What was found of another one is
+    /// dropped.
+    pub fn watch(&mut self, food: Option<&str>, scale: Option<Arc<Scale>>) {
+        let same = self.watched.as_ref().map(|(food, scale)| (food.as_str(), scale.as_ref().map(|scale| &scale.id)));
+        if same != food.map(|food| (food, scale.as_ref().map(|scale| &scale.id))) {
+            *self = Self { reductions: std::mem::take(&mut self.reductions), ..Self::default() };
+            self.watched = food.map(|food| (food.to_owned(), scale));
+        }
+    }
+
+    /// Returns what it wants, given the frame of the present kitchen and a count of what was done there so far.
+    pub fn wants(&self, frame: u64, done: u64) -> Wanted {
+        if self.watched.is_none() {
+            return Wanted::Nothing;
+        }
+        match self.present {
+            Some(present) if self.round.is_empty() && present == (frame, done) => {
+                if self.exact.is_some() {
+                    Wanted::Time
+                } else {
+                    Wanted::Nothing
+                }
+            }
+            // An older frame is that of a cook that went back.
+            Some((then, was_done)) if !self.round.is_empty() && was_done == done && frame >= then => Wanted::Time,
+            _ => Wanted::Present,
+        }
+    }
+
+    /// Begins a round from a kitchen, given a count of what was done there so far. While a hand moves food there is none, and
+    /// the last answers age.
+    ///
+    /// # Errors
+    /// If a coarse mesh cannot be built.
+    pub fn begin(&mut self, kitchen: &Kitchen, done: u64) -> Result<(), BuildError> {
+        let Some((food, scale)) = self.watched.clone() else { return Ok(()) };
+        let ask = |question| Ask { food: food.clone(), question, scale: scale.clone() };
+        let frame = kitchen.frame();
+        if self.present.is_some_and(|(then, _)| frame < then) {
+            (self.answers, self.exact_answer, self.exact_from) = (Vec::new(), None, None);
+        }
+        self.present = Some((frame, done));
+        let asks = Question::ALL.map(ask);
+        self.round = self.asked(kitchen, &asks)?;
+        let possible = |answer: &Answer| asks.iter().any(|ask| is_of(answer, ask) && is_possible(kitchen, ask));
+        self.answers.retain(possible);
+        if self.is_exact_due(frame, done) {
+            self.exact_from = Some((frame, done));
+            // A kitchen refuses nothing to one that does nothing.
+            self.exact = Exact::begin(kitchen, &ask(Question::AsItIs), EXACT_S).ok().flatten();
+        }
+        Ok(())
+    }
+
+    /// What a round asks; nothing while a hand moves food: on coarse meshes it would stay where it is.
+    fn asked(&mut self, kitchen: &Kitchen, asks: &[Ask]) -> Result<Vec<Ahead>, BuildError> {
+        if kitchen.is_moving_food() {
+            return Ok(Vec::new());
+        }
+        let reduced = kitchen.reduced(&mut self.reductions)?;
+        Ok(asks.iter().rev().filter_map(|ask| Ahead::from(kitchen, reduced.clone(), ask)).collect())
+    }
+
+    fn is_exact_due(&self, frame: u64, done: u64) -> bool {
+        self.exact_from.is_none_or(|(then, was_done)| {
+            was_done != done || frame < then || (frame - then) as f64 * FRAME_S >= EXACT_AGE_S
+        })
+    }
+
+    /// Works for `ticks` ticks of the full model at most, or for as long as as many steps on coarse meshes take; returns
+    /// those that it worked.
+    pub fn advance(&mut self, ticks: u64) -> u64 {
+        let mut worked = 0;
+        while worked < ticks && self.work_a_tick() {
+            worked += 1;
+        }
+        worked
+    }
+
+    fn work_a_tick(&mut self) -> bool {
+        self.parts += 1;
+        let turn_of_exact = self.round.is_empty() || self.parts.is_multiple_of(ROUND_PARTS + 1);
+        if self.exact.is_some() && turn_of_exact {
+            self.work_exact();
+            return true;
+        }
+        self.work_round()
+    }
+
+    fn work_exact(&mut self) {
+        let Some(exact) = &mut self.exact else { return };
+        exact.advance(1);
+        if exact.is_done() {
+            let outlook = exact.outlook().clone();
+            let done = self.exact_from.map_or(0, |(_, done)| done);
+            self.exact_answer = Some(Answer { outlook, done });
+            self.exact = None;
+        }
+    }
+
+    fn work_round(&mut self) -> bool {
+        let Some(ahead) = self.round.last_mut() else { return false };
+        ahead.advance(STEPS_PER_TICK);
+        if ahead.is_done() {
+            let outlook = ahead.outlook().clone();
+            let done = self.present.map_or(0, |(_, done)| done);
+            self.answers.retain(|answer| answer.outlook.question != outlook.question);
+            self.answers.push(Answer { outlook, done });
+            self.round.pop();
+        }
+        true
+    }
+
+    /// The last answer to a question, five minutes ahead on coarse meshes.
+    pub fn answer(&self, question: Question) -> Option<&Answer> {
+        self.answers.iter().find(|answer| answer.outlook.question == question)
+    }
+
+    /// The last answer of the full model to "as it is", a minute ahead.
+    pub fn exact_answer(&self) -> Option<&Answer> {
+        self.exact_answer.as_ref()
+    }
+}
+
+fn is_of(answer: &Answer, ask: &Ask) -> bool {
+    answer.outlook.question == ask.question && answer.outlook.food == ask.food
+}
+
+fn is_possible(kitchen: &Kitchen, ask: &Ask) -> bool {
+    ask.question.commands(kitchen, &ask.food).is_some()
+}

@@ -1,0 +1,91 @@
+//! What a forecast says: the course of a piece from now on.
+
+use saute_kitchen::food::Shares;
+use saute_kitchen::food::readings::FaceReading;
+use saute_kitchen::{Kitchen, Piece};
+use serde::{Deserialize, Serialize};
+
+use crate::forecast::question::{Ask, Question};
+
+/// Time between two samples [s].
+pub const SAMPLE_S: f64 = 5.0;
+
+/// State of the piece at an instant ahead.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Sample {
+    /// Time from the present on [s].
+    pub after_s: f64,
+    /// Core temperature [K].
+    pub core: f64,
+    /// Lower face, upper face: temperature, colour, browning, charring, moisture.
+    pub faces: [FaceReading; 2],
+    /// Shares of the section's doneness, in the order of the scale's classes [%].
+    pub shares: Option<Shares>,
+}
+
+/// Highest core temperature ahead.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Peak {
+    /// Temperature [K].
+    pub core: f64,
+    /// Time from the present on [s].
+    pub after_s: f64,
+    /// True if the core falls again within what was computed: the carry-over is over.
+    pub is_over: bool,
+}
+
+/// The course of a piece from the present on.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Outlook {
+    /// What was asked.
+    pub question: Question,
+    /// Name of the piece.
+    pub food: String,
+    /// Frames of the kitchen at its present: the age of the forecast counts from there.
+    pub frame: u64,
+    /// Its states, from the present on.
+    pub samples: Vec<Sample>,
+    /// Highest core temperature so far and ahead.
+    pub peak: Peak,
+}
+
+impl Sample {
+    /// Reads a piece.
+    pub(super) fn of(piece: &Piece, ask: &Ask, after_s: f64) -> Self {
+        let (model, state, up) = (&piece.model, &piece.state, piece.up());
+        let shares = ask.scale.as_ref().map(|scale| model.cut_shares(state, &model.cut_across(0.0), scale));
+        let faces = [up, up.map(|v| -v)].map(|up| model.face_reading(state, up));
+        Self { after_s, core: piece.core(), faces, shares }
+    }
+}
+
+impl Outlook {
+    /// The course of a piece of which only the present is known; none without the piece.
+    pub(super) fn begin(kitchen: &Kitchen, ask: &Ask) -> Option<Self> {
+        let piece = kitchen.piece(&ask.food)?;
+        let sample = Sample::of(piece, ask, 0.0);
+        Some(Self {
+            question: ask.question,
+            food: ask.food.clone(),
+            frame: kitchen.frame(),
+            peak: Peak { core: sample.core, after_s: 0.0, is_over: false },
+            samples: vec![sample],
+        })
+    }
+
+    /// Adds the core at an instant ahead to the peak.
+    pub(super) fn note_core(&mut self, core: f64, after_s: f64) {
+        if core > self.peak.core {
+            (self.peak.core, self.peak.after_s) = (core, after_s);
+        }
+    }
+
+    /// Core temperature at a time from the present on, linear between the samples; the last one beyond them [K].
+    pub fn core_at(&self, after_s: f64) -> f64 {
+        let next = self.samples.partition_point(|sample| sample.after_s < after_s);
+        let Some(after) = self.samples.get(next) else { return self.samples.last().map_or(f64::NAN, |s| s.core) };
+        let Some(before) = next.checked_sub(1).map(|i| &self.samples[i]) else { return after.core };
+        let share = (after_s - before.after_s) / (after.after_s - before.after_s);
+        before.core + share * (after.core - before.core)
+    }
+}
