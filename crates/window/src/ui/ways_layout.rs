@@ -9,7 +9,7 @@ use crate::ui::layout::GAP;
 pub const MOST: usize = MOST_BESIDE + 1;
 /// Columns on a narrow window (chosen: a pan is still seen in each).
 const NARROW_COLUMNS: usize = 2;
-/// Height of a column's name with its stand [points].
+/// Height of a column's name with its stand, and of a button for fingers beside them [points].
 const HEAD: f32 = 44.0;
 /// Height of its cut with the readings below it, and on a narrow window [points].
 const CUT: f32 = 84.0;

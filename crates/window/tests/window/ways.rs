@@ -8,7 +8,7 @@ use saute_window::Language;
 use saute_window::SauteApp;
 use saute_window::act::{Act, Setting};
 use saute_window::session::timeline::Stand;
-use saute_window::ui::theme::Theme;
+use saute_window::ui::theme::{TOUCH, Theme};
 
 use crate::harness::{cook, press, save, steps, window};
 
@@ -167,6 +167,19 @@ fn on_a_phone_two_ways_are_seen_at_a_time() {
     harness.set_size(WIDE);
     settle(&mut harness);
     save(&mut harness, "ja-ways-light");
+    // Fingers.
+    harness.set_size(PHONE);
+    act(&mut harness, Act::Set(Setting::Language(Language::English)));
+    let (device_id, id) = (egui::TouchDeviceId(1), egui::TouchId(1));
+    for phase in [egui::TouchPhase::Start, egui::TouchPhase::End] {
+        harness.event(egui::Event::Touch { device_id, id, phase, pos: egui::pos2(4.0, 4.0), force: None });
+        steps(&mut harness, 4);
+    }
+    save(&mut harness, "phone-ways-touch");
+    for label in ["The way before", "The way after", "Cook on here"] {
+        let rect = harness.get_by_role_and_label(Role::Button, label).rect();
+        assert!(rect.height() >= TOUCH && rect.right() <= PHONE.x, "{label}: {rect:?}");
+    }
 }
 
 #[test]

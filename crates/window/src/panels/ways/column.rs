@@ -11,8 +11,8 @@ use crate::panels::inside::clock;
 use crate::panels::ways::plot::style;
 use crate::panels::window_state::WindowState;
 use crate::session::timeline::{Stand, WayBeside};
-use crate::ui::theme;
 use crate::ui::ways_layout::WayColumn;
+use crate::ui::{fingers, theme};
 use crate::words::piece_words::doneness;
 
 /// Height of the picture of the cut at most, as a share of its place [-] (chosen: a line of readings below it).
@@ -32,7 +32,13 @@ pub(super) fn show(
 ) {
     let (palette, name) = (theme::of(ui), state.way_name(way));
     let is_live = way.place.is_none();
-    within(ui, column.head, &format!("way-{}", way.way.slot), |ui| head(state, way, memory, ui, name));
+    let (words, buttons) = head_places(ui, column.head, way, memory);
+    within(ui, words, &format!("way-{}", way.way.slot), |ui| head(state, way, memory, ui, name));
+    if let Some(place) = buttons {
+        within(ui, place, &format!("pages-{}", way.way.slot), |ui| {
+            ui.horizontal(|ui| pages(state, way, memory, ui)).inner
+        });
+    }
     let edge = Stroke::new(if is_live { 3.0 } else { 1.5 }, palette.way(way.way.slot));
     ui.painter().rect_stroke(column.picture, 0.0, edge, StrokeKind::Outside);
     if let Some(place) = way.place {
@@ -41,12 +47,22 @@ pub(super) fn show(
     within(ui, column.cut, &format!("cut-{}", way.way.slot), |ui| cut(state, way, memory, ui, name));
 }
 
+/// Where a way's words are, and beside them, for fingers, the buttons to other ways: those of a mouse stand beside its name.
+fn head_places(ui: &Ui, head: Rect, way: &WayBeside, memory: &WaysMemory) -> (Rect, Option<Rect>) {
+    if !fingers::are_used(ui.ctx()) || way.place.is_none() || !memory.pages {
+        return (head, None);
+    }
+    let width = 2.0 * theme::TOUCH + ui.spacing().item_spacing.x;
+    let (words, buttons) = head.split_left_right_at_x(head.right() - width);
+    (words, Some(buttons))
+}
+
 fn head(state: &WindowState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut Ui, name: &str) {
     ui.spacing_mut().item_spacing = vec2(5.0, 1.0);
     (ui.spacing_mut().interact_size.y, ui.spacing_mut().button_padding.y) = (SMALL_BUTTON, 0.0);
     ui.horizontal(|ui| {
         sample(ui, theme::of(ui).way(way.way.slot), style(way.way.slot), 2.4);
-        let is_all_shown = way.place.is_none() || !memory.pages;
+        let is_all_shown = way.place.is_none() || !memory.pages || fingers::are_used(ui.ctx());
         let room = if is_all_shown { 0.0 } else { 2.0 * (SMALL_BUTTON + 5.0) };
         let size = vec2(ui.available_width() - room, SMALL_BUTTON);
         ui.allocate_ui_with_layout(size, egui::Layout::left_to_right(egui::Align::Center), |ui| {
@@ -68,7 +84,8 @@ fn pages(state: &WindowState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut
     let here = others.iter().position(|id| *id == way.way.id).unwrap_or(0);
     let l = state.settings.language;
     for (sign, key, by) in [("<", "ways.before", others.len() - 1), (">", "ways.after", 1)] {
-        let button = egui::Button::new(sign).min_size(vec2(SMALL_BUTTON, SMALL_BUTTON));
+        let side = fingers::height(ui, SMALL_BUTTON);
+        let button = egui::Button::new(sign).min_size(vec2(side, side));
         let response = ui.add(button);
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, l.text(key)));
         if response.clicked() {
@@ -102,8 +119,9 @@ fn beside(state: &WindowState, place: usize, ui: &mut Ui, acts: &mut Acts, pictu
         acts.push(Act::Orbit(-ORBIT_PER_POINT * delta.x, ORBIT_PER_POINT * delta.y));
     }
     let text = RichText::new(l.text("ways.go")).size(13.0);
-    let button = egui::Button::new(text).fill(theme::of(ui).ground).min_size(vec2(0.0, BUTTON));
-    let corner = Align2::RIGHT_BOTTOM.align_size_within_rect(vec2(picture.width(), BUTTON), picture.shrink(4.0));
+    let height = fingers::height(ui, BUTTON);
+    let button = egui::Button::new(text).fill(theme::of(ui).ground).min_size(vec2(0.0, height));
+    let corner = Align2::RIGHT_BOTTOM.align_size_within_rect(vec2(picture.width(), height), picture.shrink(4.0));
     let mut child = ui.new_child(
         UiBuilder::new()
             .max_rect(corner)
