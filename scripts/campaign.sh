@@ -3,6 +3,7 @@
 #   random cooks drawn from new seeds, and random packets for every door to a device;
 #   a dish stored and restored at random instants, random sessions played again, and kills of a cook that is recorded;
 #   every plan of the list in crates/plan/tests cooked by its recipe;
+#   a hundred fits of a kitchen at home to simulated logs;
 #   the fuzzer on every reader, where a nightly compiler and cargo-fuzz are installed, and the lines that it reached;
 #   a simulated day at the stove, without and with a recorder;
 #   licences, versions and known advisories of all dependencies, where cargo-deny is installed;
@@ -38,6 +39,10 @@ random_sessions() {
 random_kills() { SAUTE_RANDOM_KILLS="$CAMPAIGN_RANDOM_KILLS" cargo test --release -p saute --test cli killed; }
 
 plans() { SAUTE_PLANS="$CAMPAIGN_PLANS" cargo test --release -p saute-plan --test verified -- --nocapture; }
+
+fits() {
+    SAUTE_FIT_TRIALS="$CAMPAIGN_FIT_TRIALS" cargo test --release -p saute-plan --test fit -- --nocapture
+}
 
 haptics() {
     local device
@@ -82,6 +87,7 @@ step "random instants" random_instants
 step "random sessions" random_sessions
 step "random kills" random_kills
 step "plans" plans
+step "fits" fits
 step "fuzzer" fuzz
 step "a day" day
 step "dependencies" judge_dependencies

@@ -34,6 +34,9 @@ CAMPAIGN_RANDOM_SESSIONS=100
 # Plans that are verified by the cooks of their recipes (crates/plan/tests/verified.rs): of ./test.sh the quick ones of its list.
 CAMPAIGN_PLANS=all
 
+# Fits of a kitchen at home to simulated logs (crates/plan/tests/fit.rs). ./test.sh makes 3.
+CAMPAIGN_FIT_TRIALS=100
+
 # Kills of a cook that is recorded (crates/cli/tests/cli/sessions.rs). ./test.sh makes 100.
 CAMPAIGN_RANDOM_KILLS=1000
 

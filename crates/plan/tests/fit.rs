@@ -41,7 +41,7 @@ end = true
 "#;
 
 /// Trials of `./test.sh`; the campaign makes as many as `SAUTE_FIT_TRIALS` says.
-const TRIALS: usize = 8;
+const TRIALS: usize = 3;
 
 /// A stream of normal random numbers.
 struct Normal(u64);
@@ -133,8 +133,8 @@ fn true_values_lie_within_the_stated_intervals() {
     if trials >= 100 {
         assert!(hits.iter().all(|n| (85..=95).contains(&(100 * n / trials))), "{hits:?} of {trials}");
     } else {
-        // Of 24 values, 18 or more lie inside with a probability above 0.99 if each does with 0.9.
-        assert!(4 * all >= 3 * 3 * trials, "{hits:?} of {trials}");
+        // Of 9 values, 6 or more lie inside with a probability above 0.99 if each does with 0.9.
+        assert!(3 * all >= 2 * 3 * trials, "{hits:?} of {trials}");
     }
 }
 
