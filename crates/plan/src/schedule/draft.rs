@@ -55,3 +55,63 @@ impl Draft {
         Schedule { powers, put_s, flips_s, pull_s, rest_s: 0 }.pulled_at(pull_s, 60)
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use saute_kitchen::Library;
+
+    use super::*;
+    use crate::goal::Goal;
+
+    fn order() -> Order {
+        let library = Library::embedded().unwrap();
+        Order {
+            food: "beef-lean".into(),
+            size_mm: vec![120.0, 80.0, 25.0],
+            initial_c: 5.0,
+            count: None,
+            pan: "carbon-steel-26".into(),
+            hob_w: vec![400.0, 1100.0, 2000.0],
+            most_flips: 1,
+            goal: Goal::new(&"medium".parse().unwrap(), library.scale("chefs").unwrap(), 60.0).unwrap(),
+        }
+    }
+
+    const DRAFT: Draft =
+        Draft { preheat_c: 200, first: 1, change_s: 40, then: 0, both: true, first_flip_s: 300, every_s: 30, flips: 1 };
+
+    fn powers(draft: Draft) -> Vec<(u32, f64)> {
+        draft.schedule(&order(), 60, 900).powers.iter().map(|p| (p.at_s, p.hob_w)).collect()
+    }
+
+    #[test]
+    fn a_draft_preheats_sears_each_face_and_goes_on_gently() {
+        let sear = [(0, 2000.0), (60, 1100.0), (100, 400.0), (360, 1100.0), (400, 400.0)];
+        assert_eq!(powers(DRAFT), sear);
+        assert_eq!(powers(Draft { both: false, ..DRAFT }), sear[..3]);
+        // Without a change, and when the first power lasts beyond the flip, the second face needs no other power.
+        assert_eq!(powers(Draft { change_s: 0, ..DRAFT }), [(0, 2000.0), (60, 400.0)]);
+        assert_eq!(powers(Draft { change_s: 320, ..DRAFT }), [(0, 2000.0), (60, 1100.0), (380, 400.0)]);
+    }
+
+    #[test]
+    fn its_recipe_has_the_steps_in_order_and_nothing_after_the_pull() {
+        let schedule = DRAFT.schedule(&order(), 60, 900).pulled_at(380, 120);
+        let text = schedule.recipe_text(&order());
+        let steps: Vec<&str> = text.split("[[step]]\n").skip(1).map(str::trim_end).collect();
+        let expected = [
+            "at_s = 0\nhob_w = 2000",
+            "at_s = 60\nput = \"beef-lean\"",
+            "at_s = 60\nhob_w = 1100",
+            "at_s = 100\nhob_w = 400",
+            "at_s = 360\nhob_w = 1100",
+            "at_s = 360\nflip = \"beef-lean\"",
+            "at_s = 380\nrest = \"beef-lean\"",
+            "at_s = 380\nhob_w = 0",
+            "at_s = 500\nend = true",
+        ];
+        assert_eq!(steps, expected);
+        assert!(schedule.recipe(&order(), &Library::embedded().unwrap()).is_ok());
+    }
+}

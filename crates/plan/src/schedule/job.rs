@@ -76,6 +76,9 @@ pub struct JobResult {
 /// Why a job cannot be done.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum JobError {
+    /// The hob has no power.
+    #[error("the order has no power of the hob")]
+    NoPower,
     /// Its recipe cannot be used.
     #[error(transparent)]
     Input(#[from] InputError),

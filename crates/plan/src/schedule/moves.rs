@@ -95,3 +95,28 @@ fn rhythms(draft: &Draft, order: &Order, stride: Stride) -> Vec<Draft> {
         _ => vec![every(wider), every(closer), first(wider)],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FROM: Draft =
+        Draft { preheat_c: 200, first: 1, change_s: 60, then: 0, both: false, first_flip_s: 50, every_s: 40, flips: 8 };
+
+    #[test]
+    fn what_was_better_alone_is_joined_and_the_best_wins_where_two_change_the_same() {
+        let hotter = Draft { preheat_c: 220, ..FROM };
+        let [shorter, longer] = [40, 80].map(|change_s| Draft { change_s, ..FROM });
+        let rarer = Draft { every_s: 56, first_flip_s: 70, ..FROM };
+        let joined = combined(&FROM, &[shorter, hotter, rarer, longer]);
+        assert_eq!(joined, Draft { preheat_c: 220, change_s: 80, every_s: 56, first_flip_s: 70, ..FROM });
+    }
+
+    #[test]
+    fn powers_stay_on_the_list_and_a_single_power_has_no_change() {
+        for draft in powers(&FROM, 2, Stride::ALL[0]) {
+            assert!(draft.first < 2 && draft.then < 2, "{draft:?}");
+            assert_eq!(draft.change_s == 0, draft.first == draft.then, "{draft:?}");
+        }
+    }
+}

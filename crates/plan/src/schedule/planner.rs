@@ -85,6 +85,9 @@ impl Planner {
     ///
     /// If the order makes no recipe.
     pub fn new(order: Order, library: Arc<Library>) -> Result<Self, JobError> {
+        if order.hob_w.is_empty() {
+            return Err(JobError::NoPower);
+        }
         let nodes = |coarseness| order.check(&library, coarseness).map(|model| work_of_tick(model.mesh().node_count()));
         let finish_over_search = nodes(FULL)? as f64 / nodes(COARSE)? as f64;
         let heating = Heating::of(&order, &library)?;
@@ -108,7 +111,8 @@ impl Planner {
         })
     }
 
-    /// Returns the jobs that can be run now, in any order or at once; none when there is a plan.
+    /// Returns the jobs that can be run now, in any order or at once, for [`Self::take`]. There are none when there is a plan; a
+    /// round of the search may have none too.
     pub fn next_jobs(&mut self) -> Vec<Job> {
         match self.stage {
             Stage::Seeds => {
@@ -246,9 +250,12 @@ impl Planner {
     /// Keeps the finalist if it is the best so far; if it misses the goal, the next one has its turn.
     fn conclude(&mut self, mut results: Vec<JobResult>) {
         let finalist = self.finalist().map(|(draft, coarse)| (*draft, coarse));
-        let (Some((draft, coarse)), [full, changed @ ..]) = (finalist, results.as_slice()) else { return };
+        let (Some((draft, coarse)), [full, changed @ ..]) = (finalist, results.as_slice()) else {
+            return self.stage = Stage::Done;
+        };
         let missing = |result: &JobResult| Shortfall::of(&result.outcome, &self.order.goal).len();
         let is_met = missing(full) == 0;
+        let paler = (coarse.outcome.least_crust_pct - full.outcome.least_crust_pct).max(0.0);
         let is_best = self.finished.as_ref().is_none_or(|best| {
             let (new, old) = (missing(full), missing(best));
             new < old || (new == old && full.score > best.score)
@@ -260,6 +267,8 @@ impl Planner {
             self.finished = Some(results.swap_remove(0));
         }
         self.finalists.insert(draft);
+        // What the coarse mesh browned too much is wanted of the next one on top.
+        self.search.goal.crust_pct = (self.search.goal.crust_pct + paler).min(100.0);
         let is_over = is_met || self.finalists.len() >= MOST_FINALISTS || self.finalist().is_none();
         self.stage = if is_over { Stage::Done } else { Stage::Finish };
     }
