@@ -253,7 +253,7 @@ impl SauteApp {
     /// Draws on this context from now on; without graphics the scene is left out.
     fn draw_on(&mut self, context: &egui::Context, graphics: Option<&egui_wgpu::RenderState>) {
         theme::install(context);
-        fingers::note(context, crate::system::has_coarse_pointer());
+        fingers::note(context, crate::ui::system::has_coarse_pointer());
         self.drawable = graphics.is_some();
         let Some(state) = graphics else { return };
         SceneCallback::install(state);

@@ -23,7 +23,6 @@ pub mod bench_frame;
 pub mod browser;
 pub mod controls;
 pub mod export;
-mod felt;
 #[cfg(not(target_arch = "wasm32"))]
 mod files;
 pub mod frame_meter;
@@ -45,7 +44,6 @@ pub mod session;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod session_file;
 pub mod settings;
-mod system;
 pub mod ui;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;

@@ -128,7 +128,7 @@ impl Settings {
 
     /// Returns true if nothing glides that can jump.
     pub fn moves_less(&self) -> bool {
-        self.less_motion.unwrap_or_else(crate::system::wants_less_motion)
+        self.less_motion.unwrap_or_else(crate::ui::system::wants_less_motion)
     }
 
     /// Returns the goal for the core by a scale, in its unit [°C or %].

@@ -8,7 +8,7 @@ use saute_kitchen::{FRAME_S, Kitchen};
 
 use super::host::Host;
 use crate::app::SauteApp;
-use crate::felt::Felt;
+use crate::input::felt::Felt;
 
 /// Numbers of a reading: three angles, the turn of the picture, then six accelerations, not numbers where they are unknown.
 const READING: usize = 10;

@@ -8,7 +8,7 @@ use saute_haptics::{HapticDevice, Health, PanInHand, TurnerInHand};
 use saute_kitchen::{FRAME_S, Kitchen};
 
 use super::connected::{ConnectError, Connected};
-use crate::felt::Felt;
+use crate::input::felt::Felt;
 
 /// Degrees of freedom that a turner's device must sense.
 const TURNER_DOF: u8 = 6;

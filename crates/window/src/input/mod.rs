@@ -1,5 +1,6 @@
 //! Keys, mouse and gamepad, and what they do to the kitchen.
 
+pub(crate) mod felt;
 pub mod gamepad;
 #[cfg(not(target_arch = "wasm32"))]
 mod gamepad_device;

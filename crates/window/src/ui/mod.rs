@@ -15,6 +15,7 @@ pub mod scene_view;
 pub(crate) mod spoken_range;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod stored_zoom;
+pub(crate) mod system;
 pub mod theme;
 pub mod ways_layout;
 pub(crate) mod ways_view;
