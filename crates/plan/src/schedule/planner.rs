@@ -24,6 +24,8 @@ const CORE_WORK: u64 = 480_000_000;
 const CORES: u64 = 2;
 /// Candidates that are cooked on the full mesh at most, one after the other until one meets the goal [-] (chosen).
 const MOST_FINALISTS: usize = 2;
+/// Stride with which the search goes on where the first finalist misses the goal.
+const AGAIN: usize = 1;
 /// Gain of the score from which the search goes on with the same stride [points] (chosen).
 const GAIN: f64 = 0.7;
 /// Crust that the search wants on top of the goal's [points of %] (chosen: the coarse mesh misses it by up to 5).
@@ -37,10 +39,10 @@ const MORE_RISE: [f64; 2] = [0.7, 1.0];
 const WITHIN: [f64; 2] = [1.0, 0.2];
 /// Rests that are cooked, in the search and in the finish [-] (chosen).
 const RESTS: [u32; 2] = [2, 3];
-/// Latest time to pull, after putting in [s], and for each millimetre of thickness [s/mm] (chosen: twice what the shipped
-/// steaks take).
+/// Latest time to pull, after putting in [s], and for each millimetre of thickness [s/mm] (chosen: a thick steak is well done
+/// at 400 W by then).
 const LIMIT_S: f64 = 180.0;
-const LIMIT_S_MM: f64 = 50.0;
+const LIMIT_S_MM: f64 = 70.0;
 
 /// What comes next.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -267,9 +269,19 @@ impl Planner {
             self.finished = Some(results.swap_remove(0));
         }
         self.finalists.insert(draft);
-        // What the coarse mesh browned too much is wanted of the next one on top.
-        self.search.goal.crust_pct = (self.search.goal.crust_pct + paler).min(100.0);
-        let is_over = is_met || self.finalists.len() >= MOST_FINALISTS || self.finalist().is_none();
-        self.stage = if is_over { Stage::Done } else { Stage::Finish };
+        let is_over = is_met || self.finalists.len() >= MOST_FINALISTS;
+        self.stage = if is_over { Stage::Done } else { Stage::Refine(AGAIN) };
+        if !is_over {
+            self.want_more_crust(paler);
+        }
+    }
+
+    /// Wants more crust on the coarse mesh [points of %]: as much as it browned too much.
+    fn want_more_crust(&mut self, more: f64) {
+        let Self { search: Order { goal, .. }, tried, .. } = self;
+        goal.crust_pct = (goal.crust_pct + more).min(100.0);
+        for result in tried.values_mut() {
+            result.score = Score::of(&result.outcome, result.schedule.flips_s.len(), goal);
+        }
     }
 }
