@@ -49,7 +49,7 @@ pub struct FitArgs {
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true, requires = "log")]
     pub shift_s: f64,
     /// Weight of the food at the end [g].
-    #[arg(long, value_name = "G")]
+    #[arg(long, value_name = "G", allow_negative_numbers = true)]
     pub weight_g: Option<f64>,
     /// Class of the core that was seen on the cut at the end.
     #[arg(long, value_name = "CLASS")]
