@@ -13,6 +13,27 @@ export function prepare(canvas, backend) {
   if (backend === "webgl2") canvas.getContext("webgl2", least);
 }
 
+/** How long a page that is not shown waits for its size [ms] (chosen). */
+const SIZE_WAIT = 500;
+
+/** Emulated phones, and pages in another scale than their window's, report the pixels of an element in the window's scale; the picture
+ * would be twice too large or too small. Without that report the module multiplies the page's own size by its scale. */
+export async function agreeOnPixels(element) {
+  const seen = new Promise((resolve) => {
+    const observer = new ResizeObserver(([entry]) => {
+      observer.disconnect();
+      resolve(entry);
+    });
+    observer.observe(element);
+    setTimeout(resolve, SIZE_WAIT);
+  });
+  const entry = await seen;
+  const [box] = entry?.devicePixelContentBoxSize ?? [];
+  if (!box) return;
+  const differs = Math.abs(box.inlineSize - entry.contentRect.width * devicePixelRatio) > 2;
+  if (differs) delete ResizeObserverEntry.prototype.devicePixelContentBoxSize;
+}
+
 async function hasWebGpu() {
   try {
     return (await navigator.gpu?.requestAdapter()) != null;

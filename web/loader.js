@@ -5,7 +5,7 @@ const version = new URL(import.meta.url).search;
 const place = (file) => new URL(`./${file}${version}`, import.meta.url).href;
 const FILES = ["download", "graphics", "cover", "words", "host", "kept_cook", "controls", "offline", "errands"];
 const parts = await Promise.all(FILES.map((file) => import(place(`${file}.js`))));
-const { fetchFile, withProgress, backends, prepare, Cover, words, Host, KeptCook, Controls, Errands, takeNewVersion, keepForOffline } = Object.assign({}, ...parts);
+const { fetchFile, withProgress, backends, prepare, agreeOnPixels, Cover, words, Host, KeptCook, Controls, Errands, takeNewVersion, keepForOffline } = Object.assign({}, ...parts);
 
 const asked = new URLSearchParams(location.search);
 // Without a language in the address the kitchen takes the remembered one, else the browser's.
@@ -116,6 +116,7 @@ async function main() {
   } catch (error) {
     return cover.fail("not_loaded", error);
   }
+  await agreeOnPixels(document.getElementById("stage"));
   try {
     await start(candidates);
   } catch (error) {

@@ -1,5 +1,5 @@
 // Promises to those who do not see the canvas, have no mouse, or asked for less motion: the panels are there as HTML controls, axe
-// finds no violation in them, a description tells the cook, and a whole cook needs nothing else; the window moves less. How:
+// finds no violation in them, a description tells the cook, and a whole cook, undo and turned time need nothing else; the window moves less. How:
 // crates/window/tests/window/settings.rs.
 
 import assert from "node:assert/strict";
@@ -20,6 +20,16 @@ async function violations(page) {
   await page.evaluate(AXE);
   const { violations } = await page.evaluate(() => window.axe.run(document));
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`);
+}
+
+/** Sets a slider as a screen reader does. */
+async function setSlider(page, name, value) {
+  const slider = page.locator("#controls").getByRole("slider", { name });
+  await slider.waitFor({ state: "attached" });
+  await slider.evaluate((element, to) => {
+    element.value = String(to);
+    element.dispatchEvent(new Event("change"));
+  }, value);
 }
 
 const CASES = [["en", "dark", "reduce", "Movement: Reduced"], ["ja", "light", "no-preference", "動き: なめらか"]];
@@ -43,12 +53,7 @@ for (const [lang, colorScheme, reducedMotion, motion] of CASES) {
 
 test("a cook by the HTML controls alone, told in words", { timeout: 240_000 }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address);
-  const slider = page.locator("#controls").getByRole("slider", { name: "Hob" });
-  await slider.waitFor({ state: "attached" });
-  await slider.evaluate((element) => {
-    element.value = "1400";
-    element.dispatchEvent(new Event("change"));
-  });
+  await setSlider(page, "Hob", 1400);
   await until(page, "the hob is on", (now) => Math.abs(now.hob_w - 1400) < 100);
   await clickLabel(page, "5×");
   await until(page, "time runs faster", (now) => now.speed === 5);
@@ -61,9 +66,16 @@ test("a cook by the HTML controls alone, told in words", { timeout: 240_000 }, a
   await page.waitForTimeout(1500);
   assert.equal(await page.evaluate(() => document.activeElement.textContent), "Flip");
   await page.keyboard.press("Enter");
-  await until(page, "the steak is turned", (now) => now.pieces[0].upside_down);
+  const turned = await until(page, "the steak is turned", (now) => now.pieces[0].upside_down);
   await clickLabel(page, "Take out");
   await until(page, "the steak is out", (now) => now.pieces[0].place === "board");
+  // Time is turned back: to before the last act, and to an instant.
+  await clickLabel(page, "Undo");
+  const undone = await until(page, "undone", (now) => now.pieces[0].place === "pan" && !now.travels);
+  assert.ok(undone.pieces[0].upside_down && undone.time_s >= turned.time_s, JSON.stringify(undone));
+  await setSlider(page, "Time of the cook", 2);
+  const early = await until(page, "the beginning", (now) => now.time_s < 4 && !now.travels);
+  assert.ok(!early.pieces[0].upside_down && early.pan_c < turned.pan_c, JSON.stringify(early));
   assert.deepEqual(trouble(seen), []);
   await close();
 });

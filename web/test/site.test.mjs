@@ -148,12 +148,13 @@ test("a frame of another site cooks, and keeps nothing", async () => {
 });
 
 test("a phone gets the whole screen, light or dark", async () => {
-  for (const colorScheme of ["light", "dark"]) {
-    // A scale of the device is left out: emulated, it does not reach the size that the canvas observes.
-    const options = { viewport: { width: 390, height: 844 }, hasTouch: true, colorScheme };
+  for (const [colorScheme, scale] of [["light", 1], ["dark", 2]]) {
+    const options = { viewport: { width: 390, height: 844 }, hasTouch: true, colorScheme, deviceScaleFactor: scale };
     const look = async ({ page }) => {
       const box = await page.locator("canvas").boundingBox();
       assert.deepEqual([box.x, box.y, box.width, box.height], [0, 0, 390, 844]);
+      const drawn = await page.evaluate(() => [document.getElementById("canvas").width, document.getElementById("canvas").height]);
+      assert.deepEqual(drawn, [390 * scale, 844 * scale]);
       await page.screenshot({ path: join(PICTURES, `phone-${colorScheme}.png`) });
     };
     await cooks(host.address, look, options);
