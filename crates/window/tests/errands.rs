@@ -15,6 +15,9 @@ use web_time::Duration;
 /// How long a frame may play.
 const FRAME: Duration = Duration::from_millis(5);
 
+/// How often a stop is due: often enough for several in a cook of 90 s, however fast the machine plays it.
+const STOP: Duration = Duration::from_millis(2);
+
 /// A helper in the same thread: it works when the test lets it.
 #[derive(Clone)]
 struct Beside {
@@ -26,7 +29,7 @@ struct Beside {
 
 impl Beside {
     fn new(library: &Arc<Library>) -> Self {
-        let bench = Rc::new(RefCell::new(Bench::new(Arc::clone(library))));
+        let bench = Rc::new(RefCell::new(Bench::new(Arc::clone(library)).stopping_every(STOP)));
         Self { bench, answers: Rc::default(), fails: false, asked: Rc::default() }
     }
 

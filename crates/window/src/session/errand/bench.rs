@@ -34,12 +34,18 @@ pub struct Bench {
     library: Arc<Library>,
     models: Models,
     work: Option<Work>,
+    computed_per_stop: Duration,
 }
 
 impl Bench {
     /// A bench without work.
     pub fn new(library: Arc<Library>) -> Self {
-        Self { library, models: Models::default(), work: None }
+        Self { library, models: Models::default(), work: None, computed_per_stop: COMPUTED_PER_STOP }
+    }
+
+    /// The same with another computing time between two stops.
+    pub fn stopping_every(self, computed: Duration) -> Self {
+        Self { computed_per_stop: computed, ..self }
     }
 
     /// Takes an errand in place of the one before; one that cannot be read is none.
@@ -76,7 +82,7 @@ impl Bench {
         let begun = Clock::now();
         let is_last = work.play(&self.library, budget);
         work.computed += begun.elapsed();
-        if !is_last && work.computed < COMPUTED_PER_STOP {
+        if !is_last && work.computed < self.computed_per_stop {
             return None;
         }
         work.computed = Duration::ZERO;
