@@ -21,7 +21,7 @@ source scripts/fuzz.sh
 source scripts/dependencies.sh
 
 # Crates that must compile for the browser and are not in the page.
-BROWSER_CRATES=(surface lab plan)
+BROWSER_CRATES=(surface lab)
 
 tests() {
     local output="${CARGO_TARGET_DIR:-target}/test-output.txt"

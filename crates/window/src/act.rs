@@ -251,6 +251,8 @@ pub enum Card {
     Mirror,
     /// The first steps.
     FirstSteps,
+    /// What there is to learn and to try.
+    Learn,
 }
 
 /// What a key is about: the help lists keys by it.

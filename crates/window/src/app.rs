@@ -15,6 +15,7 @@ use saute_recipe::{Recipe, Recording};
 use saute_scene::camera::Camera;
 use saute_scene::quality::Quality;
 
+use crate::act::Card;
 use crate::apply::waiting::Waiting;
 #[cfg(target_arch = "wasm32")]
 use crate::browser::host::Surroundings;
@@ -88,11 +89,8 @@ pub struct SauteApp {
     pub(crate) camera_preset: usize,
     /// Place of the cut (−1…1), or none.
     pub(crate) slice: Option<f64>,
-    pub(crate) help: bool,
-    /// True if the list of what was said is open.
-    pub(crate) messages: bool,
-    /// True if the card of the settings is open.
-    pub(crate) settings_open: bool,
+    /// The card that is open.
+    pub(crate) card: Option<Card>,
     pub(crate) notice: Notice,
     pub(crate) motions: Motions,
     pub(crate) scene: SceneView,
@@ -115,8 +113,6 @@ pub struct SauteApp {
     /// The piece to which the eye turns once it lies on the board.
     pub(crate) taken_out: Option<String>,
     pub(crate) meter: FrameMeter,
-    /// True if the card of the first steps is shown.
-    pub(crate) first_steps: bool,
     /// True if there is a font with kana and kanji.
     pub(crate) japanese_font: bool,
     /// True if the scene can be drawn (a graphics device is there).
@@ -202,9 +198,7 @@ impl SauteApp {
             camera: Camera::three_quarter(),
             camera_preset: 0,
             slice: None,
-            help: false,
-            messages: false,
-            settings_open: false,
+            card: first_steps.then_some(Card::FirstSteps),
             notice: Notice::default(),
             motions: Motions::default(),
             scene: SceneView::default(),
@@ -224,7 +218,6 @@ impl SauteApp {
             software: false,
             frugal: start.frugal,
             governor: Governor::new(Quality::Best),
-            first_steps,
             japanese_font,
             mirror: MirrorView::default(),
             #[cfg(not(target_arch = "wasm32"))]
@@ -302,7 +295,8 @@ impl SauteApp {
 
     /// Returns true if a card covers the scene, or a photo is taken of it; time then waits.
     pub(crate) fn card_is_open(&self) -> bool {
-        let card = self.help || self.messages || self.settings_open || self.first_steps;
+        // Behind that of the half mirror the cook goes on in the mirror.
+        let card = self.card.is_some_and(|card| card != Card::Mirror);
         card || self.photo_is_open() || self.offered_s().is_some()
     }
 

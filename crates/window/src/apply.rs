@@ -9,7 +9,7 @@ pub(crate) mod waiting;
 
 use saute_kitchen::Command;
 
-use crate::act::{Act, Setting};
+use crate::act::{Act, Card, Setting};
 use crate::app::SauteApp;
 use crate::input::tool_hand::TurnerPose;
 
@@ -123,9 +123,9 @@ impl SauteApp {
             Act::Say(text) => self.notice.say(text),
             Act::Open(card) => self.open_card(card),
             Act::Shut(card) => self.shut_card(card),
-            Act::Help => self.toggle_help(),
-            Act::Messages => self.toggle_messages(),
-            Act::Settings => self.toggle_settings(),
+            Act::Help => self.toggle_card(Card::Help),
+            Act::Messages => self.toggle_card(Card::Messages),
+            Act::Settings => self.toggle_card(Card::Settings),
             Act::Close => self.close_all(),
         }
     }

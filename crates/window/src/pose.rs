@@ -65,7 +65,7 @@ impl SauteApp {
         self.settings.split = pose.split;
         self.settings.panels_hidden = !pose.panels;
         self.set_quality(QualityChoice::Always(pose.quality));
-        self.first_steps = false;
+        self.card = None;
         self.camera_preset = (pose.camera + 2) % 3;
         self.next_camera();
         self.slice = None;

@@ -57,6 +57,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
         &[
             "saute-kitchen",
             "saute-recipe",
+            "saute-plan",
             "saute-scene",
             "saute-picture",
             "saute-haptics",

@@ -8,7 +8,7 @@ use saute_recipe::session::session_file::is_session;
 use web_time::{Duration, Instant};
 
 use super::SauteApp;
-use crate::act::Acts;
+use crate::act::{Acts, Card};
 use crate::panels;
 use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
@@ -68,7 +68,7 @@ impl SauteApp {
     fn show_panels(&mut self, ui: &mut Ui, layout: &Layout) -> Acts {
         let goal = self.scale().map(|scale| (Arc::clone(&scale), self.settings.goal(&scale)));
         let (advice, quality) = (self.session.advice(goal), self.quality());
-        if self.mirror.card {
+        if self.card == Some(Card::Mirror) {
             // The card shows the error of a rig that cannot be read.
             let _ = self.mirror.rig(&self.settings.mirror.rig);
         }
@@ -88,12 +88,9 @@ impl SauteApp {
             phone_tilts: self.phone_tilts(),
             portion: self.portion,
             slice: self.slice,
-            help: self.help,
-            messages: self.messages,
+            card: self.card,
             said: &self.notice,
-            settings_open: self.settings_open,
             unfinished_s: self.offered_s(),
-            first_steps: self.first_steps,
             japanese_font: self.japanese_font,
             quality,
             advice,

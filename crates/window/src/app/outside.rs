@@ -1,6 +1,7 @@
 //! What the window's owner reads and sets from outside: the page, measurements and tests.
 
 use super::SauteApp;
+use crate::act::Card;
 use crate::frame_meter::FrameMeter;
 use crate::session::Session;
 use crate::settings::Settings;
@@ -43,22 +44,17 @@ impl SauteApp {
 
     /// Returns true if the card of the first steps is shown.
     pub fn first_steps_are_open(&self) -> bool {
-        self.first_steps
-    }
-
-    pub(crate) fn close_first_steps(&mut self) {
-        self.first_steps = false;
-        self.settings.introduced = true;
+        self.card == Some(Card::FirstSteps)
     }
 
     /// Returns true if the list of keys is open.
     pub fn help_is_open(&self) -> bool {
-        self.help
+        self.card == Some(Card::Help)
     }
 
     /// Returns true if the card of the settings is open.
     pub fn settings_are_open(&self) -> bool {
-        self.settings_open
+        self.card == Some(Card::Settings)
     }
 
     /// The photo mode.

@@ -5,39 +5,28 @@ use crate::app::SauteApp;
 use crate::panels::Drawer;
 
 impl SauteApp {
+    /// Opens a card in place of the one that is open.
     pub(super) fn open_card(&mut self, card: Card) {
-        (self.help, self.settings_open) = (card == Card::Help, card == Card::Settings);
-        self.messages = card == Card::Messages;
-        self.mirror.card |= card == Card::Mirror;
-        self.first_steps |= card == Card::FirstSteps;
+        self.card = Some(card);
     }
 
+    /// Closes a card; the first steps are then known.
     pub(super) fn shut_card(&mut self, card: Card) {
-        match card {
-            Card::Help => self.help = false,
-            Card::Settings => self.settings_open = false,
-            Card::Messages => self.messages = false,
-            Card::Mirror => self.mirror.card = false,
-            Card::FirstSteps => self.close_first_steps(),
-        }
+        self.settings.introduced |= card == Card::FirstSteps;
+        self.card.take_if(|open| *open == card);
     }
 
-    pub(super) fn toggle_help(&mut self) {
-        (self.help, self.settings_open, self.messages) = (!self.help, false, false);
-    }
-
-    pub(super) fn toggle_messages(&mut self) {
-        (self.help, self.settings_open, self.messages) = (false, false, !self.messages);
-    }
-
-    pub(super) fn toggle_settings(&mut self) {
-        (self.settings_open, self.help, self.messages) = (!self.settings_open, false, false);
-        self.mirror.card &= !self.settings_open;
+    /// Opens a card, or closes it.
+    pub(super) fn toggle_card(&mut self, card: Card) {
+        self.card = (self.card != Some(card)).then_some(card);
     }
 
     /// Closes the cards and ends the placing of probes.
     pub(super) fn close_all(&mut self) {
-        (self.help, self.settings_open, self.messages, self.scene.placing) = (false, false, false, false);
+        self.scene.placing = false;
+        if let Some(card) = self.card {
+            self.shut_card(card);
+        }
         #[cfg(not(target_arch = "wasm32"))]
         {
             self.photo.open = false;

@@ -2,6 +2,7 @@
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::act::Card;
 use crate::app::{SauteApp, Start};
 use crate::autosave::CookStore;
 
@@ -87,7 +88,9 @@ impl SauteApp {
         if let Some(host) = self.host.clone() {
             self.session.employ(Box::new(host));
         }
-        self.first_steps &= !is_embedded;
+        if is_embedded && self.card == Some(Card::FirstSteps) {
+            self.card = None;
+        }
         self.open_link(&link);
         if let Some(host) = self.host.clone() {
             self.keep_cook_by(Box::new(host), kept.as_deref());

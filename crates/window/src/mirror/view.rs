@@ -25,8 +25,6 @@ pub struct MirrorView {
     pub open: bool,
     /// True if it fills its screen.
     pub full: bool,
-    /// True if the card with its choices is open.
-    pub card: bool,
     /// True if the pattern is shown instead of the picture.
     pub calibrating: bool,
     /// The mark that is moved.

@@ -26,9 +26,9 @@ pub mod window_state;
 
 use egui::{Rect, ScrollArea, Ui, UiBuilder};
 
-use crate::act::Acts;
+use crate::act::{Acts, Card};
 use crate::paint::ground::GroundCallback;
-use crate::panels::cards::{first_steps, help, messages, unfinished};
+use crate::panels::cards::{first_steps, help, learn, messages, unfinished};
 use crate::panels::cook::{hob_bar, pour, time_strip};
 use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::layout::{GAP, Layout};
@@ -88,17 +88,16 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
     #[cfg(not(target_arch = "wasm32"))]
     crate::hand::show(state, ui, acts, layout);
     if let Some(time_s) = state.unfinished_s {
-        unfinished::show(state, time_s, ui, acts, whole);
-    } else if state.help {
-        help::show(state, memory, ui, acts, whole);
-    } else if state.messages {
-        messages::show(state, ui, acts, whole);
-    } else if state.settings_open {
-        settings_card::show(state, memory, ui, acts, whole);
-    } else if state.mirror.card {
-        mirror_card::show(state, ui, acts, whole);
-    } else if state.first_steps {
-        first_steps::show(state, ui, acts, whole);
+        return unfinished::show(state, time_s, ui, acts, whole);
+    }
+    match state.card {
+        None => {}
+        Some(Card::Help) => help::show(state, memory, ui, acts, whole),
+        Some(Card::Messages) => messages::show(state, ui, acts, whole),
+        Some(Card::Settings) => settings_card::show(state, memory, ui, acts, whole),
+        Some(Card::Mirror) => mirror_card::show(state, ui, acts, whole),
+        Some(Card::FirstSteps) => first_steps::show(state, ui, acts, whole),
+        Some(Card::Learn) => learn::show(state, ui, acts, whole),
     }
 }
 

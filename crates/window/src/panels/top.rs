@@ -3,13 +3,15 @@
 use egui::Ui;
 use saute_picture::view::View;
 
-use crate::act::{Act, Acts, hint};
+use crate::act::{Act, Acts, Card, hint};
 use crate::panels::window_state::WindowState;
 use crate::ui::{fingers, theme};
 use crate::words::view_words::ViewWords;
 
 /// Height of a chip [points]: two rows of them fit above a narrow scene.
 const HEIGHT: f32 = 34.0;
+/// Room that the menu of what there is to learn needs [points].
+const LEARN: f32 = 64.0;
 /// Width of the speech bubble [points].
 const BUBBLE: f32 = 36.0;
 
@@ -40,8 +42,11 @@ fn views(state: &WindowState, ui: &mut Ui, acts: &mut Acts, padding: f32) {
 pub fn help_and_settings(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        chip(state, ui, acts, "?", state.help, Act::Help);
+        chip(state, ui, acts, "?", state.card == Some(Card::Help), Act::Help);
         gear(state, ui, acts);
+        if ui.available_width() >= LEARN {
+            chip(state, ui, acts, l.text("learn.title"), state.card == Some(Card::Learn), Act::Open(Card::Learn));
+        }
         if ui.available_width() >= BUBBLE {
             messages(state, ui, acts);
         }
@@ -84,8 +89,14 @@ impl Drawn {
 /// A speech bubble: the list of what was said.
 fn messages(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let act = Act::Messages;
-    Drawn { name: "messages.title", width: BUBBLE, is_on: state.messages, act, paint: paint_bubble }
-        .show(state, ui, acts);
+    Drawn {
+        name: "messages.title",
+        width: BUBBLE,
+        is_on: state.card == Some(Card::Messages),
+        act,
+        paint: paint_bubble,
+    }
+    .show(state, ui, acts);
 }
 
 /// A rounded box with three dots and a tail.
@@ -102,7 +113,7 @@ fn paint_bubble(painter: &egui::Painter, at: egui::Pos2, ink: egui::Color32) {
 /// A gear: the settings.
 fn gear(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let act = Act::Settings;
-    Drawn { name: "settings.title", width: 38.0, is_on: state.settings_open, act, paint: paint_gear }
+    Drawn { name: "settings.title", width: 38.0, is_on: state.card == Some(Card::Settings), act, paint: paint_gear }
         .show(state, ui, acts);
 }
 
@@ -129,6 +140,7 @@ fn explained(state: &WindowState, act: &Act) -> String {
     let hint = hint(act, state.settings.language);
     match act {
         Act::View(view) => format!("{hint}\n{}", view.meaning(state.settings)),
+        Act::Open(Card::Learn) => state.settings.language.text("learn.hint").to_owned(),
         _ => hint,
     }
 }

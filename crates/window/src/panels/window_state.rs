@@ -9,6 +9,7 @@ use saute_kitchen::dynamics::Tool;
 use saute_kitchen::food::Scale;
 use saute_scene::quality::Quality;
 
+use crate::act::Card;
 use crate::input::pouring::Portion;
 use crate::mirror::view::MirrorView;
 use crate::panels::Drawer;
@@ -45,18 +46,12 @@ pub struct WindowState<'a> {
     pub portion: Portion,
     /// Place of the cut (−1…1), or none.
     pub slice: Option<f64>,
-    /// True while the list of keys is open.
-    pub help: bool,
-    /// True while the list of what was said is open.
-    pub messages: bool,
+    /// The card that is open.
+    pub card: Option<Card>,
     /// What was said so far.
     pub said: &'a Notice,
-    /// True while the card of the settings is open.
-    pub settings_open: bool,
     /// How far a cook came with which the window offers to go on [s].
     pub unfinished_s: Option<f64>,
-    /// True while the card of the first steps is open.
-    pub first_steps: bool,
     /// True if the system has a font with kana and kanji.
     pub japanese_font: bool,
     /// The quality at which the scene is drawn.

@@ -3,5 +3,6 @@
 pub mod first_steps;
 pub mod frame;
 pub mod help;
+pub mod learn;
 pub mod messages;
 pub mod unfinished;

@@ -1,0 +1,41 @@
+//! The menu of what there is to learn and to try.
+
+use egui::{Rect, RichText, ScrollArea, Ui, vec2};
+
+use crate::act::{Act, Acts, Card};
+use crate::panels::cards::frame::Framed;
+use crate::panels::window_state::WindowState;
+use crate::ui::{fingers, theme};
+
+/// Width of the card at most [points].
+const WIDTH: f32 = 520.0;
+/// Height of a button [points].
+const HEIGHT: f32 = 30.0;
+
+/// Keys of the name and of what it is, and what its button does.
+type Entry = (&'static str, &'static str, Act);
+
+/// What the menu offers, in its order.
+const ENTRIES: [Entry; 2] = [
+    ("help.first_steps", "learn.first_steps", Act::Open(Card::FirstSteps)),
+    ("help.title", "learn.help", Act::Open(Card::Help)),
+];
+
+/// Shows the menu over everything; Esc, the button or a click beside it closes it.
+pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
+    let framed = Framed { card: Card::Learn, id: "learn", title: "learn.title", width: WIDTH };
+    framed.show(state, ui, acts, whole, |ui, acts| {
+        let list = ScrollArea::vertical().max_height(whole.height() - 140.0);
+        list.show(ui, |ui| ENTRIES.iter().for_each(|entry| row(state, ui, acts, entry)));
+    });
+}
+
+fn row(state: &WindowState, ui: &mut Ui, acts: &mut Acts, (name, what, act): &Entry) {
+    let l = state.settings.language;
+    let size = vec2(ui.available_width(), fingers::height(ui, HEIGHT));
+    if ui.add(theme::of(ui).button(l.text(name), false).min_size(size)).clicked() {
+        acts.push(act.clone());
+    }
+    ui.label(RichText::new(l.text(what)).size(13.0).color(theme::of(ui).quiet));
+    ui.add_space(6.0);
+}
