@@ -18,7 +18,7 @@ use crate::plan::PlanArgs;
 #[derive(Debug, Parser)]
 #[command(name = "saute", version, after_help = EXIT_CODES)]
 pub struct Args {
-    /// Folder with your own foods/, pans/, recipes/, kinetics/, coatings/ or oils/, doneness.toml or kitchen-at-home.toml. Its files are added to
+    /// Folder with your own foods/, pans/, recipes/, kinetics/, coatings/ or oils/, doneness.toml, goals.toml or kitchen-at-home.toml. Its files are added to
     /// the shipped ones; a file of the same name replaces the shipped one.
     #[arg(long, global = true, value_name = "DIR")]
     pub data: Option<PathBuf>,
@@ -236,6 +236,8 @@ pub enum Listed {
     Recipes,
     /// Scales of doneness, for `--doneness`.
     Scales,
+    /// Goals of a cook, with what they want.
+    Goals,
     /// Views, for `--view` and `--split`, with the meaning of their colours.
     Views,
     /// Actions of a recipe's steps, with the keys of their tables and their defaults.
