@@ -5,6 +5,7 @@ use saute_picture::view::View;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
+use crate::guided::GuidedAct;
 use crate::input::pouring::Pourable;
 use crate::mirror::settings::MirrorSettings;
 use crate::session::SteakChoice;
@@ -193,6 +194,8 @@ pub enum Act {
     ReadRig,
     /// Changes a remembered setting.
     Set(Setting),
+    /// What a study or a lesson asks for.
+    Guided(GuidedAct),
     /// Says something over the scene.
     Say(String),
     /// Opens a card in place of the one that is open.
@@ -253,6 +256,8 @@ pub enum Card {
     FirstSteps,
     /// What there is to learn and to try.
     Learn,
+    /// The lessons.
+    Lessons,
 }
 
 /// What a key is about: the help lists keys by it.

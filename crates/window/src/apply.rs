@@ -19,7 +19,7 @@ const TOSS_M: f64 = 0.12;
 impl SauteApp {
     /// Carries out an act. Only this function lets acts change the window; the match is exhaustive, one line per act.
     pub fn act(&mut self, act: Act, ctx: &egui::Context) {
-        if self.puts_off(&act) {
+        if self.refuses(&act) || self.puts_off(&act) {
             return;
         }
         match act {
@@ -120,6 +120,7 @@ impl SauteApp {
             Act::Calibrate(on) => self.calibrate_mirror(on),
             Act::ReadRig => self.mirror.forget_rig(),
             Act::Set(setting) => self.set(setting),
+            Act::Guided(act) => self.guided_act(act, ctx),
             Act::Say(text) => self.notice.say(text),
             Act::Open(card) => self.open_card(card),
             Act::Shut(card) => self.shut_card(card),

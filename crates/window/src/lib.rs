@@ -27,6 +27,7 @@ pub mod export;
 mod files;
 pub mod frame_meter;
 pub mod governor;
+pub mod guided;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod hand;
 pub mod input;

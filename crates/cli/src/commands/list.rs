@@ -9,6 +9,8 @@ use saute_kitchen::data::goals::GoalDescription;
 use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_kitchen::food::{FoodDescription, Scale};
 use saute_picture::View;
+use saute_plan::class::Scenario;
+use saute_plan::study::Protocol;
 use saute_recipe::Recipe;
 use saute_window::ViewWords;
 use saute_window::settings::Settings;
@@ -113,6 +115,8 @@ pub fn run(args: &ListArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
             scales(&data.library)
         }
         Listed::Goals => goals(&data.library),
+        Listed::Studies => studies(&data.library)?,
+        Listed::Scenarios => scenarios(&data.library)?,
         Listed::Views => views(),
         Listed::Actions => return list_actions::run(args.json),
     };
@@ -145,6 +149,16 @@ fn recipes(data: &DataLibrary) -> Result<Vec<Entry>, CliError> {
         }
     }
     Ok(entries)
+}
+
+fn studies(library: &Library) -> Result<Vec<Entry>, CliError> {
+    let entry = |(id, text): (&str, &str)| Ok(Entry::new(id, &Protocol::parse(text, id, library)?.title));
+    saute_plan::study::shipped::SHIPPED.into_iter().map(entry).collect()
+}
+
+fn scenarios(library: &Library) -> Result<Vec<Entry>, CliError> {
+    let entry = |(id, text): (&str, &str)| Ok(Entry::new(id, &Scenario::parse(text, id, library)?.title.en));
+    saute_plan::class::shipped::SHIPPED.into_iter().map(entry).collect()
 }
 
 fn scales(library: &Library) -> Vec<Entry> {

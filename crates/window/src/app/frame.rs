@@ -8,7 +8,7 @@ use saute_recipe::session::session_file::is_session;
 use web_time::{Duration, Instant};
 
 use super::SauteApp;
-use crate::act::{Acts, Card};
+use crate::act::{Act, Acts, Card};
 use crate::panels;
 use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
@@ -41,6 +41,7 @@ impl SauteApp {
         #[cfg(target_arch = "wasm32")]
         self.take_inbox(&ctx);
         self.let_time_pass(&ctx);
+        self.guide();
         self.keep_cook(false);
         self.show(ui);
         #[cfg(target_arch = "wasm32")]
@@ -89,6 +90,7 @@ impl SauteApp {
             portion: self.portion,
             slice: self.slice,
             card: self.card,
+            guided: self.guided.as_ref(),
             said: &self.notice,
             unfinished_s: self.offered_s(),
             japanese_font: self.japanese_font,
@@ -113,6 +115,9 @@ impl SauteApp {
 
     /// Opens what was read of a recipe's or a session's file, or says why it cannot.
     pub(crate) fn take_file(&mut self, name: &str, read: Result<Vec<u8>, String>) {
+        if self.refuses(&Act::ChooseFile) {
+            return;
+        }
         let read = match read {
             Ok(bytes) if is_session(&bytes) => return self.open_session(name, &bytes),
             read => read,

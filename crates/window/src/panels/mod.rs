@@ -8,6 +8,7 @@ pub mod curves;
 pub mod cut_picture;
 pub mod doneness_bar;
 pub mod eye_bar;
+pub mod guided;
 pub mod inside;
 pub mod language;
 pub mod legend;
@@ -28,7 +29,7 @@ use egui::{Rect, ScrollArea, Ui, UiBuilder};
 
 use crate::act::{Acts, Card};
 use crate::paint::ground::GroundCallback;
-use crate::panels::cards::{first_steps, help, learn, messages, unfinished};
+use crate::panels::cards::{first_steps, help, learn, lessons, messages, unfinished};
 use crate::panels::cook::{hob_bar, pour, time_strip};
 use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::layout::{GAP, Layout};
@@ -82,11 +83,16 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
         show(state, memory, ui, acts, layout);
     }
     let whole = layout.whole;
-    read_out::show(state, ui, whole);
+    if !state.is_blind() {
+        read_out::show(state, ui, whole);
+    }
     badge::show(state, ui, acts, layout);
     alarm::show(state, ui, acts, whole);
     #[cfg(not(target_arch = "wasm32"))]
     crate::hand::show(state, ui, acts, layout);
+    if guided::show(state, &mut memory.answers, ui, acts, layout) {
+        return;
+    }
     if let Some(time_s) = state.unfinished_s {
         return unfinished::show(state, time_s, ui, acts, whole);
     }
@@ -98,6 +104,7 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
         Some(Card::Mirror) => mirror_card::show(state, ui, acts, whole),
         Some(Card::FirstSteps) => first_steps::show(state, ui, acts, whole),
         Some(Card::Learn) => learn::show(state, ui, acts, whole),
+        Some(Card::Lessons) => lessons::show(state, ui, acts, whole),
     }
 }
 

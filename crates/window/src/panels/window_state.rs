@@ -10,9 +10,11 @@ use saute_kitchen::food::Scale;
 use saute_scene::quality::Quality;
 
 use crate::act::Card;
+use crate::guided::Guided;
 use crate::input::pouring::Portion;
 use crate::mirror::view::MirrorView;
 use crate::panels::Drawer;
+use crate::panels::guided::Entries;
 use crate::panels::inside::Inside;
 use crate::panels::still::Stills;
 use crate::panels::ways::WaysMemory;
@@ -48,6 +50,8 @@ pub struct WindowState<'a> {
     pub slice: Option<f64>,
     /// The card that is open.
     pub card: Option<Card>,
+    /// The study or the lesson that leads the cook.
+    pub guided: Option<&'a Guided>,
     /// What was said so far.
     pub said: &'a Notice,
     /// How far a cook came with which the window offers to go on [s].
@@ -72,6 +76,11 @@ impl WindowState<'_> {
     /// The scale of doneness in whose words the food that the panels show is spoken of.
     pub fn scale(&self) -> Option<Arc<Scale>> {
         self.session.scale(&self.settings.scale)
+    }
+
+    /// Returns true if a study or a lesson hides what cannot be seen in a kitchen.
+    pub fn is_blind(&self) -> bool {
+        self.guided.is_some_and(Guided::hides_read_outs)
     }
 
     /// What a way is called.
@@ -101,6 +110,8 @@ pub struct PanelMemory {
     pub stills: Stills,
     /// What is kept of ways side by side.
     pub ways: WaysMemory,
+    /// What was entered on the card of a study or a lesson.
+    pub answers: Entries,
     /// What was typed and chosen about a device.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) hand_choice: crate::hand::Choice,
@@ -116,6 +127,7 @@ impl Default for PanelMemory {
             search: String::new(),
             stills: Stills::default(),
             ways: WaysMemory::default(),
+            answers: Entries::default(),
             #[cfg(not(target_arch = "wasm32"))]
             hand_choice: Default::default(),
         }

@@ -1,6 +1,7 @@
 //! Texts in the window's languages.
 
 pub mod act_words;
+pub mod guided_words;
 pub mod language;
 pub(crate) mod next_step;
 pub(crate) mod piece_words;

@@ -4,5 +4,6 @@ pub mod first_steps;
 pub mod frame;
 pub mod help;
 pub mod learn;
+pub mod lessons;
 pub mod messages;
 pub mod unfinished;
