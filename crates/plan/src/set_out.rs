@@ -38,7 +38,11 @@ impl SetOut {
                     }
                 }
             }
-            _ => input.error(at, "one of recipe and scenario is needed", "write recipe = \"medium\" or scenario = \"first-steak\""),
+            _ => input.error(
+                at,
+                "one of recipe and scenario is needed",
+                "write recipe = \"medium\" or scenario = \"first-steak\"",
+            ),
         }
     }
 

@@ -60,7 +60,9 @@ fn files(named: &[PathBuf]) -> Result<Vec<PathBuf>, CliError> {
             files.push(path.clone());
             continue;
         }
-        let error = |e: std::io::Error| CliError::place(path.display(), format!("cannot be read: {e}"), "name a folder of logs");
+        let error = |e: std::io::Error| {
+            CliError::place(path.display(), format!("cannot be read: {e}"), "name a folder of logs")
+        };
         let mut found = Vec::new();
         for entry in fs::read_dir(path).map_err(error)? {
             let inner = entry.map_err(error)?.path();

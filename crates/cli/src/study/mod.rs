@@ -62,12 +62,20 @@ pub fn run(args: StudyArgs, data: DataLibrary, hands: HandArgs) -> Result<ExitCo
 
 fn window(args: StudyArgs, data: DataLibrary, hands: HandArgs) -> Result<ExitCode, CliError> {
     let StudyArgs { protocol: Some(protocol), participant: Some(code), out: Some(out), .. } = args else {
-        return Err(CliError::place("saute study", "needs a protocol, --participant and --out", "see: saute study --help"));
+        return Err(CliError::place(
+            "saute study",
+            "needs a protocol, --participant and --out",
+            "see: saute study --help",
+        ));
     };
     let protocol = load(&protocol, &data)?;
     let participant = open::participant("--participant", &code)?;
     let start = StudyStart::in_folder(protocol, participant, &out).map_err(|message| {
-        CliError::place(format!("--out {}", out.display()), message, "name another folder or code, or the protocol as it was")
+        CliError::place(
+            format!("--out {}", out.display()),
+            message,
+            "name another folder or code, or the protocol as it was",
+        )
     })?;
     open::run_study(data, start, hands)
 }

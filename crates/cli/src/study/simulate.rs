@@ -53,7 +53,10 @@ pub fn run(args: &SimulateArgs, data: &DataLibrary) -> Result<ExitCode, CliError
     let place = out.place();
     out.fill(files)?;
     stderr::say(format!("wrote {} logs of simulated participants to {place}", args.participants));
-    stdout::print(&format!("simulated participants: {}; analyse them with: saute study analyse {place}\n", args.participants))?;
+    stdout::print(&format!(
+        "simulated participants: {}; analyse them with: saute study analyse {place}\n",
+        args.participants
+    ))?;
     Ok(ExitCode::SUCCESS)
 }
 

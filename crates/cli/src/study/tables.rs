@@ -32,9 +32,11 @@ fn ends(interval: Option<&Interval>) -> [String; 3] {
 }
 
 fn curves(analysis: &Analysis) -> Result<Vec<u8>, CliError> {
-    let columns = ["quantity", "condition", "phase", "trial", "n", "missing", "median", "low_90", "high_90", "simulated"];
+    let columns =
+        ["quantity", "condition", "phase", "trial", "n", "missing", "median", "low_90", "high_90", "simulated"];
     let rows = analysis.curves.iter().map(|point| {
-        let numbers = [point.phase.to_string(), point.number.to_string(), point.n.to_string(), point.missing.to_string()];
+        let numbers =
+            [point.phase.to_string(), point.number.to_string(), point.n.to_string(), point.missing.to_string()];
         let own = [point.quantity.id().to_owned(), point.condition.clone()].into_iter().chain(numbers);
         own.chain(ends(point.interval.as_ref())).chain([analysis.simulated.to_string()]).collect()
     });
@@ -43,8 +45,18 @@ fn curves(analysis: &Analysis) -> Result<Vec<u8>, CliError> {
 
 fn before_after(analysis: &Analysis) -> Result<Vec<u8>, CliError> {
     let columns = [
-        "quantity", "compared", "condition", "after_trial", "n", "missing", "before", "after", "difference", "low_90",
-        "high_90", "simulated",
+        "quantity",
+        "compared",
+        "condition",
+        "after_trial",
+        "n",
+        "missing",
+        "before",
+        "after",
+        "difference",
+        "low_90",
+        "high_90",
+        "simulated",
     ];
     let rows = analysis.changes.iter().map(|change| {
         let own = [change.quantity.id().to_owned(), span(change.span).to_owned(), condition(change).to_owned()];

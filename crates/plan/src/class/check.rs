@@ -46,7 +46,11 @@ impl Check<'_> {
         goal.check_fits(self.input, self.library, &raw.goal, &recipe)?;
         if raw.predict.len() > MOST_QUESTIONS {
             let at = raw.predict[MOST_QUESTIONS].span().start;
-            return self.input.error(at, "predict is there too often", format!("ask {MOST_QUESTIONS} questions at most"));
+            return self.input.error(
+                at,
+                "predict is there too often",
+                format!("ask {MOST_QUESTIONS} questions at most"),
+            );
         }
         let ranged = |key, value: &Option<Spanned<f64>>, usual: f64, [low, high]: [f64; 2]| {
             value.as_ref().map_or(Ok(usual), |value| self.input.ranged(key, value, low, high))
@@ -70,7 +74,11 @@ impl Check<'_> {
         match (&raw.recipe, &raw.set_out) {
             (Some(recipe), None) => SetOut::named(self.input, recipe.span().start, Some(recipe), None),
             (None, Some(entry)) => self.food(entry.get_ref(), raw.title.get_ref()),
-            _ => self.input.error(raw.id.span().start, "one of recipe and [set_out] is needed", "write recipe = \"medium\", or [set_out] with food"),
+            _ => self.input.error(
+                raw.id.span().start,
+                "one of recipe and [set_out] is needed",
+                "write recipe = \"medium\", or [set_out] with food",
+            ),
         }
     }
 
@@ -105,7 +113,13 @@ impl Check<'_> {
             (Some(s), None, None) => When::At(ranged("at_s", s, 0.0, LONGEST_S)?),
             (None, Some(c), None) => When::Core(kelvin(ranged("core_c", c, -10.0, 100.0)?)),
             (None, None, Some(deed)) => When::After(deed, after_s),
-            _ => return self.input.error(at, "predict does not say when, or says it twice", "write one of at_s, core_c and after"),
+            _ => {
+                return self.input.error(
+                    at,
+                    "predict does not say when, or says it twice",
+                    "write one of at_s, core_c and after",
+                );
+            }
         };
         let ask = match raw.ask {
             AskKind::CoreNow => Ask::CoreNow,

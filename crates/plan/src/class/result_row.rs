@@ -68,12 +68,7 @@ pub struct ResultRow {
 }
 
 impl ResultRow {
-    pub(super) fn of(
-        scenario: &Scenario,
-        student: Option<&Participant>,
-        measures: &Measures,
-        asked: &[Asked],
-    ) -> Self {
+    pub(super) fn of(scenario: &Scenario, student: Option<&Participant>, measures: &Measures, asked: &[Asked]) -> Self {
         let of = |place: usize| asked.get(place).copied().unwrap_or_default();
         let (answer, truth) = (|place| of(place).answer, |place| of(place).truth.map(Measures::rounded));
         let m = measures.to_two_places();
@@ -151,7 +146,11 @@ pub fn from_csv(file: &str, text: &str) -> Result<Vec<ResultRow>, LogError> {
         })?;
         let is_code = row.student.as_ref().is_none_or(|code| code.parse::<Participant>().is_ok());
         if !is_code || rows.len() == MOST_ROWS {
-            let message = if is_code { "has too many rows" } else { "its student is no code of 1 to 12 letters, digits and hyphens" };
+            let message = if is_code {
+                "has too many rows"
+            } else {
+                "its student is no code of 1 to 12 letters, digits and hyphens"
+            };
             return Err(LogError { file: file.to_owned(), line: rows.len() as u64 + 2, message: message.to_owned() });
         }
         rows.push(row);

@@ -105,7 +105,11 @@ impl Check<'_> {
         self.text("instructions", &entry.instructions, LONGEST_PAGE)?;
         let (enter, at) = (entry.enter.get_ref(), entry.enter.span().start);
         if enter.is_empty() || enter.iter().collect::<BTreeSet<_>>().len() != enter.len() {
-            return self.input.error(at, "enter is empty or names a thing twice", "name each thing once, as [\"core_c\"]");
+            return self.input.error(
+                at,
+                "enter is empty or names a thing twice",
+                "name each thing once, as [\"core_c\"]",
+            );
         }
         let instructions = entry.instructions.get_ref().clone();
         Ok(CookForReal { instructions, goal: self.goal(&entry.goal)?, enter: enter.clone() })
@@ -123,9 +127,7 @@ impl Check<'_> {
         let at = entry.id.span().start;
         let answer = match entry.answer {
             AnswerKind::Likert => Answering::Likert(self.ends(entry)?),
-            AnswerKind::Number => {
-                Answering::Number(self.range(entry, at)?, entry.unit.clone().unwrap_or_default())
-            }
+            AnswerKind::Number => Answering::Number(self.range(entry, at)?, entry.unit.clone().unwrap_or_default()),
             AnswerKind::Choice => Answering::Choice(self.choices(entry, at)?),
             AnswerKind::Text if free_text => Answering::Text,
             AnswerKind::Text => {
@@ -141,7 +143,9 @@ impl Check<'_> {
         match entry.ends.as_ref().map(|ends| (ends.get_ref().as_slice(), ends.span().start)) {
             None => Ok(USUAL_ENDS.map(str::to_owned)),
             Some(([low, high], _)) => Ok([low.clone(), high.clone()]),
-            Some((_, at)) => self.input.error(at, "ends has not two words", "write ends = [\"not at all\", \"very much\"]"),
+            Some((_, at)) => {
+                self.input.error(at, "ends has not two words", "write ends = [\"not at all\", \"very much\"]")
+            }
         }
     }
 

@@ -128,7 +128,9 @@ impl Study {
             let count = match self.stage {
                 Stage::Consent if row.kind == RowKind::Consent => 1,
                 Stage::Trial { phase, trial } if is_of(row, RowKind::Trial, phase) && row.trial == Some(trial) => 1,
-                Stage::CookForReal { phase } if is_of(row, RowKind::Entry, phase) => self.protocol.items_of(phase).len(),
+                Stage::CookForReal { phase } if is_of(row, RowKind::Entry, phase) => {
+                    self.protocol.items_of(phase).len()
+                }
                 Stage::Questionnaire { phase } if is_of(row, RowKind::Answer, phase) => {
                     self.protocol.items_of(phase).len()
                 }
@@ -278,9 +280,8 @@ impl Study {
 
     fn answers(&self, answers: &Answers, elapsed_s: f64) -> Result<Vec<LogRow>, StudyError> {
         let Some(asked) = self.questionnaire() else { return Err(StudyError::OutOfOrder) };
-        let row = |item: &super::protocol::Item| {
-            self.answered(RowKind::Answer, &item.id, &item.answer, answers, elapsed_s)
-        };
+        let row =
+            |item: &super::protocol::Item| self.answered(RowKind::Answer, &item.id, &item.answer, answers, elapsed_s);
         asked.items.iter().map(row).collect()
     }
 
@@ -359,9 +360,7 @@ fn written(answering: &Answering, answer: &Answer) -> Option<(Option<f64>, Optio
         (Answering::Choice(choices), Answer::Choice(place)) => {
             choices.get(*place).map(|word| (Some(*place as f64 + 1.0), Some(word.clone())))
         }
-        (Answering::Text, Answer::Text(text)) => {
-            Some((None, Some(plain_text(text))))
-        }
+        (Answering::Text, Answer::Text(text)) => Some((None, Some(plain_text(text)))),
         _ => None,
     }
 }

@@ -100,6 +100,9 @@ impl SauteApp {
     }
 
     pub(super) fn restart(&mut self) {
+        if self.guided.is_some() {
+            return self.lesson_again();
+        }
         if let Err(error) = self.session.restart() {
             self.say_trouble(&error);
         }

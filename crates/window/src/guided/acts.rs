@@ -71,6 +71,7 @@ impl SauteApp {
         let mut desk = LessonDesk::begin(start);
         self.session.lesson = Some(desk.watch(&self.session));
         self.session.set_speed(speed);
+        self.motions.clear();
         self.card = None;
         self.guided = Some(Guided::Lesson(Box::new(desk)));
     }
@@ -155,6 +156,7 @@ impl SauteApp {
             return self.say_trouble(&error);
         }
         self.session.set_speed(speed);
+        self.motions.clear();
         let session = &self.session;
         if let Some(Guided::Study(desk)) = &mut self.guided {
             desk.begin_trial(session);
@@ -171,7 +173,7 @@ impl SauteApp {
 
     /// Where read-outs are hidden the window shows the look, without cut and curves.
     fn show_only_what_is_allowed(&mut self) {
-        self.glance = None;
+        (self.glance, self.card) = (None, None);
         if !self.guided.as_ref().is_some_and(|guided| guided.locks().views) {
             return;
         }
@@ -216,7 +218,7 @@ impl SauteApp {
         }
     }
 
-    fn lesson_again(&mut self) {
+    pub(crate) fn lesson_again(&mut self) {
         let Some(Guided::Lesson(desk)) = &self.guided else { return };
         let start = desk.start().clone();
         self.open_lesson(start);

@@ -22,6 +22,8 @@ pub struct Locks {
     pub views: bool,
     /// No way back in time.
     pub rewind: bool,
+    /// The cook cannot be begun again.
+    pub restart: bool,
     /// No other cook, file, link or lesson.
     pub leaving: bool,
 }
@@ -29,7 +31,16 @@ pub struct Locks {
 impl Locks {
     /// Those of a study.
     pub(super) fn of_study(hidden: bool) -> Self {
-        Self { foods: true, pan: true, speed: true, pause: true, views: hidden, rewind: true, leaving: true }
+        Self {
+            foods: true,
+            pan: true,
+            speed: true,
+            pause: true,
+            views: hidden,
+            rewind: true,
+            restart: true,
+            leaving: true,
+        }
     }
 
     /// Those of a lesson, with what its scenario locks.
@@ -42,6 +53,7 @@ impl Locks {
             pause: false,
             views: has(Locked::Views) || hidden,
             rewind: has(Locked::Rewind),
+            restart: false,
             leaving,
         }
     }
@@ -54,11 +66,10 @@ impl Locks {
             Act::Speed(_) | Act::SpeedSet(_) | Act::Step => self.speed,
             Act::Pause => self.pause,
             Act::View(view) => self.views && *view != View::Look,
-            Act::Split | Act::Slice | Act::SliceBy(_) | Act::SliceAt(_) | Act::Curves => self.views,
+            Act::Split | Act::Slice | Act::SliceBy(_) | Act::SliceAt(_) | Act::Curves | Act::Pieces => self.views,
             Act::Probe | Act::Placing(_) | Act::Map => self.views,
             Act::Undo | Act::Redo | Act::Scrub(_) | Act::HoldTime(_) | Act::Branch(_) | Act::SideBySide => self.rewind,
-            // It would leave what is led; the lesson has its own way to begin again.
-            Act::Restart => true,
+            Act::Restart => self.restart,
             Act::Play(_) | Act::ResumeRecipe | Act::ChooseFile | Act::Export(_) | Act::CopyLink | Act::GoOn(_) => {
                 self.leaving
             }
@@ -93,6 +104,7 @@ mod tests {
         let locked = BTreeSet::from([Locked::Speed]);
         let [free, fixed] = [false, true].map(|leaving| Locks::of_lesson(&locked, leaving, false));
         assert!(free.forbid(&Act::Step) && !free.forbid(&Act::Undo) && !free.forbid(&Act::CopyLink));
+        assert!(!fixed.forbid(&Act::Restart), "it begins again");
         for act in [Act::CopyLink, Act::ChooseFile, Act::Play("rare".into()), Act::SetOut, Act::Open(Card::Lessons)] {
             assert!(fixed.forbid(&act), "{act:?}");
         }

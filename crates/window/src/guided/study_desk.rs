@@ -164,23 +164,20 @@ impl StudyDesk {
     /// Ends the trial, and keeps its row.
     pub(super) fn end_trial(&mut self, session: &Session) {
         let (Some(trial), Some(simulate)) = (self.trial.take(), self.study.simulate()) else { return };
-        let measures =
-            Measures::read(&session.kitchen, &trial.masses, &simulate.goal, &Times::of(session.recording()));
-        self.last = simulate.feedback.then_some(measures);
+        let measures = Measures::read(&session.kitchen, &trial.masses, &simulate.goal, &Times::of(session.recording()));
+        let told = simulate.feedback.then_some(measures);
         let session_name = self.keep_session(session);
         let wall_s = Some(trial.begun.elapsed().as_secs_f64());
         // A trial that runs belongs to the stage.
         let _ = self.take(Event::TrialEnded { measures: Box::new(measures), wall_s, session: session_name });
+        self.last = told;
     }
 
     /// Takes an event; its rows are kept at once.
     pub(super) fn take(&mut self, event: Event) -> Result<(), StudyError> {
-        let was = self.study.phase_place();
         let rows = self.study.take(event, self.begun.elapsed().as_secs_f64())?;
         self.rows.extend(rows);
-        if self.study.phase_place() != was && self.study.simulate().is_none() {
-            self.last = None;
-        }
+        self.last = None;
         self.keep_rows();
         Ok(())
     }
@@ -200,7 +197,9 @@ impl StudyDesk {
     /// Keeps the session of the trial, if the protocol says so; returns the name of its file.
     #[cfg(not(target_arch = "wasm32"))]
     fn keep_session(&mut self, session: &Session) -> Option<String> {
-        let (Keeper::File(file), Stage::Trial { phase, trial }) = (&self.keeper, self.study.stage()) else { return None };
+        let (Keeper::File(file), Stage::Trial { phase, trial }) = (&self.keeper, self.study.stage()) else {
+            return None;
+        };
         if !self.study.protocol().keep_sessions {
             return None;
         }
@@ -231,8 +230,8 @@ pub(super) fn has_rested(session: &Session) -> bool {
     is_out(session) && pieces.iter().all(rested)
 }
 
-/// Returns true if food was in the pan and is not any more.
+/// Returns true if food was taken out, and none is left in the pan.
 pub(crate) fn is_out(session: &Session) -> bool {
-    let times = Times::of(session.recording());
-    times.put_s.is_some() && times.out_s.is_some() && session.kitchen.pieces().iter().all(|piece| piece.lies_on_board())
+    let pieces = session.kitchen.pieces();
+    !pieces.is_empty() && pieces.iter().all(saute_kitchen::Piece::lies_on_board)
 }

@@ -120,7 +120,11 @@ fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut A
         return;
     }
     floating(ui, layout.right, (2, 10), "inside", |ui| {
-        scrolled(ui, |ui| inside::show(state, &mut memory.inside, ui, acts))
+        scrolled(ui, |ui| {
+            if !guided::hides_panel(state, ui) {
+                inside::show(state, &mut memory.inside, ui, acts);
+            }
+        })
     });
     floating(ui, layout.bottom, (3, MARGIN), "cook", |ui| hob_bar::show(state, ui, acts, false));
     turner_strip(state, ui, acts, layout);
@@ -169,6 +173,7 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
     });
     scrolled(ui, |ui| match memory.drawer {
         Drawer::Cook => hob_bar::show(state, ui, acts, true),
+        Drawer::Inside | Drawer::Pieces if guided::hides_panel(state, ui) => {}
         Drawer::Inside => {
             ways::curves_in_drawer(state, &mut memory.ways, ui);
             inside::show(state, &mut memory.inside, ui, acts);

@@ -50,7 +50,9 @@ pub fn value(ask: Ask, value: Option<f64>, lesson: &Lesson, settings: &Settings)
         Ask::UndersideBrown => format!("{value:.0} %"),
         Ask::ClassInTheEnd => {
             let classes = lesson.scenario.goal.classes();
-            classes.get(value as usize).map_or_else(String::new, |class| settings.language.called("class", class).to_owned())
+            classes
+                .get(value as usize)
+                .map_or_else(String::new, |class| settings.language.called("class", class).to_owned())
         }
     }
 }

@@ -85,7 +85,8 @@ fn change(
     seeds: &[u64],
 ) -> Option<Change> {
     let group = sides.values().filter(|sides| condition.is_none_or(|condition| sides.condition == condition));
-    let (all, pairs): (Vec<_>, Vec<_>) = (group.clone().collect(), group.filter_map(|sides| sides.pair(span)).collect());
+    let (all, pairs): (Vec<_>, Vec<_>) =
+        (group.clone().collect(), group.filter_map(|sides| sides.pair(span)).collect());
     let of = |value: &dyn Fn(&(f64, f64)) -> f64| pairs.iter().map(value).collect::<Vec<f64>>();
     Some(Change {
         quantity,

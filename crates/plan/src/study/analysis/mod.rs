@@ -131,7 +131,10 @@ impl Analysis {
             seed,
             participants: takers(rows, numbers.len()),
             curves: curve::points(rows, &trials, &conditions, numbers.len() as u32, seed),
-            changes: real_after.iter().flat_map(|after| before_after::changes(&trials, &conditions, *after, seed)).collect(),
+            changes: real_after
+                .iter()
+                .flat_map(|after| before_after::changes(&trials, &conditions, *after, seed))
+                .collect(),
             real_after,
         })
     }

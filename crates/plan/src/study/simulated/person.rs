@@ -146,7 +146,9 @@ impl Person {
             super::super::protocol::Task::Simulate(simulate) => Some(simulate),
             _ => None,
         });
-        let Some(simulate) = trials else { return Ok(real.enter.iter().map(|e| self.without_a_cook(*e, real)).collect()) };
+        let Some(simulate) = trials else {
+            return Ok(real.enter.iter().map(|e| self.without_a_cook(*e, real)).collect());
+        };
         let measures = self.cook(simulate, Information::Hidden, REAL_SLIPS, library)?;
         Ok(real.enter.iter().map(|entered| (entered.id().to_owned(), self.entry(*entered, real, &measures))).collect())
     }

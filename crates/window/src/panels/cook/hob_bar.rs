@@ -64,7 +64,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
 
 /// Core and pan at a glance, where the panel with all readings is not open.
 fn temperatures(state: &WindowState, ui: &mut Ui) {
-    let Some(piece) = state.session.steak() else { return };
+    let Some(piece) = state.session.steak().filter(|_| !state.is_blind()) else { return };
     let l = state.settings.language;
     let shown = |kelvin: f64| state.settings.temperature(celsius(kelvin));
     let (core, pan) = (shown(piece.core()), shown(state.session.kitchen.pan_temperature()));

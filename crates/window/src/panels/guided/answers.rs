@@ -30,7 +30,13 @@ pub(super) fn item(
     answer
 }
 
-fn steps(state: &WindowState, ui: &mut Ui, id: &str, [low, high]: &[String; 2], entries: &mut Entries) -> Option<Answer> {
+fn steps(
+    state: &WindowState,
+    ui: &mut Ui,
+    id: &str,
+    [low, high]: &[String; 2],
+    entries: &mut Entries,
+) -> Option<Answer> {
     let l = state.settings.language;
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;

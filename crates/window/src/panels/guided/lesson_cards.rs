@@ -46,7 +46,9 @@ fn intro(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, whole
         ui.label(RichText::new(l.fill("study.goal", &[("goal", &goal)])).strong());
         let locked = guided_words::locked(&scenario.locked, l);
         if !locked.is_empty() {
-            ui.label(RichText::new(l.fill("lesson.locked", &[("what", &locked)])).size(13.0).color(theme::of(ui).quiet));
+            ui.label(
+                RichText::new(l.fill("lesson.locked", &[("what", &locked)])).size(13.0).color(theme::of(ui).quiet),
+            );
         }
     };
     card(ui, ("intro", scenario.title.of(japanese)), whole, content, |ui| {

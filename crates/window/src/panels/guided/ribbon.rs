@@ -3,12 +3,11 @@
 use egui::{Align2, Area, Id, RichText, Ui, vec2};
 use saute_plan::study::Stage;
 
-use super::button;
 use crate::act::{Act, Acts};
 use crate::guided::{GuidedAct, LessonDesk, StudyDesk, is_out};
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
-use crate::ui::theme;
+use crate::ui::{fingers, theme};
 
 /// Names phase and trial, and ends the trial; it never says which condition holds.
 pub(super) fn of_study(state: &WindowState, desk: &StudyDesk, ui: &Ui, acts: &mut Acts, layout: &Layout) {
@@ -34,7 +33,8 @@ pub(super) fn of_lesson(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &
     let goal = l.called("goal", &desk.scenario().goal.goal.name).to_owned();
     ribbon(ui, layout, (&title, &goal), |ui| {
         end_button(state, ui, acts, "lesson.end", GuidedAct::EndLesson);
-        if !desk.is_locked() && button(ui, l.text("lesson.leave"), false) {
+        let leave = theme::of(ui).button(l.text("lesson.leave_short"), false);
+        if !desk.is_locked() && ui.add(leave).on_hover_text(l.text("lesson.leave")).clicked() {
             acts.push(Act::Guided(GuidedAct::Leave));
         }
     });
@@ -44,7 +44,7 @@ pub(super) fn of_lesson(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &
 fn end_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, key: &'static str, act: GuidedAct) {
     let l = state.settings.language;
     let can = is_out(state.session);
-    let end = theme::of(ui).button(l.text(key), can).min_size(vec2(84.0, 32.0));
+    let end = theme::of(ui).button(l.text(key), can).min_size(vec2(84.0, fingers::height(ui, 32.0)));
     let response = ui.add_enabled(can, end).on_disabled_hover_text(l.text("guided.take_out_first"));
     if response.clicked() {
         acts.push(Act::Guided(act));

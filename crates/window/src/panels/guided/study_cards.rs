@@ -12,7 +12,14 @@ use crate::ui::theme;
 use crate::words::guided_words;
 
 /// Shows the card of the stage.
-pub(super) fn show(state: &WindowState, desk: &StudyDesk, entries: &mut Entries, ui: &Ui, acts: &mut Acts, whole: Rect) {
+pub(super) fn show(
+    state: &WindowState,
+    desk: &StudyDesk,
+    entries: &mut Entries,
+    ui: &Ui,
+    acts: &mut Acts,
+    whole: Rect,
+) {
     let study = desk.study();
     if desk.has_declined() {
         return the_end(state, desk, "study.declined", ui, acts, whole);
@@ -101,6 +108,7 @@ fn cook_for_real(
 ) {
     let l = state.settings.language;
     let content = |ui: &mut Ui, found: &mut Answers| {
+        told(state, desk.told(), ui);
         ui.label(real.instructions.trim());
         ui.separator();
         for entered in &real.enter {
@@ -132,6 +140,7 @@ fn questions(
     whole: Rect,
 ) {
     let content = |ui: &mut Ui, found: &mut Answers| {
+        told(state, desk.told(), ui);
         if !asked.intro.is_empty() {
             ui.label(&asked.intro);
             ui.add_space(6.0);
@@ -155,15 +164,21 @@ fn hand_in(
 ) {
     let l = state.settings.language;
     let found = std::cell::RefCell::new(Answers::new());
-    card(ui, heading, whole, |ui| content(ui, &mut found.borrow_mut()), |ui| {
-        let is_whole = found.borrow().len() == wanted;
-        let done = theme::of(ui).button(l.text("study.hand_in"), is_whole);
-        let response = ui.add_enabled(is_whole, done).on_disabled_hover_text(l.text("study.answer_all"));
-        if response.clicked() {
-            acts.push(Act::Guided(GuidedAct::Answer(found.take())));
-        }
-        trouble(state, desk, ui, acts);
-    });
+    card(
+        ui,
+        heading,
+        whole,
+        |ui| content(ui, &mut found.borrow_mut()),
+        |ui| {
+            let is_whole = found.borrow().len() == wanted;
+            let done = theme::of(ui).button(l.text("study.hand_in"), is_whole);
+            let response = ui.add_enabled(is_whole, done).on_disabled_hover_text(l.text("study.answer_all"));
+            if response.clicked() {
+                acts.push(Act::Guided(GuidedAct::Answer(found.take())));
+            }
+            trouble(state, desk, ui, acts);
+        },
+    );
 }
 
 /// A button that goes on only if all rows are kept.
