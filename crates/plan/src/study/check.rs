@@ -124,8 +124,8 @@ impl Check<'_> {
     fn item(&self, entry: &ItemEntry, free_text: bool) -> Checked<Item> {
         self.id("item.id", &entry.id)?;
         self.text("item.text", &entry.text, LONGEST_TEXT)?;
-        let at = entry.id.span().start;
-        let answer = match entry.answer {
+        let at = entry.answer.span().start;
+        let answer = match entry.answer.get_ref() {
             AnswerKind::Likert => Answering::Likert(self.ends(entry)?),
             AnswerKind::Number => Answering::Number(self.range(entry, at)?, entry.unit.clone().unwrap_or_default()),
             AnswerKind::Choice => Answering::Choice(self.choices(entry, at)?),

@@ -177,7 +177,8 @@ pub struct ItemEntry {
     #[schemars(with = "String")]
     pub text: Spanned<String>,
     /// How it is answered.
-    pub answer: AnswerKind,
+    #[schemars(with = "AnswerKind")]
+    pub answer: Spanned<AnswerKind>,
     /// With `likert`: words for 1 and for 7.
     #[schemars(with = "Option<Vec<String>>", length(min = 2, max = 2))]
     pub ends: Option<Spanned<Vec<String>>>,

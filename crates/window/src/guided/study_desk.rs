@@ -142,7 +142,7 @@ impl StudyDesk {
     }
 
     pub(super) fn hides_read_outs(&self) -> bool {
-        self.is_running() && self.study.information() == Information::Hidden
+        self.study.information() == Information::Hidden
     }
 
     pub(super) fn decline(&mut self) {
