@@ -10,7 +10,7 @@ use saute_window::Language;
 type Texts = BTreeMap<String, BTreeMap<String, String>>;
 
 /// Sections of names that come from the core's data: found by the English text, not by a key in the code.
-const NAMES: [&str; 17] = [
+const NAMES: [&str; 18] = [
     "food",
     "noun",
     "id",
@@ -27,6 +27,7 @@ const NAMES: [&str; 17] = [
     "mark",
     "deed",
     "button",
+    "goal",
     "rig",
 ];
 

@@ -66,7 +66,7 @@ impl SauteApp {
     }
 
     /// Restarts with the chosen food and pan.
-    pub(super) fn set_out(&mut self) {
+    pub(crate) fn set_out(&mut self) {
         match self.session.set_out(&self.settings.choice) {
             Ok(()) => self.motions.clear(),
             Err(error) => self.say_trouble(&error),

@@ -5,14 +5,17 @@ use std::sync::Arc;
 
 use saute_kitchen::Piece;
 use saute_kitchen::advice::Advice;
+use saute_kitchen::advice::coaching::Coaching;
 use saute_kitchen::dynamics::Tool;
 use saute_kitchen::food::Scale;
 use saute_scene::quality::Quality;
 
 use crate::act::Card;
 use crate::input::pouring::Portion;
+use crate::learn::tutorial::Tutorial;
 use crate::mirror::view::MirrorView;
 use crate::panels::Drawer;
+use crate::panels::cards::result::CutOfResult;
 use crate::panels::inside::Inside;
 use crate::panels::still::Stills;
 use crate::panels::ways::WaysMemory;
@@ -21,6 +24,7 @@ use crate::session::timeline::WayBeside;
 use crate::settings::Settings;
 use crate::ui::notice::{Notice, Said};
 use crate::ui::scene_view::SceneView;
+use crate::words::judgement_words::ResultWords;
 
 /// The window's state as panels read it; what they want changed they say with an [`crate::act::Act`].
 pub struct WindowState<'a> {
@@ -58,6 +62,14 @@ pub struct WindowState<'a> {
     pub quality: Quality,
     /// What to do next with the piece that the panels are about, the most urgent first.
     pub advice: Vec<Advice>,
+    /// What a coach says of that piece; none where the coach is off.
+    pub coaching: Option<Coaching>,
+    /// True if the goal is reached, the food is still in the pan and the coach is on.
+    pub alarm: bool,
+    /// The result in words, while its card is open.
+    pub result: Option<ResultWords>,
+    /// The tutorial while it runs.
+    pub tutorial: Option<&'a Tutorial>,
     /// What was said last, while it is still shown.
     pub notice: Option<Said>,
     /// What waits until the instant is reached to which time is turned.
@@ -69,6 +81,11 @@ pub struct WindowState<'a> {
 }
 
 impl WindowState<'_> {
+    /// Returns true if panels may show readings: temperatures, doneness, curves, forecasts and advice. In skill mode they do not.
+    pub fn reads_out(&self) -> bool {
+        !self.settings.skill_mode
+    }
+
     /// The scale of doneness in whose words the food that the panels show is spoken of.
     pub fn scale(&self) -> Option<Arc<Scale>> {
         self.session.scale(&self.settings.scale)
@@ -101,6 +118,8 @@ pub struct PanelMemory {
     pub stills: Stills,
     /// What is kept of ways side by side.
     pub ways: WaysMemory,
+    /// The picture of the result.
+    pub result: CutOfResult,
     /// What was typed and chosen about a device.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) hand_choice: crate::hand::Choice,
@@ -116,6 +135,7 @@ impl Default for PanelMemory {
             search: String::new(),
             stills: Stills::default(),
             ways: WaysMemory::default(),
+            result: CutOfResult::default(),
             #[cfg(not(target_arch = "wasm32"))]
             hand_choice: Default::default(),
         }

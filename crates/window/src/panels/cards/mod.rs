@@ -2,7 +2,9 @@
 
 pub mod first_steps;
 pub mod frame;
+pub mod goals;
 pub mod help;
 pub mod learn;
 pub mod messages;
+pub mod result;
 pub mod unfinished;
