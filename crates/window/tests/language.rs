@@ -121,6 +121,7 @@ fn every_name_in_the_data_has_a_japanese_one() {
         known("scale", &scale.name);
         scale.class.iter().for_each(|class| known("class", &class.name));
     }
+    library.goals.iter().for_each(|goal| known("goal", &goal.name));
     for (id, text) in &library.recipes {
         known("recipe_file", &id.replace('-', " "));
         known("recipe", &Recipe::parse(text, id, &library).expect("parses").title);

@@ -109,6 +109,11 @@ impl Tutorial {
 }
 
 impl SauteApp {
+    /// The tutorial while it runs.
+    pub fn tutorial(&self) -> Option<&Tutorial> {
+        self.learn.tutorial.as_ref()
+    }
+
     /// Begins with a raw steak and a cold pan, or leaves the tutorial.
     pub(crate) fn set_tutorial(&mut self, on: bool) {
         if let Some(left) = self.learn.tutorial.take() {

@@ -6,6 +6,9 @@ use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use crate::words::coach_words;
 
+/// Height of two lines of the sentence [points].
+const TWO_LINES: f32 = 29.0;
+
 /// Shows both where the coach is on; on a narrow window the cue alone.
 pub fn show(state: &WindowState, ui: &mut Ui, cue_alone: bool) {
     let Some(coaching) = &state.coaching else { return };
@@ -16,6 +19,9 @@ pub fn show(state: &WindowState, ui: &mut Ui, cue_alone: bool) {
         ui.add(words).on_hover_text(cue);
     }
     if !cue_alone {
-        ui.add(Label::new(RichText::new(&happening).size(12.5).color(palette.quiet)).wrap()).on_hover_text(&happening);
+        let words = Label::new(RichText::new(&happening).size(12.5).color(palette.quiet));
+        // A second line only where there is room for it.
+        let fits = ui.available_height() >= TWO_LINES;
+        ui.add(if fits { words.wrap() } else { words.truncate() }).on_hover_text(&happening);
     }
 }
