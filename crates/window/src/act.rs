@@ -192,6 +192,10 @@ pub enum Act {
     Calibrate(bool),
     /// Reads the half mirror's rig again.
     ReadRig,
+    /// Saves the result of the cook as a picture.
+    ShareResult,
+    /// Begins the tutorial, or leaves it.
+    Tutorial(bool),
     /// Changes a remembered setting.
     Set(Setting),
     /// What a study or a lesson asks for.
@@ -235,6 +239,14 @@ pub enum Setting {
     Scale(String),
     /// Goal for the core by the scale of the food shown, in its unit [°C or %].
     Goal(f64),
+    /// The goal that a cook is judged by, by its id.
+    GoalNamed(String),
+    /// True if the coach speaks.
+    Coach(bool),
+    /// True if the result opens by itself.
+    ResultOpens(bool),
+    /// True if all read-outs are hidden.
+    SkillMode(bool),
     /// The food and the pan.
     Choice(SteakChoice),
     /// The half mirror.
@@ -258,6 +270,10 @@ pub enum Card {
     Learn,
     /// The lessons.
     Lessons,
+    /// The goals of a cook.
+    Goals,
+    /// The result of the cook.
+    Result,
 }
 
 /// What a key is about: the help lists keys by it.

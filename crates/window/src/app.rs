@@ -26,6 +26,7 @@ use crate::input::pad_input::Pad;
 use crate::input::pan_keys::PanKeys;
 use crate::input::pouring::Portion;
 use crate::input::tool_hand::ToolHand;
+use crate::learn::Learning;
 use crate::mirror::presenter::MirrorCallback;
 use crate::mirror::view::MirrorView;
 use crate::paint::ground::GroundCallback;
@@ -101,6 +102,8 @@ pub struct SauteApp {
     pub(crate) notice: Notice,
     pub(crate) motions: Motions,
     pub(crate) scene: SceneView,
+    /// What the window keeps of what it teaches.
+    pub(crate) learn: Learning,
     /// Ways side by side.
     pub(crate) ways: WaysView,
     /// What panels keep from frame to frame.
@@ -211,6 +214,7 @@ impl SauteApp {
             notice: Notice::default(),
             motions: Motions::default(),
             scene: SceneView::default(),
+            learn: Learning::default(),
             ways: WaysView::default(),
             memory: PanelMemory::default(),
             pan_keys: PanKeys::default(),

@@ -31,6 +31,7 @@ pub mod guided;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod hand;
 pub mod input;
+pub mod learn;
 pub mod link;
 pub mod mirror;
 #[cfg(not(target_arch = "wasm32"))]

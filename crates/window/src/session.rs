@@ -4,6 +4,7 @@ mod choice;
 mod clock;
 pub mod errand;
 mod foresight;
+mod judging;
 mod mark;
 mod resumed;
 mod selection;

@@ -55,7 +55,8 @@ mod tests {
             let core = if in_pan { 20.0 + 0.2 * time_s } else { 5.0 };
             Row { time_s, hob_drawn_w: if in_pan { 700.0 } else { 1500.0 }, pan_c: 180.0, foods: vec![[core; 4]] }
         };
-        let recorder = Recorder { rows: (0..200).map(row).collect(), ..Recorder::default() };
+        let mut recorder = Recorder::default();
+        recorder.rows.extend((0..200).map(row));
         let course = Course::of(&recorder, 0, [Some(10.0), Some(100.0)], 3);
         assert!((course.rise_k_s.unwrap_or_default() - 0.2).abs() < 1e-9 && course.flips == 3);
         assert_eq!(course.power_w, Some(700.0));

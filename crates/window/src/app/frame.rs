@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use egui::Ui;
+use saute_kitchen::advice::coaching::Coaching;
 use saute_recipe::session::session_file::is_session;
 use web_time::{Duration, Instant};
 
@@ -76,6 +77,12 @@ impl SauteApp {
         let ways = if self.shows_ways() { self.session.ways() } else { Vec::new() };
         let way_names = if ways.is_empty() { BTreeMap::new() } else { self.session.way_names() };
         let l = self.settings.language;
+        let coach = self.settings.coach && !self.settings.skill_mode;
+        let piece = self.session.steak().filter(|_| coach);
+        let coaching = piece.and_then(|piece| Coaching::of(&self.session.kitchen, piece, &advice));
+        let alarm = coach && advice.iter().any(|one| one.is_goal());
+        let result = if self.card == Some(Card::Result) { self.result_words() } else { None };
+        let taught = advice.clone();
         let state = WindowState {
             session: &self.session,
             settings: &self.settings,
@@ -96,6 +103,10 @@ impl SauteApp {
             japanese_font: self.japanese_font,
             quality,
             advice,
+            coaching,
+            alarm,
+            result,
+            tutorial: self.learn.tutorial.as_ref(),
             notice: self.notice.current(),
             waiting: self.waiting.iter().map(|waiting| waiting.words(l)).collect(),
             ways,
@@ -103,6 +114,8 @@ impl SauteApp {
         };
         let mut acts = Acts::new();
         panels::show_all(&state, &mut self.memory, ui, &mut acts, layout);
+        self.tutor(&taught);
+        self.watch_result(&taught);
         acts
     }
 

@@ -75,7 +75,10 @@ impl Locks {
             }
             #[cfg(not(target_arch = "wasm32"))]
             Act::OpenFile(_) | Act::TimeLapse => self.leaving,
-            Act::Open(Card::Learn | Card::Lessons) => self.leaving,
+            Act::Open(Card::Learn | Card::Lessons | Card::Goals) | Act::Tutorial(_) => self.leaving,
+            Act::Set(Setting::SkillMode(_)) => self.leaving,
+            // It shows the inside.
+            Act::Open(Card::Result) => self.views || self.leaving,
             _ => false,
         }
     }

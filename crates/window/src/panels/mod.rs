@@ -11,6 +11,7 @@ pub mod eye_bar;
 pub mod guided;
 pub mod inside;
 pub mod language;
+pub mod learn;
 pub mod legend;
 pub mod mirror_card;
 pub mod pantry;
@@ -29,7 +30,7 @@ use egui::{Rect, ScrollArea, Ui, UiBuilder};
 
 use crate::act::{Acts, Card};
 use crate::paint::ground::GroundCallback;
-use crate::panels::cards::{first_steps, help, learn, lessons, messages, unfinished};
+use crate::panels::cards::{first_steps, goals, help, learn as learn_card, lessons, messages, result, unfinished};
 use crate::panels::cook::{hob_bar, pour, time_strip};
 use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::layout::{GAP, Layout};
@@ -83,9 +84,13 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
         show(state, memory, ui, acts, layout);
     }
     let whole = layout.whole;
-    if !state.is_blind() {
+    if state.reads_out() {
         read_out::show(state, ui, whole);
     }
+    if !state.is_blind() {
+        learn::goal_alarm::show(state, ui, acts, layout);
+    }
+    learn::callout::show(state, ui, acts, layout);
     badge::show(state, ui, acts, layout);
     alarm::show(state, ui, acts, whole);
     #[cfg(not(target_arch = "wasm32"))]
@@ -103,8 +108,10 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
         Some(Card::Settings) => settings_card::show(state, memory, ui, acts, whole),
         Some(Card::Mirror) => mirror_card::show(state, ui, acts, whole),
         Some(Card::FirstSteps) => first_steps::show(state, ui, acts, whole),
-        Some(Card::Learn) => learn::show(state, ui, acts, whole),
+        Some(Card::Learn) => learn_card::show(state, ui, acts, whole),
         Some(Card::Lessons) => lessons::show(state, ui, acts, whole),
+        Some(Card::Goals) => goals::show(state, ui, acts, whole),
+        Some(Card::Result) => result::show(state, memory, ui, acts, whole),
     }
 }
 
@@ -179,6 +186,7 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
             inside::show(state, &mut memory.inside, ui, acts);
         }
         Drawer::Food => pantry::show(state, memory, ui, acts),
+        Drawer::Pieces if !state.reads_out() => inside::show(state, &mut memory.inside, ui, acts),
         Drawer::Pieces => pieces::show(state, &mut memory.unfolded, ui, acts),
     });
 }

@@ -14,6 +14,7 @@ mod pan;
 mod photo;
 mod settings;
 mod steak;
+mod teaching;
 mod time;
 mod timeline;
 mod touch;
