@@ -65,7 +65,7 @@ fn mistakes_in_a_protocol_are_named_with_line_key_and_remedy() {
         ("id = \"small\"", "id = \"sm all\"", 1, "id = \"sm all\"", "letters"),
         ("answer = \"likert\"", "answer = \"text\"", 35, "personal data", "allow_free_text"),
         ("answer = \"likert\"", "answer = \"number\"", 35, "range", "range = ["),
-        ("[phase.questionnaire]\n", "[phase.questionnaire]\ncolour = 1\n", 34, "colour", "saute schema study"),
+        ("[phase.questionnaire]\n", "[phase.questionnaire]\ncolour = 1\n", 32, "colour", "saute schema study"),
         ("information = \"hidden\"", "information = \"some\"", 9, "information", "saute schema study"),
     ];
     for (from, to, line, message, remedy) in cases {
