@@ -25,5 +25,6 @@ pub(crate) fn grey_band(piece: &Piece, goal: &Goal) -> [f64; 2] {
     let runs = [run(piece.upside_down()), run(!piece.upside_down())];
     let thickness = piece.model.thickness(&piece.state);
     // Where all of the line is beyond, each face has its half of it.
-    runs.map(|points| thickness * (points as f64 / POINTS as f64).min(0.5))
+    let share = if runs == [POINTS; 2] { 0.5 } else { 1.0 };
+    runs.map(|points| share * thickness * (points as f64 / POINTS as f64))
 }
