@@ -73,6 +73,8 @@ fn band(piece: &Piece, beyond_c: f64) -> f64 {
 fn an_overcooked_steak_misses_its_goal_with_a_reason_that_has_numbers_and_a_good_one_does_not() {
     let library = Library::embedded().expect("embedded data");
     let [medium, study] = ["medium", "study-2013"].map(|id| goal(&library, id));
+    // What chars in so long a time costs more points than the core; here the core is asked for.
+    let medium = Goal { most_charred_pct: 100.0, ..medium };
     let mut missed = 0;
     for out_s in [880, 1160] {
         let (kitchen, course, mass) = cooked(&library, out_s);

@@ -9,6 +9,8 @@ use crate::{Kitchen, Piece, Place};
 /// Temperature of a dry face from which it browns before one's eyes [°C] (chosen: the browning of `data/kinetics` takes minutes
 /// there, and hours at the boiling point).
 pub const BROWNS_FROM_C: f64 = 140.0;
+/// Mean temperature of a face from which its water boils off [°C] (chosen: parts of it have reached the boiling point).
+const BOILS_FROM_C: f64 = 90.0;
 /// Browning index from which a crust is seen [-] (chosen: the faces count as browned from there).
 const CRUST_SEEN: f64 = 0.5;
 /// Share of a piece's fat that has left it from which it is said to render [-] (chosen: the pan glistens), and share of its mass
@@ -39,6 +41,11 @@ pub enum Happening {
     },
     /// The oil breaks down.
     OilSmokes,
+    /// The cold underside warms on the pan; its water will boil.
+    FaceWarms {
+        /// Temperature of the underside [°C].
+        underside_c: f64,
+    },
     /// Water boils off the underside and keeps it near 100 °C.
     WaterBoilsOff {
         /// Temperature of the underside [°C].
@@ -205,6 +212,9 @@ impl Readings {
         if self.smokes() {
             return (Happening::OilSmokes, Some(Cue::SmokeStops));
         }
+        if underside_c < BOILS_FROM_C {
+            return (Happening::FaceWarms { underside_c }, Some(self.while_wet()));
+        }
         if underside_c < WET_BELOW_C {
             return (Happening::WaterBoilsOff { underside_c }, Some(self.while_wet()));
         }
@@ -303,6 +313,7 @@ mod tests {
     #[test]
     fn a_face_is_wet_then_dries_then_browns_and_each_has_its_cue() {
         let face = |c, brown| in_pan(|r| (r.situation.underside_c, r.situation.browning[0]) = (c, brown));
+        assert_eq!(face(30.0, 0.0).0, Happening::FaceWarms { underside_c: 30.0 });
         assert_eq!(face(99.0, 0.0), (Happening::WaterBoilsOff { underside_c: 99.0 }, Some(Cue::SizzleFades)));
         assert_eq!(face(120.0, 0.0), (Happening::FaceDries { underside_c: 120.0 }, Some(Cue::EdgeBrowns)));
         assert_eq!(face(160.0, 0.3).0, Happening::Browns { underside_c: 160.0 });

@@ -24,5 +24,7 @@ pub(crate) fn grey_band(piece: &Piece, goal: &Goal) -> [f64; 2] {
     // The body's lower face lies on top once it was turned over.
     let runs = [run(piece.upside_down()), run(!piece.upside_down())];
     let thickness = piece.model.thickness(&piece.state);
-    runs.map(|points| thickness * (points as f64 / POINTS as f64))
+    // Where all of the line is beyond, each face has its half of it.
+    let share = if runs == [POINTS; 2] { 0.5 } else { 1.0 };
+    runs.map(|points| share * thickness * (points as f64 / POINTS as f64))
 }

@@ -13,6 +13,7 @@ pub fn happening(coaching: &Coaching, settings: &Settings) -> String {
         Happening::PanHeats { pan_c } => at("coach.pan_heats", pan_c),
         Happening::PanIsHot { pan_c } => at("coach.pan_is_hot", pan_c),
         Happening::OilSmokes => l.text("coach.oil_smokes").to_owned(),
+        Happening::FaceWarms { underside_c } => at("coach.face_warms", underside_c),
         Happening::WaterBoilsOff { underside_c } => at("coach.water_boils_off", underside_c),
         Happening::FaceDries { underside_c } => at("coach.face_dries", underside_c),
         Happening::Browns { underside_c } => at("coach.browns", underside_c),

@@ -20,7 +20,8 @@ const HEIGHT: f32 = 34.0;
 pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let framed = Framed { card: Card::Goals, id: "goals", title: "goals.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
-        let list = ScrollArea::vertical().max_height(whole.height() - 140.0);
+        let list =
+            ScrollArea::vertical().max_height(whole.height() - 140.0).min_scrolled_height(whole.height() - 140.0);
         list.show(ui, |ui| {
             ui.label(RichText::new(state.settings.language.text("goals.how")).size(13.5).color(theme::of(ui).quiet));
             goals(state, ui, acts);

@@ -63,7 +63,10 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
         memory.result.refresh(piece, words, ui.ctx());
         let narrow = ui.available_width() < NARROW;
         let height = whole.height() - if narrow { 230.0 } else { 180.0 };
-        ScrollArea::vertical().max_height(height).show(ui, |ui| content(ui, words, &memory.result, narrow));
+        ScrollArea::vertical()
+            .max_height(height)
+            .min_scrolled_height(height)
+            .show(ui, |ui| content(ui, words, &memory.result, narrow));
         ui.add_space(4.0);
         ui.horizontal_wrapped(|ui| buttons(state, ui, acts));
     });
@@ -89,7 +92,7 @@ fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 /// What the card says, and what its picture shows.
 pub fn content(ui: &mut Ui, words: &ResultWords, cut: &CutOfResult, narrow: bool) {
     let palette = theme::of(ui);
-    ui.spacing_mut().item_spacing.y = 4.0;
+    (ui.spacing_mut().item_spacing.y, ui.spacing_mut().interact_size.y) = (4.0, 18.0);
     let verdict = RichText::new(&words.verdict).size(21.0).strong();
     ui.label(if words.is_met { verdict.color(palette.accent) } else { verdict });
     for missed in &words.missed {
@@ -105,7 +108,7 @@ pub fn content(ui: &mut Ui, words: &ResultWords, cut: &CutOfResult, narrow: bool
         return;
     }
     ui.horizontal_top(|ui| {
-        let half = 0.5 * (ui.available_width() - 18.0);
+        let half = 0.5 * (ui.available_width() - 44.0);
         for part in [measures as fn(&mut Ui, &ResultWords), score] {
             ui.allocate_ui_with_layout(vec2(half, 0.0), Layout::top_down(Align::Min), |ui| {
                 ui.set_width(half);

@@ -23,7 +23,12 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
         return;
     }
     let narrow = layout.narrow;
-    let at = layout.free.left_top() + if narrow { vec2(GAP, GAP) } else { vec2(GAP + 4.0, 36.0) };
+    // Where it is narrow there is no room beside the pan: it stands over the chips of the views, while none of them is meant.
+    let at = match narrow {
+        true if tutorial.step() != Step::Inside => layout.top.min,
+        true => layout.free.left_top() + vec2(GAP, GAP),
+        false => layout.free.left_top() + vec2(GAP + 4.0, 36.0),
+    };
     let width = if narrow { layout.free.width() - 44.0 } else { WIDTH };
     Area::new(Id::unique("tutorial")).fixed_pos(at).pivot(Align2::LEFT_TOP).show(ui.ctx(), |ui| {
         let palette = theme::of(ui);

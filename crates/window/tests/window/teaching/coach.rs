@@ -1,7 +1,7 @@
 //! The coach: what happens and why, the next cue, an alarm at the goal; all of it can be off.
 
 use egui_kittest::kittest::Queryable;
-use saute_kitchen::{Command, Place};
+use saute_kitchen::{Command, Place, celsius};
 use saute_window::act::Setting;
 
 use super::{PHONE, WIDE, command, core_c, put_in, says, set, small_steak, until};
@@ -13,8 +13,7 @@ fn the_coach_says_what_happens_and_what_to_perceive_next_and_can_be_off() {
     assert!(says(&harness, "A cold pan would stew the food"));
     let fits = harness.get_by_label("Core").rect();
     put_in(&mut harness);
-    until(&mut harness, |session| session.kitchen.time_s() > 0.0);
-    (0..20).for_each(|_| harness.state_mut().session_mut().tick().expect("ticks"));
+    until(&mut harness, |session| session.steak().is_some_and(|steak| celsius(steak.face(true)) > 95.0));
     steps(&mut harness, 12);
     assert!(says(&harness, "Listen: the sizzle fades") && says(&harness, "Water boils off below"));
     assert_eq!(harness.get_by_label("Core").rect(), fits, "nothing jumps");

@@ -73,6 +73,7 @@ fn the_tutorial_takes_less_than_three_minutes_and_ends_with_a_steak_and_its_resu
     let (steak, scale) = (app.session().steak().expect("steak"), app.scale().expect("a scale"));
     assert_eq!(core_class(steak, &scale), "medium");
     assert!(steak.halved().is_some() && says(&harness, "One thing to do better"));
+    assert!(says(&harness, "Goal met: Medium, with a crust"), "whoever follows is not told that it went wrong");
     steps(&mut harness, 3);
     save(&mut harness, "tutorial-wide-end");
 }
