@@ -15,7 +15,7 @@ const recipe = asked.get("recipe") ?? "";
 const isEmbedded = asked.has("embed");
 const keptCook = isEmbedded ? null : new KeptCook(`${recipe}${location.hash}`);
 const controls = new Controls(document.getElementById("controls"), () => page);
-/** The compiled module and the address of its script, for the worker. */
+/** The compiled module and the address of its script, for the workers. */
 let giveProgram;
 const program = new Promise((resolve) => (giveProgram = resolve));
 const errands = new Errands(program, place("errand_worker.js"), () => page?.wake());

@@ -43,6 +43,9 @@ use crate::ui::ways_view::WaysView;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::window::Surroundings;
 use crate::words::language::Language;
+use crate::work::Agency;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::work::thread::Threads;
 
 /// Where settings are remembered.
 const SETTINGS_KEY: &str = "saute.settings";
@@ -69,6 +72,9 @@ pub struct Start {
     pub language: Option<Language>,
     /// True draws panels a few times a second where the graphics are software.
     pub frugal: bool,
+    /// True lets threads work beside the window; without them, and without a page, nobody does.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub threads: bool,
     /// Folder of pictures; that of the user unless given.
     #[cfg(not(target_arch = "wasm32"))]
     pub pictures: Option<std::path::PathBuf>,
@@ -123,6 +129,8 @@ pub struct SauteApp {
     /// Chooses the quality of the picture where that is left to the program.
     pub(crate) governor: Governor,
     pub(crate) mirror: MirrorView,
+    /// Who finds helpers for heavy work, if anyone does.
+    agency: Option<Box<dyn Agency>>,
     /// The photo mode.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) photo: crate::photo::PhotoMode,
@@ -220,6 +228,7 @@ impl SauteApp {
             governor: Governor::new(Quality::Best),
             japanese_font,
             mirror: MirrorView::default(),
+            agency: None,
             #[cfg(not(target_arch = "wasm32"))]
             photo: Default::default(),
             #[cfg(not(target_arch = "wasm32"))]
@@ -235,6 +244,11 @@ impl SauteApp {
             mirrored: Default::default(),
         };
         app.draw_on(context, graphics);
+        #[cfg(not(target_arch = "wasm32"))]
+        if start.threads {
+            let context = context.clone();
+            app.employ(Box::new(Threads::new(Arc::new(move || context.request_repaint()))));
+        }
         app.settings.language = Language::English;
         app.set_language(language);
         if refused {

@@ -48,6 +48,7 @@ pub mod ui;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;
 pub mod words;
+pub mod work;
 
 pub use app::{SauteApp, Start, StartError};
 pub use words::language::Language;

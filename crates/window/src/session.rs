@@ -239,7 +239,7 @@ impl Session {
     }
 
     /// Lets a helper play recorded cooks, long ways through time and ways beside the one that is shown.
-    pub fn employ(&mut self, helper: Box<dyn errand::Helper>) {
+    pub fn employ(&mut self, helper: Box<dyn crate::work::Helper>) {
         self.errands.employ(helper);
     }
 

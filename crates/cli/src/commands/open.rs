@@ -29,7 +29,8 @@ pub fn run(data: DataLibrary, source: Option<Source>, hands: HandArgs) -> Result
         Some(Source::Session(recording)) => (None, Some(*recording)),
         None => (None, None),
     };
-    let start = Start { library: Some(Arc::new(data.library)), recipe, recorded, hands, ..Start::default() };
+    let start =
+        Start { library: Some(Arc::new(data.library)), recipe, recorded, hands, threads: true, ..Start::default() };
     saute_window::window::run(start)
         .map_err(|e| CliError::NoDisplay(format!("the window cannot be opened: {e}\n{NO_DISPLAY}")))?;
     Ok(ExitCode::SUCCESS)
