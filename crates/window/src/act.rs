@@ -7,6 +7,7 @@ use saute_scene::light::white_balance::WhiteBalance;
 
 use crate::input::pouring::Pourable;
 use crate::mirror::settings::MirrorSettings;
+use crate::plan::PlanAct;
 use crate::session::SteakChoice;
 use crate::ui::glance::EyeView;
 use crate::ui::interface_size::InterfaceSize;
@@ -195,6 +196,8 @@ pub enum Act {
     Set(Setting),
     /// Says something over the scene.
     Say(String),
+    /// Does something about a plan.
+    Plan(PlanAct),
     /// Opens a card in place of the one that is open.
     Open(Card),
     /// Closes a card.
@@ -253,6 +256,8 @@ pub enum Card {
     FirstSteps,
     /// What there is to learn and to try.
     Learn,
+    /// A plan for the chosen food.
+    Plan,
 }
 
 /// What a key is about: the help lists keys by it.

@@ -31,6 +31,8 @@ use crate::paint::ground::GroundCallback;
 use crate::paint::panel_layer::PanelLayer;
 use crate::paint::scene::SceneCallback;
 use crate::panels::window_state::PanelMemory;
+use crate::plan::live::Live;
+use crate::plan::planning::Planning;
 use crate::session::Session;
 use crate::settings::Settings;
 use crate::ui::fingers;
@@ -102,6 +104,10 @@ pub struct SauteApp {
     pub(crate) scene: SceneView,
     /// Ways side by side.
     pub(crate) ways: WaysView,
+    /// The search for a plan.
+    pub(crate) planning: Planning,
+    /// The cook that follows a plan.
+    pub(crate) live: Option<Live>,
     /// What panels keep from frame to frame.
     pub(crate) memory: PanelMemory,
     pub(crate) pan_keys: PanKeys,
@@ -211,6 +217,8 @@ impl SauteApp {
             motions: Motions::default(),
             scene: SceneView::default(),
             ways: WaysView::default(),
+            planning: Planning::default(),
+            live: None,
             memory: PanelMemory::default(),
             pan_keys: PanKeys::default(),
             tool_hand: ToolHand::default(),

@@ -121,6 +121,7 @@ impl SauteApp {
             Act::ReadRig => self.mirror.forget_rig(),
             Act::Set(setting) => self.set(setting),
             Act::Say(text) => self.notice.say(text),
+            Act::Plan(act) => self.act_on_plan(act, ctx),
             Act::Open(card) => self.open_card(card),
             Act::Shut(card) => self.shut_card(card),
             Act::Help => self.toggle_card(Card::Help),

@@ -19,6 +19,7 @@ use web_sys::{Blob, BlobPropertyBag, CustomEvent, File, HtmlAnchorElement, HtmlI
 
 use crate::app::SauteApp;
 use crate::export::Export;
+use crate::plan::PlanFile;
 use crate::ui::japanese_font;
 use crate::words::language::Language;
 
@@ -100,6 +101,14 @@ impl SauteApp {
     pub(crate) fn export(&mut self, what: Export, _: &egui::Context) {
         let name = what.file_name(self.settings.language);
         self.export_by(what, Path::new(&name), |bytes| download(&name, what.media_type(), bytes));
+    }
+
+    /// Hands the browser a file that is made of a plan.
+    pub(crate) fn save_plan(&mut self, file: PlanFile, _: &egui::Context) {
+        let Some(bytes) = self.plan_file(file) else { return };
+        let name = file.file_name(self.settings.language);
+        let written = download(&name, file.media_type(), &bytes);
+        self.say_written(Path::new(&name), written, PlanFile::SAID);
     }
 
     /// Reads dropped files; they arrive in a later frame.

@@ -38,6 +38,7 @@ pub mod paint;
 pub mod panels;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod photo;
+pub mod plan;
 pub mod pose;
 mod remembered;
 pub mod session;

@@ -36,6 +36,9 @@ impl Settings {
         let moved = mirror.calibrations.values().flat_map(|c| c.moved.iter());
         SPEED.contains(&self.speed)
             && self.goals.values().chain([&self.goal_c]).all(|goal| GOAL.contains(goal))
+            && GOAL.contains(&self.plan.core_c)
+            && self.plan.crust_pct.is_none_or(|pct| (0.0..=100.0).contains(&pct))
+            && self.plan.most_flips <= crate::plan::choice::MOST_FLIPS
             && [choice.initial_c, choice.preheat_c].iter().all(|c| GOAL.contains(c))
             && choice.size_mm.iter().all(|mm| SIZE_MM.contains(mm))
             && mirror.eye_distance_mm.is_none_or(|mm| (0.0..=WIDEST_MM).contains(&mm))

@@ -162,6 +162,17 @@ impl Session {
         Ok(())
     }
 
+    /// Sets out the pan and the foods of a recipe, whose steps are left to the cook.
+    ///
+    /// # Errors
+    ///
+    /// If the library has not what the recipe needs.
+    pub fn set_out_recipe(&mut self, recipe: Recipe) -> Result<(), ReplayError> {
+        self.begin_with(Arc::new(recipe), false)?;
+        self.speed = 1.0;
+        Ok(())
+    }
+
     /// Plays a recipe from its start.
     ///
     /// # Errors
@@ -184,7 +195,7 @@ impl Session {
             return self.play(Recipe::clone(&self.recipe));
         }
         let orders: Vec<PieceOrder> = self.recording.entries().iter().filter_map(|e| added(&e.deed)).cloned().collect();
-        self.set_out(&self.choice.clone())?;
+        self.begin_with(Arc::clone(&self.recipe), false)?;
         orders.into_iter().try_for_each(|order| self.add_one(order))?;
         self.end_of_beginning();
         Ok(())

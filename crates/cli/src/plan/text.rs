@@ -103,6 +103,8 @@ fn seen(plan: &Plan, step: &Step) -> String {
 }
 
 fn row(text: &mut String, name: &str, value: &str) {
+    // The window keeps numbers and units together; a terminal is searched for plain spaces.
+    let [name, value] = [name, value].map(|text| text.replace('\u{a0}', " "));
     // Writing to a string cannot fail.
     let _ = writeln!(text, "  {name:<18}{value}");
 }

@@ -41,6 +41,7 @@ impl SauteApp {
         #[cfg(target_arch = "wasm32")]
         self.take_inbox(&ctx);
         self.let_time_pass(&ctx);
+        self.follow_plan(&ctx);
         self.keep_cook(false);
         self.show(ui);
         #[cfg(target_arch = "wasm32")]
@@ -87,6 +88,8 @@ impl SauteApp {
             #[cfg(target_arch = "wasm32")]
             phone_tilts: self.phone_tilts(),
             portion: self.portion,
+            planning: &self.planning,
+            live: self.live.as_ref().filter(|live| live.is_of(&self.session)),
             slice: self.slice,
             card: self.card,
             said: &self.notice,

@@ -16,6 +16,7 @@ pub mod pantry;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod photo_bar;
 pub mod pieces;
+pub mod plan;
 pub mod probes;
 pub mod read_out;
 pub mod settings_card;
@@ -83,7 +84,8 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
     }
     let whole = layout.whole;
     read_out::show(state, ui, whole);
-    badge::show(state, ui, acts, layout);
+    let below = plan::strip::show(state, ui, acts, layout);
+    badge::show(state, ui, acts, &below);
     alarm::show(state, ui, acts, whole);
     #[cfg(not(target_arch = "wasm32"))]
     crate::hand::show(state, ui, acts, layout);
@@ -98,6 +100,7 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
         Some(Card::Mirror) => mirror_card::show(state, ui, acts, whole),
         Some(Card::FirstSteps) => first_steps::show(state, ui, acts, whole),
         Some(Card::Learn) => learn::show(state, ui, acts, whole),
+        Some(Card::Plan) => plan::card::show(state, ui, acts, whole),
     }
 }
 

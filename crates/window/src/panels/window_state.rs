@@ -16,6 +16,8 @@ use crate::panels::Drawer;
 use crate::panels::inside::Inside;
 use crate::panels::still::Stills;
 use crate::panels::ways::WaysMemory;
+use crate::plan::live::Live;
+use crate::plan::planning::Planning;
 use crate::session::Session;
 use crate::session::timeline::WayBeside;
 use crate::settings::Settings;
@@ -35,6 +37,10 @@ pub struct WindowState<'a> {
     /// The photo mode.
     #[cfg(not(target_arch = "wasm32"))]
     pub photo: &'a crate::photo::PhotoMode,
+    /// The search for a plan.
+    pub planning: &'a Planning,
+    /// The cook that follows a plan.
+    pub live: Option<&'a Live>,
     /// The tool that mouse and right stick lead.
     pub tool: Tool,
     /// True while a turner is in the hand.

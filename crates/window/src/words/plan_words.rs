@@ -49,7 +49,7 @@ pub fn crust(outcome: &Outcome, l: Language) -> String {
 pub fn changed(s: &Sensitivity, settings: &Settings) -> String {
     let l = settings.language;
     let [share, crust] = [s.target_share_pct, s.crust_pct].map(|pct| format!("{pct:.0}"));
-    let (core, met) = (settings.temperature(s.core_peak_c), if s.is_met { "" } else { l.text("plan.misses") });
+    let (core, met) = (settings.fine_temperature(s.core_peak_c), if s.is_met { "" } else { l.text("plan.misses") });
     l.fill("plan.changed", &[("core", &core), ("share", &share), ("crust", &crust), ("met", &met)])
 }
 

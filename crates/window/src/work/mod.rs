@@ -19,6 +19,7 @@ use std::sync::Arc;
 use saute_kitchen::Library;
 
 use self::bench::Craft;
+use crate::plan::craft::Planning;
 use crate::session::errand::playing::Playing;
 
 /// A kind of work.
@@ -26,16 +27,19 @@ use crate::session::errand::playing::Playing;
 pub enum Kind {
     /// A recorded cook is played.
     Play,
+    /// A plan is searched for.
+    Plan,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 1] = [Self::Play];
+    pub const ALL: [Self; 2] = [Self::Play, Self::Plan];
 
     /// Its name, by which a page's scripts know it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Play => "play",
+            Self::Plan => "plan",
         }
     }
 
@@ -48,13 +52,14 @@ impl Kind {
     fn craft(self, library: Arc<Library>) -> Box<dyn Craft> {
         match self {
             Self::Play => Box::new(Playing::new(library)),
+            Self::Plan => Box::new(Planning::new(library)),
         }
     }
 
     /// Rest after work, as a share of the time that it took [-].
     fn rest_share(self) -> f64 {
         match self {
-            Self::Play => 0.0,
+            Self::Play | Self::Plan => 0.0,
         }
     }
 }

@@ -11,6 +11,7 @@ mod keys;
 mod mirror;
 mod pan;
 mod photo;
+mod plan;
 mod settings;
 mod steak;
 mod time;
