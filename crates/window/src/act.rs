@@ -5,6 +5,7 @@ use saute_picture::view::View;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
+use crate::at_home::AtHomeAct;
 use crate::input::pouring::Pourable;
 use crate::mirror::settings::MirrorSettings;
 use crate::plan::PlanAct;
@@ -198,6 +199,8 @@ pub enum Act {
     Say(String),
     /// Does something about a plan.
     Plan(PlanAct),
+    /// Does something about the kitchen at home.
+    AtHome(AtHomeAct),
     /// Opens a card in place of the one that is open.
     Open(Card),
     /// Closes a card.
@@ -258,6 +261,8 @@ pub enum Card {
     Learn,
     /// A plan for the chosen food.
     Plan,
+    /// The kitchen at home.
+    AtHome,
 }
 
 /// What a key is about: the help lists keys by it.

@@ -17,6 +17,8 @@ use saute_scene::quality::Quality;
 
 use crate::act::Card;
 use crate::apply::waiting::Waiting;
+use crate::at_home::fitting::AtHome;
+use crate::at_home::kept::KeptKitchen;
 #[cfg(target_arch = "wasm32")]
 use crate::browser::host::Surroundings;
 use crate::frame_meter::FrameMeter;
@@ -104,6 +106,10 @@ pub struct SauteApp {
     pub(crate) scene: SceneView,
     /// Ways side by side.
     pub(crate) ways: WaysView,
+    /// The library with which the program was started.
+    pub(crate) library: Arc<Library>,
+    /// What was entered about the kitchen at home, and the fit to it.
+    pub(crate) at_home: AtHome,
     /// The search for a plan.
     pub(crate) planning: Planning,
     /// The cook that follows a plan.
@@ -194,6 +200,8 @@ impl SauteApp {
         let remembers = stored.is_some() && start.recipe.is_none() && start.recorded.is_none();
         let (settings, refused) = stored.map_or_else(Default::default, |text| Settings::remembered(&text));
         let library = start.library.map_or_else(|| Library::embedded().map(Arc::new), Ok)?;
+        let started = Arc::clone(&library);
+        let library = KeptKitchen::library(settings.kitchen.as_ref(), library);
         let mut session = Session::new(Arc::clone(&library), &settings.choice)
             .or_else(|_| Session::new(library, &Default::default()))?;
         session.set_speed(settings.speed);
@@ -217,6 +225,8 @@ impl SauteApp {
             motions: Motions::default(),
             scene: SceneView::default(),
             ways: WaysView::default(),
+            library: started,
+            at_home: AtHome::default(),
             planning: Planning::default(),
             live: None,
             memory: PanelMemory::default(),

@@ -122,6 +122,7 @@ impl SauteApp {
             Act::Set(setting) => self.set(setting),
             Act::Say(text) => self.notice.say(text),
             Act::Plan(act) => self.act_on_plan(act, ctx),
+            Act::AtHome(act) => self.act_on_home(act),
             Act::Open(card) => self.open_card(card),
             Act::Shut(card) => self.shut_card(card),
             Act::Help => self.toggle_card(Card::Help),

@@ -169,7 +169,7 @@ fn save(name: &str, media_type: &str, bytes: &[u8]) -> Result<(), JsValue> {
 fn choose(inbox: Inbox, ctx: egui::Context) -> Result<(), JsValue> {
     let input: HtmlInputElement = element("input")?;
     input.set_type("file");
-    input.set_accept(".toml,.saute,text/plain");
+    input.set_accept(".toml,.saute,.csv,.tsv,text/plain,text/csv");
     let chosen = input.clone();
     let read = Closure::once_into_js(move || {
         let Some(file) = chosen.files().and_then(|files| files.get(0)) else { return };

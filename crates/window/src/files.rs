@@ -72,7 +72,7 @@ impl SauteApp {
         let dialog = match asked {
             Asked::Open => rfd::FileDialog::new()
                 .set_title(l.text("pantry.choose_file"))
-                .add_filter("TOML, SAUTE", &["toml", Export::Cook.ending()]),
+                .add_filter("TOML, SAUTE, CSV", &["toml", Export::Cook.ending(), "csv", "tsv"]),
             Asked::Save(what) => save_dialog(l.text(what.words()), what.ending(), what.file_name(l)),
             Asked::SavePlan(file) => save_dialog(l.text(file.words()), file.ending(), file.file_name(l)),
         };

@@ -16,6 +16,7 @@
 pub mod act;
 pub mod app;
 mod apply;
+pub mod at_home;
 pub mod autosave;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod bench_frame;

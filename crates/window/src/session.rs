@@ -33,8 +33,10 @@ pub(crate) use self::mark::label;
 
 /// The state behind the window.
 pub struct Session {
-    /// Library of foods, pans, rooms, scales and recipes.
+    /// Library of foods, pans, rooms, scales and recipes, with the kitchen at home in which the present cook is.
     pub library: Arc<Library>,
+    /// The library of the kitchen in which later cooks begin.
+    home: Arc<Library>,
     /// The kitchen.
     pub kitchen: Kitchen,
     /// The recipe that plays, until the user gives a command.
@@ -81,6 +83,7 @@ impl Session {
         let kitchen = recipe.kitchen(&library)?;
         let recording = Recording::begin(&recipe, false, &library);
         let mut session = Self {
+            home: Arc::clone(&library),
             library,
             kitchen,
             runner: None,
@@ -140,14 +143,30 @@ impl Session {
 
     /// Begins a cook in place of the present one, which can be brought back.
     fn begin_with(&mut self, recipe: Arc<Recipe>, plays: bool) -> Result<(), ReplayError> {
-        let kitchen = recipe.kitchen(&self.library)?;
+        self.begin_in(Arc::clone(&self.home), recipe, plays)
+    }
+
+    /// As [`Self::begin_with`], in the kitchen of a library.
+    fn begin_in(&mut self, library: Arc<Library>, recipe: Arc<Recipe>, plays: bool) -> Result<(), ReplayError> {
+        let kitchen = recipe.kitchen(&library)?;
         self.put_by();
+        self.library = library;
         self.recording = Recording::begin(&recipe, plays, &self.library);
         self.kitchen = kitchen;
         self.runner = plays.then(|| Runner::new(Arc::clone(&recipe)));
         (self.recipe, self.plays) = (recipe, plays);
         self.begin();
         Ok(())
+    }
+
+    /// The library of the kitchen in which later cooks begin.
+    pub fn home(&self) -> &Arc<Library> {
+        &self.home
+    }
+
+    /// Later cooks begin in the kitchen of a library.
+    pub fn move_to(&mut self, home: Arc<Library>) {
+        self.home = home;
     }
 
     /// Restarts with another choice of food and pan.

@@ -9,6 +9,7 @@ use saute_picture::view::View;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
+use crate::at_home::kept::KeptKitchen;
 use crate::mirror::settings::MirrorSettings;
 use crate::plan::choice::PlanChoice;
 use crate::session::SteakChoice;
@@ -63,6 +64,8 @@ pub struct Settings {
     pub choice: SteakChoice,
     /// What a plan is asked for.
     pub plan: PlanChoice,
+    /// The kitchen at home that was found.
+    pub kitchen: Option<KeptKitchen>,
     /// Goal for the core's peak of food whose scale states no goal of its own [°C]: at first medium.
     pub goal_c: f64,
     /// Goals for the core by the ids of the scales that state one, in the unit of the scale [°C or %].
@@ -101,6 +104,7 @@ impl Default for Settings {
             speed: 1.0,
             choice: SteakChoice::default(),
             plan: PlanChoice::default(),
+            kitchen: None,
             goal_c: GOAL_C,
             goals: BTreeMap::new(),
             pantry_open: false,

@@ -6,11 +6,13 @@ use std::sync::Arc;
 use saute_food::{FoodDescription, Scale};
 use saute_heat::Soup;
 
-use crate::data::at_home::KitchenAtHome;
+use crate::data::at_home::{AT_HOME_FILE, KitchenAtHome};
 use crate::data::data_file::DataFile;
 use crate::data::data_hash::file_hashes;
 use crate::data::library::{DonenessFile, Library, LibraryError, with_body};
+use crate::data::room::Room;
 use crate::data::shelf::{Shelved, shipped_files};
+use crate::pan::hob::HobDescription;
 use crate::pan::pan_description::{CoatingDescription, PanDescription};
 
 /// The file of the scales of doneness.
@@ -18,9 +20,6 @@ const DONENESS_FILE: &str = "doneness.toml";
 
 /// The file of what juice leaves on the pan.
 const FOND_FILE: &str = "fond.toml";
-
-/// The file of what a kitchen at home has otherwise.
-const AT_HOME_FILE: &str = "kitchen-at-home.toml";
 
 /// The cause for which an entry is set aside, where its own file is broken. The error of that file says more.
 const ITS_FILE: &str = "its file in the --data folder is broken";
@@ -57,6 +56,7 @@ impl<'a> Loading<'a> {
     pub(crate) fn library(mut self) -> Result<(Library, Vec<LibraryError>), LibraryError> {
         let bare = self.folder("pans/")?;
         let coatings = self.folder("coatings/")?;
+        let (room, hob): (Room, HobDescription) = (self.parse("kitchen.toml")?, self.parse("hobs/induction.toml")?);
         let mut library = Library {
             foods: self.folder("foods/")?,
             kinetics: self.folder("kinetics/")?,
@@ -65,9 +65,11 @@ impl<'a> Loading<'a> {
             recipes: in_folder(&self.files, "recipes/").map(|(id, text)| (id.to_owned(), text.clone())).collect(),
             scales: self.scales()?,
             components: self.parse("components.toml")?,
-            room: self.parse("kitchen.toml")?,
-            hob: self.parse("hobs/induction.toml")?,
+            typical: Arc::new((hob.clone(), room.clone())),
+            room,
+            hob,
             at_home: KitchenAtHome::default(),
+            home: None,
             fond: self.parse(FOND_FILE)?,
             set_aside: BTreeMap::new(),
             hashes: file_hashes(&self.files, &self.own.surfaces),
@@ -160,6 +162,8 @@ impl<'a> Loading<'a> {
             Ok(Some(at_home)) => {
                 at_home.set_in(&mut library.hob, &mut library.room);
                 library.at_home = at_home;
+                let text = self.files.get(AT_HOME_FILE).filter(|text| shipped_files().get(AT_HOME_FILE) != Some(text));
+                library.home = text.map(|text| Arc::from(text.as_str()));
                 return Ok(());
             }
             Ok(None) => {}

@@ -166,12 +166,10 @@ mod tests {
     #[test]
     fn a_power_that_is_passed_on_the_way_counts_for_no_step_far_ahead() {
         let list = [(0.0, Hand::Hob(400.0)), (1.0, Hand::Hob(1100.0)), (2.0, Hand::Hob(2000.0))];
-        assert_eq!(standings(&list, 1, 10.0)[..4], [
-            Standing::Done(2.0),
-            Standing::Open(50.0),
-            Standing::Open(50.0),
-            Standing::Open(90.0)
-        ]);
+        assert_eq!(
+            standings(&list, 1, 10.0)[..4],
+            [Standing::Done(2.0), Standing::Open(50.0), Standing::Open(50.0), Standing::Open(90.0)]
+        );
     }
 
     #[test]

@@ -60,6 +60,11 @@ impl SauteApp {
         Some(live.guidance(&self.session))
     }
 
+    /// What was entered about the kitchen at home, and the fit to it.
+    pub fn at_home(&self) -> &crate::at_home::fitting::AtHome {
+        &self.at_home
+    }
+
     /// Returns true if the card of the first steps is shown.
     pub fn first_steps_are_open(&self) -> bool {
         self.card == Some(Card::FirstSteps)

@@ -1,6 +1,7 @@
 //! The panels around the scene.
 
 pub mod alarm;
+pub mod at_home;
 pub mod badge;
 pub mod cards;
 pub mod cook;
@@ -101,6 +102,7 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
         Some(Card::FirstSteps) => first_steps::show(state, ui, acts, whole),
         Some(Card::Learn) => learn::show(state, ui, acts, whole),
         Some(Card::Plan) => plan::card::show(state, ui, acts, whole),
+        Some(Card::AtHome) => at_home::card::show(state, ui, acts, whole),
     }
 }
 

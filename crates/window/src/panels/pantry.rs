@@ -32,7 +32,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &m
     let starts = l.fill("pantry.starts", &[("food", &food)]);
     ui.label(RichText::new(starts).size(12.5).color(theme::of(ui).quiet));
     let mut choice = state.settings.choice.clone();
-    food_and_pan(state, &mut choice, &mut memory.stills, ui);
+    food_and_pan(state, &mut choice, &mut memory.stills, ui, acts);
     if choice != state.settings.choice {
         acts.push(Act::Set(Setting::Choice(choice)));
     }
@@ -41,7 +41,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &m
 }
 
 /// The kind of food, its size and temperature, and the pan.
-fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stills, ui: &mut Ui) {
+fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stills, ui: &mut Ui, acts: &mut Acts) {
     let (library, l, fahrenheit) = (&state.session.library, state.settings.language, state.settings.fahrenheit);
     ui.scope(|ui| kinds(ui, library, choice, stills, l));
     if let Some(food) = library.foods.get(&choice.kind) {
@@ -51,6 +51,7 @@ fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stil
     ui.separator();
     ui.heading(l.text("pantry.pan"));
     pans(ui, library, choice, l);
+    crate::panels::at_home::chip::show(state, ui, acts);
     temperature(ui, l.text("pantry.preheated"), &mut choice.preheat_c, 20.0, 260.0, fahrenheit);
 }
 

@@ -10,6 +10,7 @@ use saute_kitchen::food::Scale;
 use saute_scene::quality::Quality;
 
 use crate::act::Card;
+use crate::at_home::fitting::AtHome;
 use crate::input::pouring::Portion;
 use crate::mirror::view::MirrorView;
 use crate::panels::Drawer;
@@ -37,6 +38,8 @@ pub struct WindowState<'a> {
     /// The photo mode.
     #[cfg(not(target_arch = "wasm32"))]
     pub photo: &'a crate::photo::PhotoMode,
+    /// What was entered about the kitchen at home, and the fit to it.
+    pub at_home: &'a AtHome,
     /// The search for a plan.
     pub planning: &'a Planning,
     /// The cook that follows a plan.

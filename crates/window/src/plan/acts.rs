@@ -32,7 +32,8 @@ impl SauteApp {
     fn find_plan(&mut self) {
         let asked = self.settings.plan.asked(&self.settings.choice, &self.session.library, &self.settings);
         let helper = (!self.planning.has_helper()).then(|| self.hire_or_frames(Kind::Plan));
-        self.planning.ask(asked, helper);
+        let home = self.session.home().home().map(str::to_owned);
+        self.planning.ask(asked, home, helper);
     }
 
     /// A helper for a kind of work; where no agency finds one, it works in frames.
@@ -74,7 +75,7 @@ impl SauteApp {
 
     /// Begins the cook of a plan: it plays, or its food and its pan are set out. Returns false if that cannot be done.
     fn begin_plan(&mut self, plan: &Plan, plays: bool) -> bool {
-        let library = Arc::clone(&self.session.library);
+        let library = Arc::clone(self.session.home());
         let begun = match plan.schedule.recipe(&plan.order, &library) {
             Ok(recipe) if plays => self.session.play(recipe).map_err(|error| error.to_string()),
             Ok(recipe) => self.session.set_out_recipe(recipe).map_err(|error| error.to_string()),

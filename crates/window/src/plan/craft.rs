@@ -21,6 +21,8 @@ const COMPUTED_PER_ANSWER: Duration = Duration::from_millis(250);
 pub struct PlanOrder {
     /// Its number, by which answers are known.
     pub number: u64,
+    /// The text of the kitchen at home, unless it is the typical one.
+    pub home: Option<String>,
     /// What is asked.
     pub asked: Asked,
 }
@@ -60,6 +62,11 @@ impl Planning {
         Self { library, work: None, refused: None, computed: Duration::ZERO }
     }
 
+    fn begin(&self, PlanOrder { home, asked, .. }: &PlanOrder) -> Result<Search, String> {
+        let library = self.library.in_kitchen(home.as_deref()).map_err(|error| error.to_string())?;
+        Search::new(asked, Arc::new(library.into_owned())).map_err(|error| error.to_string())
+    }
+
     /// Works on; returns how far it is where that is to be told.
     fn slice(&mut self, budget: Duration) -> Option<(u64, Told)> {
         let (number, search) = self.work.as_mut()?;
@@ -83,10 +90,10 @@ impl Planning {
 impl Craft for Planning {
     fn take(&mut self, order: &[u8]) {
         (self.work, self.refused, self.computed) = (None, None, Duration::ZERO);
-        let Ok(PlanOrder { number, asked }) = postcard::from_bytes(order) else { return };
-        match Search::new(&asked, Arc::clone(&self.library)) {
-            Ok(search) => self.work = Some((number, Box::new(search))),
-            Err(error) => self.refused = Some((number, error.to_string())),
+        let Ok(order) = postcard::from_bytes::<PlanOrder>(order) else { return };
+        match self.begin(&order) {
+            Ok(search) => self.work = Some((order.number, Box::new(search))),
+            Err(why) => self.refused = Some((order.number, why)),
         }
     }
 

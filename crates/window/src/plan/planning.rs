@@ -62,12 +62,12 @@ impl Planning {
         self.helper.is_some()
     }
 
-    /// Asks for a plan, in place of what was asked before; a new helper if one was hired.
-    pub fn ask(&mut self, asked: Asked, hired: Option<Box<dyn Helper>>) {
+    /// Asks for a plan in a kitchen at home, in place of what was asked before; a new helper if one was hired.
+    pub fn ask(&mut self, asked: Asked, home: Option<String>, hired: Option<Box<dyn Helper>>) {
         self.helper = hired.or(self.helper.take());
         let Some(helper) = &mut self.helper else { return };
         self.number += 1;
-        let order = PlanOrder { number: self.number, asked: asked.clone() };
+        let order = PlanOrder { number: self.number, home, asked: asked.clone() };
         let order = postcard::to_allocvec(&order).expect("an order has no kind that postcard lacks");
         helper.ask(order);
         (self.asked, self.standing) = (Some(asked), Standing::Searching(None));

@@ -25,10 +25,7 @@ pub fn heading(order: &Order, library: &Library, settings: &Settings) -> String 
     let pan = library.pans.get(&order.pan).map_or(order.pan.as_str(), |pan| l.called("pan", &pan.name));
     let (size, start) = (size.join(" × "), settings.temperature(order.initial_c));
     let target = target(&order.goal, settings);
-    l.fill(
-        "plan.heading",
-        &[("food", &food), ("size", &size), ("start", &start), ("target", &target), ("pan", &pan)],
-    )
+    l.fill("plan.heading", &[("food", &food), ("size", &size), ("start", &start), ("target", &target), ("pan", &pan)])
 }
 
 /// The share of the section that is on target.

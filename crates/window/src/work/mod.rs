@@ -19,6 +19,7 @@ use std::sync::Arc;
 use saute_kitchen::Library;
 
 use self::bench::Craft;
+use crate::at_home::craft::Fitting;
 use crate::plan::craft::Planning;
 use crate::session::errand::playing::Playing;
 
@@ -29,17 +30,20 @@ pub enum Kind {
     Play,
     /// A plan is searched for.
     Plan,
+    /// A kitchen at home is fitted.
+    Fit,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 2] = [Self::Play, Self::Plan];
+    pub const ALL: [Self; 3] = [Self::Play, Self::Plan, Self::Fit];
 
     /// Its name, by which a page's scripts know it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Play => "play",
             Self::Plan => "plan",
+            Self::Fit => "fit",
         }
     }
 
@@ -53,13 +57,14 @@ impl Kind {
         match self {
             Self::Play => Box::new(Playing::new(library)),
             Self::Plan => Box::new(Planning::new(library)),
+            Self::Fit => Box::new(Fitting::new(library)),
         }
     }
 
     /// Rest after work, as a share of the time that it took [-].
     fn rest_share(self) -> f64 {
         match self {
-            Self::Play | Self::Plan => 0.0,
+            Self::Play | Self::Plan | Self::Fit => 0.0,
         }
     }
 }

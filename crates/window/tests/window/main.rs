@@ -2,6 +2,7 @@
 
 mod advice;
 mod at_hand;
+mod at_home;
 mod contrast;
 mod foods;
 mod hand;

@@ -169,7 +169,8 @@ fn a_cook_by_the_strip_gives_what_was_promised() {
             }
             steps(&mut harness, 2);
         }
-        if harness.query_by_label("Rested: serve").is_some() && harness.query_by_label_contains("You reached").is_some() {
+        if harness.query_by_label("Rested: serve").is_some() && harness.query_by_label_contains("You reached").is_some()
+        {
             break;
         }
         for _ in 0..10 {
@@ -275,7 +276,7 @@ fn a_search_off_the_frame_finds_the_plan_of_a_plain_one() {
         crust_pct: 0.0,
     };
     let mut planning = Planning::default();
-    planning.ask(asked.clone(), Some(Box::new(AtOnce(Bench::new(Kind::Plan, Arc::clone(&library))))));
+    planning.ask(asked.clone(), None, Some(Box::new(AtOnce(Bench::new(Kind::Plan, Arc::clone(&library))))));
     while planning.is_searching() {
         planning.take_answers(&library);
     }

@@ -16,9 +16,10 @@ const HEIGHT: f32 = 30.0;
 type Entry = (&'static str, &'static str, Act);
 
 /// What the menu offers, in its order.
-const ENTRIES: [Entry; 3] = [
+const ENTRIES: [Entry; 4] = [
     ("help.first_steps", "learn.first_steps", Act::Open(Card::FirstSteps)),
     ("plan.title", "learn.plan", Act::Open(Card::Plan)),
+    ("athome.title", "learn.athome", Act::Open(Card::AtHome)),
     ("help.title", "learn.help", Act::Open(Card::Help)),
 ];
 

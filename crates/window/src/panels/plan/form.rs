@@ -28,6 +28,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     crust_and_flips(state, ui, &choice, &mut plan);
     ui.heading(l.text("pantry.pan"));
     pans(ui, library, &mut choice, l);
+    crate::panels::at_home::chip::show(state, ui, acts);
     powers(state, ui, &mut plan);
     if choice != settings.choice {
         acts.push(Act::Set(Setting::Choice(choice)));
@@ -59,9 +60,7 @@ fn foods(state: &WindowState, ui: &mut Ui, choice: &mut SteakChoice, plan: &mut 
         }
     });
     let spoken = l.fill("plan.food_spoken", &[("food", &name)]);
-    shown
-        .response
-        .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &spoken));
+    shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &spoken));
     if choice.kind != before {
         plan.crust_pct = None;
         if let Some(food) = library.foods.get(&choice.kind) {
@@ -114,9 +113,7 @@ fn scale_list(
         }
     });
     let spoken = l.fill("plan.scale_spoken", &[("scale", &name)]);
-    shown
-        .response
-        .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &spoken));
+    shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &spoken));
 }
 
 fn chip(ui: &mut Ui, text: &str, on: bool) -> bool {
@@ -146,7 +143,6 @@ fn powers(state: &WindowState, ui: &mut Ui, plan: &mut PlanChoice) {
     let dial: Vec<String> = dial.iter().map(f64::to_string).collect();
     let field = TextEdit::singleline(&mut plan.powers).hint_text(dial.join(", ")).desired_width(ui.available_width());
     let spoken = l.text("plan.powers");
-    theme::field(ui, field)
-        .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::TextInput, true, spoken));
+    theme::field(ui, field).widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::TextInput, true, spoken));
     ui.label(RichText::new(l.text("plan.powers_how")).size(12.5).color(theme::of(ui).quiet));
 }

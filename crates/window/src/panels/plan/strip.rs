@@ -151,7 +151,8 @@ fn verdict(state: &WindowState, live: &Live, gave: &Outcome, ui: &mut Ui, acts: 
     let (l, settings, plan) = (state.settings.language, state.settings, live.plan());
     ui.label(RichText::new(l.text("plan.over")).size(18.0).strong());
     let line = |outcome: &Outcome, key: &'static str| {
-        let (core, share) = (settings.fine_temperature(outcome.core_peak_c), format!("{:.0}", outcome.target_share_pct));
+        let (core, share) =
+            (settings.fine_temperature(outcome.core_peak_c), format!("{:.0}", outcome.target_share_pct));
         let crust = format!("{:.0}", outcome.crust_pct);
         let class = plan_words::class(&plan.order.goal, l);
         l.fill(key, &[("core", &core), ("share", &share), ("class", &class), ("crust", &crust)])
