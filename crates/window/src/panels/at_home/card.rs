@@ -1,10 +1,10 @@
 //! The card of the kitchen at home: what was observed on its left, what was found on its right.
 
-use egui::{Rect, RichText, ScrollArea, Ui, vec2};
+use egui::{Rect, RichText, ScrollArea, Ui};
 
 use super::{entry, found};
 use crate::act::{Acts, Card};
-use crate::panels::cards::frame::Framed;
+use crate::panels::cards::frame::{Framed, part};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 
@@ -42,15 +42,4 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
 
 fn how(state: &WindowState, ui: &mut Ui) {
     ui.label(RichText::new(state.settings.language.text("athome.how")).size(13.5).color(theme::of(ui).quiet));
-}
-
-fn part(ui: &mut Ui, name: &str, width: f32, height: f32, content: impl FnOnce(&mut Ui)) {
-    ui.allocate_ui(vec2(width, height), |ui| {
-        ui.set_width(width);
-        let scrolled = ScrollArea::vertical().id_salt(name).max_height(height).min_scrolled_height(height);
-        scrolled.auto_shrink([false, false]).show(ui, |ui| {
-            ui.set_width(width - 14.0);
-            content(ui);
-        });
-    });
 }

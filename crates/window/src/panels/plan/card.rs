@@ -1,10 +1,10 @@
 //! The card of plans: what is asked on its left, what was found on its right.
 
-use egui::{Rect, RichText, ScrollArea, Ui, vec2};
+use egui::{Rect, RichText, ScrollArea, Ui};
 
 use super::{answer, form};
 use crate::act::{Act, Acts, Card};
-use crate::panels::cards::frame::Framed;
+use crate::panels::cards::frame::{Framed, part};
 use crate::panels::window_state::WindowState;
 use crate::plan::PlanAct;
 use crate::plan::planning::Standing;
@@ -46,17 +46,6 @@ fn narrow(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         ui.separator();
         form::show(state, ui, acts);
     }
-}
-
-fn part(ui: &mut Ui, name: &str, width: f32, height: f32, content: impl FnOnce(&mut Ui)) {
-    ui.allocate_ui(vec2(width, height), |ui| {
-        ui.set_width(width);
-        let scrolled = ScrollArea::vertical().id_salt(name).max_height(height).min_scrolled_height(height);
-        scrolled.auto_shrink([false, false]).show(ui, |ui| {
-            ui.set_width(width - 14.0);
-            content(ui);
-        });
-    });
 }
 
 fn found(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {

@@ -16,9 +16,9 @@ use crate::words::{cue_words, plan_words};
 
 /// Its width at most, and its height: always the same, so that nothing moves when the words change [points].
 const WIDTH: f32 = 600.0;
-const HEIGHT: f32 = 122.0;
+const HEIGHT: f32 = 148.0;
 /// Its height where the buttons stand on a line of their own [points].
-const NARROW_HEIGHT: f32 = 196.0;
+const NARROW_HEIGHT: f32 = 192.0;
 /// Swings of the bell, and how far it turns [Hz, rad] (chosen).
 const SWINGS_HZ: f64 = 2.5;
 const SWING: f32 = 0.35;
@@ -85,8 +85,8 @@ fn next(state: &WindowState, live: &Live, guidance: &Guidance, ui: &mut Ui, acts
             button(ui, acts, (hurry, hurry), false, due_in_s > READY_S && state.session.speed < 20.0, PlanAct::Hurry);
         }
         leave(state, ui, acts);
-        said(state, guidance, ui);
     });
+    said(state, guidance, ui);
 }
 
 fn size(ui: &Ui) -> egui::Vec2 {
@@ -143,7 +143,8 @@ fn said(state: &WindowState, guidance: &Guidance, ui: &mut Ui) {
             l.fill(key, &[("deed", &cue_words::deed(&deed, l)), ("seconds", &seconds)])
         },
     );
-    ui.label(RichText::new(format!("{place} {text}")).size(13.0).color(theme::of(ui).quiet));
+    let text = RichText::new(format!("{place} {text}")).size(13.0).color(theme::of(ui).quiet);
+    ui.add(egui::Label::new(text).truncate());
 }
 
 /// What was promised beside what was reached.
