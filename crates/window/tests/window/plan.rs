@@ -142,7 +142,7 @@ fn what_is_chosen_on_the_card_is_what_is_asked() {
     harness.get_by_role_and_label(Role::RadioButton, "by temperature").click();
     steps(&mut harness, 3);
     assert!(harness.state().settings().plan.by_core);
-    harness.get_by_label("Core at its highest");
+    harness.get_by_role_and_label(Role::SpinButton, "Core at its highest");
     let settings = harness.state().settings();
     let asked: Asked = settings.plan.asked(&settings.choice, &library, settings);
     assert_eq!((asked.target.as_str(), asked.size_mm.as_slice()), ("core=57", &[60.0, 50.0, 15.0][..]));
