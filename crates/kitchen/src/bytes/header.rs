@@ -84,7 +84,7 @@ mod tests {
         };
         assert_eq!(opened(&changed(bytes.len() - 1)), Err(BytesError::Damaged));
         assert_eq!(opened(&[&bytes[..], b"!"].concat()), Err(BytesError::Damaged));
-        assert_eq!(opened(&changed(8)), Err(BytesError::Format { found: 0, known: FORMAT }));
+        assert_eq!(opened(&changed(8)), Err(BytesError::Format { found: FORMAT ^ 1, known: FORMAT }));
         assert!(matches!(opened(&changed(11)), Err(BytesError::Program { .. })));
     }
 }

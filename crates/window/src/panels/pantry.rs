@@ -26,7 +26,6 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &m
     let food = l.called("noun", &noun);
     ui.heading(l.fill("pantry.mine", &[("food", &food)]));
     set_out(state, memory.count, ui, acts);
-    plan_it(food, ui, acts, l);
     how_many(&mut memory.count, ui, l);
     crate::panels::pieces::all_at_once(state, ui, acts);
     let starts = l.fill("pantry.starts", &[("food", &food)]);
@@ -48,6 +47,7 @@ fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stil
         sizes(ui, food, &mut choice.size_mm, l);
     }
     temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, 0.0, 30.0, fahrenheit);
+    plan_it(l.called("noun", &noun(library, &choice.kind)), ui, acts, l);
     ui.separator();
     ui.heading(l.text("pantry.pan"));
     pans(ui, library, choice, l);

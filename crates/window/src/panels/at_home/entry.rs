@@ -47,12 +47,17 @@ fn cooked(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         }
     });
     let said = match (&entered.recipe, entered.cooked) {
-        (Some((name, _)), Cooked::File) => l.fill("athome.recipe_is", &[("file", name)]),
+        (Some((name, _)), Cooked::File) => l.fill("athome.recipe_is", &[("file", &file_name(name))]),
         (_, Cooked::File) => l.text("athome.recipe_how").to_owned(),
         (_, Cooked::Plan) => l.text("athome.plan_how").to_owned(),
         (_, Cooked::Shown) => l.text("athome.shown_how").to_owned(),
     };
     ui.label(RichText::new(said).size(13.0).color(theme::of(ui).quiet));
+}
+
+/// The name of a file without its folders.
+fn file_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
 /// The log with its columns, or the way to one.
@@ -70,7 +75,7 @@ fn log(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         ui.label(RichText::new(l.text("athome.log_how")).size(13.0).color(theme::of(ui).quiet));
         return;
     };
-    ui.label(RichText::new(l.fill("athome.log_is", &[("file", name), ("rows", &log.rows())])).size(13.5));
+    ui.label(RichText::new(l.fill("athome.log_is", &[("file", &file_name(name)), ("rows", &log.rows())])).size(13.5));
     let mut columns = *chosen;
     egui::Grid::new("columns").num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
         let mut time = Some(columns.time);

@@ -1,7 +1,7 @@
 //! What was found: three values with their intervals, how well they describe what was measured, and the curves.
 
 use egui::{RichText, Ui, vec2};
-use egui_plot::{Legend, Line, Plot, PlotPoints, Points};
+use egui_plot::{Line, Plot, PlotPoints, Points};
 use saute_kitchen::celsius;
 use saute_plan::fit::found::Estimate;
 use saute_plan::fit::observed::Quantity;
@@ -82,6 +82,12 @@ fn found(state: &WindowState, fitted: &Fitted, ui: &mut Ui, acts: &mut Acts) {
 fn plot(state: &WindowState, fitted: &Fitted, ui: &mut Ui) {
     let (l, settings, palette) = (state.settings.language, state.settings, theme::of(ui));
     let degrees = |(at_s, kelvin): &(f64, f64)| [at_s / 60.0, settings.degrees(celsius(*kelvin))];
+    ui.horizontal(|ui| {
+        for (place, key) in [(0, "athome.pan"), (1, "athome.core")] {
+            ui.label(RichText::new(l.text(key)).size(13.0).strong().color(palette.curves[place]));
+        }
+        ui.label(RichText::new(l.text("athome.plot_how")).size(13.0).color(palette.quiet));
+    });
     let samples = state.at_home.observed().samples();
     let measured = |quantity: Quantity| -> Vec<[f64; 2]> {
         let own = samples.iter().filter(|s| s.quantity == quantity && s.at_s.is_finite());
@@ -94,7 +100,6 @@ fn plot(state: &WindowState, fitted: &Fitted, ui: &mut Ui) {
         .allow_zoom(false)
         .allow_boxed_zoom(false)
         .show_crosshair(false)
-        .legend(Legend::default())
         .x_axis_label(l.fill("curves.minutes", &[("unit", &settings.unit())]))
         .show(ui, |plot| {
             let curves = [
