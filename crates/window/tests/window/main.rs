@@ -2,17 +2,16 @@
 
 mod advice;
 mod at_hand;
-mod at_home;
 mod contrast;
 mod foods;
 mod hand;
 mod harness;
+mod home;
 mod japanese;
 mod keys;
 mod mirror;
 mod pan;
 mod photo;
-mod plan;
 mod settings;
 mod steak;
 mod time;
