@@ -36,14 +36,14 @@ export class Host {
     return this.phone.read();
   }
 
-  /** Gives the worker an errand. The module's memory may move: the bytes are copied. */
-  askWorker(errand) {
-    this.errands.ask(errand.slice());
+  /** Gives the worker for a kind of work an order. The module's memory may move: the bytes are copied. */
+  askWorker(kind, order) {
+    this.errands.ask(kind, order.slice());
   }
 
-  /** What the worker answered; undefined if it is of no use. */
-  workerAnswers() {
-    return this.errands.take();
+  /** What the worker for a kind of work answered; undefined if it is of no use. */
+  workerAnswers(kind) {
+    return this.errands.take(kind);
   }
 
   /** Shows the controls of the panels, from JSON. */

@@ -18,7 +18,7 @@ const isEmbedded = asked.has("embed");
 const isLed = asked.has("study") || asked.has("scenario");
 const keptCook = isEmbedded || isLed ? null : new KeptCook(`${recipe}${location.hash}`);
 const controls = new Controls(document.getElementById("controls"), () => page);
-/** The compiled module and the address of its script, for the worker. */
+/** The compiled module and the address of its script, for the workers. */
 let giveProgram;
 const program = new Promise((resolve) => (giveProgram = resolve));
 const errands = new Errands(program, place("errand_worker.js"), () => page?.wake());

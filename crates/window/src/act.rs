@@ -6,8 +6,10 @@ use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
 use crate::guided::GuidedAct;
+use crate::at_home::AtHomeAct;
 use crate::input::pouring::Pourable;
 use crate::mirror::settings::MirrorSettings;
+use crate::plan::PlanAct;
 use crate::session::SteakChoice;
 use crate::ui::glance::EyeView;
 use crate::ui::interface_size::InterfaceSize;
@@ -202,6 +204,10 @@ pub enum Act {
     Guided(GuidedAct),
     /// Says something over the scene.
     Say(String),
+    /// Does something about a plan.
+    Plan(PlanAct),
+    /// Does something about the kitchen at home.
+    AtHome(AtHomeAct),
     /// Opens a card in place of the one that is open.
     Open(Card),
     /// Closes a card.
@@ -274,6 +280,10 @@ pub enum Card {
     Goals,
     /// The result of the cook.
     Result,
+    /// A plan for the chosen food.
+    Plan,
+    /// The kitchen at home.
+    AtHome,
 }
 
 /// What a key is about: the help lists keys by it.

@@ -17,6 +17,8 @@ use saute_scene::quality::Quality;
 
 use crate::act::Card;
 use crate::apply::waiting::Waiting;
+use crate::at_home::fitting::AtHome;
+use crate::at_home::kept::KeptKitchen;
 #[cfg(target_arch = "wasm32")]
 use crate::browser::host::Surroundings;
 use crate::frame_meter::FrameMeter;
@@ -33,6 +35,8 @@ use crate::paint::ground::GroundCallback;
 use crate::paint::panel_layer::PanelLayer;
 use crate::paint::scene::SceneCallback;
 use crate::panels::window_state::PanelMemory;
+use crate::plan::live::Live;
+use crate::plan::planning::Planning;
 use crate::session::Session;
 use crate::settings::Settings;
 use crate::ui::fingers;
@@ -45,6 +49,9 @@ use crate::ui::ways_view::WaysView;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::window::Surroundings;
 use crate::words::language::Language;
+use crate::work::Agency;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::work::thread::Threads;
 
 /// Where settings are remembered.
 const SETTINGS_KEY: &str = "saute.settings";
@@ -71,6 +78,9 @@ pub struct Start {
     pub language: Option<Language>,
     /// True draws panels a few times a second where the graphics are software.
     pub frugal: bool,
+    /// True lets threads work beside the window; without them, and without a page, nobody does.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub threads: bool,
     /// Folder of pictures; that of the user unless given.
     #[cfg(not(target_arch = "wasm32"))]
     pub pictures: Option<std::path::PathBuf>,
@@ -106,6 +116,14 @@ pub struct SauteApp {
     pub(crate) learn: Learning,
     /// Ways side by side.
     pub(crate) ways: WaysView,
+    /// The library with which the program was started.
+    pub(crate) library: Arc<Library>,
+    /// What was entered about the kitchen at home, and the fit to it.
+    pub(crate) at_home: AtHome,
+    /// The search for a plan.
+    pub(crate) planning: Planning,
+    /// The cook that follows a plan.
+    pub(crate) live: Option<Live>,
     /// What panels keep from frame to frame.
     pub(crate) memory: PanelMemory,
     pub(crate) pan_keys: PanKeys,
@@ -133,6 +151,8 @@ pub struct SauteApp {
     /// Chooses the quality of the picture where that is left to the program.
     pub(crate) governor: Governor,
     pub(crate) mirror: MirrorView,
+    /// Who finds helpers for heavy work, if anyone does.
+    agency: Option<Box<dyn Agency>>,
     /// The photo mode.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) photo: crate::photo::PhotoMode,
@@ -191,6 +211,8 @@ impl SauteApp {
         let remembers = stored.is_some() && start.recipe.is_none() && start.recorded.is_none() && !is_led;
         let (settings, refused) = stored.map_or_else(Default::default, |text| Settings::remembered(&text));
         let library = start.library.map_or_else(|| Library::embedded().map(Arc::new), Ok)?;
+        let started = Arc::clone(&library);
+        let library = KeptKitchen::library(settings.kitchen.as_ref(), library);
         let mut session = Session::new(Arc::clone(&library), &settings.choice)
             .or_else(|_| Session::new(library, &Default::default()))?;
         session.set_speed(settings.speed);
@@ -216,6 +238,10 @@ impl SauteApp {
             scene: SceneView::default(),
             learn: Learning::default(),
             ways: WaysView::default(),
+            library: started,
+            at_home: AtHome::default(),
+            planning: Planning::default(),
+            live: None,
             memory: PanelMemory::default(),
             pan_keys: PanKeys::default(),
             tool_hand: ToolHand::default(),
@@ -233,6 +259,7 @@ impl SauteApp {
             governor: Governor::new(Quality::Best),
             japanese_font,
             mirror: MirrorView::default(),
+            agency: None,
             #[cfg(not(target_arch = "wasm32"))]
             photo: Default::default(),
             #[cfg(not(target_arch = "wasm32"))]
@@ -248,6 +275,11 @@ impl SauteApp {
             mirrored: Default::default(),
         };
         app.draw_on(context, graphics);
+        #[cfg(not(target_arch = "wasm32"))]
+        if start.threads {
+            let context = context.clone();
+            app.employ(Box::new(Threads::new(Arc::new(move || context.request_repaint()))));
+        }
         app.settings.language = Language::English;
         app.set_language(language);
         if refused {

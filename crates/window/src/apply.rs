@@ -125,6 +125,8 @@ impl SauteApp {
             Act::Set(setting) => self.set(setting),
             Act::Guided(act) => self.guided_act(act, ctx),
             Act::Say(text) => self.notice.say(text),
+            Act::Plan(act) => self.act_on_plan(act, ctx),
+            Act::AtHome(act) => self.act_on_home(act),
             Act::Open(card) => self.open_card(card),
             Act::Shut(card) => self.shut_card(card),
             Act::Help => self.toggle_card(Card::Help),

@@ -35,8 +35,10 @@ pub(crate) use self::mark::label;
 
 /// The state behind the window.
 pub struct Session {
-    /// Library of foods, pans, rooms, scales and recipes.
+    /// Library of foods, pans, rooms, scales and recipes, with the kitchen at home in which the present cook is.
     pub library: Arc<Library>,
+    /// The library of the kitchen in which later cooks begin.
+    home: Arc<Library>,
     /// The kitchen.
     pub kitchen: Kitchen,
     /// The recipe that plays, until the user gives a command.
@@ -85,6 +87,7 @@ impl Session {
         let kitchen = recipe.kitchen(&library)?;
         let recording = Recording::begin(&recipe, false, &library);
         let mut session = Self {
+            home: Arc::clone(&library),
             library,
             kitchen,
             runner: None,
@@ -145,14 +148,30 @@ impl Session {
 
     /// Begins a cook in place of the present one, which can be brought back.
     fn begin_with(&mut self, recipe: Arc<Recipe>, plays: bool) -> Result<(), ReplayError> {
-        let kitchen = recipe.kitchen(&self.library)?;
+        self.begin_in(Arc::clone(&self.home), recipe, plays)
+    }
+
+    /// As [`Self::begin_with`], in the kitchen of a library.
+    fn begin_in(&mut self, library: Arc<Library>, recipe: Arc<Recipe>, plays: bool) -> Result<(), ReplayError> {
+        let kitchen = recipe.kitchen(&library)?;
         self.put_by();
+        self.library = library;
         self.recording = Recording::begin(&recipe, plays, &self.library);
         self.kitchen = kitchen;
         self.runner = plays.then(|| Runner::new(Arc::clone(&recipe)));
         (self.recipe, self.plays) = (recipe, plays);
         self.begin();
         Ok(())
+    }
+
+    /// The library of the kitchen in which later cooks begin.
+    pub fn home(&self) -> &Arc<Library> {
+        &self.home
+    }
+
+    /// Later cooks begin in the kitchen of a library.
+    pub fn move_to(&mut self, home: Arc<Library>) {
+        self.home = home;
     }
 
     /// Restarts with another choice of food and pan.
@@ -164,6 +183,17 @@ impl Session {
         let recipe = as_recipe(&self.library, choice)?;
         self.begin_with(Arc::new(recipe), false)?;
         self.choice = choice.clone();
+        Ok(())
+    }
+
+    /// Sets out the pan and the foods of a recipe, whose steps are left to the cook.
+    ///
+    /// # Errors
+    ///
+    /// If the library has not what the recipe needs.
+    pub fn set_out_recipe(&mut self, recipe: Recipe) -> Result<(), ReplayError> {
+        self.begin_with(Arc::new(recipe), false)?;
+        self.speed = 1.0;
         Ok(())
     }
 
@@ -185,7 +215,7 @@ impl Session {
     /// # Errors
     ///
     /// If the library has not what the recipe needs.
-    pub(crate) fn set_out_recipe(&mut self, recipe: Arc<Recipe>) -> Result<(), ReplayError> {
+    pub(crate) fn set_out_led(&mut self, recipe: Arc<Recipe>) -> Result<(), ReplayError> {
         self.lesson = None;
         self.begin_with(recipe, false)?;
         self.forget_put_by();
@@ -208,7 +238,7 @@ impl Session {
             return self.play(Recipe::clone(&self.recipe));
         }
         let orders: Vec<PieceOrder> = self.recording.entries().iter().filter_map(|e| added(&e.deed)).cloned().collect();
-        self.set_out(&self.choice.clone())?;
+        self.begin_with(Arc::clone(&self.recipe), false)?;
         orders.into_iter().try_for_each(|order| self.add_one(order))?;
         self.end_of_beginning();
         Ok(())
@@ -263,7 +293,7 @@ impl Session {
     }
 
     /// Lets a helper play recorded cooks, long ways through time and ways beside the one that is shown.
-    pub fn employ(&mut self, helper: Box<dyn errand::Helper>) {
+    pub fn employ(&mut self, helper: Box<dyn crate::work::Helper>) {
         self.errands.employ(helper);
     }
 

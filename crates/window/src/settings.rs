@@ -9,7 +9,9 @@ use saute_picture::view::View;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
+use crate::at_home::kept::KeptKitchen;
 use crate::mirror::settings::MirrorSettings;
+use crate::plan::choice::PlanChoice;
 use crate::session::SteakChoice;
 use crate::ui::interface_size::InterfaceSize;
 use crate::ui::quality_choice::QualityChoice;
@@ -60,6 +62,10 @@ pub struct Settings {
     pub speed: f64,
     /// The food and the pan.
     pub choice: SteakChoice,
+    /// What a plan is asked for.
+    pub plan: PlanChoice,
+    /// The kitchen at home that was found.
+    pub kitchen: Option<KeptKitchen>,
     /// Goal for the core's peak of food whose scale states no goal of its own [°C]: at first medium.
     pub goal_c: f64,
     /// Goals for the core by the ids of the scales that state one, in the unit of the scale [°C or %].
@@ -105,6 +111,8 @@ impl Default for Settings {
             scale: DEFAULT_SCALE.to_owned(),
             speed: 1.0,
             choice: SteakChoice::default(),
+            plan: PlanChoice::default(),
+            kitchen: None,
             goal_c: GOAL_C,
             goals: BTreeMap::new(),
             goal_id: None,

@@ -74,6 +74,10 @@ pub struct Library {
     pub hob: HobDescription,
     /// What a kitchen at home has otherwise; hob and room contain it already.
     pub at_home: KitchenAtHome,
+    /// The text of the file that states it, unless it is the program's own.
+    pub(crate) home: Option<Arc<str>>,
+    /// Hob and room without it.
+    pub(crate) typical: Arc<(HobDescription, Room)>,
     /// What juice leaves on the pan.
     pub fond: FondData,
     /// Entries that are not in the tables because a file of the user's is broken, by path: the cause.

@@ -6,12 +6,14 @@ use std::sync::Arc;
 use saute_food::{FoodDescription, Scale};
 use saute_heat::Soup;
 
-use crate::data::at_home::KitchenAtHome;
+use crate::data::at_home::{AT_HOME_FILE, KitchenAtHome};
 use crate::data::data_file::DataFile;
 use crate::data::data_hash::file_hashes;
 use crate::data::goals::{GoalDescription, GoalsFile};
 use crate::data::library::{DonenessFile, Library, LibraryError, with_body};
+use crate::data::room::Room;
 use crate::data::shelf::{Shelved, shipped_files};
+use crate::pan::hob::HobDescription;
 use crate::pan::pan_description::{CoatingDescription, PanDescription};
 
 /// The file of the scales of doneness.
@@ -22,9 +24,6 @@ const GOALS_FILE: &str = "goals.toml";
 
 /// The file of what juice leaves on the pan.
 const FOND_FILE: &str = "fond.toml";
-
-/// The file of what a kitchen at home has otherwise.
-const AT_HOME_FILE: &str = "kitchen-at-home.toml";
 
 /// The cause for which an entry is set aside, where its own file is broken. The error of that file says more.
 const ITS_FILE: &str = "its file in the --data folder is broken";
@@ -61,6 +60,7 @@ impl<'a> Loading<'a> {
     pub(crate) fn library(mut self) -> Result<(Library, Vec<LibraryError>), LibraryError> {
         let bare = self.folder("pans/")?;
         let coatings = self.folder("coatings/")?;
+        let (room, hob): (Room, HobDescription) = (self.parse("kitchen.toml")?, self.parse("hobs/induction.toml")?);
         let mut library = Library {
             foods: self.folder("foods/")?,
             kinetics: self.folder("kinetics/")?,
@@ -70,9 +70,11 @@ impl<'a> Loading<'a> {
             scales: self.scales()?,
             goals: self.goals()?,
             components: self.parse("components.toml")?,
-            room: self.parse("kitchen.toml")?,
-            hob: self.parse("hobs/induction.toml")?,
+            typical: Arc::new((hob.clone(), room.clone())),
+            room,
+            hob,
             at_home: KitchenAtHome::default(),
+            home: None,
             fond: self.parse(FOND_FILE)?,
             set_aside: BTreeMap::new(),
             hashes: file_hashes(&self.files, &self.own.surfaces),
@@ -176,6 +178,8 @@ impl<'a> Loading<'a> {
             Ok(Some(at_home)) => {
                 at_home.set_in(&mut library.hob, &mut library.room);
                 library.at_home = at_home;
+                let text = self.files.get(AT_HOME_FILE).filter(|text| shipped_files().get(AT_HOME_FILE) != Some(text));
+                library.home = text.map(|text| Arc::from(text.as_str()));
                 return Ok(());
             }
             Ok(None) => {}

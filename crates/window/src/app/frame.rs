@@ -43,6 +43,8 @@ impl SauteApp {
         self.take_inbox(&ctx);
         self.let_time_pass(&ctx);
         self.guide();
+        self.follow_plan(&ctx);
+        self.follow_fit(&ctx);
         self.keep_cook(false);
         self.show(ui);
         #[cfg(target_arch = "wasm32")]
@@ -95,6 +97,9 @@ impl SauteApp {
             #[cfg(target_arch = "wasm32")]
             phone_tilts: self.phone_tilts(),
             portion: self.portion,
+            planning: &self.planning,
+            at_home: &self.at_home,
+            live: self.live.as_ref().filter(|live| live.is_of(&self.session)),
             slice: self.slice,
             card: self.card,
             guided: self.guided.as_ref(),
@@ -126,7 +131,7 @@ impl SauteApp {
         }
     }
 
-    /// Opens what was read of a recipe's or a session's file, or says why it cannot.
+    /// Opens what was read of a recipe's or a session's file, or of a thermometer's log, or says why it cannot.
     pub(crate) fn take_file(&mut self, name: &str, read: Result<Vec<u8>, String>) {
         if self.refuses(&Act::ChooseFile) {
             return;
@@ -136,6 +141,8 @@ impl SauteApp {
             read => read,
         };
         match read.map(String::from_utf8) {
+            Ok(Ok(text)) if is_table(name) => self.open_log(name, &text),
+            Ok(Ok(text)) if self.card == Some(Card::AtHome) => self.take_cooked(name, &text),
             Ok(Ok(text)) => self.open_recipe(&text, name),
             Ok(Err(_)) => self.notice.say(self.settings.language.fill("notice.not_text", &[("file", &name)])),
             Err(error) => {
@@ -180,6 +187,12 @@ impl SauteApp {
             ctx.request_repaint_after(std::time::Duration::from_millis(250));
         }
     }
+}
+
+/// True for the name of a table, as thermometers write their logs.
+fn is_table(name: &str) -> bool {
+    let name = name.to_lowercase();
+    [".csv", ".tsv"].iter().any(|ending| name.ends_with(ending))
 }
 
 /// How long a frame may spend on stepping the world, when the last one took `wall_s`.

@@ -36,13 +36,13 @@ extern "C" {
     #[wasm_bindgen(method, js_name = readTilt)]
     pub(super) fn read_tilt(this: &Host) -> Option<Vec<f64>>;
 
-    /// Gives the page's worker an errand.
+    /// Gives the page's worker for a kind of work an order.
     #[wasm_bindgen(method, js_name = askWorker)]
-    pub(super) fn ask_worker(this: &Host, errand: &[u8]);
+    pub(super) fn ask_worker(this: &Host, kind: &str, order: &[u8]);
 
-    /// Takes what the worker answered; none if it is of no use.
+    /// Takes what the worker for a kind of work answered; none if it is of no use.
     #[wasm_bindgen(method, js_name = workerAnswers)]
-    pub(super) fn worker_answers(this: &Host) -> Option<js_sys::Array>;
+    pub(super) fn worker_answers(this: &Host, kind: &str) -> Option<js_sys::Array>;
 
     /// Shows the controls of the panels as HTML, from JSON.
     #[wasm_bindgen(method, js_name = showControls)]
@@ -90,7 +90,7 @@ impl SauteApp {
         let PageStart { host, kept, link, is_embedded } = around.0;
         self.host = host;
         if let Some(host) = self.host.clone() {
-            self.session.employ(Box::new(host));
+            self.employ(Box::new(host));
         }
         if is_embedded && self.card == Some(Card::FirstSteps) {
             self.card = None;

@@ -65,7 +65,7 @@ impl SauteApp {
     /// Opens a lesson: its food is set out, and its card says what it is about.
     pub(crate) fn open_lesson(&mut self, start: LessonStart) {
         let (recipe, speed) = (Arc::clone(&start.scenario.recipe), start.scenario.speed);
-        if let Err(error) = self.session.set_out_recipe(recipe) {
+        if let Err(error) = self.session.set_out_led(recipe) {
             return self.say_trouble(&error);
         }
         let mut desk = LessonDesk::begin(start);
@@ -152,7 +152,7 @@ impl SauteApp {
         let Some(Guided::Study(desk)) = &self.guided else { return };
         let (Stage::Trial { .. }, Some(simulate)) = (desk.study().stage(), desk.study().simulate()) else { return };
         let (recipe, speed) = (Arc::clone(&simulate.recipe), simulate.speed);
-        if let Err(error) = self.session.set_out_recipe(recipe) {
+        if let Err(error) = self.session.set_out_led(recipe) {
             return self.say_trouble(&error);
         }
         self.session.set_speed(speed);

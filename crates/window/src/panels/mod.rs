@@ -1,6 +1,7 @@
 //! The panels around the scene.
 
 pub mod alarm;
+pub mod at_home;
 pub mod badge;
 pub mod cards;
 pub mod cook;
@@ -18,6 +19,7 @@ pub mod pantry;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod photo_bar;
 pub mod pieces;
+pub mod plan;
 pub mod probes;
 pub mod read_out;
 pub mod settings_card;
@@ -91,7 +93,8 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
         learn::goal_alarm::show(state, ui, acts, layout);
     }
     learn::callout::show(state, ui, acts, layout);
-    badge::show(state, ui, acts, layout);
+    let below = plan::strip::show(state, ui, acts, layout);
+    badge::show(state, ui, acts, &below);
     alarm::show(state, ui, acts, whole);
     #[cfg(not(target_arch = "wasm32"))]
     crate::hand::show(state, ui, acts, layout);
@@ -112,6 +115,8 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
         Some(Card::Lessons) => lessons::show(state, ui, acts, whole),
         Some(Card::Goals) => goals::show(state, ui, acts, whole),
         Some(Card::Result) => result::show(state, memory, ui, acts, whole),
+        Some(Card::Plan) => plan::card::show(state, ui, acts, whole),
+        Some(Card::AtHome) => at_home::card::show(state, ui, acts, whole),
     }
 }
 

@@ -12,6 +12,7 @@ use saute_scene::quality::Quality;
 
 use crate::act::Card;
 use crate::guided::Guided;
+use crate::at_home::fitting::AtHome;
 use crate::input::pouring::Portion;
 use crate::learn::tutorial::Tutorial;
 use crate::mirror::view::MirrorView;
@@ -21,6 +22,8 @@ use crate::panels::guided::Entries;
 use crate::panels::inside::Inside;
 use crate::panels::still::Stills;
 use crate::panels::ways::WaysMemory;
+use crate::plan::live::Live;
+use crate::plan::planning::Planning;
 use crate::session::Session;
 use crate::session::timeline::WayBeside;
 use crate::settings::Settings;
@@ -41,6 +44,12 @@ pub struct WindowState<'a> {
     /// The photo mode.
     #[cfg(not(target_arch = "wasm32"))]
     pub photo: &'a crate::photo::PhotoMode,
+    /// What was entered about the kitchen at home, and the fit to it.
+    pub at_home: &'a AtHome,
+    /// The search for a plan.
+    pub planning: &'a Planning,
+    /// The cook that follows a plan.
+    pub live: Option<&'a Live>,
     /// The tool that mouse and right stick lead.
     pub tool: Tool,
     /// True while a turner is in the hand.

@@ -7,6 +7,7 @@ mod foods;
 mod guided;
 mod hand;
 mod harness;
+mod home;
 mod japanese;
 mod keys;
 mod mirror;
