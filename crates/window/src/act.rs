@@ -2,6 +2,7 @@
 
 use egui::Key;
 use saute_picture::view::View;
+use saute_plan::forecast::Question;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
@@ -48,6 +49,8 @@ pub enum Act {
     Flip,
     /// Onto the board.
     Out,
+    /// Does what a forecast asks about with the piece that the panels show.
+    Asked(Question),
     /// The knife halves what was taken out.
     Halve,
     /// Tosses what is in the pan.
@@ -234,6 +237,8 @@ pub enum Setting {
     Goal(f64),
     /// The food and the pan.
     Choice(SteakChoice),
+    /// True lets forecasts be made.
+    Forecasts(bool),
     /// The half mirror.
     Mirror(Box<MirrorSettings>),
 }

@@ -36,6 +36,7 @@ impl SauteApp {
             Act::Heap(ids) => self.heap_in(&ids),
             Act::Remove(ids) => self.session.remove(&ids),
             Act::Flip => self.command(&Command::Flip { food: self.handled_id() }),
+            Act::Asked(question) => self.do_asked(question),
             Act::Halve => self.halve(),
             Act::Out => self.take_out(),
             Act::Toss => self.command(&Command::Toss { height: TOSS_M }),
@@ -152,6 +153,7 @@ impl SauteApp {
                 }
             }
             Setting::Choice(choice) => self.settings.choice = choice,
+            Setting::Forecasts(on) => self.settings.forecasts = on,
             Setting::Mirror(mirror) => self.settings.mirror = *mirror,
         }
     }

@@ -77,6 +77,7 @@ impl Session {
         if ticked {
             self.recorder.observe(&self.kitchen);
             self.probes.observe(&self.kitchen);
+            self.hand_over_present();
         }
         self.rejoin();
         self.keep_keyframes(begun.elapsed());

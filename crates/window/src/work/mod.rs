@@ -20,22 +20,26 @@ use saute_kitchen::Library;
 
 use self::bench::Craft;
 use crate::session::errand::playing::Playing;
+use crate::session::forecasts::foreseeing::Foreseeing;
 
 /// A kind of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// A recorded cook is played.
     Play,
+    /// Forecasts from the present of a cook.
+    Forecast,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 1] = [Self::Play];
+    pub const ALL: [Self; 2] = [Self::Play, Self::Forecast];
 
     /// Its name, by which a page's scripts know it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Play => "play",
+            Self::Forecast => "forecast",
         }
     }
 
@@ -48,6 +52,7 @@ impl Kind {
     fn craft(self, library: Arc<Library>) -> Box<dyn Craft> {
         match self {
             Self::Play => Box::new(Playing::new(library)),
+            Self::Forecast => Box::new(Foreseeing::new(library)),
         }
     }
 
@@ -55,6 +60,8 @@ impl Kind {
     fn rest_share(self) -> f64 {
         match self {
             Self::Play => 0.0,
+            // Half of one core at most.
+            Self::Forecast => 1.0,
         }
     }
 }
