@@ -2,11 +2,12 @@
 
 use egui::Key;
 use saute_picture::view::View;
+use saute_plan::forecast::Question;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
-use crate::guided::GuidedAct;
 use crate::at_home::AtHomeAct;
+use crate::guided::GuidedAct;
 use crate::input::pouring::Pourable;
 use crate::mirror::settings::MirrorSettings;
 use crate::plan::PlanAct;
@@ -51,6 +52,8 @@ pub enum Act {
     Flip,
     /// Onto the board.
     Out,
+    /// Does what a forecast asks about with the piece that the panels show.
+    Asked(Question),
     /// The knife halves what was taken out.
     Halve,
     /// Tosses what is in the pan.
@@ -255,6 +258,8 @@ pub enum Setting {
     SkillMode(bool),
     /// The food and the pan.
     Choice(SteakChoice),
+    /// True lets forecasts be made.
+    Forecasts(bool),
     /// The half mirror.
     Mirror(Box<MirrorSettings>),
 }

@@ -37,6 +37,7 @@ impl SauteApp {
             Act::Heap(ids) => self.heap_in(&ids),
             Act::Remove(ids) => self.session.remove(&ids),
             Act::Flip => self.command(&Command::Flip { food: self.handled_id() }),
+            Act::Asked(question) => self.do_asked(question),
             Act::Halve => self.halve(),
             Act::Out => self.take_out(),
             Act::Toss => self.command(&Command::Toss { height: TOSS_M }),
@@ -163,6 +164,7 @@ impl SauteApp {
             Setting::ResultOpens(on) => self.settings.result_opens = on,
             Setting::SkillMode(on) => self.set_skill_mode(on),
             Setting::Choice(choice) => self.settings.choice = choice,
+            Setting::Forecasts(on) => self.settings.forecasts = on,
             Setting::Mirror(mirror) => self.settings.mirror = *mirror,
         }
     }

@@ -3,6 +3,7 @@
 mod choice;
 mod clock;
 pub mod errand;
+pub mod forecasts;
 mod foresight;
 mod judging;
 mod mark;
@@ -70,6 +71,7 @@ pub struct Session {
     timeline: Timeline,
     /// What is played elsewhere.
     errands: errand::Errands,
+    forecasts: forecasts::Forecasts,
     owed_s: f64,
     selected: Option<String>,
     start_mass_g: BTreeMap<String, f64>,
@@ -106,6 +108,7 @@ impl Session {
             recording,
             timeline: Timeline::default(),
             errands: Default::default(),
+            forecasts: Default::default(),
             owed_s: 0.0,
             selected: None,
             start_mass_g: BTreeMap::new(),

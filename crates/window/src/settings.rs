@@ -86,6 +86,8 @@ pub struct Settings {
     pub curves_open: bool,
     /// True if all panels are hidden.
     pub panels_hidden: bool,
+    /// True if forecasts are made.
+    pub forecasts: bool,
     /// Recipes that were opened from files, the last one first.
     pub recent: Vec<std::path::PathBuf>,
     /// The half mirror.
@@ -123,6 +125,7 @@ impl Default for Settings {
             pieces_open: false,
             curves_open: false,
             panels_hidden: false,
+            forecasts: true,
             recent: Vec::new(),
             mirror: MirrorSettings::default(),
         }
@@ -149,6 +152,11 @@ impl Settings {
     /// Returns true if nothing glides that can jump.
     pub fn moves_less(&self) -> bool {
         self.less_motion.unwrap_or_else(crate::ui::system::wants_less_motion)
+    }
+
+    /// Returns true if forecasts are wanted.
+    pub fn foresees(&self) -> bool {
+        self.forecasts
     }
 
     /// Returns the goal for the core by a scale, in its unit [°C or %].

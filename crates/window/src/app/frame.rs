@@ -168,6 +168,7 @@ impl SauteApp {
             self.governor.frame(wall, begun.elapsed().as_secs_f64());
         }
         self.do_what_waited(ctx);
+        self.session.foresee(now, self.settings.foresees(), &self.settings.scale);
         self.keep_ways_beside(wall);
         self.keep_up(passes);
         if let Err(error) = passed {
@@ -181,6 +182,7 @@ impl SauteApp {
             || self.glance.is_some()
             || self.session.is_travelling()
             || self.ways.catch_up
+            || self.session.forecasts().need_frames()
         {
             ctx.request_repaint();
         } else {

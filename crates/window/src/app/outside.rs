@@ -27,6 +27,7 @@ impl SauteApp {
     /// Lets an agency find helpers for heavy work from now on: each kind of work gets its own.
     pub fn employ(&mut self, agency: Box<dyn Agency>) {
         self.session.employ(agency.hire(Kind::Play, &self.session.library));
+        self.session.employ_for_forecasts(agency.hire(Kind::Forecast, &self.session.library));
         self.agency = Some(agency);
     }
 

@@ -1,6 +1,7 @@
 //! Hob, food and recipes by acts.
 
 use saute_kitchen::{Command, RestOn, kelvin};
+use saute_plan::forecast::Question;
 
 use crate::app::SauteApp;
 use crate::words::piece_words::name;
@@ -38,6 +39,16 @@ impl SauteApp {
     pub(super) fn take_out(&mut self) {
         let food = self.handled_id();
         if self.give(&Command::Rest { food: food.clone(), on: RestOn::Board }) {
+            self.taken_out = Some(food);
+        }
+    }
+
+    /// Does what a forecast asks about with the piece that the panels show; the eye follows what is taken out.
+    pub(super) fn do_asked(&mut self, question: Question) {
+        let food = self.session.steak_id();
+        let commands = question.commands(&self.session.kitchen, &food).unwrap_or_default();
+        let is_done = !commands.is_empty() && commands.iter().all(|command| self.give(command));
+        if is_done && question == Question::TakeOut {
             self.taken_out = Some(food);
         }
     }

@@ -118,6 +118,7 @@ fn changes_cook(act: &Act) -> bool {
             | Act::Remove(_)
             | Act::Flip
             | Act::Out
+            | Act::Asked(_)
             | Act::Halve
             | Act::Toss
             | Act::Pour(_)

@@ -13,7 +13,7 @@ use crate::panels::cut_picture::CutPicture;
 use crate::panels::learn::callout::note_control;
 use crate::panels::learn::coach;
 use crate::panels::window_state::WindowState;
-use crate::panels::{curves, doneness_bar, probes};
+use crate::panels::{ahead, curves, doneness_bar, probes};
 use crate::settings::Settings;
 use crate::ui::{fingers, theme};
 
@@ -30,7 +30,7 @@ pub struct Inside {
 }
 
 /// Height of the picture of the cut at most [points].
-const CUT_HEIGHT: f32 = 52.0;
+const CUT_HEIGHT: f32 = 42.0;
 /// Room for a line of advice [points], and for how many of them there is room in this panel.
 const ADVICE_LINE: f32 = 16.5;
 const ADVICE_LINES: u8 = 4;
@@ -50,10 +50,17 @@ pub fn show(state: &WindowState, inside: &mut Inside, ui: &mut Ui, acts: &mut Ac
     cut(state, inside, ui, acts);
     doneness_bar::show(state, inside, ui, acts);
     readings(state, inside, piece, ui);
+    let (open, ahead) = (state.settings.curves_open, ahead::are_shown(state));
+    if ahead && !open {
+        ahead::line::show(state, ui);
+    }
     probes::show(state, ui, acts);
     more(state, ui, acts);
-    if state.settings.curves_open {
-        let height = (ui.available_height() - 36.0).clamp(128.0, 280.0);
+    if open && ahead {
+        ahead::table::show(state, ui, acts);
+    }
+    if open {
+        let height = (ui.available_height() - 36.0).clamp(if ahead { 110.0 } else { 128.0 }, 280.0);
         curves::show(state, ui, height);
     }
 }
@@ -169,7 +176,8 @@ fn readings(state: &WindowState, inside: &Inside, piece: &Piece, ui: &mut Ui) {
     ];
     // The rest belongs to the curves.
     let shown = if state.settings.curves_open { rows.len() } else { 2 };
-    ui.spacing_mut().interact_size.y = 21.0;
+    // With the forecasts the curves are still in sight.
+    ui.spacing_mut().interact_size.y = if state.settings.curves_open && ahead::are_shown(state) { 18.0 } else { 21.0 };
     egui::Grid::new("readings").num_columns(4).min_col_width(52.0).spacing(vec2(8.0, 3.0)).show(ui, |ui| {
         for row in rows.into_iter().take(shown) {
             for (name, value) in row {

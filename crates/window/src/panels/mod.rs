@@ -1,5 +1,6 @@
 //! The panels around the scene.
 
+pub mod ahead;
 pub mod alarm;
 pub mod at_home;
 pub mod badge;

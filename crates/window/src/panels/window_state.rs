@@ -11,8 +11,8 @@ use saute_kitchen::food::Scale;
 use saute_scene::quality::Quality;
 
 use crate::act::Card;
-use crate::guided::Guided;
 use crate::at_home::fitting::AtHome;
+use crate::guided::Guided;
 use crate::input::pouring::Portion;
 use crate::learn::tutorial::Tutorial;
 use crate::mirror::view::MirrorView;

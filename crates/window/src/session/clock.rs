@@ -78,6 +78,7 @@ impl Session {
             self.recorder.observe(&self.kitchen);
             self.probes.observe(&self.kitchen);
             self.ask_when_due();
+            self.hand_over_present();
         }
         self.rejoin();
         self.keep_keyframes(begun.elapsed());

@@ -33,7 +33,10 @@ pub fn sense(sense: &Sense, settings: &Settings) -> String {
         }
         Sense::Done { core_c, rise_k, feel } => {
             let feel = feel.map_or("", |feel| l.text(of_feel(feel)));
-            l.fill("sense.done", &[("core", &degrees(core_c)), ("rise", &difference(rise_k, settings)), ("feel", &feel)])
+            l.fill(
+                "sense.done",
+                &[("core", &degrees(core_c)), ("rise", &difference(rise_k, settings)), ("feel", &feel)],
+            )
         }
         Sense::Rested { peak_c } => l.fill("sense.rested", &[("peak", &degrees(peak_c))]),
     }

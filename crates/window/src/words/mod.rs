@@ -2,9 +2,9 @@
 
 pub mod act_words;
 pub mod coach_words;
+pub mod cue_words;
 pub mod guided_words;
 pub mod judgement_words;
-pub mod cue_words;
 pub mod language;
 pub(crate) mod next_step;
 pub(crate) mod piece_words;

@@ -22,6 +22,7 @@ use self::bench::Craft;
 use crate::at_home::craft::Fitting;
 use crate::plan::craft::Planning;
 use crate::session::errand::playing::Playing;
+use crate::session::forecasts::foreseeing::Foreseeing;
 
 /// A kind of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -32,11 +33,13 @@ pub enum Kind {
     Plan,
     /// A kitchen at home is fitted.
     Fit,
+    /// Forecasts from the present of a cook.
+    Forecast,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 3] = [Self::Play, Self::Plan, Self::Fit];
+    pub const ALL: [Self; 4] = [Self::Play, Self::Plan, Self::Fit, Self::Forecast];
 
     /// Its name, by which a page's scripts know it.
     pub fn name(self) -> &'static str {
@@ -44,6 +47,7 @@ impl Kind {
             Self::Play => "play",
             Self::Plan => "plan",
             Self::Fit => "fit",
+            Self::Forecast => "forecast",
         }
     }
 
@@ -58,6 +62,7 @@ impl Kind {
             Self::Play => Box::new(Playing::new(library)),
             Self::Plan => Box::new(Planning::new(library)),
             Self::Fit => Box::new(Fitting::new(library)),
+            Self::Forecast => Box::new(Foreseeing::new(library)),
         }
     }
 
@@ -65,6 +70,8 @@ impl Kind {
     fn rest_share(self) -> f64 {
         match self {
             Self::Play | Self::Plan | Self::Fit => 0.0,
+            // Half of one core at most.
+            Self::Forecast => 1.0,
         }
     }
 }

@@ -4,6 +4,7 @@ mod advice;
 mod at_hand;
 mod contrast;
 mod foods;
+mod forecasts;
 mod guided;
 mod hand;
 mod harness;
