@@ -68,7 +68,7 @@ SCIENTIST = (
 PRESETS = {"cook": COOK, "scientist": COOK + SCIENTIST}
 
 #: Spacing of the mesh over that of the default one [-] (docs/python.md has the table from which it was chosen).
-COARSENESS = 3.0
+COARSENESS = 2.0
 
 #: Largest value of an observation, either way: what is beyond is cut off.
 MOST = 10.0

@@ -5,6 +5,7 @@ use saute_picture::view::View;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
+use crate::guided::GuidedAct;
 use crate::input::pouring::Pourable;
 use crate::mirror::settings::MirrorSettings;
 use crate::session::SteakChoice;
@@ -191,8 +192,14 @@ pub enum Act {
     Calibrate(bool),
     /// Reads the half mirror's rig again.
     ReadRig,
+    /// Saves the result of the cook as a picture.
+    ShareResult,
+    /// Begins the tutorial, or leaves it.
+    Tutorial(bool),
     /// Changes a remembered setting.
     Set(Setting),
+    /// What a study or a lesson asks for.
+    Guided(GuidedAct),
     /// Says something over the scene.
     Say(String),
     /// Opens a card in place of the one that is open.
@@ -232,6 +239,14 @@ pub enum Setting {
     Scale(String),
     /// Goal for the core by the scale of the food shown, in its unit [°C or %].
     Goal(f64),
+    /// The goal that a cook is judged by, by its id.
+    GoalNamed(String),
+    /// True if the coach speaks.
+    Coach(bool),
+    /// True if the result opens by itself.
+    ResultOpens(bool),
+    /// True if all read-outs are hidden.
+    SkillMode(bool),
     /// The food and the pan.
     Choice(SteakChoice),
     /// The half mirror.
@@ -253,6 +268,12 @@ pub enum Card {
     FirstSteps,
     /// What there is to learn and to try.
     Learn,
+    /// The lessons.
+    Lessons,
+    /// The goals of a cook.
+    Goals,
+    /// The result of the cook.
+    Result,
 }
 
 /// What a key is about: the help lists keys by it.

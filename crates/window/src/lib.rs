@@ -27,9 +27,11 @@ pub mod export;
 mod files;
 pub mod frame_meter;
 pub mod governor;
+pub mod guided;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod hand;
 pub mod input;
+pub mod learn;
 pub mod link;
 pub mod mirror;
 #[cfg(not(target_arch = "wasm32"))]

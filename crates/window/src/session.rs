@@ -4,6 +4,7 @@ mod choice;
 mod clock;
 pub mod errand;
 mod foresight;
+mod judging;
 mod mark;
 mod resumed;
 mod selection;
@@ -15,6 +16,7 @@ use std::sync::Arc;
 
 use saute_kitchen::{Command, Kitchen, Library, PieceOrder, Refused};
 use saute_picture::probe::Probes;
+use saute_plan::class::Lesson;
 use saute_recipe::session::{Deed, ReplayError};
 use saute_recipe::{Recipe, Recorder, Recording, Runner};
 
@@ -55,6 +57,8 @@ pub struct Session {
     pub generation: u64,
     /// Devices that hands hold, and the tools in them.
     pub hands: Hands,
+    /// The lesson that watches the cook.
+    pub lesson: Option<Lesson>,
     choice: SteakChoice,
     /// What the cook began with: a recipe that plays, or one that only sets out the chosen food and pan.
     recipe: Arc<Recipe>,
@@ -92,6 +96,7 @@ impl Session {
             paused: false,
             generation: 0,
             hands: Hands::default(),
+            lesson: None,
             choice: choice.clone(),
             recipe,
             plays: false,
@@ -172,6 +177,25 @@ impl Session {
         self.paused = false;
         self.speed = 1.0;
         Ok(())
+    }
+
+    /// Sets out pan and food of a recipe, without its steps, for a cook that a study or a lesson leads: there is no way back to the cook
+    /// before.
+    ///
+    /// # Errors
+    ///
+    /// If the library has not what the recipe needs.
+    pub(crate) fn set_out_recipe(&mut self, recipe: Arc<Recipe>) -> Result<(), ReplayError> {
+        self.lesson = None;
+        self.begin_with(recipe, false)?;
+        self.forget_put_by();
+        self.set_paused(false);
+        Ok(())
+    }
+
+    /// Returns true while the lesson waits for an answer.
+    pub(crate) fn asks(&self) -> bool {
+        self.lesson.as_ref().is_some_and(|lesson| lesson.waiting().is_some())
     }
 
     /// Restarts the same recipe or choice, with the food that was added.

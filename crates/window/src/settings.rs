@@ -64,6 +64,14 @@ pub struct Settings {
     pub goal_c: f64,
     /// Goals for the core by the ids of the scales that state one, in the unit of the scale [°C or %].
     pub goals: BTreeMap<String, f64>,
+    /// Id of the goal that a cook is judged by; none for the class that the goal of the core lies in.
+    pub goal_id: Option<String>,
+    /// True if the coach says what happens, what to perceive next, and when the goal is reached.
+    pub coach: bool,
+    /// True if the result opens by itself when the food has rested.
+    pub result_opens: bool,
+    /// True if all read-outs are hidden while one cooks.
+    pub skill_mode: bool,
     /// True if the panel with the food's choices is open.
     pub pantry_open: bool,
     /// True if the list of the pieces is open.
@@ -99,6 +107,10 @@ impl Default for Settings {
             choice: SteakChoice::default(),
             goal_c: GOAL_C,
             goals: BTreeMap::new(),
+            goal_id: None,
+            coach: true,
+            result_opens: true,
+            skill_mode: false,
             pantry_open: false,
             pieces_open: false,
             curves_open: false,

@@ -97,6 +97,7 @@ fn remedy(shortfalls: &[Shortfall]) -> &'static str {
     match shortfalls.first() {
         Some(Shortfall::Undercooked) => "a thinner piece, a warmer start, or more powers (--hob)",
         Some(Shortfall::Overcooked) => "a thicker piece, a colder start, or lower powers (--hob)",
+        Some(Shortfall::Share) => "a thicker piece, or more flips (--max-flips)",
         Some(Shortfall::Crust) => "a thicker piece, a colder start, less crust (--crust-pct), or higher powers (--hob)",
         Some(Shortfall::Burnt | Shortfall::Fire) => "lower powers (--hob), or less crust (--crust-pct)",
         None => "none is needed",

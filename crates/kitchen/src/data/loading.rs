@@ -9,12 +9,16 @@ use saute_heat::Soup;
 use crate::data::at_home::KitchenAtHome;
 use crate::data::data_file::DataFile;
 use crate::data::data_hash::file_hashes;
+use crate::data::goals::{GoalDescription, GoalsFile};
 use crate::data::library::{DonenessFile, Library, LibraryError, with_body};
 use crate::data::shelf::{Shelved, shipped_files};
 use crate::pan::pan_description::{CoatingDescription, PanDescription};
 
 /// The file of the scales of doneness.
 const DONENESS_FILE: &str = "doneness.toml";
+
+/// The file of the goals.
+const GOALS_FILE: &str = "goals.toml";
 
 /// The file of what juice leaves on the pan.
 const FOND_FILE: &str = "fond.toml";
@@ -64,6 +68,7 @@ impl<'a> Loading<'a> {
             oils: self.folder("oils/")?,
             recipes: in_folder(&self.files, "recipes/").map(|(id, text)| (id.to_owned(), text.clone())).collect(),
             scales: self.scales()?,
+            goals: self.goals()?,
             components: self.parse("components.toml")?,
             room: self.parse("kitchen.toml")?,
             hob: self.parse("hobs/induction.toml")?,
@@ -78,6 +83,7 @@ impl<'a> Loading<'a> {
         self.settle_foods(&mut library)?;
         library.set_aside.clone_from(&self.set_aside);
         self.settle_scales(&mut library)?;
+        self.settle_goals(&mut library)?;
         library.set_aside = self.set_aside;
         Ok((library, self.faults))
     }
@@ -125,6 +131,16 @@ impl<'a> Loading<'a> {
         match self.parse::<DonenessFile>(DONENESS_FILE) {
             Ok(parsed) => Ok(parsed.scale.into_iter().map(Arc::new).collect()),
             Err(error) => self.fault(DONENESS_FILE, error).map(|()| Vec::new()),
+        }
+    }
+
+    fn goals(&mut self) -> Result<Vec<Arc<GoalDescription>>, LibraryError> {
+        if self.set_aside.contains_key(GOALS_FILE) {
+            return Ok(Vec::new());
+        }
+        match self.parse::<GoalsFile>(GOALS_FILE) {
+            Ok(parsed) => Ok(parsed.goal.into_iter().map(Arc::new).collect()),
+            Err(error) => self.fault(GOALS_FILE, error).map(|()| Vec::new()),
         }
     }
 
@@ -220,6 +236,19 @@ impl<'a> Loading<'a> {
         if let Err(error) = library.check_scales(&self.file(DONENESS_FILE)) {
             self.fault(DONENESS_FILE, error)?;
             library.scales.clear();
+        }
+        Ok(())
+    }
+
+    /// Sets the user's goals aside if one cannot be judged. A shipped goal for whose class the user's scales have no name goes alone.
+    fn settle_goals(&mut self, library: &mut Library) -> Result<(), LibraryError> {
+        if !self.own.texts.contains_key(GOALS_FILE) && self.own.texts.contains_key(DONENESS_FILE) {
+            let scales = &library.scales;
+            library.goals.retain(|goal| scales.iter().any(|scale| goal.is_on(scale)));
+        }
+        if let Err(error) = library.check_goals(&self.file(GOALS_FILE)) {
+            self.fault(GOALS_FILE, error)?;
+            library.goals.clear();
         }
         Ok(())
     }

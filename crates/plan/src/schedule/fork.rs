@@ -66,7 +66,7 @@ fn goes_on(kitchen: &Kitchen, elapsed_s: u32) -> bool {
 
 /// Mean of what the goal's scale measures at the core now [°C or %].
 pub(crate) fn core_now(kitchen: &Kitchen, goal: &Goal) -> f64 {
-    at_core(kitchen, goal, Piece::core)
+    at_core(kitchen.pieces().iter(), goal, Piece::core)
 }
 
 /// Work of the last second [-].

@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use egui::Ui;
+use saute_kitchen::advice::coaching::Coaching;
 use saute_recipe::session::session_file::is_session;
 use web_time::{Duration, Instant};
 
 use super::SauteApp;
-use crate::act::{Acts, Card};
+use crate::act::{Act, Acts, Card};
 use crate::panels;
 use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
@@ -41,6 +42,7 @@ impl SauteApp {
         #[cfg(target_arch = "wasm32")]
         self.take_inbox(&ctx);
         self.let_time_pass(&ctx);
+        self.guide();
         self.keep_cook(false);
         self.show(ui);
         #[cfg(target_arch = "wasm32")]
@@ -75,6 +77,12 @@ impl SauteApp {
         let ways = if self.shows_ways() { self.session.ways() } else { Vec::new() };
         let way_names = if ways.is_empty() { BTreeMap::new() } else { self.session.way_names() };
         let l = self.settings.language;
+        let coach = self.settings.coach && !self.settings.skill_mode;
+        let piece = self.session.steak().filter(|_| coach);
+        let coaching = piece.and_then(|piece| Coaching::of(&self.session.kitchen, piece, &advice));
+        let alarm = coach && advice.iter().any(|one| one.is_goal());
+        let result = if self.card == Some(Card::Result) { self.result_words() } else { None };
+        let taught = advice.clone();
         let state = WindowState {
             session: &self.session,
             settings: &self.settings,
@@ -89,11 +97,16 @@ impl SauteApp {
             portion: self.portion,
             slice: self.slice,
             card: self.card,
+            guided: self.guided.as_ref(),
             said: &self.notice,
             unfinished_s: self.offered_s(),
             japanese_font: self.japanese_font,
             quality,
             advice,
+            coaching,
+            alarm,
+            result,
+            tutorial: self.learn.tutorial.as_ref(),
             notice: self.notice.current(),
             waiting: self.waiting.iter().map(|waiting| waiting.words(l)).collect(),
             ways,
@@ -101,6 +114,8 @@ impl SauteApp {
         };
         let mut acts = Acts::new();
         panels::show_all(&state, &mut self.memory, ui, &mut acts, layout);
+        self.tutor(&taught);
+        self.watch_result(&taught);
         acts
     }
 
@@ -113,6 +128,9 @@ impl SauteApp {
 
     /// Opens what was read of a recipe's or a session's file, or says why it cannot.
     pub(crate) fn take_file(&mut self, name: &str, read: Result<Vec<u8>, String>) {
+        if self.refuses(&Act::ChooseFile) {
+            return;
+        }
         let read = match read {
             Ok(bytes) if is_session(&bytes) => return self.open_session(name, &bytes),
             read => read,

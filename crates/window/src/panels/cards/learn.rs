@@ -16,8 +16,11 @@ const HEIGHT: f32 = 30.0;
 type Entry = (&'static str, &'static str, Act);
 
 /// What the menu offers, in its order.
-const ENTRIES: [Entry; 2] = [
+const ENTRIES: [Entry; 5] = [
+    ("tutorial.title", "learn.tutorial", Act::Tutorial(true)),
+    ("goals.title", "learn.goals", Act::Open(Card::Goals)),
     ("help.first_steps", "learn.first_steps", Act::Open(Card::FirstSteps)),
+    ("lesson.title", "learn.lessons", Act::Open(Card::Lessons)),
     ("help.title", "learn.help", Act::Open(Card::Help)),
 ];
 

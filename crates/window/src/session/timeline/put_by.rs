@@ -37,6 +37,12 @@ impl Session {
         }
     }
 
+    /// Forgets all cooks that were put by.
+    pub(in crate::session) fn forget_put_by(&mut self) {
+        self.timeline.past.clear();
+        self.timeline.later.clear();
+    }
+
     /// Counts what the beginning itself made: it is not undone by itself.
     pub(in crate::session) fn end_of_beginning(&mut self) {
         self.timeline.course.given = self.recording.entries().len();
