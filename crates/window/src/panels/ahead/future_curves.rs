@@ -57,7 +57,7 @@ fn points(state: &WindowState, standing: &Standing, question: Question) -> Vec<(
     let exact_begun_s = exact.map_or(0.0, |answer| begun_s(answer.outlook.frame));
     let of_exact = exact.into_iter().flat_map(|answer| &answer.outlook.samples);
     let of_exact = of_exact.map(|sample| (exact_begun_s + sample.after_s, sample.core, 0.0));
-    let exact_until_s = of_exact.clone().last().map_or(now_s, |(at_s, ..)| at_s);
+    let exact_until_s = of_exact.clone().next_back().map_or(now_s, |(at_s, ..)| at_s);
     let from_s = begun_s(standing.answer.outlook.frame);
     let coarse = standing.answer.outlook.samples.iter();
     let coarse = coarse.map(|sample| (from_s + sample.after_s, sample.core, standing.band.core_at(sample.after_s)));
