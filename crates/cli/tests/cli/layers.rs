@@ -88,8 +88,17 @@ const ARROWS: [(&str, &[&str]); 18] = [
 ];
 
 /// What the page needs in a browser.
-const WEB: &[&str] =
-    &["saute-kitchen", "saute-recipe", "saute-scene", "saute-window", "eframe", "egui", "egui-wgpu", "wgpu"];
+const WEB: &[&str] = &[
+    "saute-kitchen",
+    "saute-plan",
+    "saute-recipe",
+    "saute-scene",
+    "saute-window",
+    "eframe",
+    "egui",
+    "egui-wgpu",
+    "wgpu",
+];
 
 /// Crates outside the workspace whose arrows are stated, by kind.
 const NOTABLE: [&[&str]; 6] = [RIGID_BODIES, GRAPHICS, WINDOW, SOUND, COMMAND_LINE, OUTSIDE_WORLD];

@@ -55,6 +55,17 @@ impl SauteApp {
         self.settings.language = language;
     }
 
+    /// What the guide says in a cook that follows a plan.
+    pub fn guidance(&self) -> Option<crate::plan::live::Guidance> {
+        let live = self.live.as_ref().filter(|live| live.is_of(&self.session))?;
+        Some(live.guidance(&self.session))
+    }
+
+    /// What was entered about the kitchen at home, and the fit to it.
+    pub fn at_home(&self) -> &crate::at_home::fitting::AtHome {
+        &self.at_home
+    }
+
     /// Returns true if the card of the first steps is shown.
     pub fn first_steps_are_open(&self) -> bool {
         self.card == Some(Card::FirstSteps)

@@ -77,7 +77,8 @@ impl SauteApp {
     }
 
     /// Restarts with the chosen food and pan.
-    pub(super) fn set_out(&mut self) {
+    pub(crate) fn set_out(&mut self) {
+        self.learn.shown_for = None;
         match self.session.set_out(&self.settings.choice) {
             Ok(()) => self.motions.clear(),
             Err(error) => self.say_trouble(&error),
@@ -111,6 +112,10 @@ impl SauteApp {
     }
 
     pub(super) fn restart(&mut self) {
+        if self.guided.is_some() {
+            return self.lesson_again();
+        }
+        self.learn.shown_for = None;
         if let Err(error) = self.session.restart() {
             self.say_trouble(&error);
         }

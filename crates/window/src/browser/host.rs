@@ -52,6 +52,10 @@ extern "C" {
     #[wasm_bindgen(method)]
     pub(super) fn tell(this: &Host, cook: &str, said: &str);
 
+    /// Hands a result to the page around this one, if the address says to whom.
+    #[wasm_bindgen(method, js_name = reportResult)]
+    fn report_result(this: &Host, row: &str);
+
     /// Copies a text to the clipboard.
     #[wasm_bindgen(method, js_name = copyText)]
     fn copy_text(this: &Host, text: &str);
@@ -98,6 +102,15 @@ impl SauteApp {
     }
 }
 
+impl Host {
+    /// Hands a result to the page around this one, if the address says to whom.
+    pub(crate) fn report(&self, row: &saute_plan::class::ResultRow) {
+        if let Ok(text) = serde_json::to_string(row) {
+            self.report_result(&text);
+        }
+    }
+}
+
 impl CookStore for Host {
     fn begin(&mut self, bytes: &[u8]) -> Result<(), String> {
         self.keep_cook(true, bytes).map_or(Ok(()), Err)
@@ -106,6 +119,11 @@ impl CookStore for Host {
     fn append(&mut self, bytes: &[u8]) -> Result<(), String> {
         self.keep_cook(false, bytes).map_or(Ok(()), Err)
     }
+}
+
+/// The time of day [ISO 8601, UTC].
+pub(crate) fn time_of_day() -> String {
+    js_sys::Date::new_0().to_iso_string().into()
 }
 
 /// The address of the page without its query and fragment.

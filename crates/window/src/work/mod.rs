@@ -19,6 +19,8 @@ use std::sync::Arc;
 use saute_kitchen::Library;
 
 use self::bench::Craft;
+use crate::at_home::craft::Fitting;
+use crate::plan::craft::Planning;
 use crate::session::errand::playing::Playing;
 use crate::session::forecasts::foreseeing::Foreseeing;
 
@@ -29,17 +31,23 @@ pub enum Kind {
     Play,
     /// Forecasts from the present of a cook.
     Forecast,
+    /// A plan is searched for.
+    Plan,
+    /// A kitchen at home is fitted.
+    Fit,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 2] = [Self::Play, Self::Forecast];
+    pub const ALL: [Self; 4] = [Self::Play, Self::Forecast, Self::Plan, Self::Fit];
 
     /// Its name, by which a page's scripts know it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Play => "play",
             Self::Forecast => "forecast",
+            Self::Plan => "plan",
+            Self::Fit => "fit",
         }
     }
 
@@ -53,15 +61,17 @@ impl Kind {
         match self {
             Self::Play => Box::new(Playing::new(library)),
             Self::Forecast => Box::new(Foreseeing::new(library)),
+            Self::Plan => Box::new(Planning::new(library)),
+            Self::Fit => Box::new(Fitting::new(library)),
         }
     }
 
     /// Rest after work, as a share of the time that it took [-].
     fn rest_share(self) -> f64 {
         match self {
-            Self::Play => 0.0,
             // Half of one core at most.
             Self::Forecast => 1.0,
+            Self::Play | Self::Plan | Self::Fit => 0.0,
         }
     }
 }
