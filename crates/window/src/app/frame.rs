@@ -168,7 +168,9 @@ impl SauteApp {
             self.governor.frame(wall, begun.elapsed().as_secs_f64());
         }
         self.do_what_waited(ctx);
-        self.session.foresee(now, self.settings.foresees(), &self.settings.scale);
+        // Studies and lessons ask what will come.
+        let foresees = self.settings.foresees() && self.guided.is_none();
+        self.session.foresee(now, foresees, &self.settings.scale);
         self.keep_ways_beside(wall);
         self.keep_up(passes);
         if let Err(error) = passed {

@@ -9,6 +9,7 @@ use egui::{Rect, vec2};
 use egui_kittest::{Harness, kittest::NodeT, kittest::Queryable};
 use saute_kitchen::{Command, Library, celsius};
 use saute_plan::forecast::{EXACT_S, Question, SPANS_S};
+use saute_window::act::{Act, Setting};
 use saute_window::session::Session;
 use saute_window::ui::layout::Layout;
 use saute_window::words::language::Language;
@@ -102,8 +103,6 @@ fn a_line_says_what_comes_and_what_if_it_is_taken_out() {
     let session = harness.state().session();
     let (core, peak) = (degrees(session, Question::AsItIs, 120.0), highest(session, Question::TakeOut));
     harness.get_by_label_contains(&format!("In 2 min {core}\u{a0}°C · out now: {peak}\u{a0}°C ("));
-    // The advice says the same.
-    harness.get_by_label_contains(&format!("would peak at {peak}\u{a0}°C"));
 }
 
 #[test]
@@ -299,4 +298,14 @@ fn a_phone_shows_forecasts_in_its_drawer_and_japanese_has_room() {
     harness.key_press(egui::Key::G);
     steps(&mut harness, 12);
     save(&mut harness, "forecast-table-ja");
+}
+
+#[test]
+fn in_skill_mode_nothing_is_foreseen() {
+    let (mut harness, agency) = usual();
+    harness.state_mut().act(Act::Set(Setting::SkillMode(true)), &egui::Context::default());
+    steps(&mut harness, 12);
+    assert!(harness.state().session().foreseen(Question::AsItIs).is_none());
+    assert!(agency.orders.borrow().last().expect("an order").is_empty(), "the work is ended");
+    assert!(harness.query_by_label_contains("In 2 min").is_none());
 }
