@@ -9,7 +9,7 @@ use serde_json::Value;
 
 /// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
 /// skipped.
-const ARROWS: [(&str, &[&str]); 18] = [
+const ARROWS: [(&str, &[&str]); 19] = [
     ("saute-heat", &[]),
     ("saute-food", &["saute-heat"]),
     ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
@@ -48,6 +48,8 @@ const ARROWS: [(&str, &[&str]); 18] = [
         ],
     ),
     ("saute-spidar-sim", &["clap", "thread-priority"]),
+    // For Python: kitchens on all cores, pictures without a window.
+    ("saute-python", &["saute-kitchen", "saute-recipe", "saute-plan", "saute-scene", "saute-picture", "rayon"]),
     // Makes and serves files; has nothing of the simulator in it.
     ("saute-site", &["axum", "clap", "tokio", "tower-http"]),
     // Empty on this machine's platform; for browsers see WEB.
