@@ -5,7 +5,7 @@
 //! on a thread in the native window, in a second instance of the program in a page's worker, or, where there is neither, in the
 //! window's own thread between frames. Nothing is shared: what an order needs is in its bytes, or in the embedded library.
 //!
-//! To add a kind of work: a variant of [`Kind`] with its name, and a [`Craft`](self::bench::Craft) in [`Kind::craft`]. The page's
+//! To add a kind of work: a variant of [`Kind`] with its name, and a [`Craft`] in `Kind::craft`. The page's
 //! scripts take the name as it is. An order replaces the one before and an empty one ends the work, so answers state the number of
 //! their order: some of an earlier one may still be on their way.
 
