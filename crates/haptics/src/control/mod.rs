@@ -15,6 +15,7 @@ pub mod coupled_payload;
 pub mod degrade;
 #[cfg(not(target_arch = "wasm32"))]
 mod end_signals;
+pub mod double_pulse;
 pub mod feel;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod guard_planes;
