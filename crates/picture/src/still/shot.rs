@@ -116,7 +116,7 @@ pub enum Eye {
     Front,
     /// From straight above.
     Above,
-    /// Near the first food.
+    /// Near the first food; where it is cut open, on the side to which the cut looks.
     CloseUp,
     /// From a direction and a distance.
     From {
@@ -137,6 +137,9 @@ impl ShotOptions {
             None => working_view(kitchen),
         };
         camera.field_of_view = self.field_of_view;
+        if self.slice && self.eye == Some(Eye::CloseUp) {
+            camera.yaw = CUT_YAW;
+        }
         if self.slice && self.eye.is_none() {
             let in_pan = kitchen.pieces().iter().any(Piece::in_pan);
             camera.zoom(CUT_DISTANCE);
