@@ -325,7 +325,8 @@ mod tests {
     fn the_inside_is_told_by_steam_then_by_juice_then_by_touch() {
         let core = |c, advice| {
             in_pan(|r| {
-                (r.situation.since_flip_s, r.situation.underside_c, r.situation.browning) = (Some(60.0), 160.0, [0.6, 0.8]);
+                (r.situation.since_flip_s, r.situation.underside_c, r.situation.browning) =
+                    (Some(60.0), 160.0, [0.6, 0.8]);
                 (r.situation.core_c, r.advice) = (c, Some(advice));
             })
         };

@@ -289,9 +289,8 @@ mod tests {
 
     #[test]
     fn the_hob_is_turned_down_once_when_both_sides_are_brown() {
-        let at = |hob_w, browning| {
-            Situation { hob_w, browning, since_flip_s: Some(5.0), ..FRYING }.advice(peak(50.0))[0]
-        };
+        let at =
+            |hob_w, browning| Situation { hob_w, browning, since_flip_s: Some(5.0), ..FRYING }.advice(peak(50.0))[0];
         let gentle = Advice::TooHot { hottest_c: 215.0, smokes: false, to_w: GENTLE_W };
         assert_eq!(at(FRYING_W, [BROWN_BOTH; 2]), gentle);
         assert!(!at(GENTLE_W, [0.9; 2]).is_due() && !at(FRYING_W, [0.5, 0.9]).is_due());

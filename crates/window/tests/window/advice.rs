@@ -20,7 +20,7 @@ fn says(harness: &Harness<'static, SauteApp>, words: &str) -> bool {
 
 /// The button at the place of an advice that names a power: it sets the hob so.
 fn hob_advice<'a>(harness: &'a Harness<'static, SauteApp>) -> Option<egui_kittest::Node<'a>> {
-    harness.query_all_by_label_contains("Do it: hob to ").next()
+    harness.query_all_by_label_contains("As advised: hob to ").next()
 }
 
 /// Presses the button that the advice means; returns true once the food has rested.

@@ -15,7 +15,7 @@ use crate::harness::{save, steps, window};
 fn follow(harness: &mut Harness<'static, SauteApp>, step: Step) {
     let meant = match step {
         _ if says(harness, "First the hob.") => {
-            harness.query_all_by_label_contains("Do it: hob to ").next().expect("a button does it").click();
+            harness.query_all_by_label_contains("As advised: hob to ").next().expect("a button does it").click();
             None
         }
         Step::HobOn => Some("1100 W"),
