@@ -265,27 +265,8 @@ mod tests {
     use super::*;
     use crate::RestOn;
 
-    const WAITING: Readings = Readings {
-        situation: Situation {
-            place: Place::Waiting,
-            pan_c: 20.0,
-            hottest_c: 20.0,
-            pan_is_used: false,
-            hob_w: 0.0,
-            heating_w: 1100.0,
-            smoke_mg_s: 0.0,
-            underside_c: 5.0,
-            browning: [0.0; 2],
-            since_flip_s: None,
-            room_c: 20.0,
-            core_c: 5.0,
-            core_peak_c: 5.0,
-        },
-        oiled: false,
-        renders: false,
-        curls: false,
-        advice: None,
-    };
+    const WAITING: Readings =
+        Readings { situation: Situation::RAW, oiled: false, renders: false, curls: false, advice: None };
 
     fn at(change: impl Fn(&mut Readings)) -> (Happening, Option<Cue>) {
         let mut readings = WAITING;

@@ -187,11 +187,9 @@ fn heating_w(settings: &[f64]) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::RestOn;
-
-    const RAW: Situation = Situation {
+impl Situation {
+    /// A raw steak before a cold pan.
+    pub(super) const RAW: Self = Self {
         place: Place::Waiting,
         pan_c: 20.0,
         hottest_c: 20.0,
@@ -206,6 +204,13 @@ mod tests {
         core_c: 5.0,
         core_peak_c: 5.0,
     };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::RestOn;
+
     const FRYING: Situation = Situation {
         place: Place::Pan([0.0; 2]),
         pan_c: 200.0,
@@ -215,7 +220,7 @@ mod tests {
         underside_c: 140.0,
         core_c: 40.0,
         core_peak_c: 40.0,
-        ..RAW
+        ..Situation::RAW
     };
 
     /// A goal of 60 °C, and the peak to expect.
@@ -225,11 +230,11 @@ mod tests {
 
     #[test]
     fn food_waits_until_the_pan_is_hot() {
-        let at = |pan_c, hob_w| Situation { pan_c, hob_w, ..RAW }.advice(None);
+        let at = |pan_c, hob_w| Situation { pan_c, hob_w, ..Situation::RAW }.advice(None);
         assert_eq!(at(20.0, 0.0), [Advice::TurnOn { power_w: 1100.0 }]);
         assert_eq!(at(159.0, 400.0), [Advice::Heating { pan_c: 159.0, until_c: 180.0 }]);
         assert_eq!(at(161.0, 0.0), [Advice::PutIn { pan_c: 161.0 }]);
-        let hot = Situation { pan_c: 240.0, hottest_c: 271.0, hob_w: 1100.0, ..RAW };
+        let hot = Situation { pan_c: 240.0, hottest_c: 271.0, hob_w: 1100.0, ..Situation::RAW };
         assert_eq!(hot.advice(None), [Advice::TooHot { hottest_c: 271.0, smokes: false, to_w: 400.0 }]);
     }
 
