@@ -6,8 +6,8 @@ import { mkdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { before, test } from "node:test";
 
-import { trouble } from "./browser.mjs";
-import { begins, kitchen, press, stats, until, visit } from "./cooking.mjs";
+import { reaches, trouble } from "./browser.mjs";
+import { kitchen, press, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
 
 const there = kitchen();
@@ -145,8 +145,8 @@ test("a log of a thermometer gives my kitchen, and it is there after a reload", 
   // Settings are stored from time to time.
   await page.waitForTimeout(1500);
   await page.reload();
-  await begins(page);
-  await press(page, "Escape");
+  await reaches(page, "cooking");
+  await clickLabel(page, "Start anew");
   await learn(page, "My kitchen", /^Find my kitchen$/);
   assert.equal(await says(page, /of the power reaches the pan/), kept);
   assert.deepEqual(trouble(seen), []);

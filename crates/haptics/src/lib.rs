@@ -46,8 +46,8 @@ pub mod strings;
 mod template;
 pub mod wrench;
 
-pub use control::feel::Feel;
 pub use control::double_pulse::DoublePulse;
+pub use control::feel::Feel;
 pub use control::rumble::{Rumble, RumbleRule};
 pub use kitchen::contact_model::ContactModel;
 pub use kitchen::handover::Handover;

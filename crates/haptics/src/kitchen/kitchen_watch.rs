@@ -96,8 +96,8 @@ impl KitchenWatch {
             return;
         }
         let contacts = kitchen.world().contacts(piece.key);
-        let [touches, on_blade] = [false, true]
-            .map(|blade| contacts.iter().any(|c| c.force > 0.0 && (c.against == Against::Blade) == blade));
+        let [touches, on_blade] =
+            [false, true].map(|blade| contacts.iter().any(|c| c.force > 0.0 && (c.against == Against::Blade) == blade));
         sum.vapour += piece.vapour_flow;
         if on_blade && !touches {
             return;

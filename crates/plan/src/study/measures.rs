@@ -1,8 +1,8 @@
 //! What came of a trial, in the numbers of a log.
 
 use saute_kitchen::Kitchen;
-use saute_recipe::{Recorder, Recording};
 use saute_recipe::session::Deed;
+use saute_recipe::{Recorder, Recording};
 
 use super::log_row::LogRow;
 use crate::aimed::Aimed;

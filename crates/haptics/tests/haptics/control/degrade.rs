@@ -1,7 +1,7 @@
 //! Promise: rendering degrades by stated rules: wrench, force, rumble, sound and picture.
 
-use saute_haptics::control::degrade::RULES;
 use saute_haptics::DoublePulse;
+use saute_haptics::control::degrade::RULES;
 use saute_haptics::control::rumble::{Rumble, RumbleRule};
 use saute_haptics::device::{Capabilities, HapticDevice, Vibration};
 use saute_haptics::kitchen::contact_model::{ContactModel, Impulse};

@@ -7,9 +7,9 @@ use glam::{DQuat, DVec3};
 use saute_kitchen::Command;
 use saute_kitchen::dynamics::{Pose, Tool};
 use saute_plan::study::Times;
-use saute_window::learn::goal_choice::goal_of;
 use saute_window::SauteApp;
 use saute_window::act::{Act, Setting};
+use saute_window::learn::goal_choice::goal_of;
 use saute_window::session::SteakChoice;
 
 use super::{WIDE, act, set};
