@@ -20,11 +20,11 @@ use saute_window::{Language, SauteApp};
 
 use crate::harness::{save, steps, window};
 
-const WIDE: egui::Vec2 = vec2(1280.0, 720.0);
-const PHONE: egui::Vec2 = vec2(390.0, 844.0);
+pub(super) const WIDE: egui::Vec2 = vec2(1280.0, 720.0);
+pub(super) const PHONE: egui::Vec2 = vec2(390.0, 844.0);
 
 /// A plan for a small steak: its times are chosen, its promise is what its cook gives.
-fn plan(library: &Library) -> Plan {
+pub(super) fn plan(library: &Library) -> Plan {
     let power = |at_s, hob_w| Power { at_s, hob_w };
     let order = Order {
         food: "beef-lean".into(),
@@ -83,7 +83,7 @@ impl Helper for CannedHelper {
     }
 }
 
-fn act(harness: &mut Harness<'static, SauteApp>, act: Act) {
+pub(super) fn act(harness: &mut Harness<'static, SauteApp>, act: Act) {
     let ctx = harness.ctx.clone();
     harness.state_mut().act(act, &ctx);
     steps(harness, 3);
@@ -102,7 +102,7 @@ fn opened(size: egui::Vec2, plan: Plan) -> Harness<'static, SauteApp> {
     harness
 }
 
-fn found(size: egui::Vec2, plan: Plan) -> Harness<'static, SauteApp> {
+pub(super) fn found(size: egui::Vec2, plan: Plan) -> Harness<'static, SauteApp> {
     let mut harness = opened(size, plan);
     harness.get_by_label("Find a plan").scroll_to_me();
     steps(&mut harness, 3);
@@ -196,7 +196,7 @@ fn a_cook_by_the_strip_gives_what_was_promised() {
 }
 
 /// True if the next step of the cook is due.
-fn due(harness: &Harness<'static, SauteApp>) -> bool {
+pub(super) fn due(harness: &Harness<'static, SauteApp>) -> bool {
     harness.state().guidance().and_then(|guidance| guidance.due_in_s()).is_some_and(|in_s| in_s <= 1e-6)
 }
 
