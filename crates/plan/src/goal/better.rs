@@ -115,6 +115,8 @@ const FLIP_EVERY_S: f64 = 30.0;
 const MANY_FLIPS: usize = 4;
 /// Time beyond which a change of the time in the pan is told without it [s] (chosen: the core does not rise evenly for that long).
 const FAR_S: f64 = 300.0;
+/// Distance of a core from its aim from which it was far from done where no time is known [K or points of %] (chosen: two classes).
+const FAR_OFF: f64 = 20.0;
 /// What takes one off the other: times are told in steps of this [s] (chosen: nobody pulls by the second).
 const STEP_S: f64 = 5.0;
 
@@ -188,7 +190,9 @@ impl Evidence<'_> {
         match off {
             off if off > 0.0 => Better::PullEarlier { by: off, by_s: by_s.filter(|by_s| *by_s <= FAR_S) },
             _ if self.warms => Better::RestLonger,
-            off if by_s.is_some_and(|by_s| by_s > FAR_S) => Better::LeaveIn { by: -off, until: self.goal.aim },
+            off if by_s.map_or(-off > FAR_OFF, |by_s| by_s > FAR_S) => {
+                Better::LeaveIn { by: -off, until: self.goal.aim }
+            }
             off => Better::PullLater { by: -off, by_s },
         }
     }
@@ -267,6 +271,7 @@ mod tests {
         assert_eq!(better(under, rises, |evidence| evidence.warms = true), Some(Better::RestLonger));
         let raw = Outcome { at_core: 21.5, ..GOOD };
         assert_eq!(better(raw, rises, |_| {}), Some(Better::LeaveIn { by: 40.0, until: 61.5 }), "400 s tell nothing");
+        assert!(matches!(better(raw, Course::default(), |_| {}), Some(Better::LeaveIn { .. })), "nor does no time");
     }
 
     #[test]

@@ -107,9 +107,7 @@ impl WhyNot {
                 l.fill("athome.wrong_recipe", &[("file", file), ("line", line), ("detail", detail)])
             }
             Self::Condition { step, line } => l.fill("athome.condition", &[("step", step), ("line", line)]),
-            Self::Ended { at_s, end_s } => {
-                l.fill("athome.ended", &[("at", &clock(*at_s)), ("end", &clock(*end_s))])
-            }
+            Self::Ended { at_s, end_s } => l.fill("athome.ended", &[("at", &clock(*at_s)), ("end", &clock(*end_s))]),
             Self::NotCookable => l.text("athome.not_cookable").to_owned(),
             Self::NoKitchen => l.text("plan.no_kitchen").to_owned(),
         }

@@ -20,11 +20,11 @@ impl SauteApp {
         if !(self.settings.result_opens && has_rested && is_free && is_alone && self.session.is_out()) {
             return;
         }
-        let came_out = self.session.came_out_s();
+        let moved = self.session.last_moved_s();
         let same = |a: f64, b: f64| (a - b).abs() < SAME_OUT_S;
-        let is_new = came_out.is_some_and(|now| self.learn.shown_for.is_none_or(|before| !same(now, before)));
+        let is_new = self.learn.shown_for.is_none_or(|before| !same(moved, before));
         if is_new {
-            self.learn.shown_for = came_out;
+            self.learn.shown_for = Some(moved);
             self.card = Some(Card::Result);
         }
     }
@@ -46,7 +46,7 @@ impl SauteApp {
     pub(crate) fn open_result_of_plan(&mut self) {
         let is_free = self.card.is_none() && !self.card_is_open() && !self.shows_ways();
         if self.settings.result_opens && is_free && self.guided.is_none() && self.session.is_out() {
-            self.learn.shown_for = self.session.came_out_s();
+            self.learn.shown_for = Some(self.session.last_moved_s());
             self.card = Some(Card::Result);
         }
     }

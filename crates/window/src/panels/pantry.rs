@@ -96,7 +96,8 @@ fn kinds(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, stills: &mut 
 fn kind(ui: &mut Ui, still: Option<egui::TextureHandle>, name: &str, on: bool) -> bool {
     let palette = theme::of(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width() - 4.0, KIND), egui::Sense::click());
-    response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, response.enabled(), on, name));
+    response
+        .widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, response.enabled(), on, name));
     let ground = if on || response.hovered() { palette.raised } else { egui::Color32::TRANSPARENT };
     let edge = match (response.has_focus(), on) {
         (true, _) => palette.text,

@@ -3,7 +3,7 @@
 use egui::{Align2, Area, Color32, Id, Pos2, Rect, RichText, Stroke, Ui, pos2, vec2};
 use saute_plan::goal::Outcome;
 use saute_plan::schedule::Deed;
-use saute_plan::schedule::follow::{Followed, LATE_S};
+use saute_plan::schedule::follow::{Followed, LATE_S, Left};
 use saute_plan::schedule::voice::Keeping;
 
 use crate::act::{Act, Acts, Card};
@@ -113,6 +113,8 @@ fn leave(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 fn cue(state: &WindowState, live: &Live, followed: &Followed) -> Option<String> {
+    // Of food that is out there is nothing to feel.
+    let followed = Some(followed).filter(|followed| followed.left != Left::Hob)?;
     let sense = live.plan().sense(&followed.step, &state.session.library)?;
     Some(cue_words::sense(&sense, state.settings))
 }
