@@ -32,11 +32,9 @@ fn food() -> String {
 
 /// Does what an advice says; returns true if nothing is left to do.
 fn follow(kitchen: &mut Kitchen, advice: Advice) -> bool {
-    let settings = kitchen.hob().coil.settings_w.clone();
-    let lower = settings.iter().rev().copied().find(|w| *w < kitchen.hob_w()).unwrap_or(0.0);
     let command = match advice {
         Advice::TurnOn { power_w } | Advice::TooCold { power_w } => Command::Hob(power_w),
-        Advice::TooHot { .. } => Command::Hob(lower),
+        Advice::TooHot { to_w, .. } | Advice::TurnDown { to_w, .. } => Command::Hob(to_w),
         Advice::TurnOff => Command::Hob(0.0),
         Advice::PutIn { .. } => Command::Put { food: food(), at: [0.0; 2], heap: false },
         Advice::Flip => Command::Flip { food: food() },

@@ -24,7 +24,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     if narrow {
         ui.spacing_mut().interact_size.y = theme::TOUCH;
         (ui.spacing_mut().item_spacing, ui.spacing_mut().button_padding.x) = (egui::vec2(6.0, 6.0), 9.0);
-        crate::panels::inside::show_advice(state, ui, 2);
+        crate::panels::inside::show_advice(state, ui, 2, acts);
         ui.horizontal_wrapped(|ui| hands(state, ui, acts));
         ui.horizontal_wrapped(|ui| {
             hob_slider::show(state, ui, acts);

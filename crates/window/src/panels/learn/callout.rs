@@ -37,28 +37,44 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
             ui.set_width(width);
             ui.spacing_mut().item_spacing.y = 5.0;
             ui.label(RichText::new(words(state, tutorial)).size(14.5));
+            if let Some(hob) = hob_first(state, tutorial) {
+                do_it(state, hob, ui, acts);
+            }
             foot(state, tutorial, ui, acts);
         });
     });
     ring(tutorial, ui);
 }
 
+/// Advice about the hob that is due while a step waits for the food.
+fn hob_first(state: &WindowState, tutorial: &Tutorial) -> Option<Advice> {
+    let about_hob = |one: &&Advice| one.hob_w().is_some_and(|watts| watts > 0.0);
+    state.advice.iter().find(about_hob).filter(|_| tutorial.step().waits()).copied()
+}
+
+/// The button that does it.
+fn do_it(state: &WindowState, advice: Advice, ui: &mut Ui, acts: &mut Acts) {
+    let Some(watts) = advice.hob_w() else { return };
+    if ui.button(state.settings.language.fill("advice.do_it", &[("power", &format!("{watts:.0} W"))])).clicked() {
+        acts.push(Act::HobSet(watts));
+    }
+}
+
 /// What to do now; the hob comes first where its advice is due.
 fn words(state: &WindowState, tutorial: &Tutorial) -> String {
     let l = state.settings.language;
-    let about_hob = |one: &&Advice| matches!(one, Advice::TooHot { .. } | Advice::TooCold { .. });
-    if let Some(hob) = state.advice.iter().find(about_hob).filter(|_| tutorial.step().waits()) {
-        return l.fill("tutorial.hob_first", &[("advice", &advice_words(*hob, state))]);
+    if let Some(hob) = hob_first(state, tutorial) {
+        return l.fill("tutorial.hob_first", &[("advice", &advice_words(hob, state))]);
     }
-    let is_due = state.advice.first().is_some_and(|one| one.is_due());
     l.text(match tutorial.step() {
         Step::HobOn => "tutorial.hob_on",
         Step::Heat => "tutorial.heat",
         Step::PutIn => "tutorial.put_in",
         Step::Inside => "tutorial.inside",
-        Step::Flip if is_due => "tutorial.flip_now",
+        Step::Flip if state.advice.first() == Some(&Advice::Flip) => "tutorial.flip_now",
         Step::Flip => "tutorial.flip_soon",
-        Step::TakeOut if is_due => "tutorial.take_out_now",
+        Step::TakeOut if state.advice.first().is_some_and(|one| one.is_goal()) => "tutorial.take_out_now",
+        Step::TakeOut if state.advice.first() == Some(&Advice::Flip) => "tutorial.flip_again",
         Step::TakeOut => "tutorial.take_out_soon",
         Step::HobOff => "tutorial.hob_off",
         Step::Rest => "tutorial.rest",

@@ -1,0 +1,11 @@
+import { resolve } from "node:path";
+import { launch } from "./test/browser.mjs";
+import { press, stats, until, visit } from "./test/cooking.mjs";
+import { serve } from "./test/site_server.mjs";
+const [browser, host] = await Promise.all([launch(), serve(resolve(process.env.SAUTE_PAGE))]);
+const { page } = await visit(browser, `${host.address}?recipe=medium`);
+await press(page,"F2"); await page.waitForTimeout(1500);
+console.log((await page.locator("#controls").innerText()).slice(0,1500));
+await page.waitForTimeout(35000);
+console.log(await page.evaluate(() => JSON.stringify(Object.fromEntries(Object.entries(localStorage))).slice(0,3000)));
+await browser.close(); host.end();
