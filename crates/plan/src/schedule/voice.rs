@@ -48,7 +48,7 @@ impl Keeping {
 
 /// Oil near its flash point: no plan goes there.
 fn is_danger(advice: &Advice) -> bool {
-    matches!(advice, Advice::TooHot { pan_c, .. } if *pan_c > HOT_C)
+    matches!(advice, Advice::TooHot { hottest_c, .. } if *hottest_c > HOT_C)
 }
 
 /// The power that a plan wants, where the hob has long had another one [W].

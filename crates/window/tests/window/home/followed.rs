@@ -122,7 +122,7 @@ fn who_leaves_the_plan_is_told_so_and_advised_again() {
 #[test]
 fn oil_near_its_flash_point_is_warned_of_whatever_the_plan_says() {
     use saute_plan::schedule::voice::Keeping;
-    let hot = Advice::TooHot { pan_c: 300.0, smokes: true };
+    let hot = Advice::TooHot { hottest_c: 300.0, smokes: true, to_w: 500.0 };
     assert_eq!(Keeping::Kept.leaves(&[hot]), [hot]);
 }
 

@@ -101,8 +101,9 @@ fn opened(size: egui::Vec2, plan: Plan) -> Harness<'static, SauteApp> {
     harness.state_mut().employ(Box::new(Canned(plan.clone())));
     let Order { food: kind, size_mm, initial_c, pan, goal, .. } = plan.order;
     let by_core = goal.scale.id == "core";
-    let asked =
-        PlanChoice { by_core, core_c: goal.aim.round(), crust_pct: Some(goal.crust_pct), ..PlanChoice::default() };
+    let usual = PlanChoice::default();
+    let core_c = if by_core { goal.aim.round() } else { usual.core_c };
+    let asked = PlanChoice { by_core, core_c, crust_pct: Some(goal.crust_pct), ..usual };
     act(&mut harness, Act::Plan(PlanAct::Choose(asked)));
     let choice = SteakChoice { kind, size_mm, initial_c, pan, ..SteakChoice::default() };
     act(&mut harness, Act::Set(Setting::Choice(choice)));
