@@ -71,7 +71,8 @@ impl SauteApp {
     /// Shows the panels and cards; returns what they ask for.
     fn show_panels(&mut self, ui: &mut Ui, layout: &Layout) -> Acts {
         let goal = self.scale().map(|scale| (Arc::clone(&scale), self.settings.goal(&scale)));
-        let (advice, quality) = (self.session.advice(goal), self.quality());
+        let (advised, quality) = (self.session.advice(goal), self.quality());
+        let advice = self.leave_to_guide(advised.clone());
         if self.card == Some(Card::Mirror) {
             // The card shows the error of a rig that cannot be read.
             let _ = self.mirror.rig(&self.settings.mirror.rig);
@@ -81,10 +82,10 @@ impl SauteApp {
         let l = self.settings.language;
         let coach = self.settings.coach && !self.settings.skill_mode;
         let piece = self.session.steak().filter(|_| coach);
-        let coaching = piece.and_then(|piece| Coaching::of(&self.session.kitchen, piece, &advice));
+        let coaching = piece.and_then(|piece| Coaching::of(&self.session.kitchen, piece, &advised));
         let alarm = coach && advice.iter().any(|one| one.is_goal());
         let result = if self.card == Some(Card::Result) { self.result_words() } else { None };
-        let taught = advice.clone();
+        let taught = advised;
         let state = WindowState {
             session: &self.session,
             settings: &self.settings,
@@ -108,6 +109,7 @@ impl SauteApp {
             japanese_font: self.japanese_font,
             quality,
             advice,
+            guide_leads: self.guide_leads(),
             coaching,
             alarm,
             result,

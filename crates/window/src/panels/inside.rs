@@ -296,6 +296,11 @@ pub fn show_advice(state: &WindowState, ui: &mut Ui, lines: u8, acts: &mut Acts)
         return;
     }
     let coached = state.coaching.is_some();
+    if state.guide_leads && !state.advice.iter().any(|one| one.is_due()) {
+        let words = state.settings.language.text("plan.leads");
+        child.add(egui::Label::new(RichText::new(words).size(13.0)).truncate()).on_hover_text(words);
+        return coach::show(state, &mut child, lines < ADVICE_LINES);
+    }
     // Below one line of advice the coach speaks; what is due is not left out for that.
     let due = state.advice.iter().filter(|one| one.is_due()).count();
     let told = if coached { due.clamp(1, 2) } else { 2 };

@@ -158,7 +158,7 @@ fn chip(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool,
     let words = egui::RichText::new(text).size(15.0).strikethrough().color(palette.quiet);
     // What skill mode hides can still be clicked: it says why it is off.
     let button = if is_off(state, &act) { egui::Button::new(words) } else { palette.button(text, on) };
-    let response = ui.add(button.min_size(size));
+    let response = ui.add_enabled(!state.forbids(&act), button.min_size(size));
     note_control(ui, &act, response.rect);
     let response = response.on_hover_text(explained(state, &act));
     if response.clicked() {

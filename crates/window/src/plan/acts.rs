@@ -2,14 +2,18 @@
 
 use std::sync::Arc;
 
+use saute_kitchen::Command;
+use saute_kitchen::advice::Advice;
 use saute_plan::schedule::Plan;
+use saute_plan::schedule::voice::Keeping;
 
 use super::PlanFile;
-use super::live::Live;
+use super::live::{Live, News};
 use super::{PlanAct, kitchen_card};
 use crate::act::Card;
 use crate::app::SauteApp;
 use crate::session::SPEEDS;
+use crate::words::cue_words;
 use crate::work::Kind;
 use crate::work::in_frames::InFrames;
 
@@ -24,7 +28,7 @@ impl SauteApp {
             PlanAct::CookItself => self.let_plan_cook(),
             PlanAct::Save(file) => self.save_plan(file, ctx),
             PlanAct::DoStep => self.do_step(),
-            PlanAct::Hurry => self.session.set_speed(SPEEDS[SPEEDS.len() - 1]),
+            PlanAct::Hurry => self.hurry(),
             PlanAct::Leave => self.live = None,
         }
     }
@@ -53,14 +57,56 @@ impl SauteApp {
             let soon = std::time::Duration::from_millis(if self.planning.needs_frames() { 0 } else { 200 });
             ctx.request_repaint_after(soon);
         }
-        if let Some(live) = self.live.as_mut().filter(|live| live.is_of(&self.session)) {
-            live.look_after(&mut self.session);
+        let live = self.live.as_mut().filter(|live| live.is_of(&self.session));
+        let news = live.and_then(|live| live.look_after(&mut self.session));
+        if let Some(news) = news {
+            self.tell(&news);
         }
+    }
+
+    /// Says why time slows down; opens the result once the rest is over.
+    fn tell(&mut self, news: &News) {
+        let l = self.settings.language;
+        match news {
+            News::Slowed(next, from) => {
+                let deeds = cue_words::deeds(next, l);
+                let (key, speed) = (if *from > 1.0 { "plan.slowed" } else { "plan.slowed_here" }, format!("{from:.0}"));
+                self.notice.say(l.fill(key, &[("deed", &deeds), ("speed", &speed)]));
+            }
+            News::Over => self.open_result_of_plan(),
+        }
+    }
+
+    fn hurry(&mut self) {
+        if let Some(live) = &mut self.live {
+            live.hurries(&self.session);
+        }
+        self.session.set_speed(SPEEDS[SPEEDS.len() - 1]);
+    }
+
+    /// What of advice is said: while a plan is kept to, its guide gives the orders.
+    pub(crate) fn leave_to_guide(&self, advice: Vec<Advice>) -> Vec<Advice> {
+        match self.keeping() {
+            Some(keeping) => keeping.leaves(&advice),
+            None => advice,
+        }
+    }
+
+    /// Returns true while a plan is kept to.
+    pub(crate) fn guide_leads(&self) -> bool {
+        self.keeping() == Some(Keeping::Kept)
+    }
+
+    /// How the person stands to the plan of the cook, until it is over.
+    fn keeping(&self) -> Option<Keeping> {
+        let live = self.live.as_ref().filter(|live| live.is_of(&self.session) && live.gave().is_none())?;
+        Some(live.keeping(&self.session))
     }
 
     fn cook_live(&mut self) {
         let Some(plan) = self.planning.plan().cloned() else { return };
         if self.begin_plan(&plan, false) {
+            self.aim_at(&plan.order.goal);
             self.live = Some(Live::new(plan, &self.session));
             self.session.set_paused(true);
         }
@@ -69,7 +115,8 @@ impl SauteApp {
     fn let_plan_cook(&mut self) {
         let Some(plan) = self.planning.plan().cloned() else { return };
         if self.begin_plan(&plan, true) {
-            self.live = None;
+            self.aim_at(&plan.order.goal);
+            self.live = Some(Live::new(plan, &self.session));
         }
     }
 
@@ -85,8 +132,10 @@ impl SauteApp {
             self.say_trouble(error);
             return false;
         }
+        self.learn.shown_for = None;
         self.motions.clear();
         self.card = None;
+        self.say_new_beginning();
         true
     }
 
@@ -94,7 +143,13 @@ impl SauteApp {
     fn do_step(&mut self) {
         let Some(live) = self.live.as_ref().filter(|live| live.is_of(&self.session)) else { return };
         for command in live.commands(&self.session) {
-            self.give(&command);
+            let is_given = self.give(&command);
+            // The eye follows what comes out, as when it is taken out by its own button.
+            if let Command::Rest { food, .. } = command
+                && is_given
+            {
+                self.taken_out = Some(food);
+            }
         }
         self.session.set_paused(false);
     }

@@ -24,6 +24,13 @@ impl Session {
         self.marks.iter().rev().find(|mark| mark.label == "out").map(|mark| mark.time_s)
     }
 
+    /// When food last went into the pan or came out by a command [s]; 0 before that. What tongs carry out makes no mark: it came out after
+    /// it went in.
+    pub fn last_moved_s(&self) -> f64 {
+        let moves = |label: &str| label == "in" || label == "out";
+        self.marks.iter().rev().find(|mark| moves(&mark.label)).map_or(0.0, |mark| mark.time_s)
+    }
+
     /// Returns true if all of the group that the panels show rests and nothing is in the pan.
     pub fn is_out(&self) -> bool {
         let rests = |id: &String| self.kitchen.piece(id).is_some_and(|piece| matches!(piece.place, Place::Rest(_)));

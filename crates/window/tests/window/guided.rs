@@ -6,7 +6,7 @@ use std::sync::Arc;
 use egui::accesskit::Role;
 use egui::{Key, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use saute_kitchen::Library;
 use saute_picture::View;
 use saute_plan::class::{Scenario, shipped};
@@ -126,6 +126,13 @@ fn locks_hold(harness: &mut Harness<'static, SauteApp>) {
     assert!(app.said().iter().any(|said| said == "This is locked here."), "{:?}", app.said());
     assert!(harness.query_by_label_contains("°C").is_none(), "no temperature is read");
     save(harness, "study-blind");
+    press(harness, Key::N);
+    for locked in ["20×", "Pause", "Step", "Start over", "Undo", "Temperature", "Cut", "Set out"] {
+        assert!(harness.get_by_label(locked).accesskit_node().is_disabled(), "{locked} looks as if it could be used");
+    }
+    assert!(!harness.get_by_label("Steak in").accesskit_node().is_disabled(), "it can be used");
+    save(harness, "study-locked-pantry");
+    press(harness, Key::N);
 }
 
 fn enter_real(harness: &mut Harness<'static, SauteApp>) {

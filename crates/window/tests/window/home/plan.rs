@@ -10,6 +10,7 @@ use saute_plan::schedule::asked::Asked;
 use saute_plan::schedule::search::PlanData;
 use saute_plan::schedule::{Change, Job, Order, Plan, Planner, Pull, Schedule, Sensitivity, Setting as Power};
 use saute_window::act::{Act, Card, Setting};
+use saute_window::plan::choice::PlanChoice;
 use saute_window::plan::craft::{PlanAnswer, PlanOrder, Told};
 use saute_window::plan::planning::Planning;
 use saute_window::plan::{PlanAct, PlanFile};
@@ -20,11 +21,16 @@ use saute_window::{Language, SauteApp};
 
 use crate::harness::{save, steps, window};
 
-const WIDE: egui::Vec2 = vec2(1280.0, 720.0);
-const PHONE: egui::Vec2 = vec2(390.0, 844.0);
+pub(super) const WIDE: egui::Vec2 = vec2(1280.0, 720.0);
+pub(super) const PHONE: egui::Vec2 = vec2(390.0, 844.0);
 
 /// A plan for a small steak: its times are chosen, its promise is what its cook gives.
-fn plan(library: &Library) -> Plan {
+pub(super) fn plan(library: &Library) -> Plan {
+    plan_for(library, "medium", 60.0)
+}
+
+/// As [`plan`], for another target and crust [%].
+pub(super) fn plan_for(library: &Library, target: &str, crust_pct: f64) -> Plan {
     let power = |at_s, hob_w| Power { at_s, hob_w };
     let order = Order {
         food: "beef-lean".into(),
@@ -34,7 +40,7 @@ fn plan(library: &Library) -> Plan {
         pan: "carbon-steel-26".into(),
         hob_w: vec![400.0, 1100.0, 2000.0],
         most_flips: 2,
-        goal: Goal::new(&"medium".parse().expect("a target"), library.scale("chefs").expect("a scale"), 60.0)
+        goal: Goal::new(&target.parse().expect("a target"), library.scale("chefs").expect("a scale"), crust_pct)
             .expect("a class"),
     };
     let schedule = Schedule {
@@ -83,7 +89,7 @@ impl Helper for CannedHelper {
     }
 }
 
-fn act(harness: &mut Harness<'static, SauteApp>, act: Act) {
+pub(super) fn act(harness: &mut Harness<'static, SauteApp>, act: Act) {
     let ctx = harness.ctx.clone();
     harness.state_mut().act(act, &ctx);
     steps(harness, 3);
@@ -93,7 +99,12 @@ fn act(harness: &mut Harness<'static, SauteApp>, act: Act) {
 fn opened(size: egui::Vec2, plan: Plan) -> Harness<'static, SauteApp> {
     let mut harness = window(size);
     harness.state_mut().employ(Box::new(Canned(plan.clone())));
-    let Order { food: kind, size_mm, initial_c, pan, .. } = plan.order;
+    let Order { food: kind, size_mm, initial_c, pan, goal, .. } = plan.order;
+    let by_core = goal.scale.id == "core";
+    let usual = PlanChoice::default();
+    let core_c = if by_core { goal.aim.round() } else { usual.core_c };
+    let asked = PlanChoice { by_core, core_c, crust_pct: Some(goal.crust_pct), ..usual };
+    act(&mut harness, Act::Plan(PlanAct::Choose(asked)));
     let choice = SteakChoice { kind, size_mm, initial_c, pan, ..SteakChoice::default() };
     act(&mut harness, Act::Set(Setting::Choice(choice)));
     act(&mut harness, Act::Open(Card::Learn));
@@ -102,7 +113,7 @@ fn opened(size: egui::Vec2, plan: Plan) -> Harness<'static, SauteApp> {
     harness
 }
 
-fn found(size: egui::Vec2, plan: Plan) -> Harness<'static, SauteApp> {
+pub(super) fn found(size: egui::Vec2, plan: Plan) -> Harness<'static, SauteApp> {
     let mut harness = opened(size, plan);
     harness.get_by_label("Find a plan").scroll_to_me();
     steps(&mut harness, 3);
@@ -226,7 +237,7 @@ fn a_flip_by_the_turner_in_the_hand_is_a_step_of_the_guide() {
 }
 
 /// True if the next step of the cook is due.
-fn due(harness: &Harness<'static, SauteApp>) -> bool {
+pub(super) fn due(harness: &Harness<'static, SauteApp>) -> bool {
     harness.state().guidance().and_then(|guidance| guidance.due_in_s()).is_some_and(|in_s| in_s <= 1e-6)
 }
 
