@@ -41,6 +41,7 @@ const ARROWS: [(&str, &[&str]); 19] = [
             "saute-haptics",
             "saute-kitchen",
             "saute-lab",
+            "saute-plan",
             "saute-recipe",
             "saute-spidar-sim",
             "saute-surface",
