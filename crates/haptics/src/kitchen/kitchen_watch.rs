@@ -96,16 +96,21 @@ impl KitchenWatch {
             return;
         }
         let contacts = kitchen.world().contacts(piece.key);
-        let touches = contacts.iter().any(|c| c.force > 0.0 && c.against != Against::Blade);
+        let [touches, on_blade] =
+            [false, true].map(|blade| contacts.iter().any(|c| c.force > 0.0 && (c.against == Against::Blade) == blade));
         sum.vapour += piece.vapour_flow;
-        if !touches {
+        if on_blade && !touches {
             return;
         }
         let (mass, pan) = (piece.mass(), kitchen.world().motion.pose);
         let arm = piece.pose.position - pan.position;
         let force = (before - velocity) * (mass / dt.max(1e-6)) - DVec3::Z * (mass * GRAVITY);
         let food = RelativeFood { mass, arm, past_pan: velocity - twist.at(arm), force };
+        // A blow may be over when the frame ends: food that bounced off touches nothing by then.
         let struck = self.strikes(&food, &pan, dt);
+        if !touches {
+            return;
+        }
         if food.past_pan.length() < STILL {
             sum.payload = sum.payload.with(&at_rest(kitchen, piece, &pan, mass));
         } else {
@@ -122,6 +127,7 @@ impl KitchenWatch {
         }
         struck
     }
+
     fn add_collision(&mut self, food: &RelativeFood, pan: &Pose, impulse: DVec3) {
         self.collisions += 1;
         let slot = (self.collisions - 1) as usize % IMPULSES;

@@ -121,6 +121,7 @@ impl SauteApp {
         };
         let mut acts = Acts::new();
         panels::show_all(&state, &mut self.memory, ui, &mut acts, layout);
+        self.pulse_at_goal(alarm);
         self.tutor(&taught);
         self.watch_result(&taught);
         acts

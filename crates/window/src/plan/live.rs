@@ -6,7 +6,8 @@ use saute_plan::schedule::follow::{Done, Followed, Hand, Standing, follow};
 use saute_plan::schedule::kept::Kept;
 use saute_plan::schedule::voice::Keeping;
 use saute_plan::schedule::{Deed, Plan};
-use saute_recipe::session::Deed as Recorded;
+use saute_recipe::recorder::Laid;
+use saute_recipe::session::{Deed as Recorded, Entry};
 
 use crate::session::Session;
 
@@ -232,8 +233,34 @@ fn is_open(followed: &Followed) -> bool {
     matches!(followed.standing, Standing::Open(_))
 }
 
-/// What was done in the cook up to the shown instant.
+/// What was done in the cook up to the shown instant, in order.
 fn done_in(session: &Session) -> Vec<Done> {
+    let mut done = done_by_commands(session);
+    let turned = turned_by_hand(session);
+    done.extend(turned.into_iter().map(|at_s| Done { at_s, what: Hand::Flip }));
+    done.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
+    done
+}
+
+/// When food was turned over without a command [s]: no flip of it was asked for since it was last turned.
+fn turned_by_hand(session: &Session) -> Vec<f64> {
+    let turns = session.recorder.turns();
+    let entries = session.recording().entries();
+    let by_hand = |turn: &Laid| {
+        let earlier = turns.clone().rfind(|other| other.food == turn.food && other.at_s < turn.at_s);
+        let before_s = earlier.map_or(0.0, |earlier| earlier.at_s);
+        let asks = |entry: &Entry| match &entry.deed {
+            Recorded::Command(Command::Flip { food }) => {
+                *food == turn.food && (before_s..=turn.at_s).contains(&entry.time_s())
+            }
+            _ => false,
+        };
+        (!entries.iter().any(asks)).then_some(turn.at_s)
+    };
+    turns.clone().filter_map(by_hand).collect()
+}
+
+fn done_by_commands(session: &Session) -> Vec<Done> {
     let hand = |command: &Command| match command {
         Command::Hob(w) => Some(Hand::Hob(*w)),
         Command::HobHold { .. } => Some(Hand::Hold),

@@ -152,6 +152,7 @@ fn second_trial(harness: &mut Harness<'static, SauteApp>) {
     cook(harness, 3.0);
     press(harness, Key::F);
     cook(harness, 3.0);
+    crate::teaching::turned::turn_by_hand(harness);
     press(harness, Key::O);
     cook(harness, 3.0);
     save(harness, "study-out");
@@ -165,7 +166,7 @@ fn check_rows(folder: &Path) {
     use RowKind::{Answer, Consent, Entry, Trial};
     assert_eq!(kinds, [Consent, Trial, Entry, Entry, Trial, Answer]);
     assert_eq!((rows[2].value, rows[3].text.as_deref(), rows[5].value), (Some(61.5), Some("medium"), Some(6.0)));
-    assert_eq!((rows[1].put_s, rows[4].flips), (None, Some(1)));
+    assert_eq!((rows[1].put_s, rows[4].flips), (None, Some(2)), "one by the key and one by the turner in the hand");
     assert!(rows[4].put_s < rows[4].out_s && rows[4].trial_wall_s.is_some());
     assert!(rows.iter().all(|row| !row.simulated && row.started.is_none()));
     let session = rows[4].session.clone().expect("is kept");

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::{accesskit::Role, vec2};
 use egui_kittest::{Harness, kittest::Queryable};
-use saute_kitchen::Library;
+use saute_kitchen::{Command, Library};
 use saute_plan::goal::{Goal, Outcome};
 use saute_plan::schedule::asked::Asked;
 use saute_plan::schedule::search::PlanData;
@@ -204,6 +204,36 @@ fn a_cook_by_the_strip_gives_what_was_promised() {
     assert!((gave.core_peak_c - promised.core_peak_c).abs() < 1.0);
     assert!((gave.target_share_pct - promised.target_share_pct).abs() < 3.0);
     harness.get_by_label_contains(&format!("You reached: middle {:.1}", gave.core_peak_c));
+}
+
+/// The turner in a hand and the button count alike, and the button's flip does not count twice.
+#[test]
+fn a_flip_by_the_turner_in_the_hand_is_a_step_of_the_guide() {
+    use saute_plan::schedule::Deed;
+    use saute_plan::schedule::follow::Standing;
+    let library = Library::embedded().expect("embedded data");
+    let mut harness = found(WIDE, plan(&library));
+    harness.get_by_label("Cook it live").click();
+    steps(&mut harness, 3);
+    let flips = |harness: &Harness<'static, SauteApp>| -> Vec<Standing> {
+        let followed = harness.state().guidance().expect("a guide").steps;
+        followed.iter().filter(|f| matches!(f.step.deed, Deed::Flip(_))).map(|f| f.standing).collect()
+    };
+    let session = harness.state_mut().session_mut();
+    let food = session.kitchen.pieces()[0].id.clone();
+    session.command(&Command::Put { food: food.clone(), at: [0.0; 2], heap: false }).expect("puts");
+    (0..30).for_each(|_| session.tick().map(drop).expect("ticks"));
+    crate::teaching::turned::turn_by_hand(&mut harness);
+    assert!(matches!(flips(&harness)[..], [Standing::Done(_), Standing::Open(_)]), "{:?}", flips(&harness));
+    let session = harness.state_mut().session_mut();
+    session.command(&Command::Flip { food }).expect("flips");
+    assert!(matches!(flips(&harness)[..], [_, Standing::Done(_)]), "at once: {:?}", flips(&harness));
+    let session = harness.state_mut().session_mut();
+    let before = session.recorder.turns().count();
+    (0..40).for_each(|_| session.tick().map(drop).expect("ticks"));
+    assert_eq!((before, session.recorder.turns().count()), (1, 2), "it was turned");
+    let [Standing::Done(first_s), Standing::Done(second_s)] = flips(&harness)[..] else { panic!("both are done") };
+    assert!(second_s + 60.0 > first_s + 1.0, "the second is the command, {first_s} s and {second_s} s");
 }
 
 /// True if the next step of the cook is due.

@@ -1,0 +1,154 @@
+// Promises: forecasts come from the page's worker and follow the cook; a plan is asked for, found and cooked; a log gives my kitchen, which
+// is remembered after a reload.
+
+import assert from "node:assert/strict";
+import { mkdirSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { before, test } from "node:test";
+
+import { reaches, trouble } from "./browser.mjs";
+import { kitchen, press, stats, until, visit } from "./cooking.mjs";
+import { clickLabel } from "./labels.mjs";
+
+const there = kitchen();
+const PICTURES = resolve(process.env.SAUTE_PICTURES ?? "pictures");
+
+before(() => mkdirSync(PICTURES, { recursive: true }));
+
+/** Texts and names of all controls of the panels. */
+const read = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll("#controls > *")].map((found) => found.getAttribute("aria-label") ?? found.textContent),
+  );
+
+/** Waits until some control says what is looked for; returns what it says. */
+async function says(page, what, timeout = 60_000) {
+  const end = Date.now() + timeout;
+  for (;;) {
+    const found = (await read(page)).find((text) => what.test(text));
+    if (found !== undefined) return found;
+    assert.ok(Date.now() < end, `${what} in ${await read(page)}`);
+    await page.waitForTimeout(100);
+  }
+}
+
+/** Sets a slider of a name, as a screen reader does. */
+async function slide(page, name, value) {
+  await says(page, new RegExp(`^${name}$`));
+  const slider = page.locator("#controls").getByLabel(name, { exact: true }).last();
+  await slider.evaluate((element, value) => {
+    element.value = value;
+    element.dispatchEvent(new Event("change"));
+  }, String(value));
+}
+
+/** The numbers of a text. */
+const numbers = (text) => (text.match(/-?\d+(\.\d+)?/g) ?? []).map(Number);
+
+/** Opens an entry of the menu of what there is to learn, and waits for a button of its card. */
+async function learn(page, entry, button) {
+  await clickLabel(page, "Learn");
+  await clickLabel(page, entry);
+  await says(page, button);
+}
+
+test("a forecast appears by the worker, and follows the cook", { timeout: 120_000 }, async () => {
+  const { page, seen, close } = await visit(there.browser, there.host.address);
+  for (const key of ["e", "]", "]"]) await press(page, key);
+  await until(page, "the pan heats", (now) => now.time_s > 60);
+  await press(page, "a");
+  await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");
+  const first = numbers(await says(page, /out now/));
+  assert.ok(page.workers().length > 0, "forecasts are made off the frame");
+  const core = (await stats(page)).pieces[0].core_c;
+  assert.ok(first.at(-1) >= core - 1 && first.every(Number.isFinite), `${first}, core ${core} °C`);
+  await page.screenshot({ path: join(PICTURES, "forecast.png") });
+  // Two minutes on it expects more.
+  const begun = (await stats(page)).time_s;
+  const cooked = await until(page, "it cooks on", (now) => now.time_s > begun + 120);
+  const [from, end] = [first.at(-1), Date.now() + 30_000];
+  for (let last = from; last < from + 2; ) {
+    assert.ok(Date.now() < end, `the forecast stays at ${last} °C, core ${cooked.pieces[0].core_c} °C`);
+    await page.waitForTimeout(200);
+    last = numbers(await says(page, /out now/)).at(-1);
+  }
+  assert.deepEqual(trouble(seen), []);
+  await close();
+});
+
+test("a plan is asked for, found and cooked, while the page answers", { timeout: 120_000 }, async () => {
+  const { page, seen, close } = await visit(there.browser, there.host.address);
+  await learn(page, "Plan my steak", /^Find a plan$/);
+  for (const [name, value] of [["thickness", 10], ["length", 30], ["width", 30], ["Flips at most", 1]]) await slide(page, name, value);
+  await page.waitForTimeout(300);
+  await clickLabel(page, "Find a plan");
+  await says(page, /^Search: \d+ %/);
+  const before = await stats(page);
+  await says(page, /^Search: [1-9]\d* %/);
+  assert.ok((await stats(page)).frames > before.frames, "the page draws meanwhile");
+  await says(page, /^Cook it live$/, 90_000);
+  const said = await read(page);
+  const promised = numbers(said.find((text) => /at its highest/.test(text)))[0];
+  assert.ok(promised > 40 && promised < 90, `${promised} °C`);
+  assert.ok(said.some((text) => /30 × 30 × 10 mm/.test(text)) && said.includes("into the pan"), said.join("\n"));
+  await page.screenshot({ path: join(PICTURES, "plan.png") });
+  await clickLabel(page, "Cook it live");
+  const doIt = await says(page, /^Do it: hob to \d+ W$/);
+  await clickLabel(page, doIt);
+  const watt = numbers(doIt)[0];
+  await until(page, "the hob is on", (now) => now.hob_w === watt);
+  await says(page, /Step 1 of \d+/);
+  await page.screenshot({ path: join(PICTURES, "plan-live.png") });
+  assert.deepEqual(trouble(seen), []);
+  await close();
+});
+
+/** Drops a text onto the page as a file. */
+async function drop(page, name, text) {
+  await page.evaluate(
+    ([name, text]) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([text], name, { type: "text/csv" }));
+      const canvas = document.getElementById("canvas");
+      for (const kind of ["dragover", "drop"]) {
+        canvas.dispatchEvent(new DragEvent(kind, { dataTransfer, bubbles: true, cancelable: true }));
+      }
+    },
+    [name, text],
+  );
+}
+
+/** Heats an empty pan at twenty times real time; returns the rows that a thermometer in a weaker kitchen would have written. */
+async function heated(page) {
+  for (const key of ["e", "]", "]"]) await press(page, key);
+  const rows = [];
+  for (let now; !(now?.time_s > 80); await page.waitForTimeout(50)) {
+    now = await stats(page);
+    rows.push(`${now.time_s.toFixed(1)},${(20 + 0.85 * (now.pan_c - 20)).toFixed(2)}`);
+  }
+  await press(page, " ");
+  return `time_s,pan_c\n${[...new Set(rows)].join("\n")}\n`;
+}
+
+test("a log of a thermometer gives my kitchen, and it is there after a reload", { timeout: 150_000 }, async () => {
+  const { page, seen, close } = await visit(there.browser, there.host.address);
+  const log = await heated(page);
+  await learn(page, "My kitchen", /^Find my kitchen$/);
+  await drop(page, "pan.csv", log);
+  await says(page, /pan\.csv: \d+ rows/);
+  await clickLabel(page, "Find my kitchen");
+  await says(page, /^Use this kitchen$/, 90_000);
+  await page.screenshot({ path: join(PICTURES, "my-kitchen.png") });
+  await clickLabel(page, "Use this kitchen");
+  const kept = await says(page, /of the power reaches the pan/);
+  assert.ok(numbers(kept)[0] < 84, `weaker than the typical kitchen: ${kept}`);
+  // Settings are stored from time to time.
+  await page.waitForTimeout(1500);
+  await page.reload();
+  await reaches(page, "cooking");
+  await clickLabel(page, "Start anew");
+  await learn(page, "My kitchen", /^Find my kitchen$/);
+  assert.equal(await says(page, /of the power reaches the pan/), kept);
+  assert.deepEqual(trouble(seen), []);
+  await close();
+});
