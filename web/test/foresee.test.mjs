@@ -45,6 +45,12 @@ async function slide(page, name, value) {
 /** The numbers of a text. */
 const numbers = (text) => (text.match(/-?\d+(\.\d+)?/g) ?? []).map(Number);
 
+/** Highest core, if the food is taken out now, by the line of the forecast [°C]. */
+async function highest(page) {
+  const line = /out now:\s(-?\d+)\s°C/;
+  return Number((await says(page, line)).match(line)[1]);
+}
+
 /** Opens an entry of the menu of what there is to learn, and waits for a button of its card. */
 async function learn(page, entry, button) {
   await clickLabel(page, "Learn");
@@ -52,31 +58,28 @@ async function learn(page, entry, button) {
   await says(page, button);
 }
 
-test("a forecast appears by the worker, and follows the cook", { timeout: 120_000 }, async () => {
+test("a forecast appears by the worker, and follows the cook", { timeout: 300_000 }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address);
   for (const key of ["e", "]", "]"]) await press(page, key);
   await until(page, "the pan heats", (now) => now.time_s > 60);
   await press(page, "a");
   await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");
-  const first = numbers(await says(page, /out now/));
+  const first = await highest(page);
   assert.ok(page.workers().length > 0, "forecasts are made off the frame");
-  const core = (await stats(page)).pieces[0].core_c;
-  assert.ok(first.at(-1) >= core - 1 && first.every(Number.isFinite), `${first}, core ${core} °C`);
+  const begun = await stats(page);
+  assert.ok(first >= begun.pieces[0].core_c - 1, `${first} °C, core ${begun.pieces[0].core_c} °C`);
   await page.screenshot({ path: join(PICTURES, "forecast.png") });
-  // Two minutes on it expects more.
-  const begun = (await stats(page)).time_s;
-  const cooked = await until(page, "it cooks on", (now) => now.time_s > begun + 120);
-  const [from, end] = [first.at(-1), Date.now() + 30_000];
-  for (let last = from; last < from + 2; ) {
-    assert.ok(Date.now() < end, `the forecast stays at ${last} °C, core ${cooked.pieces[0].core_c} °C`);
+  // The longer it lies in the pan, the more is expected of it.
+  for (let last = first; last < first + 1; last = await highest(page)) {
+    const { time_s, pieces } = await stats(page);
+    assert.ok(time_s < begun.time_s + 300, `the forecast stays at ${last} °C, core ${pieces[0].core_c} °C`);
     await page.waitForTimeout(200);
-    last = numbers(await says(page, /out now/)).at(-1);
   }
   assert.deepEqual(trouble(seen), []);
   await close();
 });
 
-test("a plan is asked for, found and cooked, while the page answers", { timeout: 120_000 }, async () => {
+test("a plan is asked for, found and cooked, while the page answers", { timeout: 300_000 }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address);
   await learn(page, "Plan my steak", /^Find a plan$/);
   for (const [name, value] of [["thickness", 10], ["length", 30], ["width", 30], ["Flips at most", 1]]) await slide(page, name, value);
@@ -86,7 +89,7 @@ test("a plan is asked for, found and cooked, while the page answers", { timeout:
   const before = await stats(page);
   await says(page, /^Search: [1-9]\d* %/);
   assert.ok((await stats(page)).frames > before.frames, "the page draws meanwhile");
-  await says(page, /^Cook it live$/, 90_000);
+  await says(page, /^Cook it live$/, 240_000);
   const said = await read(page);
   const promised = numbers(said.find((text) => /at its highest/.test(text)))[0];
   assert.ok(promised > 40 && promised < 90, `${promised} °C`);
@@ -130,14 +133,14 @@ async function heated(page) {
   return `time_s,pan_c\n${[...new Set(rows)].join("\n")}\n`;
 }
 
-test("a log of a thermometer gives my kitchen, and it is there after a reload", { timeout: 150_000 }, async () => {
+test("a log of a thermometer gives my kitchen, and it is there after a reload", { timeout: 300_000 }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address);
   const log = await heated(page);
   await learn(page, "My kitchen", /^Find my kitchen$/);
   await drop(page, "pan.csv", log);
   await says(page, /pan\.csv: \d+ rows/);
   await clickLabel(page, "Find my kitchen");
-  await says(page, /^Use this kitchen$/, 90_000);
+  await says(page, /^Use this kitchen$/, 240_000);
   await page.screenshot({ path: join(PICTURES, "my-kitchen.png") });
   await clickLabel(page, "Use this kitchen");
   const kept = await says(page, /of the power reaches the pan/);

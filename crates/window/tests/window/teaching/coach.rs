@@ -56,6 +56,8 @@ fn without_the_coach_no_gamepad_pulses_at_the_goal() {
     let mut harness = small_steak(WIDE);
     set(&mut harness, Setting::Coach(false));
     put_in(&mut harness);
+    until(&mut harness, |session| core_c(session) > 30.0);
+    command(&mut harness, &Command::Flip { food: "steak".into() });
     until(&mut harness, |session| core_c(session) > 60.0);
     steps(&mut harness, 1);
     assert!(!harness.state().pad_pulses() && !says(&harness, "Goal reached"));
