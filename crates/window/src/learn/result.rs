@@ -16,7 +16,8 @@ impl SauteApp {
     pub(crate) fn watch_result(&mut self, advice: &[Advice]) {
         let has_rested = advice.iter().any(|one| matches!(one, Advice::Rested { .. }));
         let is_free = self.card.is_none() && !self.card_is_open() && !self.shows_ways() && !self.session.paused;
-        let is_alone = self.session.runner.is_none() && self.learn.tutorial.is_none() && self.guided.is_none();
+        let is_led = self.learn.tutorial.is_some() || self.guided.is_some() || self.follows_plan();
+        let is_alone = self.session.runner.is_none() && !is_led;
         if !(self.settings.result_opens && has_rested && is_free && is_alone && self.session.is_out()) {
             return;
         }

@@ -29,7 +29,7 @@ impl SauteApp {
             PlanAct::Save(file) => self.save_plan(file, ctx),
             PlanAct::DoStep => self.do_step(),
             PlanAct::Hurry => self.hurry(),
-            PlanAct::Leave => self.live = None,
+            PlanAct::Leave => drop(self.live.take_if(|live| !live.close())),
         }
     }
 
@@ -95,6 +95,11 @@ impl SauteApp {
     /// Returns true while a plan is kept to.
     pub(crate) fn guide_leads(&self) -> bool {
         self.keeping() == Some(Keeping::Kept)
+    }
+
+    /// Returns true while the cook of a plan is not over: its rest is as long as planned.
+    pub(crate) fn follows_plan(&self) -> bool {
+        self.keeping().is_some()
     }
 
     /// How the person stands to the plan of the cook, until it is over.

@@ -32,6 +32,8 @@ pub struct Live {
     before_hurry: Option<f64>,
     /// The step that is waited for at real time.
     slowed: Option<Slowed>,
+    /// True once the person has closed what was said at the end.
+    is_closed: bool,
     /// True once it was said that time slows down.
     slowing_is_said: bool,
 }
@@ -86,7 +88,17 @@ impl Live {
         let masses = session.kitchen.pieces().iter().map(saute_kitchen::Piece::mass).collect();
         let plays = session.recording().beginning().plays;
         let text = plan.recipe_text();
-        Self { text, plan, masses, gave: None, plays, before_hurry: None, slowed: None, slowing_is_said: false }
+        Self {
+            text,
+            plan,
+            masses,
+            gave: None,
+            plays,
+            before_hurry: None,
+            slowed: None,
+            is_closed: false,
+            slowing_is_said: false,
+        }
     }
 
     /// The plan.
@@ -103,6 +115,17 @@ impl Live {
     pub fn judges(&self, session: &Session) -> bool {
         let beginning = session.recording().beginning();
         beginning.plays == self.plays && beginning.text == self.text
+    }
+
+    /// Closes what is said at the end; returns false if the cook is not over: then the guide ends.
+    pub fn close(&mut self) -> bool {
+        self.is_closed = self.gave.is_some();
+        self.is_closed
+    }
+
+    /// Returns true once what was said at the end is closed. The plan still judges the cook.
+    pub fn is_closed(&self) -> bool {
+        self.is_closed
     }
 
     /// The goal of the plan.
@@ -162,7 +185,7 @@ impl Live {
         let guidance = self.guidance(session);
         let (now_s, is_over) = (session.shown_s(), guidance.next.is_empty());
         if !is_over {
-            self.gave = None;
+            (self.gave, self.is_closed) = (None, false);
             return self.keep_time(&guidance, session);
         }
         if self.gave.is_some() {

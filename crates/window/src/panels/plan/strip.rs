@@ -29,7 +29,7 @@ const BUTTON: f32 = 34.0;
 
 /// Shows the strip where a cook follows a plan; returns the layout for messages, which stand below it.
 pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) -> Layout {
-    let Some(live) = state.live.filter(|_| layout.ways.is_none()) else { return *layout };
+    let Some(live) = state.live.filter(|live| layout.ways.is_none() && !live.is_closed()) else { return *layout };
     let guidance = live.guidance(state.session);
     let top = layout.free.top() + if layout.narrow { layout.eye.height() + 2.0 * GAP } else { 12.0 + 2.0 * GAP };
     let width = WIDTH.min(layout.free.width() - 2.0 * GAP);

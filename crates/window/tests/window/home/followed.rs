@@ -216,6 +216,14 @@ fn a_plan_that_was_followed_opens_its_result_as_planned_and_cooking_again_can_be
     assert!(says(&harness, &format!("The plan promised {:.0}", plan.score.0)));
     harness.get_by_label("Nothing: it came out as the plan promised.");
     assert!(!says(&harness, "less power") && !says(&harness, "Flip more often"));
+    harness.get_by_label("Done").click();
+    steps(&mut harness, 3);
+    harness.get_by_label("End the guide").click();
+    steps(&mut harness, 3);
+    assert!(!says(&harness, "Rested: serve"));
+    harness.get_by_label("Result").click();
+    steps(&mut harness, 3);
+    harness.get_by_label_contains("Goal met as planned");
     let before_s = time_s(&harness);
     harness.get_by_label("Cook again").click();
     steps(&mut harness, 3);
