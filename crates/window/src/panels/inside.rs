@@ -1,7 +1,7 @@
 //! What is inside now: the cut, doneness, temperatures, the goal and the curves.
 
 use egui::{RichText, Ui, vec2};
-use saute_kitchen::advice::{Advice, class_goal};
+use saute_kitchen::advice::{Advice, TOO_HOT_C, class_goal};
 use saute_kitchen::doneness::core_class;
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::food::{Scale, Shares};
@@ -354,6 +354,7 @@ pub(crate) fn advice_words(advice: Advice, state: &WindowState) -> String {
         Advice::TurnOff => l.text("advice.turn_off").to_owned(),
         Advice::Heating { until_c, .. } => at("advice.heating", until_c),
         Advice::TooHot { smokes: true, to_w, .. } => hob("advice.smokes", to_w),
+        Advice::TooHot { smokes: false, to_w, hottest_c } if hottest_c <= TOO_HOT_C => hob("advice.both_brown", to_w),
         Advice::TooHot { smokes: false, to_w, hottest_c } => hotter("advice.too_hot", to_w, hottest_c),
         Advice::TurnDown { to_w, hottest_c } => hotter("advice.turn_down", to_w, hottest_c),
         Advice::PutIn { .. } => l.fill("advice.put_in", &[("food", &l.called("noun", &state.session.noun()))]),
