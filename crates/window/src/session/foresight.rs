@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use saute_kitchen::advice::{Advice, Goal, Situation};
+use saute_kitchen::advice::{Advice, FORECAST_HIGH_K, Goal, Situation};
 use saute_kitchen::celsius;
 use saute_kitchen::doneness::{ScaleChoice, at_core, fitting};
 use saute_kitchen::food::Scale;
@@ -30,6 +30,12 @@ impl Session {
             self.forecast = Some((piece.id.clone(), second, Forecast { peak_c: celsius(peak), in_s }));
         }
         self.forecast.as_ref().map(|(.., f)| *f)
+    }
+
+    /// Returns the core peak that the advice reckons with if the food were taken out now [°C]; none of food that is not in the pan.
+    pub fn expected_peak_c(&self) -> Option<f64> {
+        let piece = self.steak().filter(|piece| piece.in_pan())?;
+        self.forecast.as_ref().filter(|(id, ..)| *id == piece.id).map(|(.., found)| found.peak_c - FORECAST_HIGH_K)
     }
 
     /// Returns advice for the piece that the panels show, the most urgent first, with a goal for its core, in the unit of the scale [°C or %],

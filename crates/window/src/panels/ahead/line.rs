@@ -1,7 +1,6 @@
 //! Forecasts in one line, under the readings.
 
 use egui::{Label, RichText, Sense, Ui, UiBuilder, vec2};
-use saute_kitchen::advice::Advice;
 use saute_plan::forecast::Question;
 
 use super::{age_words, class};
@@ -24,14 +23,6 @@ pub fn show(state: &WindowState, ui: &mut Ui) {
     child.add(label).on_hover_text(format!("{words}\n{hint}"));
 }
 
-/// The highest core temperature that the advice expects of food that is taken out now [°C].
-fn advised(state: &WindowState) -> Option<f64> {
-    state.advice.iter().find_map(|one| match one {
-        Advice::WouldPeak { peak_c, .. } | Advice::TakeOut { peak_c } => Some(*peak_c),
-        _ => None,
-    })
-}
-
 /// The words, and whether they hold as things are.
 fn words(state: &WindowState) -> Option<(String, bool)> {
     let (settings, l) = (state.settings, state.settings.language);
@@ -40,8 +31,13 @@ fn words(state: &WindowState) -> Option<(String, bool)> {
     let core = shown(as_it_is.core_in(AHEAD_S).0);
     let out = state.session.foreseen(Question::TakeOut);
     let last = out.as_ref().unwrap_or(&as_it_is);
+    if !(as_it_is.is_current && last.is_current) {
+        // What was foreseen in the pan would frighten once it is out.
+        return Some((l.text("ahead.stale").to_owned(), false));
+    }
     // One number for one question: the advice above answers it too.
-    let peak = advised(state).map_or_else(|| shown(last.answer.outlook.peak.core), |c| settings.temperature(c));
+    let expected = state.session.expected_peak_c();
+    let peak = expected.map_or_else(|| shown(last.answer.outlook.peak.core), |c| settings.temperature(c));
     let age = age_words(state, &as_it_is);
     // An age takes the room of the class.
     let peak = match class(state, &last.answer.outlook).filter(|_| age.is_none()) {
@@ -53,5 +49,5 @@ fn words(state: &WindowState) -> Option<(String, bool)> {
     if let Some(age) = age {
         words = format!("{words} · {age}");
     }
-    Some((words, as_it_is.is_current && last.is_current))
+    Some((words, true))
 }

@@ -99,12 +99,20 @@ fn highest(session: &Session, question: Question) -> String {
 
 #[test]
 fn a_line_says_what_comes_and_what_if_it_is_taken_out() {
-    let (mut harness, _) = usual();
+    let (mut harness, agency) = usual();
     save(&mut harness, "forecast-line");
     let core = degrees(harness.state().session(), Question::AsItIs, 120.0);
     // The line and the advice answer one question with one number.
     let advised = harness.state_mut().session_mut().forecast().expect("steak is in the pan").peak_c - FORECAST_HIGH_K;
     harness.get_by_label_contains(&format!("In 2 min {core}\u{a0}°C · out now: {advised:.0}\u{a0}°C ("));
+    // What was foreseen in the pan is not said of a steak that is out of it.
+    *agency.is_away.borrow_mut() = true;
+    harness.get_by_label("Take out").click();
+    cook(&mut harness, 3.0);
+    harness.get_by_label_contains("From before the last thing you did");
+    assert!(
+        harness.query_by_label_contains("In 2 min").is_none() && harness.query_by_label_contains("highest:").is_none()
+    );
 }
 
 #[test]
