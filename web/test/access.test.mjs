@@ -62,6 +62,8 @@ test("a cook by the HTML controls alone, told in words", { timeout: 240_000 }, a
   await page.waitForFunction(() => /steak: in the pan, core \d+ °C/.test(document.getElementById("told").textContent.replaceAll("\u00a0", " ")));
   // A control keeps its focus while the panels change, and is pressed by the keyboard.
   const flip = page.locator("#controls").getByRole("button", { name: "Flip", exact: true });
+  // What is off cannot have the focus; it is on once the panels have seen the steak in the pan.
+  await page.waitForFunction((element) => !element.disabled, await flip.elementHandle());
   await flip.focus();
   await page.waitForTimeout(1500);
   assert.equal(await page.evaluate(() => document.activeElement.textContent), "Flip");
