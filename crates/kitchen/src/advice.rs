@@ -40,12 +40,12 @@ pub const BROWN_ENOUGH: f64 = 0.9;
 /// Time after which both sides, once brown, change places [s] (chosen: evens out the heat with few flips).
 pub const TURNS_S: f64 = 180.0;
 /// Setting of the hob that browns food in a hot pan [W], and the one that lets its core warm on (chosen: the lowest of 400 to 700 W
-/// with which steaks of 15 mm get a crust, and one at which steaks of 35 mm do not char; tests/advice.rs follows them).
+/// with which steaks of 15 mm get a crust, and one at which steaks of 35 mm do not char; a test of the goals follows them).
 pub const FRYING_W: f64 = 600.0;
 /// See [`FRYING_W`] [W].
 pub const GENTLE_W: f64 = 400.0;
-/// Temperature of the hottest place of the pan from which it has the heat to fry on with less power [°C] (chosen: below the smoke
-/// points of refined oils by a few kelvins), and the one from which food that has begun to brown browns on [°C] (chosen).
+/// Temperature of the hottest place of the pan from which it has the heat to fry on with less power [°C] (chosen: 20 K
+/// below [`TOO_HOT_C`]), and the one from which food that has begun to brown browns on [°C] (chosen).
 pub const HOT_TO_FRY_C: f64 = 250.0;
 /// See [`HOT_TO_FRY_C`] [°C].
 pub const BROWNS_AT_C: f64 = 220.0;
@@ -73,13 +73,18 @@ pub enum Advice {
         /// Temperature to wait for [°C].
         until_c: f64,
     },
-    /// Turn the hob down: the oil smokes, or every oil would, or both sides of the food are brown.
+    /// Turn the hob down: the oil smokes, or every oil would.
     TooHot {
         /// Temperature of the hottest place of the pan's floor [°C].
         hottest_c: f64,
         /// True if oil smokes visibly.
         smokes: bool,
         /// Setting of the hob that lets the pan cool enough [W].
+        to_w: f64,
+    },
+    /// Turn the hob down: both sides of the food are brown, and only its core is to warm on.
+    BothBrown {
+        /// Setting of the hob that browns them little further [W].
         to_w: f64,
     },
     /// Turn the hob down to fry: the pan has the heat that it browns with.
@@ -159,7 +164,7 @@ impl Advice {
     pub fn hob_w(self) -> Option<f64> {
         match self {
             Self::TurnOn { power_w } | Self::TooCold { power_w } => Some(power_w),
-            Self::TooHot { to_w, .. } | Self::TurnDown { to_w, .. } => Some(to_w),
+            Self::TooHot { to_w, .. } | Self::BothBrown { to_w } | Self::TurnDown { to_w, .. } => Some(to_w),
             Self::TurnOff => Some(0.0),
             _ => None,
         }
@@ -171,6 +176,7 @@ impl Advice {
             self,
             Self::TurnOn { .. }
                 | Self::TooHot { .. }
+                | Self::BothBrown { .. }
                 | Self::TurnDown { .. }
                 | Self::TooCold { .. }
                 | Self::TurnOff

@@ -93,24 +93,27 @@ impl Situation {
 
     fn too_hot(&self) -> Option<Advice> {
         let (hottest_c, smokes) = (self.hottest_c, self.smoke_mg_s >= SMOKE_SEEN_MG_S);
-        let to_w = match () {
-            () if smokes || hottest_c > TOO_HOT_C => self.power_for(hottest_c - COOLER_K).min(FRYING_W),
-            () if self.is_brown() && hottest_c > HOT_C => GENTLE_W,
-            () => return None,
-        };
+        let to_w = self.power_for(hottest_c - COOLER_K).min(FRYING_W);
         // With the hob at that setting the pan cools by itself.
-        (self.hob_w >= to_w + STEP_W).then_some(Advice::TooHot { hottest_c, smokes, to_w })
+        let is_due = (smokes || hottest_c > TOO_HOT_C) && self.is_above(to_w);
+        is_due.then_some(Advice::TooHot { hottest_c, smokes, to_w })
     }
 
-    /// True if both sides are as brown as they should be.
-    fn is_brown(&self) -> bool {
-        self.browning.iter().all(|b| *b >= BROWN_BOTH)
+    /// Both sides are as brown as they should be, and the pan would brown them on.
+    fn both_brown(&self) -> Option<Advice> {
+        let brown = self.browning.iter().all(|b| *b >= BROWN_BOTH) && self.hottest_c > HOT_C;
+        (brown && self.is_above(GENTLE_W)).then_some(Advice::BothBrown { to_w: GENTLE_W })
+    }
+
+    /// True if the hob is set to more than a power, by a step at least.
+    fn is_above(&self, watts: f64) -> bool {
+        self.hob_w >= watts + STEP_W
     }
 
     /// A hob that was turned up to heat the pan is turned down once the food browns, or the pan is hotter than it needs.
     fn turn_down(&self) -> Option<Advice> {
         let browns = self.browning.iter().any(|b| *b >= BROWN) && self.hottest_c >= BROWNS_AT_C;
-        let is_due = (browns || self.hottest_c >= HOT_TO_FRY_C) && self.hob_w >= FRYING_W + STEP_W;
+        let is_due = (browns || self.hottest_c >= HOT_TO_FRY_C) && self.is_above(FRYING_W);
         is_due.then_some(Advice::TurnDown { hottest_c: self.hottest_c, to_w: FRYING_W })
     }
 
@@ -126,7 +129,8 @@ impl Situation {
 
     fn in_pan(&self, goal: Option<Goal>) -> Vec<Advice> {
         let food = self.of_food(goal);
-        let hob = self.too_hot().or_else(|| self.turn_down()).or_else(|| self.too_cold());
+        let cooler = self.too_hot().or_else(|| self.both_brown()).or_else(|| self.turn_down());
+        let hob = cooler.or_else(|| self.too_cold());
         let mut advice: Vec<Advice> = [Some(food), hob].into_iter().flatten().collect();
         // What is due comes before what is waited for; food before the hob.
         advice.sort_by_key(|one| !one.is_due());
@@ -296,7 +300,7 @@ mod tests {
     fn the_hob_is_turned_down_once_when_both_sides_are_brown() {
         let at =
             |hob_w, browning| Situation { hob_w, browning, since_flip_s: Some(5.0), ..FRYING }.advice(peak(50.0))[0];
-        let gentle = Advice::TooHot { hottest_c: 215.0, smokes: false, to_w: GENTLE_W };
+        let gentle = Advice::BothBrown { to_w: GENTLE_W };
         assert_eq!(at(FRYING_W, [BROWN_BOTH; 2]), gentle);
         assert!(!at(GENTLE_W, [0.9; 2]).is_due() && !at(FRYING_W, [0.5, 0.9]).is_due());
     }

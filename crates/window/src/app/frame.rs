@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use egui::Ui;
 use saute_kitchen::advice::coaching::Coaching;
+use saute_plan::schedule::voice::Keeping;
 use saute_recipe::session::session_file::is_session;
 use web_time::{Duration, Instant};
 
@@ -72,7 +73,9 @@ impl SauteApp {
     fn show_panels(&mut self, ui: &mut Ui, layout: &Layout) -> Acts {
         let goal = self.scale().map(|scale| (Arc::clone(&scale), self.settings.goal(&scale)));
         let (advised, quality) = (self.session.advice(goal), self.quality());
-        let advice = self.leave_to_guide(advised.clone());
+        let keeping = self.keeping();
+        // While a plan is kept to, its guide gives the orders.
+        let advice = keeping.map_or_else(|| advised.clone(), |keeping| keeping.leaves(&advised));
         if self.card == Some(Card::Mirror) {
             // The card shows the error of a rig that cannot be read.
             let _ = self.mirror.rig(&self.settings.mirror.rig);
@@ -85,7 +88,6 @@ impl SauteApp {
         let coaching = piece.and_then(|piece| Coaching::of(&self.session.kitchen, piece, &advised));
         let alarm = coach && advice.iter().any(|one| one.is_goal());
         let result = if self.card == Some(Card::Result) { self.result_words() } else { None };
-        let taught = advised;
         let state = WindowState {
             session: &self.session,
             settings: &self.settings,
@@ -109,7 +111,7 @@ impl SauteApp {
             japanese_font: self.japanese_font,
             quality,
             advice,
-            guide_leads: self.guide_leads(),
+            guide_leads: keeping == Some(Keeping::Kept),
             coaching,
             alarm,
             result,
@@ -122,8 +124,8 @@ impl SauteApp {
         let mut acts = Acts::new();
         panels::show_all(&state, &mut self.memory, ui, &mut acts, layout);
         self.pulse_at_goal(alarm);
-        self.tutor(&taught);
-        self.watch_result(&taught);
+        self.tutor(&advised);
+        self.watch_result(&advised);
         acts
     }
 

@@ -1,7 +1,7 @@
 //! What is inside now: the cut, doneness, temperatures, the goal and the curves.
 
 use egui::{RichText, Ui, vec2};
-use saute_kitchen::advice::{Advice, TOO_HOT_C, class_goal};
+use saute_kitchen::advice::{Advice, class_goal};
 use saute_kitchen::doneness::core_class;
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::food::{Scale, Shares};
@@ -304,8 +304,8 @@ pub fn show_advice(state: &WindowState, ui: &mut Ui, lines: u8, acts: &mut Acts)
     // Below one line of advice the coach speaks; what is due is not left out for that.
     let due = state.advice.iter().filter(|one| one.is_due()).count();
     let told = if coached { due.clamp(1, 2) } else { 2 };
-    if let Some(hob) = state.advice.first().filter(|one| one.hob_w().is_some()) {
-        do_it(state, &mut child, *hob, rect, acts);
+    if let Some(watts) = state.advice.first().and_then(|one| one.hob_w()) {
+        do_it(state, &mut child, watts, rect, acts);
     }
     for (place, advice) in state.advice.iter().take(told).enumerate() {
         // The second one has one line.
@@ -324,11 +324,10 @@ fn one_advice(state: &WindowState, ui: &mut Ui, advice: Advice, whole: bool) {
 }
 
 /// A click on the place of the advice sets the hob as it says; a finger may miss by a line's distance.
-fn do_it(state: &WindowState, ui: &mut Ui, advice: Advice, place: egui::Rect, acts: &mut Acts) {
-    let Some(watts) = advice.hob_w() else { return };
+fn do_it(state: &WindowState, ui: &mut Ui, watts: f64, place: egui::Rect, acts: &mut Acts) {
     let place = place.expand2(vec2(0.0, (0.5 * (fingers::height(ui, 0.0) - place.height())).max(0.0)));
     let response = ui.interact(place, ui.scope_id().with("do it"), egui::Sense::click());
-    let name = state.settings.language.fill("advice.do_it", &[("power", &format!("{watts:.0} W"))]);
+    let name = do_it_words(watts, state);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, &name));
     if response.has_focus() {
         let line = egui::Stroke::new(2.0, theme::of(ui).text);
@@ -337,6 +336,11 @@ fn do_it(state: &WindowState, ui: &mut Ui, advice: Advice, place: egui::Rect, ac
     if response.on_hover_cursor(egui::CursorIcon::PointingHand).on_hover_text(name).clicked() {
         acts.push(Act::HobSet(watts));
     }
+}
+
+/// What a button says that sets the hob as advised [W].
+pub(crate) fn do_it_words(watts: f64, state: &WindowState) -> String {
+    state.settings.language.fill("advice.do_it", &[("power", &format!("{watts:.0} W"))])
 }
 
 /// Advice in the cook's words.
@@ -354,8 +358,8 @@ pub(crate) fn advice_words(advice: Advice, state: &WindowState) -> String {
         Advice::TurnOff => l.text("advice.turn_off").to_owned(),
         Advice::Heating { until_c, .. } => at("advice.heating", until_c),
         Advice::TooHot { smokes: true, to_w, .. } => hob("advice.smokes", to_w),
-        Advice::TooHot { smokes: false, to_w, hottest_c } if hottest_c <= TOO_HOT_C => hob("advice.both_brown", to_w),
         Advice::TooHot { smokes: false, to_w, hottest_c } => hotter("advice.too_hot", to_w, hottest_c),
+        Advice::BothBrown { to_w } => hob("advice.both_brown", to_w),
         Advice::TurnDown { to_w, hottest_c } => hotter("advice.turn_down", to_w, hottest_c),
         Advice::PutIn { .. } => l.fill("advice.put_in", &[("food", &l.called("noun", &state.session.noun()))]),
         Advice::Wet { .. } => l.text("advice.wet").to_owned(),

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use saute_kitchen::Command;
-use saute_kitchen::advice::Advice;
 use saute_plan::schedule::Plan;
 use saute_plan::schedule::voice::Keeping;
 
@@ -84,28 +83,19 @@ impl SauteApp {
         self.session.set_speed(SPEEDS[SPEEDS.len() - 1]);
     }
 
-    /// What of advice is said: while a plan is kept to, its guide gives the orders.
-    pub(crate) fn leave_to_guide(&self, advice: Vec<Advice>) -> Vec<Advice> {
-        match self.keeping() {
-            Some(keeping) => keeping.leaves(&advice),
-            None => advice,
-        }
+    /// The plan that the shown cook follows, until it is over: its rest is as long as planned.
+    fn followed(&self) -> Option<&Live> {
+        self.live.as_ref().filter(|live| live.is_of(&self.session) && live.gave().is_none())
     }
 
-    /// Returns true while a plan is kept to.
-    pub(crate) fn guide_leads(&self) -> bool {
-        self.keeping() == Some(Keeping::Kept)
-    }
-
-    /// Returns true while the cook of a plan is not over: its rest is as long as planned.
+    /// Returns true while a plan is followed.
     pub(crate) fn follows_plan(&self) -> bool {
-        self.keeping().is_some()
+        self.followed().is_some()
     }
 
-    /// How the person stands to the plan of the cook, until it is over.
-    fn keeping(&self) -> Option<Keeping> {
-        let live = self.live.as_ref().filter(|live| live.is_of(&self.session) && live.gave().is_none())?;
-        Some(live.keeping(&self.session))
+    /// How the person stands to the plan that is followed.
+    pub(crate) fn keeping(&self) -> Option<Keeping> {
+        self.followed().map(|live| live.keeping(&self.session))
     }
 
     fn cook_live(&mut self) {

@@ -5,7 +5,7 @@ use saute_kitchen::advice::Advice;
 
 use crate::act::{Act, Acts};
 use crate::learn::tutorial::{Step, Tutorial, control};
-use crate::panels::inside::{advice_words, clock};
+use crate::panels::inside::{advice_words, clock, do_it_words};
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
@@ -36,9 +36,12 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
         frame.show(ui, |ui| {
             ui.set_width(width);
             ui.spacing_mut().item_spacing.y = 5.0;
-            ui.label(RichText::new(words(state, tutorial)).size(14.5));
-            if let Some(hob) = hob_first(state, tutorial) {
-                do_it(state, hob, ui, acts);
+            let hob = hob_first(state, tutorial);
+            ui.label(RichText::new(words(state, tutorial, hob)).size(14.5));
+            if let Some(watts) = hob.and_then(Advice::hob_w)
+                && ui.button(do_it_words(watts, state)).clicked()
+            {
+                acts.push(Act::HobSet(watts));
             }
             foot(state, tutorial, ui, acts);
         });
@@ -48,22 +51,14 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
 
 /// Advice about the hob that is due while a step waits for the food.
 fn hob_first(state: &WindowState, tutorial: &Tutorial) -> Option<Advice> {
-    let about_hob = |one: &&Advice| one.hob_w().is_some_and(|watts| watts > 0.0);
+    let about_hob = |one: &&Advice| one.hob_w().is_some() && **one != Advice::TurnOff;
     state.advice.iter().find(about_hob).filter(|_| tutorial.step().waits()).copied()
 }
 
-/// The button that does it.
-fn do_it(state: &WindowState, advice: Advice, ui: &mut Ui, acts: &mut Acts) {
-    let Some(watts) = advice.hob_w() else { return };
-    if ui.button(state.settings.language.fill("advice.do_it", &[("power", &format!("{watts:.0} W"))])).clicked() {
-        acts.push(Act::HobSet(watts));
-    }
-}
-
 /// What to do now; the hob comes first where its advice is due.
-fn words(state: &WindowState, tutorial: &Tutorial) -> String {
+fn words(state: &WindowState, tutorial: &Tutorial, hob: Option<Advice>) -> String {
     let l = state.settings.language;
-    if let Some(hob) = hob_first(state, tutorial) {
+    if let Some(hob) = hob {
         return l.fill("tutorial.hob_first", &[("advice", &advice_words(hob, state))]);
     }
     l.text(match tutorial.step() {
