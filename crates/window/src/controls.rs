@@ -62,6 +62,16 @@ pub fn controls(update: &TreeUpdate) -> Vec<Control> {
     found
 }
 
+/// Finds in the controls of now the one that had an id in those of before. The panels number their controls anew when what stands
+/// above them changes; then it is the one of the same kind and name, the same in order where there are several.
+pub fn again<'a>(now: &'a [Control], before: &[Control], id: &str) -> Option<&'a Control> {
+    let place = before.iter().position(|control| control.id == id)?;
+    let is_same = |control: &&Control| control.kind == before[place].kind && control.name == before[place].name;
+    let number = before[..place].iter().filter(is_same).count();
+    let stays = now.iter().find(|control| control.id == id && is_same(control));
+    stays.or_else(|| now.iter().filter(is_same).nth(number))
+}
+
 fn control(id: NodeId, node: &Node) -> Option<Control> {
     let kind = kind(node)?;
     let range = (kind == Kind::Slider).then(|| range(node)).flatten();
@@ -102,6 +112,27 @@ mod tests {
         let mut node = Node::new(role);
         node.set_label(label);
         node
+    }
+
+    #[test]
+    fn a_control_is_found_again_when_the_panels_have_numbered_anew() {
+        let list = |controls: &[(u64, Role, &str)]| -> Vec<Control> {
+            controls.iter().filter_map(|(id, role, name)| control(NodeId(*id), &node(*role, name))).collect()
+        };
+        let before = list(&[(1, Role::Label, "Save"), (2, Role::Button, "Save"), (3, Role::Button, "Save")]);
+        let found = |now: &[(u64, Role, &str)], id| again(&list(now), &before, id).map(|control| control.id.clone());
+        let anew = [
+            (5, Role::Button, "Recent"),
+            (6, Role::Label, "Save"),
+            (7, Role::Button, "Save"),
+            (8, Role::Button, "Save"),
+        ];
+        assert_eq!(found(&anew, "2").as_deref(), Some("7"));
+        assert_eq!(found(&anew, "3").as_deref(), Some("8"), "the second of a name");
+        let partly = [(2, Role::Button, "Recent"), (3, Role::Button, "Save")];
+        assert_eq!(found(&partly, "3").as_deref(), Some("3"), "what keeps its number is itself");
+        assert_eq!(found(&partly, "2").as_deref(), Some("3"), "a number that another one has is not it");
+        assert_eq!(found(&[(2, Role::Button, "Recent")], "2"), None, "it is gone");
     }
 
     #[test]

@@ -3,12 +3,12 @@
 
 use std::sync::{Arc, Mutex};
 
-use egui::accesskit::{Action, ActionData, ActionRequest, NodeId, TreeId, TreeUpdate};
+use egui::accesskit::{Action, ActionData, ActionRequest, NodeId, TreeId};
 use egui::{Context, Event, FullOutput, RawInput};
 use web_time::{Duration, Instant};
 
 use crate::app::SauteApp;
-use crate::controls::controls;
+use crate::controls::{Control, again, controls};
 use crate::words::told::told;
 
 /// Time between two looks at the panels (chosen: a screen reader speaks no faster, and looks cost time).
@@ -16,20 +16,45 @@ const LOOK_EVERY: Duration = Duration::from_millis(250);
 /// Time between two descriptions of the cook (chosen: one is heard to its end before the next begins).
 const TELL_EVERY: Duration = Duration::from_secs(5);
 
+/// What was done to a control of the page.
+struct Asked {
+    /// Its number in the controls that the page shows.
+    id: String,
+    action: Action,
+    data: Option<ActionData>,
+}
+
 /// What goes between the plugin, which egui owns, and the window.
 #[derive(Default)]
 struct Passed {
-    tree: Option<TreeUpdate>,
-    asked: Vec<ActionRequest>,
+    /// What the panels show, since it was last looked at.
+    seen: Option<Vec<Control>>,
+    /// What the page shows.
+    shown: Vec<Control>,
+    /// What was done to that, until the panels are looked at anew.
+    asked: Vec<Asked>,
+    /// The same for the panels.
+    ready: Vec<ActionRequest>,
     looked: Option<Instant>,
     ctx: Option<Context>,
+}
+
+impl Passed {
+    /// Finds the controls that were pressed in the present panels; what is gone by now is not pressed.
+    fn find_asked(&mut self, now: &[Control]) {
+        for Asked { id, action, data } in self.asked.drain(..) {
+            let number = again(now, &self.shown, &id).and_then(|control| control.id.parse().ok());
+            let request =
+                |number| ActionRequest { action, target_tree: TreeId::ROOT, target_node: NodeId(number), data };
+            self.ready.extend(number.map(request));
+        }
+    }
 }
 
 /// The window's side.
 #[derive(Clone, Default)]
 pub(crate) struct Mirrored {
     passed: Arc<Mutex<Passed>>,
-    shown: String,
     told: Option<Instant>,
 }
 
@@ -42,9 +67,9 @@ impl Mirrored {
         }
     }
 
-    fn ask(&self, request: ActionRequest) {
+    fn ask(&self, asked: Asked) {
         let Ok(mut passed) = self.passed.lock() else { return };
-        passed.asked.push(request);
+        passed.asked.push(asked);
         drop(passed);
         self.wake();
     }
@@ -58,8 +83,13 @@ impl Mirrored {
         }
     }
 
-    fn take_tree(&self) -> Option<TreeUpdate> {
-        self.passed.lock().ok()?.tree.take()
+    /// What the page is to show, if that is new.
+    fn news(&self) -> Option<String> {
+        let mut passed = self.passed.lock().ok()?;
+        let seen = passed.seen.take().filter(|seen| *seen != passed.shown)?;
+        let text = serde_json::to_string(&seen).ok()?;
+        passed.shown = seen;
+        Some(text)
     }
 }
 
@@ -73,9 +103,9 @@ impl egui::Plugin for Listener {
 
     fn input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
         let Ok(mut passed) = self.0.lock() else { return };
-        input.events.extend(passed.asked.drain(..).map(Event::AccessKitActionRequest));
+        input.events.extend(passed.ready.drain(..).map(Event::AccessKitActionRequest));
         // The tree costs time; few frames make one.
-        if passed.looked.is_none_or(|at| at.elapsed() >= LOOK_EVERY) {
+        if !passed.asked.is_empty() || passed.looked.is_none_or(|at| at.elapsed() >= LOOK_EVERY) {
             passed.looked = Some(Instant::now());
             ctx.enable_accesskit();
         } else {
@@ -83,10 +113,14 @@ impl egui::Plugin for Listener {
         }
     }
 
-    fn output_hook(&mut self, _: &Context, output: &mut FullOutput) {
+    fn output_hook(&mut self, ctx: &Context, output: &mut FullOutput) {
         let Some(tree) = output.platform_output.accesskit_update.take() else { return };
-        if let Ok(mut passed) = self.0.lock() {
-            passed.tree = Some(tree);
+        let Ok(mut passed) = self.0.lock() else { return };
+        let seen = controls(&tree);
+        passed.find_asked(&seen);
+        passed.seen = Some(seen);
+        if !passed.ready.is_empty() {
+            ctx.request_repaint();
         }
     }
 }
@@ -95,12 +129,8 @@ impl SauteApp {
     /// Shows the page what the panels show, if that is new, and tells it now and then how the cook stands.
     pub(crate) fn show_mirrored(&mut self) {
         let Some(host) = &self.host else { return };
-        if let Some(tree) = self.mirrored.take_tree()
-            && let Ok(text) = serde_json::to_string(&controls(&tree))
-            && text != self.mirrored.shown
-        {
+        if let Some(text) = self.mirrored.news() {
             host.show_controls(&text);
-            self.mirrored.shown = text;
         }
         if self.mirrored.told.is_none_or(|at| at.elapsed() >= TELL_EVERY) {
             self.mirrored.told = Some(Instant::now());
@@ -127,8 +157,6 @@ impl SauteApp {
     }
 
     fn ask_control(&self, id: &str, action: Action, data: Option<ActionData>) {
-        let Ok(number) = id.parse() else { return };
-        let target_node = NodeId(number);
-        self.mirrored.ask(ActionRequest { action, target_tree: TreeId::ROOT, target_node, data });
+        self.mirrored.ask(Asked { id: id.to_owned(), action, data });
     }
 }
