@@ -62,14 +62,35 @@ pub fn controls(update: &TreeUpdate) -> Vec<Control> {
     found
 }
 
-/// Finds in the controls of now the one that had an id in those of before. The panels number their controls anew when what stands
-/// above them changes; then it is the one of the same kind and name, the same in order where there are several.
-pub fn again<'a>(now: &'a [Control], before: &[Control], id: &str) -> Option<&'a Control> {
-    let place = before.iter().position(|control| control.id == id)?;
-    let is_same = |control: &&Control| control.kind == before[place].kind && control.name == before[place].name;
-    let number = before[..place].iter().filter(is_same).count();
-    let stays = now.iter().find(|control| control.id == id && is_same(control));
-    stays.or_else(|| now.iter().filter(is_same).nth(number))
+/// What a control is by, when the panels have numbered their controls anew: they do when what stands above them changes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Identity {
+    id: String,
+    kind: Kind,
+    name: String,
+    /// How many of its kind and name stand before it.
+    number: usize,
+}
+
+impl Identity {
+    /// Of the control that has an id.
+    pub fn of(id: &str, controls: &[Control]) -> Option<Self> {
+        let place = controls.iter().position(|control| control.id == id)?;
+        let Control { id, kind, name, .. } = controls[place].clone();
+        let mut identity = Self { id, kind, name, number: 0 };
+        identity.number = controls[..place].iter().filter(|control| identity.is_alike(control)).count();
+        Some(identity)
+    }
+
+    /// Finds it: by its id if it is still its own, else by kind, name and order.
+    pub fn find<'a>(&self, controls: &'a [Control]) -> Option<&'a Control> {
+        let mut alike = controls.iter().filter(|control| self.is_alike(control));
+        alike.clone().find(|control| control.id == self.id).or_else(|| alike.nth(self.number))
+    }
+
+    fn is_alike(&self, control: &Control) -> bool {
+        control.kind == self.kind && control.name == self.name
+    }
 }
 
 fn control(id: NodeId, node: &Node) -> Option<Control> {
@@ -120,7 +141,7 @@ mod tests {
             controls.iter().filter_map(|(id, role, name)| control(NodeId(*id), &node(*role, name))).collect()
         };
         let before = list(&[(1, Role::Label, "Save"), (2, Role::Button, "Save"), (3, Role::Button, "Save")]);
-        let found = |now: &[(u64, Role, &str)], id| again(&list(now), &before, id).map(|control| control.id.clone());
+        let found = |now: &[(u64, Role, &str)], id| Some(Identity::of(id, &before)?.find(&list(now))?.id.clone());
         let anew = [
             (5, Role::Button, "Recent"),
             (6, Role::Label, "Save"),

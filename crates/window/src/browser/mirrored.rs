@@ -8,7 +8,7 @@ use egui::{Context, Event, FullOutput, RawInput};
 use web_time::{Duration, Instant};
 
 use crate::app::SauteApp;
-use crate::controls::{Control, again, controls};
+use crate::controls::{Control, Identity, controls};
 use crate::words::told::told;
 
 /// Time between two looks at the panels (chosen: a screen reader speaks no faster, and looks cost time).
@@ -18,10 +18,16 @@ const TELL_EVERY: Duration = Duration::from_secs(5);
 
 /// What was done to a control of the page.
 struct Asked {
-    /// Its number in the controls that the page shows.
-    id: String,
+    control: Identity,
     action: Action,
     data: Option<ActionData>,
+}
+
+impl Asked {
+    fn request(&self, id: &str) -> Option<ActionRequest> {
+        let target_node = NodeId(id.parse().ok()?);
+        Some(ActionRequest { action: self.action, target_tree: TreeId::ROOT, target_node, data: self.data.clone() })
+    }
 }
 
 /// What goes between the plugin, which egui owns, and the window.
@@ -33,21 +39,27 @@ struct Passed {
     shown: Vec<Control>,
     /// What was done to that, until the panels are looked at anew.
     asked: Vec<Asked>,
-    /// The same for the panels.
-    ready: Vec<ActionRequest>,
+    /// Where to do it in the panels: the ids that the controls had when they were looked at.
+    found: Vec<(String, Asked)>,
     looked: Option<Instant>,
     ctx: Option<Context>,
 }
 
 impl Passed {
+    /// What is under way to a control needs the panels of each frame.
+    fn is_under_way(&self) -> bool {
+        !self.asked.is_empty() || !self.found.is_empty()
+    }
+
     /// Finds the controls that were pressed in the present panels; what is gone by now is not pressed.
-    fn find_asked(&mut self, now: &[Control]) {
-        for Asked { id, action, data } in self.asked.drain(..) {
-            let number = again(now, &self.shown, &id).and_then(|control| control.id.parse().ok());
-            let request =
-                |number| ActionRequest { action, target_tree: TreeId::ROOT, target_node: NodeId(number), data };
-            self.ready.extend(number.map(request));
-        }
+    fn find(&mut self, now: &[Control]) {
+        let (done, missed): (Vec<_>, Vec<_>) = std::mem::take(&mut self.found)
+            .into_iter()
+            .partition(|(id, asked)| asked.control.find(now).is_none_or(|control| control.id == *id));
+        drop(done);
+        // The panels had numbered anew in the very frame in which it was done.
+        let asked = missed.into_iter().map(|(_, asked)| asked).chain(self.asked.drain(..));
+        self.found = asked.filter_map(|asked| Some((asked.control.find(now)?.id.clone(), asked))).collect();
     }
 }
 
@@ -67,9 +79,11 @@ impl Mirrored {
         }
     }
 
-    fn ask(&self, asked: Asked) {
+    fn ask(&self, id: &str, action: Action, data: Option<ActionData>) {
         let Ok(mut passed) = self.passed.lock() else { return };
-        passed.asked.push(asked);
+        // Now, while the page shows what it was pressed in.
+        let Some(control) = Identity::of(id, &passed.shown) else { return };
+        passed.asked.push(Asked { control, action, data });
         drop(passed);
         self.wake();
     }
@@ -103,9 +117,10 @@ impl egui::Plugin for Listener {
 
     fn input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
         let Ok(mut passed) = self.0.lock() else { return };
-        input.events.extend(passed.ready.drain(..).map(Event::AccessKitActionRequest));
+        let requests = passed.found.iter().filter_map(|(id, asked)| asked.request(id));
+        input.events.extend(requests.map(Event::AccessKitActionRequest));
         // The tree costs time; few frames make one.
-        if !passed.asked.is_empty() || passed.looked.is_none_or(|at| at.elapsed() >= LOOK_EVERY) {
+        if passed.is_under_way() || passed.looked.is_none_or(|at| at.elapsed() >= LOOK_EVERY) {
             passed.looked = Some(Instant::now());
             ctx.enable_accesskit();
         } else {
@@ -117,9 +132,9 @@ impl egui::Plugin for Listener {
         let Some(tree) = output.platform_output.accesskit_update.take() else { return };
         let Ok(mut passed) = self.0.lock() else { return };
         let seen = controls(&tree);
-        passed.find_asked(&seen);
+        passed.find(&seen);
         passed.seen = Some(seen);
-        if !passed.ready.is_empty() {
+        if passed.is_under_way() {
             ctx.request_repaint();
         }
     }
@@ -157,6 +172,6 @@ impl SauteApp {
     }
 
     fn ask_control(&self, id: &str, action: Action, data: Option<ActionData>) {
-        self.mirrored.ask(Asked { id: id.to_owned(), action, data });
+        self.mirrored.ask(id, action, data);
     }
 }
