@@ -26,16 +26,16 @@ source scripts/python.sh
 
 saute() { ./run.sh "$@"; }
 
-random_cooks() { SAUTE_RANDOM_COOKS="$CAMPAIGN_RANDOM_COOKS" cargo test --release -p saute-kitchen --test properties; }
+random_cooks() { SAUTE_RANDOM_COOKS="$CAMPAIGN_RANDOM_COOKS" cargo test --release -p saute-kitchen --test kitchen properties::; }
 
 random_packets() { PROPTEST_CASES="$CAMPAIGN_RANDOM_PACKETS" cargo test --release -p saute-haptics -- --quiet; }
 
 random_instants() {
-    SAUTE_RANDOM_INSTANTS="$CAMPAIGN_RANDOM_INSTANTS" cargo test --release -p saute-kitchen --test bytes
+    SAUTE_RANDOM_INSTANTS="$CAMPAIGN_RANDOM_INSTANTS" cargo test --release -p saute-kitchen --test kitchen bytes::
 }
 
 random_sessions() {
-    SAUTE_RANDOM_SESSIONS="$CAMPAIGN_RANDOM_SESSIONS" cargo test --release -p saute-recipe --test sessions
+    SAUTE_RANDOM_SESSIONS="$CAMPAIGN_RANDOM_SESSIONS" cargo test --release -p saute-recipe --test recipe sessions::
 }
 
 random_kills() { SAUTE_RANDOM_KILLS="$CAMPAIGN_RANDOM_KILLS" cargo test --release -p saute --test cli killed; }
