@@ -9,13 +9,15 @@ use serde_json::Value;
 
 /// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
 /// skipped.
-const ARROWS: [(&str, &[&str]); 18] = [
+const ARROWS: [(&str, &[&str]); 20] = [
     ("saute-heat", &[]),
     ("saute-food", &["saute-heat"]),
     ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
     ("saute-recipe", &["saute-food", "saute-kitchen"]),
     ("saute-lab", &["saute-heat", "saute-food", "saute-kitchen", "saute-recipe"]),
     ("saute-plan", &["saute-kitchen", "saute-recipe"]),
+    ("saute-formats", &["saute-recipe"]),
+    ("saute-sweep", &["saute-formats", "saute-kitchen", "saute-recipe"]),
     ("saute-surface", &["saute-heat"]),
     ("saute-scene", &["wgpu"]),
     ("saute-picture", &["saute-kitchen", "saute-recipe", "saute-scene", "wgpu"]),
@@ -120,7 +122,16 @@ const OUTSIDE_WORLD: &[&str] = &[
 ];
 
 /// The core: a pure function of model, state, commands and time step.
-const CORE: [&str; 6] = ["saute-heat", "saute-food", "saute-kitchen", "saute-recipe", "saute-lab", "saute-plan"];
+const CORE: [&str; 8] = [
+    "saute-heat",
+    "saute-food",
+    "saute-kitchen",
+    "saute-recipe",
+    "saute-lab",
+    "saute-plan",
+    "saute-formats",
+    "saute-sweep",
+];
 
 /// The normal dependencies of every crate, on the platform of this machine.
 struct Graph {

@@ -1,0 +1,4 @@
+//! The specification of a sweep: its file, and what it varies.
+
+pub mod spec_file;
+pub mod varied;
