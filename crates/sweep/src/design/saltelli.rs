@@ -25,10 +25,8 @@ mod tests {
     fn a_row_for_a_value_differs_from_a_in_that_value_only_and_has_b_s_there() {
         let block: Vec<Vec<f64>> = (15..20).map(|row| point(row, 3, 4)).collect();
         for d in 0..3 {
-            for other in 0..3 {
-                let expected = if other == d { block[B][other] } else { block[A][other] };
-                assert_eq!(block[2 + d][other], expected);
-            }
+            let expected: Vec<f64> = (0..3).map(|other| block[if other == d { B } else { A }][other]).collect();
+            assert_eq!(block[2 + d], expected);
         }
         assert_ne!(block[A], block[B]);
     }
